@@ -1,19 +1,19 @@
-# The README's two commands, `make play` and `make test`, set everything up themselves. The other targets are for developers.
+# `make play` and `make test`, the two commands of the README, install what they need. The other targets are for developers.
 .PHONY: play test check bench package install format lint fuzz clean shipped
 
 SOURCES = find src tests bench fuzz -name '*.cpp' -o -name '*.h'
 MAPS = start lq_e0m1 lq_e1m2
-# Without game data the program draws a level that it makes itself.
+# Without game data, the program draws its small built-in level.
 WITH_DATA = $(if $(TEMBLOR_DATA),--basedir "$(TEMBLOR_DATA)")
 DEMOS = demo1_lite demo2_lite demo3_lite
 BENCHED = $(if $(TEMBLOR_DATA),$(addprefix --map ,$(MAPS)) $(addprefix --demo ,$(DEMOS)))
 
 play:
 	tools/play.sh
-# Format, spelling, the release build and its tests: run it before every commit.
+# Format, spelling, the release build, and its tests. Run it before every commit.
 test:
 	tools/run_tests.sh test
-# Everything: the shipped game, sanitizers, fuzzing, other people's programs, packages.
+# Everything: also the shipped game, sanitizers, fuzzing, other engines, and packages.
 check:
 	tools/run_tests.sh check
 
@@ -30,9 +30,9 @@ bench:
 	$(if $(TEMBLOR_DATA),build/release/bench/client_server_bench build/release/game/id1/progs.dat)
 	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/id1/progs.dat)
 
-# Writes to build/release a Debian package, an archive that can be unpacked anywhere, and temblor-light-*.tar.xz, which mappers
-# unpack over the other archive to compile light. Both archives contain the same top folder, so cpack gives them the same
-# name, and the light archive is renamed.
+# Writes three packages to build/release: a Debian package, an archive that can be unpacked anywhere, and
+# temblor-light-*.tar.xz, which mappers unpack over the other archive to compile light. Both archives contain the same top
+# folder, so cpack gives them the same name, and the light archive is renamed.
 package: shipped
 	cd build/release && cpack -G DEB && cpack -G TXZ && cpack -G TXZ -D PART=light -B light
 	cd build/release/light && for archive in temblor-*.tar.xz; do mv "$$archive" "../temblor-light-$${archive#temblor-}"; done
@@ -49,7 +49,7 @@ format:
 lint:
 	tools/lint.sh
 
-# Fuzzes each target for a minute. New inputs, and those that crash, are written to build/sanitize/found/.
+# Fuzzes each target for a minute. New inputs and crashing inputs are written to build/sanitize/found/.
 fuzz:
 	tools/setup.sh check
 	cmake --preset sanitize -DTEMBLOR_FUZZ_SECONDS=60

@@ -1,5 +1,5 @@
-// A hundred models of 400 triangles that fill a fifth of a picture of 1920 x 1080: the whole of the stage,
-// from poses to pixels.
+// Draws a hundred alias models of 400 triangles that fill a fifth of a 1920 x 1080 picture. Measures the
+// whole stage, from poses to pixels.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "render/alias/draw_alias_models.h"
 #include "support/levels/drawable_level.h"
 #include "support/models/drawable_models.h"
+#include "support/pictures/stage_parts.h"
 #include "support/random.h"
 
 namespace temblor::bench {
@@ -19,12 +20,12 @@ namespace {
 constexpr int kWidth = 1920, kHeight = 1080;
 constexpr int kBandRows = 64;  // as in whole frames
 constexpr int kColumns = 10, kRows = 10;
-// A ball's triangles end inside its circle, but what is near looks larger than its middle: together they fill
-// a fifth.
+// The triangles of a ball end inside its circle, but its near side looks larger than its center. Both effects
+// together fill a fifth.
 constexpr double kShareOfCircles = 0.158;
 constexpr std::int64_t kFifthSide = 91;
 
-// Side by side before the eye, each turned in its own way, none before another.
+// Side by side in front of the camera, each turned differently, none in front of another.
 std::vector<render::AliasInstance> hundred_models(const render::AliasModel& model,
                                                   const render::Camera& camera, double share, float size) {
   test::Random random(1);
@@ -64,16 +65,14 @@ void draw_models(benchmark::State& state, render::PixelFormat format, render::Se
   render::FrameBuffer frame(kWidth, kHeight, format);
   std::fill(frame.depth().begin(), frame.depth().end(), 0.0f);
   const render::ViewFrame view = render::make_view_frame(scene, kWidth, kHeight);
-  base::Jobs jobs(1);
-  base::Arena arena;
-  std::vector<base::Arena> job_arenas;
-  // What is drawn again is as near as what is there, and so shows.
+  test::StageParts parts(settings);
+  // A model that is drawn again has the same depth as before, and so its pixels pass the depth test.
   for (auto _ : state) {
-    arena.reset();
+    parts.arenas.frame.reset();
     const std::span<const render::PreparedAlias> models =
-        render::prepare_alias_models(scene, settings, view, tables, format, jobs, arena, job_arenas);
+        render::prepare_alias_models(parts.context(scene, format, tables), view);
     for (int row = 0; row < kHeight; row += kBandRows)
-      render::draw_alias_models(models, settings.vector_kernels, {row, std::min(row + kBandRows, kHeight)},
+      render::draw_alias_models(models, settings.simd_kernels, {row, std::min(row + kBandRows, kHeight)},
                                 frame);
     benchmark::ClobberMemory();
   }
@@ -82,7 +81,8 @@ void draw_models(benchmark::State& state, render::PixelFormat format, render::Se
   state.counters["share"] = static_cast<double>(pixels) / static_cast<double>(frame.pixel_count());
 }
 
-// By the mean length of triangles' sides, in tenths of a pixel; at 91 they fill a fifth of the picture.
+// The argument is the mean length of the triangles' sides in tenths of a pixel. At 91, they fill a fifth of
+// the picture.
 void register_all() {
   const auto add = [](const char* name, render::PixelFormat format, render::AliasRaster raster,
                       bool vectors) {
@@ -90,7 +90,7 @@ void register_all() {
                                  [=](benchmark::State& state) {
                                    const double side = static_cast<double>(state.range(0)) / kFifthSide;
                                    draw_models(state, format,
-                                               {.vector_kernels = vectors, .alias_raster = raster},
+                                               {.simd_kernels = vectors, .alias_raster = raster},
                                                kShareOfCircles * side * side);
                                  })
         ->Unit(benchmark::kMillisecond)

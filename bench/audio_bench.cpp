@@ -1,4 +1,4 @@
-// What sound costs: a second of it at a time, so that a time of 10 ms is one percent of a core.
+// Measures the cost of sound in seconds of CPU time per second of sound: 10 ms are one percent of a core.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace temblor::bench {
 namespace {
 
 constexpr std::size_t kSecond = audio::kFramesPerSecond;
-constexpr std::size_t kPiece = 512;  // as a device asks for it
+constexpr std::size_t kPiece = 512;  // the block that a device asks for
 
 audio::SoundPtr hum(double frequency_hz) {
   audio::Sound sound{"hum", {}, audio::SoundLoop{0, kSecond}};
@@ -22,12 +22,12 @@ audio::SoundPtr hum(double frequency_hz) {
   return std::make_shared<const audio::Sound>(std::move(sound));
 }
 
-// So many voices all heard, while the listener turns and walks, 72 times a second.
+// All voices are audible, and the listener turns and walks 72 times per second.
 void mix_voices(benchmark::State& state) {
   audio::Mixer mixer;
   audio::Scene scene;
   scene.listener.entity = 1;
-  mixer.follow(scene, 0);
+  mixer.set_scene(scene, 0);
   audio::SoundEvents events;
   for (std::int64_t i = 0; i < state.range(0); ++i) {
     const auto place = static_cast<float>(i);
@@ -36,7 +36,7 @@ void mix_voices(benchmark::State& state) {
                               2 / static_cast<float>(state.range(0)),
                               1});
   }
-  mixer.happen(events);
+  mixer.handle_events(events);
   std::vector<float> out(2 * kPiece), music(2 * kPiece, 0.1f);
   double time_s = 0;
   for (auto _ : state) {
@@ -44,7 +44,7 @@ void mix_voices(benchmark::State& state) {
       time_s += static_cast<double>(kPiece) / kSecond;
       scene.listener.origin_world.x = static_cast<float>(100 * std::sin(time_s));
       scene.listener.right = {static_cast<float>(std::cos(time_s)), static_cast<float>(std::sin(time_s)), 0};
-      mixer.follow(scene, kPiece);
+      mixer.set_scene(scene, kPiece);
       mixer.render(out, music);
     }
     benchmark::ClobberMemory();
@@ -61,7 +61,7 @@ BENCHMARK(mix_voices)
     ->Arg(512)
     ->Unit(benchmark::kMillisecond);
 
-// The inner loop alone, for a second of one voice.
+// Only the inner loop, for one second of one voice.
 template <auto Mix>
 void mix_kernel(benchmark::State& state) {
   const audio::SoundPtr sound = hum(440);
@@ -79,7 +79,7 @@ void mix_plainly(const audio::MixJob& job) {
 BENCHMARK(mix_kernel<mix_plainly>)->Name("audio/kernel/plain");
 BENCHMARK(mix_kernel<audio::mix_simd>)->Name("audio/kernel/vector");
 
-// Loading: a second of sound as games have it.
+// Loads one second of sound in the format of game files.
 void resample(benchmark::State& state) {
   formats::Wav wav{.frames_per_second = static_cast<std::uint32_t>(state.range(0)),
                    .channels = 1,

@@ -1,4 +1,5 @@
-// Building rows of lit surfaces, and palette expansion: texels and pixels a second.
+// Measures the kernels that build rows of surface blocks and expand the palette, in texels and pixels per
+// second.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>

@@ -1,7 +1,6 @@
-// Runs the benchmarks; then, of those that were run, sets both rasterizers of alias models side by side, by
-// size, with what the article tells of Quake's own: affine was about 20 percent slower over a whole model,
-// and more than 50 percent in drawing alone ("Quake's Triangle Models", in Michael Abrash's Graphics
-// Programming Black Book).
+// Runs the benchmarks. At the end, it compares both rasterizers of alias models by triangle size. In Quake,
+// affine drawing was about 20 percent slower over a whole model and more than 50 percent slower in drawing
+// alone (Michael Abrash, "Graphics Programming Black Book", 1997, "Quake's Triangle Models").
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -12,7 +11,7 @@
 namespace temblor::bench {
 namespace {
 
-// Nanoseconds by name; also passes everything on to the console.
+// Collects nanoseconds by name, and forwards everything to the console.
 class KeepingReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -32,7 +31,7 @@ struct Comparison {
   const char* title;
   const char* size_unit;
   double units_per_argument;
-  const char *affine, *subdivision;  // names, the argument left out
+  const char *affine, *subdivision;  // names without the argument
   const char* article;
   std::vector<int> arguments;
 };

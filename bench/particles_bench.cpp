@@ -1,5 +1,5 @@
-// Particles: 10,000 at 1920x1080 on one thread, at distances where their squares are smallest, as an
-// explosion nearby has them, and largest.
+// Draws 10,000 particles at 1920 x 1080 on one thread: at distances where their squares are smallest, as in
+// a nearby explosion, and largest.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/particles/draw_particles.h"
+#include "support/pictures/stage_parts.h"
 
 namespace temblor::bench {
 namespace {
@@ -17,7 +18,7 @@ struct Cloud {
   std::vector<std::uint8_t> color;
 };
 
-// In view of an eye at the origin that looks along x: spread over the whole picture.
+// Spread over the whole picture of a camera at the origin that looks along x.
 Cloud random_cloud(std::size_t count, float least_distance, float most_distance) {
   std::mt19937 random(1);
   const auto uniform = [&](float low, float high) {
@@ -44,10 +45,10 @@ render::ViewFrame straight_view() {
   return view;
 }
 
-// As in whole frames.
+// The value of whole frames.
 constexpr int kBandRows = 64;
 
-// Depth is refilled outside the timing, so that no run finds the last one's particles.
+// Depth is cleared outside the measurement, so that no run is hidden by the particles of the last one.
 template <render::PixelFormat kFormat, bool kVectorKernels>
 void draw_particles(benchmark::State& state) {
   const Cloud cloud =
@@ -57,15 +58,13 @@ void draw_particles(benchmark::State& state) {
   const render::ViewFrame view = straight_view();
   render::FrameBuffer frame(view.width, view.height, kFormat);
   const render::ColorTables tables = render::make_color_tables({}, {});
-  base::Jobs jobs(1);
-  base::Arena arena;
+  test::StageParts parts({.simd_kernels = kVectorKernels, .band_rows = kBandRows});
   for (auto _ : state) {
     state.PauseTiming();
-    arena.reset();
+    parts.arenas.frame.reset();
     std::fill(frame.depth().begin(), frame.depth().end(), 1.0f / 1024);
     state.ResumeTiming();
-    const render::ParticleBands bands = render::place_particles(
-        scene, {.vector_kernels = kVectorKernels}, view, kBandRows, tables, kFormat, jobs, arena);
+    const render::ParticleBands bands = render::place_particles(parts.context(scene, kFormat, tables), view);
     for (std::size_t band = 0; band < bands.rects.size(); ++band)
       render::draw_particles(bands, band, kVectorKernels, frame);
     benchmark::ClobberMemory();

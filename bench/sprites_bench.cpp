@@ -1,4 +1,5 @@
-// Rows of a sprite of 64 x 64 texels, by length: pixels a second, all of them in front of what is there.
+// Draws rows of a sprite of 64 x 64 texels in front of everything else, in pixels per second, by the length
+// of a row.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

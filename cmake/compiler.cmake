@@ -1,4 +1,4 @@
-# Flags that all our targets share.
+# Compile flags that all our targets share.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -29,7 +29,7 @@ if(TEMBLOR_SANITIZE)
     target_compile_options(temblor_flags INTERFACE -fno-sanitize=null,alignment,object-size,vptr)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # With sanitizers g++ 12 warns of uninitialized values inside <regex> and <variant>, wrongly.
+    # With sanitizers, g++ 12 wrongly warns of uninitialized values inside <regex> and <variant>.
     target_compile_options(temblor_flags INTERFACE -Wno-maybe-uninitialized)
   endif()
 endif()

@@ -1,6 +1,6 @@
-# Precompiled headers: the parts of the standard library, fmt and glm that almost every file includes, parsed once for each
+# Precompiled headers: the parts of the standard library, fmt, and glm that almost every file includes, parsed once for each
 # build tree. Every file still includes what it uses (`make lint` compiles without precompiled headers). Targets reuse the
-# header of another target although they have more definitions than it; g++ and clang both accept that.
+# header of another target although they have more definitions; g++ and clang both accept that.
 
 # temblor_headers(NAME FLAGS [HEADER ...]): compiles the common headers and HEADERs with the flags of the library FLAGS.
 function(temblor_headers name flags)

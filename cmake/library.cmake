@@ -1,6 +1,6 @@
 # temblor_library(NAME [FOLDER F] [ROOT_ONLY] [SOURCES FILE...] [EXCEPT FILE...] [DEPENDS ...] [PRIVATE_DEPENDS ...]):
-# compiles src/NAME, or src/F, into the static library temblor::NAME. ROOT_ONLY leaves out the sub-folders, which are
-# libraries themselves. SOURCES replaces the files found in the folder; EXCEPT leaves some of them out.
+# compiles src/NAME, or src/F, into the static library temblor::NAME. ROOT_ONLY excludes the subfolders, which are libraries
+# of their own. SOURCES replaces the files found in the folder; EXCEPT excludes some of them.
 function(temblor_library name)
   cmake_parse_arguments(ARG "ROOT_ONLY" "FOLDER" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   if(NOT ARG_FOLDER)
@@ -26,15 +26,15 @@ function(temblor_library name)
   temblor_use_headers(temblor_${name} temblor_common_headers)
 endfunction()
 
-# Makes the flags of all tests and a precompiled header with GoogleTest in it.
+# Defines the flags of all tests, and a precompiled header with GoogleTest.
 function(temblor_test_flags)
   add_library(temblor_test_flags INTERFACE)
   target_link_libraries(temblor_test_flags INTERFACE temblor::base GTest::gmock)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Tests are mostly templates of GoogleTest that run once. With -O3 they take nearly twice the time to compile.
+    # Tests are mostly templates of GoogleTest that run once. With -O3, they take nearly twice as long to compile.
     target_compile_options(temblor_test_flags INTERFACE -Og)
   endif()
-  # mold links a test program in a tenth of the time that GNU ld takes. The program itself is linked with the system's linker.
+  # mold links a test program ten times as fast as GNU ld. The program itself is linked with the system's linker.
   find_program(TEMBLOR_MOLD mold)
   if(TEMBLOR_MOLD)
     target_link_options(temblor_test_flags INTERFACE -fuse-ld=mold)
@@ -45,12 +45,12 @@ endfunction()
 # temblor_test(NAME [SHARDS N] [CHECK_ONLY] [SLOW PATTERN] [PEERS PATTERN] [DEPENDS ...] [SOURCES ...] [DEFINITIONS ...]
 #              [NEEDS ...]): compiles tests/NAME/**.cpp and SOURCES into the GoogleTest program NAME_test. Sources called
 # X_test.cpp are left out if none of their lines match TEMBLOR_TESTS_LIKE. NEEDS lists targets to build before the program
-# runs. ctest runs the program as N processes that share its tests, so that a fixture is made a few times and not once for
-# each test. ctest's labels divide the tests:
+# runs. ctest runs the program as N processes that share its tests, so that a fixture is set up a few times instead of once
+# per test. ctest's labels divide the tests:
 #   (none)  `make test` runs them
 #   check   only `make check` runs them: all tests of a CHECK_ONLY program, which the target `all` does not build either,
 #           and those that match SLOW (a GoogleTest filter, `Suite.*:Suite.Test`)
-#   peers   only `make check` runs them, with other people's programs: those that match PEERS
+#   peers   only `make check` runs them, with other engines: those that match PEERS
 # Each process writes the results of its single tests to build/PRESET/reports/; tools/count_tests.sh adds them up.
 function(temblor_test name)
   cmake_parse_arguments(ARG "CHECK_ONLY" "SHARDS;SLOW;PEERS" "DEPENDS;SOURCES;DEFINITIONS;NEEDS" ${ARGN})

@@ -1,31 +1,31 @@
-# `make install` and `make package`: the program, the shipped game, its documents and a menu entry. The Debian package
+# `make install` and `make package`: the program, the shipped game, its documentation, and a menu entry. The Debian package
 # depends on the libraries; the archive contains them and can be unpacked anywhere. Embree, which only the level compiler
-# needs, is a second archive, to be unpacked over the first.
+# needs, is in a second archive, to be unpacked over the first.
 include(GNUInstallDirs)
 
 set(game_folder "${CMAKE_INSTALL_DATADIR}/games/temblor")
 set(library_folder "${CMAKE_INSTALL_LIBDIR}/temblor")
 
-# DT_RPATH and not DT_RUNPATH, so that the libraries in the archive also find one another.
+# DT_RPATH instead of DT_RUNPATH, so that the libraries in the archive also find each other.
 set_target_properties(temblor PROPERTIES INSTALL_RPATH "$ORIGIN/../${library_folder}")
 target_link_options(temblor PRIVATE -Wl,--disable-new-dtags)
 install(TARGETS temblor RUNTIME_DEPENDENCY_SET libraries COMPONENT game)
 
-# Only files that the build makes, not saved games and settings of somebody who played there.
+# Only files that the build makes, without saved games and settings.
 install(DIRECTORY "${CMAKE_BINARY_DIR}/game/id1" DESTINATION "${game_folder}" COMPONENT game
         FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|(start|t[0-9]|tdm[0-9]|gallery)\\.dem|quake\\.rc)$")
 install(FILES "${CMAKE_BINARY_DIR}/game/id1/icon/temblor.png" COMPONENT game
         DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps")
 install(FILES packaging/temblor.desktop COMPONENT game DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES LICENSE README.md COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# Debian's place for it.
+# Debian requires the license under this name.
 install(FILES LICENSE COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
-install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.jpg")
+install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.map" PATTERN "*.png" PATTERN "*.jpg")
 
-# All libraries except the C library's, which must match the system's loader.
+# All libraries except those of the C library, which must match the system's loader.
 install(RUNTIME_DEPENDENCY_SET libraries COMPONENT libraries DESTINATION "${library_folder}"
         PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv)\\.so" POST_EXCLUDE_REGEXES "/ld-linux[^/]*$")
-# Removes the search paths of libraries, which would come before the program's.
+# Remove the search paths of the libraries, because they would precede the program's.
 install(CODE "file(GLOB brought \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${library_folder}/*.so*\")
 foreach(library IN LISTS brought)
   if(NOT IS_SYMLINK \"\${library}\")

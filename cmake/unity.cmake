@@ -1,13 +1,13 @@
-# Unity builds: g++ spends most of its time on the headers that a file includes, and a unity file includes several sources
-# after one another and so reads those headers once. `cmake -DTEMBLOR_UNITY=OFF` compiles each source by itself, which is
-# quicker while one works on a few files.
+# Unity builds: g++ spends most of its time on the headers that a file includes. A unity file includes several sources, so
+# those headers are read only once. `cmake -DTEMBLOR_UNITY=OFF` compiles each source separately, which is faster while you
+# work on a few files.
 option(TEMBLOR_UNITY "Compile large targets as unity builds" ON)
 set(kFilesInAUnityFile 14)
 
 # temblor_unity_build(TARGET [BY_FOLDER] [APART FILE...]): compiles the target, if it exists, as a unity build. Names in
-# the unnamed namespaces of one target must then differ; sources under APART are compiled by themselves. So are the kernel
-# sources, which Highway includes once for each instruction set. BY_FOLDER puts the sources of one folder into one unity
-# file, for a library whose folders share few headers.
+# the unnamed namespaces of one target must then differ; sources listed after APART are compiled separately. So are the
+# kernel sources, which Highway includes once for each instruction set. BY_FOLDER puts the sources of one folder into one
+# unity file, for a library whose folders share few headers.
 function(temblor_unity_build target)
   if(NOT TARGET ${target})
     return()
@@ -26,7 +26,7 @@ function(temblor_unity_build target)
   set_source_files_properties(${sources} ${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${TEMBLOR_UNITY} UNITY_BUILD_BATCH_SIZE ${kFilesInAUnityFile})
   if(TEMBLOR_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # g++ takes a unity file for a header, whose types could differ between the sources that include it.
+    # g++ treats a unity file like a header, whose types could differ between the sources that include it.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
 endfunction()

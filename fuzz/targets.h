@@ -1,6 +1,6 @@
-// The fuzz targets. Each one feeds any bytes to one reader, writer or state machine and CHECKs what must hold
-// for every input; it always returns 0, and an input that breaks it ends the program. The function of target
-// NAME is in targets/*/NAME_fuzz.cpp, and its seeds are the files in corpus/NAME.
+// The fuzz targets. Each one feeds arbitrary bytes to a reader, writer, or state machine, and CHECKs what
+// must hold for every input. It always returns 0; an input that violates a CHECK ends the program. The
+// function of target NAME is in targets/*/NAME_fuzz.cpp, and its seeds are the files in corpus/NAME.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ int fuzz_colormap(const std::uint8_t* data, std::size_t size);
 int fuzz_console(const std::uint8_t* data, std::size_t size);
 int fuzz_dem(const std::uint8_t* data, std::size_t size);
 int fuzz_demo(const std::uint8_t* data, std::size_t size);
-int fuzz_difference(const std::uint8_t* data, std::size_t size);
+int fuzz_delta(const std::uint8_t* data, std::size_t size);
 int fuzz_entities(const std::uint8_t* data, std::size_t size);
 int fuzz_frame(const std::uint8_t* data, std::size_t size);
 int fuzz_handshake(const std::uint8_t* data, std::size_t size);
@@ -44,7 +44,7 @@ int fuzz_picture(const std::uint8_t* data, std::size_t size);
 int fuzz_pk3(const std::uint8_t* data, std::size_t size);
 int fuzz_png(const std::uint8_t* data, std::size_t size);
 int fuzz_progs(const std::uint8_t* data, std::size_t size);
-int fuzz_recording(const std::uint8_t* data, std::size_t size);
+int fuzz_demo_writer(const std::uint8_t* data, std::size_t size);
 int fuzz_sav(const std::uint8_t* data, std::size_t size);
 int fuzz_spr(const std::uint8_t* data, std::size_t size);
 int fuzz_tga(const std::uint8_t* data, std::size_t size);

@@ -21,7 +21,7 @@ add_custom_command(
 # Any message of the level compiler fails the build, except that boxes of supplies, b_*, have no room for a player. --clean
 # ignores the .build file of another version or of a run that was killed, which would cause a message.
 set(compile "\"$0\" compile --clean \"$1\" --wad \"$2\" -o \"$3\" > \"$3.txt\" 2> \"$3.err\" && ! grep -v \"$4\" \"$3.err\" || { cat \"$3.err\"; exit 1; }")
-set(note_of_boxes "no entity has a place\\|no info_player_start")
+set(note_of_boxes "no entity has an origin\\|no info_player_start")
 set(install_level "cp \"$0\" \"$1\" && if test -e \"$2\"; then cp \"$2\" \"$1\"; fi")
 foreach(script IN LISTS level_scripts)
   get_filename_component(name "${script}" NAME_WE)

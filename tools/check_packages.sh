@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Tries what `make package` wrote to build/release:
-#   the archives are unpacked, and the program in them draws a picture and compiles a map with light;
-#   the Debian package is installed in a clean system made by debootstrap, the installed game starts there without a display,
-#   and removing the package leaves nothing behind.
-# Without root, debootstrap or a package mirror the last part unpacks the package with `dpkg --root` into an empty folder,
-# where the program runs with this system's libraries. Exit status 77: not even that is possible here.
+# Tests the packages that `make package` wrote to build/release:
+#   Archives: unpacks them; the program draws a picture and compiles a map with light.
+#   Debian package: installs it in a clean system made by debootstrap; the game starts there without a display, and
+#   removing the package leaves no files.
+# Without debootstrap or a package mirror, the package is unpacked with `dpkg --root` into an empty folder, where the
+# program uses this system's libraries. Exit status 77: the package was not installed, because that needs root.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -29,11 +29,11 @@ deb=$(only_file "$build"/temblor_*.deb)
 archive=$(only_file "$build"/temblor-[0-9]*.tar.xz)
 light=$(only_file "$build"/temblor-light-*.tar.xz)
 
-# try_game COMMAND...: draws a level, and runs the game for a second in a window in memory. COMMAND is the program.
+# try_game COMMAND...: runs the program COMMAND. It draws a level and plays for a second in a window in memory.
 try_game() {
   "$@" --version >"$work/version.txt" || fail "$* --version failed"
   "$@" render --map start --size 320x200 -o /tmp/temblor_package_test.png >"$work/render.txt" 2>&1 ||
-    { cat "$work/render.txt"; fail "the level start could not be drawn"; }
+    { cat "$work/render.txt"; fail "cannot render the level start"; }
   SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy "$@" play --map start --duration 1 >"$work/play.txt" 2>&1 ||
     { cat "$work/play.txt"; fail "the game does not start"; }
 }
@@ -48,13 +48,13 @@ program=$(only_file "$work"/archive/temblor-*/bin/temblor)
 try_game "$program"
 cp build/release/game/work/maps/b_bh10.map build/release/game/work/textures.wad "$work"
 (cd "$work" && "$program" compile b_bh10.map --wad textures.wad -o box.bsp) >"$work/compile.txt" 2>&1 ||
-  { cat "$work/compile.txt"; fail "the unpacked program compiles no level"; }
+  { cat "$work/compile.txt"; fail "the unpacked program cannot compile a level"; }
 rm -rf "$HOME" /tmp/temblor_package_test.png
 
 root=$work/root
 kind=
 if [ "$(id -u)" -ne 0 ]; then
-  echo "  the Debian package was not installed: that needs root"
+  echo "  the Debian package was not installed, because that needs root"
   exit 77
 fi
 codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-bookworm}")
@@ -67,12 +67,12 @@ else
 fi
 
 if [ $kind = system ]; then
-  # The sources of this system have the libraries' versions that the package was built with.
+  # This system's package sources have the versions of the libraries that the package was built with.
   rm -f "$root/etc/apt/sources.list"
   cp -a /etc/apt/sources.list /etc/apt/sources.list.d "$root/etc/apt/" 2>/dev/null || true
   cp /etc/resolv.conf "$root/etc/resolv.conf"
   if mount -t proc proc "$root/proc" 2>/dev/null; then is_mounted=1; fi
-  printf '#!/bin/sh\nexit 101\n' >"$root/usr/sbin/policy-rc.d"  # starts no services
+  printf '#!/bin/sh\nexit 101\n' >"$root/usr/sbin/policy-rc.d"  # start no services
   chmod +x "$root/usr/sbin/policy-rc.d"
   inside=(chroot "$root" env DEBIAN_FRONTEND=noninteractive HOME="$HOME" PATH=/usr/sbin:/usr/bin:/sbin:/bin:/usr/games)
   cp "$deb" "$root/temblor.deb"
@@ -97,4 +97,4 @@ fi
 left=$(while IFS= read -r path; do if [ -e "$root$path" ] && [ ! -d "$root$path" ]; then echo "$path"; fi; done <"$work/files.txt"
   cd "$root" && find . -xdev -iname '*temblor*' -not -path './proc/*' -not -path './var/log/*' -not -path './var/cache/*' -not -path './var/lib/apt/*')
 [ -z "$left" ] || fail "removing the package leaves: $left"
-echo "  the archives run, and the Debian package was installed in a clean $kind, started and removed"
+echo "  the archives run; the Debian package was installed in a clean $kind, started, and removed"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Usage: tools/compare_levels.sh RELEASE_TREE OTHER_TREE
-# Proves that the shipped levels and demos depend on neither the compiler nor its flags, so that one build tree may make them
-# for all: the program of OTHER_TREE makes some of them again, and they must be the same bytes as those of RELEASE_TREE.
+# Tests that the shipped levels and demos depend on neither the compiler nor its flags, so that one build tree can make
+# them for all. The program of OTHER_TREE makes some of them again, and the bytes must equal those in RELEASE_TREE.
 set -euo pipefail
 game=$(realpath "$1")/game
 other=$(realpath "$2")
@@ -20,7 +20,7 @@ for level in "${levels[@]}"; do
   if [ -e "$game/work/maps/$level.lit" ]; then cmp "$work/$level.lit" "$game/work/maps/$level.lit"; fi
 done
 if [ -x "$other/scripted_player" ]; then
-  # As game/shipped.cmake records it. The exit status only says whether the player reached the exit.
+  # The same options as in game/shipped.cmake. The exit status is about the game, not about the recording.
   "$other/scripted_player" --basedir "$game" --map tdm1 --record "$work/tdm1.dem" --deathmatch 7 --seed 2 --limit 60 >/dev/null || true
   cmp "$work/tdm1.dem" "$game/id1/tdm1.dem"
 fi

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A contact sheet of a level, from the places in tools/level_views.txt. Usage: tools/level_sheet.sh LEVEL OUT.jpg [BSP]
-# (BSP: another file than the shipped level). Items, monsters and flames are not in it: those are the game code's.
+# Usage: tools/level_sheet.sh LEVEL OUT.jpg [BSP]: draws a contact sheet of a level from the views in tools/level_views.txt.
+# BSP replaces the shipped level. Items, monsters, and flames are missing, because game code creates them.
 set -euo pipefail
 
 if [ $# -lt 2 ]; then
@@ -23,7 +23,7 @@ while read -r of place angles; do
   tiles+=("$tile")
 done <"$here/level_views.txt"
 if [ ${#tiles[@]} = 0 ]; then
-  echo "level_sheet.sh: no views of $level in tools/level_views.txt" >&2
+  echo "level_sheet.sh: tools/level_views.txt has no views of $level" >&2
   exit 1
 fi
 montage -background '#181818' -tile 3x -resize 320x180 -geometry +2+2 -strip -quality 78 "${tiles[@]}" "$out"

@@ -9,7 +9,7 @@ cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev
 base=$(git merge-base HEAD origin/main 2>/dev/null || git rev-parse HEAD~1)
 mapfile -t sources < <(git diff --name-only --diff-filter=d "$base" -- 'src/*.cpp' 'tests/*.cpp' 'bench/*.cpp')
 if [ ${#sources[@]} -eq 0 ]; then
-  echo "lint: nothing differs from $base"
+  echo "lint: no source differs from $base"
   exit 0
 fi
 # -Wno-unknown-warning-option: the compile flags are for g++.

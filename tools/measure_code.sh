@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Usage: tools/measure_code.sh: measures the sources as a table of contents would show them:
+# Usage: tools/measure_code.sh: prints measurements of the sources:
 #   the number of files in each folder, with a mark where there are more than 25;
 #   the share of comment lines, own-line comments / (code + own-line comments), for each top folder;
 #   functions with more than 7 parameters; the longest files and functions.
@@ -20,7 +20,7 @@ tracked = [path for path in tracked if "/" in path and not path.startswith("buil
 
 
 def blank(match):
-    """The same number of lines, without the text."""
+    """Replaces a match by the same number of empty lines."""
     return " " + "\n" * match.group(0).count("\n")
 
 
@@ -34,7 +34,7 @@ def read(path):
 
 
 def parameters(text):
-    """How many parameters the list between a function's parentheses has."""
+    """Counts the parameters in the text between a function's parentheses."""
     depth, count = 0, 1
     for c in text:
         if c in "(<[{":
@@ -51,7 +51,7 @@ NOT_A_FUNCTION = re.compile(r"\b(if|for|while|switch|catch|return|namespace|stru
 
 
 def functions(text):
-    """Yields (name, parameters, first line, lines) of each function with a body."""
+    """Yields (name, number of parameters, first line, number of lines) of each function with a body."""
     text = TOKENS.sub(blank, text)
     start, stack = 0, []
     for i, c in enumerate(text):

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What the shipped game promises, measured, as a table: how long its levels compile, how soon `make play` shows a picture,
-# how large the packages are, and how fast every level is drawn. Everything is built before; nothing else should run.
-# Usage: tools/measure_game.sh [RUNS]  (of each recording, 3 unless told; each frame's quickest counts)
+# Usage: tools/measure_game.sh [RUNS]: measures the goals of the shipped game and prints a table: how long its levels
+# compile, how soon `make play` shows a frame, how large the packages are, and how fast the demo of every level is drawn.
+# RUNS: how often each demo is drawn (3); each frame's fastest time counts. Build everything first, and stop other work.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -25,17 +25,17 @@ compile_time() {
   row "all levels compiled, two cores" "$(seconds_since "$begin") s" "under 180 s"
 }
 
-# The window is one in memory, so that it can be measured anywhere.
+# Uses a window in memory, so that it works without a display.
 play_one_frame() {
   env -u TEMBLOR_DATA SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy DISPLAY=:none HOME="$folder" XDG_DATA_HOME="$folder" \
     tools/play.sh --duration 0.001 >/dev/null
 }
 first_frame() {
   local begin
-  play_one_frame  # builds what has changed
+  play_one_frame  # build what has changed
   begin=$(date +%s.%N)
   play_one_frame
-  row "\`make play\`, all built: a first frame drawn, and the end" "$(seconds_since "$begin") s" "under 1 s"
+  row "\`make play\`, already built: until it has drawn a frame and quit" "$(seconds_since "$begin") s" "under 1 s"
 }
 
 packages() {
@@ -46,10 +46,10 @@ packages() {
   done
 }
 
-# NAME SIZE GOAL DEMO
-recording() {
+# measure_demo NAME SIZE GOAL DEMO
+measure_demo() {
   "$program" --basedir "$game" bench --threads 2 --runs "$runs" --size "$2" --demo "$4" 2>/dev/null >"$folder/bench.txt"
-  row "$1, $2: median, 99 of 100, slowest" \
+  row "$1, $2: median, 99th percentile, slowest" \
     "$(awk '$1 == "frame" { printf "%.1f, %.1f, %.1f ms", $2, $5, $7 }' "$folder/bench.txt")" "$3"
 }
 
@@ -59,9 +59,9 @@ compile_time
 first_frame
 packages
 for level in start t1 t2 t3; do
-  recording "$level, from start to exit" 1920x1080 "6.9 ms (144 a second)" "$game/tours/$level.dem"
+  measure_demo "$level, from start to exit" 1920x1080 "6.9 ms (144 per second)" "$game/tours/$level.dem"
 done
 for level in "${levels[@]}"; do
-  recording "$level, behind the menu" 1920x1080 "6.9 ms (144 a second)" "$level"
+  measure_demo "$level, menu background" 1920x1080 "6.9 ms (144 per second)" "$level"
 done
-recording "gallery, behind the menu" 3840x2160 "16.7 ms (60 a second)" gallery
+measure_demo "gallery, menu background" 3840x2160 "16.7 ms (60 per second)" gallery

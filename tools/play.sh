@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# `make play`: builds the program and the game that comes with it, and opens it, or the data that TEMBLOR_DATA names.
-# Options are passed on to it: `tools/play.sh --map t1`.
-# Where there is no display it makes a film of the game's recordings, and a sheet of pictures from it.
+# `make play`: builds the program and the shipped game, then plays it, or the game data that TEMBLOR_DATA names. Options are
+# passed on: `tools/play.sh --map t1`. Without a display, it makes a film of the game's demos and a sheet of pictures.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -16,7 +15,7 @@ if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   options=()
   if [ -n "${TEMBLOR_DATA:-}" ]; then
     options=(--basedir "$TEMBLOR_DATA" play)
-    # Data without game code plays with ours.
+    # Game data without game code uses ours.
     own_code=build/release/game/id1/progs.dat
     if ! ls "$TEMBLOR_DATA"/id1/*.[pP][aA][kK] "$TEMBLOR_DATA"/id1/progs.dat >/dev/null 2>&1 && [ -f "$own_code" ]; then
       options+=(--progs "$own_code")
@@ -29,7 +28,7 @@ fi
 
 mkdir -p out
 film=out/play.mp4 sheet=out/play.png
-echo "There is no display. What the game would show goes to"
+echo "There is no display. Writing a film and a sheet of pictures of the game to"
 echo "  $PWD/$film"
 parts=()
 for level in t1 t2 t3; do

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Usage: tools/run_tests.sh test|check
-#   test   format, spelling, the release build and its tests, without game data and without other people's programs
+#   test   format, spelling, the release build, and its tests, without game data and without other engines
 #   check  the same with the game data that TEMBLOR_DATA names, then everything else: the shipped game and its tests, other
-#          people's programs, the address, undefined-behavior and thread sanitizers, fuzzing, and the packages
-# The last line is "N passed, N failed, N skipped" and counts single tests; a reason is printed for every skipped one. The
-# exit status is 1 if a test failed. Logs and reports are in build/PRESET/.
+#          engines, the address, undefined-behavior, and thread sanitizers, fuzzing, and the packages
+# The last line is "N passed, N failed, N skipped" and counts single tests; every skipped test has a reason. The exit status
+# is 1 if a test failed. Logs and reports are in build/PRESET/.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
 kind=${1:-test}
 if [ "$kind" = test ]; then unset TEMBLOR_DATA; fi
-CTEST_PARALLEL_LEVEL=$(($(nproc) + 1))  # some tests wait for other programs
+CTEST_PARALLEL_LEVEL=$(($(nproc) + 1))  # one more than cores, because some tests wait for other programs
 export CTEST_PARALLEL_LEVEL
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
@@ -39,14 +39,14 @@ check() {
   fi
 }
 
-# configure PRESET [OPTION...]
+# configure PRESET [OPTION...]: runs cmake; prints its output only if it fails.
 configure() {
   local preset=$1
   shift
   mkdir -p build
   cmake --preset "$preset" "$@" >"build/$preset.log" 2>&1 || { tail -30 "build/$preset.log"; return 1; }
 }
-# build PRESET [TARGET...]: prints nothing unless it fails, and then all compile errors.
+# build PRESET [TARGET...]: prints nothing unless it fails, and then the compile errors.
 build() {
   local preset=$1 log=build/$1.log
   shift
@@ -54,7 +54,7 @@ build() {
     { grep -E -A 12 'error|FAILED|Error' "$log" | head -60; return 1; }
 }
 
-# show_failures LOG: the output of failed tests in a ctest log, and of a test during which its process ended.
+# show_failures LOG: prints the output of failed tests in a ctest log, and of a test during which its process ended.
 show_failures() {
   awk '/^\[ RUN      \]/ { text = ""; running = 1 }
        /^\[       OK \]|^\[  SKIPPED \]/ { text = ""; running = 0; next }
@@ -64,7 +64,7 @@ show_failures() {
        END { if (running) printf "%s", text }' "$1" | head -200
 }
 
-# suite PRESET [CTEST OPTION...]: runs tests that were built, and counts them.
+# suite PRESET [CTEST OPTION...]: runs the tests that are built, and counts them.
 suite() {
   local preset=$1 report=build/$1/report.xml log=build/$1/ctest.log counts bad
   shift
@@ -110,9 +110,9 @@ check_release() {
 }
 
 check_game() {
-  step "the shipped game: build it, its tests, the slow tests and the benchmarks"
+  step "shipped game: build it, its tests, the slow tests, and the benchmarks"
   if ! check "shipped game" build release shipped_game check_tests benchmarks; then return; fi
-  step "the shipped game, slow tests, other people's programs"
+  step "shipped game, slow tests, other engines"
   suite release -L 'check|peers'
 }
 
@@ -126,16 +126,16 @@ check_sanitizers() {
   step "sanitize: test, replay every fuzz corpus, fuzz each target for 5 s"
   suite sanitize -LE peers
   if [ -d build/release/game/id1/maps ]; then
-    check "levels and demos are the same bytes from both compilers" tools/compare_levels.sh build/release build/sanitize
+    check "levels and demos are identical with both compilers" tools/compare_levels.sh build/release build/sanitize
   fi
 }
 
 check_threads() {
   step "tsan: build and run the tests of code with several threads"
-  # gcc 12's thread sanitizer fails if addresses are spread wider.
+  # The thread sanitizer of gcc 12 fails if addresses are randomized more; setarch -R turns that off.
   if [ "$(cat /proc/sys/vm/mmap_rnd_bits 2>/dev/null || echo 32)" -gt 28 ]; then launcher=(setarch -R); fi
   if ! "${launcher[@]}" true 2>/dev/null; then
-    skip "tsan: addresses are spread too widely on this machine, and setarch -R is refused"
+    skip "tsan: this machine randomizes addresses too much, and setarch -R is not allowed"
   elif check "tsan build" eval 'configure tsan && build tsan base_test audio_test render_test'; then
     suite tsan -R '^(base|audio|render)(\.|$)'
   fi
@@ -143,12 +143,12 @@ check_threads() {
 }
 
 check_packages() {
-  step "packages: build, install, start and remove them"
+  step "packages: build, install, start, and remove them"
   if check "packages" make --no-print-directory package >build/package.log 2>&1; then
     tools/check_packages.sh
     case $? in
       0) passed=$((passed + 1)) ;;
-      77) skip "packages were not installed, see above" ;;
+      77) skip "packages were not installed (see above)" ;;
       *) echo "FAILED: packages"; failed=$((failed + 1)) ;;
     esac
   else

@@ -1,21 +1,23 @@
 #!/usr/bin/env bash
-# Installs the Debian or Ubuntu packages that Temblor needs, if they are missing, and asks for root only then.
 # Usage: tools/setup.sh build|test|check
-#   build  to compile the program and its game    test   also for `make test`    check  also for `make check`
+# Installs the Debian or Ubuntu packages that Temblor needs, if they are missing, and asks for root only then.
+#   build  packages to compile the program and its game
+#   test   also those for `make test`
+#   check  also those for `make check`
 set -euo pipefail
 
 build=(g++ make cmake ninja-build pkgconf
   libtbb-dev libhwy-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libspng-dev libzip-dev
   libembree-dev libsdl2-dev libsndfile1-dev libsamplerate0-dev libvorbis-dev libogg-dev libgtest-dev libgmock-dev
   libbenchmark-dev fteqcc ffmpeg dpkg-dev file)
-# mold links the tests. One version of clang, so that every machine formats and warns alike.
+# mold links the tests. All machines use the same version of clang, so that they format and warn alike.
 test=(git clang-format-14 codespell python3-minimal mold)
-# QuakeSpasm, DarkPlaces and quakestat are other people's programs to play with, Xvfb and Weston are displays for them, and
-# iproute2 makes a network bad. debootstrap makes the system that the package is tried in.
+# Tests play with QuakeSpasm, DarkPlaces, and quakestat. Xvfb and Weston are displays, iproute2 simulates a bad network, and
+# debootstrap makes the system in which the package is tested.
 check=(parallel iproute2 qstat darkplaces darkplaces-server xvfb xauth xdotool weston quakespasm imagemagick
   clang-16 libclang-rt-16-dev clang-tidy-14 debootstrap)
 
-# Asks dpkg once about all of them, as `make play` waits for the answer.
+# Prints the packages that are not installed. Asks dpkg only once, because `make play` waits for the answer.
 list_missing() {
   local installed
   [ $# -gt 0 ] || return 0
@@ -23,14 +25,14 @@ list_missing() {
   printf '%s\n' "$@" | grep -vxF -e "$installed" || true
 }
 
-# Newer distributions have dropped some of these versions. The tests skip what needs them.
+# Prints the packages that exist. Newer distributions lack some of these versions; tests that need them are skipped.
 list_available() {
   local name
   for name in "$@"; do
     if apt-cache show "$name" >/dev/null 2>&1; then
       echo "$name"
     else
-      echo "setup: $name is not in this system's package lists; going on without it" >&2
+      echo "setup: this system has no package $name; continuing without it" >&2
     fi
   done
 }
@@ -43,7 +45,7 @@ case "${1:-}" in
 esac
 
 if ! command -v dpkg-query >/dev/null; then
-  echo "setup: not a Debian or Ubuntu system; install the equivalents of: ${build[*]} ${optional[*]}" >&2
+  echo "setup: this is not Debian or Ubuntu; install the equivalents of: ${build[*]} ${optional[*]}" >&2
   exit 0
 fi
 mapfile -t needed < <(list_missing "${build[@]}")
@@ -53,7 +55,7 @@ mapfile -t wanted < <(list_missing "${optional[@]}")
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
   if ! command -v sudo >/dev/null; then
-    echo "setup: packages are missing and there is no sudo; as root: apt-get install ${needed[*]} ${wanted[*]}" >&2
+    echo "setup: packages are missing and there is no sudo; run as root: apt-get install ${needed[*]} ${wanted[*]}" >&2
     # Missing optional packages do not stop the build.
     exit $((${#needed[@]} > 0))
   fi

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws sounds, for eyes where there are no ears: of each its wave above, its spectrogram below (time to the right,
-# frequency upward to the half of the rate). Usage: tools/sound_sheet.sh OUT.png COLUMNS FILE...
+# Usage: tools/sound_sheet.sh OUT.png COLUMNS FILE...: draws sounds for review without listening: for each file its waveform
+# and below it its spectrogram (time to the right, frequency upward to half of the sample rate).
 set -euo pipefail
 
 if [ $# -lt 3 ]; then

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Usage: tools/texture_sheet.py FOLDER SHEET.png [MIP]: all textures of FOLDER/textures.wad, with their names, as one
-picture in the colors of FOLDER/gfx/palette.lmp."""
+"""Usage: tools/texture_sheet.py FOLDER SHEET.png [MIP]: draws all textures of FOLDER/textures.wad, with their names, in
+the colors of FOLDER/gfx/palette.lmp."""
 import struct
 import sys
 import zlib
 
 WIDTH, GAP, LABEL = 1120, 4, 9
-INK, GROUND = 14, 1  # of the palette's grays
+INK, GROUND = 14, 1  # palette indices of two grays
 
-# Letters 3 x 5: a row each, its bits from the left.
+# Letters of 3 x 5 pixels: one octal digit per row, its highest bit on the left.
 LETTERS = {
     'a': '25755', 'b': '65656', 'c': '34443', 'd': '65556', 'e': '74647', 'f': '74644', 'g': '34553', 'h': '55755',
     'i': '72227', 'j': '11152', 'k': '55655', 'l': '44447', 'm': '57755', 'n': '65555', 'o': '25552', 'p': '65644',
@@ -31,7 +31,7 @@ def read_textures(wad, mip):
 
 
 def lay_out(textures):
-    """Rows of equally high ones: (name, left, top, rows of texels), and the sheet's height."""
+    """Arranges textures of equal height in rows. Returns (name, left, top, rows of texels) of each, and the total height."""
     placed, left, top, highest = [], GAP, GAP, 0
     for name, width, rows in sorted(textures, key=lambda t: (len(t[2]), t[0].lstrip('+0123456789'), t[0])):
         cell = max(width, 4 * len(name))

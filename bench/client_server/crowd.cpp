@@ -7,7 +7,7 @@
 
 namespace temblor::bench {
 
-std::vector<vm::EntityIndex> monsters_of(server::GameWorld& world) {
+std::vector<vm::EntityIndex> list_monsters(server::GameWorld& world) {
   std::vector<vm::EntityIndex> monsters;
   for (std::uint32_t i = 1; i < world.edicts.count(); ++i) {
     const vm::EntityIndex index{i};
@@ -19,7 +19,7 @@ std::vector<vm::EntityIndex> monsters_of(server::GameWorld& world) {
 
 base::Status add_monsters(std::size_t count, server::Game& io_game) {
   server::GameWorld& world = io_game.world();
-  const std::vector<vm::EntityIndex> own = monsters_of(world);
+  const std::vector<vm::EntityIndex> own = list_monsters(world);
   test::Random random(5);
   std::size_t added = own.size();
   for (int attempt = 0; !own.empty() && added < count && attempt < 200'000; ++attempt) {
@@ -52,7 +52,7 @@ base::Status set_upon_player(server::Game& io_game) {
     return base::error(base::ErrorCode::kUnsupported, "the program has no start_hunt()");
   const server::Edict player = io_game.player(0);
   player.set_flag(server::flag::kGodMode);
-  for (const vm::EntityIndex monster : monsters_of(world)) {
+  for (const vm::EntityIndex monster : list_monsters(world)) {
     world.edicts[monster].set(server::field::kEnemy, player.index());
     TRY_STATUS(world.calls.call(hunt, monster, vm::EntityIndex{0}, world.time_s));
   }

@@ -1,7 +1,7 @@
-// What a server costs: a crowd of monsters, a crowd of clients, a change of level. CPU time of the process
-// against the time that is played, so that other work on the machine disturbs little.
+// Measures the cost of a server with many monsters, with many clients, and during a change of level. Compares
+// the CPU time of the process with the simulated time, so that other work on the machine has little effect.
 //
-// Usage: client_server_bench PROGS, with TEMBLOR_DATA naming the base folder.
+// Usage: client_server_bench PROGS, with the basedir in TEMBLOR_DATA.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void fail(const base::Error& error) {
   std::exit(1);
 }
 
-// A server of the shipped game on a network without losses, its clients beside it.
+// A server of the shipped game with its clients, on a network without losses.
 class Bench {
  public:
   Bench(const std::filesystem::path& data, const std::filesystem::path& progs, std::uint32_t max_clients)
@@ -51,18 +51,18 @@ class Bench {
   }
 
   void start(std::string_view map) {
-    if (const base::Status status = server_->start_map(map); !status.ok()) fail(status.error());
+    if (const base::Status status = server::start_map(*server_, map); !status.ok()) fail(status.error());
   }
   server::Server& server() { return *server_; }
   command::Variables& variables() { return variables_; }
-  // CPU seconds of the server's steps alone.
+  // CPU seconds of the server's steps, without those of the clients.
   double play(double seconds, bool clients_move) {
     double server_cpu_s = 0;
     for (const double until_s = now_s_ + seconds; now_s_ < until_s;) {
       now_s_ += kTick_s;
       network_.advance_to(now_s_);
       const double before_s = cpu_s();
-      server_->step(now_s_);
+      server::step_server(*server_, now_s_);
       server_cpu_s += cpu_s() - before_s;
       for (std::size_t i = 0; i < clients_.size(); ++i) {
         clients_[i]->update(now_s_);
@@ -96,16 +96,16 @@ class Bench {
     for (const auto& client : clients_) count += client->is_playing() ? 1 : 0;
     return count;
   }
-  // Where the living ones are.
+  // The positions of the living players.
   std::vector<math::Vec3> places_of_players() {
     std::vector<math::Vec3> places;
     for (std::size_t slot = 0; slot < clients_.size(); ++slot) {
-      const server::Edict player = server_->game()->player(slot);
+      const server::Edict player = server_->game->player(slot);
       if (player[server::field::kHealth] > 0) places.push_back(player[server::field::kOrigin]);
     }
     return places;
   }
-  // Of all clients.
+  // Over all clients.
   std::uint64_t updates() const {
     std::uint64_t count = 0;
     for (const auto& client : clients_) count += client->updates();
@@ -118,11 +118,10 @@ class Bench {
   }
 
  private:
-  // From the few places where players begin, so that the next one does not end him: somewhere, by a few free
-  // ways.
+  // Moves a player away from the few spawn points, so that the next player does not telefrag it.
   void lead_away(std::size_t slot) {
-    server::GameWorld& world = server_->game()->world();
-    const server::Edict player = server_->game()->player(slot);
+    server::GameWorld& world = server_->game->world();
+    const server::Edict player = server_->game->player(slot);
     const math::Vec3 from = player[server::field::kOrigin];
     for (int attempt = 0; attempt < 1000; ++attempt) {
       math::Vec3 place = from;
@@ -154,7 +153,7 @@ class Bench {
 
 std::vector<math::Vec3> places_of_monsters(server::Game& io_game) {
   std::vector<math::Vec3> places;
-  for (const vm::EntityIndex monster : bench::monsters_of(io_game.world()))
+  for (const vm::EntityIndex monster : bench::list_monsters(io_game.world()))
     places.push_back(io_game.world().edicts[monster][server::field::kOrigin]);
   return places;
 }
@@ -172,7 +171,7 @@ void bench_monsters(const std::filesystem::path& data, const std::filesystem::pa
     if (!served.variables().set("sv_protocol", "666").ok()) std::abort();
     served.start(map);
     served.join(1);
-    server::Game& game = *served.server().game();
+    server::Game& game = *served.server().game;
     if (const base::Status added = bench::add_monsters(kMonsters, game); !added.ok()) fail(added.error());
     if (hunt)
       if (const base::Status set = bench::set_upon_player(game); !set.ok()) fail(set.error());
@@ -191,7 +190,8 @@ void bench_monsters(const std::filesystem::path& data, const std::filesystem::pa
   }
 }
 
-// `max_rate`: bytes a second to each client, 0 for as many as it takes. `delay_s`: of the network, one way.
+// `max_rate` is in bytes per second to each client; 0 means no limit. `delay_s` is the network's one-way
+// delay.
 void bench_clients(const std::filesystem::path& data, const std::filesystem::path& progs, int max_rate,
                    double delay_s) {
   for (const bool they_move : {true, false}) {
@@ -236,7 +236,8 @@ void bench_level_change(const std::filesystem::path& data, const std::filesystem
   std::vector<double> seconds;
   for (int i = 0; i < 9; ++i) {
     const auto begin = std::chrono::steady_clock::now();
-    if (const auto status = bench.server().change_level("lq_e1m2"); !status.ok()) fail(status.error());
+    if (const auto status = server::change_level(bench.server(), "lq_e1m2"); !status.ok())
+      fail(status.error());
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
   std::sort(seconds.begin(), seconds.end());

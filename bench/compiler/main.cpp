@@ -1,9 +1,9 @@
-// compile_bench PROGRAM: measures the map compiler on stock maps, beside the project's goals
-// (docs/performance.md), and prints Markdown. TEMBLOR_DATA names the game data; PROGRAM is `temblor`, run for
-// what takes a whole process.
+// compile_bench PROGRAM: measures the map compiler on stock maps, compares it with the project's goals
+// (docs/performance.md), and prints Markdown. TEMBLOR_DATA names the game data; PROGRAM is `temblor`, for
+// measurements that need a whole process.
 //
-// Stages are timed in this process: CPU seconds of one thread, and the wall's of one and of two in runs that
-// alternate, so that a machine that slows down slows both. All are medians.
+// Stages are timed in this process: CPU seconds with one thread, and wall seconds with one and with two
+// threads in alternating runs, so that a machine that slows down affects both. All results are medians.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -37,9 +37,9 @@ constexpr int kRuns = 5;
 struct Goals {
   const char* map;
   double bsp_s, visibility_s, light_s;  // CPU seconds
-  double leaves_seen_percent;           // of the existing tool
+  double leaves_seen_percent;           // in the finished level
   double fast_s;                        // 0: none
-  int runs;  // of one thread and of two: what takes tenths of a second is disturbed by little
+  int runs;                             // with one thread and with two; short measurements need more of them
 };
 constexpr std::array<Goals, 3> kGoals = {{{"lq_e0m1", 0.5, 0.5, 7, 11.0, 1, 15},
                                           {"lq_e1m2", 1.2, 0.9, 1.7, 21.5, 0, 15},
@@ -59,7 +59,7 @@ struct Seconds {
   double wall = 0, cpu = 0;
 };
 
-// Each stage lasts until the next begins, the last one until finish().
+// A stage lasts until the next one begins, the last one until finish().
 class StageClock : public compiler::CompileWatcher {
  public:
   void begin_stage(const char* name) override {
@@ -88,11 +88,11 @@ struct Run {
 class Bench {
  public:
   Bench(const fs::path& data, const std::string& name)
-      : map_(test::stock_map(data, name)), textures_(test::stock_textures(data, map_)) {}
+      : map_(test::read_stock_map(data, name)), textures_(test::read_stock_textures(data, map_)) {}
 
   Run run(int threads, int extra) const { return run(map_, threads, extra, {}); }
 
-  // Compiles again, after one lamp has moved by a few units.
+  // Compiles again after one lamp has moved by a few units.
   Run run_with_lamp_moved(const Run& before) const {
     formats::Map map = map_;
     for (formats::MapEntity& entity : map.entities) {
@@ -112,8 +112,8 @@ class Bench {
     options.light.extra = extra;
     compiler::Warnings warnings;
     StageClock clock;
-    const auto report = compiler::compile_level(map, textures_.sources, textures_.palette, options, jobs,
-                                                clock, build, warnings);
+    const auto report = compiler::compile_level({map, textures_.sources, textures_.palette}, options,
+                                                {jobs, clock, warnings}, build);
     CHECK(report.ok(), "{}", report.error().what);
     clock.finish();
     return {std::move(build), clock.stages()};
@@ -128,7 +128,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-Seconds median_of(const std::vector<Run>& runs, const char* stage) {
+Seconds compute_median(const std::vector<Run>& runs, const char* stage) {
   std::vector<double> wall, cpu;
   for (const Run& run : runs) {
     wall.push_back(run.stages.at(stage).wall);
@@ -141,14 +141,14 @@ struct ProcessCost {
   double wall_s = 0, peak_megabytes = 0;
 };
 
-// The whole program, from .map to .bsp. CHECKs that it succeeds.
+// Runs the whole program, from .map to .bsp. CHECKs that it succeeds.
 ProcessCost run_program(const std::string& program, std::vector<std::string> words) {
   words.insert(words.begin(), program);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const double begin = wall_now_s();
-  std::fflush(stdout);  // else the child would print it too
+  std::fflush(stdout);  // otherwise the child would print it again
   const pid_t child = fork();
   if (child == 0) {
     if (std::freopen("/dev/null", "w", stdout) != nullptr) execv(arguments[0], arguments.data());
@@ -160,13 +160,13 @@ ProcessCost run_program(const std::string& program, std::vector<std::string> wor
   return {wall_now_s() - begin, static_cast<double>(usage.ru_maxrss) / 1024};
 }
 
-// Over 1,000 fixed points: the area that our visibility lets through, by the finished level's.
+// The area that our visibility lets through at 1,000 fixed points, divided by the finished level's.
 double area_share(const fs::path& data, const std::string& name, const formats::Bsp& compiled) {
   const formats::Bsp finished = compiler::finished_level(data, name);
   const auto ours = world::make_level(compiled, name).value(),
              theirs = world::make_level(finished, name).value();
-  const std::vector<double> our_areas = test::areas_of_faces(*ours),
-                            their_areas = test::areas_of_faces(*theirs);
+  const std::vector<double> our_areas = test::compute_face_areaskTexelsASample(*ours),
+                            their_areas = test::compute_face_areaskTexelsASample(*theirs);
   test::Random random(1);
   double our_sum = 0, their_sum = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -221,17 +221,18 @@ void print_map(const fs::path& data, const Goals& goals, const ProgramCosts& cos
       {{"bsp", goals.bsp_s}, {"visibility", goals.visibility_s}, {"light", goals.light_s}}};
   for (const auto& [stage, goal_s] : stages)
     print_row(fmt::format("{}, CPU seconds of one thread", stage),
-              fmt::format("{:.2f}", median_of(one, stage).cpu), fmt::format("at most {}", goal_s));
+              fmt::format("{:.2f}", compute_median(one, stage).cpu), fmt::format("at most {}", goal_s));
   for (const auto& [stage, goal_s] : stages)
-    print_row(
-        fmt::format("{}, two threads / one", stage),
-        fmt::format("{:.2f} ({:.2f} s, {:.2f} s)", median_of(one, stage).wall / median_of(two, stage).wall,
-                    median_of(one, stage).wall, median_of(two, stage).wall),
-        stage == stages[0].first ? "-" : "at least 1.9");
+    print_row(fmt::format("{}, two threads / one", stage),
+              fmt::format("{:.2f} ({:.2f} s, {:.2f} s)",
+                          compute_median(one, stage).wall / compute_median(two, stage).wall,
+                          compute_median(one, stage).wall, compute_median(two, stage).wall),
+              stage == stages[0].first ? "-" : "at least 1.9");
   print_row("light, 4x4 / plain",
-            fmt::format("{:.2f}", median_of(fine, "light").cpu / median_of(one, "light").cpu), "at most 6");
+            fmt::format("{:.2f}", compute_median(fine, "light").cpu / compute_median(one, "light").cpu),
+            "at most 6");
   print_row("light after a lamp moved / all of it",
-            fmt::format("{:.2f}", median_of(moved, "light").cpu / median_of(one, "light").cpu),
+            fmt::format("{:.2f}", compute_median(moved, "light").cpu / compute_median(one, "light").cpu),
             "under a third");
   print_row("--fast, whole program", fmt::format("{:.2f} s", costs.fast_s),
             goals.fast_s > 0 ? fmt::format("under {} s", goals.fast_s) : "-");
@@ -262,7 +263,7 @@ int main(int count, char** arguments) {
     fmt::print(stderr, "\n");
     return 1;
   }
-  // Programs first: to the system a child's peak of memory begins with what its parent has.
+  // Programs first: a child's peak of memory begins with that of its parent.
   std::vector<temblor::bench::ProgramCosts> costs;
   for (const temblor::bench::Goals& goals : maps)
     costs.push_back(temblor::bench::measure_program(arguments[1], data, goals.map));

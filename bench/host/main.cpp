@@ -1,9 +1,9 @@
-// What a player waits for: the first frame, a level, the picture after a key. Drawn at 1920 x 1080 into
-// memory, as the window's shared memory is; made-up events come at any moment between two frames of a display
-// of 60 Hz. And what it is worth that the game's tick goes on beside the drawing: frames of either kind in
-// turn.
+// Measures the delays that a player notices: until the first frame, until a level starts, and from a key to
+// its picture. Frames are drawn at 1920 x 1080 into memory, and events come at random moments between two
+// frames of a 60 Hz display. It also compares frames with and without a server tick in parallel with drawing,
+// in alternating order.
 //
-// Usage: host_bench PROGS [MAP]..., with TEMBLOR_DATA naming the base folder.
+// Usage: host_bench PROGS [MAP]..., with the basedir in TEMBLOR_DATA.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "bench/client_server/crowd.h"
-#include "host/host.h"
+#include "host/frame/host_parts.h"
 #include "platform/headless/window.h"
 #include "support/random.h"
 
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kDisplay_hz = 60;
 constexpr int kEvents = 200;
-// Of the server, on a clock that goes by it: each frame has one.
+// The length of the server's tick. The clock advances by one tick per frame.
 constexpr double kTick_s = 1.0 / 72;
 constexpr int kPairs = 600;
 constexpr std::size_t kMonsters = 600;
@@ -40,8 +40,9 @@ void print_row(std::string_view what, std::string_view measured, std::string_vie
 }
 
 void run_until_playing(host::Host& io_host) {
-  while (!io_host.session().is_playing() || !io_host.data().presentation.has_level()) io_host.frame();
-  io_host.frame();
+  while (!io_host.game.session->is_playing() || !io_host.game.data->presentation.has_level())
+    run_frame(io_host);
+  run_frame(io_host);
 }
 
 void measure_latency(host::Host& io_host, platform::headless::HeadlessWindow& io_window,
@@ -49,11 +50,11 @@ void measure_latency(host::Host& io_host, platform::headless::HeadlessWindow& io
   test::Random random(1);
   std::vector<double> latencies_s, drawings_s;
   for (int i = 0; i < kEvents; ++i) {
-    // While this frame is on its way to the next one's beginning, somebody moves the mouse.
+    // The mouse moves at a random moment between this frame and the next.
     io_window.put_at(platform::MouseMoved{5, 0}, io_window.now_s() + random.uniform(0, 1 / kDisplay_hz));
-    io_host.frame();
-    if (io_host.times().latency_s > 0) latencies_s.push_back(io_host.times().latency_s);
-    drawings_s.push_back(io_host.times().drawing_s + io_host.times().present_s);
+    run_frame(io_host);
+    if (frame_times(io_host).latency_s > 0) latencies_s.push_back(frame_times(io_host).latency_s);
+    drawings_s.push_back(frame_times(io_host).drawing_s + frame_times(io_host).present_s);
   }
   std::sort(latencies_s.begin(), latencies_s.end());
   std::sort(drawings_s.begin(), drawings_s.end());
@@ -77,11 +78,11 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// A frame of a tick's time, and what it takes.
+// Runs a frame that is one tick long, and measures it.
 double timed_frame(host::Host& io_host, platform::headless::HeadlessWindow& io_window, double& io_now_s) {
   io_window.set_now(io_now_s += kTick_s);
   const double began_s = clock_s();
-  io_host.frame();
+  run_frame(io_host);
   return clock_s() - began_s;
 }
 
@@ -93,7 +94,7 @@ void measure_halves(host::Host& io_host, platform::headless::HeadlessWindow& io_
   std::vector<double> saved_s;
   for (int pair = 0; pair < kPairs; ++pair) {
     std::array<double, 2> frame_s{};
-    // Each comes first in half of the pairs.
+    // Each kind comes first in half of the pairs.
     for (const std::size_t parallel :
          {static_cast<std::size_t>(pair % 2), 1 - static_cast<std::size_t>(pair % 2)}) {
       if (!io_variables.set("host_parallel", std::to_string(parallel)).ok()) std::abort();
@@ -108,20 +109,20 @@ void measure_halves(host::Host& io_host, platform::headless::HeadlessWindow& io_
             "-");
 }
 
-// On two cores, the level as it is and with a crowd that is after the player.
+// Runs on two cores, with the monsters of the level alone and with a crowd that chases the player.
 void measure_two_halves(host::Host& io_host, platform::headless::HeadlessWindow& io_window,
                         command::Variables& io_variables) {
   double now_s = io_window.now_s();
-  io_host.console().append("disconnect; host_maxfps 10000; sv_protocol 666; map lq_e1m2");
-  while (!io_host.session().is_playing() || !io_host.data().presentation.has_level())
+  append_commands(io_host, "disconnect; host_maxfps 10000; sv_protocol 666; map lq_e1m2");
+  while (!io_host.game.session->is_playing() || !io_host.game.data->presentation.has_level())
     timed_frame(io_host, io_window, now_s);
   measure_halves(io_host, io_window, io_variables, "lq_e1m2", now_s);
-  server::Game& game = *io_host.session().server()->game();
+  server::Game& game = *io_host.game.session->server()->game;
   if (const base::Status added = bench::add_monsters(kMonsters, game); !added.ok()) fail(added.error());
   if (const base::Status set = bench::set_upon_player(game); !set.ok()) fail(set.error());
   measure_halves(
       io_host, io_window, io_variables,
-      fmt::format("lq_e1m2, {} monsters after the player", bench::monsters_of(game.world()).size()), now_s);
+      fmt::format("lq_e1m2, {} monsters after the player", bench::list_monsters(game.world()).size()), now_s);
 }
 
 int run(const char* data, const char* progs, std::span<const char* const> maps) {
@@ -129,7 +130,7 @@ int run(const char* data, const char* progs, std::span<const char* const> maps) 
   command::Variables variables;
   const host::HostVariables settings(variables);
   const double began_s = window.now_s();
-  auto started = host::Host::start(
+  auto started = host::start_host(
       {.window = window,
        .write_file = [](const std::filesystem::path&, base::Bytes) { return base::Status(base::Ok{}); },
        .print_line = [](std::string_view) {}},
@@ -139,13 +140,13 @@ int run(const char* data, const char* progs, std::span<const char* const> maps) 
        .commands = {"host_maxfps 60; vid_width 1920; vid_height 1080"}});
   if (!started.ok()) fail(started.error());
   host::Host& host = **started;
-  host.frame();
+  run_frame(host);
   fmt::print("| what | measured | goal |\n| --- | --- | --- |\n");
   print_row("program start to first frame", fmt::format("{:.2f} s", window.now_s() - began_s), "under 1 s");
   for (const char* const map : maps) {
-    host.console().append("disconnect");
-    host.frame();
-    host.console().append(fmt::format("map {}", map));
+    append_commands(host, "disconnect");
+    run_frame(host);
+    append_commands(host, fmt::format("map {}", map));
     const double typed_s = window.now_s();
     run_until_playing(host);
     print_row(fmt::format("`map {}` typed to playing", map),

@@ -1,5 +1,5 @@
-// The server's physics on a LibreQuake level (TEMBLOR_DATA; without it on the level made in code): box traces
-// among 600 monsters, and ticks of 600 monsters who hunt, their thinking in C++ in place of QuakeC.
+// Measures the server's physics on a LibreQuake level, or on the generated level if TEMBLOR_DATA is not set:
+// box traces among 600 monsters, and ticks of 600 monsters that hunt a player. C++ replaces their QuakeC.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -30,7 +30,7 @@ std::shared_ptr<const world::Level> level_named(const std::string& name) {
   return world::make_level(std::move(bsp), name).value();
 }
 
-// Somewhere that a player's box fits.
+// Finds a position where a player's box fits.
 Vec3 free_place(const world::Level& level, test::Random& io_random) {
   const math::Bounds& bounds = level.world().bounds;
   for (;;) {
@@ -45,7 +45,7 @@ Vec3 free_place(const world::Level& level, test::Random& io_random) {
   }
 }
 
-// Monsters all over the level, on its floors, that walk towards a player ten times a second.
+// Places monsters on floors all over the level. Each moves towards a player ten times per second.
 class MonsterLevel {
  public:
   explicit MonsterLevel(const std::string& name) : world_(level_named(name)) {
@@ -126,7 +126,7 @@ void trace_among_monsters(benchmark::State& state, const std::string& name, floa
   state.SetItemsProcessed(state.iterations());
 }
 
-// "core": the part of one core that 72 ticks a second take.
+// "core" is the share of one core that 72 ticks per second take.
 void tick_monsters(benchmark::State& state, const std::string& name) {
   MonsterLevel level(name);
   for (auto _ : state) {

@@ -1,4 +1,5 @@
-// The QuakeC machine: instructions a second, and what calls cost. Statements are such as fteqcc writes.
+// Measures the QuakeC interpreter: instructions per second and the cost of calls, with the statements that
+// fteqcc emits.
 #include <benchmark/benchmark.h>
 
 #include "support/programs/progs_builder.h"
@@ -11,7 +12,7 @@ using formats::ProgsType;
 using test::ProgsBuilder;
 using vm::Opcode;
 
-// Calls `main` over and over; says instructions a second, and nanoseconds for each of `calls` calls.
+// Calls `main` repeatedly. Reports instructions per second, and nanoseconds for each of `calls` calls.
 void run_main(benchmark::State& state, ProgsBuilder& builder, double calls) {
   vm::Machine machine(builder.load(), {.instructions = 1'000'000'000});
   machine.add_builtin(1, "nothing", [](vm::Machine&) -> base::Status { return base::Ok{}; });
@@ -45,8 +46,8 @@ void emit_loop(ProgsBuilder& io_builder, Body body) {
   io_builder.emit(Opcode::kDone);
 }
 
-// Loads, arithmetic, compares, branches: a generator of random numbers in an entity's field, two tests of
-// what it gives, which no branch predictor learns, and a sum.
+// Loads, arithmetic, comparisons, and branches: a random number generator in an entity field, two tests of
+// its results that a branch predictor cannot learn, and a sum.
 void loop_of_everything(benchmark::State& state) {
   ProgsBuilder builder;
   const int seed_field = builder.field("seed", ProgsType::kFloat), self = builder.number(0);
@@ -78,7 +79,7 @@ void loop_of_everything(benchmark::State& state) {
 }
 BENCHMARK(loop_of_everything)->Unit(benchmark::kMillisecond);
 
-// Vectors of entities.
+// Arithmetic with entities' vector fields.
 void loop_of_vectors(benchmark::State& state) {
   ProgsBuilder builder;
   const int origin_field = builder.field("origin", ProgsType::kVector), self = builder.number(0);

@@ -1,4 +1,9 @@
-// The program: reads the command line and runs one command.
+// The program: parses the command line and runs one command.
+//
+//   temblor [common options] COMMAND [options of the command]
+//
+// A command is a pair of functions in app/commands: add_*_command() describes its options, run_*() runs it.
+// Errors end the program with one line on standard error; see app/files/diagnostics.h for the exit status.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,15 +27,17 @@ namespace temblor::app {
 namespace {
 
 constexpr const char* kHelpFooter =
-    R"(temblor COMMAND --help says more about a command.
+    R"(`temblor COMMAND --help` describes the options of a command. The options above work with every command.
 
 Examples:
-  temblor --basedir quake play
-  temblor --basedir quake render --map start -o start.png
-  temblor --basedir quake --game hipnotic bench --map hip1m1
-  temblor --set r_mip_rule=stock --show mips render -o mips.png
-  temblor settings)";
+  temblor play
+  temblor --basedir ~/quake play --map e1m1
+  temblor --basedir ~/quake --game hipnotic bench --map hip1m1
+  temblor --basedir ~/quake render --map start -o start.png
+  temblor --show mips render -o mips.png)";
 
+// The options of every command, which the parser fills in, and the commands themselves, to find the one that
+// was given.
 struct Commands {
   CommonOptions common;
   RenderOptions render;
@@ -65,6 +72,9 @@ void describe_command_line(Command& program, Commands& io_commands) {
   io_commands.settings_command = add_settings_command(program);
 }
 
+// Sets the console variables before the command reads them: `host::HostVariables` registers them,
+// `apply_options` applies
+// --set, --show, and --threads.
 base::Status run(const Commands& commands) {
   command::Variables variables;
   const host::HostVariables settings(variables);
@@ -86,75 +96,77 @@ base::Status run(const Commands& commands) {
   return base::Ok{};
 }
 
-// "--map" of "--map=start".
+// Returns the part before "=": "--map" for "--map=start".
 std::string option_name(const std::string& word) {
   return word.substr(0, word.find('='));
 }
 
-std::vector<std::string> words_for_parser(const Command& program, std::span<const char* const> arguments) {
+std::vector<std::string> make_parser_words(const Command& program, std::span<const char* const> arguments) {
   std::vector<std::string> commands;
   for (const Command& command : program.subcommands()) commands.push_back(command.name());
-  return from_legacy_arguments(arguments, commands);
+  return convert_legacy_arguments(arguments, commands);
 }
 
-std::vector<std::string> commands_with(const Command& program, const std::string& option) {
+// Returns the names of all commands that have this option.
+std::vector<std::string> find_commands_with(const Command& program, const std::string& option) {
   std::vector<std::string> names;
   for (const Command& command : program.subcommands())
     if (command.has_option(option)) names.push_back(command.name());
   return names;
 }
 
-// The name of the command that was given; empty if there was none.
-std::string used_command(const Command& program) {
+// Returns the name of the command that was given; empty if there was none.
+std::string find_used_command(const Command& program) {
   for (const Command& command : program.subcommands())
     if (command.parsed()) return command.name();
   return {};
 }
 
-// An option that stands where nobody takes it: whose it is, and where it belongs. Empty: there is none.
+// Explains an option that was given in the wrong place: which commands have it and where to write it. Empty
+// if every option was accepted.
 std::string describe_misplaced_option(const Command& program) {
   const std::vector<std::string> unknown = program.remaining_of_all_commands();
   const auto found = std::find_if(unknown.begin(), unknown.end(),
                                   [](const std::string& word) { return word.starts_with("--"); });
   if (found == unknown.end()) return {};
   const std::string option = option_name(*found);
-  const std::vector<std::string> owners = commands_with(program, option);
-  const std::string used = used_command(program);
+  const std::vector<std::string> owners = find_commands_with(program, option);
+  const std::string used = find_used_command(program);
   if (owners.empty())
-    return used.empty() ? fmt::format("there is no command or option \"{}\"", option)
+    return used.empty() ? fmt::format("unknown command or option \"{}\"", option)
                         : fmt::format("{} has no option {}", used, option);
   if (std::find(owners.begin(), owners.end(), used) != owners.end())
-    return fmt::format("{0} is an option of {1} and belongs behind it: `temblor {1} {0} ...`", option, used);
+    return fmt::format("{0} is an option of {1} and must follow it: `temblor {1} {0} ...`", option, used);
   if (!used.empty())
-    return fmt::format("{} has no option {}: it is one of {}", used, option, fmt::join(owners, ", "));
+    return fmt::format("{} has no option {}; it belongs to {}", used, option, fmt::join(owners, ", "));
+  // No command was given. Suggest the one that people most likely want.
   const bool is_played = std::find(owners.begin(), owners.end(), "play") != owners.end();
-  return fmt::format("{} is an option of {} and belongs behind that: `temblor {} {} ...`", option,
+  return fmt::format("{} is an option of {} and must follow it: `temblor {} {} ...`", option,
                      fmt::join(owners, ", "), is_played ? "play" : owners.front(), option);
 }
 
-// What is wrong with the command line, in our words where CLI11's would mislead.
+// Describes what is wrong with the command line. Replaces CLI11's message where that would mislead.
 std::string describe_parse_error(const Command& program, const CommonOptions& options,
                                  const Command::Parsed& parsed) {
-  // A shell variable that is empty leaves --basedir without its folder, and the command is taken for it.
+  // If the shell variable is empty in `--basedir $X play`, CLI11 takes the command for the directory.
   const std::string& folder = options.folders.base_folder;
   const auto is_folder = [&](const Command& command) { return command.name() == folder; };
-  const bool has_no_command = used_command(program).empty();
+  const bool has_no_command = find_used_command(program).empty();
   if (has_no_command && std::ranges::any_of(program.subcommands(), is_folder))
-    return fmt::format("--basedir is followed by the command \"{}\" where the folder should be", folder);
+    return fmt::format("--basedir is followed by the command \"{}\" instead of a directory", folder);
   if (std::string misplaced = describe_misplaced_option(program); !misplaced.empty()) return misplaced;
   const std::vector<std::string> unknown = program.remaining();
   if (has_no_command && !unknown.empty())
-    return fmt::format("there is no command or option \"{}\"", unknown.front());
-  if (has_no_command && parsed.is_command_missing)
-    return "a command is missing: `temblor play` begins the game";
+    return fmt::format("unknown command or option \"{}\"", unknown.front());
+  if (has_no_command && parsed.is_command_missing) return "no command given; `temblor play` starts the game";
   return parsed.error;
 }
 
 int run_program(std::span<const char* const> arguments) {
-  Command program("Temblor: draws and plays Quake-class levels without a GPU", "temblor");
+  Command program("Temblor, a Quake engine with a software renderer", "temblor");
   Commands commands;
   describe_command_line(program, commands);
-  const Command::Parsed parsed = program.parse(words_for_parser(program, arguments));
+  const Command::Parsed parsed = program.parse(make_parser_words(program, arguments));
   if (parsed.has_printed) return kExitSuccess;
   if (!parsed.ok) {
     print_error(

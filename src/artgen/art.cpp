@@ -23,43 +23,50 @@
 namespace temblor::artgen {
 namespace {
 
-struct Thing {
+struct AssetLine {
   const ScriptFile* file = nullptr;
   const ScriptLine* line = nullptr;
 };
 
-// Ordered, so that files do not depend on the scripts' order.
+// The parts of a file by lump name in lower case; a single entry with an empty name is a plain file. Ordered
+// maps, so that the result does not depend on the order of the scripts.
 using Lumps = std::map<std::string, ArtPart>;
 using Files = std::map<std::string, Lumps>;
 
-base::Result<std::vector<ArtPart>> make_thing(const ScriptLine& thing, const Parts& shared) {
-  TRY(const ScriptLine whole, with_parts(thing, shared));
+// Runs on worker threads: it reads only the script lines.
+base::Result<std::vector<ArtPart>> make_asset(const ScriptLine& asset, const Parts& shared) {
+  TRY(const ScriptLine whole, expand_parts(asset, shared));
   for (const ArtMaker& maker : art_makers())
-    if (maker.word == thing.word) return maker.make(whole);
-  return script_error(thing, "there is no such kind of things");
+    if (maker.keyword == asset.keyword) return maker.make(whole);
+  std::string known;
+  for (const ArtMaker& maker : art_makers()) known.append(maker.keyword).append(", ");
+  return script_error(asset, fmt::format("unknown keyword at the left edge; expected {}part", known));
 }
 
-base::Status add_parts(const ScriptLine& thing, std::vector<ArtPart> parts, Files& io_files) {
+// Adds parts to their files. WAD lump names ignore case, so two that differ only in case are duplicates, too.
+base::Status add_parts(const ScriptLine& asset, std::vector<ArtPart> parts, Files& io_files) {
   for (ArtPart& part : parts) {
     Lumps& lumps = io_files[part.path];
     const bool mixed = !lumps.empty() && lumps.begin()->first.empty() != part.lump.empty();
     const std::string lump = base::to_lower(part.lump);
     if (mixed || lumps.contains(lump))
-      return script_error(thing, fmt::format("another thing is {} already",
+      return script_error(asset, fmt::format("another line already makes {}",
                                              part.lump.empty() ? part.path : part.path + ": " + part.lump));
     lumps.emplace(lump, std::move(part));
   }
   return base::Ok{};
 }
 
-base::Result<base::ByteVector> bytes_of(Lumps lumps) {
+// Either the bytes of a plain file or a WAD of all lumps, ordered by name.
+base::Result<base::ByteVector> make_file_bytes(Lumps lumps) {
   if (lumps.begin()->first.empty()) return std::move(lumps.begin()->second.bytes);
   std::vector<formats::WadLump> wad;
   for (const auto& [name, part] : lumps) wad.push_back({part.lump, part.lump_type, part.bytes});
   return formats::write_wad(wad);
 }
 
-std::vector<ArtPart> palette_parts() {
+// Every game directory needs these two, whatever its scripts contain.
+std::vector<ArtPart> make_palette_parts() {
   const formats::Palette palette = make_palette();
   std::vector<ArtPart> parts;
   parts.push_back({"gfx/palette.lmp", formats::write_palette(palette)});
@@ -83,30 +90,33 @@ std::span<const ArtMaker> art_makers() {
 }
 
 base::Result<std::vector<ArtFile>> make_art(std::span<const ScriptFile> scripts, base::Jobs& jobs) {
-  std::vector<Thing> things;
+  // Collect parts first, because a script may use a part that a later script defines.
+  std::vector<AssetLine> assets;
   Parts shared;
   for (const ScriptFile& script : scripts) {
-    for (const ScriptLine& line : script.things) {
-      if (line.word == "part")
+    for (const ScriptLine& line : script.assets) {
+      if (line.keyword == "part")
         TRY_STATUS(add_part(line, shared).with_file(script.name));
       else
-        things.push_back({&script, &line});
+        assets.push_back({&script, &line});
     }
   }
 
-  std::vector<std::optional<base::Result<std::vector<ArtPart>>>> made(things.size());
-  jobs.parallel_for(things.size(), [&](std::size_t i) { made[i] = make_thing(*things[i].line, shared); });
+  // One slot for each asset, so that threads do not share any state and errors are reported in the scripts'
+  // order.
+  std::vector<std::optional<base::Result<std::vector<ArtPart>>>> made(assets.size());
+  jobs.parallel_for(assets.size(), [&](std::size_t i) { made[i] = make_asset(*assets[i].line, shared); });
 
   Files files;
-  TRY_STATUS(add_parts({}, palette_parts(), files));
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const std::string& script = things[i].file->name;
+  TRY_STATUS(add_parts({}, make_palette_parts(), files));
+  for (std::size_t i = 0; i < assets.size(); ++i) {
+    const std::string& script = assets[i].file->name;
     TRY(std::vector<ArtPart> parts, std::move(*made[i]).with_file(script));
-    TRY_STATUS(add_parts(*things[i].line, std::move(parts), files).with_file(script));
+    TRY_STATUS(add_parts(*assets[i].line, std::move(parts), files).with_file(script));
   }
   std::vector<ArtFile> art;
   for (auto& [path, lumps] : files) {
-    TRY(base::ByteVector bytes, bytes_of(std::move(lumps)).with_file(path));
+    TRY(base::ByteVector bytes, make_file_bytes(std::move(lumps)).with_file(path));
     art.push_back({path, std::move(bytes)});
   }
   return art;

@@ -7,11 +7,13 @@
 namespace temblor::artgen {
 namespace {
 
-// A ramp runs from `dark` to `bright` with a bend in the middle, which keeps its dark half from going gray.
+// The colors at the two ends and in the middle of a ramp. The middle one keeps the dark half from becoming
+// gray, which a straight line from black would.
 struct RampColors {
   formats::Rgb dark, middle, bright;
 };
 
+// In the order of Ramp.
 constexpr std::array<RampColors, 16> kRamps = {{
     {{0, 0, 0}, {112, 112, 112}, {236, 236, 236}},
     {{10, 7, 4}, {98, 70, 43}, {196, 158, 116}},
@@ -55,6 +57,7 @@ formats::Palette make_palette() {
     const double along = 2.0 * static_cast<double>(i % kRampColors) / static_cast<double>(kRampColors - 1);
     palette[i] = along < 1 ? mix(ramp.dark, ramp.middle, along) : mix(ramp.middle, ramp.bright, along - 1);
   }
+  // Purple, so that a texel that is drawn by mistake is conspicuous.
   palette[kTransparent] = {160, 40, 120};
   return palette;
 }

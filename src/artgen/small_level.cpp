@@ -1,5 +1,5 @@
-// Plan -> grid of cells -> tree -> faces, light, PVS, clip trees -> the structs of a level file. Every plane
-// is axial and every leaf a box, which keeps each of these steps a few lines.
+// The pipeline is shown in small_level.h. Builder runs its steps and writes their results into the lumps of a
+// BSP.
 #include "artgen/small_level.h"
 
 #include <fmt/format.h>
@@ -14,9 +14,9 @@
 #include "artgen/level/grid_light.h"
 #include "artgen/level/grid_tree.h"
 #include "artgen/level/grid_visibility.h"
+#include "artgen/level/layout.h"
 #include "artgen/level/materials.h"
 #include "artgen/level/mesh.h"
-#include "artgen/level/plan.h"
 #include "formats/levels/entities.h"
 
 namespace temblor::artgen {
@@ -24,11 +24,13 @@ namespace {
 
 constexpr std::int32_t kTexinfoNoLight = 1;
 
-// The boxes that hulls 1 to 3 are grown by: the player's, a large monster's, and the third, which the stock
-// game never asks for, as the second.
+// The boxes that clip hulls 1 to 3 are expanded by: a player, a large monster, and the large monster again,
+// because stock game code never uses the third.
 constexpr math::Bounds kHullBoxes[3] = {
     {{-16, -16, -24}, {16, 16, 32}}, {{-32, -32, -24}, {32, 32, 64}}, {{-32, -32, -24}, {32, 32, 64}}};
 
+// Fills a formats::Bsp lump by lump. Each add_ function appends to one or more lumps, and the indices that it
+// returns or stores refer to them.
 class Builder {
  public:
   explicit Builder(const SmallLevelOptions& options);
@@ -45,30 +47,34 @@ class Builder {
   void add_visibility(const std::vector<GridTree::Leaf>& leaves);
   std::int32_t add_clip_tree(const CellGrid& grid, const math::Bounds& box, std::int32_t background);
   void add_entities();
-  std::uint32_t plane_of(std::size_t axis, float distance);
-  std::uint32_t texinfo_of(Material material, const TextureLayout& layout);
+  std::uint32_t add_plane(std::size_t axis, float distance);
+  std::uint32_t add_texinfo(Material material, const TextureProjection& projection);
 
+  // The order matters: each of these members is computed from the ones above it.
   SmallLevelOptions options_;
-  SmallLevelPlan plan_;
+  SmallLevelLayout layout_;
   float texels_per_unit_;
   float max_face_units_;
   CellGrid world_;
   GridLighter lighter_;
   formats::Bsp bsp_;
   LevelMesh mesh_;
+  // The world's faces, at the same indices as in bsp_.faces.
   std::vector<GridFace> world_faces_;
+  // The colored version of bsp_.lighting: three bytes for each of its bytes.
   std::vector<std::uint8_t> rgb_light_;
+  // Planes by axis and distance, and texinfos by material and axes, so that equal ones are stored once.
   std::map<std::pair<std::size_t, float>, std::uint32_t> planes_;
   std::map<std::tuple<Material, std::size_t, std::size_t>, std::uint32_t> texinfos_;
 };
 
 Builder::Builder(const SmallLevelOptions& options)
     : options_(options),
-      plan_(make_plan(options)),
+      layout_(make_layout(options)),
       texels_per_unit_(options.wide_faces ? 2.0f : 1.0f),
       max_face_units_(options.wide_faces ? 512.0f : 256.0f),
-      world_(make_grid(plan_.boxes, kContentsSolid, max_face_units_)),
-      lighter_(plan_, world_),
+      world_(make_grid(layout_.boxes, kContentsSolid, max_face_units_)),
+      lighter_(layout_, world_),
       mesh_(bsp_, options.edge_used_three_times) {}
 
 formats::Bsp Builder::build() && {
@@ -76,6 +82,7 @@ formats::Bsp Builder::build() && {
   bsp_.miptexes = make_materials(options_);
   formats::BspLeaf solid;
   solid.contents = kContentsSolid;
+  // The format reserves leaf 0 for all solid space.
   bsp_.leaves.push_back(solid);
   add_world();
   add_door();
@@ -87,6 +94,8 @@ formats::Bsp Builder::build() && {
   return std::move(bsp_);
 }
 
+// The world's leaves follow leaf 0 in the order of the tree, which is also the order of the bits in a PVS
+// row.
 void Builder::add_world() {
   const GridTree tree = build_grid_tree(world_);
   formats::BspModel model = add_tree(world_, tree);
@@ -101,8 +110,9 @@ void Builder::add_world() {
   bsp_.models.push_back(model);
 }
 
+// The door is a grid of its own, with empty space around a single solid box.
 void Builder::add_door() {
-  const PlanBox box{plan_.door, kContentsSolid, CellLook::kDoor};
+  const LayoutBox box{layout_.door, kContentsSolid, CellLook::kDoor};
   const CellGrid grid = make_grid({&box, 1}, kContentsEmpty, max_face_units_);
   formats::BspModel model = add_tree(grid, build_grid_tree(grid));
   for (std::size_t hull = 0; hull < 3; ++hull)
@@ -110,12 +120,12 @@ void Builder::add_door() {
   bsp_.models.push_back(model);
 }
 
-// Adds the nodes and leaves of a model's hull 0, and its faces.
+// Appends the nodes and leaves of a model's hull 0 and its faces, and returns the model without clip hulls.
+// All solid leaves of the tree become leaf 0. Children are stored as in the format: a node's index, or ~leaf.
 formats::BspModel Builder::add_tree(const CellGrid& grid, const GridTree& tree) {
   const std::size_t first_node = bsp_.nodes.size();
   std::vector<std::int32_t> leaf_children;
   for (const GridTree::Leaf& leaf : tree.leaves) {
-    // All solid leaves are leaf 0.
     if (leaf.contents == kContentsSolid) {
       leaf_children.push_back(~0);
       continue;
@@ -132,7 +142,7 @@ formats::BspModel Builder::add_tree(const CellGrid& grid, const GridTree& tree) 
   for (const GridTree::Node& node : tree.nodes) {
     const math::Bounds bounds = grid.bounds(node.range);
     formats::BspNode bsp_node;
-    bsp_node.plane = plane_of(node.axis, grid.lines[node.axis][node.line]);
+    bsp_node.plane = add_plane(node.axis, grid.lines[node.axis][node.line]);
     for (std::size_t side = 0; side < 2; ++side) {
       const std::int32_t child = node.children[side];
       bsp_node.children[side] = child >= 0 ? child + static_cast<std::int32_t>(first_node)
@@ -143,7 +153,7 @@ formats::BspModel Builder::add_tree(const CellGrid& grid, const GridTree& tree) 
     bsp_.nodes.push_back(bsp_node);
   }
   formats::BspModel model;
-  // Without the border of background around what was painted.
+  // The border of background cells around the painted boxes does not count.
   const math::Bounds bounds =
       grid.bounds({{1, 1, 1}, {grid.size(0) - 1, grid.size(1) - 1, grid.size(2) - 1}});
   model.mins = bounds.mins;
@@ -155,6 +165,9 @@ formats::BspModel Builder::add_tree(const CellGrid& grid, const GridTree& tree) 
   return model;
 }
 
+// Faces are stored node by node, so that each node refers to a contiguous range. Outlines are traced only
+// when all faces are known, because a face needs a vertex wherever the corner of another one touches its
+// border.
 void Builder::add_faces(const CellGrid& grid, const GridTree& tree, std::size_t first_node) {
   std::vector<GridFace> faces;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -169,20 +182,23 @@ void Builder::add_faces(const CellGrid& grid, const GridTree& tree, std::size_t 
   if (&grid == &world_) world_faces_ = std::move(faces);
 }
 
+// All planes point along a positive axis; `side` 1 is the back of such a plane.
 void Builder::add_face(const CellGrid& grid, const GridFace& face, const Corners& corners) {
-  const SurfedgeRange surfedges = mesh_.add_loop(outline(grid, face, corners));
+  const SurfedgeRange surfedges = mesh_.add_loop(trace_outline(grid, face, corners));
   formats::BspFace bsp_face;
-  bsp_face.plane = plane_of(face.axis, grid.lines[face.axis][face.line]);
-  bsp_face.side = face.looks_up ? 0 : 1;
+  bsp_face.plane = add_plane(face.axis, grid.lines[face.axis][face.line]);
+  bsp_face.side = face.is_positive ? 0 : 1;
   bsp_face.first_surfedge = surfedges.first;
   bsp_face.surfedge_count = surfedges.count;
-  bsp_face.texinfo = texinfo_of(face.material, layout_of(face, texels_per_unit_));
+  bsp_face.texinfo = add_texinfo(face.material, make_projection(face, texels_per_unit_));
   if (options_.light && is_lit(face.material)) add_light(grid, face, bsp_face);
   bsp_.faces.push_back(bsp_face);
 }
 
+// The gray light map has the luminance of the colored one (Rec. 601 weights, rounded). Both lumps grow in
+// step, because the RGBLIGHTING lump is addressed with three times the offset of the gray light.
 void Builder::add_light(const CellGrid& grid, const GridFace& face, formats::BspFace& io_face) {
-  const FaceLight light = lighter_.light(grid, face, layout_of(face, texels_per_unit_));
+  const FaceLight light = lighter_.light_face(grid, face, make_projection(face, texels_per_unit_));
   io_face.styles = light.styles;
   io_face.light_offset = static_cast<std::int32_t>(bsp_.lighting.size());
   for (std::size_t i = 0; i < light.rgb.size(); i += 3) {
@@ -198,7 +214,8 @@ bool overlap(const CellRange& a, const CellRange& b) {
   return true;
 }
 
-// `leaves`: those of the world that are not solid, as leaves 1 and on.
+// Lists the faces that border each leaf. `leaves` are the world's leaves that are not solid; leaves[i] is
+// leaf i + 1 of the level.
 void Builder::add_marksurfaces(const std::vector<GridTree::Leaf>& leaves) {
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     formats::BspLeaf& leaf = bsp_.leaves[i + 1];
@@ -210,8 +227,9 @@ void Builder::add_marksurfaces(const std::vector<GridTree::Leaf>& leaves) {
   }
 }
 
+// `leaves` as for add_marksurfaces.
 void Builder::add_visibility(const std::vector<GridTree::Leaf>& leaves) {
-  const std::vector<std::vector<std::uint8_t>> rows = visible_leaves(world_, leaves);
+  const std::vector<std::vector<std::uint8_t>> rows = find_visible_leaves(world_, leaves);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     bsp_.leaves[i + 1].visibility_offset = static_cast<std::int32_t>(bsp_.visibility.size());
     const std::vector<std::uint8_t> coded = compress_row(rows[i]);
@@ -219,13 +237,15 @@ void Builder::add_visibility(const std::vector<GridTree::Leaf>& leaves) {
   }
 }
 
+// Appends the clip hull for a box of this size and returns its head node. A clip node's child is another node
+// or, if negative, the contents itself. `background` is what lies outside the grid.
 std::int32_t Builder::add_clip_tree(const CellGrid& grid, const math::Bounds& box, std::int32_t background) {
   const CellGrid grown = grow_grid(grid, box.mins, box.maxs, background);
   const GridTree tree = build_grid_tree(grown);
   const auto head = static_cast<std::int32_t>(bsp_.clipnodes.size());
   for (const GridTree::Node& node : tree.nodes) {
     formats::BspClipnode clipnode;
-    clipnode.plane = plane_of(node.axis, grown.lines[node.axis][node.line]);
+    clipnode.plane = add_plane(node.axis, grown.lines[node.axis][node.line]);
     for (std::size_t side = 0; side < 2; ++side) {
       const std::int32_t child = node.children[side];
       clipnode.children[side] =
@@ -236,33 +256,33 @@ std::int32_t Builder::add_clip_tree(const CellGrid& grid, const math::Bounds& bo
   return head;
 }
 
-std::string vec3_text(const math::Vec3& value) {
+std::string format_vec3(const math::Vec3& value) {
   return fmt::format("{} {} {}", value.x, value.y, value.z);
 }
 
 void Builder::add_entities() {
   std::vector<formats::Entity> entities;
   entities.push_back({{{"classname", "worldspawn"}, {"message", "Made in code"}}});
-  for (const PlanThing& thing : plan_.things) {
-    formats::Entity entity{{{"classname", thing.classname}, {"origin", vec3_text(thing.origin)}}};
-    const std::string yaw = fmt::format("{}", thing.yaw_deg);
+  for (const LayoutEntity& placed : layout_.entities) {
+    formats::Entity entity{{{"classname", placed.classname}, {"origin", format_vec3(placed.origin)}}};
+    const std::string yaw = fmt::format("{}", placed.yaw_deg);
     const bool is_camera = entity.classname() == "info_intermission";
     entity.pairs.emplace_back(is_camera ? "mangle" : "angle", is_camera ? "20 " + yaw + " 0" : yaw);
     entities.push_back(std::move(entity));
   }
-  // Angle -1: the door opens upwards.
+  // Angle -1: the door moves up.
   entities.push_back({{{"classname", "func_door"}, {"model", "*1"}, {"angle", "-1"}}});
-  for (const PlanLight& light : plan_.lights) {
+  for (const LayoutLight& light : layout_.lights) {
     entities.push_back({{{"classname", "light"},
-                         {"origin", vec3_text(light.origin)},
+                         {"origin", format_vec3(light.origin)},
                          {"light", fmt::format("{}", light.reach)},
                          {"style", fmt::format("{}", light.style)},
-                         {"_color", vec3_text(light.color)}}});
+                         {"_color", format_vec3(light.color)}}});
   }
   bsp_.entities = formats::write_entities(entities);
 }
 
-std::uint32_t Builder::plane_of(std::size_t axis, float distance) {
+std::uint32_t Builder::add_plane(std::size_t axis, float distance) {
   const auto next = static_cast<std::uint32_t>(bsp_.planes.size());
   const auto [entry, is_new] = planes_.try_emplace({axis, distance}, next);
   if (is_new) {
@@ -275,13 +295,14 @@ std::uint32_t Builder::plane_of(std::size_t axis, float distance) {
   return entry->second;
 }
 
-std::uint32_t Builder::texinfo_of(Material material, const TextureLayout& layout) {
+std::uint32_t Builder::add_texinfo(Material material, const TextureProjection& projection) {
   const auto next = static_cast<std::uint32_t>(bsp_.texinfos.size());
-  const auto [entry, is_new] = texinfos_.try_emplace({material, layout.s_axis, layout.t_axis}, next);
+  const auto [entry, is_new] = texinfos_.try_emplace({material, projection.s_axis, projection.t_axis}, next);
   if (is_new) {
     formats::BspTexinfo texinfo;
-    texinfo.s_axis[static_cast<int>(layout.s_axis)] = layout.texels_per_unit;
-    texinfo.t_axis[static_cast<int>(layout.t_axis)] = -layout.texels_per_unit;
+    texinfo.s_axis[static_cast<int>(projection.s_axis)] = projection.texels_per_unit;
+    // T grows downward on walls, as in any texture.
+    texinfo.t_axis[static_cast<int>(projection.t_axis)] = -projection.texels_per_unit;
     texinfo.miptex = static_cast<std::int32_t>(material);
     texinfo.flags = is_lit(material) ? 0 : kTexinfoNoLight;
     bsp_.texinfos.push_back(texinfo);
@@ -297,12 +318,12 @@ formats::Bsp make_small_level(const SmallLevelOptions& options) {
 
 std::vector<SmallLevelBox> small_level_boxes(const SmallLevelOptions& options) {
   std::vector<SmallLevelBox> boxes;
-  for (const PlanBox& box : make_plan(options).boxes) boxes.push_back({box.bounds, box.contents});
+  for (const LayoutBox& box : make_layout(options).boxes) boxes.push_back({box.bounds, box.contents});
   return boxes;
 }
 
 math::Bounds small_level_door(const SmallLevelOptions& options) {
-  return make_plan(options).door;
+  return make_layout(options).door;
 }
 
 }  // namespace temblor::artgen

@@ -1,6 +1,18 @@
-// A level made in code, for machines and tests without game data: a hall with pillars, a corridor with a
-// door, stairs down to a court under the sky with a pool, and a dim cellar; every kind of face and texture
-// that the engine knows. The same bytes for the same options.
+// A small BSP level that is generated in code, for tests and for machines without game data: a hall with
+// pillars, a corridor with a door, stairs down to a court with a sky and a pool, and a dim cellar. It
+// contains every kind of face and texture that the engine supports. The same options produce the same bytes.
+//
+//   SmallLevelLayout: boxes, lights, entities (level/layout.h)
+//     | make_grid: cells between axial planes (level/grid.h)
+//   CellGrid
+//     |-- build_grid_tree: nodes and leaves (level/grid_tree.h)
+//     |     |-- find_faces, GridLighter: faces and light maps (level/grid_faces.h, level/grid_light.h)
+//     |     '-- find_visible_leaves: the PVS (level/grid_visibility.h)
+//     '-- grow_grid, build_grid_tree: clip hulls 1 to 3
+//   formats::Bsp
+//
+// It shares no code with the level compiler, so that the renderer and the server can be tested without it.
+// All planes are axial and all leaves are boxes, which keeps each step short.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +26,35 @@ namespace temblor::artgen {
 struct SmallLevelOptions {
   bool pvs = true;
   bool light = true;
-  bool four_styles = false;            // the cellar's faces have four light styles each
-  bool wide_faces = false;             // two texels a unit, lit faces of up to 1024 texels
-  bool edge_used_three_times = false;  // as some compilers' levels: faces share edges without limit
-  bool missing_texture = false;        // the hall's bricks are named by the level but not in it
-  bool colored_light = false;          // with the BSPX lump RGBLIGHTING
-  bool tiny = false;                   // one room with textures of 16 texels: under 20 KB as a file
-  std::uint64_t seed = 1;              // of the noise in the textures
+  // Every face in the cellar has four light styles, the most that the format allows.
+  bool four_styles = false;
+  // Two texels per unit, and lit faces of up to 1024 texels: more than the original engine draws.
+  bool wide_faces = false;
+  // Faces share edges without limit, as in the output of some compilers. Otherwise at most two faces share an
+  // edge.
+  bool edge_used_three_times = false;
+  // The level refers to the hall's brick texture but does not contain it.
+  bool missing_texture = false;
+  // Adds the BSPX lump RGBLIGHTING. Has no effect without `light`.
+  bool colored_light = false;
+  // One room with textures of 16 x 16 texels: less than 20 KB as a file.
+  bool tiny = false;
+  // Seeds the noise in the textures; changes nothing else.
+  std::uint64_t seed = 1;
 };
 
-// Satisfies everything in formats/levels/bsp_validate.h; fits version 29. Model 0 is the world, model 1 a
-// door.
+// The level passes all checks of formats/levels/bsp_validate.h and fits version 29 of the format. Model 0 is
+// the world, model 1 a door.
 formats::Bsp make_small_level(const SmallLevelOptions& options = {});
 
-// The shape of that level's world: solid everywhere but for these boxes, later ones over earlier ones.
+// A box of the world's shape, for tests that compare the BSP with its definition. The world is solid except
+// in these boxes; later boxes replace earlier ones where they overlap.
 struct SmallLevelBox {
   math::Bounds bounds;
   std::int32_t contents;  // as in BspLeaf
 };
 std::vector<SmallLevelBox> small_level_boxes(const SmallLevelOptions& options = {});
+// The closed door's bounds.
 math::Bounds small_level_door(const SmallLevelOptions& options = {});
 
 }  // namespace temblor::artgen

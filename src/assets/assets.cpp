@@ -15,28 +15,32 @@
 namespace temblor::assets {
 namespace {
 
-// A file's bytes and what to call it in a message.
+// The bytes of a file, and its name in messages.
 struct NamedBytes {
   std::string name;
   base::ByteVector bytes;
 };
 
-// Colored light that fits the level, or none and a note.
-std::optional<formats::Lit> fitting_lit(const NamedBytes& file, const formats::Bsp& bsp,
-                                        std::vector<std::string>& io_notes) {
+// Reads colored light that matches the level. Returns nullopt and adds a note if the file is damaged or was
+// made for another version of the level.
+std::optional<formats::Lit> read_matching_lit(const NamedBytes& file, const formats::Bsp& bsp,
+                                              std::vector<std::string>& io_notes) {
   base::Result<formats::Lit> lit = formats::read_lit(file.bytes).with_file(file.name);
   if (!lit.ok()) {
-    io_notes.push_back(fmt::format("{}; colored light left out", lit.error().message()));
+    io_notes.push_back(fmt::format("{}; colored light is ignored", lit.error().message()));
     return std::nullopt;
   }
   if (lit->samples.size() != bsp.lighting.size() * 3) {
-    io_notes.push_back(fmt::format("{}: {} bytes of light, this version of the level wants {}; left out",
-                                   file.name, lit->samples.size(), bsp.lighting.size() * 3));
+    io_notes.push_back(
+        fmt::format("{}: {} bytes of light, but this version of the level needs {}; colored light is ignored",
+                    file.name, lit->samples.size(), bsp.lighting.size() * 3));
     return std::nullopt;
   }
   return std::move(lit).value();
 }
 
+// Adds one note with the names of all missing textures that a face uses. A level may list textures that no
+// face uses; those do not matter.
 void note_missing_textures(const world::Level& level, std::vector<std::string>& io_notes) {
   constexpr std::size_t kNamesShown = 8;
   std::set<std::string> missing;
@@ -50,16 +54,17 @@ void note_missing_textures(const world::Level& level, std::vector<std::string>& 
     shown.push_back(fmt::format("and {} more", missing.size() - kNamesShown));
   }
   io_notes.push_back(
-      fmt::format("{}: missing textures, drawn as a checker: {}", level.name, fmt::join(shown, ", ")));
+      fmt::format("{}: missing textures, drawn as a checkerboard: {}", level.name, fmt::join(shown, ", ")));
 }
 
+// The common end of both ways to load a level: parses the bytes, attaches the light, collects the notes.
 base::Result<LoadedLevel> make_loaded_level(std::string name, NamedBytes bsp_file,
                                             const std::optional<NamedBytes>& lit_file) {
   TRY(formats::Bsp bsp, formats::read_bsp(bsp_file.bytes).with_file(bsp_file.name));
-  bsp_file.bytes = {};  // a large level is not held twice
+  bsp_file.bytes = {};  // do not keep a large level twice
   LoadedLevel loaded;
   std::optional<formats::Lit> lit;
-  if (lit_file) lit = fitting_lit(*lit_file, bsp, loaded.notes);
+  if (lit_file) lit = read_matching_lit(*lit_file, bsp, loaded.notes);
   TRY(loaded.level,
       world::make_level(std::move(bsp), std::move(name), lit ? &*lit : nullptr).with_file(bsp_file.name));
   note_missing_textures(*loaded.level, loaded.notes);
@@ -73,8 +78,9 @@ base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_v
   const std::string lit_name = fmt::format("maps/{}.lit", map_name);
   TRY(base::ByteVector bytes, files.read(bsp_name));
   std::optional<NamedBytes> lit;
-  // A .lit of a lower game folder was made for the level that this one hides.
-  if (files.contains(lit_name) && files.game_of(lit_name) >= files.game_of(bsp_name)) {
+  // A .lit in a lower game folder belongs to the level that this one hides. Stock levels and mods often share
+  // names.
+  if (files.contains(lit_name) && files.find_game(lit_name) >= files.find_game(bsp_name)) {
     TRY(base::ByteVector lit_bytes, files.read(lit_name));
     lit = NamedBytes{files.describe(lit_name), std::move(lit_bytes)};
   }

@@ -1,4 +1,12 @@
-// Names to loaded things: levels, and what every picture needs (palette and colormap).
+// Loads levels with their colored light, and the palette and colormap that every frame needs. This layer
+// joins the parts below: vfs finds the bytes, formats parses them, world makes a level of them.
+//
+//   maps/NAME.bsp -> formats::read_bsp() --+
+//                                          +--> world::make_level() --> LoadedLevel (level, notes)
+//   maps/NAME.lit -> formats::read_lit() --+
+//
+// A problem that leaves the level playable becomes a note instead of an error, because many released levels
+// have one.
 #pragma once
 
 #include <filesystem>
@@ -14,25 +22,30 @@
 
 namespace temblor::assets {
 
+// A level that is ready to play, shared and immutable.
 struct LoadedLevel {
   std::shared_ptr<const world::Level> level;
-  // What was made do with, one line each for a person: a texture that is missing, a .lit that does not fit.
+  // Problems that did not prevent loading, one line each, with the file: missing textures, a .lit file that
+  // does not match. For the console.
   std::vector<std::string> notes;
 };
 
-// maps/NAME.bsp with its maps/NAME.lit, if that is there, comes from the same game folder or a later one, and
-// fits (else it is left out, with a note). `map_name` is "start", not "maps/start.bsp". Errors name the file.
+// Loads maps/NAME.bsp, and maps/NAME.lit if that is in the same or a higher game folder; ignores a .lit that
+// does not match, with a note. `map_name`: "start", not "maps/start.bsp". Returns kNotFound if there is no
+// such level, and the reader's error if it is damaged; errors name the file. Thread-safe.
 base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_view map_name);
 
-// The same for a .bsp anywhere on disk, with the .lit beside it.
+// Loads a .bsp from any path on disk, with the .lit next to it if there is one. For tools.
 base::Result<LoadedLevel> load_level_file(const std::filesystem::path& path);
 
+// The colors of the game: the palette translates indices to RGB, the colormap shades indices by light level.
 struct Look {
   formats::Palette palette;
   formats::Colormap colormap;
 };
 
-// gfx/palette.lmp and gfx/colormap.lmp; a colormap that is missing is made from the palette.
+// Loads gfx/palette.lmp and gfx/colormap.lmp; computes a missing colormap from the palette. A missing palette
+// or a file of the wrong size is an error.
 base::Result<Look> load_look(const vfs::FileSystem& files);
 
 }  // namespace temblor::assets

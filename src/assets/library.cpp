@@ -5,8 +5,8 @@
 namespace temblor::assets {
 namespace {
 
-// "maps/NAME.bsp" -> "NAME"; nothing for a path of another shape.
-std::optional<std::string_view> map_name_of(std::string_view path) {
+// Converts "maps/NAME.bsp" to "NAME"; returns nullopt for other paths.
+std::optional<std::string_view> parse_map_name(std::string_view path) {
   constexpr std::string_view kFolder = "maps/", kSuffix = ".bsp";
   if (!path.starts_with(kFolder) || !path.ends_with(kSuffix)) return std::nullopt;
   path.remove_prefix(kFolder.size());
@@ -14,6 +14,7 @@ std::optional<std::string_view> map_name_of(std::string_view path) {
   return path;
 }
 
+// Reads a file and parses it with `read`, whose errors do not name the file yet.
 template <typename T>
 base::Result<T> read_as(const vfs::FileSystem& files, std::string_view path,
                         base::Result<T> (*read)(base::Bytes)) {
@@ -21,7 +22,7 @@ base::Result<T> read_as(const vfs::FileSystem& files, std::string_view path,
   return read(bytes).with_file(files.describe(path));
 }
 
-// One side, in whichever format there is; TGA, which the game of the time knew, first.
+// Loads one side: TGA first, the only format of older engines. Reports a missing side as the .tga.
 base::Result<formats::Image> read_side(const vfs::FileSystem& files, const std::string& stem) {
   if (files.contains(stem + ".tga") || !files.contains(stem + ".png"))
     return read_as(files, stem + ".tga", formats::read_tga);
@@ -30,10 +31,12 @@ base::Result<formats::Image> read_side(const vfs::FileSystem& files, const std::
 
 }  // namespace
 
+// Splits the path, because load_level() also needs the name for the .lit file.
 base::Result<LoadedLevel> Library::level(std::string_view path) const {
-  const std::optional<std::string_view> name = map_name_of(path);
+  const std::optional<std::string_view> name = parse_map_name(path);
   if (!name) {
-    base::Error error = base::error(base::ErrorCode::kUsage, "is not the name of a level, maps/NAME.bsp");
+    base::Error error =
+        base::error(base::ErrorCode::kUsage, "not a level name; level names look like maps/NAME.bsp");
     error.file = path;
     return error;
   }
@@ -52,15 +55,18 @@ base::Result<formats::Wav> Library::sound(std::string_view name) const {
   return read_as(files_, fmt::format("sound/{}", name), formats::read_wav);
 }
 
+// The game folder takes precedence over the format, so that a mod's .mp3 replaces the .ogg of id1.
 base::Result<MusicFile> Library::music(int track) const {
   const std::string stem = fmt::format("music/track{:02}", track);
   std::string best;
   for (const char* suffix : {".ogg", ".opus", ".flac", ".mp3", ".wav"}) {
     const std::string name = stem + suffix;
-    if (files_.contains(name) && (best.empty() || files_.game_of(name) > files_.game_of(best))) best = name;
+    if (files_.contains(name) && (best.empty() || files_.find_game(name) > files_.find_game(best)))
+      best = name;
   }
   if (best.empty()) {
-    base::Error error = base::error(base::ErrorCode::kNotFound, "there is no such file in music/");
+    base::Error error =
+        base::error(base::ErrorCode::kNotFound, "no such file in music/ (.ogg, .opus, .flac, .mp3, or .wav)");
     error.file = stem;
     return error;
   }
@@ -69,6 +75,7 @@ base::Result<MusicFile> Library::music(int track) const {
 
 std::array<formats::Image, 6> Library::skybox(std::string_view name,
                                               std::vector<std::string>& io_notes) const {
+  // In the order of the sides that the header documents.
   constexpr std::array<const char*, 6> kSuffixes = {"rt", "bk", "lf", "ft", "up", "dn"};
   std::array<formats::Image, 6> sides;
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -76,7 +83,7 @@ std::array<formats::Image, 6> Library::skybox(std::string_view name,
     if (side.ok())
       sides[i] = std::move(side).value();
     else
-      io_notes.push_back(fmt::format("{}; this side of the sky stays empty", side.error().message()));
+      io_notes.push_back(fmt::format("{}; this side of the sky is empty", side.error().message()));
   }
   return sides;
 }

@@ -1,4 +1,9 @@
-// Everything that a game's files hold, by name, loaded and checked. Errors name the file.
+// Loads the assets of a game by the names that game code and servers use: levels, models, sprites, sky boxes,
+// sounds, music, pictures.
+//
+// Each call reads and validates the file; nothing is cached, so callers keep what they need. Names may come
+// from a server; vfs::FileSystem rejects names that leave the game folders. Errors name the file, or the
+// archive and the file in it. Const functions are thread-safe.
 #pragma once
 
 #include <array>
@@ -19,9 +24,11 @@
 
 namespace temblor::assets {
 
+// A track that is decoded while it plays, so its bytes are read later.
 struct MusicFile {
-  std::string name;  // for messages: where it was found
-  // Undecoded. Takes as long as the disk does; by any thread, even when the library is gone.
+  std::string name;  // source of the file, for messages
+  // Reads the encoded file. Blocks on the disk; callable from any thread, even after the library is
+  // destroyed.
   std::function<base::Result<base::ByteVector>()> read;
 };
 
@@ -29,17 +36,18 @@ class Library {
  public:
   explicit Library(vfs::FileSystem files) : files_(std::move(files)) {}
 
-  // `path` as game code names it: "maps/start.bsp", "progs/ogre.mdl", "progs/s_explod.spr".
+  // `path`: as in QuakeC: "maps/start.bsp", "progs/ogre.mdl", "progs/s_explod.spr". Return kNotFound for a
+  // missing file, kMalformed or kUnsupported for one that its reader rejects.
   base::Result<LoadedLevel> level(std::string_view path) const;
   base::Result<formats::Mdl> alias_model(std::string_view path) const;
   base::Result<formats::Spr> sprite(std::string_view path) const;
-  // gfx/env/NAMErt.tga and so on, or .png: right, back, left, front, up, down; the names' right is +x. Sides
-  // that are missing or damaged are empty, with a line in `io_notes` for each.
+  // Loads gfx/env/NAMErt.tga and so on, or .png: right (+x), back, left, front, up, down. Missing and damaged
+  // sides are empty images (0 x 0), with a line in `io_notes` for each.
   std::array<formats::Image, 6> skybox(std::string_view name, std::vector<std::string>& io_notes) const;
-  // `name` without its folder, as game code gives it: "weapons/rocket1i.wav" is sound/weapons/rocket1i.wav.
+  // `name`: as in QuakeC, relative to sound/: "weapons/rocket1i.wav".
   base::Result<formats::Wav> sound(std::string_view name) const;
-  // music/trackNN.ogg, or .opus, .flac, .mp3, .wav: the first there is, of the highest game folder. kNotFound
-  // where there is none, which is common.
+  // Finds music/trackNN with the extension .ogg, .opus, .flac, .mp3, or .wav (first match) in the highest
+  // game folder. Returns kNotFound if there is none, which is common.
   base::Result<MusicFile> music(int track) const;
   base::Result<Look> look() const { return load_look(files_); }
   Pictures pictures(std::vector<std::string>& io_notes) const { return Pictures::load(files_, io_notes); }

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "assets/stock_pictures.h"
+#include "assets/stock/stock_pictures.h"
 #include "base/text.h"
 #include "formats/archives/wad.h"
 
@@ -19,6 +19,7 @@ constexpr std::uint32_t kCharactersSide = 128;  // pixels
 
 using PictureMap = std::map<std::string, formats::Picture, std::less<>>;
 
+// Makes a checkerboard of the two ends of the palette's first row, in squares of 4 x 4 pixels.
 formats::Picture make_checker(std::uint32_t width, std::uint32_t height) {
   constexpr std::uint8_t kDark = 0, kLight = 15;
   formats::Picture picture{width, height, {}};
@@ -29,11 +30,12 @@ formats::Picture make_checker(std::uint32_t width, std::uint32_t height) {
   return picture;
 }
 
-// Damaged ones are left out, and named in `io_bad`.
+// Loads the pictures and the font of gfx.wad. Skips damaged pictures, and names them in `io_bad`. Lumps of
+// other types are not pictures, except the font, which has no header and the type of a texture.
 void load_wad(const vfs::FileSystem& files, PictureMap& io_pictures,
               std::optional<formats::Picture>& out_characters, std::vector<std::string>& io_bad) {
   const base::Result<base::ByteVector> bytes = files.read(kWad);
-  if (!bytes.ok()) return;  // all of it is missing
+  if (!bytes.ok()) return;  // no gfx.wad
   const base::Result<std::vector<formats::WadLump>> lumps = formats::read_wad(*bytes);
   if (!lumps.ok()) {
     io_bad.push_back(lumps.error().message());
@@ -50,17 +52,20 @@ void load_wad(const vfs::FileSystem& files, PictureMap& io_pictures,
     else if (is_characters)
       out_characters = std::move(picture).value();
     else
-      io_pictures.emplace(name, std::move(picture).value());  // the first of a name, as find_lump()
+      io_pictures.emplace(name, std::move(picture).value());  // the first with a name wins, as in find_lump()
   }
 }
 
-bool is_other_than_a_picture(std::string_view name) {
+// These two have the extension of pictures, but another layout (palette.h).
+bool is_palette_file(std::string_view name) {
   return name == "gfx/palette.lmp" || name == "gfx/colormap.lmp";
 }
 
+// Loads the pictures that are separate files. Their names cannot collide with those of lumps, which have no
+// folder.
 void load_files(const vfs::FileSystem& files, PictureMap& io_pictures, std::vector<std::string>& io_bad) {
   for (const std::string& name : files.list("gfx/", ".lmp")) {
-    if (is_other_than_a_picture(name)) continue;
+    if (is_palette_file(name)) continue;
     const base::Result<base::ByteVector> bytes = files.read(name);
     base::Result<formats::Picture> picture =
         bytes.ok() ? formats::read_picture(*bytes) : base::Result<formats::Picture>(bytes.error());
@@ -71,8 +76,9 @@ void load_files(const vfs::FileSystem& files, PictureMap& io_pictures, std::vect
   }
 }
 
-void placeholder(std::span<const StockPicture> stock, PictureMap& io_pictures,
-                 std::vector<std::string>& io_missing) {
+// Adds a placeholder for each stock picture that was not loaded.
+void add_placeholders(std::span<const StockPicture> stock, PictureMap& io_pictures,
+                      std::vector<std::string>& io_missing) {
   for (const StockPicture& picture : stock)
     if (io_pictures.emplace(picture.name, formats::Picture{}).second) {
       io_pictures[picture.name] = make_checker(picture.width, picture.height);
@@ -80,7 +86,8 @@ void placeholder(std::span<const StockPicture> stock, PictureMap& io_pictures,
     }
 }
 
-std::string first_few(std::vector<std::string> names) {
+// Joins at most 8 names for a message, and says how many more there are.
+std::string join_first_names(std::vector<std::string> names) {
   constexpr std::size_t kShown = 8;
   const std::size_t count = names.size();
   if (count > kShown) {
@@ -92,6 +99,8 @@ std::string first_few(std::vector<std::string> names) {
 
 }  // namespace
 
+// Damaged and missing pictures are noted in one line, because a game without gfx.wad
+// would otherwise fill the console.
 Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& io_notes) {
   Pictures loaded;
   std::vector<std::string> bad, missing;
@@ -100,13 +109,15 @@ Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& 
   load_files(files, loaded.pictures_, bad);
   if (!characters) missing.emplace_back(kCharacters);
   loaded.characters_ = characters ? std::move(*characters) : make_checker(kCharactersSide, kCharactersSide);
-  placeholder(stock_wad_pictures(), loaded.pictures_, missing);
-  placeholder(stock_picture_files(), loaded.pictures_, missing);
+  add_placeholders(stock_wad_pictures(), loaded.pictures_, missing);
+  add_placeholders(stock_picture_files(), loaded.pictures_, missing);
   loaded.placeholders_.insert(missing.begin(), missing.end());
 
   std::string note;
-  if (!missing.empty()) note = fmt::format("pictures drawn as a checker: {}", first_few(missing));
-  if (!bad.empty()) note += fmt::format("{}damaged: {}", note.empty() ? "pictures " : "; ", first_few(bad));
+  if (!missing.empty())
+    note = fmt::format("missing pictures, drawn as a checkerboard: {}", join_first_names(missing));
+  if (!bad.empty())
+    note += fmt::format("{}damaged: {}", note.empty() ? "pictures " : "; ", join_first_names(bad));
   if (!note.empty()) io_notes.push_back(fmt::format("{}: {}", files.describe(kWad), note));
   return loaded;
 }

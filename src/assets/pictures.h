@@ -1,4 +1,6 @@
-// The game's 2-D pictures: gfx.wad's lumps and gfx/*.lmp, loaded once.
+// The 2D pictures of the game (status bar, menus, console background, font): the lumps of gfx.wad and
+// gfx/*.lmp, loaded once. Always complete: a stock picture that is missing gets a checkerboard, so that no
+// drawing code needs a check.
 #pragma once
 
 #include <map>
@@ -14,16 +16,17 @@ namespace temblor::assets {
 
 class Pictures {
  public:
-  // All of gfx.wad and all of gfx/. What a stock game has and is missing here, or damaged, is a checker of
-  // its size in its place, with one line in `io_notes` for all of it.
+  // Loads everything in gfx.wad and gfx/. Stock pictures that are missing or damaged become checkerboard
+  // placeholders of the right size, with one line in `io_notes` for all of them.
   static Pictures load(const vfs::FileSystem& files, std::vector<std::string>& io_notes);
 
-  // "sbar", "num_0" (gfx.wad), "gfx/complete.lmp"; case does not matter. Null only for a name that neither
-  // these files nor a stock game have. Valid while this lives, also when it is moved.
+  // Finds a picture by case-insensitive name: "sbar", "num_0" (gfx.wad), "gfx/complete.lmp". Returns null
+  // only for a name that is neither loaded nor stock. The pointer is valid as long as this object, even if it
+  // is moved.
   const formats::Picture* find(std::string_view name) const;
-  // The same, but null too where the picture would be a stand-in.
+  // Like find(), but returns null for placeholders too, for code that can draw something better instead.
   const formats::Picture* find_real(std::string_view name) const;
-  // 16 rows of 16 characters of 8 x 8 pixels.
+  // The console font: 16 rows of 16 characters of 8 x 8 pixels.
   const formats::Picture& characters() const { return characters_; }
 
  private:

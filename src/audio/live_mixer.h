@@ -1,5 +1,8 @@
-// The mixer between two threads: the game's tells it what is to be heard, the sound device's takes samples.
-// The device's thread never waits, and asks the heap for nothing once warm.
+// Connects the mixer's two threads: the game thread posts scenes and events, the device thread takes samples.
+//
+// The device thread must never wait and must not allocate or free memory once warm. The threads therefore
+// exchange whole PendingEvents under a mutex that the device thread only tries to lock; finished sounds
+// travel back in the same object, and the game thread frees them.
 #pragma once
 
 #include <mutex>
@@ -16,38 +19,38 @@ class LiveMixer {
  public:
   LiveMixer();
 
-  // From the game's thread. How things are now, and what has happened since the last time; taken up when the
-  // device next asks, a few milliseconds later. Where it does not ask for long, what would have been over by
-  // then is left out, so that no more than so much waits.
+  // Game thread. Passes on the current scene and the events since the last call. They apply when the device
+  // next asks for samples, a few milliseconds later. If the device hangs, events are folded
+  // (mixing/fold_events.h), so the backlog stays bounded.
   void post(const Scene& scene, const SoundEvents& events);
-  // As of MusicStream.
+  // Game thread. As MusicStream's functions.
   void play_music(OpenMusic open) { music_.play(std::move(open)); }
   std::optional<base::Error> take_music_failure() { return music_.take_failure(); }
   void pause_music(bool paused) { music_.set_paused(paused); }
-  // The file that is being played turned out to be damaged.
+  // Whether the file that plays is damaged.
   bool music_has_failed() const { return music_.has_failed(); }
 
-  // From the device's thread; as platform::AudioFill.
+  // Device thread. Fills the buffer, as platform::AudioFill requires.
   void fill(std::span<float> out_samples);
 
  private:
   static constexpr std::size_t kMusicBlock_frames = 512;
 
-  // What was posted since the last time the device asked.
+  // Everything posted since the device last asked.
   struct PendingEvents {
     std::optional<Scene> scene;
-    std::vector<SoundEvents> events;  // the first `count`; the others only keep their memory
+    std::vector<SoundEvents> events;  // the first `count` are valid; the others keep their memory
     std::size_t count = 0;
-    std::vector<SoundPtr> done;  // on its way back, to be freed
-    bool is_read = false;        // nothing in it is news
+    std::vector<SoundPtr> finished;  // on the way back to the game thread, which frees them
+    bool is_read = false;            // the device thread has applied it
     void clear();
     void fold_all();
   };
-  void take_mail();
+  void take_pending_events();
 
-  std::mutex mutex_;  // of `incoming_` alone, held for moments; the device's thread only tries
+  std::mutex mutex_;  // guards `incoming_` only; held briefly, and the device thread only tries to lock it
   PendingEvents incoming_;
-  PendingEvents taken_;  // the device's thread's, as all below
+  PendingEvents taken_;  // used by the device thread only, like everything below
   Mixer mixer_;
   std::vector<float> music_samples_;
   MusicStream music_;

@@ -11,8 +11,11 @@
 namespace temblor::audio {
 namespace {
 
+// A faster change of gain would be heard as a click.
 constexpr std::size_t kMinGlide_frames = 240;  // 5 ms
+// Ambient levels (0 to 255) change by 100 per second, as in stock Quake.
 constexpr float kAmbientFade_per_frame = 100.0f / kFramesPerSecond;
+// Two copies of a sound start at most this far apart.
 constexpr std::size_t kMaxSkipped_frames = kFramesPerSecond / 10;
 
 bool is_playing(const Voice& voice) {
@@ -25,12 +28,15 @@ bool can_be_heard(const SoundPtr& sound) {
 
 }  // namespace
 
+// Reserves memory for all voices now, because the device's thread must not allocate.
 Mixer::Mixer(const MixerSettings& settings) : settings_(settings) {
   voices_.reserve(kMaxWithEnding);
-  if (settings_.keep_done_sounds) done_.reserve(kMaxWithEnding);
+  if (settings_.keep_finished_sounds) finished_.reserve(kMaxWithEnding);
 }
 
-void Mixer::follow(const Scene& scene, std::size_t frames) {
+// All gains glide to their new values in the time until the next scene is expected, so that the sound does
+// not depend on the frame rate. The first scene has nothing to glide from.
+void Mixer::set_scene(const Scene& scene, std::size_t frames) {
   const std::size_t glide = std::max(frames, kMinGlide_frames);
   scene_ = scene;
   for (Voice& voice : voices_) move_voice(voice, scene_.listener, glide);
@@ -38,30 +44,32 @@ void Mixer::follow(const Scene& scene, std::size_t frames) {
   music_volume_.go_to(scene_.volumes.music, has_scene_ ? glide : 0);
   muffle_.set_target(scene_.listener.underwater ? std::clamp(scene_.volumes.muffled_underwater, 0.0f, 1.0f)
                                                 : 0.0f);
-  for (std::size_t kind = 0; kind < kAmbients; ++kind) aim_ambient(kind);
+  for (std::size_t kind = 0; kind < kAmbients; ++kind) retarget_ambient(kind);
   has_scene_ = true;
 }
 
-void Mixer::happen(const SoundEvents& events) {
-  if (events.begins_anew)
+// Order matters: a level change ends the old sounds before the new ones start.
+void Mixer::handle_events(const SoundEvents& events) {
+  if (events.stops_all)
     for (Voice& voice : voices_) end_voice(voice);
-  if (events.new_ambients) take_ambients(events.ambients);
-  for (const StaticSound& what : events.statics) start(what);
-  for (const StartedSound& what : events.started) start(what);
-  for (const StoppedSound& what : events.stopped) stop(what);
+  if (events.new_ambients) replace_ambients(events.ambients);
+  for (const StaticSound& sound : events.statics) start(sound);
+  for (const StartedSound& sound : events.started) start(sound);
+  for (const StoppedSound& sound : events.stopped) stop(sound);
 }
 
-void Mixer::aim_ambient(std::size_t kind) {
+// Starts the fade of an ambient sound to the level that the listener's leaf has now.
+void Mixer::retarget_ambient(std::size_t kind) {
   Glide& level = ambients_[kind].level;
   const float target =
-      ambients_[kind].sound ? ambient_target(scene_.ambient_levels[kind], scene_.volumes.ambient) : 0;
-  if (target == level.target()) return;  // on its way
+      ambients_[kind].sound ? compute_ambient_level(scene_.ambient_levels[kind], scene_.volumes.ambient) : 0;
+  if (target == level.target()) return;  // already fading there
   const float frames = std::abs(target - level.value()) / kAmbientFade_per_frame;
   level.go_to(target, static_cast<std::size_t>(std::ceil(frames)));
 }
 
-// What was heard of another sound of the kind fades as a voice of its own.
-void Mixer::take_ambients(const std::array<SoundPtr, kAmbients>& sounds) {
+// A sound that is replaced fades out as a separate voice.
+void Mixer::replace_ambients(const std::array<SoundPtr, kAmbients>& sounds) {
   for (std::size_t kind = 0; kind < kAmbients; ++kind) {
     Ambient& ambient = ambients_[kind];
     const SoundPtr sound = can_be_heard(sounds[kind]) ? sounds[kind] : nullptr;
@@ -77,41 +85,42 @@ void Mixer::take_ambients(const std::array<SoundPtr, kAmbients>& sounds) {
       end_voice(voice);
       voices_.push_back(std::move(voice));
     }
-    be_done_with(std::exchange(ambient.sound, sound));
+    retire_sound(std::exchange(ambient.sound, sound));
     ambient.position = 0;
     ambient.level = Glide(0);
-    aim_ambient(kind);
+    retarget_ambient(kind);
   }
 }
 
-void Mixer::start(const StartedSound& what) {
-  replace(what.entity, what.channel);
-  if (!can_be_heard(what.sound)) return;
-  begin({.sound = what.sound,
-         .position = skip_of_duplicate(what.sound),
-         .entity = what.entity,
-         .channel = what.channel,
-         .origin_world = what.origin_world,
-         .volume = what.volume,
-         .attenuation = what.attenuation});
+void Mixer::start(const StartedSound& started) {
+  replace(started.entity, started.channel);
+  if (!can_be_heard(started.sound)) return;
+  begin({.sound = started.sound,
+         .position = choose_duplicate_skip(started.sound),
+         .entity = started.entity,
+         .channel = started.channel,
+         .origin_world = started.origin_world,
+         .volume = started.volume,
+         .attenuation = started.attenuation});
 }
 
-void Mixer::start(const StaticSound& what) {
-  if (!can_be_heard(what.sound)) return;
-  begin({.sound = what.sound,
+void Mixer::start(const StaticSound& started) {
+  if (!can_be_heard(started.sound)) return;
+  begin({.sound = started.sound,
          .kind = VoiceKind::kStatic,
-         .origin_world = what.origin_world,
-         .volume = what.volume,
-         .attenuation = what.attenuation});
+         .origin_world = started.origin_world,
+         .volume = started.volume,
+         .attenuation = started.attenuation});
 }
 
-void Mixer::stop(const StoppedSound& what) {
+void Mixer::stop(const StoppedSound& stopped) {
   for (Voice& voice : voices_)
-    if (voice.kind == VoiceKind::kStarted && voice.entity == what.entity && voice.channel == what.channel)
+    if (voice.kind == VoiceKind::kStarted && voice.entity == stopped.entity &&
+        voice.channel == stopped.channel)
       end_voice(voice);
 }
 
-// The original's rule: a sound takes the place of one of its entity, the oldest that its channel may replace.
+// Ends the oldest sound of the entity that the channel may replace (the original's rule).
 void Mixer::replace(std::int32_t entity, int channel) {
   if (channel == kFreeChannel) return;
   Voice* oldest = nullptr;
@@ -123,15 +132,16 @@ void Mixer::replace(std::int32_t entity, int channel) {
   if (oldest != nullptr) end_voice(*oldest);
 }
 
-// The same sound twice in one moment would only be louder, and hollow: the second one begins further in.
-std::size_t Mixer::skip_of_duplicate(const SoundPtr& sound) {
+// Two copies of a sound in one frame would only be louder, with a hollow tone. The second copy starts later
+// in the sound; the number is deterministic.
+std::size_t Mixer::choose_duplicate_skip(const SoundPtr& sound) {
   const auto same = [&](const Voice& voice) { return voice.is_new && voice.sound == sound; };
   if (std::none_of(voices_.begin(), voices_.end(), same)) return 0;
   const std::size_t most = std::min(kMaxSkipped_frames, sound->samples.size());
-  return static_cast<std::size_t>(base::mixed_bits(started_count_) % most);
+  return static_cast<std::size_t>(base::mix_bits(started_count_) % most);
 }
 
-// By the original's rule; false: all that play are worth more.
+// Frees a voice by the rule of kMaxVoices. Returns false if every playing voice must stay.
 bool Mixer::make_room() {
   if (voices_.size() >= kMaxWithEnding) return false;
   const auto playing = std::count_if(voices_.begin(), voices_.end(), is_playing);
@@ -145,6 +155,8 @@ bool Mixer::make_room() {
   return shortest != nullptr;
 }
 
+// The number of started sounds also counts those that are left out, so that later random choices stay the
+// same.
 void Mixer::begin(Voice voice) {
   ++started_count_;
   if (!make_room()) {
@@ -157,6 +169,7 @@ void Mixer::begin(Voice voice) {
   voices_.push_back(std::move(voice));
 }
 
+// Ambient sounds have no place: both ears get the same gain. A sound without a loop repeats as a whole.
 void Mixer::mix_ambient(Ambient& io_ambient, const EarBuffers& io_ears) {
   constexpr float kFull = 1.0f / 255;
   std::size_t done = 0;
@@ -176,26 +189,28 @@ void Mixer::mix_ambient(Ambient& io_ambient, const EarBuffers& io_ears) {
   }
 }
 
-// If nobody else holds it, it would be freed here and now.
-void Mixer::be_done_with(SoundPtr sound) {
-  if (settings_.keep_done_sounds && sound && done_.size() < done_.capacity())
-    done_.push_back(std::move(sound));
+// Keeps the sound alive for the thread that may free memory: this could be its last reference.
+void Mixer::retire_sound(SoundPtr sound) {
+  if (settings_.keep_finished_sounds && sound && finished_.size() < finished_.capacity())
+    finished_.push_back(std::move(sound));
 }
 
 void Mixer::remove_ended() {
   for (std::size_t i = 0; i < voices_.size();) {
-    // Until the done ones are taken away, others wait in their places.
-    const bool has_room = !settings_.keep_done_sounds || done_.size() < done_.capacity();
+    // When the list is full, ended voices keep their places until the list is emptied.
+    const bool has_room = !settings_.keep_finished_sounds || finished_.size() < finished_.capacity();
     if (!voices_[i].has_ended || !has_room) {
       ++i;
       continue;
     }
-    be_done_with(std::move(voices_[i].sound));
+    retire_sound(std::move(voices_[i].sound));
     if (i + 1 < voices_.size()) voices_[i] = std::move(voices_.back());
     voices_.pop_back();
   }
 }
 
+// One block: voices and ambient sounds, muffled under water, scaled by the volume, plus music, limited, and
+// interleaved. Music is not muffled.
 void Mixer::render_block(std::span<float> out_samples, std::span<const float> music) {
   const std::size_t count = out_samples.size() / 2;
   const EarBuffers ears{std::span(left_).first(count), std::span(right_).first(count)};
@@ -233,10 +248,11 @@ void Mixer::render(std::span<float> out_samples, std::span<const float> music) {
   }
 }
 
-void Mixer::move_done_to(std::vector<SoundPtr>& io_list) {
-  while (!done_.empty() && io_list.size() < io_list.capacity()) {
-    io_list.push_back(std::move(done_.back()));
-    done_.pop_back();
+// Never grows `io_list`, because the device's thread must not allocate.
+void Mixer::move_finished_to(std::vector<SoundPtr>& io_list) {
+  while (!finished_.empty() && io_list.size() < io_list.capacity()) {
+    io_list.push_back(std::move(finished_.back()));
+    finished_.pop_back();
   }
 }
 

@@ -1,5 +1,14 @@
-// Sounds to two channels of samples. Knows no clock, file or device: told how things are and what happens, it
-// renders the frames that follow. The same calls give the same samples.
+// Mixes sounds into two channels of samples.
+//
+// The mixer knows no clock, file or device: it receives the scene and the events of the game, and renders the
+// frames that follow. The same calls return the same samples, so videos and tests use it as well as a sound
+// device.
+//
+//   SoundEvents -> voices -> per-ear gains (mixing/spatial.h) -> sum -> muffle -> volume, + music -> limiter
+//   -> out
+//
+// Every gain moves along a straight line (Glide), so no change clicks. The output is Limiter::kDelay_frames
+// late.
 #pragma once
 
 #include <array>
@@ -16,71 +25,72 @@
 namespace temblor::audio {
 
 struct MixerStats {
-  std::size_t voices = 0;    // playing, heard or not
-  std::size_t left_out = 0;  // starts that found no room, ever
+  std::size_t voices = 0;    // that play, audible or not
+  std::size_t left_out = 0;  // sounds that found no free voice, since the mixer was made
 };
 
 struct MixerSettings {
-  // For an audio callback, in which nothing may be freed: sounds that are done with are kept until
-  // move_done_to().
-  bool keep_done_sounds = false;
+  // For an audio callback, which must not free memory: finished sounds are kept until move_finished_to().
+  bool keep_finished_sounds = false;
 };
 
-// Everything but its constructor asks the heap for nothing.
+// Not thread-safe; LiveMixer connects it to a device. Only the constructor allocates memory.
 class Mixer {
  public:
-  // Voices at a time. Over that, the original's rule: the one with the shortest rest makes room, but none of
-  // the listener's own, and none that loops.
+  // Voices that play at the same time. Beyond that, the voice with the least time left ends, but never one of
+  // the listener's or one that loops (the original's rule).
   static constexpr std::size_t kMaxVoices = 1024;
   static constexpr std::size_t kDelay_frames = Limiter::kDelay_frames;
 
   explicit Mixer(const MixerSettings& settings = {});
 
-  // From now on things move towards how they are in `scene`, and arrive after `frames` (5 ms at least, so
-  // that nothing clicks).
-  void follow(const Scene& scene, std::size_t frames);
-  // At the next frame to be rendered. Places are heard as the last `scene` has it.
-  void happen(const SoundEvents& events);
-  // The next frames, left and right in turn, at kFramesPerSecond, each -1 to 1. `music`: as many, or none.
+  // Positions and volumes move to those of `scene` within `frames`, and within 5 ms at least so that nothing
+  // clicks.
+  void set_scene(const Scene& scene, std::size_t frames);
+  // Starts and stops sounds at the next frame to be rendered, heard from the listener of the last
+  // set_scene().
+  void handle_events(const SoundEvents& events);
+  // Renders the next frames at kFramesPerSecond, left and right interleaved, each from -1 to 1. `music` is
+  // empty or has as many samples. CHECKs that the number of samples is even.
   void render(std::span<float> out_samples, std::span<const float> music = {});
 
-  // Moves kept sounds that are done with to the end of the list, as many as it has room for without growing.
-  void move_done_to(std::vector<SoundPtr>& io_list);
+  // Moves finished sounds to the end of `io_list`, as many as fit without growing it.
+  void move_finished_to(std::vector<SoundPtr>& io_list);
 
   MixerStats stats() const { return {voices_.size(), left_out_}; }
 
  private:
   static constexpr std::size_t kBlock_frames = 256;
-  // Those that fade out have room beside those that play.
+  // Voices that fade out do not count as playing, but need a place.
   static constexpr std::size_t kMaxWithEnding = 2 * kMaxVoices;
 
   struct Ambient {
-    SoundPtr sound;
+    SoundPtr sound;  // null: none of this kind
     std::size_t position = 0;
     Glide level;  // 0 to 255
   };
 
-  void take_ambients(const std::array<SoundPtr, kAmbients>& sounds);
-  void start(const StartedSound& what);
-  void start(const StaticSound& what);
-  void stop(const StoppedSound& what);
+  void replace_ambients(const std::array<SoundPtr, kAmbients>& sounds);
+  void start(const StartedSound& started);
+  void start(const StaticSound& started);
+  void stop(const StoppedSound& stopped);
   void replace(std::int32_t entity, int channel);
   void begin(Voice voice);
   bool make_room();
-  std::size_t skip_of_duplicate(const SoundPtr& sound);
-  void aim_ambient(std::size_t kind);
+  std::size_t choose_duplicate_skip(const SoundPtr& sound);
+  void retarget_ambient(std::size_t kind);
   void mix_ambient(Ambient& io_ambient, const EarBuffers& io_ears);
   void render_block(std::span<float> out_samples, std::span<const float> music);
   void remove_ended();
-  void be_done_with(SoundPtr sound);
+  void retire_sound(SoundPtr sound);
 
   MixerSettings settings_;
   Scene scene_;
-  std::vector<Voice> voices_;
-  std::vector<SoundPtr> done_;
+  std::vector<Voice> voices_;       // in no order
+  std::vector<SoundPtr> finished_;  // kept for move_finished_to()
   std::array<Ambient, kAmbients> ambients_;
   Glide sound_volume_, music_volume_;
-  bool has_scene_ = false;
+  bool has_scene_ = false;  // the first scene applies at once
   Muffle muffle_;
   Limiter limiter_;
   std::uint64_t started_count_ = 0;

@@ -16,31 +16,31 @@ namespace {
 constexpr int kMaxChannels = 8, kMinRate = 4000, kMaxRate = 384000;
 constexpr sf_count_t kDecoded_frames = 1024;
 
-// A file of libsndfile's in memory.
+// A file in memory, for libsndfile.
 struct MemoryFile {
   base::ByteVector bytes;
   sf_count_t at = 0;
   sf_count_t size() const { return static_cast<sf_count_t>(bytes.size()); }
 };
 
-MemoryFile& file_of(void* data) {
+MemoryFile& memory_file(void* data) {
   return *static_cast<MemoryFile*>(data);
 }
 
 sf_count_t get_size(void* data) {
-  return file_of(data).size();
+  return memory_file(data).size();
 }
 
 sf_count_t seek(sf_count_t offset, int from, void* data) {
-  MemoryFile& file = file_of(data);
+  MemoryFile& file = memory_file(data);
   const sf_count_t base = from == SEEK_SET ? 0 : from == SEEK_CUR ? file.at : file.size();
-  // A damaged file may ask for any place, near the ends of the numbers too.
+  // A damaged file may seek anywhere, even close to the limits of the integer type.
   file.at = base + std::clamp<sf_count_t>(offset, -base, file.size() - base);
   return file.at;
 }
 
 sf_count_t read_bytes(void* out, sf_count_t count, void* data) {
-  MemoryFile& file = file_of(data);
+  MemoryFile& file = memory_file(data);
   count = std::clamp<sf_count_t>(count, 0, file.size() - file.at);
   std::copy_n(file.bytes.begin() + file.at, count, static_cast<std::byte*>(out));
   file.at += count;
@@ -52,7 +52,7 @@ sf_count_t write_bytes(const void*, sf_count_t, void*) {
 }
 
 sf_count_t tell(void* data) {
-  return file_of(data).at;
+  return memory_file(data).at;
 }
 
 struct CloseSound {
@@ -62,7 +62,7 @@ struct DeleteResampler {
   void operator()(SRC_STATE* state) const { src_delete(state); }
 };
 
-// Files of floating-point numbers may hold anything.
+// Floating-point files may contain any value.
 float tame(float sample) {
   return std::isfinite(sample) ? std::clamp(sample, -4.0f, 4.0f) : 0;
 }
@@ -73,19 +73,19 @@ struct MusicDecoder::State {
   MemoryFile file;  // outlives `sound`
   SF_VIRTUAL_IO access{get_size, seek, read_bytes, write_bytes, tell};
   std::unique_ptr<SNDFILE, CloseSound> sound;
-  std::unique_ptr<SRC_STATE, DeleteResampler> resampler;  // null: the rate is right
+  std::unique_ptr<SRC_STATE, DeleteResampler> resampler;  // null if the file has the mixer's rate
   int channels = 2;
   double ratio = 1;
   bool has_failed = false;
-  std::vector<float> piece;  // as the file has it
+  std::vector<float> piece;  // decoded frames at the file's rate
   std::vector<float> stereo = std::vector<float>(2 * kDecoded_frames);
-  std::size_t stereo_at = 0, stereo_frames = 0;  // what of `stereo` is still to be used
+  std::size_t stereo_at = 0, stereo_frames = 0;  // the unused part of `stereo`
 
   void decode_piece();
   std::size_t produce(std::span<float> out_samples);
 };
 
-// The next frames into `stereo`; none: has_failed.
+// Decodes the next frames into `stereo`; sets has_failed if there are none.
 void MusicDecoder::State::decode_piece() {
   sf_count_t count = sf_readf_float(sound.get(), piece.data(), kDecoded_frames);
   if (count <= 0 && sf_seek(sound.get(), 0, SEEK_SET) >= 0)
@@ -100,7 +100,7 @@ void MusicDecoder::State::decode_piece() {
   }
 }
 
-// From what is decoded; how many frames came out.
+// Copies decoded frames and returns their number.
 std::size_t MusicDecoder::State::produce(std::span<float> out_samples) {
   const std::size_t wanted = out_samples.size() / 2;
   const float* const from = stereo.data() + 2 * stereo_at;
@@ -128,11 +128,11 @@ base::Result<MusicDecoder> MusicDecoder::open(base::ByteVector bytes) {
   state->file.bytes = std::move(bytes);
   SF_INFO info{};
   state->sound.reset(sf_open_virtual(&state->access, SFM_READ, &info, &state->file));
-  if (!state->sound) return base::malformed("not music that can be played: {}", sf_strerror(nullptr));
+  if (!state->sound) return base::malformed("not a playable music file: {}", sf_strerror(nullptr));
   if (info.channels < 1 || info.channels > kMaxChannels || info.samplerate < kMinRate ||
       info.samplerate > kMaxRate)
-    return base::error(base::ErrorCode::kUnsupported, "{} channels of {} frames a second are not supported",
-                       info.channels, info.samplerate);
+    return base::error(base::ErrorCode::kUnsupported, "{} channels at {} Hz are not supported", info.channels,
+                       info.samplerate);
   state->channels = info.channels;
   state->piece.resize(static_cast<std::size_t>(kDecoded_frames * info.channels));
   state->ratio = static_cast<double>(kFramesPerSecond) / info.samplerate;
@@ -140,7 +140,8 @@ base::Result<MusicDecoder> MusicDecoder::open(base::ByteVector bytes) {
     int failure = 0;
     state->resampler.reset(src_new(SRC_SINC_MEDIUM_QUALITY, 2, &failure));
     if (!state->resampler)
-      return base::error(base::ErrorCode::kUnsupported, "cannot be resampled: {}", src_strerror(failure));
+      return base::error(base::ErrorCode::kUnsupported, "the music cannot be resampled: {}",
+                         src_strerror(failure));
   }
   return MusicDecoder(std::move(state));
 }

@@ -1,5 +1,5 @@
-// Music in a file of any kind that libsndfile knows (Ogg Vorbis, Opus, FLAC, MP3, WAV), decoded bit by bit
-// from memory, over and over.
+// Decodes a music file from memory, piece by piece and in an endless loop. Reads every format that libsndfile
+// knows (Ogg Vorbis, Opus, FLAC, MP3, WAV) and resamples to the mixer's rate.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,16 @@ namespace temblor::audio {
 
 class MusicDecoder {
  public:
-  // Fails on what is not music, or of an absurd rate or number of channels.
+  // Takes the file's bytes. Fails if they are not music, or have an unsupported rate or number of channels.
   static base::Result<MusicDecoder> open(base::ByteVector bytes);
   ~MusicDecoder();
   MusicDecoder(MusicDecoder&&) noexcept;
   MusicDecoder& operator=(MusicDecoder&&) noexcept;
 
-  // The next frames, left and right in turn, at kFramesPerSecond. After the end it begins again; where
-  // nothing more can be decoded, silence.
+  // Decodes the next frames, left and right interleaved, at kFramesPerSecond. Starts again after the end;
+  // returns silence if decoding fails.
   void read(std::span<float> out_samples);
-  // A damaged file: only silence comes.
+  // Whether the file is damaged: from here on, read() returns silence.
   bool has_failed() const;
 
  private:

@@ -1,5 +1,8 @@
-// What is to be heard: how things are at a moment (Scene), and what has happened (SoundEvents). The mixer's
-// whole input, but for music.
+// The mixer's input, except music: the state of the world at one moment (Scene) and what changed since
+// (SoundEvents).
+//
+// The client fills both once per frame. A scene is a snapshot and may be dropped; events must arrive exactly
+// once and in order. Distances are in map units.
 #pragma once
 
 #include <array>
@@ -13,31 +16,31 @@ namespace temblor::audio {
 
 struct Listener {
   math::Vec3 origin_world{0.0f};
-  math::Vec3 right{0, -1, 0};  // of unit length
-  std::int32_t entity = 0;     // what it does is heard in full, in both ears
+  math::Vec3 right{0, -1, 0};  // unit vector that points out of the right ear
+  std::int32_t entity = 0;     // its own sounds play at full volume in both ears
   bool underwater = false;
 };
 
-// Sound of the place where the listener is, from everywhere: water, sky, slime, lava.
+// Kinds of ambient sound that a leaf can have: water, sky, slime, lava. They have no position.
 constexpr std::size_t kAmbients = 4;
 
 struct Volumes {
   float sounds = 0.7f;           // 0 to 1
-  float ambient = 0.3f;          // 0 to 1: of the levels that leaves have
+  float ambient = 0.3f;          // 0 to 1, a factor for Scene::ambient_levels
   float music = 1;               // 0 to 1
-  float muffled_underwater = 0;  // 0: as in air, to 1: dull
+  float muffled_underwater = 0;  // 0 (clear, as in air) to 1 (dull)
 };
 
 struct Scene {
   Listener listener;
-  std::array<std::uint8_t, kAmbients> ambient_levels{};  // 0 to 255, as leaves have them
+  std::array<std::uint8_t, kAmbients> ambient_levels{};  // 0 to 255, from the listener's leaf
   Volumes volumes;
 };
 
-// Its entity of a sound that is nobody's.
+// StartedSound::entity of a sound that belongs to no entity.
 constexpr std::int32_t kNoEntity = -1;
-// The channel that takes the place of whatever its entity plays; one that takes no place at all; any other
-// number takes that of the same entity and number.
+// Channels. kAnyChannel replaces whatever its entity plays; kFreeChannel replaces nothing; any other number
+// replaces the sound on the same channel of the same entity.
 constexpr int kAnyChannel = -1, kFreeChannel = 0;
 
 struct StartedSound {
@@ -46,7 +49,7 @@ struct StartedSound {
   int channel = kFreeChannel;
   math::Vec3 origin_world{0.0f};
   float volume = 1;       // 0 to 1
-  float attenuation = 1;  // silent 1000 units / attenuation away; 0: the same everywhere
+  float attenuation = 1;  // silent at 1000 units / attenuation; 0: equally loud everywhere
 };
 
 struct StoppedSound {
@@ -54,17 +57,18 @@ struct StoppedSound {
   int channel = 0;
 };
 
-// Goes on until the level ends: its loop, or all of it if it has none.
+// A sound that plays until the level ends. It repeats its loop, or all of it if it has no loop.
 struct StaticSound {
   SoundPtr sound;
   math::Vec3 origin_world{0.0f};
-  float volume = 1, attenuation = 1;  // as of StartedSound
+  float volume = 1, attenuation = 1;  // as in StartedSound
 };
 
-// In the order in which the mixer takes them.
+// The mixer applies the members in this order.
 struct SoundEvents {
-  bool begins_anew = false;  // all that sounds ends: another level, another time
-  // Where they change: by place in Scene::ambient_levels; null: no sound of that kind.
+  bool stops_all = false;  // every sound ends: a new level, or a seek in a demo
+  // If set, `ambients` replaces the ambient sounds. Index as in Scene::ambient_levels; null: no sound of that
+  // kind.
   bool new_ambients = false;
   std::array<SoundPtr, kAmbients> ambients;
   std::vector<StaticSound> statics;
@@ -72,11 +76,11 @@ struct SoundEvents {
   std::vector<StoppedSound> stopped;
 
   bool empty() const {
-    return !begins_anew && !new_ambients && statics.empty() && started.empty() && stopped.empty();
+    return !stops_all && !new_ambients && statics.empty() && started.empty() && stopped.empty();
   }
-  // Keeps the memory.
+  // Keeps the memory of the lists.
   void clear() {
-    begins_anew = new_ambients = false;
+    stops_all = new_ambients = false;
     ambients.fill(nullptr);
     statics.clear();
     started.clear();

@@ -1,7 +1,7 @@
-// The method: libsamplerate's windowed sinc, offline. A loop is to have a whole number of samples after
-// resampling, so the ratio is bent to that (by less than half a sample over the loop); and both of its ends
-// must lie where the filter sees nothing but loop, so the source's loop is written out once more and the
-// result loops in there.
+// Method: libsamplerate's windowed sinc, offline. A loop must have a whole number of samples after
+// resampling, so the ratio is adjusted (by less than half a sample over the loop). At both ends of the loop
+// the filter must see only samples of the loop, so the source's loop is repeated once and the result loops
+// inside the repetition.
 #include "audio/sound.h"
 
 #include <samplerate.h>
@@ -13,16 +13,18 @@ namespace temblor::audio {
 namespace {
 
 constexpr double kFade_s = 0.001, kMaxBlended_s = 0.1;
-// More than the filter reaches to either side, in samples of whichever rate is lower.
+// More than the filter's reach to either side, in samples of the lower rate.
 constexpr double kFilterReach = 64;
 
+// What to resample, and what the result must look like.
 struct Plan {
-  std::vector<float> source;  // with the loop written out once more, if there is one
-  double ratio = 1;           // samples out for one in
-  std::size_t length = 0;     // samples wanted
+  std::vector<float> source;  // with the loop repeated once, if there is one
+  double ratio = 1;           // output samples per input sample
+  std::size_t length = 0;     // output samples wanted
   std::optional<SoundLoop> loop;
 };
 
+// Converts to mono samples from -1 to 1. Both channels count the same.
 std::vector<float> folded(const formats::Wav& wav) {
   const float scale = 1.0f / (wav.bits == 8 ? 128.0f : 32768.0f) / static_cast<float>(wav.channels);
   std::vector<float> samples(wav.frame_count(), 0.0f);
@@ -31,7 +33,7 @@ std::vector<float> folded(const formats::Wav& wav) {
   return samples;
 }
 
-// The loop that it gets leaves out the beginning, which is blended into the end.
+// Makes a loop that skips the beginning, which is blended into the end.
 std::optional<formats::WavLoop> close_loop(std::vector<float>& io_samples, std::uint32_t frames_per_second) {
   const std::size_t length = io_samples.size();
   const std::size_t blended =
@@ -50,6 +52,7 @@ Plan plan_without_loop(std::vector<float> source, double ratio) {
   return {std::move(source), ratio, length, std::nullopt};
 }
 
+// A short loop is repeated to at least kMinLoop samples, so that mixing it needs few stretches.
 Plan plan_with_loop(std::vector<float> source, const formats::WavLoop& loop, double ratio) {
   const std::size_t once = loop.end - loop.start;
   const double repeats = std::ceil(static_cast<double>(kMinLoop) / (static_cast<double>(once) * ratio));
@@ -82,10 +85,12 @@ base::Result<std::vector<float>> resampled(const Plan& plan) {
   job.output_frames = static_cast<long>(samples.size());
   job.src_ratio = plan.ratio;
   if (const int failure = src_simple(&job, SRC_SINC_MEDIUM_QUALITY, 1); failure != 0)
-    return base::error(base::ErrorCode::kUnsupported, "cannot be resampled: {}", src_strerror(failure));
+    return base::error(base::ErrorCode::kUnsupported, "the sound cannot be resampled: {}",
+                       src_strerror(failure));
   return samples;
 }
 
+// Avoids the click of a sound that ends at a value other than 0.
 void fade_end(std::vector<float>& io_samples) {
   const std::size_t count = std::min(io_samples.size(), static_cast<std::size_t>(kFade_s * kFramesPerSecond));
   float* const first = io_samples.data() + (io_samples.size() - count);
@@ -97,7 +102,8 @@ void fade_end(std::vector<float>& io_samples) {
 
 base::Result<SoundPtr> make_sound(const formats::Wav& wav, std::string name, Repeats repeats) {
   if (wav.frame_count() > std::size_t{kMaxSound_s} * wav.frames_per_second)
-    return base::error(base::ErrorCode::kTooLarge, "{} s long, sounds last at most {} s; play it as music",
+    return base::error(base::ErrorCode::kTooLarge,
+                       "the sound lasts {} s; the limit is {} s (play it as music instead)",
                        wav.frame_count() / wav.frames_per_second, kMaxSound_s);
   const double ratio = static_cast<double>(kFramesPerSecond) / wav.frames_per_second;
   std::vector<float> source = folded(wav);

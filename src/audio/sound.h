@@ -1,4 +1,7 @@
-// A sound as the mixer plays it: one channel of floating-point samples at the mixer's own rate.
+// A sound in the form that the mixer plays: one channel of floating-point samples at the mixer's rate.
+//
+// make_sound() resamples once, when the sound is loaded, so mixing is a multiplication and an addition per
+// sample. Method: windowed sinc (libsamplerate), see sound.cpp.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +15,12 @@
 
 namespace temblor::audio {
 
-// What the mixer makes, whatever the device; devices convert.
+// The mixer's rate, whatever the device's rate is; the device converts.
 constexpr int kFramesPerSecond = 48000;
-// A sound that lasts longer is an error: it would be 12 MB and half a second of resampling, and music is
-// played otherwise. The longest of LibreQuake, a wind, lasts for 32 s.
+// Longer sounds are an error: one minute already takes 12 MB and half a second to resample, and music is
+// streamed instead. LibreQuake's longest sound, a wind, lasts 32 s.
 constexpr int kMaxSound_s = 60;
-// A loop that is shorter is written out several times, or mixing it would be all beginnings.
+// Shorter loops are repeated until they are this long, to keep the per-loop overhead of mixing small.
 constexpr std::size_t kMinLoop = 1024;  // samples
 
 struct SoundLoop {
@@ -25,22 +28,23 @@ struct SoundLoop {
 };
 
 struct Sound {
-  std::string name;            // for who wants to say what is heard: "weapons/rocket1i.wav"
-  std::vector<float> samples;  // -1 to 1, but for what resampling overshoots; may be empty
-  // Played from its beginning, then from `end` on again at `start`. Without: the last few samples fade, so
-  // that a sound that breaks off does not click.
+  std::string name;            // for subtitles and messages, for example "weapons/rocket1i.wav"
+  std::vector<float> samples;  // -1 to 1, apart from the overshoot of resampling; may be empty
+  // Playback jumps from `end` back to `start`. Sounds without a loop fade over their last few samples, so
+  // that an abrupt end does not click.
   std::optional<SoundLoop> loop;
 };
 
 // Loaded sounds are shared and const.
 using SoundPtr = std::shared_ptr<const Sound>;
 
-// kAlways: one without a loop is made to loop, its end blended into its beginning.
-enum class Repeats { kAsTheFileSays, kAlways };
+// kAlways turns a sound without a loop into one that loops, with its end blended into its beginning.
+enum class Repeats { kAsInFile, kAlways };
 
-// Resampled to kFramesPerSecond, several channels folded into one. Frequencies that the rate cannot hold are
-// filtered out, images are 90 dB down. A loop stays as long as it was, to half a sample, and without a seam.
+// Resamples `wav` to kFramesPerSecond and mixes its channels into one. Frequencies above the new limit are
+// filtered out; images are 90 dB down. A loop keeps its length to half a sample and has no seam. Fails on
+// sounds longer than kMaxSound_s and on rates that libsamplerate refuses.
 base::Result<SoundPtr> make_sound(const formats::Wav& wav, std::string name,
-                                  Repeats repeats = Repeats::kAsTheFileSays);
+                                  Repeats repeats = Repeats::kAsInFile);
 
 }  // namespace temblor::audio

@@ -6,9 +6,10 @@ namespace temblor::base {
 
 namespace {
 
+// The first block has twice this size, as each new block doubles the size of the last.
 constexpr std::size_t kFirstBlockBytes = 64 * 1024;
 
-std::size_t round_up(std::size_t bytes) {
+std::size_t round_up_to_line(std::size_t bytes) {
   return (bytes + kCacheLineBytes - 1) / kCacheLineBytes * kCacheLineBytes;
 }
 
@@ -20,8 +21,10 @@ void Arena::add_block(std::size_t bytes) {
   blocks_.push_back(std::move(block));
 }
 
+// Rounding up keeps every allocation on its own cache lines, so that threads that fill neighboring arrays do
+// not slow each other down.
 std::byte* Arena::allocate_bytes(std::size_t bytes) {
-  bytes = round_up(bytes);
+  bytes = round_up_to_line(bytes);
   if (blocks_.empty() || used_ + bytes > blocks_.back().size) {
     const std::size_t last = blocks_.empty() ? kFirstBlockBytes : blocks_.back().size;
     used_before_ += used_;

@@ -1,5 +1,13 @@
-// Memory that lives for one frame: bump allocation, freed all at once. After a frame that overflowed its
-// first block the blocks become one of their total size, so a warm frame asks the heap for nothing.
+// Bump allocator for memory that lives for one frame and is freed all at once.
+//
+// An arena is a list of blocks, each at least twice as large as the one before. Only the last block has free
+// space:
+//
+//   | block 0: full | block 1: full | block 2: used_ bytes | free |
+//
+// After a frame that needed several blocks, reset() replaces them with one block of their total size. So
+// after a few frames, a frame allocates nothing from the heap. Not thread-safe: each thread uses its own
+// arena.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +27,14 @@ class Arena {
   Arena(Arena&&) noexcept = default;
   Arena& operator=(Arena&&) noexcept = default;
 
-  // Uninitialized room for `count` objects, 64-byte aligned; valid until reset().
+  // Returns memory for `count` uninitialized objects, aligned to 64 bytes, valid until reset(). No destructor
+  // runs, so T must be trivial. Aborts the program if memory is exhausted.
   template <typename T>
   std::span<T> allocate(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T> && std::is_trivially_copyable_v<T>);
     return {reinterpret_cast<T*>(allocate_bytes(count * sizeof(T))), count};
   }
+  // Returns memory for `count` copies of `value`.
   template <typename T>
   std::span<T> allocate_filled(std::size_t count, T value) {
     std::span<T> room = allocate<T>(count);
@@ -32,7 +42,10 @@ class Arena {
     return room;
   }
 
+  // Frees everything: all spans and ArenaVectors of this arena become invalid. Keeps the memory for the next
+  // frame.
   void reset();
+  // Bytes allocated since the last reset(), including padding, without the unused ends of full blocks.
   std::size_t used_bytes() const { return used_before_ + used_; }
 
  private:
@@ -44,11 +57,14 @@ class Arena {
   void add_block(std::size_t bytes);
 
   std::vector<Block> blocks_;
-  std::size_t used_ = 0;         // of the last block
-  std::size_t used_before_ = 0;  // of the blocks before it
+  // Bytes used in the last block, and in all blocks before it.
+  std::size_t used_ = 0;
+  std::size_t used_before_ = 0;
 };
 
-// A growing array on an arena. The arena must outlive it; growth leaves the old copy behind until reset().
+// A growing array in an arena, which must outlive it. Growing leaves the old copy in the arena until reset(),
+// so reserve a realistic capacity. Like Arena, only for trivial types; access is not bounds-checked. A
+// default-constructed vector has no arena and must not grow.
 template <typename T>
 class ArenaVector {
  public:
@@ -63,14 +79,15 @@ class ArenaVector {
   }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
-  void shrink(std::size_t size) { size_ = size; }  // size <= size()
+  // Removes elements from the end. `size` must not exceed size().
+  void shrink(std::size_t size) { size_ = size; }
   // New elements are uninitialized.
   void resize(std::size_t size) {
     if (size > room_.size()) [[unlikely]]
       grow(size * 2);
     size_ = size;
   }
-  // Adds `count` uninitialized elements and returns the first.
+  // Adds `count` uninitialized elements and returns a pointer to the first, valid until the next growth.
   T* extend(std::size_t count) {
     const std::size_t begin = size_;
     resize(begin + count);

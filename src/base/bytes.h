@@ -1,6 +1,11 @@
-// Bounded reading and writing of little-endian bytes. All parsing goes through ByteReader: it never reads
-// outside its span; a read past the end gives zero and makes the reader !ok() for good, so a parser may check
-// once per record.
+// Bounds-checked reading and writing of little-endian bytes. All parsers of binary files and messages use
+// ByteReader.
+//
+// A ByteReader never reads outside of its span. A read past the end returns zero, moves to the end, and makes
+// ok() false permanently, so a parser may check once per record instead of after each field:
+//
+//   plane.distance = reader.f32(), plane.type = reader.i32();
+//   if (!reader.ok()) return base::malformed("truncated");
 #pragma once
 
 #include <algorithm>
@@ -17,7 +22,7 @@
 
 namespace temblor::base {
 
-static_assert(std::endian::native == std::endian::little, "readers and writers copy bytes as they lie");
+static_assert(std::endian::native == std::endian::little, "readers and writers copy bytes without swapping");
 
 using Bytes = std::span<const std::byte>;
 using ByteVector = std::vector<std::byte>;
@@ -28,11 +33,12 @@ inline Bytes as_bytes(std::string_view text) {
 inline std::string_view as_text(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
-// The same bytes as unsigned numbers (texels, light samples).
+// Views bytes as unsigned numbers (texels, light samples), without a copy.
 inline std::span<const std::uint8_t> as_u8(Bytes bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
 
+// Reads borrowed bytes. A copy of a reader keeps its own position.
 class ByteReader {
  public:
   explicit ByteReader(Bytes bytes) : bytes_(bytes) {}
@@ -41,7 +47,7 @@ class ByteReader {
   std::size_t offset() const { return offset_; }
   std::size_t remaining() const { return bytes_.size() - offset_; }
 
-  // T: an arithmetic type of the file's own width.
+  // Reads a number of type T. The bytes need not be aligned.
   template <typename T>
   T read() {
     static_assert(std::is_arithmetic_v<T>);
@@ -56,7 +62,7 @@ class ByteReader {
   std::uint32_t u32() { return read<std::uint32_t>(); }
   float f32() { return read<float>(); }
 
-  // The next `count` bytes; empty and !ok() when there are fewer.
+  // Returns the next `count` bytes; empty and !ok() if fewer remain.
   Bytes take(std::size_t count) {
     if (count > remaining()) {
       ok_ = false;
@@ -67,12 +73,12 @@ class ByteReader {
     offset_ += count;
     return bytes;
   }
-  // A name in a field of fixed width: up to the first zero.
+  // Reads a text field of fixed width, up to its first zero.
   std::string fixed_text(std::size_t width) {
     std::string_view text = as_text(take(width));
     return std::string(text.substr(0, text.find('\0')));
   }
-  // Text up to the next zero, which is passed over. Nothing and !ok() when there is none.
+  // Reads text up to the next zero and skips the zero. Returns nullopt and becomes !ok() if there is none.
   std::optional<std::string_view> text() {
     const std::string_view rest = as_text(bytes_.subspan(offset_));
     const std::size_t size = rest.find('\0');
@@ -96,6 +102,7 @@ class ByteReader {
   bool ok_ = true;
 };
 
+// Appends numbers, bytes, and text to a growing buffer. Owns the buffer until take().
 class ByteWriter {
  public:
   template <typename T>
@@ -111,23 +118,25 @@ class ByteWriter {
   void u32(std::uint32_t value) { write(value); }
   void f32(float value) { write(value); }
   void bytes(Bytes bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
-  // Cut or padded with zeros to `width`.
+  // Writes text, truncated or zero-padded to `width` bytes.
   void fixed_text(std::string_view text, std::size_t width) {
     text = text.substr(0, width);
     bytes(as_bytes(text));
     bytes_.resize(bytes_.size() + width - text.size());
   }
+  // Pads with zeros to a multiple of `alignment`.
   void align(std::size_t alignment) {
     bytes_.resize((bytes_.size() + alignment - 1) / alignment * alignment);
   }
-  // Overwrites a number written earlier.
+  // Overwrites a number written earlier, such as a size that is known only at the end. The caller must keep
+  // `offset` + sizeof(T) within size().
   template <typename T>
   void patch(std::size_t offset, T value) {
     static_assert(std::is_arithmetic_v<T>);
     std::memcpy(bytes_.data() + offset, &value, sizeof(T));
   }
 
-  // Takes back what was written from `size` on.
+  // Removes everything after the first `size` bytes.
   void truncate(std::size_t size) { bytes_.resize(std::min(size, bytes_.size())); }
 
   std::size_t size() const { return bytes_.size(); }

@@ -1,5 +1,6 @@
-// CHECK: our own mistakes end the program with the operands printed. Bad input never reaches one: it is an
-// Error.
+// CHECK(condition) aborts the program if a condition is false that only a bug in our own code can break, and
+// prints the given operands. Bad input must never fail a CHECK; it is an Error (result.h). DCHECK does the
+// same in debug builds only, for checks in inner loops.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// A view of a callable, as std::function_ref of C++26: no allocation, valid while the callable lives.
+// A non-owning reference to a callable, like std::function_ref of C++26: two pointers, no allocation. It must
+// not outlive the callable, so use it for parameters only.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,6 @@
-// Hashes of values that are equal on every machine and in every run.
+// Hash functions with the same results on every machine and in every run: for cache keys, golden hashes, and
+// repeatable pseudorandom numbers. An attacker can construct collisions, so tables with keys from the network
+// need a secret start value.
 #pragma once
 
 #include <bit>
@@ -9,23 +11,23 @@
 
 namespace temblor::base {
 
-// What splitmix64 adds from number to number: odd, its bits without pattern.
+// Increment of splitmix64: odd, and its bits look random.
 constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15u;
 
 // The last step of splitmix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", 2014):
-// every bit of the input changes half of the output's.
-constexpr std::uint64_t mixed_bits(std::uint64_t value) {
+// each input bit changes about half of the output bits.
+constexpr std::uint64_t mix_bits(std::uint64_t value) {
   value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
   value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
   return value ^ (value >> 31);
 }
 
-// The hash of a sequence, one value after another.
+// Folds a value into the hash of a sequence. The order of the values matters.
 constexpr std::uint64_t hash_with(std::uint64_t hash, std::uint64_t value) {
-  return mixed_bits((hash ^ value) + kGoldenGamma);
+  return mix_bits((hash ^ value) + kGoldenGamma);
 }
 
-// Eight at a time, then the rest one by one.
+// Folds bytes into a hash: eight at a time, then the rest one by one.
 inline std::uint64_t hash_with_bytes(std::uint64_t hash, Bytes bytes) {
   ByteReader reader(bytes);
   while (reader.remaining() >= sizeof(std::uint64_t)) hash = hash_with(hash, reader.read<std::uint64_t>());
@@ -33,13 +35,13 @@ inline std::uint64_t hash_with_bytes(std::uint64_t hash, Bytes bytes) {
   return hash;
 }
 
-// How many they are counts as well.
-inline std::uint64_t hash_of_bytes(Bytes bytes) {
+// Hashes bytes and their count, so that trailing zeros matter.
+inline std::uint64_t hash_bytes(Bytes bytes) {
   return hash_with_bytes(hash_with(0, bytes.size()), bytes);
 }
 
-// 0 and -0 are one value.
-constexpr std::uint64_t bits_of(float value) {
+// Returns the bits of a float for hashing; the same for 0 and -0.
+constexpr std::uint64_t float_bits(float value) {
   return std::bit_cast<std::uint32_t>(value + 0.0f);
 }
 

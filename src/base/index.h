@@ -1,4 +1,4 @@
-// Typed indices: `enum class FaceIndex : std::uint32_t {}` cannot be mixed up with a LeafIndex.
+// Typed indices into arrays: `enum class FaceIndex : std::uint32_t {}` cannot be mixed up with a LeafIndex.
 #pragma once
 
 #include <concepts>
@@ -11,7 +11,7 @@ namespace temblor::base {
 template <typename T>
 concept IndexType = std::is_enum_v<T> && std::same_as<std::underlying_type_t<T>, std::uint32_t>;
 
-// The position in an array that an index stands for.
+// Convert between an index and a position in an array. Positions must be below 2^32.
 template <IndexType Index>
 constexpr std::size_t to_size(Index index) {
   return static_cast<std::size_t>(static_cast<std::uint32_t>(index));

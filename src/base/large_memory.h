@@ -1,5 +1,6 @@
-// Memory for what is big and read all over the place. From 2 MiB on it is aligned to that and asks for large
-// pages, which spare most address translations, and all but one page fault in 512 of a first touch.
+// Memory for large arrays with random access, such as frame buffers and the surface cache. Allocations of 2
+// MiB and more are aligned to 2 MiB and request large pages from Linux (madvise), which save most TLB misses,
+// and 511 of 512 page faults at the first touch.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +12,7 @@ namespace temblor::base {
 constexpr std::size_t kLargePageBytes = std::size_t{2} << 20;
 constexpr std::size_t kCacheLineBytes = 64;
 
+// Deleter; remembers the alignment, which operator delete needs.
 struct FreeLargeMemory {
   std::align_val_t alignment{};
   void operator()(void* memory) const { ::operator delete(memory, alignment); }
@@ -18,14 +20,15 @@ struct FreeLargeMemory {
 template <typename T>
 using LargeMemory = std::unique_ptr<T[], FreeLargeMemory>;
 
-// Large pages are few faults, but each may take milliseconds: 2 MiB to be cleared, and perhaps to be gathered
-// first. What is touched first within a frame that must not be late asks for none.
+// A page fault of a large page may take milliseconds, because the system clears 2 MiB and may have to compact
+// memory first. So memory that is first touched inside of a frame should use small pages.
 enum class FirstTouch { kInLargePages, kInSmallPages };
 
-// At least `bytes`, not initialized, aligned to a cache line; null when there is no memory.
+// Allocates at least `bytes`, uninitialized, aligned to a cache line. Returns null if memory is exhausted.
 LargeMemory<std::byte> allocate_large_bytes(std::size_t bytes,
                                             FirstTouch first_touch = FirstTouch::kInLargePages);
 
+// Like allocate_large_bytes(), for `count` uninitialized elements of a trivial type.
 template <typename T>
 LargeMemory<T> allocate_large(std::size_t count, FirstTouch first_touch = FirstTouch::kInLargePages) {
   LargeMemory<std::byte> bytes = allocate_large_bytes(count * sizeof(T), first_touch);

@@ -25,7 +25,9 @@ struct Jobs::Pool {
 
 namespace {
 
-// Workers sleep between calls; indices are handed out by one atomic counter.
+// Workers sleep on a condition variable between calls. run() publishes the loop under the mutex, increments
+// generation_, and wakes them; an atomic counter then distributes the indices without the lock. The caller
+// takes part, and waits until every worker has finished, because `body` lives on its stack.
 class ThreadPool {
  public:
   explicit ThreadPool(int helpers) {
@@ -61,7 +63,7 @@ class ThreadPool {
   }
 
   void work() {
-    std::size_t seen = 0;
+    std::size_t seen = 0;  // generation of the last loop that this worker ran
     std::unique_lock lock(mutex_);
     while (true) {
       wake_.wait(lock, [&] { return stop_ || generation_ != seen; });
@@ -95,7 +97,7 @@ struct StdThreadBackend final : Jobs::Pool {
 
 #ifdef TEMBLOR_HAVE_ONETBB
 struct OneTbbBackend final : Jobs::Pool {
-  // oneTBB starts no more workers than there are cores, and says so on standard error when asked to.
+  // oneTBB warns on standard error if more workers than cores are requested.
   explicit OneTbbBackend(int threads) : arena(std::min(threads, oneapi::tbb::info::default_concurrency())) {}
   void run(std::size_t count, FunctionRef<void(std::size_t)> body) override {
     arena.execute([&] {
@@ -104,6 +106,7 @@ struct OneTbbBackend final : Jobs::Pool {
           [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
             for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
           },
+          // One index per task: jobs are few and of very different length.
           oneapi::tbb::simple_partitioner());
     });
   }

@@ -1,5 +1,11 @@
-// Result<T>: a value, or an Error that says what is wrong with something from outside (a file, a packet, an
-// option).
+// Result<T>: a value, or an Error about external input (a file, a packet, an option). Status: a Result
+// without value. Nothing in the program throws; errors travel up as return values, and each layer adds what
+// it knows:
+//
+//   base::Result<Level> load(const FileSystem& files) {
+//     TRY(base::ByteVector bytes, files.read("maps/start.bsp"));      // returns the error, if there is one
+//     TRY(Bsp bsp, formats::read_bsp(bytes).with_file("start.bsp"));  // the reader does not know the name
+//     ...
 #pragma once
 
 #include <string>
@@ -13,20 +19,20 @@ namespace temblor::base {
 enum class ErrorCode {
   kNotFound,     // no such file, lump, level, variable
   kMalformed,    // the bytes contradict themselves or the format
-  kUnsupported,  // a known kind of thing that we do not handle (an unknown version)
+  kUnsupported,  // valid, but we do not support it (for example a version)
   kTooLarge,     // over a stated limit
-  kIo,           // the operating system said no
-  kUsage,        // the user asked for something that makes no sense
+  kIo,           // error of the operating system
+  kUsage,        // the user's request is invalid
 };
 
-// One line for a person: `what` names the lump and offset where they matter, and what to do where that is
-// known; `file` is filled in by whoever knows the name (with_file).
+// One line for a person. `what` names the place (lump, offset, line) and, if possible, the fix. Readers do
+// not know file names; the caller that does adds `file` with with_file().
 struct Error {
   ErrorCode code = ErrorCode::kMalformed;
   std::string what;
   std::string file;
 
-  // "FILE: WHAT", or "WHAT" when no file is known.
+  // "FILE: WHAT", or "WHAT" if the file is unknown.
   std::string message() const { return file.empty() ? what : file + ": " + what; }
 };
 
@@ -39,6 +45,7 @@ Error malformed(fmt::format_string<Args...> format, Args&&... args) {
   return Error{ErrorCode::kMalformed, fmt::format(format, std::forward<Args>(args)...), {}};
 }
 
+// Converts implicitly from a value and from an Error, so that functions can return either.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -72,7 +79,7 @@ class [[nodiscard]] Result {
     return std::get<1>(state_);
   }
 
-  // The same result, its error (if any) naming the file.
+  // Returns this result; adds the file name to its error, if there is one without.
   Result with_file(std::string_view file) && {
     if (!ok() && std::get<1>(state_).file.empty()) std::get<1>(state_).file = file;
     return std::move(*this);

@@ -1,4 +1,4 @@
-// Small text helpers: names in Quake's data are compared without regard to ASCII case.
+// Small text helpers. Names in Quake's data are ASCII, and are compared without case.
 #pragma once
 
 #include <string>
@@ -23,7 +23,8 @@ constexpr bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return true;
 }
 
-// A name from a file, fit for one line of a message: '?' for what is not printable ASCII.
+// Makes text from a file or a packet safe for a one-line message: replaces everything except printable ASCII
+// with '?'.
 inline std::string printable(std::string_view text) {
   std::string line(text);
   for (char& c : line)
@@ -31,12 +32,12 @@ inline std::string printable(std::string_view text) {
   return line;
 }
 
-// "1 frag", "2 frags". `noun`: in the singular.
+// Formats a count: "1 frag", "2 frags". `noun`: singular, with a plural in -s.
 inline std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
-// As much of it as a message of one line can bear.
+// Like printable(), truncated to `max_chars` with "...".
 inline std::string quotable(std::string_view text, std::size_t max_chars = 40) {
   return printable(text.substr(0, max_chars)) + (text.size() > max_chars ? "..." : "");
 }

@@ -1,4 +1,5 @@
-// The commands that every console has, but for those that set variables and those that list what there is.
+// The commands of every console, except those that set variables (variable_commands.cpp) and those that list
+// names (list_commands.cpp).
 #include <fmt/format.h>
 
 #include "base/text.h"
@@ -10,16 +11,17 @@ namespace temblor::command {
 void Console::add_built_in_commands() {
   constexpr Kinds kNothing{.commands = false, .aliases = false, .variables = false};
   constexpr Kinds kAliases{.commands = false, .variables = false};
-  add_member("alias", "alias NAME COMMANDS names commands; alias NAME shows them; alias lists all.",
+  add_member("alias", "alias NAME COMMANDS defines an alias; alias NAME shows it; alias lists all aliases.",
              &Console::alias_command, kAliases);
-  add_member("unalias", "unalias NAME forgets an alias.", &Console::unalias_command, kAliases);
-  add_member("unaliasall", "unaliasall forgets all aliases.", &Console::unaliasall_command, kNothing);
-  add_member("echo", "echo WORDS prints them.", &Console::echo_command, kNothing);
+  add_member("unalias", "unalias NAME removes an alias.", &Console::unalias_command, kAliases);
+  add_member("unaliasall", "unaliasall removes all aliases.", &Console::unaliasall_command, kNothing);
+  add_member("echo", "echo TEXT prints the text.", &Console::echo_command, kNothing);
   add_member("exec", "exec FILE runs the commands in a file.", &Console::exec_command, kNothing);
-  add_command("wait", "wait puts the commands behind it off to the next frame.",
+  add_command("wait", "wait delays the commands after it until the next frame.",
               [this](Arguments) { waiting_ = true; });
 }
 
+// A name that is taken by a command or variable is refused, because the alias would never run.
 void Console::alias_command(Arguments arguments) {
   if (arguments.size() == 1) {
     for (const auto& [name, text] : aliases_) print(fmt::format("{}: {}", name, text));
@@ -34,14 +36,15 @@ void Console::alias_command(Arguments arguments) {
   }
   if (commands_.contains(name) || variables_.find(name) != nullptr)
     return print_error(fmt::format("\"{}\" is a command or variable and cannot be an alias", arguments[1]));
-  // A single word is what was quoted as a whole: commands. Several words are one command.
+  // A single word was quoted as a whole and may contain several commands: alias both "+attack; +jump".
+  // Several words are one command, whose quotes must be restored: alias hi say "good day".
   aliases_[name] = arguments.size() == 3
                        ? arguments[2]
                        : join_words(std::vector<std::string>(arguments.begin() + 2, arguments.end()));
 }
 
 void Console::unalias_command(Arguments arguments) {
-  if (arguments.size() < 2) return print_error("unalias NAME: name an alias; `alias` lists them");
+  if (arguments.size() < 2) return print_error("usage: unalias NAME; `alias` lists all aliases");
   for (const std::string& name : arguments.subspan(1))
     if (aliases_.erase(base::to_lower(name)) == 0)
       print_error(fmt::format("there is no alias \"{}\"", base::quotable(name)));
@@ -61,12 +64,12 @@ void Console::echo_command(Arguments arguments) {
 }
 
 void Console::exec_command(Arguments arguments) {
-  if (arguments.size() != 2) return print_error("exec FILE: name one file");
-  if (loader_ == nullptr) return print_error("exec: there are no files here");
+  if (arguments.size() != 2) return print_error("usage: exec FILE");
+  if (loader_ == nullptr) return print_error("exec is not available here: there are no config files");
   const base::Result<std::string> text = loader_(arguments[1]);
   if (!text.ok()) return print_error(text.error().message());
-  if (!may_expand(arguments[1], *text)) return;
-  // Not of those that a file names: a person asked for the first one.
+  if (!count_expansion(arguments[1], *text)) return;
+  // Report only the file that the player asked for, not files that it includes.
   if (!is_in_file()) print(fmt::format("exec {}", base::quotable(arguments[1])));
   insert(*text, {.place = {.file = arguments[1]}, .has_lines = true});
 }

@@ -1,4 +1,9 @@
-// What a line being typed could go on with.
+// Finds the completions of a console line, by its last command and the number of its words:
+//
+//   sen|                 first word:        commands, aliases, variables
+//   map e|               of a command:      its argument list
+//   set r_color f|       of a command, 2+:  values of the variable that is its first argument
+//   r_color f|           of a variable:     its values
 #include "command/completion.h"
 
 #include <fmt/format.h>
@@ -13,7 +18,7 @@ namespace temblor::command {
 
 namespace {
 
-// Without regard to case; names that differ only in case stay in one order.
+// Case-insensitive order; names that differ only in case have a fixed order.
 bool comes_before(const Candidate& a, const Candidate& b) {
   const std::string lower_a = base::to_lower(a.name), lower_b = base::to_lower(b.name);
   return lower_a != lower_b ? lower_a < lower_b : a.name < b.name;
@@ -23,7 +28,8 @@ bool starts_with(std::string_view text, std::string_view prefix) {
   return base::equal_ignoring_case(text.substr(0, prefix.size()), prefix);
 }
 
-std::vector<Candidate> values_of(const Variable& variable) {
+// Lists the values of a variable that has only a few; empty for numbers and texts.
+std::vector<Candidate> list_values(const Variable& variable) {
   std::vector<Candidate> values;
   if (variable.type == VariableType::kBool)
     for (const char* value : {"0", "1"}) values.push_back({value, CandidateKind::kArgument, "", ""});
@@ -32,13 +38,13 @@ std::vector<Candidate> values_of(const Variable& variable) {
   return values;
 }
 
-std::string hint_of(const Variable& variable) {
+std::string make_hint(const Variable& variable) {
   return fmt::format("{} is \"{}\": {} Takes {}; {} by default.", variable.name, variable.text, variable.help,
                      describe_values(variable), variable.default_text);
 }
 
-// The last command of a line, and where it begins.
-std::size_t last_command(std::string_view line) {
+// Returns where the last command of a line starts.
+std::size_t find_last_command(std::string_view line) {
   std::size_t begin = 0;
   for (;;) {
     const std::size_t end = begin + command_length(line.substr(begin));
@@ -49,7 +55,7 @@ std::size_t last_command(std::string_view line) {
 
 }  // namespace
 
-std::vector<Candidate> Console::candidates_of(Kinds kinds, std::string_view prefix) const {
+std::vector<Candidate> Console::find_candidates(Kinds kinds, std::string_view prefix) const {
   std::vector<Candidate> found;
   if (kinds.commands)
     for (const auto& [name, command] : commands_)
@@ -66,7 +72,7 @@ std::vector<Candidate> Console::candidates_of(Kinds kinds, std::string_view pref
 }
 
 std::vector<Candidate> Console::candidates(std::string_view prefix) const {
-  return candidates_of({}, prefix);
+  return find_candidates({}, prefix);
 }
 
 std::vector<std::string> Console::complete(std::string_view prefix) const {
@@ -77,11 +83,11 @@ std::vector<std::string> Console::complete(std::string_view prefix) const {
 }
 
 Completion Console::complete_line(std::string_view line) const {
-  const std::size_t command = last_command(line);
+  const std::size_t command = find_last_command(line);
   const std::size_t gap = line.find_last_of(" \t\"");
   Completion completion;
   completion.begin = std::max(command, gap == std::string_view::npos ? 0 : gap + 1);
-  // A quote that has just been opened is no word yet.
+  // An opening quote alone is not a word yet.
   const bool is_quoted = completion.begin > command && line[completion.begin - 1] == '"';
   const std::size_t words_end = completion.begin - (is_quoted ? 1 : 0);
   const std::vector<std::string> words = split_words(line.substr(command, words_end - command));
@@ -104,8 +110,8 @@ void Console::complete_argument(Arguments words, std::string_view prefix, Comple
   if (is_command && words.size() == 1) {
     if (command->second.arguments != nullptr) found = command->second.arguments();
   } else if (variable != nullptr) {
-    found = values_of(*variable);
-    io_completion.hint = hint_of(*variable);
+    found = list_values(*variable);
+    io_completion.hint = make_hint(*variable);
   }
   std::erase_if(found, [&](const Candidate& candidate) { return !starts_with(candidate.name, prefix); });
   std::sort(found.begin(), found.end(), comes_before);

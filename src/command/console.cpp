@@ -36,29 +36,33 @@ void Console::set_argument_list(std::string_view command, ArgumentList list) {
 void Console::add_member(std::string_view name, std::string_view help, Member member, Kinds arguments) {
   add_command(name, help, [this, member](Arguments words) { (this->*member)(words); });
   if (arguments.commands || arguments.aliases || arguments.variables)
-    set_argument_list(name, [this, arguments] { return candidates_of(arguments, ""); });
+    set_argument_list(name, [this, arguments] { return find_candidates(arguments, ""); });
 }
 
-bool Console::has_room_for(std::string_view text) {
+bool Console::check_room_for(std::string_view text) {
   if (text_.size() - done_ + text.size() + 1 <= kMaxPendingChars) return true;
-  print_error(fmt::format("too many commands are waiting: {} characters refused", text.size()));
+  print_error(fmt::format("too many pending commands: {} dropped", base::counted(text.size(), "character")));
   return false;
 }
 
 void Console::append(std::string_view text) {
-  if (has_room_for(text)) text_ += fmt::format("{}\n", text);
+  if (check_room_for(text)) text_ += fmt::format("{}\n", text);
 }
 
 void Console::insert(std::string_view text, Part part) {
-  if (!has_room_for(text)) return;
+  if (!check_room_for(text)) return;
+  // Replace the text that was run already, so that the buffer does not grow with each expansion.
   text_.replace(0, done_, fmt::format("{}\n", text));
   done_ = 0;
-  // One that called this in its last command is done with: aliases that call themselves pile up nothing.
+  // Drop parts that are complete. So an alias that calls itself in its last command does not accumulate
+  // parts.
   while (!parts_.empty() && parts_.back().left_chars == 0) parts_.pop_back();
   part.left_chars = text.size() + 1;
   parts_.push_back(std::move(part));
 }
 
+// Consumes a command and the newline or ';' after it. The place of the command is that of the first part with
+// text left, which may have started inside of an outer part.
 std::string Console::take_command() {
   const std::string_view pending = std::string_view(text_).substr(done_);
   const std::size_t length = command_length(pending);
@@ -82,12 +86,14 @@ void Console::run() {
   expanded_chars_ = 0;
   while (has_pending() && !waiting_) execute(take_command());
   place_ = {};
-  // Only now and then, so that a text of many waits is not moved for each of them.
+  // Erase only when at least half is done, so that a text with many waits is not moved for each of them.
   if (done_ * 2 < text_.size()) return;
   text_.erase(0, done_);
   done_ = 0;
 }
 
+// Commands take precedence over aliases, and aliases over variables; alias_command() refuses names that are
+// taken, but a command or variable may be registered later.
 void Console::execute(std::string_view command) {
   const std::vector<std::string> words = split_words(command);
   if (words.empty()) return;
@@ -95,21 +101,24 @@ void Console::execute(std::string_view command) {
   if (const auto found = commands_.find(name); found != commands_.end()) {
     found->second.run(words);
   } else if (const auto alias = aliases_.find(name); alias != aliases_.end()) {
-    if (may_expand(words[0], alias->second)) insert(alias->second, {.place = place_});
+    if (count_expansion(words[0], alias->second)) insert(alias->second, {.place = place_});
   } else if (const Variable* variable = variables_.find(name); variable != nullptr) {
     variable_command(*variable, words);
   } else {
-    print_error(fmt::format("unknown command \"{}\"", base::quotable(words[0])));
+    print_error(fmt::format("unknown command or variable \"{}\"", base::quotable(words[0])));
   }
 }
 
-bool Console::may_expand(std::string_view name, std::string_view text) {
+// An alias or file that calls itself would never end. The stack cannot overflow, because expansions are
+// inserted instead of executed; counting them ends the loop.
+bool Console::count_expansion(std::string_view name, std::string_view text) {
   expanded_chars_ += text.size();
   if (++expansions_ <= kMaxExpansions && expanded_chars_ <= kMaxExpandedChars) return true;
-  const std::string what = expansions_ > kMaxExpansions ? fmt::format("{} aliases and files", kMaxExpansions)
-                                                        : fmt::format("{} characters", kMaxExpandedChars);
-  print_error(fmt::format("\"{}\": more than {} in a row, one must call itself; the rest is dropped",
-                          base::quotable(name), what));
+  const std::string limit = expansions_ > kMaxExpansions ? fmt::format("{} aliases and files", kMaxExpansions)
+                                                         : fmt::format("{} characters", kMaxExpandedChars);
+  print_error(fmt::format(
+      "\"{}\": more than {} expanded at once; does one call itself? Dropped the remaining commands",
+      base::quotable(name), limit));
   text_.clear();
   done_ = 0;
   parts_.clear();

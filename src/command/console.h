@@ -1,9 +1,17 @@
-// The console: text becomes commands, aliases and variables. An object: a program may have several, and they
-// share nothing but the variables they are given.
+// The console interpreter: executes text as commands, aliases, and variables. Text comes from the player, key
+// bindings, the command line, config files (exec), and game code (stuffcmd, localcmd). A program may have
+// several consoles; they share only the variables that they are given.
 //
-// A command's first word is looked up, without regard to case, as a command, then as an alias, then as a
-// variable ("NAME" prints it, "NAME VALUE" sets it); anything else gives one line that says so. What is wrong
-// with a command of a file is told with the file's name and the line: "server.cfg:12: ...".
+// Text waits in one buffer until run(). An alias or file is expanded in place: its text is inserted before
+// the rest, so that commands run in the order of the expanded text.
+//
+//   text_:   run already | alias text | rest of a file | appended text
+//   parts_:              |  parts[1]  |    parts[0]    |
+//            0 ......... done_
+//
+// The first word of a command is looked up, ignoring case, as a command, then an alias, then a variable
+// ("NAME" prints it, "NAME VALUE" sets it). Errors of commands in files start with the file and line:
+// "server.cfg:12: ...".
 #pragma once
 
 #include <cstddef>
@@ -22,59 +30,59 @@ namespace temblor::command {
 
 class Console {
  public:
-  // The command's words, its name first; valid during the call.
+  // Words of the command, starting with its name; valid during the call.
   using Arguments = std::span<const std::string>;
   using Command = std::function<void(Arguments)>;
-  // One line for the person, without a newline.
+  // Prints one line; no newline.
   using Output = std::function<void(std::string_view line)>;
-  // The text of a file of commands.
+  // Loads the text of a config file. The error explains to the player why there is none.
   using Loader = std::function<base::Result<std::string>(std::string_view name)>;
-  // All that a command's argument may be, for completion: asked for when somebody wants to see it.
+  // Lists the possible arguments of a command, for completion; called on demand.
   using ArgumentList = std::function<std::vector<Candidate>()>;
 
-  // Text that waits to be run; text that does not fit is refused whole, with a line that says so.
+  // Limit of pending text. Text that does not fit is rejected as a whole, with an error line.
   static constexpr std::size_t kMaxPendingChars = std::size_t{1} << 20;
-  // Aliases and files that one run() may open, and their characters: enough for any config, and an end to
-  // those that call themselves.
+  // Limits of the aliases and files that one run() may expand, and of their characters. Enough for any
+  // config, and they stop endless recursion.
   static constexpr int kMaxExpansions = 4096;
   static constexpr std::size_t kMaxExpandedChars = std::size_t{1} << 23;
 
-  // `io_variables` must outlive the console.
+  // Adds the built-in commands (alias, exec, set, help, ...). `io_variables` must outlive the console.
   Console(Variables& io_variables, Output output);
 
-  // CHECKs that there is no command of that name yet. `help`: one sentence.
+  // Adds a command. CHECKs that the name is new. `help`: one sentence, which the `help` command prints.
   void add_command(std::string_view name, std::string_view help, Command command);
   // CHECKs that there is such a command.
   void set_argument_list(std::string_view command, ArgumentList list);
-  // Without a loader, `exec` says that there are no files.
+  // Without a loader, `exec` reports that there are no files.
   void set_loader(Loader loader) { loader_ = std::move(loader); }
 
-  // Adds commands behind all that are pending; a newline is added behind the text.
+  // Appends commands and a newline to the pending text, for the next run().
   void append(std::string_view text);
-  // Runs pending commands until none are left or `wait` puts the rest off to the next run(). A command may
-  // append() and call execute(), but not run().
+  // Runs pending commands until none remain, or until `wait` defers the rest to the next run(). Commands may
+  // call append() and execute(), but not run().
   void run();
+  // Returns whether commands wait for run(), for example after `wait`.
   bool has_pending() const { return done_ < text_.size(); }
 
-  // Runs one command now, before anything pending. What an alias or file expands to is put in front of the
-  // pending text.
+  // Runs one command now, before the pending text. If it is an alias or `exec`, its expansion is only
+  // inserted before the pending text, and runs with run().
   void execute(std::string_view command);
 
-  // Prints what is wrong with the command that runs, with the place it has in a file. Commands from outside
-  // tell their errors by it.
+  // Prints an error of the running command, with its file and line. Registered commands use this too.
   void print_error(std::string_view line);
-  // How many of them were with commands of files, so far.
+  // Number of errors so far in commands of files.
   std::size_t errors_in_files() const { return errors_in_files_; }
-  // Whether the command that runs is written in a file, and not typed.
+  // Returns whether the running command comes from a file.
   bool is_in_file() const { return !place_.file.empty(); }
 
-  // Commands, aliases and variables whose names start so (without regard to case), sorted by name.
+  // Finds commands, aliases, and variables with this prefix (ignoring case), sorted by name.
   std::vector<Candidate> candidates(std::string_view prefix) const;
-  // The same, their names only.
+  // Like candidates(), but only the names, without duplicates.
   std::vector<std::string> complete(std::string_view prefix) const;
-  // For a line that is typed as far as `line`: the last word of its last command, which is empty behind a
-  // space. A command's first word may be any name; what comes behind depends on it: one of its argument list,
-  // or a value of the variable.
+  // Completes the last word of the last command in `line`; the word is empty after a space. The first word of
+  // a command may be any name; later words are from the argument list of the command, or values of the
+  // variable.
   Completion complete_line(std::string_view line) const;
 
  private:
@@ -83,19 +91,19 @@ class Console {
     Command run;
     ArgumentList arguments;  // may be null
   };
-  // Where a command is written: in a file of that name; lines are counted from 1.
+  // The source of a command, for error messages: a file and a line, counted from 1.
   struct Place {
-    std::string file;  // empty: in no file
+    std::string file;  // empty: typed, bound to a key, or sent by the server
     std::size_t line = 1;
   };
-  // A part of the pending text that an alias or a file expanded to; it begins where the part in front of it
-  // ends, the first one at done_.
+  // A part of the pending text that came from an alias or file. Parts follow one another, starting at done_.
+  // An alias that interrupts a file is a part of its own, in front of the rest of the file.
   struct Part {
-    Place place;                 // of an alias: where it was called
-    bool has_lines = false;      // of its own: a file
-    std::size_t left_chars = 0;  // that were not run
+    Place place;                 // of its next command; an alias has the place of its call
+    bool has_lines = false;      // true for a file, whose commands advance the line
+    std::size_t left_chars = 0;  // characters that were not run yet
   };
-  // Which names a list is of.
+  // The kinds of names that a search includes.
   struct Kinds {
     bool commands = true, aliases = true, variables = true;
   };
@@ -103,18 +111,21 @@ class Console {
   void add_built_in_commands();
   void add_variable_commands();
   void add_list_commands();
+  // Registers a member function as a command whose first argument completes to these kinds of names.
   using Member = void (Console::*)(Arguments);
   void add_member(std::string_view name, std::string_view help, Member member, Kinds arguments);
-  std::vector<Candidate> candidates_of(Kinds kinds, std::string_view prefix) const;
-  // For the word behind `words`, which are not none.
+  std::vector<Candidate> find_candidates(Kinds kinds, std::string_view prefix) const;
+  // Completes the word after `words`, which must not be empty.
   void complete_argument(Arguments words, std::string_view prefix, Completion& io_completion) const;
-  // Whether `text` may join what is pending; if not, says so.
-  bool has_room_for(std::string_view text);
+  // Returns whether `text` and a newline fit into the pending text; prints an error if not.
+  bool check_room_for(std::string_view text);
+  // Inserts an expansion before the pending text. Fills in part.left_chars.
   void insert(std::string_view text, Part part);
-  // The next pending command, and place_ with it.
+  // Removes and returns the next pending command, and updates place_.
   std::string take_command();
-  // Whether another alias or file, of that text, may be opened; if not, says so and drops what is pending.
-  bool may_expand(std::string_view name, std::string_view text);
+  // Counts the expansion of an alias or file. Returns false above the limits of one run(); then it has
+  // printed an error and dropped the pending text.
+  bool count_expansion(std::string_view name, std::string_view text);
   void print(std::string_view line) const { output_(line); }
   void print_if_error(const base::Status& status);
 
@@ -135,7 +146,7 @@ class Console {
   void cycle_command(Arguments arguments);
   void inc_command(Arguments arguments);
   void variable_command(const Variable& variable, Arguments arguments);
-  // Null, and says so, when there is none.
+  // Prints an error and returns null if there is no such variable.
   const Variable* find_variable(std::string_view name);
 
   Variables& variables_;
@@ -143,13 +154,15 @@ class Console {
   Loader loader_;
   std::map<std::string, RegisteredCommand, std::less<>> commands_;  // by name in lower case
   std::map<std::string, std::string, std::less<>> aliases_;         // name in lower case to text
-  std::string text_;  // pending commands, behind done_ characters that were run
+  // Pending commands, after done_ characters that were run.
+  std::string text_;
   std::size_t done_ = 0;
-  std::vector<Part> parts_;  // the first part last; what is behind them was appended
-  Place place_;              // of the command that runs
-  bool waiting_ = false;
+  // Parts of the pending text; the last element comes first in it. The text after all parts was appended.
+  std::vector<Part> parts_;
+  Place place_;           // of the running command
+  bool waiting_ = false;  // `wait` was run: stop until the next run()
   std::size_t errors_in_files_ = 0;
-  int expansions_ = 0;  // since run() began
+  int expansions_ = 0;  // since the start of run()
   std::size_t expanded_chars_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Commands that say what there is and what it is for.
+// Commands that list names and their help: help, apropos, find, list, cmdlist, cvarlist.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,20 +11,21 @@ namespace temblor::command {
 
 namespace {
 
-std::string line_of(const Candidate& candidate) {
+std::string format_candidate(const Candidate& candidate) {
   if (candidate.kind == CandidateKind::kAlias)
     return fmt::format("{}: an alias of {}", candidate.name, base::quotable(candidate.value));
-  // Many begin with the name, as what is typed.
+  // Many help texts start with the name.
   if (candidate.help.starts_with(candidate.name + " ")) return candidate.help;
   return fmt::format("{}: {}", candidate.name, candidate.help);
 }
 
-bool holds(std::string_view text, std::string_view lower_word) {
+// Finds a word anywhere in a text, ignoring case.
+bool contains_word(std::string_view text, std::string_view lower_word) {
   return base::to_lower(text).find(lower_word) != std::string::npos;
 }
 
-// "3 commands that begin with "ma"".
-std::string count_line(std::size_t count, std::string_view noun, std::string_view prefix) {
+// Formats "3 commands that begin with "ma"", or "3 commands" without a prefix.
+std::string format_count(std::size_t count, std::string_view noun, std::string_view prefix) {
   const std::string counted = base::counted(count, noun);
   if (prefix.empty()) return counted;
   return fmt::format("{} that begin{} with \"{}\"", counted, count == 1 ? "s" : "", base::quotable(prefix));
@@ -34,27 +35,29 @@ std::string count_line(std::size_t count, std::string_view noun, std::string_vie
 
 void Console::add_list_commands() {
   constexpr Kinds kAll, kNothing{.commands = false, .aliases = false, .variables = false};
-  add_member("help", "help NAME says what a command or variable is for; help lists the commands.",
+  add_member("help", "help NAME describes a command or variable; help lists all commands.",
              &Console::help_command, kAll);
-  add_member("apropos", "apropos WORD lists what has the word in its name or help.",
+  add_member("apropos", "apropos WORD lists commands and variables that mention the word.",
              &Console::apropos_command, kNothing);
   add_member("find", "find WORD is the same as apropos.", &Console::apropos_command, kNothing);
-  add_member("list", "list PREFIX names the commands, aliases and variables that start so; list names all.",
+  add_member("list",
+             "list PREFIX lists commands, aliases, and variables that begin with PREFIX; list lists all.",
              &Console::list_command, kAll);
-  add_member("cmdlist", "cmdlist PREFIX lists the commands that start so; cmdlist lists all.",
+  add_member("cmdlist", "cmdlist PREFIX lists commands that begin with PREFIX; cmdlist lists all.",
              &Console::command_list_command, {.aliases = false, .variables = false});
   add_member("cvarlist",
-             "cvarlist PREFIX lists the variables that start so and their values; cvarlist lists all.",
+             "cvarlist PREFIX lists variables that begin with PREFIX, and their values; cvarlist lists all.",
              &Console::variable_list_command, {.commands = false, .aliases = false});
 }
 
 void Console::help_command(Arguments arguments) {
   if (arguments.size() == 1) {
-    for (const Candidate& command : candidates_of({.aliases = false, .variables = false}, ""))
-      if (!command.name.starts_with('-')) print(line_of(command));  // those only end what a key began
-    return print("help NAME: more on a command or variable; cvarlist: all variables; apropos WORD: a search");
+    for (const Candidate& command : find_candidates({.aliases = false, .variables = false}, ""))
+      if (!command.name.starts_with('-')) print(format_candidate(command));  // "-NAME" only ends "+NAME"
+    return print(
+        "help NAME describes a command or variable; cvarlist lists all variables; apropos WORD searches");
   }
-  if (arguments.size() != 2) return print_error("help NAME: name one command or variable");
+  if (arguments.size() != 2) return print_error("usage: help NAME");
   const std::string name = base::to_lower(arguments[1]);
   if (const auto command = commands_.find(name); command != commands_.end())
     print(command->second.help);
@@ -70,15 +73,15 @@ void Console::help_command(Arguments arguments) {
 
 void Console::apropos_command(Arguments arguments) {
   if (arguments.size() != 2 || arguments[1].empty())
-    return print_error(fmt::format("{} WORD: give one word to look for", arguments[0]));
+    return print_error(fmt::format("usage: {} WORD", arguments[0]));
   const std::string word = base::to_lower(arguments[1]);
   std::size_t found = 0;
   for (const Candidate& candidate : candidates("")) {
-    if (!holds(candidate.name, word) && !holds(candidate.help, word)) continue;
-    print(line_of(candidate));
+    if (!contains_word(candidate.name, word) && !contains_word(candidate.help, word)) continue;
+    print(format_candidate(candidate));
     ++found;
   }
-  if (found == 0) print(fmt::format("nothing has \"{}\" in its name or help", base::quotable(arguments[1])));
+  if (found == 0) print(fmt::format("no command or variable mentions \"{}\"", base::quotable(arguments[1])));
 }
 
 void Console::list_command(Arguments arguments) {
@@ -87,21 +90,21 @@ void Console::list_command(Arguments arguments) {
 
 void Console::command_list_command(Arguments arguments) {
   const std::string_view prefix = arguments.size() > 1 ? std::string_view(arguments[1]) : "";
-  const auto commands = candidates_of({.aliases = false, .variables = false}, prefix);
+  const auto commands = find_candidates({.aliases = false, .variables = false}, prefix);
   for (const Candidate& command : commands) print(fmt::format("  {}", command.name));
-  print(count_line(commands.size(), "command", prefix));
+  print(format_count(commands.size(), "command", prefix));
 }
 
+// Marks variables that differ from their defaults, so that `cvarlist` shows what a player has configured.
 void Console::variable_list_command(Arguments arguments) {
   const std::string_view prefix = arguments.size() > 1 ? std::string_view(arguments[1]) : "";
-  const auto variables = candidates_of({.commands = false, .aliases = false}, prefix);
+  const auto variables = find_candidates({.commands = false, .aliases = false}, prefix);
   for (const Candidate& candidate : variables) {
     const Variable& variable = *variables_.find(candidate.name);
     const char mark = variable.text == variable.default_text ? ' ' : '*';
     print(fmt::format("{} {} \"{}\"", mark, variable.name, variable.text));
   }
-  print(fmt::format("{}; * marks those that are not at their default",
-                    count_line(variables.size(), "variable", prefix)));
+  print(fmt::format("{}; * marks changed variables", format_count(variables.size(), "variable", prefix)));
 }
 
 }  // namespace temblor::command

@@ -11,10 +11,11 @@ bool is_space(char c) {
   return static_cast<unsigned char>(c) <= ' ';
 }
 
-bool comment_starts(std::string_view text, std::size_t position) {
+bool is_comment_at(std::string_view text, std::size_t position) {
   return text.substr(position, 2) == "//";
 }
 
+// std::from_chars does not depend on the locale, which decides about decimal points elsewhere.
 template <typename Number>
 std::optional<Number> parse(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -38,7 +39,7 @@ std::size_t command_length(std::string_view text) {
     if (text[i] == '"') quoted = !quoted;
     if (quoted) continue;
     if (text[i] == ';') return i;
-    if (comment_starts(text, i)) return std::min(text.find('\n', i), text.size());
+    if (is_comment_at(text, i)) return std::min(text.find('\n', i), text.size());
   }
   return text.size();
 }
@@ -51,7 +52,7 @@ std::vector<std::string> split_words(std::string_view command) {
       ++i;
       continue;
     }
-    if (comment_starts(command, i)) break;
+    if (is_comment_at(command, i)) break;
     std::size_t begin = i, end = i;
     if (command[i] == '"') {
       begin = i + 1;
@@ -59,7 +60,7 @@ std::vector<std::string> split_words(std::string_view command) {
       i = std::min(end + 1, command.size());
     } else {
       while (end < command.size() && !is_space(command[end]) && command[end] != '"' &&
-             !comment_starts(command, end))
+             !is_comment_at(command, end))
         ++end;
       i = end;
     }

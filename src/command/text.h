@@ -1,7 +1,11 @@
-// The text that commands are written in: commands end at a newline or ';', words are separated by white
-// space, "double quotes" keep a word (and a ';') together, and // starts a comment that reaches to the line's
-// end. There is no escape: a quote cannot hold a quote or a newline. Unlike the original, ':', parentheses
-// and braces are ordinary characters, and a ';' in a comment ends nothing.
+// The syntax of console text. A command ends at a newline or ';'. White space separates words. "Double
+// quotes" keep a word together, including ';'. A comment runs from // to the end of the line. There are no
+// escapes: quotes cannot contain quotes or newlines.
+//
+//   bind f1 "impulse 7; wait; +attack" // rocket        -> bind | f1 | impulse 7; wait; +attack
+//
+// Unlike in the original, ':', parentheses, and braces are ordinary characters, and a ';' in a comment does
+// not end the comment.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +16,21 @@
 
 namespace temblor::command {
 
-// The number of characters of `text` up to the end of its first command, without the newline or ';' that ends
-// it.
+// Returns the length of the first command in `text`, without the newline or ';' that ends it. The comment of
+// the line belongs to the command. 0 for an empty command.
 std::size_t command_length(std::string_view text);
 
-// The words of one command; quotes are taken off, so a word may be empty. A quote that is never closed ends
-// with the text.
+// Splits a command into words and removes quotes; so words may be empty. An unclosed quote ends with the
+// text.
 std::vector<std::string> split_words(std::string_view command);
 
-// A number that is all of the text, a '+' before it allowed; nothing for other text, and for what is not
-// finite or does not fit.
+// Parse the whole text as a number; a leading '+' is allowed. Return nullopt for other text, and for numbers
+// that are not finite or out of range.
 std::optional<double> parse_number(std::string_view text);
 std::optional<std::int64_t> parse_whole_number(std::string_view text);
 
-// One text that splits into these words again, as far as quoting allows: a quote or newline inside a word is
-// left out.
+// Joins words so that split_words() returns them again. Quotes and newlines inside of words are dropped,
+// because they cannot be quoted.
 std::string join_words(const std::vector<std::string>& words);
 
 }  // namespace temblor::command

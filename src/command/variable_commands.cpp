@@ -1,4 +1,4 @@
-// Commands that set variables, and a variable's name as a command.
+// Commands that set variables (set, toggle, cycle, inc, reset), and variable names as commands.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ bool is_number(const Variable& variable) {
   return variable.type == VariableType::kInt || variable.type == VariableType::kFloat;
 }
 
-// Few enough digits that steps of 0.1 do not show how doubles are rounded.
-std::string number_text(const Variable& variable, double number) {
+// Formats the result of `inc`. Nine digits hide the rounding errors of doubles after steps of 0.1.
+std::string format_number(const Variable& variable, double number) {
   return variable.type == VariableType::kInt ? fmt::format("{:.0f}", std::round(number))
                                              : fmt::format("{:.9g}", number);
 }
@@ -29,17 +29,17 @@ void Console::add_variable_commands() {
   constexpr Kinds kNothing{.commands = false, .aliases = false, .variables = false};
   constexpr Kinds kVariables{.commands = false, .aliases = false};
   add_member("set", "set NAME VALUE sets a variable.", &Console::set_command, kVariables);
-  add_member("seta", "seta NAME VALUE sets a variable, as set does: settings are always kept.",
-             &Console::set_command, kVariables);
-  add_member("toggle", "toggle NAME turns a 0 or 1 variable over, and moves any other choice to the next.",
+  add_member("seta", "seta NAME VALUE is the same as set: all settings are saved.", &Console::set_command,
+             kVariables);
+  add_member("toggle", "toggle NAME switches a variable between 0 and 1, or to the next of its choices.",
              &Console::toggle_command, kVariables);
   add_member("cycle",
-             "cycle NAME VALUES moves a variable to the next of the values, from the last to the first.",
+             "cycle NAME VALUES sets a variable to the next of the values, and after the last to the first.",
              &Console::cycle_command, kVariables);
-  add_member("inc", "inc NAME STEP adds to a variable as far as its range goes; 1 without STEP.",
+  add_member("inc", "inc NAME STEP adds STEP (default 1) to a variable, within its range.",
              &Console::inc_command, kVariables);
-  add_member("reset", "reset NAME gives a variable its default.", &Console::reset_command, kVariables);
-  add_member("resetall", "resetall gives all variables their defaults.", &Console::reset_all_command,
+  add_member("reset", "reset NAME resets a variable to its default.", &Console::reset_command, kVariables);
+  add_member("resetall", "resetall resets all variables to their defaults.", &Console::reset_all_command,
              kNothing);
 }
 
@@ -57,13 +57,12 @@ void Console::variable_command(const Variable& variable, Arguments arguments) {
 }
 
 void Console::set_command(Arguments arguments) {
-  if (arguments.size() != 3)
-    return print_error(fmt::format("{} NAME VALUE: name a variable and its value", arguments[0]));
+  if (arguments.size() != 3) return print_error(fmt::format("usage: {} NAME VALUE", arguments[0]));
   print_if_error(variables_.set(arguments[1], arguments[2]));
 }
 
 void Console::toggle_command(Arguments arguments) {
-  if (arguments.size() != 2) return print_error("toggle NAME: name one variable");
+  if (arguments.size() != 2) return print_error("usage: toggle NAME");
   const Variable* const variable = find_variable(arguments[1]);
   if (variable == nullptr) return;
   if (variable->type == VariableType::kBool) {
@@ -72,14 +71,14 @@ void Console::toggle_command(Arguments arguments) {
     const std::size_t next = (static_cast<std::size_t>(variable->number) + 1) % variable->choices.size();
     print_if_error(variables_.set(variable->name, variable->choices[next]));
   } else {
-    print_error(fmt::format("\"{}\" has no fixed values to go through", variable->name));
+    print_error(fmt::format("\"{}\" has no list of values; use cycle or inc", variable->name));
   }
 }
 
-// A value that is none of them is followed by the first.
+// Compares parsed values, so that "1" and "on" are the same. A current value that is not in the list is
+// followed by the first one.
 void Console::cycle_command(Arguments arguments) {
-  if (arguments.size() < 3)
-    return print_error("cycle NAME VALUES: name a variable and the values to go through");
+  if (arguments.size() < 3) return print_error("usage: cycle NAME VALUES");
   const Variable* const variable = find_variable(arguments[1]);
   if (variable == nullptr) return;
   const Arguments values = arguments.subspan(2);
@@ -90,19 +89,18 @@ void Console::cycle_command(Arguments arguments) {
 }
 
 void Console::inc_command(Arguments arguments) {
-  if (arguments.size() != 2 && arguments.size() != 3)
-    return print_error("inc NAME STEP: name one variable, and what to add to it");
+  if (arguments.size() != 2 && arguments.size() != 3) return print_error("usage: inc NAME STEP");
   const Variable* const variable = find_variable(arguments[1]);
   if (variable == nullptr) return;
   const std::optional<double> step = arguments.size() == 3 ? parse_number(arguments[2]) : 1.0;
   if (!step) return print_error(fmt::format("inc: \"{}\" is not a number", base::quotable(arguments[2])));
   if (!is_number(*variable)) return print_error(fmt::format("\"{}\" is not a number", variable->name));
   const double sum = std::clamp(variable->number + *step, variable->min, variable->max);
-  print_if_error(variables_.set(variable->name, number_text(*variable, sum)));
+  print_if_error(variables_.set(variable->name, format_number(*variable, sum)));
 }
 
 void Console::reset_command(Arguments arguments) {
-  if (arguments.size() < 2) return print_error("reset NAME: name a variable; resetall resets all");
+  if (arguments.size() < 2) return print_error("usage: reset NAME; resetall resets all variables");
   for (const std::string& name : arguments.subspan(1)) print_if_error(variables_.reset(name));
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using base::ErrorCode;
 
-// A value of the variable's type: its number, and the one way in which it is written.
+// A valid value: Variable::number, and its canonical text.
 struct Parsed {
   double number;
   std::string text;
@@ -29,6 +29,7 @@ std::optional<Parsed> parse_bool(std::string_view text) {
   return std::nullopt;
 }
 
+// The text of the result is the shortest that reads back as the same number, so "+0.50" becomes "0.5".
 template <typename Number>
 std::optional<Parsed> parse_number(const Variable& variable, std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -36,7 +37,7 @@ std::optional<Parsed> parse_number(const Variable& variable, std::string_view te
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   const auto value = static_cast<double>(number);
-  // Written so that a value that is no number fails as well.
+  // Written so that NaN fails too.
   const bool is_in_range = value >= variable.min && value <= variable.max;
   if (!is_in_range && !(variable.allows_zero && value == 0)) return std::nullopt;
   return Parsed{value, fmt::format("{}", number)};
@@ -49,6 +50,7 @@ std::optional<Parsed> parse_choice(const Variable& variable, std::string_view te
   return std::nullopt;
 }
 
+// Returns nullopt if the variable cannot have this value.
 std::optional<Parsed> parse_value(const Variable& variable, std::string_view text) {
   switch (variable.type) {
     case VariableType::kBool:
@@ -67,7 +69,7 @@ std::optional<Parsed> parse_value(const Variable& variable, std::string_view tex
 
 Variable int_variable(std::string_view name, std::int64_t value, std::int64_t min, std::int64_t max,
                       std::string_view help) {
-  // Numbers are kept as double, which holds integers up to 2^53 exactly.
+  // Values are stored as double, which represents integers up to 2^53 exactly.
   constexpr std::int64_t kExact = std::int64_t{1} << 53;
   CHECK(min >= -kExact && max <= kExact, "{}", name);
   Variable variable;
@@ -86,6 +88,7 @@ base::Error unknown_variable(std::string_view name) {
 
 }  // namespace
 
+// Parses the default like any other value, which also makes its text canonical.
 VariableIndex Variables::add(Variable variable) {
   CHECK(!variable.name.empty());
   const std::optional<Parsed> parsed = parse_value(variable, variable.default_text);
@@ -93,7 +96,8 @@ VariableIndex Variables::add(Variable variable) {
   variable.default_text = variable.text = parsed->text;
   variable.number = parsed->number;
   const auto index = base::to_index<VariableIndex>(variables_.size());
-  const bool is_new = by_name_.emplace(base::to_lower(variable.name), index).second;
+  const std::string key = base::to_lower(variable.name);
+  const bool is_new = !aliases_.contains(key) && by_name_.emplace(key, index).second;
   CHECK(is_new, "{}", variable.name);
   variables_.push_back(std::move(variable));
   return index;
@@ -153,10 +157,25 @@ VariableIndex Variables::add_choice(std::string_view name, std::span<const std::
   return add(std::move(variable));
 }
 
+void Variables::add_alias(std::string_view old_name, std::string_view name) {
+  const auto target = by_name_.find(base::to_lower(name));
+  CHECK(target != by_name_.end(), "{}", name);
+  const std::string key = base::to_lower(old_name);
+  const bool is_new = !by_name_.contains(key) && aliases_.emplace(key, target->second).second;
+  CHECK(is_new, "{}", old_name);
+}
+
+std::optional<VariableIndex> Variables::find_index(std::string_view name) const {
+  const std::string key = base::to_lower(name);
+  if (const auto found = by_name_.find(key); found != by_name_.end()) return found->second;
+  if (const auto found = aliases_.find(key); found != aliases_.end()) return found->second;
+  return std::nullopt;
+}
+
 base::Status Variables::set(std::string_view name, std::string_view value) {
-  const auto found = by_name_.find(base::to_lower(name));
-  if (found == by_name_.end()) return unknown_variable(name);
-  Variable& variable = variables_[base::to_size(found->second)];
+  const std::optional<VariableIndex> index = find_index(name);
+  if (!index) return unknown_variable(name);
+  Variable& variable = variables_[base::to_size(*index)];
   std::optional<Parsed> parsed = parse_value(variable, value);
   if (!parsed)
     return base::error(ErrorCode::kUsage, "{} cannot be \"{}\": it takes {}", variable.name,
@@ -182,8 +201,8 @@ base::Status Variables::reset(std::string_view name) {
 }
 
 const Variable* Variables::find(std::string_view name) const {
-  const auto found = by_name_.find(base::to_lower(name));
-  return found == by_name_.end() ? nullptr : &get(found->second);
+  const std::optional<VariableIndex> index = find_index(name);
+  return index ? &get(*index) : nullptr;
 }
 
 std::vector<const Variable*> Variables::all() const {

@@ -1,10 +1,17 @@
-// Console variables: named settings with a type, a default and a help text, set from text (the command line,
-// the console, a config file) and read by handle. A Variables object is the whole table; a program may have
-// several.
+// Console variables (cvars): named settings with a type, a default, a range, and a help text. The command
+// line, the console, config files, and game code set them as text; code reads them by the index that
+// registration returned, without a lookup by name:
+//
+//   const VariableIndex fov = variables.add_float("fov", 90, 10, 170, "Field of view in degrees.");
+//   ... variables.float_value(fov) ...
+//
+// Unlike in the original, a value is parsed and checked when it is set, so readers never see an invalid one.
+// A Variables object is one table; a program may have several.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,26 +26,27 @@ enum class VariableIndex : std::uint32_t {};
 
 enum class VariableType : std::uint8_t { kBool, kInt, kFloat, kText, kChoice };
 
+// A registered variable. Only Variables changes it.
 struct Variable {
-  std::string name;  // as registered; looked up without regard to case
+  std::string name;  // as registered; lookups ignore case
   VariableType type = VariableType::kText;
   std::string default_text;
-  std::string text;                  // the value, always acceptable to set()
+  std::string text;                  // current value in canonical form ("1", not "on")
   std::string help;                  // one sentence
-  double min = 0, max = 0;           // kInt and kFloat: the values allowed, ends included
-  bool allows_zero = false;          // kInt: besides those
-  std::vector<std::string> choices;  // kChoice: the values allowed
-  double number = 0;                 // kBool: 0 or 1; kInt, kFloat: the value; kChoice: position in choices
+  double min = 0, max = 0;           // kInt and kFloat: allowed range, inclusive
+  bool allows_zero = false;          // kInt: 0 is allowed although it is outside of the range
+  std::vector<std::string> choices;  // kChoice: allowed values
+  double number = 0;                 // kBool: 0 or 1; kInt, kFloat: value; kChoice: index in choices
   std::uint64_t version = 0;         // Variables::version() just after the last change; 0: never changed
 };
 
 class Variables {
  public:
-  // Registering CHECKs what only a programmer can get wrong: a name twice, a default out of range.
+  // Register a variable. CHECK that the name is new and the default is valid.
   VariableIndex add_bool(std::string_view name, bool value, std::string_view help);
   VariableIndex add_int(std::string_view name, std::int64_t value, std::int64_t min, std::int64_t max,
                         std::string_view help);
-  // Allows 0 as well, which says that there is no such bound or the like.
+  // Also allows 0, for "no limit" and the like.
   VariableIndex add_int_or_zero(std::string_view name, std::int64_t value, std::int64_t min, std::int64_t max,
                                 std::string_view help);
   VariableIndex add_float(std::string_view name, double value, double min, double max, std::string_view help);
@@ -46,19 +54,23 @@ class Variables {
   // The default is choices[0].
   VariableIndex add_choice(std::string_view name, std::span<const std::string_view> choices,
                            std::string_view help);
+  // Accepts `old_name` wherever the registered variable `name` can be looked up or set by name, so that
+  // config files survive a renaming. all() lists only the new name. CHECKs that `old_name` is free and `name`
+  // exists.
+  void add_alias(std::string_view old_name, std::string_view name);
 
-  // kBool takes 1/0, true/false, on/off, yes/no. Fails with kNotFound for an unknown name and with kUsage for
-  // a value that does not fit; the variable then keeps its value. Setting the value that a variable already
-  // has is no change.
+  // Sets a variable. kBool accepts 1/0, true/false, on/off, yes/no. Returns kNotFound for an unknown name,
+  // and kUsage for an invalid value; the variable keeps its value then. Setting the current value does not
+  // change version().
   base::Status set(std::string_view name, std::string_view value);
-  // "NAME=VALUE", as on the command line. VALUE may be empty or hold further '='.
+  // Sets from "NAME=VALUE", as on the command line. VALUE may be empty or contain '='.
   base::Status set_assignment(std::string_view assignment);
   base::Status reset(std::string_view name);
 
-  // Null when there is no such variable. Valid until another one is added.
+  // Returns null if there is no such variable. Valid until the next one is added.
   const Variable* find(std::string_view name) const;
   const Variable& get(VariableIndex index) const { return variables_[base::to_size(index)]; }
-  // In order of name.
+  // Sorted by name.
   std::vector<const Variable*> all() const;
 
   // Each CHECKs the variable's type.
@@ -68,23 +80,25 @@ class Variables {
   const std::string& text_value(VariableIndex index) const;
   std::size_t choice_value(VariableIndex index) const;  // position among the choices
 
-  // Grows by one with every change of any variable: who depends on a variable remembers the version it last
-  // saw and compares.
+  // Increases by one with every change of any variable. To detect changes, remember the version and compare.
   std::uint64_t version() const { return version_; }
 
  private:
   VariableIndex add(Variable variable);
+  std::optional<VariableIndex> find_index(std::string_view name) const;
   const Variable& get_typed(VariableIndex index, VariableType type) const;
 
   std::vector<Variable> variables_;
   std::map<std::string, VariableIndex, std::less<>> by_name_;  // by name in lower case
+  std::map<std::string, VariableIndex, std::less<>> aliases_;  // by former name in lower case
   std::uint64_t version_ = 0;
 };
 
-// Whether the variable has that value, in whatever way it is written: set() would leave it as it is.
+// Returns whether set() with this value would change nothing, however the value is written.
 bool has_value(const Variable& variable, std::string_view value);
 
-// What set() accepts for a variable: "0 or 1", "-1 to 3", "stock or footprint", "one of a, b, c", "any text".
+// Describes the values that set() accepts: "0 or 1", "-1 to 3", "stock or footprint", "one of a, b, c", "any
+// text".
 std::string describe_values(const Variable& variable);
 
 }  // namespace temblor::command

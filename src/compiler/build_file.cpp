@@ -1,8 +1,16 @@
 // Layout, little-endian:
-//   u32 "TBLD", u32 version, u64 hash of the level's bytes, u64 hash of the .lit's
-//   of a level: keys, brush entities, portals, keys of faces (see the functions below)
-//   u64 bytes of light cache, and those bytes
+//   u32 "TBLD", u32 version, u64 hash of the .bsp, u64 hash of the .lit
+//   the level:
+//     u64 brushes key, u64 solid occupants key, u64 light key, u32 textures of its own
+//     u8 kind of visibility, f64 mean visible share or -1, u8 water is transparent
+//     u32 brush entities, for each u8 is in the level, text model, text origin
+//     u32 clusters, u32 leaves, for each u32 cluster
+//     u32 portals, for each 4 times f64 normal and distance; 2 times u32 cluster;
+//       u32 corners, for each 3 times f64
+//     u32 surface keys, for each its fields (visit_fields()); u32 faces, for each u32 surface keys
+//   u64 size of the light cache, then its bytes
 //   u64 hash of all bytes before
+// A text is u32 size and its bytes.
 #include "compiler/build_file.h"
 
 #include <array>
@@ -17,11 +25,12 @@ using base::ByteReader;
 using base::ByteWriter;
 
 constexpr std::uint32_t kBuildFileMagic = 0x444c4254;  // "TBLD"
-// To be raised when what is in the file means something else.
+// Raise this if the meaning of anything in the file changes.
 constexpr std::uint32_t kBuildFileVersion = 5;
 constexpr std::size_t kHashBytes = 8;
 constexpr const char* kCutOff = "build file: it ends within the {}";
 
+// Texts and lists are preceded by their number of bytes or entries.
 void write_text(std::string_view text, ByteWriter& io_writer) {
   io_writer.u32(static_cast<std::uint32_t>(text.size()));
   io_writer.bytes(base::as_bytes(text));
@@ -42,10 +51,11 @@ base::Bytes read_block(ByteReader& io_reader) {
   return io_reader.take(size);
 }
 
-// How many records follow, each of at least so many bytes: never more than the rest of the file can hold.
-std::size_t read_count(ByteReader& io_reader, std::size_t least_bytes) {
+// Reads a count of records that take at least `min_bytes` each. Fails the reader if the rest of the file
+// cannot hold them, so that damaged files never allocate more than they are large.
+std::size_t read_count(ByteReader& io_reader, std::size_t min_bytes) {
   const std::uint32_t count = io_reader.u32();
-  if (count <= io_reader.remaining() / least_bytes) return count;
+  if (count <= io_reader.remaining() / min_bytes) return count;
   io_reader.seek(io_reader.offset() + io_reader.remaining() + 1);
   return 0;
 }
@@ -74,6 +84,8 @@ void write_portals(const PortalSet& set, ByteWriter& io_writer) {
   }
 }
 
+// Checks every index, since the file may be damaged in ways that its hash does not show (another version of
+// the compiler, for example).
 base::Result<PortalSet> read_portals(std::size_t leaves, ByteReader& io_reader) {
   constexpr std::size_t kMinPortalBytes = 4 * 8 + 3 * 4;
   PortalSet set;
@@ -90,17 +102,18 @@ base::Result<PortalSet> read_portals(std::size_t leaves, ByteReader& io_reader) 
     for (math::Vec3d& corner : portal.winding_world) corner = read_vector(io_reader);
     if (!io_reader.ok()) return base::malformed(kCutOff, "portals");
     if (portal.winding_world.size() < 3 || !exists(portal.clusters[0]) || !exists(portal.clusters[1]))
-      return base::malformed("build file: a portal of {} corners between clusters {} and {} of {}",
+      return base::malformed("build file: it has a portal with {} corners between clusters {} and {} of {}",
                              portal.winding_world.size(), portal.clusters[0], portal.clusters[1],
                              set.cluster_count);
   }
   if (!io_reader.ok()) return base::malformed(kCutOff, "portals");
   if (leaf_count != leaves || set.cluster_count > leaves)
-    return base::malformed("build file: portals of {} leaves in {} clusters, the level has {} leaves",
-                           leaf_count, set.cluster_count, leaves);
+    return base::malformed(
+        "build file: its portals are for {} leaves in {} clusters, the level has {} leaves", leaf_count,
+        set.cluster_count, leaves);
   for (const std::uint32_t cluster : set.cluster_of_leaf)
     if (cluster != kNoCluster && !exists(cluster))
-      return base::malformed("build file: a leaf of cluster {} of {}", cluster, set.cluster_count);
+      return base::malformed("build file: a leaf is in cluster {} of {}", cluster, set.cluster_count);
   return set;
 }
 
@@ -124,11 +137,12 @@ base::Result<FaceKeys> read_face_keys(std::size_t faces, ByteReader& io_reader) 
   for (SurfaceKeys& keys : face_keys.keys) visit_fields(keys, read_field);
   const std::size_t count = read_count(io_reader, sizeof(std::uint32_t));
   for (std::size_t i = 0; i < count; ++i) face_keys.of_face.push_back(io_reader.u32());
-  if (!io_reader.ok()) return base::malformed(kCutOff, "keys of faces");
-  if (count != faces) return base::malformed("build file: keys of {} faces, the level has {}", count, faces);
+  if (!io_reader.ok()) return base::malformed(kCutOff, "face keys");
+  if (count != faces)
+    return base::malformed("build file: it has keys for {} faces, the level has {} faces", count, faces);
   for (const std::uint32_t key : face_keys.of_face)
     if (key >= face_keys.keys.size())
-      return base::malformed("build file: a face has the keys {} of {}", key, face_keys.keys.size());
+      return base::malformed("build file: a face has keys number {} of {}", key, face_keys.keys.size());
   return face_keys;
 }
 
@@ -159,7 +173,7 @@ base::Status read_level_part(ByteReader& io_reader, Build& io_build) {
   const std::uint8_t visibility = io_reader.u8();
   if (visibility > static_cast<std::uint8_t>(VisibilityKind::kFull) ||
       io_build.own_textures > io_build.bsp.miptexes.size())
-    return base::malformed("build file: visibility of kind {}, {} textures", visibility,
+    return base::malformed("build file: it has visibility of kind {} and {} textures", visibility,
                            io_build.own_textures);
   io_build.visibility = static_cast<VisibilityKind>(visibility);
   if (const double share = io_reader.read<double>(); share >= 0) io_build.mean_visible_share = share;
@@ -182,30 +196,31 @@ base::Status read_level_part(ByteReader& io_reader, Build& io_build) {
 base::ByteVector write_build(const Build& build, const LevelFiles& files) {
   ByteWriter writer;
   const std::array<std::uint32_t, 2> start{kBuildFileMagic, kBuildFileVersion};
-  const std::array<std::uint64_t, 2> hashes{base::hash_of_bytes(files.bsp), base::hash_of_bytes(files.lit)};
+  const std::array<std::uint64_t, 2> hashes{base::hash_bytes(files.bsp), base::hash_bytes(files.lit)};
   writer.bytes(std::as_bytes(std::span(start)));
   writer.bytes(std::as_bytes(std::span(hashes)));
   write_level_part(build, writer);
-  writer.write(base::hash_of_bytes(writer.view()));
+  writer.write(base::hash_bytes(writer.view()));
   return std::move(writer).take();
 }
 
+// Checks the hash of the file first, so that damage is reported as damage and not as some strange value.
 base::Result<Build> read_build(base::Bytes bytes, const LevelFiles& files) {
   ByteReader reader(bytes);
   if (reader.u32() != kBuildFileMagic) return base::malformed("build file: it does not begin with TBLD");
   if (const std::uint32_t version = reader.u32(); version != kBuildFileVersion)
-    return base::error(base::ErrorCode::kUnsupported, "build file: version {}, known is {}", version,
+    return base::error(base::ErrorCode::kUnsupported,
+                       "build file: version {} is not supported, only version {}", version,
                        kBuildFileVersion);
   if (reader.remaining() < kHashBytes) return base::malformed(kCutOff, "hash");
   ByteReader end(bytes.last(kHashBytes));
-  if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
-    return base::malformed("build file: damaged, its hash is not that of its bytes");
+  if (end.read<std::uint64_t>() != base::hash_bytes(bytes.first(bytes.size() - kHashBytes)))
+    return base::malformed("build file: it is damaged (wrong hash)");
 
   Build build;
   const auto bsp_hash = reader.read<std::uint64_t>(), lit_hash = reader.read<std::uint64_t>();
   if (!reader.ok()) return base::malformed(kCutOff, "hashes");
-  if (files.bsp.empty() || bsp_hash != base::hash_of_bytes(files.bsp) ||
-      lit_hash != base::hash_of_bytes(files.lit))
+  if (files.bsp.empty() || bsp_hash != base::hash_bytes(files.bsp) || lit_hash != base::hash_bytes(files.lit))
     return build;
   TRY(build.bsp, formats::read_bsp(files.bsp));
   if (!files.lit.empty()) {
@@ -213,7 +228,7 @@ base::Result<Build> read_build(base::Bytes bytes, const LevelFiles& files) {
   }
   TRY_STATUS(read_level_part(reader, build));
   if (reader.remaining() != kHashBytes)
-    return base::malformed("build file: {} bytes are not those of its parts", bytes.size());
+    return base::malformed("build file: its {} bytes are more than its contents", bytes.size());
   return build;
 }
 

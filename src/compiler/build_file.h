@@ -1,5 +1,5 @@
-// What a Build has beyond the level's own files, as bytes: the file beside the level that lets a later run
-// make anew only what changed.
+// The build file beside a level: what a Build has beyond the .bsp and .lit files, so that a later run can
+// redo only what has changed. Levels play without it.
 #pragma once
 
 #include "base/bytes.h"
@@ -8,17 +8,17 @@
 
 namespace temblor::compiler {
 
-// The level's files as they lie beside it; `lit` is empty where there is none.
+// The bytes of the level's files; `lit` is empty if there is none.
 struct LevelFiles {
   base::Bytes bsp, lit;
 };
 
-// The same bytes for equal builds. `files`: those written of this build. Visibility that is begun is not in
-// it: that lasts longer than the level.
+// Returns the same bytes for equal builds. `files` were written from this build. Unfinished visibility is not
+// included: it has a file of its own, since it outlives the level.
 base::ByteVector write_build(const Build& build, const LevelFiles& files);
 
-// The build whose level `files` are; an empty one where they are not those that it was written with.
-// kUnsupported: of another version; kMalformed: damaged.
+// Returns the build that `files` belong to, or an empty build if they are not the files that were written
+// with it. Fails with kUnsupported for another version and with kMalformed if the bytes are damaged.
 base::Result<Build> read_build(base::Bytes bytes, const LevelFiles& files);
 
 }  // namespace temblor::compiler

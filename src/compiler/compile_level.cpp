@@ -1,16 +1,13 @@
 #include "compiler/compile_level.h"
 
-#include <algorithm>
 #include <chrono>
-#include <string>
+#include <string_view>
 #include <utility>
 
-#include "base/hash.h"
-#include "compiler/bsp/brushes/level_entities.h"
 #include "compiler/bsp/tree_portals.h"
-#include "compiler/build/build_keys.h"
-#include "compiler/build/level_textures.h"
+#include "compiler/build/incremental_build.h"
 #include "compiler/light/build_light.h"
+#include "compiler/textures/level_textures.h"
 #include "compiler/vis/build_visibility.h"
 
 namespace temblor::compiler {
@@ -22,169 +19,139 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Tells the watcher of stages, and keeps how long each takes.
-class Stages {
+// Announces stages to the watcher, runs them, and records how long each takes.
+class StageTimer {
  public:
-  Stages(CompileWatcher& watcher, std::vector<StageTime>& out) : watcher_(watcher), out_(out) {}
+  explicit StageTimer(CompileWatcher& watcher) : watcher_(watcher) {}
 
   template <typename Stage>
   auto run(const char* name, const Stage& stage) {
     watcher_.begin_stage(name);
     const Clock::time_point start = Clock::now();
     auto result = stage();
-    out_.push_back({name, seconds_since(start)});
+    times_.push_back({name, seconds_since(start)});
     return result;
   }
-  void keep(const char* name) { out_.push_back({name, std::nullopt}); }
+  void reuse(const char* name) { times_.push_back({name, std::nullopt}); }
+
+  std::vector<StageTime> take_times() { return std::move(times_); }
 
  private:
   CompileWatcher& watcher_;
-  std::vector<StageTime>& out_;
+  std::vector<StageTime> times_;
 };
 
-// As a reader of the file will see it: what is kept in memory and what a later run reads are the same.
-base::Result<formats::Bsp> as_written(const formats::Bsp& bsp, bool bsp2) {
-  base::Result<base::ByteVector> bytes =
-      formats::write_bsp(bsp, bsp2 ? formats::BspVersion::kBsp2 : formats::BspVersion::k29);
-  if (!bytes.ok() && !bsp2) bytes = formats::write_bsp(bsp, formats::BspVersion::kBsp2);
-  TRY(const base::ByteVector written, std::move(bytes));
-  return formats::read_bsp(written);
-}
+// The stages of one run, in the order in which they are called.
+class Pipeline {
+ public:
+  Pipeline(const formats::Palette& palette, const CompileOptions& options, const CompileContext& context,
+           Build& io_build)
+      : options_(options), context_(context), build_(io_build), manager_(options, io_build) {
+    options_.light.palette = palette;
+  }
 
-// With the pictures of its textures: a file knows no names without them.
-base::Result<Build> build_of(Draft draft, const TextureSet& textures, const CompileOptions& options) {
-  Build build;
-  build.own_textures = draft.bsp.miptexes.size();
-  build.water_is_transparent = options.draft.water_is_transparent;
-  put_textures(textures, build.own_textures, draft.bsp);
-  TRY(build.bsp, as_written(draft.bsp, options.bsp2));
-  build.brush_entities = std::move(draft.brush_entities);
-  build.portals = std::move(draft.portals);
-  build.face_keys = {std::move(draft.surface_keys), std::move(draft.keys_of_face)};
-  return build;
-}
+  TextureSet load_textures(const LevelSource& source) {
+    return stages_.run("textures", [&] {
+      return make_texture_set(find_texture_names(source.map), source.textures, source.palette,
+                              options_.mip_levels, context_.warnings);
+    });
+  }
 
-bool is_up_to_date(const Build& build, StageKey brushes_key, const formats::Map& map,
-                   const CompileOptions& options) {
-  if (build.bsp.models.empty() || build.brushes_key != brushes_key) return false;
-  const auto brush_entities = std::ranges::count_if(
-      map.entities, [](const formats::MapEntity& entity) { return !is_point_entity(entity); });
-  if (static_cast<std::size_t>(brush_entities) != build.brush_entities.size()) return false;
-  // What visibility wrote into leaves and models is not undone, but made without.
-  if (options.visibility_wish == StagePolicy::kSkip && build.visibility != VisibilityKind::kNone)
-    return false;
-  return build.solid_occupants_key == key_of_solid_occupants(map, build.bsp);
-}
+  base::Status make_bsp(const formats::Map& map, const TextureSet& textures) {
+    if (manager_.choose_bsp(map, textures) == StagePolicy::kReuse) {
+      stages_.reuse("bsp");
+      manager_.reuse_bsp(map, textures);
+      return base::Ok{};
+    }
+    const auto texture_size = [&](std::string_view name) { return find_texture_size(textures, name); };
+    TRY(DraftResult made, stages_.run("bsp", [&] {
+      return make_draft(map, texture_size, options_.draft, context_.jobs, context_.warnings, progress_);
+    }));
+    leak_ = std::move(made.leak);
+    return manager_.store_bsp(std::move(made), leak_.has_value(), map, textures);
+  }
 
-base::Status make_brushes(const formats::Map& map, const TextureSet& textures, const CompileOptions& options,
-                          base::Jobs& jobs, CompileWatcher& watcher, Stages& io_stages, Build& io_build,
-                          CompileReport& io_report, Warnings& io_warnings) {
-  const auto size = [&](std::string_view name) { return texture_size_of(textures, name); };
-  const StageKey key = base::hash_with(key_of_brushes(map, size, options.draft), options.bsp2 ? 1 : 0);
-  if (is_up_to_date(io_build, key, map, options)) {
-    io_stages.keep("bsp");
-    put_textures(textures, io_build.own_textures, io_build.bsp);
-    io_build.bsp.entities = formats::write_entities(level_entities(map, io_build.brush_entities));
+  // For a level without a map: makes its portals again if the options see through water and the old ones do
+  // not, or the other way round.
+  base::Status update_portals() {
+    const bool water_is_transparent = options_.draft.water_is_transparent;
+    if (water_is_transparent == build_.water_is_transparent) return base::Ok{};
+    TRY(build_.portals, make_tree_portals(build_.bsp, {water_is_transparent, Clusters::kSharedVisibility}));
+    build_.water_is_transparent = water_is_transparent;
+    build_.visibility = VisibilityKind::kNone;
     return base::Ok{};
   }
-  const auto progress = [&](std::size_t done, std::size_t total) { return watcher.progress(done, total); };
-  TRY(DraftResult made, io_stages.run("bsp", [&] {
-    return make_draft(map, size, options.draft, jobs, io_warnings, progress);
-  }));
-  TRY(Build build, build_of(std::move(made.draft), textures, options));
-  build.visibility_state = std::move(io_build.visibility_state);
-  build.light_cache = std::move(io_build.light_cache);
-  io_build = std::move(build);
-  if (!made.leak && !made.clip_hulls_leak && !made.is_region) {
-    io_build.brushes_key = key;
-    io_build.solid_occupants_key = key_of_solid_occupants(map, io_build.bsp);
-  }
-  io_report.leak = std::move(made.leak);
-  return base::Ok{};
-}
 
-// Whether it was made.
-base::Result<bool> bring_visibility(const CompileOptions& options, base::Jobs& jobs, CompileWatcher& watcher,
-                                    bool leaks, Stages& io_stages, Build& io_build) {
-  const VisibilityKind wanted = options.fast_visibility ? VisibilityKind::kRough : VisibilityKind::kFull;
-  if (!leaks && options.visibility_wish == StagePolicy::kBuild && io_build.visibility != wanted) {
-    TRY_STATUS(io_stages.run("visibility", [&] { return make_visibility(wanted, jobs, watcher, io_build); }));
-    return true;
+  base::Status update_visibility() {
+    const StagePolicy policy = manager_.choose_visibility(leak_.has_value());
+    if (policy == StagePolicy::kReuse) stages_.reuse("visibility");
+    if (policy != StagePolicy::kBuild) return base::Ok{};
+    has_new_visibility_ = true;
+    return stages_.run("visibility", [&] {
+      return make_visibility(manager_.wanted_visibility(), context_.jobs, context_.watcher, build_);
+    });
   }
-  if (io_build.visibility != VisibilityKind::kNone) io_stages.keep("visibility");
-  return false;
-}
 
-base::Status update_light(const formats::Palette& palette, const CompileOptions& options, base::Jobs& jobs,
-                          CompileWatcher& watcher, Stages& io_stages, Build& io_build,
-                          Warnings& io_warnings) {
-  if (options.light_wish == StagePolicy::kSkip) {
-    remove_light(io_build);
-    return base::Ok{};
+  base::Status update_light() {
+    TRY(const StagePolicy policy, manager_.choose_light(options_.light));
+    switch (policy) {
+      case StagePolicy::kSkip:
+        remove_light(build_);
+        return base::Ok{};
+      case StagePolicy::kReuse:
+        if (build_.light_key == 0) return base::Ok{};  // no light, or another tool's
+        stages_.reuse("light");
+        return reuse_light(build_);
+      case StagePolicy::kBuild:
+        break;
+    }
+    return stages_.run("light", [&] {
+      return make_light(options_.light, context_.jobs, progress_, build_, context_.warnings);
+    });
   }
-  LightOptions how = options.light;
-  how.palette = palette;
-  TRY(const StageKey key, light_key_of(io_build, how));
-  if (options.light_wish == StagePolicy::kReuse || key == io_build.light_key) {
-    if (io_build.light_key == 0) return base::Ok{};  // none, or not ours
-    io_stages.keep("light");
-    return keep_light(io_build);
-  }
-  const auto progress = [&](std::size_t done, std::size_t total) { return watcher.progress(done, total); };
-  return io_stages.run("light", [&] { return make_light(how, jobs, progress, io_build, io_warnings); });
-}
 
-base::Status finish(const formats::Palette& palette, const CompileOptions& options, base::Jobs& jobs,
-                    CompileWatcher& watcher, bool leaks, Stages& io_stages, Build& io_build,
-                    Warnings& io_warnings) {
-  TRY(const bool has_new_visibility, bring_visibility(options, jobs, watcher, leaks, io_stages, io_build));
-  TRY_STATUS(update_light(palette, options, jobs, watcher, io_stages, io_build, io_warnings));
-  // Only now is it in a level that will be written. A state that is still there is of other portals.
-  if (has_new_visibility && io_build.visibility == VisibilityKind::kFull) io_build.visibility_state.clear();
-  return base::Ok{};
-}
+  // Call it once, after all stages.
+  CompileReport finish() {
+    // The level will be written now, so its visibility can no longer be lost. A state that stays belongs to
+    // other portals.
+    if (has_new_visibility_ && build_.visibility == VisibilityKind::kFull) build_.visibility_state.clear();
+    return {std::move(leak_), stages_.take_times()};
+  }
+
+ private:
+  CompileOptions options_;
+  CompileContext context_;
+  Build& build_;
+  IncrementalBuild manager_;
+  StageTimer stages_{context_.watcher};
+  std::optional<LeakPath> leak_;
+  bool has_new_visibility_ = false;
+  // A member, since Progress only refers to it.
+  struct StageProgress {
+    CompileWatcher& watcher;
+    bool operator()(std::size_t done, std::size_t total) const { return watcher.progress(done, total); }
+  } progress_{context_.watcher};
+};
 
 }  // namespace
 
-base::Result<CompileReport> compile_level(const formats::Map& map, std::span<const TextureSource> sources,
-                                          const formats::Palette& palette, const CompileOptions& options,
-                                          base::Jobs& jobs, CompileWatcher& watcher, Build& io_build,
-                                          Warnings& io_warnings) {
-  CompileReport report;
-  Stages stages(watcher, report.times);
-  const TextureSet textures = stages.run("textures", [&] {
-    return make_texture_set(texture_names(map), sources, palette, options.mip_levels, io_warnings);
-  });
-  TRY_STATUS(make_brushes(map, textures, options, jobs, watcher, stages, io_build, report, io_warnings));
-  TRY_STATUS(finish(palette, options, jobs, watcher, report.leak.has_value(), stages, io_build, io_warnings));
-  return report;
-}
-
-base::Result<Build> build_of_level(formats::Bsp bsp, std::optional<formats::Lit> lit,
-                                   bool water_is_transparent) {
-  Build build;
-  TRY(const std::vector<formats::Entity> entities, formats::read_entities(bsp.entities));
-  TRY(build.portals, make_tree_portals(bsp, {water_is_transparent, Clusters::kSharedVisibility}));
-  build.face_keys = face_keys_of(bsp, entities);
-  build.own_textures = bsp.miptexes.size();
-  build.water_is_transparent = water_is_transparent;
-  build.bsp = std::move(bsp);
-  build.lit = std::move(lit);
-  return build;
+base::Result<CompileReport> compile_level(const LevelSource& source, const CompileOptions& options,
+                                          const CompileContext& context, Build& io_build) {
+  Pipeline pipeline(source.palette, options, context, io_build);
+  const TextureSet textures = pipeline.load_textures(source);
+  TRY_STATUS(pipeline.make_bsp(source.map, textures));
+  TRY_STATUS(pipeline.update_visibility());
+  TRY_STATUS(pipeline.update_light());
+  return pipeline.finish();
 }
 
 base::Result<CompileReport> finish_level(const formats::Palette& palette, const CompileOptions& options,
-                                         base::Jobs& jobs, CompileWatcher& watcher, Build& io_build,
-                                         Warnings& io_warnings) {
-  CompileReport report;
-  Stages stages(watcher, report.times);
-  if (const bool water = options.draft.water_is_transparent; water != io_build.water_is_transparent) {
-    TRY(io_build.portals, make_tree_portals(io_build.bsp, {water, Clusters::kSharedVisibility}));
-    io_build.water_is_transparent = water;
-    io_build.visibility = VisibilityKind::kNone;
-  }
-  TRY_STATUS(finish(palette, options, jobs, watcher, false, stages, io_build, io_warnings));
-  return report;
+                                         const CompileContext& context, Build& io_build) {
+  Pipeline pipeline(palette, options, context, io_build);
+  TRY_STATUS(pipeline.update_portals());
+  TRY_STATUS(pipeline.update_visibility());
+  TRY_STATUS(pipeline.update_light());
+  return pipeline.finish();
 }
 
 }  // namespace temblor::compiler

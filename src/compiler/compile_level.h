@@ -1,65 +1,66 @@
-// The whole way from map text to a level that is played: the stages in their order, each only where its
-// result would not be what is there already.
+// The map compiler's pipeline, from the brushes and entities of a map to a level that can be played:
+//
+//   Map --textures--> TextureSet --bsp--> Draft --visibility--> PVS --light--> light maps
+//
+// Each stage runs only if its last result is out of date; build/incremental_build.h decides that. The stages
+// are bsp/make_draft.h (qbsp in Quake's own tools), vis/build_visibility.h (vis), and light/build_light.h
+// (light).
+//
+// The bytes of the level depend neither on the number of threads nor on what was built before, except for
+// stages with StagePolicy::kReuse.
 #pragma once
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "base/parallel_for.h"
 #include "base/result.h"
 #include "compiler/build.h"
-#include "compiler/build/compile_watcher.h"
-#include "compiler/light/light_level.h"
-#include "compiler/make_draft.h"
+#include "compiler/compile_options.h"
 #include "compiler/report.h"
 #include "compiler/texture_set.h"
+#include "formats/images/palette.h"
+#include "formats/levels/map.h"
 
 namespace temblor::compiler {
 
-enum class StagePolicy : std::uint8_t {
-  kBuild,  // as the map and the options ask for it
-  kReuse,  // as it is, if it still fits the brushes; else left out
-  kSkip,   // without visibility everything is drawn, without light everything is bright
+// What a level is made of. Everything must outlive the call.
+struct LevelSource {
+  const formats::Map& map;                  // with its prefabs expanded (prefabs.h)
+  std::span<const TextureSource> textures;  // the first one that has a texture provides it
+  const formats::Palette& palette;
 };
 
-struct CompileOptions {
-  DraftOptions draft;
-  LightOptions light;  // its palette is filled in
-  MipLevels mip_levels = MipLevels::kFromSource;
-  StagePolicy visibility_wish = StagePolicy::kBuild, light_wish = StagePolicy::kBuild;
-  bool fast_visibility = false;  // from the sides of planes alone
-  bool bsp2 = false;             // though the level fits the original's format
+// What every stage works with. Everything must outlive the call.
+struct CompileContext {
+  base::Jobs& jobs;
+  CompileWatcher& watcher;
+  Warnings& warnings;  // stages append to it
 };
 
+// How long one stage took.
 struct StageTime {
   const char* name;
-  std::optional<double> wall_s;  // nothing: what was there was kept
+  std::optional<double> wall_s;  // nothing: the last result was reused
 };
 
+// What a run did.
 struct CompileReport {
-  std::optional<LeakPath> leak;  // then there is no visibility
-  std::vector<StageTime> times;
+  std::optional<LeakPath> leak;  // if the level leaks, there is no visibility
+  std::vector<StageTime> times;  // in the order of the stages
 };
 
-// Brings `io_build` up to date with the map. Every texture of the map that no source has is a checker, and a
-// warning. The bytes of the level depend neither on the number of threads nor on what was built before (but
-// for stages that are kept). When `watcher` says stop: kUsage, and io_build has the visibility that is done.
-// After an error what the build has still belongs together, though some of it may be gone.
-base::Result<CompileReport> compile_level(const formats::Map& map, std::span<const TextureSource> sources,
-                                          const formats::Palette& palette, const CompileOptions& options,
-                                          base::Jobs& jobs, CompileWatcher& watcher, Build& io_build,
-                                          Warnings& io_warnings);
+// Brings `io_build` up to date with the map. A texture that no source has becomes a checkerboard, with a
+// warning.
+//
+// Fails with kUsage if the watcher stops it; io_build then holds the visibility computed so far. After any
+// error the parts of the build still fit each other, though some may be missing.
+base::Result<CompileReport> compile_level(const LevelSource& source, const CompileOptions& options,
+                                          const CompileContext& context, Build& io_build);
 
-// A level whose map is not at hand, as a build: portals from its tree, keys of faces from its entity text
-// (those of func_group and func_detail are lost).
-base::Result<Build> build_of_level(formats::Bsp bsp, std::optional<formats::Lit> lit,
-                                   bool water_is_transparent);
-
-// The stages after BSP alone.
+// Runs the stages after BSP on a build, for example one of make_build_from_level().
 base::Result<CompileReport> finish_level(const formats::Palette& palette, const CompileOptions& options,
-                                         base::Jobs& jobs, CompileWatcher& watcher, Build& io_build,
-                                         Warnings& io_warnings);
+                                         const CompileContext& context, Build& io_build);
 
 }  // namespace temblor::compiler

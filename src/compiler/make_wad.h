@@ -1,4 +1,4 @@
-// A WAD of textures made from PNG files.
+// Makes a WAD2 texture archive from PNG files.
 #pragma once
 
 #include <span>
@@ -11,20 +11,21 @@
 
 namespace temblor::compiler {
 
+// A PNG file in memory.
 struct PngFile {
-  std::string name;  // with or without folders; its stem names the texture
+  std::string name;  // a path; its stem is the texture's name
   base::Bytes bytes;
 };
 
-// A file's stem; a # in front stands for the * of liquids, which not every file system can hold.
-std::string texture_name_of_file(std::string_view file_name);
+// Returns the file's stem. A # in front becomes the * of liquids, which some file systems do not allow.
+std::string texture_name_from_file(std::string_view file_name);
 
-// The bytes of a WAD2, textures in the order of the files, in the game's palette and with all mip levels
-// built. Names starting with { have holes where pixels are less than half opaque; colors are full-bright
-// only where they are exactly one of the palette's full-bright colors.
+// Returns the bytes of a WAD2 with the textures in the order of the files, in the game's palette, with all
+// mip levels. Names beginning with { have holes where pixels are less than half opaque. Colors are
+// full-bright only where they are exactly one of the palette's full-bright colors.
 //
-// Errors name the file: no PNG, sides that are no multiples of 16, a name that is empty or longer than the 15
-// characters that a level has room for, or that an earlier file has, but for case.
+// Errors name the file: it is no PNG, a side is not a multiple of 16, the name is empty or longer than 15
+// characters, or an earlier file has the same name (case does not matter).
 base::Result<base::ByteVector> make_wad(std::span<const PngFile> files, const formats::Palette& palette);
 
 }  // namespace temblor::compiler

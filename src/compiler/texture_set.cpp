@@ -1,4 +1,4 @@
-// Names are gathered first: those asked for, then the other frames of their animations. Then each is read.
+// Collects names first: those requested, then the other frames of their animations. Then reads each texture.
 #include "compiler/texture_set.h"
 
 #include <fmt/format.h>
@@ -15,28 +15,29 @@
 namespace temblor::compiler {
 namespace {
 
-// Two sequences: the one an entity shows, and the one that it shows once it was used.
+// Two sequences: an entity shows the first one, and the second one after it was used.
 constexpr std::array<std::string_view, 2> kFrameMarks{"0123456789", "abcdefghij"};
 
+// Whether the key is that of an animation frame: +, then a digit or a letter from a to j.
 bool is_frame(std::string_view key) {
   return key.size() >= 2 && key[0] == '+' && std::ranges::any_of(kFrameMarks, [&](std::string_view marks) {
            return marks.find(key[1]) != std::string_view::npos;
          });
 }
 
-std::string frame_key(std::string_view key, char mark) {
+std::string make_frame_key(std::string_view key, char mark) {
   std::string frame(key);
   frame[1] = mark;
   return frame;
 }
 
-std::string quoted_name(std::string_view name) {
+std::string quote_name(std::string_view name) {
   return fmt::format("\"{}\"", base::quotable(name));
 }
 
-formats::BspMiptex checker(std::string_view name) {
+formats::BspMiptex make_checkerboard(std::string_view name) {
   constexpr std::uint32_t kSide = 64, kSquare = 8;
-  constexpr std::array<std::uint8_t, 2> kColors{0, 251};  // black and a full-bright red, to be noticed
+  constexpr std::array<std::uint8_t, 2> kColors{0, 251};  // black and full-bright red, hard to miss
   formats::BspMiptex miptex{true, std::string(name.substr(0, kLevelNameChars)), kSide, kSide, {}};
   for (unsigned k = 0; k < miptex.mips.size(); ++k)
     for (std::uint32_t y = 0; y < kSide >> k; ++y)
@@ -45,11 +46,12 @@ formats::BspMiptex checker(std::string_view name) {
   return miptex;
 }
 
-// A name as the map has it, and under which it goes.
+// A name as in the map, and the key under which it is stored.
 struct Wanted {
   std::string name, key;
 };
 
+// Collects the wanted names, then reads their textures.
 class TextureSetMaker {
  public:
   TextureSetMaker(std::span<const TextureSource> sources, const formats::Palette& palette,
@@ -77,18 +79,19 @@ class TextureSetMaker {
       wanted_.push_back({std::string(name), std::move(key)});
     } else if (const std::string& first = wanted_[place->second].name;
                !base::equal_ignoring_case(name, first)) {
-      warn("texture names collide", "{} and {} are one texture: a level has room for {} characters",
-           quoted_name(first), quoted_name(name), kLevelNameChars);
+      warn("texture names too long", "{} and {} become one texture: only the first {} characters count",
+           quote_name(first), quote_name(name), kLevelNameChars);
     }
   }
 
+  // Requests all frames of both sequences of an animation, up to the last frame that exists.
   void want_frames(const std::string& key) {
     for (const std::string_view marks : kFrameMarks) {
       std::size_t count = 0;
       for (std::size_t i = 0; i < marks.size(); ++i)
-        if (const std::string frame = frame_key(key, marks[i]); sources_.has(frame) || is_wanted(frame))
+        if (const std::string frame = make_frame_key(key, marks[i]); sources_.has(frame) || is_wanted(frame))
           count = i + 1;
-      for (const char mark : marks.substr(0, count)) want_frame(frame_key(key, mark));
+      for (const char mark : marks.substr(0, count)) want_frame(make_frame_key(key, mark));
     }
   }
 
@@ -97,24 +100,24 @@ class TextureSetMaker {
     if (sources_.has(frame))
       want(frame);
     else
-      warn("animation has gaps", "{} is in none of the {} texture sources, but later frames are",
-           quoted_name(frame), source_count_);
+      warn("animation has gaps", "{} is missing, but later frames exist", quote_name(frame));
   }
 
   bool is_wanted(const std::string& key) const { return set_.index.contains(key); }
 
+  // Never fails: a missing or unreadable texture becomes a checkerboard, so the level can still be played.
   formats::BspMiptex make_miptex(const Wanted& wanted) {
     auto miptex = sources_.take(wanted.key, warnings_);
     if (!miptex) {
       if (!sources_.has(wanted.key))
-        warn("texture not found", "{} is in none of the {} texture sources", quoted_name(wanted.name),
-             source_count_);
-      return checker(wanted.name);
+        warn("texture not found", "{} (searched {})", quote_name(wanted.name),
+             base::counted(source_count_, "source"));
+      return make_checkerboard(wanted.name);
     }
     constexpr std::uint32_t kSideMultiple = 16;
     if (miptex->width % kSideMultiple != 0 || miptex->height % kSideMultiple != 0)
-      warn("texture sides", "{} has {} x {} texels: engines expect multiples of {}", quoted_name(wanted.name),
-           miptex->width, miptex->height, kSideMultiple);
+      warn("texture size", "{} has {} x {} texels: resize it to multiples of {}, which engines expect",
+           quote_name(wanted.name), miptex->width, miptex->height, kSideMultiple);
     if (mip_levels_ == MipLevels::kBuilt || !has_all_mips(*miptex)) build_all_mips(*miptex);
     return std::move(*miptex);
   }
@@ -144,7 +147,7 @@ class TextureSetMaker {
   MipLevels mip_levels_;
   Warnings& warnings_;
   std::vector<Wanted> wanted_;
-  std::set<std::string> warned_;  // of the warnings: names and animations come up again and again
+  std::set<std::string> warned_;  // the same name is often requested again
   TextureSet set_;
 };
 

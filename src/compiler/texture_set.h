@@ -1,4 +1,5 @@
-// The textures of a level, found by name in WADs and other levels.
+// The textures of a level, collected by name from WADs and other levels. Names with a + are animation frames,
+// { have holes, * are liquids, and "sky" begins a sky; only the frames matter here.
 #pragma once
 
 #include <cstdint>
@@ -16,32 +17,33 @@
 
 namespace temblor::compiler {
 
-// A WAD2, WAD3 or .bsp; `name` is what messages call it.
+// A WAD2, WAD3 or .bsp file. Messages call it `name`.
 struct TextureSource {
   std::string name;
   base::Bytes bytes;
 };
 
+// Textures and an index of their names.
 struct TextureSet {
-  // In the order in which the names were first asked for, then animation frames; every one has its texels.
+  // In the order of the requested names, then further animation frames. All have pixels.
   std::vector<formats::BspMiptex> miptexes;
-  // By name in small letters, cut to the 15 characters that a level has room for.
+  // By name in lower case, cut to the 15 characters that a level stores.
   std::map<std::string, std::uint32_t, std::less<>> index;
 
-  // Without regard to case. Every name that the set was made for is there.
+  // Ignores case. Finds every name that the set was made for.
   std::optional<std::uint32_t> find(std::string_view name) const;
 };
 
-// Where the smaller mip levels come from.
+// Where the smaller mip levels come from: the source, if it has them, or always built from the largest.
 enum class MipLevels : std::uint8_t { kFromSource, kBuilt };
 
-// The textures of `names` (which may repeat), each from the first source that has it, in the source's case;
-// and with a texture +0 to +9 or +a to +j all the frames of both sequences that there are.
+// Collects the textures for `names` (which may repeat), each from the first source that has it. For a texture
+// +0 to +9 or +a to +j, also collects all frames of both of its sequences.
 //
-// A texture of which only the largest mip level can be had gets the others built. WAD3 textures are brought
-// to the game's palette. What goes wrong is a warning: a source or a texture that cannot be read (it is
-// passed over), a texture that no source has (a checker of 64 x 64 texels stands in), names that are the same
-// in their first 15 characters, an animation with a frame missing, sides that are no multiple of 16 texels.
+// Missing mip levels are built. WAD3 textures are converted to the game's palette. Warns about sources and
+// textures that cannot be read (they are skipped), textures that no source has (they become a checkerboard of
+// 64 x 64 texels), names that are equal in their first 15 characters, missing animation frames, and sides
+// that are not multiples of 16 texels.
 TextureSet make_texture_set(std::span<const std::string_view> names, std::span<const TextureSource> sources,
                             const formats::Palette& palette, MipLevels mip_levels, Warnings& io_warnings);
 

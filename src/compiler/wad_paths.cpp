@@ -1,3 +1,5 @@
+// Maps are often made on Windows and compiled on Linux, so entries may have drives, backslashes and other
+// case.
 #include "compiler/wad_paths.h"
 
 #include <algorithm>
@@ -9,14 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim(std::string_view text) {
   constexpr std::string_view kAround = " \t\r\n\"'";
   const std::size_t first = text.find_first_not_of(kAround);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kAround) - first + 1);
 }
 
-// A drive, or a root or server written with backslashes.
+// Whether the entry begins with a drive, or with a root or server written with backslashes.
 bool is_foreign(std::string_view entry) {
   const char first = entry.empty() ? '\0' : base::to_lower(entry[0]);
   return first == '\\' || (entry.size() >= 2 && entry[1] == ':' && first >= 'a' && first <= 'z');
@@ -36,7 +38,7 @@ std::vector<std::string> split_wad_key(std::string_view value) {
   std::vector<std::string> entries;
   while (!value.empty()) {
     const std::size_t end = std::min(value.find(';'), value.size());
-    if (const std::string_view entry = trimmed(value.substr(0, end)); !entry.empty())
+    if (const std::string_view entry = trim(value.substr(0, end)); !entry.empty())
       entries.emplace_back(entry);
     value.remove_prefix(std::min(end + 1, value.size()));
   }

@@ -1,4 +1,4 @@
-// Where the WADs that a map names may lie: pure functions on text, which touch no disk.
+// Where to look for the WADs that a map names: pure functions of text that never touch the disk.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,16 @@
 
 namespace temblor::compiler {
 
-// The entries of worldspawn's `wad` key: between semicolons, without the white space and the quotes around
-// them. Empty ones are left out.
+// Splits worldspawn's `wad` key at its semicolons, and removes white space and quotes around each entry.
+// Empty entries are left out.
 std::vector<std::string> split_wad_key(std::string_view value);
 
-// The paths to try for one entry, best first, each once:
-//   1. where the entry says, seen from the map's folder, then from the current one (an absolute path: as it
-//   is);
-//   2. seen from each of `wad_folders`;
-//   3. its file name alone in the map's folder and in each of `wad_folders`, also in small letters.
-// Backslashes separate folders too. Paths from another system's root ("C:\quake\x.wad", "\quake\x.wad") have
-// no place here, so only their file names are tried. A name without an extension gets ".wad".
+// The paths to try for one entry, best first, without duplicates:
+//   1. as written, relative to the map's folder, then to the current folder (an absolute path as it is);
+//   2. relative to each of `wad_folders`;
+//   3. only the file name, in the map's folder and in each of `wad_folders`, also in lower case.
+// A backslash separates folders, too. Of paths from another system's root ("C:\quake\x.wad", "\quake\x.wad")
+// only the file name is tried. A name without extension gets ".wad".
 std::vector<std::filesystem::path> wad_candidates(std::string_view entry,
                                                   const std::filesystem::path& map_folder,
                                                   std::span<const std::filesystem::path> wad_folders);

@@ -5,16 +5,26 @@
 #include <algorithm>
 #include <array>
 
+#include "client/console/console_variables.h"
+#include "client/input/input_variables.h"
+#include "client/session/connection.h"
+#include "client/view/client_variables.h"
 #include "command/text.h"
+#include "host/session/overrides.h"
+#include "host/video/render_settings.h"
+#include "host/video/screen.h"
+#include "platform/window.h"
+#include "server/server_variables.h"
 
 namespace temblor::host {
 namespace {
 
-// In the order of platform::WindowMode, and of true color before the palette; the first is the default.
+// Names in the order of platform::WindowMode. The first one is the default.
 constexpr std::array<std::string_view, 3> kModes = {"window", "borderless", "fullscreen"};
+// The first one is true color, the default.
 constexpr std::array<std::string_view, 2> kColors = {"rgb", "indexed"};
 
-std::vector<std::string> names_of(const command::Variables& variables) {
+std::vector<std::string> list_names(const command::Variables& variables) {
   std::vector<std::string> names;
   for (const command::Variable* variable : variables.all()) names.push_back(variable->name);
   return names;
@@ -22,110 +32,178 @@ std::vector<std::string> names_of(const command::Variables& variables) {
 
 }  // namespace
 
-HostVariables::HostVariables(command::Variables& variables)
-    : variables_(&variables),
-      render_(variables),
-      client_(variables),
-      input_(variables),
-      console_(variables),
-      server_(variables) {
-  const platform::WindowSettings window;
-  width_ = variables.add_int("vid_width", window.size.width, 1, 16384, "Width of the window, pixels.");
-  height_ = variables.add_int("vid_height", window.size.height, 1, 16384, "Height of the window, pixels.");
-  mode_ = variables.add_choice("vid_mode", kModes,
-                               "A window, all of the desktop, or a mode of the display's own.");
-  display_ = variables.add_int("vid_display", 0, 0, 63, "Which display, counted from 0.");
-  vsync_ = variables.add_bool("vid_vsync", window.vsync, "Waits for the display, where that is offered.");
-  color_ =
-      variables.add_choice("vid_color", kColors, "True color, or the 256 colors of the original's palette.");
-  scale_ = variables.add_float("vid_render_scale", 1, AutomaticScale::kSmallest, 1,
-                               "Part of the window's width and height that is drawn, and scaled up.");
-  automatic_scale_ = variables.add_bool("vid_render_scale_auto", false,
-                                        "Draws less where vid_target_fps would not be held.");
-  target_fps_ = variables.add_float("vid_target_fps", 60, 10, 1000,
-                                    "Frames a second that the automatic render scale is to hold.");
-  max_fps_ = variables.add_float("host_maxfps", 0, 0, 10000,
-                                 "Frames a second at most; 0: as many as the display shows.");
-  gamma_ = variables.add_float("gamma", 1, 0.3, 2, "Below 1 dark places are brighter.");
-  contrast_ = variables.add_float("contrast", 1, 0.5, 2, "Factor of all brightness.");
-  brightness_ = variables.add_float("brightness", 0, -0.5, 0.5, "Added to all brightness; 1 would be white.");
-  fov_ = variables.add_float("fov", 90, 10, 170, "Field of view, degrees across a picture of 4:3.");
-  zoom_fov_ = variables.add_float("zoom_fov", 30, 10, 170, "Field of view while +zoom is held.");
-  zoom_speed_ = variables.add_float("zoom_speed", 8, 0.1, 1000, "How fast the view narrows.");
-  name_ = variables.add_text("name", "player", "What other players see.");
-  shirt_ = variables.add_int("topcolor", 0, 0, 13, "Color of the shirt.");
-  pants_ = variables.add_int("bottomcolor", 0, 0, 13, "Color of the trousers.");
-  rumble_ =
-      variables.add_float("joy_rumble", 1, 0, 1, "How strongly the gamepad shakes when the player is hurt.");
-  max_players_ = variables.add_int("maxplayers", 1, 1, 16, "Players in the next game that begins here.");
-  port_ = variables.add_int("port", 26000, 0, 65535, "UDP port of games that others may join; 0: any.");
-  parallel_ = variables.add_bool(
-      "host_parallel", true,
-      "The game goes on beside the drawing of the picture, on another core, where frames leave "
-      "no time to wait.");
-  show_speed_ = variables.add_bool("scr_showfps", false, "Shows frames a second.");
-  show_latency_ =
-      variables.add_bool("scr_showlatency", false, "Shows how long input takes to the presented frame.");
+struct HostVariables::Registered {
+  explicit Registered(command::Variables& variables);
 
+  RenderSettings render;
+  client::ClientVariables client;
+  client::InputVariables input;
+  client::ConsoleVariables console;
+  server::ServerVariables server;
+  command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
+      max_fps, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble, parallel,
+      show_speed, show_latency, max_players, port;
+  std::vector<std::string> saved;  // the names of the player's own variables
+};
+
+HostVariables::Registered::Registered(command::Variables& variables)
+    : render(variables), client(variables), input(variables), console(variables), server(variables) {
+  const platform::WindowSettings defaults;
+  width = variables.add_int("vid_width", defaults.size.width, 1, 16384, "Width of the window, in pixels.");
+  height =
+      variables.add_int("vid_height", defaults.size.height, 1, 16384, "Height of the window, in pixels.");
+  mode = variables.add_choice("vid_mode", kModes,
+                              "Display mode: a window, borderless at the desktop's size, or full screen.");
+  display = variables.add_int("vid_display", 0, 0, 63, "Display for the game; 0: the first one.");
+  vsync = variables.add_bool("vid_vsync", defaults.vsync, "Synchronizes frames with the display.");
+  color = variables.add_choice(
+      "vid_color", kColors,
+      "Color mode: true color (rgb), or the 256 colors of the game's palette (indexed).");
+  scale = variables.add_float(
+      "vid_render_scale", 1, AutomaticScale::kMinScale, 1,
+      "Resolution scale: the part of the window's width and height that is drawn, then scaled up.");
+  automatic_scale = variables.add_bool("vid_render_scale_auto", false,
+                                       "Dynamic resolution: lowers the resolution to hold vid_target_fps.");
+  target_fps =
+      variables.add_float("vid_target_fps", 60, 10, 1000, "Target frame rate of the dynamic resolution.");
+  max_fps =
+      variables.add_float("host_maxfps", 0, 0, 10000, "Maximum frame rate; 0: the display's refresh rate.");
+  gamma = variables.add_float("gamma", 1, 0.3, 2, "Gamma; below 1 brightens dark areas.");
+  contrast = variables.add_float("contrast", 1, 0.5, 2, "Contrast: multiplies each color.");
+  brightness =
+      variables.add_float("brightness", 0, -0.5, 0.5, "Brightness, added to each color; 1 would be white.");
+  fov = variables.add_float("fov", 90, 10, 170, "Horizontal field of view in degrees, for a 4:3 picture.");
+  zoom_fov = variables.add_float("zoom_fov", 30, 10, 170, "Field of view while +zoom is held, in degrees.");
+  zoom_speed =
+      variables.add_float("zoom_speed", 8, 0.1, 1000, "Zoom speed; 1: a full zoom takes one second.");
+  name = variables.add_text("name", "player", "Your name, as other players see it.");
+  shirt = variables.add_int("topcolor", 0, 0, 13, "Shirt color.");
+  pants = variables.add_int("bottomcolor", 0, 0, 13, "Pants color.");
+  rumble =
+      variables.add_float("joy_rumble", 1, 0, 1, "Strength of gamepad rumble when you are hurt; 0: off.");
+  max_players =
+      variables.add_int("maxplayers", 1, 1, 16, "Maximum number of players in the next game that you start.");
+  port = variables.add_int("port", 26000, 0, 65535,
+                           "UDP port for games that others may join; 0: any free port.");
+  parallel = variables.add_bool(
+      "host_parallel", true,
+      "Multithreaded game logic: runs the game on another core while a frame is drawn, if there is no "
+      "time to spare.");
+  show_speed = variables.add_bool("scr_showfps", false, "Shows the frame rate.");
+  show_latency = variables.add_bool("scr_showlatency", false, "Shows input-to-screen latency.");
+
+  // Everything is saved except the server's rules, the debug view and the number of players of the next game.
+  // A second table that holds only the server's variables supplies the names of the rules.
   command::Variables rules;
-  const server::ServerVariables of_servers(rules);
-  const std::vector<std::string> not_kept = names_of(rules);
-  for (std::string& name : names_of(variables))
-    if (std::find(not_kept.begin(), not_kept.end(), name) == not_kept.end() && name != "r_show" &&
-        name != "maxplayers")
-      kept_.push_back(std::move(name));
+  const server::ServerVariables server_rules(rules);
+  const std::vector<std::string> not_saved = list_names(rules);
+  for (std::string& variable : list_names(variables))
+    if (std::find(not_saved.begin(), not_saved.end(), variable) == not_saved.end() && variable != "r_show" &&
+        variable != "maxplayers")
+      saved.push_back(std::move(variable));
+}
+
+HostVariables::HostVariables(command::Variables& variables)
+    : variables_(&variables), registered_(std::make_unique<const Registered>(variables)) {}
+
+HostVariables::~HostVariables() = default;
+
+const server::ServerVariables& HostVariables::server() const {
+  return registered_->server;
+}
+
+render::Settings HostVariables::render() const {
+  return registered_->render.read(*variables_);
+}
+
+client::PresentationSettings HostVariables::presentation() const {
+  return registered_->client.read(*variables_);
+}
+
+client::InputSettings HostVariables::input() const {
+  return registered_->input.read(*variables_);
+}
+
+client::ConsoleSettings HostVariables::console() const {
+  return registered_->console.read(*variables_);
+}
+
+float HostVariables::rumble() const {
+  return static_cast<float>(variables_->float_value(registered_->rumble));
+}
+
+std::uint32_t HostVariables::max_players() const {
+  return static_cast<std::uint32_t>(variables_->int_value(registered_->max_players));
+}
+
+std::uint16_t HostVariables::port() const {
+  return static_cast<std::uint16_t>(variables_->int_value(registered_->port));
+}
+
+bool HostVariables::is_parallel() const {
+  return variables_->bool_value(registered_->parallel);
+}
+
+bool HostVariables::shows_speed() const {
+  return variables_->bool_value(registered_->show_speed);
+}
+
+bool HostVariables::shows_latency() const {
+  return variables_->bool_value(registered_->show_latency);
 }
 
 platform::WindowSettings HostVariables::window() const {
-  return {.size = {static_cast<int>(variables_->int_value(width_)),
-                   static_cast<int>(variables_->int_value(height_))},
-          .mode = static_cast<platform::WindowMode>(variables_->choice_value(mode_)),
-          .display = static_cast<int>(variables_->int_value(display_)),
-          .vsync = variables_->bool_value(vsync_)};
+  return {.size = {static_cast<int>(variables_->int_value(registered_->width)),
+                   static_cast<int>(variables_->int_value(registered_->height))},
+          .mode = static_cast<platform::WindowMode>(variables_->choice_value(registered_->mode)),
+          .display = static_cast<int>(variables_->int_value(registered_->display)),
+          .vsync = variables_->bool_value(registered_->vsync)};
 }
 
 ScreenSettings HostVariables::screen() const {
   const auto number = [&](command::VariableIndex index) {
     return static_cast<float>(variables_->float_value(index));
   };
-  return {.format = variables_->choice_value(color_) == 0 ? render::PixelFormat::kRgb
-                                                          : render::PixelFormat::kIndexed,
-          .scale = number(scale_),
-          .automatic_scale = variables_->bool_value(automatic_scale_),
-          .target_s = 1 / variables_->float_value(target_fps_),
-          .tone = {number(gamma_), number(contrast_), number(brightness_)}};
+  return {
+      .format = variables_->choice_value(registered_->color) == 0 ? render::PixelFormat::kRgb
+                                                                  : render::PixelFormat::kIndexed,
+      .scale = number(registered_->scale),
+      .automatic_scale = variables_->bool_value(registered_->automatic_scale),
+      .target_s = 1 / variables_->float_value(registered_->target_fps),
+      .tone = {number(registered_->gamma), number(registered_->contrast), number(registered_->brightness)}};
 }
 
 ZoomSettings HostVariables::zoom() const {
   const auto number = [&](command::VariableIndex index) {
     return static_cast<float>(variables_->float_value(index));
   };
-  return {number(fov_), number(zoom_fov_), number(zoom_speed_)};
+  return {number(registered_->fov), number(registered_->zoom_fov), number(registered_->zoom_speed)};
 }
 
 client::PlayerSettings HostVariables::player() const {
-  return {.name = variables_->text_value(name_),
-          .shirt = static_cast<std::uint8_t>(variables_->int_value(shirt_)),
-          .pants = static_cast<std::uint8_t>(variables_->int_value(pants_))};
+  return {.name = variables_->text_value(registered_->name),
+          .shirt = static_cast<std::uint8_t>(variables_->int_value(registered_->shirt)),
+          .pants = static_cast<std::uint8_t>(variables_->int_value(registered_->pants))};
 }
 
 double HostVariables::frames_per_second() const {
-  return variables_->float_value(max_fps_);
+  return variables_->float_value(registered_->max_fps);
 }
 
 void HostVariables::reset() const {
-  for (const std::string& name : names_of(*variables_)) {
+  for (const std::string& name : list_names(*variables_)) {
     const base::Status set = variables_->reset(name);
-    CHECK(set.ok(), "a default fits");
+    CHECK(set.ok(), "a default value is valid");
   }
 }
 
 std::string HostVariables::to_text(const Overrides& overrides) const {
   std::string text;
-  for (const std::string& name : kept_) {
+  for (const std::string& name : registered_->saved) {
     const command::Variable& variable = *variables_->find(name);
-    const std::string& own = overrides.own_text(variable);
-    if (own != variable.default_text) text += fmt::format("{}\n", command::join_words({variable.name, own}));
+    const std::string& value = overrides.own_text(variable);
+    if (value != variable.default_text)
+      text += fmt::format("{}\n", command::join_words({variable.name, value}));
   }
   return text;
 }

@@ -1,66 +1,84 @@
-// All console variables of a game: the renderer's, the client's, the server's and the host's own.
+// All console variables of a game: those of the renderer, the client, the server, and the host itself.
+//
+// The variables are in a command::Variables table, which the console reads and writes by name. The functions
+// here convert groups of them to the settings structs of the engine's parts, which know no variables:
+//
+//   console, *.cfg, command line -> command::Variables -> HostVariables -> render::Settings, ...
+//
+// Each part registers its own variables (client/*_variables.h, server/server_variables.h,
+// video/render_settings.h). Those of the window, the view and the player are registered here.
 #pragma once
 
-#include "client/console/console_variables.h"
-#include "client/input/input_variables.h"
-#include "client/session/connection.h"
-#include "client/view/client_variables.h"
+#include <cstdint>
+#include <memory>
+#include <string>
+
 #include "command/variables.h"
-#include "host/session/overrides.h"
-#include "host/video/render_settings.h"
-#include "host/video/screen.h"
-#include "platform/window.h"
-#include "server/server_variables.h"
+
+namespace temblor::render {
+struct Settings;
+}
+namespace temblor::client {
+struct ConsoleSettings;
+struct InputSettings;
+struct PlayerSettings;
+struct PresentationSettings;
+}  // namespace temblor::client
+namespace temblor::platform {
+struct WindowSettings;
+}
+namespace temblor::server {
+class ServerVariables;
+}
 
 namespace temblor::host {
 
+class Overrides;
+struct ScreenSettings;
+
 struct ZoomSettings {
-  float fov_deg = 90, zoom_fov_deg = 30;
-  float speed = 8;  // of the way a second
+  float fov_deg = 90, zoom_fov_deg = 30;  // without and with +zoom
+  float speed = 8;                        // full zooms per second
 };
 
 class HostVariables {
  public:
-  // Registers them all; `variables` must outlive it.
+  // Registers all variables. `variables` must outlive this object.
   explicit HostVariables(command::Variables& variables);
+  ~HostVariables();
 
   command::Variables& variables() const { return *variables_; }
-  const server::ServerVariables& server() const { return server_; }
+  // The server gets the variables themselves instead of a copy, because the game's code may set them.
+  const server::ServerVariables& server() const;
 
-  render::Settings render() const { return render_.read(*variables_); }
-  client::PresentationSettings presentation() const { return client_.read(*variables_); }
-  client::InputSettings input() const { return input_.read(*variables_); }
+  // The current values. Each call reads the table: copy them before other threads may set variables.
+  render::Settings render() const;
+  client::PresentationSettings presentation() const;
+  client::InputSettings input() const;
+  client::ConsoleSettings console() const;
+  client::PlayerSettings player() const;
   platform::WindowSettings window() const;
   ScreenSettings screen() const;
   ZoomSettings zoom() const;
-  client::PlayerSettings player() const;
-  client::ConsoleSettings console() const { return console_.read(*variables_); }
-  float rumble() const { return static_cast<float>(variables_->float_value(rumble_)); }
-  double frames_per_second() const;  // 0: as the display
-  std::uint32_t max_players() const {
-    return static_cast<std::uint32_t>(variables_->int_value(max_players_));
-  }
-  std::uint16_t port() const { return static_cast<std::uint16_t>(variables_->int_value(port_)); }
-  bool is_parallel() const { return variables_->bool_value(parallel_); }
-  bool shows_speed() const { return variables_->bool_value(show_speed_); }
-  bool shows_latency() const { return variables_->bool_value(show_latency_); }
+  float rumble() const;               // strength, 0 to 1
+  double frames_per_second() const;   // maximum frame rate; 0: the display's refresh rate
+  std::uint32_t max_players() const;  // of the next game that is started on this machine; 1: single player
+  std::uint16_t port() const;         // UDP port of games that others may join; 0: any free port
+  bool is_parallel() const;           // server ticks may run in parallel with drawing
+  bool shows_speed() const;
+  bool shows_latency() const;
 
-  // Everything as it was registered.
+  // Sets all variables to their defaults.
   void reset() const;
-  // Text that sets what is not at its default and belongs to the player, not to a server's rules.
+  // Returns console commands, one per line, that set the player's own variables that differ from their
+  // defaults. A variable that the command line overrides appears with the player's own value. Variables of
+  // the server are not included.
   std::string to_text(const Overrides& overrides) const;
 
  private:
+  struct Registered;
   command::Variables* variables_;
-  RenderSettings render_;
-  client::ClientVariables client_;
-  client::InputVariables input_;
-  client::ConsoleVariables console_;
-  server::ServerVariables server_;
-  command::VariableIndex width_, height_, mode_, display_, vsync_, color_, scale_, automatic_scale_,
-      target_fps_, max_fps_, gamma_, contrast_, brightness_, fov_, zoom_fov_, zoom_speed_, name_, shirt_,
-      pants_, rumble_, parallel_, show_speed_, show_latency_, max_players_, port_;
-  std::vector<std::string> kept_;  // names of the player's own
+  std::unique_ptr<const Registered> registered_;
 };
 
 }  // namespace temblor::host

@@ -1,4 +1,7 @@
-// What the host needs from the outside world; the program gives it the real things, tests others.
+// The services that the host needs from the operating system: window, network, sound, files, terminal.
+//
+// The program passes in the real ones. Tests pass in fakes: a window without a display, a loopback network,
+// and a clock that they advance themselves. The host reads time only from the window (Window::now_s()).
 #pragma once
 
 #include <cstdint>
@@ -17,22 +20,24 @@
 
 namespace temblor::host {
 
-inline constexpr std::uint16_t kStockPort = 26000;  // UDP; where servers listen unless told
+inline constexpr std::uint16_t kDefaultPort = 26000;  // UDP; the stock game's
 
+// All functions are called on the thread of the host's frames, except for write_file: a server tick that runs
+// on the worker thread may save a game.
 struct Services {
   platform::Window& window;
-  // A UDP socket; 0: any port that is free. Null: there is no network.
+  // Opens a UDP socket; port 0: any free one. Null: there is no network.
   std::function<base::Result<std::unique_ptr<platform::DatagramSocket>>(std::uint16_t port)> open_socket{};
-  // "HOST" or "HOST:PORT" to an address; null where there is no network.
+  // Resolves "HOST" or "HOST:PORT". Null: there is no network.
   std::function<base::Result<platform::Address>(std::string_view host, std::uint16_t default_port)> look_up{};
-  // Null: silence.
+  // Null: no sound.
   std::function<base::Result<std::unique_ptr<platform::AudioDevice>>(platform::AudioFill fill)> open_audio{};
-  // Replaces a file whole, or leaves the old one.
+  // Replaces a file as a whole, or leaves the old one.
   std::function<base::Status(const std::filesystem::path& file, base::Bytes bytes)> write_file;
-  // A line for the terminal.
+  // Prints a line, without a newline at its end, to the terminal.
   std::function<void(std::string_view line)> print_line;
-  std::uint64_t seed = 1;  // of the games' dice
-  net::Secret secret{};
+  std::uint64_t seed = 1;  // of the game's random numbers
+  net::Secret secret{};    // for the server's handshake (net/transport/admission)
 };
 
 }  // namespace temblor::host

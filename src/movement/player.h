@@ -1,17 +1,21 @@
-// What a player's wishes and the water around him do to his velocity in one tick: on a server before the
-// program is asked, and in a client's prediction, which asks none.
+// What a player's wishes and the water around it do to its velocity in one tick.
+// A server calls this before game code runs. A client that predicts its own moves calls it without any game
+// code. Both must get the same numbers, so this folder depends on nothing but math, world and base.
+//    Command --> apply_wishes() --> velocity --> walk() or slide() --> new origin
+//               (this header)                   (walk.h, slide.h)
 #pragma once
 
 #include "base/function_ref.h"
+#include "movement/player/velocity.h"
 #include "movement/slide.h"
-#include "movement/velocity.h"
 #include "world/level.h"
 
 namespace temblor::movement {
 
-// The box of every player of stock programs, and where his eyes are.
+// The box of every player of stock game code, around its origin.
 constexpr math::Vec3 kPlayerMins{-16, -16, -24}, kPlayerMaxs{16, 16, 32};
 
+// How an entity moves, as far as its player's wishes matter.
 enum class MoveMode : std::uint8_t { kStill, kWalk, kFly, kNoClip, kThrown };
 
 struct Player {
@@ -19,41 +23,46 @@ struct Player {
   float mins_z = kPlayerMins.z;
   MoveMode move_mode = MoveMode::kWalk;
   bool is_alive = true;
-  bool is_turned_by_game = false;  // his model does not follow the view (fixangle)
-  math::Vec3 angles_deg{0.0f};     // of his model; the directions of wishes on foot are its own
-  math::Vec3 punch_deg{0.0f};      // of the view, by shots
-  int water_level = 0;             // 0 to 3, see water_around()
+  bool is_turned_by_game = false;  // the model does not follow the view in this tick (fixangle)
+  math::Vec3 angles_deg{0.0f};     // of the model; wishes on foot go along its axes
+  math::Vec3 punch_deg{0.0f};      // how far shots have kicked the view
+  int water_level = 0;             // 0 to 3, see Water
   bool is_jumping_out_of_water = false;
-  math::Vec3 water_jump_velocity{0.0f};  // along x and y, meanwhile
-  // Until then (teleport_time) a jump out of water lasts, and nobody walks backwards. Negative: since then.
+  math::Vec3 water_jump_velocity{0.0f};  // along x and y, during that jump
+  // Seconds until the entity's teleport_time. Until then a jump out of water lasts, and the player cannot
+  // walk backward. Negative once it has passed.
   double teleport_time_s = 0;
 };
 
-// Where he looks, and where he wishes to go.
+// A player's input for one tick.
 struct Command {
   math::Vec3 view_angles_deg{0.0f};
   Wish wish{};
 };
 
-// Velocity, angles and punch of one tick of a player that is not kStill; a jump out of water that is over
-// ends. `is_edge` is asked whether nothing is between the ends of a probe.
-void apply_wishes(Player& io_player, const Command& command, const Settings& settings, float tick_s,
-                  base::FunctionRef<bool(const EdgeProbe&)> is_edge);
+// Updates velocity, angles and punch for one tick of a player who is not kStill, and ends a jump out of water
+// that is over. `is_edge` returns whether nothing is between the ends of a probe.
+void apply_wishes(Player& io_player, const Command& command, const math::PhysicsSettings& settings,
+                  float tick_s, base::FunctionRef<bool(const EdgeProbe&)> is_edge);
 
-// 1: feet, 2: middle, 3: eyes; he swims at 2 and above. `at_feet` is kEmpty at level 0.
-struct WaterAround {
-  int level = 0;
-  world::Contents at_feet = world::Contents::kEmpty;
+// How deep a player is in a liquid.
+struct Water {
+  int level = 0;                                      // 0: dry, 1: feet, 2: waist, 3: eyes
+  world::Contents at_feet = world::Contents::kEmpty;  // kEmpty at level 0
 };
+// A player swims at this level and above.
 constexpr int kSwimmingLevel = 2;
-// All that is neither air nor rock, the sky, too, as in the original.
+// Everything that is neither air nor rock; as in the original, that includes the sky.
 constexpr bool is_liquid(world::Contents contents) {
   return contents <= world::Contents::kWater;
 }
+// Heights over the player's origin.
 struct PlayerHeights {
   float mins = kPlayerMins.z, maxs = kPlayerMaxs.z, eyes = 22;
 };
-WaterAround water_around(const math::Vec3& origin, const PlayerHeights& heights,
-                         base::FunctionRef<world::Contents(const math::Vec3&)> contents_at);
+// Probes three heights: one unit above the feet, the middle of the box, and the eyes. `contents_at` returns
+// the level's contents at a point.
+Water find_water(const math::Vec3& origin, const PlayerHeights& heights,
+                 base::FunctionRef<world::Contents(const math::Vec3&)> contents_at);
 
 }  // namespace temblor::movement

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <span>
 
-#include "movement/settings.h"
-
 namespace temblor::movement {
 namespace {
 
-constexpr int kBumps = 4;
+constexpr int kBumps = 4;  // obstacles in one slide
 constexpr std::size_t kMaxPlanes = 5;
-constexpr float kStopSpeed = 0.1f;
+constexpr float kStopSpeed = 0.1f;  // slower components become 0
 
+// Classifies a contact by its plane's normal: floor, wall, or a slope in between, which is neither. A body is
+// on the ground only on brush models: the head of a monster does not count.
 void note_contact(const Contact& contact, Body& io_body, Slide& io_slide) {
   const float up = contact.trace.plane_normal.z;
   if (up > kFloorNormal) {
@@ -28,8 +28,9 @@ void note_contact(const Contact& contact, Body& io_body, Slide& io_slide) {
   }
 }
 
-// The velocity along one of the planes that goes into none of the others; nothing where there is none.
-std::optional<math::Vec3> along_one(const math::Vec3& velocity, std::span<const math::Vec3> normals) {
+// The velocity clipped to one of the planes such that it goes into none of the others. Empty: there is no
+// such plane, and the body is in a crease or a corner.
+std::optional<math::Vec3> clip_along_one(const math::Vec3& velocity, std::span<const math::Vec3> normals) {
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const math::Vec3 clipped = clip_velocity(velocity, normals[i], 1);
     bool is_free = true;
@@ -49,10 +50,13 @@ math::Vec3 clip_velocity(const math::Vec3& velocity, const math::Vec3& normal, f
   return clipped;
 }
 
+// Invariant: `normals` are the planes met at the body's current place, and `velocity` is what it had when it
+// got there. Each clip starts from that velocity, so that the order of contacts at one place does not matter
+// as long as one plane suffices.
 base::Result<Slide> slide(Body& io_body, float duration_s, Environment& io_environment) {
   Slide result;
   const math::Vec3 first_velocity = io_body.velocity;
-  math::Vec3 velocity = io_body.velocity;  // before it was clipped by the planes at this place
+  math::Vec3 velocity = io_body.velocity;  // before the planes at this place clipped it
   std::array<math::Vec3, kMaxPlanes> normals;
   std::size_t planes = 0;
   float time_left_s = duration_s;
@@ -81,14 +85,14 @@ base::Result<Slide> slide(Body& io_body, float duration_s, Environment& io_envir
 
     if (planes == kMaxPlanes) return stop_dead();
     normals[planes++] = contact.trace.plane_normal;
-    if (const auto clipped = along_one(velocity, std::span(normals).first(planes))) {
+    if (const auto clipped = clip_along_one(velocity, std::span(normals).first(planes))) {
       io_body.velocity = *clipped;
     } else {
       if (planes != 2) return stop_dead();
       const math::Vec3 crease = glm::cross(normals[0], normals[1]);
       io_body.velocity = crease * glm::dot(crease, io_body.velocity);
     }
-    // Turned back in a corner: it would tremble there.
+    // A corner has turned the body back. It would jitter there.
     if (glm::dot(io_body.velocity, first_velocity) <= 0) {
       io_body.velocity = math::Vec3(0.0f);
       break;

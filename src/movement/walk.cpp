@@ -3,16 +3,15 @@
 #include <array>
 #include <cmath>
 
-#include "movement/settings.h"
-
 namespace temblor::movement {
 namespace {
 
-// Nearer than this along both axes: it has not moved.
-constexpr float kUnmoved = 1.0f / 32;
+constexpr float kUnmoved = 1.0f / 32;  // a body that gets less far along both axes has not moved
 constexpr float kUnstickTime_s = 0.1f;
 constexpr float kUnstuckDistance = 4;
 
+// A player who looks straight at a wall is slowed down along it. The slowdown starts where view and wall
+// normal are 120 degrees apart (a cosine of -0.5), and reaches half of the speed where they are opposite.
 void slow_along_wall(const math::Vec3& normal, const math::Vec3& view_forward, Body& io_body) {
   const float facing = glm::dot(normal, view_forward) + 0.5f;
   if (facing >= 0) return;
@@ -21,11 +20,13 @@ void slow_along_wall(const math::Vec3& normal, const math::Vec3& view_forward, B
   io_body.velocity.y = along.y * (1 + facing);
 }
 
+// Along x or y only: a body that merely rose or fell has not got anywhere.
 bool is_farther(const math::Vec3& a, const math::Vec3& b, float distance) {
   return std::abs(a.x - b.x) > distance || std::abs(a.y - b.y) > distance;
 }
 
-// Caught on something while climbing (rounding can do that): a little to the side may be a way on.
+// Rounding can leave a climbing body stuck on something. Nudges it by two units in each of eight directions,
+// and takes the first from which it gets on. If there is none, the body stops.
 base::Result<Slide> try_sideways(const math::Vec3& velocity, Body& io_body, Environment& io_environment) {
   constexpr std::array<math::Vec3, 8> kWays = {
       {{2, 0, 0}, {0, 2, 0}, {-2, 0, 0}, {0, -2, 0}, {2, 2, 0}, {-2, 2, 0}, {2, -2, 0}, {-2, -2, 0}}};
@@ -34,8 +35,8 @@ base::Result<Slide> try_sideways(const math::Vec3& velocity, Body& io_body, Envi
     TRY(const Push aside, push(io_body, way, io_environment));
     if (aside.is_gone) return Slide{.is_gone = true};
     io_body.velocity = {velocity.x, velocity.y, 0};
-    TRY(const Slide on, slide(io_body, kUnstickTime_s, io_environment));
-    if (on.is_gone || is_farther(io_body.origin, origin, kUnstuckDistance)) return on;
+    TRY(const Slide across, slide(io_body, kUnstickTime_s, io_environment));
+    if (across.is_gone || is_farther(io_body.origin, origin, kUnstuckDistance)) return across;
     io_body.origin = origin;
   }
   io_body.velocity = math::Vec3(0.0f);
@@ -45,7 +46,8 @@ base::Result<Slide> try_sideways(const math::Vec3& velocity, Body& io_body, Envi
 struct Climb {
   bool reached_floor = false, is_gone = false;
 };
-// Up, on, and down again; from where the body is, with the velocity it has.
+// Moves up, along, and down again, from the body's current place and with its current velocity. The way down
+// also includes the vertical way of that velocity, so that a body that falls still falls.
 base::Result<Climb> climb(float duration_s, const math::Vec3& view_forward, Body& io_body,
                           Environment& io_environment) {
   constexpr Climb kGone{.is_gone = true};
@@ -53,12 +55,13 @@ base::Result<Climb> climb(float duration_s, const math::Vec3& view_forward, Body
   TRY(const Push up, push(io_body, {0, 0, kStepHeight}, io_environment));
   if (up.is_gone) return kGone;
   io_body.velocity = {velocity.x, velocity.y, 0};
-  TRY(Slide on, slide(io_body, duration_s, io_environment));
-  if (!on.is_gone && (on.met_floor || on.met_wall) && !is_farther(io_body.origin, origin, kUnmoved)) {
-    TRY(on, try_sideways(velocity, io_body, io_environment));
+  TRY(Slide across, slide(io_body, duration_s, io_environment));
+  if (!across.is_gone && (across.met_floor || across.met_wall) &&
+      !is_farther(io_body.origin, origin, kUnmoved)) {
+    TRY(across, try_sideways(velocity, io_body, io_environment));
   }
-  if (on.is_gone) return kGone;
-  if (on.wall) slow_along_wall(on.wall->plane_normal, view_forward, io_body);
+  if (across.is_gone) return kGone;
+  if (across.wall) slow_along_wall(across.wall->plane_normal, view_forward, io_body);
   TRY(const Push down, push(io_body, {0, 0, -kStepHeight + velocity.z * duration_s}, io_environment));
   return Climb{down.contact.trace.plane_normal.z > kFloorNormal, down.is_gone};
 }

@@ -1,20 +1,29 @@
-// A player's way over a floor with stairs.
+// Moves a walking body over a floor with steps.
+//
+// The body first slides (slide.h). If a wall stops it, it tries the same way from 18 units higher, and is
+// then put down again:
+//
+//      up  +-->  across
+//      |          |  down        The result counts only if it ends on a floor. Else the plain slide counts.
+//   ---+   ####___v___
 #pragma once
 
 #include "movement/slide.h"
 
 namespace temblor::movement {
 
+// Units that a walking body climbs in one tick.
+constexpr float kStepHeight = 18;
+
 class WalkEnvironment : public Environment {
  public:
-  // Asked when the body has slid against a wall: whether it may try to climb over it.
+  // Whether the body, which has just slid into a wall, may try to climb it.
   virtual bool may_climb(bool was_on_ground) = 0;
 };
 
-// Slides; where that met a wall, tries the same 18 units higher and comes down again (and by what it falls),
-// and keeps that way if it ends on a floor. A step does not set on_ground by itself; the slide before it did.
-// `view_forward` is a unit vector: who looks straight at a wall is slowed down along it. false: the body was
-// removed by what it touched.
+// `view_forward` is a unit vector: a player who looks straight at a wall is slowed down along it. Climbing
+// does not set on_ground; the slide before it did. false: something that the body touched removed it. Fails
+// if a touch does.
 base::Result<bool> walk(Body& io_body, float duration_s, const math::Vec3& view_forward,
                         WalkEnvironment& io_environment);
 

@@ -11,13 +11,15 @@
 namespace temblor::platform {
 namespace {
 
+// The prefix of IPv4-mapped addresses (RFC 4291, section 2.5.5.2).
 constexpr std::array<std::uint8_t, 12> kIp4Prefix = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff};
 
 base::Result<std::uint16_t> parse_port(std::string_view text) {
   std::uint16_t port = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
   if (error == std::errc{} && end == text.data() + text.size() && port != 0) return port;
-  return base::error(base::ErrorCode::kUsage, "port '{}' is no number from 1 to 65535", base::quotable(text));
+  return base::error(base::ErrorCode::kUsage, "port '{}' is not a number from 1 to 65535",
+                     base::quotable(text));
 }
 
 }  // namespace
@@ -56,11 +58,12 @@ base::Result<HostAndPort> split_host_and_port(std::string_view text) {
     const std::size_t end = text.find(']');
     const std::string_view rest = end == std::string_view::npos ? text : text.substr(end + 1);
     if (!rest.empty() && !rest.starts_with(':'))
-      return base::error(base::ErrorCode::kUsage, "'{}' is no [HOST]:PORT", base::quotable(text));
+      return base::error(base::ErrorCode::kUsage, "'{}' is not of the form [HOST]:PORT",
+                         base::quotable(text));
     host = text.substr(1, end - 1);
     has_port = !rest.empty();
     if (has_port) port = rest.substr(1);
-  } else if (std::count(text.begin(), text.end(), ':') == 1) {
+  } else if (std::count(text.begin(), text.end(), ':') == 1) {  // more colons: an IPv6 host without a port
     const std::size_t colon = text.find(':');
     host = text.substr(0, colon);
     port = text.substr(colon + 1);
@@ -76,6 +79,7 @@ base::Result<HostAndPort> split_host_and_port(std::string_view text) {
 }
 
 std::optional<Address> parse_host(std::string_view text, std::uint16_t port) {
+  // inet_pton() needs a terminated string, which an embedded zero would cut short.
   const std::string host(text);
   if (host.find('\0') != std::string::npos) return std::nullopt;
   if (std::array<std::uint8_t, 4> ip4{}; inet_pton(AF_INET, host.c_str(), ip4.data()) == 1)

@@ -1,4 +1,11 @@
-// Where a peer is: host and port.
+// The network address of a peer: host and port, as a value that can be compared, sorted and printed.
+//
+// IPv4 hosts are stored in their IPv6 form, so that the rest of the engine handles one kind of address:
+//
+//   byte  0 ... 9   10 11   12 13 14 15
+//         0         ff ff    a  b  c  d      IPv4 a.b.c.d
+//         0         0  0     0  0  0  0      a peer in this process, over a loopback
+//         anything else                      IPv6
 #pragma once
 
 #include <array>
@@ -12,38 +19,39 @@
 
 namespace temblor::platform {
 
-// A value. IPv4 hosts are held as IPv6 has them (::ffff:a.b.c.d), so that one peer has one address whatever
-// socket it came through, and prefixes of both kinds are compared alike. A host of zeros only is this
-// process: a peer over a loopback.
 struct Address {
+  // In network byte order. A peer has the same address through an IPv4 and an IPv6 socket.
   std::array<std::uint8_t, 16> host{};
   std::uint16_t port = 0;
-  // IPv6 hosts of one link alone (fe80::): the number of the interface; else 0.
+  // The interface's index, for link-local IPv6 hosts (fe80::); otherwise 0.
   std::uint32_t scope = 0;
 
   auto operator<=>(const Address&) const = default;
 
+  // Whether the host is an IPv4 host in its IPv6 form.
   bool is_ip4() const;
+  // Whether the peer is in this process.
   bool is_local() const { return host == std::array<std::uint8_t, 16>{}; }
+  // Whether both are on one machine; ports may differ.
   bool same_host(const Address& other) const { return host == other.host && scope == other.scope; }
 };
 
 Address ip4_address(std::array<std::uint8_t, 4> host, std::uint16_t port);
 
-// "192.0.2.1", "2001:db8::1", "local".
+// The host alone: "192.0.2.1", "2001:db8::1", "local".
 std::string host_text(const Address& address);
-// "192.0.2.1:26000", "[2001:db8::1]:26000", "local:1".
+// Host and port: "192.0.2.1:26000", "[2001:db8::1]:26000", "local:1".
 std::string to_text(const Address& address);
 
-// "HOST", "HOST:PORT", "[HOST]:PORT" taken apart; an IPv6 host may stand without brackets where no port
-// follows. kUsage with what is wrong for an empty host and a port that is no number from 1 to 65535.
 struct HostAndPort {
   std::string host;
   std::optional<std::uint16_t> port;
 };
+// Splits "HOST", "HOST:PORT" or "[HOST]:PORT". An IPv6 host needs brackets only if a port follows. The host
+// is not looked up. Fails with kUsage if the host is empty or the port is not a number from 1 to 65535.
 base::Result<HostAndPort> split_host_and_port(std::string_view text);
 
-// A host in numbers; nothing for a name.
+// Parses a numeric IPv4 or IPv6 host. Returns nothing for a name.
 std::optional<Address> parse_host(std::string_view text, std::uint16_t port);
 
 }  // namespace temblor::platform

@@ -1,4 +1,5 @@
-// Where mixed sound goes.
+// The interface to a sound device, which pulls mixed sound from a callback. Implementation:
+// platform/sdl2/audio.h.
 #pragma once
 
 #include <functional>
@@ -7,18 +8,21 @@
 
 namespace temblor::platform {
 
-// Fills frames of two channels, left and right in turn, -1 to 1. Called on a thread of the device's own, at
-// even steps; never after the device was destroyed.
+// Fills `samples` with interleaved stereo frames (left, right, left, ...), each sample from -1 to 1. The
+// device calls it on its own thread at regular intervals, so it must not wait for locks or files. It is not
+// called after the device was destroyed.
 using AudioFill = std::function<void(std::span<float> samples)>;
 
 class AudioDevice {
  public:
   virtual ~AudioDevice() = default;
+  // The rate at which the device asks for frames, in Hz.
   virtual int frames_per_second() const = 0;
-  // Frames between what is mixed now and what is heard, about.
+  // The approximate delay from mixing a frame to hearing it.
   virtual int latency_frames() const = 0;
-  // It has gone (unplugged); open another one.
+  // Whether the device is gone, for example unplugged. Destroy it then, and open another one.
   virtual bool is_lost() const = 0;
+  // The driver and format, for a person.
   virtual std::string describe() const = 0;
 };
 

@@ -1,4 +1,5 @@
-// Datagrams out and in: what is sent may arrive once, several times, late or never.
+// The interface to an unreliable datagram socket. A datagram may arrive once, several times, late, out of
+// order, or never; net/transport builds reliable messages on top of it.
 #pragma once
 
 #include <optional>
@@ -10,19 +11,20 @@ namespace temblor::platform {
 
 struct Datagram {
   Address from;
-  base::Bytes bytes;
+  base::Bytes bytes;  // owned by the socket
 };
 
-// Never waits. Implementations: platform/posix/udp_socket.h, net/transport/loopback.h.
+// No function blocks. Implementations: platform/posix/udp_socket.h, net/transport/loopback.h.
 class DatagramSocket {
  public:
   virtual ~DatagramSocket() = default;
 
-  // What the system will not take (no way to that host, its buffers full) is lost, as on the way.
+  // Sends one datagram. If the system refuses it (no route to the host, full buffers), it is lost, like a
+  // datagram that the network drops.
   virtual void send(const Address& to, base::Bytes bytes) = 0;
-  // The next one that has arrived; its bytes are valid until the next call. Nothing when none is waiting.
+  // Returns the next datagram that has arrived, or nothing. Its bytes are valid until the next call.
   virtual std::optional<Datagram> receive() = 0;
-  // The port it receives on; its host may be unknown (zeros) where it receives on all of a machine's.
+  // The port on which the socket receives. The host is zeros if it receives on all interfaces.
   virtual Address local_address() const = 0;
 };
 

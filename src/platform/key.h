@@ -1,4 +1,4 @@
-// Keys, buttons and sticks that commands can be bound to.
+// Keys, mouse buttons, gamepad buttons and stick axes. Commands are bound to them (client/input/bindings.h).
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace temblor::platform {
 
-// Values 33 to 126 are the character that a US keyboard has at the key's place, without Shift: bindings go by
-// where keys are, so that hands find them on every layout. Names are given to the rest.
+// A key's position. Values 33 to 126 are the character that a US keyboard has at that position, without
+// Shift, so that WASD stays in the same place on every layout. The other keys have names here.
 enum class Key : std::uint16_t {
   kNone = 0,
   kTab = 9,
@@ -70,7 +70,7 @@ enum class Key : std::uint16_t {
   kMouse8,
   kWheelUp,
   kWheelDown,
-  // Of a gamepad, by where they are: A is the lower one of the four.
+  // Gamepad buttons by position: A is the lowest of the four face buttons.
   kPadA,
   kPadB,
   kPadX,
@@ -86,12 +86,13 @@ enum class Key : std::uint16_t {
   kPadDown,
   kPadLeft,
   kPadRight,
-  kPadLeftTrigger,  // pulled half way
+  kPadLeftTrigger,  // an analog trigger counts as pressed when it is pulled half way
   kPadRightTrigger,
   kCount
 };
 constexpr std::size_t kKeys = static_cast<std::size_t>(Key::kCount);
 
+// The sticks of a gamepad.
 enum class PadAxis : std::uint8_t { kLeftX, kLeftY, kRightX, kRightY, kCount };
 constexpr std::size_t kPadAxes = static_cast<std::size_t>(PadAxis::kCount);
 

@@ -1,4 +1,9 @@
-// A window that shows finished pictures and tells what the player does.
+// The interface to a window: it shows finished pictures and reports input.
+//
+//   host --present(Picture)--> Window --poll()--> InputEvents --> host
+//
+// The renderer draws into its own memory; the window only copies, scales and presents. Implementations:
+// platform/sdl2/window.h for a display, platform/headless/window.h for tests and machines without one.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +20,23 @@ namespace temblor::platform {
 
 enum class WindowMode { kWindowed, kBorderless, kFullScreen };
 
+// A size in real pixels, unless a comment says otherwise.
 struct PixelSize {
   int width = 0, height = 0;
   bool operator==(const PixelSize&) const = default;
 };
 
 struct WindowSettings {
-  // Windowed: of the inside, in the desktop's units, which are several pixels where it scales; full screen:
-  // of the display's mode.
+  // Windowed: the size of the client area in desktop units, which are more than one pixel on a scaled
+  // desktop. Full screen: the size of the display mode.
   PixelSize size{1280, 720};
   WindowMode mode = WindowMode::kWindowed;
-  int display = 0;    // one that is not there: the first
-  bool vsync = true;  // where the display offers it
+  int display = 0;    // index of the display; the first one if there is no such display
+  bool vsync = true;  // ignored if the display does not support it
   bool operator==(const WindowSettings&) const = default;
 };
 
-// A finished picture: rows of 0xffRRGGBB.
+// A finished picture: rows of 0xffRRGGBB from top to bottom, without padding. Does not own the pixels.
 struct Picture {
   std::span<const std::uint32_t> pixels;
   PixelSize size;
@@ -40,33 +46,38 @@ class Window {
  public:
   virtual ~Window() = default;
 
-  // As near to these as the display allows. Fails where the window could not even be kept as it was.
+  // Changes the window to the closest settings that the display supports. Fails only if the window is lost.
   virtual base::Status apply(const WindowSettings& settings) = 0;
 
-  // Appends what has happened since the last call, in order.
+  // Appends the events since the last call, in order.
   virtual void poll(std::vector<InputEvent>& io_events) = 0;
-  // Seconds since some moment; the clock that events are stamped with.
+  // The clock of the events' times, in seconds from an arbitrary start. It never goes back.
   virtual double now_s() const = 0;
 
-  // Real pixels, however the desktop scales.
+  // The size of the client area in real pixels, regardless of the desktop's scaling.
   virtual PixelSize size() const = 0;
+  // False while the window is minimized: there is no need to draw.
   virtual bool is_visible() const = 0;
-  // Shows the picture on all of the window, scaled where its size is another. Returns when it was handed
-  // over, which with vsync is when the display has taken it. Copying is shared among the jobs.
+  // Shows the picture, stretched over the whole window. With vsync, it returns when the display has accepted
+  // the picture. The jobs share the work of copying.
   virtual base::Status present(const Picture& picture, base::Jobs& jobs) = 0;
 
-  // Hides the pointer and reports how the mouse moves, without the desktop's acceleration and edges.
+  // Hides the pointer and reports relative movement, unaffected by the desktop's acceleration and edges.
   virtual void capture_mouse(bool captured) = 0;
-  // Whether keys are also reported as text.
+  // Turns TextTyped events on or off.
   virtual void take_text(bool wanted) = 0;
+  // Text in UTF-8; empty if there is none.
   virtual std::string clipboard() const = 0;
   virtual void set_clipboard(std::string_view text) = 0;
-  // Both 0 to 1. Nothing without a gamepad that can.
+  // Runs the low-frequency and high-frequency motors of all gamepads, each at 0 to 1. Does nothing if there
+  // is no gamepad with motors.
   virtual void rumble(float low, float high, double seconds) = 0;
 
-  virtual double refresh_rate_hz() const = 0;  // 0: not known
-  // Sizes of full-screen modes of the display it is on, largest first; and how many displays there are.
+  // 0 if it is unknown.
+  virtual double refresh_rate_hz() const = 0;
+  // The full-screen modes of the current display, largest first.
   virtual std::vector<PixelSize> full_screen_sizes() const = 0;
+  // The number of displays.
   virtual int displays() const = 0;
   // How pictures reach the screen, for a person: "x11, shared memory".
   virtual std::string describe() const = 0;

@@ -1,4 +1,5 @@
-// An alias model as it is drawn: made once from the file's, immutable, shared.
+// An alias model (MDL file) in the form in which it is drawn. It is made once from the parsed file, is
+// immutable, and is shared by all renderers and threads. The layout is private (alias/alias_mesh.h).
 #pragma once
 
 #include <array>
@@ -18,21 +19,24 @@ enum class PoseIndex : std::uint32_t {};
 
 struct AliasModel;
 
-// `name` is for messages.
+// CHECKs that the file has a skin with pixels, a frame, and a vertex; the MDL reader guarantees that. `name`
+// is only used in messages.
 std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std::string name);
 
-// What frame number `frame` shows at `time_s`, a group's animation included. A frame that the model lacks is
-// frame 0, as in the original.
+// The pose that frame number `frame` shows at `time_s`. A frame group plays in a loop. A frame number that
+// the model lacks shows frame 0, as in stock Quake.
 PoseIndex pose_at(const AliasModel& model, std::uint32_t frame, double time_s);
-// The skin picture, alike.
+// The skin picture for skin number `skin`, with the same rules for groups and missing numbers.
 std::uint32_t skin_at(const AliasModel& model, std::uint32_t skin, double time_s);
 
-std::uint32_t flags_of(const AliasModel& model);  // formats::MdlFlags
-bool random_phase_of(const AliasModel& model);    // its groups start at a time of their own for each entity
+// formats::MdlFlags: rotation and the kind of trail.
+std::uint32_t find_model_flags(const AliasModel& model);
+// True: each entity starts the model's groups at a random time, so that torches do not flicker in step.
+bool has_random_phase(const AliasModel& model);
 std::uint32_t frame_count(const AliasModel& model);
 std::uint32_t skin_count(const AliasModel& model);
-const std::string& name_of(const AliasModel& model);
-// Of every pose together, in model space.
-const math::Bounds& bounds_of(const AliasModel& model);
+const std::string& model_name(const AliasModel& model);
+// Encloses every pose, in model space.
+const math::Bounds& model_bounds(const AliasModel& model);
 
 }  // namespace temblor::render

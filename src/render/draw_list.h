@@ -1,5 +1,5 @@
-// 2-D drawing over the finished view: pictures and plain rectangles, in order. Text is pictures too: parts of
-// the console's characters.
+// 2-D drawing over the finished view: pictures and filled rectangles, drawn in order, later commands over
+// earlier ones. Text is drawn as pictures too: each character is a part of the console's character picture.
 #pragma once
 
 #include <array>
@@ -11,24 +11,28 @@
 
 namespace temblor::render {
 
-// Pixels of the frame; may lie outside it, in part or whole.
+// In pixels of the frame. It may lie partly or wholly outside the frame; Renderer::draw_overlay clips it.
 struct ScreenRect {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-// Palette index -> palette index.
+// Maps a palette index to the palette index that is drawn, for example to show a player's own colors.
 using ColorTranslation = std::array<std::uint8_t, 256>;
 
 struct DrawCommand {
-  // Part of a picture, each of its pixels a square of `scale` pixels; index 255 is transparent. Null: `area`
-  // is filled with `fill`.
+  // The picture to draw from; not owned, must live until the list is drawn. Each of its pixels covers a
+  // square of `scale` pixels, and pixels of index 255 are transparent. Null: `area` is filled with `fill`.
   const formats::Picture* picture = nullptr;
-  ScreenRect area;                                // `picture` given: width and height are scale x the part's
-  int part_x = 0, part_y = 0;                     // the part's corner in the picture
-  int scale = 1;                                  // whole numbers, so that pictures stay sharp
-  std::uint8_t fill = 0;                          // palette index
-  float opacity = 1;                              // 0 to 1
-  const ColorTranslation* translation = nullptr;  // null: as they are
+  // With a picture, width and height are `scale` times those of the part that is drawn.
+  ScreenRect area;
+  // The upper left corner of the part, in pixels of the picture.
+  int part_x = 0, part_y = 0;
+  // A whole number, at least 1, so that pictures stay sharp.
+  int scale = 1;
+  std::uint8_t fill = 0;  // palette index
+  float opacity = 1;      // 0 to 1
+  // Null: the picture's own colors.
+  const ColorTranslation* translation = nullptr;
 };
 
 struct DrawList {

@@ -1,5 +1,9 @@
-// Marks that shots leave on faces: bullet holes, scorches, splatter. They are composed into the face's
-// surface when it is built, and cost nothing after that (Abrash, "Quake's Lighting Model: Surface Caching").
+// Marks that shots leave on faces: bullet holes, scorches, splatter. They are painted into the face's surface
+// block when the block is built and cost nothing in later frames. Stock Quake has no marks; Abrash mentions
+// splatters and dents composited onto surfaces as an advantage of surface caching ("Graphics Programming
+// Black Book", chapter 69).
+//
+// The client owns one MarkSet per level and passes it with each Scene.
 #pragma once
 
 #include <cstddef>
@@ -18,24 +22,28 @@ enum class MarkKind : std::uint8_t { kBulletHole, kScorch, kSplatter };
 
 struct Mark {
   MarkKind kind{};
-  math::Vec3 position_model{0.0f};  // in the space of the face's model
-  float radius = 4;                 // units, 0.5 to 128
-  std::uint32_t seed = 0;           // its shape and turn
+  // The center, in the space of the face's brush model, so that marks move with doors and lifts.
+  math::Vec3 position_model{0.0f};
+  float radius = 4;  // units, 0.5 to 128
+  // Chooses one of the shapes and the rotation.
+  std::uint32_t seed = 0;
 };
 
-// The marks of one level. At most `kMarksAFace` on a face: then the oldest gives way.
+// The marks of one level, by face.
 class MarkSet {
  public:
-  static constexpr std::size_t kMarksAFace = 16;
+  // A face that has this many marks loses its oldest one when another is added.
+  static constexpr std::size_t kMarksPerFace = 16;
 
-  // Asks the heap for room at the first mark of a face, and never again for that face.
+  // `radius` must be 0.5 to 128 (DCHECKed). Allocates memory for all of a face's marks at its first mark.
   void add(world::FaceIndex face, const Mark& mark);
   void clear();
 
-  // Oldest first.
-  std::span<const Mark> of_face(world::FaceIndex face) const;
-  // A hash of the face's marks, in their order: equal marks have equal revisions, in any set, and different
-  // ones have different revisions but for a chance of 2^-64. 0 when the face has none.
+  // Oldest first. Valid until the next add() or clear().
+  std::span<const Mark> marks_on_face(world::FaceIndex face) const;
+  // A hash of the face's marks, in their order. Equal marks have equal revisions in any set; different marks
+  // have different revisions except with a chance of 2^-64. 0 only for a face without marks. The surface
+  // cache compares revisions to decide whether a block is up to date.
   std::uint64_t revision(world::FaceIndex face) const;
   std::size_t size() const { return size_; }
 

@@ -1,4 +1,7 @@
-// What to draw: everything a frame depends on, given from outside. The renderer keeps nothing of it.
+// Everything that a frame depends on, passed in by the caller. The renderer keeps no reference to it after
+// the frame, so the caller owns all memory that the spans and pointers refer to.
+//
+// Space: world units, x forward, y left, z up at zero angles. Angles are in degrees: pitch, yaw, roll.
 #pragma once
 
 #include <array>
@@ -21,69 +24,87 @@ enum class Projection { kPerspective, kOrthographic };
 struct Camera {
   math::Vec3 origin_world{0.0f};
   math::Vec3 angles_deg{0.0f};  // pitch (down positive), yaw, roll
-  // Horizontal field of view of a 4:3 picture, 10 to 170. Wider pictures see more at the sides, narrower ones
-  // more above and below.
+  // Horizontal field of view of a 4:3 picture, clamped to 10 to 170. Wider pictures show more at the sides,
+  // narrower ones show more above and below.
   float fov_deg = 90;
   Projection projection = Projection::kPerspective;
   float units_per_pixel = 0;  // orthographic only; 0: the level fits the picture
 };
 
-// A door, a lift, a button: one of the level's brush models at a place of its own.
+// A brush model (a door, lift, or button) with a position and rotation of its own.
 struct BrushModelInstance {
   world::ModelIndex model{};
-  math::Vec3 origin_world{0.0f};  // where the model's own origin (0,0,0) has moved to
+  // Where the model's own origin (0, 0, 0) is now. Brush models are compiled in world space, so a mover that
+  // has not moved has 0 here.
+  math::Vec3 origin_world{0.0f};
   math::Vec3 angles_deg{0.0f};
-  int frame = 0;    // not 0: alternate texture animation
+  // Not 0: animated textures show their alternate sequence, as a pressed button does.
+  int frame = 0;
   float alpha = 1;  // 0 to 1
 };
 
+// A player's own colors, which replace the skin's shirt and pants colors.
 struct PlayerColors {
   std::uint8_t shirt = 0, pants = 0;  // rows of the palette, 0 to 15
 };
 
+// An alias model (monster, item, projectile) with a position and an animation state.
 struct AliasInstance {
   const AliasModel* model = nullptr;
   math::Vec3 origin_world{0.0f};
-  math::Vec3 angles_deg{0.0f};  // pitch is positive upwards here, as the game has it for these models
+  // Pitch is positive upward here, unlike everywhere else: game code uses this sign for alias models.
+  math::Vec3 angles_deg{0.0f};
   float scale = 1;
+  // From pose_at(). The drawn pose is from_pose * (1 - blend) + to_pose * blend. Stock Quake does not
+  // interpolate.
   PoseIndex from_pose{}, to_pose{};
-  float blend = 0;         // 0: from_pose, 1: to_pose
-  std::uint32_t skin = 0;  // skin_at()
+  // 0 to 1.
+  float blend = 0;
+  // From skin_at().
+  std::uint32_t skin = 0;
   std::optional<PlayerColors> colors{};
-  float alpha = 1;      // 0 to 1
-  float min_light = 0;  // 0 to 255
+  float alpha = 1;  // 0 to 1
+  // 0 to 255: the least light that the model is drawn with, so that pickups and players stay visible in the
+  // dark.
+  float min_light = 0;
   bool full_bright = false;
 };
 
+// A flat picture (SPR file) at a point: explosions, bubbles, torches of some mods.
 struct SpriteInstance {
   const formats::Spr* sprite = nullptr;
-  const formats::SprPicture* picture = nullptr;  // of the sprite
+  // The frame of `sprite` to draw.
+  const formats::SprPicture* picture = nullptr;
   math::Vec3 origin_world{0.0f};
-  math::Vec3 angles_deg{0.0f};  // kOriented; roll of kParallelOriented
+  // Used by sprites of orientation kOriented; kParallelOriented uses only the roll.
+  math::Vec3 angles_deg{0.0f};
   float scale = 1;
   float alpha = 1;
 };
 
-// Squares that face the eye. Four arrays of equal length.
+// Small squares that face the eye, as four arrays of equal length (CHECKed): positions, and palette indices.
 struct ParticleCloud {
   std::span<const float> x, y, z;  // world
   std::span<const std::uint8_t> color;
   std::size_t size() const { return x.size(); }
 };
 
-// Light that is not in the light maps. At distance d, radius - d is added to the light of samples (0 to 255,
-// like theirs) that are nearer than radius - least.
+// Light that is not in the light maps, such as a muzzle flash. Light is 0 to 255, like light map samples. At
+// distance d from the light, `radius - d` is added to each sample that is nearer than `radius - least`.
 struct DynamicLight {
   math::Vec3 origin_world{0.0f};
-  float radius = 0;        // units; not positive: no light
-  float least = 0;         // light below this is left out
-  math::Vec3 color{1.0f};  // factors, rgb only
+  // Units, and also the light at distance 0. Not positive: no light.
+  float radius = 0;
+  // Light below this is omitted, which shrinks the area that must be rebuilt.
+  float least = 0;
+  // Factors for red, green, and blue; indexed frames ignore them.
+  math::Vec3 color{1.0f};
 };
 
-// All that may fall on a lit face, but for what is in the level.
+// All light that changes from frame to frame. Light maps and faces are part of the level.
 struct SceneLight {
   std::span<const DynamicLight> lights{};
-  world::LightStyleValues light_styles = world::light_as_stored();
+  world::LightStyleValues light_styles = world::make_stored_light_styles();
 };
 
 struct Fog {
@@ -91,26 +112,26 @@ struct Fog {
   math::Vec3 color{0.0f};  // 0 to 1
 };
 
-// Tells skyboxes apart, as LevelIdentity does levels.
+// An object whose address tells skyboxes apart, as LevelIdentity does for levels.
 struct SkyboxIdentity {};
 
-// Six true-color pictures in place of the sky's texture. Sides do not change once it has been drawn: whoever
-// wants others makes another skybox.
+// Six true-color pictures that replace the sky's texture. The renderer caches a converted copy by `identity`,
+// so the sides must not change after the skybox was drawn: to change them, make another skybox.
 struct Skybox {
-  // By the names of their files right (+x), back (+y), left (-x), front (-y), up (its lower edge at the right
-  // side's upper one), down (its upper edge at the right side's lower one); seen from inside. Empty ones show
-  // the fog's color or black.
+  // In the order of the file names' suffixes, seen from inside the cube: right (+x), back (+y), left (-x),
+  // front (-y), up (its lower edge touches the right side's upper edge), down (its upper edge touches the
+  // right side's lower edge). Empty sides show the fog's color, or black.
   std::array<formats::Image, 6> sides;
   std::shared_ptr<const SkyboxIdentity> identity = std::make_shared<const SkyboxIdentity>();
 };
 
-// Color laid over the finished view.
+// A color blended over the finished view: damage, pickups, the inside of liquids.
 struct Tint {
   math::Vec3 color{0.0f};  // 0 to 255
   float opacity = 0;       // 0 to 1
 };
 
-// Opacities of liquids by kind, 0 to 1.
+// Opacities of liquids by kind, 0 to 1. Texture names decide the kind (view/face_opacity.h).
 struct LiquidAlpha {
   float water = 1, slime = 1, lava = 1, teleport = 1;
 };
@@ -120,8 +141,8 @@ struct Scene {
   Camera camera{};
   std::span<const BrushModelInstance> brush_models{};
   std::span<const AliasInstance> alias_models{};
-  // Drawn over all other models, with a field of view of its own; nothing pokes into it. Space: the view's,
-  // origin_world and angles_deg are in the world all the same.
+  // The view model. Drawn over all other models with a fixed field of view, and never hidden by anything.
+  // origin_world and angles_deg are in world space. Null: none.
   const AliasInstance* view_weapon = nullptr;
   std::span<const SpriteInstance> sprites{};
   ParticleCloud particles{};
@@ -130,12 +151,13 @@ struct Scene {
   const Skybox* skybox = nullptr;  // null: the sky's texture
   Fog fog{};
   LiquidAlpha liquid_alpha{};
-  bool underwater = false;  // the whole view sways
+  // True: the finished view is warped.
+  bool underwater = false;
   Tint tint{};
   double time_s = 0;
-  world::LightStyleValues light_styles = world::light_as_stored();
-  // For Settings::relight_alternate: this frame's number, and the light of the frame before it. Null: there
-  // was none, and every face shows today's light.
+  world::LightStyleValues light_styles = world::make_stored_light_styles();
+  // For Settings::relight_alternate: this frame's number, and the light of the previous frame. Null: there
+  // was no previous frame, so every face shows the current light.
   std::uint32_t frame_number = 0;
   const SceneLight* light_before = nullptr;
 };

@@ -1,3 +1,4 @@
+// Game: set-up, ticks, and calls of QuakeC's functions for players. Bots are in game/bots.cpp.
 #include "server/game.h"
 
 #include <fmt/format.h>
@@ -5,17 +6,21 @@
 #include <algorithm>
 
 #include "base/hash.h"
-#include "server/session/server_models.h"
+#include "server/game/server_models.h"
 
 namespace temblor::server {
 namespace {
 
+// As in the original: in nextthink and other times, 0 stands for never.
 constexpr double kFirstTime_s = 1;
-constexpr double kSettlingTick_s = 0.1;  // things fall to the floor before anybody sees them
+constexpr double kSettlingTick_s = 0.1;  // things fall to the floor before any player joins
 constexpr int kSettlingTicks = 2;
 
 }  // namespace
 
+// Calls QuakeC, and restores its `self` and `other` afterward: calls nest, when a touch function moves
+// something that touches something else. Remembers who was `self` in the first call that failed, because that
+// entity's player may have caused the failure.
 class Game::Calls final : public GameCalls {
  public:
   explicit Calls(vm::Machine& io_machine) : machine_(io_machine) {}
@@ -39,16 +44,18 @@ class Game::Calls final : public GameCalls {
 
  private:
   vm::Machine& machine_;
-  std::optional<vm::EntityIndex> failed_self_;  // of the first failure, innermost
+  std::optional<vm::EntityIndex> failed_self_;  // `self` of the innermost call of the first failure
 };
 
+// The members refer to each other, so a Game is never moved. context_ gets functions instead of a pointer to
+// the game, so that built-in functions can be tested without one.
 Game::Game(GameSetup setup, GameServices services)
     : setup_(std::move(setup)),
       services_(std::move(services)),
       machine_(setup_.program, setup_.limits),
       calls_(std::make_unique<Calls>(machine_)),
       world_{.level = setup_.level,
-             .models = models_of_level(*setup_.level, fmt::format("maps/{}.bsp", setup_.map_name)),
+             .models = make_level_models(*setup_.level, fmt::format("maps/{}.bsp", setup_.map_name)),
              .edicts = Edicts(machine_, setup_.max_clients),
              .areas = Areas(setup_.level->world().bounds),
              .calls = *calls_,
@@ -69,7 +76,7 @@ Game::Game(GameSetup setup, GameServices services)
           .files =
               ScriptFiles(services_.data_folder,
                           [this](std::string_view name) { return services_.library.files().read(name); }),
-          .light_styles = world::standard_light_styles(),
+          .light_styles = world::make_standard_light_styles(),
           .spawn_parameters = std::vector<SpawnParameters>(setup_.max_clients),
           .load_model = [this](std::string_view name) { return load_server_model(services_.library, name); },
           .print = services_.print,
@@ -78,19 +85,20 @@ Game::Game(GameSetup setup, GameServices services)
                 if (requests_.player_commands.size() < Requests::kMaxPlayerCommands)
                   requests_.player_commands.push_back({player, std::string(line)});
               },
-          .places = player_places(),
-          .pack_of = [this](std::string_view file) { return services_.library.files().where(file); }},
+          .bot_services = bot_services(),
+          .find_pack = [this](std::string_view file) { return services_.library.files().where(file); }},
       items2_field_(float_field(*setup_.program, "items2")),
       look_fields_(*setup_.program),
       movement_field_(vector_field(*setup_.program, "movement")),
       client_colors_field_(float_field(*setup_.program, "clientcolors")) {
   add_builtins(machine_, context_);
-  const auto field_of = [&](auto field) { return vm::FieldIndex{field.word}; };
+  const auto field_index = [&](auto field) { return vm::FieldIndex{field.word}; };
+  // For the STATE instruction, with which QuakeC's state functions set their frame and next think.
   machine_.set_state_fields({.self = global::kSelf,
                              .time = global::kTime,
-                             .next_think = field_of(field::kNextThink),
-                             .frame = field_of(field::kFrame),
-                             .think = field_of(field::kThink)});
+                             .next_think = field_index(field::kNextThink),
+                             .frame = field_index(field::kFrame),
+                             .think = field_index(field::kThink)});
 }
 
 base::Result<std::unique_ptr<Game>> Game::prepare(GameSetup setup, GameServices services) {
@@ -106,7 +114,7 @@ base::Result<std::unique_ptr<Game>> Game::start(GameSetup setup, GameServices se
   return game;
 }
 
-// What holds of the level before its program says anything.
+// Sets globals and fields that hold before QuakeC runs for the first time.
 base::Status Game::set_up_world() {
   TRY(const vm::StringIndex map_name, machine_.make_string(setup_.map_name));
   machine_.set_global_string(global::kMapName, map_name);
@@ -125,6 +133,8 @@ base::Status Game::set_up_world() {
   return base::Ok{};
 }
 
+// Spawn functions may precache; nothing may afterward, because clients load the list as they join. The two
+// ticks let items and monsters drop to the floor, so that baselines contain where they come to rest.
 base::Status Game::spawn_level() {
   const SpawnRules rules{.skill = setup_.skill, .deathmatch = setup_.kind == GameKind::kDeathmatch};
   TRY(spawn_report_,
@@ -137,6 +147,8 @@ base::Status Game::spawn_level() {
   return base::Ok{};
 }
 
+// The signon is sent in several messages. It is split only here, so that what one call of QuakeC writes stays
+// together.
 void Game::mark_signon_end() {
   const std::size_t end = outbox_.signon().size();
   if (signon_ends_.empty() ? end > 0 : end > signon_ends_.back()) signon_ends_.push_back(end);
@@ -146,14 +158,16 @@ base::Status Game::call(vm::GlobalIndex function, vm::EntityIndex self) {
   return world_.calls.call(machine_.global_function(function), self, vm::kWorld, world_.time_s);
 }
 
+// Inputs are applied in slot order before any physics. At the end, while no QuakeC runs, the strings that
+// nothing refers to any more are freed.
 base::Status Game::tick(std::span<const PlayerInput> inputs) {
   machine_.set_global_float(global::kFrameTime, static_cast<float>(world_.tick_s));
   for (std::size_t slot = 0; slot < setup_.max_clients; ++slot) {
     active_players_[slot] = bots_[slot] || (slot < inputs.size() && inputs[slot].is_active);
     if (bots_[slot])
-      take_bot_input(slot);
+      apply_bot_input(slot);
     else if (active_players_[slot])
-      take_input(slot, inputs[slot]);
+      apply_input(slot, inputs[slot]);
   }
   const std::span<const bool> active = std::span(active_players_).first(setup_.max_clients);
   TRY_STATUS(run_physics(world_, tick_functions(), active,
@@ -164,9 +178,10 @@ base::Status Game::tick(std::span<const PlayerInput> inputs) {
   return base::Ok{};
 }
 
+// The sounds of this move go out with the next tick's messages.
 base::Status Game::play_move(std::size_t slot, const PlayerInput& input) {
   machine_.set_global_float(global::kFrameTime, static_cast<float>(world_.tick_s));
-  take_input(slot, input);
+  apply_input(slot, input);
   TRY_STATUS(run_player(world_, player_index(slot), tick_functions()));
   send_sounds();
   return base::Ok{};
@@ -178,7 +193,9 @@ TickFunctions Game::tick_functions() const {
           .player_post_think = machine_.global_function(global::kPlayerPostThink)};
 }
 
-void Game::take_input(std::size_t slot, const PlayerInput& input) {
+// Stores an impulse only if it is not 0: game code clears it when it has handled it, which may take several
+// ticks. Stock clients have no button 1.
+void Game::apply_input(std::size_t slot, const PlayerInput& input) {
   const Edict edict = player(slot);
   edict.set(field::kViewAngles, input.command.view_angles_deg);
   edict.set(field::kButton0, static_cast<float>(input.buttons & 1));
@@ -204,8 +221,9 @@ base::Result<SpawnParameters> Game::parameters_to_carry(std::size_t slot) {
   return parameters();
 }
 
-base::Status Game::put_in(std::size_t slot, const SpawnParameters& parameters, std::string_view name,
-                          std::uint8_t colors) {
+// As in the original, the parameters are passed through the globals parm1 to parm16.
+base::Status Game::spawn_client(std::size_t slot, const SpawnParameters& parameters, std::string_view name,
+                                std::uint8_t colors) {
   const Edict edict = player(slot);
   unlink(world_, edict.index());
   std::fill(edict.words().begin(), edict.words().end(), 0u);
@@ -218,7 +236,7 @@ base::Status Game::put_in(std::size_t slot, const SpawnParameters& parameters, s
   return call(global::kPutClientInServer, edict.index());
 }
 
-base::Status Game::take_out(std::size_t slot) {
+base::Status Game::disconnect_client(std::size_t slot) {
   bots_[slot] = false;
   return call(global::kClientDisconnect, player_index(slot));
 }
@@ -227,6 +245,7 @@ base::Status Game::kill(std::size_t slot) {
   return call(global::kClientKill, player_index(slot));
 }
 
+// Teams are numbered from 1: the color of the pants, plus one.
 base::Status Game::set_player_look(std::size_t slot, std::string_view name, std::uint8_t colors) {
   const Edict edict = player(slot);
   TRY(const vm::StringIndex made, machine_.make_string(name));
@@ -235,6 +254,7 @@ base::Status Game::set_player_look(std::size_t slot, std::string_view name, std:
   return base::Ok{};
 }
 
+// Saved games have one player, in slot 0.
 void Game::restore_environment(const world::LightStylePatterns& styles, const SpawnParameters& parameters) {
   context_.light_styles = styles;
   context_.spawn_parameters[0] = parameters;
@@ -245,29 +265,32 @@ void Game::send_sounds() {
   world_.sounds.clear();
 }
 
-// As sound() of QuakeC has them by default.
+// Plays a sound with the default volume and attenuation of QuakeC's sound(), from the middle of the entity.
 void Game::send_sound(const PhysicsSound& sound) {
   const auto& names = precache_.sounds;
   const auto found = std::find(names.begin(), names.end(), sound.name);
-  if (found == names.end()) return;  // a program that wants it precaches it
+  if (found == names.end()) return;  // game code that wants this sound precaches it
   const Edict edict = world_.edicts[sound.entity];
   const math::Vec3 middle = edict[field::kOrigin] + (edict[field::kMins] + edict[field::kMaxs]) * 0.5f;
-  outbox_.at_place(net::Sound{.entity = static_cast<std::uint16_t>(base::to_size(sound.entity)),
-                              .sound = static_cast<std::uint16_t>(found - names.begin()),
-                              .origin = middle},
-                   middle);
+  outbox_.write_at_place(net::Sound{.entity = static_cast<std::uint16_t>(base::to_size(sound.entity)),
+                                    .sound = static_cast<std::uint16_t>(found - names.begin()),
+                                    .origin = middle},
+                         middle);
 }
 
 Game::~Game() = default;
 
+// A failure in a monster's think function is nobody's fault, even if a player woke the monster.
 std::optional<std::size_t> Game::blamed_player() const {
   const std::optional<vm::EntityIndex> self = calls_->failed_self();
   if (!self || !world_.edicts.is_client(*self)) return std::nullopt;
   return base::to_size(*self) - 1;
 }
 
+// Covers globals, all entities' words (also those of free ones), which entities are free, time, and random
+// numbers. It leaves out links, leaves and messages, which follow from them. Strings count by number only.
 std::uint64_t Game::state_hash() const {
-  std::uint64_t hash = base::hash_of_bytes(std::as_bytes(machine_.global_words()));
+  std::uint64_t hash = base::hash_bytes(std::as_bytes(machine_.global_words()));
   for (std::uint32_t i = 0; i < machine_.entity_count(); ++i) {
     hash = base::hash_with_bytes(hash, std::as_bytes(machine_.entity(vm::EntityIndex{i})));
     hash = base::hash_with_bytes(

@@ -1,5 +1,9 @@
-// One level being played: its program's machine, its entities, and all that they say. A change of level is a
-// new Game; what is carried over (players' parameters, server flags) is given to it.
+// One level that is being played: a QuakeC machine, its entities, and everything that they send to clients.
+// Another level is another Game. Players' parameters and the server flags are carried over from one to the
+// next. A Game knows no network: it gets players' input in tick(), and leaves messages in its outbox and
+// wishes to the server in requests(). After QuakeC has failed, a Game can only be looked at and destroyed.
+//    server ticks:   tick(inputs) -> StartFrame, think and move of every entity -> outbox(), requests()
+// A game is deterministic: the same setup, seed and inputs give the same state_hash().
 #pragma once
 
 #include <array>
@@ -15,11 +19,11 @@
 #include "command/variables.h"
 #include "net/protocol/protocol.h"
 #include "server/builtins/builtins.h"
+#include "server/game/baselines.h"
+#include "server/game/game_world.h"
+#include "server/game/outbox.h"
 #include "server/game/spawn_entities.h"
-#include "server/game_world.h"
 #include "server/physics/physics.h"
-#include "server/session/baselines.h"
-#include "server/session/outbox.h"
 #include "server/system_globals.h"
 #include "vm/machine.h"
 
@@ -32,32 +36,32 @@ enum class GameKind { kSingle, kCooperative, kDeathmatch };
 struct GameSetup {
   std::shared_ptr<const vm::Program> program;
   std::shared_ptr<const world::Level> level;
-  std::uint64_t level_hash = 0;  // of its file: whether two are the same
+  std::uint64_t level_hash = 0;  // of the level's file, to see whether it has changed
   std::string map_name;          // "e1m1"
   net::Dialect dialect{};
   std::uint32_t max_clients = 1;
   GameKind kind = GameKind::kSingle;
   int skill = 1;
   float server_flags = 0;
-  std::uint64_t seed = 1;  // of the game's dice
+  std::uint64_t seed = 1;  // of the game's random numbers
   double tick_s = 1.0 / 72;
-  PhysicsSettings settings{};
+  math::PhysicsSettings settings{};
   vm::Limits limits{};
 };
 
-// What a game uses of the server around it; all of it must outlive the game.
+// What a game uses of the server that runs it. All of it must outlive the game.
 struct GameServices {
   const assets::Library& library;
   command::Variables& io_variables;
-  std::function<void(std::string_view text)> print;
-  std::filesystem::path data_folder{};
-  // Whether a client has this place or is on its way to it. None: those that are active have.
+  std::function<void(std::string_view text)> print;  // to the host's console
+  std::filesystem::path data_folder{};               // of files that QuakeC writes; empty: it may not write
+  // Whether a client has this slot or is about to join in it. Without the function, active players have.
   std::function<bool(std::size_t slot)> has_client{};
 };
 
-// What a player's client asked for since the last tick.
+// A player's input for one tick.
 struct PlayerInput {
-  bool is_active = false;  // is in the game
+  bool is_active = false;  // the player is in the game, and moves in this tick
   PlayerCommand command{};
   std::uint8_t buttons = 0;  // 1 attack, 2 jump
   std::uint8_t impulse = 0;  // 0: none
@@ -65,42 +69,45 @@ struct PlayerInput {
 
 class Game {
  public:
-  // Sets the level up: entities spawned, two ticks of 0.1 s played, baselines taken. Fails where QuakeC fails
-  // or the program is not for Quake.
+  // Sets the level up: spawns its entities, plays two ticks of 0.1 s, and takes baselines. Fails if QuakeC
+  // does, or if the program was not compiled for Quake.
   static base::Result<std::unique_ptr<Game>> start(GameSetup setup, GameServices services);
-  // The same up to the spawning of entities, which a saved game brings with it.
+  // The same without the entities, which a saved game brings along.
   static base::Result<std::unique_ptr<Game>> prepare(GameSetup setup, GameServices services);
 
   ~Game();
   Game(const Game&) = delete;
   Game& operator=(const Game&) = delete;
 
-  // One tick: players' input, then physics. `inputs`: one for each client slot.
+  // Plays one tick: applies players' input, then runs physics. `inputs`: one per client slot. Fails if QuakeC
+  // does.
   base::Status tick(std::span<const PlayerInput> inputs);
-  // A tick of this player alone, before the next one of all: he has something to catch up on.
+  // Plays one move of this player alone, before the next tick: it has moves to catch up on. Other entities do
+  // not move, and time does not pass for them.
   base::Status play_move(std::size_t slot, const PlayerInput& input);
 
-  // --- Players, by slot (0 to max_clients - 1)
+  // --- Players, by slot (0 to max_clients - 1).
+  // A view of the player's entity; valid until the number of entities changes.
   Edict player(std::size_t slot) { return world_.edicts[player_index(slot)]; }
   static vm::EntityIndex player_index(std::size_t slot) { return base::to_index<vm::EntityIndex>(slot + 1); }
-  // SetNewParms: what a player has who comes from nowhere.
+  // The parameters that a new player starts with (SetNewParms).
   base::Result<SpawnParameters> new_parameters();
-  // SetChangeParms: what this player takes along to the next level.
+  // The parameters that this player takes along to the next level (SetChangeParms).
   base::Result<SpawnParameters> parameters_to_carry(std::size_t slot);
-  // Puts a player into the level: ClientConnect and PutClientInServer, on an entity that is cleared first.
-  base::Status put_in(std::size_t slot, const SpawnParameters& parameters, std::string_view name,
-                      std::uint8_t colors);
-  // ClientDisconnect; a bot is none afterwards.
-  base::Status take_out(std::size_t slot);
-  // Clients that the program plays (spawnclient), by slot: it writes their movement, v_angle, buttons and
-  // impulse; name and colors are those of their netname and clientcolors.
+  // Puts a player into the level: clears its entity, and calls ClientConnect and PutClientInServer.
+  base::Status spawn_client(std::size_t slot, const SpawnParameters& parameters, std::string_view name,
+                            std::uint8_t colors);
+  // Calls ClientDisconnect. A bot's slot is free afterward.
+  base::Status disconnect_client(std::size_t slot);
+  // Bots are clients that QuakeC plays (spawnclient). It writes their movement, v_angle, buttons and impulse.
+  // Their names and colors are in their netname and clientcolors fields.
   bool is_bot(std::size_t slot) const { return bots_[slot]; }
   std::uint8_t bot_colors(std::size_t slot);
-  // That play on in this game, of one that it goes on from.
-  void take_over_bots(const Game& from) { bots_ = from.bots_; }
-  // ClientKill
+  // Keeps the bots of a game that this one continues.
+  void adopt_bots(const Game& from) { bots_ = from.bots_; }
+  // Calls ClientKill: the player asked to die.
   base::Status kill(std::size_t slot);
-  // colors: shirt << 4 | pants; the pants are the team.
+  // `colors`: shirt << 4 | pants. The pants are the team.
   base::Status set_player_look(std::size_t slot, std::string_view name, std::uint8_t colors);
 
   GameWorld& world() { return world_; }
@@ -109,25 +116,29 @@ class Game {
   const vm::Machine& machine() const { return machine_; }
   Outbox& outbox() { return outbox_; }
   const Outbox& outbox() const { return outbox_; }
+  // Names of sounds, by number. Models are in world().
   Precache& precache() { return precache_; }
   Requests& requests() { return requests_; }
   BuiltinContext& context() { return context_; }
   const GameSetup& setup() const { return setup_; }
+  // What became of the level's entities; empty in a game from prepare().
   const SpawnReport& spawn_report() const { return spawn_report_; }
   double time_s() const { return world_.time_s; }
   float server_flags() const { return machine_.global_float(global::kServerFlags); }
-  // Where signon bytes may be cut: ends of whole messages, rising; the last is the end of all.
+  // Where the signon (Outbox::signon) may be split: ends of whole messages, in rising order.
   const std::vector<std::size_t>& signon_ends() const { return signon_ends_; }
-  // What a player came into the level with.
+  // The parameters with which this player entered the level.
   const SpawnParameters& spawn_parameters(std::size_t slot) const { return context_.spawn_parameters[slot]; }
   const world::LightStylePatterns& light_styles() const { return context_.light_styles; }
-  // From a saved game: the first player's.
+  // Restores light styles and the first player's parameters from a saved game.
   void restore_environment(const world::LightStylePatterns& styles, const SpawnParameters& parameters);
+  // The mission packs' second set of items, if the program declares it.
   std::optional<Field<float>> items2_field() const { return items2_field_; }
-  // After a failure: the player on whose behalf QuakeC ran, if it was one's.
+  // After a failure: the player on whose behalf QuakeC ran, if there was one.
   std::optional<std::size_t> blamed_player() const;
+  // Fields with which the program changes how entities look (alpha, scale).
   const LookFields& look_fields() const { return look_fields_; }
-  // Of everything that the game goes on from: the same inputs give the same.
+  // A hash of the whole state. Equal seeds and inputs give equal hashes.
   std::uint64_t state_hash() const;
 
  private:
@@ -136,12 +147,12 @@ class Game {
 
   base::Status set_up_world();
   base::Status spawn_level();
-  void take_input(std::size_t slot, const PlayerInput& input);
-  void take_bot_input(std::size_t slot);
-  PlayerPlaces player_places();
+  void apply_input(std::size_t slot, const PlayerInput& input);
+  void apply_bot_input(std::size_t slot);
+  BotServices bot_services();
   base::Result<vm::EntityIndex> spawn_bot();
   base::Status drop_player(std::size_t slot);
-  PlayerType type_of_player(std::size_t slot) const;
+  PlayerType player_type(std::size_t slot) const;
   TickFunctions tick_functions() const;
   void send_sounds();
   void send_sound(const PhysicsSound& sound);
@@ -163,7 +174,7 @@ class Game {
   LookFields look_fields_;
   SpawnReport spawn_report_;
   std::vector<std::size_t> signon_ends_;
-  std::optional<Field<math::Vec3>> movement_field_;  // of bots
+  std::optional<Field<math::Vec3>> movement_field_;  // bots' wishes to move
   std::optional<Field<float>> client_colors_field_;
   std::array<bool, net::kMaxClients> active_players_{}, bots_{};
 };

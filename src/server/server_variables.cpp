@@ -8,88 +8,94 @@
 namespace temblor::server {
 namespace {
 
+// For physics settings: any value that a player could mean is allowed, but no infinity.
 constexpr double kHuge = 1e6;
-// Bytes a second that a modem of the game's days carried: of updates in a fight, some ten a second.
+// Bytes per second of a modem when the game came out: about ten snapshots per second in a fight.
 constexpr std::int64_t kMinRate = 2500;
 
-// Rules that stock servers tell, and those that game code reads: of the level that is played, and of the
-// next one.
+// The rules that stock servers report, and those that game code reads.
 constexpr std::array<std::string_view, 12> kRules = {
     "sv_maxspeed",  "sv_friction", "sv_gravity", "sv_accelerate", "sv_stopspeed", "sv_maxvelocity",
     "edgefriction", "fraglimit",   "timelimit",  "teamplay",      "noexit",       "samelevel",
 };
+// They are reported, too, but a change is not announced to players: it takes effect with the next level.
 constexpr std::array<std::string_view, 3> kRulesOfNextLevel = {"deathmatch", "coop", "skill"};
 
 }  // namespace
 
+// Variables that only game code reads are registered and forgotten: cvar() finds them by name.
 ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(&io_variables) {
   command::Variables& v = io_variables;
-  gravity_ = v.add_float("sv_gravity", 800, -kHuge, kHuge, "Pull downwards, in units a second squared.");
+  gravity_ = v.add_float("sv_gravity", 800, -kHuge, kHuge, "Gravity, in units per second squared.");
   max_velocity_ = v.add_float("sv_maxvelocity", 2000, 1, kHuge,
-                              "Fastest that anything moves along an axis, in units a second.");
-  friction_ = v.add_float("sv_friction", 4, 0, kHuge, "How soon players come to rest.");
-  edge_friction_ =
-      v.add_float("edgefriction", 2, 0, kHuge, "How much more friction there is before a deep drop.");
+                              "Maximum speed of anything along each axis, in units per second.");
+  friction_ = v.add_float("sv_friction", 4, 0, kHuge, "Ground friction of players.");
+  edge_friction_ = v.add_float("edgefriction", 2, 0, kHuge, "Factor on friction at the edge of a deep drop.");
   stop_speed_ = v.add_float("sv_stopspeed", 100, 0, kHuge,
-                            "Below this speed friction is as strong as at it, in units a second.");
-  accelerate_ = v.add_float("sv_accelerate", 10, 0, kHuge, "How soon players get to their speed.");
-  max_speed_ = v.add_float("sv_maxspeed", 320, 0, kHuge, "Fastest that players walk, in units a second.");
-  no_step_ = v.add_bool("sv_nostep", false, "Players cannot climb stairs.");
+                            "Friction does not get weaker below this speed, in units per second.");
+  accelerate_ = v.add_float("sv_accelerate", 10, 0, kHuge, "Acceleration of players.");
+  max_speed_ =
+      v.add_float("sv_maxspeed", 320, 0, kHuge, "Maximum walking speed of players, in units per second.");
+  no_step_ = v.add_bool("sv_nostep", false, "Players cannot climb steps.");
 
-  skill_ = v.add_float("skill", 1, 0, 3, "Of the next level: 0 easy, 1 normal, 2 hard, 3 nightmare.");
-  deathmatch_ = v.add_int("deathmatch", 0, 0, 255, "Of the next level: players against one another.");
-  coop_ = v.add_bool("coop", false, "Of the next level: players together.");
-  v.add_int("teamplay", 0, 0, 255, "Whether players of one team hurt each other (for game code).");
-  v.add_int("fraglimit", 0, 0, 1000000, "Kills that end a deathmatch; 0: none (for game code).");
-  v.add_float("timelimit", 0, 0, 1000000, "Minutes that a deathmatch lasts; 0: for ever (for game code).");
-  v.add_bool("samelevel", false, "A deathmatch goes on in the same level (for game code).");
-  v.add_int("noexit", 0, 0, 255, "Players cannot leave a level of a deathmatch (for game code).");
-  v.add_bool("pr_checkextension", true, "Game code may ask what this server can do besides the original's.");
-  v.add_int("bot_fill", 0, 0, 16, "Players in a deathmatch, made up with bots (for game code); 0: no bots.");
-  v.add_int("bot_skill", 1, 0, 3, "How well bots fight, 0 to 3 (for game code).");
+  skill_ = v.add_float("skill", 1, 0, 3, "Skill of the next level: 0 easy, 1 normal, 2 hard, 3 nightmare.");
+  deathmatch_ = v.add_int("deathmatch", 0, 0, 255, "1: the next level is a deathmatch.");
+  coop_ = v.add_bool("coop", false, "1: the next level is played cooperatively.");
+  v.add_int("teamplay", 0, 0, 255, "1: teammates cannot hurt each other (for game code).");
+  v.add_int("fraglimit", 0, 0, 1000000, "Frags that end a deathmatch; 0: no limit (for game code).");
+  v.add_float("timelimit", 0, 0, 1000000, "Minutes until a deathmatch ends; 0: no limit (for game code).");
+  v.add_bool("samelevel", false, "1: a deathmatch stays in the same level (for game code).");
+  v.add_int("noexit", 0, 0, 255, "1: players cannot leave the level in a deathmatch (for game code).");
+  v.add_bool("pr_checkextension", true, "Game code may query the extensions of this server.");
+  v.add_int("bot_fill", 0, 0, 16,
+            "Bots fill a deathmatch up to this many players (for game code). 0: no bots.");
+  v.add_int("bot_skill", 1, 0, 3, "Skill of bots: 0 easy, 1 normal, 2 hard, 3 expert (for game code).");
   v.add_float("sv_aim", 0.93, -1, 2,
-              "Cosine of the angle within which a shot is turned at a target; above 1: never.");
+              "Cosine of the angle within which shots are aimed at a target; above 1: never.");
   for (const std::string_view name : {"gamecfg", "nomonsters", "temp1"})
     v.add_float(name, 0, -kHuge, kHuge, "A number for game code.");
   for (const std::string_view name : {"scratch1", "scratch2", "scratch3", "scratch4", "saved1", "saved2",
                                       "saved3", "saved4", "savedgamecfg"})
-    v.add_float(name, 0, -1e9, 1e9, "A number that game code keeps from level to level.");
+    v.add_float(name, 0, -1e9, 1e9, "A number that game code keeps between levels.");
 
   tick_rate_ = v.add_float("sys_ticrate", 1.0 / 72, 0.001, 0.1,
-                           "Seconds between two steps of the world; the original's servers: 0.05.");
+                           "Length of a server tick, in seconds; stock servers use 0.05.");
   frame_time_ = v.add_float("host_framerate", 0, 0, 0.1,
-                            "Seconds that each step moves the world on, whatever the clock says; 0: as many "
-                            "as it took.");
+                            "Game time of each tick, in seconds, whatever the clock says; 0: the same as "
+                            "sys_ticrate.");
   ideal_pitch_scale_ =
       v.add_float("sv_idealpitchscale", 0.8, -kHuge, kHuge,
-                  "Degrees that players on stairs look down or up, for each unit that a step rises.");
-  reliable_updates_ = v.add_bool("sv_reliableupdates", false,
-                                 "Updates are sent until they arrive, and none meanwhile: a lost packet then "
-                                 "stops the game, as in the first versions of Quake; to see the difference.");
+                  "Degrees that players on stairs look up or down, for each unit that a step rises.");
+  reliable_updates_ =
+      v.add_bool("sv_reliableupdates", false,
+                 "1: snapshots are sent reliably, so that a lost packet stops the game, as in "
+                 "the first versions of Quake. For comparison only.");
   max_rate_ =
       v.add_int_or_zero("sv_maxrate", 0, kMinRate, 10'000'000,
-                        "Bytes a second of updates to each client; where they do not suffice, it gets fewer "
-                        "updates; 0: one each step.");
-  autosave_ = v.add_float("sv_autosave", 3, 0, 1440,
-                          "Minutes between two saves of a single player's game without being asked, and one "
-                          "where a level begins and where the game is left; 0: none.");
+                        "Maximum bytes of snapshots per second to each client, which gets fewer snapshots "
+                        "if need be; 0: one each tick.");
+  autosave_ =
+      v.add_float("sv_autosave", 3, 0, 1440,
+                  "Minutes between autosaves of a single-player game, which is also saved at the start "
+                  "of a level and on leaving; 0: no autosaves.");
   autoload_ = v.add_bool("sv_autoload", true,
-                         "A dead player who fires goes on from the level's last saved game (jumping begins "
-                         "the level again); 0: always begins again.");
+                         "1: a dead player who fires loads the level's last save (jumping restarts the "
+                         "level); 0: always restarts.");
   constexpr std::array<std::string_view, 4> kProtocols = {"auto", "15", "666", "999"};
   protocol_ = v.add_choice("sv_protocol", kProtocols,
-                           "Of the next level: the protocol; auto: the oldest that can say all of it.");
-  host_name_ = v.add_text("hostname", "Temblor", "The server's name, as lists of servers show it.");
-  timeout_ = v.add_float("net_messagetimeout", 300, 1, 86400,
-                         "Seconds after which a client that says nothing is dropped.");
-  rcon_password_ =
-      v.add_text("rcon_password", "", "With it, players may give the server commands; empty: nobody may.");
-  cheats_ = v.add_bool("sv_cheats", false, "god, noclip, give and the like work with several players too.");
-  pausable_ = v.add_bool("pausable", true, "Players may stop time with `pause`.");
-  reload_ = v.add_bool("sv_reload", true, "A program or level that changes on disk is taken up at once.");
+                           "Protocol of the next level; auto: the oldest one that can express the level.");
+  host_name_ = v.add_text("hostname", "Temblor", "The server's name in server browsers.");
+  timeout_ =
+      v.add_float("net_messagetimeout", 300, 1, 86400, "Seconds after which a silent client is dropped.");
+  rcon_password_ = v.add_text("rcon_password", "",
+                              "Password for remote console commands (rcon); empty: rcon is disabled.");
+  cheats_ = v.add_bool("sv_cheats", false, "1: cheats (god, noclip, give ...) work in multiplayer, too.");
+  pausable_ = v.add_bool("pausable", true, "Players may pause the game.");
+  reload_ =
+      v.add_bool("sv_reload", true, "1: game code and levels that change on disk are reloaded at once.");
 }
 
-PhysicsSettings ServerVariables::physics() const {
+math::PhysicsSettings ServerVariables::physics() const {
   const auto number = [&](command::VariableIndex i) {
     return static_cast<float>(variables_->float_value(i));
   };
@@ -103,6 +109,7 @@ PhysicsSettings ServerVariables::physics() const {
           .no_step = variables_->bool_value(no_step_)};
 }
 
+// coop has precedence, as in the original. Without either, several players play together.
 GameKind ServerVariables::kind(std::size_t max_clients) const {
   if (variables_->bool_value(coop_)) return GameKind::kCooperative;
   if (variables_->int_value(deathmatch_) != 0) return GameKind::kDeathmatch;
@@ -115,10 +122,11 @@ void ServerVariables::set_kind(GameKind kind) const {
     CHECK(status.ok());
   };
   set("coop", kind == GameKind::kCooperative);
-  // Game code knows kinds of deathmatch by numbers above 1.
+  // Values above 1 are kinds of deathmatch to game code, so they stay.
   if (kind != GameKind::kDeathmatch) set("deathmatch", false);
 }
 
+// --- Getters. Each converts from the type and unit of the variable to what the server uses.
 bool ServerVariables::is_pausable() const {
   return variables_->bool_value(pausable_);
 }
@@ -150,6 +158,7 @@ bool ServerVariables::autoloads() const {
   return variables_->bool_value(autoload_);
 }
 
+// The order of kProtocols above.
 std::optional<net::Protocol> ServerVariables::protocol() const {
   switch (variables_->choice_value(protocol_)) {
     case 1:
@@ -187,6 +196,8 @@ std::vector<std::pair<std::string, std::string>> ServerVariables::rules() const 
   return rules;
 }
 
+// Versions are numbers that grow with each change of any variable, so that an unchanged set costs one
+// comparison.
 std::vector<std::pair<std::string, std::string>> ServerVariables::rules_changed_since(
     std::uint64_t version) const {
   std::vector<std::pair<std::string, std::string>> changed;

@@ -4,6 +4,7 @@
 
 namespace temblor::server {
 
+// The CRC alone is not enough: a damaged or hostile file may carry the right one and still be too short.
 base::Status check_system_definitions(const vm::Program& program) {
   const formats::Progs& progs = program.progs();
   if (progs.crc != formats::kQuakeProgsCrc)

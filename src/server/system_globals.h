@@ -1,5 +1,9 @@
-// The globals that every Quake program begins with, at the places that header CRC 5927 stands for
-// (quake-facts.md, section 15).
+// The globals that every Quake program begins with. Their offsets are fixed for programs with header CRC 5927
+// (quake-facts.md, section 15):
+//    word  0  reserved: return value and parameters       43  parm1 .. parm16, carried between levels
+//         28  self, other, world, time, frametime ...     59  v_forward, v_up, v_right (makevectors)
+//         35  deathmatch, coop, serverflags, totals       68  trace_* (traceline)
+//                                                         82  functions that the engine calls
 #pragma once
 
 #include "base/result.h"
@@ -24,13 +28,13 @@ constexpr GlobalIndex kMain{82}, kStartFrame{83}, kPlayerPreThink{84}, kPlayerPo
 
 constexpr std::uint32_t kSystemGlobalWords = 92;
 
-// parm1 is number 0.
+// The global of a parameter; parm1 is number 0.
 constexpr vm::GlobalIndex parm(int number) {
   return vm::GlobalIndex{static_cast<std::uint32_t>(global::kParm1) + static_cast<std::uint32_t>(number)};
 }
 
-// Whether a program's globals and fields are where this header and entity_fields.h say: kUnsupported for one
-// made with other system definitions than Quake's, or that is too short to hold them.
+// Checks that a program's globals and fields are where this header and entity_fields.h expect them.
+// kUnsupported if it was compiled with other system definitions than Quake's, or is too short to hold them.
 base::Status check_system_definitions(const vm::Program& program);
 
 }  // namespace temblor::server

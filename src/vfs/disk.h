@@ -1,4 +1,4 @@
-// Reading files of the operating system, bounded.
+// Reads files of the operating system, with size limits. All errors name the file.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace temblor::vfs {
 
-// A file over this is kTooLarge: a hostile one must not fill the memory.
+// Default size limit, so that a hostile file cannot exhaust memory.
 constexpr std::uint64_t kMaxFileBytes = std::uint64_t{256} << 20;
 
-// A file, whole, of at most `max_bytes`. kNotFound, kIo, kTooLarge; the error names the file.
+// Reads a whole file. Returns kNotFound, kIo, or kTooLarge for more than `max_bytes`.
 base::Result<base::ByteVector> read_disk_file(const std::filesystem::path& path,
                                               std::uint64_t max_bytes = kMaxFileBytes);
 
-// `size` bytes at `offset`. kIo when the file ends before; the error names the file.
+// Reads `size` bytes at `offset`. Returns kIo if the file is too short.
 base::Result<base::ByteVector> read_disk_range(const std::filesystem::path& path, std::uint64_t offset,
                                                std::uint64_t size);
 
-// The size of an ordinary file; kNotFound, or kIo for a folder or a device; the error names it.
+// Returns the size of a regular file. Returns kNotFound, or kIo for a folder or device.
 base::Result<std::uint64_t> disk_file_size(const std::filesystem::path& path);
 
 }  // namespace temblor::vfs

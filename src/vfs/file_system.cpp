@@ -26,13 +26,13 @@ struct FolderEntry {
   bool is_folder;
 };
 
-// What stands in a folder, in byte order of the names. Symbolic links to files count as files; links to
-// folders are left out, so that a walk cannot go round in circles.
+// Lists a folder in byte order of the names. Symbolic links to files count as files; links to folders are
+// skipped, so that a walk cannot loop.
 base::Result<std::vector<FolderEntry>> list_folder(const fs::path& folder) {
   std::error_code error;
   std::vector<FolderEntry> entries;
   for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
-    std::error_code ignored;  // a link to nowhere is neither
+    std::error_code ignored;  // a broken link is neither file nor folder
     const bool is_folder = i->is_directory(ignored) && !i->is_symlink(ignored);
     if (is_folder || i->is_regular_file(ignored))
       entries.push_back({i->path().filename().string(), i->path(), is_folder});
@@ -43,7 +43,7 @@ base::Result<std::vector<FolderEntry>> list_folder(const fs::path& folder) {
   return entries;
 }
 
-// The folder `name` in base_folder, its case as it stands on disk.
+// Finds the folder `name` in base_folder, ignoring case.
 base::Result<fs::path> find_game_folder(const fs::path& base_folder, const std::string& name) {
   if (!formats::is_contained_name(name) || name.find('/') != std::string::npos)
     return base::error(ErrorCode::kUsage, "\"{}\" is not the name of a game folder", base::printable(name));
@@ -52,7 +52,7 @@ base::Result<fs::path> find_game_folder(const fs::path& base_folder, const std::
   for (const FolderEntry& entry : entries)
     if (entry.is_folder && base::equal_ignoring_case(entry.name, name) && (!found || entry.name == name))
       found = &entry;
-  // A game folder may itself be a link: it is looked for by its name, not walked into.
+  // A game folder may be a link itself, so look it up by name.
   if (std::error_code ignored; !found && fs::is_directory(base_folder / name, ignored))
     return base_folder / name;
   if (!found)
@@ -62,7 +62,7 @@ base::Result<fs::path> find_game_folder(const fs::path& base_folder, const std::
   return found->path;
 }
 
-// pak0.pak, pak1.pak, ... up to the first number that is missing.
+// Finds pak0.pak, pak1.pak, ... up to the first missing number.
 std::vector<fs::path> find_paks(const std::vector<FolderEntry>& entries) {
   std::vector<fs::path> paks;
   for (const FolderEntry* found = nullptr;; paks.push_back(found->path)) {
@@ -87,7 +87,7 @@ std::vector<fs::path> find_pk3s(const std::vector<FolderEntry>& entries) {
 
 }  // namespace
 
-std::optional<std::string> normalized_name(std::string_view name) {
+std::optional<std::string> normalize_name(std::string_view name) {
   std::string normalized = base::to_lower(name);
   std::replace(normalized.begin(), normalized.end(), '\\', '/');
   if (!formats::is_contained_name(normalized)) return std::nullopt;
@@ -101,7 +101,7 @@ base::Result<FileSystem> FileSystem::open(const fs::path& base_folder, std::span
   std::vector<std::string> names;
   for (const std::string& game : games) {
     if (base::equal_ignoring_case(game, kFirstGame)) continue;
-    // Named again, a game moves to the top.
+    // A game that is listed twice moves to the top.
     std::erase_if(names, [&](const std::string& name) { return base::equal_ignoring_case(name, game); });
     names.push_back(game);
   }
@@ -114,6 +114,7 @@ base::Result<FileSystem> FileSystem::open(const fs::path& base_folder, std::span
   return files;
 }
 
+// Later mounts hide earlier ones, so the order here is the reverse of the search order.
 base::Status FileSystem::mount_game(const fs::path& folder) {
   folders_.push_back(folder);
   TRY_STATUS(mount_loose_files(folder, folders_.size() - 1));
@@ -132,14 +133,14 @@ base::Status FileSystem::mount_over(std::size_t game, const fs::path& folder) {
 base::Status FileSystem::mount_loose_files(const fs::path& folder, std::size_t game) {
   struct Pending {
     fs::path path;
-    std::string prefix;  // of the names of its files
+    std::string prefix;  // path of the folder below the game folder
   };
   std::vector<Pending> pending{{folder, ""}};
   while (!pending.empty()) {
     const Pending current = std::move(pending.back());
     pending.pop_back();
     TRY(const std::vector<FolderEntry> entries, list_folder(current.path));
-    // In byte order small letters come last: of names that differ in case only, the small one stays.
+    // Lower case is last in byte order, so it wins among names that differ only in case.
     for (const FolderEntry& entry : entries) {
       const std::string name = current.prefix + entry.name;
       if (entry.is_folder)
@@ -161,7 +162,7 @@ base::Status FileSystem::mount_pak(const fs::path& path) {
       read_disk_range(path, header.directory_offset, header.directory_bytes));
   TRY(std::vector<formats::PakEntry> entries,
       formats::read_pak_directory(directory, archive_bytes).with_file(path.string()));
-  // Backwards: of entries with the same name the first one counts.
+  // Backward, so that the first entry with a name wins.
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
     add_file(entry->name,
              {.path = path, .range = Range{entry->offset, entry->size}, .game = folders_.size() - 1});
@@ -179,9 +180,9 @@ base::Status FileSystem::mount_pk3(const fs::path& path) {
   return base::Ok{};
 }
 
-// A name that nobody can ask for (a PAK may hold any) is left out.
+// Skips names that no lookup can find; a PAK may contain any name.
 void FileSystem::add_file(std::string_view name, File file) {
-  std::optional<std::string> normalized = normalized_name(name);
+  std::optional<std::string> normalized = normalize_name(name);
   if (!normalized) return;
   const auto found = files_.find(*normalized);
   if (found != files_.end() && found->second.game > file.game) return;
@@ -189,7 +190,7 @@ void FileSystem::add_file(std::string_view name, File file) {
 }
 
 const FileSystem::File* FileSystem::find(std::string_view name) const {
-  const std::optional<std::string> normalized = normalized_name(name);
+  const std::optional<std::string> normalized = normalize_name(name);
   if (!normalized) return nullptr;
   const auto found = files_.find(*normalized);
   return found == files_.end() ? nullptr : &found->second;
@@ -241,7 +242,7 @@ std::string FileSystem::describe(std::string_view name) const {
   return file == nullptr ? shown : fmt::format("{} in {}", shown, file->path.string());
 }
 
-std::optional<std::size_t> FileSystem::game_of(std::string_view name) const {
+std::optional<std::size_t> FileSystem::find_game(std::string_view name) const {
   const File* file = find(name);
   if (file == nullptr) return std::nullopt;
   return file->game;

@@ -1,13 +1,19 @@
-// The game's files: folders and archives mounted over one another, looked up by name.
+// The virtual file system: the folders and archives of the games, mounted on top of each other, with lookup
+// by name.
 //
-// The order, lowest first, a later one hiding an earlier one's file of the same name:
-//   game folders: id1, then each game in the order given;
-//   in a game folder: its loose files, then pak0.pak, pak1.pak, ... up to the first number that is missing,
-//   then its *.pk3 in alphabetical order.
-// So archives win over loose files of the same folder, as in the original. What somebody keeps elsewhere for
-// a game (mount_over) wins over both.
+// Search order, highest priority first:
 //
-// Names are those of the data: relative, '/' between parts ('\' is taken for '/'), case does not matter.
+//   last game folder      files of mount_over()
+//                         *.pk3, in reverse alphabetical order
+//                         pakN.pak ... pak1.pak, pak0.pak (N: the last number before the first missing one)
+//                         loose files
+//   ...                   the same for each earlier game
+//   id1                   the same
+//
+// So archives hide loose files of the same folder, as in the original engine.
+//
+// Names are relative, with '/' between the parts ('\' means '/'), and case-insensitive, because many mods
+// were made on Windows. A server may send any name: one that leaves the game folders is never found.
 #pragma once
 
 #include <cstdint>
@@ -28,46 +34,47 @@
 
 namespace temblor::vfs {
 
-// All *.pk3 together: they are held in memory. One file, wherever it comes from, is at most kMaxFileBytes.
+// Limit for all *.pk3 together, which are kept in memory. Each single file has at most kMaxFileBytes.
 constexpr std::uint64_t kMaxPk3Bytes = std::uint64_t{1} << 30;
 
-// The name as files are looked up by: lower case, '/' between parts. Nothing when it is empty, absolute or
-// leads outside ("..").
-std::optional<std::string> normalized_name(std::string_view name);
+// Returns the name in the form that lookups use: lower case, '/' between parts. Returns nullopt for names
+// that are empty, absolute, or contain "..".
+std::optional<std::string> normalize_name(std::string_view name);
 
-// Folders and archive tables are read once, when they are mounted; files that appear later are not seen.
-// Reading is const and may be done from several threads.
+// Reads folders and archive directories once, when they are mounted; does not see files that are created
+// later. Const functions are thread-safe.
 class FileSystem {
  public:
-  // `games`: names of folders in base_folder, case does not matter; "id1" need not be among them. kNotFound
-  // when the base folder, id1 or a game is not there; kUsage for a name that is not a folder's; an archive
-  // that is damaged is an error that names it.
+  // Mounts id1 and `games`, which are case-insensitive names of folders in base_folder ("id1" may be
+  // omitted). Returns kNotFound if the base folder, id1, or a game does not exist, kUsage for an invalid
+  // name, and an error that names the archive if one is damaged.
   static base::Result<FileSystem> open(const std::filesystem::path& base_folder,
                                        std::span<const std::string> games = {});
 
-  // Loose files of a folder elsewhere, as if they were those of game folder number `game` and its archives
-  // did not have them; its folders are still those of open(). A folder that is not there has none.
+  // Mounts the loose files of another folder above the files and archives of game number `game`. Does not
+  // change folders(). A missing folder counts as empty.
   base::Status mount_over(std::size_t game, const std::filesystem::path& folder);
 
-  // The file's bytes. kNotFound says which folders were searched.
+  // Reads a file. A kNotFound error lists the folders that were searched.
   base::Result<base::ByteVector> read(std::string_view name) const;
-  // Reads it, as read() would, when it is called: by any thread, even when this object is gone.
+  // Returns a function that reads the file later, from any thread, even after this object is destroyed.
   std::function<base::Result<base::ByteVector>()> reader(std::string_view name) const;
   bool contains(std::string_view name) const;
 
-  // Where a file comes from: its path on disk, or that of its archive; empty when there is no such file.
+  // Returns the path of the file, or of its archive; empty if there is no such file.
   std::string where(std::string_view name) const;
 
-  // The same for a message: "PATH" of a loose file, "NAME in ARCHIVE", or just the name.
+  // Describes the source of a file in messages: "PATH" for a loose file, "NAME in ARCHIVE", or just the name.
   std::string describe(std::string_view name) const;
 
-  // The game folder it comes from: 0 is id1, higher hides lower; nothing when there is no such file.
-  std::optional<std::size_t> game_of(std::string_view name) const;
+  // Returns the index of the file's game in folders() (0 is id1), or nullopt if there is no such file.
+  std::optional<std::size_t> find_game(std::string_view name) const;
 
-  // All files whose names start and end so, in lower case, sorted, each once: list("maps/", ".bsp").
+  // Lists the files with this prefix and suffix, such as list("maps/", ".bsp"): lower case, sorted, without
+  // duplicates.
   std::vector<std::string> list(std::string_view prefix, std::string_view suffix) const;
 
-  // The game folders that are mounted, lowest first.
+  // The mounted game folders, id1 first.
   std::span<const std::filesystem::path> folders() const { return folders_; }
 
  private:
@@ -75,20 +82,20 @@ class FileSystem {
     std::uint64_t offset = 0, size = 0;
   };
   struct File {
-    std::filesystem::path path;                 // on disk: the file, or the archive that it is in
-    std::optional<Range> range{};               // in a PAK: where
-    std::shared_ptr<const formats::Pk3> pk3{};  // in a PK3: which, and its place there
+    std::filesystem::path path;                 // of the file, or of its archive
+    std::optional<Range> range{};               // place in a PAK
+    std::shared_ptr<const formats::Pk3> pk3{};  // archive if it is in a PK3, and the entry
     std::size_t pk3_position = 0;
     std::size_t game = 0;  // into folders_
   };
 
-  // `description` as of describe().
+  // `description`: from describe(), for errors.
   static base::Result<base::ByteVector> read_file(const File& file, const std::string& description);
   base::Status mount_game(const std::filesystem::path& folder);
   base::Status mount_loose_files(const std::filesystem::path& folder, std::size_t game);
   base::Status mount_pak(const std::filesystem::path& path);
   base::Status mount_pk3(const std::filesystem::path& path);
-  // Hides one of the same game, or of a lower one.
+  // Mounts a file. It replaces one of the same or a lower game, but not one of a higher game.
   void add_file(std::string_view name, File file);
   const File* find(std::string_view name) const;
 

@@ -10,7 +10,7 @@
 namespace temblor::vm {
 namespace {
 
-// Names that compilers give to constants, which say nothing.
+// The name that compilers give to all constants.
 constexpr std::string_view kConstant = "IMMEDIATE";
 
 std::string describe_vector(const formats::Progs& progs, std::size_t word) {
@@ -18,7 +18,7 @@ std::string describe_vector(const formats::Progs& progs, std::size_t word) {
   return fmt::format("'{:g} {:g} {:g}'", at(0), at(1), at(2));
 }
 
-// What a constant is: its value at load, which nothing changes.
+// Describes a constant by its value at load, which no statement of an ordinary program changes.
 std::string describe_constant(const formats::Progs& progs, std::size_t word, formats::ProgsType type) {
   const std::uint32_t value = progs.global_words[word];
   if (type == formats::ProgsType::kVector) return describe_vector(progs, word);
@@ -28,6 +28,7 @@ std::string describe_constant(const formats::Progs& progs, std::size_t word, for
   return fmt::format("{:#x}", value);
 }
 
+// Words 1 to 27 have fixed meanings, and no definitions.
 std::string describe_global(const Program& program, std::size_t word) {
   if (word == 1) return "return";
   if (word >= 4 && word < formats::kReservedGlobalWords && (word - 4) % 3 == 0)
@@ -64,7 +65,7 @@ std::string disassemble(const Program& program, FunctionIndex index) {
   if (function.first_statement <= 0)
     return fmt::format("built-in function {}\n", -std::int64_t{function.first_statement});
   std::string lines;
-  for (auto i = static_cast<std::size_t>(function.first_statement); i < program.end_of(index); ++i)
+  for (auto i = static_cast<std::size_t>(function.first_statement); i < program.function_end(index); ++i)
     lines += fmt::format("{:>6}  {}\n", i, describe_statement(program, i));
   return lines;
 }

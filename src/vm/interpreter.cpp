@@ -1,12 +1,16 @@
-// The loop that runs instructions.
+// The interpreter loop.
 //
-// Each operation ends with a jump of its own to the next one's code, through a table (labels as values, which
-// g++ and clang know): a branch predictor sees the operations that usually follow each other, which one
-// common switch hides from it. Nothing is counted per instruction: what ran is the distance from where the
-// last jump led to, added up at jumps that are taken, at calls and at returns.
+// Each operation ends with its own jump to the code of the next operation, through a table of labels ("labels
+// as values", an extension of g++ and clang). The branch predictor then learns which operations follow each
+// other; a shared switch would hide that.
 //
-// Operands are words of globals, checked when the program was loaded; only values (entities, fields,
-// pointers, strings, functions) are checked here.
+// Nothing is counted for each instruction: the number of executed instructions is the distance from the
+// target of the last jump, added up at taken jumps, calls, and returns. The loop exists twice: the traced
+// version prints every statement, and uses no fused operations.
+//
+// Operand indices were checked when the program was loaded. Only values (entities, fields, pointers, strings,
+// functions) are checked here. Float operations follow IEEE 754, as in the original: division by zero gives
+// an infinity or NaN.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -19,7 +23,7 @@ namespace temblor::vm {
 namespace {
 
 constexpr std::uint32_t kVectorWords = 3;
-// As many as are compared in about the time of an instruction.
+// The number of characters that can be compared in about the time of one instruction.
 constexpr std::size_t kCharactersPerInstruction = 32;
 
 inline float as_float(std::uint32_t word) {
@@ -32,7 +36,8 @@ inline std::uint32_t truth(bool value) {
   return value ? as_word(1.0f) : 0;
 }
 
-// Towards zero; what is no number or too large for 32 bits gives the smallest, as on the original's machines.
+// Truncates. NaN and values too large for 32 bits become the smallest integer, as on the original's
+// processors.
 inline std::int32_t as_int(std::uint32_t word) {
   const float value = as_float(word);
   return value >= -0x1p31f && value < 0x1p31f ? static_cast<std::int32_t>(value) : INT32_MIN;
@@ -51,7 +56,7 @@ inline void scale_vector(std::uint32_t* out, const std::uint32_t* vector, float 
   out[2] = as_word(z);
 }
 
-// `sign`: 1 to add, -1 to subtract (which is the same as adding what is negated, bit for bit).
+// `sign`: 1 adds, -1 subtracts (adding the negated value gives the same bits).
 inline void add_vectors(std::uint32_t* out, const std::uint32_t* a, const std::uint32_t* b, float sign) {
   const float x = as_float(a[0]) + sign * as_float(b[0]), y = as_float(a[1]) + sign * as_float(b[1]),
               z = as_float(a[2]) + sign * as_float(b[2]);
@@ -71,59 +76,63 @@ inline void copy_vector(std::uint32_t* out, const std::uint32_t* in) {
 
 Machine::Stop Machine::fail(const Instruction* at, base::Error error) {
   frames_.back().at = at;
-  located(std::move(error));
+  add_location(std::move(error));
   return Stop::kFailed;
 }
 
 Machine::Stop Machine::fail_string(const Instruction* at, std::uint32_t left, std::uint32_t right) {
-  return fail(at, base::malformed("{:#x} is no string", strings_.contains(StringIndex{left}) ? right : left));
+  return fail(at,
+              base::malformed("{:#x} is not a string", strings_.contains(StringIndex{left}) ? right : left));
 }
 
 Machine::Stop Machine::fail_field(const Instruction* at, std::uint32_t entity, std::uint32_t field) {
   if (entity >= entity_count_)
-    return fail(at, base::malformed("{:#x} is no entity: there are {}", entity, entity_count_));
+    return fail(at, base::malformed("{:#x} is not an entity (there are {})", entity, entity_count_));
   if (field >= program_->progs().entity_words)
-    return fail(at, base::malformed("{:#x} is no field: entities have {} words", field,
+    return fail(at, base::malformed("{:#x} is not a field (entities have {} words)", field,
                                     program_->progs().entity_words));
   if (entity == 0 && world_is_protected_ && at->alone == Operation::kAddress)
-    return fail(at, base::malformed("it writes into the world"));
-  return fail(
-      at, base::malformed("a vector at word {} of an entity's {}", field, program_->progs().entity_words));
+    return fail(at, base::malformed("it writes to the world entity"));
+  return fail(at, base::malformed("it accesses a vector at word {} of an entity with {} words", field,
+                                  program_->progs().entity_words));
 }
 
 Machine::Stop Machine::fail_pointer(const Instruction* at, std::uint32_t pointer) {
-  return fail(at, base::malformed("it writes through {:#x}, which is no place in an entity", pointer));
+  return fail(at, base::malformed("it writes through the pointer {:#x}, which is not in an entity", pointer));
 }
 
-// One function: the operations are places in it.
+// One function, because the labels of all operations must be in it.
 template <bool kIsTraced>
 Machine::Stop Machine::interpret(std::size_t base_frames) {
 #define TEMBLOR_VM_LABEL(name) &&on_##name,
   static const void* const kCode[] = {TEMBLOR_VM_OPERATIONS(TEMBLOR_VM_LABEL)};
 #undef TEMBLOR_VM_LABEL
   const Instruction* at = frames_.back().at;
-  const Instruction* run_begin = at;  // what ran since is not yet taken from the budget
+  const Instruction* run_begin = at;  // instructions since then are not yet subtracted from the budget
   std::int64_t budget = budget_;
-  std::int64_t budget_at_entry = budget;  // of the current function
+  std::int64_t budget_at_entry = budget;  // when the current function started
   std::uint32_t* const globals = globals_.data();
   std::uint32_t* entities = entity_words_.data();
   std::uint32_t entity_count = entity_count_;
   const std::uint32_t entity_words = program_->progs().entity_words;
-  // A pointer is where a program may write if pointer - writable_begin is below writable_words.
+  // The program may write to a pointer if pointer - writable_begin < writable_words. The subtraction wraps
+  // around for smaller pointers, so one comparison checks both ends.
   std::uint32_t writable_begin = 0, writable_words = 0;
-  const auto look_at_entities = [&] {
+  // A built-in function may have moved, added, or protected entities.
+  const auto refresh_entities = [&] {
     entities = entity_words_.data();
     entity_count = entity_count_;
     writable_begin = world_is_protected_ ? entity_words : 0;
     writable_words = static_cast<std::uint32_t>(entity_words_.size()) - writable_begin;
   };
-  look_at_entities();
-  // Everything up to and with `last` ran.
-  const auto settle = [&](const Instruction* last) {
+  refresh_entities();
+  // Subtracts the instructions since run_begin, up to and including `last`, from the budget.
+  const auto count_instructions = [&](const Instruction* last) {
     budget -= last + 1 - run_begin;
     run_begin = last + 1;
   };
-  const auto leave_function_count = [&] {
+  // Adds the instructions since the current function started or continued to its profile.
+  const auto update_profile = [&] {
     counters_[base::to_size(frames_.back().function)].instructions +=
         static_cast<std::uint64_t>(budget_at_entry - budget);
     budget_at_entry = budget_ = budget;
@@ -151,7 +160,7 @@ Machine::Stop Machine::interpret(std::size_t base_frames) {
   } while (false)
 #define JUMP(distance)                \
   do {                                \
-    settle(at);                       \
+    count_instructions(at);           \
     at += (distance);                 \
     run_begin = at;                   \
     if (budget < 0) goto out_of_time; \
@@ -159,11 +168,11 @@ Machine::Stop Machine::interpret(std::size_t base_frames) {
   } while (false)
 #define FAIL(call)          \
   do {                      \
-    settle(at);             \
-    leave_function_count(); \
+    count_instructions(at); \
+    update_profile();       \
     return call;            \
   } while (false)
-// A truth value by itself, and with the branch that tests it.
+// Defines an operation that computes a truth value: alone, and fused with either branch that tests it.
 #define TESTED(name, value)          \
   on_##name : C = (value);           \
   NEXT();                            \
@@ -215,6 +224,8 @@ on_SubV:
   add_vectors(&C, &A, &B, -1);
   NEXT();
 
+  // Operations that compute a truth value. And and Or are not short-circuit: both operands were computed
+  // before.
   TESTED(EqF, truth(FA == FB))
   TESTED(NeF, truth(FA != FB))
   TESTED(EqWord, truth(A == B))
@@ -249,6 +260,7 @@ on_NeS : {
   const std::string_view left_text = strings_.text(left), right_text = strings_.text(right);
   const int order = left_text.compare(right_text);
   budget -= static_cast<std::int64_t>((left_text.size() + right_text.size()) / kCharactersPerInstruction);
+  // NE_S returns the sign of the comparison, not 1, as in the original.
   if (at->alone == Operation::kEqS)
     C = truth(order == 0);
   else
@@ -261,6 +273,7 @@ on_NotS : {
   NEXT();
 }
 
+// Loads a word of an entity's field; for the load alone, and fused with either branch.
 #define LOADED_WORD()                                                              \
   const std::uint32_t entity = A, field = B;                                       \
   if (entity >= entity_count || field >= entity_words) [[unlikely]]                \
@@ -291,6 +304,8 @@ on_LoadVector : {
   NEXT();
 }
 
+// Computes a pointer to a field; alone, and fused with the store through it. A pointer to a protected world
+// is an error already here, as in the original.
 #define ADDRESSED_PLACE()                                                                       \
   const std::uint32_t entity = A, field = B;                                                    \
   const std::uint32_t pointer = entity * entity_words + field;                                  \
@@ -337,6 +352,7 @@ on_StorePVector : {
   NEXT();
 }
 
+// Branches test the word, not the float: -0.0 counts as true, as in the original.
 on_If:
   if (A != 0) JUMP(at->b);
   NEXT();
@@ -348,18 +364,18 @@ on_Goto:
 
 on_Call : {
   const std::uint32_t index = A;
-  settle(at);
-  leave_function_count();
+  count_instructions(at);
+  update_profile();
   if (budget < 0) goto out_of_time;
-  if (index == 0) return fail(at, base::malformed("it calls no function"));
+  if (index == 0) return fail(at, base::malformed("it calls a function variable that is not set"));
   if (index >= program_->progs().functions.size())
-    return fail(at, base::malformed("it calls function {:#x}: there are {}", index,
+    return fail(at, base::malformed("it calls function {:#x}, but there are only {}", index,
                                     program_->progs().functions.size()));
   frames_.back().at = at;
   parameter_count_ = at->b;
   const FunctionIndex function{index};
   if (program_->function(function).first_statement > 0) {
-    if (!enter(function)) return fail(at, no_room_for(function));
+    if (!enter(function)) return fail(at, make_limit_error(function));
     budget = budget_;
     at = run_begin = frames_.back().at;
     DISPATCH();
@@ -369,7 +385,7 @@ on_Call : {
     return Stop::kFailed;
   }
   budget = budget_at_entry = budget_;
-  look_at_entities();
+  refresh_entities();
   if (kIsTraced != static_cast<bool>(tracer_)) {
     frames_.back().at = at + 1;
     return Stop::kSwitched;
@@ -377,13 +393,14 @@ on_Call : {
   NEXT();
 }
 on_Return : {
-  // One word after the other, as the original: "DONE", whose operand is word 0, returns that three times.
+  // Copy one word after the other, as in the original: the operand of DONE is word 0, which word 1 follows,
+  // so DONE returns word 0 three times.
   const std::uint32_t* value = &A;
   globals[1] = value[0];
   globals[2] = value[1];
   globals[3] = value[2];
-  settle(at);
-  leave_function_count();
+  count_instructions(at);
+  update_profile();
   leave();
   if (frames_.size() == base_frames) return Stop::kReturned;
   at = frames_.back().at + 1;
@@ -391,12 +408,14 @@ on_Return : {
   DISPATCH();
 }
 on_State : {
-  if (!state_fields_) FAIL(fail(at, base::malformed("it uses STATE, whose fields are not known here")));
+  if (!state_fields_)
+    FAIL(fail(at, base::malformed("it uses STATE, but the program does not define its fields (self, time, "
+                                  "nextthink, frame, think)")));
   const std::uint32_t entity = globals[base::to_size(state_fields_->self)];
   if (entity >= entity_count) FAIL(fail_field(at, entity, 0));
-  if (entity == 0 && world_is_protected_) FAIL(fail(at, base::malformed("it writes into the world")));
+  if (entity == 0 && world_is_protected_) FAIL(fail(at, base::malformed("it writes to the world entity")));
   std::uint32_t* words = entities + std::size_t{entity} * entity_words;
-  // The sum is the original's: in double precision.
+  // The sum is computed in double precision, as in the original.
   const double think_time_s = double{as_float(globals[base::to_size(state_fields_->time)])} + 0.1;
   words[base::to_size(state_fields_->next_think)] = as_word(static_cast<float>(think_time_s));
   words[base::to_size(state_fields_->frame)] = A;
@@ -404,12 +423,12 @@ on_State : {
   NEXT();
 }
 on_PastEnd:
-  --at;  // it is no statement of the program's
+  --at;  // kPastEnd is not a statement of the program
   FAIL(fail(at, base::malformed("it runs past the last statement of the program")));
 
 out_of_time:
-  leave_function_count();
-  return fail(at, base::error(base::ErrorCode::kTooLarge, "it does not end: {} instructions were run",
+  update_profile();
+  return fail(at, base::error(base::ErrorCode::kTooLarge, "endless loop? Stopped after {} instructions",
                               limits_.instructions));
 #undef ADDRESSED_PLACE
 #undef LOADED_WORD

@@ -1,4 +1,4 @@
-// Calls: frames, locals, built-in functions, and what is left of them when one fails.
+// Calls: frames, locals, built-in functions, budgets, and cleaning up after a failure.
 #include "vm/machine.h"
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::uint32_t kNoBuiltin = std::numeric_limits<std::uint32_t>::max();
 
-// Words that are copied in about the time of an instruction.
+// The number of words that can be copied in about the time of one instruction.
 constexpr std::uint32_t kWordsPerInstruction = 32;
 
 std::int64_t as_budget(std::uint64_t instructions) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max();
-  return static_cast<std::int64_t>(std::min(instructions, kMost));
+  constexpr std::uint64_t kMaxBudget = std::numeric_limits<std::int64_t>::max();
+  return static_cast<std::int64_t>(std::min(instructions, kMaxBudget));
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ Machine::Machine(std::shared_ptr<const Program> program, Limits limits)
       globals_(program_->progs().global_words),
       entity_words_(program_->progs().entity_words),
       strings_(program_->progs().strings, limits.string_bytes),
-      builtin_of_(program_->progs().functions.size(), kNoBuiltin),
+      builtin_by_function_(program_->progs().functions.size(), kNoBuiltin),
       counters_(program_->progs().functions.size()) {
   CHECK(limits.entity_bytes / sizeof(std::uint32_t) <= std::numeric_limits<std::uint32_t>::max());
   globals_.resize(globals_.size() + kSpareWords);
@@ -36,7 +36,7 @@ Machine::Machine(std::shared_ptr<const Program> program, Limits limits)
 }
 
 void Machine::bind(std::size_t slot, FunctionIndex function) {
-  builtin_of_[base::to_size(function)] = static_cast<std::uint32_t>(slot);
+  builtin_by_function_[base::to_size(function)] = static_cast<std::uint32_t>(slot);
 }
 
 void Machine::add_builtin(int number, std::string name, Builtin builtin) {
@@ -51,7 +51,8 @@ void Machine::add_named_builtin(std::string name, Builtin builtin) {
   CHECK(nested_calls_ == 0);
   const auto& functions = program_->progs().functions;
   for (std::size_t i = 1; i < functions.size(); ++i)
-    if (functions[i].first_statement == 0 && program_->name_of(base::to_index<FunctionIndex>(i)) == name)
+    if (functions[i].first_statement == 0 &&
+        program_->function_name(base::to_index<FunctionIndex>(i)) == name)
       bind(builtins_.size(), base::to_index<FunctionIndex>(i));
   builtins_.push_back({std::move(name), std::move(builtin)});
 }
@@ -78,7 +79,7 @@ std::string Machine::describe(std::span<const TraceEntry> trace) const {
   return lines;
 }
 
-base::Error Machine::located(base::Error error) {
+base::Error Machine::add_location(base::Error error) {
   failure_trace_ = current_trace();
   if (!failure_trace_.empty())
     error.what +=
@@ -87,11 +88,12 @@ base::Error Machine::located(base::Error error) {
   return error;
 }
 
+// Every nested call uses the C++ stack as well, so their depth has a limit of its own.
 base::Status Machine::call(FunctionIndex function) {
   if (nested_calls_ >= limits_.nested_calls)
-    return located(base::error(base::ErrorCode::kTooLarge,
-                               "built-in functions call functions that call built-in functions, {} deep",
-                               nested_calls_));
+    return add_location(base::error(base::ErrorCode::kTooLarge,
+                                    "built-in functions and functions call each other, {} levels deep",
+                                    nested_calls_));
   if (nested_calls_ == 0) budget_ = as_budget(limits_.instructions);
   const int parameter_count = parameter_count_;
   ++nested_calls_;
@@ -104,7 +106,7 @@ base::Status Machine::call(FunctionIndex function) {
 base::Status Machine::run(FunctionIndex function) {
   const auto& functions = program_->progs().functions;
   if (function == kNoFunction || base::to_size(function) >= functions.size())
-    return located(base::malformed("there is no function {} to call", base::to_size(function)));
+    return add_location(base::malformed("there is no function {}", base::to_size(function)));
   if (functions[base::to_size(function)].first_statement <= 0) {
     parameter_count_ = 0;
     return run_builtin(function);
@@ -112,9 +114,11 @@ base::Status Machine::run(FunctionIndex function) {
   return run_frames(function);
 }
 
+// Runs a function with statements. After a failure, frames of this call are still open; leaving them restores
+// all locals, so that the machine can be called again.
 base::Status Machine::run_frames(FunctionIndex function) {
   const std::size_t base_frames = frames_.size();
-  if (!enter(function)) return located(no_room_for(function));
+  if (!enter(function)) return add_location(make_limit_error(function));
   Stop stop = Stop::kSwitched;
   while (stop == Stop::kSwitched)
     stop = tracer_ ? interpret<true>(base_frames) : interpret<false>(base_frames);
@@ -123,15 +127,19 @@ base::Status Machine::run_frames(FunctionIndex function) {
   return base::Ok{};
 }
 
-base::Error Machine::no_room_for(FunctionIndex index) const {
+base::Error Machine::make_limit_error(FunctionIndex index) const {
   if (frames_.size() >= static_cast<std::size_t>(limits_.call_depth))
-    return base::error(base::ErrorCode::kTooLarge, "functions call functions without end: {} deep",
+    return base::error(base::ErrorCode::kTooLarge, "the calls are {} levels deep (endless recursion?)",
                        frames_.size());
   return base::error(base::ErrorCode::kTooLarge,
-                     "locals of functions that wait for others: {} words, the limit is {}",
+                     "the locals of all active functions need {} words; the limit is {}",
                      saved_count_ + program_->function(index).local_count, limits_.saved_words);
 }
 
+// Saves the old values of the callee's locals, then copies the parameters into the first locals:
+//
+//   saved_:   | locals of frame 0 | locals of frame 1 | free |
+//                                 ^ saved_begin of 1  ^ saved_count_
 bool Machine::enter(FunctionIndex index) {
   const formats::ProgsFunction& function = program_->function(index);
   const std::size_t saved_end = saved_count_ + function.local_count;
@@ -160,27 +168,29 @@ void Machine::leave() {
   frames_.pop_back();
 }
 
+// A built-in function reads bad text parameters as empty; the error comes afterward, so that its code needs
+// no check.
 base::Status Machine::run_builtin(FunctionIndex index) {
-  const std::uint32_t slot = builtin_of_[base::to_size(index)];
+  const std::uint32_t slot = builtin_by_function_[base::to_size(index)];
   if (slot == kNoBuiltin)
-    return located(base::error(base::ErrorCode::kUnsupported, "there is no built-in function {} ({})",
-                               -std::int64_t{program_->function(index).first_statement},
-                               base::quotable(program_->name_of(index))));
+    return add_location(base::error(base::ErrorCode::kUnsupported, "there is no built-in function {} ({})",
+                                    -std::int64_t{program_->function(index).first_statement},
+                                    base::quotable(program_->function_name(index))));
   ++counters_[base::to_size(index)].calls;
   bad_text_parameter_.reset();
   const base::Status status = builtins_[slot].run(*this);
-  // What a call from within it failed of has its place already.
+  // An error of a nested call already has its location.
   if (!status.ok() && status.error().what == failure_.what) return status;
   if (!status.ok())
-    return located({status.error().code, builtins_[slot].name + ": " + status.error().what, {}});
+    return add_location({status.error().code, builtins_[slot].name + ": " + status.error().what, {}});
   if (bad_text_parameter_)
-    return located(
-        base::malformed("{}: parameter {} is no string", builtins_[slot].name, *bad_text_parameter_ + 1));
+    return add_location(
+        base::malformed("{}: parameter {} is not a string", builtins_[slot].name, *bad_text_parameter_ + 1));
   return base::Ok{};
 }
 
 void Machine::charge(std::uint64_t instructions) {
-  // Far from the end of the numbers, so that more may be taken.
+  // Stay far from the limits of the integer type, because more may be subtracted.
   budget_ -= std::min(as_budget(instructions), std::max<std::int64_t>(budget_, 0) + 1);
 }
 
@@ -188,7 +198,7 @@ base::Status Machine::set_entity_count(std::uint32_t count) {
   CHECK(count > 0);
   const std::size_t words = std::size_t{count} * program_->progs().entity_words;
   if (count > limits_.entities || words * sizeof(std::uint32_t) > limits_.entity_bytes)
-    return base::error(base::ErrorCode::kTooLarge, "no memory for {} entities of {} words", count,
+    return base::error(base::ErrorCode::kTooLarge, "{} entities of {} words exceed the memory limit", count,
                        program_->progs().entity_words);
   entity_words_.resize(words);
   entity_count_ = count;
@@ -196,7 +206,7 @@ base::Status Machine::set_entity_count(std::uint32_t count) {
 }
 
 void Machine::collect_strings() {
-  if (nested_calls_ == 0 && strings_.is_worth_collecting()) strings_.collect({globals_, entity_words_});
+  if (nested_calls_ == 0 && strings_.needs_collection()) strings_.collect({globals_, entity_words_});
 }
 
 std::vector<FunctionProfile> Machine::profile() const {

@@ -1,10 +1,21 @@
-// The QuakeC machine: runs one program over its globals, entities and strings. Knows nothing of Quake: what a
-// built-in function does, and which fields there are, is told to it. Two machines share nothing but their
-// program.
+// The QuakeC virtual machine: runs one program with its globals, entities, and strings.
 //
-// Whatever the program does, it stays inside: string, entity, field and function values are checked at every
-// access, and what runs away (deep recursion, an endless loop, memory) is ended with an error that the caller
-// gets. The machine can be called again afterwards.
+// It knows nothing about Quake: the server adds the built-in functions and names the fields of STATE. Two
+// machines share only their (constant) program. All values are untyped 32-bit words; a statement decides
+// whether a word is a float, a string, an entity, a field, a pointer, or a function:
+//
+//   globals:   word 0     1-3      4-6    7-9  ...  25-27    28 ...
+//              | null | return | parm0 | parm1 | ... | parm7 | globals and locals of the program |
+//   entities: [ entity 0: field words ][ entity 1: field words ] ...     a pointer is entity * words + field
+//   strings:  offsets into the program's text, or numbers above 2^31 for strings made while running
+//
+// Calls: the locals of a function are globals at fixed places. A call saves their old values, copies the
+// parameters to the first of them, and runs the callee; the return restores them. So recursion works,
+// although a local that is not set yet has an old value.
+//
+// A program cannot leave the machine: string, entity, field, pointer, and function values are checked at
+// every access, and deep recursion, endless loops, and excessive memory use end the call with an error. The
+// machine can be called again afterward. Limits are far higher than in the original.
 #pragma once
 
 #include <array>
@@ -24,82 +35,91 @@
 
 namespace temblor::vm {
 
+// Limits of one machine, which protect the host from game code that hangs or consumes all memory.
 struct Limits {
-  int call_depth = 1024;              // the original's: 32
-  std::size_t saved_words = 1 << 18;  // of all functions that wait for one they called; 2048
-  // Of one call from outside, with all that it calls; 100000. A comparison of long strings, or a call of a
-  // function with many locals, counts as several.
+  int call_depth = 1024;              // the original has 32
+  std::size_t saved_words = 1 << 18;  // saved locals of all active functions; the original has 2048
+  // The budget of one call from outside, including everything it calls; the original has 100,000. Comparing
+  // long strings and calling functions with many locals count as several instructions.
   std::uint64_t instructions = 10'000'000;
-  std::size_t string_bytes = 64 << 20;  // of strings made while running
+  std::size_t string_bytes = 64 << 20;  // all strings made while running
   std::uint32_t entities = 32000;
-  std::size_t entity_bytes = 256 << 20;  // of all of them
-  int nested_calls = 32;                 // of built-in functions that call the machine that calls them
+  std::size_t entity_bytes = 256 << 20;  // all entities together
+  int nested_calls = 32;                 // depth of built-in functions that call back into the machine
 };
 
-// Where a program stood when it failed, or stands: the innermost function first.
+// One function of a call stack. Traces list the innermost function first.
 struct TraceEntry {
   FunctionIndex function = kNoFunction;
   std::size_t statement = 0;  // 0 for a built-in function
 };
 
-// What operation 60, STATE, means: self.next_think = time + 0.1, self.frame and self.think as given.
+// The globals and fields that operation 60, STATE, uses. QuakeC writes it as `void() walk1 = [$walk1, walk2]
+// {...}`: self.nextthink = time + 0.1, self.frame = the first operand, self.think = the second.
 struct StateFields {
   GlobalIndex self{}, time{};
   FieldIndex next_think{}, frame{}, think{};
 };
 
+// Work of one function since the last reset.
 struct FunctionProfile {
   FunctionIndex function = kNoFunction;
   std::uint64_t calls = 0;
-  std::uint64_t instructions = 0;  // its own, without those of functions that it called
+  std::uint64_t instructions = 0;  // without the functions that it called
 };
 
+// One machine belongs to one thread. Functions that name an index CHECK that it is valid, except where
+// documented: indices come from the engine, values from the program.
 class Machine {
  public:
-  // Reads its parameters from the machine and leaves its result there. May call back into the machine.
+  // A function of the engine. Reads its parameters from the machine, and writes its result there with
+  // return_*(). May call back into the machine. An error ends the outermost call.
   using Builtin = std::function<base::Status(Machine& io_machine)>;
 
   static constexpr int kMaxParameters = 8;
 
+  // Starts with the program's initial globals, and with the world as the only entity.
   explicit Machine(std::shared_ptr<const Program> program, Limits limits = {});
 
   const Program& program() const { return *program_; }
 
-  // `number` 1 and up. Calling a number that nobody added is an error that names it. Not while running.
+  // Adds built-in function `number` (1 and up). Calling a number that was not added is an error that names
+  // it. Must not be called while the program runs.
   void add_builtin(int number, std::string name, Builtin builtin);
-  // For functions that a program declares with number 0: known by their own name.
+  // Adds a function for programs that declare it with number 0, so that only its name identifies it.
   void add_named_builtin(std::string name, Builtin builtin);
-  // CHECKs that they are the program's. Without them operation 60 is an error.
+  // CHECKs that the indices belong to the program. Without them, operation 60 is an error.
   void set_state_fields(const StateFields& fields);
-  // While set, a program may not write into entity 0.
+  // While set, writing to the world (entity 0) is an error, as in the original after the level has started:
+  // it usually means that game code used an entity variable that was never set.
   void protect_world(bool is_protected) { world_is_protected_ = is_protected; }
 
-  // Runs a function until it returns. Its parameters were set before; its result is in returned_*(). An
-  // error says what went wrong, in which function, file and statement; failure_trace() has the rest.
-  // kNoFunction is an error. From within a built-in function, depth, memory and instructions are counted
-  // together with those of the call that it is part of, and parameters and result are overwritten, as in the
-  // original: read them before.
+  // Runs a function until it returns. Set its parameters first; read its result with returned_*(). An error
+  // names the problem, function, file, and statement; failure_trace() has the call stack. kNoFunction is an
+  // error. A call from a built-in function shares depth, memory, and budget with the call that it is part of,
+  // and overwrites parameters and result, as in the original: read them first.
   base::Status call(FunctionIndex function);
-  // Of the last call that failed.
+  // The call stack of the last call that failed.
   std::span<const TraceEntry> failure_trace() const { return failure_trace_; }
-  // "  FUNCTION (FILE:LINE), statement N": one line each.
+  // Returns one line per entry: "  FUNCTION (FILE:LINE), statement N".
   std::string describe(std::span<const TraceEntry> trace) const;
-  // From within a built-in function: who called it.
+  // For built-in functions: returns the call stack.
   std::vector<TraceEntry> current_trace() const;
-  // From within a built-in function that does more than a little work, which grows with what it is given: as
-  // many instructions as that is worth are taken from the call's budget.
+  // For built-in functions whose work grows with their arguments: takes that many instructions from the
+  // call's budget.
   void charge(std::uint64_t instructions);
-  // traceon: every statement goes to `output` in words before it is run; null: none (again fast).
+  // Passes each statement as text to `output` before it runs (`traceon` in QuakeC). Null ends tracing and
+  // restores full speed.
   void set_tracer(std::function<void(std::string_view line)> output) { tracer_ = std::move(output); }
 
-  // --- Globals. CHECKs that the index is inside.
+  // --- Globals. All CHECK that the index is valid. Values are not checked, because any word may be any type.
   std::span<std::uint32_t> global_words() { return std::span(globals_).first(globals_.size() - kSpareWords); }
   std::span<const std::uint32_t> global_words() const {
     return std::span(globals_).first(globals_.size() - kSpareWords);
   }
   float global_float(GlobalIndex index) const;
   math::Vec3 global_vector(GlobalIndex index) const;
-  EntityIndex global_entity(GlobalIndex index) const;  // kWorld for a value that is no entity
+  EntityIndex global_entity(GlobalIndex index) const;  // kWorld if the value is not an entity
   StringIndex global_string(GlobalIndex index) const;
   FunctionIndex global_function(GlobalIndex index) const;
   void set_global_float(GlobalIndex index, float value);
@@ -108,67 +128,70 @@ class Machine {
   void set_global_string(GlobalIndex index, StringIndex value);
   void set_global_function(GlobalIndex index, FunctionIndex value);
 
-  // --- Parameters of the running built-in function, or of the call to come; 0 to 7.
+  // --- Parameters of the running built-in function, or of the next call; `i` is 0 to 7.
   int parameter_count() const { return parameter_count_; }
   float parameter_float(int i) const;
   math::Vec3 parameter_vector(int i) const;
-  // Nothing for a value that is no string; the call of the built-in function then ends with an error. Valid
-  // until the string goes.
+  // Returns an empty text if the value is not a string; the built-in function's call then ends with an error.
+  // Valid as long as the string exists.
   std::string_view parameter_text(int i);
   StringIndex parameter_string(int i) const;
   FunctionIndex parameter_function(int i) const;
-  // An error for a value that is no entity.
+  // Fails if the value is not an entity.
   base::Result<EntityIndex> parameter_entity(int i) const;
-  // An error for a value that is no word of an entity.
+  // Fails if the value is not the number of an entity's word.
   base::Result<FieldIndex> parameter_field(int i) const;
   void set_parameter_float(int i, float value);
   void set_parameter_vector(int i, const math::Vec3& value);
   void set_parameter_string(int i, StringIndex value);
   void set_parameter_entity(int i, EntityIndex value);
 
-  // --- The result of the running built-in function, or of the call before.
+  // --- The result of the running built-in function, or of the last call.
   void return_float(float value);
   void return_vector(const math::Vec3& value);
   void return_string(StringIndex value);
   void return_entity(EntityIndex value);
   float returned_float() const;
   math::Vec3 returned_vector() const;
-  EntityIndex returned_entity() const;  // kWorld for a value that is no entity
+  EntityIndex returned_entity() const;  // kWorld if the value is not an entity
   StringIndex returned_string() const;
 
-  // --- Entities: program().progs().entity_words words each, all 0 at first. Entity 0 is always there.
+  // --- Entities: program().progs().entity_words words each, initially 0. Entity 0 always exists.
   std::uint32_t entity_count() const { return entity_count_; }
-  // At least 1; at most limits.entities and limits.entity_bytes, else kTooLarge. Words of new entities are 0;
-  // those of lost ones are forgotten.
+  // Sets the number of entities, at least 1. Fails with kTooLarge above limits.entities or
+  // limits.entity_bytes. Words of new entities are 0; those of removed entities are lost.
   base::Status set_entity_count(std::uint32_t count);
-  // Valid until the number of entities changes. CHECKs that there is such an entity.
+  // Returns the entity's words, valid until the number of entities changes. CHECKs that the entity exists.
   std::span<std::uint32_t> entity(EntityIndex index);
   std::span<const std::uint32_t> entity(EntityIndex index) const;
 
   // --- Strings
   std::string_view text(StringIndex index) const { return strings_.text(index); }
-  // A string that lives as long as any global or entity holds it: collect_strings() forgets the others.
-  // kTooLarge past limits.string_bytes.
+  // Makes a string that lives as long as a global or an entity holds its number; collect_strings() frees the
+  // others. Fails with kTooLarge above limits.string_bytes.
   base::Result<StringIndex> make_string(std::string_view text) { return strings_.make(text); }
   const Strings& strings() const { return strings_; }
   Strings& strings() { return strings_; }
-  // Between calls: frees made strings that nobody holds, if enough were made to be worth it.
+  // Frees strings that nothing holds, if enough were made since the last time. Call it between calls; inside
+  // of a call it does nothing, because C++ code may hold a string that no global contains yet.
   void collect_strings();
 
-  // --- Profile: since the last reset; those that ran most instructions first.
+  // --- Profile since the last reset, most instructions first.
   std::vector<FunctionProfile> profile() const;
   void reset_profile();
+  // The instructions of all functions in the profile.
   std::uint64_t instructions_run() const;
 
  private:
-  // A function that has begun and not yet returned.
+  // An active function.
   struct Frame {
     FunctionIndex function = kNoFunction;
-    const Instruction* at = nullptr;  // where it is: the call, while it waits for another
-    std::size_t saved_begin = 0;      // of its locals' old values
+    const Instruction* at = nullptr;  // the current instruction; the call, while another function runs
+    std::size_t saved_begin = 0;      // where the old values of its locals start in saved_
   };
-  // Why the interpreter stops: `failure_` holds the error of kFailed; after kSwitched it is to go on, with or
-  // without tracing.
+  // Why the interpreter stopped. kReturned: the function that it was started for has returned. kFailed: the
+  // error is in `failure_`. kSwitched: tracing was switched on or off, and the other version of the loop must
+  // continue.
   enum class Stop { kReturned, kFailed, kSwitched };
 
   static constexpr std::size_t kSpareWords = 2;
@@ -179,9 +202,10 @@ class Machine {
   };
 
   // interpreter.cpp
+  // Runs the innermost frame, and stops when only `base_frames` frames are left.
   template <bool kIsTraced>
   Stop interpret(std::size_t base_frames);
-  // Records the trace; the error names the place. `at` is the innermost function's.
+  // Records the call stack and adds the location to the error. `at` is the innermost function's instruction.
   Stop fail(const Instruction* at, base::Error error);
   Stop fail_string(const Instruction* at, std::uint32_t left, std::uint32_t right);
   Stop fail_field(const Instruction* at, std::uint32_t entity, std::uint32_t field);
@@ -190,35 +214,40 @@ class Machine {
   // machine.cpp
   base::Status run(FunctionIndex function);
   base::Status run_frames(FunctionIndex function);
-  // Saves its locals and copies its parameters; false when there is no room.
+  // Saves the function's locals and copies its parameters. Returns false if a limit is reached.
   bool enter(FunctionIndex function);
-  base::Error no_room_for(FunctionIndex function) const;
+  // Describes the limit that enter() has reached.
+  base::Error make_limit_error(FunctionIndex function) const;
+  // Restores the locals of the innermost frame and removes it.
   void leave();
   base::Status run_builtin(FunctionIndex function);
-  base::Error located(base::Error error);
+  // Records the call stack as failure_trace_, and adds its innermost place to the error.
+  base::Error add_location(base::Error error);
+  // Connects a function of the program to a built-in function.
   void bind(std::size_t slot, FunctionIndex function);
   const std::uint32_t* parameter_at(int i) const;
   std::uint32_t* parameter_at(int i);
 
   std::shared_ptr<const Program> program_;
   Limits limits_;
-  std::vector<std::uint32_t> globals_;  // and kSpareWords, for what RETURN reads behind the last
+  // With kSpareWords at the end: RETURN reads three words, and its operand may be the last global.
+  std::vector<std::uint32_t> globals_;
   std::vector<std::uint32_t> entity_words_;
   std::uint32_t entity_count_ = 1;
   Strings strings_;
   std::vector<NamedBuiltin> builtins_;
-  std::vector<std::uint32_t> builtin_of_;  // by function: which of builtins_, or kNoBuiltin
+  std::vector<std::uint32_t> builtin_by_function_;  // by function: index into builtins_, or kNoBuiltin
   std::optional<StateFields> state_fields_;
   bool world_is_protected_ = false;
   std::function<void(std::string_view)> tracer_;
 
   std::vector<Frame> frames_;
-  std::vector<std::uint32_t> saved_;  // locals' old values; the first saved_count_ are in use
+  std::vector<std::uint32_t> saved_;  // old values of locals; the first saved_count_ are in use
   std::size_t saved_count_ = 0;
   int nested_calls_ = 0;
-  std::int64_t budget_ = 0;  // instructions that the outermost call has left
+  std::int64_t budget_ = 0;  // remaining instructions of the outermost call
   int parameter_count_ = 0;
-  std::optional<int> bad_text_parameter_;
+  std::optional<int> bad_text_parameter_;  // set by parameter_text() if the value was not a string
   base::Error failure_;
   std::vector<TraceEntry> failure_trace_;
   std::vector<FunctionProfile> counters_;  // by function

@@ -1,4 +1,4 @@
-// What a machine's words hold, for those who call it and whom it calls.
+// Typed access to the machine's words: globals, parameters, results, entities.
 #include <bit>
 
 #include "vm/machine.h"
@@ -6,6 +6,7 @@
 namespace temblor::vm {
 namespace {
 
+// Places that every program reserves. A parameter has three words, whatever its type.
 constexpr std::size_t kReturnedWord = 1, kFirstParameterWord = 4, kParameterStride = 3;
 
 math::Vec3 vector_at(const std::uint32_t* words) {
@@ -16,7 +17,7 @@ void set_vector(std::uint32_t* out_words, const math::Vec3& value) {
   for (int axis = 0; axis < 3; ++axis) out_words[axis] = std::bit_cast<std::uint32_t>(value[axis]);
 }
 
-// The place of a value of `words` words. CHECKs that it is inside.
+// Returns a value of `words` words. CHECKs that the index is valid.
 template <typename Words>
 auto* checked(Words& globals, std::size_t count, GlobalIndex index, std::size_t words) {
   CHECK(base::to_size(index) + words <= count, "{} of {}", base::to_size(index), count);
@@ -86,15 +87,15 @@ FunctionIndex Machine::parameter_function(int i) const {
 base::Result<EntityIndex> Machine::parameter_entity(int i) const {
   const std::uint32_t word = *parameter_at(i);
   if (word >= entity_count_)
-    return base::malformed("parameter {} is {:#x}, which is no entity: there are {}", i + 1, word,
+    return base::malformed("parameter {} is {:#x}, which is not an entity (there are {})", i + 1, word,
                            entity_count_);
   return EntityIndex{word};
 }
 base::Result<FieldIndex> Machine::parameter_field(int i) const {
   const std::uint32_t word = *parameter_at(i);
   if (word >= program_->progs().entity_words)
-    return base::malformed("parameter {} is {:#x}, which is no field: entities have {} words", i + 1, word,
-                           program_->progs().entity_words);
+    return base::malformed("parameter {} is {:#x}, which is not a field (entities have {} words)", i + 1,
+                           word, program_->progs().entity_words);
   return FieldIndex{word};
 }
 void Machine::set_parameter_float(int i, float value) {

@@ -20,7 +20,7 @@ const formats::ProgsDefinition* find_in(const std::map<std::string_view, std::si
 Program::Program(formats::Progs progs, std::vector<std::uint32_t> lines)
     : progs_(std::move(progs)), lines_(std::move(lines)) {
   CHECK(lines_.empty() || lines_.size() == progs_.statements.size(), "{}", lines_.size());
-  name_all();
+  index_names();
   find_ends();
 }
 
@@ -31,7 +31,8 @@ base::Result<std::shared_ptr<const Program>> Program::load(formats::Progs progs,
   return std::shared_ptr<const Program>(std::move(program));
 }
 
-void Program::name_all() {
+// emplace() keeps the first of several definitions with the same name. Function 0 is the null function.
+void Program::index_names() {
   for (std::size_t i = 0; i < progs_.globals.size(); ++i) {
     globals_.emplace(progs_.string_at(progs_.globals[i].name), i);
     globals_by_word_.emplace(progs_.globals[i].offset, i);
@@ -42,6 +43,8 @@ void Program::name_all() {
     functions_.emplace(progs_.string_at(progs_.functions[i].name), i);
 }
 
+// Walks the functions from the last start to the first. Functions that start at the same statement end at the
+// same place.
 void Program::find_ends() {
   for (std::size_t i = 1; i < progs_.functions.size(); ++i) {
     const std::int32_t first = progs_.functions[i].first_statement;
@@ -57,21 +60,23 @@ void Program::find_ends() {
   }
 }
 
+// Statements before the first function belong to none: statement 0 is not run by any call, because a first
+// statement of 0 means a built-in function. They may jump anywhere among themselves.
 base::Status Program::decode_all() {
   instructions_.reserve(progs_.statements.size() + 1);
   for (std::size_t i = 0; i < progs_.statements.size(); ++i) {
     const FunctionIndex owner = function_at(i);
     StatementRange range{0, starts_.empty() ? progs_.statements.size() : starts_.front().first};
     if (owner != kNoFunction)
-      range = {static_cast<std::size_t>(function(owner).first_statement), end_of(owner)};
+      range = {static_cast<std::size_t>(function(owner).first_statement), function_end(owner)};
     base::Result<Instruction> instruction = decode(progs_, i, range);
     if (!instruction.ok())
       return base::error(instruction.error().code, "statement {} (function \"{}\"): {}", i,
-                         base::quotable(name_of(owner)), instruction.error().what);
+                         base::quotable(function_name(owner)), instruction.error().what);
     instructions_.push_back(*instruction);
   }
   instructions_.emplace_back();
-  join_pairs(instructions_);
+  fuse_pairs(instructions_);
   return base::Ok{};
 }
 
@@ -96,8 +101,8 @@ FunctionIndex Program::find_function(std::string_view name) const {
 std::string Program::describe_place(FunctionIndex index, std::size_t statement) const {
   const std::string line =
       statement < lines_.size() && lines_[statement] > 0 ? fmt::format(":{}", lines_[statement]) : "";
-  return fmt::format("{} ({}{}), statement {}", base::quotable(name_of(index)),
-                     base::quotable(file_of(index)), line, statement);
+  return fmt::format("{} ({}{}), statement {}", base::quotable(function_name(index)),
+                     base::quotable(function_file(index)), line, statement);
 }
 
 FunctionIndex Program::function_at(std::size_t statement) const {

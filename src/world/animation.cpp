@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kTicksPerSecond = 10;
 constexpr std::size_t kTicksPerTextureFrame = 2;
-constexpr int kLightPerLetter = 22;
+constexpr int kLightPerLetter = 22;  // so 'm', the 12th letter after 'a', is 264
 constexpr std::uint16_t kNormalLight = 256;
 
 constexpr std::size_t kTestStyle = 63;
@@ -26,39 +26,41 @@ constexpr std::array<std::string_view, 12> kStandardPatterns = {
     "mmamammmmammamamaaamammma",
     "abcdefghijklmnopqrrqponmlkjihgfedcba"};
 
-// Which of `count` ticks it is, counted around from time 0. Stays exact for as long as a double tells tenths
-// of a second apart (over a million years).
-std::size_t tick_of(double time_s, std::size_t count) {
+// Returns the current tick in a cycle of `count` ticks that starts at time 0. Exact as long as a double can
+// resolve tenths of a second (over a million years).
+std::size_t find_tick(double time_s, std::size_t count) {
   const double ticks = std::floor(std::max(0.0, time_s) * kTicksPerSecond);
   return static_cast<std::size_t>(std::fmod(ticks, static_cast<double>(count)));
 }
 
-std::uint16_t light_of_letter(char letter) {
+std::uint16_t compute_letter_light(char letter) {
   return static_cast<std::uint16_t>(std::clamp(letter - 'a', 0, 'z' - 'a') * kLightPerLetter);
 }
 
 }  // namespace
 
-TextureIndex animated_texture(const Level& level, TextureIndex texture, double time_s, int entity_frame) {
+TextureIndex find_animated_texture(const Level& level, TextureIndex texture, double time_s,
+                                   int entity_frame) {
   const Texture& base = level.texture(texture);
   const bool alternate = entity_frame != 0 && !base.alternate_frames.empty();
   const std::vector<TextureIndex>& frames = alternate ? base.alternate_frames : base.frames;
   if (frames.empty()) return texture;
-  return frames[tick_of(time_s, frames.size() * kTicksPerTextureFrame) / kTicksPerTextureFrame];
+  return frames[find_tick(time_s, frames.size() * kTicksPerTextureFrame) / kTicksPerTextureFrame];
 }
 
-LightStylePatterns standard_light_styles() {
+LightStylePatterns make_standard_light_styles() {
   LightStylePatterns patterns;
   for (std::size_t i = 0; i < kStandardPatterns.size(); ++i) patterns[i] = std::string(kStandardPatterns[i]);
   patterns[kTestStyle] = std::string(1, 'a');
   return patterns;
 }
 
-LightStyleValues light_style_values(const LightStylePatterns& patterns, double time_s) {
+LightStyleValues compute_light_styles(const LightStylePatterns& patterns, double time_s) {
   LightStyleValues values;
   for (std::size_t i = 0; i < kLightStyles; ++i) {
     const std::string& pattern = patterns[i];
-    values[i] = pattern.empty() ? kNormalLight : light_of_letter(pattern[tick_of(time_s, pattern.size())]);
+    values[i] =
+        pattern.empty() ? kNormalLight : compute_letter_light(pattern[find_tick(time_s, pattern.size())]);
   }
   return values;
 }

@@ -1,5 +1,8 @@
-// What moves by itself in a level: textures +0..+9 / +a..+j and light styles. Time is always a parameter, in
-// double.
+// Animated textures (+0..+9 and +a..+j) and light styles.
+//
+// Both depend on the time only, which is always a parameter in seconds, so frames can be drawn for any time
+// and in any order. Rates and patterns are those of the original game: 10 ticks per second, without
+// interpolation.
 #pragma once
 
 #include <array>
@@ -11,24 +14,28 @@
 
 namespace temblor::world {
 
-// The texture to draw in place of `texture` at `time_s` (finite; before 0 counts as 0): frames last 0.2 s;
-// the other sequence plays when the entity's frame is not 0 and there is one.
-TextureIndex animated_texture(const Level& level, TextureIndex texture, double time_s, int entity_frame);
+// Returns the texture to draw instead of `texture` at `time_s` (finite; negative counts as 0). Frames last
+// 0.2 s. If the entity's frame is not 0, the alternate sequence plays, if there is one.
+TextureIndex find_animated_texture(const Level& level, TextureIndex texture, double time_s, int entity_frame);
 
+// Styles 0 to 11 are standard patterns, 32 to 62 belong to lights that switch, and 63 is for tests.
 constexpr std::size_t kLightStyles = 64;
-// 256 = the light as stored ('m' gives 264, as the original has it).
+// The factor of each light style, in 1/256: 256 draws light samples as they are stored. ('m', the normal
+// level, is 264, as in the original.)
 using LightStyleValues = std::array<std::uint16_t, kLightStyles>;
-constexpr LightStyleValues light_as_stored() {
+constexpr LightStyleValues make_stored_light_styles() {
   LightStyleValues values{};
   values.fill(256);
   return values;
 }
 
-// Patterns of letters, 10 a second: 'a' dark, 'm' normal, 'z' about double. Empty: constantly 256.
+// Patterns of letters, 10 per second, that repeat: 'a' is dark, 'm' normal, 'z' about double. An empty
+// pattern is constantly 256. Servers send them, so that every client sees the same flicker.
 using LightStylePatterns = std::array<std::string, kLightStyles>;
-// The twelve patterns every game starts with; 63 is "a" (tests); the rest empty.
-LightStylePatterns standard_light_styles();
-// At `time_s` (finite; before 0 counts as 0). Other characters count as the nearest letter.
-LightStyleValues light_style_values(const LightStylePatterns& patterns, double time_s);
+// Returns the twelve patterns that every game starts with. Style 63 is "a" (for tests); the rest are empty.
+LightStylePatterns make_standard_light_styles();
+// Returns the values at `time_s` (finite; negative counts as 0). Other characters count as the nearest
+// letter.
+LightStyleValues compute_light_styles(const LightStylePatterns& patterns, double time_s);
 
 }  // namespace temblor::world

@@ -1,5 +1,3 @@
-// Method: the tree is walked down to every node whose plane is within reach. A face lies in its node's plane,
-// and every part of space within reach of the point is visited, so no face is missed.
 #include "world/face_at.h"
 
 #include <algorithm>
@@ -10,14 +8,16 @@ namespace temblor::world {
 
 namespace {
 
-// Faces stand out of their nodes' space by what compilers round.
+// Units. Compilers round vertices, so a face may extend slightly beyond its node's space.
 constexpr double kSlack = 0.1;
 
-math::Vec3d corner(const Level& level, const Face& face, std::uint32_t i) {
+math::Vec3d face_vertex(const Level& level, const Face& face, std::uint32_t i) {
   return math::Vec3d(level.vertices[level.surfedge_start(face.first_surfedge + i % face.surfedge_count)]);
 }
 
-math::Vec3d nearest_on_line(const math::Vec3d& start, const math::Vec3d& end, const math::Vec3d& point) {
+// Returns the nearest point of a line segment, which may have no length.
+math::Vec3d find_nearest_on_segment(const math::Vec3d& start, const math::Vec3d& end,
+                                    const math::Vec3d& point) {
   const math::Vec3d way = end - start;
   const double length_squared = glm::dot(way, way);
   if (!(length_squared > 0)) return start;
@@ -26,23 +26,25 @@ math::Vec3d nearest_on_line(const math::Vec3d& start, const math::Vec3d& end, co
 
 }  // namespace
 
-FacePlane plane_of(const Level& level, const Face& face) {
+FacePlane compute_face_plane(const Level& level, const Face& face) {
   const Plane& plane = level.planes[face.plane];
   const double side = face.back_side ? -1 : 1;
   return {math::Vec3d(plane.normal) * side, double{plane.distance} * side};
 }
 
-math::Vec3d nearest_point(const Level& level, const Face& face, const math::Vec3d& point) {
-  const FacePlane plane = plane_of(level, face);
+// If the point's foot on the plane is inside of the polygon, it is the nearest point. Otherwise the nearest
+// point is on the boundary: the nearest of all edges wins.
+math::Vec3d find_nearest_point(const Level& level, const Face& face, const math::Vec3d& point) {
+  const FacePlane plane = compute_face_plane(level, face);
   const math::Vec3d foot = point - plane.normal * (glm::dot(plane.normal, point) - plane.distance);
   bool inside = face.surfedge_count >= 3;
-  math::Vec3d nearest = corner(level, face, 0);
+  math::Vec3d nearest = face_vertex(level, face, 0);
   double nearest_squared = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < face.surfedge_count; ++i) {
-    const math::Vec3d start = corner(level, face, i), end = corner(level, face, i + 1);
-    // Clockwise from the front: the inside is to the right of every side.
+    const math::Vec3d start = face_vertex(level, face, i), end = face_vertex(level, face, i + 1);
+    // Vertices run clockwise seen from the front, so the inside is to the right of every edge.
     inside = inside && glm::dot(glm::cross(end - start, foot - start), plane.normal) <= 0;
-    const math::Vec3d candidate = nearest_on_line(start, end, foot), away = foot - candidate;
+    const math::Vec3d candidate = find_nearest_on_segment(start, end, foot), away = foot - candidate;
     if (const double squared = glm::dot(away, away); squared < nearest_squared) {
       nearest_squared = squared;
       nearest = candidate;
@@ -51,8 +53,9 @@ math::Vec3d nearest_point(const Level& level, const Face& face, const math::Vec3
   return inside ? foot : nearest;
 }
 
-std::span<const NearFace> FacesNear::find(const Level& level, const math::Vec3d& point, double reach) {
+std::span<const NearFace> NearFaceFinder::find(const Level& level, const math::Vec3d& point, double reach) {
   found_.clear();
+  // An explicit stack: members keep their memory, and deep trees cannot overflow it.
   to_visit_.assign(1, level.world().head);
   while (!to_visit_.empty()) {
     const Child child = to_visit_.back();
@@ -66,10 +69,10 @@ std::span<const NearFace> FacesNear::find(const Level& level, const math::Vec3d&
     for (std::uint32_t i = node.first_face; i < node.first_face + node.face_count; ++i) {
       const Face& face = level.faces[i];
       if (face.surfedge_count == 0) continue;
-      const FacePlane plane = plane_of(level, face);
+      const FacePlane plane = compute_face_plane(level, face);
       const double in_front = glm::dot(plane.normal, point) - plane.distance;
-      if (in_front < -kBehind) continue;
-      const math::Vec3d nearest = nearest_point(level, face, point);
+      if (in_front < -kMaxDistanceBehind) continue;
+      const math::Vec3d nearest = find_nearest_point(level, face, point);
       const double away = glm::length(point - nearest);
       if (away <= reach) found_.push_back({base::to_index<FaceIndex>(i), nearest, away, in_front});
     }

@@ -1,5 +1,12 @@
-// Which faces of the world lie near a point: for marks, and for whatever else has to do with a place on a
-// wall.
+// Geometry of faces, and a search for the faces of the world near a point, for example for bullet holes.
+//
+// Method: walk the BSP tree, and enter both children of every node whose plane is within reach of the point,
+// otherwise only the child on the point's side. A face lies in its node's plane, and every part of space
+// within reach of the point is visited, so no face is missed.
+//
+//             plane          reach > distance to the plane: test the node's faces, visit both sides
+//      front    |    back
+//         ( *   | )          * point, ( ) its reach
 #pragma once
 
 #include <span>
@@ -9,32 +16,34 @@
 
 namespace temblor::world {
 
+// A face within reach of a query point.
 struct NearFace {
   FaceIndex face{};
-  math::Vec3d nearest{0.0};  // the face's point that is nearest to the point asked for
-  double distance = 0;       // between the two
-  double in_front = 0;       // of the point asked for, before the face's plane; little below 0: behind it
+  math::Vec3d nearest{0.0};  // the point of the face that is nearest to the query point
+  double distance = 0;       // between these two points, in units
+  // Signed distance of the query point from the face's plane, in units: at least -kMaxDistanceBehind.
+  double in_front = 0;
 };
 
-// The plane of a face, its normal pointing to where the face is seen from.
+// The plane of a face. The normal points to the side from which the face is visible.
 struct FacePlane {
   math::Vec3d normal;
   double distance;
 };
-FacePlane plane_of(const Level& level, const Face& face);
+FacePlane compute_face_plane(const Level& level, const Face& face);
 
-// The point of a convex polygon that is nearest to `point`. The face has at least one vertex.
-math::Vec3d nearest_point(const Level& level, const Face& face, const math::Vec3d& point);
+// Returns the point of the face (a convex polygon with at least one vertex) that is nearest to `point`.
+math::Vec3d find_nearest_point(const Level& level, const Face& face, const math::Vec3d& point);
 
-// Looks faces of the world (model 0) up by place. Keeps its memory from one question to the next.
-class FacesNear {
+// Finds faces of the world (model 0) by position. Reuses its memory between queries.
+class NearFaceFinder {
  public:
-  // How far behind a face's plane a point still counts as before it: what rounding in messages (1/8 unit on
-  // each axis) can do to a point on the face.
-  static constexpr double kBehind = 0.25;
+  // A point up to this far behind a face's plane, in units, still counts as in front, because network
+  // messages round positions to 1/8 unit on each axis.
+  static constexpr double kMaxDistanceBehind = 0.25;
 
-  // All faces that turn their front to `point` and come within `reach` units of it, in the tree's order.
-  // Valid until the next question.
+  // Returns all faces that face `point` and are within `reach` units of it, in the tree's order. The result
+  // is valid until the next call.
   std::span<const NearFace> find(const Level& level, const math::Vec3d& point, double reach);
 
  private:

@@ -9,7 +9,7 @@ std::uint32_t count(std::size_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
-// Where the parts of the level that is being added come to lie.
+// The sizes of the lists before a level is added: what must be added to its indices.
 struct Offsets {
   std::uint32_t planes, nodes, leaves, clipnodes, faces, marked_faces, vertices, edges, surfedges, axes,
       textures, light;
@@ -27,6 +27,7 @@ struct Offsets {
         textures(count(level.textures.size())),
         light(count(level.light.size())) {}
 
+  // Leaves are stored as ~index, so the offset is added to the index, not to the stored value.
   Child moved(Child child) const {
     const auto nodes_before = static_cast<std::int32_t>(nodes),
                leaves_before = static_cast<std::int32_t>(leaves);
@@ -35,6 +36,7 @@ struct Offsets {
   TextureIndex moved(TextureIndex texture) const {
     return base::to_index<TextureIndex>(base::to_size(texture) + textures);
   }
+  // Negative values are contents, which stay.
   std::int32_t moved_clipnode(std::int32_t clipnode) const {
     return clipnode < 0 ? clipnode : clipnode + static_cast<std::int32_t>(clipnodes);
   }
@@ -48,7 +50,7 @@ void add_trees(const Level& other, const Offsets& offsets, Level& io_level) {
     io_level.nodes.push_back(node);
   }
   for (Leaf leaf : other.leaves) {
-    leaf.visibility_offset = -1;  // the other level's PVS is left behind
+    leaf.visibility_offset = -1;  // the other level's PVS is not used
     leaf.first_marked_face += offsets.marked_faces;
     io_level.leaves.push_back(leaf);
   }
@@ -90,7 +92,8 @@ void add_faces(const Level& other, const Offsets& offsets, Level& io_level) {
   }
 }
 
-std::vector<std::uint8_t> colored_light_of(const Level& level) {
+// Returns the level's colored light, or its gray light with equal channels.
+std::vector<std::uint8_t> make_colored_light(const Level& level) {
   if (!level.light_rgb.empty()) return level.light_rgb;
   std::vector<std::uint8_t> rgb;
   rgb.reserve(level.light.size() * 3);
@@ -104,10 +107,10 @@ void append(const std::vector<T>& from, std::vector<T>& io_to) {
 }
 
 void add_light(const Level& other, Level& io_level) {
-  // A level has colors for all of its light or for none.
+  // A level has colors for all of its light or for none of it.
   if (!io_level.light_rgb.empty() || !other.light_rgb.empty()) {
-    io_level.light_rgb = colored_light_of(io_level);
-    append(colored_light_of(other), io_level.light_rgb);
+    io_level.light_rgb = make_colored_light(io_level);
+    append(make_colored_light(other), io_level.light_rgb);
   }
   append(other.light, io_level.light);
 }
@@ -118,6 +121,7 @@ JoinedLevel join_levels(const std::shared_ptr<const Level>& base,
                         std::span<const std::shared_ptr<const Level>> others) {
   if (others.empty()) return {base, {}};
   auto level = std::make_shared<Level>(*base);
+  // Caches must not mix up the joined level with its base.
   level->identity = std::make_shared<const LevelIdentity>();
   JoinedLevel joined;
   for (const std::shared_ptr<const Level>& other : others) {

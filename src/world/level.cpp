@@ -1,5 +1,6 @@
-// From the structs of the file to a level: everything that can be worked out once is worked out here. What
-// the reader has validated (indices, ranges, trees without cycles, finite numbers) is relied on.
+// Converts the structs of the file to a level, and computes everything that can be computed once. Relies on
+// the reader's validation (formats/levels/bsp_validate.h): indices, ranges, trees without cycles, finite
+// numbers.
 #include "world/level.h"
 
 #include <utility>
@@ -10,11 +11,11 @@
 namespace temblor::world {
 namespace {
 
-// Players' engines grow models by this on every side, and game code has come to expect it.
+// The original expands models by this many units on every side, and game code relies on it.
 constexpr float kModelMargin = 1;
 
 Plane make_plane(const formats::BspPlane& plane) {
-  // The file's own `type` is not trusted: it would let a wrong one bend every query.
+  // Do not trust the file's own `type`: a wrong one would make every query wrong.
   std::int32_t axis = 3;
   for (std::int32_t i = 0; i < 3; ++i) {
     math::Vec3 unit(0.0f);
@@ -58,6 +59,7 @@ std::vector<To> convert(const std::vector<From>& from, Make make) {
   return to;
 }
 
+// Moves lists that need no conversion, because levels may be large.
 void take_geometry(formats::Bsp& io_bsp, Level& io_level) {
   io_level.planes = convert<Plane>(io_bsp.planes, make_plane);
   io_level.nodes = convert<Node>(io_bsp.nodes, make_node);
@@ -84,12 +86,12 @@ base::Status take_light(formats::Bsp& io_bsp, const formats::Lit* lit, Level& io
   const std::size_t rgb_size = io_level.light.size() * 3;
   if (lit != nullptr) {
     if (lit->samples.size() != rgb_size)
-      return base::malformed("the .lit file has {} bytes of color, the level's {} light samples need {}",
+      return base::malformed("the .lit file has {} bytes of color, but the level's {} light samples need {}",
                              lit->samples.size(), io_level.light.size(), rgb_size);
     io_level.light_rgb = lit->samples;
   } else if (const formats::BspxLump* lump = io_bsp.find_bspx("RGBLIGHTING")) {
     if (lump->data.size() != rgb_size)
-      return base::malformed("lump RGBLIGHTING: {} bytes of color, the level's {} light samples need {}",
+      return base::malformed("lump RGBLIGHTING: {} bytes of color, but the level's {} light samples need {}",
                              lump->data.size(), io_level.light.size(), rgb_size);
     const auto samples = base::as_u8(lump->data);
     io_level.light_rgb.assign(samples.begin(), samples.end());

@@ -1,5 +1,12 @@
-// An immutable level: what a .bsp holds, in the shape that the renderer, traces and the game ask for.
-// make_level works everything out once; nothing in a Level changes afterwards.
+// An immutable level: the contents of a .bsp file in the form that the renderer, traces, and the server need.
+//
+// make_level() computes everything once; nothing in a Level changes afterwards, so threads share it freely.
+// Lists refer to each other by index, and formats::read_bsp() has validated every index:
+//
+//   Model --> head node --> Node --> Leaf --> marked_faces --> Face --> surfedges --> edges --> vertices
+//         \-> clip_heads --> Clipnode                             \--> texture_axes, textures, light samples
+//
+// Frame-dependent state never goes in here; its owners keep it in arrays by FaceIndex and so on.
 #pragma once
 
 #include <array>
@@ -25,6 +32,8 @@ enum class NodeIndex : std::uint32_t {};
 enum class TextureIndex : std::uint32_t {};
 enum class ModelIndex : std::uint32_t {};  // 0 is the world
 
+// What fills a leaf or a point. Entities in a current are pushed along: angles in degrees, or up and down.
+// Values are those of the file.
 enum class Contents : std::int32_t {
   kEmpty = -1,
   kSolid = -2,
@@ -40,14 +49,15 @@ enum class Contents : std::int32_t {
   kCurrentDown = -14,
 };
 
+// All points p with dot(p, normal) == distance. The front is where the normal points.
 struct Plane {
   math::Vec3 normal;
   float distance;
-  std::int32_t axis;  // 0-2: the normal is that axis, positive; 3: any other
+  std::int32_t axis;  // 0 to 2: the normal is the positive x, y, or z axis; 3: any other normal
 };
 
-// How far in front of the plane the point lies, in units; negative behind it. Double, so that every query
-// agrees about points close to a plane.
+// Signed distance from the plane in units, positive in front. Computed in double precision, so that all
+// queries agree about points close to a plane.
 inline double distance_to(const Plane& plane, const math::Vec3d& point) {
   const double along = plane.axis < 3 ? point[plane.axis] : glm::dot(point, math::Vec3d(plane.normal));
   return along - double{plane.distance};
@@ -61,23 +71,25 @@ struct Child {
   NodeIndex node() const { return static_cast<NodeIndex>(static_cast<std::uint32_t>(value)); }
 };
 
+// An inner node of hull 0: divides a convex part of space by a plane.
 struct Node {
   std::uint32_t plane;
   std::array<Child, 2> children;  // front, back
   math::Bounds bounds;
-  std::uint32_t first_face, face_count;  // the faces that lie in its plane
+  std::uint32_t first_face, face_count;  // the faces in its plane, on both sides
 };
 
+// A convex part of space with the same contents everywhere. Leaf 0 is the solid that all solid space shares.
 struct Leaf {
   Contents contents;
-  std::int32_t visibility_offset;  // -1: sees everything
+  std::int32_t visibility_offset;  // of its PVS row in Level::visibility; -1: sees everything
   math::Bounds bounds;
   std::uint32_t first_marked_face, marked_face_count;  // into Level::marked_faces
-  std::array<std::uint8_t, 4> ambient;                 // water, sky, slime, lava
+  std::array<std::uint8_t, 4> ambient;                 // sound levels of water, sky, slime, lava
 };
 
 enum class FaceKind : std::uint8_t {
-  kLit,  // black when it has no samples (light == kNoLight)
+  kLit,  // black if it has no samples (light == kNoLight)
   kSky,
   kLiquid,
   kUnlit,  // an ordinary texture, drawn full-bright
@@ -86,26 +98,32 @@ enum class FaceKind : std::uint8_t {
 constexpr std::uint32_t kNoLight = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint8_t kNoStyle = 255;
 
-// A polygon. Its vertices run clockwise seen from its front.
+// A convex polygon in a plane. Its vertices run clockwise seen from its front. Its light samples are stored
+// as one grid after another, row by row:
+//
+//   light -> | style 0: light_width() x light_height() samples | style 1 | ... | style_count - 1 |
+//
+// The renderer adds the grids, each multiplied by the current value of its light style.
 struct Face {
   std::uint32_t plane;
-  bool back_side;  // looks against its plane's normal
+  bool back_side;  // its front is the back of the plane
   FaceKind kind;
-  std::uint8_t style_count;            // leading used entries of styles
+  std::uint8_t style_count;            // used entries of `styles`: one grid of light samples each
   std::array<std::uint8_t, 4> styles;  // below kLightStyles (animation.h); unused: kNoStyle
   std::uint32_t first_surfedge, surfedge_count;
   std::uint32_t axes;  // into Level::texture_axes
   TextureIndex texture;
   std::uint32_t light;  // first sample in Level::light (gray) and, x3, Level::light_rgb; or kNoLight
-  std::array<std::int32_t, 2> texture_mins;  // s, t of the surface's first texel, multiples of 16
-  std::array<std::int32_t, 2>
-      texture_extents;  // texels, multiples of 16; light samples are extent / 16 + 1 each way
+  std::array<std::int32_t, 2> texture_mins;     // s, t of the surface's first texel, multiples of 16
+  std::array<std::int32_t, 2> texture_extents;  // size in texels, multiples of 16
 
+  // Size of the light map: one sample at each multiple of 16 texels, both ends included.
   std::int32_t light_width() const { return texture_extents[0] / 16 + 1; }
   std::int32_t light_height() const { return texture_extents[1] / 16 + 1; }
 };
 
-// s = dot(position, s_axis) + s_offset, in texels of mip 0; t alike.
+// Projects positions to texture coordinates: s = dot(position, s_axis) + s_offset, in texels of mip 0, and t
+// in the same way. Textures repeat.
 struct TextureAxes {
   math::Vec3 s_axis;
   float s_offset;
@@ -113,9 +131,10 @@ struct TextureAxes {
   float t_offset;
 };
 
+// From the name: "sky...", "*..." for liquids, "{..." for cutouts whose index 255 is transparent.
 enum class TextureKind : std::uint8_t { kOpaque, kCutout, kSky, kLiquid };
 
-// Always drawable: a texture that the level lacks is a 64 x 64 checker with `missing` set.
+// Always drawable: a texture that is missing from the level is a 64 x 64 checkerboard with `missing` set.
 struct Texture {
   std::string name;
   TextureKind kind = TextureKind::kOpaque;
@@ -123,26 +142,30 @@ struct Texture {
   std::uint32_t width = 1, height = 1;  // of mip 0, at least 1, any size
   // Mip level k: (max(1, width >> k)) x (max(1, height >> k)) palette indices, row by row.
   std::array<std::vector<std::uint8_t>, 4> mips;
-  // Animation: `frames` is the sequence that this texture belongs to (+0.. or +a..; real levels use either on
-  // the world itself), `alternate_frames` the other of the two. Empty when there is none, or one with gaps.
+  // Animation: `frames` is the sequence that this texture belongs to (+0.. or +a..; real levels use both on
+  // the world itself), `alternate_frames` the other one. Empty if there is no sequence or if it has gaps. See
+  // animation.h.
   std::vector<TextureIndex> frames, alternate_frames;
 };
 
+// A brush model: the world, or the shape of an entity such as a door, at the position where the mapper drew
+// it.
 struct Model {
-  math::Bounds bounds;  // grown by one unit, as players' engines do
+  math::Bounds bounds;  // expanded by one unit on every side, as in the original
   math::Vec3 origin;
   Child head;                              // hull 0
-  std::array<std::int32_t, 3> clip_heads;  // hulls 1..3: clipnode, or contents when negative
+  std::array<std::int32_t, 3> clip_heads;  // hulls 1 to 3: a clipnode, or contents if negative
   std::uint32_t first_face, face_count;
 };
 
+// A node of the clip hulls. Unlike a Node it has no bounds and no faces, and its leaves are just contents.
 struct Clipnode {
   std::uint32_t plane;
   std::array<std::int32_t, 2> children;  // negative: contents
 };
 
-// Tells levels apart, whatever their addresses: whoever works something out for a level keeps a copy of its
-// identity, and no later level can have the same.
+// Distinguishes levels. A cache for a level keeps a copy of the level's identity pointer; as long as it does,
+// no other level can have the same identity.
 struct LevelIdentity {};
 
 struct Level {
@@ -159,13 +182,13 @@ struct Level {
   std::vector<formats::BspEdge> edges;
   std::vector<std::int32_t> surfedges;  // negative: edge -value, end to start
   std::vector<TextureAxes> texture_axes;
-  std::vector<Texture> textures;  // at least one: the last one stands for textures that are not there at all
+  std::vector<Texture> textures;  // at least one; the last one is the placeholder for missing textures
   std::vector<Model> models;
-  std::vector<std::uint8_t> visibility;  // run-length coded rows
-  std::uint32_t visible_leaf_count = 0;  // leaves 1..count take part in the PVS
+  std::vector<std::uint8_t> visibility;  // run-length encoded rows
+  std::uint32_t visible_leaf_count = 0;  // leaves 1 to count take part in the PVS
   bool has_light = false;                // false: the level was never lit; every face is drawn full-bright
-  std::vector<std::uint8_t> light;       // gray samples
-  std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty when the level has no colored light
+  std::vector<std::uint8_t> light;       // gray samples, 0 to 255
+  std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty if the level has no colored light
 
   const Face& face(FaceIndex index) const { return faces[base::to_size(index)]; }
   const Leaf& leaf(LeafIndex index) const { return leaves[base::to_size(index)]; }
@@ -173,7 +196,9 @@ struct Level {
   const Texture& texture(TextureIndex index) const { return textures[base::to_size(index)]; }
   const Model& world() const { return models[0]; }
 
-  // The vertex where surfedge `position` (an index into surfedges) starts.
+  // Returns the vertex where surfedge `position` (an index into surfedges) starts. The vertices of a face are
+  // the starts of its surfedges. A negative surfedge is the reverse of edge -value, so that two faces can
+  // share an edge.
   std::uint32_t surfedge_start(std::size_t position) const {
     const std::int32_t edge = surfedges[position];
     return edge >= 0 ? edges[static_cast<std::size_t>(edge)].vertices[0]
@@ -181,10 +206,10 @@ struct Level {
   }
 };
 
-// `bsp` was validated by its reader. Colored light, in this order: `lit` when given (its size must match,
-// else an error), the BSPX lump RGBLIGHTING (likewise), none. Fails when the entity text does not parse, when
-// a face's light lies outside the samples or has a style past 63, or when a face has an extent that no real
-// level has (over 2^20 texels).
+// Makes a level from `bsp`, which read_bsp() must have validated. Colored light comes from `lit` if given,
+// else from the BSPX lump RGBLIGHTING, else there is none; a wrong size of either is an error. Also fails if
+// the entity text does not parse, if a face's light is outside of the samples or has a style above 63, or if
+// a face is larger than any real level's (over 2^20 texels).
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
                                                       const formats::Lit* lit = nullptr);
 

@@ -1,8 +1,9 @@
-// Method: the path is walked through the tree front to back. Where it crosses a plane it is cut 1/32 unit
-// before the plane; the near part is walked first, and the far part only when the cut lies in something open
-// on the far side. The first cut that does not is where the trace stops. Written from the observed behavior
-// of the original; unlike it, a path that starts in solid is followed through any number of solid leaves, so
-// that all_solid means what it says.
+// Method: walk the path through the tree front to back. Where the path crosses a plane, cut it 1/32 unit
+// before the plane. Walk the near part first, then the far part, until the space after a cut is solid: that
+// cut ends the trace.
+//
+// Written from the observed behavior of the original, with one difference: a path that starts in solid is
+// followed through any number of solid leaves, so that all_solid is exact.
 #include "world/trace.h"
 
 #include <algorithm>
@@ -13,8 +14,8 @@
 namespace temblor::world {
 namespace {
 
-constexpr double kSurfaceGap = 1.0 / 32;
-constexpr double kStepBack = 0.1;
+constexpr double kSurfaceGap = 1.0 / 32;  // units that a trace keeps from a surface
+constexpr double kStepBack = 0.1;         // fraction of a piece
 
 constexpr std::array<math::Bounds, 3> kHullBoxes = {{
     {{0, 0, 0}, {0, 0, 0}},
@@ -22,7 +23,7 @@ constexpr std::array<math::Bounds, 3> kHullBoxes = {{
     {{-32, -32, -24}, {32, 32, 64}},
 }};
 
-// The nodes and leaves of hull 0, or the clipnodes of another one, seen as the same thing.
+// A common view of the nodes and leaves of hull 0 and the clipnodes of the other hulls.
 class HullTree {
  public:
   HullTree(const Level& level, ModelIndex model_index, Hull hull) : level_(level), hull_(hull) {
@@ -30,7 +31,7 @@ class HullTree {
     head_ = hull == Hull::kPoint ? model.head.value : model.clip_heads[static_cast<std::size_t>(hull) - 1];
   }
 
-  // A place in the tree: >= 0 a node, < 0 the end of the path down.
+  // A position in the tree: >= 0 is a node, < 0 is a leaf or contents.
   std::int32_t head() const { return head_; }
   const Plane& plane(std::int32_t node) const {
     const auto i = static_cast<std::size_t>(node);
@@ -56,7 +57,7 @@ class HullTree {
   std::int32_t head_;
 };
 
-// A piece of the path, from `start` to `end`, which lie at these fractions of the whole.
+// A piece of the path from `start` to `end`, with both ends as fractions of the whole path.
 struct Piece {
   math::Vec3d start, end;
   double start_fraction, end_fraction;
@@ -65,15 +66,15 @@ struct Piece {
   double fraction(double along) const { return start_fraction + (end_fraction - start_fraction) * along; }
 };
 
-// What is left to do behind a plane once everything before it has been found open.
+// A cut: the part of the path after it is traced if everything before it is open.
 struct Crossing {
   std::int32_t node;
   std::size_t near_side;
-  Piece piece;   // as it arrived at the node
-  double along;  // where the piece is cut
+  Piece piece;   // as it reached the node
+  double along;  // the fraction at which the piece is cut
 };
 
-// Room for every tree of a sane level without asking the heap.
+// A stack without heap allocations for trees of ordinary depth.
 class CrossingStack {
  public:
   void push(const Crossing& crossing) {
@@ -98,7 +99,7 @@ class CrossingStack {
   std::size_t size_ = 0;
 };
 
-// Follows a piece down the near sides to the end of the tree that holds its start, noting what it crosses.
+// Follows a piece down the near sides to the leaf that contains its start, and records the planes it crosses.
 std::int32_t descend(const HullTree& tree, std::int32_t node, Piece piece, CrossingStack& io_crossings) {
   while (node >= 0) {
     const Plane& plane = tree.plane(node);
@@ -119,18 +120,21 @@ std::int32_t descend(const HullTree& tree, std::int32_t node, Piece piece, Cross
   return node;
 }
 
-void note_contents(Contents contents, Trace& io_trace) {
+// Adds the contents of a leaf that the path enters to the result.
+void record_contents(Contents contents, Trace& io_trace) {
   if (contents == Contents::kSolid) return;
   io_trace.all_solid = false;
   (contents == Contents::kEmpty ? io_trace.in_open : io_trace.in_water) = true;
 }
 
+// Ends the trace at a cut, and sets the plane, facing the start of the path.
 void stop_at(const HullTree& tree, const Crossing& crossing, Trace& io_trace) {
   const Plane& plane = tree.plane(crossing.node);
   const float sign = crossing.near_side == 0 ? 1.0f : -1.0f;
   io_trace.plane_normal = plane.normal * sign;
   io_trace.plane_distance = plane.distance * sign;
-  // Where planes meet at a sharp angle the cut may lie behind another one.
+  // Where planes meet at a sharp angle, the cut may be behind another plane, so step back along the piece
+  // until the end is open, as the original does.
   double along = crossing.along;
   math::Vec3 end(crossing.piece.point(along));
   while (along > 0 && tree.contents_below(tree.head(), math::Vec3d(end)) == Contents::kSolid) {
@@ -159,7 +163,7 @@ Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Ve
   const Piece path{math::Vec3d(start), math::Vec3d(end), 0, 1};
   Contents contents = tree.contents_at_end(descend(tree, tree.head(), path, crossings));
   trace.start_solid = contents == Contents::kSolid;
-  note_contents(contents, trace);
+  record_contents(contents, trace);
   while (const std::optional<Crossing> crossing = crossings.pop()) {
     const Piece& piece = crossing->piece;
     const std::int32_t far_child = tree.child(crossing->node, 1 - crossing->near_side);
@@ -170,13 +174,13 @@ Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Ve
       stop_at(tree, *crossing, trace);
       break;
     }
-    note_contents(contents, trace);
+    record_contents(contents, trace);
   }
   return trace;
 }
 
-Trace trace_box_through(const Level& level, ModelIndex model, const math::Vec3& model_origin,
-                        const math::Bounds& box, const math::Vec3& start, const math::Vec3& end) {
+Trace trace_box_through_model(const Level& level, ModelIndex model, const math::Vec3& model_origin,
+                              const math::Bounds& box, const math::Vec3& start, const math::Vec3& end) {
   const HullChoice choice = choose_hull(box.mins, box.maxs);
   const math::Vec3 to_hull = choice.offset - model_origin;
   Trace trace = trace_line(level, model, choice.hull, start + to_hull, end + to_hull);

@@ -1,42 +1,57 @@
-// Traces: how far a point or a box gets along a line before it meets something solid.
+// Traces: move a point or a box along a line until it hits something solid. The base of all collision.
+//
+// A level has one tree for each box size (hull), whose solid space the map compiler has expanded by that box.
+// So a trace of a box is a trace of its origin through an expanded level:
+//
+//   hull 0:   +-----------      hull 1:  +-------------
+//             |  solid                   | . . . . . .      expanded by half of the box
+//     [o] --> |                     o -> | . +---------
+//
+// Method (trace.cpp): walk the path through the tree front to back, and cut it where it crosses planes. Only
+// brush models have hulls; callers clip against the boxes of other entities themselves.
 #pragma once
 
 #include "world/level.h"
 
 namespace temblor::world {
 
-// Hull 0 is for points; hulls 1 and 2 are clip trees grown by the player's and a large monster's box at
-// compile time.
+// Hull 0 is for points: the tree that is drawn. Hulls 1 and 2 are clip hulls, expanded by the player's box
+// (32 x 32 x 56 units) and a large monster's box (64 x 64 x 88).
 enum class Hull : std::uint8_t { kPoint, kPlayer, kLarge };
 
-// The smallest hull that holds a box of that size (by its width in x: under 3, up to 32, more); the offset to
-// add to positions so that the hull's own mins meet the box's.
+// A hull for a box, and the offset to add to positions so that the hull's mins match those of the box.
 struct HullChoice {
   Hull hull;
   math::Vec3 offset;
 };
+// Returns the hull for a box by its width in x, as in the original: kPoint below 3 units, kPlayer up to 32,
+// kLarge above. Boxes are never traced with their exact size.
 HullChoice choose_hull(const math::Vec3& box_mins, const math::Vec3& box_maxs);
 
+// The result of a trace.
 struct Trace {
-  bool all_solid = false;                  // the whole path is inside solid; then fraction is 1
-  bool start_solid = false;                // the start is inside solid
-  bool in_open = false, in_water = false;  // part of the path is empty; is a liquid, sky or current
-  float fraction = 1;                      // of the path that is free, 1: all of it
+  bool all_solid = false;    // the whole path is in solid; fraction is 1
+  bool start_solid = false;  // the start is in solid
+  // Part of the path is in empty space; in a liquid, sky, or current.
+  bool in_open = false, in_water = false;
+  float fraction = 1;  // the part of the path before the hit; 1: nothing was hit
   math::Vec3 end{0.0f};
-  math::Vec3 plane_normal{0.0f};  // of what stopped it, when fraction < 1
+  math::Vec3 plane_normal{0.0f};  // the plane that was hit, if fraction < 1
   float plane_distance = 0;
 };
 
-// From start to end through one model's hull, in that model's space. Stops 1/32 unit short of the surface,
-// measured along its normal. A path that starts in solid ends where it comes back into solid.
+// Traces from start to end through one model's hull, in that model's space. Stops 1/32 unit before the
+// surface, measured along its normal. A path that starts in solid ends where it enters solid again.
 Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Vec3& start,
                  const math::Vec3& end);
 
-// A box through one of the level's models that stands at `model_origin`; all of it, and `end` of the result,
-// in the world. Of the hulls the one that choose_hull() says.
-Trace trace_box_through(const Level& level, ModelIndex model, const math::Vec3& model_origin,
-                        const math::Bounds& box, const math::Vec3& start, const math::Vec3& end);
+// Traces a box through a model that is at `model_origin`. Arguments and result are in world space. Uses the
+// hull that choose_hull() returns.
+Trace trace_box_through_model(const Level& level, ModelIndex model, const math::Vec3& model_origin,
+                              const math::Bounds& box, const math::Vec3& start, const math::Vec3& end);
 
+// Returns the contents at a point of a model's hull, in the model's space. A point on a plane counts as in
+// front.
 Contents hull_contents(const Level& level, ModelIndex model, Hull hull, const math::Vec3& point);
 
 }  // namespace temblor::world

@@ -20,12 +20,14 @@ Contents point_contents(const Level& level, const math::Vec3& point) {
 
 namespace {
 
-void see_everything(std::uint32_t leaf_count, std::vector<std::uint8_t>& out_row) {
+// Bits past the last leaf stay 0, so that rows can be compared and counted.
+void fill_row(std::uint32_t leaf_count, std::vector<std::uint8_t>& out_row) {
   std::fill(out_row.begin(), out_row.end(), std::uint8_t{0xff});
   if (leaf_count % 8 != 0) out_row.back() = static_cast<std::uint8_t>((1u << (leaf_count % 8)) - 1);
 }
 
-// A byte stands for itself; 0 is followed by how many zero bytes it stands for.
+// A nonzero byte is literal; a zero byte is followed by the number of zero bytes. Damaged data may end early
+// or run past the row; both loops stop at the ends.
 void expand_row(std::span<const std::uint8_t> coded, std::vector<std::uint8_t>& out_row) {
   std::fill(out_row.begin(), out_row.end(), std::uint8_t{0});
   std::size_t to = 0;
@@ -46,7 +48,7 @@ void decompress_pvs(const Level& level, LeafIndex from, std::vector<std::uint8_t
   if (out_row.empty()) return;
   const std::int32_t offset = level.leaf(from).visibility_offset;
   if (from == LeafIndex{0} || offset < 0 || level.visibility.empty()) {
-    see_everything(leaf_count, out_row);
+    fill_row(leaf_count, out_row);
     return;
   }
   const std::span<const std::uint8_t> coded(level.visibility);

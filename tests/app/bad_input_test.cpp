@@ -1,4 +1,4 @@
-// What the program says to what is wrong: one line that says what to do, and an exit status.
+// Errors of the program: one line that says what to do, and an exit status.
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ void expect_error(const std::filesystem::path& folder, const Words& words, int s
   for (const std::string& part : parts) EXPECT_THAT(run.err, HasSubstr(part));
 }
 
-TEST(BadInput, WrongCommandLinesAreUsageErrors) {
+TEST(BadInput, InvalidCommandLinesAreUsageErrors) {
   const TemporaryFolder folder;
   struct Case {
     Words words;
@@ -57,30 +57,30 @@ TEST(BadInput, WrongCommandLinesAreUsageErrors) {
       {{"bench", "--json", "--report"}, "--json"},
       {{"bench", "--step", "0"}, "--step"},
       {{"inspect"}, "file"},
-      // Options that stand before their command, behind another, or without any.
+      // Options before their command, after another command, or without any command.
       {{"--progs", "x.dat", "play"}, "temblor play --progs"},
       {{"--size", "640x480", "render", "-o", "x.png"}, "temblor render --size"},
       {{"--map=start", "serve"}, "temblor serve --map"},
       {{"--map", "start"}, "temblor play --map"},
-      {{"play", "--maxclients", "3"}, "play has no option --maxclients: it is one of serve"},
+      {{"play", "--maxclients", "3"}, "play has no option --maxclients; it belongs to serve"},
       {{"play", "--frobnicate"}, "play has no option --frobnicate"},
   };
   for (const Case& c : cases) expect_error(folder.path(), c.words, 2, {c.part, "--help"});
 }
 
-TEST(BadInput, MissingMapsListWhatIsThere) {
+TEST(BadInput, UnknownMapsListSimilarNames) {
   const SmallGame game;
   game.folder().write("id1/maps/b_box.bsp", "a box of ammunition");
   for (const char* command : {"render", "bench"}) {
     Words words = {command, "--basedir", game.path().string(), "--map", "smal"};
     if (words[0] == "render") words.insert(words.end(), {"-o", "x.png"});
-    expect_error(game.path(), words, 1, {"maps/smal.bsp", game.path().string(), "for example, small\n"});
+    expect_error(game.path(), words, 1, {"maps/smal.bsp", game.path().string(), "similar names: small\n"});
   }
   expect_error(game.path(), {"render", "--map", "../../etc/passwd", "-o", "x.png"}, 1, {"no such level"});
   expect_error(game.path(), {"render", "--map", "nowhere/x.bsp", "-o", "x.png"}, 1, {"nowhere/x.bsp"});
 }
 
-TEST(BadInput, MissingFoldersSayWhichOptionNamesThem) {
+TEST(BadInput, MissingDirectoriesNameTheirOption) {
   const TemporaryFolder empty;
   const SmallGame game;
   const ProgramRun alone = run_program_alone(empty.path(), {"render", "--map", "start", "-o", "x.png"});
@@ -95,21 +95,21 @@ TEST(BadInput, MissingFoldersSayWhichOptionNamesThem) {
                {"nomod", "--game"});
 }
 
-TEST(BadInput, PlacesThatCannotBeWrittenTo) {
+TEST(BadInput, UnwritableOutputs) {
   const TemporaryFolder folder;
   folder.write("file", "not a folder");
   folder.write("folder.png/inside", "");
   const Words render = {"render", "--size", "8x8", "-o"};
   for (const auto& [out, part] : {std::pair("nowhere/x.png", "the folder nowhere does not exist"),
                                   {"file/x.png", "the folder file does not exist"},
-                                  {"folder.png", "cannot be written"}}) {
+                                  {"folder.png", "cannot write"}}) {
     Words words = render;
     words.emplace_back(out);
     expect_error(folder.path(), words, 1, {out, part, "-o"});
   }
 }
 
-// Levels cut short or of an unknown version: an error for `render` and for `inspect`.
+// Truncated levels and levels of an unknown version are errors for `render` and `inspect`.
 TEST(BadInput, DamagedLevels) {
   const SmallGame game({.tiny = true});
   const base::ByteVector whole = game.level_bytes(formats::BspVersion::k29);
@@ -124,7 +124,7 @@ TEST(BadInput, DamagedLevels) {
   expect_error(game.path(), {"render", "--map", "cut", "-o", "x.png"}, 1, {"maps/cut.bsp", "77"});
 }
 
-TEST(BadInput, FlippedBitsNeverEndTheProgramBadly) {
+TEST(BadInput, FlippedBitsNeverCrashTheProgram) {
   const SmallGame game({.tiny = true});
   const base::ByteVector whole = game.level_bytes(formats::BspVersion::kBsp2);
   constexpr int kSeeds = effort(60, 10);
@@ -150,7 +150,7 @@ TEST(BadInput, DamagedArchivesAndPalettesAreNamed) {
   expect_error(other.path(), {"render", "--map", "small", "-o", "x.png"}, 1, {"gfx/palette.lmp"});
 }
 
-TEST(BadInput, FilesOfNoKnownFormat) {
+TEST(BadInput, FilesOfUnknownFormats) {
   const TemporaryFolder folder;
   folder.write("notes.txt", "hello");
   folder.write("line\nbreak.xyz", "hello");

@@ -10,26 +10,26 @@ using ::testing::ElementsAre;
 
 std::vector<std::string> ours(const std::vector<const char*>& words) {
   const std::vector<std::string> commands = {"play", "serve", "render"};
-  return app::from_legacy_arguments(words, commands);
+  return app::convert_legacy_arguments(words, commands);
 }
 
-TEST(StockArguments, PlusBeginsACommandForTheConsole) {
+TEST(LegacyArguments, PlusStartsAConsoleCommand) {
   EXPECT_THAT(ours({"play", "+skill", "2", "+map", "start"}),
               ElementsAre("play", "--exec", "skill 2", "--exec", "map start"));
   EXPECT_THAT(ours({"serve", "+deathmatch", "1", "--port", "26001", "+map", "dm1"}),
               ElementsAre("serve", "--port", "26001", "--exec", "deathmatch 1", "--exec", "map dm1"));
 }
 
-TEST(StockArguments, WithoutACommandOfOursTheGameIsMeant) {
+TEST(LegacyArguments, DefaultCommandIsPlay) {
   EXPECT_THAT(ours({"-basedir", "quake", "-game", "mod", "+map", "e1m1"}),
               ElementsAre("--basedir", "quake", "--game", "mod", "play", "--exec", "map e1m1"));
 }
 
-TEST(StockArguments, WordsWithBlanksStayOne) {
+TEST(LegacyArguments, WordsWithSpacesAreQuoted) {
   EXPECT_THAT(ours({"play", "+name", "the player"}), ElementsAre("play", "--exec", "name \"the player\""));
 }
 
-TEST(StockArguments, OtherWordsStayAsTheyAre) {
+TEST(LegacyArguments, OtherWordsAreUnchanged) {
   EXPECT_THAT(ours({"render", "--map", "start", "-o", "+0button.png"}),
               ElementsAre("render", "--map", "start", "-o", "+0button.png"));
   EXPECT_THAT(ours({"-game", "mod", "render", "+map", "start"}),

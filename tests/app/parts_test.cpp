@@ -1,4 +1,4 @@
-// The parts of the program that are more than plumbing, each by itself.
+// Unit tests of the program's own parts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(ParseFrameRange, TakesACountOrARange) {
     EXPECT_FALSE(parse_frame_range(wrong).ok()) << wrong;
 }
 
-TEST(DescribeProgress, SaysHowFarAndHowLong) {
+TEST(DescribeProgress, ShowsProgressAndTimeLeft) {
   EXPECT_EQ(describe_progress("frames", 0, 40, 0), "frames: [....................] 0 of 40");
   EXPECT_EQ(describe_progress("frames", 10, 40, 5), "frames: [#####...............] 10 of 40, 15 s left");
   EXPECT_EQ(describe_progress("frames", 1, 100, 1.5),
@@ -61,7 +61,7 @@ TEST(DescribeProgress, SaysHowFarAndHowLong) {
   EXPECT_EQ(describe_progress("frames", 40, 40, 9), "frames: [####################] 40 of 40, 0 s left");
 }
 
-TEST(NumberedName, PutsTheNumberIn) {
+TEST(NumberedName, InsertsTheNumber) {
   EXPECT_EQ(numbered_name("x.png", 7).value(), "x.png");
   EXPECT_EQ(numbered_name("x-%d.png", 7).value(), "x-7.png");
   EXPECT_EQ(numbered_name("a/x-%05d.PNG", 123).value(), "a/x-00123.PNG");
@@ -71,12 +71,12 @@ TEST(NumberedName, PutsTheNumberIn) {
     EXPECT_FALSE(numbered_name(wrong, 1).ok()) << wrong;
 }
 
-TEST(Distribution, AgreesWithCounting) {
+TEST(Distribution, MatchesCounting) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     test::Random random(seed);
     std::vector<double> values(1 + random.below(300));
     for (double& value : values) value = static_cast<double>(random.below(50));
-    const Distribution result = distribution_of(values);
+    const Distribution result = compute_distribution(values);
     const auto share_up_to = [&](double limit) {
       return static_cast<double>(
                  std::count_if(values.begin(), values.end(), [&](double v) { return v <= limit; })) /
@@ -84,27 +84,28 @@ TEST(Distribution, AgreesWithCounting) {
     };
     for (const auto& [percentile, share] : {std::pair(result.p50, 0.5), {result.p99, 0.99}}) {
       EXPECT_GE(share_up_to(percentile), share) << "seed " << seed;
-      EXPECT_LT(share_up_to(percentile - 0.5), share) << "seed " << seed << ": a smaller value would do";
+      EXPECT_LT(share_up_to(percentile - 0.5), share)
+          << "seed " << seed << ": a smaller value would be enough";
     }
     EXPECT_EQ(result.max, *std::max_element(values.begin(), values.end()));
   }
 }
 
-TEST(Distribution, OfNothingIsZero) {
-  EXPECT_EQ(distribution_of({}).max, 0);
-  EXPECT_EQ(mean_of({}), 0);
-  EXPECT_EQ(mean_of({1, 2, 6}), 3);
+TEST(Distribution, IsZeroWithoutValues) {
+  EXPECT_EQ(compute_distribution({}).max, 0);
+  EXPECT_EQ(compute_mean({}), 0);
+  EXPECT_EQ(compute_mean({1, 2, 6}), 3);
 }
 
-class FloorLoop : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Placements, FloorLoop, ::testing::Range(0, kFloorPlacements));
+class FillBaseline : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Placements, FillBaseline, ::testing::Range(0, kBaselinePlacements));
 
-TEST_P(FloorLoop, ReadsTheTexelsThatItsStepsSay) {
+TEST_P(FillBaseline, ReadsTheTexelsOfItsSteps) {
   constexpr int kWidth = 500, kHeight = 20;
   render::FrameBuffer frame(kWidth, kHeight, render::PixelFormat::kRgb);
-  fill_with_floor_loop(GetParam(), frame);
-  // Pixels whose texture coordinates fall on one texel have one color, others another: the surface's texels
-  // all differ.
+  run_fill_baseline(GetParam(), frame);
+  // Two pixels have the same color if and only if their texture coordinates fall on the same texel, because
+  // all texels of the surface differ.
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> texels;
   std::set<std::uint32_t> colors;
   for (int y = 0; y < kHeight; ++y) {
@@ -120,13 +121,13 @@ TEST_P(FloorLoop, ReadsTheTexelsThatItsStepsSay) {
   EXPECT_EQ(colors.size(), texels.size());
 }
 
-TEST_P(FloorLoop, FillsIndexedFramesWhole) {
+TEST_P(FillBaseline, FillsIndexedFramesCompletely) {
   render::FrameBuffer frame(300, 7, render::PixelFormat::kIndexed);
   std::fill(frame.indexed().begin(), frame.indexed().end(), std::uint8_t{7});
-  fill_with_floor_loop(GetParam(), frame);
+  run_fill_baseline(GetParam(), frame);
   const std::vector<std::uint8_t> first(frame.indexed().begin(), frame.indexed().end());
   std::fill(frame.indexed().begin(), frame.indexed().end(), std::uint8_t{9});
-  fill_with_floor_loop(GetParam(), frame);
+  run_fill_baseline(GetParam(), frame);
   EXPECT_TRUE(std::equal(first.begin(), first.end(), frame.indexed().begin()));
 }
 
@@ -149,17 +150,17 @@ std::shared_ptr<const world::Level> level_with_entities(const std::string& entit
   return world::make_level(std::move(bsp), "test").value();
 }
 
-TEST(Viewpoints, ArePlacesWherePlayersAre) {
+TEST(Viewpoints, AreWherePlayersAppear) {
   const auto level = level_with_entities(R"({"classname" "worldspawn"}
     {"classname" "info_intermission" "origin" "1 2 3" "mangle" "10 20 30"}
     {"classname" "info_player_deathmatch" "origin" "5 5 5"}
     {"classname" "info_teleport_destination" "origin" "7 7 7" "angle" "45"}
     {"classname" "light" "origin" "9 9 9"}
     {"classname" "info_player_start" "origin" "4 5 6" "angle" "90"})");
-  const Viewpoint start = start_viewpoint(*level);
+  const Viewpoint start = find_start_viewpoint(*level);
   EXPECT_EQ(start.eye_world, math::Vec3(4, 5, 28));
   EXPECT_EQ(start.angles_deg, math::Vec3(0, 90, 0));
-  const std::vector<Viewpoint> all = all_viewpoints(*level);
+  const std::vector<Viewpoint> all = list_viewpoints(*level);
   ASSERT_EQ(all.size(), 4u);
   EXPECT_EQ(all[0].eye_world, math::Vec3(1, 2, 3));
   EXPECT_EQ(all[0].angles_deg, math::Vec3(10, 20, 30));
@@ -167,14 +168,14 @@ TEST(Viewpoints, ArePlacesWherePlayersAre) {
   EXPECT_EQ(all[2].angles_deg, math::Vec3(0, 45, 0));
 }
 
-TEST(Viewpoints, ALevelWithoutStartsIsSeenFromItsMiddle) {
+TEST(Viewpoints, LevelWithoutStartsIsSeenFromItsCenter) {
   const auto level = level_with_entities(R"({"classname" "worldspawn"})");
   const math::Bounds& bounds = level->world().bounds;
-  EXPECT_EQ(start_viewpoint(*level).eye_world, (bounds.mins + bounds.maxs) / 2.0f);
-  EXPECT_EQ(all_viewpoints(*level).size(), 1u);
+  EXPECT_EQ(find_start_viewpoint(*level).eye_world, (bounds.mins + bounds.maxs) / 2.0f);
+  EXPECT_EQ(list_viewpoints(*level).size(), 1u);
 }
 
-TEST(LevelScene, HoldsTheBrushModelsThatTheGameShows) {
+TEST(LevelScene, ContainsTheVisibleBrushModels) {
   const LevelScene scene = make_level_scene(level_with_entities(R"({"classname" "worldspawn" "model" "*1"}
     {"classname" "func_door" "model" "*1" "origin" "1 2 3"}
     {"classname" "func_wall" "model" "*1"}

@@ -1,4 +1,4 @@
-// `temblor play` as a person has it: a window on a display (Xvfb), keys and mouse as the X server tells them.
+// `temblor play` as players use it: a window on a display (Xvfb), with keys and mouse from the X server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -25,10 +25,10 @@ using ::testing::Not;
   if (!std::filesystem::exists(TEMBLOR_GAME_PROGRAM))                      \
   GTEST_SKIP() << "the game's QuakeC is not compiled: fteqcc is not installed"
 
-// A base folder whose last game folder may be written to, unless that is forbidden.
-class Evening {
+// A base directory whose last game directory is writable, unless that is forbidden.
+class PlaySession {
  public:
-  explicit Evening(const std::filesystem::path& data) {
+  explicit PlaySession(const std::filesystem::path& data) {
     std::filesystem::create_directory_symlink(data / "id1", folder_.path() / "id1");
     folder_.write("evening/autoexec.cfg", std::string_view("host_maxfps 30\n"));
     std::filesystem::copy_file(TEMBLOR_GAME_PROGRAM, game() / "progs.dat");
@@ -36,18 +36,18 @@ class Evening {
   const std::filesystem::path& path() const { return folder_.path(); }
   std::filesystem::path game() const { return path() / "evening"; }
   void write(const std::string& name, std::string_view text) const { folder_.write(name, text); }
-  // As far as the program can see, whoever runs the test.
+  // Makes the directory look read-only to the program, even if root runs the test: a folder has the name of
+  // the probe file.
   void forbid_writing() const { write("evening/.temblor-may-write/x", "x"); }
 
-  // In `script`, PLAY before its options stands for the program. What it and the script print.
+  // Runs a script in which PLAY stands for the program. Returns what both print.
   std::string run(std::string script) {
     const std::string play = "'" TEMBLOR_PROGRAM "' --basedir '" + folder_.path().string() +
                              "' --game evening play --nosound --duration 60";
     script.replace(script.find("PLAY --"), 4, play);
     folder_.write("script.sh", script);
     const std::string out = (folder_.path() / "out").string();
-    // What libdbus, which SDL loads and lets go, does not give back is no fault of ours; leaks of the game
-    // are found by tests/host.
+    // SDL loads and unloads libdbus, which leaks. tests/host finds leaks of the game.
     const std::string line = "ASAN_OPTIONS=detect_leaks=0; export ASAN_OPTIONS; cd '" +
                              folder_.path().string() +
                              "' && xvfb-run -a -s '-screen 0 1024x768x24' sh script.sh >'" + out + "' 2>&1";
@@ -63,12 +63,13 @@ class Evening {
   int status_ = -1;
 };
 
-TEST(PlayProgram, AnEveningOfPlaying) {
+TEST(PlayProgram, PlaysASession) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_DISPLAY();
-  Evening evening(data);
-  // The menu, a new game, some steps and shots, a saved game, death, the saved game again, settings, the end.
-  const std::string out = evening.run(R"(
+  PlaySession session(data);
+  // The menu, a new game, some steps and shots, a saved game, death, the saved game again, settings, and the
+  // end.
+  const std::string out = session.run(R"(
 type() { xdotool key grave; sleep 0.6; xdotool type --delay 20 "$1"; xdotool key Return; sleep 0.5; xdotool key grave; sleep 1; }
 PLAY --size 640x480 & game=$!
 xdotool search --sync --name Temblor >/dev/null; sleep 2
@@ -89,10 +90,10 @@ xdotool key grave; sleep 0.6; xdotool type quit; xdotool key Return
 wait $game; echo "ended with $?"
 )");
   EXPECT_THAT(out, HasSubstr("ended with 0"));
-  EXPECT_THAT(out, HasSubstr("saved as quick"));
+  EXPECT_THAT(out, HasSubstr("Quicksaved"));
   EXPECT_THAT(out, Not(HasSubstr("unknown command")));
-  const Png began = evening.picture("temblor0000"), turned = evening.picture("temblor0001"),
-            dead = evening.picture("temblor0002"), loaded = evening.picture("temblor0003");
+  const Png began = session.picture("temblor0000"), turned = session.picture("temblor0001"),
+            dead = session.picture("temblor0002"), loaded = session.picture("temblor0003");
   for (const Png* const picture : {&began, &turned, &dead, &loaded}) {
     EXPECT_EQ(picture->width, 640u);
     EXPECT_EQ(picture->height, 480u);
@@ -100,12 +101,12 @@ wait $game; echo "ended with $?"
   }
   EXPECT_NE(began, turned);
   EXPECT_NE(dead, turned);
-  EXPECT_TRUE(std::filesystem::exists(evening.game() / "quick.sav"));
-  EXPECT_TRUE(std::filesystem::exists(evening.game() / "quick.png"));
-  EXPECT_THAT(evening.configuration(), HasSubstr("bind x \"screenshot bound\""));
+  EXPECT_TRUE(std::filesystem::exists(session.game() / "quick.sav"));
+  EXPECT_TRUE(std::filesystem::exists(session.game() / "quick.png"));
+  EXPECT_THAT(session.configuration(), HasSubstr("bind x \"screenshot bound\""));
 
-  // The next evening.
-  const std::string again = evening.run(R"(
+  // The next session.
+  const std::string again = session.run(R"(
 PLAY --map start & game=$!
 xdotool search --sync --name Temblor >/dev/null; sleep 4
 xdotool key x; sleep 1
@@ -113,19 +114,19 @@ kill -TERM $game
 wait $game; echo "ended with $?"
 )");
   EXPECT_THAT(again, HasSubstr("ended with 0"));
-  const Png bound = evening.picture("bound");
+  const Png bound = session.picture("bound");
   EXPECT_EQ(bound.width, 800u);
   EXPECT_EQ(bound.height, 600u);
 }
 
-// SDL has no surface for a window there, and this machine no graphics hardware: its pictures take a third
+// SDL has no window surface there, and this machine has no graphics hardware, so frames are shown in a third
 // way.
 TEST(PlayProgram, ShowsPicturesOnWayland) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_DISPLAY();
   if (!is_installed("weston")) GTEST_SKIP() << "a Wayland display (weston) is not installed";
-  Evening evening(data);
-  const std::string out = evening.run(R"(
+  PlaySession session(data);
+  const std::string out = session.run(R"(
 export XDG_RUNTIME_DIR="$PWD/run"; mkdir -m 700 run
 weston --backend=x11-backend.so --use-pixman --width=900 --height=700 --socket=evening >weston.log 2>&1 & display=$!
 for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do [ -S run/evening ] && break; sleep 0.5; done
@@ -138,21 +139,21 @@ wait $game; echo "ended with $?"
 kill $display; wait $display
 )");
   if (out.find("weston does not start") != std::string::npos) GTEST_SKIP() << out;
-  EXPECT_THAT(out, HasSubstr("player joins"));
+  EXPECT_THAT(out, HasSubstr("player joined"));
   EXPECT_THAT(out, HasSubstr("ended with 0"));
   EXPECT_THAT(out, Not(HasSubstr("the window")));
 }
 
-// As a package's are for its players.
-TEST(PlayProgram, AWatchedMapIsCompiledToWhereThePlayerMayWrite) {
+// Game directories are read-only for players of an installed package.
+TEST(PlayProgram, CompilesAWatchedMapToAWritableDirectory) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_DISPLAY();
-  Evening evening(data);
-  evening.forbid_writing();
-  evening.write("room.map", "{\n\"classname\" \"worldspawn\"\n" +
+  PlaySession session(data);
+  session.forbid_writing();
+  session.write("room.map", "{\n\"classname\" \"worldspawn\"\n" +
                                 walls_text({-128, -128, 0}, {128, 128, 128}, "wall") +
                                 "}\n{\n\"classname\" \"info_player_start\"\n\"origin\" \"0 0 24\"\n}\n");
-  const std::string out = evening.run(R"(
+  const std::string out = session.run(R"(
 export XDG_DATA_HOME="$PWD/user"
 PLAY --watch room.map & game=$!
 xdotool search --sync --name Temblor >/dev/null; sleep 3
@@ -160,17 +161,17 @@ printf '{\n"classname" "light"\n"origin" "999 0 0"\n}\n' >>room.map; sleep 4
 kill -TERM $game
 wait $game; echo "ended with $?"
 )");
-  EXPECT_THAT(out, HasSubstr("player joins"));
+  EXPECT_THAT(out, HasSubstr("player joined"));
   EXPECT_THAT(out, HasSubstr("reloaded"));
   EXPECT_THAT(out, HasSubstr("temblor: note: "));
-  EXPECT_THAT(out, HasSubstr("999 0 0")) << "what the compiler says of the map is told in the console";
+  EXPECT_THAT(out, HasSubstr("999 0 0")) << "the console shows the compiler's messages";
   EXPECT_THAT(out, HasSubstr("ended with 0"));
-  EXPECT_TRUE(std::filesystem::exists(evening.path() / "user/temblor/evening/maps/room.bsp"));
-  EXPECT_FALSE(std::filesystem::exists(evening.game() / "maps"));
+  EXPECT_TRUE(std::filesystem::exists(session.path() / "user/temblor/evening/maps/room.bsp"));
+  EXPECT_FALSE(std::filesystem::exists(session.game() / "maps"));
 }
 
-// Even by root, who may.
-TEST(PlayProgram, NothingIsWrittenBesideAnInstalledGame) {
+// Not even by root, who has permission.
+TEST(PlayProgram, WritesNothingIntoAnInstalledGame) {
   SKIP_WITHOUT_DISPLAY();
   const SmallGame game;
   const TemporaryFolder prefix;
@@ -188,18 +189,18 @@ TEST(PlayProgram, NothingIsWrittenBesideAnInstalledGame) {
   EXPECT_FALSE(std::filesystem::exists(prefix.path() / "share/games/temblor/id1/temblor.cfg"));
 }
 
-TEST(PlayProgram, WithoutADisplayItSaysSo) {
+TEST(PlayProgram, ReportsAMissingDisplay) {
   const SmallGame game;
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
   const ProgramRun run =
       run_program(game.path(), {"--basedir", game.path().string(), "play", "--nosound", "--duration", "1"});
   EXPECT_EQ(run.exit_status, 1);
-  // SDL itself may say something in front of it.
-  EXPECT_THAT(run.err, HasSubstr("temblor: there is no display"));
+  // SDL may print something before it.
+  EXPECT_THAT(run.err, HasSubstr("temblor: no display"));
 }
 
-TEST(PlayProgram, WithoutDataItSaysWhatToDo) {
+TEST(PlayProgram, SaysWhatToDoWithoutGameData) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program_alone(folder.path(), {"play", "--duration", "1"});
   EXPECT_EQ(run.exit_status, 1);

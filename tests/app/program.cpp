@@ -17,7 +17,7 @@
 namespace temblor::test {
 namespace {
 
-// For the shell, so that it takes the word as it is.
+// Quotes a word for the shell.
 std::string quoted(const std::string& word) {
   std::string text(1, '\'');
   for (const char c : word) {

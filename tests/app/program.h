@@ -1,4 +1,4 @@
-// Runs the built program as a person does: words in, exit status and text out.
+// Runs the built program: words in, exit status and texts out.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@ struct ProgramRun {
   std::string out, err;
 };
 
-// Runs it in `folder`. The words reach it as they are; no shell rule applies to them.
+// Runs it in `folder`. The words are passed unchanged; the shell does not interpret them.
 ProgramRun run_program(const std::filesystem::path& folder, const std::vector<std::string>& words);
-// The same, of a copy that lies where the shipped game does not.
+// The same with a copy of the program that is not beside the shipped game.
 ProgramRun run_program_alone(const std::filesystem::path& folder, const std::vector<std::string>& words);
 
-// A whole file, as it is. CHECKs that it is there.
+// Returns a whole file. CHECKs that it exists.
 std::string read_text(const std::filesystem::path& path);
 
-// Whether the text is one line that starts with "temblor: ".
+// Returns whether the text is one line that starts with "temblor: ".
 bool is_one_error_line(std::string_view text);
 
-// A PNG decoded by libspng itself.
+// A PNG decoded by libspng, not by our own reader.
 struct Png {
   std::uint32_t width = 0, height = 0;
   bool indexed = false;           // it has a palette
@@ -35,7 +35,7 @@ struct Png {
 // CHECKs that the file is a PNG.
 Png read_png(const std::filesystem::path& path);
 
-// How many different colors a picture has.
+// Returns how many different colors a picture has.
 std::size_t count_colors(const Png& png);
 
 }  // namespace temblor::test

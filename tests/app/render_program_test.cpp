@@ -1,4 +1,4 @@
-// `temblor render` and `temblor settings`, as a person uses them.
+// `temblor render` and `temblor settings`.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class RenderProgram : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(RenderProgram, DrawsALevelWithoutData) {
+TEST_F(RenderProgram, DrawsALevelWithoutGameData) {
   const Png png = draw(small_render());
   EXPECT_EQ(png.width, 160u);
   EXPECT_EQ(png.height, 96u);
@@ -54,7 +54,7 @@ TEST_F(RenderProgram, ThreadsDoNotChangeThePicture) {
             draw(small_render({"--threads", "3", "--set", "r_job_backend=stdthread"})));
 }
 
-TEST_F(RenderProgram, DefaultViewIsThePlayersEye) {
+TEST_F(RenderProgram, DefaultViewIsThePlayers) {
   const std::vector<formats::Entity> entities =
       formats::read_entities(artgen::make_small_level().entities).value();
   const auto start = std::find_if(entities.begin(), entities.end(), [](const formats::Entity& entity) {
@@ -68,7 +68,7 @@ TEST_F(RenderProgram, DefaultViewIsThePlayersEye) {
   EXPECT_NE(draw(small_render()), draw(small_render({"--pos", position, "--angles", "0,200,0"})));
 }
 
-TEST_F(RenderProgram, OverviewLooksDownAtTheMiddle) {
+TEST_F(RenderProgram, OrthographicViewLooksDownAtTheCenter) {
   const formats::BspModel world = artgen::make_small_level().models[0];
   const math::Vec3 center = (world.mins + world.maxs) * 0.5f;
   const Words overview = small_render({"--projection", "orthographic"});
@@ -80,7 +80,7 @@ TEST_F(RenderProgram, OverviewLooksDownAtTheMiddle) {
   EXPECT_GT(count_colors(png), 30u);
 }
 
-TEST_F(RenderProgram, ALevelByNameOrByFileIsThatLevel) {
+TEST_F(RenderProgram, LevelByNameEqualsLevelByFile) {
   const SmallGame game;
   const Png made_in_code = draw(small_render());
   EXPECT_EQ(draw(small_render({"--basedir", game.path().string(), "--map", "small"})), made_in_code);
@@ -90,13 +90,13 @@ TEST_F(RenderProgram, ALevelByNameOrByFileIsThatLevel) {
             made_in_code);
 }
 
-TEST_F(RenderProgram, TheCurrentFolderIsTheBaseFolderWhereItHoldsId1) {
+TEST_F(RenderProgram, CurrentDirectoryIsTheBasedirIfItContainsId1) {
   const SmallGame game;
   const ProgramRun run = run_program(game.path(), small_render({"--map", "small", "-o", "x.png"}));
   EXPECT_EQ(run.exit_status, 0) << run.err;
 }
 
-TEST_F(RenderProgram, TheLastGameWins) {
+TEST_F(RenderProgram, LastGameHasPriority) {
   const SmallGame game;
   artgen::SmallLevelOptions other;
   other.tiny = true;
@@ -113,7 +113,7 @@ TEST_F(RenderProgram, TheLastGameWins) {
   EXPECT_EQ(draw(small_render({"--basedir", base, "--game", "last", "--map", "other"})), modded);
 }
 
-TEST_F(RenderProgram, ATurnIsASequenceOfViews) {
+TEST_F(RenderProgram, TurnMakesASequenceOfViews) {
   const ProgramRun run =
       run_program(folder_.path(),
                   small_render({"--angles", "5,30,0", "--frames", "3", "--turn", "10", "-o", "t-%03d.png"}));
@@ -123,14 +123,14 @@ TEST_F(RenderProgram, ATurnIsASequenceOfViews) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "t-003.png"));
 }
 
-TEST_F(RenderProgram, SettingsAreUsed) {
+TEST_F(RenderProgram, UsesSettings) {
   const Png plain = draw(small_render());
   EXPECT_NE(draw(small_render({"--set", "r_mip_force=3"})), plain);
   EXPECT_EQ(draw(small_render({"--set", "r_mip_force=3", "--set", "r_mip_force=-1"})), plain);
   EXPECT_NE(draw(small_render({"--set", "r_colored_light=0"})), plain);
 }
 
-TEST_F(RenderProgram, ShowDrawsSomethingElse) {
+TEST_F(RenderProgram, ShowDrawsDifferentPictures) {
   std::vector<Png> pictures = {draw(small_render())};
   for (const char* kind : {"faces", "edges", "spans", "surfaces", "mips", "pvs", "overdraw", "depth"}) {
     const Png png = draw(small_render({"--show", kind}));
@@ -147,7 +147,7 @@ TEST_F(RenderProgram, StatsNameEveryStage) {
     EXPECT_THAT(run.out, HasSubstr(word));
 }
 
-TEST_F(RenderProgram, AMissingTextureIsReportedOnce) {
+TEST_F(RenderProgram, ReportsAMissingTextureOnce) {
   const SmallGame game({.missing_texture = true});
   const ProgramRun run = run_program(game.path(), small_render({"--map", "small", "-o", "x.png"}));
   EXPECT_EQ(run.exit_status, 0);
@@ -170,7 +170,7 @@ TEST_F(RenderProgram, SettingsListsValuesAndHelp) {
   const ProgramRun run = run_program(folder_.path(), {"--set", "r_mip_rule=stock", "settings"});
   EXPECT_EQ(run.exit_status, 0);
   EXPECT_THAT(run.out, HasSubstr("r_mip_rule = stock\n"));
-  EXPECT_THAT(run.out, HasSubstr("Takes footprint or stock; footprint if not set."));
+  EXPECT_THAT(run.out, HasSubstr("Values: footprint or stock. Default: footprint."));
 }
 
 TEST_F(RenderProgram, StockLevelsInBothFormats) {

@@ -1,4 +1,4 @@
-// `temblor serve` as its host has it: a console on standard input, and signals.
+// `temblor serve` as hosts use it: a console on standard input, and signals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
   if (!std::filesystem::exists(TEMBLOR_GAME_PROGRAM)) \
   GTEST_SKIP() << "the game's QuakeC is not compiled: fteqcc is not installed"
 
-// What a shell makes of "SERVE" in `script`: the server, told to print to its standard output.
+// Runs a script in which SERVE stands for the server. Returns what both print.
 struct ShellRun {
   int exit_status = 0;
   std::string out;
@@ -47,7 +47,7 @@ TEST(ServeProgram, ConsoleIsStandardInput) {
   EXPECT_THAT(run.out, HasSubstr("no_such_thing"));
 }
 
-TEST(ServeProgram, SignalsEndItAsQuitDoes) {
+TEST(ServeProgram, SignalsEndItLikeQuit) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_GAME();
   const ShellRun run = run_script(
@@ -56,7 +56,7 @@ TEST(ServeProgram, SignalsEndItAsQuitDoes) {
   EXPECT_THAT(run.out, HasSubstr("level start"));
 }
 
-TEST(ServeProgram, WhatIsWrongIsOneLine) {
+TEST(ServeProgram, ErrorsAreOneLine) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_GAME();
   const TemporaryFolder folder;
@@ -84,7 +84,7 @@ TEST(ServeProgram, WhatIsWrongIsOneLine) {
   EXPECT_TRUE(is_one_error_line(no_address.err)) << no_address.err;
 }
 
-TEST(ServeProgram, PortsThatCannotBeHadAreToldWithWhatToDo) {
+TEST(ServeProgram, SaysWhatToDoAboutUnusablePorts) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_GAME();
   const TemporaryFolder folder;
@@ -96,7 +96,7 @@ TEST(ServeProgram, PortsThatCannotBeHadAreToldWithWhatToDo) {
     const ProgramRun run = serve_at(wrong);
     EXPECT_EQ(run.exit_status, 2) << run.err;
     EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
-    EXPECT_THAT(run.err, HasSubstr(std::string("\"") + wrong + "\" is no UDP port"));
+    EXPECT_THAT(run.err, HasSubstr(std::string("\"") + wrong + "\" is not a UDP port"));
     EXPECT_THAT(run.err, HasSubstr("1 to 65535"));
   }
   const auto other = platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
@@ -109,7 +109,7 @@ TEST(ServeProgram, PortsThatCannotBeHadAreToldWithWhatToDo) {
   EXPECT_THAT(busy.err, HasSubstr("--port"));
 }
 
-TEST(ServeProgram, ErrorsOfTheConfigurationAreToldWithItsLine) {
+TEST(ServeProgram, ErrorsOfTheConfigurationNameFileAndLine) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_GAME();
   const TemporaryFolder folder;
@@ -121,13 +121,13 @@ TEST(ServeProgram, ErrorsOfTheConfigurationAreToldWithItsLine) {
                   {"--basedir", folder.path().string(), "--game", "mod", "serve", "--map", "start", "--progs",
                    TEMBLOR_GAME_PROGRAM, "--port", "0", "--host", "127.0.0.1", "--duration", "0.1"});
   EXPECT_EQ(run.exit_status, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("server.cfg:3: unknown command \"hostnam\""));
+  EXPECT_THAT(run.out, HasSubstr("server.cfg:3: unknown command or variable \"hostnam\""));
   EXPECT_THAT(run.out, HasSubstr("rules.cfg:1: fraglimit cannot be \"many\""));
   EXPECT_THAT(run.out, HasSubstr("server.cfg:5: skill cannot be \"7\""));
   EXPECT_THAT(run.out, HasSubstr("Quiet: UDP port"));
 }
 
-TEST(ServeProgram, TheCommandLineHasTheLastWordOverTheConfiguration) {
+TEST(ServeProgram, CommandLineOverridesTheConfiguration) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_GAME();
   const TemporaryFolder folder;

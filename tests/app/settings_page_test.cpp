@@ -13,7 +13,7 @@ TEST(SettingsPage, NamesEveryVariable) {
   command::Variables variables;
   const host::HostVariables settings(variables);
   for (const command::Variable* variable : variables.all()) {
-    // "`scratch1` to `scratch4`": those between are meant.
+    // "`scratch1` to `scratch4`" includes those between.
     if (variable->name == "scratch2" || variable->name == "scratch3" || variable->name == "saved2" ||
         variable->name == "saved3")
       continue;

@@ -1,5 +1,5 @@
-// The creatures that the game ships with, against the QuakeC that plays them: its sequences, speeds and hulls
-// are read from its source.
+// Compares the shipped creatures with the QuakeC that animates them, whose sequences, speeds, and hulls are
+// read from its source.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,19 +31,19 @@ namespace fs = std::filesystem;
 using formats::Mdl;
 using math::Vec3d;
 using test::Extent;
-using test::extent_of;
-using test::place_of;
+using test::frame_extent;
+using test::vertex_position;
 
 const fs::path kSource = TEMBLOR_SOURCE_DIR;
 
-std::string text_of(const fs::path& path) {
+std::string read_text(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::vector<fs::path> files_in(const fs::path& folder, const std::string& extension) {
+std::vector<fs::path> list_files(const fs::path& folder, const std::string& extension) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().extension() == extension) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
@@ -51,8 +51,8 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& extens
 
 std::vector<ScriptFile> shipped_scripts() {
   std::vector<ScriptFile> scripts;
-  for (const fs::path& path : files_in(kSource / "game/art/models", ".art")) {
-    auto things = read_script(text_of(path));
+  for (const fs::path& path : list_files(kSource / "game/art/models", ".art")) {
+    auto things = read_script(read_text(path));
     EXPECT_TRUE(things.ok()) << path << (things.ok() ? "" : things.error().message());
     if (things.ok()) scripts.push_back({path.string(), std::move(things).value()});
   }
@@ -64,15 +64,15 @@ struct Sequence {
   std::size_t first = 0, last = 0;
 };
 
-// What a file of QuakeC says of the model that it plays: names in small letters, "run" for KNIGHT_RUN.
+// What a QuakeC file says about its model. Sequences have names in lower case: "run" for KNIGHT_RUN.
 struct Played {
   std::string model;
   std::vector<Sequence> sequences;
-  std::optional<double> walk_speed, run_speed;  // units a frame
+  std::optional<double> walk_speed, run_speed;  // units per frame
   bool large = false;
 };
 
-std::optional<double> number_after(const std::string& text, const std::string& pattern) {
+std::optional<double> find_number(const std::string& text, const std::string& pattern) {
   std::smatch found;
   if (!std::regex_search(text, found, std::regex(pattern + "\\((\\d+)\\)"))) return {};
   return std::stod(found[1]);
@@ -90,27 +90,27 @@ Played read_played(const std::string& text) {
   for (const auto& [name, first] : frames)
     if (const auto last = frames.find(name + "_END"); last != frames.end())
       played.sequences.push_back({name, first, last->second});
-  played.walk_speed = number_after(text, "creature_walks");
-  played.run_speed = number_after(text, "creature_runs");
+  played.walk_speed = find_number(text, "creature_walks");
+  played.run_speed = find_number(text, "creature_runs");
   played.large = text.find("LARGE_HULL_MAX") != std::string::npos;
   return played;
 }
 
-// All models, with the skins of the coarsest kind: nothing here asks for them.
+// All models, with very coarse skins, which save time and are not tested here.
 class Creatures : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     Parts parts;
     const std::vector<ScriptFile> scripts = shipped_scripts();
     for (const ScriptFile& script : scripts)
-      for (const ScriptLine& line : script.things)
-        if (line.word == "part") {
+      for (const ScriptLine& line : script.assets)
+        if (line.keyword == "part") {
           ASSERT_TRUE(add_part(line, parts).ok());
         }
     for (const ScriptFile& script : scripts) {
-      for (const ScriptLine& line : script.things) {
-        if (line.word != "model") continue;
-        const auto whole = with_parts(line, parts);
+      for (const ScriptLine& line : script.assets) {
+        if (line.keyword != "model") continue;
+        const auto whole = expand_parts(line, parts);
         ASSERT_TRUE(whole.ok()) << script.name << ": " << whole.error().message();
         auto model = read_model(*whole);
         ASSERT_TRUE(model.ok()) << script.name << ": " << model.error().message();
@@ -119,8 +119,8 @@ class Creatures : public ::testing::Test {
         models()[model->path] = std::move(model).value();
       }
     }
-    for (const fs::path& path : files_in(kSource / "game/quakec", ".qc"))
-      if (const Played read = read_played(text_of(path)); !read.model.empty()) played().push_back(read);
+    for (const fs::path& path : list_files(kSource / "game/quakec", ".qc"))
+      if (const Played read = read_played(read_text(path)); !read.model.empty()) played().push_back(read);
     ASSERT_EQ(played().size(), 15u);
   }
   static std::map<std::string, Model>& models() {
@@ -142,16 +142,16 @@ class Creatures : public ::testing::Test {
   }
 };
 
-std::string animation_of(const Mdl& mdl, std::size_t frame) {
+std::string find_animation_name(const Mdl& mdl, std::size_t frame) {
   std::string name = mdl.frames[frame].poses.front().name;
   while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back()))) name.pop_back();
   return name;
 }
 
-TEST_F(Creatures, EveryModelThatTheGameNamesIsMade) {
+TEST_F(Creatures, EveryModelThatTheGameUsesIsMade) {
   const std::regex named("\"(progs/\\w+\\.mdl)\"");
-  for (const fs::path& path : files_in(kSource / "game/quakec", ".qc")) {
-    const std::string text = text_of(path);
+  for (const fs::path& path : list_files(kSource / "game/quakec", ".qc")) {
+    const std::string text = read_text(path);
     for (std::sregex_iterator it(text.begin(), text.end(), named), end; it != end; ++it)
       EXPECT_TRUE(mdls().contains((*it)[1])) << (*it)[1] << " in " << path.filename();
   }
@@ -166,13 +166,13 @@ TEST_F(Creatures, SequencesAreWholeAnimations) {
       SCOPED_TRACE(
           fmt::format("{} {} {} to {}", creature.model, sequence.name, sequence.first, sequence.last));
       ASSERT_LT(sequence.last, mdl.frames.size());
-      const std::string name = animation_of(mdl, sequence.first);
-      EXPECT_EQ(animation_of(mdl, sequence.last), name);
+      const std::string name = find_animation_name(mdl, sequence.first);
+      EXPECT_EQ(find_animation_name(mdl, sequence.last), name);
       if (sequence.first > 0) {
-        EXPECT_NE(animation_of(mdl, sequence.first - 1), name);
+        EXPECT_NE(find_animation_name(mdl, sequence.first - 1), name);
       }
       if (sequence.last + 1 < mdl.frames.size()) {
-        EXPECT_NE(animation_of(mdl, sequence.last + 1), name);
+        EXPECT_NE(find_animation_name(mdl, sequence.last + 1), name);
       }
     }
   }
@@ -199,7 +199,7 @@ TEST_F(Creatures, MeshesAreClosedAndWithoutFlatTriangles) {
   }
 }
 
-TEST_F(Creatures, SizesAreWhatTheOriginalEngineTakes) {
+TEST_F(Creatures, SizesFitTheOriginalEngine) {
   for (const auto& [path, mdl] : mdls()) {
     EXPECT_LE(mdl.texels.size(), 2000u) << path;
     EXPECT_LE(mdl.frames.size(), 256u) << path;
@@ -211,23 +211,23 @@ TEST_F(Creatures, SizesAreWhatTheOriginalEngineTakes) {
   }
 }
 
-// Those on legs; their hulls reach down to -24.
-bool stands(const Played& creature) {
+// Creatures on legs; their hulls reach down to -24.
+bool has_legs(const Played& creature) {
   static const std::set<std::string> kOthers = {"progs/wizard.mdl", "progs/fish.mdl", "progs/oldone.mdl"};
   return !kOthers.contains(creature.model);
 }
 
 TEST_F(Creatures, StandOnTheFloorAndFitTheirHulls) {
   for (const Played& creature : played()) {
-    if (!stands(creature)) continue;
+    if (!has_legs(creature)) continue;
     SCOPED_TRACE(creature.model);
     const Mdl& mdl = mdls().at(creature.model);
     const auto stand = std::find_if(creature.sequences.begin(), creature.sequences.end(),
                                     [](const Sequence& s) { return s.name == "STAND" || s.name == "WALK"; });
     ASSERT_NE(stand, creature.sequences.end());
     for (std::size_t frame = stand->first; frame <= stand->last; ++frame)
-      EXPECT_NEAR(extent_of(mdl, frame).low.z, -24, 1) << frame;
-    const Extent extent = extent_of(mdl, stand->first);
+      EXPECT_NEAR(frame_extent(mdl, frame).low.z, -24, 1) << frame;
+    const Extent extent = frame_extent(mdl, stand->first);
     const double height = extent.high.z + 24, hull_height = creature.large ? 88 : 64;
     EXPECT_GT(height, 0.4 * hull_height);
     EXPECT_LT(height, 1.15 * hull_height);
@@ -238,12 +238,12 @@ TEST_F(Creatures, StandOnTheFloorAndFitTheirHulls) {
 TEST_F(Creatures, TheDeadLieOnTheFloor) {
   int deaths = 0;
   for (const Played& creature : played()) {
-    if (!stands(creature) && creature.model != "progs/wizard.mdl") continue;
+    if (!has_legs(creature) && creature.model != "progs/wizard.mdl") continue;
     const Mdl& mdl = mdls().at(creature.model);
-    const Extent alive = extent_of(mdl, creature.sequences.front().first);
+    const Extent alive = frame_extent(mdl, creature.sequences.front().first);
     for (const Sequence& sequence : creature.sequences) {
       if (sequence.name.find("DEATH") == std::string::npos) continue;
-      const Extent dead = extent_of(mdl, sequence.last);
+      const Extent dead = frame_extent(mdl, sequence.last);
       EXPECT_NEAR(dead.low.z, -24, 0.7) << creature.model << sequence.name;
       EXPECT_LT(dead.high.z - dead.low.z, 0.72 * (alive.high.z - alive.low.z))
           << creature.model << sequence.name;
@@ -253,12 +253,12 @@ TEST_F(Creatures, TheDeadLieOnTheFloor) {
   EXPECT_GE(deaths, 20);
 }
 
-// How far what touches the floor in two frames has moved along x; the median.
-std::optional<double> floor_speed(const Mdl& mdl, std::size_t first, std::size_t last) {
+// The median distance along x that vertices on the floor move from one frame to the next.
+std::optional<double> measure_floor_speed(const Mdl& mdl, std::size_t first, std::size_t last) {
   std::vector<double> moves;
   for (std::size_t frame = first; frame < last; ++frame) {
     for (std::size_t i = 0; i < mdl.texels.size(); ++i) {
-      const Vec3d now = place_of(mdl, frame, i), then = place_of(mdl, frame + 1, i);
+      const Vec3d now = vertex_position(mdl, frame, i), then = vertex_position(mdl, frame + 1, i);
       if (std::max(now.z, then.z) < -23.3) moves.push_back(then.x - now.x);
     }
   }
@@ -271,14 +271,14 @@ TEST_F(Creatures, FeetDoNotSlide) {
   int measured = 0;
   for (const Played& creature : monsters()) {
     // The spawn has no feet.
-    if (!stands(creature) || creature.model == "progs/tarbaby.mdl") continue;
+    if (!has_legs(creature) || creature.model == "progs/tarbaby.mdl") continue;
     for (const Sequence& sequence : creature.sequences) {
       const bool walks = sequence.name == "WALK" || sequence.name == "PROWL";
       const auto speed = walks                    ? creature.walk_speed
                          : sequence.name == "RUN" ? creature.run_speed
                                                   : std::nullopt;
       if (!speed) continue;
-      const auto moved = floor_speed(mdls().at(creature.model), sequence.first, sequence.last);
+      const auto moved = measure_floor_speed(mdls().at(creature.model), sequence.first, sequence.last);
       if (!moved) continue;
       EXPECT_NEAR(*moved, -*speed, std::max(0.7, 0.15 * *speed)) << creature.model << " " << sequence.name;
       ++measured;
@@ -290,15 +290,16 @@ TEST_F(Creatures, FeetDoNotSlide) {
 // 64 x 64 bits of a creature's shape, 64 bits high, seen along an axis.
 using Mask = std::bitset<64 * 64>;
 
-Mask silhouette(const Mdl& mdl, std::size_t frame, int across) {
-  const Extent extent = extent_of(mdl, frame);
+// 64 x 64 bits that show the creature's shape along an axis, scaled to a height of 64 bits.
+Mask draw_silhouette(const Mdl& mdl, std::size_t frame, int across) {
+  const Extent extent = frame_extent(mdl, frame);
   const double pixel = (extent.high.z - extent.low.z) / 64;
   const double middle = 0.5 * (extent.low[across] + extent.high[across]);
   Mask mask;
   for (const formats::MdlTriangle& triangle : mdl.triangles) {
     std::array<math::Vec2d, 3> at;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3d place = place_of(mdl, frame, triangle.vertices[i]);
+      const Vec3d place = vertex_position(mdl, frame, triangle.vertices[i]);
       at[i] = {(place[across] - middle) / pixel + 32, (place.z - extent.low.z) / pixel};
     }
     const auto area = [](const math::Vec2d& a, const math::Vec2d& b, const math::Vec2d& c) {
@@ -323,14 +324,14 @@ double overlap(const Mask& a, const Mask& b) {
   return static_cast<double>((a & b).count()) / static_cast<double>((a | b).count());
 }
 
-TEST_F(Creatures, SilhouettesTellThemApart) {
+TEST_F(Creatures, SilhouettesAreDistinguishable) {
   std::map<std::string, std::array<Mask, 2>> masks;
   for (const Played& creature : played()) {
     const Mdl& mdl = mdls().at(creature.model);
     std::size_t frame = creature.sequences.front().first;
     for (const Sequence& sequence : creature.sequences)
       if (sequence.name == "STAND") frame = sequence.first;
-    masks[creature.model] = {silhouette(mdl, frame, 1), silhouette(mdl, frame, 0)};
+    masks[creature.model] = {draw_silhouette(mdl, frame, 1), draw_silhouette(mdl, frame, 0)};
     EXPECT_GT(masks[creature.model][0].count(), 300u) << creature.model;
   }
   // One creature in two poses overlaps by about 0.9.
@@ -345,8 +346,9 @@ TEST_F(Creatures, AreTheSameBytesEveryTime) {
   const std::vector<ScriptFile> scripts = shipped_scripts();
   std::vector<ScriptFile> some;
   for (const ScriptFile& script : scripts)
-    for (const ScriptLine& line : script.things)
-      if (line.word == "part" || line.values[0] == "progs/gib3.mdl" || line.values[0] == "progs/h_knight.mdl")
+    for (const ScriptLine& line : script.assets)
+      if (line.keyword == "part" || line.values[0] == "progs/gib3.mdl" ||
+          line.values[0] == "progs/h_knight.mdl")
         some.push_back({script.name, {line}});
   base::Jobs one(1), four(4);
   const auto first = make_art(some, one), second = make_art(some, four);
@@ -356,12 +358,13 @@ TEST_F(Creatures, AreTheSameBytesEveryTime) {
     EXPECT_EQ((*first)[i].bytes, (*second)[i].bytes) << (*first)[i].path;
 }
 
-TEST_F(Creatures, APlayersCoatAndTrousersTakeThePlayersColors) {
+TEST_F(Creatures, PlayersClothesUseTheRecoloredRamps) {
   const std::vector<ScriptFile> scripts = shipped_scripts();
   std::vector<ScriptFile> some;
   for (const ScriptFile& script : scripts)
-    for (const ScriptLine& line : script.things)
-      if (line.word == "part" || line.values[0] == "progs/player.mdl") some.push_back({script.name, {line}});
+    for (const ScriptLine& line : script.assets)
+      if (line.keyword == "part" || line.values[0] == "progs/player.mdl")
+        some.push_back({script.name, {line}});
   base::Jobs jobs(1);
   const auto art = make_art(some, jobs);
   ASSERT_TRUE(art.ok());

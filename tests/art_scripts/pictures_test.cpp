@@ -1,4 +1,4 @@
-// The language of pictures, and what the shipped game's scripts make of it.
+// Compares pictures with the meaning of their scripts, and checks the pictures of the shipped game.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 #include "artgen/pictures/lettering.h"
 #include "artgen/pictures/outline.h"
 #include "artgen/scripts/script.h"
-#include "assets/stock_pictures.h"
+#include "assets/stock/stock_pictures.h"
 #include "base/parallel_for.h"
 #include "formats/archives/wad.h"
 #include "formats/images/image.h"
@@ -29,19 +29,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-base::Result<std::vector<ArtFile>> art_of(const std::string& text) {
+base::Result<std::vector<ArtFile>> build_art(const std::string& text) {
   TRY(std::vector<ScriptLine> things, read_script(text));
   base::Jobs jobs(1);
   const std::vector<ScriptFile> scripts = {{"test.script", std::move(things)}};
   return make_art(scripts, jobs);
 }
 
-std::string error_of(const std::string& text) {
-  const auto art = art_of(text);
+std::string error_message(const std::string& text) {
+  const auto art = build_art(text);
   return art.ok() ? "none" : art.error().message();
 }
 
-const base::ByteVector& file_of(const std::vector<ArtFile>& art, const std::string& path) {
+const base::ByteVector& find_file(const std::vector<ArtFile>& art, const std::string& path) {
   static const base::ByteVector kNothing;
   const auto found =
       std::find_if(art.begin(), art.end(), [&](const ArtFile& file) { return file.path == path; });
@@ -49,11 +49,11 @@ const base::ByteVector& file_of(const std::vector<ArtFile>& art, const std::stri
   return found != art.end() ? found->bytes : kNothing;
 }
 
-formats::Picture picture_of(const std::string& lines, const std::string& size = "8x8") {
-  const auto art = art_of("picture p " + size + "\n" + lines);
+formats::Picture draw_picture(const std::string& lines, const std::string& size = "8x8") {
+  const auto art = build_art("picture p " + size + "\n" + lines);
   EXPECT_TRUE(art.ok()) << art.error().message();
   if (!art.ok()) return {};
-  auto picture = formats::read_picture(file_of(*art, "gfx/p.lmp"));
+  auto picture = formats::read_picture(find_file(*art, "gfx/p.lmp"));
   EXPECT_TRUE(picture.ok());
   return picture.ok() ? std::move(picture).value() : formats::Picture{};
 }
@@ -63,7 +63,7 @@ std::uint8_t at(const formats::Picture& picture, std::uint32_t x, std::uint32_t 
 }
 
 TEST(Pictures, AShapeCoversItsPixelsAndNoOthers) {
-  const formats::Picture picture = picture_of("  box 2,3 6,5 color=red:0.5\n");
+  const formats::Picture picture = draw_picture("  box 2,3 6,5 color=red:0.5\n");
   const std::uint8_t red = ramp_color(Ramp::kRed, 0.5);
   for (std::uint32_t y = 0; y < 8; ++y) {
     for (std::uint32_t x = 0; x < 8; ++x) {
@@ -77,8 +77,8 @@ TEST(Pictures, AShapeCoversItsPixelsAndNoOthers) {
   }
 }
 
-TEST(Pictures, ErasingAndGroupsAndUsualSettings) {
-  const formats::Picture picture = picture_of(
+TEST(Pictures, EraseGroupsAndDefaults) {
+  const formats::Picture picture = draw_picture(
       "  usual box color=gold:1\n"
       "  group at=4,0\n"
       "    box 0,0 4,4\n"
@@ -90,26 +90,26 @@ TEST(Pictures, ErasingAndGroupsAndUsualSettings) {
 }
 
 TEST(Pictures, RaisedEdgesAreBrighterAtTheUpperLeft) {
-  const formats::Picture picture = picture_of("  box 0,0 16,16 color=slate:0.5 raise=4\n", "16x16");
+  const formats::Picture picture = draw_picture("  box 0,0 16,16 color=slate:0.5 raise=4\n", "16x16");
   EXPECT_GT(at(picture, 8, 0), at(picture, 8, 8));
   EXPECT_GT(at(picture, 0, 8), at(picture, 8, 8));
   EXPECT_LT(at(picture, 8, 15), at(picture, 8, 8));
   EXPECT_LT(at(picture, 15, 8), at(picture, 8, 8));
 }
 
-TEST(Pictures, ColorsThatMustStayInTheirRampDo) {
-  const auto art = art_of(
+TEST(Pictures, BoundColorsStayInTheirRamp) {
+  const auto art = build_art(
       "picture p 16x16 without=brown\n"
       "  box 0,0 8,16 color=brown:0.9 to=brown:0.2 keep_ramp=yes\n"
       "  box 8,0 16,16 color=brown:0.9 to=brown:0.2\n");
   ASSERT_TRUE(art.ok());
-  const formats::Picture picture = formats::read_picture(file_of(*art, "gfx/p.lmp")).value();
+  const formats::Picture picture = formats::read_picture(find_file(*art, "gfx/p.lmp")).value();
   for (std::uint32_t y = 0; y < 16; ++y)
     for (std::uint32_t x = 0; x < 16; ++x)
       EXPECT_EQ(at(picture, x, y) / kRampColors == static_cast<std::size_t>(Ramp::kBrown), x < 8);
 }
 
-TEST(Pictures, OutlinesTellTheDistanceToTheirEdge) {
+TEST(Pictures, OutlinesMeasureTheDistanceToTheirEdge) {
   using namespace pictures;
   const Outline box = make_box({0, 0}, {4, 2}, 0), ring = make_ring({0, 0}, 5, 2);
   EXPECT_DOUBLE_EQ(box.distance({2, 1}), -1);
@@ -134,7 +134,7 @@ TEST(Pictures, EveryLetterLooksDifferent) {
 }
 
 TEST(Pictures, SetsAreEveryDrawingInEveryStyle) {
-  const auto art = art_of(
+  const auto art = build_art(
       "wadpictures 8x8\n"
       "  style a_\n"
       "    fill color=red\n"
@@ -146,7 +146,7 @@ TEST(Pictures, SetsAreEveryDrawingInEveryStyle) {
       "  drawing y\n"
       "    box 4,0 8,8 color=blue\n");
   ASSERT_TRUE(art.ok()) << art.error().message();
-  const auto lumps = formats::read_wad(file_of(*art, "gfx.wad"));
+  const auto lumps = formats::read_wad(find_file(*art, "gfx.wad"));
   ASSERT_TRUE(lumps.ok());
   std::set<std::string> names;
   for (const formats::WadLump& lump : *lumps) names.insert(lump.name);
@@ -156,10 +156,10 @@ TEST(Pictures, SetsAreEveryDrawingInEveryStyle) {
   EXPECT_NE(at(b_x, 0, 0), kTransparent);
 }
 
-TEST(Pictures, SpritesStandAroundTheirMiddle) {
-  const auto art = art_of("sprite progs/s.spr 16x8\n  frame\n    fill\n  frame\n    disc 8,4 3\n");
+TEST(Pictures, SpritesAreCentered) {
+  const auto art = build_art("sprite progs/s.spr 16x8\n  frame\n    fill\n  frame\n    disc 8,4 3\n");
   ASSERT_TRUE(art.ok());
-  const auto sprite = formats::read_spr(file_of(*art, "progs/s.spr"));
+  const auto sprite = formats::read_spr(find_file(*art, "progs/s.spr"));
   ASSERT_TRUE(sprite.ok());
   ASSERT_EQ(sprite->frames.size(), 2u);
   EXPECT_EQ(sprite->frames[0].pictures[0].left, -8);
@@ -168,32 +168,33 @@ TEST(Pictures, SpritesStandAroundTheirMiddle) {
 }
 
 TEST(Pictures, IconsKeepTheirTransparency) {
-  const auto art = art_of("icon i 32\n  disc 32,32 20 color=gold\n");
+  const auto art = build_art("icon i 32\n  disc 32,32 20 color=gold\n");
   ASSERT_TRUE(art.ok());
-  const auto image = formats::read_png(file_of(*art, "icon/i.png"));
+  const auto image = formats::read_png(find_file(*art, "icon/i.png"));
   ASSERT_TRUE(image.ok());
   EXPECT_EQ(image->width, 32u);
   EXPECT_EQ(image->pixels[0] >> 24, 0u);
   EXPECT_EQ(image->pixels[16 * 32 + 16] >> 24, 255u);
 }
 
-TEST(Pictures, WhatIsWrongIsSaid) {
-  EXPECT_EQ(
-      error_of("picture p 8x8\n  boxx 0,0 1,1\n"),
-      "test.script: line 2: boxx: pictures know box, disc, ellipse, ring, arc, polygon, line, text, blob, "
-      "wave, crack, ridge, scatter, fill, group, usual, write, tint, shade, weather, glyph");
-  EXPECT_EQ(error_of("picture p 8x8\n  box 0,0 1\n"), "test.script: line 2: box: '1' is not X,Y");
-  EXPECT_EQ(error_of("picture p 8x8\n  disc 1,1 1 color=gold:2\n"),
+TEST(Pictures, ErrorsNameTheLine) {
+  EXPECT_EQ(error_message("picture p 8x8\n  boxx 0,0 1,1\n"),
+            "test.script: line 2: boxx: unknown keyword; pictures have box, disc, ellipse, ring, arc, "
+            "polygon, line, text, blob, wave, crack, ridge, scatter, fill, group, usual, write, tint, shade, "
+            "weather, glyph");
+  EXPECT_EQ(error_message("picture p 8x8\n  box 0,0 1\n"), "test.script: line 2: box: '1' is not X,Y");
+  EXPECT_EQ(error_message("picture p 8x8\n  disc 1,1 1 color=gold:2\n"),
             "test.script: line 2: disc: color=gold:2 is not RAMP:TONE with a tone from 0 to 1");
-  EXPECT_EQ(error_of("picture p 8x8\n  text \"a?\" 1,1\n"),
-            "test.script: line 2: text: there is no letter '?'");
-  EXPECT_EQ(error_of("picture p 8x8\n  fill colors=red\n"),
-            "test.script: line 2: fill: it has no setting 'colors'");
-  EXPECT_EQ(error_of("font f\n  glyph A\n    .xo\n"),
-            "test.script: line 3: .xo: a row of a glyph is up to 8 dots and x");
-  EXPECT_EQ(error_of("sprite progs/s.spr 8x8\n"), "test.script: line 1: sprite: a sprite has a frame");
-  EXPECT_EQ(error_of("wadpictures 8x8\n  drawing a\n"),
-            "test.script: line 1: wadpictures: it needs a style and a drawing");
+  EXPECT_EQ(error_message("picture p 8x8\n  text \"a?\" 1,1\n"),
+            "test.script: line 2: text: the lettering has no '?'");
+  EXPECT_EQ(error_message("picture p 8x8\n  fill colors=red\n"),
+            "test.script: line 2: fill: unknown setting 'colors'");
+  EXPECT_EQ(error_message("font f\n  glyph A\n    .xo\n"),
+            "test.script: line 3: .xo: a glyph's row is up to 8 characters, each . or x");
+  EXPECT_EQ(error_message("sprite progs/s.spr 8x8\n"),
+            "test.script: line 1: sprite: a sprite needs at least one frame");
+  EXPECT_EQ(error_message("wadpictures 8x8\n  drawing a\n"),
+            "test.script: line 1: wadpictures: at least one style and one drawing are required");
 }
 
 // The shipped scripts, made once for all tests of them.
@@ -217,19 +218,19 @@ class ShippedPictures : public testing::Test {
     art_ = std::move(art).value();
   }
   static base::Result<formats::Picture> stock_picture(std::string_view name) {
-    if (name.starts_with("gfx/")) return formats::read_picture(file_of(art_, std::string(name)));
-    TRY(const std::vector<formats::WadLump> lumps, formats::read_wad(file_of(art_, "gfx.wad")));
+    if (name.starts_with("gfx/")) return formats::read_picture(find_file(art_, std::string(name)));
+    TRY(const std::vector<formats::WadLump> lumps, formats::read_wad(find_file(art_, "gfx.wad")));
     const formats::WadLump* const lump = formats::find_lump(lumps, name);
     if (lump == nullptr) return base::malformed("no lump {}", name);
     return formats::read_picture(lump->data);
   }
   static formats::Picture characters() {
-    const auto lumps = formats::read_wad(file_of(art_, "gfx.wad"));
+    const auto lumps = formats::read_wad(find_file(art_, "gfx.wad"));
     return formats::read_conchars(formats::find_lump(*lumps, "conchars")->data).value();
   }
   static std::vector<bool> ink(const formats::Picture& sheet, std::uint32_t code) {
     std::vector<bool> ink;
-    constexpr std::uint8_t kDark = 6;  // the shadow is one of the first grays
+    constexpr std::uint8_t kDark = 6;  // the shadow is one of the darkest grays
     for (std::uint32_t y = 0; y < 8; ++y)
       for (std::uint32_t x = 0; x < 8; ++x) {
         const std::uint8_t pixel = at(sheet, code % 16 * 8 + x, code / 16 * 8 + y);
@@ -240,7 +241,7 @@ class ShippedPictures : public testing::Test {
   inline static std::vector<ArtFile> art_;
 };
 
-TEST_F(ShippedPictures, EveryStockPictureIsThereInItsSize) {
+TEST_F(ShippedPictures, EveryStockPictureExistsWithItsSize) {
   for (const auto& list : {assets::stock_wad_pictures(), assets::stock_picture_files()})
     for (const assets::StockPicture& stock : list) {
       const auto picture = stock_picture(stock.name);
@@ -253,7 +254,7 @@ TEST_F(ShippedPictures, EveryStockPictureIsThereInItsSize) {
     }
 }
 
-TEST_F(ShippedPictures, IconsAndTitlesHaveTransparentGround) {
+TEST_F(ShippedPictures, IconsAndTitlesHaveTransparentBackgrounds) {
   for (const char* name :
        {"num_0", "anum_9", "face1", "sb_rocket", "sb_key1", "inv_shotgun", "inv_tremor", "disc",
         "gfx/pause.lmp", "gfx/ttl_main.lmp", "gfx/inter.lmp", "gfx/menuplyr.lmp"}) {
@@ -276,7 +277,7 @@ TEST_F(ShippedPictures, NoTwoCharactersLookAlike) {
     EXPECT_TRUE(is_new) << code << " looks like " << other->second;
     EXPECT_GE(std::count(other->first.begin(), other->first.end(), true), 3) << code;
   }
-  // Those that are mixed up most easily differ by more than a pixel or two.
+  // Characters that are easily confused differ by more than a pixel or two.
   for (const auto& [a, b] :
        {std::pair('0', 'O'), {'1', 'l'}, {'1', 'I'}, {'5', 'S'}, {'8', 'B'}, {'2', 'Z'}}) {
     const std::vector<bool> first = ink(sheet, static_cast<std::uint32_t>(a)),
@@ -288,7 +289,7 @@ TEST_F(ShippedPictures, NoTwoCharactersLookAlike) {
   EXPECT_EQ(ink(sheet, ' '), std::vector<bool>(64, false));
 }
 
-TEST_F(ShippedPictures, LettersOfTheSecondHalfAreThoseOfTheFirst) {
+TEST_F(ShippedPictures, LettersOfTheSecondHalfEqualTheFirst) {
   const formats::Picture sheet = characters();
   for (std::uint32_t code = ' '; code < 128; ++code)
     EXPECT_EQ(ink(sheet, code), ink(sheet, code + 128)) << code;
@@ -315,13 +316,13 @@ TEST_F(ShippedPictures, TheTremorHasItsIcons) {
   }
 }
 
-TEST_F(ShippedPictures, TheSpritesThatTheRulesNameAreThere) {
+TEST_F(ShippedPictures, SpritesThatGameCodeNamesExist) {
   const std::map<std::string, std::size_t> frames = {{"progs/s_bubble.spr", 2},
                                                      {"progs/s_explod.spr", 6},
                                                      {"progs/s_light.spr", 1},
                                                      {"progs/s_spark.spr", 3}};
   for (const auto& [path, count] : frames) {
-    const auto sprite = formats::read_spr(file_of(art_, path));
+    const auto sprite = formats::read_spr(find_file(art_, path));
     ASSERT_TRUE(sprite.ok()) << path;
     EXPECT_EQ(sprite->frames.size(), count) << path;
     for (const formats::SprFrame& frame : sprite->frames)
@@ -329,7 +330,7 @@ TEST_F(ShippedPictures, TheSpritesThatTheRulesNameAreThere) {
   }
 }
 
-TEST_F(ShippedPictures, ThePlayersClothesTakeHisColors) {
+TEST_F(ShippedPictures, ThePlayersClothesTakeItsColors) {
   const auto picture = stock_picture("gfx/menuplyr.lmp");
   ASSERT_TRUE(picture.ok());
   std::map<std::size_t, int> ramps;

@@ -1,5 +1,5 @@
-// The sounds and the music that the game ships, from their signals: are all there that its code plays, are
-// they as loud and as long as their kind, without clicks, seams and a constant part.
+// Checks the shipped sounds and music by their signals: all sounds that game code plays exist, have the
+// loudness and length of their kind, and have no clicks, seams, or constant offset.
 #include <gtest/gtest.h>
 #include <sndfile.h>
 
@@ -25,18 +25,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
+std::string read_text(const fs::path& path) {
   const base::ByteVector bytes = test::read_file(path);
   return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
-std::vector<ScriptFile> scripts_with(std::string_view word) {
+std::vector<ScriptFile> read_scripts_with(std::string_view word) {
   std::vector<ScriptFile> scripts;
   for (const fs::directory_entry& entry : fs::directory_iterator(TEMBLOR_SOURCE_DIR "/game/art/sounds")) {
-    base::Result<std::vector<ScriptLine>> things = read_script(text_of(entry.path()));
+    base::Result<std::vector<ScriptLine>> things = read_script(read_text(entry.path()));
     EXPECT_TRUE(things.ok()) << entry.path();
     if (!things.ok()) continue;
-    std::erase_if(*things, [&](const ScriptLine& thing) { return thing.word != word; });
+    std::erase_if(*things, [&](const ScriptLine& thing) { return thing.keyword != word; });
     scripts.push_back({entry.path().string(), *std::move(things)});
   }
   return scripts;
@@ -54,7 +54,7 @@ using Sounds = std::map<std::string, formats::Wav>;
 const Sounds& shipped() {
   static const Sounds sounds = [] {
     Sounds made;
-    for (const ArtFile& file : make(scripts_with("sound"))) {
+    for (const ArtFile& file : make(read_scripts_with("sound"))) {
       if (!file.path.ends_with(".wav")) continue;
       base::Result<formats::Wav> wav = formats::read_wav(file.bytes);
       EXPECT_TRUE(wav.ok()) << file.path;
@@ -65,11 +65,11 @@ const Sounds& shipped() {
   return sounds;
 }
 
-std::string class_of(const std::string& name) {
+std::string find_class_name(const std::string& name) {
   static const std::map<std::string, std::string> classes = [] {
     std::map<std::string, std::string> all;
-    for (const ScriptFile& script : scripts_with("sound"))
-      for (const ScriptLine& thing : script.things)
+    for (const ScriptFile& script : read_scripts_with("sound"))
+      for (const ScriptLine& thing : script.assets)
         for (const auto& [setting, value] : thing.settings)
           if (setting == "class") all[thing.values.front() + ".wav"] = value;
     return all;
@@ -78,13 +78,13 @@ std::string class_of(const std::string& name) {
   return found != classes.end() ? found->second : "impact";
 }
 
-std::vector<double> samples_of(const formats::Wav& wav) {
+std::vector<double> to_doubles(const formats::Wav& wav) {
   std::vector<double> samples;
   for (const std::int16_t sample : wav.samples) samples.push_back(sample / 32768.0);
   return samples;
 }
 
-double loudest_db(const std::vector<double>& samples, double rate) {
+double measure_loudest_db(const std::vector<double>& samples, double rate) {
   const auto window = static_cast<std::size_t>(rate / 10);
   double best = 0;
   for (std::size_t start = 0; start < samples.size(); start += window / 8) {
@@ -96,10 +96,10 @@ double loudest_db(const std::vector<double>& samples, double rate) {
   return 10 * std::log10(best + 1e-12);
 }
 
-// Of the power's spectrum, over the whole sound, by its definition.
-double centroid_hz(const std::string& name) {
+// The centroid of the power spectrum of the whole sound, from its definition.
+double measure_centroid_hz(const std::string& name) {
   const formats::Wav& wav = shipped().at(name);
-  const std::vector<double> samples = samples_of(wav);
+  const std::vector<double> samples = to_doubles(wav);
   constexpr std::size_t kWindow = 1024;
   double weighted = 0, powers = 0;
   for (std::size_t start = 0; start + kWindow <= samples.size(); start += kWindow * 2) {
@@ -117,9 +117,9 @@ double centroid_hz(const std::string& name) {
   return weighted / powers;
 }
 
-const std::string kNull = "misc/null.wav";  // is silence
+const std::string kNull = "misc/null.wav";  // silence
 
-TEST(ShippedSounds, EverySoundIsThereThatTheGameNames) {
+TEST(ShippedSounds, EverySoundThatTheGameNamesExists) {
   const std::regex name("\"([a-z0-9_]+/[a-z0-9_]+\\.wav)\"");
   std::set<std::string> named;
   for (const char* folder : {"game/quakec", "src/client", "src/server"}) {
@@ -128,7 +128,7 @@ TEST(ShippedSounds, EverySoundIsThereThatTheGameNames) {
       if (!entry.is_regular_file() ||
           (entry.path().extension() != ".qc" && entry.path().extension() != ".cpp"))
         continue;
-      const std::string text = text_of(entry.path());
+      const std::string text = read_text(entry.path());
       for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it)
         named.insert((*it)[1]);
     }
@@ -138,25 +138,25 @@ TEST(ShippedSounds, EverySoundIsThereThatTheGameNames) {
   for (const std::string& sound : named) EXPECT_TRUE(shipped().contains(sound)) << sound;
 }
 
-TEST(ShippedSounds, TheyAreAsLoudAsTheirKind) {
+TEST(ShippedSounds, AreAsLoudAsTheirClass) {
   const std::map<std::string, std::pair<double, double>> bounds = {
       {"blast", {-13, -5}},   {"weapon", {-16, -6}},  {"impact", {-20, -7}},    {"voice", {-14, -7}},
       {"murmur", {-20, -11}}, {"player", {-17, -9}},  {"body", {-18, -9}},      {"item", {-17, -10}},
       {"signal", {-19, -9}},  {"machine", {-16, -9}}, {"ambience", {-22, -10}}, {"menu", {-19, -10}}};
   for (const auto& [name, wav] : shipped()) {
     if (name == kNull) continue;
-    const auto& [low, high] = bounds.at(class_of(name));
-    const double loud = loudest_db(samples_of(wav), wav.frames_per_second);
+    const auto& [low, high] = bounds.at(find_class_name(name));
+    const double loud = measure_loudest_db(to_doubles(wav), wav.frames_per_second);
     EXPECT_GE(loud, low) << name;
     EXPECT_LE(loud, high) << name;
   }
 }
 
-TEST(ShippedSounds, NothingClipsAndNothingIsConstant) {
+TEST(ShippedSounds, NothingClipsOrHasAnOffset) {
   for (const auto& [name, wav] : shipped()) {
     EXPECT_EQ(wav.channels, 1) << name;
     EXPECT_EQ(wav.bits, 16) << name;
-    const std::vector<double> samples = samples_of(wav);
+    const std::vector<double> samples = to_doubles(wav);
     double sum = 0, peak = 0;
     for (const double sample : samples) {
       sum += sample;
@@ -170,14 +170,14 @@ TEST(ShippedSounds, NothingClipsAndNothingIsConstant) {
 
 TEST(ShippedSounds, EndsAreQuietAndLoopsHaveNoSeam) {
   for (const auto& [name, wav] : shipped()) {
-    const std::vector<double> samples = samples_of(wav);
+    const std::vector<double> samples = to_doubles(wav);
     if (!wav.loop) {
       EXPECT_LT(std::abs(samples.front()), 0.01) << name;
       EXPECT_LT(std::abs(samples.back()), 0.01) << name;
       continue;
     }
     ASSERT_EQ(wav.loop->end, samples.size()) << name;
-    double steps = 0;  // of the 10 ms on either side
+    double steps = 0;  // in the 10 ms on either side
     const std::size_t reach = wav.frames_per_second / 100, start = wav.loop->start;
     for (std::size_t i = 1; i < reach; ++i) {
       steps = std::max(steps, std::abs(samples[start + i] - samples[start + i - 1]));
@@ -187,19 +187,18 @@ TEST(ShippedSounds, EndsAreQuietAndLoopsHaveNoSeam) {
   }
 }
 
-TEST(ShippedSounds, TheyLastAsLongAsTheirKind) {
+TEST(ShippedSounds, LastAsLongAsTheirKind) {
   const std::map<std::string, std::pair<double, double>> bounds = {
       {"blast", {1, 7}},      {"weapon", {0.3, 1.6}}, {"impact", {0.1, 1.6}},  {"voice", {0.4, 2.7}},
       {"murmur", {0.8, 2}},   {"player", {0.4, 2.3}}, {"body", {0.2, 0.9}},    {"item", {0.2, 1.2}},
       {"signal", {0.2, 2.2}}, {"machine", {0.4, 3}},  {"ambience", {1.5, 10}}, {"menu", {0.05, 0.5}}};
   for (const auto& [name, wav] : shipped()) {
-    const auto& [low, high] = bounds.at(class_of(name));
+    const auto& [low, high] = bounds.at(find_class_name(name));
     const double seconds = static_cast<double>(wav.frame_count()) / wav.frames_per_second;
     EXPECT_GE(seconds, low) << name;
     EXPECT_LE(seconds, high) << name;
   }
-  // What sounds from one place all the time must loop, and so must what moves; a fan's wind and a thunder do
-  // not.
+  // Continuous sounds of places and of movers must loop; a fan's wind and thunder need not.
   for (const char* name :
        {"ambience/water1.wav", "ambience/wind2.wav", "ambience/fire1.wav", "ambience/drip1.wav",
         "ambience/hum1.wav", "ambience/buzz1.wav", "ambience/comp1.wav", "ambience/suck1.wav",
@@ -209,12 +208,12 @@ TEST(ShippedSounds, TheyLastAsLongAsTheirKind) {
     EXPECT_TRUE(shipped().at(name).loop.has_value()) << name;
 }
 
-TEST(ShippedSounds, ShotsBeginAtOnceAndFall) {
+TEST(ShippedSounds, ShotsStartAtOnceAndDecay) {
   for (const char* name :
        {"weapons/shotgn2.wav", "weapons/rocket1i.wav", "weapons/spike2.wav", "weapons/grenade.wav",
         "weapons/r_exp3.wav", "soldier/sattck1.wav", "weapons/tremor.wav"}) {
     const formats::Wav& wav = shipped().at(name);
-    const std::vector<double> samples = samples_of(wav);
+    const std::vector<double> samples = to_doubles(wav);
     const auto power = [&](double from, double to) {
       double sum = 0;
       const auto first = static_cast<std::size_t>(from * static_cast<double>(samples.size()));
@@ -231,11 +230,13 @@ TEST(ShippedSounds, ShotsBeginAtOnceAndFall) {
 }
 
 TEST(ShippedSounds, CreaturesDifferInTheirPitch) {
-  const std::map<std::string, double> heights = {
-      {"shambler", centroid_hz("shambler/ssight.wav")},   {"ogre", centroid_hz("ogre/ogwake.wav")},
-      {"hell knight", centroid_hz("hknight/sight1.wav")}, {"knight", centroid_hz("knight/ksight.wav")},
-      {"soldier", centroid_hz("soldier/sight1.wav")},     {"dog", centroid_hz("dog/dsight.wav")},
-      {"wizard", centroid_hz("wizard/wsight.wav")}};
+  const std::map<std::string, double> heights = {{"shambler", measure_centroid_hz("shambler/ssight.wav")},
+                                                 {"ogre", measure_centroid_hz("ogre/ogwake.wav")},
+                                                 {"hell knight", measure_centroid_hz("hknight/sight1.wav")},
+                                                 {"knight", measure_centroid_hz("knight/ksight.wav")},
+                                                 {"soldier", measure_centroid_hz("soldier/sight1.wav")},
+                                                 {"dog", measure_centroid_hz("dog/dsight.wav")},
+                                                 {"wizard", measure_centroid_hz("wizard/wsight.wav")}};
   EXPECT_LT(heights.at("shambler"), heights.at("knight"));
   EXPECT_LT(heights.at("ogre"), heights.at("knight"));
   EXPECT_LT(heights.at("hell knight"), heights.at("soldier"));
@@ -243,22 +244,22 @@ TEST(ShippedSounds, CreaturesDifferInTheirPitch) {
   EXPECT_LT(heights.at("soldier"), heights.at("wizard"));
   EXPECT_LT(heights.at("shambler"), 500);
   EXPECT_GT(heights.at("wizard"), 900);
-  EXPECT_GT(centroid_hz("weapons/tink1.wav"), 2000);
-  EXPECT_LT(centroid_hz("doors/stndr2.wav"), 400);
-  EXPECT_LT(centroid_hz("weapons/r_exp3.wav"), 700);
+  EXPECT_GT(measure_centroid_hz("weapons/tink1.wav"), 2000);
+  EXPECT_LT(measure_centroid_hz("doors/stndr2.wav"), 400);
+  EXPECT_LT(measure_centroid_hz("weapons/r_exp3.wav"), 700);
 }
 
-TEST(ShippedSounds, TheSameBytesEveryTime) {
-  const std::vector<ScriptFile> scripts = scripts_with("sound");
+TEST(ShippedSounds, AreTheSameBytesEveryTime) {
+  const std::vector<ScriptFile> scripts = read_scripts_with("sound");
   const std::vector<ArtFile> first = make(scripts), second = make(scripts);
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].bytes, second[i].bytes) << first[i].path;
 }
 
-TEST(ShippedMusic, PlaysRoundWithoutAGapAndIsSmall) {
+TEST(ShippedMusic, LoopsWithoutAGapAndIsSmall) {
   const test::TemporaryFolder folder;
   std::size_t bytes = 0, pieces = 0;
-  for (const ArtFile& file : make(scripts_with("music"))) {
+  for (const ArtFile& file : make(read_scripts_with("music"))) {
     if (!file.path.starts_with("music/")) continue;
     ++pieces;
     bytes += file.bytes.size();
@@ -276,17 +277,17 @@ TEST(ShippedMusic, PlaysRoundWithoutAGapAndIsSmall) {
     const double seconds = static_cast<double>(left.size()) / info.samplerate;
     EXPECT_GE(seconds, 90) << file.path;
     EXPECT_LE(seconds, 185) << file.path;
-    const double loud = loudest_db(left, info.samplerate);
+    const double loud = measure_loudest_db(left, info.samplerate);
     EXPECT_GT(loud, -18) << file.path;
     EXPECT_LT(loud, -6) << file.path;
     EXPECT_LT(*std::max_element(left.begin(), left.end()), 1.0) << file.path;
     EXPECT_GT(*std::min_element(left.begin(), left.end()), -1.0) << file.path;
-    // No second of it is silent, the last and the first are none the less parts of one sound.
+    // No second is silent, not even at the loop point, where the last and the first second belong together.
     const auto second = static_cast<std::size_t>(info.samplerate);
     for (std::size_t start = 0; start + second <= left.size(); start += second)
-      EXPECT_GT(loudest_db({left.begin() + static_cast<std::ptrdiff_t>(start),
-                            left.begin() + static_cast<std::ptrdiff_t>(start + second)},
-                           info.samplerate),
+      EXPECT_GT(measure_loudest_db({left.begin() + static_cast<std::ptrdiff_t>(start),
+                                    left.begin() + static_cast<std::ptrdiff_t>(start + second)},
+                                   info.samplerate),
                 -50)
           << file.path << " " << start / second;
     double steps = 0;

@@ -1,4 +1,4 @@
-// The textures that the game ships, made from game/art/textures.
+// Checks the shipped textures, which are made from game/art/textures.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -60,8 +60,8 @@ const Textures& shipped() {
   return textures;
 }
 
-// "stone1..stone6", or a name alone.
-std::vector<std::string> names_in(std::string_view list) {
+// Expands "stone1..stone6"; other names stand for themselves.
+std::vector<std::string> list_names(std::string_view list) {
   std::vector<std::string> names;
   while (!list.empty()) {
     const std::string_view word = list.substr(0, list.find(' '));
@@ -77,7 +77,7 @@ std::vector<std::string> names_in(std::string_view list) {
   return names;
 }
 
-TEST(ShippedTextures, AreAllThatLevelsName) {
+TEST(ShippedTextures, IncludeAllThatLevelsName) {
   const std::string_view names =
       "stone1..stone6 cobble1 cobble2 flag1..flag3 rock1..rock3 crystal1 crystal2 gravel1 earth1 moss1 ash1 "
       "brick1..brick5 tile1..tile3 plaster1 plaster2 metal1..metal6 copper1..copper4 rust1 rust2 grate1 "
@@ -94,7 +94,7 @@ TEST(ShippedTextures, AreAllThatLevelsName) {
       "+3screen +0drip +1drip +2drip +0button +abutton +0lever +alever {fence1 {grate2 {vine1 {window3 clip "
       "skip "
       "trigger hint origin";
-  for (const std::string& name : names_in(names)) EXPECT_TRUE(shipped().contains(name)) << name;
+  for (const std::string& name : list_names(names)) EXPECT_TRUE(shipped().contains(name)) << name;
 }
 
 TEST(ShippedTextures, AreTheSameEachTime) {
@@ -105,7 +105,7 @@ TEST(ShippedTextures, HaveHolesOnlyInFences) {
   for (const auto& [name, texture] : shipped()) {
     const auto holes = std::count(texture.mips[0].begin(), texture.mips[0].end(), kTransparent);
     if (name.starts_with('{')) {
-      // Something to see and something to see through, far away as well.
+      // Some texels are visible and some are holes, in every mip level.
       for (const std::vector<std::uint8_t>& mip : texture.mips) {
         const auto open = std::count(mip.begin(), mip.end(), kTransparent);
         EXPECT_LT(open, static_cast<std::int64_t>(mip.size())) << name;
@@ -128,8 +128,10 @@ struct Part {
   std::uint32_t left, width;
 };
 
-// The mean difference between a column (or a row) of a texture's part and the one before it, round its edge.
-double step_into(const formats::WadTexture& texture, const Part& part, std::uint32_t line, bool is_column) {
+// The mean difference between a column (or row) of a part of a texture and the one before it, which wraps
+// around.
+double measure_step(const formats::WadTexture& texture, const Part& part, std::uint32_t line,
+                    bool is_column) {
   const std::uint32_t lines = is_column ? part.width : texture.height;
   const std::uint32_t length = is_column ? texture.height : part.width;
   const std::uint32_t before = (line + lines - 1) % lines;
@@ -144,8 +146,8 @@ double step_into(const formats::WadTexture& texture, const Part& part, std::uint
   return sum / length;
 }
 
-// What stands alone on its wall.
-bool stands_alone(std::string_view name) {
+// Textures that appear once on a wall and need not tile.
+bool is_single(std::string_view name) {
   for (const std::string_view kind :
        {"sign", "door", "crate", "gate", "window", "lamp", "clip", "skip", "trigger", "hint", "origin",
         "+0button", "+abutton", "+0lever", "+alever"})
@@ -153,7 +155,7 @@ bool stands_alone(std::string_view name) {
   return false;
 }
 
-// What is as high as it is, and repeats only along its wall.
+// Textures that repeat only horizontally.
 bool is_band(std::string_view name) {
   for (const std::string_view kind : {"trim", "step", "pillar"})
     if (name.starts_with(kind)) return true;
@@ -164,7 +166,7 @@ TEST(ShippedTextures, TileWithoutSeams) {
   // A joint at the border may be a little sharper than the others.
   constexpr double kSharper = 1.2;
   for (const auto& [name, texture] : shipped()) {
-    if (stands_alone(name)) continue;
+    if (is_single(name)) continue;
     std::vector<Part> parts = {{0, texture.width}};
     if (name.starts_with("sky")) parts = {{0, texture.width / 2}, {texture.width / 2, texture.width / 2}};
     for (const Part& part : parts)
@@ -172,15 +174,16 @@ TEST(ShippedTextures, TileWithoutSeams) {
         if (!is_column && is_band(name)) continue;
         double steepest = 0;
         for (std::uint32_t line = 1; line < (is_column ? part.width : texture.height); ++line)
-          steepest = std::max(steepest, step_into(texture, part, line, is_column));
-        EXPECT_LE(step_into(texture, part, 0, is_column), kSharper * steepest)
+          steepest = std::max(steepest, measure_step(texture, part, line, is_column));
+        EXPECT_LE(measure_step(texture, part, 0, is_column), kSharper * steepest)
             << name << (is_column ? " across" : " down");
       }
   }
 }
 
-// The mean of each channel's square, as a color: what the eye sees of texels too small to be told apart.
-Color mean_of(const std::vector<std::uint8_t>& mip) {
+// The root mean square of each channel: the color that the eye sees of texels that are too small to
+// distinguish.
+Color average_color(const std::vector<std::uint8_t>& mip) {
   static const formats::Palette palette = make_palette();
   Color sum{};
   double seen = 0;
@@ -201,15 +204,15 @@ TEST(ShippedTextures, KeepTheirBrightnessAndHueFarAway) {
                                     [](std::uint8_t index) { return index >= kFirstFullbright; });
     // Lamps can only be rounded to whole texels.
     const double least = shines ? 30 : 10;
-    const Color near_by = mean_of(texture.mips[0]), far_away = mean_of(texture.mips[3]);
+    const Color near_by = average_color(texture.mips[0]), far_away = average_color(texture.mips[3]);
     for (std::size_t c = 0; c < near_by.size(); ++c)
       EXPECT_NEAR(near_by[c], far_away[c], least) << name << " channel " << c;
   }
 }
 
-TEST(ShippedTextures, AreNeitherFlatNorLostInTheDark) {
+TEST(ShippedTextures, AreNeitherFlatNorTooDark) {
   for (const auto& [name, texture] : shipped()) {
-    const Color mean = mean_of(texture.mips[0]);
+    const Color mean = average_color(texture.mips[0]);
     const double brightest = std::max({mean[0], mean[1], mean[2]});
     EXPECT_GT(brightest, 24) << name;
     EXPECT_LT(brightest, 215) << name;

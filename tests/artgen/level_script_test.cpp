@@ -1,5 +1,5 @@
-// Plans against what their words say: what is solid and what is not, asked point by point of the brushes that
-// came out, and of the level that they compile to.
+// Compares level scripts with their meaning: what is solid and what is not, tested point by point against the
+// brushes of the map, and against the level that they compile to.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "artgen/level_script/carve.h"
 #include "artgen/level_script/level_maker.h"
-#include "artgen/level_script/plan_map.h"
+#include "artgen/level_script/level_script_map.h"
 #include "artgen/scripts/script.h"
 #include "compiler/drafts.h"
 #include "formats/levels/map.h"
@@ -20,25 +20,25 @@
 namespace temblor::artgen {
 namespace {
 
-ScriptLine level_line(std::string_view text) {
+ScriptLine parse_level(std::string_view text) {
   base::Result<std::vector<ScriptLine>> script = read_script(text);
   EXPECT_TRUE(script.ok()) << (script.ok() ? "" : script.error().message());
   return script.ok() && !script->empty() ? std::move(script)->front() : ScriptLine();
 }
 
-std::string level_text(std::string_view lines) {
+std::string make_level_text(std::string_view lines) {
   return fmt::format("level test floor=f walls=w ceiling=c\n{}", lines);
 }
 
-base::Result<std::string> map_text(std::string_view lines) {
-  TRY(const std::vector<ArtPart> parts, make_level(level_line(level_text(lines))));
+base::Result<std::string> make_map_text(std::string_view lines) {
+  TRY(const std::vector<ArtPart> parts, make_level(parse_level(make_level_text(lines))));
   EXPECT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0].path, "maps/test.map");
   return std::string(reinterpret_cast<const char*>(parts[0].bytes.data()), parts[0].bytes.size());
 }
 
-formats::Map map_of(std::string_view lines) {
-  const base::Result<std::string> text = map_text(lines);
+formats::Map build_map(std::string_view lines) {
+  const base::Result<std::string> text = make_map_text(lines);
   EXPECT_TRUE(text.ok()) << (text.ok() ? "" : text.error().message());
   if (!text.ok()) return {};
   base::Result<formats::Map> map = formats::read_map(*text);
@@ -46,8 +46,8 @@ formats::Map map_of(std::string_view lines) {
   return map.ok() ? std::move(map).value() : formats::Map();
 }
 
-std::string error_of(std::string_view lines) {
-  const base::Result<std::string> text = map_text(lines);
+std::string error_message(std::string_view lines) {
+  const base::Result<std::string> text = make_map_text(lines);
   return text.ok() ? "none" : text.error().message();
 }
 
@@ -57,7 +57,7 @@ const formats::MapEntity* find_class(const formats::Map& map, std::string_view c
   return found == map.entities.end() ? nullptr : &*found;
 }
 
-// From the definition: behind all of a brush's planes.
+// From the definition of a brush: a point is inside if it is behind all planes.
 bool is_behind_all(const formats::MapBrush& brush, const math::Vec3d& point) {
   return std::all_of(brush.sides.begin(), brush.sides.end(), [&](const formats::MapSide& side) {
     const auto& [a, b, c] = side.points_world;
@@ -77,7 +77,7 @@ struct RandomRooms {
   std::vector<Box> boxes;
 };
 
-RandomRooms random_rooms(std::uint64_t seed) {
+RandomRooms make_random_rooms(std::uint64_t seed) {
   test::Random random(seed);
   RandomRooms rooms;
   for (int i = 0; i < 8; ++i) {
@@ -93,7 +93,7 @@ RandomRooms random_rooms(std::uint64_t seed) {
   return rooms;
 }
 
-// How far outside of the box, in the axis where it is most.
+// How far the point is outside of the box, on the axis where it is farthest.
 double distance_outside(const Box& box, const math::Vec3d& point) {
   double most = -1e9;
   for (int axis = 0; axis < 3; ++axis)
@@ -101,33 +101,33 @@ double distance_outside(const Box& box, const math::Vec3d& point) {
   return most;
 }
 
-TEST(Plans, TheShellIsWhatIsNearASpaceAndInNone) {
+TEST(LevelScripts, TheShellFillsEverythingNearASpace) {
   for (std::uint64_t seed = 1; seed <= test::effort(40, 6); ++seed) {
-    const RandomRooms rooms = random_rooms(seed);
-    const formats::Map map = map_of(rooms.lines);
+    const RandomRooms rooms = make_random_rooms(seed);
+    const formats::Map map = build_map(rooms.lines);
     test::Random random(seed + 1000);
     for (int i = 0; i < test::effort(3000, 300); ++i) {
       math::Vec3d point(0);
       for (int axis = 0; axis < 3; ++axis) point[axis] = static_cast<int>(random.below(480)) - 32 + 0.5;
       double nearest = 1e9;
       for (const Box& box : rooms.boxes) nearest = std::min(nearest, distance_outside(box, point));
-      if (nearest > kShellThickness) continue;  // nobody's business
+      if (nearest > kShellThickness) continue;  // undefined
       ASSERT_EQ(is_solid(map, point), nearest > 0)
           << "seed " << seed << " at " << point.x << " " << point.y << " " << point.z;
     }
   }
 }
 
-TEST(Plans, RoomsOfAnyShapeCompileWithoutALeak) {
+TEST(LevelScripts, RoomsOfAnyShapeCompileWithoutALeak) {
   for (std::uint64_t seed = 1; seed <= test::effort(30, 4); ++seed) {
-    const RandomRooms rooms = random_rooms(seed);
+    const RandomRooms rooms = make_random_rooms(seed);
     const Point middle = (rooms.boxes[0].low + rooms.boxes[0].high) / 2;
     const std::string start =
         fmt::format("  entity info_player_start {},{},{}\n", middle.x, middle.y, middle.z);
-    const base::Result<std::string> text = map_text(rooms.lines + start);
+    const base::Result<std::string> text = make_map_text(rooms.lines + start);
     ASSERT_TRUE(text.ok()) << "seed " << seed;
     compiler::Warnings warnings;
-    const base::Result<compiler::DraftResult> draft = test::try_draft_of(*text, warnings);
+    const base::Result<compiler::DraftResult> draft = test::try_compile_draft(*text, warnings);
     ASSERT_TRUE(draft.ok()) << "seed " << seed;
     EXPECT_FALSE(draft->leak) << "seed " << seed;
     EXPECT_FALSE(draft->clip_hulls_leak) << "seed " << seed;
@@ -136,8 +136,8 @@ TEST(Plans, RoomsOfAnyShapeCompileWithoutALeak) {
   }
 }
 
-// The texture of the brush's side that a ray from `from` meets first, by the definition.
-std::string texture_seen(const formats::Map& map, const math::Vec3d& from, const math::Vec3d& way) {
+// The texture of the first brush side that a ray from `from` meets, from the definition of brushes.
+std::string find_visible_texture(const formats::Map& map, const math::Vec3d& from, const math::Vec3d& way) {
   double nearest = 1e9;
   std::string texture;
   for (const formats::MapEntity& entity : map.entities)
@@ -167,22 +167,22 @@ std::string texture_seen(const formats::Map& map, const math::Vec3d& from, const
   return texture;
 }
 
-TEST(Plans, EachSpaceShowsItsOwnTextures) {
-  const formats::Map map = map_of(
+TEST(LevelScripts, EachSpaceShowsItsOwnTextures) {
+  const formats::Map map = build_map(
       "  room a 0,0,0 to 256,256,128 walls=wa north=na\n"
       "  room b 272,0,0 to 512,256,192 walls=wb\n"
       "  opening a b width=96 height=96 walls=wo floor=fo\n");
-  EXPECT_EQ(texture_seen(map, {128, 128, 64}, {0, 1, 0}), "na");
-  EXPECT_EQ(texture_seen(map, {128, 20, 64}, {1, 0, 0}), "wa");
-  EXPECT_EQ(texture_seen(map, {400, 20, 64}, {-1, 0, 0}), "wb");
-  EXPECT_EQ(texture_seen(map, {128, 128, 64}, {1, 0, 0}), "wb") << "through the opening";
-  EXPECT_EQ(texture_seen(map, {264, 128, 64}, {0, 1, 0}), "wo");
-  EXPECT_EQ(texture_seen(map, {264, 128, 64}, {0, 0, -1}), "fo");
-  EXPECT_EQ(texture_seen(map, {300, 128, 64}, {0, 0, -1}), "f");
+  EXPECT_EQ(find_visible_texture(map, {128, 128, 64}, {0, 1, 0}), "na");
+  EXPECT_EQ(find_visible_texture(map, {128, 20, 64}, {1, 0, 0}), "wa");
+  EXPECT_EQ(find_visible_texture(map, {400, 20, 64}, {-1, 0, 0}), "wb");
+  EXPECT_EQ(find_visible_texture(map, {128, 128, 64}, {1, 0, 0}), "wb") << "through the opening";
+  EXPECT_EQ(find_visible_texture(map, {264, 128, 64}, {0, 1, 0}), "wo");
+  EXPECT_EQ(find_visible_texture(map, {264, 128, 64}, {0, 0, -1}), "fo");
+  EXPECT_EQ(find_visible_texture(map, {300, 128, 64}, {0, 0, -1}), "f");
 }
 
-TEST(Plans, ThingsStandWhereTheirRoomIs) {
-  const formats::Map map = map_of(
+TEST(LevelScripts, EntitiesAreRelativeToTheirRoom) {
+  const formats::Map map = build_map(
       "  room a 100,200,8 size 300x200x128\n"
       "    monster knight mid,end-50 face=north skill=normal,hard dm=no\n"
       "    item shells 50,60\n");
@@ -196,8 +196,8 @@ TEST(Plans, ThingsStandWhereTheirRoomIs) {
   EXPECT_EQ(shells->fields.find("origin"), "134 244 8") << "its box begins at its origin";
 }
 
-TEST(Plans, GroupsAreTurnedAndMirrored) {
-  const formats::Map map = map_of(
+TEST(LevelScripts, GroupsAreTurnedAndMirrored) {
+  const formats::Map map = build_map(
       "  group hut\n"
       "    room h$ 0,0,0 size 200x300x128 east=e\n"
       "      monster dog 50,100 face=east target=t$\n"
@@ -209,17 +209,17 @@ TEST(Plans, GroupsAreTurnedAndMirrored) {
       seen.push_back(fmt::format("{}; {}; {}", *entity.fields.find("origin"), *entity.fields.find("angle"),
                                  *entity.fields.find("target")));
   EXPECT_EQ(seen, (std::vector<std::string>{"900 50 24; 90; tA", "-50 100 24; 180; tB"}));
-  EXPECT_EQ(texture_seen(map, {850, 100, 64}, {0, 1, 0}), "e") << "turned: its east is north";
-  EXPECT_EQ(texture_seen(map, {-100, 100, 64}, {-1, 0, 0}), "e") << "mirrored: its east is west";
+  EXPECT_EQ(find_visible_texture(map, {850, 100, 64}, {0, 1, 0}), "e") << "turned: its east is north";
+  EXPECT_EQ(find_visible_texture(map, {-100, 100, 64}, {-1, 0, 0}), "e") << "mirrored: its east is west";
 }
 
-TEST(Plans, ArchesStairsAndRampsAreSolidWhereTheyShould) {
-  const formats::Map map = map_of(
+TEST(LevelScripts, ArchesStairsAndRampsAreSolidWhereTheyShouldBe) {
+  const formats::Map map = build_map(
       "  room a 0,0,0 to 256,256,256\n"
       "    arch 0,0,128 to 256,32,256 along=y pieces=16\n"
       "    stairs 0,64,0 to 64,192,64 up=north\n"
       "    ramp 128,64,0 to 192,192,64 up=east\n");
-  // Under a half circle that is 256 wide and 128 high; a unit of play for the chords.
+  // Below a half circle that is 256 wide and 128 high, with one unit of tolerance for its chords.
   for (int x = 4; x < 256; x += 12)
     for (int z = 130; z < 256; z += 12) {
       const double from_middle = std::hypot(x - 128.0, z - 128.0);
@@ -234,8 +234,8 @@ TEST(Plans, ArchesStairsAndRampsAreSolidWhereTheyShould) {
       EXPECT_EQ(is_solid(map, {x + 0.1, 100.1, z + 0.5}), z < x - 128) << x << " " << z;
 }
 
-TEST(Plans, PassagesClimbInSteps) {
-  const formats::Map map = map_of("  passage 0,0,0 to 200,0,0 to 200,400,160 width=80 height=100\n");
+TEST(LevelScripts, PassagesClimbInSteps) {
+  const formats::Map map = build_map("  passage 0,0,0 to 200,0,0 to 200,400,160 width=80 height=100\n");
   int floor = 0;
   for (int y = 0; y <= 400; ++y) {
     int z = floor;
@@ -247,8 +247,8 @@ TEST(Plans, PassagesClimbInSteps) {
   EXPECT_EQ(floor, 160);
 }
 
-TEST(Plans, RockLeavesOpeningsFree) {
-  const formats::Map map = map_of(
+TEST(LevelScripts, RockLeavesOpeningsFree) {
+  const formats::Map map = build_map(
       "  room a 0,0,0 to 512,512,256\n"
       "    cave rock rough=60 seed=5\n"
       "  room b 528,0,0 to 800,512,256\n"
@@ -261,17 +261,17 @@ TEST(Plans, RockLeavesOpeningsFree) {
   EXPECT_GT(bulging, 100) << "the far wall is rock";
 }
 
-TEST(Plans, WhatGoesWithATrainLeavesItsLowerCornerWhereItIs) {
-  EXPECT_EQ(error_of("  room a 0,0,0 to 256,256,128\n"
-                     "    train 64,64,0 size 64x64x16 plate\n"
-                     "      stop 64,64,0\n"
-                     "      stop 64,128,0\n"
-                     "      part 60,64,16 to 128,68,48 plate\n"),
-            "line 6: part: it reaches further west, south or down than the train's own box");
+TEST(LevelScripts, PartsOfATrainKeepItsLowerCorner) {
+  EXPECT_EQ(error_message("  room a 0,0,0 to 256,256,128\n"
+                          "    train 64,64,0 size 64x64x16 plate\n"
+                          "      stop 64,64,0\n"
+                          "      stop 64,128,0\n"
+                          "      part 60,64,16 to 128,68,48 plate\n"),
+            "line 6: part: it reaches farther west, south or down than the train's own box");
 }
 
-TEST(Plans, NobodyGetsUnderALeaningCrystalAndLightMayStandThere) {
-  const formats::Map map = map_of(
+TEST(LevelScripts, ClipUnderALeaningCrystalStopsPlayersButNotLights) {
+  const formats::Map map = build_map(
       "  room a 0,0,0 to 256,256,128\n"
       "    crystal 128,128 height=96 radius=8 lean=20,0\n"
       "    light 142,128,12\n");
@@ -280,12 +280,12 @@ TEST(Plans, NobodyGetsUnderALeaningCrystalAndLightMayStandThere) {
   const auto is_clip = [](const formats::MapBrush& brush) { return brush.sides[0].texture == "clip"; };
   const auto clip = std::find_if(detail->brushes.begin(), detail->brushes.end(), is_clip);
   ASSERT_NE(clip, detail->brushes.end());
-  // Where its lean is above whoever stands on the floor.
+  // Below the leaning part, where a player on the floor would be.
   EXPECT_TRUE(is_behind_all(*clip, {142, 128, 20}));
 }
 
-TEST(Plans, BrushEntitiesHaveTheirKeys) {
-  const formats::Map map = map_of(
+TEST(LevelScripts, BrushEntitiesHaveTheirKeys) {
+  const formats::Map map = build_map(
       "  room a 0,0,0 to 256,256,128\n"
       "  room b 0,272,0 to 256,512,128\n"
       "  opening a b width=96 height=96\n"
@@ -307,7 +307,7 @@ TEST(Plans, BrushEntitiesHaveTheirKeys) {
   const formats::MapEntity* train = find_class(map, "func_train");
   ASSERT_NE(train, nullptr);
   EXPECT_EQ(train->brushes.size(), 2u);
-  // Around the track, from name to name, back to the first.
+  // Follow the targets around the track, back to the first stop.
   std::string next(*train->fields.find("target"));
   std::vector<std::string> track;
   for (int i = 0; i < 3; ++i)
@@ -325,30 +325,31 @@ TEST(Plans, BrushEntitiesHaveTheirKeys) {
   EXPECT_FALSE(is_behind_all(button->brushes[0], {380, 288, 56}));
 }
 
-TEST(Plans, WhatIsWrongIsNamedWithItsLine) {
-  EXPECT_EQ(error_of("  lump 3\n"), "line 2: lump: plans have no such word");
-  EXPECT_EQ(error_of("  room a 0,0,0 to 64,64\n"), "line 2: room: the box 0,0,0 to 64,64,0 is empty");
-  EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64\n  opening a b\n"),
-            "line 3: opening: there is no room 'b' above this line");
-  EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64\n  room a 0,0,0 size 64x64x64\n"),
-            "line 3: room: there is a room 'a' already");
-  EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64\n    light 32,32,80\n"),
-            "line 3: light light: at 32,32,80 it reaches into the rock");
-  EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64\n"
-                     "    block 0,0,0 to 40,40,40 crate\n"
-                     "    light 32,32,32\n"),
-            "line 4: light light: at 32,32,32 it is in what line 3 puts there (crate)");
-  EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64 carpet=red\n"),
-            "line 2: room: it has no setting 'carpet'");
-  EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64\n    light mid,3.5,5\n"),
-            "line 3: light: '3.5' is no coordinate: a whole number, or mid or end with one added");
-  EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64\n    item spoon 5,5\n").substr(0, 28),
-            "line 3: item: 'spoon' is non");
-  EXPECT_EQ(error_of("  room a 0,0,0 size 64x64x64\n  room b 0,0,100 size 64x64x64\n  opening a b\n"),
-            "line 4: opening: the rooms have no walls that face each other");
-  EXPECT_EQ(error_of("  group g\n    place g 0,0,0\n  place g 0,0,0\n"),
-            "line 3: place: there is no group 'g'");
-  EXPECT_EQ(error_of(""), "line 1: level: it has no room");
+TEST(LevelScripts, ErrorsNameTheLine) {
+  EXPECT_EQ(error_message("  lump 3\n"), "line 2: lump: unknown level script keyword");
+  EXPECT_EQ(error_message("  room a 0,0,0 to 64,64\n"), "line 2: room: the box 0,0,0 to 64,64,0 is empty");
+  EXPECT_EQ(error_message("  room a 0,0,0 size 64x64x64\n  opening a b\n"),
+            "line 3: opening: no room 'b' is defined above this line");
+  EXPECT_EQ(error_message("  room a 0,0,0 size 64x64x64\n  room a 0,0,0 size 64x64x64\n"),
+            "line 3: room: room 'a' is already defined");
+  EXPECT_EQ(error_message("  room a 0,0,0 size 64x64x64\n    light 32,32,80\n"),
+            "line 3: light light: at 32,32,80 is in solid rock");
+  EXPECT_EQ(error_message("  room a 0,0,0 size 64x64x64\n"
+                          "    block 0,0,0 to 40,40,40 crate\n"
+                          "    light 32,32,32\n"),
+            "line 4: light light: at 32,32,32 is inside the solid of line 3 (crate)");
+  EXPECT_EQ(error_message("  room a 0,0,0 size 64x64x64 carpet=red\n"),
+            "line 2: room: unknown setting 'carpet'");
+  EXPECT_EQ(
+      error_message("  room a 0,0,0 size 64x64x64\n    light mid,3.5,5\n"),
+      "line 3: light: '3.5' is not a coordinate: expected a whole number, mid or end, or mid+N or end-N");
+  EXPECT_EQ(error_message("  room a 0,0,0 size 64x64x64\n    item spoon 5,5\n").substr(0, 28),
+            "line 3: item: 'spoon' is not");
+  EXPECT_EQ(error_message("  room a 0,0,0 size 64x64x64\n  room b 0,0,100 size 64x64x64\n  opening a b\n"),
+            "line 4: opening: the two rooms have no walls that face each other");
+  EXPECT_EQ(error_message("  group g\n    place g 0,0,0\n  place g 0,0,0\n"),
+            "line 3: place: no group is named 'g'");
+  EXPECT_EQ(error_message(""), "line 1: level: the level has no room");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The level made in code: sound in every variant, shaped as its plan says, and with what each option
-// promises.
+// Checks the generated level in every variant: that it is valid, has the shape of its layout, and has what
+// each option promises.
 #include "artgen/small_level.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct NamedOptions {
   SmallLevelOptions options;
 };
 
-std::vector<NamedOptions> every_option() {
+std::vector<NamedOptions> list_options() {
   return {{"Plain", {}},
           {"NoPvs", {.pvs = false}},
           {"NoLight", {.light = false}},
@@ -60,15 +60,15 @@ TEST_P(EverySmallLevel, IsWrittenAndReadInEveryVersion) {
   }
 }
 
-// Where the sides of the plan's boxes cut space, everything between is of one contents.
-TEST_P(EverySmallLevel, HasTheContentsOfItsPlanInEveryCell) {
+// The sides of the layout's boxes cut space into cells of uniform contents.
+TEST_P(EverySmallLevel, HasTheContentsOfItsLayoutInEveryCell) {
   const formats::Bsp bsp = make_small_level(GetParam().options);
   const std::vector<SmallLevelBox> boxes = small_level_boxes(GetParam().options);
   std::array<std::set<float>, 3> cuts;
   for (int axis = 0; axis < 3; ++axis)
     for (const SmallLevelBox& box : boxes)
       for (const float side : {box.bounds.mins[axis], box.bounds.maxs[axis]}) {
-        // Also a cell on the outside.
+        // Includes a cell outside of everything.
         for (const float cut : {side - 4, side, side + 4}) cuts[static_cast<std::size_t>(axis)].insert(cut);
       }
   const auto contents_at = [&](const math::Vec3& point) {
@@ -85,7 +85,7 @@ TEST_P(EverySmallLevel, HasTheContentsOfItsPlanInEveryCell) {
     for (auto y = cuts[1].begin(); std::next(y) != cuts[1].end(); ++y) {
       for (auto z = cuts[2].begin(); std::next(z) != cuts[2].end(); ++z) {
         const math::Vec3 center((*x + *std::next(x)) / 2, (*y + *std::next(y)) / 2, (*z + *std::next(z)) / 2);
-        const std::int32_t expected = test::plan_contents(boxes, center);
+        const std::int32_t expected = test::find_contents(boxes, center);
         ASSERT_EQ(contents_at(center), expected) << center.x << " " << center.y << " " << center.z;
         ++seen[expected];
       }
@@ -94,9 +94,9 @@ TEST_P(EverySmallLevel, HasTheContentsOfItsPlanInEveryCell) {
   for (const std::int32_t contents : {-1, -2, -3, -6}) EXPECT_GT(seen[contents], 0) << contents;
 }
 
-using test::vertices_of;
+using test::list_vertices;
 
-double area_of(const std::vector<math::Vec3>& vertices) {
+double measure_area(const std::vector<math::Vec3>& vertices) {
   math::Vec3d doubled(0.0);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     doubled += glm::cross(math::Vec3d(vertices[i] - vertices[0]),
@@ -104,9 +104,9 @@ double area_of(const std::vector<math::Vec3>& vertices) {
   return glm::length(doubled) / 2;
 }
 
-// The sides where an open place of the plan ends, seen from it, by direction (+x, -x, +y, ...), in square
-// units.
-std::array<double, 6> visible_areas(const std::vector<SmallLevelBox>& boxes) {
+// The area in square units of the surfaces that are visible from open space, by direction (+x, -x, +y, and so
+// on), from the definition of the layout.
+std::array<double, 6> measure_visible_areas(const std::vector<SmallLevelBox>& boxes) {
   std::array<std::set<float>, 3> cut_sets;
   for (int axis = 0; axis < 3; ++axis)
     for (const SmallLevelBox& box : boxes) {
@@ -126,16 +126,16 @@ std::array<double, 6> visible_areas(const std::vector<SmallLevelBox>& boxes) {
       for (std::size_t k = 0; k + 1 < cuts[2].size(); ++k) {
         const math::Vec3 low(cuts[0][i], cuts[1][j], cuts[2][k]);
         const math::Vec3 high(cuts[0][i + 1], cuts[1][j + 1], cuts[2][k + 1]);
-        const std::int32_t here = test::plan_contents(boxes, (low + high) / 2.0f);
+        const std::int32_t here = test::find_contents(boxes, (low + high) / 2.0f);
         if (!is_open(here)) continue;
         const math::Vec3d size(high - low);
         for (int axis = 0; axis < 3; ++axis) {
           math::Vec3 beyond = (low + high) / 2.0f;
           const double area = size[(axis + 1) % 3] * size[(axis + 2) % 3];
           beyond[axis] = low[axis] - 1;
-          if (test::plan_contents(boxes, beyond) != here) areas[static_cast<std::size_t>(axis * 2)] += area;
+          if (test::find_contents(boxes, beyond) != here) areas[static_cast<std::size_t>(axis * 2)] += area;
           beyond[axis] = high[axis] + 1;
-          if (test::plan_contents(boxes, beyond) != here)
+          if (test::find_contents(boxes, beyond) != here)
             areas[static_cast<std::size_t>(axis * 2 + 1)] += area;
         }
       }
@@ -144,21 +144,21 @@ std::array<double, 6> visible_areas(const std::vector<SmallLevelBox>& boxes) {
   return areas;
 }
 
-TEST_P(EverySmallLevel, FacesCoverWhateverCanBeSeenOnce) {
+TEST_P(EverySmallLevel, FacesCoverEveryVisibleAreaOnce) {
   const formats::Bsp bsp = make_small_level(GetParam().options);
   std::array<double, 6> areas{};
   for (std::uint32_t i = 0; i < bsp.models[0].face_count; ++i) {
     const formats::BspFace& face = bsp.faces[bsp.models[0].first_face + i];
     const auto axis = static_cast<std::size_t>(bsp.planes[face.plane].type);
-    areas[axis * 2 + static_cast<std::size_t>(face.side)] += area_of(vertices_of(bsp, face));
+    areas[axis * 2 + static_cast<std::size_t>(face.side)] += measure_area(list_vertices(bsp, face));
   }
-  const std::array<double, 6> expected = visible_areas(small_level_boxes(GetParam().options));
+  const std::array<double, 6> expected = measure_visible_areas(small_level_boxes(GetParam().options));
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(areas[i], expected[i], 1e-3) << i;
 }
 
 TEST_P(EverySmallLevel, NoVertexLiesInsideAnEdge) {
   const formats::Bsp bsp = make_small_level(GetParam().options);
-  // The door's edges may: it is a model of its own.
+  // Only the world: the door is a separate model, whose vertices may lie on the world's edges.
   const std::uint32_t world_faces = bsp.models[0].face_count;
   std::set<std::uint32_t> world_vertices;
   std::set<std::size_t> world_edges;
@@ -181,10 +181,10 @@ TEST_P(EverySmallLevel, NoVertexLiesInsideAnEdge) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Options, EverySmallLevel, testing::ValuesIn(every_option()),
+INSTANTIATE_TEST_SUITE_P(Options, EverySmallLevel, testing::ValuesIn(list_options()),
                          [](const auto& test) { return test.param.name; });
 
-int most_uses_of_an_edge(const formats::Bsp& bsp) {
+int count_max_edge_uses(const formats::Bsp& bsp) {
   std::map<std::int32_t, int> uses;
   int most = 0;
   for (const std::int32_t surfedge : bsp.surfedges) most = std::max(most, ++uses[std::abs(surfedge)]);
@@ -197,30 +197,30 @@ TEST(SmallLevel, IsTheSameEveryTime) {
 }
 
 TEST(SmallLevel, SharesEdgesBetweenTwoFacesOrMore) {
-  EXPECT_EQ(most_uses_of_an_edge(make_small_level()), 2);
-  EXPECT_GE(most_uses_of_an_edge(make_small_level({.edge_used_three_times = true})), 3);
-  EXPECT_GE(most_uses_of_an_edge(make_small_level({.edge_used_three_times = true, .tiny = true})), 3);
+  EXPECT_EQ(count_max_edge_uses(make_small_level()), 2);
+  EXPECT_GE(count_max_edge_uses(make_small_level({.edge_used_three_times = true})), 3);
+  EXPECT_GE(count_max_edge_uses(make_small_level({.edge_used_three_times = true, .tiny = true})), 3);
 }
 
-double longest_lit_side_texels(const formats::Bsp& bsp) {
+double measure_longest_lit_side(const formats::Bsp& bsp) {
   double longest = 0;
   for (const formats::BspFace& face : bsp.faces) {
     const formats::BspTexinfo& info = bsp.texinfos[face.texinfo];
     if (face.light_offset < 0) continue;
-    for (const math::Vec3& a : vertices_of(bsp, face))
-      for (const math::Vec3& b : vertices_of(bsp, face))
+    for (const math::Vec3& a : list_vertices(bsp, face))
+      for (const math::Vec3& b : list_vertices(bsp, face))
         longest =
             std::max(longest, double{std::max(glm::dot(info.s_axis, a - b), glm::dot(info.t_axis, a - b))});
   }
   return longest;
 }
 
-TEST(SmallLevel, HasFacesWiderThanStockOnlyWhenAsked) {
-  EXPECT_EQ(longest_lit_side_texels(make_small_level()), 256);
-  EXPECT_EQ(longest_lit_side_texels(make_small_level({.wide_faces = true})), 1024);
+TEST(SmallLevel, HasFacesWiderThanStockOnlyOnRequest) {
+  EXPECT_EQ(measure_longest_lit_side(make_small_level()), 256);
+  EXPECT_EQ(measure_longest_lit_side(make_small_level({.wide_faces = true})), 1024);
 }
 
-std::size_t most_styles(const formats::Bsp& bsp) {
+std::size_t count_max_styles(const formats::Bsp& bsp) {
   std::size_t most = 0;
   for (const formats::BspFace& face : bsp.faces)
     most = std::max(most, static_cast<std::size_t>(std::count_if(face.styles.begin(), face.styles.end(),
@@ -228,13 +228,13 @@ std::size_t most_styles(const formats::Bsp& bsp) {
   return most;
 }
 
-TEST(SmallLevel, HasTheLightThatIsAskedFor) {
-  EXPECT_EQ(most_styles(make_small_level()), 2u);
-  EXPECT_EQ(most_styles(make_small_level({.four_styles = true})), 4u);
+TEST(SmallLevel, HasTheRequestedLight) {
+  EXPECT_EQ(count_max_styles(make_small_level()), 2u);
+  EXPECT_EQ(count_max_styles(make_small_level({.four_styles = true})), 4u);
   const formats::Bsp dark = make_small_level({.light = false, .colored_light = true});
   EXPECT_TRUE(dark.lighting.empty());
   EXPECT_TRUE(dark.bspx.empty());
-  EXPECT_EQ(most_styles(dark), 0u);
+  EXPECT_EQ(count_max_styles(dark), 0u);
   EXPECT_TRUE(make_small_level().bspx.empty());
   const formats::Bsp colored = make_small_level({.colored_light = true});
   const formats::BspxLump* lump = colored.find_bspx("RGBLIGHTING");
@@ -253,7 +253,7 @@ TEST(SmallLevel, HidesLeavesFromOneAnotherOnlyWithAPvs) {
   for (const formats::BspLeaf& leaf : open.leaves) EXPECT_EQ(leaf.visibility_offset, -1);
 }
 
-TEST(SmallLevel, LeavesOutTheTextureThatIsToBeMissing) {
+TEST(SmallLevel, CanOmitATexture) {
   const auto empty = [](const formats::BspMiptex& miptex) { return miptex.mips[0].empty(); };
   const formats::Bsp whole = make_small_level();
   EXPECT_EQ(std::count_if(whole.miptexes.begin(), whole.miptexes.end(), empty), 0);
@@ -269,7 +269,7 @@ TEST(SmallLevel, SeedChangesTheTexturesOnly) {
   EXPECT_TRUE(other == first);
 }
 
-TEST(SmallLevel, TinyOneIsSmallAsAFile) {
+TEST(SmallLevel, TheTinyOneIsASmallFile) {
   const auto bytes = formats::write_bsp(make_small_level({.tiny = true}), formats::BspVersion::k29);
   EXPECT_LT(bytes->size(), 20'000u);
 }
@@ -285,7 +285,7 @@ TEST(SmallLevel, StartsThePlayerInTheOpen) {
       if (!entity.classname().starts_with("info_") || !origin) continue;
       ++starts;
       const math::Bounds player{*origin + math::Vec3(-16, -16, -24), *origin + math::Vec3(16, 16, 32)};
-      EXPECT_FALSE(test::plan_stops_box(small_level_boxes(options), player)) << entity.classname();
+      EXPECT_FALSE(test::stops_box(small_level_boxes(options), player)) << entity.classname();
     }
     EXPECT_GE(starts, 1);
   }

@@ -1,4 +1,4 @@
-// What the words of sound scripts mean, held against what physics and arithmetic say of the signal.
+// Compares the signals of sound scripts with physics and arithmetic.
 #include <gtest/gtest.h>
 #include <sndfile.h>
 
@@ -26,26 +26,27 @@
 namespace temblor::artgen {
 namespace {
 
-std::vector<ScriptLine> lines_of(std::string_view text) {
+std::vector<ScriptLine> parse_lines(std::string_view text) {
   base::Result<std::vector<ScriptLine>> lines = read_script(text);
   EXPECT_TRUE(lines.ok());
   return lines.ok() ? std::move(lines).value() : std::vector<ScriptLine>();
 }
 
 Signal patch(std::string_view text, double seconds) {
-  const base::Result<Signal> signal = render_patch(lines_of(text), {kSynthesisRate, seconds, seconds, 1, 7});
+  const base::Result<Signal> signal =
+      render_patch(parse_lines(text), {kSynthesisRate, seconds, seconds, 1, 7});
   EXPECT_TRUE(signal.ok()) << (signal.ok() ? "" : signal.error().message());
   return signal.ok() ? *signal : Signal();
 }
 
-std::string error_of(std::string_view sound) {
-  const base::Result<std::vector<ArtPart>> made = make_sound_file(lines_of(sound).front());
+std::string error_message(std::string_view sound) {
+  const base::Result<std::vector<ArtPart>> made = make_sound_file(parse_lines(sound).front());
   return made.ok() ? "none" : made.error().message();
 }
 
-// How much of a sine of that frequency is in it: 1 where it is that sine.
-double share_of(const Signal& signal, double hertz, double rate = kSynthesisRate, std::size_t from = 0,
-                std::size_t count = std::string::npos) {
+// The amplitude of a sine of this frequency in the signal, by a windowed Fourier sum.
+double measure_sine(const Signal& signal, double hertz, double rate = kSynthesisRate, std::size_t from = 0,
+                    std::size_t count = std::string::npos) {
   count = std::min(count, signal.size() - from);
   std::complex<double> sum = 0;
   double weights = 0;
@@ -63,38 +64,40 @@ double db(double ratio) {
 }
 
 TEST(SoundLanguage, CurvesGoThroughTheirPoints) {
-  const std::vector<ScriptLine> lines = lines_of("x level=0..1@0.5..0 pitch=100..400 steady=3 even=0..1..0");
+  const std::vector<ScriptLine> lines =
+      parse_lines("x level=0..1@0.5..0 pitch=100..400 steady=3 even=0..1..0");
   Arguments arguments(lines.front());
-  const Curve level = curve_setting(arguments, "level", 1, {0, 1}, 2);
+  const Curve level = read_curve_setting(arguments, "level", 1, {0, 1}, 2);
   for (const auto& [time_s, value] :
        std::vector<std::pair<double, double>>{{0, 0}, {0.25, 0.5}, {0.5, 1}, {1.25, 0.5}, {2, 0}, {9, 0}})
     EXPECT_NEAR(level.at(time_s), value, 1e-12) << time_s;
-  EXPECT_NEAR(curve_setting(arguments, "pitch", 1, kHertz, 2).at(1), 200, 1e-9);
-  EXPECT_EQ(curve_setting(arguments, "steady", 1, {0, 5}, 2).at(1), 3);
-  EXPECT_NEAR(curve_setting(arguments, "even", 1, {0, 1}, 3).at(1.5), 1, 1e-12);
-  EXPECT_EQ(curve_setting(arguments, "missing", 0.25, {0, 1}, 3).at(1), 0.25);
+  EXPECT_NEAR(read_curve_setting(arguments, "pitch", 1, kHertz, 2).at(1), 200, 1e-9);
+  EXPECT_EQ(read_curve_setting(arguments, "steady", 1, {0, 5}, 2).at(1), 3);
+  EXPECT_NEAR(read_curve_setting(arguments, "even", 1, {0, 1}, 3).at(1.5), 1, 1e-12);
+  EXPECT_EQ(read_curve_setting(arguments, "missing", 0.25, {0, 1}, 3).at(1), 0.25);
   EXPECT_TRUE(arguments.finish().ok());
 }
 
 TEST(SoundLanguage, ASawHasTheHarmonicsOfItsSeries) {
   const Signal saw = patch("tone saw pitch=200 attack=0 fade=0", 1);
-  for (int n = 1; n <= 12; ++n) EXPECT_NEAR(share_of(saw, 200.0 * n), 2 / (std::numbers::pi * n), 0.02) << n;
-  // Where harmonics beyond half the rate would come back, there is next to nothing.
+  for (int n = 1; n <= 12; ++n)
+    EXPECT_NEAR(measure_sine(saw, 200.0 * n), 2 / (std::numbers::pi * n), 0.02) << n;
+  // Harmonics above half the rate must not be mirrored into the audible range.
   const Signal high = patch("tone saw pitch=4100 attack=0 fade=0", 1);
-  EXPECT_LT(db(share_of(high, kSynthesisRate - 6 * 4100.0) / share_of(high, 4100)), -25);
+  EXPECT_LT(db(measure_sine(high, kSynthesisRate - 6 * 4100.0) / measure_sine(high, 4100)), -25);
 }
 
-TEST(SoundLanguage, GlidesArriveAtTheirPitch) {
+TEST(SoundLanguage, GlidesReachTheirPitch) {
   const Signal tone = patch("tone sine pitch=200..800 attack=0 fade=0", 1);
   const std::size_t window = 2048, end = tone.size() - window;
-  EXPECT_GT(share_of(tone, 205, kSynthesisRate, 0, window), 0.8);
-  EXPECT_GT(share_of(tone, 780, kSynthesisRate, end, window), 0.8);
-  EXPECT_LT(share_of(tone, 780, kSynthesisRate, 0, window), 0.1);
+  EXPECT_GT(measure_sine(tone, 205, kSynthesisRate, 0, window), 0.8);
+  EXPECT_GT(measure_sine(tone, 780, kSynthesisRate, end, window), 0.8);
+  EXPECT_LT(measure_sine(tone, 780, kSynthesisRate, 0, window), 0.1);
 }
 
-TEST(SoundLanguage, FiltersTakeWhatTheySay) {
+TEST(SoundLanguage, FiltersAttenuateAsSpecified) {
   const auto through = [](const std::string& filter, double hertz) {
-    return db(share_of(patch("tone sine pitch=" + std::to_string(hertz) + "\n  " + filter, 1), hertz));
+    return db(measure_sine(patch("tone sine pitch=" + std::to_string(hertz) + "\n  " + filter, 1), hertz));
   };
   EXPECT_NEAR(through("lowpass 500", 50), 0, 0.2);
   EXPECT_NEAR(through("lowpass 500", 4000), -36, 2);          // two poles, three octaves
@@ -105,27 +108,27 @@ TEST(SoundLanguage, FiltersTakeWhatTheySay) {
   EXPECT_NEAR(through("boost 1000 by=4 q=5", 1000), 12.04, 0.3);
 }
 
-TEST(SoundLanguage, WhatIsStruckRingsAsLongAsItSays) {
+TEST(SoundLanguage, StruckObjectsRingAsLongAsSpecified) {
   const Signal bar = patch("strike bar pitch=440 ring=1 hardness=0.6 fade=0", 1.2);
   const std::size_t window = 4096;
   const auto at = [&](double seconds) {
-    return share_of(bar, 440, kSynthesisRate, frames_in(seconds, kSynthesisRate), window);
+    return measure_sine(bar, 440, kSynthesisRate, count_frames(seconds, kSynthesisRate), window);
   };
   EXPECT_NEAR(db(at(0.6) / at(0.1)), -30, 1.5);  // 60 dB a second
-  // A free bar's second resonance stands at 2.756 times the first, and is gone sooner.
+  // The second mode of a free bar has 2.756 times the frequency of the first and fades earlier.
   const auto second = [&](double seconds) {
-    return share_of(bar, 440 * 2.756, kSynthesisRate, frames_in(seconds, kSynthesisRate), window);
+    return measure_sine(bar, 440 * 2.756, kSynthesisRate, count_frames(seconds, kSynthesisRate), window);
   };
-  EXPECT_GT(second(0.0), 10 * share_of(bar, 440 * 2.0, kSynthesisRate, 0, window));
+  EXPECT_GT(second(0.0), 10 * measure_sine(bar, 440 * 2.0, kSynthesisRate, 0, window));
   EXPECT_LT(second(0.6) / second(0.1), at(0.6) / at(0.1));
 }
 
 TEST(SoundLanguage, AStringIsInTune) {
   for (const double hertz : {55.0, 110.0, 196.0, 440.0}) {
     const Signal string = patch("pluck ring=3 pitch=" + std::to_string(hertz), 1);
-    const double own = share_of(string, hertz);
-    EXPECT_GT(own, 3 * share_of(string, hertz * 1.03)) << hertz;
-    EXPECT_GT(own, 3 * share_of(string, hertz * 0.97)) << hertz;
+    const double own = measure_sine(string, hertz);
+    EXPECT_GT(own, 3 * measure_sine(string, hertz * 1.03)) << hertz;
+    EXPECT_GT(own, 3 * measure_sine(string, hertz * 0.97)) << hertz;
   }
 }
 
@@ -133,23 +136,23 @@ TEST(SoundLanguage, VowelsHaveTheirResonances) {
   const auto near = [](const Signal& voice, double hertz) {
     double sum = 0;  // harmonics of 100 Hz within a band around it
     for (double f = std::round(hertz / 100) * 100 - 100; f < hertz + 150; f += 100)
-      sum = std::max(sum, share_of(voice, f));
+      sum = std::max(sum, measure_sine(voice, f));
     return sum;
   };
   const Signal a = patch("throat a pitch=100 rough=0 breath=0", 1);
   const Signal i = patch("throat i pitch=100 rough=0 breath=0", 1);
   EXPECT_GT(db(near(a, 730) / near(a, 300)), 6);
   EXPECT_GT(db(near(i, 270) / near(i, 730)), 6);
-  // A throat twice as long has them an octave lower.
+  // A vocal tract that is twice as long has formants an octave lower.
   const Signal big = patch("throat a size=2 pitch=100 rough=0 breath=0", 1);
   EXPECT_GT(near(big, 365), 2 * near(big, 900));
 }
 
-TEST(SoundLanguage, RepetitionsComeInTheirTime) {
+TEST(SoundLanguage, RepetitionsAreOnTime) {
   const Signal clicks = patch("tone sine pitch=1000 for=0.01 times=3 every=0.2", 0.7);
   const auto power = [&](double from_s, double to_s) {
     double sum = 0;
-    for (std::size_t i = frames_in(from_s, kSynthesisRate); i < frames_in(to_s, kSynthesisRate); ++i)
+    for (std::size_t i = count_frames(from_s, kSynthesisRate); i < count_frames(to_s, kSynthesisRate); ++i)
       sum += clicks[i] * clicks[i];
     return sum;
   };
@@ -159,14 +162,14 @@ TEST(SoundLanguage, RepetitionsComeInTheirTime) {
   }
 }
 
-TEST(SoundLanguage, HalfTheRateKeepsWhatItCanHold) {
+TEST(SoundLanguage, HalfTheRateKeepsTheFrequenciesItCanRepresent) {
   const Signal low = halve_rate(patch("tone sine pitch=1000", 1));
-  EXPECT_NEAR(db(share_of(low, 1000, kSynthesisRate / 2)), 0, 0.05);
+  EXPECT_NEAR(db(measure_sine(low, 1000, kSynthesisRate / 2)), 0, 0.05);
   const Signal high = halve_rate(patch("tone sine pitch=15000", 1));
-  EXPECT_LT(db(share_of(high, kSynthesisRate / 2 - 15000, kSynthesisRate / 2)), -60);
+  EXPECT_LT(db(measure_sine(high, kSynthesisRate / 2 - 15000, kSynthesisRate / 2)), -60);
 }
 
-TEST(SoundLanguage, WhatIsDroppedIsFarBelowWhatIsHeard) {
+TEST(SoundLanguage, DroppedBitsAreFarBelowTheSignal) {
   test::Random random(1);
   for (const int loudest : {3, 127, 128, 1000, 20000, 31784}) {
     std::vector<std::int16_t> samples;
@@ -174,9 +177,9 @@ TEST(SoundLanguage, WhatIsDroppedIsFarBelowWhatIsHeard) {
       samples.push_back(static_cast<std::int16_t>(
           static_cast<int>(random.below(2 * static_cast<std::size_t>(loudest) + 1)) - loudest));
     samples[7] = static_cast<std::int16_t>(loudest % 2 == 0 ? loudest : -loudest);
-    samples.insert(samples.end(), {1, -2, 3, -4});  // a block of its own, which ends early
+    samples.insert(samples.end(), {1, -2, 3, -4});  // a shorter block
     std::vector<std::int16_t> kept = samples;
-    drop_hidden_bits(kept);
+    drop_masked_bits(kept);
     for (std::size_t i = 0; i < 32; ++i) EXPECT_LE(std::abs(kept[i] - samples[i]) * 128, loudest);
     for (std::size_t i = 32; i < samples.size(); ++i) EXPECT_EQ(kept[i], samples[i]);
     const std::set<std::int16_t> values(kept.begin(), kept.begin() + 32);
@@ -188,51 +191,53 @@ TEST(SoundLanguage, WhatIsDroppedIsFarBelowWhatIsHeard) {
     }
   }
   std::vector<std::int16_t> full = {32767, -32768, 32767, -32768};
-  drop_hidden_bits(full);
+  drop_masked_bits(full);
   EXPECT_EQ(full[0], 32256);  // the highest step that a sample can hold
   EXPECT_EQ(full[1], -32768);
 }
 
-TEST(SoundLanguage, ALoopLeadsOverToItsStart) {
+TEST(SoundLanguage, ALoopContinuesAtItsStart) {
   const std::string text =
       "sound x/y length=1 loop=0.25 class=ambience blend=0.2\n"
       "  noise pink\n"
       "    lowpass 300\n";
-  const base::Result<std::vector<ArtPart>> made = make_sound_file(lines_of(text).front());
+  const base::Result<std::vector<ArtPart>> made = make_sound_file(parse_lines(text).front());
   ASSERT_TRUE(made.ok());
   const base::Result<formats::Wav> wav = formats::read_wav(made->front().bytes);
   ASSERT_TRUE(wav.ok());
   ASSERT_TRUE(wav->loop.has_value());
   EXPECT_EQ(wav->loop->end, wav->frame_count());
   EXPECT_NEAR(wav->loop->start, 0.25 * 22050, 1);
-  // The last sample goes on to the first of the loop as the one before that did.
+  // The step from the last sample to the start of the loop is as small as the one before the loop's start.
   const int before = wav->samples[wav->loop->start - 1], last = wav->samples.back();
   EXPECT_LT(std::abs(before - last), 400);
 }
 
-TEST(SoundLanguage, WrongLinesAreTold) {
-  EXPECT_NE(error_of("sound x/y length=1\n  hum pitch=3")
-                .find("line 2: hum: neither a voice nor an effect; there are tone"),
+TEST(SoundLanguage, ErrorsNameTheLine) {
+  EXPECT_NE(error_message("sound x/y length=1\n  hum pitch=3")
+                .find("line 2: hum: expected a voice or an effect: tone"),
             std::string::npos);
-  EXPECT_NE(error_of("sound x/y length=1\n  tone saw pitch=high")
-                .find("line 2: tone: pitch=high is neither a number"),
+  EXPECT_NE(error_message("sound x/y length=1\n  tone saw pitch=high")
+                .find("line 2: tone: pitch=high must be a number"),
             std::string::npos);
-  EXPECT_NE(error_of("sound x/y length=1\n  tone round").find("'round' is none of sine, triangle"),
+  EXPECT_NE(error_message("sound x/y length=1\n  tone round").find("'round' is not one of sine, triangle"),
             std::string::npos);
-  EXPECT_NE(error_of("sound x/y length=1\n  strike cheese").find("'cheese' is none of bar, bell"),
+  EXPECT_NE(error_message("sound x/y length=1\n  strike cheese").find("'cheese' is not one of bar, bell"),
             std::string::npos);
-  EXPECT_NE(error_of("sound x/y length=1\n  throat x").find("'x' are no vowels"), std::string::npos);
-  EXPECT_NE(error_of("sound x/y length=1\n  tone sine loud=3").find("no setting 'loud'"), std::string::npos);
-  EXPECT_NE(error_of("sound x/y length=1\n  tone sine at=2").find("begins when the sound is over"),
+  EXPECT_NE(error_message("sound x/y length=1\n  throat x").find("'x' is not a vowel sequence"),
             std::string::npos);
-  EXPECT_NE(error_of("sound x/y\n  tone sine").find("length= is missing"), std::string::npos);
-  EXPECT_NE(error_of("sound ../y length=1\n  tone sine").find("FOLDER/NAME"), std::string::npos);
-  EXPECT_NE(error_of("sound x/y length=1 class=loud\n  tone sine").find("none of blast, weapon"),
+  EXPECT_NE(error_message("sound x/y length=1\n  tone sine loud=3").find("unknown setting 'loud'"),
+            std::string::npos);
+  EXPECT_NE(error_message("sound x/y length=1\n  tone sine at=2").find("begins after the end of the sound"),
+            std::string::npos);
+  EXPECT_NE(error_message("sound x/y\n  tone sine").find("length= (seconds) is required"), std::string::npos);
+  EXPECT_NE(error_message("sound ../y length=1\n  tone sine").find("FOLDER/NAME"), std::string::npos);
+  EXPECT_NE(error_message("sound x/y length=1 class=loud\n  tone sine").find("not one of blast, weapon"),
             std::string::npos);
 }
 
-TEST(SoundLanguage, NotesSoundAtTheirPitchAndGoRound) {
-  const std::vector<ScriptLine> lines = lines_of(
+TEST(SoundLanguage, NotesHaveTheirPitchAndWrapAround) {
+  const std::vector<ScriptLine> lines = parse_lines(
       "music track09 bpm=60 bars=2 beats=4\n"
       "  instrument flute tail=1 room=0\n"
       "    tone sine pitch=1 attack=0.01 fade=0.01\n"
@@ -242,37 +247,40 @@ TEST(SoundLanguage, NotesSoundAtTheirPitchAndGoRound) {
       "  play one at=2 transpose=12\n");
   const base::Result<Score> score = read_score(lines.front());
   ASSERT_TRUE(score.ok()) << score.error().message();
-  const auto channels = perform(*score);
+  const auto channels = render_score(*score);
   ASSERT_TRUE(channels.ok());
   const Signal& left = (*channels)[0];
-  ASSERT_EQ(left.size(), frames_in(8, kMusicRate));
+  ASSERT_EQ(left.size(), count_frames(8, kMusicRate));
   const auto heard = [&](double seconds, double hertz) {
-    return share_of(left, hertz, kMusicRate, frames_in(seconds, kMusicRate), frames_in(0.8, kMusicRate));
+    return measure_sine(left, hertz, kMusicRate, count_frames(seconds, kMusicRate),
+                        count_frames(0.8, kMusicRate));
   };
-  EXPECT_GT(heard(1.1, 440), 0.05);  // its second beat is the tail's
+  EXPECT_GT(heard(1.1, 440), 0.05);  // the second beat is the tail
   EXPECT_LT(heard(2.1, 440), 0.001);
   EXPECT_GT(heard(3.1, 523.25), 0.05);  // C5
   EXPECT_GT(heard(7.1, 1046.5), 0.05);  // an octave higher, in the last beat
-  EXPECT_GT(heard(0.1, 1046.5), 0.05);  // whose tail is heard in the first
+  EXPECT_GT(heard(0.1, 1046.5), 0.05);  // its tail wraps around
 }
 
-TEST(SoundLanguage, MusicLinesThatAreWrongAreTold) {
+TEST(SoundLanguage, MusicErrorsNameTheProblem) {
   const auto error = [](const std::string& below) {
-    const std::vector<ScriptLine> lines = lines_of("music track02 bars=2\n" + below);
+    const std::vector<ScriptLine> lines = parse_lines("music track02 bars=2\n" + below);
     const base::Result<Score> score = read_score(lines.front());
     return score.ok() ? "none" : score.error().message();
   };
-  EXPECT_NE(error("  pattern p lute").find("no instrument 'lute' stands above"), std::string::npos);
-  EXPECT_NE(error("  instrument a\n  pattern p a\n    notes H4").find("'H4' is no note"), std::string::npos);
-  EXPECT_NE(error("  instrument a\n  pattern p a\n    notes A4:0").find("'A4:0' is no note"),
+  EXPECT_NE(error("  pattern p lute").find("no instrument 'lute' is defined above this line"),
+            std::string::npos);
+  EXPECT_NE(error("  instrument a\n  pattern p a\n    notes H4").find("'H4' is not a note"),
+            std::string::npos);
+  EXPECT_NE(error("  instrument a\n  pattern p a\n    notes A4:0").find("'A4:0' is not a note"),
             std::string::npos);
   EXPECT_NE(
-      error("  instrument a\n  pattern p a\n    notes A4\n  play p at=3").find("when the piece is over"),
+      error("  instrument a\n  pattern p a\n    notes A4\n  play p at=3").find("after the end of the piece"),
       std::string::npos);
-  EXPECT_NE(error("  dance").find("none of instrument, pattern, play, room"), std::string::npos);
+  EXPECT_NE(error("  dance").find("expected instrument, pattern, play or room"), std::string::npos);
 }
 
-TEST(SoundLanguage, VorbisIsReadByAnotherLibraryAndTheSameAgain) {
+TEST(SoundLanguage, VorbisIsReadByAnotherLibraryAndReproducible) {
   std::array<Signal, 2> channels = {patch("tone sine pitch=440 level=0.5", 1),
                                     patch("tone sine pitch=660 level=0.25", 1)};
   VorbisSettings settings;
@@ -293,8 +301,8 @@ TEST(SoundLanguage, VorbisIsReadByAnotherLibraryAndTheSameAgain) {
   ASSERT_EQ(static_cast<std::size_t>(info.frames), channels[0].size());
   std::array<Signal, 2> read;
   for (std::size_t i = 0; i < both.size(); ++i) read[i % 2].push_back(both[i]);
-  EXPECT_NEAR(share_of(read[0], 440), 0.5, 0.02);
-  EXPECT_NEAR(share_of(read[1], 660), 0.25, 0.02);
+  EXPECT_NEAR(measure_sine(read[0], 440), 0.5, 0.02);
+  EXPECT_NEAR(measure_sine(read[1], 660), 0.25, 0.02);
   settings.frames_per_second = 1'000'000;
   EXPECT_FALSE(write_vorbis(channels, settings).ok());
 }

@@ -1,4 +1,4 @@
-// The language of textures, held against what its words say.
+// Compares textures with the meaning of their scripts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,9 +24,9 @@ base::Result<std::vector<formats::WadTexture>> make(std::string_view script) {
   TRY(const std::vector<ScriptLine> lines, read_script(script));
   std::vector<formats::WadTexture> textures;
   for (const ScriptLine& line : lines) {
-    const auto maker = line.word == "switch"      ? make_switch
-                       : line.word == "animation" ? make_animation
-                                                  : make_texture;
+    const auto maker = line.keyword == "switch"      ? make_switch
+                       : line.keyword == "animation" ? make_animation
+                                                     : make_texture;
     TRY(const std::vector<ArtPart> parts, maker(line));
     for (const ArtPart& part : parts) {
       EXPECT_EQ(part.path, "textures.wad");
@@ -45,7 +45,7 @@ formats::WadTexture one(std::string_view script) {
   return made.ok() && !made->empty() ? made->front() : formats::WadTexture();
 }
 
-std::string error_of(std::string_view script) {
+std::string error_message(std::string_view script) {
   const base::Result<std::vector<formats::WadTexture>> made = make(script);
   return made.ok() ? "none" : made.error().message();
 }
@@ -54,50 +54,50 @@ std::uint8_t texel(const formats::WadTexture& texture, std::uint32_t x, std::uin
   return texture.mips[0].at(std::size_t{y} * texture.width + x);
 }
 
-std::int64_t count_of(const formats::WadTexture& texture, std::uint8_t index) {
+std::int64_t count_texels(const formats::WadTexture& texture, std::uint8_t index) {
   return std::count(texture.mips[0].begin(), texture.mips[0].end(), index);
 }
 
 const std::uint8_t kWall = ramp_color(Ramp::kSlate, 0.4);
 const std::uint8_t kGold = ramp_color(Ramp::kGold, 0.6);
 
-TEST(Textures, ShapesCoverWhatTheySay) {
+TEST(Textures, ShapesCoverTheirArea) {
   const formats::WadTexture box = one("texture a 32x16\n  fill slate 0.4\n  rect gold 0.6 at=4,2 size=10x6");
-  EXPECT_EQ(count_of(box, kGold), 60);
-  EXPECT_EQ(count_of(box, kWall), 32 * 16 - 60);
+  EXPECT_EQ(count_texels(box, kGold), 60);
+  EXPECT_EQ(count_texels(box, kWall), 32 * 16 - 60);
   EXPECT_EQ(texel(box, 4, 2), kGold);
   EXPECT_EQ(texel(box, 13, 7), kGold);
   EXPECT_EQ(texel(box, 14, 7), kWall);
 
   const formats::WadTexture round = one("texture a 32x32\n  fill slate 0.4\n  disc gold 0.6 radius=10");
-  EXPECT_NEAR(static_cast<double>(count_of(round, kGold)), 314, 12);
+  EXPECT_NEAR(static_cast<double>(count_texels(round, kGold)), 314, 12);
   const formats::WadTexture moss = one("texture a 64x64\n  fill slate 0.4\n  patches gold 0.6 cover=0.3");
-  EXPECT_NEAR(static_cast<double>(count_of(moss, kGold)) / (64 * 64), 0.3, 0.01);
+  EXPECT_NEAR(static_cast<double>(count_texels(moss, kGold)) / (64 * 64), 0.3, 0.01);
   const formats::WadTexture bars =
       one("texture a 32x32\n  fill slate 0.4\n  stripes gold 0.6 every=8 width=3");
-  EXPECT_EQ(count_of(bars, kGold), 32 * 32 * 3 / 8);
+  EXPECT_EQ(count_texels(bars, kGold), 32 * 32 * 3 / 8);
 }
 
-TEST(Textures, ShapesGoRoundTheEdges) {
+TEST(Textures, ShapesWrapAround) {
   const formats::WadTexture box = one("texture a 16x16\n  fill slate 0.4\n  rect gold 0.6 at=12,12 size=8x8");
-  EXPECT_EQ(count_of(box, kGold), 64);
+  EXPECT_EQ(count_texels(box, kGold), 64);
   EXPECT_EQ(texel(box, 0, 0), kGold);
   EXPECT_EQ(texel(box, 3, 3), kGold);
   EXPECT_EQ(texel(box, 4, 3), kWall);
 }
 
-TEST(Textures, LayersUnderAShapeAreSeenOnlyThere) {
+TEST(Textures, LayersUnderAShapeShowOnlyInsideIt) {
   const formats::WadTexture made =
       one("texture a 32x32\n"
           "  fill slate 0.4\n"
           "  rect at=8,8 size=16x16\n"
           "    fill gold 0.6\n"
           "    inlay red 0.5 at=8,8 size=4x4\n");
-  EXPECT_EQ(count_of(made, kGold), 256 - 16);
-  EXPECT_EQ(count_of(made, ramp_color(Ramp::kRed, 0.5)), 16);
+  EXPECT_EQ(count_texels(made, kGold), 256 - 16);
+  EXPECT_EQ(count_texels(made, ramp_color(Ramp::kRed, 0.5)), 16);
 }
 
-TEST(Textures, ReliefIsLitFromAboveOnTheLeft) {
+TEST(Textures, ReliefIsLitFromTheUpperLeft) {
   const formats::WadTexture made =
       one("texture a 32x32\n  fill slate 0.4\n  disc radius=10 raise=4 bevel=4\n  relief 1 cavity=0");
   EXPECT_GT(texel(made, 9, 9), kWall);
@@ -109,7 +109,7 @@ TEST(Textures, ReliefIsLitFromAboveOnTheLeft) {
   EXPECT_GT(texel(hollow, 22, 22), kWall);
 }
 
-TEST(Textures, LampsKeepTheirLightAndGiveSome) {
+TEST(Textures, LampsStayBrightAndLightTheirSurroundings) {
   const formats::WadTexture made =
       one("texture a 32x32\n  fill slate 0.4\n  disc fire 0.9 radius=6 raise=8\n  relief 1\n  halo radius=6 "
           "by=0.4");
@@ -123,27 +123,28 @@ TEST(Textures, LampsKeepTheirLightAndGiveSome) {
 TEST(Textures, BricksHaveJointsBetweenCourses) {
   const formats::WadTexture made =
       one("texture a 32x32\n  fill slate 0.4\n  bricks width=16 height=8 joint=2 vary=0\n  joints gold 0.6");
-  // A joint of two texels in each course and each brick; every second course is half a brick further.
-  EXPECT_EQ(count_of(made, kGold), 4 * (2 * 32 + 6 * 2 * 2));
+  // Joints of two texels around each course and each brick; every second course is shifted by half a brick.
+  EXPECT_EQ(count_texels(made, kGold), 4 * (2 * 32 + 6 * 2 * 2));
   EXPECT_EQ(texel(made, 0, 4), kGold);
   EXPECT_EQ(texel(made, 8, 4), kWall);
   EXPECT_EQ(texel(made, 8, 12), kGold);
 }
 
-TEST(Textures, LettersAreDrawnAsTheyStand) {
-  EXPECT_EQ(letters_width("AB"), 11);
-  EXPECT_TRUE(letters_at("L", 0, 0));
-  EXPECT_FALSE(letters_at("L", 1, 0));
-  EXPECT_TRUE(letters_at("L", 4, 6));
-  EXPECT_FALSE(letters_at("LL", 5, 6));
-  EXPECT_TRUE(letters_at("LL", 6, 6));
+TEST(Textures, LettersAreDrawnTexelByTexel) {
+  EXPECT_EQ(measure_letters("AB"), 11);
+  EXPECT_TRUE(has_ink("L", 0, 0));
+  EXPECT_FALSE(has_ink("L", 1, 0));
+  EXPECT_TRUE(has_ink("L", 4, 6));
+  EXPECT_FALSE(has_ink("LL", 5, 6));
+  EXPECT_TRUE(has_ink("LL", 6, 6));
   const formats::WadTexture sign = one("texture a 32x16\n  fill slate 0.4\n  text \"I\" gold 0.6 at=2,2");
-  EXPECT_EQ(count_of(sign, kGold), 3 + 5 + 3);
-  EXPECT_EQ(count_of(one("texture a 32x16\n  fill slate 0.4\n  text \"I\" gold 0.6 at=2,1 scale=2"), kGold),
-            44);
+  EXPECT_EQ(count_texels(sign, kGold), 3 + 5 + 3);
+  EXPECT_EQ(
+      count_texels(one("texture a 32x16\n  fill slate 0.4\n  text \"I\" gold 0.6 at=2,1 scale=2"), kGold),
+      44);
 }
 
-TEST(Textures, AValueWithSlashesIsAnotherOneInEachFrame) {
+TEST(Textures, AValueWithSlashesDiffersInEachFrame) {
   const base::Result<std::vector<formats::WadTexture>> frames = make(
       "animation glow 16x16 frames=3\n  fill slate 0.4/0.2/0.6\n  rect gold 0.6 at=0,0/4,0/8,0 size=2x2\n"
       "switch knob 16x16\n  fill slate 0.4/0.2\n");
@@ -157,15 +158,15 @@ TEST(Textures, AValueWithSlashesIsAnotherOneInEachFrame) {
   EXPECT_EQ(texel((*frames)[4], 0, 0), ramp_color(Ramp::kSlate, 0.2));
 }
 
-TEST(Textures, FencesAreHolesWhereNothingIsPainted) {
+TEST(Textures, FencesHaveHolesWhereNothingIsPainted) {
   const formats::WadTexture fence = one("texture {a 16x16\n  rect slate 0.4 at=0,0 size=16x4");
-  EXPECT_EQ(count_of(fence, kTransparent), 16 * 12);
+  EXPECT_EQ(count_texels(fence, kTransparent), 16 * 12);
   const formats::WadTexture cut =
       one("texture {a 16x16\n  fill slate 0.4\n  rect at=0,0 size=8x8 cut=yes\n  relief 1");
-  EXPECT_EQ(count_of(cut, kTransparent), 64);
+  EXPECT_EQ(count_texels(cut, kTransparent), 64);
 }
 
-TEST(Textures, ALineMoreLeavesTheOthersAsTheyWere) {
+TEST(Textures, AnAdditionalLineDoesNotChangeOthers) {
   const formats::WadTexture plain = one("texture a 64x64\n  fill slate 0.4\n  patches gold 0.6 cover=0.3");
   const formats::WadTexture more =
       one("texture a 64x64\n  fill slate 0.4\n  bumps by=1\n  patches gold 0.6 cover=0.3");
@@ -175,24 +176,26 @@ TEST(Textures, ALineMoreLeavesTheOthersAsTheyWere) {
   EXPECT_NE(plain, seeded);
 }
 
-TEST(Textures, WhatIsWrongIsTold) {
-  EXPECT_EQ(error_of("texture a 20x16"), "line 1: texture: 20x16: sides are multiples of 16");
-  EXPECT_EQ(error_of("texture much_too_long_a_name 16x16"),
-            "line 1: texture: 'much_too_long_a_name': a name in a level has 1 to 15 characters");
-  EXPECT_EQ(error_of("texture a 16x16\n  brcks"), "line 2: brcks: there is no such layer of a texture");
-  EXPECT_EQ(error_of("texture a 16x16\n  fill slate 0.4\n    noise"),
-            "line 3: noise: no layer can stand under this one");
-  EXPECT_EQ(error_of("texture a 16x16\n  rect slat 0.4"),
-            "line 2: rect: 'slat' is no ramp of the palette; there are gray brown brick sand red olive gold "
+TEST(Textures, ErrorsNameTheLine) {
+  EXPECT_EQ(error_message("texture a 20x16"), "line 1: texture: 20x16: sides must be multiples of 16");
+  EXPECT_EQ(error_message("texture much_too_long_a_name 16x16"),
+            "line 1: texture: 'much_too_long_a_name': a texture's name has 1 to 15 characters");
+  EXPECT_EQ(error_message("texture a 16x16\n  brcks"), "line 2: brcks: unknown texture layer");
+  EXPECT_EQ(error_message("texture a 16x16\n  fill slate 0.4\n    noise"),
+            "line 3: noise: no line can be under this layer");
+  EXPECT_EQ(error_message("texture a 16x16\n  rect slat 0.4"),
+            "line 2: rect: 'slat' is not a color ramp; expected one of gray brown brick sand red olive gold "
             "teal blue "
             "purple slate rust skin green fire electric");
-  EXPECT_EQ(error_of("texture a 16x16\n  rect at=4"), "line 2: rect: at=4 is not X,Y");
-  EXPECT_EQ(error_of("texture a 16x16\n  rect size=0x4"), "line 2: rect: size=0x4 is not WIDTHxHEIGHT");
-  EXPECT_EQ(error_of("texture a 16x16\n  disc\n    disc radios=4"),
-            "line 3: disc: it has no setting 'radios'");
-  EXPECT_EQ(error_of("texture a 16x16\n  text \"~\""), "line 2: text: '~' is no letter that signs know");
-  EXPECT_EQ(error_of("texture a 16x16\n  inlay size=32x8"), "line 2: inlay: size=32x8 is not inside 16x16");
-  EXPECT_EQ(error_of("animation a 16x16 frames=11"), "line 1: animation: frames=11 is not from 1 to 10");
+  EXPECT_EQ(error_message("texture a 16x16\n  rect at=4"), "line 2: rect: at=4 is not X,Y");
+  EXPECT_EQ(error_message("texture a 16x16\n  rect size=0x4"), "line 2: rect: size=0x4 is not WIDTHxHEIGHT");
+  EXPECT_EQ(error_message("texture a 16x16\n  disc\n    disc radios=4"),
+            "line 3: disc: unknown setting 'radios'");
+  EXPECT_EQ(error_message("texture a 16x16\n  text \"~\""),
+            "line 2: text: '~' cannot be written: signs have no such letter");
+  EXPECT_EQ(error_message("texture a 16x16\n  inlay size=32x8"),
+            "line 2: inlay: size=32x8 is not inside 16x16");
+  EXPECT_EQ(error_message("animation a 16x16 frames=11"), "line 1: animation: frames=11 is not from 1 to 10");
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ formats::Bsp tiny_level(bool missing_texture = false) {
   return artgen::make_small_level({.missing_texture = missing_texture, .tiny = true});
 }
 
-base::ByteVector bytes_of(const formats::Bsp& bsp) {
+base::ByteVector pack_bytes(const formats::Bsp& bsp) {
   return formats::write_bsp(bsp, formats::BspVersion::k29).value();
 }
 
-// Colored light for the level, every sample `value`; `extra` samples too many.
+// Colored light for the level: every sample is `value`, with `extra` samples too many.
 base::ByteVector lit_for(const formats::Bsp& bsp, std::uint8_t value, std::size_t extra = 0) {
   return formats::write_lit({std::vector<std::uint8_t>(3 * (bsp.lighting.size() + extra), value)});
 }
@@ -38,9 +38,9 @@ vfs::FileSystem open_or_die(const test::TemporaryFolder& base_folder,
   return vfs::FileSystem::open(base_folder.path(), games).value();
 }
 
-TEST(LoadLevel, FindsTheLevelAndItsLightWhereverTheyAre) {
+TEST(LoadLevel, FindsLevelAndLight) {
   const formats::Bsp bsp = tiny_level();
-  const base::ByteVector bsp_bytes = bytes_of(bsp);
+  const base::ByteVector bsp_bytes = pack_bytes(bsp);
   const base::ByteVector lit_bytes = lit_for(bsp, 77);
   const std::vector<formats::ArchiveFile> archived{{"maps/tiny.bsp", bsp_bytes},
                                                    {"maps/tiny.lit", lit_bytes}};
@@ -60,25 +60,25 @@ TEST(LoadLevel, FindsTheLevelAndItsLightWhereverTheyAre) {
   }
 }
 
-TEST(LoadLevel, LightThatDoesNotFitIsLeftOutWithANote) {
+TEST(LoadLevel, IgnoresMismatchedLightWithNote) {
   const formats::Bsp bsp = tiny_level();
   for (const base::ByteVector& lit :
        {lit_for(bsp, 1, 1), base::ByteVector{}, test::to_bytes("no light at all")}) {
     const test::TemporaryFolder folder;
-    folder.write("id1/maps/tiny.bsp", bytes_of(bsp));
+    folder.write("id1/maps/tiny.bsp", pack_bytes(bsp));
     folder.write("id1/maps/tiny.lit", lit);
     const auto loaded = load_level(open_or_die(folder), "tiny");
     ASSERT_TRUE(loaded.ok()) << loaded.error().message();
     EXPECT_THAT(loaded->level->light_rgb, IsEmpty());
-    EXPECT_THAT(loaded->notes, ElementsAre(AllOf(HasSubstr("tiny.lit"), HasSubstr("left out"))));
+    EXPECT_THAT(loaded->notes, ElementsAre(AllOf(HasSubstr("tiny.lit"), HasSubstr("ignored"))));
   }
 }
 
-TEST(LoadLevel, LightOfALowerGameBelongsToTheLevelThatIsHidden) {
+TEST(LoadLevel, IgnoresLightOfLowerGame) {
   const formats::Bsp bsp = tiny_level();
   const test::TemporaryFolder folder;
   folder.write("id1/maps/tiny.lit", lit_for(bsp, 1));
-  folder.write("mod/maps/tiny.bsp", bytes_of(bsp));
+  folder.write("mod/maps/tiny.bsp", pack_bytes(bsp));
   folder.write("light/maps/tiny.lit", lit_for(bsp, 2));
   const auto without = load_level(open_or_die(folder, {"mod"}), "tiny");
   ASSERT_TRUE(without.ok());
@@ -89,15 +89,15 @@ TEST(LoadLevel, LightOfALowerGameBelongsToTheLevelThatIsHidden) {
   EXPECT_THAT(with->level->light_rgb, ::testing::Each(2));
 }
 
-TEST(LoadLevel, AMissingTextureIsNotedOnce) {
+TEST(LoadLevel, NotesMissingTextureOnce) {
   const test::TemporaryFolder folder;
-  folder.write("id1/maps/tiny.bsp", bytes_of(tiny_level(/*missing_texture=*/true)));
+  folder.write("id1/maps/tiny.bsp", pack_bytes(tiny_level(/*missing_texture=*/true)));
   const auto loaded = load_level(open_or_die(folder), "tiny");
   ASSERT_TRUE(loaded.ok()) << loaded.error().message();
-  EXPECT_THAT(loaded->notes, ElementsAre(HasSubstr("tiny: missing textures, drawn as a checker: ")));
+  EXPECT_THAT(loaded->notes, ElementsAre(HasSubstr("tiny: missing textures, drawn as a checkerboard: ")));
 }
 
-TEST(LoadLevel, AMissingLevelIsNotFound) {
+TEST(LoadLevel, MissingLevelIsNotFound) {
   const test::TemporaryFolder folder;
   folder.write("id1/maps/other.bsp", "");
   const auto loaded = load_level(open_or_die(folder), "tiny");
@@ -106,7 +106,7 @@ TEST(LoadLevel, AMissingLevelIsNotFound) {
   EXPECT_THAT(loaded.error().message(), HasSubstr("maps/tiny.bsp"));
 }
 
-TEST(LoadLevel, ADamagedLevelIsNamedWithItsArchive) {
+TEST(LoadLevel, NamesArchiveOfDamagedLevel) {
   const test::TemporaryFolder folder;
   folder.write(
       "id1/pak0.pak",
@@ -117,10 +117,10 @@ TEST(LoadLevel, ADamagedLevelIsNamedWithItsArchive) {
   EXPECT_EQ(loaded.error().file, "maps/tiny.bsp in " + (folder.path() / "id1" / "pak0.pak").string());
 }
 
-TEST(LoadLevelFile, TakesTheLightBesideIt) {
+TEST(LoadLevelFile, LoadsLightNextToLevel) {
   const formats::Bsp bsp = tiny_level();
   const test::TemporaryFolder folder;
-  const auto path = folder.write("somewhere/tiny.bsp", bytes_of(bsp));
+  const auto path = folder.write("somewhere/tiny.bsp", pack_bytes(bsp));
   const auto plain = load_level_file(path);
   ASSERT_TRUE(plain.ok()) << plain.error().message();
   EXPECT_EQ(plain->level->name, "tiny");
@@ -156,12 +156,12 @@ TEST(LoadLook, ReadsPaletteAndColormap) {
   EXPECT_EQ(formats::write_colormap(look->colormap), colormap);
 }
 
-TEST(LoadLook, AMissingColormapIsMade) {
+TEST(LoadLook, ComputesMissingColormap) {
   const test::TemporaryFolder folder;
   folder.write("id1/gfx/palette.lmp", base::ByteVector(768, std::byte{128}));
   const auto look = load_look(open_or_die(folder));
   ASSERT_TRUE(look.ok());
-  // All colors are the same: the lowest index stands for the lit ones, full-bright ones stay.
+  // All colors are the same, so lit colors become the lowest index; fullbright ones stay.
   EXPECT_EQ(look->colormap.rows[31 * 256 + 100], 0);
   EXPECT_EQ(look->colormap.rows[31 * 256 + 250], 250);
 }
@@ -179,7 +179,7 @@ TEST(LoadLook, ErrorsNameTheFile) {
   EXPECT_EQ(damaged.error().file, path.string());
 }
 
-TEST(LoadLevel, LoadsStockLevelsWithoutANote) {
+TEST(LoadLevel, LoadsStockLevelsWithoutNotes) {
   DATA_FOLDER_OR_SKIP(data);
   const auto files = vfs::FileSystem::open(data);
   ASSERT_TRUE(files.ok()) << files.error().message();

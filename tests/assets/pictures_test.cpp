@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "assets/stock_pictures.h"
+#include "assets/stock/stock_pictures.h"
 #include "formats/archives/wad.h"
 #include "support/effort.h"
 #include "support/game_data.h"
@@ -40,7 +40,7 @@ bool is_checker(const formats::Picture& picture) {
   return std::set<std::uint8_t>(picture.pixels.begin(), picture.pixels.end()).size() == 2;
 }
 
-// Everything that a stock game has, each picture of one color.
+// All pictures of a stock game, each in a single color.
 class StockFolder {
  public:
   StockFolder() {
@@ -52,7 +52,7 @@ class StockFolder {
     lump_bytes_.push_back(base::ByteVector(128 * 128, std::byte{0}));
     lump_bytes_.back()[5] = std::byte{9};
   }
-  // In upper case, as LibreQuake's are.
+  // In upper case, like those of LibreQuake.
   std::vector<formats::WadLump> lumps() const {
     std::vector<formats::WadLump> lumps;
     for (const StockPicture& stock : stock_wad_pictures()) {
@@ -73,7 +73,7 @@ class StockFolder {
   std::vector<base::ByteVector> lump_bytes_;
 };
 
-TEST(Pictures, AreFoundByNameWithoutRegardToCase) {
+TEST(Pictures, AreFoundIgnoringCase) {
   const StockFolder stock;
   stock.write_wad(stock.wad());
   const Loaded loaded = load(stock.folder().path());
@@ -88,7 +88,7 @@ TEST(Pictures, AreFoundByNameWithoutRegardToCase) {
   EXPECT_EQ(loaded.pictures.find("conchars"), nullptr) << "not a picture of its own";
 }
 
-TEST(Pictures, HaveCharactersThatAreTransparentAround) {
+TEST(Pictures, HaveTransparentCharacters) {
   const StockFolder stock;
   stock.write_wad(stock.wad());
   const Loaded loaded = load(stock.folder().path());
@@ -98,7 +98,7 @@ TEST(Pictures, HaveCharactersThatAreTransparentAround) {
   EXPECT_EQ(std::count(characters.pixels.begin(), characters.pixels.end(), 255), 128 * 128 - 1);
 }
 
-TEST(Pictures, OfAModAreFoundBesideTheStockOnes) {
+TEST(Pictures, FindsModAndStockPictures) {
   const StockFolder stock;
   const base::ByteVector own = formats::write_picture(solid(2, 3, 77));
   std::vector<formats::WadLump> lumps = stock.lumps();
@@ -113,7 +113,7 @@ TEST(Pictures, OfAModAreFoundBesideTheStockOnes) {
   EXPECT_EQ(*loaded.pictures.find("sbar"), solid(320, 24, 4)) << "the first of a name counts";
 }
 
-TEST(Pictures, ThatAreMissingAreCheckersOfTheirSize) {
+TEST(Pictures, MissingOnesAreCheckerboards) {
   const test::TemporaryFolder empty;
   empty.write("id1/readme.txt", "nothing here");
   const Loaded loaded = load(empty.path());
@@ -131,7 +131,7 @@ TEST(Pictures, ThatAreMissingAreCheckersOfTheirSize) {
   EXPECT_EQ(loaded.pictures.characters().pixels.size(), 128u * 128u);
 }
 
-TEST(Pictures, ThatStandInAreNotReal) {
+TEST(Pictures, PlaceholdersAreNotReal) {
   const StockFolder stock;
   stock.write_wad(stock.wad());
   const Loaded whole = load(stock.folder().path());
@@ -147,7 +147,7 @@ TEST(Pictures, ThatStandInAreNotReal) {
   EXPECT_NE(loaded.pictures.find_real("sbar"), nullptr);
 }
 
-TEST(Pictures, ThatAreDamagedAreCheckersAndNamed) {
+TEST(Pictures, DamagedOnesAreNamedCheckerboards) {
   const StockFolder stock;
   std::vector<formats::WadLump> lumps = stock.lumps();
   for (formats::WadLump& lump : lumps)
@@ -164,7 +164,7 @@ TEST(Pictures, ThatAreDamagedAreCheckersAndNamed) {
   EXPECT_EQ(loaded.pictures.find_real("SBar"), loaded.pictures.find("sbar"));
 }
 
-TEST(Pictures, OfADamagedArchiveAreAllThere) {
+TEST(Pictures, DamagedArchiveGivesPlaceholders) {
   const StockFolder stock;
   const base::ByteVector wad = stock.wad();
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::effort(40, 5)); ++seed) {
@@ -173,7 +173,7 @@ TEST(Pictures, OfADamagedArchiveAreAllThere) {
     base::ByteVector bytes = wad;
     if (seed % 2 == 0)
       bytes.resize(random.below(bytes.size()));
-    else  // the archive's header or its table, at its end
+    else  // the header of the archive, or the table at its end
       for (int i = 0; i < 4; ++i) {
         const std::size_t place =
             random.chance(0.2) ? random.below(12) : bytes.size() - 1 - random.below(3000);
@@ -187,7 +187,7 @@ TEST(Pictures, OfADamagedArchiveAreAllThere) {
   }
 }
 
-TEST(Pictures, OfStockDataAreAllThere) {
+TEST(Pictures, FindsAllStockPictures) {
   DATA_FOLDER_OR_SKIP(data);
   const Loaded loaded = load(data);
   EXPECT_THAT(loaded.notes, IsEmpty());

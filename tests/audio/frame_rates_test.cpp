@@ -1,5 +1,5 @@
-// A game drawn 30, 72 or 1,000 times a second sounds the same: the same happens at the same times, the
-// listener goes the same way, and only how often the mixer is told differs.
+// A game sounds the same at 30, 72, and 1,000 frames per second: events and the path of the listener are the
+// same, and only the number of updates to the mixer differs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 constexpr double kLength_s = 6;
 constexpr std::size_t kSecond = audio::kFramesPerSecond;
 
-// Walks, turns, dives; water is near in between.
+// Walks, turns, and dives.
 audio::Scene scene_at(double time_s) {
   audio::Scene scene = quiet_scene();
   scene.listener.origin_world = {static_cast<float>(320 * time_s), 50, 0};
@@ -25,8 +25,8 @@ audio::Scene scene_at(double time_s) {
   return scene;
 }
 
-// Shots at uneven times, ten a second, as packets bring them.
-audio::SoundEvents events_of(int packet) {
+// Shots at uneven times, ten per second, as they arrive in packets.
+audio::SoundEvents make_events(int packet) {
   static const audio::SoundPtr shot = sine_sound(700, 0.2, 6000), hum = looping(sine_sound(200, 0.1, 2400));
   audio::SoundEvents events;
   if (packet == 0) {
@@ -50,20 +50,20 @@ Stereo play(double updates_per_second) {
   std::size_t mixed = 0;
   const auto go_to = [&](double time_s) {
     const auto frame = static_cast<std::size_t>(std::llround(time_s * static_cast<double>(kSecond)));
-    mixer.follow(scene_at(time_s), frame - mixed);
+    mixer.set_scene(scene_at(time_s), frame - mixed);
     const Stereo part = rendered(mixer, frame - mixed);
     heard.left.insert(heard.left.end(), part.left.begin(), part.left.end());
     heard.right.insert(heard.right.end(), part.right.begin(), part.right.end());
     mixed = frame;
   };
-  mixer.follow(scene_at(0), 0);
-  mixer.happen(events_of(0));
+  mixer.set_scene(scene_at(0), 0);
+  mixer.handle_events(make_events(0));
   int packet = 1;
   for (int update = 1; update <= kLength_s * updates_per_second; ++update) {
     const double time_s = update / updates_per_second;
     for (; packet * 0.0487 <= time_s; ++packet) {
       go_to(packet * 0.0487);
-      mixer.happen(events_of(packet));
+      mixer.handle_events(make_events(packet));
     }
     go_to(time_s);
   }

@@ -98,7 +98,7 @@ TEST(LiveMixer, OnlySoMuchWaitsForADeviceThatHangs) {
   all.stopped.push_back({1, 1});
   for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), all);
   EXPECT_LT(sound.use_count(), kMaxKept);
-  all.begins_anew = true;
+  all.stops_all = true;
   mixer.post(quiet_scene(), all);
   EXPECT_LT(sound.use_count(), 5);
 }
@@ -106,7 +106,7 @@ TEST(LiveMixer, OnlySoMuchWaitsForADeviceThatHangs) {
 TEST(LiveMixer, WhatGoesOnIsHeardWhenTheDeviceIsBack) {
   LiveMixer mixer;
   SoundEvents level;
-  level.begins_anew = level.new_ambients = true;
+  level.stops_all = level.new_ambients = true;
   level.statics.push_back({.sound = looping(constant_sound(0.125f, 480)), .volume = 1, .attenuation = 0});
   mixer.post(quiet_scene(), level);
   for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), started(constant_sound(0.01f, 100), i % 50, 1));
@@ -153,7 +153,7 @@ TEST(LiveMixerThreads, PostingAndPlayingAtOnce) {
     SoundEvents events =
         started(sine_sound(random.log_uniform(50, 5000), 0.5, 1 + random.below(20000)),
                 static_cast<std::int32_t>(random.below(20)), static_cast<int>(random.below(8)));
-    events.begins_anew = random.chance(0.01);
+    events.stops_all = random.chance(0.01);
     if (random.chance(0.3)) events.stopped.push_back({static_cast<std::int32_t>(random.below(20)), 1});
     mixer.post(scene, events);
     if (random.chance(0.02)) mixer.pause_music(random.chance(0.5));

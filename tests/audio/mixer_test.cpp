@@ -20,7 +20,7 @@ constexpr std::int32_t kSelf = 1, kOther = 7;
 // The sounds differ by their values, so the sum of what plays says which they are.
 class MixerTest : public ::testing::Test {
  protected:
-  MixerTest() { mixer.follow(quiet_scene(), 0); }
+  MixerTest() { mixer.set_scene(quiet_scene(), 0); }
 
   void start(float value, std::int32_t entity, int channel, std::size_t frames = 10 * kSecond) {
     SoundEvents events;
@@ -30,7 +30,7 @@ class MixerTest : public ::testing::Test {
                               .channel = channel,
                               .origin_world = {10, 0, 0},
                               .attenuation = 0});
-    mixer.happen(events);
+    mixer.handle_events(events);
   }
   // Some time later, when nothing fades any more.
   float level() { return rendered(mixer, kSecond / 10).left.back(); }
@@ -74,14 +74,14 @@ TEST_F(MixerTest, LevelsFollowTheLawOfDistanceAndSide) {
            Place{"no place at all", {NAN, 0, 0}, 1, 1, 0, 0},
        }) {
     Mixer one;
-    one.follow(quiet_scene(), 0);
+    one.set_scene(quiet_scene(), 0);
     SoundEvents events;
     events.started.push_back({.sound = constant_sound(0.25f, kSecond),
                               .entity = kOther,
                               .origin_world = place.origin,
                               .volume = place.volume,
                               .attenuation = place.attenuation});
-    one.happen(events);
+    one.handle_events(events);
     const Stereo heard = rendered(one, 2000);
     EXPECT_NEAR(heard.left.back(), 0.25 * place.left, 2e-5) << place.what;
     EXPECT_NEAR(heard.right.back(), 0.25 * place.right, 2e-5) << place.what;
@@ -92,7 +92,7 @@ TEST_F(MixerTest, OwnSoundsAreHeardInFullWhereverTheyAre) {
   SoundEvents events;
   events.started.push_back(
       {.sound = constant_sound(0.25f, kSecond), .entity = kSelf, .origin_world = {0, 5000, 0}});
-  mixer.happen(events);
+  mixer.handle_events(events);
   const Stereo heard = rendered(mixer, 2000);
   EXPECT_EQ(heard.left.back(), 0.25f);
   EXPECT_EQ(heard.right.back(), 0.25f);
@@ -101,7 +101,7 @@ TEST_F(MixerTest, OwnSoundsAreHeardInFullWhereverTheyAre) {
 TEST_F(MixerTest, VolumeOfSoundsLeavesMusicAlone) {
   audio::Scene scene = quiet_scene();
   scene.volumes = {.sounds = 0.5f, .music = 0.25f};
-  mixer.follow(scene, 0);
+  mixer.set_scene(scene, 0);
   start(0.4f, kSelf, 0);
   std::vector<float> out(20000);
   mixer.render(out, std::vector<float>(out.size(), 0.8f));
@@ -143,7 +143,7 @@ TEST_F(MixerTest, StoppedSoundsStopAndNoOthers) {
   start(0.4f, kOther + 1, 1);
   SoundEvents events;
   events.stopped.push_back({kOther, 1});
-  mixer.happen(events);
+  mixer.handle_events(events);
   EXPECT_NEAR(level(), 0.6, 1e-6);
 }
 
@@ -151,7 +151,7 @@ TEST_F(MixerTest, SoundThatIsMissingStillTakesItsPlace) {
   start(0.1f, kOther, 1);
   SoundEvents events;
   events.started.push_back({.sound = nullptr, .entity = kOther, .channel = 1});
-  mixer.happen(events);
+  mixer.handle_events(events);
   EXPECT_EQ(level(), 0);
 }
 
@@ -167,11 +167,11 @@ TEST_F(MixerTest, SoundEndsAndItsVoiceIsFree) {
 TEST_F(MixerTest, StaticSoundsLoopAndEndWithTheLevel) {
   SoundEvents events;
   events.statics.push_back({looping(constant_sound(0.1f, 777)), {500, 0, 0}, 1, 1});
-  mixer.happen(events);
+  mixer.handle_events(events);
   EXPECT_FLOAT_EQ(rendered(mixer, 5 * kSecond).left.back(), 0.05f);
-  SoundEvents anew;
-  anew.begins_anew = true;
-  mixer.happen(anew);
+  SoundEvents restart;
+  restart.stops_all = true;
+  mixer.handle_events(restart);
   EXPECT_EQ(level(), 0);
   EXPECT_EQ(mixer.stats().voices, 0u);
 }
@@ -186,7 +186,7 @@ TEST_F(MixerTest, WhenFullTheShortestRestMakesRoomButNotOnesOwnNorLoops) {
   start(0.5f, kSelf, 1, kSecond / 2);
   SoundEvents events;
   events.statics.push_back({looping(constant_sound(0.1f, 10)), {0, 0, 0}, 1, 0});
-  mixer.happen(events);
+  mixer.handle_events(events);
   start(0.05f, kOther, 0, kSecond / 2);
   for (std::size_t i = 3; i < Mixer::kMaxVoices; ++i) start(0, kOther, 0, kSecond);
   EXPECT_NEAR(level(), 0.65, 1e-5);
@@ -209,7 +209,7 @@ TEST_F(MixerTest, DuplicatesOfOneMomentBeginFurtherIn) {
   const audio::SoundPtr sound = std::make_shared<const audio::Sound>(ticks);
   SoundEvents events;
   for (int i = 0; i < 3; ++i) events.started.push_back({.sound = sound, .entity = kSelf});
-  mixer.happen(events);
+  mixer.handle_events(events);
   const Stereo heard = rendered_from_start(mixer, kSecond);
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < heard.left.size(); ++i)
@@ -225,9 +225,9 @@ TEST_F(MixerTest, SameSoundAMomentLaterIsWhole) {
   const audio::SoundPtr sound = std::make_shared<const audio::Sound>(ticks);
   SoundEvents events;
   events.started.push_back({.sound = sound, .entity = kSelf});
-  mixer.happen(events);
+  mixer.handle_events(events);
   rendered(mixer, 100);
-  mixer.happen(events);
+  mixer.handle_events(events);
   const Stereo heard = rendered_from_start(mixer, kSecond);
   EXPECT_EQ(heard.left[kSecond / 2], 0.1f);
 }
@@ -239,12 +239,12 @@ class Ambients : public MixerTest {
     events.new_ambients = true;
     events.ambients = {looping(constant_sound(0.5f, 1000)), looping(constant_sound(0.25f, 1000)), nullptr,
                        nullptr};
-    mixer.happen(events);
+    mixer.handle_events(events);
   }
   void set(std::uint8_t water, std::uint8_t sky) {
     audio::Scene scene = quiet_scene();
     scene.ambient_levels = {water, sky, 255, 255};
-    mixer.follow(scene, 0);
+    mixer.set_scene(scene, 0);
   }
 };
 
@@ -279,12 +279,12 @@ TEST_F(MixerTest, CallsOfAnySizeGiveTheSameSound) {
     audio::Scene scene = quiet_scene();
     scene.volumes.muffled_underwater = 1;
     scene.listener.underwater = true;
-    one.follow(scene, 0);
+    one.set_scene(scene, 0);
     SoundEvents events;
     events.started.push_back({.sound = sine_sound(440, 0.9, 9000), .entity = kSelf});
     events.started.push_back(
         {.sound = looping(sine_sound(1000, 0.9, 960)), .entity = kOther, .attenuation = 0});
-    one.happen(events);
+    one.handle_events(events);
     std::vector<float> heard;
     while (heard.size() < 24000) {
       const Stereo part = rendered(one, piece);
@@ -303,24 +303,24 @@ TEST_F(MixerTest, CallsOfAnySizeGiveTheSameSound) {
 }
 
 TEST_F(MixerTest, UnderWaterHighSoundsAreWeakerIfSoWished) {
-  const auto level_of = [](double frequency_hz, float muffled, bool underwater) {
+  const auto measure_level = [](double frequency_hz, float muffled, bool underwater) {
     Mixer one;
     audio::Scene scene = quiet_scene();
     scene.volumes.muffled_underwater = muffled;
     scene.listener.underwater = underwater;
-    one.follow(scene, 0);
+    one.set_scene(scene, 0);
     SoundEvents events;
     events.started.push_back({.sound = sine_sound(frequency_hz, 0.5, 2 * kSecond), .entity = kSelf});
-    one.happen(events);
+    one.handle_events(events);
     const Stereo heard = rendered(one, kSecond);
-    return to_db(amplitude_of(std::span(heard.left).last(kSecond / 2), frequency_hz) / 0.5);
+    return to_db(measure_amplitude(std::span(heard.left).last(kSecond / 2), frequency_hz) / 0.5);
   };
-  EXPECT_NEAR(level_of(100, 1, true), 0, 0.5);
-  EXPECT_NEAR(level_of(450, 1, true), -3, 0.5) << "where the filter's two poles are";
-  EXPECT_LT(level_of(4000, 1, true), -35);
-  EXPECT_GT(level_of(4000, 0.3f, true), -6);
-  EXPECT_NEAR(level_of(4000, 0, true), 0, 0.01);
-  EXPECT_NEAR(level_of(4000, 1, false), 0, 0.01);
+  EXPECT_NEAR(measure_level(100, 1, true), 0, 0.5);
+  EXPECT_NEAR(measure_level(450, 1, true), -3, 0.5) << "where the filter's two poles are";
+  EXPECT_LT(measure_level(4000, 1, true), -35);
+  EXPECT_GT(measure_level(4000, 0.3f, true), -6);
+  EXPECT_NEAR(measure_level(4000, 0, true), 0, 0.01);
+  EXPECT_NEAR(measure_level(4000, 1, false), 0, 0.01);
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ TEST_P(Music, IsDecodedAtTheMixersRate) {
   for (std::size_t at = 0; at < samples.size(); at += 1200) music.read(std::span(samples).subspan(at, 1200));
   const Stereo heard = split(std::span(samples).subspan(20000, 40000));
   const bool mono = GetParam().channels == 1;
-  EXPECT_NEAR(to_db(amplitude_of(heard.left, 440) / 0.5), 0, 0.3);
-  EXPECT_NEAR(to_db(amplitude_of(heard.right, mono ? 440 : 1000) / 0.5), 0, 0.3);
+  EXPECT_NEAR(to_db(measure_amplitude(heard.left, 440) / 0.5), 0, 0.3);
+  EXPECT_NEAR(to_db(measure_amplitude(heard.right, mono ? 440 : 1000) / 0.5), 0, 0.3);
   EXPECT_LT(rest_db(heard.left, 440), -30) << "lossy codecs leave little else";
   EXPECT_FALSE(music.has_failed());
 }
@@ -89,7 +89,7 @@ TEST_P(Music, BeginsAgainAtItsEnd) {
   EXPECT_FALSE(music.has_failed());
   for (const std::size_t second : {0u, 3u, 6u}) {
     const Stereo heard = split(std::span(samples).subspan(second * 96000 + 24000, 48000));
-    EXPECT_NEAR(to_db(amplitude_of(heard.left, 440) / 0.5), 0, 0.3) << second;
+    EXPECT_NEAR(to_db(measure_amplitude(heard.left, 440) / 0.5), 0, 0.3) << second;
   }
 }
 
@@ -163,7 +163,7 @@ TEST(MusicStreamThreads, PlaysWhatWasDecodedAheadAndSilenceBefore) {
   stream.play(tone(440));
   wait_until_ready(stream);
   stream.read(samples);
-  EXPECT_NEAR(amplitude_of(split(samples).left, 440), 0.5, 1e-3);
+  EXPECT_NEAR(measure_amplitude(split(samples).left, 440), 0.5, 1e-3);
 }
 
 TEST(MusicStreamThreads, AnotherTrackPauseAndStopBreakOffWithoutAClick) {
@@ -176,7 +176,7 @@ TEST(MusicStreamThreads, AnotherTrackPauseAndStopBreakOffWithoutAClick) {
     stream.read(samples);
     const Stereo stereo = split(samples);
     heard.insert(heard.end(), stereo.left.begin(), stereo.left.end());
-    return amplitude_of(std::span(stereo.left).last(frames / 2), 440);
+    return measure_amplitude(std::span(stereo.left).last(frames / 2), 440);
   };
   EXPECT_NEAR(listen(4817), 0.5, 0.01);
   stream.set_paused(true);
@@ -222,10 +222,10 @@ TEST(MusicStreamThreads, WhoPlaysNeverWaitsForAFile) {
   std::vector<float> samples(2 * 16000);
   stream.read(samples);
   const std::vector<float> left = split(samples).left;
-  EXPECT_NEAR(amplitude_of(std::span(left).last(8000), 880), 0.5, 1e-2);
+  EXPECT_NEAR(measure_amplitude(std::span(left).last(8000), 880), 0.5, 1e-2);
 }
 
-TEST(MusicStreamThreads, WhatCannotBeOpenedIsToldOnce) {
+TEST(MusicStreamThreads, UnreadableMusicIsReportedOnce) {
   audio::MusicStream stream;
   stream.play([] { return MusicDecoder::open(to_bytes("this is no music")); });
   std::optional<base::Error> failure;
@@ -234,7 +234,7 @@ TEST(MusicStreamThreads, WhatCannotBeOpenedIsToldOnce) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   ASSERT_TRUE(failure);
-  EXPECT_THAT(failure->message(), testing::HasSubstr("not music"));
+  EXPECT_THAT(failure->message(), testing::HasSubstr("not a playable music file"));
   EXPECT_FALSE(stream.take_failure());
 }
 

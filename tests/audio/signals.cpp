@@ -41,7 +41,7 @@ audio::SoundPtr constant_sound(float value, std::size_t frames) {
       audio::Sound{"constant", std::vector<float>(frames, value), std::nullopt});
 }
 
-double amplitude_of(std::span<const float> samples, double frequency_hz) {
+double measure_amplitude(std::span<const float> samples, double frequency_hz) {
   const double step = kTurn * frequency_hz / audio::kFramesPerSecond;
   std::complex<double> sum = 0;
   double weights = 0;

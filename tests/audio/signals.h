@@ -23,7 +23,7 @@ audio::SoundPtr constant_sound(float value, std::size_t frames);
 
 // The amplitude of that frequency in the samples, at the mixer's rate, as a Hann window sees it: what lies
 // four lines of the window or more away counts less than a thousandth of a percent.
-double amplitude_of(std::span<const float> samples, double frequency_hz);
+double measure_amplitude(std::span<const float> samples, double frequency_hz);
 // What is left of the samples' power without that frequency, as a share of it, in dB: the sine that fits best
 // is taken out, by least squares.
 double rest_db(std::span<const float> samples, double frequency_hz);

@@ -22,7 +22,7 @@ constexpr double kNatural = 0.5 * 2 * std::numbers::pi * kTone_hz / static_cast<
 
 class Smooth : public ::testing::Test {
  protected:
-  Smooth() : scene(quiet_scene()) { mixer.follow(scene, 0); }
+  Smooth() : scene(quiet_scene()) { mixer.set_scene(scene, 0); }
 
   // It begins at the height of its wave, so what is not faded in would jump by half of full scale.
   static audio::SoundPtr tone() {
@@ -36,9 +36,9 @@ class Smooth : public ::testing::Test {
   void start(std::int32_t entity, int channel, const math::Vec3& origin = math::Vec3(0.0f)) {
     SoundEvents events;
     events.started.push_back({.sound = tone(), .entity = entity, .channel = channel, .origin_world = origin});
-    mixer.happen(events);
+    mixer.handle_events(events);
   }
-  double step_of(std::size_t frames) {
+  double measure_max_step(std::size_t frames) {
     const Stereo heard = rendered(mixer, frames);
     return std::max(largest_step(heard.left), largest_step(heard.right));
   }
@@ -49,7 +49,7 @@ class Smooth : public ::testing::Test {
 
 TEST_F(Smooth, Start) {
   start(1, 0);
-  EXPECT_LT(step_of(4800), kNatural + 0.5 / 96 + 1e-3) << "within 2 ms";
+  EXPECT_LT(measure_max_step(4800), kNatural + 0.5 / 96 + 1e-3) << "within 2 ms";
 }
 
 TEST_F(Smooth, StopAndReplacement) {
@@ -57,36 +57,36 @@ TEST_F(Smooth, StopAndReplacement) {
   rendered(mixer, 4800);
   SoundEvents events;
   events.stopped.push_back({1, 1});
-  mixer.happen(events);
-  EXPECT_LT(step_of(4800), kNatural + 0.5 / 240 + 1e-3);
+  mixer.handle_events(events);
+  EXPECT_LT(measure_max_step(4800), kNatural + 0.5 / 240 + 1e-3);
   start(1, 1);
   rendered(mixer, 4800);
   start(1, 1);
-  EXPECT_LT(step_of(4800), 2 * kNatural + 0.5 / 96 + 0.5 / 240 + 1e-3);
-  SoundEvents anew;
-  anew.begins_anew = true;
-  mixer.happen(anew);
-  EXPECT_LT(step_of(4800), kNatural + 0.5 / 240 + 1e-3);
+  EXPECT_LT(measure_max_step(4800), 2 * kNatural + 0.5 / 96 + 0.5 / 240 + 1e-3);
+  SoundEvents restart;
+  restart.stops_all = true;
+  mixer.handle_events(restart);
+  EXPECT_LT(measure_max_step(4800), kNatural + 0.5 / 240 + 1e-3);
 }
 
 TEST_F(Smooth, ListenerThatTurnsAtOnceOrIsElsewhere) {
   start(2, 0, {0, -100, 0});
   rendered(mixer, 4800);
   scene.listener.right = {0, 1, 0};
-  mixer.follow(scene, 1);
+  mixer.set_scene(scene, 1);
   // The ears' gains of 1.8 and 0 change places in 5 ms.
-  EXPECT_LT(step_of(4800), 1.8 * (kNatural + 0.5 / 240) + 1e-3);
+  EXPECT_LT(measure_max_step(4800), 1.8 * (kNatural + 0.5 / 240) + 1e-3);
   scene.listener.origin_world = {0, 5000, 0};
-  mixer.follow(scene, 1);
-  EXPECT_LT(step_of(4800), 1.8 * (kNatural + 0.5 / 240) + 1e-3);
+  mixer.set_scene(scene, 1);
+  EXPECT_LT(measure_max_step(4800), 1.8 * (kNatural + 0.5 / 240) + 1e-3);
 }
 
 TEST_F(Smooth, VolumeThatChangesAtOnce) {
   start(1, 0);
   rendered(mixer, 4800);
   scene.volumes.sounds = 0;
-  mixer.follow(scene, 1);
-  EXPECT_LT(step_of(4800), kNatural + 0.5 / 240 + 1e-3);
+  mixer.set_scene(scene, 1);
+  EXPECT_LT(measure_max_step(4800), kNatural + 0.5 / 240 + 1e-3);
 }
 
 TEST_F(Smooth, DivingIn) {
@@ -95,20 +95,20 @@ TEST_F(Smooth, DivingIn) {
   scene.volumes.muffled_underwater = 1;
   for (const bool underwater : {true, false}) {
     scene.listener.underwater = underwater;
-    mixer.follow(scene, 1);
-    EXPECT_LT(step_of(kSecond / 2), 1.2 * kNatural) << underwater;
+    mixer.set_scene(scene, 1);
+    EXPECT_LT(measure_max_step(kSecond / 2), 1.2 * kNatural) << underwater;
   }
 }
 
 TEST_F(Smooth, OtherAmbientSound) {
   scene.ambient_levels = {255, 0, 0, 0};
-  mixer.follow(scene, 1);
+  mixer.set_scene(scene, 1);
   SoundEvents events;
   events.new_ambients = true;
   for (int i = 0; i < 3; ++i) {
     events.ambients[0] = tone();
-    mixer.happen(events);
-    EXPECT_LT(step_of(kSecond), 0.3 * (kNatural + 0.5 / 240) + 1e-3) << i;
+    mixer.handle_events(events);
+    EXPECT_LT(measure_max_step(kSecond), 0.3 * (kNatural + 0.5 / 240) + 1e-3) << i;
   }
 }
 
@@ -137,9 +137,9 @@ TEST(Battle, StaysWithinFullScaleForTenMinutes) {
     scene.listener.underwater = random.chance(0.1);
     scene.volumes = {1, 1, 1, 1};
     for (std::uint8_t& level : scene.ambient_levels) level = static_cast<std::uint8_t>(random.below(256));
-    mixer.follow(scene, out.size() / 2);
+    mixer.set_scene(scene, out.size() / 2);
     SoundEvents events;
-    events.begins_anew = random.chance(0.001);
+    events.stops_all = random.chance(0.001);
     for (std::size_t i = random.below(3); i > 0; --i)
       events.started.push_back({.sound = sounds[random.below(sounds.size())],
                                 .entity = static_cast<std::int32_t>(random.below(40)),
@@ -149,7 +149,7 @@ TEST(Battle, StaysWithinFullScaleForTenMinutes) {
       events.stopped.push_back(
           {static_cast<std::int32_t>(random.below(40)), static_cast<int>(random.below(8))});
     if (random.chance(0.002)) events.statics.push_back({sounds[0], random.in_cube(500), 1, 1});
-    mixer.happen(events);
+    mixer.handle_events(events);
     mixer.render(out);
     loudest = std::max(loudest, peak(out));
     most_voices = std::max(most_voices, mixer.stats().voices);

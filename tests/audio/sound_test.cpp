@@ -33,7 +33,7 @@ TEST_P(ResampledSine, KeepsItsFrequencyAndLevelAndNothingElseAppears) {
                         "sine")
           .value();
   EXPECT_NEAR(static_cast<double>(sound->samples.size()), kFramesPerSecond, 1);
-  EXPECT_NEAR(to_db(amplitude_of(middle(sound), tone.frequency_hz) / 0.5), 0, 0.1);
+  EXPECT_NEAR(to_db(measure_amplitude(middle(sound), tone.frequency_hz) / 0.5), 0, 0.1);
   // 16 bits alone are worth 92 dB at that level.
   EXPECT_LT(rest_db(middle(sound), tone.frequency_hz), -80);
 }
@@ -47,12 +47,12 @@ INSTANTIATE_TEST_SUITE_P(Rates, ResampledSine,
 TEST(Resampling, ImagesAreGone) {
   const SoundPtr sound = audio::make_sound(sine_wav(4000, 0.5, 11025, 11025), "sine").value();
   for (const double image_hz : {11025.0 - 4000, 11025.0 + 4000, 22050.0 - 4000})
-    EXPECT_LT(to_db(amplitude_of(middle(sound), image_hz) / 0.5), -80) << image_hz;
+    EXPECT_LT(to_db(measure_amplitude(middle(sound), image_hz) / 0.5), -80) << image_hz;
 }
 
 TEST(Resampling, WhatTheRateCannotHoldDoesNotComeBackFolded) {
   const SoundPtr sound = audio::make_sound(sine_wav(30000, 0.5, 96000, 96000), "sine").value();
-  EXPECT_LT(to_db(amplitude_of(middle(sound), kFramesPerSecond - 30000.0) / 0.5), -60);
+  EXPECT_LT(to_db(measure_amplitude(middle(sound), kFramesPerSecond - 30000.0) / 0.5), -60);
   EXPECT_LT(to_db(rms(middle(sound))), -60);
 }
 

@@ -13,7 +13,7 @@ std::uintptr_t address(const void* pointer) {
   return reinterpret_cast<std::uintptr_t>(pointer);
 }
 
-// The sizes of one frame's allocations, some of them larger than any first block.
+// The sizes of the allocations of one frame; some are larger than the first block.
 std::vector<std::size_t> random_sizes(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<std::size_t> sizes(200);
@@ -21,7 +21,7 @@ std::vector<std::size_t> random_sizes(std::uint64_t seed) {
   return sizes;
 }
 
-TEST(Arena, RoomsAreAlignedAndApart) {
+TEST(Arena, AllocationsAreAlignedAndDisjoint) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Arena arena;
     std::vector<std::span<std::uint8_t>> rooms;
@@ -30,14 +30,14 @@ TEST(Arena, RoomsAreAlignedAndApart) {
       ASSERT_EQ(rooms.back().size(), size);
       ASSERT_EQ(address(rooms.back().data()) % 64, 0u) << "seed " << seed;
     }
-    // Written one after another and still whole: none lies over another.
+    // All were written one after another and are still intact, so they do not overlap.
     for (std::size_t i = 0; i < rooms.size(); ++i)
       for (const std::uint8_t byte : rooms[i])
         ASSERT_EQ(byte, static_cast<std::uint8_t>(i)) << "seed " << seed;
   }
 }
 
-TEST(Arena, UsedBytesCountWhatWasGivenOut) {
+TEST(Arena, CountsUsedBytes) {
   Arena arena;
   EXPECT_EQ(arena.used_bytes(), 0u);
   arena.allocate<std::uint8_t>(1);
@@ -49,7 +49,8 @@ TEST(Arena, UsedBytesCountWhatWasGivenOut) {
   EXPECT_EQ(arena.used_bytes(), 0u);
 }
 
-// One block after the first frame: the same requests get the same, adjoining places in every later frame.
+// After the first frame there is one block: the same requests get the same adjacent places in every later
+// frame.
 TEST(Arena, WarmFrameReusesOneBlock) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const std::vector<std::size_t> sizes = random_sizes(seed);
@@ -68,12 +69,12 @@ TEST(Arena, WarmFrameReusesOneBlock) {
   }
 }
 
-TEST(Arena, EmptyRequestIsAnEmptyRoom) {
+TEST(Arena, EmptyRequestReturnsEmptySpan) {
   Arena arena;
   EXPECT_TRUE(arena.allocate<int>(0).empty());
 }
 
-TEST(ArenaVector, GrowsAsAVectorDoes) {
+TEST(ArenaVector, GrowsLikeVector) {
   Arena arena;
   std::mt19937_64 random(7);
   ArenaVector<std::uint64_t> ours(arena, 1);

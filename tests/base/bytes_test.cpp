@@ -9,15 +9,15 @@
 namespace temblor::base {
 namespace {
 
-ByteVector bytes_of(std::initializer_list<int> values) {
+ByteVector pack_bytes(std::initializer_list<int> values) {
   ByteVector bytes;
   for (const int value : values) bytes.push_back(static_cast<std::byte>(value));
   return bytes;
 }
 
 TEST(ByteReader, NumbersAreLittleEndian) {
-  const ByteVector bytes = bytes_of({0x01, 0x02, 0xff, 0xff, 0xfe, 0xca, 0x78, 0x56, 0x34, 0x12,  //
-                                     0xfe, 0xff, 0xff, 0xff, 0x00, 0x00, 0xc0, 0x3f});
+  const ByteVector bytes = pack_bytes({0x01, 0x02, 0xff, 0xff, 0xfe, 0xca, 0x78, 0x56, 0x34, 0x12,  //
+                                       0xfe, 0xff, 0xff, 0xff, 0x00, 0x00, 0xc0, 0x3f});
   ByteReader reader(bytes);
   EXPECT_EQ(reader.u16(), 0x0201);
   EXPECT_EQ(reader.i16(), -1);
@@ -29,12 +29,12 @@ TEST(ByteReader, NumbersAreLittleEndian) {
   EXPECT_EQ(reader.remaining(), 0u);
 }
 
-TEST(ByteReader, PastTheEndIsZeroAndStaysBad) {
-  const ByteVector bytes = bytes_of({1, 2, 3});
+TEST(ByteReader, ReadPastEndReturnsZeroAndFails) {
+  const ByteVector bytes = pack_bytes({1, 2, 3});
   ByteReader reader(bytes);
   EXPECT_EQ(reader.u32(), 0u);
   EXPECT_FALSE(reader.ok());
-  // Three bytes were left before; none is given out now.
+  // Three bytes were left before; now none are.
   EXPECT_EQ(reader.u8(), 0);
   EXPECT_EQ(reader.remaining(), 0u);
   reader.seek(0);
@@ -43,7 +43,7 @@ TEST(ByteReader, PastTheEndIsZeroAndStaysBad) {
 }
 
 TEST(ByteReader, HugeCountsDoNotWrapAround) {
-  const ByteVector bytes = bytes_of({1, 2, 3, 4});
+  const ByteVector bytes = pack_bytes({1, 2, 3, 4});
   ByteReader taking(bytes);
   taking.u8();
   EXPECT_TRUE(taking.take(std::numeric_limits<std::size_t>::max()).empty());
@@ -55,7 +55,7 @@ TEST(ByteReader, HugeCountsDoNotWrapAround) {
 }
 
 TEST(ByteReader, SeekReachesEveryOffsetUpToTheEnd) {
-  const ByteVector bytes = bytes_of({10, 11, 12});
+  const ByteVector bytes = pack_bytes({10, 11, 12});
   for (std::size_t offset = 0; offset < 3; ++offset) {
     ByteReader reader(bytes);
     reader.seek(offset);
@@ -69,7 +69,7 @@ TEST(ByteReader, SeekReachesEveryOffsetUpToTheEnd) {
 }
 
 TEST(ByteReader, FixedTextEndsAtZeroOrWidth) {
-  const ByteVector bytes = bytes_of({'a', 'b', 0, 'x', 'c', 'd', 'e', 'f'});
+  const ByteVector bytes = pack_bytes({'a', 'b', 0, 'x', 'c', 'd', 'e', 'f'});
   ByteReader reader(bytes);
   EXPECT_EQ(reader.fixed_text(4), "ab");
   EXPECT_EQ(reader.fixed_text(4), "cdef");
@@ -78,7 +78,7 @@ TEST(ByteReader, FixedTextEndsAtZeroOrWidth) {
   EXPECT_FALSE(reader.ok());
 }
 
-TEST(ByteWriter, LaysBytesOutAsTheFormatsDo) {
+TEST(ByteWriter, WritesLittleEndian) {
   ByteWriter writer;
   writer.u8(0xab);
   writer.align(4);
@@ -89,7 +89,7 @@ TEST(ByteWriter, LaysBytesOutAsTheFormatsDo) {
   writer.align(1);
   writer.bytes(as_bytes("z"));
   writer.patch(4, std::int32_t{0x01020304});
-  EXPECT_EQ(writer.view(), bytes_of({0xab, 0, 0, 0, 4, 3, 2, 1, 0xff, 0xff, 'a', 'b', 'd', 0, 0, 'z'}));
+  EXPECT_EQ(writer.view(), pack_bytes({0xab, 0, 0, 0, 4, 3, 2, 1, 0xff, 0xff, 'a', 'b', 'd', 0, 0, 'z'}));
 }
 
 using Number = std::variant<std::uint8_t, std::int16_t, std::uint32_t, float>;
@@ -108,7 +108,7 @@ Number random_number(std::mt19937_64& random) {
   }
 }
 
-TEST(ByteWriter, WhatIsWrittenIsRead) {
+TEST(ByteWriter, RoundTrips) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     std::mt19937_64 random(seed);
     std::vector<Number> record;
@@ -127,7 +127,7 @@ TEST(ByteWriter, WhatIsWrittenIsRead) {
   }
 }
 
-TEST(Bytes, TextAndBytesAreTwoViewsOfOneThing) {
+TEST(Bytes, TextAndBytesShareMemory) {
   const std::string text("a\0b", 3);
   EXPECT_EQ(as_text(as_bytes(text)), text);
   EXPECT_EQ(as_u8(as_bytes(text))[2], 'b');

@@ -1,5 +1,5 @@
-// Run under the thread sanitizer as well: what a job writes is plain memory, so that a missing
-// synchronization between the caller and a worker is a report, not luck.
+// Also run with the thread sanitizer. Jobs write to plain memory, so the sanitizer reports a missing
+// synchronization between the caller and a worker.
 #include "base/parallel_for.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(BackendsAndThreads, ParallelFor,
                          ::testing::Combine(::testing::Values(JobBackend::kOneTbb, JobBackend::kStdThread),
                                             ::testing::Values(1, 2, 3, 8)));
 
-// Each job waits for all the others: it ends only if they really run side by side.
+// Each job waits for all the others, so the loop ends only if they run at the same time.
 TEST(ParallelForThreads, JobsRunAtTheSameTime) {
   Jobs jobs(4, JobBackend::kStdThread);
   std::latch all_here(4);

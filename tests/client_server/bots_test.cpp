@@ -1,4 +1,4 @@
-// Clients that the program plays, as people see them: in the list of scores, in the way, and gone.
+// Bots on a server, as people see them: on the score board, in their slots, and gone.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// `number` bots, as soon as the level runs; they walk ahead and look about.
+// Makes `number` bots as soon as the level runs; they walk ahead and look around.
 std::string program_with_bots(int number) {
   std::string program = small_program(fmt::format(R"(
     entity() spawnclient = #454;
@@ -50,7 +50,7 @@ std::string program_with_bots(int number) {
   return program;
 }
 
-TEST(Bots, AreInTheListOfScoresAndMove) {
+TEST(Bots, AreOnTheScoreBoardAndMove) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(program_with_bots(1), {.max_clients = 4});
   const std::size_t me = served.add_client("tester");
@@ -78,12 +78,12 @@ TEST(Bots, MakeRoomForPeople) {
   for (std::size_t slot = 0; slot < 4; ++slot) EXPECT_TRUE(served.game().is_bot(slot));
   for (int i = 0; i < 4; ++i) {
     const std::size_t one = served.add_client("tester");
-    EXPECT_TRUE(served.run_until_playing(one)) << i << served.client(one).lost_because();
+    EXPECT_TRUE(served.run_until_playing(one)) << i << served.client(one).disconnect_reason();
   }
   for (std::size_t slot = 0; slot < 4; ++slot) EXPECT_FALSE(served.game().is_bot(slot));
 }
 
-TEST(Bots, CanBeKickedAndComeAnewWithTheNextLevel) {
+TEST(Bots, CanBeKickedAndReturnWithTheNextLevel) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(program_with_bots(1), {.max_clients = 4});
   const std::size_t me = served.add_client("tester");
@@ -107,7 +107,7 @@ TEST(Bots, CanBeKickedAndComeAnewWithTheNextLevel) {
   EXPECT_THAT(served.console(), Not(HasSubstr("failed")));
 }
 
-// The program is taken up again while they play.
+// Game code is reloaded while they play.
 TEST(Bots, PlayOnWhenTheProgramIsReloaded) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(program_with_bots(2), {.max_clients = 4});
@@ -116,7 +116,7 @@ TEST(Bots, PlayOnWhenTheProgramIsReloaded) {
   served.run(2);
   served.command("reload");
   served.run(5);
-  EXPECT_THAT(served.console(), HasSubstr("the game goes on"));
+  EXPECT_THAT(served.console(), HasSubstr("the game continues"));
   EXPECT_TRUE(served.client(me).is_playing());
   EXPECT_TRUE(served.game().is_bot(3));
   EXPECT_EQ(served.client(me).state().game().players[2].name, "Robin");

@@ -1,4 +1,4 @@
-// Recordings that a client makes of what it is told, played back.
+// Demos that a client records, played back.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(ClientRecording, ShowsWhatTheClientSaw) {
     player.state().events().clear();
     ++packets;
   }
-  EXPECT_FALSE(player.cut_short());
+  EXPECT_FALSE(player.is_truncated());
   EXPECT_GT(packets, 140u);
   EXPECT_THAT(prints, HasSubstr("for the record"));
   const client::Game& seen = served.client(me).state().game();
@@ -55,14 +55,14 @@ TEST(ClientRecording, ShowsWhatTheClientSaw) {
   EXPECT_NEAR(looks.y, 135, 1e-3);
 }
 
-TEST(ClientRecording, BeginsWithTheNextLevelAndGoesOnThroughOthers) {
+TEST(ClientRecording, BeginsWithTheNextLevelAndContinuesThroughOthers) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
   const std::size_t me = served.add_client("late");
   ASSERT_TRUE(served.run_until_playing(me));
   served.client(me).start_recording();
   served.run(1);
-  EXPECT_FALSE(served.client(me).finish_recording().has_value()) << "no level has begun";
+  EXPECT_FALSE(served.client(me).finish_recording().has_value()) << "no level has started";
   EXPECT_FALSE(served.client(me).finish_recording().has_value()) << "none was started";
 
   served.client(me).start_recording();

@@ -1,5 +1,5 @@
-// Updates that are told as differences, in whole games: who gets them, and what is left of them behind the
-// wire.
+// Snapshots that are sent as deltas, in whole games: which clients get them, and what they decode.
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using ::testing::Not;
 constexpr double kTick_s = 1.0 / 72;
 constexpr std::uint8_t kTimeMessage = 7;
 
-// A crowd that wanders about, comes and goes, and is heard.
+// A crowd that wanders around, comes and goes, and makes sounds.
 std::string lively_program() {
   constexpr std::string_view kStill = "void() StartFrame = {};";
   std::string program = small_program(R"(
@@ -62,29 +62,29 @@ bool is_update(base::Bytes packet) {
   return !packet.empty() && std::to_integer<std::uint8_t>(packet[0]) == kTimeMessage;
 }
 
-std::vector<base::ByteVector> updates_of(base::Bytes recording) {
+std::vector<base::ByteVector> list_updates(base::Bytes recording) {
   std::vector<base::ByteVector> updates;
   for (const DemPacket& packet : dem_packets(recording))
     if (is_update(packet.bytes)) updates.emplace_back(packet.bytes.begin(), packet.bytes.end());
   return updates;
 }
 
-std::size_t bytes_of(const std::vector<base::ByteVector>& packets) {
+std::size_t pack_bytes(const std::vector<base::ByteVector>& packets) {
   std::size_t bytes = 0;
   for (const base::ByteVector& packet : packets) bytes += packet.size();
   return bytes;
 }
 
-// What the server recorded of a player; without how the recording begins, of which no client is told.
+// The snapshots that the server recorded for a player, without the signon of the recording.
 std::vector<base::ByteVector> sent_snapshots(const ServedGame& served) {
   const auto recording = vfs::read_disk_file(served.folder().path() / "id1/film.dem");
   CHECK(recording.ok(), "{}", served.console());
-  std::vector<base::ByteVector> updates = updates_of(*recording);
+  std::vector<base::ByteVector> updates = list_updates(*recording);
   updates.erase(updates.begin());
   return updates;
 }
 
-// A client made by hand: joins, answers by `say_each_tick`, and keeps what is unreliable.
+// A client made by hand: it joins, answers with `say_each_tick`, and stores unreliable messages.
 class HandMadeClient {
  public:
   explicit HandMadeClient(ServedGame& io_served)
@@ -102,7 +102,7 @@ class HandMadeClient {
     }
   }
 
-  // `head`: before the move of each packet; empty: a stock client's.
+  // `head` precedes the move of each packet; empty: as in a stock client.
   void run(double seconds, const std::optional<net::NumberedPacket>& head) {
     for (const double until_s = served_.now_s() + seconds; served_.now_s() < until_s;) {
       served_.run(kTick_s);
@@ -123,8 +123,8 @@ class HandMadeClient {
     base::ByteWriter writer;
     if (head) {
       head->last_move = ++moves;
-      CHECK(net::write_client_message(net::StringCommand{net::command_of(*head)}, net::Protocol::kNetQuake,
-                                      writer)
+      CHECK(net::write_client_message(net::StringCommand{net::format_numbered_packet(*head)},
+                                      net::Protocol::kNetQuake, writer)
                 .ok());
     }
     CHECK(net::write_client_message(net::Move{.forward = 100}, net::Protocol::kNetQuake, writer).ok());
@@ -145,8 +145,8 @@ class HandMadeClient {
   int signon_ = 0;
 };
 
-// What the client records is what the server would have sent a stock one, byte for byte; and a small part of
-// it was sent.
+// What the client records is what the server would have sent to a stock client, byte for byte, although only
+// a small part of it was sent.
 TEST(Differences, RecordingsOfBothEndsAreTheSame) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(lively_program());
@@ -166,20 +166,20 @@ TEST(Differences, RecordingsOfBothEndsAreTheSame) {
   const auto own = served.client(me).finish_recording();
   ASSERT_TRUE(own.has_value());
 
-  const std::vector<base::ByteVector> told = sent_snapshots(served), got = updates_of(*own);
-  ASSERT_GT(told.size(), 700u);
-  const auto begin = std::find(got.begin(), got.end(), told.front());
+  const std::vector<base::ByteVector> whole = sent_snapshots(served), got = list_updates(*own);
+  ASSERT_GT(whole.size(), 700u);
+  const auto begin = std::find(got.begin(), got.end(), whole.front());
   ASSERT_NE(begin, got.end());
-  ASSERT_GE(static_cast<std::size_t>(got.end() - begin), told.size());
-  for (std::size_t i = 0; i < told.size(); ++i)
-    ASSERT_EQ(begin[static_cast<std::ptrdiff_t>(i)], told[i]) << i;
-  EXPECT_GT(bytes_of(told), told.size() * 200) << "or there is little to tell";
-  EXPECT_LT(sent, bytes_of(told) / 4);
-  RecordProperty("told_bytes", static_cast<int>(bytes_of(told)));
+  ASSERT_GE(static_cast<std::size_t>(got.end() - begin), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    ASSERT_EQ(begin[static_cast<std::ptrdiff_t>(i)], whole[i]) << i;
+  EXPECT_GT(pack_bytes(whole), whole.size() * 200) << "else there is little to compress";
+  EXPECT_LT(sent, pack_bytes(whole) / 4);
+  RecordProperty("whole_bytes", static_cast<int>(pack_bytes(whole)));
   RecordProperty("sent_bytes", static_cast<int>(sent));
 }
 
-TEST(Differences, StockClientsAreSentWhatTheyEverWere) {
+TEST(Differences, StockClientsAreSentTheSameAsEver) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(lively_program());
   HandMadeClient stock(served);
@@ -188,17 +188,17 @@ TEST(Differences, StockClientsAreSentWhatTheyEverWere) {
   stock.run(4, {});
   served.command("stop");
   stock.run(0.1, {});
-  const std::vector<base::ByteVector> told = sent_snapshots(served);
-  ASSERT_GT(told.size(), 250u);
-  const auto begin = std::find(stock.packets.begin(), stock.packets.end(), told.front());
+  const std::vector<base::ByteVector> whole = sent_snapshots(served);
+  ASSERT_GT(whole.size(), 250u);
+  const auto begin = std::find(stock.packets.begin(), stock.packets.end(), whole.front());
   ASSERT_NE(begin, stock.packets.end());
-  ASSERT_TRUE(std::equal(told.begin(), told.end(), begin));
+  ASSERT_TRUE(std::equal(whole.begin(), whole.end(), begin));
   EXPECT_THAT(stock.stuffed, HasSubstr("//temblor moves"));
   EXPECT_THAT(stock.stuffed, Not(HasSubstr("differences")));
 }
 
-// A client of ours that knows of no differences says nothing of them.
-TEST(Differences, WhoOnlyNumbersItsMovesIsToldWhole) {
+// A client that numbers its moves, but does not accept deltas.
+TEST(Differences, AClientThatOnlyNumbersItsMovesGetsWholeSnapshots) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(lively_program());
   HandMadeClient client(served);
@@ -208,7 +208,7 @@ TEST(Differences, WhoOnlyNumbersItsMovesIsToldWhole) {
   EXPECT_TRUE(std::all_of(client.packets.begin(), client.packets.end(), is_update));
 }
 
-TEST(Differences, ForgedAcknowledgementsHarmNobody) {
+TEST(Differences, ForgedAcknowledgmentsHarmNobody) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(lively_program());
   const std::size_t good = served.add_client("good");
@@ -237,7 +237,7 @@ TEST(Differences, ForgedAcknowledgementsHarmNobody) {
   EXPECT_TRUE(served.client(good).is_playing());
 }
 
-// The level changes, and its protocol with it, while packets are late, lost and twice there.
+// The level and its protocol change while packets are delayed, lost and duplicated.
 TEST(Differences, LevelsAndProtocolsChangeInABadNetwork) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(
@@ -252,12 +252,13 @@ TEST(Differences, LevelsAndProtocolsChangeInABadNetwork) {
         "sv_protocol 15; changelevel small", "reload"}) {
     served.command(change);
     served.run(8);
-    ASSERT_TRUE(served.client(me).is_playing()) << change << ": " << served.client(me).lost_because();
-    ASSERT_TRUE(served.client(other).is_playing()) << change << ": " << served.client(other).lost_because();
+    ASSERT_TRUE(served.client(me).is_playing()) << change << ": " << served.client(me).disconnect_reason();
+    ASSERT_TRUE(served.client(other).is_playing())
+        << change << ": " << served.client(other).disconnect_reason();
     const std::uint64_t updates = served.client(me).updates();
     const std::uint64_t bytes = served.network().bytes_sent_to(my_address);
     served.run(4);
-    EXPECT_GT(served.client(me).updates(), updates + 80) << change << ": late ones are passed over, as ever";
+    EXPECT_GT(served.client(me).updates(), updates + 80) << change << ": late ones are ignored, as always";
     EXPECT_LT(served.network().bytes_sent_to(my_address) - bytes, 4u * 6000) << change;
   }
 }

@@ -1,5 +1,5 @@
-// Clients that take their time to load a level. Stock ones read packets meanwhile to stay connected, and give
-// up when there is anything in them.
+// Clients that load a level slowly. Stock ones read packets in the meantime to stay connected, and give
+// up if these contain anything.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A client that says nothing by itself, and keeps the names of levels and the text of all that it is told.
+// A client that sends nothing on its own, and stores the names of levels and all text that it is sent.
 class SlowClient {
  public:
   explicit SlowClient(ServedGame& io_served)
@@ -38,9 +38,9 @@ class SlowClient {
   }
 
   int levels = 0;       // serverinfos
-  int since_level = 0;  // messages that came behind the last of them, but for what it brought with it
-  int signon = 0;       // number of the last
-  std::string texts;    // prints and stuffed lines
+  int since_level = 0;  // messages after the last serverinfo, except those that belong to it
+  int signon = 0;       // the last signon number
+  std::string texts;    // prints and stufftexts
 
  private:
   void read(base::Bytes packet) {
@@ -64,7 +64,7 @@ class SlowClient {
   net::MessageReader reader_;
 };
 
-TEST(Joining, WhoLoadsALevelIsToldNothing) {
+TEST(Joining, ALoadingClientIsSentNothing) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
   const std::size_t other = served.add_client("talker");
@@ -83,7 +83,7 @@ TEST(Joining, WhoLoadsALevelIsToldNothing) {
   for (int i = 0; i < 10; ++i) EXPECT_THAT(slow.texts, HasSubstr(fmt::format("line {}\n", i)));
 }
 
-TEST(Joining, ALevelThatChangesMeanwhileIsToldOfAfterTheFirst) {
+TEST(Joining, ALevelThatChangesMeanwhileFollowsTheFirst) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
   SlowClient slow(served);
@@ -104,11 +104,11 @@ TEST(Joining, ALevelThatChangesMeanwhileIsToldOfAfterTheFirst) {
     slow.run(1);
   }
   EXPECT_EQ(slow.signon, 3);
-  EXPECT_EQ(served.server().clients()[0].stage, server::ClientStage::kPlaying);
+  EXPECT_EQ(served.server().clients[0].stage, server::ClientStage::kPlaying);
 }
 
-// The second change comes before the first could be sent: nobody waits for an answer to it.
-TEST(Joining, LevelsThatFollowAtOnceAreToldOfOnce) {
+// The second change happens before the first could be sent: no answer to the first is expected.
+TEST(Joining, LevelsThatFollowAtOnceAreSentOnce) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(small_program(), {.conditions = {.delay_s = 0.1}});
   const std::size_t me = served.add_client("me");
@@ -117,11 +117,11 @@ TEST(Joining, LevelsThatFollowAtOnceAreToldOfOnce) {
     served.command(line);
     served.run(5);
     EXPECT_TRUE(served.client(me).is_playing()) << line << served.console();
-    EXPECT_EQ(served.server().clients()[0].stage, server::ClientStage::kPlaying) << line;
+    EXPECT_EQ(served.server().clients[0].stage, server::ClientStage::kPlaying) << line;
   }
 }
 
-TEST(Joining, WhoComesWhileTheLevelChangesGetsThere) {
+TEST(Joining, AClientThatConnectsDuringALevelChangeGetsThere) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
   const std::size_t me = served.add_client("me");
@@ -130,7 +130,7 @@ TEST(Joining, WhoComesWhileTheLevelChangesGetsThere) {
     served.run(0.03);
   }
   served.run(5);
-  EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).lost_because() << served.console();
+  EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).disconnect_reason() << served.console();
 }
 
 }  // namespace

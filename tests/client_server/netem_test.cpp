@@ -1,6 +1,6 @@
-// A bad network that the kernel makes (tc netem), in a network namespace of the test's own: real sockets,
-// losses, copies and delays that are not ours. The same in process, for longer and on a virtual clock:
-// hostile_test.cpp.
+// A bad network simulated by the kernel (tc netem), in a network namespace of its own: real sockets,
+// and losses, copies and delays that are not ours. For the same in process, longer and on a virtual clock,
+// see hostile_test.cpp.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ bool runs(const std::string& command) {
   return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-// A namespace in which nothing but this process's own traffic passes; the old one comes back afterwards.
+// A namespace with only this process's own traffic; the destructor restores the old one.
 class OwnNetwork {
  public:
   OwnNetwork() : outside_(open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC)) {
@@ -42,7 +42,7 @@ class OwnNetwork {
   OwnNetwork(const OwnNetwork&) = delete;
   OwnNetwork& operator=(const OwnNetwork&) = delete;
 
-  // What there is not on this machine; empty: all is here.
+  // What this machine lacks; empty: nothing.
   const std::string& missing() const { return missing_; }
   bool become_bad() { return runs(fmt::format("tc qdisc add dev lo root netem {}", kConditions)); }
   bool become_good() { return runs("tc qdisc del dev lo root"); }
@@ -52,17 +52,17 @@ class OwnNetwork {
   std::string missing_;
 };
 
-TEST(NetemNetwork, NobodyIsLostAndNothingThatWasSaid) {
+TEST(NetemNetwork, NoClientAndNoChatLineIsLost) {
   SKIP_WITHOUT_QUAKEC();
   OwnNetwork network;
   if (!network.missing().empty()) GTEST_SKIP() << network.missing();
   ServedGame served(small_program(), {.is_real = true});
-  // A connection is asked for three times: in the bad network one of two dozen would not come about.
+  // A client asks for a connection only three times; in the bad network one of two dozen would fail.
   for (int i = 0; i < 2; ++i) ASSERT_TRUE(served.run_until_playing(served.add_client(fmt::format("p{}", i))));
   ASSERT_TRUE(network.become_bad());
   served.run(20);
   for (const std::size_t player : {0u, 1u})
-    ASSERT_TRUE(served.client(player).is_playing()) << served.client(player).lost_because();
+    ASSERT_TRUE(served.client(player).is_playing()) << served.client(player).disconnect_reason();
   const std::uint64_t before = served.client(0).updates();
   constexpr int kLines = 100;
   for (int i = 0; i < kLines; ++i) {
@@ -71,7 +71,7 @@ TEST(NetemNetwork, NobodyIsLostAndNothingThatWasSaid) {
   }
   served.run(20);
   for (const std::size_t player : {0u, 1u}) {
-    ASSERT_TRUE(served.client(player).is_playing()) << served.client(player).lost_because();
+    ASSERT_TRUE(served.client(player).is_playing()) << served.client(player).disconnect_reason();
     std::size_t at = 0;
     for (int i = 0; i < kLines; ++i) {
       at = served.prints(player).find(fmt::format("line {} of it", i), at);

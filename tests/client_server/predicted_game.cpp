@@ -28,7 +28,7 @@ PredictedGame::PredictedGame(const std::filesystem::path& data, const std::strin
                           .program_file = TEMBLOR_GAME_PROGRAM,
                           .print = [this](std::string_view text) { console_ += text; },
                           .seed = seed});
-  const base::Status started = server_->start_map(map);
+  const base::Status started = server::start_map(*server_, map);
   CHECK(started.ok(), "{}", started.error().message());
   level_ = library_->level("maps/" + map + ".bsp").value().level;
   client_.connect(kServer, now_s_);
@@ -38,7 +38,7 @@ bool PredictedGame::join() {
   for (int i = 0; i < 2000 && !shown_; ++i) frame({});
   if (!shown_) return false;
   player().set_flag(server::flag::kGodMode);
-  run(3);  // some come late
+  run(3);  // some packets arrive late
   remove_monsters();
   run(0.5);
   return true;
@@ -56,16 +56,16 @@ void PredictedGame::remove_monsters() {
 void PredictedGame::frame(const net::Move& doing) {
   now_s_ += frame_s;
   network_.advance_to(now_s_);
-  for (int due = client_.moves_due(now_s_); due > 0; --due) {
+  for (int due = client_.count_due_moves(now_s_); due > 0; --due) {
     client_.send_move(doing);
     ++moves_sent_;
   }
-  server_->step(now_s_);
+  server::step_server(*server_, now_s_);
   client_.update(now_s_);
   client::ClientState& state = client_.state();
   if (!client_.is_playing()) return;
   drawn_time_s_ = std::clamp(drawn_time_s_ + frame_s, state.previous_time_s(), state.time_s());
-  const std::span<const client::SeenEntity> seen = state.entities_at(drawn_time_s_, {});
+  const std::span<const client::InterpolatedEntity> seen = state.interpolate_entities(drawn_time_s_, {});
   drawn_.assign(seen.begin(), seen.end());
   prediction_.begin_frame(client_, doing, now_s_);
   shown_ = prediction_.advance(state, *level_, drawn_);
@@ -80,7 +80,7 @@ void PredictedGame::put_player(const math::Vec3& origin) {
   player().set(server::field::kOrigin, origin);
   player().set(server::field::kVelocity, math::Vec3(0.0f));
   const base::Status linked =
-      server::link(server_->game()->world(), player().index(), server::TouchTriggers::kNo);
+      server::link(server_->game->world(), player().index(), server::TouchTriggers::kNo);
   CHECK(linked.ok());
   run(1);
 }

@@ -1,5 +1,5 @@
-// A server of ours with the shipped game on a level of the data, and a client that predicts, over a network
-// and a clock that the test turns.
+// A server with the shipped game on a level of the data, and a client that predicts, on a network
+// and a clock that the test controls.
 #pragma once
 
 #include <memory>
@@ -20,27 +20,27 @@ namespace temblor::test {
 
 class PredictedGame {
  public:
-  // A game of one, without monsters from join() on.
+  // A single-player game, without monsters from join() on.
   PredictedGame(const std::filesystem::path& data, const std::string& map,
                 const NetworkConditions& conditions, std::uint64_t seed = 1);
 
-  // Until the client plays and its moves are acknowledged; false: it does not.
+  // Runs until the client plays and its moves are acknowledged; false: that takes too long.
   bool join();
-  // One frame in which the player does this; `forward` and so on of the move are his keys.
+  // Runs one frame with this input; `forward` and so on of the move are the player's keys.
   void frame(const net::Move& doing);
   void run(double seconds, const net::Move& doing = {});
   // Puts the player somewhere, and waits until client and server agree on it.
   void put_player(const math::Vec3& origin);
 
-  server::Edict player() { return server_->game()->player(0); }
-  server::Game& game() { return *server_->game(); }
+  server::Edict player() { return server_->game->player(0); }
+  server::Game& game() { return *server_->game; }
   server::Server& server() { return *server_; }
   client::Connection& client() { return client_; }
   client::Prediction& prediction() { return prediction_; }
   const world::Level& level() const { return *level_; }
-  // Of the last frame.
-  const std::optional<client::OwnMotion>& shown() const { return shown_; }
-  std::span<const client::SeenEntity> drawn() const { return drawn_; }
+  // The result of the last frame.
+  const std::optional<client::PredictedMotion>& shown() const { return shown_; }
+  std::span<const client::InterpolatedEntity> drawn() const { return drawn_; }
   double now_s() const { return now_s_; }
   double frame_s = 1.0 / 60;
   std::uint64_t moves_sent() const { return moves_sent_; }
@@ -56,8 +56,8 @@ class PredictedGame {
   client::Connection client_;
   client::Prediction prediction_;
   std::shared_ptr<const world::Level> level_;
-  std::optional<client::OwnMotion> shown_;
-  std::vector<client::SeenEntity> drawn_;
+  std::optional<client::PredictedMotion> shown_;
+  std::vector<client::InterpolatedEntity> drawn_;
   std::string console_;
   double now_s_ = 50, drawn_time_s_ = 0;
   std::uint64_t moves_sent_ = 0;

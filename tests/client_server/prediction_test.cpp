@@ -1,4 +1,4 @@
-// The player's own moves ahead of the server's word, measured on real levels.
+// Prediction of the player's own moves, measured on real levels.
 #include "client/prediction/prediction.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ namespace {
 using math::Vec3;
 namespace field = server::field;
 
-// 200 ms there and back, and one packet in twenty lost each way.
+// A ping of 200 ms, and one packet in twenty lost in each direction.
 constexpr NetworkConditions kFarAway{.loss = 0.05, .delay_s = 0.1, .jitter_s = 0.01};
 constexpr float kMaxUnits = 2;
 constexpr math::Bounds kBody{movement::kPlayerMins, movement::kPlayerMaxs};
@@ -69,12 +69,12 @@ TEST(Prediction, WalkingStartsInTheNextFrame) {
   fmt::print("walking: {:.3f} units in the frame of the key, {:.3f} with the next\n", first, second);
   EXPECT_GT(first, 0.1f);
   EXPECT_GT(second, 2 * first);
-  EXPECT_EQ(game.player()[field::kOrigin], before) << "the server has heard nothing of it yet";
+  EXPECT_EQ(game.player()[field::kOrigin], before) << "the server has not received the move yet";
 }
 
-// --- The same step as the server's.
+// --- The client's ticks are the same as the server's.
 
-// Random keys, held for a moment each.
+// Random keys, each held for a moment.
 class RandomKeys {
  public:
   explicit RandomKeys(std::uint64_t seed) : random_(seed) {}
@@ -102,7 +102,7 @@ class RandomKeys {
   float yaw_deg_ = 0, turn_deg_ = 0;
 };
 
-// Nothing that is walked into does anything to the player.
+// Removes everything that acts on a player who walks into it.
 void disarm_triggers(server::Game& io_game) {
   server::Edicts& edicts = io_game.world().edicts;
   for (std::uint32_t i = 0; i < edicts.count(); ++i) {
@@ -118,7 +118,7 @@ std::vector<client::SolidModel> exact_solids(server::Game& io_game) {
     const vm::EntityIndex index{i};
     if (world.edicts.is_free(index)) continue;
     const server::Edict edict = io_game.world().edicts[index];
-    const server::ServerModel* model = world.model_of(edict);
+    const server::ServerModel* model = world.find_model(edict);
     if (edict.solid() == server::Solid::kBsp && model != nullptr && model->brush_model)
       solids.push_back({i, *model->brush_model, edict[field::kOrigin]});
   }
@@ -135,17 +135,17 @@ Agreement compare_tick_by_tick(PredictedGame& io_game, std::uint64_t seed, int t
   RandomKeys keys(seed);
   io_game.frame_s = 1.0 / 72;
   disarm_triggers(io_game.game());
-  net::MoveAcknowledgement before{};
+  net::MoveAcknowledgment before{};
   for (int tick = 0; tick < ticks; ++tick) {
     io_game.frame(keys.next());
-    const std::uint32_t number = io_game.server().clients()[0].moves.played();
-    const net::MoveAcknowledgement after = server::acknowledgement(io_game.game(), 0, number);
+    const std::uint32_t number = io_game.server().clients[0].moves.last_played();
+    const net::MoveAcknowledgment after = server::make_acknowledgment(io_game.game(), 0, number);
     const std::vector<client::SolidModel> solids = exact_solids(io_game.game());
     if (tick > 0 && after.number == before.number + 1) {
       const client::PredictionWorld world{io_game.level(), solids,
-                                          client::settings_of(*io_game.client().move_parameters()),
+                                          io_game.client().move_parameters()->physics,
                                           io_game.player()[field::kViewOffset].z};
-      client::PredictedPlayer predicted = client::predicted_from(before);
+      client::PredictedPlayer predicted = client::make_predicted_player(before);
       for (const client::NumberedMove& sent : io_game.client().sent_moves())
         if (sent.number == after.number)
           client::step(predicted, sent.move, io_game.client().move_parameters()->world_tick_s, world);
@@ -179,8 +179,8 @@ TEST(Prediction, AStepIsTheServersOwnTickForTick) {
     climbed += result.climbed;
     in_water += result.in_water;
   }
-  EXPECT_GT(climbed, effort(20, 0)) << "or stairs were not tried";
-  EXPECT_GE(in_water, effort(100, 0)) << "or swimming was not";
+  EXPECT_GT(climbed, effort(20, 0)) << "else stairs were not tested";
+  EXPECT_GE(in_water, effort(100, 0)) << "else swimming was not tested";
 }
 
 // --- Stairs and lifts.
@@ -192,12 +192,12 @@ struct Lift {
   float speed = 0;
 };
 
-std::vector<Lift> lifts_of(PredictedGame& io_game) {
+std::vector<Lift> list_lifts(PredictedGame& io_game) {
   std::vector<Lift> lifts;
   server::Game& game = io_game.game();
   const server::Edicts& edicts = game.world().edicts;
   const vm::Program& program = game.machine().program();
-  // A field of a vector begins with its first number.
+  // A vector field starts with its first component.
   const auto field_named = [&](const char* name) {
     return server::Field<Vec3>{server::float_field(program, fmt::format("{}_x", name)).value().word};
   };
@@ -217,7 +217,7 @@ std::vector<Lift> lifts_of(PredictedGame& io_game) {
   return lifts;
 }
 
-// A place at that height from which a straight way leads to the middle of the lift.
+// A place at this height with a straight path to the middle of the lift.
 std::optional<Vec3> place_beside(PredictedGame& io_game, const Lift& lift, const Vec3& lift_origin) {
   const auto trace = [&](const Vec3& from, const Vec3& to) {
     return server::trace_move(io_game.game().world(), from, kBody.mins, kBody.maxs, to,
@@ -238,12 +238,12 @@ std::optional<Vec3> place_beside(PredictedGame& io_game, const Lift& lift, const
 }
 
 bool has_arrived(PredictedGame& io_game, const Lift& lift, const Vec3& where) {
-  const client::SeenEntity* seen =
+  const client::InterpolatedEntity* seen =
       client::find_entity(io_game.drawn(), static_cast<std::uint32_t>(lift.entity));
   return seen != nullptr && glm::distance(seen->origin_world, where) < 0.2f;
 }
 
-// Onto the lift, up, and off it: as soon as he sees it arrive, or pushing ahead all the way.
+// Onto the lift, up, and off it: as soon as the player sees it arrive, or walking ahead all the time.
 bool ride(PredictedGame& io_game, const Lift& lift, bool pushes) {
   io_game.run(12);  // until it is down again
   const auto below = place_beside(io_game, lift, lift.low);
@@ -273,7 +273,7 @@ void ride_all(const std::filesystem::path& data, const NetworkConditions& condit
   for (const char* map : {"lq_e1m2", "lqdm11", "lq_e0m2"}) {
     PredictedGame game(data, map, conditions);
     ASSERT_TRUE(game.join()) << map;
-    for (const Lift& lift : lifts_of(game))
+    for (const Lift& lift : list_lifts(game))
       for (const bool pushes : {false, true}) {
         if (!ride(game, lift, pushes)) continue;
         ++ridden;
@@ -281,7 +281,7 @@ void ride_all(const std::filesystem::path& data, const NetworkConditions& condit
         print_report(fmt::format("{}, lift of {} units a second in {}, {}", network, lift.speed, map,
                                  pushes ? "pushing ahead" : "waiting"),
                      report);
-        // Nobody can know that a lift is about to begin: what it moves in a tick until he is told.
+        // The start of a lift cannot be predicted: the error is its motion until the client learns of it.
         EXPECT_LT(report.largest_units, std::max(kMaxUnits, lift.speed / 72));
         if (!pushes) {
           EXPECT_LT(report.largest_jump_units, kMaxUnits);
@@ -297,7 +297,7 @@ TEST(Prediction, LiftsAreRiddenFarFromTheServer) {
   ride_all(data, kFarAway, "200 ms");
 }
 
-TEST(Prediction, LiftsAreRiddenBesideTheServer) {
+TEST(Prediction, LiftsAreRiddenNearTheServer) {
   SKIP_WITHOUT_GAME();
   DATA_FOLDER_OR_SKIP(data);
   ride_all(data, {}, "0 ms");
@@ -327,9 +327,9 @@ void walk_about(const std::filesystem::path& data, const NetworkConditions& cond
     EXPECT_GT(way, effort(3000, 100)) << map;
     EXPECT_LT(game.prediction().report().largest_units, kMaxUnits) << map;
     EXPECT_LT(game.prediction().report().largest_jump_units, kMaxUnits) << map;
-    EXPECT_EQ(game.prediction().report().unpredicted_units, 0) << map;
+    EXPECT_EQ(game.prediction().report().teleport_units, 0) << map;
   }
-  EXPECT_GT(climbed, effort(20, 0)) << "or stairs were not tried";
+  EXPECT_GT(climbed, effort(20, 0)) << "else stairs were not tested";
 }
 
 TEST(Prediction, LevelsWithStairsAreWalkedFarFromTheServer) {
@@ -338,14 +338,14 @@ TEST(Prediction, LevelsWithStairsAreWalkedFarFromTheServer) {
   walk_about(data, kFarAway, "200 ms");
 }
 
-TEST(Prediction, LevelsWithStairsAreWalkedBesideTheServer) {
+TEST(Prediction, LevelsWithStairsAreWalkedNearTheServer) {
   SKIP_WITHOUT_GAME();
   DATA_FOLDER_OR_SKIP(data);
   walk_about(data, {}, "0 ms");
 }
 
-// At the rates of a slow machine and a fast one.
-TEST(Prediction, RatesOfFramesDoNotMatter) {
+// The frame rates of a slow and a fast machine.
+TEST(Prediction, FrameRatesDoNotMatter) {
   SKIP_WITHOUT_GAME();
   DATA_FOLDER_OR_SKIP(data);
   for (const double rate : {20.0, 144.0, 500.0}) {
@@ -365,8 +365,8 @@ TEST(Prediction, RatesOfFramesDoNotMatter) {
   }
 }
 
-// What nobody can know of: a blow. It is seen a round trip later, and made good without a jump.
-TEST(Prediction, ABlowIsMadeGoodByAndBy) {
+// A blow cannot be predicted. It shows up a round trip later, and is corrected smoothly.
+TEST(Prediction, ABlowIsCorrectedSmoothly) {
   SKIP_WITHOUT_GAME();
   DATA_FOLDER_OR_SKIP(data);
   PredictedGame game(data, "lqdm1", kFarAway);
@@ -382,11 +382,11 @@ TEST(Prediction, ABlowIsMadeGoodByAndBy) {
   }
   print_report("200 ms, a blow of 300 units a second", game.prediction().report());
   EXPECT_GT(game.prediction().report().largest_units, 10);
-  EXPECT_LT(fastest, game.prediction().report().largest_units / 2) << "no jump";
+  EXPECT_LT(fastest, game.prediction().report().largest_units / 2) << "no sudden jump";
   EXPECT_LT(glm::distance(game.shown()->origin_world, game.player()[field::kOrigin]), 0.05f);
 }
 
-// --- Servers that would have a client think for seconds.
+// --- Servers that would make a client compute for seconds.
 
 float distance_to_box(const Vec3& place, const math::Bounds& bounds) {
   float squared = 0;
@@ -397,7 +397,7 @@ float distance_to_box(const Vec3& place, const math::Bounds& bounds) {
   return std::sqrt(squared);
 }
 
-TEST(Prediction, TheNearestModelsCount) {
+TEST(Prediction, OnlyTheNearestModelsAreSolid) {
   world::Level level;
   Random random(3);
   for (int i = 0; i < 8; ++i) {
@@ -434,15 +434,15 @@ TEST(Prediction, TheNearestModelsCount) {
   EXPECT_EQ(kept.size(), 100u);
 }
 
-// A heap of models wherever the player goes, and he is far from the server.
-TEST(Prediction, AHeapOfModelsIsGivenUpInBoundedTime) {
+// A heap of models wherever the player goes, and a high ping.
+TEST(Prediction, PredictionPausesForAHeapOfModels) {
   SKIP_WITHOUT_GAME();
   DATA_FOLDER_OR_SKIP(data);
   PredictedGame game(data, "lq_e1m2", {.delay_s = 0.15});
   ASSERT_TRUE(game.join());
   game.run(0.5, walking(0));
   ASSERT_TRUE(game.shown());
-  ASSERT_EQ(game.prediction().report().given_up, 0u);
+  ASSERT_EQ(game.prediction().report().abandoned_frames, 0u);
   client::ClientState& state = game.client().state();
   const std::vector<std::string>& models = state.game().models;
   const auto model =
@@ -459,16 +459,16 @@ TEST(Prediction, AHeapOfModelsIsGivenUpInBoundedTime) {
   client::Prediction prediction;
   prediction.begin_frame(game.client(), walking(0), game.now_s());
   EXPECT_FALSE(prediction.advance(state, game.level(), {}));
-  EXPECT_EQ(prediction.report().given_up, 1u);
-  // And goes on once they are gone.
+  EXPECT_EQ(prediction.report().abandoned_frames, 1u);
+  // It resumes when they are gone.
   game.run(0.1, walking(0));
   prediction.begin_frame(game.client(), walking(0), game.now_s());
   EXPECT_TRUE(prediction.advance(state, game.level(), {}));
 }
 
-// --- Who does not take part.
+// --- Without prediction.
 
-TEST(Prediction, WithoutTheServersPartThereIsNone) {
+TEST(Prediction, ServersWithoutNumberedMovesGetNone) {
   client::Prediction prediction;
   const client::Connection connection(net::LoopbackNetwork().open(), {});
   prediction.begin_frame(connection, {}, 1);

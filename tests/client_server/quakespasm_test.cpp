@@ -1,5 +1,5 @@
-// QuakeSpasm (Debian's package quakespasm) as the other end, over UDP and in real time: its client plays on
-// our server in all three protocols, and our client on its server.
+// Interoperation with QuakeSpasm (Debian's package quakespasm), over UDP and in real time: its client plays
+// on our server in all three protocols, and our client on its server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ std::unique_ptr<platform::DatagramSocket> local_socket() {
   return std::move(socket).value();
 }
 
-// Our server with the shipped game on a level of the data, and a stock client that walks on it.
+// Our server with the shipped game on a level of the data, and a stock client that walks there.
 class StockClientPlays {
  public:
   StockClientPlays(const std::filesystem::path& data, std::string_view protocol)
@@ -48,7 +48,7 @@ class StockClientPlays {
                             .sockets = std::move(sockets),
                             .program_file = TEMBLOR_GAME_PROGRAM,
                             .print = [this](std::string_view text) { console_ += text; }});
-    const base::Status started = server_->start_map("lq_e0m1");
+    const base::Status started = server::start_map(*server_, "lq_e0m1");
     CHECK(started.ok(), "{}", started.error().message());
     folder_ = *make_quakespasm_folder(home_, data, TEMBLOR_GAME_PROGRAM);
   }
@@ -60,28 +60,28 @@ class StockClientPlays {
                                  "+host_maxfps", "30", "+connect", "127.0.0.1:" + std::to_string(port_)},
         home_.path());
   }
-  void ask_client_to_leave() { server_->clients().tell(0, net::StuffText{"disconnect\n"}); }
+  void ask_client_to_leave() { server_->clients.send(0, net::StuffText{"disconnect\n"}); }
 
   void step() {
-    server_->step(clock_s());
+    server::step_server(*server_, clock_s());
     if (!is_playing()) return;
-    // It walks and turns from here on, as if its player held two keys.
-    if (!has_place_) server_->clients().tell(0, net::StuffText{"+forward\n+left\n"});
-    const math::Vec3 place = server_->game()->player(0)[server::field::kOrigin];
+    // From here on it walks and turns, as if its player held two keys.
+    if (!has_place_) server_->clients.send(0, net::StuffText{"+forward\n+left\n"});
+    const math::Vec3 place = server_->game->player(0)[server::field::kOrigin];
     if (has_place_) way_ += glm::distance(place, place_);
     place_ = place;
     has_place_ = true;
   }
   void change_level(const char* map) {
-    const base::Status changed = server_->change_level(map);
+    const base::Status changed = server::change_level(*server_, map);
     CHECK(changed.ok(), "{}", changed.error().message());
   }
-  bool is_playing() { return server_->clients()[0].stage == server::ClientStage::kPlaying; }
+  bool is_playing() { return server_->clients[0].stage == server::ClientStage::kPlaying; }
   bool has_left() const {
-    return server_->game() != nullptr && console_.find("removed: left") != std::string::npos;
+    return server_->game != nullptr && console_.find("removed: left") != std::string::npos;
   }
   float way() const { return way_; }
-  float ping_s() { return server_->clients()[0].ping(); }
+  float ping_s() { return server_->clients[0].mean_ping_s(); }
   const std::string& console() const { return console_; }
   std::string client_output() const { return client_ ? client_->output() : ""; }
 
@@ -132,7 +132,7 @@ TEST(QuakeSpasmClient, PlaysInAllThreeProtocolsAndLeaves) {
   step_all_until(kPlayed_s, [](StockClientPlays&) { return false; });
   for (auto& game : games) {
     EXPECT_TRUE(game->is_playing()) << game->console();
-    // In circles: 320 units a second at most, half of that at the least.
+    // In circles, at 160 to 320 units per second.
     EXPECT_GT(game->way(), 100.0f * kPlayed_s) << game->console();
     EXPECT_LT(game->ping_s(), 1) << game->console();
   }
@@ -171,12 +171,12 @@ TEST(QuakeSpasmServer, OurClientPlaysOnIt) {
     }
   };
   run(kSignonLimit_s, [&] { return player.is_playing(); });
-  ASSERT_TRUE(player.is_playing()) << player.lost_because() << server.output();
+  ASSERT_TRUE(player.is_playing()) << player.disconnect_reason() << server.output();
   EXPECT_EQ(player.state().game().players[0].name, "tester");
   const std::uint64_t before = player.updates();
   run(kPlayed_s, [] { return false; });
-  EXPECT_TRUE(player.is_playing()) << player.lost_because();
-  // Its server tells of twenty ticks a second.
+  EXPECT_TRUE(player.is_playing()) << player.disconnect_reason();
+  // Its server sends twenty snapshots per second.
   EXPECT_GT(player.updates() - before, static_cast<std::uint64_t>(15 * kPlayed_s));
   EXPECT_GT(player.state().game().data.health, -100);
   player.disconnect();

@@ -1,4 +1,4 @@
-// Games that are saved without being asked, and players who die and go on from there.
+// Autosaves, and dead players who continue from the last save.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// The small program, whose level begins again for a dead player who presses a button.
+// The small program, in which a dead player who presses a button restarts the level.
 std::string mortal_program() {
   std::string program = small_program();
   const std::string nothing = "void() PlayerPreThink = {};";
@@ -32,7 +32,7 @@ bool has_save(const ServedGame& served, const std::string& name) {
 
 constexpr net::Move kFire{.buttons = 1}, kJump{.buttons = 2};
 
-TEST(Saving, ASinglePlayersGameIsSavedByItself) {
+TEST(Saving, ASinglePlayerGameIsSavedAutomatically) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(small_program(), {.max_clients = 1});
   const std::size_t me = served.add_client("one");
@@ -41,45 +41,45 @@ TEST(Saving, ASinglePlayersGameIsSavedByItself) {
   EXPECT_FALSE(has_save(served, "autosave"));
   served.run(2);
   EXPECT_TRUE(has_save(served, "autosave"));
-  EXPECT_EQ(served.server().take_autosaved(), "autosave");
-  EXPECT_EQ(served.server().take_autosaved(), "") << "told once";
+  EXPECT_EQ(server::take_autosave_name(served.server()), "autosave");
+  EXPECT_EQ(server::take_autosave_name(served.server()), "") << "reported once";
   served.run(60);
-  EXPECT_EQ(served.server().take_autosaved(), "");
+  EXPECT_EQ(server::take_autosave_name(served.server()), "");
   served.run(130);
-  EXPECT_EQ(served.server().take_autosaved(), "autosave") << "three minutes later";
+  EXPECT_EQ(server::take_autosave_name(served.server()), "autosave") << "three minutes later";
 }
 
-TEST(Saving, GamesOfSeveralNever) {
+TEST(Saving, MultiplayerGamesAreNot) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
   ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
   served.run(10);
-  served.server().shut_down("the end");
+  server::shut_down(served.server(), "the end");
   EXPECT_FALSE(has_save(served, "autosave"));
   EXPECT_THAT(served.console(), Not(HasSubstr("save")));
 }
 
-TEST(Saving, NorWhereThePlayerDoesNotWantIt) {
+TEST(Saving, NorIfThePlayerTurnsItOff) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(small_program(), {.max_clients = 1});
   served.command("sv_autosave 0");
   ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
   served.run(10);
-  EXPECT_FALSE(served.server().saves_when_left());
-  served.server().shut_down("the end");
+  EXPECT_FALSE(server::autosaves_on_leave(served.server()));
+  server::shut_down(served.server(), "the end");
   EXPECT_FALSE(has_save(served, "autosave"));
 }
 
-TEST(Saving, WhatIsLeftIsKept) {
+TEST(Saving, LeavingAGameSavesIt) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(small_program(), {.max_clients = 1});
   ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
   served.run(1);
-  EXPECT_FALSE(served.server().saves_when_left()) << "nobody would miss it";
+  EXPECT_FALSE(server::autosaves_on_leave(served.server())) << "there is nothing to lose yet";
   served.run(9);
   served.game().player(0).set(server::field::kHealth, 33.0f);
   served.run(0.1);
-  EXPECT_TRUE(served.server().saves_when_left());
+  EXPECT_TRUE(server::autosaves_on_leave(served.server()));
   served.command("map small");
   served.run(10);
   EXPECT_TRUE(has_save(served, "autosave2")) << "a new game has another name";
@@ -88,27 +88,27 @@ TEST(Saving, WhatIsLeftIsKept) {
   EXPECT_EQ(served.game().player(0)[server::field::kHealth], 33);
 }
 
-TEST(Saving, TheDeadGoOnFromTheLastSaveOrBeginAgain) {
+TEST(Saving, DeadPlayersLoadTheLastSaveOrRestart) {
   SKIP_WITHOUT_QUAKEC();
   for (const bool jumps : {false, true}) {
     ServedGame served(mortal_program(), {.max_clients = 1});
     ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
     served.run(1);
-    EXPECT_FALSE(served.server().goes_on_from_save()) << "there is none yet";
+    EXPECT_FALSE(server::can_resume_from_save(served.server())) << "there is no save yet";
     served.game().player(0).set(server::field::kHealth, 77.0f);
     served.command("save quick");
     served.run(0.1);
-    EXPECT_TRUE(served.server().goes_on_from_save());
+    EXPECT_TRUE(server::can_resume_from_save(served.server()));
     served.game().player(0).set(server::field::kHealth, -5.0f);
     served.run(0.5);
-    EXPECT_EQ(served.game().player(0)[server::field::kHealth], -5) << "until he presses something";
+    EXPECT_EQ(served.game().player(0)[server::field::kHealth], -5) << "until the player presses a button";
     served.run(0.5, jumps ? kJump : kFire);
     served.run(3);
     EXPECT_EQ(served.game().player(0)[server::field::kHealth], jumps ? 100 : 77);
   }
 }
 
-TEST(Saving, ASaveThatIsGoneIsNotAskedForTwice) {
+TEST(Saving, AMissingSaveIsTriedOnlyOnce) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(mortal_program(), {.max_clients = 1});
   ASSERT_TRUE(served.run_until_playing(served.add_client("one")));
@@ -119,7 +119,7 @@ TEST(Saving, ASaveThatIsGoneIsNotAskedForTwice) {
   served.game().player(0).set(server::field::kHealth, -5.0f);
   served.run(0.5, kFire);
   EXPECT_THAT(served.console(), HasSubstr("quick.sav"));
-  EXPECT_FALSE(served.server().goes_on_from_save());
+  EXPECT_FALSE(server::can_resume_from_save(served.server()));
   EXPECT_LT(served.game().player(0)[server::field::kHealth], 0);
   served.game().player(0).set(server::field::kDeadFlag, 0.0f);  // as game code does once the button is up
   served.run(0.5, kFire);
@@ -127,7 +127,7 @@ TEST(Saving, ASaveThatIsGoneIsNotAskedForTwice) {
   EXPECT_EQ(served.game().player(0)[server::field::kHealth], 100);
 }
 
-TEST(Saving, WithoutAutoloadTheDeadBeginAgain) {
+TEST(Saving, WithoutAutoloadDeadPlayersRestart) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(mortal_program(), {.max_clients = 1});
   served.command("sv_autoload 0");

@@ -89,7 +89,7 @@ ServedGame::ServedGame(std::string_view program, const ServedGameOptions& option
       },
       .print = [this](std::string_view text) { console_ += text; },
       .seed = options.seed});
-  const base::Status started = server_->start_map("small");
+  const base::Status started = server::start_map(*server_, "small");
   CHECK(started.ok(), "{}", started.error().message());
 }
 
@@ -130,7 +130,7 @@ void ServedGame::run(double seconds, const net::Move& move) {
   const double until_s = now_s_ + seconds;
   while (now_s_ < until_s) {
     advance_clock();
-    server_->step(now_s_);
+    server::step_server(*server_, now_s_);
     for (std::size_t i = 0; i < clients_.size(); ++i) {
       clients_[i]->update(now_s_);
       clients_[i]->send_move(move);

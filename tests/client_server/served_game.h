@@ -1,4 +1,4 @@
-// A server with a small game and clients of ours, on a network and a clock that the test turns.
+// A server with a small game and our clients, on a network and a clock that the test controls.
 #pragma once
 
 #include <chrono>
@@ -19,48 +19,48 @@
 
 namespace temblor::test {
 
-// System and built-in definitions of game/quakec, then a game of which tests replace parts: players walk,
-// doors are boxes that say so when they are touched. `extra` stands before the functions that every game has.
+// System and built-in definitions of game/quakec, then a game whose parts tests replace: players walk, and
+// doors are boxes that print when they are touched. `extra` precedes the functions that every game has.
 std::string small_program(std::string_view extra = "");
 
-// Where the server is.
+// The address of the server.
 inline const platform::Address kServedAddress = platform::ip4_address({10, 0, 0, 1}, 26000);
 
 struct ServedGameOptions {
   std::uint32_t max_clients = 4;
   NetworkConditions conditions{};
   std::uint64_t seed = 1;
-  // UDP on this machine and its clock, instead of the network and the clock that the test turns.
+  // UDP on this machine and its clock, instead of the test's own.
   bool is_real = false;
 };
 
 class ServedGame {
  public:
-  // `program`: QuakeC. The compiler has to be here.
+  // `program`: QuakeC source. CHECKs that the compiler is installed.
   explicit ServedGame(std::string_view program = small_program(), const ServedGameOptions& options = {});
 
-  // Asks for a connection; run() does the rest.
+  // Requests a connection; run() does the rest.
   std::size_t add_client(std::string name);
-  // Turns the clock (waits, on a real one), in steps of 1/72 s; every client that plays sends `move` each
-  // step.
+  // Advances the clock (waits, on a real one), in steps of 1/72 s; every client that plays sends `move` in
+  // each step.
   void run(double seconds, const net::Move& move = {});
-  // Until it plays, ten seconds at most. False: it does not.
+  // Runs until the client plays, for at most ten seconds. false: it does not play.
   bool run_until_playing(std::size_t client);
-  void command(std::string_view line) { server().console().append(line); }
+  void command(std::string_view line) { server().console.append(line); }
 
   server::Server& server() { return *server_; }
-  server::Game& game() { return *server_->game(); }
+  server::Game& game() { return *server_->game; }
   client::Connection& client(std::size_t i) { return *clients_[i]; }
-  // All that the server printed, and all that this client was told to print.
+  // Everything that the server printed, and everything that it printed to this client.
   const std::string& console() const { return console_; }
   const std::string& prints(std::size_t client) const { return prints_[client]; }
-  // Sounds that this client was told to make.
+  // Sounds that this client was sent.
   std::size_t sounds(std::size_t client) const { return sounds_[client]; }
   command::Variables& variables() { return variables_; }
   BadNetwork& network() { return network_; }
   const TemporaryFolder& folder() const { return game_folder_.folder(); }
   double now_s() const { return now_s_; }
-  // Writes another program where the server reads it from.
+  // Replaces the program file that the server reads.
   void replace_program(std::string_view program);
 
  private:

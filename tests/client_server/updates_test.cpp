@@ -1,4 +1,4 @@
-// What players are told each tick, where datagrams are lost or there are too many of them.
+// Snapshots when datagrams are lost, or sv_maxrate limits them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 constexpr double kTick_s = 1.0 / 72;
 constexpr double kDelay_s = 0.1;
 
-// The game, in which a player is heard once a second, in a cloud of motes that are somewhere else each tick:
-// there is much to tell.
+// The game: a player makes a sound once per second, in a cloud of entities that move in every tick, so that
+// there is much to send.
 std::string beeping_program() {
   constexpr std::string_view kStill = "void() StartFrame = {};";
   std::string program = small_program();
@@ -59,7 +59,7 @@ struct Freezes {
   int lost_windows = 0;
 };
 
-// A minute in which the network loses everything for one tick, every 1.2 s or so.
+// A minute in which the network loses everything for one tick, about every 1.2 s.
 Freezes play_with_losses(ServedGame& served, std::size_t me) {
   Freezes freezes;
   std::uint64_t updates = served.client(me).updates();
@@ -95,13 +95,13 @@ TEST(Updates, ALostDatagramFreezesOneTickAndAReliableOneARoundTripAndMore) {
   const Freezes reliable = play_with_losses(served, me);
   EXPECT_GT(reliable.longest_s, 2 * kDelay_s + 0.1) << "a round trip, and the wait for it";
   EXPECT_LT(reliable.longest_s, 2);
-  EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).lost_because();
+  EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).disconnect_reason();
   RecordProperty("frozen_unreliable_ms", static_cast<int>(freezes.longest_s * 1000));
   RecordProperty("frozen_reliable_ms", static_cast<int>(reliable.longest_s * 1000));
 
   ASSERT_TRUE(served.variables().set("sv_reliableupdates", "0").ok());
   served.run(1);
-  EXPECT_NEAR(play_with_losses(served, me).longest_s, 2 * kTick_s, kTick_s / 10) << "and back";
+  EXPECT_NEAR(play_with_losses(served, me).longest_s, 2 * kTick_s, kTick_s / 10) << "and back again";
 }
 
 TEST(Updates, ATurnByTheGameSurvivesTheLossOfItsDatagram) {
@@ -121,13 +121,13 @@ TEST(Updates, ATurnByTheGameSurvivesTheLossOfItsDatagram) {
   EXPECT_NEAR(served.client(me).state().game().set_angles_deg.y, 123, 360.0 / 256);
 }
 
-TEST(Updates, ARateBoundsWhatAClientIsSentAndNoSoundIsMissed) {
+TEST(Updates, ARateLimitsWhatAClientIsSentButNoSoundIsLost) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(beeping_program());
   const std::size_t me = served.add_client("player");
   ASSERT_TRUE(served.run_until_playing(me));
   const platform::Address my_address = platform::ip4_address({10, 0, 0, 2}, 4000);
-  // Without the headers of the packets, which are not counted.
+  // Packet headers do not count.
   const auto content = [&] {
     return served.network().bytes_sent_to(my_address) - 8 * served.network().datagrams_sent_to(my_address);
   };
@@ -137,15 +137,15 @@ TEST(Updates, ARateBoundsWhatAClientIsSentAndNoSoundIsMissed) {
     return static_cast<double>(content() - before) / seconds;
   };
   const double free_rate = bytes_in(10);
-  constexpr double kRate = 2500;  // the least that is allowed
-  ASSERT_GT(free_rate, 1.3 * kRate) << "or there is nothing to bound";
+  constexpr double kRate = 2500;  // the minimum of sv_maxrate
+  ASSERT_GT(free_rate, 1.3 * kRate) << "else there is nothing to limit";
   ASSERT_TRUE(served.variables().set("sv_maxrate", fmt::format("{}", kRate)).ok());
   const std::uint64_t updates_before = served.client(me).updates();
   const std::size_t sounds_before = served.sounds(me);
   const double bounded_rate = bytes_in(10);
   EXPECT_LT(bounded_rate, kRate * 1.3);
   EXPECT_GT(bounded_rate, kRate * 0.8);
-  EXPECT_GT(served.client(me).updates(), updates_before + 200) << "evenly, twenty a second";
+  EXPECT_GT(served.client(me).updates(), updates_before + 200) << "evenly, twenty per second";
   EXPECT_NEAR(static_cast<double>(served.sounds(me) - sounds_before), 10, 1);
 }
 

@@ -34,7 +34,7 @@ class CompletionTest : public ::testing::Test {
     console_.append("alias mine \"map start\"");
     console_.run();
   }
-  // What the word becomes, and where it begins.
+  // The names of the candidates, and where the word begins.
   std::vector<std::string> names(std::string_view line) const {
     std::vector<std::string> names;
     for (const Candidate& candidate : console_.complete_line(line).candidates)
@@ -107,8 +107,8 @@ TEST_F(CompletionTest, HintsSayWhatIsTaken) {
   EXPECT_EQ(console_.complete_line("nothing ").hint, "");
 }
 
-// Whatever is typed: what is found begins as the word does.
-TEST_F(CompletionTest, CandidatesAlwaysGoOnFromTheWord) {
+// For any input, all candidates begin with the word.
+TEST_F(CompletionTest, CandidatesAlwaysBeginWithTheWord) {
   for (const std::string line :
        {"m", "set color b", "map e", ";;m_", "\"", "\";", "a \"b", "//", "// m", "\x80"}) {
     const Completion completion = console_.complete_line(line);

@@ -71,7 +71,7 @@ TEST_F(ConsoleTest, AppendedTextsDoNotRunTogether) {
 
 TEST_F(ConsoleTest, UnknownNamesGiveALine) {
   run("fly high");
-  EXPECT_THAT(lines_, ElementsAre("unknown command \"fly\""));
+  EXPECT_THAT(lines_, ElementsAre("unknown command or variable \"fly\""));
 }
 
 TEST_F(ConsoleTest, VariablesAreShownAndSet) {
@@ -122,9 +122,9 @@ TEST_F(ConsoleTest, AliasesMayUseEachOtherAndWait) {
   EXPECT_THAT(notes_, ElementsAre("[x]", "[y]", "[z]", "[last]"));
 }
 
-TEST_F(ConsoleTest, AliasesAreShownReplacedAndForgotten) {
+TEST_F(ConsoleTest, AliasesAreShownReplacedAndRemoved) {
   run("alias a note 1; alias A note 2; alias a; alias; unalias a; a; alias a; unalias a");
-  EXPECT_THAT(lines_, ElementsAre("a: note 2", "a: note 2", "unknown command \"a\"",
+  EXPECT_THAT(lines_, ElementsAre("a: note 2", "a: note 2", "unknown command or variable \"a\"",
                                   "there is no alias \"a\"", "there is no alias \"a\""));
 }
 
@@ -150,14 +150,14 @@ TEST_F(ConsoleTest, AliasesThatCallThemselvesEnd) {
   EXPECT_THAT(notes_, ElementsAre("[alive]"));
 }
 
-TEST_F(ConsoleTest, AliasesThatWaitMayCallThemselvesForEver) {
+TEST_F(ConsoleTest, AliasesThatWaitMayCallThemselvesForever) {
   run("alias loop \"note tick; wait; loop\"; loop");
   for (int frame = 1; frame < 3 * Console::kMaxExpansions; ++frame) console_.run();
   EXPECT_EQ(notes_.size(), 3u * Console::kMaxExpansions);
   EXPECT_THAT(lines_, IsEmpty());
 }
 
-// Few aliases, but each time all of a long text.
+// Few expansions, but each one inserts a long text.
 TEST_F(ConsoleTest, LongAliasesThatCallThemselvesEndSooner) {
   run("alias a \"a" + std::string(200'000, ' ') + "\"; a; note never");
   ASSERT_EQ(lines_.size(), 1u);
@@ -167,8 +167,8 @@ TEST_F(ConsoleTest, LongAliasesThatCallThemselvesEndSooner) {
   EXPECT_THAT(notes_, ElementsAre("[alive]"));
 }
 
-// Each of the lines would load the megabyte again.
-TEST_F(ConsoleTest, AFileOfAMegabyteThatExecsItselfEnds) {
+// Each line would load the whole megabyte again.
+TEST_F(ConsoleTest, MegabyteFileThatExecutesItselfEnds) {
   std::string text;
   while (text.size() + 1000 < Console::kMaxPendingChars) text += "exec a.cfg\n";
   files_["a.cfg"] = text;
@@ -179,7 +179,7 @@ TEST_F(ConsoleTest, AFileOfAMegabyteThatExecsItselfEnds) {
   EXPECT_THAT(notes_, IsEmpty());
 }
 
-TEST_F(ConsoleTest, LinesOfAMegabyteAreAnsweredBriefly) {
+TEST_F(ConsoleTest, MegabyteLinesGetShortAnswers) {
   const std::string megabyte(Console::kMaxPendingChars - 100, 'x');
   for (const char* before :
        {"", "sensitivity ", "help ", "inc ", "unalias ", "cycle color ", "apropos ", "reset "}) {
@@ -205,7 +205,7 @@ TEST_F(ConsoleTest, ManyShortCommandsAreQuick) {
   console_.append(text);
   std::size_t runs = 0;
   for (; console_.has_pending(); ++runs) console_.run();
-  EXPECT_EQ(runs, text.size() / 8 + 1) << "what follows the last wait is one more run";
+  EXPECT_EQ(runs, text.size() / 8 + 1) << "the commands after the last wait need one more run";
 }
 
 TEST_F(ConsoleTest, ExecRunsAFileInPlace) {
@@ -222,7 +222,7 @@ TEST_F(ConsoleTest, ExecOfAFileThatExecsItselfEnds) {
   EXPECT_THAT(lines_[1], HasSubstr("call itself"));
 }
 
-TEST_F(ConsoleTest, ExecIsToldOnceToWhoTypesIt) {
+TEST_F(ConsoleTest, ExecReportsOnceWhenTyped) {
   files_["a.cfg"] = "exec b.cfg\nwait\nexec b.cfg";
   files_["b.cfg"] = "note b";
   run("exec a.cfg");
@@ -231,31 +231,33 @@ TEST_F(ConsoleTest, ExecIsToldOnceToWhoTypesIt) {
   EXPECT_THAT(lines_, ElementsAre("exec a.cfg"));
 }
 
-TEST_F(ConsoleTest, WhatIsWrongInAFileIsToldWithItsLine) {
+TEST_F(ConsoleTest, ErrorsInFilesNameFileAndLine) {
   files_["a.cfg"] =
       "// a comment\n\nnote 1; fly high; sensitivity 99\nset nothing 1\r\nwait\n"
       "exec b.cfg; walk\nalias hop \"note 2; skip\"\nexec none.cfg";
-  files_["b.cfg"] = "\nrun away // no newline behind it";
+  files_["b.cfg"] = "\nrun away // no newline after it";
   run("exec a.cfg; jump");
   console_.append("swim");
   console_.run();
   run("hop");
-  EXPECT_THAT(lines_, ElementsAre("exec a.cfg", "a.cfg:3: unknown command \"fly\"",
-                                  AllOf(StartsWith("a.cfg:3: "), HasSubstr("0 to 20")),
-                                  "a.cfg:4: there is no variable \"nothing\"",
-                                  "b.cfg:2: unknown command \"run\"", "a.cfg:6: unknown command \"walk\"",
-                                  "a.cfg:8: no file none.cfg", "unknown command \"jump\"",
-                                  "unknown command \"swim\"", "unknown command \"skip\""));
+  EXPECT_THAT(
+      lines_,
+      ElementsAre("exec a.cfg", "a.cfg:3: unknown command or variable \"fly\"",
+                  AllOf(StartsWith("a.cfg:3: "), HasSubstr("0 to 20")),
+                  "a.cfg:4: there is no variable \"nothing\"", "b.cfg:2: unknown command or variable \"run\"",
+                  "a.cfg:6: unknown command or variable \"walk\"", "a.cfg:8: no file none.cfg",
+                  "unknown command or variable \"jump\"", "unknown command or variable \"swim\"",
+                  "unknown command or variable \"skip\""));
 }
 
-// An alias has no lines of its own: it is where it is called that somebody looks.
-TEST_F(ConsoleTest, WhatIsWrongInAnAliasIsToldWithTheLineThatCallsIt) {
+// An alias has no lines of its own, so errors name the line that calls it.
+TEST_F(ConsoleTest, ErrorsInAliasesNameCallingLine) {
   files_["a.cfg"] =
       "alias inner \"wait; oops; oops\"\nalias outer \"note x; inner; last\"\nouter\n\nouter; end\n";
   run("exec a.cfg");
   for (int frame = 0; frame < 2; ++frame) console_.run();
   const auto at = [](int line, const char* name) {
-    return fmt::format("a.cfg:{}: unknown command \"{}\"", line, name);
+    return fmt::format("a.cfg:{}: unknown command or variable \"{}\"", line, name);
   };
   EXPECT_THAT(lines_, ElementsAre("exec a.cfg", at(3, "oops"), at(3, "oops"), at(3, "last"), at(5, "oops"),
                                   at(5, "oops"), at(5, "last"), at(5, "end")));
@@ -269,9 +271,9 @@ TEST_F(ConsoleTest, CommandsTellTheirErrorsWithTheFilesLine) {
   });
   files_["a.cfg"] = "note 1\nfail";
   run("exec a.cfg; fail");
-  EXPECT_THAT(lines_,
-              ElementsAre("exec a.cfg", "a.cfg:2: it failed", "a.cfg:2: unknown command \"no_such_thing\"",
-                          "it failed", "unknown command \"no_such_thing\""));
+  EXPECT_THAT(lines_, ElementsAre("exec a.cfg", "a.cfg:2: it failed",
+                                  "a.cfg:2: unknown command or variable \"no_such_thing\"", "it failed",
+                                  "unknown command or variable \"no_such_thing\""));
 }
 
 TEST_F(ConsoleTest, CommandsThatNeedANameSaySo) {
@@ -288,7 +290,7 @@ TEST_F(ConsoleTest, ExecSaysWhatIsWrong) {
   EXPECT_EQ(lines_[0], "no file none.cfg");
   console_.set_loader(nullptr);
   run("exec a.cfg");
-  EXPECT_EQ(lines_.back(), "exec: there are no files here");
+  EXPECT_EQ(lines_.back(), "exec is not available here: there are no config files");
 }
 
 TEST_F(ConsoleTest, EchoHelpAndList) {
@@ -302,7 +304,7 @@ TEST_F(ConsoleTest, HelpAloneListsTheCommands) {
   console_.add_command("-note", "Ends +note.", [](Console::Arguments) {});
   run("help");
   EXPECT_THAT(lines_, Contains("note: Notes its words."));
-  EXPECT_THAT(lines_, Contains("echo WORDS prints them."));
+  EXPECT_THAT(lines_, Contains("echo TEXT prints the text."));
   EXPECT_THAT(lines_, Not(Contains(HasSubstr("-note"))));
   EXPECT_THAT(lines_, Not(Contains(HasSubstr("crosshair"))));
   for (const char* more : {"help NAME", "cvarlist", "apropos WORD"})
@@ -339,7 +341,7 @@ TEST_F(ConsoleTest, TwoConsolesShareOnlyTheirVariables) {
   run("alias mine note; sensitivity 9");
   other.append("mine; sensitivity");
   other.run();
-  EXPECT_THAT(other_lines, ElementsAre("unknown command \"mine\"", "\"sensitivity\" is \"9\""));
+  EXPECT_THAT(other_lines, ElementsAre("unknown command or variable \"mine\"", "\"sensitivity\" is \"9\""));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(SplitWords, OtherPunctuationIsOrdinary) {
   EXPECT_THAT(split_words("connect 10.0.0.1:26000 {(')}"), ElementsAre("connect", "10.0.0.1:26000", "{(')}"));
 }
 
-// The pieces a text falls into, and each piece's words, by a machine that looks at one character at a time.
+// The reference: a state machine that splits text into commands and words, one character at a time.
 std::vector<std::vector<std::string>> reference_commands(std::string_view text) {
   enum class Where { kBetween, kWord, kQuote, kComment } where = Where::kBetween;
   std::vector<std::vector<std::string>> commands(1);

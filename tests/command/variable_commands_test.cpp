@@ -1,4 +1,4 @@
-// Commands that set variables, and those that say what there is.
+// Commands that set variables, and commands that list them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ class VariableCommands : public ::testing::Test {
     variables_.add_text("name", "player", "What others call you.");
     console_.add_command("map", "map NAME starts a level.", [](Console::Arguments) {});
   }
-  // The lines that it prints.
+  // Returns the lines that it prints.
   std::vector<std::string> run(std::string_view text) {
     lines_.clear();
     console_.append(text);
@@ -114,9 +114,9 @@ TEST_F(VariableCommands, AproposSearchesNamesAndHelp) {
   EXPECT_THAT(run("apropos CROSS"), ElementsAre("crosshair: Shows a cross."));
   EXPECT_THAT(run("apropos level"), ElementsAre("map NAME starts a level."));
   EXPECT_THAT(run("find dark"), ElementsAre("gamma: Brightens the dark."));
-  EXPECT_THAT(run("apropos zebra"), ElementsAre(HasSubstr("nothing has \"zebra\"")));
+  EXPECT_THAT(run("apropos zebra"), ElementsAre(HasSubstr("no command or variable mentions \"zebra\"")));
   for (const char* wrong : {"apropos", "apropos a b", "apropos \"\""})
-    EXPECT_THAT(run(wrong), ElementsAre("apropos WORD: give one word to look for"));
+    EXPECT_THAT(run(wrong), ElementsAre("usage: apropos WORD"));
 }
 
 TEST_F(VariableCommands, HelpKnowsAliases) {

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
-// One variable of each type.
+// A table with one variable of each type.
 struct Table {
   Variables variables;
   VariableIndex flag = variables.add_bool("r_flag", true, "A flag.");
@@ -158,6 +158,18 @@ TEST(Variables, AllAreListedByName) {
   EXPECT_EQ(table.variables.find("COLOR"), &table.variables.get(table.color));
 }
 
+TEST(Variables, AliasAcceptsTheFormerName) {
+  Table table;
+  table.variables.add_alias("Old_Color", "color");
+  const std::size_t listed = table.variables.all().size();
+  ASSERT_TRUE(table.variables.set("old_color", table.variables.get(table.color).choices.back()).ok());
+  EXPECT_EQ(table.variables.find("old_color"), &table.variables.get(table.color));
+  EXPECT_NE(table.variables.get(table.color).text, table.variables.get(table.color).default_text);
+  ASSERT_TRUE(table.variables.reset("old_color").ok());
+  EXPECT_EQ(table.variables.get(table.color).text, table.variables.get(table.color).default_text);
+  EXPECT_EQ(table.variables.all().size(), listed) << "only the new name is listed";
+}
+
 TEST(Variables, TwoTablesShareNothing) {
   Table first, second;
   ASSERT_TRUE(first.variables.set("r_count", "9").ok());
@@ -168,6 +180,8 @@ TEST(VariablesDeathTest, ProgrammersMistakesAreChecked) {
   Table table;
   EXPECT_DEATH(table.variables.add_bool("R_FLAG", true, "Again."), "CHECK failed");
   EXPECT_DEATH(table.variables.add_int("r_out", 3, 0, 2, "Out of range."), "CHECK failed");
+  EXPECT_DEATH(table.variables.add_alias("r_count", "r_flag"), "CHECK failed");
+  EXPECT_DEATH(table.variables.add_alias("r_old", "nobody"), "CHECK failed");
   EXPECT_DEATH((void)table.variables.int_value(table.flag), "CHECK failed");
 }
 

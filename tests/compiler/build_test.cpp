@@ -1,4 +1,4 @@
-// A level that is brought up to date is the level that would have been made anew.
+// Incremental builds: a level that is brought up to date equals the level of a clean build.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -32,7 +32,7 @@ class Stopper : public compiler::CompileWatcher {
   std::string stage_;
 };
 
-// Two rooms with a door between them, and what can be changed in them.
+// Two rooms with a door between them, and everything that can be changed in them.
 struct Place {
   Vec3d lamp{0, 64, 96}, monster{-64, 0, 40};
   int lamp_brightness = 250;
@@ -64,8 +64,8 @@ compiler::CompileReport bring_up_to_date(const Place& place, const CompileOption
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
   Stopper watcher;
   compiler::Warnings warnings;
-  return compiler::compile_level(map_of(place.text()), {}, artgen::make_palette(), options, jobs, watcher,
-                                 io_build, warnings)
+  return compiler::compile_level({parse_map(place.text()), {}, artgen::make_palette()}, options,
+                                 {jobs, watcher, warnings}, io_build)
       .value();
 }
 
@@ -75,7 +75,7 @@ Build make(const Place& place, const CompileOptions& options = {}) {
   return build;
 }
 
-// What a run did, in the order of stages, without what was kept.
+// The stages that a run built, in order; reused ones are left out.
 std::vector<std::string> stages_run(const compiler::CompileReport& report) {
   std::vector<std::string> names;
   for (const compiler::StageTime& time : report.times)
@@ -86,7 +86,7 @@ std::vector<std::string> stages_run(const compiler::CompileReport& report) {
 struct Files {
   base::ByteVector bsp, lit, build;
 };
-Files files_of(const Build& build) {
+Files list_build_files(const Build& build) {
   Files files;
   files.bsp = formats::write_bsp(build.bsp, build.bsp.version).value();
   if (build.lit) files.lit = formats::write_lit(*build.lit);
@@ -102,7 +102,7 @@ void expect_same_level(const Build& a, const Build& b) {
   EXPECT_EQ(a.lit, b.lit);
 }
 
-TEST(Build, OnlyWhatChangedIsMadeAnew) {
+TEST(Build, OnlyChangedStagesRun) {
   using Names = std::vector<std::string>;
   struct Case {
     const char* what;
@@ -134,7 +134,7 @@ TEST(Build, OnlyWhatChangedIsMadeAnew) {
   }
 }
 
-TEST(Build, AnyEditsGiveTheLevelThatIsMadeAnew) {
+TEST(Build, AnyEditsGiveTheSameLevelAsACleanBuild) {
   std::mt19937 random(7);
   const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   Place place;
@@ -165,20 +165,20 @@ TEST(Build, AnyEditsGiveTheLevelThatIsMadeAnew) {
     }
     CompileOptions options;
     options.fast_visibility = number(4) == 0;
-    options.visibility_wish = number(5) == 0 ? StagePolicy::kSkip : StagePolicy::kBuild;
-    options.light_wish = number(5) == 0 ? StagePolicy::kSkip : StagePolicy::kBuild;
+    options.visibility_policy = number(5) == 0 ? StagePolicy::kSkip : StagePolicy::kBuild;
+    options.light_policy = number(5) == 0 ? StagePolicy::kSkip : StagePolicy::kBuild;
     options.bsp2 = number(6) == 0;
-    if (number(2) == 0) build = reread(files_of(build));  // as another run finds it
+    if (number(2) == 0) build = reread(list_build_files(build));  // as a new process reads it
     bring_up_to_date(place, options, build, 1 + number(2));
     expect_same_level(build, make(place, options));
     ASSERT_FALSE(testing::Test::HasFailure()) << "edit " << edit;
   }
 }
 
-// One stage alone leaves of the others what still fits the brushes.
-TEST(Build, KeptStagesStayUntilBrushesChange) {
+// Running a single stage keeps the results of the others that still fit the brushes.
+TEST(Build, ReusedStagesStayUntilBrushesChange) {
   CompileOptions only_bsp;
-  only_bsp.visibility_wish = only_bsp.light_wish = StagePolicy::kReuse;
+  only_bsp.visibility_policy = only_bsp.light_policy = StagePolicy::kReuse;
   Place place;
   Build build = make(place);
   const formats::Bsp before = build.bsp;
@@ -187,7 +187,7 @@ TEST(Build, KeptStagesStayUntilBrushesChange) {
   EXPECT_EQ(build.bsp.lighting, before.lighting);
   EXPECT_EQ(build.bsp.visibility, before.visibility);
   EXPECT_NE(build.bsp.entities, before.entities);
-  // It is known to be old.
+  // The old result is known to be out of date.
   EXPECT_EQ(stages_run(bring_up_to_date(place, {}, build)), std::vector<std::string>{"light"});
   expect_same_level(build, make(place));
   place.pillar_x = 0;
@@ -197,7 +197,7 @@ TEST(Build, KeptStagesStayUntilBrushesChange) {
   EXPECT_FALSE(build.lit);
 }
 
-TEST(Build, LeakIsLookedForEachTime) {
+TEST(Build, LeaksAreFoundEachTime) {
   Place place;
   place.monster = {2000, 0, 0};
   Build build;
@@ -208,8 +208,8 @@ TEST(Build, LeakIsLookedForEachTime) {
   expect_same_level(build, make(place));
 }
 
-// A wall that seals the room for what is drawn and not for boxes: whether their hulls are filled follows from
-// where entities are, though none of them enters or leaves what is drawn as solid.
+// A wall that seals the room in the drawn hull but not in the clip hulls. Whether those get filled depends on
+// where entities are, though none of them moves into or out of drawn solid.
 std::string room_open_to_boxes(const Vec3d& start, int hulls) {
   const std::string walls = walls_text({-128, -128, 0}, {128, 128, 128}, "wall");
   const std::size_t first_end = walls.find("}\n") + 2;
@@ -218,59 +218,61 @@ std::string room_open_to_boxes(const Vec3d& start, int hulls) {
          point_text("info_player_start", start);
 }
 
-TEST(Build, HullsThatLackAWallAreFilledAsIfAnew) {
+TEST(Build, OpenHullsAreFilledAsInACleanBuild) {
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
   const auto compile = [&](const Vec3d& start, int hulls, Build& io_build) {
-    ASSERT_TRUE(compiler::compile_level(map_of(room_open_to_boxes(start, hulls)), {}, artgen::make_palette(),
-                                        {}, jobs, nobody, io_build, warnings)
-                    .ok());
+    ASSERT_TRUE(
+        compiler::compile_level({parse_map(room_open_to_boxes(start, hulls)), {}, artgen::make_palette()}, {},
+                                {jobs, nobody, warnings}, io_build)
+            .ok());
   };
   std::mt19937 random(5);
   const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
-  // Drawn only; and not in the hull of players, or of large monsters.
+  // Drawn only; missing in the players' hull; missing in that of large monsters.
   for (const int hulls : {1, 5, 3}) {
     std::set<std::size_t> hull_sizes;
     Build build;
     for (int edit = 0; edit < effort(30, 8); ++edit) {
-      // In the middle of the room, or so near to a wall that a box does not fit there.
+      // At the center of the room, or so near to a wall that a box does not fit.
       const Vec3d start(number(90), number(2) == 0 ? number(60) : 120, 60);
       compile(start, hulls, build);
-      Build anew;
-      compile(start, hulls, anew);
-      hull_sizes.insert(anew.bsp.clipnodes.size());
-      expect_same_level(build, anew);
+      Build fresh;
+      compile(start, hulls, fresh);
+      hull_sizes.insert(fresh.bsp.clipnodes.size());
+      expect_same_level(build, fresh);
       ASSERT_FALSE(testing::Test::HasFailure()) << "hulls " << hulls << ", edit " << edit;
     }
     EXPECT_GE(hull_sizes.size(), 2u) << "both filled hulls and open ones";
   }
 }
 
-TEST(Build, MapWithoutWorldspawnInFrontIsRefusedEachTime) {
+TEST(Build, MapsWithoutLeadingWorldspawnFailEachTime) {
   const std::string text = Place{}.text();
   Build build = make({});
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
-  EXPECT_FALSE(compiler::compile_level(map_of(point_text("monster_ogre", {0, 0, 40}) + text), {},
-                                       artgen::make_palette(), {}, jobs, nobody, build, warnings)
+  EXPECT_FALSE(compiler::compile_level(
+                   {parse_map(point_text("monster_ogre", {0, 0, 40}) + text), {}, artgen::make_palette()}, {},
+                   {jobs, nobody, warnings}, build)
                    .ok());
 }
 
-TEST(Build, VisibilityThatWasStoppedIsKept) {
+TEST(Build, StoppedVisibilityIsKept) {
   const Place place;
   Build build;
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   Stopper watcher;
   watcher.stop_at = "visibility";
   compiler::Warnings warnings;
-  const auto stopped = compiler::compile_level(map_of(place.text()), {}, artgen::make_palette(), {}, jobs,
-                                               watcher, build, warnings);
+  const auto stopped = compiler::compile_level({parse_map(place.text()), {}, artgen::make_palette()}, {},
+                                               {jobs, watcher, warnings}, build);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().code, base::ErrorCode::kUsage);
   ASSERT_FALSE(build.visibility_state.empty());
-  // The level was not written, so the next run has the state alone.
+  // The level was not written, so the next run has only the state.
   Build next;
   next.visibility_state = build.visibility_state;
   bring_up_to_date(place, {}, next);
@@ -278,18 +280,18 @@ TEST(Build, VisibilityThatWasStoppedIsKept) {
   expect_same_level(next, make(place));
 }
 
-TEST(Build, LevelWithoutItsMapKeepsWhatIsNotLight) {
+TEST(Build, RelightingWithoutAMapKeepsEverythingElse) {
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
   formats::Bsp bsp = make({}).bsp;
   bsp.bspx.push_back({"BRUSHLIST", base::ByteVector(4)});
-  Build build = compiler::build_of_level(bsp, {}, true).value();
+  Build build = compiler::make_build_from_level(bsp, {}, true).value();
   CompileOptions options;
-  options.light_wish = StagePolicy::kSkip;
+  options.light_policy = StagePolicy::kSkip;
   const auto finish = [&] {
     return stages_run(
-        compiler::finish_level(artgen::make_palette(), options, jobs, nobody, build, warnings).value());
+        compiler::finish_level(artgen::make_palette(), options, {jobs, nobody, warnings}, build).value());
   };
   const std::vector<std::string> visibility_alone{"visibility"};
   EXPECT_EQ(finish(), visibility_alone);
@@ -302,22 +304,22 @@ TEST(Build, LevelWithoutItsMapKeepsWhatIsNotLight) {
 }
 
 TEST(BuildFile, ReadsBackEqual) {
-  const Files files = files_of(make({}));
-  EXPECT_EQ(files_of(reread(files)).build, files.build);
+  const Files files = list_build_files(make({}));
+  EXPECT_EQ(list_build_files(reread(files)).build, files.build);
 }
 
-TEST(BuildFile, OfAnotherLevelIsNoUse) {
-  const Files files = files_of(make({}));
+TEST(BuildFile, IgnoresAnotherLevel) {
+  const Files files = list_build_files(make({}));
   Place other;
   other.lamp.x = 40;
-  const Files others = files_of(make(other));
+  const Files others = list_build_files(make(other));
   EXPECT_TRUE(compiler::read_build(files.build, {others.bsp, others.lit})->bsp.models.empty());
   EXPECT_TRUE(compiler::read_build(files.build, {files.bsp, {}})->bsp.models.empty());
   EXPECT_TRUE(compiler::read_build(files.build, {})->bsp.models.empty());
 }
 
-TEST(BuildFile, DamageIsFound) {
-  const Files files = files_of(make({}));
+TEST(BuildFile, DetectsDamage) {
+  const Files files = list_build_files(make({}));
   for (std::size_t i = 0; i < files.build.size(); i += 1 + files.build.size() / 97) {
     base::ByteVector damaged = files.build;
     damaged[i] ^= std::byte{0x10};

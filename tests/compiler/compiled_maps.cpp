@@ -16,12 +16,12 @@ std::vector<const char*> stock_maps() {
           "lqdm11", "lqdm12",  "b_bh25",  "b_explob", "b_rock0"};
 }
 
-formats::Map stock_map(const fs::path& base_folder, const std::string& name) {
+formats::Map read_stock_map(const fs::path& base_folder, const std::string& name) {
   const base::ByteVector text = read_file(base_folder / "mapsrc" / (name + ".map"));
   return formats::read_map(base::as_text(text)).value();
 }
 
-StockTextures stock_textures(const fs::path& base_folder, const formats::Map& map) {
+StockTextures read_stock_textures(const fs::path& base_folder, const formats::Map& map) {
   StockTextures textures;
   const vfs::FileSystem files = vfs::FileSystem::open(base_folder).value();
   textures.palette = assets::load_look(files).value().palette;
@@ -37,15 +37,15 @@ StockTextures stock_textures(const fs::path& base_folder, const formats::Map& ma
 
 CompiledMap compile_stock_map(const fs::path& base_folder, const std::string& name,
                               const compiler::CompileOptions& options, int threads) {
-  const formats::Map map = stock_map(base_folder, name);
-  const StockTextures textures = stock_textures(base_folder, map);
+  const formats::Map map = read_stock_map(base_folder, name);
+  const StockTextures textures = read_stock_textures(base_folder, map);
   base::Jobs jobs(threads);
   compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
   compiler::Build level;
-  compiler::CompileReport report =
-      compiler::compile_level(map, textures.sources, textures.palette, options, jobs, nobody, level, warnings)
-          .value();
+  compiler::CompileReport report = compiler::compile_level({map, textures.sources, textures.palette}, options,
+                                                           {jobs, nobody, warnings}, level)
+                                       .value();
   return {std::move(level), std::move(report.leak), std::move(warnings)};
 }
 

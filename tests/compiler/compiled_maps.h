@@ -1,4 +1,4 @@
-// Maps of the data, compiled with the textures that they name.
+// Maps of the game data, compiled with the textures that they name.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,20 @@
 
 namespace temblor::test {
 
-// Every map of the data's `mapsrc` that has a finished level of its name; those named b_* are boxes of
-// supplies, seen from outside. Sanitizer builds get the quickest of either kind.
+// Every map in the data's `mapsrc` with a finished level of its name. Those named b_* are item boxes, seen
+// from outside. Sanitizer builds get the quickest of both kinds.
 std::vector<const char*> stock_maps();
 
-// CHECKs that the data has it.
-formats::Map stock_map(const std::filesystem::path& base_folder, const std::string& name);
+// CHECKs that the data has the map.
+formats::Map read_stock_map(const std::filesystem::path& base_folder, const std::string& name);
 
 struct StockTextures {
   formats::Palette palette;
   std::vector<base::ByteVector> bytes;
-  std::vector<compiler::TextureSource> sources;  // into `bytes`
+  std::vector<compiler::TextureSource> sources;  // views of `bytes`
 };
-// The WADs that the map names, in its order, and the game's palette.
-StockTextures stock_textures(const std::filesystem::path& base_folder, const formats::Map& map);
+// Reads the WADs that the map names, in its order, and the game's palette.
+StockTextures read_stock_textures(const std::filesystem::path& base_folder, const formats::Map& map);
 
 struct CompiledMap {
   compiler::Build level;

@@ -11,12 +11,12 @@
 namespace temblor::test {
 namespace {
 
-std::string_view texture_of(const formats::Bsp& bsp, const formats::BspFace& face) {
+std::string_view texture_name(const formats::Bsp& bsp, const formats::BspFace& face) {
   return bsp.miptexes[static_cast<std::size_t>(bsp.texinfos[face.texinfo].miptex)].name;
 }
 
-double area_of_face(const formats::Bsp& bsp, const formats::BspFace& face) {
-  const std::vector<math::Vec3> corners = vertices_of(bsp, face);
+double measure_face(const formats::Bsp& bsp, const formats::BspFace& face) {
+  const std::vector<math::Vec3> corners = list_vertices(bsp, face);
   const math::Vec3d first(corners[0]);
   math::Vec3d sum(0.0);
   for (std::size_t k = 2; k < corners.size(); ++k)
@@ -32,16 +32,17 @@ std::string room_text(const std::string& more_brushes) {
          point_text("info_player_start", {0, 0, 32});
 }
 
-compiler::DraftResult draft_of(const std::string& map_text, const compiler::DraftOptions& options,
-                               int threads) {
+compiler::DraftResult compile_draft(const std::string& map_text, const compiler::DraftOptions& options,
+                                    int threads) {
   base::Jobs jobs(threads);
   compiler::Warnings warnings;
   return compiler::make_draft(
-             map_of(map_text), [](std::string_view) { return math::Vec2d(64, 64); }, options, jobs, warnings)
+             parse_map(map_text), [](std::string_view) { return math::Vec2d(64, 64); }, options, jobs,
+             warnings)
       .value();
 }
 
-std::shared_ptr<const world::Level> level_of_brushes(const formats::Map& map) {
+std::shared_ptr<const world::Level> make_level_of_brushes(const formats::Map& map) {
   base::Jobs jobs(2);
   compiler::Warnings warnings;
   compiler::DraftOptions options;
@@ -53,15 +54,15 @@ std::shared_ptr<const world::Level> level_of_brushes(const formats::Map& map) {
   return world::make_level(result.draft.bsp, "brushes").value();
 }
 
-base::Result<compiler::DraftResult> try_draft_of(const std::string& map_text,
-                                                 compiler::Warnings& io_warnings) {
+base::Result<compiler::DraftResult> try_compile_draft(const std::string& map_text,
+                                                      compiler::Warnings& io_warnings) {
   TRY(const formats::Map map, formats::read_map(map_text));
   base::Jobs jobs(1);
   return compiler::make_draft(
       map, [](std::string_view) { return math::Vec2d(64, 64); }, {}, jobs, io_warnings);
 }
 
-std::string fault_of(const compiler::DraftResult& result) {
+std::string find_level_fault(const compiler::DraftResult& result) {
   formats::Bsp bsp = result.draft.bsp;
   for (formats::BspMiptex& texture : bsp.miptexes) texture.name.clear();
   const auto fault = formats::find_fault(bsp);
@@ -73,15 +74,16 @@ world::Contents contents_at(const compiler::DraftResult& result, const math::Vec
   return world::hull_contents(*level, world::ModelIndex{0}, hull, point);
 }
 
-double area_of(const compiler::DraftResult& result, std::string_view texture, int axis, int sign, float at) {
+double measure_area(const compiler::DraftResult& result, std::string_view texture, int axis, int sign,
+                    float at) {
   const formats::Bsp& bsp = result.draft.bsp;
   double area = 0;
   for (const formats::BspFace& face : bsp.faces) {
     const formats::BspPlane& plane = bsp.planes[face.plane];
     const float facing = plane.normal[axis] * (face.side == 0 ? 1.0f : -1.0f);
     const bool lies_there = plane.distance * plane.normal[axis] == at;
-    if (facing == static_cast<float>(sign) && lies_there && texture_of(bsp, face) == texture)
-      area += area_of_face(bsp, face);
+    if (facing == static_cast<float>(sign) && lies_there && texture_name(bsp, face) == texture)
+      area += measure_face(bsp, face);
   }
   return area;
 }
@@ -89,7 +91,7 @@ double area_of(const compiler::DraftResult& result, std::string_view texture, in
 int count_faces(const compiler::DraftResult& result, std::string_view texture) {
   const formats::Bsp& bsp = result.draft.bsp;
   return static_cast<int>(std::ranges::count_if(
-      bsp.faces, [&](const formats::BspFace& face) { return texture_of(bsp, face) == texture; }));
+      bsp.faces, [&](const formats::BspFace& face) { return texture_name(bsp, face) == texture; }));
 }
 
 }  // namespace temblor::test

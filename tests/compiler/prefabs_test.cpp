@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 namespace fs = std::filesystem;
 
-// A world of one brush with one side, which looks along x at `distance`.
+// A world with one brush with one side, which faces x at `distance`.
 std::string one_side(const std::string& distance, const std::string& more_entities = "") {
   return "{\n\"classname\" \"worldspawn\"\n{\n( " + distance + " 0 0 ) ( " + distance + " 1 0 ) ( " +
          distance + " 0 1 ) wall 0 0 0 1 1\n}\n}\n" + more_entities;
@@ -46,21 +46,21 @@ Expanded expand(const std::string& text, const Files& files) {
   return {std::move(map), std::move(warnings)};
 }
 
-// The points of the only side of the only brush that the first entity became.
-std::array<Vec3d, 3> points_of(const std::string& pairs) {
+// The points of the only side of the only brush of the first entity.
+std::array<Vec3d, 3> parse_points(const std::string& pairs) {
   const Expanded expanded = expand(prefab("p.map", pairs), {{"maps/p.map", one_side("8")}});
   EXPECT_EQ(expanded.error(), "no error");
   return expanded.map->entities.at(0).brushes.at(0).sides.at(0).points_world;
 }
 
-TEST(Prefabs, AMapWithoutAnyStaysAsItIs) {
+TEST(Prefabs, LeavesMapsWithoutPrefabsUnchanged) {
   const std::string text = one_side("1", "{\n\"classname\" \"light\"\n}\n");
   const Expanded expanded = expand(text, {});
   EXPECT_EQ(*expanded.map, formats::read_map(text).value());
   EXPECT_THAT(expanded.warnings, IsEmpty());
 }
 
-TEST(Prefabs, BrushesTakeThePlaceAndTheLineOfTheEntity) {
+TEST(Prefabs, BrushesReplaceTheEntityAndTakeItsLine) {
   const Expanded expanded =
       expand(one_side("1") + prefab("../parts/lamp.map", "\"origin\" \"16 0 4\"\n\"_phong\" \"1\"\n"),
              {{"parts/lamp.map", one_side("8",
@@ -79,7 +79,7 @@ TEST(Prefabs, BrushesTakeThePlaceAndTheLineOfTheEntity) {
             (std::array{Vec3d(24, 0, 4), Vec3d(24, 1, 4), Vec3d(24, 0, 5)}));
 }
 
-TEST(Prefabs, TheClassCanBeChosen) {
+TEST(Prefabs, ClassCanBeChosen) {
   const auto classname = [](const std::string& pairs) {
     const Expanded expanded = expand(prefab("p.map", pairs), {{"maps/p.map", one_side("8")}});
     return std::string(expanded.map->entities.at(0).fields.classname());
@@ -90,24 +90,24 @@ TEST(Prefabs, TheClassCanBeChosen) {
   EXPECT_EQ(classname("\"_external_map_classname\" \"worldspawn\"\n"), "func_group");
 }
 
-TEST(Prefabs, ScaledThenTurnedThenMoved) {
+TEST(Prefabs, AreScaledThenTurnedThenMoved) {
   using Points = std::array<Vec3d, 3>;
-  EXPECT_EQ(points_of("\"_external_map_scale\" \"2\"\n"),
+  EXPECT_EQ(parse_points("\"_external_map_scale\" \"2\"\n"),
             (Points{Vec3d(16, 0, 0), Vec3d(16, 2, 0), Vec3d(16, 0, 2)}));
-  EXPECT_EQ(points_of("\"_scale\" \"1 3 4\"\n"), (Points{Vec3d(8, 0, 0), Vec3d(8, 3, 0), Vec3d(8, 0, 4)}));
-  // Yaw turns x to y; exact on the grid.
-  EXPECT_EQ(points_of("\"_external_map_angle\" \"90\"\n"),
+  EXPECT_EQ(parse_points("\"_scale\" \"1 3 4\"\n"), (Points{Vec3d(8, 0, 0), Vec3d(8, 3, 0), Vec3d(8, 0, 4)}));
+  // Yaw turns x to y; on the grid it is exact.
+  EXPECT_EQ(parse_points("\"_external_map_angle\" \"90\"\n"),
             (Points{Vec3d(0, 8, 0), Vec3d(-1, 8, 0), Vec3d(0, 8, 1)}));
-  EXPECT_EQ(points_of("\"_external_map_angles\" \"0 90 0\"\n\"_scale\" \"2\"\n\"origin\" \"1 2 3\"\n"),
+  EXPECT_EQ(parse_points("\"_external_map_angles\" \"0 90 0\"\n\"_scale\" \"2\"\n\"origin\" \"1 2 3\"\n"),
             (Points{Vec3d(1, 18, 3), Vec3d(-1, 18, 3), Vec3d(1, 18, 5)}));
   // A negative pitch is down.
-  EXPECT_EQ(points_of("\"_external_map_angles\" \"-90 0 0\"\n")[0], Vec3d(0, 0, -8));
-  // Mirrored: the points run the other way round, so that the brush is not turned inside out.
-  EXPECT_EQ(points_of("\"_scale\" \"-1 1 1\"\n"),
+  EXPECT_EQ(parse_points("\"_external_map_angles\" \"-90 0 0\"\n")[0], Vec3d(0, 0, -8));
+  // In a mirrored brush the points run the other way round, so that it is not inside out.
+  EXPECT_EQ(parse_points("\"_scale\" \"-1 1 1\"\n"),
             (Points{Vec3d(-8, 0, 1), Vec3d(-8, 1, 0), Vec3d(-8, 0, 0)}));
 }
 
-TEST(Prefabs, WithinPrefabsPathsAreSeenFromTheirOwnFile) {
+TEST(Prefabs, NestedPathsAreRelativeToTheirFile) {
   const Expanded expanded =
       expand(prefab("a\\a.map", "\"origin\" \"0 0 100\"\n\"_angle\" \"90\"\n"),
              {{"maps/a/a.map", one_side("1") + prefab("b.map", "\"origin\" \"10 0 0\"\n")},
@@ -119,15 +119,16 @@ TEST(Prefabs, WithinPrefabsPathsAreSeenFromTheirOwnFile) {
   EXPECT_EQ(brushes[1].sides[0].points_world[0], Vec3d(0, 12, 100));
 }
 
-TEST(Prefabs, OtherEntitiesAreLeftOutWithAWarningForEachFile) {
+TEST(Prefabs, WarnAboutOtherEntitiesOncePerFile) {
   const Expanded expanded = expand(prefab("p.map") + prefab("p.map"),
                                    {{"maps/p.map", one_side("1", "{\n\"classname\" \"light\"\n}\n")}});
   ASSERT_EQ(expanded.warnings.size(), 1u);
-  EXPECT_EQ(expanded.warnings[0].what,
-            "maps/p.map: 1 of 2 entities are neither world, group, detail nor prefab");
+  EXPECT_EQ(
+      expanded.warnings[0].what,
+      "maps/p.map: 1 of 2 entities; only worldspawn, func_group, func_detail and misc_external_map are used");
 }
 
-TEST(Prefabs, VisBlockersStayWhatTheyAre) {
+TEST(Prefabs, VisBlockersKeepTheirClass) {
   const auto blocker = [](const std::string& distance) {
     std::string text = one_side(distance);
     return text.replace(text.find("worldspawn"), 10, "func_illusionary_visblocker");
@@ -156,39 +157,41 @@ TEST(Prefabs, ErrorsNameTheEntityAndTheFile) {
     return expand(one_side("1") + prefab("p.map", pairs), {{"maps/p.map", one_side("8")}}).error();
   };
   const std::string place = "entity 1 (misc_external_map), line 7: ";
-  EXPECT_EQ(error("\"_scale\" \"0\"\n"), place + "_scale should be one number or three, none of them 0");
-  EXPECT_EQ(error("\"_scale\" \"1 2\"\n"), place + "_scale should be one number or three, none of them 0");
+  EXPECT_EQ(error("\"_scale\" \"0\"\n"), place + "_scale must be one number or three, and none may be 0");
+  EXPECT_EQ(error("\"_scale\" \"1 2\"\n"), place + "_scale must be one number or three, and none may be 0");
   EXPECT_EQ(error("\"_external_map_angles\" \"90\"\n"),
-            place + "_external_map_angles should be three numbers: pitch yaw roll");
-  EXPECT_EQ(error("\"_angle\" \"up\"\n"), place + "_angle should be one number: the yaw");
-  EXPECT_EQ(error("\"origin\" \"nan 0 0\"\n"), place + "origin should be three numbers");
-  EXPECT_EQ(error("\"_scale\" \"1e30\"\n"),
-            place + "the brush from line 3 of maps/p.map comes to lie beyond +-16777216");
+            place + "_external_map_angles must be three numbers: pitch yaw roll");
+  EXPECT_EQ(error("\"_angle\" \"up\"\n"), place + "_angle must be one number, the yaw");
+  EXPECT_EQ(error("\"origin\" \"nan 0 0\"\n"), place + "origin must be three numbers");
+  EXPECT_EQ(
+      error("\"_scale\" \"1e30\"\n"),
+      place + "the brush on line 3 of maps/p.map would be beyond +-16777216 units: move or scale the prefab");
   EXPECT_EQ(expand("{\n\"classname\" \"misc_external_map\"\n}\n", {}).error(),
-            "entity 0 (misc_external_map), line 1: no key _external_map names a file");
+            "entity 0 (misc_external_map), line 1: set _external_map to the file of the prefab");
   EXPECT_EQ(expand(prefab("q.map"), {}).error(),
             "entity 0 (misc_external_map), line 1: prefab maps/q.map: no such file");
   EXPECT_EQ(expand(prefab("p.map"), {{"maps/p.map", "{\n{\n"}}).error(),
-            "maps/p.map: entity 0, brush 0, line 2: the brush that opens here is never closed");
+            "maps/p.map: entity 0, brush 0, line 2: this brush is never closed");
   EXPECT_EQ(expand(prefab("p.map"), {{"maps/p.map", one_side("1") + prefab("q.map")}}).error(),
             "maps/p.map: entity 1 (misc_external_map), line 7: prefab maps/q.map: no such file");
 }
 
-TEST(Prefabs, CirclesAreErrorsThatNameTheChain) {
+TEST(Prefabs, RejectCyclesAndNameTheChain) {
   EXPECT_EQ(
       expand(prefab("a.map"), {{"maps/a.map", prefab("b.map")}, {"maps/b.map", prefab("./x/../a.map")}})
           .error(),
-      "maps/b.map: entity 0 (misc_external_map), line 1: maps name each other in a circle: maps/level.map -> "
+      "maps/b.map: entity 0 (misc_external_map), line 1: the maps include each other: maps/level.map -> "
       "maps/a.map -> maps/b.map -> maps/a.map");
-  EXPECT_THAT(expand(prefab("level.map"), {}).error(), HasSubstr("circle: maps/level.map -> maps/level.map"));
+  EXPECT_THAT(expand(prefab("level.map"), {}).error(),
+              HasSubstr("each other: maps/level.map -> maps/level.map"));
 }
 
-TEST(Prefabs, TooManyOrTooDeepIsAnError) {
+TEST(Prefabs, RejectTooManyOrTooDeep) {
   Files deep;
   for (int i = 0; i < 20; ++i)
     deep["maps/" + std::to_string(i) + ".map"] = prefab(std::to_string(i + 1) + ".map");
   EXPECT_THAT(expand(prefab("0.map"), deep).error(), HasSubstr("at most 16 deep"));
-  // Each names the next one ten times: 10^9 in all, were they not counted.
+  // Each names the next one ten times: 10^9 in all, if nothing counted them.
   Files many;
   for (int i = 0; i < 9; ++i)
     for (int copies = 0; copies < 10; ++copies)

@@ -1,4 +1,4 @@
-// Every map of the data, compiled and held against the finished level that its makers ship.
+// Every map of the game data, compiled and compared with the finished level that its makers ship.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "compiler/make_draft.h"
+#include "compiler/bsp/make_draft.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/entities.h"
 #include "support/effort.h"
@@ -20,7 +20,7 @@ namespace {
 
 using math::Vec3d;
 
-// A face of the world as whoever looks at it sees it.
+// A face of the world as a viewer sees it.
 struct SeenFace {
   Vec3d normal{0.0};
   double distance = 0;
@@ -52,14 +52,14 @@ std::vector<SeenFace> faces_of_world(const formats::Bsp& bsp) {
   return faces;
 }
 
-// The first face that a ray meets from in front; null: none.
+// The first face that a ray meets from its front; null: none.
 const SeenFace* first_met(const std::vector<SeenFace>& faces, const Vec3d& from, const Vec3d& direction) {
   const SeenFace* met = nullptr;
   double nearest = 1e9;
   for (const SeenFace& face : faces) {
-    const double towards = glm::dot(direction, face.normal);
-    if (towards > -1e-9) continue;
-    const double along = (face.distance - glm::dot(from, face.normal)) / towards;
+    const double toward = glm::dot(direction, face.normal);
+    if (toward > -1e-9) continue;
+    const double along = (face.distance - glm::dot(from, face.normal)) / toward;
     if (along < 1e-6 || along >= nearest) continue;
     const Vec3d point = from + direction * along;
     if (glm::any(glm::lessThan(point, face.mins)) || glm::any(glm::greaterThan(point, face.maxs))) continue;
@@ -75,8 +75,8 @@ const SeenFace* first_met(const std::vector<SeenFace>& faces, const Vec3d& from,
   return met;
 }
 
-std::vector<Vec3d> eyes_of(const formats::Bsp& bsp) {
-  constexpr double kEyeHeight = 22;  // over an entity's origin
+std::vector<Vec3d> list_eyes(const formats::Bsp& bsp) {
+  constexpr double kEyeHeight = 22;  // above an entity's origin
   std::vector<Vec3d> eyes;
   const std::vector<formats::Entity> entities = formats::read_entities(bsp.entities).value();
   for (const formats::Entity& entity : entities) {
@@ -109,7 +109,7 @@ TEST_P(StockMaps, LookLikeTheFinishedLevels) {
   EXPECT_EQ(made.draft.bsp.models.size(), finished.models.size());
 
   const std::vector<SeenFace> ours = faces_of_world(made.draft.bsp), theirs = faces_of_world(finished);
-  const std::vector<Vec3d> eyes = eyes_of(finished);
+  const std::vector<Vec3d> eyes = list_eyes(finished);
   ASSERT_FALSE(eyes.empty());
   Random random(7);
   const int rays = effort(20000, 1000);
@@ -119,7 +119,7 @@ TEST_P(StockMaps, LookLikeTheFinishedLevels) {
     const Vec3d eye = eyes[random.below(eyes.size())];
     const Vec3d direction(random.in_cube(1));
     const SeenFace* const expected = first_met(theirs, eye, direction);
-    if (expected == nullptr) continue;  // an eye in a wall
+    if (expected == nullptr) continue;  // the eye is in a wall
     ++met;
     const SeenFace* const got = first_met(ours, eye, direction);
     if (got == nullptr) {

@@ -1,4 +1,4 @@
-// Monsters whose enemy is where they cannot come: they do not stand idle.
+// Monsters whose enemy is out of reach do not stand idle.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@ namespace {
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-// How far it goes in that time, and the largest distance along the floor from a place.
+// How far a monster moves in some time, and its largest horizontal distance from a place.
 struct Way {
   float length = 0;
   float farthest = 0;
   double longest_still_s = 0;
 };
 
-Way way_of(PlayedLevel& io_game, std::uint32_t monster, double seconds, const math::Vec3& from) {
+Way follow_path(PlayedLevel& io_game, std::uint32_t monster, double seconds, const math::Vec3& from) {
   Way way;
   double still_s = 0;
   math::Vec3 before = io_game.edict(monster)[field::kOrigin];
@@ -35,7 +35,7 @@ Way way_of(PlayedLevel& io_game, std::uint32_t monster, double seconds, const ma
   return way;
 }
 
-// A hall with a pillar in its middle, higher than anybody climbs; the player stands on it.
+// A hall with a pillar in its middle, too high to climb; the player stands on it.
 class OnAPillar : public ::testing::TestWithParam<std::string> {
  protected:
   OnAPillar()
@@ -43,7 +43,7 @@ class OnAPillar : public ::testing::TestWithParam<std::string> {
   RoomData data_;
 };
 
-TEST_P(OnAPillar, ThoseBelowGoAwayFromTheWallAgain) {
+TEST_P(OnAPillar, MonstersBelowMoveAwayFromTheWall) {
   PlayedLevel game(data_.path(), "room", kProgs);
   game.join(0);
   game.run(1);
@@ -53,7 +53,7 @@ TEST_P(OnAPillar, ThoseBelowGoAwayFromTheWallAgain) {
   const std::uint32_t monster = game.spawn(GetParam(), {300, 0, 30}, 180);
   game.run(5);
   EXPECT_EQ(game.edict(monster)[field::kEnemy], game.player(0).index());
-  const Way way = way_of(game, monster, 20, top);
+  const Way way = follow_path(game, monster, 20, top);
   EXPECT_GT(way.length, 500);
   EXPECT_GT(way.farthest, 180);
   EXPECT_LT(way.longest_still_s, 4);
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(All, OnAPillar,
                                            "monster_shambler"),
                          [](const auto& kind) { return kind.param; });
 
-// A shaft in the floor, hardly wider than the monster and a little deeper than it steps: no step leads out.
+// A shaft in the floor, hardly wider than the monster and a little deeper than a step: no step leads out.
 class InAPocket : public ::testing::TestWithParam<std::string> {
  protected:
   InAPocket()
@@ -88,7 +88,7 @@ TEST_P(InAPocket, TheyHopOut) {
   game.run(1);
   ASSERT_EQ(game.edict(monster)[field::kEnemy], game.player(0).index());
   EXPECT_LT(game.edict(monster)[field::kOrigin].z, 25);
-  game.put(game.player(0), {1300, 0, 50});  // too far to be shot at
+  game.put(game.player(0), {1300, 0, 50});  // out of range
   game.run(15);
   EXPECT_GT(game.edict(monster)[field::kOrigin].z, 45);
   EXPECT_THAT(game.errors(), IsEmpty());
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(All, InAPocket,
                          ::testing::Values("monster_knight", "monster_zombie", "monster_army"),
                          [](const auto& kind) { return kind.param; });
 
-TEST(Fish, SwimOnWhenTheirPreyHasLeftTheWater) {
+TEST(Fish, KeepSwimmingWhenTheirPreyLeavesTheWater) {
   const std::string water = box_text({-600, -600, 0}, {600, 600, 200}, "*water");
   const std::string shore = box_text({400, -600, 0}, {600, 600, 232}, "wall");
   RoomData data(hall_text({-600, -600, 0}, {600, 600, 400}, water + shore));
@@ -114,13 +114,13 @@ TEST(Fish, SwimOnWhenTheirPreyHasLeftTheWater) {
   const math::Vec3 ashore(500, 0, 256.03125f);
   game.put(game.player(0), ashore);
   game.run(1);
-  EXPECT_GT(way_of(game, fish, 4, ashore).length, 100);
+  EXPECT_GT(follow_path(game, fish, 4, ashore).length, 100);
   game.run(6);
   EXPECT_EQ(game.edict(fish)[field::kEnemy], vm::kWorld);
-  EXPECT_GT(way_of(game, fish, 10, ashore).length, 200);
+  EXPECT_GT(follow_path(game, fish, 10, ashore).length, 200);
   EXPECT_THAT(game.errors(), IsEmpty());
 
-  // Back in the water, he is prey again.
+  // Back in the water, the player is prey again.
   const math::Vec3 at = game.edict(fish)[field::kOrigin];
   game.put(game.player(0), {at.x - std::copysign(80.0f, at.x), at.y, at.z - 60});
   game.run(3);

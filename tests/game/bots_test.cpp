@@ -1,4 +1,4 @@
-// Bots: that they come and go as the variables say, and play.
+// Bots come and go as the variables say, and play.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,12 +24,12 @@ int bots_in(const PlayedLevel& game) {
   return count;
 }
 
-// Whether somebody alive has been within a small cube for as long as nobody should be.
+// Whether a living player has stayed within a small cube for suspiciously long.
 class Watcher {
  public:
   explicit Watcher(PlayedLevel& io_game) : game_(io_game) {}
 
-  // Once a second.
+  // Called once per second.
   void look() {
     for (std::uint32_t slot = 0; slot < kPlaces; ++slot) {
       std::deque<math::Vec3>& places = places_[slot];
@@ -80,7 +80,7 @@ int times_said(const PlayedLevel& game, std::string_view what) {
 
 struct Played {
   float frags = 0;
-  int accidents = 0;  // deaths by the level
+  int accidents = 0;  // deaths caused by the level
 };
 
 Played play_arena(const std::filesystem::path& data, const Arena& arena) {
@@ -108,11 +108,11 @@ TEST_P(Arenas, EightBotsPlayAndNobodyIsStuck) {
   play_arena(data, GetParam());
 }
 
-// Ours, where the build has made them.
+// Our levels, if they have been built.
 class ShippedArenas : public ::testing::TestWithParam<std::string> {};
 
-// The Anvil has lava and a hammer in its middle, with the best there is to have under it.
-TEST_P(ShippedArenas, EightBotsPlayAndNobodyIsStuckAndTheyMindTheLevel) {
+// The Anvil has lava and a hammer in its middle, with the best items under it.
+TEST_P(ShippedArenas, EightBotsPlayUnstuckAndAvoidHazards) {
   const std::filesystem::path data = TEMBLOR_GAMES;
   if (!std::filesystem::exists(data / "id1/maps" / (GetParam() + ".bsp")))
     GTEST_SKIP() << "the level has not been built (target game_maps)";
@@ -123,7 +123,7 @@ TEST_P(ShippedArenas, EightBotsPlayAndNobodyIsStuckAndTheyMindTheLevel) {
 INSTANTIATE_TEST_SUITE_P(All, ShippedArenas, ::testing::Values("tdm1", "tdm2"),
                          [](const auto& arena) { return arena.param; });
 
-// A small one, one with lava, and shorter games in large ones.
+// A small level, one with lava, and shorter games in large ones.
 INSTANTIATE_TEST_SUITE_P(All, Arenas,
                          ::testing::Values(Arena{"lqdm1", 10}, Arena{"lqdm12", 10}, Arena{"lqdm3", 4},
                                            Arena{"lqdm5", 4}, Arena{"lqdm11", 4}),
@@ -133,7 +133,7 @@ class Company : public ::testing::Test {
  protected:
   Company() : data_(hall_text({0, -400, 0}, {1200, 400, 256}, {}, starts())) {}
 
-  // Six more than the two of the hall: nobody has to appear in somebody else.
+  // Six more starts than the hall's two: nobody has to spawn inside somebody else.
   static std::string starts() {
     std::string text;
     for (int i = 0; i < 6; ++i)
@@ -148,7 +148,7 @@ class Company : public ::testing::Test {
   RoomData data_;
 };
 
-TEST_F(Company, AsManyAsTheVariableSaysPeopleCounted) {
+TEST_F(Company, FillUpToTheVariableIncludingPeople) {
   PlayedLevel game = begin(server::GameKind::kDeathmatch);
   game.run(10);
   EXPECT_EQ(bots_in(game), 0);
@@ -161,14 +161,14 @@ TEST_F(Company, AsManyAsTheVariableSaysPeopleCounted) {
   EXPECT_EQ(bots_in(game), 3);
   game.set("bot_fill", "16");
   game.run(10);
-  EXPECT_EQ(bots_in(game), 7);  // no more places
+  EXPECT_EQ(bots_in(game), 7);  // no more slots
   game.set("bot_fill", "0");
   game.run(10);
   EXPECT_EQ(bots_in(game), 0);
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST_F(Company, HaveNamesOfTheirOwn) {
+TEST_F(Company, HaveDistinctNames) {
   PlayedLevel game = begin(server::GameKind::kDeathmatch);
   game.set("bot_fill", "8");
   game.run(15);
@@ -178,14 +178,14 @@ TEST_F(Company, HaveNamesOfTheirOwn) {
   EXPECT_EQ(names.size(), 8u);
 }
 
-TEST_F(Company, NoneWithoutADeathmatch) {
+TEST_F(Company, JoinOnlyDeathmatches) {
   PlayedLevel game = begin(server::GameKind::kCooperative);
   game.set("bot_fill", "8");
   game.run(10);
   EXPECT_EQ(bots_in(game), 0);
 }
 
-TEST_F(Company, BetterOnesKillMore) {
+TEST_F(Company, MoreSkilledOnesKillMore) {
   float frags[2] = {};
   for (const int skill : {0, 3}) {
     PlayedLevel game = begin(server::GameKind::kDeathmatch);
@@ -199,7 +199,7 @@ TEST_F(Company, BetterOnesKillMore) {
   EXPECT_GT(frags[1], 2 * frags[0]);
 }
 
-TEST_F(Company, KnowWhatTheTremorIsFor) {
+TEST_F(Company, UseTheTremor) {
   PlayedLevel game = begin(server::GameKind::kDeathmatch);
   game.set("bot_fill", "2");
   game.run(8);
@@ -210,11 +210,11 @@ TEST_F(Company, KnowWhatTheTremorIsFor) {
     }
     game.run(1);
   }
-  EXPECT_THAT(game.said(), HasSubstr("lost the ground to "));
+  EXPECT_THAT(game.said(), HasSubstr("was shaken apart by "));
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-// One comes and stands there: they find and kill him.
+// A person joins and stands still: bots find and kill it.
 TEST_F(Company, HuntPeople) {
   PlayedLevel game = begin(server::GameKind::kDeathmatch);
   game.set("bot_fill", "3");

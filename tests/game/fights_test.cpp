@@ -1,4 +1,4 @@
-// Each kind of monster against a player, in a stock level: it finds him and hurts him; he kills it.
+// Each kind of monster against a player, in a stock level: it finds and hurts the player, who kills it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ void aim_at(PlayedLevel& io_game, std::uint32_t monster) {
                                               std::atan2(way[1], way[0]) / kDegree, 0};
 }
 
-// Seconds until the player has lost health; over `longest`: he has not.
+// Seconds until the player has lost health; more than `longest`: never.
 double time_to_be_hurt(PlayedLevel& io_game, double longest) {
   const double begin = io_game.time_s();
   const float health = io_game.player(0)[field::kHealth];
@@ -51,19 +51,19 @@ void shoot_dead(PlayedLevel& io_game, std::uint32_t monster, float weapon_impuls
 
 class Fights : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(Fights, MonstersFindAndHurtAPlayerAndDieOfHisShots) {
+TEST_P(Fights, MonstersFindAndHurtAPlayerAndDieByItsShots) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lqdm1", kProgs);
   game.join(0);
   game.run(1);
   const float yaw = take_a_stand(game);
   game.player(0).set(field::kHealth, 200);
-  const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
+  const math::Vec3 place = game.player(0)[field::kOrigin] + yaw_direction(yaw) * kOpenGround;
   const std::uint32_t monster = game.spawn(GetParam(), place, yaw + 180);
 
   EXPECT_LT(time_to_be_hurt(game, 30), 30);
 
-  // Of what does it die? Zombies of explosions only.
+  // Only explosions kill zombies.
   shoot_dead(game, monster, GetParam() == "monster_zombie" ? 7.0f : 3.0f, 60);
   EXPECT_EQ(game.global("killed_monsters"), 1);
   EXPECT_EQ(game.global("total_monsters"), 1);
@@ -72,24 +72,24 @@ TEST_P(Fights, MonstersFindAndHurtAPlayerAndDieOfHisShots) {
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST_P(Fights, MonstersLeaveThoseAloneWhomTheyDoNotNotice) {
+TEST_P(Fights, MonstersIgnorePlayersWithNotarget) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lqdm1", kProgs);
   game.join(0);
   game.run(1);
   const float yaw = take_a_stand(game);
   game.player(0).set_flag(server::flag::kNoTarget);
-  const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
+  const math::Vec3 place = game.player(0)[field::kOrigin] + yaw_direction(yaw) * kOpenGround;
   game.spawn(GetParam(), place, yaw + 180);
   EXPECT_GE(time_to_be_hurt(game, 15), 15);
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-// Of a minute in which the player walks to and fro and cannot die.
+// The results of a minute in which the player walks back and forth and cannot die.
 struct Fight {
   double first_hit_s = 60;
   float damage = 0;
-  double longest_idle_s = 0;  // neither moved nor hit
+  double longest_idle_s = 0;  // without moving or hitting
 };
 
 Fight fight_for_a_minute(PlayedLevel& io_game, std::uint32_t monster) {
@@ -116,7 +116,7 @@ Fight fight_for_a_minute(PlayedLevel& io_game, std::uint32_t monster) {
   return fight;
 }
 
-TEST_P(Fights, MonstersGiveOneAtEverySkillAndDoNotStandStillInIt) {
+TEST_P(Fights, MonstersFightAtEverySkillWithoutStandingStill) {
   DATA_FOLDER_OR_SKIP(data);
   for (const int skill : {0, 1, 2, 3}) {
     if (kQuick && skill != 1) continue;
@@ -127,7 +127,7 @@ TEST_P(Fights, MonstersGiveOneAtEverySkillAndDoNotStandStillInIt) {
     game.run(1);
     const float yaw = take_a_stand(game);
     game.player(0).set_flag(server::flag::kGodMode);
-    const math::Vec3 place = game.player(0)[field::kOrigin] + direction_of(yaw) * kOpenGround;
+    const math::Vec3 place = game.player(0)[field::kOrigin] + yaw_direction(yaw) * kOpenGround;
     const Fight fight = fight_for_a_minute(game, game.spawn(GetParam(), place, yaw + 180));
     EXPECT_LT(fight.first_hit_s, 8);
     EXPECT_GT(fight.damage, 120);
@@ -136,8 +136,9 @@ TEST_P(Fights, MonstersGiveOneAtEverySkillAndDoNotStandStillInIt) {
   }
 }
 
-// Behind a door of no return it looks for him for half a minute, and then forgets.
-TEST(Hunts, MonstersLoseTrackOfWhoIsGone) {
+// The player is behind a door that does not open again: the monster searches for half a minute, then forgets
+// it.
+TEST(Hunts, MonstersForgetAPlayerWhoIsGone) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lqdm1", kProgs);
   game.join(0);
@@ -145,7 +146,8 @@ TEST(Hunts, MonstersLoseTrackOfWhoIsGone) {
   const float yaw = take_a_stand(game);
   game.player(0).set_flag(server::flag::kGodMode);
   const math::Vec3 here = game.player(0)[field::kOrigin];
-  const std::uint32_t monster = game.spawn("monster_army", here + direction_of(yaw) * kOpenGround, yaw + 180);
+  const std::uint32_t monster =
+      game.spawn("monster_army", here + yaw_direction(yaw) * kOpenGround, yaw + 180);
   game.run(5);
   EXPECT_EQ(game.edict(monster)[field::kEnemy], game.player(0).index());
   game.player(0).set(field::kMoveType, static_cast<float>(server::MoveType::kNone));
@@ -172,8 +174,8 @@ TEST(Quarrels, AMonsterThatIsHitByAnotherKindTurnsAgainstIt) {
   const float yaw = take_a_stand(game);
   game.player(0).set_flag(server::flag::kNoTarget);
   const math::Vec3 here = game.player(0)[field::kOrigin];
-  const std::uint32_t ogre = game.spawn("monster_ogre", here + direction_of(yaw) * kOpenGround, yaw);
-  const std::uint32_t knight = game.spawn("monster_knight", here + direction_of(yaw) * 120.0f, yaw);
+  const std::uint32_t ogre = game.spawn("monster_ogre", here + yaw_direction(yaw) * kOpenGround, yaw);
+  const std::uint32_t knight = game.spawn("monster_knight", here + yaw_direction(yaw) * 120.0f, yaw);
   game.run(2);
   game.hurt(ogre, knight, 10);
   game.run(0.2);

@@ -1,4 +1,4 @@
-// The stock levels, visited by somebody who goes to everything, uses every third thing, and shoots all the
+// The stock levels, visited by a player who goes to every entity, uses every third one, and shoots all the
 // time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ void visit_everything(PlayedLevel& io_game) {
       visit(io_game, number);
 }
 
-TEST_P(Levels, RunWithoutAnErrorWhateverIsTouchedAndUsed) {
+TEST_P(Levels, RunWithoutErrorsWhileEverythingIsTouchedAndUsed) {
   DATA_FOLDER_OR_SKIP(data);
   for (const server::GameKind kind : {server::GameKind::kCooperative, server::GameKind::kDeathmatch}) {
     PlayedLevel game(data, GetParam(), kProgs, {.skill = 2, .kind = kind, .players = 2});
@@ -59,15 +59,15 @@ TEST_P(Levels, RunWithoutAnErrorWhateverIsTouchedAndUsed) {
     visit_everything(game);
     game.run(5);
     EXPECT_THAT(game.errors(), IsEmpty());
-    EXPECT_THAT(game.printed(), Not(HasSubstr("precache")));  // of sounds that nobody announced
+    EXPECT_THAT(game.printed(), Not(HasSubstr("precache")));  // no sound lacks its precache
     EXPECT_THAT(game.unknown_classes(), IsEmpty());
-    // Two keys that are settings of clients and of nobody.
+    // Two unused keys: one is a client setting.
     EXPECT_THAT(game.notes(), Each(AnyOf(HasSubstr("wateralpha"), HasSubstr("credits_"))));
   }
 }
 
-// Somebody who cannot die is everywhere in turn, for five minutes: whoever lives there fights him and the
-// others.
+// A player who cannot die visits all places in turn, for five minutes: the monsters there fight it and each
+// other.
 TEST_P(Levels, RunForFiveMinutesOfFighting) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, GetParam(), kProgs, {.skill = 3});
@@ -81,7 +81,7 @@ TEST_P(Levels, RunForFiveMinutesOfFighting) {
       visit(game, number);
   EXPECT_THAT(game.errors(), IsEmpty());
   EXPECT_THAT(game.printed(), Not(HasSubstr("precache")));
-  // Three ogres of one level stand in what its file says is solid, until they are teleported.
+  // Three ogres of one level stand in solid until they are teleported.
   EXPECT_TRUE(GetParam() == "lq_e1m2" || game.printed().find("is stuck") == std::string::npos);
   EXPECT_TRUE(kQuick || monsters == 0 || game.global("killed_monsters") > 0);
 }

@@ -1,4 +1,4 @@
-// docs/modding.md, followed: its files, compiled and played.
+// The files of docs/modding.md, compiled and played.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace field = server::field;
 
 const std::filesystem::path kSources = TEMBLOR_SOURCE_DIR;
 
-// The first block of the page that opens with this line; without it.
+// The page's first code block that starts with this line, without the line.
 std::string block(std::string_view opening) {
   const base::ByteVector bytes = read_file(kSources / "docs/modding.md");
   const std::string_view page = base::as_text(bytes);
@@ -29,7 +29,8 @@ std::string block(std::string_view opening) {
 
 TEST(ModdingPage, ItsWeaponAndRoomWork) {
   SKIP_WITHOUT_QUAKEC();
-  const RoomData data(block("```map\n"));
+  const base::ByteVector map = read_file(kSources / "docs/examples/skipping_room.map");
+  const RoomData data{std::string(base::as_text(map))};
   const std::filesystem::path mod = data.path() / "skipper";
   data.folder().write("skipper/skipper.qc", block("```c\n"));
   data.folder().write("skipper/progs.src", block("```\nprogs.dat\n"));
@@ -45,7 +46,7 @@ TEST(ModdingPage, ItsWeaponAndRoomWork) {
   game.player(0).set_flag(server::flag::kGodMode);
   game.player(0).set(field::kImpulse, 110);
   game.run(0.5);
-  EXPECT_THAT(game.of_class("skipper"), IsEmpty());  // he has none yet
+  EXPECT_THAT(game.of_class("skipper"), IsEmpty());  // nobody has one yet
   game.put(game.player(0), {256, 192, 48});
   game.run(0.5);
   EXPECT_EQ(game.edict_number(1, "skippers"), 5);

@@ -1,4 +1,4 @@
-// Doors, lifts, buttons and triggers of stock levels, set off as a player would.
+// Doors, lifts, buttons and triggers of stock levels, operated as by a player.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ math::Vec3 middle(server::Edict edict) {
   return (edict[field::kAbsMin] + edict[field::kAbsMax]) * 0.5f;
 }
 
-// The farthest that an entity is from where it was, in that time.
+// The largest distance of an entity from its start in this time.
 float farthest_way(PlayedLevel& game, std::uint32_t number, double seconds) {
   const math::Vec3 from = game.edict(number)[field::kOrigin];
   float farthest = 0;
@@ -28,7 +28,7 @@ float farthest_way(PlayedLevel& game, std::uint32_t number, double seconds) {
   return farthest;
 }
 
-TEST(Movers, DoorsWithoutAKeyOrANameOpenForWhoComesNear) {
+TEST(Movers, DoorsWithoutAKeyOrANameOpenForPlayersNearby) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lq_e0m1", kProgs);
   game.join(0);
@@ -69,7 +69,7 @@ TEST(Movers, DoorsWithAKeyOpenForItsBearerAndKeepIt) {
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST(Movers, LiftsGoUpWithTheirRiderAndComeDown) {
+TEST(Movers, LiftsRiseWithTheirRiderAndReturn) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lq_e1m2", kProgs);
   game.join(0);
@@ -90,11 +90,11 @@ TEST(Movers, LiftsGoUpWithTheirRiderAndComeDown) {
     EXPECT_EQ(game.edict(lift)[field::kOrigin], below) << lift;
     ++lifts;
   }
-  EXPECT_EQ(lifts, 2);  // without those of the deathmatch
+  EXPECT_EQ(lifts, 2);  // without those for deathmatch
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST(Movers, ButtonsGoInAndFireTheirTargets) {
+TEST(Movers, ButtonsMoveAndFireTheirTargets) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lq_e0m1", kProgs);
   game.join(0);
@@ -117,7 +117,7 @@ TEST(Movers, TrainsGoRound) {
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST(Movers, TeleportersMoveWhoWalksIn) {
+TEST(Movers, TeleportersMovePlayersWhoWalkIn) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "start", kProgs);
   game.join(0);
@@ -132,7 +132,7 @@ TEST(Movers, TeleportersMoveWhoWalksIn) {
         goal = game.edict(place)[field::kOrigin];
     game.put(game.player(0), middle(game.edict(teleporter)));
     EXPECT_LT(glm::length(game.player(0)[field::kOrigin] - goal), 1);
-    // Thrown forward, out of the field.
+    // The player is thrown forward, out of the teleporter.
     EXPECT_NEAR(glm::length(game.player(0)[field::kVelocity]), 300, 1);
     game.run(1);
     ++moved;
@@ -159,7 +159,7 @@ TEST(Movers, SecretsCountOnce) {
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST(Movers, CountersFireWhenAllHaveCome) {
+TEST(Movers, CountersFireWhenTheirCountIsReached) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lq_e1m2", kProgs);
   game.join(0);
@@ -192,7 +192,7 @@ TEST(Movers, MonstersWalkTheirPaths) {
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST(Movers, ItemsComeBackInADeathmatch) {
+TEST(Movers, ItemsReappearInADeathmatch) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lqdm1", kProgs, {.kind = server::GameKind::kDeathmatch});
   game.join(0);

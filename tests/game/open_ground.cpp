@@ -14,7 +14,7 @@ std::optional<float> open_direction(PlayedLevel& io_game) {
   for (float yaw = 0; yaw < 360; yaw += 11.25f) {
     bool is_open = true;
     for (float way = 80; way <= kOpenGround + 40; way += 40)
-      is_open = is_open && io_game.has_room(above + direction_of(yaw) * way, {-34, -34, -24}, {34, 34, 64});
+      is_open = is_open && io_game.has_room(above + yaw_direction(yaw) * way, {-34, -34, -24}, {34, 34, 64});
     if (is_open) return yaw;
   }
   return std::nullopt;
@@ -22,7 +22,7 @@ std::optional<float> open_direction(PlayedLevel& io_game) {
 
 }  // namespace
 
-math::Vec3 direction_of(float yaw_deg) {
+math::Vec3 yaw_direction(float yaw_deg) {
   const float angle = yaw_deg * std::numbers::pi_v<float> / 180;
   return {std::cos(angle), std::sin(angle), 0};
 }

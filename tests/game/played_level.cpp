@@ -13,7 +13,7 @@ namespace {
 
 namespace field = server::field;
 
-constexpr std::size_t kManyErrors = 20;  // the rest says the same
+constexpr std::size_t kManyErrors = 20;  // more would repeat the same
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void PlayedLevel::check(const base::Status& status, std::string_view doing) {
 
 void PlayedLevel::join(std::uint32_t slot) {
   const server::SpawnParameters parameters = game_->new_parameters().value();
-  check(game_->put_in(slot, parameters, fmt::format("player{}", slot), 0), "joining");
+  check(game_->spawn_client(slot, parameters, fmt::format("player{}", slot), 0), "joining");
   inputs_[slot].is_active = true;
 }
 

@@ -1,5 +1,5 @@
-// A level of the data played by the server's own game, in process and without a network: players joined and
-// moved, ticks run. What goes wrong in the program is kept, with its trace.
+// A level of the data, played by the server's Game in process and without a network: tests make players join
+// and move, and run ticks. Errors of game code are kept with their traces.
 #pragma once
 
 #include <filesystem>
@@ -24,24 +24,24 @@ struct PlayedSettings {
 
 class PlayedLevel {
  public:
-  // Spawns everything; players are not in yet. CHECKs that the files are there and the program gets that far.
+  // Spawns all entities, but no players. CHECKs that the files exist and that game code does not fail.
   PlayedLevel(const std::filesystem::path& data, std::string_view map, const std::filesystem::path& progs,
               const PlayedSettings& settings = {});
 
-  // Errors of the program so far, with traces.
+  // Errors of game code so far, with traces.
   const std::vector<std::string>& errors() const { return errors_; }
-  // Keys and classes of the level that the program does not know.
+  // Keys and classes of the level that game code does not know.
   const std::vector<std::string>& notes() const { return game_->spawn_report().notes; }
   const std::vector<std::string>& unknown_classes() const { return game_->spawn_report().unknown_classes; }
-  // What the program printed on the server's console (dprint, and complaints about it).
+  // Text on the server's console: dprint, and warnings about game code.
   const std::string& printed() const { return printed_; }
-  // What it told all clients, certainly: bprint and others, as the bytes lie.
+  // Reliable messages to all clients (bprint and others), as raw bytes.
   const std::string& said() const { return said_; }
   std::optional<std::string> change_level() const { return game_->requests().change_level; }
   const std::string& commands() const { return game_->requests().commands; }
 
   void join(std::uint32_t slot);
-  // A variable of the server, from now on.
+  // Sets a variable of the server.
   void set(std::string_view variable, std::string_view value);
   bool is_bot(std::uint32_t slot) const { return game_->is_bot(slot); }
   server::PlayerInput& input(std::uint32_t slot) { return inputs_[slot]; }
@@ -53,26 +53,26 @@ class PlayedLevel {
   std::uint32_t edict_count() const { return game_->world().edicts.count(); }
   bool is_free(std::uint32_t number) { return world().edicts.is_free(vm::EntityIndex{number}); }
   std::string text(vm::StringIndex index) const { return std::string(game_->machine().text(index)); }
-  // Numbers of the entities of that class.
+  // Numbers of the entities of this class.
   std::vector<std::uint32_t> of_class(std::string_view name);
   float global(std::string_view name) const;
-  // A field of the game's own.
+  // A field that only this program declares.
   float edict_number(std::uint32_t number, std::string_view field_name);
   double variable(std::string_view name) const { return variables_.find(name)->number; }
   double time_s() const { return game_->time_s(); }
   std::uint64_t state_hash() const { return game_->state_hash(); }
 
-  // To another place, linked, touching what is there.
+  // Moves an entity to another place, links it, and touches the triggers there.
   void put(server::Edict edict, const math::Vec3& origin);
-  // An entity of that class, as if the level had it; it is there after its own first moments.
+  // Spawns an entity of this class as if it were part of the level, and runs until it has settled.
   std::uint32_t spawn(std::string_view name, const math::Vec3& origin, float yaw_deg);
-  // Whether a box of that size has room at a place and floor below.
+  // Whether a box of this size has room at a place, and floor below it.
   bool has_room(const math::Vec3& origin, const math::Vec3& mins, const math::Vec3& maxs);
-  // As the engine would.
+  // Calls a function of the program as the engine would.
   void call_function(std::string_view name, vm::EntityIndex self, vm::EntityIndex other = vm::kWorld);
-  // The game's own hurt(): one loses health to another.
+  // Calls game code's hurt(): one entity damages another.
   void hurt(std::uint32_t number, std::uint32_t by, float damage);
-  // As if a player or another entity had done it.
+  // Uses an entity, as if a player or another entity had done it.
   void use(std::uint32_t number, std::uint32_t by);
   void touch(std::uint32_t number, std::uint32_t by);
 

@@ -1,4 +1,4 @@
-// What a player can do and what happens to him: weapons, items, death, the way to the next level.
+// Players: weapons, items, death, and the next level.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct Weapon {
   float shots_in_2_s, ammo_of_shot;
 };
 
-// Pauses of the rules: 0.5, 0.7, 0.1 (nails, lightning), 0.6 and 0.8 s between shots.
+// Stock Quake's seconds between shots: 0.5, 0.7, 0.1 (nails, lightning), 0.6 and 0.8.
 const Weapon kWeapons[] = {
     {"shotgun", 2, field::kAmmoShells, 4, 1},           {"super shotgun", 3, field::kAmmoShells, 3, 2},
     {"nailgun", 4, field::kAmmoNails, 20, 1},           {"super nailgun", 5, field::kAmmoNails, 20, 2},
@@ -29,7 +29,7 @@ const Weapon kWeapons[] = {
     {"lightning gun", 8, field::kAmmoCells, 20, 1},
 };
 
-TEST(Players, ShootAsFastAsTheRulesSayAndPayForIt) {
+TEST(Players, ShootAtStockRatesAndUseAmmo) {
   DATA_FOLDER_OR_SKIP(data);
   for (const Weapon& weapon : kWeapons) {
     PlayedLevel game(data, "lqdm1", kProgs);
@@ -46,7 +46,7 @@ TEST(Players, ShootAsFastAsTheRulesSayAndPayForIt) {
     game.run(0.5);
     EXPECT_NEAR(100 - player[weapon.ammo], weapon.shots_in_2_s * weapon.ammo_of_shot, 2 * weapon.ammo_of_shot)
         << weapon.name;
-    game.run(10);  // until all has landed
+    game.run(10);  // until all shots have landed
     EXPECT_THAT(game.errors(), IsEmpty());
     EXPECT_THAT(game.printed(), IsEmpty()) << weapon.name;
   }
@@ -65,10 +65,10 @@ TEST(Players, JumpAndLand) {
     game.tick();
     highest = std::max(highest, player[field::kOrigin][2]);
   }
-  // 270^2 / (2 * 800), less what the steps of 1/72 s take from it.
+  // 270^2 / (2 * 800), minus the effect of ticks of 1/72 s.
   EXPECT_NEAR(highest - floor, 45.6f, 3);
   EXPECT_NEAR(player[field::kOrigin][2], floor, 0.1f);
-  // Held down it does not jump again.
+  // Holding the button down does not jump again.
   EXPECT_TRUE(player.has_flag(server::flag::kOnGround));
 }
 
@@ -103,8 +103,8 @@ TEST(Players, TakeItems) {
   }
 }
 
-// Of a weapon and of a key there is one for each.
-TEST(Players, FindTheSameAgainInACooperativeGame) {
+// Each player gets every weapon and key once.
+TEST(Players, FindWeaponsAndKeysOfTheirOwnInCoop) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "start", kProgs, {.kind = server::GameKind::kCooperative, .players = 2});
   game.join(0);
@@ -119,14 +119,14 @@ TEST(Players, FindTheSameAgainInACooperativeGame) {
   const float nails = game.player(0)[field::kAmmoNails];
   EXPECT_EQ(nails, 30);
   game.run(2);
-  EXPECT_EQ(game.player(0)[field::kAmmoNails], nails);  // he has his
+  EXPECT_EQ(game.player(0)[field::kAmmoNails], nails);  // this player has it already
   game.put(game.player(1), game.player(0)[field::kOrigin]);
   game.run(1);
   EXPECT_EQ(game.player(1)[field::kAmmoNails], 30);
   EXPECT_EQ(game.player(1).whole(field::kItems) & (4 + 131072), 4 + 131072);
 }
 
-TEST(Players, KeepOffWhatTheyHaveEnoughOf) {
+TEST(Players, LeaveItemsThatTheyDoNotNeed) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "start", kProgs);
   game.join(0);
@@ -137,7 +137,7 @@ TEST(Players, KeepOffWhatTheyHaveEnoughOf) {
   EXPECT_NE(game.edict(item)[field::kModelIndex], 0);
 }
 
-TEST(Players, ArmorTakesItsPart) {
+TEST(Players, ArmorAbsorbsItsShare) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "start", kProgs);
   game.join(0);
@@ -145,7 +145,7 @@ TEST(Players, ArmorTakesItsPart) {
   game.run(1);
   const std::uint32_t trap = game.spawn("trigger_hurt", {}, 0);
   game.hurt(1, trap, 50);
-  // Yellow armor holds off 0.6 of it.
+  // Yellow armor absorbs 0.6 of the damage.
   EXPECT_NEAR(game.player(0)[field::kHealth], 80, 1);
   EXPECT_NEAR(game.player(0)[field::kArmorValue], 120, 1);
   EXPECT_EQ(game.player(0)[field::kHealth] + game.player(0)[field::kArmorValue], 200);
@@ -171,7 +171,7 @@ TEST(Players, QuadHitsFourTimesAsHard) {
   EXPECT_EQ(game.player(0)[field::kHealth], 90);
 }
 
-TEST(Players, DieAndComeBackInADeathmatch) {
+TEST(Players, DieAndRespawnInADeathmatch) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lqdm1", kProgs, {.kind = server::GameKind::kDeathmatch, .players = 2});
   game.join(0);
@@ -191,7 +191,7 @@ TEST(Players, DieAndComeBackInADeathmatch) {
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST(Players, DieAloneAndTheLevelStartsAgain) {
+TEST(Players, RestartTheLevelWhenTheyDieInSinglePlayer) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "start", kProgs);
   game.join(0);
@@ -205,7 +205,7 @@ TEST(Players, DieAloneAndTheLevelStartsAgain) {
   EXPECT_THAT(game.errors(), IsEmpty());
 }
 
-TEST(Players, AreToldOfWhatTheyDied) {
+TEST(Players, SeeObituaries) {
   DATA_FOLDER_OR_SKIP(data);
   const auto last_words = [&](auto kill) {
     PlayedLevel game(data, "start", kProgs);
@@ -228,16 +228,17 @@ TEST(Players, AreToldOfWhatTheyDied) {
                 }),
                 AllOf(HasSubstr("\n"), Not(HasSubstr(" died"))))
         << name;
-  EXPECT_THAT(last_words([](PlayedLevel& game) { game.hurt(1, 1, 500); }), HasSubstr(" was too near"));
+  EXPECT_THAT(last_words([](PlayedLevel& game) { game.hurt(1, 1, 500); }),
+              HasSubstr(" got too close to the blast"));
   EXPECT_THAT(last_words([](PlayedLevel& game) {
                 game.player(0).set(field::kWaterLevel, 3.0f);
                 game.player(0).set(field::kWaterType, -5.0f);
                 game.hurt(1, 0, 500);
               }),
-              HasSubstr(" went into the lava"));
+              HasSubstr(" fell into the lava"));
 }
 
-TEST(Players, AreCountedInTheSingularAndThePlural) {
+TEST(Players, SeeCorrectSingularsAndPlurals) {
   DATA_FOLDER_OR_SKIP(data);
   for (const float frags : {0.0f, 1.0f, 2.0f}) {
     PlayedLevel game(data, "lqdm1", kProgs, {.kind = server::GameKind::kDeathmatch, .players = 2});
@@ -250,7 +251,7 @@ TEST(Players, AreCountedInTheSingularAndThePlural) {
   }
 }
 
-TEST(Players, LeaveThroughTheExitAndTakeTheirThingsAlong) {
+TEST(Players, LeaveThroughTheExitAndKeepTheirItems) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lq_e0m1", kProgs);
   game.join(0);
@@ -263,14 +264,14 @@ TEST(Players, LeaveThroughTheExitAndTakeTheirThingsAlong) {
   game.put(player, (game.edict(exit)[field::kAbsMin] + game.edict(exit)[field::kAbsMax]) * 0.5f);
   game.run(1);
   EXPECT_EQ(game.global("intermission_running"), 1);
-  EXPECT_EQ(game.change_level(), std::nullopt);  // the scores are read first
+  EXPECT_EQ(game.change_level(), std::nullopt);  // the intermission comes first
   game.run(2);
   game.input(0).buttons = kAttack;
   game.run(0.5);
   EXPECT_EQ(game.change_level(), "lq_e0m2");
   game.call_function("SetChangeParms", player.index());
-  EXPECT_EQ(game.global("parm1"), 1 + 4 + 4096);  // keys stay behind
-  EXPECT_EQ(game.global("parm2"), 50);            // nobody begins a level dying
+  EXPECT_EQ(game.global("parm1"), 1 + 4 + 4096);  // keys are not carried
+  EXPECT_EQ(game.global("parm2"), 50);            // at least 50 health
   EXPECT_EQ(game.global("parm5"), 77);
   EXPECT_THAT(game.errors(), IsEmpty());
 }

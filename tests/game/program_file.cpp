@@ -22,7 +22,7 @@ T number_at(const base::ByteVector& bytes, std::size_t offset) {
   return value;
 }
 
-// A part of the file, as the header lists it: offset and count.
+// A part of the file, from the header: offset and count.
 struct Part {
   std::size_t offset, count;
 };

@@ -1,4 +1,4 @@
-// What a compiled QuakeC program says of itself, read by hand from the table in the format's description, so
+// The contents of a compiled QuakeC program, read by hand from the description of the format, so
 // that the compiler's output is not judged by the engine's own reader.
 #pragma once
 
@@ -13,14 +13,14 @@ struct ProgramFile {
   std::int32_t version = 0;
   std::int32_t crc = 0;
   std::set<std::uint16_t> opcodes;
-  std::set<std::string> functions;  // that have a body
-  std::set<std::string> builtins;   // names given to those of the engine
+  std::set<std::string> functions;  // with a body
+  std::set<std::string> builtins;   // the program's names of built-in functions
   std::set<std::int32_t> builtin_numbers;
   std::set<std::string> fields;
-  std::set<std::string> strings;  // all there are, those of the code among them
+  std::set<std::string> strings;  // all strings, including those in the code
 };
 
-// CHECKs that the file is there and whole.
+// CHECKs that the file exists and is complete.
 ProgramFile read_program_file(const std::filesystem::path& path);
 
 }  // namespace temblor::test

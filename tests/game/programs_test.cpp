@@ -1,5 +1,5 @@
-// The programs that the build compiles from game/: what any engine asks of them, and what the stock levels
-// do.
+// The programs that the build compiles from game/: they have what engines require, and what the stock levels
+// require.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using ::testing::Le;
 
 const std::filesystem::path kGames = TEMBLOR_GAMES;
 
-// Numbers of the builtins that stock engines have (section 15 of the reference).
+// Numbers of stock Quake's built-in functions (section 15 of quake-facts.md).
 const std::set<std::int32_t> kStockBuiltins = {
     1,  2,  3,  4,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23,
     24, 25, 26, 27, 28, 29, 30, 31, 32, 34, 35, 36, 37, 38, 40, 41, 43, 44, 45, 46, 47, 48,
@@ -43,17 +43,17 @@ class Programs : public ::testing::TestWithParam<std::string> {
   ProgramFile program() const { return read_program_file(kGames / GetParam() / "progs.dat"); }
 };
 
-TEST_P(Programs, AreOfTheVersionAndDefinitionsThatStockEnginesTake) {
+TEST_P(Programs, HaveTheVersionAndDefinitionsOfStockEngines) {
   EXPECT_EQ(program().version, 6);
   EXPECT_EQ(program().crc, 5927);
   EXPECT_THAT(*program().opcodes.rbegin(), Le(65));
 }
 
-// Called only where checkextension has said that they are there, and that only where pr_checkextension has:
+// Extensions are called only if checkextension() reports them, and that only if pr_checkextension is set:
 // tracebox, checkextension, bots, whichpack.
 const std::set<std::int32_t> kExtensionBuiltins = {90, 99, 453, 454, 455, 503};
 
-TEST_P(Programs, UseStockBuiltinsAndThoseThatTheyAskFor) {
+TEST_P(Programs, UseStockBuiltinsAndExtensionsThatTheyCheck) {
   const std::set<std::int32_t> used = program().builtin_numbers;
   EXPECT_FALSE(used.empty());
   for (const std::int32_t number : used)
@@ -76,13 +76,13 @@ TEST_P(Programs, CompileWithoutAWarning) {
   EXPECT_THAT(said, ::testing::Not(::testing::HasSubstr("warning:")));
 }
 
-TEST_P(Programs, NameOnlyFilesThatTheDataHolds) {
+TEST_P(Programs, NameOnlyFilesInTheData) {
   DATA_FOLDER_OR_SKIP(data);
   const std::regex sound_name(R"([a-z0-9_]+/[A-Za-z0-9_]+\.wav)");
   const std::regex model_name(R"((progs|maps)/[A-Za-z0-9_]+\.(mdl|spr|bsp))");
-  // The one that is only compared with, to know a stock level.
+  // This name is only compared, to recognize a stock level.
   const std::set<std::string> not_loaded = {"maps/e1m8.bsp"};
-  // Of our own data: asked for before they are loaded.
+  // These files of our own data are checked before they are loaded.
   const std::set<std::string> own = {"progs/v_tremor.mdl", "progs/g_tremor.mdl",  "progs/tremor.mdl",
                                      "weapons/tremor.wav", "weapons/tremor2.wav", "progs/debris.mdl",
                                      "break/stone.wav",    "break/wood.wav",      "break/glass.wav",
@@ -107,7 +107,7 @@ TEST_P(Programs, NameOnlyFilesThatTheDataHolds) {
 INSTANTIATE_TEST_SUITE_P(All, Programs, ::testing::Values("id1", "homing_rockets", "flying_craft", "alerter"),
                          [](const auto& program) { return program.param; });
 
-// Every level of the data, by name.
+// The names of all levels of the data.
 std::map<std::string, std::vector<formats::Entity>> stock_levels(const std::filesystem::path& data) {
   std::map<std::string, std::vector<formats::Entity>> levels;
   for (const auto& file : std::filesystem::directory_iterator(data / "id1/maps")) {
@@ -136,7 +136,7 @@ TEST(Game, HasASpawnFunctionForEveryClassOfTheStockLevels) {
   EXPECT_GT(seen, 1000u);
 }
 
-// And of the levels whose source alone is there. Compilers' own classes do not come so far.
+// Also for levels of which only the source exists. Classes for compilers never reach the game.
 TEST(Game, HasASpawnFunctionForEveryClassOfTheStockSources) {
   DATA_FOLDER_OR_SKIP(data);
   const ProgramFile game = read_program_file(kGames / "id1/progs.dat");
@@ -157,7 +157,7 @@ TEST(Game, HasASpawnFunctionForEveryClassOfTheStockSources) {
   EXPECT_GT(seen, 1000u);
 }
 
-// Keys are fields; what has none is the compiler's, or a tool's, and known as such.
+// Keys are fields. A key without a field must be a known key of compilers or tools.
 TEST(Game, HasAFieldForEveryKeyOfTheStockLevelsThatMatters) {
   DATA_FOLDER_OR_SKIP(data);
   const ProgramFile game = read_program_file(kGames / "id1/progs.dat");
@@ -173,7 +173,7 @@ TEST(Game, HasAFieldForEveryKeyOfTheStockLevelsThatMatters) {
   EXPECT_THAT(unknown, IsEmpty());
 }
 
-TEST(Game, FunctionsThatLevelsNameAreThere) {
+TEST(Game, HasTheFunctionsThatLevelsName) {
   DATA_FOLDER_OR_SKIP(data);
   const ProgramFile game = read_program_file(kGames / "id1/progs.dat");
   std::size_t named = 0;

@@ -7,7 +7,7 @@
 namespace temblor::test {
 
 RoomData::RoomData(const std::string& map_text, HasTremor has_tremor) {
-  compiler::DraftResult result = draft_of(map_text);
+  compiler::DraftResult result = compile_draft(map_text);
   CHECK(!result.leak, "the room leaks");
   for (formats::BspMiptex& texture : result.draft.bsp.miptexes) texture.name.clear();
   folder_.write("id1/maps/room.bsp", formats::write_bsp(result.draft.bsp, formats::BspVersion::k29).value());

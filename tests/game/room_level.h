@@ -1,5 +1,5 @@
-// Levels of a few brushes, made for a test, with a file for every model that the game names: they need no
-// data.
+// Levels of a few brushes, made for a test, with a file for every model that the game names, so that they
+// need no data.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,12 @@
 
 namespace temblor::test {
 
-// Whether the data has the Tremor's models, which stock data lacks.
+// Whether the data contains the Tremor's models, which stock data lacks.
 enum class HasTremor { kNo, kYes };
 
 class RoomData {
  public:
-  // `map_text`: of a closed level; it is maps/room.bsp.
+  // `map_text` describes a closed level, which becomes maps/room.bsp.
   explicit RoomData(const std::string& map_text, HasTremor has_tremor = HasTremor::kYes);
   const std::filesystem::path& path() const { return folder_.path(); }
   const TemporaryFolder& folder() const { return folder_; }
@@ -25,8 +25,8 @@ class RoomData {
   TemporaryFolder folder_;
 };
 
-// A closed hall with that inside, these brushes and entities more. Starts are at its two ends in x, under the
-// ceiling: players fall to whatever floor there is.
+// A closed hall of this size, with additional brushes and entities. Starts are at its two ends in x, under
+// the ceiling: players fall to the floor.
 std::string hall_text(const math::Vec3d& mins, const math::Vec3d& maxs, const std::string& brushes = {},
                       const std::string& entities = {});
 

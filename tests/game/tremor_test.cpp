@@ -1,4 +1,4 @@
-// The Tremor: what its wave reaches, and what it does there.
+// The Tremor: where its wave goes, and its effects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace field = server::field;
 constexpr float kTremor = 128, kThunderbolt = 64, kAxe = 4096;
 constexpr float kTremorImpulse = 13;
 
-// Two players in a hall of 1200 units; the first strikes the ground towards the second.
+// Two players in a hall of 1200 units; the first strikes the ground in the direction of the second.
 class Tremor : public ::testing::Test {
  protected:
   void begin(const std::string& brushes = {}, double floor = 0, HasTremor has_tremor = HasTremor::kYes) {
@@ -39,7 +39,7 @@ class Tremor : public ::testing::Test {
     game_->run(0.3);
   }
 
-  // Health that one blow takes from the victim; notes how high it is thrown.
+  // The health that one blow takes from the victim; also records how high it is thrown.
   float strike() {
     const float before = victim()[field::kHealth], floor = victim()[field::kOrigin].z;
     highest_ = 0;
@@ -60,11 +60,11 @@ class Tremor : public ::testing::Test {
   float highest_ = 0;
 };
 
-TEST_F(Tremor, HurtsOnceAndThrowsUpwardWhoStands) {
+TEST_F(Tremor, HurtsOnceAndThrowsItsVictimUpward) {
   begin();
   stand_victim_at({200, 0, 25});
   const float near = strike();
-  // 90 where it begins, 30 after 640 units.
+  // 90 at its start, 30 after 640 units.
   EXPECT_NEAR(near, 90 - 60 * 136 / 640.0f, 6);
   EXPECT_GT(highest_, 32);
   EXPECT_EQ(game_->player(0)[field::kAmmoCells], 45);
@@ -96,11 +96,11 @@ TEST_F(Tremor, ClimbsStepsAndFallsOffALowLedge) {
   begin(steps);
   stand_victim_at({400, 0, 79});
   EXPECT_GT(strike(), 40);
-  stand_victim_at({550, 0, 25});  // 54 lower
+  stand_victim_at({550, 0, 25});  // 54 units lower
   EXPECT_GT(strike(), 30);
 }
 
-TEST_F(Tremor, IsStoppedByAWallThatNobodyStepsOnto) {
+TEST_F(Tremor, IsStoppedByAWallTooHighToStepOn) {
   begin(box_text({200, -256, 0}, {216, 256, 40}, "wall"));
   stand_victim_at({300, 0, 25});
   EXPECT_EQ(strike(), 0);
@@ -116,12 +116,12 @@ TEST_F(Tremor, IsStoppedByADeepDrop) {
   EXPECT_EQ(strike(), 0);
 }
 
-TEST_F(Tremor, PassesUnderWhoIsInTheAir) {
+TEST_F(Tremor, PassesUnderPlayersInTheAir) {
   begin();
   stand_victim_at({250, 0, 25});
   game_->input(1).buttons = kJump;
   game_->input(0).buttons = kAttack;
-  // The blow lands after 0.2 s and runs for 0.3 s: he jumps in between, and is up for 0.67 s.
+  // The blow lands after 0.2 s and runs for 0.3 s: the victim jumps in between, and is up for 0.67 s.
   game_->input(1).buttons = 0;
   game_->run(0.3);
   game_->input(1).buttons = kJump;
@@ -130,9 +130,9 @@ TEST_F(Tremor, PassesUnderWhoIsInTheAir) {
   EXPECT_EQ(victim()[field::kHealth], 200);
 }
 
-TEST_F(Tremor, LeavesFlyersAloneAndThrowsWalkers) {
+TEST_F(Tremor, IgnoresFliersAndThrowsWalkers) {
   begin();
-  // Monsters are no part of a deathmatch, but this rule is the same for both.
+  // There are no monsters in a deathmatch, but this rule applies to both.
   game_ = std::make_unique<PlayedLevel>(data_->path(), "room", kProgs);
   game_->join(0);
   game_->run(0.5);
@@ -154,9 +154,9 @@ TEST_F(Tremor, LeavesFlyersAloneAndThrowsWalkers) {
   EXPECT_THAT(game_->errors(), IsEmpty());
 }
 
-TEST_F(Tremor, ShakesTheViewOfThoseNear) {
+TEST_F(Tremor, ShakesTheViewOfPlayersNearby) {
   begin();
-  stand_victim_at({250, 100, 25});  // beside its way
+  stand_victim_at({250, 100, 25});  // beside its path
   float shaken = 0;
   game_->input(0).buttons = kAttack;
   for (int i = 0; i < 72; ++i) {
@@ -171,7 +171,7 @@ TEST_F(Tremor, IsNamedWhenItKills) {
   stand_victim_at({200, 0, 25});
   victim().set(field::kHealth, 20);
   strike();
-  EXPECT_THAT(game_->said(), HasSubstr("lost the ground to "));
+  EXPECT_THAT(game_->said(), HasSubstr("was shaken apart by "));
   EXPECT_EQ(game_->player(0)[field::kFrags], 1);
 }
 
@@ -184,7 +184,7 @@ TEST_F(Tremor, SharesItsKeyWithTheThunderbolt) {
     game_->run(0.2);
     EXPECT_EQ(player[field::kWeapon], expected);
   }
-  player.set(field::kImpulse, 10);  // the next after lightning, and then the first
+  player.set(field::kImpulse, 10);  // the weapon after lightning, and then the first one
   game_->run(0.2);
   EXPECT_EQ(player[field::kWeapon], kTremor);
   player.set(field::kImpulse, 10);
@@ -192,7 +192,7 @@ TEST_F(Tremor, SharesItsKeyWithTheThunderbolt) {
   EXPECT_EQ(player[field::kWeapon], kAxe);
 }
 
-TEST_F(Tremor, LiesAboutToBeTaken) {
+TEST_F(Tremor, CanBePickedUp) {
   begin();
   server::Edict player = game_->player(0);
   player.set(field::kItems, kAxe);
@@ -205,10 +205,10 @@ TEST_F(Tremor, LiesAboutToBeTaken) {
   EXPECT_EQ(game_->text(player[field::kWeaponModel]), "progs/v_tremor.mdl");
 }
 
-TEST_F(Tremor, IsAThunderboltWhereTheDataLacksIt) {
+TEST_F(Tremor, IsAThunderboltIfTheDataLacksIt) {
   begin({}, 0, HasTremor::kNo);
   server::Edict player = game_->player(0);
-  EXPECT_EQ(player[field::kWeapon], 1) << "what he has in the bag cannot be used";
+  EXPECT_EQ(player[field::kWeapon], 1) << "the weapon from the backpack cannot be used";
   game_->spawn("weapon_tremor", player[field::kOrigin], 0);
   game_->run(1);
   EXPECT_EQ(player[field::kWeapon], kThunderbolt);

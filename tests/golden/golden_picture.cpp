@@ -20,7 +20,7 @@ int channel(std::uint32_t pixel, int shift) {
   return static_cast<int>(pixel >> shift & 255);
 }
 
-// The channel that differs most.
+// The difference of the channel that differs most.
 int distance(std::uint32_t a, std::uint32_t b) {
   int most = 0;
   for (const int shift : {0, 8, 16}) most = std::max(most, std::abs(channel(a, shift) - channel(b, shift)));
@@ -41,7 +41,7 @@ bool same_size(const formats::Image& a, const formats::Image& b) {
   return a.width == b.width && a.height == b.height;
 }
 
-// Left to right, top edges in line, a stripe between.
+// From left to right, top edges aligned, with a stripe between.
 formats::Image in_a_row(std::span<const formats::Image> images) {
   constexpr std::uint32_t kStripe = 4, kStripeColor = kOpaque | 0x808080;
   formats::Image row;
@@ -105,7 +105,7 @@ void expect_golden(const std::string& name, base::Bytes png, const Tolerance& to
   const std::filesystem::path golden = std::filesystem::path(TEMBLOR_GOLDEN_PICTURES) / file_name;
   if (std::getenv("TEMBLOR_REWRITE_GOLDENS") != nullptr) {
     write_file(golden, png);
-    GTEST_SKIP() << golden << " is written anew: look at it";
+    GTEST_SKIP() << golden << " was written; look at it before you commit it";
   }
   ASSERT_TRUE(std::filesystem::exists(golden)) << "no picture " << golden;
   const formats::Image expected = formats::read_png(read_file(golden)).value();

@@ -1,4 +1,4 @@
-// Pictures held against ones that a person has looked at: PNG files in the folder tests/golden/pictures.
+// Compares pictures with approved ones: PNG files in the folder tests/golden/pictures.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 namespace temblor::test {
 
-// Frames are the same on every machine but for what compilers and libraries make of sines and powers, which
-// moves an edge by a pixel here and there; and one wrong thing that is small must not hide in that.
+// Frames are the same on every machine, except for differences in the sines and powers of compilers and
+// libraries, which move an edge by a pixel here and there. A small error must not hide in that tolerance.
 struct Tolerance {
   int step = 0;                     // channels no further apart than this are equal
   double differing_percent = 0.25;  // of all pixels, may differ
@@ -19,17 +19,17 @@ struct Tolerance {
 };
 constexpr int kFarOff = 32;  // of 255
 
-// Succeeds where `got` is `expected` within the tolerance, else says how many pixels differ by how much.
-// Opacity is not looked at. Pictures of different sizes differ.
+// Succeeds if `got` equals `expected` within the tolerance; otherwise says how many pixels differ by how
+// much. Opacity is ignored. Pictures of different sizes differ.
 ::testing::AssertionResult is_like(const formats::Image& expected, const formats::Image& got,
                                    const Tolerance& tolerance);
 
-// Expected, got, and how they differ (eight times the difference of each channel), side by side; or the two
-// alone where their sizes differ.
+// The expected picture, the actual one, and their difference (eight times per channel) side by side; only the
+// first two if their sizes differ.
 formats::Image side_by_side(const formats::Image& expected, const formats::Image& got);
 
-// Holds `png` against tests/golden/pictures/NAME.png. Where they differ, writes both and their difference to
-// the folder golden-failures of the build and says so. With TEMBLOR_REWRITE_GOLDENS set, writes the golden
+// Compares `png` with tests/golden/pictures/NAME.png. On a difference, writes both and their difference to
+// the build's folder golden-failures and reports it. If TEMBLOR_REWRITE_GOLDENS is set, writes the golden
 // picture instead and skips the test.
 void expect_golden(const std::string& name, base::Bytes png, const Tolerance& tolerance);
 

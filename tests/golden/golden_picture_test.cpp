@@ -1,4 +1,4 @@
-// That the comparison of pictures sees what it is there for.
+// Tests that the comparison of pictures finds the differences it is meant to find.
 #include "golden/golden_picture.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kWidth = 256, kHeight = 160;
 
-// Stones of 16 pixels, each grain of them a little different.
+// Stones of 16 pixels, each with a slightly different grain.
 formats::Image wall() {
   Random random(1);
   formats::Image image{kWidth, kHeight, {}};

@@ -19,7 +19,7 @@ std::span<const GoldenScene> golden_scenes() {
        PixelFormat::kIndexed, draw_see_through},
       {"see_through_rgb", "the same; no bright fringes along the gratings' bars", PixelFormat::kRgb,
        draw_see_through},
-      // Two of 255: how exact a step of fog is.
+      // Two of 255: the precision of a step of fog.
       {"fog", "the court fades into violet, its sky half", PixelFormat::kRgb, draw_fog, {.step = 2}},
       {"fog_indexed", "the same in the palette's colors, where grays turn violet all at once",
        PixelFormat::kIndexed, draw_fog},

@@ -1,11 +1,11 @@
-// What the golden pictures show: scenes of the level made in code, with things made in code in it.
+// The scenes of the golden pictures: the small level and things in it, all made in code.
 #pragma once
 
 #include <ostream>
 #include <span>
 
 #include "golden/golden_picture.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::test {
 
@@ -24,7 +24,7 @@ inline void PrintTo(const GoldenScene& scene, std::ostream* out) {
 
 std::span<const GoldenScene> golden_scenes();
 
-// The level alone, and what is done to its faces.
+// The level alone, and effects on its faces.
 void draw_hall(render::FrameBuffer& io_frame);
 void draw_court(render::FrameBuffer& io_frame);
 void draw_dynamic_lights(render::FrameBuffer& io_frame);
@@ -34,7 +34,7 @@ void draw_fog(render::FrameBuffer& io_frame);
 void draw_skybox(render::FrameBuffer& io_frame);
 void draw_under_water(render::FrameBuffer& io_frame);
 
-// Things in it, and what is laid over it.
+// Things in the level, and what is drawn over the view.
 void draw_models_near(render::FrameBuffer& io_frame);
 void draw_models_far(render::FrameBuffer& io_frame);
 void draw_weapon_wide(render::FrameBuffer& io_frame);

@@ -1,4 +1,4 @@
-// Whole pictures, as they were when somebody looked at them.
+// Compares whole pictures with the ones that a person approved.
 #include "golden/golden_scenes.h"
 
 #include <gtest/gtest.h>

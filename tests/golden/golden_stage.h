@@ -1,4 +1,4 @@
-// The small level with whatever a golden picture puts into it, and a renderer.
+// The small level with the contents of a golden picture, and a renderer.
 #pragma once
 
 #include <vector>

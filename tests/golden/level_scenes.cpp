@@ -1,4 +1,4 @@
-// Golden pictures of the level, and of what is done to its faces.
+// Golden pictures of the level, and of effects on its faces.
 #include "artgen/palette.h"
 #include "client/effects/hit_marks.h"
 #include "client/view/view_tint.h"
@@ -12,8 +12,8 @@ namespace {
 constexpr render::Camera kPlayerStart = {.origin_world = {48, 256, 46}};
 constexpr render::Camera kAboveTheCourt = {.origin_world = {800, 32, 200}, .angles_deg = {20, 45, 0}};
 
-// A checker of 8 squares a side in one color, brighter towards the lower edge, which turns within the
-// picture: adjoining pictures agree at their edges only where they are put together right.
+// A checkerboard with 8 squares per side in one color, brighter toward the lower edge and rotated within the
+// picture: neighboring pictures match at their edges only if they are joined correctly.
 formats::Image checkered(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
   constexpr std::uint32_t kSide = 64;
   formats::Image image{kSide, kSide, {}};
@@ -26,7 +26,7 @@ formats::Image checkered(std::uint32_t red, std::uint32_t green, std::uint32_t b
   return image;
 }
 
-// A copy whose door, pillars and stages are gratings.
+// A copy whose door, pillars, and stages are gratings.
 DrawableLevel with_gratings(const DrawableLevel& drawable) {
   auto level = std::make_shared<world::Level>(*drawable.level);
   level->identity = std::make_shared<const world::LevelIdentity>();
@@ -71,7 +71,7 @@ void draw_marks(render::FrameBuffer& io_frame) {
   client::HitMarks hits;
   render::MarkSet marks;
   const auto hit = [&](render::MarkKind kind, const math::Vec3& at, float radius) {
-    hits.leave(stage.level(), {kind, at, 8, radius, static_cast<std::uint32_t>(marks.size() + 1)}, marks);
+    hits.add(stage.level(), {kind, at, 8, radius, static_cast<std::uint32_t>(marks.size() + 1)}, marks);
   };
   hit(render::MarkKind::kScorch, {1404, 636, -50}, 32);
   for (int i = 0; i < 6; ++i) hit(render::MarkKind::kBulletHole, {1346 + 7 * i, 638, -80 + 23 * (i % 3)}, 4);

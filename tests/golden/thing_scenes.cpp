@@ -1,4 +1,4 @@
-// Golden pictures of models, sprites, particles and beams, and of what is laid over the view.
+// Golden pictures of models, sprites, particles, and beams, and of what is drawn over the view.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -20,7 +20,7 @@ std::shared_ptr<const render::AliasModel> drawable(const formats::Mdl& mdl) {
   return render::make_alias_model(mdl, "made in code");
 }
 
-// What the client makes of events in the level, which nobody moves in.
+// The client's effects of events in a level in which nothing moves.
 class EventStage {
  public:
   void advance(const GoldenStage& stage, double time_s, const client::Events& events = {}) {
@@ -37,7 +37,7 @@ class EventStage {
   client::Effects effects_;
 };
 
-// A letter without symmetry, on nothing; 32 texels around the origin.
+// A letter without symmetry, on a clear background; 32 texels around the origin.
 formats::Spr letter_f(formats::SprOrientation orientation) {
   constexpr std::array<std::string_view, 8> kRows = {"........", ".######.", ".#......", ".####...",
                                                      ".#......", ".#......", ".#......", "........"};

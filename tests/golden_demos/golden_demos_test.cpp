@@ -1,6 +1,7 @@
-// The recordings that the game ships with, drawn, against hashes of their pictures in golden.txt: a line for
-// each recording and format, a hash for every second. They change with the levels, the art and the rules, and
-// then somebody looks at the pictures and writes the hashes anew, with TEMBLOR_REWRITE_GOLDENS set.
+// Renders the demos that the game ships with and compares hashes of their pictures with golden.txt, which has
+// a line for each demo and color format, with one hash per second. The hashes change with the levels, the
+// art, and the game rules. Then look at the pictures, and rewrite the hashes by setting
+// TEMBLOR_REWRITE_GOLDENS.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -29,9 +30,9 @@ std::map<std::string, Hashes> golden_hashes() {
   std::ifstream file(kGolden);
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
-    std::string recording, format;
-    words >> recording >> format >> std::hex;
-    Hashes& hashes = golden[recording + " " + format];
+    std::string demo, format;
+    words >> demo >> format >> std::hex;
+    Hashes& hashes = golden[demo + " " + format];
     for (std::uint64_t hash = 0; words >> hash;) hashes.push_back(hash);
   }
   return golden;
@@ -42,7 +43,8 @@ void write_golden(const std::map<std::string, Hashes>& golden) {
   for (const auto& [name, hashes] : golden) file << fmt::format("{} {:016x}\n", name, fmt::join(hashes, " "));
 }
 
-std::vector<std::string> recordings_behind_the_menu() {
+// Returns the names after `startdemos` in quake.rc.
+std::vector<std::string> list_shipped_demos() {
   std::istringstream words(read_text(fs::path(TEMBLOR_SHIPPED_FOLDER) / "id1/quake.rc"));
   std::string command;
   words >> command;
@@ -51,40 +53,40 @@ std::vector<std::string> recordings_behind_the_menu() {
   return names;
 }
 
-Hashes picture_hashes(const std::string& recording, const std::string& format) {
+Hashes picture_hashes(const std::string& demo, const std::string& format) {
   const TemporaryFolder folder;
   const ProgramRun ran =
-      run_program(folder.path(), {"--basedir", TEMBLOR_SHIPPED_FOLDER, "render", "--demo", recording,
-                                  "--color", format, "--fps", "1", "--size", "320x200", "-o", "x-%03d.png"});
+      run_program(folder.path(), {"--basedir", TEMBLOR_SHIPPED_FOLDER, "render", "--demo", demo, "--color",
+                                  format, "--fps", "1", "--size", "320x200", "-o", "x-%03d.png"});
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
-  EXPECT_EQ(ran.err, "") << "nothing is missing";
+  EXPECT_EQ(ran.err, "") << "no file may be missing";
   Hashes hashes;
   for (;;) {
     const fs::path picture = folder.path() / fmt::format("x-{:03}.png", hashes.size());
     if (!fs::exists(picture)) return hashes;
     const Png png = read_png(picture);
-    hashes.push_back(base::hash_of_bytes(std::as_bytes(std::span(png.rgb))));
+    hashes.push_back(base::hash_bytes(std::as_bytes(std::span(png.rgb))));
   }
 }
 
-TEST(Recordings, LookAsTheyDid) {
-  const std::vector<std::string> recordings = recordings_behind_the_menu();
-  ASSERT_FALSE(recordings.empty());
+TEST(GoldenDemos, LookUnchanged) {
+  const std::vector<std::string> demos = list_shipped_demos();
+  ASSERT_FALSE(demos.empty());
   const std::map<std::string, Hashes> golden = golden_hashes();
   std::map<std::string, Hashes> now;
-  for (const std::string& recording : recordings)
+  for (const std::string& demo : demos)
     for (const std::string format : {"indexed", "rgb"})
-      now[recording + " " + format] = picture_hashes(recording, format);
+      now[demo + " " + format] = picture_hashes(demo, format);
   if (std::getenv("TEMBLOR_REWRITE_GOLDENS") != nullptr) {
     write_golden(now);
-    GTEST_SKIP() << kGolden << " is written anew: look at the recordings";
+    GTEST_SKIP() << "rewrote " << kGolden << "; look at the demos";
   }
-  ASSERT_EQ(golden.size(), now.size()) << "each recording has a line for either format in " << kGolden;
+  ASSERT_EQ(golden.size(), now.size()) << kGolden << " needs one line per demo and color format";
   for (const auto& [name, hashes] : now) {
     ASSERT_TRUE(golden.contains(name)) << name << " is not in " << kGolden;
     const Hashes& expected = golden.at(name);
     EXPECT_GE(hashes.size(), 30u) << name;
-    EXPECT_EQ(hashes.size(), expected.size()) << name << " is longer or shorter than it was";
+    EXPECT_EQ(hashes.size(), expected.size()) << name << " has a different length";
     const auto differ = std::mismatch(hashes.begin(), hashes.end(), expected.begin(), expected.end()).first;
     EXPECT_EQ(differ - hashes.begin(), std::ssize(hashes))
         << name << " looks different from second " << differ - hashes.begin() << " on";

@@ -1,10 +1,12 @@
-// Recordings watched in the game as a whole.
+// Demos in a complete game: playing, controls, attract mode, recording.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "client/demo/demo_session.h"
 #include "formats/game/dem.h"
-#include "host/played_host.h"
+#include "host/headless_host.h"
+#include "host/session/session.h"
 #include "support/generated_demo.h"
 #include "support/programs/quakec.h"
 
@@ -13,66 +15,66 @@ namespace {
 
 using platform::Key;
 
-// A program in which the made recording can be played.
-class Watching : public PlayedHost {
+// A host with the generated demo "made".
+class DemoHost : public HeadlessHost {
  public:
-  explicit Watching(const std::vector<std::string>& commands) {
+  explicit DemoHost(const std::vector<std::string>& commands) {
     folder().write("id1/made.dem", make_recording({}).bytes);
     for (const std::string& line : commands) command(line);
     run(0.1);
   }
 };
 
-double second(PlayedHost& io_played) {
-  return io_played.host().demo()->time_s() - io_played.host().demo()->begin_s();
+double demo_second(HeadlessHost& io_host) {
+  return io_host.demo()->time_s() - io_host.demo()->begin_s();
 }
 
-void tap(PlayedHost& io_played, Key key) {
-  io_played.press(key);
-  io_played.release(key);
-  io_played.run(0.02);
+void tap(HeadlessHost& io_host, Key key) {
+  io_host.press(key);
+  io_host.release(key);
+  io_host.run(0.02);
 }
 
-TEST(HostDemos, AreWatchedWithKeys) {
+TEST(HostDemos, KeysControlPlayback) {
   SKIP_WITHOUT_QUAKEC();
-  Watching played({"playdemo made"});
-  ASSERT_NE(played.host().demo(), nullptr);
-  played.run(2);
-  EXPECT_NEAR(second(played), 2.1, 0.1);
-  tap(played, Key::kSpace);
-  const double paused_at = second(played);
-  played.run(1);
-  EXPECT_EQ(second(played), paused_at);
-  tap(played, Key::kRightArrow);
-  EXPECT_NEAR(second(played), paused_at + 5, 1e-6);
-  tap(played, Key{'.'});
-  EXPECT_GT(second(played), paused_at + 5);
-  tap(played, Key::kHome);
-  EXPECT_EQ(second(played), 0);
-  tap(played, Key::kSpace);
-  tap(played, Key::kUpArrow);
-  EXPECT_EQ(played.host().demo()->speed(), 2);
-  played.run(9);
-  EXPECT_EQ(played.host().demo(), nullptr) << "it is over";
+  DemoHost game({"playdemo made"});
+  ASSERT_NE(game.demo(), nullptr);
+  game.run(2);
+  EXPECT_NEAR(demo_second(game), 2.1, 0.1);
+  tap(game, Key::kSpace);
+  const double paused_at = demo_second(game);
+  game.run(1);
+  EXPECT_EQ(demo_second(game), paused_at);
+  tap(game, Key::kRightArrow);
+  EXPECT_NEAR(demo_second(game), paused_at + 5, 1e-6);
+  tap(game, Key{'.'});
+  EXPECT_GT(demo_second(game), paused_at + 5);
+  tap(game, Key::kHome);
+  EXPECT_EQ(demo_second(game), 0);
+  tap(game, Key::kSpace);
+  tap(game, Key::kUpArrow);
+  EXPECT_EQ(game.demo()->speed(), 2);
+  game.run(9);
+  EXPECT_EQ(game.demo(), nullptr) << "the demo has ended";
 }
 
-TEST(HostDemos, AreSoughtInByCommand) {
+TEST(HostDemos, CommandsSeekAndSetTheSpeed) {
   SKIP_WITHOUT_QUAKEC();
-  Watching played({"playdemo made", "demo_pause", "demo_seek 7", "demo_speed 0.5"});
-  EXPECT_NEAR(second(played), 7, 1e-6);
-  played.command("demo_seek +2");
-  played.run(0.1);
-  EXPECT_NEAR(second(played), 9, 1e-6);
-  played.command("stopdemo; demo_seek 1");
-  played.run(0.1);
-  EXPECT_EQ(played.host().demo(), nullptr);
+  DemoHost game({"playdemo made", "demo_pause", "demo_seek 7", "demo_speed 0.5"});
+  EXPECT_NEAR(demo_second(game), 7, 1e-6);
+  game.command("demo_seek +2");
+  game.run(0.1);
+  EXPECT_NEAR(demo_second(game), 9, 1e-6);
+  game.command("stopdemo; demo_seek 1");
+  game.run(0.1);
+  EXPECT_EQ(game.demo(), nullptr);
 }
 
-// What it prints is printed once, however it is played.
-TEST(HostDemos, PrintWhatTheyRecorded) {
+// Each text is printed only once, although the demo is scanned before it plays.
+TEST(HostDemos, PrintsRecordedTextOnce) {
   SKIP_WITHOUT_QUAKEC();
   formats::DemWriter writer;
-  PlayedHost played;
+  HeadlessHost game;
   base::ByteVector bytes = make_recording({}).bytes;
   formats::DemReader whole = formats::DemReader::open(bytes).value();
   int record_number = 0;
@@ -86,77 +88,76 @@ TEST(HostDemos, PrintWhatTheyRecorded) {
     }
     writer.add(record->view_angles_deg, message);
   }
-  played.folder().write("id1/talk.dem", std::move(writer).take());
-  played.command("playdemo talk");
-  played.run(4);
-  EXPECT_EQ(std::count(played.lines().begin(), played.lines().end(), "good morning"), 1);
+  game.folder().write("id1/talk.dem", std::move(writer).take());
+  game.command("playdemo talk");
+  game.run(4);
+  EXPECT_EQ(std::count(game.lines().begin(), game.lines().end(), "good morning"), 1);
 }
 
-TEST(HostDemos, AreMeasured) {
+TEST(HostDemos, TimedemoPrintsTheFrameRate) {
   SKIP_WITHOUT_QUAKEC();
-  Watching played({"timedemo made"});
-  played.run(10);
-  EXPECT_EQ(played.host().demo(), nullptr);
-  EXPECT_TRUE(played.has_printed(" fps"));
+  DemoHost game({"timedemo made"});
+  game.run(10);
+  EXPECT_EQ(game.demo(), nullptr);
+  EXPECT_TRUE(game.has_printed(" fps"));
 }
 
-TEST(HostDemos, ThatAreNotThereOrDamagedAreSaid) {
+TEST(HostDemos, ReportsMissingAndDamagedDemos) {
   SKIP_WITHOUT_QUAKEC();
-  Watching played({"playdemo nothing"});
-  EXPECT_TRUE(played.has_printed("nothing.dem"));
+  DemoHost game({"playdemo nothing"});
+  EXPECT_TRUE(game.has_printed("nothing.dem"));
   base::ByteVector bytes = make_recording({}).bytes;
   std::fill(bytes.begin() + 3000, bytes.end(), std::byte{0xee});
-  played.folder().write("id1/damaged.dem", bytes);
-  played.command("playdemo damaged");
-  played.run(0.1);
-  EXPECT_NE(played.host().demo(), nullptr) << "what is whole is shown";
-  EXPECT_FALSE(played.has_printed("damaged.dem: "));
-  played.run(20);
-  EXPECT_TRUE(played.has_printed("damaged.dem: "));
-  EXPECT_EQ(played.host().demo(), nullptr);
+  game.folder().write("id1/damaged.dem", bytes);
+  game.command("playdemo damaged");
+  game.run(0.1);
+  EXPECT_NE(game.demo(), nullptr) << "the intact part is shown";
+  EXPECT_FALSE(game.has_printed("damaged.dem: "));
+  game.run(20);
+  EXPECT_TRUE(game.has_printed("damaged.dem: "));
+  EXPECT_EQ(game.demo(), nullptr);
 }
 
-TEST(HostDemos, AreShownToNobodyOneAfterAnother) {
+TEST(HostDemos, AttractModePlaysDemosInALoop) {
   SKIP_WITHOUT_QUAKEC();
-  PlayedHost played;
-  played.folder().write("id1/first.dem", make_recording({}).bytes);
-  played.folder().write("id1/broken.dem", std::string_view("no recording"));
-  played.folder().write("id1/second.dem", make_recording({}).bytes);
-  played.folder().write("id1/quake.rc",
-                        std::string_view("exec default.cfg\nstartdemos first broken second\n"));
-  played.start_again();
-  played.run(1);
-  ASSERT_NE(played.host().demo(), nullptr) << "behind the menu";
-  const double length_s = played.host().demo()->end_s() - played.host().demo()->begin_s();
-  played.run(length_s);
-  ASSERT_NE(played.host().demo(), nullptr);
-  EXPECT_LT(second(played), 2) << "the second one";
-  EXPECT_TRUE(played.has_printed("broken.dem"));
-  played.run(length_s);
-  ASSERT_NE(played.host().demo(), nullptr) << "the first again";
-  tap(played, Key::kEscape);
-  const double before_s = second(played);
-  tap(played, Key::kRightArrow);
-  EXPECT_LT(second(played), before_s + 1) << "it is no control of recordings but opens the menu";
-  played.command("map small");
-  ASSERT_TRUE(played.run_until_playing());
-  EXPECT_EQ(played.host().demo(), nullptr);
-  played.run(1);
-  EXPECT_EQ(played.host().demo(), nullptr);
+  HeadlessHost game;
+  game.folder().write("id1/first.dem", make_recording({}).bytes);
+  game.folder().write("id1/broken.dem", std::string_view("not a demo"));
+  game.folder().write("id1/second.dem", make_recording({}).bytes);
+  game.folder().write("id1/quake.rc", std::string_view("exec default.cfg\nstartdemos first broken second\n"));
+  game.restart();
+  game.run(1);
+  ASSERT_NE(game.demo(), nullptr) << "behind the menu";
+  const double length_s = game.demo()->end_s() - game.demo()->begin_s();
+  game.run(length_s);
+  ASSERT_NE(game.demo(), nullptr);
+  EXPECT_LT(demo_second(game), 2) << "the second one";
+  EXPECT_TRUE(game.has_printed("broken.dem"));
+  game.run(length_s);
+  ASSERT_NE(game.demo(), nullptr) << "the first again";
+  tap(game, Key::kEscape);
+  const double before_s = demo_second(game);
+  tap(game, Key::kRightArrow);
+  EXPECT_LT(demo_second(game), before_s + 1) << "demo controls are off in attract mode";
+  game.command("map small");
+  ASSERT_TRUE(game.run_until_playing());
+  EXPECT_EQ(game.demo(), nullptr);
+  game.run(1);
+  EXPECT_EQ(game.demo(), nullptr);
 }
 
-TEST(HostDemos, WithoutAListTheFirstThreeByNameAreShown) {
+TEST(HostDemos, AttractModeDefaultsToDemo1To3) {
   SKIP_WITHOUT_QUAKEC();
-  PlayedHost played;
-  played.run(0.1);
-  EXPECT_EQ(played.host().demo(), nullptr);
-  played.folder().write("id1/demo2.dem", make_recording({}).bytes);
-  played.start_again();
-  played.run(0.1);
-  EXPECT_NE(played.host().demo(), nullptr);
-  played.command("stopdemo");
-  played.run(0.1);
-  EXPECT_EQ(played.host().demo(), nullptr);
+  HeadlessHost game;
+  game.run(0.1);
+  EXPECT_EQ(game.demo(), nullptr);
+  game.folder().write("id1/demo2.dem", make_recording({}).bytes);
+  game.restart();
+  game.run(0.1);
+  EXPECT_NE(game.demo(), nullptr);
+  game.command("stopdemo");
+  game.run(0.1);
+  EXPECT_EQ(game.demo(), nullptr);
 }
 
 }  // namespace

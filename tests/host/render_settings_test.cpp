@@ -5,12 +5,12 @@
 namespace temblor::host {
 namespace {
 
-// Every field of render::Settings can be set by name, to the value that the name says.
+// Every field of render::Settings has a variable that sets it to the named value.
 TEST(RenderSettings, EveryFieldHasAVariable) {
   command::Variables variables;
   const RenderSettings settings(variables);
   render::Settings expected;
-  expected.threads = settings.read(variables).threads;  // as many as this machine has cores
+  expected.threads = settings.read(variables).threads;  // one per core of this machine
   EXPECT_GE(expected.threads, 1);
   EXPECT_EQ(settings.read(variables), expected);
 
@@ -34,7 +34,7 @@ TEST(RenderSettings, EveryFieldHasAVariable) {
   expected.perspective = render::Perspective::kEvery16;
   EXPECT_EQ(settings.read(variables), expected);
   set("r_simd=0");
-  expected.vector_kernels = false;
+  expected.simd_kernels = false;
   EXPECT_EQ(settings.read(variables), expected);
   set("r_surface_cache=0");
   expected.surface_cache = false;

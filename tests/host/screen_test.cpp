@@ -1,4 +1,4 @@
-// The end of a frame: tone, render scale, frame rate.
+// The end of a frame: tone, dynamic resolution, frame rate.
 #include "host/video/screen.h"
 
 #include <gtest/gtest.h>
@@ -13,19 +13,19 @@ namespace temblor::host {
 namespace {
 
 TEST(Tone, NeutralChangesNothing) {
-  const ToneTable table = tone_table({});
+  const ToneTable table = make_tone_table({});
   for (std::size_t i = 0; i < table.size(); ++i) EXPECT_EQ(table[i], i);
 }
 
 // The stock table: 255 * ((i + 0.5) / 255.5) ^ gamma + 0.5.
-TEST(Tone, GammaIsTheStockCurve) {
-  const ToneTable table = tone_table({.gamma = 0.7f});
+TEST(Tone, GammaFollowsTheStockCurve) {
+  const ToneTable table = make_tone_table({.gamma = 0.7f});
   for (const int i : {0, 1, 17, 128, 254, 255})
     EXPECT_NEAR(table[static_cast<std::size_t>(i)], 255 * std::pow((i + 0.5) / 255.5, 0.7) + 0.5, 1) << i;
 }
 
-TEST(Tone, EveryChannelOfEveryPixelGoesThroughTheTable) {
-  const ToneTable table = tone_table({.gamma = 0.6f, .contrast = 1.2f, .brightness = 0.05f});
+TEST(Tone, AppliesTheTableToAllChannels) {
+  const ToneTable table = make_tone_table({.gamma = 0.6f, .contrast = 1.2f, .brightness = 0.05f});
   std::vector<std::uint32_t> pixels;
   for (std::uint32_t i = 0; i < 1001; ++i) pixels.push_back(0xff000000u | i * 16411);
   const std::vector<std::uint32_t> before = pixels;
@@ -36,16 +36,16 @@ TEST(Tone, EveryChannelOfEveryPixelGoesThroughTheTable) {
       ASSERT_EQ(pixels[i] >> shift & 255, table[before[i] >> shift & 255]) << i;
 }
 
-// A machine whose drawing takes time with the number of pixels finds the largest scale that holds the target,
-// and stays there.
-TEST(AutomaticScale, HoldsTheTargetAndRests) {
+// If drawing time is proportional to the number of pixels, the scale must settle at a value that holds the
+// target.
+TEST(AutomaticScale, HoldsTheTargetAndSettles) {
   for (const double whole_frame_s : {0.010, 0.020, 0.030, 0.050}) {
     AutomaticScale scale;
     constexpr double kTarget_s = 1.0 / 60;
     const auto drawing_s = [&] { return whole_frame_s * static_cast<double>(scale.scale() * scale.scale()); };
     for (int i = 0; i < 600; ++i) scale.update(drawing_s(), kTarget_s);
     const float settled = scale.scale();
-    if (settled > AutomaticScale::kSmallest) {
+    if (settled > AutomaticScale::kMinScale) {
       EXPECT_LE(drawing_s(), kTarget_s);
     }
     for (int i = 0; i < 600; ++i) {
@@ -58,7 +58,7 @@ TEST(AutomaticScale, HoldsTheTargetAndRests) {
   }
 }
 
-TEST(Screen, DrawsAPartAndTheWindowScales) {
+TEST(Screen, DrawsAtTheResolutionScale) {
   platform::headless::HeadlessWindow window({.size = {640, 400}});
   Screen screen;
   const ScreenSettings settings{.scale = 0.75f};
@@ -75,11 +75,11 @@ TEST(FrameLimiter, HoldsTheRate) {
   limiter.wait(200, now_s);
   const double began_s = now_s();
   for (int i = 0; i < 20; ++i) limiter.wait(200, now_s);
-  // Never faster than asked for; how much slower is the machine's affair.
+  // Never faster than the limit. How much slower depends on the machine.
   EXPECT_GE(now_s() - began_s, 19.0 / 200);
 }
 
-TEST(Threads, WorkerDoesOneThingAtATime) {
+TEST(Threads, WorkerRunsOneJobAtATime) {
   Worker worker;
   int done = 0;
   for (int i = 0; i < 1000; ++i) {

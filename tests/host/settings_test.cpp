@@ -1,118 +1,118 @@
-// Which settings hold, and which are kept: the player's, the command line's, those of another game.
+// Which settings are in effect, and which are saved: those of the player, the command line, and other mods.
 #include <gtest/gtest.h>
 
 #include "host/commands/configuration.h"
-#include "host/played_host.h"
+#include "host/headless_host.h"
 #include "support/game_data.h"
 #include "support/programs/quakec.h"
 
 namespace temblor::test {
 namespace {
 
-std::string value_of(const PlayedHost& played, std::string_view name) {
-  return played.variables().variables().find(name)->text;
+std::string value(const HeadlessHost& host, std::string_view name) {
+  return host.variables().variables().find(name)->text;
 }
 
-void quit(PlayedHost& io_played) {
-  io_played.command("quit");
-  io_played.run(0.1);
+void quit(HeadlessHost& io_host) {
+  io_host.command("quit");
+  io_host.run(0.1);
 }
 
-base::Status on_the_command_line(command::Variables& io_variables) {
+base::Status set_on_command_line(command::Variables& io_variables) {
   TRY_STATUS(io_variables.set("fov", "110"));
   TRY_STATUS(io_variables.set("sensitivity", "9"));
   return io_variables.set("zoom_fov", "40");
 }
 
-TEST(Settings, TheCommandLineHoldsForOneRun) {
+TEST(Settings, CommandLineHoldsForOneRun) {
   SKIP_WITHOUT_QUAKEC();
-  PlayedHost played({"fov 100; sensitivity 5"});
-  quit(played);
-  played.start_again(on_the_command_line);
-  EXPECT_EQ(value_of(played, "fov"), "110");
-  EXPECT_EQ(value_of(played, "sensitivity"), "9");
-  EXPECT_EQ(value_of(played, "zoom_fov"), "40");
-  played.command("sensitivity 6");
-  played.command("zoom_speed 4");
-  quit(played);
-  played.start_again();
-  EXPECT_EQ(value_of(played, "fov"), "100") << "as the player had it before";
-  EXPECT_EQ(value_of(played, "sensitivity"), "6") << "what he changes himself is his";
-  EXPECT_EQ(value_of(played, "zoom_fov"), "30") << "never anything but the default";
-  EXPECT_EQ(value_of(played, "zoom_speed"), "4");
+  HeadlessHost host({"fov 100; sensitivity 5"});
+  quit(host);
+  host.restart(set_on_command_line);
+  EXPECT_EQ(value(host, "fov"), "110");
+  EXPECT_EQ(value(host, "sensitivity"), "9");
+  EXPECT_EQ(value(host, "zoom_fov"), "40");
+  host.command("sensitivity 6");
+  host.command("zoom_speed 4");
+  quit(host);
+  host.restart();
+  EXPECT_EQ(value(host, "fov"), "100") << "the player's value from before";
+  EXPECT_EQ(value(host, "sensitivity"), "6") << "a value that the player changed is saved";
+  EXPECT_EQ(value(host, "zoom_fov"), "30") << "the player never changed it";
+  EXPECT_EQ(value(host, "zoom_speed"), "4");
 }
 
 // --- Several games.
 
 constexpr std::string_view kQuick = "host_maxfps 10000\nr_threads 1\n";
 
-void write_settings(const PlayedHost& played, const std::string& folder, std::string_view text) {
-  played.folder().write(folder + "/temblor.cfg", std::string(kQuick) + std::string(text));
+void write_settings(const HeadlessHost& host, const std::string& folder, std::string_view text) {
+  host.folder().write(folder + "/temblor.cfg", std::string(kQuick) + std::string(text));
 }
 
-void change_to(PlayedHost& io_played, std::string_view game) {
-  io_played.command("game " + std::string(game));
-  io_played.run(0.1);
+void change_to(HeadlessHost& io_host, std::string_view game) {
+  io_host.command("game " + std::string(game));
+  io_host.run(0.1);
 }
 
-TEST(Settings, AnotherGameHasItsOwn) {
+TEST(Settings, EachGameHasItsOwnSettings) {
   SKIP_WITHOUT_QUAKEC();
-  PlayedHost played({"sensitivity 5; sv_gravity 100; bind x \"echo first\""});
-  write_settings(played, "second", "fov 120\nunbindall\nbind y \"echo second\"\n");
-  change_to(played, "second");
-  EXPECT_EQ(value_of(played, "fov"), "120");
-  EXPECT_EQ(value_of(played, "sensitivity"), "3") << "the other game's";
-  EXPECT_EQ(value_of(played, "sv_gravity"), "800");
-  played.press(platform::Key{'x'});
-  played.press(platform::Key{'y'});
-  played.run(0.05);
-  EXPECT_FALSE(played.has_printed("first"));
-  EXPECT_TRUE(played.has_printed("second"));
-  change_to(played, "id1");
-  EXPECT_EQ(value_of(played, "fov"), "90");
-  EXPECT_EQ(value_of(played, "sensitivity"), "5");
+  HeadlessHost host({"sensitivity 5; sv_gravity 100; bind x \"echo first\""});
+  write_settings(host, "second", "fov 120\nunbindall\nbind y \"echo second\"\n");
+  change_to(host, "second");
+  EXPECT_EQ(value(host, "fov"), "120");
+  EXPECT_EQ(value(host, "sensitivity"), "3") << "a default, not the value of the game before";
+  EXPECT_EQ(value(host, "sv_gravity"), "800");
+  host.press(platform::Key{'x'});
+  host.press(platform::Key{'y'});
+  host.run(0.05);
+  EXPECT_FALSE(host.has_printed("first"));
+  EXPECT_TRUE(host.has_printed("second"));
+  change_to(host, "id1");
+  EXPECT_EQ(value(host, "fov"), "90");
+  EXPECT_EQ(value(host, "sensitivity"), "5");
 }
 
-TEST(Settings, AGameWithoutAnyBeginsWithThoseOfId1AndKeepsItsOwnThen) {
+TEST(Settings, ANewGameStartsWithTheSettingsOfId1) {
   SKIP_WITHOUT_QUAKEC();
-  PlayedHost played({"sensitivity 5"});
-  write_settings(played, "second", "fov 120\n");
-  played.folder().write("third/readme.txt", std::string_view("nothing"));
-  change_to(played, "second");
-  change_to(played, "third");
-  EXPECT_EQ(value_of(played, "sensitivity"), "5");
-  EXPECT_EQ(value_of(played, "fov"), "90");
-  played.command("sensitivity 7");
-  change_to(played, "id1");
-  EXPECT_EQ(value_of(played, "sensitivity"), "5");
-  change_to(played, "third");
-  EXPECT_EQ(value_of(played, "sensitivity"), "7");
+  HeadlessHost host({"sensitivity 5"});
+  write_settings(host, "second", "fov 120\n");
+  host.folder().write("third/readme.txt", std::string_view("nothing"));
+  change_to(host, "second");
+  change_to(host, "third");
+  EXPECT_EQ(value(host, "sensitivity"), "5");
+  EXPECT_EQ(value(host, "fov"), "90");
+  host.command("sensitivity 7");
+  change_to(host, "id1");
+  EXPECT_EQ(value(host, "sensitivity"), "5");
+  change_to(host, "third");
+  EXPECT_EQ(value(host, "sensitivity"), "7");
 }
 
-TEST(Settings, TheCommandLineHoldsInAnotherGameTooButNotOverThePlayer) {
+TEST(Settings, CommandLineHoldsInOtherGamesUnlessThePlayerChangedIt) {
   SKIP_WITHOUT_QUAKEC();
-  PlayedHost played;
-  write_settings(played, "id1", "");
-  write_settings(played, "second", "fov 120\nsensitivity 4\n");
-  played.start_again(on_the_command_line);
-  played.command("sensitivity 6");
-  change_to(played, "second");
-  EXPECT_EQ(value_of(played, "fov"), "110");
-  EXPECT_EQ(value_of(played, "sensitivity"), "4");
+  HeadlessHost host;
+  write_settings(host, "id1", "");
+  write_settings(host, "second", "fov 120\nsensitivity 4\n");
+  host.restart(set_on_command_line);
+  host.command("sensitivity 6");
+  change_to(host, "second");
+  EXPECT_EQ(value(host, "fov"), "110");
+  EXPECT_EQ(value(host, "sensitivity"), "4");
 }
 
-// A folder that holds this cannot be written to, as far as the program can see, whoever runs the test.
+// Makes a folder look read-only to the program, even if the test runs as root.
 void forbid_writing(const SmallGame& game, const std::string& folder) {
   game.folder().write(folder + "/.temblor-may-write/x", std::string_view("x"));
 }
 
-TEST(Settings, OfFoldersThatMayNotBeWrittenAreFoundWhateverIsPlayed) {
+TEST(Settings, ReadOnlyGameFoldersUseTheUserFolder) {
   const SmallGame game;
   const TemporaryFolder user;
   game.folder().write("id1/temblor.cfg", std::string_view("// came with the game"));
   game.folder().write("mod/readme.txt", std::string_view("nothing"));
   forbid_writing(game, "id1");
-  user.write("id1/temblor.cfg", std::string_view("// the player's of id1"));
+  user.write("id1/temblor.cfg", std::string_view("// of the player for id1"));
   user.write("id1/temblor.history", std::string_view("typed"));
   const host::GameFolders folders{game.path(), {"mod"}, user.path()};
   const auto read = [&] {
@@ -120,17 +120,17 @@ TEST(Settings, OfFoldersThatMayNotBeWrittenAreFoundWhateverIsPlayed) {
     EXPECT_TRUE(data.ok());
     return host::read_commands(**data, "temblor.cfg").value();
   };
-  EXPECT_EQ(read(), "// the player's of id1");
+  EXPECT_EQ(read(), "// of the player for id1");
   EXPECT_EQ(host::read_history(**host::GameData::open(folders)), "typed");
   game.folder().write("mod/temblor.cfg", std::string_view("// of mod"));
   EXPECT_EQ(read(), "// of mod");
   forbid_writing(game, "mod");
   EXPECT_EQ(read(), "// of mod");
-  user.write("mod/temblor.cfg", std::string_view("// the player's of mod"));
-  EXPECT_EQ(read(), "// the player's of mod");
+  user.write("mod/temblor.cfg", std::string_view("// of the player for mod"));
+  EXPECT_EQ(read(), "// of the player for mod");
 }
 
-TEST(GameData, WhatThePlayerMadeIsPlayedWhereTheGameMayNotBeWritten) {
+TEST(GameData, UserFolderOverridesAReadOnlyGame) {
   const SmallGame game;
   const TemporaryFolder user;
   forbid_writing(game, "id1");
@@ -144,7 +144,7 @@ TEST(GameData, WhatThePlayerMadeIsPlayedWhereTheGameMayNotBeWritten) {
   EXPECT_TRUE(games->files.contains("gfx/palette.lmp"));
 }
 
-TEST(GameData, OfWritableGamesTheUsersFolderIsAnotherGames) {
+TEST(GameData, IgnoresTheUserFolderOfAWritableGame) {
   const SmallGame game;
   const TemporaryFolder user;
   user.write("id1/maps/more.bsp", std::string_view("of another id1"));
@@ -154,8 +154,8 @@ TEST(GameData, OfWritableGamesTheUsersFolderIsAnotherGames) {
   EXPECT_FALSE(games->files.contains("maps/more.bsp"));
 }
 
-// As root everything may be written.
-TEST(GameData, NothingIsWrittenBesideAnInstalledGame) {
+// Root may write anywhere, so permissions alone are not enough.
+TEST(GameData, WritesNothingIntoAnInstalledGame) {
   const SmallGame game;
   const TemporaryFolder user;
   const auto games = host::mount_games({game.path(), {}, user.path() / "new", true});

@@ -15,11 +15,12 @@ using world::ModelIndex;
 constexpr float kCell = 16, kStep = 18, kRunSpeed = 320, kJumpSpeed = 270, kGravity = 800;
 constexpr math::Vec3 kMins{-16, -16, -24}, kMaxs{16, 16, 32};
 
-std::uint64_t cell_of(const math::Vec3& place) {
+// A key for the 16-unit cell of a position; each cell is visited once.
+std::uint64_t find_cell(const math::Vec3& position) {
   std::uint64_t key = 0;
   for (int axis = 0; axis < 3; ++axis)
-    key = (key << 21) |
-          static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(place[axis] / kCell)) + (1 << 20));
+    key = (key << 21) | static_cast<std::uint64_t>(
+                            static_cast<std::int64_t>(std::floor(position[axis] / kCell)) + (1 << 20));
   return key;
 }
 
@@ -33,26 +34,26 @@ bool overlap(const math::Bounds& a, const math::Bounds& b) {
   return true;
 }
 
-math::Bounds box_at(const math::Vec3& place) {
-  return {place + kMins, place + kMaxs};
+math::Bounds box_at(const math::Vec3& position) {
+  return {position + kMins, position + kMaxs};
 }
 
-std::vector<math::Vec3> directions() {
-  std::vector<math::Vec3> ways;
+std::vector<math::Vec3> list_directions() {
+  std::vector<math::Vec3> directions;
   for (int i = 0; i < 8; ++i) {
     const double angle = i * 0.78539816339744831;
-    ways.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0.0f);
+    directions.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0.0f);
   }
-  return ways;
+  return directions;
 }
 
-const formats::Entity* named(const world::Level& level, std::string_view name) {
+const formats::Entity* find_by_targetname(const world::Level& level, std::string_view name) {
   for (const formats::Entity& entity : level.entities)
     if (entity.find("targetname") == name) return &entity;
   return nullptr;
 }
 
-math::Vec3 way_of(const formats::Entity& trigger) {
+math::Vec3 find_push_direction(const formats::Entity& trigger) {
   const float angle = trigger.find_number("angle").value_or(0);
   if (angle == -1) return {0, 0, 1};
   if (angle == -2) return {0, 0, -1};
@@ -83,14 +84,14 @@ void Explorer::collect_links() {
   for (const formats::Entity& entity : level_.entities) {
     const math::Bounds box = entity_box(level_, entity);
     if (entity.classname() == "trigger_teleport") {
-      const formats::Entity* goal = named(level_, entity.find("target").value_or(""));
+      const formats::Entity* goal = find_by_targetname(level_, entity.find("target").value_or(""));
       if (goal != nullptr)
         links_.push_back({box, goal->find_vec3("origin").value_or(math::Vec3(0.0f)) + math::Vec3(0, 0, 27)});
     } else if (entity.classname() == "trigger_push") {
       const float speed = entity.find_number("speed").value_or(1000);
-      links_.push_back({box, math::Vec3(0.0f), way_of(entity) * (speed * 10)});
+      links_.push_back({box, math::Vec3(0.0f), find_push_direction(entity) * (speed * 10)});
     } else if (entity.classname() == "func_plat") {
-      // From anywhere on its way to its upper end: onto its middle.
+      // From anywhere in the shaft onto the middle of the raised lift.
       const float height = entity.find_number("height").value_or(box.maxs.z - box.mins.z - 8);
       math::Bounds shaft = box;
       shaft.mins.z -= height;
@@ -102,97 +103,98 @@ void Explorer::collect_links() {
 
 void Explorer::explore(const std::vector<math::Vec3>& starts) {
   for (const math::Vec3& start : starts) land(start + math::Vec3(0, 0, 1));
-  while (!waiting_.empty()) {
-    const math::Vec3 place = waiting_.back();
-    waiting_.pop_back();
-    visit(place);
+  while (!pending_.empty()) {
+    const math::Vec3 position = pending_.back();
+    pending_.pop_back();
+    visit(position);
   }
 }
 
 bool Explorer::touches(const math::Bounds& box) const {
-  return std::any_of(places_.begin(), places_.end(),
-                     [&](const math::Vec3& place) { return overlap(box_at(place), box); });
+  return std::any_of(positions_.begin(), positions_.end(),
+                     [&](const math::Vec3& position) { return overlap(box_at(position), box); });
 }
 
-bool Explorer::is_water(const math::Vec3& place) const {
-  return world::hull_contents(level_, ModelIndex{0}, Hull::kPoint, place) == world::Contents::kWater;
+bool Explorer::is_water(const math::Vec3& position) const {
+  return world::hull_contents(level_, ModelIndex{0}, Hull::kPoint, position) == world::Contents::kWater;
 }
 
-bool Explorer::is_deadly(const math::Vec3& place) const {
+bool Explorer::is_deadly(const math::Vec3& position) const {
   const world::Contents contents =
-      world::hull_contents(level_, ModelIndex{0}, Hull::kPoint, place - math::Vec3(0, 0, 20));
+      world::hull_contents(level_, ModelIndex{0}, Hull::kPoint, position - math::Vec3(0, 0, 20));
   return contents == world::Contents::kLava || contents == world::Contents::kSlime;
 }
 
-void Explorer::visit(const math::Vec3& place) {
-  follow_links(place);
-  if (is_deadly(place)) return;
-  static const std::vector<math::Vec3> kWays = directions();
-  if (is_water(place)) {
-    swim(place);
+void Explorer::visit(const math::Vec3& position) {
+  follow_links(position);
+  if (is_deadly(position)) return;
+  static const std::vector<math::Vec3> kWays = list_directions();
+  if (is_water(position)) {
+    swim(position);
     return;
   }
-  for (const math::Vec3& way : kWays) {
-    walk(place, way);
-    fly(place, way * kRunSpeed + math::Vec3(0, 0, kJumpSpeed));
-    fly(place, way * (kRunSpeed / 3) + math::Vec3(0, 0, kJumpSpeed));
+  for (const math::Vec3& direction : kWays) {
+    walk(position, direction);
+    fly(position, direction * kRunSpeed + math::Vec3(0, 0, kJumpSpeed));
+    fly(position, direction * (kRunSpeed / 3) + math::Vec3(0, 0, kJumpSpeed));
   }
 }
 
-void Explorer::follow_links(const math::Vec3& place) {
+void Explorer::follow_links(const math::Vec3& position) {
   for (const Link& link : links_) {
-    if (!overlap(box_at(place), link.box)) continue;
+    if (!overlap(box_at(position), link.box)) continue;
     if (link.velocity == math::Vec3(0.0f))
       land(link.to);
     else
-      for (const math::Vec3& drift : directions()) fly(place, link.velocity + drift * 30.0f);
+      for (const math::Vec3& drift : list_directions()) fly(position, link.velocity + drift * 30.0f);
   }
 }
 
-void Explorer::walk(const math::Vec3& place, const math::Vec3& way) {
-  const world::Trace level_trace = trace(level_, place, place + way * kCell);
+void Explorer::walk(const math::Vec3& position, const math::Vec3& direction) {
+  const world::Trace level_trace = trace(level_, position, position + direction * kCell);
   if (level_trace.fraction == 1) return land(level_trace.end);
-  const math::Vec3 up = trace(level_, place, place + math::Vec3(0, 0, kStep)).end;
-  const math::Vec3 over = trace(level_, up, up + way * kCell).end;
+  const math::Vec3 up = trace(level_, position, position + math::Vec3(0, 0, kStep)).end;
+  const math::Vec3 over = trace(level_, up, up + direction * kCell).end;
   land(over);
   land(level_trace.end);
 }
 
-void Explorer::fly(math::Vec3 place, math::Vec3 velocity) {
+void Explorer::fly(math::Vec3 position, math::Vec3 velocity) {
   constexpr float kTick = 0.02f;
   for (int i = 0; i < 250; ++i) {
     velocity.z -= kGravity * kTick;
     const math::Vec3 across(velocity.x * kTick, velocity.y * kTick, 0);
-    place = trace(level_, place, place + across).end;
-    const world::Trace fall = trace(level_, place, place + math::Vec3(0, 0, velocity.z * kTick));
-    place = fall.end;
-    if (fall.fraction < 1 && velocity.z < 0) return land(place);
+    position = trace(level_, position, position + across).end;
+    const world::Trace fall = trace(level_, position, position + math::Vec3(0, 0, velocity.z * kTick));
+    position = fall.end;
+    if (fall.fraction < 1 && velocity.z < 0) return land(position);
     if (fall.fraction < 1) velocity.z = 0;
-    if (is_water(place)) return land(place);
-    // On the way it touches what hangs there.
-    if (i % 8 == 0) places_.push_back(place);
+    if (is_water(position)) return land(position);
+    // A player also touches items in the air.
+    if (i % 8 == 0) positions_.push_back(position);
   }
 }
 
-// All ways, and out over a shore that is no more than 32 above the water.
-void Explorer::swim(const math::Vec3& place) {
-  for (const math::Vec3& way : directions()) {
+// Swims in all directions, and climbs out onto a shore that is at most 32 units above the water.
+void Explorer::swim(const math::Vec3& position) {
+  for (const math::Vec3& direction : list_directions()) {
     for (const float rise : {-1.0f, 0.0f, 1.0f}) {
-      const math::Vec3 to = trace(level_, place, place + (way + math::Vec3(0, 0, rise)) * kCell).end;
+      const math::Vec3 to =
+          trace(level_, position, position + (direction + math::Vec3(0, 0, rise)) * kCell).end;
       if (is_water(to)) land(to);
     }
-    const math::Vec3 up = trace(level_, place, place + math::Vec3(0, 0, 56)).end;
-    if (!is_water(up + math::Vec3(0, 0, 8))) land(trace(level_, up, up + way * 24.0f).end);
+    const math::Vec3 up = trace(level_, position, position + math::Vec3(0, 0, 56)).end;
+    if (!is_water(up + math::Vec3(0, 0, 8))) land(trace(level_, up, up + direction * 24.0f).end);
   }
   for (const float rise : {-kCell, kCell}) {
-    const math::Vec3 to = trace(level_, place, place + math::Vec3(0, 0, rise)).end;
+    const math::Vec3 to = trace(level_, position, position + math::Vec3(0, 0, rise)).end;
     if (is_water(to)) land(to);
   }
 }
 
-// Falls from there, as far as it goes, and is known from then on.
-void Explorer::land(const math::Vec3& place) {
-  math::Vec3 at = place;
+// Falls from the position to the ground or into water, and registers the new position.
+void Explorer::land(const math::Vec3& position) {
+  math::Vec3 at = position;
   if (!is_water(at)) {
     for (int i = 0; i < 1024; ++i) {
       const world::Trace fall = trace(level_, at, at - math::Vec3(0, 0, 8));
@@ -201,9 +203,9 @@ void Explorer::land(const math::Vec3& place) {
       if (fall.fraction < 1 || is_water(at)) break;
     }
   }
-  if (!known_.insert(cell_of(at)).second) return;
-  places_.push_back(at);
-  waiting_.push_back(at);
+  if (!visited_.insert(find_cell(at)).second) return;
+  positions_.push_back(at);
+  pending_.push_back(at);
 }
 
 }  // namespace temblor::test

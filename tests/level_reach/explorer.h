@@ -1,6 +1,7 @@
-// Where a player can get to in a level: found by trying, from place to place, with all doors open and all
-// lifts running. Coarse: it walks, steps up, drops, jumps at full speed, swims and climbs out of water, takes
-// teleporters, lifts and pushes; it neither jumps from shots nor rides trains.
+// Finds everything that a player can reach in a level, by moving from position to position with all doors
+// open and all lifts running. The moves are coarse: walking, stepping up, dropping, jumping at full speed,
+// swimming, climbing out of water, and using teleporters, lifts, and push triggers. Rocket jumps and trains
+// are not included.
 #pragma once
 
 #include <unordered_set>
@@ -14,37 +15,38 @@ class Explorer {
  public:
   explicit Explorer(const world::Level& level);
 
-  // Everything within reach from these origins of players.
+  // Explores everything within reach from these player origins.
   void explore(const std::vector<math::Vec3>& starts);
 
-  // Whether a player somewhere there touches the box, as triggers and items are touched.
+  // Whether a player at any reached position touches the box, as with triggers and items.
   bool touches(const math::Bounds& box) const;
-  std::size_t place_count() const { return places_.size(); }
+  std::size_t position_count() const { return positions_.size(); }
 
  private:
+  // A player in `box` can get to `to`, or with a velocity is thrown from where it is.
   struct Link {
-    math::Bounds box;  // whoever is in it ...
-    math::Vec3 to;     // ... may come out here
+    math::Bounds box;
+    math::Vec3 to;
     math::Vec3 velocity{0.0f};
   };
 
   void collect_links();
-  void visit(const math::Vec3& place);
-  void walk(const math::Vec3& place, const math::Vec3& way);
-  void fly(math::Vec3 place, math::Vec3 velocity);
-  void swim(const math::Vec3& place);
-  void land(const math::Vec3& place);
-  void follow_links(const math::Vec3& place);
-  bool is_water(const math::Vec3& place) const;
-  bool is_deadly(const math::Vec3& place) const;
+  void visit(const math::Vec3& position);
+  void walk(const math::Vec3& position, const math::Vec3& direction);
+  void fly(math::Vec3 position, math::Vec3 velocity);
+  void swim(const math::Vec3& position);
+  void land(const math::Vec3& position);
+  void follow_links(const math::Vec3& position);
+  bool is_water(const math::Vec3& position) const;
+  bool is_deadly(const math::Vec3& position) const;
 
   const world::Level& level_;
   std::vector<Link> links_;
-  std::unordered_set<std::uint64_t> known_;
-  std::vector<math::Vec3> places_, waiting_;
+  std::unordered_set<std::uint64_t> visited_;
+  std::vector<math::Vec3> positions_, pending_;
 };
 
-// The box of an entity in the level: of its brushes, or around its origin.
+// The bounds of an entity's brush model, or a box around its origin.
 math::Bounds entity_box(const world::Level& level, const formats::Entity& entity);
 
 }  // namespace temblor::test

@@ -1,4 +1,4 @@
-// The shipped levels, as the build has made them: whatever a level holds for players can be got to.
+// The shipped levels, as the build compiled them: a player can reach every item, monster, and exit.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ bool overlap(const math::Bounds& a, const math::Bounds& b) {
   return true;
 }
 
-// Monsters that a trigger brings into the level wait behind walls.
+// Monsters that a trigger teleports into the level wait behind walls.
 bool is_waiting(const world::Level& level, const math::Bounds& box) {
   return std::any_of(level.entities.begin(), level.entities.end(), [&](const formats::Entity& entity) {
     return entity.classname() == "trigger_teleport" && entity.find("targetname") &&
@@ -58,7 +58,7 @@ bool is_for_players(std::string_view classname) {
   return false;
 }
 
-TEST(ShippedLevels, AllThatTheyHoldCanBeGotTo) {
+TEST(ShippedLevels, EverythingInThemCanBeReached) {
   if (shipped_levels().empty()) GTEST_SKIP() << "no levels were built";
   for (const std::filesystem::path& path : shipped_levels()) {
     const auto level = load(path);
@@ -74,7 +74,7 @@ TEST(ShippedLevels, AllThatTheyHoldCanBeGotTo) {
       if (!is_for_players(entity.classname())) continue;
       math::Bounds box = entity_box(*level, entity);
       if (is_waiting(*level, box)) continue;
-      // Who flies or swims comes to the player.
+      // Flying and swimming monsters come to the player.
       if (entity.classname() == "monster_wizard" || entity.classname() == "monster_fish") continue;
       box.mins -= 8.0f;
       box.maxs += 8.0f;

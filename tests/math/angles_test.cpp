@@ -9,13 +9,14 @@
 namespace temblor::math {
 namespace {
 
-constexpr double kTolerance = 1e-6;  // of a component: the angles come in as float
+constexpr double kTolerance = 1e-6;  // of a component, because the angles are floats
 
 void expect_near(const Vec3d& actual, const Vec3d& expected, const char* what) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(actual[axis], expected[axis], kTolerance) << what << axis;
 }
 
-// Rodrigues' rotation of `vector` about a unit `axis`, counter-clockwise seen against the axis.
+// Rodrigues' rotation of `vector` about a unit `axis`, counter-clockwise for a viewer toward whom the axis
+// points.
 Vec3d rotated(const Vec3d& vector, const Vec3d& axis, double angle_deg) {
   const double angle = angle_deg * std::numbers::pi / 180;
   return vector * std::cos(angle) + glm::cross(axis, vector) * std::sin(angle) +
@@ -38,7 +39,7 @@ TEST(Angles, QuarterTurns) {
   expect_near(basis_from_angles({0, 0, 90}).forward, {1, 0, 0}, "roll lowers the right, forward ");
 }
 
-// Roll about the view's own axis first, then pitch, then yaw about the world's vertical.
+// First roll about the axis of view, then pitch, then yaw about the vertical.
 TEST(Angles, AreThreeRotationsOneAfterAnother) {
   std::mt19937_64 random(1);
   const auto angle = [&] { return static_cast<float>(random() % 7200) / 10.0f - 360.0f; };

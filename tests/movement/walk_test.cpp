@@ -1,4 +1,4 @@
-// Bodies in rooms of a few brushes: where they come to is worked out from the brushes.
+// Bodies in rooms of a few brushes: their final places are computed from the brushes.
 #include "movement/walk.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "compiler/drafts.h"
-#include "movement/settings.h"
 #include "support/levels/room_map.h"
 #include "support/random.h"
 
@@ -18,13 +17,13 @@ using math::Vec3;
 
 constexpr float kTick_s = 1.0f / 72;
 constexpr float kGap = 1.0f / 32;
-constexpr float kFeet = 24;  // the origin's height above them
+constexpr float kFeet = 24;  // the origin's height above the feet
 
 // A player's box in a level without entities.
 class LevelEnvironment : public WalkEnvironment {
  public:
   explicit LevelEnvironment(const std::string& map_text)
-      : level_(test::level_of_brushes(test::map_of(map_text))) {}
+      : level_(test::make_level_of_brushes(test::parse_map(map_text))) {}
 
   Contact trace(const Vec3& start, const Vec3& end) override {
     const world::Trace trace =
@@ -46,7 +45,7 @@ class LevelEnvironment : public WalkEnvironment {
   std::shared_ptr<const world::Level> level_;
 };
 
-// 1024 by 1024, its floor at 0; more brushes in it.
+// A room of 1024 by 1024 units with its floor at 0 and additional brushes.
 std::string hall(const std::string& more = {}) {
   return test::entity_text("worldspawn", "",
                            test::walls_text({-512, -512, 0}, {512, 512, 512}, "wall") + more);
@@ -56,7 +55,7 @@ Body standing_at(float x, float y) {
   return {{x, y, kFeet + kGap}, {0, 0, 0}, true, 0};
 }
 
-// Ticks of gravity and walking, the level velocity held.
+// Plays ticks of gravity and walking, at a constant horizontal velocity.
 void walk_for(int ticks, const Vec3& velocity, LevelEnvironment& environment, Body& io_body) {
   for (int tick = 0; tick < ticks; ++tick) {
     io_body.velocity.x = velocity.x;
@@ -66,7 +65,7 @@ void walk_for(int ticks, const Vec3& velocity, LevelEnvironment& environment, Bo
   }
 }
 
-TEST(ClipVelocity, LeavesNothingIntoThePlane) {
+TEST(ClipVelocity, RemovesThePartIntoThePlane) {
   test::Random random(5);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 velocity = random.in_cube(500), normal = glm::normalize(random.in_cube(1));
@@ -77,7 +76,7 @@ TEST(ClipVelocity, LeavesNothingIntoThePlane) {
   EXPECT_EQ(clip_velocity({0.09f, 100, -0.09f}, {0, 0, 1}, 1), Vec3(0, 100, 0));
 }
 
-TEST(Slide, FallsAsFarAsGravitySays) {
+TEST(Slide, FallsByTheFormula) {
   LevelEnvironment environment(hall());
   Body body{{0, 0, 400}, {0, 0, 0}, false, 0};
   const int ticks = 36;
@@ -85,7 +84,7 @@ TEST(Slide, FallsAsFarAsGravitySays) {
     body.velocity.z -= 800 * kTick_s;
     ASSERT_TRUE(slide(body, kTick_s, environment).ok());
   }
-  // The whole of a tick's gravity comes before its way: g t t / 2 and half a tick's worth more.
+  // A tick's gravity is applied before its motion: g t t / 2, and half a tick's worth more.
   const double time_s = ticks / 72.0;
   EXPECT_NEAR(body.origin.z, 400 - (800 * time_s * time_s / 2 + 800 * time_s / 72 / 2), 0.05);
   EXPECT_FALSE(body.on_ground);
@@ -104,7 +103,7 @@ TEST(Slide, StopsOnTheFloorAndStands) {
   EXPECT_NEAR(body.origin.x, 100 * kTick_s * 4, 0.1);
 }
 
-TEST(Slide, GoesOnAlongAWall) {
+TEST(Slide, ContinuesAlongAWall) {
   LevelEnvironment environment(hall());
   Body body{{480, 0, 100}, {200, 100, 0}, false, 0};
   const auto result = slide(body, 0.5f, environment);
@@ -133,7 +132,7 @@ TEST(Slide, EndsWhereTheBodyIsRemoved) {
   EXPECT_EQ(environment.touched.size(), 1u);
 }
 
-TEST(Slide, InRockStaysAndStops) {
+TEST(Slide, StaysAndStopsInSolid) {
   LevelEnvironment environment(hall());
   Body body{{520, 0, 100}, {0, 100, 0}, false, 0};
   const auto result = slide(body, kTick_s, environment);
@@ -186,7 +185,7 @@ TEST(Walk, DownStairsFallsToEachStep) {
   EXPECT_TRUE(body.on_ground);
 }
 
-// A slope along x through the hall, `rise` units up for each 100.
+// A slope along x through the hall, which rises by `rise` per 100 units.
 std::string slope(int rise) {
   const std::string wall = " wall 0 0 0 1 1\n";
   std::string text = "{\n";
@@ -200,7 +199,7 @@ std::string slope(int rise) {
 }
 
 TEST(Walk, GoesUpARampThatIsAFloor) {
-  // z of its normal is 0.8: 75 up for 100.
+  // The z of its normal is 0.8: it rises by 75 per 100 units.
   LevelEnvironment environment(hall(slope(75)));
   Body body = standing_at(-60, 0);
   walk_for(60, {200, 0, 0}, environment, body);
@@ -211,7 +210,7 @@ TEST(Walk, GoesUpARampThatIsAFloor) {
 }
 
 TEST(Walk, DoesNotStandOnASteepSlope) {
-  // z of its normal is 0.55.
+  // The z of its normal is 0.55.
   LevelEnvironment environment(hall(slope(150)));
   Body body{{60, 0, 250}, {0, 0, 0}, false, 0};
   for (int tick = 0; tick < 144; ++tick) {
@@ -222,13 +221,13 @@ TEST(Walk, DoesNotStandOnASteepSlope) {
   EXPECT_NEAR(body.origin.z, kFeet, 0.5);
 }
 
-TEST(Walk, LookingStraightAtAWallSlowsTheWayAlongIt) {
+TEST(Walk, LookingStraightAtAWallSlowsMotionAlongIt) {
   LevelEnvironment environment(hall());
   for (const bool looks_at_it : {false, true}) {
     Body body = standing_at(512 - 16 - kGap, 0);
     body.velocity = {200, 200, -10};
     ASSERT_TRUE(*walk(body, kTick_s, looks_at_it ? Vec3(1, 0, 0) : Vec3(0, 1, 0), environment));
-    // (1 + d), d = normal . forward + 0.5; only where the way above the step is kept.
+    // By (1 + d), d = normal . forward + 0.5; only if the climbed path counts.
     EXPECT_NEAR(body.velocity.y, looks_at_it ? 100 : 200, 1);
   }
 }

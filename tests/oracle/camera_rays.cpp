@@ -8,8 +8,8 @@
 namespace temblor::oracle {
 namespace {
 
-// The field of view spans the largest 4:3 rectangle in a picture: as high as it where it is wider than 4:3,
-// as wide as it where it is narrower.
+// The field of view spans the largest 4:3 rectangle in a picture: of full height in wider pictures, of full
+// width in narrower ones.
 double focal_length_px(double fov_deg, int width, int height) {
   const double half_angle = fov_deg * std::numbers::pi / 360.0;
   const bool wide = width * 3 >= height * 4;

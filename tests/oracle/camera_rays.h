@@ -1,4 +1,4 @@
-// The ray that a pixel stands for, from the definition of the two projections.
+// The ray of a pixel, from the definitions of the two projections.
 #pragma once
 
 #include "math/angles.h"
@@ -7,8 +7,7 @@
 
 namespace temblor::oracle {
 
-// `direction` has length 1 along the view's forward axis, so that a distance in multiples of it is the depth
-// z.
+// `direction` has length 1 along the view's forward axis, so a distance in multiples of it is the depth z.
 struct Ray {
   math::Vec3d origin{0.0};
   math::Vec3d direction{1, 0, 0};
@@ -16,14 +15,13 @@ struct Ray {
   math::Vec3d at(double distance) const { return origin + direction * distance; }
 };
 
-// Pixel centers lie at integer coordinates, the center of projection at (width / 2 - 0.5, height / 2 - 0.5).
+// Pixel centers are at integer coordinates, the center of projection at (width / 2 - 0.5, height / 2 - 0.5).
 class CameraRays {
  public:
-  // An orthographic camera must say its units_per_pixel: what "the level fits" means is the renderer's
-  // affair.
+  // An orthographic camera must set units_per_pixel: how the level is fitted is up to the renderer.
   CameraRays(const render::Camera& camera, int width, int height);
 
-  // Any real position, also between pixels and outside of the picture.
+  // Any real position, including between pixels and outside the picture.
   Ray ray(double x_px, double y_px) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace temblor::oracle {
 namespace {
 
-// Faces this near to each other lie in one place: compilers write planes and vertices no better.
+// Faces this near to each other count as coplanar: compilers write planes and vertices no more precisely.
 constexpr double kTieUnits = 1.0 / 64;
 
 constexpr std::array<math::Vec2d, 8> kAround = {
@@ -58,7 +58,7 @@ VisibleSet::VisibleSet(const world::Level& level, const math::Vec3& eye_world) {
   std::vector<std::uint8_t> row;
   world::decompress_pvs(level, world::find_leaf(level, eye_world), row);
   for (std::size_t i = 0; i < level.leaves.size(); ++i)
-    leaves_.push_back(world::pvs_has(row, base::to_index<world::LeafIndex>(i)));
+    leaves_.push_back(world::is_in_pvs(row, base::to_index<world::LeafIndex>(i)));
   show_faces_of_leaves(level);
 }
 
@@ -82,8 +82,8 @@ Comparison::Comparison(const PreparedLevel& prepared, const render::Scene& scene
                    ? VisibleSet(level_, scene.camera.origin_world)
                    : VisibleSet(level_)) {}
 
-// A world face is drawn where the PVS has it; a brush model's, where the leaf that it is seen in is open and
-// in the PVS.
+// A world face is drawn if the PVS includes it; a brush model's face, if the leaf in which it is seen is open
+// and in the PVS.
 bool Comparison::is_shown(const Ray& ray, const Hit& hit) const {
   if (hit.instance == 0) return visible_.has_face(hit.face);
   const world::LeafIndex leaf = leaf_in_front(level_, ray, hit.distance);
@@ -94,7 +94,7 @@ bool Comparison::has_holes(const Hit& hit) const {
   return level_.texture(level_.face(hit.face).texture).kind == world::TextureKind::kCutout;
 }
 
-// Faces with holes are drawn over the others, and are not what the renderer says that a pixel shows.
+// Faces with holes are drawn over the others and are not what the renderer reports for a pixel.
 std::optional<Hit> Comparison::nearest(const Ray& ray) const {
   return ray_scene_.nearest(ray, kNearPlane,
                             [&](const Hit& hit) { return !has_holes(hit) && is_shown(ray, hit); });
@@ -125,7 +125,7 @@ bool Comparison::seen_within_a_pixel(int x, int y, const render::PixelFace& draw
 }
 
 void Comparison::pixel(int x, int y, Tally& io_tally) const {
-  const render::PixelFace& drawn = drawn_.pixel_faces[position_of(x, y)];
+  const render::PixelFace& drawn = drawn_.pixel_faces[pixel_index(x, y)];
   const Ray ray = rays_.ray(x, y);
   const std::optional<Hit> hit = nearest(ray);
   ++io_tally.pixels;

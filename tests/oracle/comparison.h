@@ -1,4 +1,4 @@
-// Holds a drawn frame against the oracle, pixel by pixel, and counts.
+// Compares a drawn frame with the oracle, pixel by pixel, and counts differences.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "oracle/camera_rays.h"
 #include "oracle/face_color.h"
 #include "oracle/ray_scene.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/renderer.h"
 #include "render/scene.h"
 
@@ -18,17 +18,17 @@ namespace temblor::oracle {
 
 struct Tally {
   std::uint64_t pixels = 0;
-  // The face: of `pixels`, each pixel is one of these.
+  // The face. Each of `pixels` is one of these.
   std::uint64_t same_face = 0;
   std::uint64_t tied = 0;       // another face in the same place (coplanar faces of two models)
   std::uint64_t near_edge = 0;  // the oracle sees the renderer's face within one pixel from here
   std::uint64_t wrong_face = 0;
   std::uint64_t on_brush_models = 0;  // where the oracle sees one
-  // The color, where the faces agree and the definition says what it must be.
+  // The color, where the faces agree and the definition determines it.
   std::uint64_t colors = 0, right_colors = 0;
   // 1/z, where the faces agree.
   std::uint64_t depths = 0, right_depths = 0;
-  // The first few pixels that went wrong, one line each for a person.
+  // The first few wrong pixels, one readable line each.
   static constexpr std::size_t kMaxFindings = 12;
   std::vector<std::string> findings;
 
@@ -44,13 +44,13 @@ struct Tally {
   }
 };
 
-// The part of the world that may be drawn: the faces that its leaves show (compilers leave some that none
-// does, where liquid meets solid).
+// The part of the world that may be drawn: the faces that its leaves list. (Compilers leave some faces that
+// no leaf lists, where liquid meets solid.)
 class VisibleSet {
  public:
-  // All leaves: the PVS is off.
+  // All leaves: without the PVS.
   explicit VisibleSet(const world::Level& level);
-  // Those that the eye's leaf may see: all that a renderer that trusts the PVS has to draw.
+  // The leaves that the eye's leaf may see: all that a renderer that trusts the PVS has to draw.
   VisibleSet(const world::Level& level, const math::Vec3& eye_world);
 
   bool has_face(world::FaceIndex face) const { return faces_[base::to_size(face)]; }
@@ -62,8 +62,8 @@ class VisibleSet {
   std::vector<bool> leaves_, faces_;
 };
 
-// One frame and all that its pixels depend on. What it is given must outlive it. The frame was drawn with
-// Settings.force_mip = 0, Show::kPicture and 1/z filled.
+// One frame and everything that its pixels depend on; all references must outlive it. The frame must have
+// been drawn with Settings::force_mip = 0, Show::kPicture, and depth.
 class Comparison {
  public:
   struct Drawn {
@@ -88,21 +88,21 @@ class Comparison {
   bool is_shown(const Ray& ray, const Hit& hit) const;
   bool has_holes(const Hit& hit) const;
   std::optional<Hit> covering(int x, int y, const Hit& opaque) const;
-  std::optional<TexelRange> texels_of(int x, int y, const Hit& hit) const;
+  std::optional<TexelRange> find_texels(int x, int y, const Hit& hit) const;
   bool is_same(const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
   bool is_tied(const Ray& ray, const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
   bool seen_within_a_pixel(int x, int y, const render::PixelFace& drawn) const;
   void judge_depth(int x, int y, const Hit& hit, Tally& io_tally) const;
   void judge_color(int x, int y, const Hit& hit, Tally& io_tally) const;
   std::optional<bool> is_right_color(int x, int y, const Hit& hit) const;
-  bool is_color_of(std::size_t position, const Hit& hit, TexelPosition texel) const;
+  bool matches_color(std::size_t position, const Hit& hit, TexelPosition texel) const;
   bool is_in_texture(std::size_t position, const Hit& hit) const;
   math::Vec2d texture_position_at(double x_px, double y_px, const Hit& hit) const;
-  world::TextureIndex texture_of(const Hit& hit) const;
+  world::TextureIndex find_texture(const Hit& hit) const;
   std::string describe(int x, int y, const std::optional<Hit>& hit, const render::PixelFace& drawn) const;
   std::string describe_color(int x, int y, const Hit& hit) const;
 
-  std::size_t position_of(int x, int y) const {
+  std::size_t pixel_index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(drawn_.frame.width()) +
            static_cast<std::size_t>(x);
   }

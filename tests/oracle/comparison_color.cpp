@@ -1,4 +1,4 @@
-// The part of Comparison that judges what was drawn of a face: its depth and its color.
+// The part of Comparison that checks the depth and color of a drawn face.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -8,13 +8,13 @@
 namespace temblor::oracle {
 namespace {
 
-// Where the renderer takes its texel may be off by this much of what one pixel spans, and this much besides.
+// The renderer's texel position may be off by this fraction of a pixel's extent, plus this much.
 constexpr double kTexelSlackPixels = 1.0 / 128;
 constexpr double kTexelSlack = 1.0 / 128;
-// Where a pixel spans more texels than this, the slack lets almost any color pass: not compared.
+// If a pixel spans more texels than this, almost any color is possible, so it is not compared.
 constexpr double kMaxTexelsPerPixel = 64;
 
-// 1/z may be off by this much of what it changes from pixel to pixel, and by this (relative) besides: floats.
+// 1/z may be off by this fraction of its change from pixel to pixel, plus this relative error of floats.
 constexpr double kDepthSlackPixels = 1.0 / 128;
 constexpr double kDepthSlackRelative = 1e-5;
 
@@ -22,7 +22,7 @@ constexpr double kDerivativeStepPixels = 1.0 / 64;
 constexpr double kFullLight = 128 * 256;  // 8.8 light that leaves an rgb color as it is
 constexpr double kLightStep = 4 * 256;    // 8.8 light from one row of the colormap to the next
 
-int channel_of(std::uint32_t rgb, std::size_t channel) {
+int channel_value(std::uint32_t rgb, std::size_t channel) {
   return static_cast<int>(rgb >> (16 - 8 * channel) & 0xff);
 }
 
@@ -34,9 +34,9 @@ math::Vec2d Comparison::texture_position_at(double x_px, double y_px, const Hit&
   return texture_position(level_, level_.face(hit.face), ray_scene_.to_model(hit.instance, point_world));
 }
 
-world::TextureIndex Comparison::texture_of(const Hit& hit) const {
+world::TextureIndex Comparison::find_texture(const Hit& hit) const {
   const int entity_frame = hit.instance == 0 ? 0 : scene_.brush_models[hit.instance - 1].frame;
-  return world::animated_texture(level_, level_.face(hit.face).texture, scene_.time_s, entity_frame);
+  return world::find_animated_texture(level_, level_.face(hit.face).texture, scene_.time_s, entity_frame);
 }
 
 void Comparison::judge_depth(int x, int y, const Hit& hit, Tally& io_tally) const {
@@ -48,7 +48,7 @@ void Comparison::judge_depth(int x, int y, const Hit& hit, Tally& io_tally) cons
   const double right = depth_at(x, y);
   const double change = std::abs(depth_at(x + 1, y) - right) + std::abs(depth_at(x, y + 1) - right);
   const double slack = kDepthSlackPixels * change + kDepthSlackRelative * std::abs(right);
-  const auto drawn = static_cast<double>(drawn_.frame.depth()[position_of(x, y)]);
+  const auto drawn = static_cast<double>(drawn_.frame.depth()[pixel_index(x, y)]);
   ++io_tally.depths;
   if (std::abs(drawn - right) <= slack) ++io_tally.right_depths;
 }
@@ -63,8 +63,8 @@ void Comparison::judge_color(int x, int y, const Hit& hit, Tally& io_tally) cons
     io_tally.findings.push_back(describe_color(x, y, hit));
 }
 
-// The texels that the renderer may have taken for a pixel; nothing where too many would do.
-std::optional<Comparison::TexelRange> Comparison::texels_of(int x, int y, const Hit& hit) const {
+// The texels that the renderer may have used for a pixel; nothing if there are too many.
+std::optional<Comparison::TexelRange> Comparison::find_texels(int x, int y, const Hit& hit) const {
   const world::Face& face = level_.face(hit.face);
   const math::Vec2d center = texture_position_at(x, y, hit);
   const math::Vec2d per_pixel = (glm::abs(texture_position_at(x + kDerivativeStepPixels, y, hit) - center) +
@@ -80,22 +80,22 @@ std::optional<Comparison::TexelRange> Comparison::texels_of(int x, int y, const 
   return TexelRange{{texel(0, -slack.x), texel(1, -slack.y)}, {texel(0, slack.x), texel(1, slack.y)}};
 }
 
-// Nothing where too many colors would do.
+// Nothing if there are too many possible colors.
 std::optional<bool> Comparison::is_right_color(int x, int y, const Hit& hit) const {
-  const std::size_t position = position_of(x, y);
+  const std::size_t position = pixel_index(x, y);
   const world::Face& face = level_.face(hit.face);
   if (face.kind == world::FaceKind::kSky || face.kind == world::FaceKind::kLiquid)
     return is_in_texture(position, hit);
-  const std::optional<TexelRange> range = texels_of(x, y, hit);
+  const std::optional<TexelRange> range = find_texels(x, y, hit);
   if (!range) return std::nullopt;
   for (std::int64_t t = range->first.t; t <= range->last.t; ++t)
     for (std::int64_t s = range->first.s; s <= range->last.s; ++s)
-      if (is_color_of(position, hit, {s, t})) return true;
+      if (matches_color(position, hit, {s, t})) return true;
   return false;
 }
 
-// What covers the pixel: of the faces with holes in front of `opaque`, the first that has none there; else
-// `opaque`. Nothing where a hole's border is too close to tell.
+// The face that covers the pixel: the first face with holes in front of `opaque` that has no hole there, else
+// `opaque`. Nothing if the border of a hole is too close to decide.
 std::optional<Hit> Comparison::covering(int x, int y, const Hit& opaque) const {
   constexpr std::uint8_t kHole = 255;
   const Ray ray = rays_.ray(x, y);
@@ -105,12 +105,12 @@ std::optional<Hit> Comparison::covering(int x, int y, const Hit& opaque) const {
       return hit.distance < opaque.distance && has_holes(hit) && is_shown(ray, hit);
     });
     if (!front) return opaque;
-    const std::optional<TexelRange> range = texels_of(x, y, *front);
+    const std::optional<TexelRange> range = find_texels(x, y, *front);
     if (!range) return std::nullopt;
     std::size_t texels = 0, holes = 0;
     for (std::int64_t t = range->first.t; t <= range->last.t; ++t)
       for (std::int64_t s = range->first.s; s <= range->last.s; ++s, ++texels)
-        holes += texel_at(level_.texture(texture_of(*front)), {s, t}) == kHole;
+        holes += texel_at(level_.texture(find_texture(*front)), {s, t}) == kHole;
     if (holes == 0) return front;
     if (holes < texels) return std::nullopt;
     from = std::nextafter(front->distance, opaque.distance);
@@ -122,26 +122,27 @@ std::string Comparison::describe_color(int x, int y, const Hit& hit) const {
   const math::Vec2d at = texture_position_at(x, y, hit);
   const bool indexed = drawn_.frame.format() == render::PixelFormat::kIndexed;
   const std::uint32_t drawn =
-      indexed ? drawn_.frame.indexed()[position_of(x, y)] : drawn_.frame.rgb()[position_of(x, y)];
+      indexed ? drawn_.frame.indexed()[pixel_index(x, y)] : drawn_.frame.rgb()[pixel_index(x, y)];
   const TexelPosition texel{static_cast<std::int64_t>(std::floor(at.x)),
                             static_cast<std::int64_t>(std::floor(at.y))};
-  const world::Texture& texture = level_.texture(texture_of(hit));
+  const world::Texture& texture = level_.texture(find_texture(hit));
   const Light light =
-      light_at(level_, face, scene_.light_styles, texel, indexed ? LightColor::kGray : LightColor::kRgb);
+      sample_light(level_, face, scene_.light_styles, texel, indexed ? LightColor::kGray : LightColor::kRgb);
   return fmt::format("pixel {},{}: face {} ({}) at s {} t {}, texel {}, light {} {} {}: drawn {:x}", x, y,
                      base::to_size(hit.face), texture.name, at.x, at.y, texel_at(texture, texel),
                      light[0] / 256, light[1] / 256, light[2] / 256, drawn);
 }
 
 // Within one step of light of the texel's color.
-bool Comparison::is_color_of(std::size_t position, const Hit& hit, TexelPosition texel) const {
+bool Comparison::matches_color(std::size_t position, const Hit& hit, TexelPosition texel) const {
   const world::Face& face = level_.face(hit.face);
-  const std::uint8_t color = texel_at(level_.texture(texture_of(hit)), texel);
+  const std::uint8_t color = texel_at(level_.texture(find_texture(hit)), texel);
   const bool lit = face.kind == world::FaceKind::kLit;
   if (drawn_.frame.format() == render::PixelFormat::kIndexed) {
     const std::uint8_t drawn = drawn_.frame.indexed()[position];
     if (!lit) return drawn == color;
-    const int row = colormap_row(light_at(level_, face, scene_.light_styles, texel, LightColor::kGray)[0]);
+    const int row =
+        colormap_row(sample_light(level_, face, scene_.light_styles, texel, LightColor::kGray)[0]);
     for (int near_row = std::max(row - 1, 0); near_row <= std::min(row + 1, formats::Colormap::kRows - 1);
          ++near_row)
       if (drawn_.colormap.rows[static_cast<std::size_t>(near_row) * 256 + color] == drawn) return true;
@@ -151,13 +152,13 @@ bool Comparison::is_color_of(std::size_t position, const Hit& hit, TexelPosition
   const formats::Rgb rgb = drawn_.palette[color];
   const std::array<int, 3> channels = {rgb.r, rgb.g, rgb.b};
   const bool shaded = lit && color < 256 - drawn_.colormap.fullbrights;
-  const Light light = light_at(level_, face, scene_.light_styles, texel, LightColor::kRgb);
+  const Light light = sample_light(level_, face, scene_.light_styles, texel, LightColor::kRgb);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const auto shade = [&](double light_there) {
       return std::clamp(shaded ? channels[channel] * light_there / kFullLight : channels[channel], 0.0,
                         255.0);
     };
-    const int drawn_channel = channel_of(drawn, channel);
+    const int drawn_channel = channel_value(drawn, channel);
     if (drawn_channel < std::floor(shade(light[channel] - kLightStep)) ||
         drawn_channel > std::ceil(shade(light[channel] + kLightStep)))
       return false;
@@ -165,10 +166,10 @@ bool Comparison::is_color_of(std::size_t position, const Hit& hit, TexelPosition
   return true;
 }
 
-// Sky and liquids move: what can be said without repeating the renderer's arithmetic is that the color is
-// one of their texture's.
+// Sky and liquids move. Without repeating the renderer's arithmetic, only this is known: the color is one of
+// their texture's.
 bool Comparison::is_in_texture(std::size_t position, const Hit& hit) const {
-  const std::bitset<256>& colors = prepared_.colors_of(texture_of(hit));
+  const std::bitset<256>& colors = prepared_.texture_colors(find_texture(hit));
   if (drawn_.frame.format() == render::PixelFormat::kIndexed) return colors[drawn_.frame.indexed()[position]];
   const std::uint32_t drawn = drawn_.frame.rgb()[position];
   for (std::size_t color = 0; color < colors.size(); ++color) {

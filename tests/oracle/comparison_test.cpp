@@ -1,4 +1,4 @@
-// Whether the comparison finds what is wrong: pictures painted by the oracle itself, then spoiled.
+// Tests that the comparison finds errors, in pictures that the oracle painted and the test spoiled.
 #include "oracle/comparison.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 constexpr int kWidth = 64, kHeight = 48;
 constexpr render::PixelFace kBackground{render::PixelFace::kNothing, render::PixelFace::kNothing};
 
-// A tilted square and a smaller one before it, full-bright; a part of the picture shows neither.
+// A tilted square and a smaller one in front of it, full-bright; a part of the picture shows neither.
 world::Level two_squares() {
   const PolygonVertices behind = {{40, 30, -30}, {60, 30, 30}, {60, -20, 30}, {40, -20, -30}};
   const PolygonVertices before = {{20, 5, -5}, {20, 5, 5}, {20, -5, 5}, {20, -5, -5}};
@@ -29,7 +29,7 @@ class SpoiledPicture : public testing::Test {
  protected:
   SpoiledPicture() : level_(two_squares()), prepared_(level_), faces_(frame_.pixel_count(), kBackground) {
     scene_.level = &level_;
-    // The texture is laid out in x and y: from +x both squares would show single columns of it.
+    // The texture's axes are x and y: from +x both squares would show single columns of it.
     for (world::Face& face : level_.faces) {
       face.texture_mins = {-64, -64};
       face.texture_extents = {128, 128};
@@ -96,7 +96,7 @@ TEST_F(SpoiledPicture, WithAHole) {
   EXPECT_EQ(compare().wrong_face, 1u);
 }
 
-// Everything one pixel to the right: right but for pixels at the edges of faces.
+// Everything shifted one pixel to the right: correct except at the edges of faces.
 TEST_F(SpoiledPicture, ShiftedByAPixel) {
   for (int y = 0; y < kHeight; ++y)
     for (int x = kWidth - 1; x > 0; --x) faces_[position(x, y)] = faces_[position(x - 1, y)];
@@ -120,18 +120,18 @@ TEST_F(SpoiledPicture, WithColorsOfTheNextTexel) {
 
 TEST_F(SpoiledPicture, WithDepthsOfTheNextPixel) {
   for (std::size_t i = 0; i + 1 < frame_.pixel_count(); ++i) frame_.depth()[i] = frame_.depth()[i + 1];
-  // The smaller square stands upright: its 1/z is the same everywhere, and only the tilted one's is wrong.
+  // The smaller square is upright: its 1/z is constant, so only the tilted one's is wrong.
   const Tally tally = compare();
   EXPECT_LT(tally.right_depths, tally.depths) << tally.summary();
 }
 
-// Compilers leave faces that no leaf shows; they are not there.
-TEST_F(SpoiledPicture, WithAFaceThatNoLeaveshows) {
+// Compilers leave faces that no leaf lists; they count as absent.
+TEST_F(SpoiledPicture, WithAFaceThatNoLeafLists) {
   level_.leaves[1].marked_face_count = 1;
   EXPECT_GT(compare().wrong_face, 50u);
 }
 
-// Two faces in one place: whichever the renderer draws is right.
+// Two faces in the same place: the renderer may draw either.
 TEST_F(SpoiledPicture, WithATie) {
   const PolygonVertices square = {{20, 5, -5}, {20, 5, 5}, {20, -5, 5}, {20, -5, -5}};
   const std::array models = {PolygonModel{{square, square}}};

@@ -14,8 +14,8 @@ std::size_t wrapped(std::int64_t position, std::uint32_t size) {
   return static_cast<std::size_t>((position % period + period) % period);
 }
 
-// Where a texel lies in a row of `count` samples: the sample before it, the one after it, and how far
-// between.
+// The position of a texel in a row of `count` samples: the sample before it, the one after it, and the
+// fraction between them.
 struct GridPosition {
   std::size_t before, after;
   double fraction;
@@ -57,8 +57,8 @@ std::uint8_t texel_at(const world::Texture& texture, TexelPosition position) {
       .mips[0][wrapped(position.t, texture.height) * texture.width + wrapped(position.s, texture.width)];
 }
 
-Light light_at(const world::Level& level, const world::Face& face, const world::LightStyleValues& styles,
-               TexelPosition position, LightColor color) {
+Light sample_light(const world::Level& level, const world::Face& face, const world::LightStyleValues& styles,
+                   TexelPosition position, LightColor color) {
   Light light{};
   if (face.light == world::kNoLight) return light;
   const GridPosition s = grid_position(position.s, face.texture_mins[0], face.light_width());

@@ -1,5 +1,5 @@
-// The color of a point on a face, from the definition: its texel from the texture's axes, its light from the
-// light map. Mip level 0 only.
+// The color of a point on a face, from the definition: its texel by the texture axes, its light by the light
+// map. Mip level 0 only.
 #pragma once
 
 #include <array>
@@ -12,25 +12,25 @@
 
 namespace temblor::oracle {
 
-// s, t of a point in the model's space, in texels of mip 0.
+// The texture coordinates of a point in model space, in texels of mip 0.
 math::Vec2d texture_position(const world::Level& level, const world::Face& face,
                              const math::Vec3d& point_model);
 
-// A texel of the texture plane, which the texture tiles without end.
+// A texel of the texture plane, which the texture tiles endlessly.
 struct TexelPosition {
   std::int64_t s = 0, t = 0;
 };
 std::uint8_t texel_at(const world::Texture& texture, TexelPosition position);
 
-// Red, green and blue light of a texel in 8.8 fixed point, as real numbers; all three alike for gray light. A
-// sample of the light map gives sample x style value (256: as stored) summed over the face's styles, 255 x
-// 256 at most. Between the samples, which lie 16 texels apart and the first of them at the face's
-// texture_mins, light is linear in s and in t; outside of them it is that of the border. A face without
-// samples is black: those that are drawn full-bright are of another FaceKind.
+// Red, green, and blue light of a texel in 8.8 fixed point, as real numbers; all three equal for gray light.
+// A sample of the light map contributes sample x style value (256: as stored), summed over the face's styles,
+// at most 255 x 256. Samples are 16 texels apart, the first one at the face's texture_mins; between them
+// light is linear in s and t, and outside it is that of the border. A face without samples is black
+// (full-bright faces have another FaceKind).
 using Light = std::array<double, 3>;
 enum class LightColor { kGray, kRgb };
-Light light_at(const world::Level& level, const world::Face& face, const world::LightStyleValues& styles,
-               TexelPosition position, LightColor color);
+Light sample_light(const world::Level& level, const world::Face& face, const world::LightStyleValues& styles,
+                   TexelPosition position, LightColor color);
 
 // Row of the colormap for gray light: darker rows have larger numbers.
 int colormap_row(double light);

@@ -1,4 +1,4 @@
-// Texels and light by the definition, against numbers worked out by hand.
+// Texels and light by the definition, against numbers computed by hand.
 #include "oracle/face_color.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ world::Level lit_level() {
   return level;
 }
 
-world::LightStyleValues styles_of(std::uint16_t style_0, std::uint16_t style_3) {
+world::LightStyleValues make_styles(std::uint16_t style_0, std::uint16_t style_3) {
   world::LightStyleValues styles{};
   styles[0] = style_0;
   styles[3] = style_3;
@@ -35,7 +35,7 @@ world::LightStyleValues styles_of(std::uint16_t style_0, std::uint16_t style_3) 
 
 double gray_light(const world::Level& level, const world::LightStyleValues& styles, std::int64_t s,
                   std::int64_t t) {
-  return light_at(level, level.faces[0], styles, {s, t}, LightColor::kGray)[0];
+  return sample_light(level, level.faces[0], styles, {s, t}, LightColor::kGray)[0];
 }
 
 TEST(TexturePosition, ComesFromTheAxes) {
@@ -54,7 +54,7 @@ TEST(TexelAt, TilesWithoutEnd) {
 
 TEST(LightAt, IsTheSampleAtAGridPoint) {
   const world::Level level = lit_level();
-  const auto styles = styles_of(256, 0);
+  const auto styles = make_styles(256, 0);
   EXPECT_DOUBLE_EQ(gray_light(level, styles, -16, 0), 10 * 256);
   EXPECT_DOUBLE_EQ(gray_light(level, styles, 0, 0), 50 * 256);
   EXPECT_DOUBLE_EQ(gray_light(level, styles, 16, 16), 100 * 256);
@@ -62,7 +62,7 @@ TEST(LightAt, IsTheSampleAtAGridPoint) {
 
 TEST(LightAt, IsLinearBetweenGridPoints) {
   const world::Level level = lit_level();
-  const auto styles = styles_of(256, 0);
+  const auto styles = make_styles(256, 0);
   EXPECT_DOUBLE_EQ(gray_light(level, styles, -8, 0), 30 * 256);
   EXPECT_DOUBLE_EQ(gray_light(level, styles, -16, 4), 12.5 * 256);
   EXPECT_DOUBLE_EQ(gray_light(level, styles, 4, 8),
@@ -72,31 +72,31 @@ TEST(LightAt, IsLinearBetweenGridPoints) {
 
 TEST(LightAt, SumsStyles) {
   const world::Level level = lit_level();
-  EXPECT_DOUBLE_EQ(gray_light(level, styles_of(256, 512), -16, 16), 20 * 256 + 4 * 512);
-  EXPECT_DOUBLE_EQ(gray_light(level, styles_of(0, 264), 0, 0), 2 * 264);
+  EXPECT_DOUBLE_EQ(gray_light(level, make_styles(256, 512), -16, 16), 20 * 256 + 4 * 512);
+  EXPECT_DOUBLE_EQ(gray_light(level, make_styles(0, 264), 0, 0), 2 * 264);
 }
 
 TEST(LightAt, IsCutOffAtTheBrightestBeforeItIsInterpolated) {
   const world::Level level = lit_level();
-  const auto styles = styles_of(256 * 10, 0);
+  const auto styles = make_styles(256 * 10, 0);
   EXPECT_DOUBLE_EQ(gray_light(level, styles, 0, 0), 255 * 256);
   EXPECT_DOUBLE_EQ(gray_light(level, styles, -8, 0), (100 * 256 + 255 * 256) / 2.0);
 }
 
 TEST(LightAt, HasColor) {
   world::Level level = lit_level();
-  const auto styles = styles_of(256, 0);
-  const Light light = light_at(level, level.faces[0], styles, {0, 0}, LightColor::kRgb);
+  const auto styles = make_styles(256, 0);
+  const Light light = sample_light(level, level.faces[0], styles, {0, 0}, LightColor::kRgb);
   EXPECT_EQ(light, (Light{50 * 256, 51 * 256, 52 * 256}));
   level.light_rgb.clear();
-  const Light gray = light_at(level, level.faces[0], styles, {0, 0}, LightColor::kRgb);
+  const Light gray = sample_light(level, level.faces[0], styles, {0, 0}, LightColor::kRgb);
   EXPECT_EQ(gray, (Light{50 * 256, 50 * 256, 50 * 256})) << "a level without colors";
 }
 
 TEST(LightAt, IsBlackWithoutSamples) {
   world::Level level = lit_level();
   level.faces[0].light = world::kNoLight;
-  EXPECT_EQ(gray_light(level, styles_of(256, 256), 0, 0), 0);
+  EXPECT_EQ(gray_light(level, make_styles(256, 256), 0, 0), 0);
 }
 
 TEST(ColormapRow, GetsDarkerWithLessLight) {

@@ -16,7 +16,7 @@ int largest_axis(const math::Vec3d& v) {
   return size.y >= size.z ? 1 : 2;
 }
 
-// Even-odd rule: right for concave polygons as well, whichever way round they run.
+// Even-odd rule: correct for concave polygons too, in either direction.
 bool inside_polygon(std::span<const math::Vec3d> vertices, const math::Vec3d& point, int dropped_axis) {
   const int u = (dropped_axis + 1) % 3, v = (dropped_axis + 2) % 3;
   bool inside = false;
@@ -69,23 +69,23 @@ FaceTree::FaceTree(const world::Level& level, const world::Model& model) {
   if (!polygons_.empty()) build(0, static_cast<std::uint32_t>(polygons_.size()));
 }
 
-FaceTree::Box FaceTree::bounds_of(const Polygon& polygon) const {
+FaceTree::Box FaceTree::measure_bounds(const Polygon& polygon) const {
   Box box;
-  for (const math::Vec3d& vertex : vertices_of(polygon)) {
+  for (const math::Vec3d& vertex : list_vertices(polygon)) {
     box.mins = glm::min(box.mins, vertex - kBoxMargin);
     box.maxs = glm::max(box.maxs, vertex + kBoxMargin);
   }
   return box;
 }
 
-// Halves the polygons at the median of their boxes' centers along the longest side: the tree's depth is the
-// logarithm of their number.
+// Splits the polygons at the median of their boxes' centers along the longest side, so the tree's depth is
+// the logarithm of their number.
 std::uint32_t FaceTree::build(std::uint32_t first, std::uint32_t count) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   Box box;
   for (std::uint32_t i = first; i < first + count; ++i) {
-    const Box part = bounds_of(polygons_[i]);
+    const Box part = measure_bounds(polygons_[i]);
     box.mins = glm::min(box.mins, part.mins);
     box.maxs = glm::max(box.maxs, part.maxs);
   }
@@ -94,7 +94,7 @@ std::uint32_t FaceTree::build(std::uint32_t first, std::uint32_t count) {
     const int axis = largest_axis(box.maxs - box.mins);
     const auto begin = polygons_.begin() + first;
     const auto center = [&](const Polygon& polygon) {
-      const Box part = bounds_of(polygon);
+      const Box part = measure_bounds(polygon);
       return part.mins[axis] + part.maxs[axis];
     };
     std::nth_element(begin, begin + count / 2, begin + count,
@@ -111,7 +111,7 @@ std::optional<double> FaceTree::meet(const Ray& ray, const Polygon& polygon) con
   const double approach = glm::dot(ray.direction, polygon.normal);
   if (approach >= 0) return std::nullopt;
   const double distance = (polygon.plane_distance - glm::dot(ray.origin, polygon.normal)) / approach;
-  if (!inside_polygon(vertices_of(polygon), ray.at(distance), polygon.dropped_axis)) return std::nullopt;
+  if (!inside_polygon(list_vertices(polygon), ray.at(distance), polygon.dropped_axis)) return std::nullopt;
   return distance;
 }
 

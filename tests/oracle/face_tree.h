@@ -1,5 +1,5 @@
-// The faces of one model, for asking which of them a ray meets: polygons and planes in double precision, in a
-// tree of boxes that only saves time (a test holds it against looking at every face).
+// The faces of one model, for ray tests: polygons and planes in double precision, in a tree of boxes that
+// only saves time (a test compares it with testing every face).
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,12 @@ class FaceTree {
  public:
   FaceTree(const world::Level& level, const world::Model& model);
 
-  // The nearest face at `min_distance` or beyond whose front the ray meets and that `accept` takes.
+  // The nearest face at `min_distance` or beyond whose front the ray meets and that `accept` accepts.
   using Accept = base::FunctionRef<bool(const FaceHit&)>;
   std::optional<FaceHit> nearest(const Ray& ray, double min_distance, Accept accept) const;
 
-  // Where the ray meets the front of the one face, on either side of the ray's origin; nothing where it does
-  // not, or where the face is not of this model.
+  // The distance at which the ray meets the front of the given face, on either side of the ray's origin;
+  // nothing if it does not meet it, or if the face is not in this model.
   std::optional<double> distance_to(const Ray& ray, world::FaceIndex face) const;
 
  private:
@@ -48,11 +48,11 @@ class FaceTree {
     std::uint32_t children[2]{};  // of a node with count 0
   };
 
-  std::span<const math::Vec3d> vertices_of(const Polygon& polygon) const {
+  std::span<const math::Vec3d> list_vertices(const Polygon& polygon) const {
     return std::span(vertices_).subspan(polygon.first_vertex, polygon.vertex_count);
   }
   std::optional<double> meet(const Ray& ray, const Polygon& polygon) const;
-  Box bounds_of(const Polygon& polygon) const;
+  Box measure_bounds(const Polygon& polygon) const;
   std::uint32_t build(std::uint32_t first, std::uint32_t count);
 
   std::vector<Polygon> polygons_;

@@ -1,4 +1,4 @@
-// Draws random views of a level and holds each against the oracle.
+// Draws random views of a level and compares each with the oracle.
 #pragma once
 
 #include "oracle/comparison.h"
@@ -12,13 +12,13 @@ struct Pictures {
   int views = 1;
 };
 
-// Views of 640 x 480, 500 random pixels each. Every second one has its brush models moved; of both kinds,
-// every second one is drawn without the PVS. A view with a wrong face is held against the oracle whole and is
-// a test failure. The same views for the same level.
+// Views of 640 x 480, 500 random pixels each. Every second view has its brush models moved, and half of each
+// kind is drawn without the PVS. A view with a wrong face is compared completely and fails the test. The
+// views are the same for the same level.
 Tally judge_pictures(const test::DrawableLevel& drawable, const Pictures& pictures);
 
-// What every level must reach (the figures are the project's own): face >= 99.9 %, none wrong away from
-// edges, color and depth >= 99.5 %.
+// The required results, set by this project: face >= 99.9 %, none wrong away from edges, color and depth >=
+// 99.5 %.
 void expect_right(const Tally& tally);
 
 }  // namespace temblor::oracle

@@ -1,4 +1,4 @@
-// The renderer's pictures against the oracle: the face seen, its depth and its color.
+// The renderer's pictures against the oracle: the visible face, its depth, and its color.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace temblor::oracle {
 namespace {
 
-std::string name_of(const char* level, render::PixelFormat format) {
+std::string picture_name(const char* level, render::PixelFormat format) {
   return fmt::format("{}_{}", level, format == render::PixelFormat::kIndexed ? "indexed" : "rgb");
 }
 
@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, StockLevelPicture,
                          testing::Combine(testing::Values("start", "lq_e0m1", "lq_e1m2"),
                                           testing::ValuesIn(kFormats)),
                          [](const auto& test) {
-                           return name_of(std::get<0>(test.param), std::get<1>(test.param));
+                           return picture_name(std::get<0>(test.param), std::get<1>(test.param));
                          });
 
 using SmallCase = std::tuple<test::SmallLevelVariant, render::PixelFormat>;
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Variants, SmallLevelPicture,
                          testing::Combine(testing::ValuesIn(test::small_level_variants()),
                                           testing::ValuesIn(kFormats)),
                          [](const auto& test) {
-                           return name_of(std::get<0>(test.param).name, std::get<1>(test.param));
+                           return picture_name(std::get<0>(test.param).name, std::get<1>(test.param));
                          });
 
 }  // namespace

@@ -5,8 +5,8 @@
 namespace temblor::oracle {
 namespace {
 
-// Newell's sum: good for concave polygons too. Clockwise as seen is the negative of the counter-clockwise
-// normal.
+// Newell's method, which also works for concave polygons. The normal of a clockwise polygon is the negative
+// of the counterclockwise one.
 math::Vec3d front_normal(const PolygonVertices& vertices) {
   math::Vec3d sum{0.0};
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -56,7 +56,7 @@ world::Texture numbered_texture() {
 world::Level make_polygon_level(std::span<const PolygonModel> models) {
   world::Level level;
   level.name = "polygons";
-  level.edges.push_back({});  // edge 0 cannot be told from its reverse and is left unused, as in real levels
+  level.edges.push_back({});  // unused, as in real levels: edge 0 equals its reverse
   level.texture_axes.push_back({{1, 0, 0}, 0, {0, 1, 0}, 0});
   level.textures.push_back(numbered_texture());
   for (const world::Contents contents : {world::Contents::kSolid, world::Contents::kEmpty}) {

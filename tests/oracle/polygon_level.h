@@ -1,4 +1,4 @@
-// Levels of a few polygons, written down by hand, for testing the oracle itself.
+// Levels of a few polygons, written by hand, for testing the oracle itself.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ struct PolygonModel {
   std::vector<PolygonVertices> polygons;
 };
 
-// One model each (the first is the world), all faces lit; one open leaf everywhere. The one texture is 16 x
-// 16 and holds texel (s, t) = 16 t + s; s = x and t = y of the model's space. Light: none of the faces has
+// One level model per element (the first is the world), all faces lit; one open leaf everywhere. The only
+// texture is 16 x 16 and holds texel (s, t) = 16 t + s; s = x and t = y in model space. No face has light
 // samples.
 world::Level make_polygon_level(std::span<const PolygonModel> models);
 

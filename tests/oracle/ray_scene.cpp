@@ -15,7 +15,7 @@ math::Vec3d Placement::direction_to_model(const math::Vec3d& direction_world) co
           glm::dot(direction_world, z_axis)};
 }
 
-Placement placement_of(const render::BrushModelInstance& instance) {
+Placement make_placement(const render::BrushModelInstance& instance) {
   const math::Basis basis = math::basis_from_angles(instance.angles_deg);
   return {instance.origin_world, basis.forward, -basis.right, basis.up};
 }
@@ -31,11 +31,11 @@ PreparedLevel::PreparedLevel(const world::Level& level) : level_(&level) {
 RayScene::RayScene(const PreparedLevel& level, std::span<const render::BrushModelInstance> brush_models)
     : level_(&level), brush_models_(brush_models), placements_(1) {
   for (const render::BrushModelInstance& instance : brush_models)
-    placements_.push_back(placement_of(instance));
+    placements_.push_back(make_placement(instance));
 }
 
 const FaceTree& RayScene::tree(std::uint32_t instance) const {
-  return level_->faces_of(instance == 0 ? world::ModelIndex{0} : brush_models_[instance - 1].model);
+  return level_->model_faces(instance == 0 ? world::ModelIndex{0} : brush_models_[instance - 1].model);
 }
 
 Ray RayScene::ray_in_model(std::uint32_t instance, const Ray& ray_world) const {

@@ -1,4 +1,4 @@
-// What a ray sees: the nearest face over the world and the brush models of a scene.
+// The nearest face that a ray hits, of the world and the brush models of a scene.
 #pragma once
 
 #include <bitset>
@@ -14,14 +14,14 @@
 
 namespace temblor::oracle {
 
-// A rigid motion: where a brush model's own space lies in the world.
+// A rigid motion: the placement of a brush model in the world.
 struct Placement {
   math::Vec3d origin{0.0}, x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 
   math::Vec3d to_model(const math::Vec3d& point_world) const;
   math::Vec3d direction_to_model(const math::Vec3d& direction_world) const;
 };
-Placement placement_of(const render::BrushModelInstance& instance);
+Placement find_placement(const render::BrushModelInstance& instance);
 
 struct Hit {
   std::uint32_t instance = 0;  // 0: the world, i + 1: brush model i of the scene
@@ -29,15 +29,15 @@ struct Hit {
   double distance = 0;  // in multiples of the ray's direction: the depth z
 };
 
-// What the oracle works out once for a level, good for any scene of it. The level must outlive it.
+// What the oracle computes once for a level, valid for any scene of it. The level must outlive it.
 class PreparedLevel {
  public:
   explicit PreparedLevel(const world::Level& level);
 
   const world::Level& level() const { return *level_; }
-  const FaceTree& faces_of(world::ModelIndex model) const { return trees_[base::to_size(model)]; }
-  // Which palette indices occur in a texture.
-  const std::bitset<256>& colors_of(world::TextureIndex texture) const {
+  const FaceTree& model_faces(world::ModelIndex model) const { return trees_[base::to_size(model)]; }
+  // The palette indices that occur in a texture.
+  const std::bitset<256>& texture_colors(world::TextureIndex texture) const {
     return colors_[base::to_size(texture)];
   }
 
@@ -52,7 +52,7 @@ class RayScene {
   // Both must outlive it.
   RayScene(const PreparedLevel& level, std::span<const render::BrushModelInstance> brush_models);
 
-  // Only faces at `min_distance` (the near plane) or beyond.
+  // Considers only faces at `min_distance` (the near plane) or beyond.
   using Accept = base::FunctionRef<bool(const Hit&)>;
   std::optional<Hit> nearest(const Ray& ray, double min_distance, Accept accept) const;
   std::optional<Hit> nearest(const Ray& ray, double min_distance) const;
@@ -60,11 +60,11 @@ class RayScene {
   // Where the ray meets one face, if it does.
   std::optional<double> distance_to(const Ray& ray, std::uint32_t instance, world::FaceIndex face) const;
 
-  // Where the ray meets the whole plane of a face; infinite or negative where it runs along it or away from
-  // it.
+  // The distance at which the ray meets the plane of a face; infinite or negative if it is parallel to the
+  // plane or points away from it.
   double distance_to_plane(const Ray& ray, std::uint32_t instance, world::FaceIndex face) const;
 
-  // How far a point lies from the plane of a face, units.
+  // The distance of a point from the plane of a face, in units.
   double distance_from_plane(const math::Vec3d& point_world, std::uint32_t instance,
                              world::FaceIndex face) const;
 

@@ -1,4 +1,4 @@
-// The oracle's rays and their nearest faces, on levels small enough to know the answer.
+// The oracle's rays and the nearest faces they hit, in levels small enough to know the answer.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -44,8 +44,8 @@ TEST_P(CameraRaysOfScreen, SpanTheFieldOfView) {
               vertical_deg, 1e-9);
 }
 
-// 4:3 has 90 degrees across, and 2 atan(3/4) = 73.74 down. 8:3 sees 2 atan(2) across at the same height, 4:6
-// twice the tangent down at the same width.
+// 4:3 has 90 degrees horizontally, and 2 atan(3/4) = 73.74 vertically. 8:3 sees 2 atan(2) horizontally at the
+// same height, 4:6 twice the tangent vertically at the same width.
 INSTANTIATE_TEST_SUITE_P(Shapes, CameraRaysOfScreen,
                          testing::Values(Screen{320, 240, 90, 73.739795291688},
                                          Screen{640, 240, 126.869897645844, 73.739795291688},
@@ -107,7 +107,7 @@ TEST(FaceTree, KnowsConcaveFaces) {
   }
 }
 
-// Barycentric coordinates: another way to ask whether a ray meets a triangle.
+// Barycentric coordinates: another way to test whether a ray meets a triangle.
 std::optional<double> meet_triangle(const Ray& ray, const PolygonVertices& triangle) {
   const math::Vec3d a(triangle[0]), ab = math::Vec3d(triangle[1]) - a, ac = math::Vec3d(triangle[2]) - a;
   const math::Vec3d across = glm::cross(ray.direction, ac);
@@ -152,7 +152,7 @@ TEST(RayScene, PlacesBrushModels) {
                              PolygonModel{{square_facing_minus_x(10, 2)}}};
   const world::Level level = make_polygon_level(models);
   const PreparedLevel prepared(level);
-  // A yaw of 90 degrees takes +x to +y: the square at x = 10 comes to lie at y = 10, facing -y.
+  // A yaw of 90 degrees turns +x to +y: the square at x = 10 moves to y = 10, facing -y.
   const std::array instances = {
       render::BrushModelInstance{.model = world::ModelIndex{1}, .origin_world = {20, 0, 1}},
       render::BrushModelInstance{

@@ -1,5 +1,5 @@
-// Stock levels are sealed: from any open point every ray meets the front of a face, and what lies just before
-// it is open. That holds the oracle's rays and faces against the level's tree, which they do not use.
+// Stock levels are sealed: from any open point every ray meets the front of a face, and the space just before
+// it is open. This checks the oracle's rays and faces against the level's tree, which they do not use.
 #include <gtest/gtest.h>
 
 #include "oracle/ray_scene.h"

@@ -53,7 +53,7 @@ TEST(Address, WhatIsWrongIsNamed) {
   for (const char* text : {"host:", "host:0", "host:65536", "host:-1", "host:1x", "[::1]:"}) {
     const auto parts = split_host_and_port(text);
     ASSERT_FALSE(parts.ok()) << text;
-    EXPECT_NE(parts.error().message().find("is no number from 1 to 65535"), std::string::npos) << text;
+    EXPECT_NE(parts.error().message().find("is not a number from 1 to 65535"), std::string::npos) << text;
   }
   for (const char* text : {"", ":1", "[]", "[::1", "[::1]x", "[]:1"})
     EXPECT_FALSE(split_host_and_port(text).ok()) << text;

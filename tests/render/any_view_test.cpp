@@ -1,5 +1,5 @@
-// Any view of any level draws every pixel, once, and does not crash: eyes in solid, outside, far away and
-// exactly on planes and vertices, all sizes and fields of view, brush models anywhere.
+// Any view of any level draws every pixel exactly once and does not crash: eyes in solid, outside, far away,
+// and exactly on planes and vertices; all sizes and fields of view; brush models anywhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 constexpr int kShards = effort(10, 1);  // tests run in parallel
 constexpr int kViewsPerShard = effort(1000, 150);
 constexpr double kMaxSide = effort(8192, 512);
-// Faces and writes of a pixel take nine bytes: only pictures up to this size are asked for them.
+// PixelFace and the write count take nine bytes per pixel, so they are checked only up to this size.
 constexpr std::size_t kMaxPixelsCounted = std::size_t{1} << 21;
 
 math::Vec3 random_point_in(const math::Bounds& bounds, Random& io_random) {
@@ -92,7 +92,7 @@ render::Settings any_settings(Random& io_random) {
           .mip_rule = io_random.chance(0.5) ? render::MipRule::kStock : render::MipRule::kFootprint,
           .force_mip = static_cast<int>(io_random.below(5)) - 1,
           .perspective = io_random.chance(0.3) ? render::Perspective::kEvery16 : render::Perspective::kExact,
-          .vector_kernels = io_random.chance(0.7),
+          .simd_kernels = io_random.chance(0.7),
           .surface_cache = io_random.chance(0.9),
           .cache_bytes = kCacheBytes[io_random.below(3)],
           .use_pvs = io_random.chance(0.7),
@@ -129,17 +129,17 @@ bool has_no_nan(std::span<const float> depths) {
 
 class AnyView : public testing::TestWithParam<int> {};
 
-// A pixel that is left as it was makes the pictures of two frames filled differently differ.
+// If a pixel is not written, two frames that were filled differently before drawing differ.
 TEST_P(AnyView, DrawsEveryPixelOnce) {
   const std::vector<DrawableLevel> levels = all_levels();
-  // One level after another: a renderer keeps the memory that its largest frame took.
+  // One level after another: a renderer keeps the memory that its largest frame needed.
   std::optional<render::Renderer> renderer;
-  std::size_t renderer_of = levels.size();
+  std::size_t rendered_level = levels.size();
   for (int view = 0; view < kViewsPerShard; ++view) {
     const int seed = GetParam() * kViewsPerShard + view;
     Random random(static_cast<std::uint64_t>(seed));
     const std::size_t choice = levels.size() * static_cast<std::size_t>(view) / kViewsPerShard;
-    if (std::exchange(renderer_of, choice) != choice)
+    if (std::exchange(rendered_level, choice) != choice)
       renderer.emplace(levels[choice].palette, levels[choice].colormap);
     const world::Level& level = *levels[choice].level;
     const Viewpoint viewpoint = any_viewpoint(level, random);
@@ -154,10 +154,10 @@ TEST_P(AnyView, DrawsEveryPixelOnce) {
     const render::Scene scene = viewpoint.scene(level);
     fill_frame(frame, 0x55);
     renderer->render(scene, settings, frame);
-    const std::uint64_t first = hash_of(frame);
+    const std::uint64_t first = compute_hash(frame);
     fill_frame(frame, 0xaa);
     renderer->render(scene, settings, frame);
-    ASSERT_EQ(hash_of(frame), first) << "a pixel was left unwritten";
+    ASSERT_EQ(compute_hash(frame), first) << "a pixel was left unwritten";
     ASSERT_TRUE(has_no_nan(frame.depth()));
     if (frame.pixel_count() <= kMaxPixelsCounted) {
       ASSERT_TRUE(every_pixel_written_once(*renderer, frame.pixel_count()));
@@ -177,10 +177,10 @@ TEST(AnySize, IncludesTheLargestPicture) {
     render::FrameBuffer frame(width, height, render::PixelFormat::kIndexed);
     fill_frame(frame, 0x55);
     renderer.render(viewpoint.scene(*drawable.level), {}, frame);
-    const std::uint64_t first = hash_of(frame);
+    const std::uint64_t first = compute_hash(frame);
     fill_frame(frame, 0xaa);
     renderer.render(viewpoint.scene(*drawable.level), {}, frame);
-    EXPECT_EQ(hash_of(frame), first) << width << "x" << height;
+    EXPECT_EQ(compute_hash(frame), first) << width << "x" << height;
   }
 }
 

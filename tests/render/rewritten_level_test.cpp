@@ -1,5 +1,5 @@
-// A level draws the same pixels in whatever it comes: BSP 29, 2PSB, BSP2; colored light beside it or in it;
-// loose, in a PAK, in a PK3.
+// A level draws the same pixels in every file format: BSP 29, 2PSB, BSP2; with colored light in the file or
+// beside it; as loose files, in a PAK, in a PK3.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -24,7 +24,7 @@ namespace {
 constexpr int kViews = effort(10, 2);
 using LevelPointer = std::shared_ptr<const world::Level>;
 
-// A level as files hold it, and how it looks.
+// A level as files, and its picture.
 struct LevelFiles {
   formats::Bsp bsp;
   std::optional<formats::Lit> lit;
@@ -52,19 +52,19 @@ LevelFiles stock_files(const std::filesystem::path& base_folder, const std::stri
           drawable.colormap};
 }
 
-const formats::Lit* lit_of(const LevelFiles& files) {
+const formats::Lit* colored_light(const LevelFiles& files) {
   return files.lit ? &*files.lit : nullptr;
 }
 
 LevelPointer as_it_is(const LevelFiles& files) {
-  return world::make_level(files.bsp, "level", lit_of(files)).value();
+  return world::make_level(files.bsp, "level", colored_light(files)).value();
 }
 
 LevelPointer rewritten(const LevelFiles& files, formats::BspVersion version) {
   const base::ByteVector bytes = formats::write_bsp(files.bsp, version).value();
   formats::Bsp bsp = formats::read_bsp(bytes).value();
   EXPECT_EQ(bsp.version, version);
-  return world::make_level(std::move(bsp), "level", lit_of(files)).value();
+  return world::make_level(std::move(bsp), "level", colored_light(files)).value();
 }
 
 formats::Bsp with_light_inside(const LevelFiles& files) {
@@ -80,7 +80,7 @@ LevelPointer lit_from_inside(const LevelFiles& files) {
   return world::make_level(formats::read_bsp(bytes).value(), "level").value();
 }
 
-// Through the game's file system: `archive` makes the archive `archive_name` of the level's files.
+// Loads the level through the game's file system; `archive` makes the archive `archive_name` from the files.
 template <typename Archive>
 LevelPointer from_archive(const LevelFiles& files, const std::string& archive_name, Archive archive) {
   const base::ByteVector bsp = formats::write_bsp(files.bsp, formats::BspVersion::k29).value();
@@ -94,7 +94,7 @@ LevelPointer from_archive(const LevelFiles& files, const std::string& archive_na
   return loaded.level;
 }
 
-std::vector<FrameCopy> pictures_of(const LevelFiles& files, const world::Level& level) {
+std::vector<FrameCopy> draw_pictures(const LevelFiles& files, const world::Level& level) {
   std::vector<FrameCopy> pictures;
   render::Renderer renderer(files.palette, files.colormap);
   for (int number = 0; number < kViews; ++number) {
@@ -105,16 +105,16 @@ std::vector<FrameCopy> pictures_of(const LevelFiles& files, const world::Level& 
     for (const render::PixelFormat format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb}) {
       render::FrameBuffer frame(320, 200, format);
       renderer.render(viewpoint.scene(level), {}, frame);
-      pictures.push_back(copy_of(frame));
+      pictures.push_back(copy_picture(frame));
     }
   }
   return pictures;
 }
 
 void expect_same_pictures(const LevelFiles& files) {
-  const std::vector<FrameCopy> expected = pictures_of(files, *as_it_is(files));
+  const std::vector<FrameCopy> expected = draw_pictures(files, *as_it_is(files));
   const auto expect_same = [&](const LevelPointer& level, const char* what) {
-    EXPECT_TRUE(pictures_of(files, *level) == expected) << what;
+    EXPECT_TRUE(draw_pictures(files, *level) == expected) << what;
   };
   expect_same(rewritten(files, formats::BspVersion::k29), "29");
   expect_same(rewritten(files, formats::BspVersion::k2Psb), "2PSB");
@@ -140,12 +140,12 @@ TEST_P(RewrittenStockLevel, DrawsTheSamePixels) {
 INSTANTIATE_TEST_SUITE_P(Levels, RewrittenStockLevel, testing::Values("start", "lq_e0m1", "lq_e1m2"),
                          [](const auto& test) { return std::string(test.param); });
 
-// What would make the tests above pass without looking: a picture that light does not change.
+// The tests above would pass trivially if light did not change the picture.
 TEST(RewrittenLevel, WithoutItsColoredLightDrawsOthers) {
   LevelFiles files = small_files();
-  const std::vector<FrameCopy> colored = pictures_of(files, *as_it_is(files));
+  const std::vector<FrameCopy> colored = draw_pictures(files, *as_it_is(files));
   files.lit.reset();
-  EXPECT_FALSE(pictures_of(files, *as_it_is(files)) == colored);
+  EXPECT_FALSE(draw_pictures(files, *as_it_is(files)) == colored);
 }
 
 }  // namespace

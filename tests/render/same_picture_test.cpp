@@ -1,5 +1,4 @@
-// What a picture does not depend on: threads, kernels, the cache and what it holds, how the frame is cut into
-// bands.
+// Pictures do not depend on threads, kernels, the surface cache and its contents, or the division into bands.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -44,14 +43,14 @@ std::vector<NamedSettings> settings_of_one_picture() {
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{20000}, std::size_t{1} << 20})
     add(fmt::format("a cache of {} bytes", bytes),
         [&](render::Settings& settings) { settings.cache_bytes = bytes; });
-  add("plain kernels", [](render::Settings& settings) { settings.vector_kernels = false; });
+  add("plain kernels", [](render::Settings& settings) { settings.simd_kernels = false; });
   add("no prefetching", [](render::Settings& settings) { settings.prefetch = false; });
   add("no cache", [](render::Settings& settings) { settings.surface_cache = false; });
   add("all of it", [](render::Settings& settings) {
     settings.threads = 8;
     settings.band_rows = 7;
     settings.cache_bytes = 20000;
-    settings.vector_kernels = false;
+    settings.simd_kernels = false;
   });
   return all;
 }
@@ -68,13 +67,13 @@ Viewpoint viewpoint_number(const world::Level& level, int number) {
   return viewpoint;
 }
 
-// Draws with `io_renderer`, into a frame that holds nonsense before.
+// Draws with `io_renderer` into a frame filled with garbage.
 FrameCopy draw(render::Renderer& io_renderer, const render::Scene& scene, const render::Settings& settings,
                render::PixelFormat format) {
   render::FrameBuffer frame(kWidth, kHeight, format);
   fill_frame(frame, 0x5a);
   io_renderer.render(scene, settings, frame);
-  return copy_of(frame);
+  return copy_picture(frame);
 }
 
 FrameCopy draw_cold(const DrawableLevel& drawable, const render::Scene& scene,
@@ -91,7 +90,7 @@ constexpr auto kBothFormats = {render::PixelFormat::kIndexed, render::PixelForma
 
 void expect_independent_of_settings(const DrawableLevel& drawable) {
   const std::vector<NamedSettings> all = settings_of_one_picture();
-  // One renderer for each, kept from view to view, as a game would.
+  // One renderer for each setting, kept from view to view, as in a game.
   std::vector<render::Renderer> renderers;
   for (std::size_t i = 0; i < all.size(); ++i) renderers.emplace_back(drawable.palette, drawable.colormap);
   for (int number = 0; number < kSameViews; ++number) {
@@ -111,8 +110,7 @@ void expect_independent_of_settings(const DrawableLevel& drawable) {
   }
 }
 
-// Forwards, backwards, and after the surfaces are dropped: always the picture of a renderer that has seen
-// nothing else.
+// Forward, backward, and after dropping the surfaces: always the picture of a fresh renderer.
 void expect_independent_of_history(const DrawableLevel& drawable) {
   for (const render::PixelFormat format : kBothFormats) {
     std::vector<Viewpoint> viewpoints;
@@ -195,7 +193,7 @@ TEST(SamePicture, AfterTheSettingsOfAnother) {
   }
 }
 
-// Texture axes that lie across a face, or are nothing at all, leave it no texels in one direction.
+// Texture axes that are perpendicular to a face, or zero, leave it no texels in one direction.
 TEST(SamePicture, OfFacesWithoutExtent) {
   DrawableLevel drawable = small_level();
   formats::Bsp bsp = artgen::make_small_level();
@@ -210,7 +208,7 @@ TEST(SamePicture, OfFacesWithoutExtent) {
   expect_independent_of_history(drawable);
 }
 
-// A level may be gone, and the next one lie where it lay: nothing of the first may show.
+// A level may be freed and the next one allocated at its address: nothing of the first may show.
 TEST(SamePicture, AfterALevelThatIsGone) {
   const DrawableLevel first_look = small_level();
   render::Renderer renderer(first_look.palette, first_look.colormap);
@@ -223,7 +221,7 @@ TEST(SamePicture, AfterALevelThatIsGone) {
   }
 }
 
-// Two levels that follow one another at one address, of different shape.
+// Two levels, one after the other, at the same address and with different shapes.
 TEST(SamePicture, AfterALevelAtTheSameAddress) {
   const DrawableLevel tiny = small_level({.tiny = true}), full = small_level();
   world::Level level = *tiny.level;

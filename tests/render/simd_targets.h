@@ -1,4 +1,4 @@
-// Vector kernels exist once for each instruction set, and the best one runs. Here every one has its turn.
+// SIMD kernels exist once for each instruction set, and the best one runs. Here each of them runs in turn.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace temblor::test {
 
-// While it lives, kernels run as this instruction set; after it, again as the best.
+// While it exists, kernels run for this instruction set; afterwards the best one is used again.
 class ForcedVectorTarget {
  public:
   explicit ForcedVectorTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
@@ -18,7 +18,7 @@ class ForcedVectorTarget {
   ForcedVectorTarget& operator=(const ForcedVectorTarget&) = delete;
 };
 
-// Calls body() for each instruction set that was compiled and that this processor has.
+// Calls body() for each instruction set that was compiled and that this processor supports.
 template <typename Body>
 void for_each_simd_target(Body body) {
   const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();

@@ -1,4 +1,4 @@
-// A warm frame asks the heap for nothing: every operator new of the program is counted.
+// A warm frame does not allocate: every operator new of the program is counted.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -15,7 +15,7 @@
 namespace temblor::test {
 namespace {
 
-// `add` adds to each scene what it is to show besides the level.
+// `add` adds things to each scene.
 template <typename Add>
 void expect_no_allocation(const DrawableLevel& drawable, const render::Settings& settings, Add add) {
   constexpr int kViews = 10;
@@ -43,7 +43,8 @@ void expect_no_allocation(const DrawableLevel& drawable, const render::Settings&
       }
       return while_drawing;
     };
-    // A frame larger than any before lets memory grow, and the next one of that size settles it.
+    // A frame larger than any before lets memory grow; from the next one of that size on, nothing is
+    // allocated.
     EXPECT_GT(draw_all(), 0u) << "the first frames must allocate, or nothing is counted";
     draw_all();
     EXPECT_EQ(draw_all(), 0u) << drawable.name;
@@ -91,7 +92,7 @@ TEST(WarmFrame, WithSpritesAndParticlesAllocatesNothing) {
   });
 }
 
-// Late faces, translucent models, fog, a skybox, the view under water and tinted.
+// Deferred faces, translucent models, fog, a skybox, the underwater warp, and a tint.
 TEST(WarmFrame, ThatSomethingShowsThroughAllocatesNothing) {
   const auto model = small_model(sphere_mdl());
   std::vector<render::AliasInstance> models(3);
@@ -113,7 +114,7 @@ TEST(WarmFrame, ThatSomethingShowsThroughAllocatesNothing) {
   });
 }
 
-// One looks about, makes the window larger, looks about again, and dives.
+// Look around, enlarge the window, look around again, and dive.
 TEST(WarmFrame, FirstUnderWaterAfterAChangeOfSizeAllocatesNothing) {
   const DrawableLevel drawable = small_level();
   Random random(1);

@@ -1,5 +1,5 @@
-// scripted_player's exit status: 0 for help, 2 with a line that says why for a command line that makes no
-// sense.
+// The exit status of scripted_player: 0 for --help, 2 and one line of explanation for an invalid command
+// line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-TEST(PlayerCommandLine, WrongOnesAreTwoAndHelpIsNone) {
+TEST(PlayerCommandLine, InvalidOptionsExitWith2AndHelpWith0) {
   const TemporaryFolder folder;
   const std::string base = folder.path().string();
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"--map", "start"},                                              // no folder
+           {"--map", "start"},                                              // no basedir
            {"--basedir", base},                                             // no level
            {"--basedir", base, "--map", "start", "--skill", "9"},           // out of range
-           {"--basedir", base, "--map", "start", "--seed", "x"},            // no number
+           {"--basedir", base, "--map", "start", "--seed", "x"},            // not a number
            {"--basedir", base, "--map", "start", "--waypoints", "1", "2"},  // two of three
            {"--basedir", base, "--map", "start", "--fly"}}) {               // no such option
     const ProgramRun run = run_program(folder.path(), words);

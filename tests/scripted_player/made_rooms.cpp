@@ -12,14 +12,15 @@ namespace temblor::test {
 MadeRooms::MadeRooms(const std::string& map_text) {
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   compiler::CompileOptions options;
-  options.light_wish = compiler::StagePolicy::kSkip;
-  options.visibility_wish = compiler::StagePolicy::kSkip;
+  options.light_policy = compiler::StagePolicy::kSkip;
+  options.visibility_policy = compiler::StagePolicy::kSkip;
   compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
   compiler::Build build;
-  const compiler::CompileReport report = compiler::compile_level(map_of(map_text), {}, artgen::make_palette(),
-                                                                 options, jobs, nobody, build, warnings)
-                                             .value();
+  const compiler::CompileReport report =
+      compiler::compile_level({parse_map(map_text), {}, artgen::make_palette()}, options,
+                              {jobs, nobody, warnings}, build)
+          .value();
   CHECK(!report.leak);
   folder_.write("id1/gfx/palette.lmp", formats::write_palette(artgen::make_palette()));
   folder_.write("id1/progs.dat", read_file(TEMBLOR_GAME_PROGRAM));

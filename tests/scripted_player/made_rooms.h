@@ -1,17 +1,17 @@
-// Small levels made of map text, in a base folder with the game's program.
+// Small levels compiled from map text, in a base directory with the shipped game code.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "scripted_player/run.h"
+#include "scripted_player/session/run.h"
 #include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
 
 class MadeRooms {
  public:
-  // The level's name is "rooms". CHECKs that it compiles, and that nothing leaks.
+  // Compiles the level as "rooms". CHECKs that it compiles and does not leak.
   explicit MadeRooms(const std::string& map_text);
 
   // Skill 1, one player.
@@ -22,7 +22,7 @@ class MadeRooms {
   TemporaryFolder folder_;
 };
 
-// A trigger_changelevel over that box.
+// Returns the map text of a trigger_changelevel that fills that box.
 std::string exit_text(const math::Vec3& mins, const math::Vec3& maxs);
 
 }  // namespace temblor::test

@@ -1,4 +1,4 @@
-// What the scripted player's report says of monsters that stand still in a fight.
+// The scripted player reports monsters that stand still in a fight.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// A room of 512 x 512 without an exit: the player stays where he is, at 64 256, and cannot be hurt. A knight
-// before him stands in a pen of four walls, which he looks over, strikes over, and cannot climb; above 36
-// units he does not hop over them either.
+// A room of 512 x 512 units without an exit: the player stays at 64 256 and cannot be hurt. A knight in front
+// of it stands in a pen of four walls. The knight sees and strikes over them but cannot climb them. It hops
+// over walls of up to 36 units.
 player::RunReport stand_before_a_penned_knight(double x, double height) {
   const std::string pen = box_text({x - 24, 232, 0}, {x - 20, 280, height}, "pen") +
                           box_text({x + 20, 232, 0}, {x + 24, 280, height}, "pen") +
@@ -33,15 +33,15 @@ player::RunReport stand_before_a_penned_knight(double x, double height) {
   return player::play_level(setup).value();
 }
 
-TEST(MonsterWatch, OneThatStrikesAgainAndAgainIsNotIdle) {
+TEST(MonsterWatch, MonsterThatKeepsAttackingIsNotIdle) {
   EXPECT_THAT(stand_before_a_penned_knight(112, 20).idle_monsters, IsEmpty());
 }
 
-TEST(MonsterWatch, OneThatHopsOutOfHisPenIsNot) {
+TEST(MonsterWatch, MonsterThatHopsOutOfItsPenIsNotIdle) {
   EXPECT_THAT(stand_before_a_penned_knight(320, 20).idle_monsters, IsEmpty());
 }
 
-TEST(MonsterWatch, OneThatCannotGetToHisEnemyIs) {
+TEST(MonsterWatch, MonsterThatCannotReachItsEnemyIsIdle) {
   EXPECT_THAT(stand_before_a_penned_knight(320, 44).idle_monsters, ElementsAre(HasSubstr("monster_knight")));
 }
 

@@ -1,4 +1,4 @@
-// The scripted player in small rooms: each asks for one thing that levels ask for.
+// The scripted player in small rooms. Each needs one skill that levels need.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 
 using math::Vec3d;
 
-// A hall of 1024 x 256 x 256 along x, its floor at 0; the player begins at its western end.
+// A hall of 1024 x 256 x 256 units along x, with its floor at 0. The player starts at its western end.
 std::string hall(const std::string& brushes, const std::string& entities) {
   return entity_text("worldspawn", "", walls_text({0, 0, 0}, {1024, 256, 256}, "wall") + brushes) +
          entity_text("info_player_start", "\"origin\" \"64 128 32\"\n\"angle\" \"0\"") +
@@ -31,7 +31,7 @@ std::string exit_at_end(float floor = 0) {
   return exit_text({960, 0, floor}, {1024, 256, floor + 96});
 }
 
-// Across the hall, with an opening of 96 x 112 in its middle.
+// A wall across the hall, with an opening of 96 x 112 units in its middle.
 std::string wall_with_opening(double x) {
   return box_text({x, 0, 0}, {x + 16, 80, 256}, "wall") + box_text({x, 176, 0}, {x + 16, 256, 256}, "wall") +
          box_text({x, 80, 112}, {x + 16, 176, 256}, "wall");
@@ -47,7 +47,7 @@ TEST(PlayerInRooms, WalksToTheExit) {
   EXPECT_TRUE(report.reached_exit);
   EXPECT_EQ(report.exit, "elsewhere");
   EXPECT_LT(report.time_s, 8);
-  EXPECT_THAT(report.complaints, IsEmpty());
+  EXPECT_THAT(report.problems, IsEmpty());
   EXPECT_THAT(report.errors, IsEmpty());
 }
 
@@ -57,7 +57,7 @@ TEST(PlayerInRooms, ClimbsStairs) {
   EXPECT_TRUE(MadeRooms(hall(stairs, exit_at_end(128))).play().reached_exit);
 }
 
-TEST(PlayerInRooms, GoesThroughADoorThatOpensForWhoComes) {
+TEST(PlayerInRooms, GoesThroughADoorThatOpensAutomatically) {
   const player::RunReport report =
       MadeRooms(hall(wall_with_opening(500), door(500, "") + exit_at_end())).play();
   EXPECT_TRUE(report.reached_exit);
@@ -68,7 +68,7 @@ std::string stop_text(const Vec3d& at, const std::string& fields) {
   return entity_text("info_notnull", fmt::format("\"origin\" \"{} {} {}\"\n", at.x, at.y, at.z) + fields);
 }
 
-// Both are out of the way to the exit; at the second he stays three seconds.
+// Both stops are away from the route to the exit. The player stays at the second one for three seconds.
 TEST(PlayerInRooms, VisitsStopsInOrder) {
   const std::string stops = stop_text({900, 40, 24}, "\"targetname\" \"stop1\"") +
                             stop_text({80, 220, 24}, "\"targetname\" \"stop2\"\n\"wait\" \"3\"");
@@ -78,13 +78,13 @@ TEST(PlayerInRooms, VisitsStopsInOrder) {
   setup.visits_stops = true;
   const player::RunReport report = player::play_level(setup).value();
   EXPECT_TRUE(report.reached_exit);
-  EXPECT_THAT(report.complaints, IsEmpty());
-  // There, back and there again, at most at a run of 320 units a second.
+  EXPECT_THAT(report.problems, IsEmpty());
+  // There, back, and there again, at no more than 320 units/s.
   EXPECT_GT(report.time_s, straight_s + 3 + 1600 / 320);
 }
 
-// The hatch that the button opens leads nowhere.
-TEST(PlayerInRooms, PressesWhatAStopAsksFor) {
+// The hatch that the button opens leads nowhere, so only the stop is a reason to press it.
+TEST(PlayerInRooms, PressesTheButtonOfAStop) {
   const std::string button =
       entity_text("func_button", "\"target\" \"hatch\"\n\"angle\" \"90\"\n\"wait\" \"-1\"",
                   box_text({500, 240, 16}, {532, 252, 80}, "button"));
@@ -106,7 +106,7 @@ TEST(PlayerInRooms, FetchesTheKeyFirst) {
           .reached_exit);
 }
 
-TEST(PlayerInRooms, TellsOfDoorsThatOnlyOpenOneAnother) {
+TEST(PlayerInRooms, ReportsDoorsThatOnlyOpenEachOther) {
   const std::string other =
       entity_text("func_door", "\"targetname\" \"b\"\n\"target\" \"a\"\n\"angle\" \"-1\"",
                   box_text({200, 240, 0}, {232, 256, 96}, "door"));
@@ -115,30 +115,30 @@ TEST(PlayerInRooms, TellsOfDoorsThatOnlyOpenOneAnother) {
                      door(500, "\"targetname\" \"a\"\n\"target\" \"b\"") + other + exit_at_end()))
           .play();
   EXPECT_FALSE(report.reached_exit);
-  EXPECT_THAT(report.complaints, Contains(HasSubstr("nothing is left that fires \"a\"")));
+  EXPECT_THAT(report.problems, Contains(HasSubstr("targets \"a\"")));
 }
 
-// Ways through it would cost less than nothing.
-TEST(PlayerInRooms, IsNotHeldByWhatHeals) {
+// Links into the trigger must not have negative costs.
+TEST(PlayerInRooms, PassesATriggerThatHeals) {
   const std::string spring =
       entity_text("trigger_hurt", "\"dmg\" \"-5\"", box_text({400, 0, 0}, {600, 256, 64}, "trigger"));
   EXPECT_TRUE(MadeRooms(hall("", spring + exit_at_end())).play().reached_exit);
 }
 
-TEST(PlayerInRooms, TellsWhichKeyIsMissing) {
+TEST(PlayerInRooms, ReportsWhichKeyIsMissing) {
   const player::RunReport report =
       MadeRooms(hall(wall_with_opening(500), door(500, "\"spawnflags\" \"16\"") + exit_at_end())).play();
   EXPECT_FALSE(report.reached_exit);
-  EXPECT_THAT(report.complaints, Contains(HasSubstr("item_key1")));
-  EXPECT_THAT(report.complaints, Contains(HasSubstr("shut by func_door")));
+  EXPECT_THAT(report.problems, Contains(HasSubstr("item_key1")));
+  EXPECT_THAT(report.problems, Contains(HasSubstr("blocked by func_door")));
   EXPECT_THAT(report.closed_doors, ElementsAre(HasSubstr("func_door")));
 }
 
-TEST(PlayerInRooms, TellsThatNothingFiresADoor) {
+TEST(PlayerInRooms, ReportsADoorThatNothingTargets) {
   const player::RunReport report =
       MadeRooms(hall(wall_with_opening(500), door(500, "\"targetname\" \"gate\"") + exit_at_end())).play();
   EXPECT_FALSE(report.reached_exit);
-  EXPECT_THAT(report.complaints, Contains(HasSubstr("nothing is left that fires \"gate\"")));
+  EXPECT_THAT(report.problems, Contains(HasSubstr("targets \"gate\"")));
 }
 
 TEST(PlayerInRooms, PressesTheButtonThatOpensADoor) {
@@ -171,7 +171,7 @@ TEST(PlayerInRooms, RidesALift) {
 }
 
 TEST(PlayerInRooms, JumpsOverAGap) {
-  // Two tables of 96 with 144 between them; whoever falls cannot get up again.
+  // Two tables, 96 units high and 144 units apart. A player that falls cannot get up again.
   const std::string tables =
       box_text({0, 0, 0}, {400, 256, 96}, "wall") + box_text({544, 0, 0}, {1024, 256, 96}, "wall");
   const std::string map =
@@ -207,14 +207,14 @@ TEST(PlayerInRooms, GoesThroughATeleporter) {
   EXPECT_TRUE(MadeRooms(hall(wall, teleporter + there + exit_at_end())).play().reached_exit);
 }
 
-TEST(PlayerInRooms, TellsHowNearOneGetsToAnExitThatIsTooHigh) {
+TEST(PlayerInRooms, ReportsAnExitThatIsTooHigh) {
   const std::string high = box_text({600, 0, 0}, {1024, 256, 120}, "wall");
   const player::RunReport report = MadeRooms(hall(high, exit_at_end(120))).play();
   EXPECT_FALSE(report.reached_exit);
-  EXPECT_THAT(report.complaints, Contains(HasSubstr("no place from which a player can start leads there")));
+  EXPECT_THAT(report.problems, Contains(HasSubstr("no reachable place touches it")));
 }
 
-TEST(PlayerInRooms, FindsSecretsWhereAsked) {
+TEST(PlayerInRooms, FindsSecretsIfRequested) {
   const std::string secret =
       entity_text("trigger_secret", "", box_text({64, 0, 0}, {128, 32, 96}, "trigger"));
   const MadeRooms rooms(hall("", secret + exit_at_end()));
@@ -226,7 +226,7 @@ TEST(PlayerInRooms, FindsSecretsWhereAsked) {
   EXPECT_TRUE(report.reached_exit);
 }
 
-TEST(PlayerInRooms, KillsWhatIsInTheWay) {
+TEST(PlayerInRooms, KillsMonstersInTheWay) {
   const MadeRooms rooms(hall("", point_text("monster_army", {700, 128, 32}) + exit_at_end()));
   const player::RunReport report = rooms.play();
   EXPECT_TRUE(report.reached_exit);
@@ -235,9 +235,9 @@ TEST(PlayerInRooms, KillsWhatIsInTheWay) {
   EXPECT_THAT(report.stuck_monsters, IsEmpty());
 }
 
-TEST(PlayerInRooms, TellsOfAMonsterInAWall) {
+TEST(PlayerInRooms, ReportsAMonsterInAWall) {
   const std::string block = box_text({600, 0, 0}, {640, 100, 256}, "wall");
-  const std::string key = door(500, "\"spawnflags\" \"16\"");  // keeps him there for a while
+  const std::string key = door(500, "\"spawnflags\" \"16\"");  // keeps the player there for a while
   const player::RunReport report =
       MadeRooms(hall(wall_with_opening(500) + block,
                      key + point_text("monster_army", {600, 90, 32}) + exit_at_end()))
@@ -245,7 +245,7 @@ TEST(PlayerInRooms, TellsOfAMonsterInAWall) {
   EXPECT_THAT(report.stuck_monsters, Contains(HasSubstr("monster_army")));
 }
 
-TEST(PlayerInRooms, PlaysTogether) {
+TEST(PlayerInRooms, PlaysCooperatively) {
   const MadeRooms rooms(hall(wall_with_opening(500), door(500, "") + exit_at_end()));
   player::RunSetup setup = rooms.setup();
   setup.session.players = 2;
@@ -253,8 +253,8 @@ TEST(PlayerInRooms, PlaysTogether) {
   EXPECT_TRUE(player::play_level(setup).value().reached_exit);
 }
 
-// The same seed gives the same game, another one another.
-TEST(PlayerInRooms, IsTheSameTwice) {
+// The same seed gives the same game, a different seed a different one.
+TEST(PlayerInRooms, IsDeterministicForASeed) {
   const MadeRooms rooms(hall("", point_text("monster_army", {700, 128, 32}) +
                                      point_text("monster_army", {800, 200, 32}) + exit_at_end()));
   player::RunSetup setup = rooms.setup();
@@ -263,18 +263,18 @@ TEST(PlayerInRooms, IsTheSameTwice) {
                           second = player::play_level(setup).value();
   EXPECT_EQ(first.time_s, second.time_s);
   EXPECT_EQ(first.state_hash, second.state_hash);
-  EXPECT_EQ(first.recording, second.recording);
+  EXPECT_EQ(first.demo, second.demo);
   setup.session.seed = 2;
   EXPECT_NE(player::play_level(setup).value().state_hash, first.state_hash);
 }
 
-// A recording begins with its level, ends with its end, and its view never jerks.
-TEST(PlayerInRooms, RecordsWhatIsGoodToWatch) {
+// A demo covers the level from its start to its end, and its view never jerks.
+TEST(PlayerInRooms, RecordsAWatchableDemo) {
   const MadeRooms rooms(hall(wall_with_opening(500), door(500, "") + exit_at_end()));
   player::RunSetup setup = rooms.setup();
   setup.records = true;
   const player::RunReport report = player::play_level(setup).value();
-  base::Result<formats::DemReader> reader = formats::DemReader::open(report.recording);
+  base::Result<formats::DemReader> reader = formats::DemReader::open(report.demo);
   ASSERT_TRUE(reader.ok());
   std::size_t messages = 0;
   math::Vec3 last(0.0f);
@@ -283,7 +283,7 @@ TEST(PlayerInRooms, RecordsWhatIsGoodToWatch) {
     ASSERT_TRUE(message.ok());
     if (!*message) break;
     const math::Vec3 angles = (*message)->view_angles_deg;
-    // The level's beginning turns him once; the intermission's camera is another view.
+    // The view jumps once when the level starts, and again to the intermission camera.
     if (messages > 20 && messages < static_cast<std::size_t>(report.time_s * 72)) {
       EXPECT_LT(std::abs(std::remainder(angles.y - last.y, 360.0f)), 12) << messages;
     }
@@ -293,7 +293,7 @@ TEST(PlayerInRooms, RecordsWhatIsGoodToWatch) {
   EXPECT_GT(messages, 72u * 3);
 }
 
-TEST(PlayerInRooms, AFolderWithoutTheLevelIsAnError) {
+TEST(PlayerInRooms, MissingLevelIsAnError) {
   player::RunSetup setup = MadeRooms(hall("", exit_at_end())).setup();
   EXPECT_FALSE(player::play_level(setup).ok());  // the folder is gone
 }

@@ -1,4 +1,4 @@
-// Which of several ways the scripted player takes.
+// The scripted player chooses between several routes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 #include "scripted_player/navigation/level_map.h"
 #include "scripted_player/navigation/mover_watch.h"
 #include "scripted_player/navigation/router.h"
-#include "scripted_player/session.h"
+#include "scripted_player/session/session.h"
 #include "support/levels/room_map.h"
 
 namespace temblor::test {
 namespace {
 
-// Two tables, a jump apart in the west to east direction; a bridge leads round. `pit` is what is before the
-// farther one.
+// Two tables with a gap between them that the player can jump, from west to east, and a bridge around it.
+// `pit` are brushes in the gap.
 std::string tables_with_bridge(const std::string& pit) {
   return entity_text("worldspawn", "",
                      walls_text({0, 0, 0}, {768, 640, 256}, "wall") +
@@ -28,7 +28,7 @@ std::string tables_with_bridge(const std::string& pit) {
          entity_text("info_player_start", "\"origin\" \"128 128 128\"\n\"angle\" \"0\"");
 }
 
-// Of one level, from its start to a place.
+// Routes in one level, from its start to a place.
 class Routes {
  public:
   explicit Routes(const std::string& map_text)
@@ -46,7 +46,7 @@ class Routes {
 
  private:
   std::uint32_t nearest(const math::Vec3& place) const {
-    return static_cast<std::uint32_t>(map_->graph.nearest(place));
+    return static_cast<std::uint32_t>(map_->graph.find_nearest(place));
   }
 
   MadeRooms rooms_;
@@ -60,35 +60,35 @@ constexpr math::Vec3 kFarTable(480, 128, 152);
 
 std::size_t jumps_in(const player::Route& route) {
   return static_cast<std::size_t>(
-      std::count_if(route.ways.begin(), route.ways.end(),
-                    [](const player::Way& way) { return way.kind == player::WayKind::kJump; }));
+      std::count_if(route.links.begin(), route.links.end(),
+                    [](const player::Link& link) { return link.kind == player::LinkKind::kJump; }));
 }
 
-TEST(RoutesOfPlayer, JumpWhereAFallIsHarmless) {
+TEST(Routes, JumpsWhereAFallIsHarmless) {
   EXPECT_EQ(jumps_in(Routes(tables_with_bridge("")).to(kFarTable)), 1u);
 }
 
-TEST(RoutesOfPlayer, GoRoundWhereAJumpThatIsTooShortEndsInLava) {
+TEST(Routes, AvoidsAJumpThatCouldFallShortIntoLava) {
   const std::string lava = box_text({300, 0, 0}, {390, 448, 32}, "*lava1");
   EXPECT_EQ(jumps_in(Routes(tables_with_bridge(lava)).to(kFarTable)), 0u);
 }
 
-TEST(RoutesOfPlayer, OnlyTheWayToADeadEndIsNeverForgiven) {
+TEST(Routes, KeepsOnlyThePenaltyOfADeadEnd) {
   Routes routes(tables_with_bridge(""));
-  const auto blame_jumps = [&] {
+  const auto penalize_jumps = [&] {
     const player::Route route = routes.to(kFarTable);
-    for (std::size_t i = 0; i < route.ways.size(); ++i)
-      if (route.ways[i].kind == player::WayKind::kJump)
-        routes.router().blame(route.places[i], route.places[i + 1], 1500);
+    for (std::size_t i = 0; i < route.links.size(); ++i)
+      if (route.links[i].kind == player::LinkKind::kJump)
+        routes.router().penalize_link(route.places[i], route.places[i + 1], 1500);
     return route;
   };
-  const player::Route first = blame_jumps();
-  routes.router().forgive();
+  const player::Route first = penalize_jumps();
+  routes.router().clear_penalties();
   EXPECT_EQ(routes.to(kFarTable).places, first.places);
 
-  blame_jumps();
-  routes.router().keep_last_blame();
-  routes.router().forgive();
+  penalize_jumps();
+  routes.router().keep_last_penalty();
+  routes.router().clear_penalties();
   EXPECT_NE(routes.to(kFarTable).places, first.places);
 }
 

@@ -1,12 +1,12 @@
-// The shipped levels, played from their start to their exit on every skill. TEMBLOR_PLAYER_SEEDS: how many
-// games of each (1); with more, pairs play on every skill, too.
+// The shipped levels, played from their start to their exit on every skill. TEMBLOR_PLAYER_SEEDS is the
+// number of games of each (default 1). If it is greater than 1, pairs also play on every skill.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "scripted_player/run.h"
+#include "scripted_player/session/run.h"
 
 namespace temblor::test {
 namespace {
@@ -19,7 +19,7 @@ struct Game {
   std::uint32_t players;  // 0: alone
 };
 
-std::string name_of(const Game& game) {
+std::string make_name(const Game& game) {
   return fmt::format("{}Skill{}{}", game.map, game.skill,
                      game.players > 0 ? fmt::format("Of{}", game.players) : std::string());
 }
@@ -29,7 +29,7 @@ std::uint64_t seeds() {
   return text != nullptr ? std::strtoull(text, nullptr, 10) : 1;
 }
 
-player::RunSetup setup_of(const Game& game, std::uint64_t seed) {
+player::RunSetup make_run_setup(const Game& game, std::uint64_t seed) {
   player::RunSetup setup;
   setup.session.base_folder = TEMBLOR_SHIPPED_FOLDER;
   setup.session.map = game.map;
@@ -51,20 +51,21 @@ class ShippedLevels : public ::testing::TestWithParam<Game> {
   }
 };
 
-// Whether its ways, doors, keys and exit work; who wins the fights is another matter (README.md).
+// Tests routes, doors, keys, and exits. The players cannot be hurt, so fights do not matter (README.md).
 TEST_P(ShippedLevels, ArePlayedToTheirExit) {
   for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
-    const player::RunReport report = player::play_level(setup_of(GetParam(), seed)).value();
+    const player::RunReport report = player::play_level(make_run_setup(GetParam(), seed)).value();
     EXPECT_TRUE(report.reached_exit) << "seed " << seed << "\n" << player::as_text(report);
-    EXPECT_THAT(report.deaths, IsEmpty()) << "seed " << seed << ": those who begin kill one another";
+    EXPECT_THAT(report.deaths, IsEmpty())
+        << "seed " << seed << ": players must not kill each other at the start";
     EXPECT_THAT(report.stuck_monsters, IsEmpty()) << "seed " << seed;
     EXPECT_THAT(report.errors, IsEmpty()) << "seed " << seed;
   }
 }
 
-TEST_P(ShippedLevels, GiveUpAllTheirSecrets) {
-  if (GetParam().players > 0 || GetParam().skill % 2 == 0) GTEST_SKIP() << "secrets are looked for twice";
-  player::RunSetup setup = setup_of(GetParam(), 1);
+TEST_P(ShippedLevels, HaveReachableSecrets) {
+  if (GetParam().players > 0 || GetParam().skill % 2 == 0) GTEST_SKIP() << "only two skills look for secrets";
+  player::RunSetup setup = make_run_setup(GetParam(), 1);
   setup.visits_secrets = true;
   const player::RunReport report = player::play_level(setup).value();
   EXPECT_EQ(report.found_secrets, report.secrets) << player::as_text(report);
@@ -81,7 +82,7 @@ std::vector<Game> games() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedLevels, ::testing::ValuesIn(games()),
-                         [](const auto& game) { return name_of(game.param); });
+                         [](const auto& game) { return make_name(game.param); });
 
 bool is_built(const char* map) {
   return std::filesystem::exists(std::filesystem::path(TEMBLOR_SHIPPED_FOLDER) / "id1/maps" /
@@ -91,7 +92,7 @@ bool is_built(const char* map) {
 TEST(ShippedStart, LeadsToEachLevel) {
   if (!is_built("start")) GTEST_SKIP() << "start has not been built";
   for (const char* map : {"t1", "t2", "t3", "gallery", "tdm1"}) {
-    player::RunSetup setup = setup_of({"start", 1, 0}, 1);
+    player::RunSetup setup = make_run_setup({"start", 1, 0}, 1);
     setup.exit_map = map;
     const player::RunReport report = player::play_level(setup).value();
     EXPECT_TRUE(report.reached_exit) << map << "\n" << player::as_text(report);
@@ -102,25 +103,25 @@ TEST(ShippedStart, LeadsToEachLevel) {
 TEST(ShippedArenas, ArePlayedAgainstBots) {
   for (const char* map : {"tdm1", "tdm2"}) {
     if (!is_built(map)) GTEST_SKIP() << map << " has not been built";
-    player::RunSetup setup = setup_of({map, 1, 0}, 2);
+    player::RunSetup setup = make_run_setup({map, 1, 0}, 2);
     setup.has_god = setup.session.can_cheat = false;
     setup.session.bots = 7;
     setup.limit_s = 60;
     const player::RunReport report = player::play_level(setup).value();
     EXPECT_GE(report.frags, 1) << map;
-    EXPECT_THAT(report.complaints, IsEmpty()) << map;
+    EXPECT_THAT(report.problems, IsEmpty()) << map;
     EXPECT_THAT(report.errors, IsEmpty()) << map;
   }
 }
 
-TEST(ShippedGallery, IsSeenBayByBay) {
+TEST(ShippedGallery, CanBeTouredBayByBay) {
   if (!is_built("gallery")) GTEST_SKIP() << "gallery has not been built";
-  player::RunSetup setup = setup_of({"gallery", 1, 0}, 1);
+  player::RunSetup setup = make_run_setup({"gallery", 1, 0}, 1);
   setup.visits_stops = true;
   const player::RunReport report = player::play_level(setup).value();
   EXPECT_TRUE(report.reached_exit) << player::as_text(report);
-  EXPECT_THAT(report.complaints, IsEmpty());
-  EXPECT_GT(report.kills, 0) << "the last bay's gratings are opened";
+  EXPECT_THAT(report.problems, IsEmpty());
+  EXPECT_GT(report.kills, 0) << "the gratings of the last bay did not open";
 }
 
 }  // namespace

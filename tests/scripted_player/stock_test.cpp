@@ -1,8 +1,8 @@
-// The scripted player on levels that others have made.
+// The scripted player on levels that were not made for Temblor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scripted_player/run.h"
+#include "scripted_player/session/run.h"
 #include "support/game_data.h"
 
 namespace temblor::test {
@@ -10,7 +10,7 @@ namespace {
 
 class StockLevels : public ::testing::TestWithParam<const char*> {};
 
-// Without being hurt: whether the ways are found, not who wins.
+// The players cannot be hurt, because this tests routes, not fights.
 TEST_P(StockLevels, ArePlayedToTheirExit) {
   DATA_FOLDER_OR_SKIP(data);
   player::RunSetup setup;

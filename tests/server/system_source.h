@@ -1,5 +1,5 @@
-// The system's definitions as QuakeC, in the order that quake-facts.md lists (section 15): what every program
-// for Quake begins with. The compiler's sum over them is 5927.
+// The system definitions in QuakeC, in the order of quake-facts.md (section 15), with which every program
+// for Quake begins. The compiler's checksum of them is 5927.
 #pragma once
 
 namespace temblor::test {

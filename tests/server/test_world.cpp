@@ -19,7 +19,7 @@ std::shared_ptr<const vm::Program> empty_program() {
   return vm::Program::load(std::move(progs)).value();
 }
 
-// The words of a few entities do not move in memory when more are made: tests hold on to their edicts.
+// The words of a few entities do not move in memory when more are made, because tests keep their edicts.
 vm::Machine machine_with_room() {
   constexpr std::uint32_t kRoom = 100;
   vm::Machine machine(empty_program());
@@ -28,7 +28,7 @@ vm::Machine machine_with_room() {
   return machine;
 }
 
-std::vector<ServerModel> models_of(const world::Level& level) {
+std::vector<ServerModel> list_models(const world::Level& level) {
   std::vector<ServerModel> models(1);
   for (std::size_t i = 0; i < level.models.size(); ++i)
     models.push_back({fmt::format("*{}", i), level.models[i].bounds, base::to_index<world::ModelIndex>(i)});
@@ -59,12 +59,12 @@ int FakeCalls::count(vm::FunctionIndex function) const {
 }
 
 TestWorld::TestWorld(const std::string& map_text, std::uint32_t players)
-    : TestWorld(test::level_of_brushes(test::map_of(map_text)), players) {}
+    : TestWorld(test::make_level_of_brushes(test::parse_map(map_text)), players) {}
 
 TestWorld::TestWorld(std::shared_ptr<const world::Level> level, std::uint32_t players)
     : machine(machine_with_room()),
-      world{level, models_of(*level), Edicts(machine, players), Areas(level->world().bounds), calls} {
-  world.time_s = 10;  // places that were freed are not used again at once
+      world{level, list_models(*level), Edicts(machine, players), Areas(level->world().bounds), calls} {
+  world.time_s = 10;  // freed numbers are not reused at once
   const Edict ground = world.edicts.world();
   ground.set(field::kSolid, static_cast<float>(Solid::kBsp));
   ground.set(field::kMoveType, static_cast<float>(MoveType::kPush));
@@ -143,7 +143,7 @@ std::string door_text(const math::Vec3d& mins, const math::Vec3d& maxs) {
   return test::entity_text("func_door", "", test::box_text(mins, maxs, "wall"));
 }
 
-std::uint64_t hash_of(GameWorld& io_world) {
+std::uint64_t compute_hash(GameWorld& io_world) {
   std::uint64_t hash = base::hash_with(0, io_world.edicts.count());
   for (std::uint32_t i = 0; i < io_world.edicts.count(); ++i) {
     hash = base::hash_with(hash, io_world.edicts.is_free(vm::EntityIndex{i}) ? 1 : 0);

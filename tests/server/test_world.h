@@ -1,4 +1,4 @@
-// A world to move in: a level from map text, entities made by hand, and a program whose functions are C++.
+// A world for tests: a level from map text, entities made by hand, and a program whose functions are C++.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ class FakeCalls : public GameCalls {
   using Function = std::function<void(const Call& call)>;
 
   vm::FunctionIndex add(Function function);
-  // A function that does nothing but be noted.
+  // A function that does nothing; its calls are recorded.
   vm::FunctionIndex add() {
     return add([](const Call&) {});
   }
@@ -37,7 +37,7 @@ class FakeCalls : public GameCalls {
 
   std::vector<Call> log;
   bool keeps_log = true;
-  vm::FunctionIndex failing{};  // this one ends the game
+  vm::FunctionIndex failing{};  // calling it ends the game
 
  private:
   std::vector<Function> functions_{{}};
@@ -45,17 +45,17 @@ class FakeCalls : public GameCalls {
 
 class TestWorld {
  public:
-  // `map_text`: models 2 and up of the world are its brush entities.
+  // Models 2 and up of the world are the brush entities of `map_text`.
   explicit TestWorld(const std::string& map_text, std::uint32_t players = 1);
   explicit TestWorld(std::shared_ptr<const world::Level> level, std::uint32_t players = 1);
 
-  // A linked entity.
+  // Makes a linked entity.
   Edict spawn(const math::Vec3& origin, const math::Bounds& box, Solid solid, MoveType type);
-  // Of brush entity `number` (from 1) of the map: solid, at its place in the map.
+  // Makes an entity from brush entity `number` (from 1) of the map: solid, at its place in the map.
   Edict spawn_pusher(int number, const math::Vec3& velocity = math::Vec3(0.0f));
   // Player 1, standing.
   Edict player(const math::Vec3& origin);
-  // CHECKs that nothing fails.
+  // Plays ticks. CHECKs that nothing fails.
   void tick(int count = 1);
   void command_and_tick(const PlayerCommand& command, int count = 1);
   base::Status try_tick();
@@ -68,13 +68,13 @@ class TestWorld {
   std::uint32_t force_retouch = 0;
 };
 
-// A hall of 1024 by 1024 by 512 on a floor at 0, with more in it.
+// A hall of 1024 by 1024 by 512 units on a floor at 0, with additional brushes and entities in it.
 std::string hall_text(const std::string& world_brushes = {}, const std::string& entities = {});
-// The part of it below `height` filled with water.
+// The same hall with the part below `height` filled with water.
 std::string flooded_hall_text(double height);
 std::string door_text(const math::Vec3d& mins, const math::Vec3d& maxs);
 
-// Everything of everyone: words, places in use, time.
-std::uint64_t hash_of(GameWorld& io_world);
+// A hash of all entities: words, numbers in use, time.
+std::uint64_t compute_hash(GameWorld& io_world);
 
 }  // namespace temblor::server

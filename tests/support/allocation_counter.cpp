@@ -6,7 +6,7 @@
 
 namespace {
 
-// Global because operator new is.
+// Global, like operator new.
 std::atomic<std::size_t> count{0};
 
 void* try_counted_allocation(std::size_t bytes, std::size_t alignment) {
@@ -27,8 +27,8 @@ void* operator new(std::size_t bytes) {
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return counted_allocation(bytes, static_cast<std::size_t>(alignment));
 }
-// Here too, as the address sanitizer's own ones do not call the forms above, and their memory may not be
-// freed with the delete below.
+// Also replace these forms: those of the address sanitizer do not call the forms above, and the delete below
+// must not free their memory.
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
   return try_counted_allocation(bytes, __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 }

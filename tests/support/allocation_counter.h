@@ -1,12 +1,12 @@
-// Counts what a test program asks the heap for: its source file replaces operator new, in the programs that
-// call it and in no other.
+// Counts the heap allocations of a test program. Its source file replaces operator new, only in programs that
+// call it.
 #pragma once
 
 #include <cstddef>
 
 namespace temblor::test {
 
-// Calls of operator new in any form, on any thread, since the program began.
+// Returns the number of calls of operator new, in any form and on any thread, since the program started.
 std::size_t allocation_count();
 
 }  // namespace temblor::test

@@ -1,4 +1,5 @@
-// How long a property test may take: sanitizer builds run 5 to 30 times slower and take a sample of the work.
+// How much work a property test does. Sanitizer builds run 5 to 30 times slower, so they only do a part of
+// it.
 #pragma once
 
 namespace temblor::test {

@@ -20,7 +20,7 @@ namespace {
 using namespace made_recording;
 using net::TempEntityKind;
 
-// Numbers in the precache list, from 1.
+// Indices in the precache lists, from 1.
 constexpr std::array<std::string_view, 7> kModels = {
     "maps/small.bsp", "*1", "progs/walker.mdl", "progs/weapon.mdl", "progs/rocket.mdl", "progs/ball.mdl",
     "progs/star.spr"};
@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, 2> kSounds = {"weapons/shot.wav", "ambien
 
 enum Entity : std::uint16_t { kPlayerEntity = 1, kDoorEntity, kWalkerEntity, kRocketEntity, kStarEntity };
 
-// Bits of ClientData::items and of EntityUpdate::effects, as published.
+// Bits of ClientData::items and EntityUpdate::effects, as published.
 enum Items : std::uint32_t {
   kShotgun = 1u << 0,
   kShells = 1u << 8,
@@ -71,8 +71,8 @@ formats::Mdl ball_mdl() {
   return mdl;
 }
 
-net::EntityUpdate update_of(std::uint16_t number, std::uint16_t model, const math::Vec3& origin,
-                            float yaw_deg = 0) {
+net::EntityUpdate make_entity_update(std::uint16_t number, std::uint16_t model, const math::Vec3& origin,
+                                     float yaw_deg = 0) {
   net::EntityUpdate update;
   update.number = number;
   update.model = model;
@@ -81,7 +81,7 @@ net::EntityUpdate update_of(std::uint16_t number, std::uint16_t model, const mat
   return update;
 }
 
-// Packets numbered from 0; what happens at a second happens in the packet of that time.
+// Packets are numbered from 0. An event is in the packet of its time.
 class Script {
  public:
   explicit Script(const net::Dialect& dialect) : dialect_(dialect) {}
@@ -121,7 +121,7 @@ class Script {
 };
 
 void Script::say(const net::ServerMessage& message) {
-  CHECK(net::write_message(message, dialect_, writer_).ok(), "{}", net::name_of(message));
+  CHECK(net::write_message(message, dialect_, writer_).ok(), "{}", net::message_name(message));
   ++made_.messages;
 }
 
@@ -178,17 +178,17 @@ void Script::player() {
   data.weapon_model = kWeaponModel;
   data.health = from_to(0, 13.5) ? 100 : 42;
   data.ammo = data.shells = from_to(0, 1) ? 25 : 24;
-  // Ten frames a second: 1, 2, 3 and back.
+  // Ten frames per second: 1, 2, 3, and back.
   if (from_to(1, 1.3)) data.weapon_frame = static_cast<std::uint16_t>(1 + (packet_ - 20) / 2);
   if (!from_to(0, 14)) {
     data.items |= kArmor2 | kKey1 | kQuad;
     data.armor = 150;
   }
   say(data);
-  net::EntityUpdate update = update_of(kPlayerEntity, kWalkerModel, kPlayer);
+  net::EntityUpdate update = make_entity_update(kPlayerEntity, kWalkerModel, kPlayer);
   if (at(1)) update.effects = kMuzzleFlash;
   if (is_over()) {
-    update = update_of(kPlayerEntity, 0, kAboveTheCourt, 45);
+    update = make_entity_update(kPlayerEntity, 0, kAboveTheCourt, 45);
     update.angles_deg[0] = 20.0f;
   }
   say(update);
@@ -243,8 +243,8 @@ void Script::walker() {
   const bool is_back = !from_to(0, 7);
   if (!is_back && !from_to(0, 4)) return;
   net::EntityUpdate update =
-      update_of(kWalkerEntity, kWalkerModel, is_back ? math::Vec3(220, 256, 24) : walker_at(second()),
-                is_back ? 180.0f : -90.0f);
+      make_entity_update(kWalkerEntity, kWalkerModel,
+                         is_back ? math::Vec3(220, 256, 24) : walker_at(second()), is_back ? 180.0f : -90.0f);
   if (!is_back) update.frame = static_cast<std::uint16_t>(packet_ / 4 % 4);
   if (is_back) update.colormap = 1;
   if (from_to(0, 1)) update.alpha = 0.5f;
@@ -253,13 +253,13 @@ void Script::walker() {
 
 void Script::others() {
   if (is_over()) return;
-  say(update_of(kDoorEntity, kDoorModel, {0, 0, 0}));
+  say(make_entity_update(kDoorEntity, kDoorModel, {0, 0, 0}));
   if (from_to(2, 3))
-    say(update_of(kRocketEntity, kRocketModel,
-                  kRocketFrom + (kRocketTo - kRocketFrom) * static_cast<float>(second() - 2),
-                  static_cast<float>(std::atan2(-90.0, 300.0) * 57.29578)));
+    say(make_entity_update(kRocketEntity, kRocketModel,
+                           kRocketFrom + (kRocketTo - kRocketFrom) * static_cast<float>(second() - 2),
+                           static_cast<float>(std::atan2(-90.0, 300.0) * 57.29578)));
   if (from_to(10.2, 11.4)) {
-    net::EntityUpdate star = update_of(kStarEntity, kStarModel, {200, 300, 70});
+    net::EntityUpdate star = make_entity_update(kStarEntity, kStarModel, {200, 300, 70});
     star.effects = from_to(10.2, 10.6) ? kBrightField : from_to(10.6, 11) ? kBrightLight : kDimLight;
     say(star);
   }

@@ -1,5 +1,5 @@
 // Damaged copies of valid files. Each copy is a heap block of exactly its size, so that the address sanitizer
-// sees the first byte read past its end.
+// detects the first byte that is read past its end.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace temblor::test {
 
-// Calls check(prefix) for the first 0, 1, ... size - 1 bytes.
+// Calls check(prefix) with the first 0, 1, ... size - 1 bytes.
 template <typename Check>
 void for_each_truncation(base::Bytes bytes, Check check) {
   for (std::size_t size = 0; size < bytes.size(); ++size)
     check(base::ByteVector(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)));
 }
 
-// 1 to 8 bits flipped anywhere. `bytes` is not empty.
+// Flips 1 to 8 random bits. `bytes` must not be empty.
 inline base::ByteVector with_flipped_bits(base::Bytes bytes, Random& random) {
   base::ByteVector damaged(bytes.begin(), bytes.end());
   for (std::size_t flips = 1 + random.below(8); flips > 0; --flips)

@@ -1,5 +1,5 @@
-// Random numbers for property tests: the same on every machine and library, from a seed that a failure
-// prints.
+// Random numbers for property tests: the same on every machine and with every library, from a seed that a
+// failing test prints.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
   }
-  // In [low, high), its logarithm uniform; 0 < low < high.
+  // In [low, high), with a uniform logarithm; 0 < low < high.
   double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
   // Each component in [-size, size).
   math::Vec3 in_cube(double size) {

@@ -27,11 +27,11 @@ std::vector<formats::ArchiveFile> as_archive_files(const std::vector<TextFile>& 
   return archived;
 }
 
-base::ByteVector pak_of(const std::vector<TextFile>& files) {
+base::ByteVector make_pak(const std::vector<TextFile>& files) {
   return formats::write_pak(as_archive_files(files)).value();
 }
 
-base::ByteVector pk3_of(const std::vector<TextFile>& files) {
+base::ByteVector make_pk3(const std::vector<TextFile>& files) {
   return formats::write_pk3(as_archive_files(files)).value();
 }
 
@@ -39,63 +39,63 @@ FileSystem open_or_die(const test::TemporaryFolder& base_folder, const std::vect
   return FileSystem::open(base_folder.path(), games).value();
 }
 
-std::string text_of(const FileSystem& files, std::string_view name) {
+std::string get_text(const FileSystem& files, std::string_view name) {
   const auto bytes = files.read(name);
   return bytes.ok() ? std::string(base::as_text(*bytes)) : bytes.error().message();
 }
 
 TEST(NormalizedName, IsLowerCaseWithSlashes) {
-  EXPECT_EQ(normalized_name("Maps\\START.bsp"), "maps/start.bsp");
-  EXPECT_EQ(normalized_name("a"), "a");
+  EXPECT_EQ(normalize_name("Maps\\START.bsp"), "maps/start.bsp");
+  EXPECT_EQ(normalize_name("a"), "a");
 }
 
-TEST(NormalizedName, RefusesWhatLeadsOutside) {
+TEST(NormalizedName, RejectsNamesThatLeaveFolder) {
   for (const char* name : {"", "/a", "\\a", "..", "a/../b", "a\\..\\b", "c:\\a", "a//b", "a/"})
-    EXPECT_EQ(normalized_name(name), std::nullopt) << name;
+    EXPECT_EQ(normalize_name(name), std::nullopt) << name;
 }
 
 TEST(FileSystem, ReadsALooseFile) {
   const test::TemporaryFolder base_folder;
   const fs::path path = base_folder.write("id1/maps/start.bsp", "level");
   const FileSystem files = open_or_die(base_folder);
-  EXPECT_EQ(text_of(files, "maps/start.bsp"), "level");
+  EXPECT_EQ(get_text(files, "maps/start.bsp"), "level");
   EXPECT_TRUE(files.contains("maps/start.bsp"));
   EXPECT_EQ(files.where("maps/start.bsp"), path.string());
   EXPECT_EQ(files.describe("maps/start.bsp"), path.string());
-  EXPECT_EQ(files.game_of("maps/start.bsp"), 0u);
+  EXPECT_EQ(files.find_game("maps/start.bsp"), 0u);
 }
 
-TEST(FileSystem, CaseDoesNotMatter) {
+TEST(FileSystem, IgnoresCase) {
   const test::TemporaryFolder base_folder;
   base_folder.write("ID1/Maps/Start.BSP", "loose");
-  base_folder.write("ID1/PAK0.PAK", pak_of({{"GFX/Palette.lmp", "packed"}}));
+  base_folder.write("ID1/PAK0.PAK", make_pak({{"GFX/Palette.lmp", "packed"}}));
   const FileSystem files = open_or_die(base_folder);
-  EXPECT_EQ(text_of(files, "maps/start.bsp"), "loose");
-  EXPECT_EQ(text_of(files, "MAPS\\START.BSP"), "loose");
-  EXPECT_EQ(text_of(files, "gfx/palette.lmp"), "packed");
+  EXPECT_EQ(get_text(files, "maps/start.bsp"), "loose");
+  EXPECT_EQ(get_text(files, "MAPS\\START.BSP"), "loose");
+  EXPECT_EQ(get_text(files, "gfx/palette.lmp"), "packed");
 }
 
-TEST(FileSystem, OfNamesThatDifferInCaseTheSmallOneCounts) {
+TEST(FileSystem, LowerCaseNameWins) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/README.TXT", "large");
   base_folder.write("id1/readme.txt", "small");
   base_folder.write("id1/Readme.txt", "mixed");
-  EXPECT_EQ(text_of(open_or_die(base_folder), "ReadMe.txt"), "small");
+  EXPECT_EQ(get_text(open_or_die(base_folder), "ReadMe.txt"), "small");
 }
 
 TEST(FileSystem, LaterArchivesHideEarlierOnesAndLooseFiles) {
   const test::TemporaryFolder base_folder;
   for (const char* name : {"id1/a", "id1/b", "id1/c", "id1/d", "id1/e"}) base_folder.write(name, "loose");
-  base_folder.write("id1/pak0.pak", pak_of({{"b", "pak0"}, {"c", "pak0"}, {"d", "pak0"}, {"e", "pak0"}}));
-  base_folder.write("id1/pak1.pak", pak_of({{"c", "pak1"}, {"d", "pak1"}, {"e", "pak1"}}));
-  base_folder.write("id1/alpha.pk3", pk3_of({{"d", "alpha"}, {"e", "alpha"}}));
-  base_folder.write("id1/Beta.pk3", pk3_of({{"e", "beta"}}));
+  base_folder.write("id1/pak0.pak", make_pak({{"b", "pak0"}, {"c", "pak0"}, {"d", "pak0"}, {"e", "pak0"}}));
+  base_folder.write("id1/pak1.pak", make_pak({{"c", "pak1"}, {"d", "pak1"}, {"e", "pak1"}}));
+  base_folder.write("id1/alpha.pk3", make_pk3({{"d", "alpha"}, {"e", "alpha"}}));
+  base_folder.write("id1/Beta.pk3", make_pk3({{"e", "beta"}}));
   const FileSystem files = open_or_die(base_folder);
-  EXPECT_EQ(text_of(files, "a"), "loose");
-  EXPECT_EQ(text_of(files, "b"), "pak0");
-  EXPECT_EQ(text_of(files, "c"), "pak1");
-  EXPECT_EQ(text_of(files, "d"), "alpha");
-  EXPECT_EQ(text_of(files, "e"), "beta");
+  EXPECT_EQ(get_text(files, "a"), "loose");
+  EXPECT_EQ(get_text(files, "b"), "pak0");
+  EXPECT_EQ(get_text(files, "c"), "pak1");
+  EXPECT_EQ(get_text(files, "d"), "alpha");
+  EXPECT_EQ(get_text(files, "e"), "beta");
   EXPECT_EQ(files.where("c"), (base_folder.path() / "id1" / "pak1.pak").string());
   EXPECT_EQ(files.describe("c"), "c in " + files.where("c"));
 }
@@ -104,48 +104,48 @@ TEST(FileSystem, PaksCountInNumericOrderUpToTheFirstGap) {
   const test::TemporaryFolder base_folder;
   for (int i = 0; i <= 12; ++i)
     if (i != 11)
-      base_folder.write("id1/pak" + std::to_string(i) + ".pak", pak_of({{"which", std::to_string(i)}}));
-  EXPECT_EQ(text_of(open_or_die(base_folder), "which"), "10");
+      base_folder.write("id1/pak" + std::to_string(i) + ".pak", make_pak({{"which", std::to_string(i)}}));
+  EXPECT_EQ(get_text(open_or_die(base_folder), "which"), "10");
 }
 
-TEST(FileSystem, OfAPaksRepeatedNamesTheFirstCounts) {
+TEST(FileSystem, FirstOfRepeatedPakNamesWins) {
   const test::TemporaryFolder base_folder;
-  base_folder.write("id1/pak0.pak", pak_of({{"x", "first"}, {"X", "second"}}));
-  EXPECT_EQ(text_of(open_or_die(base_folder), "x"), "first");
+  base_folder.write("id1/pak0.pak", make_pak({{"x", "first"}, {"X", "second"}}));
+  EXPECT_EQ(get_text(open_or_die(base_folder), "x"), "first");
 }
 
-TEST(FileSystem, APaksNamesCannotLeadOutside) {
+TEST(FileSystem, PakNamesCannotLeaveFolder) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/pak0.pak",
-                    pak_of({{"../x", "outside"}, {"", "nameless"}, {"maps\\a.bsp", "inside"}}));
+                    make_pak({{"../x", "outside"}, {"", "nameless"}, {"maps\\a.bsp", "inside"}}));
   const FileSystem files = open_or_die(base_folder);
   EXPECT_THAT(files.list("", ""), ElementsAre("maps/a.bsp", "pak0.pak"));
 }
 
 TEST(FileSystem, LaterGamesHideEarlierOnes) {
   const test::TemporaryFolder base_folder;
-  base_folder.write("id1/pak0.pak", pak_of({{"a", "id1"}, {"b", "id1"}, {"c", "id1"}}));
+  base_folder.write("id1/pak0.pak", make_pak({{"a", "id1"}, {"b", "id1"}, {"c", "id1"}}));
   base_folder.write("one/b", "one");
   base_folder.write("one/c", "one");
   base_folder.write("Two/c", "two");
   const FileSystem files = open_or_die(base_folder, {"one", "two"});
-  EXPECT_EQ(text_of(files, "a"), "id1");
-  EXPECT_EQ(text_of(files, "b"), "one");
-  EXPECT_EQ(text_of(files, "c"), "two");
-  EXPECT_EQ(files.game_of("a"), 0u);
-  EXPECT_EQ(files.game_of("b"), 1u);
-  EXPECT_EQ(files.game_of("c"), 2u);
+  EXPECT_EQ(get_text(files, "a"), "id1");
+  EXPECT_EQ(get_text(files, "b"), "one");
+  EXPECT_EQ(get_text(files, "c"), "two");
+  EXPECT_EQ(files.find_game("a"), 0u);
+  EXPECT_EQ(files.find_game("b"), 1u);
+  EXPECT_EQ(files.find_game("c"), 2u);
   EXPECT_EQ(files.folders().size(), 3u);
 
-  EXPECT_EQ(text_of(open_or_die(base_folder, {"two", "ID1", "one"}), "c"), "one");
+  EXPECT_EQ(get_text(open_or_die(base_folder, {"two", "ID1", "one"}), "c"), "one");
   const FileSystem again = open_or_die(base_folder, {"two", "one", "TWO"});
-  EXPECT_EQ(text_of(again, "c"), "two");
+  EXPECT_EQ(get_text(again, "c"), "two");
   EXPECT_EQ(again.folders().size(), 3u);
 }
 
-TEST(FileSystem, WhatIsMountedOverAGameHidesItsFilesButNoLaterGames) {
+TEST(FileSystem, MountOverHidesItsGameOnly) {
   const test::TemporaryFolder base_folder, elsewhere;
-  base_folder.write("id1/pak0.pak", pak_of({{"archived", "id1's"}, {"both", "id1's"}}));
+  base_folder.write("id1/pak0.pak", make_pak({{"archived", "id1's"}, {"both", "id1's"}}));
   base_folder.write("id1/loose", "id1's");
   base_folder.write("mod/both", "the mod's");
   elsewhere.write("archived", "my");
@@ -154,29 +154,29 @@ TEST(FileSystem, WhatIsMountedOverAGameHidesItsFilesButNoLaterGames) {
   elsewhere.write("maps/new", "my");
   FileSystem files = open_or_die(base_folder, {"mod"});
   ASSERT_TRUE(files.mount_over(0, elsewhere.path()).ok());
-  EXPECT_EQ(text_of(files, "archived"), "my");
-  EXPECT_EQ(text_of(files, "loose"), "my");
-  EXPECT_EQ(text_of(files, "maps/new"), "my");
-  EXPECT_EQ(text_of(files, "both"), "the mod's");
-  EXPECT_EQ(files.game_of("maps/new"), 0u);
+  EXPECT_EQ(get_text(files, "archived"), "my");
+  EXPECT_EQ(get_text(files, "loose"), "my");
+  EXPECT_EQ(get_text(files, "maps/new"), "my");
+  EXPECT_EQ(get_text(files, "both"), "the mod's");
+  EXPECT_EQ(files.find_game("maps/new"), 0u);
   EXPECT_EQ(files.folders().size(), 2u);
   EXPECT_TRUE(files.mount_over(1, elsewhere.path() / "not there").ok());
 }
 
-TEST(FileSystem, ListsSortedAndOnce) {
+TEST(FileSystem, ListsSortedWithoutDuplicates) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/maps/B.bsp", "");
   base_folder.write("id1/maps/b.lit", "");
   base_folder.write("id1/maps/deep/c.bsp", "");
   base_folder.write("id1/mapsx/d.bsp", "");
-  base_folder.write("id1/pak0.pak", pak_of({{"maps/a.bsp", ""}, {"maps/b.bsp", ""}}));
+  base_folder.write("id1/pak0.pak", make_pak({{"maps/a.bsp", ""}, {"maps/b.bsp", ""}}));
   const FileSystem files = open_or_die(base_folder);
   EXPECT_THAT(files.list("maps/", ".bsp"), ElementsAre("maps/a.bsp", "maps/b.bsp", "maps/deep/c.bsp"));
   EXPECT_THAT(files.list("Maps/", ".LIT"), ElementsAre("maps/b.lit"));
   EXPECT_THAT(files.list("nothing", ""), IsEmpty());
 }
 
-TEST(FileSystem, AMissingFileSaysWhereItWasLookedFor) {
+TEST(FileSystem, MissingFileErrorListsFolders) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/a", "");
   base_folder.write("mod/a", "");
@@ -190,15 +190,15 @@ TEST(FileSystem, AMissingFileSaysWhereItWasLookedFor) {
   EXPECT_THAT(message, HasSubstr("--game"));
 }
 
-TEST(FileSystem, WhatIsToBeReadLaterCanBeWhenItIsGone) {
+TEST(FileSystem, ReaderOutlivesFileSystem) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/loose", "in a file");
-  base_folder.write("id1/pak0.pak", pak_of({{"a", "other"}, {"packed", "in a pak"}}));
-  base_folder.write("id1/x.pk3", pk3_of({{"zipped", "in a pk3"}}));
+  base_folder.write("id1/pak0.pak", make_pak({{"a", "other"}, {"packed", "in a pak"}}));
+  base_folder.write("id1/x.pk3", make_pk3({{"zipped", "in a pk3"}}));
   std::optional<FileSystem> files(open_or_die(base_folder));
   std::vector<std::pair<std::string, std::function<base::Result<base::ByteVector>()>>> readers;
   for (const char* const name : {"loose", "packed", "zipped", "nowhere"})
-    readers.emplace_back(text_of(*files, name), files->reader(name));
+    readers.emplace_back(get_text(*files, name), files->reader(name));
   files.reset();
   for (const auto& [text, read] : readers) {
     const auto bytes = read();
@@ -228,7 +228,7 @@ TEST(FileSystem, MissingFoldersAreErrors) {
   }
 }
 
-TEST(FileSystem, AGameIsTheNameOfAFolder) {
+TEST(FileSystem, RejectsInvalidGameNames) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/a", "");
   for (const char* game : {"", "..", ".", "id1/../id1", "/tmp", "a/b", "a\\b"}) {
@@ -238,7 +238,7 @@ TEST(FileSystem, AGameIsTheNameOfAFolder) {
   }
 }
 
-TEST(FileSystem, ADamagedArchiveIsNamed) {
+TEST(FileSystem, NamesDamagedArchive) {
   for (const char* name : {"pak0.pak", "bad.pk3"}) {
     const test::TemporaryFolder base_folder;
     const fs::path path = base_folder.write(std::string("id1/") + name, "no archive at all");
@@ -248,15 +248,15 @@ TEST(FileSystem, ADamagedArchiveIsNamed) {
   }
 }
 
-TEST(FileSystem, AnEmptyArchiveIsDamaged) {
+TEST(FileSystem, RejectsEmptyArchive) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/pak0.pak", "");
   EXPECT_FALSE(FileSystem::open(base_folder.path()).ok());
 }
 
-TEST(FileSystem, ADamagedEntryOfAPk3IsAnErrorWhenItIsRead) {
+TEST(FileSystem, DamagedPk3EntryFailsOnRead) {
   const test::TemporaryFolder base_folder;
-  base::ByteVector bytes = pk3_of({{"a", std::string(1000, 'a')}});
+  base::ByteVector bytes = make_pk3({{"a", std::string(1000, 'a')}});
   bytes[35] ^= std::byte{0xff};  // packed data: after the local header of 30 bytes and the name of 1
   base_folder.write("id1/x.pk3", bytes);
   const FileSystem files = open_or_die(base_folder);
@@ -266,14 +266,14 @@ TEST(FileSystem, ADamagedEntryOfAPk3IsAnErrorWhenItIsRead) {
   EXPECT_THAT(data.error().message(), HasSubstr("x.pk3"));
 }
 
-// A file of `size` bytes that takes no room on disk.
+// Makes a sparse file of `size` bytes, which uses no disk space.
 void make_sparse(const fs::path& path, std::uint64_t size) {
   fs::create_directories(path.parent_path());
   std::ofstream(path).close();
   fs::resize_file(path, size);
 }
 
-TEST(FileSystem, HugeFilesAreRefusedUnread) {
+TEST(FileSystem, RejectsHugeFilesUnread) {
   constexpr std::uint64_t kThreeGb = 3'000'000'000;
   const test::TemporaryFolder loose;
   make_sparse(loose.path() / "id1" / "maps" / "a.bsp", kThreeGb);
@@ -288,7 +288,7 @@ TEST(FileSystem, HugeFilesAreRefusedUnread) {
   EXPECT_EQ(files.error().code, base::ErrorCode::kTooLarge);
 }
 
-TEST(FileSystem, AHugeEntryOfAPakIsRefusedUnread) {
+TEST(FileSystem, RejectsHugePakEntryUnread) {
   const test::TemporaryFolder base_folder;
   base::ByteWriter writer;
   writer.bytes(base::as_bytes("PACK"));
@@ -314,12 +314,12 @@ TEST(FileSystem, LinksToFoldersAreNotFollowed) {
   fs::create_directory_symlink(base_folder.path() / "id1", base_folder.path() / "mod");
   const FileSystem files = open_or_die(base_folder, {"mod"});
   EXPECT_THAT(files.list("", ""), ElementsAre("a", "b"));
-  EXPECT_EQ(text_of(files, "b"), "file");
+  EXPECT_EQ(get_text(files, "b"), "file");
 }
 
-TEST(FileSystem, AFileThatShrankIsAnError) {
+TEST(FileSystem, RejectsShrunkFile) {
   const test::TemporaryFolder base_folder;
-  const fs::path path = base_folder.write("id1/pak0.pak", pak_of({{"a", "content"}}));
+  const fs::path path = base_folder.write("id1/pak0.pak", make_pak({{"a", "content"}}));
   const FileSystem files = open_or_die(base_folder);
   fs::resize_file(path, 14);
   const auto bytes = files.read("a");

@@ -1,5 +1,5 @@
-// Programs that load, and then use values that are none: an error each, which names what it is, and a machine
-// that can be called again.
+// Programs that load, and then use invalid values: each one ends with an error that names the value, and the
+// machine can be called again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,15 +18,15 @@ using ::testing::HasSubstr;
 
 constexpr std::uint32_t kEntities = 3, kWords = 5;
 
-// A program with entities of five words, "number" and "place" among them, and three words to put values in.
+// A program with entities of five words, including "number" and "place", and three words for values.
 struct Bad {
   ProgsBuilder builder;
   int number = builder.field("number", ProgsType::kFloat), place = builder.field("place", ProgsType::kVector),
       last = builder.field("last", ProgsType::kFloat), a = builder.words({0, 0, 0}),
       b = builder.words({0, 0, 0}), c = builder.words({0, 0, 0});
 
-  // What the statement says of these values; "no error" where they are good.
-  std::string error_of(Opcode opcode, std::uint32_t a_value, std::uint32_t b_value, bool protect = false) {
+  // Runs the statement with these values. Returns its error, or "no error" if they are valid.
+  std::string error_text(Opcode opcode, std::uint32_t a_value, std::uint32_t b_value, bool protect = false) {
     ProgsBuilder copy = builder;
     copy.progs().global_words[static_cast<std::size_t>(a)] = a_value;
     copy.progs().global_words[static_cast<std::size_t>(b)] = b_value;
@@ -51,39 +51,40 @@ const std::vector<std::uint32_t> kHuge = {0x7fffffff, 0x80000000, 0xffffffff, 0x
 TEST(BadValues, Entities) {
   Bad bad;
   for (const Opcode opcode : {Opcode::kLoadF, Opcode::kLoadV, Opcode::kAddress}) {
-    EXPECT_EQ(bad.error_of(opcode, kEntities - 1, 0), "no error");
-    EXPECT_THAT(bad.error_of(opcode, kEntities, 0), HasSubstr("0x3 is no entity: there are 3"));
+    EXPECT_EQ(bad.error_text(opcode, kEntities - 1, 0), "no error");
+    EXPECT_THAT(bad.error_text(opcode, kEntities, 0), HasSubstr("0x3 is not an entity (there are 3)"));
     for (const std::uint32_t entity : kHuge)
-      EXPECT_THAT(bad.error_of(opcode, entity, 0), HasSubstr("is no entity"));
+      EXPECT_THAT(bad.error_text(opcode, entity, 0), HasSubstr("is not an entity"));
   }
 }
 
 TEST(BadValues, Fields) {
   Bad bad;
   for (const Opcode opcode : {Opcode::kLoadF, Opcode::kAddress}) {
-    EXPECT_EQ(bad.error_of(opcode, 2, kWords - 1), "no error");
-    EXPECT_THAT(bad.error_of(opcode, 2, kWords), HasSubstr("0x5 is no field"));
+    EXPECT_EQ(bad.error_text(opcode, 2, kWords - 1), "no error");
+    EXPECT_THAT(bad.error_text(opcode, 2, kWords), HasSubstr("0x5 is not a field"));
     for (const std::uint32_t field : kHuge)
-      EXPECT_THAT(bad.error_of(opcode, 2, field), HasSubstr("is no field"));
+      EXPECT_THAT(bad.error_text(opcode, 2, field), HasSubstr("is not a field"));
   }
-  EXPECT_EQ(bad.error_of(Opcode::kLoadV, 2, kWords - 3), "no error");
+  EXPECT_EQ(bad.error_text(Opcode::kLoadV, 2, kWords - 3), "no error");
   for (const std::uint32_t field : {kWords - 2, kWords - 1})
-    EXPECT_THAT(bad.error_of(Opcode::kLoadV, 2, field), HasSubstr("a vector at word"));
+    EXPECT_THAT(bad.error_text(Opcode::kLoadV, 2, field), HasSubstr("a vector at word"));
   for (const std::uint32_t field : kHuge)
-    EXPECT_THAT(bad.error_of(Opcode::kLoadV, 2, field), HasSubstr("is no field"));
+    EXPECT_THAT(bad.error_text(Opcode::kLoadV, 2, field), HasSubstr("is not a field"));
 }
 
 TEST(BadValues, Pointers) {
   Bad bad;
-  EXPECT_EQ(bad.error_of(Opcode::kStorePF, 1, kEntities * kWords - 1), "no error");
-  EXPECT_THAT(bad.error_of(Opcode::kStorePF, 1, kEntities * kWords), HasSubstr("writes through 0xf"));
+  EXPECT_EQ(bad.error_text(Opcode::kStorePF, 1, kEntities * kWords - 1), "no error");
+  EXPECT_THAT(bad.error_text(Opcode::kStorePF, 1, kEntities * kWords),
+              HasSubstr("writes through the pointer 0xf"));
   for (const std::uint32_t pointer : kHuge)
     for (const Opcode opcode : {Opcode::kStorePF, Opcode::kStorePV})
-      EXPECT_THAT(bad.error_of(opcode, 1, pointer), HasSubstr("writes through"));
-  EXPECT_EQ(bad.error_of(Opcode::kStorePV, 1, kEntities * kWords - 3), "no error");
-  // Nor out of one entity into the next.
+      EXPECT_THAT(bad.error_text(opcode, 1, pointer), HasSubstr("writes through"));
+  EXPECT_EQ(bad.error_text(Opcode::kStorePV, 1, kEntities * kWords - 3), "no error");
+  // Vectors must not extend from one entity into the next.
   for (const std::uint32_t pointer : {kWords - 2, kWords - 1, kEntities * kWords - 2, kEntities * kWords - 1})
-    EXPECT_THAT(bad.error_of(Opcode::kStorePV, 1, pointer), HasSubstr("writes through"));
+    EXPECT_THAT(bad.error_text(Opcode::kStorePV, 1, pointer), HasSubstr("writes through"));
 }
 
 TEST(BadValues, VectorsPastTheEndOfAnEntityThroughAPairOfStatements) {
@@ -103,15 +104,15 @@ TEST(BadValues, VectorsPastTheEndOfAnEntityThroughAPairOfStatements) {
 
 TEST(BadValues, TheWorldWhileItIsProtected) {
   Bad bad;
-  EXPECT_EQ(bad.error_of(Opcode::kAddress, 0, 0), "no error");
-  EXPECT_THAT(bad.error_of(Opcode::kAddress, 0, kWords - 1, true), HasSubstr("writes into the world"));
-  EXPECT_EQ(bad.error_of(Opcode::kAddress, 1, 0, true), "no error");
-  EXPECT_EQ(bad.error_of(Opcode::kLoadF, 0, 0, true), "no error");
-  // A pointer that the program has put together by itself.
-  EXPECT_EQ(bad.error_of(Opcode::kStorePF, 1, kWords - 1), "no error");
-  EXPECT_THAT(bad.error_of(Opcode::kStorePF, 1, kWords - 1, true), HasSubstr("writes through"));
-  EXPECT_THAT(bad.error_of(Opcode::kStorePV, 1, 0, true), HasSubstr("writes through"));
-  EXPECT_EQ(bad.error_of(Opcode::kStorePF, 1, kWords, true), "no error");
+  EXPECT_EQ(bad.error_text(Opcode::kAddress, 0, 0), "no error");
+  EXPECT_THAT(bad.error_text(Opcode::kAddress, 0, kWords - 1, true), HasSubstr("writes to the world entity"));
+  EXPECT_EQ(bad.error_text(Opcode::kAddress, 1, 0, true), "no error");
+  EXPECT_EQ(bad.error_text(Opcode::kLoadF, 0, 0, true), "no error");
+  // A pointer that the program has computed by other means.
+  EXPECT_EQ(bad.error_text(Opcode::kStorePF, 1, kWords - 1), "no error");
+  EXPECT_THAT(bad.error_text(Opcode::kStorePF, 1, kWords - 1, true), HasSubstr("writes through"));
+  EXPECT_THAT(bad.error_text(Opcode::kStorePV, 1, 0, true), HasSubstr("writes through"));
+  EXPECT_EQ(bad.error_text(Opcode::kStorePF, 1, kWords, true), "no error");
 }
 
 TEST(BadValues, Strings) {
@@ -119,21 +120,21 @@ TEST(BadValues, Strings) {
   const auto size = static_cast<std::uint32_t>(bad.builder.progs().strings.size() +
                                                std::string_view("test_test.qc_good_test.qc_").size());
   for (const Opcode opcode : {Opcode::kEqS, Opcode::kNeS}) {
-    EXPECT_EQ(bad.error_of(opcode, size - 1, 0), "no error");
-    EXPECT_THAT(bad.error_of(opcode, size, 0), HasSubstr("is no string"));
-    EXPECT_THAT(bad.error_of(opcode, 0, 0x7fffffff), HasSubstr("0x7fffffff is no string"));
-    EXPECT_THAT(bad.error_of(opcode, 0xffffffff, 0xffffffff), HasSubstr("0xffffffff is no string"));
+    EXPECT_EQ(bad.error_text(opcode, size - 1, 0), "no error");
+    EXPECT_THAT(bad.error_text(opcode, size, 0), HasSubstr("is not a string"));
+    EXPECT_THAT(bad.error_text(opcode, 0, 0x7fffffff), HasSubstr("0x7fffffff is not a string"));
+    EXPECT_THAT(bad.error_text(opcode, 0xffffffff, 0xffffffff), HasSubstr("0xffffffff is not a string"));
   }
-  EXPECT_THAT(bad.error_of(Opcode::kNotS, 0x80000001, 0), HasSubstr("0x80000001 is no string"));
+  EXPECT_THAT(bad.error_text(Opcode::kNotS, 0x80000001, 0), HasSubstr("0x80000001 is not a string"));
 }
 
 TEST(BadValues, Functions) {
   Bad bad;
-  EXPECT_EQ(bad.error_of(Opcode::kCall0, 2, 0), "no error");
-  EXPECT_THAT(bad.error_of(Opcode::kCall0, 0, 0), HasSubstr("calls no function"));
-  EXPECT_THAT(bad.error_of(Opcode::kCall8, 3, 0), HasSubstr("calls function 0x3: there are 3"));
+  EXPECT_EQ(bad.error_text(Opcode::kCall0, 2, 0), "no error");
+  EXPECT_THAT(bad.error_text(Opcode::kCall0, 0, 0), HasSubstr("calls a function variable that is not set"));
+  EXPECT_THAT(bad.error_text(Opcode::kCall8, 3, 0), HasSubstr("calls function 0x3, but there are only 3"));
   for (const std::uint32_t function : kHuge)
-    EXPECT_THAT(bad.error_of(Opcode::kCall1, function, 0), HasSubstr("calls function"));
+    EXPECT_THAT(bad.error_text(Opcode::kCall1, function, 0), HasSubstr("calls function"));
 }
 
 TEST(BadValues, SelfOfState) {
@@ -179,7 +180,7 @@ TEST(BadValues, ParametersOfBuiltInFunctions) {
     TRY([[maybe_unused]] const FieldIndex index, io_machine.parameter_field(0));
     return base::Ok{};
   });
-  const std::vector<std::string> expected = {"text: parameter 1 is no string", "entity: parameter 1 is 0x",
+  const std::vector<std::string> expected = {"text: parameter 1 is not a string", "entity: parameter 1 is 0x",
                                              "field: parameter 1 is 0x"};
   for (std::uint32_t i = 0; i < 3; ++i) {
     machine.set_parameter_entity(0, kWorld);

@@ -1,4 +1,4 @@
-// QuakeC as people write it, compiled by fteqcc.
+// Typical QuakeC source, compiled by fteqcc.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ void(string s, ...) dprint = #25;
 string(float a) ftos = #26;
 )";
 
-// What the program printed, its function `main` having run.
+// Runs the program's function `main`, and returns the text that it printed.
 std::vector<std::string> printed(Machine& io_machine) {
   std::vector<std::string> lines;
   io_machine.add_builtin(25, "dprint", [&](Machine& machine) -> base::Status {

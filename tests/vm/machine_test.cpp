@@ -1,4 +1,4 @@
-// Calls, limits and what the world outside sees of a machine.
+// Calls, limits, and the interface of the machine.
 #include "vm/machine.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ using test::ProgsBuilder;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-std::string error_of(const base::Status& status) {
+std::string error_text(const base::Status& status) {
   return status.ok() ? "no error" : status.error().what;
 }
 
@@ -25,7 +25,7 @@ GlobalIndex global(int at) {
   return GlobalIndex{static_cast<std::uint32_t>(at)};
 }
 
-// add(a, b), which is function 1; two instructions.
+// Function 1 is add(a, b), with two instructions.
 ProgsBuilder adding_program() {
   ProgsBuilder builder;
   const int sum = builder.number();
@@ -39,7 +39,7 @@ float add(Machine& io_machine, float a, float b) {
   io_machine.set_parameter_float(0, a);
   io_machine.set_parameter_float(1, b);
   const base::Status status = io_machine.call(io_machine.program().find_function("add"));
-  EXPECT_EQ(error_of(status), "no error");
+  EXPECT_EQ(error_text(status), "no error");
   return io_machine.returned_float();
 }
 
@@ -70,14 +70,14 @@ TEST(Machine, TwoOfOneProgramShareNothingElse) {
 
 TEST(Machine, NoFunctionIsAnError) {
   Machine machine(adding_program().load());
-  EXPECT_THAT(error_of(machine.call(kNoFunction)), HasSubstr("no function 0"));
-  EXPECT_THAT(error_of(machine.call(FunctionIndex{2})), HasSubstr("no function 2"));
-  EXPECT_THAT(error_of(machine.call(FunctionIndex{0xffffffff})), HasSubstr("no function"));
+  EXPECT_THAT(error_text(machine.call(kNoFunction)), HasSubstr("no function 0"));
+  EXPECT_THAT(error_text(machine.call(FunctionIndex{2})), HasSubstr("no function 2"));
+  EXPECT_THAT(error_text(machine.call(FunctionIndex{0xffffffff})), HasSubstr("no function"));
 }
 
-// --- What does not end
+// --- Programs that do not end
 
-// Statements in a circle: `length` of them.
+// A loop of `length` statements.
 ProgsBuilder circle(int length) {
   ProgsBuilder builder = adding_program();
   const int x = builder.number();
@@ -90,11 +90,11 @@ ProgsBuilder circle(int length) {
 TEST(Machine, EndlessLoopEndsWhenItsTimeIsUp) {
   for (const int length : {1, 2, 7, 100}) {
     Machine machine(circle(length).load(), {.instructions = 1000});
-    EXPECT_THAT(error_of(machine.call(FunctionIndex{2})),
-                HasSubstr("it does not end: 1000 instructions were run; in loop (test.qc), statement "));
+    EXPECT_THAT(error_text(machine.call(FunctionIndex{2})),
+                HasSubstr("endless loop? Stopped after 1000 instructions; in loop (test.qc), statement "));
     EXPECT_GT(machine.instructions_run(), 1000u);
     EXPECT_LE(machine.instructions_run(), 1000u + static_cast<unsigned>(length));
-    EXPECT_EQ(add(machine, 1, 2), 3);  // it goes on
+    EXPECT_EQ(add(machine, 1, 2), 3);  // the machine still works
   }
 }
 
@@ -106,12 +106,12 @@ TEST(Machine, CallsInALoopAreCountedTogether) {
   builder.emit(Opcode::kCall0, nothing);
   builder.emit(Opcode::kGoto, -1);
   Machine machine(builder.load(), {.instructions = 999});
-  EXPECT_THAT(error_of(machine.call(FunctionIndex{2})), HasSubstr("does not end"));
+  EXPECT_THAT(error_text(machine.call(FunctionIndex{2})), HasSubstr("endless loop?"));
   EXPECT_GT(machine.instructions_run(), 999u);
   EXPECT_LE(machine.instructions_run(), 1002u);
 }
 
-// What takes long counts as much: a program cannot hide time in few instructions.
+// Slow operations count as many instructions, so a program cannot hide time in few instructions.
 TEST(Machine, WorkThatGrowsCountsAsManyInstructions) {
   ProgsBuilder builder;
   const std::string text(100'000, 'x');
@@ -136,8 +136,8 @@ TEST(Machine, WorkThatGrowsCountsAsManyInstructions) {
     return base::Ok{};
   });
   for (int i = 0; i < 3; ++i)
-    EXPECT_THAT(error_of(machine.call(base::to_index<FunctionIndex>(static_cast<std::size_t>(first + i)))),
-                HasSubstr("does not end"));
+    EXPECT_THAT(error_text(machine.call(base::to_index<FunctionIndex>(static_cast<std::size_t>(first + i)))),
+                HasSubstr("endless loop?"));
   for (const FunctionProfile& entry : machine.profile()) {
     if (entry.function != FunctionIndex{2}) continue;
     EXPECT_NEAR(static_cast<double>(entry.calls), 100'000.0 / 203, 2);
@@ -153,7 +153,7 @@ TEST(Machine, FailuresNameTheLineWhereItIsKnown) {
   const auto program = Program::load(builder.progs(), {0, 42});
   ASSERT_TRUE(program.ok());
   Machine machine(*program);
-  EXPECT_THAT(error_of(machine.call(FunctionIndex{1})), HasSubstr("; in test (test.qc:42), statement 1"));
+  EXPECT_THAT(error_text(machine.call(FunctionIndex{1})), HasSubstr("; in test (test.qc:42), statement 1"));
 }
 
 TEST(Machine, EveryCallFromOutsideHasTheWholeBudget) {
@@ -170,8 +170,9 @@ TEST(Machine, RecursionWithoutEndEndsWithATrace) {
   builder.emit(Opcode::kDone);
   Machine machine(builder.load(), {.call_depth = 100});
   machine.set_parameter_float(0, 5);
-  EXPECT_THAT(error_of(machine.call(FunctionIndex{2})),
-              HasSubstr("without end: 100 deep; in down (test.qc), statement 4"));
+  EXPECT_THAT(
+      error_text(machine.call(FunctionIndex{2})),
+      HasSubstr("the calls are 100 levels deep (endless recursion?); in down (test.qc), statement 4"));
   ASSERT_THAT(machine.failure_trace(), SizeIs(100));
   EXPECT_THAT(machine.describe(machine.failure_trace().first(2)),
               "  down (test.qc), statement 4\n  down (test.qc), statement 4\n");
@@ -184,7 +185,7 @@ TEST(Machine, LocalsOfWaitingFunctionsHaveALimit) {
   builder.emit(Opcode::kCall0, builder.words({2}));
   builder.emit(Opcode::kDone);
   Machine machine(builder.load(), {.saved_words = 1020});
-  EXPECT_THAT(error_of(machine.call(FunctionIndex{2})), HasSubstr("1050 words, the limit is 1020"));
+  EXPECT_THAT(error_text(machine.call(FunctionIndex{2})), HasSubstr("1050 words; the limit is 1020"));
   EXPECT_THAT(machine.failure_trace(), SizeIs(20));
   EXPECT_EQ(add(machine, 1, 2), 3);
 }
@@ -199,7 +200,8 @@ TEST(Machine, LocalsAreBackAfterAFailure) {
   builder.emit(Opcode::kDone);
   Machine machine(builder.load());
   machine.set_global_float(global(local), 4);
-  EXPECT_THAT(error_of(machine.call(FunctionIndex{1})), HasSubstr("it calls no function"));
+  EXPECT_THAT(error_text(machine.call(FunctionIndex{1})),
+              HasSubstr("it calls a function variable that is not set"));
   EXPECT_EQ(machine.global_float(global(local)), 4);
 }
 
@@ -235,9 +237,9 @@ TEST(Machine, BuiltInFunctionsAreFoundByNumberAndName) {
   EXPECT_EQ(machine.returned_float(), 15);
   ASSERT_TRUE(machine.call(machine.program().find_function("twice")).ok());  // itself
   EXPECT_EQ(machine.returned_float(), 10);
-  EXPECT_THAT(error_of(machine.call(machine.program().find_function("by_unknown_number"))),
+  EXPECT_THAT(error_text(machine.call(machine.program().find_function("by_unknown_number"))),
               HasSubstr("no built-in function 99 (unknown); in by_unknown_number (test.qc), statement 5"));
-  EXPECT_THAT(error_of(machine.call(machine.program().find_function("by_unknown_name"))),
+  EXPECT_THAT(error_text(machine.call(machine.program().find_function("by_unknown_name"))),
               HasSubstr("no built-in function 0 (nameless)"));
 }
 
@@ -248,7 +250,8 @@ TEST(Machine, ErrorOfABuiltInFunctionNamesItAndItsCaller) {
   builder.emit(Opcode::kCall0, fails);
   Machine machine(builder.load());
   machine.add_builtin(1, "fails", [](Machine&) -> base::Status { return base::malformed("no such sound"); });
-  EXPECT_EQ(error_of(machine.call(FunctionIndex{2})), "fails: no such sound; in test (test.qc), statement 1");
+  EXPECT_EQ(error_text(machine.call(FunctionIndex{2})),
+            "fails: no such sound; in test (test.qc), statement 1");
   EXPECT_THAT(machine.failure_trace(), SizeIs(1));
 }
 
@@ -276,9 +279,9 @@ struct Circle {
 
 TEST(Machine, NestedCallsHaveALimitOfTheirOwn) {
   Circle circle({.nested_calls = 10});
-  const std::string what = error_of(circle.machine.call(FunctionIndex{2}));
-  EXPECT_THAT(what, HasSubstr("10 deep; in test (test.qc), statement 1"));
-  EXPECT_EQ(what.find("again: "), std::string::npos);  // said once, by who failed
+  const std::string what = error_text(circle.machine.call(FunctionIndex{2}));
+  EXPECT_THAT(what, HasSubstr("10 levels deep; in test (test.qc), statement 1"));
+  EXPECT_EQ(what.find("again: "), std::string::npos);  // only the failing function is named
   EXPECT_EQ(circle.deepest, 10);
   EXPECT_THAT(circle.machine.failure_trace(), SizeIs(10));
   EXPECT_TRUE(circle.machine.current_trace().empty());
@@ -286,7 +289,7 @@ TEST(Machine, NestedCallsHaveALimitOfTheirOwn) {
 
 TEST(Machine, NestedCallsShareDepthWithTheOuterOnes) {
   Circle circle({.call_depth = 6, .nested_calls = 100});
-  EXPECT_THAT(error_of(circle.machine.call(FunctionIndex{2})), HasSubstr("without end: 6 deep"));
+  EXPECT_THAT(error_text(circle.machine.call(FunctionIndex{2})), HasSubstr("the calls are 6 levels deep"));
 }
 
 TEST(Machine, NestedCallsShareTheBudgetWithTheOuterOnes) {
@@ -303,8 +306,8 @@ TEST(Machine, NestedCallsShareTheBudgetWithTheOuterOnes) {
     ++calls;
     return io_machine.call(FunctionIndex{3});
   });
-  EXPECT_THAT(error_of(machine.call(FunctionIndex{2})), HasSubstr("does not end"));
-  EXPECT_NEAR(calls, 100, 1);  // CALL, DONE and GOTO each time
+  EXPECT_THAT(error_text(machine.call(FunctionIndex{2})), HasSubstr("endless loop?"));
+  EXPECT_NEAR(calls, 100, 1);  // CALL, DONE, and GOTO each time
 }
 
 TEST(Machine, ABuiltInFunctionMayLiveWithAFailureWithinIt) {
@@ -318,10 +321,10 @@ TEST(Machine, ABuiltInFunctionMayLiveWithAFailureWithinIt) {
   Machine machine(builder.load());
   std::string inner;
   machine.add_builtin(1, "attempt", [&](Machine& io_machine) -> base::Status {
-    inner = error_of(io_machine.call(FunctionIndex{2}));
+    inner = error_text(io_machine.call(FunctionIndex{2}));
     return base::Ok{};
   });
-  EXPECT_EQ(error_of(machine.call(FunctionIndex{3})), "no error");
+  EXPECT_EQ(error_text(machine.call(FunctionIndex{3})), "no error");
   EXPECT_THAT(inner, HasSubstr("in fails (test.qc), statement 1"));
   EXPECT_EQ(machine.returned_float(), 7);
 }
@@ -342,7 +345,7 @@ TEST(Machine, BuiltInFunctionsMayMakeEntities) {
     io_machine.return_entity(EntityIndex{4999});
     return base::Ok{};
   });
-  EXPECT_EQ(error_of(machine.call(FunctionIndex{2})), "no error");
+  EXPECT_EQ(error_text(machine.call(FunctionIndex{2})), "no error");
   EXPECT_EQ(machine.returned_float(), 50);
 }
 
@@ -351,7 +354,8 @@ TEST(Machine, EntitiesHaveALimit) {
   builder.field("place", ProgsType::kVector);
   Machine machine(builder.load(), {.entities = 100});
   EXPECT_TRUE(machine.set_entity_count(100).ok());
-  EXPECT_THAT(error_of(machine.set_entity_count(101)), HasSubstr("no memory for 101 entities of 3 words"));
+  EXPECT_THAT(error_text(machine.set_entity_count(101)),
+              HasSubstr("101 entities of 3 words exceed the memory limit"));
   Machine tight(builder.load(), {.entities = 100, .entity_bytes = 10 * 12});
   EXPECT_TRUE(tight.set_entity_count(10).ok());
   EXPECT_FALSE(tight.set_entity_count(11).ok());
@@ -369,7 +373,7 @@ TEST(Machine, EntitiesThatComeBackAreEmpty) {
   EXPECT_EQ(machine.entity(EntityIndex{2})[0], 0u);
 }
 
-// --- Looking on
+// --- Tracing
 
 TEST(Machine, ProfileCountsCallsAndOwnInstructions) {
   ProgsBuilder builder = adding_program();
@@ -416,7 +420,7 @@ TEST(Machine, TracerSeesEveryStatementFromWhereItIsSet) {
     io_machine.set_tracer(nullptr);
     return base::Ok{};
   });
-  EXPECT_EQ(error_of(machine.call(FunctionIndex{3})), "no error");
+  EXPECT_EQ(error_text(machine.call(FunctionIndex{3})), "no error");
   EXPECT_EQ(machine.returned_float(), 1);
   EXPECT_EQ(machine.instructions_run(), 6u);
   ASSERT_THAT(lines, SizeIs(3));

@@ -1,4 +1,4 @@
-// Each operation by itself, its operands put where it looks for them.
+// Each operation alone, with operands in the globals that it refers to.
 #include "vm/code/opcodes.h"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ Words words(float x, float y = 0, float z = 0) {
   return {word(x), word(y), word(z)};
 }
 
-// What `opcode` leaves in its third operand, which held 7, 8, 9.
+// Runs `opcode`, and returns its third operand, which was 7, 8, 9 before.
 Words result_words(Opcode opcode, const Words& a, const Words& b) {
   ProgsBuilder builder;
   const int a_at = builder.words({a[0], a[1], a[2]}), b_at = builder.words({b[0], b[1], b[2]}),
@@ -78,7 +78,7 @@ TEST(Opcodes, Vectors) {
   EXPECT_EQ(vector_result(Opcode::kMulV, words(1, 2, 3), words(4, 5, 6)), math::Vec3(32, 8, 9));
 }
 
-// With both operands and the result in one place, as compilers use it.
+// Both operands and the result are the same global, as in compiled code.
 TEST(Opcodes, VectorsInPlace) {
   for (const auto& [opcode, expected] :
        {std::pair(Opcode::kAddV, math::Vec3(2, 4, 6)), std::pair(Opcode::kSubV, math::Vec3(0, 0, 0)),
@@ -159,7 +159,7 @@ TEST(Opcodes, BitsOfWholeNumbers) {
   EXPECT_EQ(result(Opcode::kBitOr, -0.9f, 0.9f), 0);
   EXPECT_EQ(result(Opcode::kBitAnd, -1, 255), 255);
   EXPECT_EQ(result(Opcode::kBitOr, -2, 1), -1);
-  // What is no 32-bit number is the smallest one.
+  // Values that do not fit into 32 bits become the smallest integer.
   for (const float odd : {kNaN, kInfinity, -kInfinity, 3e9f, -3e9f, 0x1p31f})
     EXPECT_EQ(result(Opcode::kBitOr, odd, 0), -0x1p31f) << odd;
   EXPECT_EQ(result(Opcode::kBitOr, -0x1p31f, 0), -0x1p31f);
@@ -183,7 +183,7 @@ TEST(Opcodes, Stores) {
   }
 }
 
-// Text operands: made in the builder, the second with other bytes in front.
+// Text operands. The builder makes them; other bytes precede the second one.
 float text_result(Opcode opcode, std::string_view a, std::string_view b) {
   ProgsBuilder builder;
   const int a_at = builder.text(a), b_at = builder.text(b), c_at = builder.number();
@@ -200,7 +200,7 @@ TEST(Opcodes, Strings) {
   EXPECT_EQ(text_result(Opcode::kEqS, "ogre", "ogr"), 0);
   EXPECT_EQ(text_result(Opcode::kEqS, "", ""), 1);
   EXPECT_EQ(text_result(Opcode::kNeS, "ogre", "ogre"), 0);
-  // The sign of the comparison, not 1.
+  // NE_S returns the sign of the comparison, not 1.
   EXPECT_GT(text_result(Opcode::kNeS, "ogre", "knight"), 0);
   EXPECT_LT(text_result(Opcode::kNeS, "knight", "ogre"), 0);
   EXPECT_GT(text_result(Opcode::kNeS, "\xff", "a"), 0);
@@ -221,7 +221,7 @@ TEST(Opcodes, StringsMayBeginInsideOthers) {
   EXPECT_EQ(machine.global_float(GlobalIndex{static_cast<std::uint32_t>(c)}), 1);
 }
 
-// Whether a branch that tests `value` goes.
+// Returns whether a branch that tests `value` is taken.
 bool goes(Opcode branch, std::uint32_t value) {
   ProgsBuilder builder;
   const int tested = builder.words({value}), yes = builder.number(1), no = builder.number(2);
@@ -251,7 +251,7 @@ TEST(Opcodes, ReturnGivesThreeWordsAndDoneNothing) {
   builder.emit(Opcode::kReturn, value);
   builder.function("nothing");
   builder.emit(Opcode::kDone);
-  const int last = builder.number(3);  // two words behind it are none of the program's
+  const int last = builder.number(3);  // the two words after it do not belong to the program
   builder.function("last");
   builder.emit(Opcode::kReturn, last + 1);
   Machine machine(builder.load());
@@ -303,7 +303,7 @@ TEST(Opcodes, EveryCallCountsItsParameters) {
   }
 }
 
-// Entity 2 of 3, its fields "number" (word 0), "place" (1 to 3) and "last" (4).
+// Entity 2 of 3, with the fields "number" (word 0), "place" (1 to 3), and "last" (4).
 struct Entities {
   ProgsBuilder builder;
   int number = builder.field("number", ProgsType::kFloat), place = builder.field("place", ProgsType::kVector),

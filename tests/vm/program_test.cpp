@@ -13,7 +13,7 @@ using formats::ProgsType;
 using test::ProgsBuilder;
 using ::testing::HasSubstr;
 
-std::string error_of(const ProgsBuilder& builder) {
+std::string error_text(const ProgsBuilder& builder) {
   ProgsBuilder copy = builder;
   const auto program = Program::load(copy.progs());
   return program.ok() ? "no error" : program.error().what;
@@ -39,14 +39,14 @@ TEST(Program, FindsWhatHasNames) {
   EXPECT_EQ(program->find_function("main"), FunctionIndex{2});
   EXPECT_EQ(program->find_function("none"), kNoFunction);
   EXPECT_EQ(program->find_function(""), kNoFunction);
-  EXPECT_EQ(program->name_of(FunctionIndex{2}), "main");
-  EXPECT_EQ(program->file_of(FunctionIndex{2}), "test.qc");
+  EXPECT_EQ(program->function_name(FunctionIndex{2}), "main");
+  EXPECT_EQ(program->function_file(FunctionIndex{2}), "test.qc");
   EXPECT_EQ(program->function_at(0), kNoFunction);
   EXPECT_EQ(program->function_at(1), FunctionIndex{2});
   EXPECT_EQ(program->function_at(3), FunctionIndex{3});
-  EXPECT_EQ(program->end_of(FunctionIndex{2}), 2u);
-  EXPECT_EQ(program->end_of(FunctionIndex{3}), 4u);
-  EXPECT_EQ(program->end_of(FunctionIndex{1}), 0u);
+  EXPECT_EQ(program->function_end(FunctionIndex{2}), 2u);
+  EXPECT_EQ(program->function_end(FunctionIndex{3}), 4u);
+  EXPECT_EQ(program->function_end(FunctionIndex{1}), 0u);
 }
 
 TEST(Program, OperationsThatAreNone) {
@@ -54,12 +54,12 @@ TEST(Program, OperationsThatAreNone) {
     ProgsBuilder builder;
     builder.function("main");
     builder.emit(static_cast<Opcode>(number));
-    EXPECT_THAT(error_of(builder),
+    EXPECT_THAT(error_text(builder),
                 HasSubstr("statement 1 (function \"main\"): operation " + std::to_string(number)));
   }
 }
 
-// Every operand of every operation, at the last place where it fits and one past that.
+// Tests every operand of every operation at the last word where it fits, and at the next one.
 TEST(Program, OperandsPastTheGlobals) {
   for (std::uint16_t number = 0; number < kOpcodes; ++number) {
     const OpcodeInfo& info = opcode_info(number);
@@ -75,9 +75,10 @@ TEST(Program, OperandsPastTheGlobals) {
         operands[i] = static_cast<int>(builder.progs().global_words.size()) - words + over;
         builder.emit(static_cast<Opcode>(number), operands[0], operands[1], operands[2]);
         builder.emit(Opcode::kDone);
-        EXPECT_THAT(error_of(builder), HasSubstr(over > 0 && kind != OperandKind::kNone
-                                                     ? "statement 1 (function \"main\"): it names global word"
-                                                     : "no error"))
+        EXPECT_THAT(error_text(builder),
+                    HasSubstr(over > 0 && kind != OperandKind::kNone
+                                  ? "statement 1 (function \"main\"): it uses global word"
+                                  : "no error"))
             << info.name << " " << i;
       }
     }
@@ -101,7 +102,7 @@ TEST(Program, JumpsOutOfTheFunction) {
       builder.emit(Opcode::kDone);
       builder.function("after");
       builder.emit(Opcode::kDone);
-      EXPECT_THAT(error_of(builder),
+      EXPECT_THAT(error_text(builder),
                   HasSubstr(is_good ? "no error" : "statement 3 (function \"main\"): it jumps"))
           << distance;
     }

@@ -51,14 +51,14 @@ TEST(Strings, HaveALimit) {
   while (strings.make("0123456789").ok()) ++made;
   EXPECT_GT(made, 50u);
   EXPECT_LE(strings.made_bytes(), 10'000u);
-  EXPECT_THAT(strings.make("0123456789").error().what, HasSubstr("no memory for one more string"));
+  EXPECT_THAT(strings.make("0123456789").error().what, HasSubstr("out of string memory"));
   strings.collect({});
   EXPECT_EQ(strings.made_bytes(), 0u);
   EXPECT_TRUE(strings.make("0123456789").ok());
   EXPECT_FALSE(strings.make(std::string(10'000, 'x')).ok());
 }
 
-// Held against a map: makes, zones, unzones, lets go and collects at random.
+// Makes, zones, unzones, releases, and collects strings at random, and compares with a map.
 TEST(Strings, LiveAsLongAsTheyAreHeldOrZoned) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
@@ -72,7 +72,7 @@ TEST(Strings, LiveAsLongAsTheyAreHeldOrZoned) {
         case 0:
         case 1:
           word = number(*strings.make(text));
-          ASSERT_EQ(known.count(word), 0u) << seed;  // none that lives is given out again
+          ASSERT_EQ(known.count(word), 0u) << seed;  // the number of a live string is not used again
           known[word] = text;
           break;
         case 2: {
@@ -115,8 +115,7 @@ TEST(Strings, UnzoningWhatWasNeverZoned) {
     EXPECT_FALSE(strings.unzone(index));
 }
 
-// A program that makes strings without end, from call to call, in bounded memory; what its globals and
-// entities hold stays.
+// A program that makes strings in every call needs bounded memory, and strings in globals and entities stay.
 TEST(Strings, AMachineForgetsThoseThatNobodyHolds) {
   test::ProgsBuilder builder;
   builder.field("netname", formats::ProgsType::kString);
@@ -157,7 +156,7 @@ TEST(Strings, AProgramThatMakesTooManyInOneCallEndsWithAnError) {
   for (int i = 0; i < 3; ++i) {
     const base::Status status = machine.call(FunctionIndex{2});
     ASSERT_FALSE(status.ok());
-    EXPECT_THAT(status.error().what, HasSubstr("make: no memory for one more string"));
+    EXPECT_THAT(status.error().what, HasSubstr("make: out of string memory"));
     machine.collect_strings();
     EXPECT_EQ(machine.strings().made_count(), 0u);
   }

@@ -1,5 +1,5 @@
-// Programs put together at random run the same whether every statement is run by itself (as when it is
-// traced) or pairs of them as one, and stay inside the machine.
+// Random programs run the same with single statements (as in a trace) and with fused pairs, and cannot leave
+// the machine.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using test::ProgsBuilder;
 
 constexpr std::size_t kPlaces = 24, kStatements = 40;
 
-// Values that mean something as one thing or another.
+// Values that are valid for at least one type.
 std::uint32_t some_word(test::Random& random) {
   switch (random.below(4)) {
     case 0:
@@ -49,7 +49,7 @@ std::shared_ptr<const Program> random_program(std::uint64_t seed) {
       auto opcode = static_cast<Opcode>(random.below(kOpcodes));
       if (opcode == Opcode::kDone || opcode == Opcode::kReturn) opcode = Opcode::kLt;
       std::array<int, 3> operands = {place(), place(), place()};
-      // Often what the statement before gave, so that there are pairs.
+      // Often the result of the statement before, so that there are pairs to fuse.
       const auto& before = builder.progs().statements.back();
       if (random.chance(0.5)) operands[0] = before.operands[2];
       if (random.chance(0.5)) operands[1] = before.operands[2];

@@ -1,4 +1,4 @@
-// Animated textures and light styles against their definitions, in whole milliseconds.
+// Compares animated textures and light styles with their definitions, in whole milliseconds.
 #include "world/animation.h"
 
 #include <fmt/format.h>
@@ -25,11 +25,11 @@ TestLevel level_with_textures(const std::vector<std::string>& names) {
 }
 
 std::string shown_name(const Level& level, std::size_t texture, double time_s, int entity_frame) {
-  return level.texture(animated_texture(level, static_cast<TextureIndex>(texture), time_s, entity_frame))
+  return level.texture(find_animated_texture(level, static_cast<TextureIndex>(texture), time_s, entity_frame))
       .name;
 }
 
-// Times from the first second to months of play, never on the boundary of a tick.
+// Times from the first second to months, never on the boundary of a tick.
 std::vector<std::uint64_t> sample_times_ms() {
   std::vector<std::uint64_t> times;
   for (std::uint64_t ms = 50; ms < 5000; ms += 100) times.push_back(ms);
@@ -96,7 +96,7 @@ TEST(LightStyles, LettersAreTicksOfATenthOfASecond) {
   patterns[5] = std::string("az");
   patterns[63] = std::string("abcxyz");
   for (const std::uint64_t ms : sample_times_ms()) {
-    const LightStyleValues values = light_style_values(patterns, static_cast<double>(ms) / 1000);
+    const LightStyleValues values = compute_light_styles(patterns, static_cast<double>(ms) / 1000);
     EXPECT_EQ(values[0], 264);
     EXPECT_EQ(values[5], ms / 100 % 2 == 0 ? 0 : 550) << ms;
     constexpr int kExpected[] = {0, 22, 44, 506, 528, 550};
@@ -110,18 +110,18 @@ TEST(LightStyles, OtherCharactersCountAsTheNearestLetter) {
   patterns[0] = std::string("A");
   patterns[1] = std::string("~");
   patterns[2] = std::string("\xff");
-  const LightStyleValues values = light_style_values(patterns, 0);
+  const LightStyleValues values = compute_light_styles(patterns, 0);
   EXPECT_EQ(values[0], 0);
   EXPECT_EQ(values[1], 550);
   for (const std::uint16_t value : values) EXPECT_LE(value, 550);
 }
 
-// A stock demo carries the patterns as its server sent them: a message byte 12, the style, the text.
+// A stock demo contains the patterns as its server sent them: the message byte 12, the style, the text.
 TEST(LightStyles, StandardPatternsAreThoseOfAStockGame) {
   DATA_FOLDER_OR_SKIP(base_folder);
   const base::ByteVector demo = test::read_file(base_folder / "id1" / "demo1_lite.dem");
   const std::string_view bytes = base::as_text(demo);
-  const LightStylePatterns patterns = standard_light_styles();
+  const LightStylePatterns patterns = make_standard_light_styles();
   for (std::size_t style = 0; style < kLightStyles; ++style) {
     if (patterns[style].empty()) continue;
     const std::string message = fmt::format("\x0c{}{}{}", static_cast<char>(style), patterns[style], '\0');

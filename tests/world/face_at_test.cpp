@@ -1,4 +1,4 @@
-// Faces near a point, found through the tree, against every face of the world looked at one by one.
+// Compares the faces near a point that the tree walk finds with a test of every face of the world.
 #include "world/face_at.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::vector<math::Vec3d> corners(const Level& level, const Face& face) {
   return result;
 }
 
-// The nearest point of a triangle, by looking at its inside and its three sides in barycentric coordinates.
+// The nearest point of a triangle, from its inside and its three sides in barycentric coordinates.
 double distance_to_triangle(const math::Vec3d& a, const math::Vec3d& b, const math::Vec3d& c,
                             const math::Vec3d& point) {
   const auto to_side = [&](const math::Vec3d& start, const math::Vec3d& end) {
@@ -58,7 +58,7 @@ struct Counts {
 };
 
 void expect_as_by_looking_at_all(const TestLevel& test_level, const math::Vec3d& point, double reach,
-                                 FacesNear& io_faces, Counts& io_counts) {
+                                 NearFaceFinder& io_faces, Counts& io_counts) {
   constexpr double kUnsure = 0.01;
   const Level& level = *test_level.level;
   std::map<std::uint32_t, NearFace> found;
@@ -72,9 +72,9 @@ void expect_as_by_looking_at_all(const TestLevel& test_level, const math::Vec3d&
     const double in_front =
         (glm::dot(math::Vec3d(plane.normal), point) - double{plane.distance}) * (face.back_side ? -1 : 1);
     const double distance = distance_to_face(corners(level, face), point);
-    const bool near = distance <= reach && in_front >= -FacesNear::kBehind;
-    const bool unsure =
-        std::abs(distance - reach) < kUnsure || std::abs(in_front + FacesNear::kBehind) < kUnsure;
+    const bool near = distance <= reach && in_front >= -NearFaceFinder::kMaxDistanceBehind;
+    const bool unsure = std::abs(distance - reach) < kUnsure ||
+                        std::abs(in_front + NearFaceFinder::kMaxDistanceBehind) < kUnsure;
     const auto it = found.find(i);
     if (!unsure) {
       EXPECT_EQ(it != found.end(), near)
@@ -89,7 +89,7 @@ void expect_as_by_looking_at_all(const TestLevel& test_level, const math::Vec3d&
   io_counts.several += found.size() > 1;
 }
 
-// Near a face: anywhere else most points have none.
+// Choose points near a face: most other points have no face within reach.
 math::Vec3d place_near_a_face(const Level& level, test::Random& io_random) {
   const Model& world = level.world();
   const Face& face = level.faces[world.first_face + io_random.below(world.face_count)];
@@ -100,7 +100,7 @@ math::Vec3d place_near_a_face(const Level& level, test::Random& io_random) {
 
 void expect_level(const TestLevel& level, int points) {
   test::Random random(1);
-  FacesNear faces;
+  NearFaceFinder faces;
   Counts counts;
   for (int i = 0; i < points; ++i)
     expect_as_by_looking_at_all(level, place_near_a_face(*level.level, random), random.log_uniform(0.5, 60),
@@ -109,17 +109,17 @@ void expect_level(const TestLevel& level, int points) {
   EXPECT_GT(counts.several, points / 10);
 }
 
-TEST(FacesNear, SmallLevelAsByLookingAtAll) {
+TEST(NearFaceFinder, SmallLevelAsByLookingAtAll) {
   expect_level(small_test_level(), test::effort(1000, 200));
 }
 
-TEST(FacesNear, StockLevelsAsByLookingAtAll) {
+TEST(NearFaceFinder, StockLevelsAsByLookingAtAll) {
   DATA_FOLDER_OR_SKIP(data);
   for (const TestLevel& level : stock_levels(data)) expect_level(level, test::effort(200, 20));
 }
 
-TEST(FacesNear, NowhereIsNearNothing) {
-  FacesNear faces;
+TEST(NearFaceFinder, NowhereIsNearNothing) {
+  NearFaceFinder faces;
   const TestLevel level = small_test_level();
   const double infinite = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(faces.find(*level.level, math::Vec3d(1e9), 5).empty());

@@ -1,4 +1,4 @@
-// Faces of a level, against the file: their rectangles of texels, their light, their kinds.
+// Compares the faces of a level with the file: texture rectangles, light, and kinds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace temblor::world {
 namespace {
 
-using test::vertices_of;
+using test::list_vertices;
 
 struct Range {
   double min = 1e30, max = -1e30;
@@ -31,7 +31,7 @@ Range texel_range(const std::vector<math::Vec3>& vertices, const math::Vec3& axi
   return range;
 }
 
-// The smallest rectangle on the 16-texel grid that covers the face, but for what a float cannot tell.
+// The smallest rectangle on the 16-texel grid that covers the face, within the precision of a float.
 void expect_tight(const Range& range, std::int32_t min, std::int32_t extent, const std::string& what) {
   constexpr double kFloatTexel = 0.01;
   EXPECT_GE(extent, 0) << what;
@@ -46,7 +46,7 @@ void expect_tight(const Range& range, std::int32_t min, std::int32_t extent, con
 void expect_rectangles_cover_faces(const TestLevel& test) {
   for (std::size_t i = 0; i < test.bsp.faces.size(); ++i) {
     const formats::BspTexinfo& info = test.bsp.texinfos[test.bsp.faces[i].texinfo];
-    const std::vector<math::Vec3> vertices = vertices_of(test.bsp, test.bsp.faces[i]);
+    const std::vector<math::Vec3> vertices = list_vertices(test.bsp, test.bsp.faces[i]);
     const Face& face = test.level->faces[i];
     const std::string what = test.name + " face " + std::to_string(i);
     expect_tight(texel_range(vertices, info.s_axis, info.s_offset), face.texture_mins[0],
@@ -66,8 +66,8 @@ TEST(Faces, RectanglesOfTexelsCoverFacesOfTheSmallLevelTightly) {
   expect_rectangles_cover_faces(small_test_level({.wide_faces = true}));
 }
 
-// The light compiler packed the faces' samples one after the other, to multiples of 4 bytes, so the gaps
-// between their offsets say how many samples it made for each face.
+// The light compiler packed the samples of the faces one after another, padded to multiples of 4 bytes, so
+// the distance between two offsets shows how many samples a face has.
 TEST(Faces, NumberOfLightSamplesIsTheCompilersOwn) {
   DATA_FOLDER_OR_SKIP(base_folder);
   for (const TestLevel& test : stock_levels(base_folder)) {
@@ -115,8 +115,8 @@ TEST(Faces, KindsAndLightFollowTextureNamesFlagsAndOffsets) {
 
 void expect_clockwise(const TestLevel& test) {
   for (std::size_t i = 0; i < test.bsp.faces.size(); ++i) {
-    const std::vector<math::Vec3> vertices = vertices_of(test.bsp, test.bsp.faces[i]);
-    // Newell's normal: towards whoever sees the loop run counter-clockwise.
+    const std::vector<math::Vec3> vertices = list_vertices(test.bsp, test.bsp.faces[i]);
+    // Newell's normal: it points toward a viewer who sees the loop run counter-clockwise.
     math::Vec3d newell(0.0);
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       const math::Vec3d a(vertices[k] - vertices[0]);
@@ -148,7 +148,7 @@ TEST(Faces, AreUnlitWhereTheLevelHasNoLight) {
   EXPECT_GT(unlit, 0);
 }
 
-// A face of the tiny level that has light.
+// Returns a face of the tiny level that has light.
 std::size_t find_lit_face(const formats::Bsp& bsp) {
   const auto lit = std::find_if(bsp.faces.begin(), bsp.faces.end(),
                                 [](const formats::BspFace& face) { return face.light_offset >= 0; });

@@ -1,4 +1,4 @@
-// A joined level against the levels that it was made from, queried side by side.
+// Compares a joined level with the levels that it was made from, by the same queries.
 #include "world/join_levels.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace temblor::world {
 namespace {
 
-// Two levels that differ in every list, the second one colored if asked.
+// Two levels that differ in every list. The second one has colored light on request.
 struct Joined {
   TestLevel base, other;
   JoinedLevel joined;
@@ -23,14 +23,14 @@ struct Joined {
   }
 };
 
-std::vector<math::Vec3> corners_of(const Level& level, const Face& face) {
+std::vector<math::Vec3> face_corners(const Level& level, const Face& face) {
   std::vector<math::Vec3> corners;
   for (std::uint32_t i = 0; i < face.surfedge_count; ++i)
     corners.push_back(level.vertices[level.surfedge_start(face.first_surfedge + i)]);
   return corners;
 }
 
-std::vector<int> light_of(const Level& level, const Face& face) {
+std::vector<int> sum_face_light(const Level& level, const Face& face) {
   std::vector<int> light;
   if (face.light == kNoLight) return light;
   const auto samples = static_cast<std::size_t>(face.light_width() * face.light_height()) * face.style_count;
@@ -43,7 +43,7 @@ std::vector<int> light_of(const Level& level, const Face& face) {
 }
 
 void expect_same_face(const Level& from, const Face& a, const Level& to, const Face& b) {
-  EXPECT_EQ(corners_of(from, a), corners_of(to, b));
+  EXPECT_EQ(face_corners(from, a), face_corners(to, b));
   EXPECT_EQ(from.planes[a.plane].normal, to.planes[b.plane].normal);
   EXPECT_EQ(from.planes[a.plane].distance, to.planes[b.plane].distance);
   EXPECT_EQ(from.texture_axes[a.axes].s_axis, to.texture_axes[b.axes].s_axis);
@@ -102,10 +102,11 @@ TEST(JoinLevels, LightIsKeptAndGrayLightIsColoredGrayWhereOthersHaveColor) {
     const std::size_t colored_faces =
         base_colored ? 0 : joined.models[base::to_size(levels.joined.models[0])].first_face;
     for (std::size_t i = 0; i < colored.faces.size(); ++i)
-      EXPECT_EQ(light_of(colored, colored.faces[i]), light_of(joined, joined.faces[colored_faces + i]));
+      EXPECT_EQ(sum_face_light(colored, colored.faces[i]),
+                sum_face_light(joined, joined.faces[colored_faces + i]));
     for (std::size_t i = 0; i < gray.faces.size(); ++i) {
-      const std::vector<int> as_gray = light_of(gray, gray.faces[i]);
-      const std::vector<int> as_rgb = light_of(joined, joined.faces[gray_faces + i]);
+      const std::vector<int> as_gray = sum_face_light(gray, gray.faces[i]);
+      const std::vector<int> as_rgb = sum_face_light(joined, joined.faces[gray_faces + i]);
       ASSERT_EQ(as_rgb.size(), as_gray.size() * 4);
       for (std::size_t k = 0; k < as_rgb.size(); ++k) EXPECT_EQ(as_rgb[k], as_gray[k / 4]);
     }

@@ -1,4 +1,4 @@
-// What make_level takes over from the file, and from where the light comes.
+// What make_level() copies from the file, and where the light comes from.
 #include "world/level.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The trees of a level file walked in the plainest way, in long double: what the world's queries are held
-// against.
+// Walks the trees of a level file in the simplest way, in long double: the reference for the queries of
+// src/world.
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@ namespace temblor::world {
 using Point = std::array<long double, 3>;
 Point to_point(const math::Vec3& position);
 
-// The leaf of hull 0 below `node` (a leaf when negative) that holds the point.
+// Finds the leaf of hull 0 below `node` (a leaf if negative) that contains the point.
 std::size_t naive_leaf(const formats::Bsp& bsp, std::int32_t node, const Point& point);
 
-// The contents of model `model`'s hull 0 to 3 at the point.
+// Finds the contents at a point of hull 0 to 3 of model `model`.
 std::int32_t naive_contents(const formats::Bsp& bsp, std::size_t model, std::size_t hull, const Point& point);
 
-// Part of a line and the world's leaf that it lies in.
+// A part of a line, and the leaf of the world that contains it.
 struct LeafPiece {
   std::size_t leaf;
   long double length;
 };
-// The leaves that the line from `start` to `end` passes, in order.
+// Lists the leaves that the line from `start` to `end` passes, in order.
 std::vector<LeafPiece> leaves_along(const formats::Bsp& bsp, const Point& start, const Point& end);
 
 }  // namespace temblor::world

@@ -1,4 +1,4 @@
-// Levels for the tests of the world: the file's structs beside the level made from them.
+// Levels for the tests of src/world: the structs of the file, and the level that was made from them.
 #pragma once
 
 #include <filesystem>
@@ -18,10 +18,10 @@ struct TestLevel {
   std::shared_ptr<const Level> level;
 };
 
-// Every .bsp of the game folder's maps; under a sanitizer a small, a middling and a lit one.
+// Every .bsp of the game folder; in sanitizer builds only a small, a medium, and a lit one.
 std::vector<TestLevel> stock_levels(const std::filesystem::path& base_folder);
 
-// The level that `bsp` makes. CHECKs that it makes one.
+// Makes a level from `bsp`. CHECKs that it succeeds.
 TestLevel test_level(std::string name, formats::Bsp bsp);
 TestLevel small_test_level(const artgen::SmallLevelOptions& options = {});
 

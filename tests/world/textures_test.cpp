@@ -1,4 +1,4 @@
-// Textures made drawable: kinds, missing ones, mip levels.
+// How textures become drawable: kinds, missing textures, mip levels.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace temblor::world {
 namespace {
 
-// The tiny level with these textures instead of its own; its faces are missing theirs where there are fewer.
+// The tiny level with these textures instead of its own. If there are fewer, some faces have no texture.
 TestLevel level_with(std::vector<formats::BspMiptex> miptexes) {
   formats::Bsp bsp = artgen::make_small_level({.tiny = true});
   bsp.miptexes = std::move(miptexes);

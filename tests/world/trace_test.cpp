@@ -1,5 +1,5 @@
-// Traces against dense samples along their paths. What is solid is told by the level's plan, or by a plain
-// walk of the file's clip trees.
+// Compares traces with dense samples along their paths. The level's plan, or a plain walk of the file's clip
+// trees, decides whether a sample is solid.
 #include "world/trace.h"
 
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@ using IsSolid = std::function<bool(const math::Vec3&)>;
 constexpr float kGap = 1.0f / 32;
 constexpr float kSampleUnits = 0.25f;
 
-// How a point lies to solid things: whether everything, or nothing, close around it is solid. "Close" is a
-// little more than the gap that traces keep.
+// The surroundings of a point: whether everything, or nothing, close to it is solid. "Close" is a little more
+// than the gap that traces keep.
 struct Surroundings {
   bool all_solid = true, none_solid = true;
 };
@@ -47,12 +47,12 @@ Surroundings surroundings(const IsSolid& is_solid, const math::Vec3& point) {
 
 struct TraceCounts {
   int stopped = 0, free = 0, started_solid = 0;
-  int stepped_back = 0;  // ended earlier than samples ask for
-  int short_gaps = 0;    // ended closer to what stopped them than the gap
+  int stepped_back = 0;  // ended earlier than the samples require
+  int short_gaps = 0;    // ended closer to the obstacle than the gap
 };
 
-// Checks what samples prove: the trace has passed no point that lies deep in solid, and has stopped no
-// earlier than the first point that is close to solid.
+// Checks what the samples prove: the trace passed no point deep in solid, and did not stop before the first
+// point that is close to solid.
 void expect_path_as_sampled(const Trace& trace, const IsSolid& is_solid, const math::Vec3& start,
                             const math::Vec3& end, TraceCounts& io_counts) {
   const float length = glm::distance(start, end);
@@ -91,7 +91,8 @@ void expect_path_as_sampled(const Trace& trace, const IsSolid& is_solid, const m
   }
 }
 
-// What holds of every trace that has stopped: the end lies on the path, the gap before the plane it names.
+// Checks what is true for every trace that was stopped: the end is on the path, the gap before the plane in
+// the result.
 void expect_stop_is_consistent(const Trace& trace, const math::Vec3& start, const math::Vec3& end,
                                TraceCounts& io_counts) {
   const math::Vec3 expected = start + (end - start) * trace.fraction;
@@ -107,7 +108,7 @@ void expect_stop_is_consistent(const Trace& trace, const math::Vec3& start, cons
   EXPECT_LT(at_end, 0.001f) << "did not have to cross the plane";
   EXPECT_GT(at_start, -0.001f) << "hit the plane from behind";
   EXPECT_GT(before, -0.002f);
-  // Starting closer than the gap leaves nowhere to go.
+  // A trace that starts closer than the gap cannot move.
   if (before < std::min(kGap, at_start) - 0.002f) ++io_counts.short_gaps;
 }
 
@@ -125,14 +126,14 @@ TraceCounts check_random_traces(const TestLevel& test, std::size_t model, Hull h
   for (int i = 0; i < traces; ++i) {
     const math::Vec3 start = random_point(bounds, random);
     math::Vec3 end = random.chance(0.3) ? start + random.in_cube(64) : random_point(bounds, random);
-    // Paths along an axis run inside planes of the tree.
+    // Paths along an axis lie in planes of the tree.
     if (random.chance(0.3)) end[static_cast<int>(random.below(3))] = start[static_cast<int>(random.below(3))];
     const Trace trace = trace_line(*test.level, base::to_index<ModelIndex>(model), hull, start, end);
     SCOPED_TRACE(test.name + " trace " + std::to_string(i));
     expect_stop_is_consistent(trace, start, end, counts);
     expect_path_as_sampled(trace, is_solid, start, end, counts);
   }
-  // A cut before one plane may land within the gap of the next; only then is there less room.
+  // A cut before one plane may be within the gap of the next; only then is the distance smaller.
   EXPECT_LE(counts.short_gaps, 1 + traces / 500) << test.name;
   return counts;
 }
@@ -144,12 +145,12 @@ TEST(TraceLine, ThroughTheSmallLevelStopsWhereItsPlanIsSolid) {
   const TestLevel test = small_test_level();
   const std::vector<artgen::SmallLevelBox> boxes = artgen::small_level_boxes();
   const IsSolid in_solid[] = {
-      [&](const math::Vec3& p) { return test::plan_contents(boxes, p) == test::kPlanSolid; },
+      [&](const math::Vec3& p) { return test::find_contents(boxes, p) == test::kSolidContents; },
       [&](const math::Vec3& p) {
-        return test::plan_stops_box(boxes, {p + kHullBoxes[1].mins, p + kHullBoxes[1].maxs});
+        return test::stops_box(boxes, {p + kHullBoxes[1].mins, p + kHullBoxes[1].maxs});
       },
       [&](const math::Vec3& p) {
-        return test::plan_stops_box(boxes, {p + kHullBoxes[2].mins, p + kHullBoxes[2].maxs});
+        return test::stops_box(boxes, {p + kHullBoxes[2].mins, p + kHullBoxes[2].maxs});
       }};
   test::Random random(21);
   for (const Hull hull : {Hull::kPoint, Hull::kPlayer, Hull::kLarge}) {
@@ -205,7 +206,7 @@ TEST(TraceLine, ThroughStockLevelsStopsWhereTheirTreesAreSolid) {
   }
   EXPECT_GT(total.stopped, traces / 20);
   EXPECT_GT(total.free, 0);
-  // Between planes at sharp angles a trace may step back, as the original does.
+  // Between planes that meet at a sharp angle, a trace may step back, as in the original.
   EXPECT_LT(total.stepped_back, traces / 50);
 }
 
@@ -230,7 +231,7 @@ TEST(TraceLine, SaysWhatItPassedThrough) {
   EXPECT_FALSE(under_water.in_open);
   EXPECT_TRUE(under_water.in_water);
 
-  // Sky is not solid to a point.
+  // Sky is not solid for a point.
   const Trace to_the_sky = trace({1000, 300, 0}, {1000, 300, 1000});
   EXPECT_FLOAT_EQ(to_the_sky.plane_distance, -448);
   EXPECT_EQ(to_the_sky.plane_normal, math::Vec3(0, 0, -1));
@@ -273,10 +274,10 @@ TEST(HullContents, AreThoseOfThePlan) {
   for (int i = 0; i < test::effort(5000, 300); ++i) {
     const math::Vec3 point = random_point(bounds, random);
     EXPECT_EQ(static_cast<std::int32_t>(hull_contents(*test.level, ModelIndex{0}, Hull::kPoint, point)),
-              test::plan_contents(boxes, point));
+              test::find_contents(boxes, point));
     for (const Hull hull : {Hull::kPlayer, Hull::kLarge}) {
       const math::Bounds& box = kHullBoxes[static_cast<std::size_t>(hull)];
-      const bool stops = test::plan_stops_box(boxes, {point + box.mins, point + box.maxs});
+      const bool stops = test::stops_box(boxes, {point + box.mins, point + box.maxs});
       EXPECT_EQ(hull_contents(*test.level, ModelIndex{0}, hull, point),
                 stops ? Contents::kSolid : Contents::kEmpty);
     }

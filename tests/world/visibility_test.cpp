@@ -1,4 +1,4 @@
-// Leaf lookup against a plain walk of the file's tree, the PVS against a plain decoder and against rays.
+// Leaf lookup is compared with a plain walk of the file's tree, the PVS with a plain decoder and with rays.
 #include "world/visibility.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(FindLeaf, PutsPointsOnAPlaneInFront) {
     if (node.children[0].leaf() == LeafIndex{0}) continue;
     const Leaf& front = test.level->leaf(node.children[0].leaf());
     math::Vec3 point = (front.bounds.mins + front.bounds.maxs) / 2.0f;
-    // Only where the leaf is the world's: the door's tree is not what find_leaf walks.
+    // Only where the leaf belongs to the world: find_leaf() does not walk the door's tree.
     if (find_leaf(*test.level, point) != node.children[0].leaf()) continue;
     point[plane.axis] = plane.distance;
     EXPECT_EQ(find_leaf(*test.level, point), node.children[0].leaf());
@@ -73,7 +73,7 @@ TEST(FindLeaf, PutsPointsOnAPlaneInFront) {
   EXPECT_GT(tested, 10);
 }
 
-// Row i of the file, one bool a leaf, read byte by byte as the format says.
+// Row i of the file, one bool for each leaf, decoded byte by byte as the format says.
 std::vector<bool> naive_row(const formats::Bsp& bsp, std::size_t leaf) {
   const auto count = static_cast<std::size_t>(bsp.models[0].visible_leaves);
   const std::int32_t offset = bsp.leaves[leaf].visibility_offset;
@@ -99,10 +99,10 @@ void expect_rows(const TestLevel& test) {
     for (std::size_t bit = 0; bit < row.size() * 8; ++bit) {
       const bool is_set = (row[bit / 8] >> (bit % 8) & 1) != 0;
       ASSERT_EQ(is_set, bit < expected.size() && expected[bit]) << test.name << " leaf " << leaf;
-      ASSERT_EQ(pvs_has(row, base::to_index<LeafIndex>(bit + 1)), is_set);
+      ASSERT_EQ(is_in_pvs(row, base::to_index<LeafIndex>(bit + 1)), is_set);
     }
-    EXPECT_FALSE(pvs_has(row, LeafIndex{0}));
-    EXPECT_FALSE(pvs_has(row, base::to_index<LeafIndex>(row.size() * 8 + 1)));
+    EXPECT_FALSE(is_in_pvs(row, LeafIndex{0}));
+    EXPECT_FALSE(is_in_pvs(row, base::to_index<LeafIndex>(row.size() * 8 + 1)));
   }
 }
 
@@ -138,8 +138,8 @@ TEST(DecompressPvs, ReusesTheRowsMemory) {
   }
 }
 
-// A line from an eye that has met nothing but the eye's own contents proves that its leaves can be seen.
-// (Compilers take a change of contents, as at a water surface, for the end of the view.)
+// A line from an eye that has met only the eye's own contents proves that its leaves are visible. (Vis
+// compilers end the view where the contents change, for example at a water surface.)
 void expect_rays_stay_visible(const TestLevel& test, test::Random& random, int rays) {
   constexpr long double kGrazing = 0.1L;  // units: thinner pieces may be an artifact of rounded vertices
   const auto leaf_count = static_cast<std::size_t>(test.bsp.models[0].visible_leaves);
@@ -156,7 +156,7 @@ void expect_rays_stay_visible(const TestLevel& test, test::Random& random, int r
     for (const LeafPiece& piece : pieces) {
       if (test.bsp.leaves[piece.leaf].contents != test.bsp.leaves[eye_leaf].contents) break;
       if (piece.length < kGrazing) continue;
-      EXPECT_TRUE(pvs_has(row, base::to_index<LeafIndex>(piece.leaf)))
+      EXPECT_TRUE(is_in_pvs(row, base::to_index<LeafIndex>(piece.leaf)))
           << test.name << " from leaf " << eye_leaf << " to leaf " << piece.leaf;
       if (piece.leaf != eye_leaf) ++proofs;
     }
@@ -176,9 +176,9 @@ TEST(Pvs, HidesWhatLiesAroundTwoCorners) {
   const LeafIndex court = find_leaf(*test.level, {1300, 600, 0});
   std::vector<std::uint8_t> row;
   decompress_pvs(*test.level, cellar, row);
-  EXPECT_FALSE(pvs_has(row, court));
+  EXPECT_FALSE(is_in_pvs(row, court));
   decompress_pvs(*test.level, court, row);
-  EXPECT_FALSE(pvs_has(row, cellar));
+  EXPECT_FALSE(is_in_pvs(row, cellar));
 }
 
 TEST(Pvs, HoldsEveryLeafThatARayReachesInStockLevels) {

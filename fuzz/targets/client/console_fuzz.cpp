@@ -1,5 +1,6 @@
-// Any bytes: as commands, from a file that holds them again; as what a server prints; as keys that are
-// pressed and text that is typed. Everything ends, and what is drawn and entered is of its form.
+// Feeds arbitrary bytes to the console in three ways: as the commands of a file, as text that a server
+// prints, and as keys and typed text. Every run must end, and the drawn and entered text must be well
+// formed.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -36,7 +37,7 @@ class Played {
     for (const char c : ui_.text()) CHECK(c == '\n' || (c >= ' ' && c <= '~'));
   }
 
-  // A byte is a key, or the beginning of some text.
+  // A byte is a key or starts some text.
   void press() {
     ui_.open();
     for (std::size_t i = 0; i < text_.size(); ++i) {
@@ -49,7 +50,7 @@ class Played {
       if (byte == 1) ui_.toggle();
     }
     for (const std::string& line : ui_.take_commands())
-      CHECK(client::typed_text(line) == line && line.size() < 5000);
+      CHECK(client::sanitize_typed_text(line) == line && line.size() < 5000);
     client::ConsoleUi other{{}};
     other.load_history(ui_.history_text());
     CHECK(other.history_text() == ui_.history_text());

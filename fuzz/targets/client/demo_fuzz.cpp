@@ -1,5 +1,5 @@
-// Any bytes: no recording, or one that plays to an end, packet by packet and frame by frame, with entities
-// that can be drawn at every moment.
+// Feeds arbitrary bytes to the demo player. It must reject them or play them to an end, packet by packet and
+// frame by frame, and the entities must be valid for drawing at every moment.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ void check_moment(client::DemoPlayer& io_player, const client::ClientSettings& s
   CHECK(is_finite(io_player.view_angles_at(time_s, settings)));
   const client::Game& game = io_player.state().game();
   std::uint32_t number_before = 0;
-  for (const client::SeenEntity& entity : io_player.state().entities_at(time_s, settings)) {
+  for (const client::InterpolatedEntity& entity : io_player.state().interpolate_entities(time_s, settings)) {
     CHECK(entity.number > number_before, "{} after {}", entity.number, number_before);
     number_before = entity.number;
     CHECK(is_finite(entity.origin_world) && is_finite(entity.previous_origin_world));
@@ -32,12 +32,12 @@ void check_moment(client::DemoPlayer& io_player, const client::ClientSettings& s
     CHECK(entity.blend >= 0 && entity.blend <= 1);
     CHECK(entity.colormap <= game.players.size());
   }
-  const client::FrameBlend weapon = io_player.state().weapon_frame_at(time_s, settings);
+  const client::FrameBlend weapon = io_player.state().interpolate_weapon_frame(time_s, settings);
   CHECK(weapon.blend >= 0 && weapon.blend <= 1);
   io_player.state().events().clear();
 }
 
-// After its end, or what ended it, a recording has ended for good.
+// A demo that has ended, normally or by an error, stays at its end.
 void check_end(client::DemoPlayer& io_player) {
   for (int i = 0; i < 2; ++i) {
     const auto read = io_player.read_packet();
@@ -68,7 +68,7 @@ void play_frames(client::DemoPlayer player, const client::DemoLength& length) {
   check_end(player);
 }
 
-// From every place that is kept, what follows is what followed in the first reading.
+// Continuing from any saved position gives the same packets as the first reading.
 void play_from_places(client::DemoPlayer player, const client::DemoLength& length) {
   const auto index = client::DemoIndex::make(player);
   CHECK(index.ok() && index->length().packets == length.packets);
@@ -76,9 +76,9 @@ void play_from_places(client::DemoPlayer player, const client::DemoLength& lengt
   for (int i = 0; i <= 8; ++i) {
     const double time_s = std::lerp(length.first_time_s, length.last_time_s, i / 8.0);
     for (const client::DemoIndex::Entry* entry :
-         {&index->entry_before(time_s, 1), &index->level_before(time_s)}) {
+         {&index->find_entry_before(time_s, 1), &index->find_level_start(time_s)}) {
       CHECK(entry->time_s <= time_s);
-      player.return_to(entry->place);
+      player.restore(entry->place);
       CHECK(player.packet_time_s() == entry->time_s);
       const auto advanced = player.advance_to(time_s);
       CHECK(advanced.ok() && *advanced && player.packet_time_s() >= time_s);

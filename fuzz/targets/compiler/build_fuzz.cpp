@@ -1,5 +1,5 @@
-// What might lie in a build file, with its hashes right: an error, or a build that reads back as the same
-// bytes. A small level stands beside it.
+// Feeds arbitrary bytes with correct hashes to the reader of build files, next to a small level. The reader
+// must return an error or a build that is written as the same bytes.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ using namespace temblor;
 
 namespace {
 
-// One leaf beside the solid one, and one face.
+// One empty leaf besides the solid one, and one face.
 formats::Bsp small_level() {
   formats::Bsp bsp;
   bsp.planes.push_back({{0, 0, 1}, 0, 2});
@@ -35,13 +35,13 @@ int temblor::fuzz::fuzz_build(const std::uint8_t* data, std::size_t size) {
   const auto bsp = formats::write_bsp(small_level(), formats::BspVersion::k29);
   CHECK(bsp.ok() && formats::read_bsp(*bsp).ok());
   const compiler::LevelFiles files{*bsp, {}};
-  // A build that was written for this level ends in a hash of all of it; the input takes the place of what
-  // lies between the hashes of the files and that.
+  // A build file starts with the hashes of the level's files and ends with a hash of everything. The input
+  // replaces the bytes between them.
   constexpr std::size_t kStartBytes = 24;
   base::ByteWriter writer;
   writer.bytes(base::Bytes(compiler::write_build({}, files)).first(kStartBytes));
   writer.bytes(std::as_bytes(std::span(data, size)));
-  writer.write(base::hash_of_bytes(writer.view()));
+  writer.write(base::hash_bytes(writer.view()));
   const base::ByteVector bytes = std::move(writer).take();
   const auto build = compiler::read_build(bytes, files);
   if (build.ok()) {

@@ -1,5 +1,5 @@
-// Any bytes, and the same with the hash that they should end with: an error, or a cache that is written as
-// those bytes again, and whose records of shadows can be asked.
+// Feeds arbitrary bytes, with and without a correct hash at the end, to the reader of light caches. It must
+// return an error, or a cache that is written as the same bytes and whose shadow records can be queried.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +43,7 @@ int temblor::fuzz::fuzz_light_cache(const std::uint8_t* data, std::size_t size) 
   expect_stable(bytes);
   base::ByteWriter writer;
   writer.bytes(bytes);
-  writer.write(base::hash_of_bytes(bytes));
+  writer.write(base::hash_bytes(bytes));
   expect_stable(writer.view());
   return 0;
 }

@@ -1,4 +1,5 @@
-// Any bytes as a shard of a small level's light: an error, or light that is written as those bytes again.
+// Feeds arbitrary bytes to the reader of light shards, for a small level. It must return an error or light
+// that is written as the same bytes.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,7 +33,7 @@ int temblor::fuzz::fuzz_light_shard(const std::uint8_t* data, std::size_t size) 
   const auto shard = compiler::read_shard(bytes, kLuxelsOfMap, work);
   if (!shard.ok()) return 0;
   const base::ByteVector written = compiler::write_shard(shard->header, work);
-  // Whether there is dirt, or a map is lit, is any byte but 0.
+  // Any byte except 0 means true for "has dirt" and "is lit".
   CHECK(written.size() == bytes.size());
   const auto back = compiler::read_shard(written, kLuxelsOfMap, again);
   CHECK(back.ok(), "{}", back.error().message());

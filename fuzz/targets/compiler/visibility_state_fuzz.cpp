@@ -1,5 +1,6 @@
-// Any bytes, and the same with the hash that they should end with: an error, or a state that is written as
-// the same bytes but for flags of portals that do not exist.
+// Feeds arbitrary bytes, with and without a correct hash at the end, to the reader of visibility states. It
+// must return an error or a state that is written as the same bytes, except for the flags of portals that do
+// not exist.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,7 +17,7 @@ namespace {
 using temblor::compiler::PortalSet;
 using temblor::compiler::VisibilityState;
 
-// Two rooms, one opening, 70 clusters in all: two words a row.
+// Two rooms with an opening. The 70 clusters need two words per row.
 VisibilityState two_rooms() {
   PortalSet set;
   set.cluster_count = 70;

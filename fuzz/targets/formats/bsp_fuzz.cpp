@@ -1,4 +1,5 @@
-// Any bytes: an error, or a sound level that reads back equal from what is written of it.
+// Feeds arbitrary bytes to the BSP reader. It must return an error, or a valid level that is written and
+// read back unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,7 +13,7 @@ using temblor::formats::BspVersion;
 int temblor::fuzz::fuzz_bsp(const std::uint8_t* data, std::size_t size) {
   const auto bsp = temblor::formats::read_bsp(std::as_bytes(std::span(data, size)));
   if (!bsp.ok()) return 0;
-  // Its own version holds it as it is, and BSP2 holds whatever the others do.
+  // The level fits its own version, and BSP2 holds every level of the others.
   for (const BspVersion version : {bsp->version, BspVersion::kBsp2}) {
     const auto written = temblor::formats::write_bsp(*bsp, version);
     CHECK(written.ok(), "{}", written.error().message());
@@ -20,7 +21,7 @@ int temblor::fuzz::fuzz_bsp(const std::uint8_t* data, std::size_t size) {
     CHECK(back.ok(), "{}", back.error().message());
     auto expected = *bsp;
     expected.version = version;
-    CHECK(*back == expected, "as {}", temblor::formats::name_of(version));
+    CHECK(*back == expected, "as {}", temblor::formats::version_name(version));
   }
   return 0;
 }

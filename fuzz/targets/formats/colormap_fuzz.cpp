@@ -1,5 +1,5 @@
-// Any bytes: an error, or a colormap that is written as the same bytes (with the number of full-bright
-// colors at the end, which a file may lack).
+// Feeds arbitrary bytes to the colormap reader. It must return an error or a colormap that is written as the
+// same bytes, followed by the number of full-bright colors, which a file may lack.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

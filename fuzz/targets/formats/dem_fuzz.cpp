@@ -1,5 +1,5 @@
-// Any bytes: an error, or messages that lie in the file one after another; written again, they read back
-// equal.
+// Feeds arbitrary bytes to the DEM reader. It must return an error, or messages that lie in the file one
+// after another and that are written and read back unchanged.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +14,8 @@ using namespace temblor;
 
 namespace {
 
-// What comes before the end, the cut or the error.
-std::vector<formats::DemMessage> messages_of(formats::DemReader& io_reader) {
+// The messages before the end, the truncation, or the error.
+std::vector<formats::DemMessage> list_messages(formats::DemReader& io_reader) {
   std::vector<formats::DemMessage> messages;
   while (true) {
     const auto message = io_reader.next();
@@ -30,7 +30,7 @@ std::vector<formats::DemMessage> messages_of(formats::DemReader& io_reader) {
 int temblor::fuzz::fuzz_dem(const std::uint8_t* data, std::size_t size) {
   auto reader = formats::DemReader::open(std::as_bytes(std::span(data, size)));
   if (!reader.ok()) return 0;
-  const auto messages = messages_of(*reader);
+  const auto messages = list_messages(*reader);
   formats::DemWriter writer(reader->forced_track());
   for (const formats::DemMessage& message : messages) writer.add(message.view_angles_deg, message.message);
   const base::ByteVector written = std::move(writer).take();
@@ -40,7 +40,7 @@ int temblor::fuzz::fuzz_dem(const std::uint8_t* data, std::size_t size) {
   const auto same = [](const formats::DemMessage& a, const formats::DemMessage& b) {
     return a.view_angles_deg == b.view_angles_deg && std::ranges::equal(a.message, b.message);
   };
-  CHECK(std::ranges::equal(messages_of(*back), messages, same));
-  CHECK(!back->cut_short());
+  CHECK(std::ranges::equal(list_messages(*back), messages, same));
+  CHECK(!back->is_truncated());
   return 0;
 }

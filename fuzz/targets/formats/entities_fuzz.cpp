@@ -1,4 +1,5 @@
-// Any text: an error, or entities that read back equal from what is written of them.
+// Feeds arbitrary text to the entity reader. It must return an error, or entities that are written and read
+// back unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

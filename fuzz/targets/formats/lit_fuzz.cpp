@@ -1,4 +1,5 @@
-// Any bytes: an error, or light samples that are written as the same bytes.
+// Feeds arbitrary bytes to the LIT reader. It must return an error or light samples that are written as the
+// same bytes.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Any text: an error that names its line, or a map that reads back equal, but for lines, from what is written
-// of it.
+// Feeds arbitrary text to the MAP reader. It must return an error that names a line, or a map that is
+// written and read back unchanged, except for line numbers.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,5 +1,5 @@
-// Any bytes: an error, or entries inside the archive, whose files read back equal when they are written
-// again.
+// Feeds arbitrary bytes to the PAK reader. It must return an error, or entries inside the archive whose
+// files are written and read back unchanged.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

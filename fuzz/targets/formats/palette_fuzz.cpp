@@ -1,4 +1,5 @@
-// Any bytes: an error, or a palette that is written as the same bytes.
+// Feeds arbitrary bytes to the palette reader. It must return an error or a palette that is written as the
+// same bytes.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Any bytes: an error, or a picture that reads back equal from what is written of it.
+// Feeds arbitrary bytes to the reader of LMP pictures. It must return an error, or a picture that is written
+// and read back unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,5 +1,5 @@
-// Any bytes: an error, or entries that unpack (or say why not) and read back equal when they are packed
-// again.
+// Feeds arbitrary bytes to the PK3 reader. It must return an error, or entries that unpack or return an
+// error each, and that are packed and read back unchanged.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ using namespace temblor;
 
 int temblor::fuzz::fuzz_pk3(const std::uint8_t* data, std::size_t size) {
   const base::Bytes bytes = std::as_bytes(std::span(data, size));
-  // A low cap: the target spends its time on the directory, not on unpacking.
+  // A low limit makes the target spend its time on the directory and not on unpacking.
   const formats::Pk3Limits limits{.unpacked_bytes = 4 << 20};
   const auto pk3 = formats::read_pk3({bytes.begin(), bytes.end()}, limits);
   if (!pk3.ok()) return 0;

@@ -1,5 +1,5 @@
-// Any bytes, with the checksums of a PNG's chunks put right so that damage gets past them: an error, or an
-// image whose colors read back equal from what is written of it.
+// Feeds arbitrary bytes to the PNG reader, with the checksums of the chunks corrected so that damage gets
+// past them. It must return an error, or an image whose colors are written and read back unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,9 +15,9 @@ using namespace temblor;
 namespace {
 
 constexpr std::size_t kSignatureBytes = 8;
-constexpr std::size_t kChunkBytes = 12;  // besides its data: length, type, checksum
+constexpr std::size_t kChunkBytes = 12;  // length, type, and checksum; without the data
 
-// CRC-32 as PNG has it, bit by bit.
+// PNG's CRC-32, bit by bit.
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
   std::uint32_t sum = ~0u;
   for (const std::uint8_t byte : bytes) {

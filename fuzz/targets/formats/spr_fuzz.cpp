@@ -1,5 +1,5 @@
-// Any bytes: an error, or a sprite that reads back equal from what is written of it; each frame shows a
-// picture that it has at any time.
+// Feeds arbitrary bytes to the SPR reader. It must return an error, or a sprite that is written and read
+// back unchanged and that has a picture for each frame at any time.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,6 +19,6 @@ int temblor::fuzz::fuzz_spr(const std::uint8_t* data, std::size_t size) {
   CHECK(*back == *spr);
   for (const formats::SprFrame& frame : spr->frames)
     for (const double time_s : {-1e-300, 0.0, 0.1, 12345.678, -1e18})
-      CHECK(formats::group_member_at(frame.end_times_s, time_s) < frame.pictures.size());
+      CHECK(formats::find_group_member(frame.end_times_s, time_s) < frame.pictures.size());
   return 0;
 }

@@ -1,4 +1,5 @@
-// Any bytes: an error, or an image that reads back equal from what is written of it.
+// Feeds arbitrary bytes to the TGA reader. It must return an error, or an image that is written and read
+// back unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <span>

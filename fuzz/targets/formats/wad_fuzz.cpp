@@ -1,5 +1,6 @@
-// Any bytes: an error, or lumps that read back equal when they are written again; every lump is also tried as
-// a texture, which must do the same, also with the palette of a WAD3's.
+// Feeds arbitrary bytes to the WAD reader. It must return an error, or lumps that are written and read back
+// unchanged. Every lump is also read as a texture, with and without the palette of a WAD3, and must pass the
+// same test.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

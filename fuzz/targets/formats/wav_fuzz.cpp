@@ -1,4 +1,5 @@
-// Any bytes: an error, or a sound that reads back equal from what is written of it, its loop inside it.
+// Feeds arbitrary bytes to the WAV reader. It must return an error, or a sound that is written and read back
+// unchanged and whose loop lies inside it.
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,5 +1,6 @@
-// A channel whose peer is anybody: packets of any bytes, in between messages of its own and time that passes.
-// Each packet is a byte of length (times 8), then its bytes. Nothing may grow beyond the limits.
+// Runs a channel against a hostile peer: it receives arbitrary packets, sends messages of its own, and lets
+// time pass. In the input, each packet is a byte with its length divided by 8, followed by its bytes. No
+// buffer may grow beyond its limit.
 #include <cstddef>
 #include <cstdint>
 #include <span>

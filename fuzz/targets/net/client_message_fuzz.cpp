@@ -1,5 +1,5 @@
-// Any bytes as what a client says, in the protocol that the first byte chooses: each message that is read is
-// written again and is the same then, until an error or the end.
+// Feeds arbitrary bytes to the reader of client messages, in the protocol that the first byte chooses. Each
+// message that is read must be written and read back unchanged, up to an error or the end.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Both ends of the wire, spoken to by anybody: datagrams of any bytes from four addresses to a server and a
-// client that is connecting. Each datagram is a byte that says from where and how much time passes, a byte of
-// length, then its bytes. Control packets that can be read are written again.
+// Sends arbitrary datagrams from four addresses to a server and to a client that is connecting. In the
+// input, each datagram is a byte for its sender and the time that passes, a byte with its length, and its
+// bytes. Control packets that can be read must also be written unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -17,7 +17,7 @@ using namespace temblor;
 
 namespace {
 
-// Holds one datagram at a time, and checks what goes out.
+// Holds one datagram at a time, and checks all outgoing ones.
 class FedSocket final : public platform::DatagramSocket {
  public:
   explicit FedSocket(std::optional<platform::Datagram>& io_next) : next_(io_next) {}

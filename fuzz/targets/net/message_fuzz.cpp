@@ -1,5 +1,6 @@
-// Any bytes in any dialect: messages, each of which is written again and read back the same, until an error
-// or the end. The first byte chooses the protocol, the second its flags.
+// Feeds arbitrary bytes to the reader of server messages in any dialect: the first byte chooses the
+// protocol, the second its flags. Each message that is read must be written and read back unchanged, up to
+// an error or the end.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,8 +32,8 @@ base::ByteVector written(const net::ServerMessage& message, const net::Dialect& 
   return std::move(writer).take();
 }
 
-// A reader that a game of this dialect has begun on.
-net::MessageReader reader_of(const net::Dialect& dialect) {
+// A reader after the serverinfo message of a game in this dialect.
+net::MessageReader make_reader(const net::Dialect& dialect) {
   net::MessageReader reader;
   const base::ByteVector begin = written(net::ServerInfo{.dialect = dialect}, dialect);
   reader.begin(begin);
@@ -40,21 +41,21 @@ net::MessageReader reader_of(const net::Dialect& dialect) {
   return reader;
 }
 
-// Protocol 15 cannot say all that is read in it (FitzQuake's messages, from game code): 666 can, in the same
-// encodings of numbers.
+// A reader of protocol 15 also accepts FitzQuake's messages, because game code sends them, but protocol 15
+// cannot express them. Protocol 666 can, with the same encodings of numbers.
 net::Dialect dialect_to_write(const net::Dialect& read) {
   return read.protocol == net::Protocol::kNetQuake ? net::Dialect{net::Protocol::kFitzQuake, 0} : read;
 }
 
 void check_round_trip(const net::ServerMessage& message, const net::Dialect& dialect) {
   const base::ByteVector bytes = written(message, dialect);
-  if (bytes.empty()) return;  // it is one that is only read over
-  net::MessageReader reader = reader_of(dialect);
+  if (bytes.empty()) return;  // the reader skips this kind of message
+  net::MessageReader reader = make_reader(dialect);
   reader.begin(bytes);
   const auto back = reader.next();
   CHECK(back.ok(), "{}", back.error().message());
   CHECK(back->has_value() && (*back)->index() == message.index());
-  CHECK(written(**back, dialect) == bytes, "{} changes when it is read back", net::name_of(message));
+  CHECK(written(**back, dialect) == bytes, "{} changes when it is read back", net::message_name(message));
   CHECK(!reader.next().value().has_value());
 }
 
@@ -62,7 +63,7 @@ void check_round_trip(const net::ServerMessage& message, const net::Dialect& dia
 
 int temblor::fuzz::fuzz_message(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
-  net::MessageReader reader = reader_of(chosen_dialect(data[0], data[1]));
+  net::MessageReader reader = make_reader(chosen_dialect(data[0], data[1]));
   reader.begin(std::as_bytes(std::span(data, size).subspan(2)));
   while (true) {
     const auto message = reader.next();

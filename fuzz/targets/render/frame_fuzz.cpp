@@ -1,4 +1,5 @@
-// Any bytes that read as a level can be drawn: from inside, from outside, in perspective and in parallel.
+// Draws every level that can be read from arbitrary bytes: from inside and outside, in perspective and
+// orthographic projection.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,7 +15,7 @@ namespace {
 
 using namespace temblor;
 
-std::vector<math::Vec3> eyes_of(const world::Level& level) {
+std::vector<math::Vec3> list_eyes(const world::Level& level) {
   const math::Bounds& bounds = level.world().bounds;
   std::vector<math::Vec3> eyes = {{0, 0, 0}, (bounds.mins + bounds.maxs) / 2.0f, {1e5f, -1e5f, 3}};
   if (!level.vertices.empty()) eyes.push_back(level.vertices.front() + math::Vec3(8, 8, 8));
@@ -48,7 +49,7 @@ void draw(const world::Level& level) {
   scene.brush_models = instances;
   scene.time_s = 12.3;
   bool in_parallel = false;
-  for (const math::Vec3& eye : eyes_of(level)) {
+  for (const math::Vec3& eye : list_eyes(level)) {
     scene.camera.origin_world = eye;
     scene.camera.angles_deg = {10, 100, 0};
     scene.camera.projection =

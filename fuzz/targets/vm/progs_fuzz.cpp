@@ -1,6 +1,7 @@
-// Any bytes as compiled QuakeC: an error, or a program that reads back the same from what is written of it.
-// If its statements are good ones, every function is put in words and run, twice: with a tracer, statement by
-// statement, and without one. Both runs end, stay inside their memory, and come to the same.
+// Feeds arbitrary bytes to the reader of compiled QuakeC. It must return an error, or a program that is
+// written and read back unchanged. If its statements are valid, every function is disassembled and run
+// twice: with a tracer, statement by statement, and without one. Both runs must end, stay inside their
+// memory, and have the same results.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +27,7 @@ constexpr vm::Limits kLimits{.call_depth = 20,
                              .entities = 8,
                              .entity_bytes = 1 << 20,
                              .nested_calls = 4};
-// What is run of one file.
+// The limits of the run of one file.
 constexpr std::size_t kMaxFunctions = 16;
 
 base::Status spawn(vm::Machine& io_machine) {
@@ -74,7 +75,7 @@ void prepare(vm::Machine& io_machine) {
         {vm::GlobalIndex{4}, vm::GlobalIndex{7}, vm::FieldIndex{0}, vm::FieldIndex{1}, vm::FieldIndex{2}});
 }
 
-// Everything that a run leaves, and what it says.
+// The state after a run, and its output.
 struct Outcome {
   std::vector<std::string> errors;
   std::vector<std::uint32_t> globals;
@@ -101,7 +102,7 @@ Outcome run(const std::shared_ptr<const vm::Program>& program, bool is_traced) {
   outcome.instructions = machine.instructions_run();
   outcome.strings = machine.strings().made_count();
   CHECK(machine.strings().made_bytes() <= kLimits.string_bytes);
-  // Long strings and many locals count as more than the statement that they are.
+  // A statement with long strings or many locals counts as several.
   CHECK(lines <= outcome.instructions, "{} lines, {} instructions", lines, outcome.instructions);
   return outcome;
 }

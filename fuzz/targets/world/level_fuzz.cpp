@@ -1,4 +1,5 @@
-// Any bytes that read as a level: an error from make_level, or a level that answers every question.
+// Makes a world::Level from every BSP that can be read from arbitrary bytes. make_level() must return an
+// error or a level that answers every query.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -46,7 +47,7 @@ void ask_traces(const world::Level& level, const std::vector<math::Vec3>& points
         const auto index = base::to_index<world::ModelIndex>(model);
         const world::Trace trace = world::trace_line(level, index, hull, points[i - 1], points[i]);
         CHECK(trace.fraction >= 0 && trace.fraction <= 1, "{}", trace.fraction);
-        // Where the path starts in the open it must end there.
+        // A path that starts in open space must end in open space.
         if (!trace.start_solid && trace.fraction > 0)
           CHECK(world::hull_contents(level, index, hull, trace.end) != world::Contents::kSolid ||
                 trace.fraction == 1);
@@ -64,7 +65,8 @@ void check_faces(const world::Level& level) {
     CHECK(face.light + samples <= level.light.size());
   }
   for (std::size_t i = 0; i < level.textures.size(); ++i) {
-    const auto shown = world::animated_texture(level, base::to_index<world::TextureIndex>(i), 12.3, i % 2);
+    const auto shown =
+        world::find_animated_texture(level, base::to_index<world::TextureIndex>(i), 12.3, i % 2);
     CHECK(base::to_size(shown) < level.textures.size());
   }
 }

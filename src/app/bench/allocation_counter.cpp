@@ -7,13 +7,14 @@
 
 namespace {
 
-// The program's one global that changes: operator new has no object to count in.
+// The program's only mutable global: operator new has no object to keep a counter in.
 std::atomic<std::uint64_t> allocations{0};
 
+// Counts the call, also if it fails.
 void* try_allocate(std::size_t bytes, std::size_t alignment) noexcept {
   allocations.fetch_add(1, std::memory_order_relaxed);
   if (alignment <= alignof(std::max_align_t)) return std::malloc(bytes == 0 ? 1 : bytes);
-  // aligned_alloc wants a size that is a multiple of the alignment, and at least one byte.
+  // aligned_alloc needs a size that is a multiple of the alignment and not 0.
   return std::aligned_alloc(alignment, (bytes + alignment) & ~(alignment - 1));
 }
 
@@ -23,26 +24,26 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
   return memory;
 }
 
-std::size_t bytes_of(std::align_val_t alignment) {
+std::size_t to_bytes(std::align_val_t alignment) {
   return static_cast<std::size_t>(alignment);
 }
 
 }  // namespace
 
-// All forms, since the address sanitizer's own ones, unlike the standard library's, do not call one another:
-// what one of them gave would come back to a delete of the other kind.
+// Replaces all forms. The standard library's forms call each other, but the address sanitizer's do not: it
+// would report a mismatch between a replaced `new` and its own `delete`.
 // clang-format off
 void* operator new(std::size_t bytes) { return allocate(bytes, 1); }
 void* operator new[](std::size_t bytes) { return allocate(bytes, 1); }
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return try_allocate(bytes, 1); }
 void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept { return try_allocate(bytes, 1); }
-void* operator new(std::size_t bytes, std::align_val_t a) { return allocate(bytes, bytes_of(a)); }
-void* operator new[](std::size_t bytes, std::align_val_t a) { return allocate(bytes, bytes_of(a)); }
+void* operator new(std::size_t bytes, std::align_val_t a) { return allocate(bytes, to_bytes(a)); }
+void* operator new[](std::size_t bytes, std::align_val_t a) { return allocate(bytes, to_bytes(a)); }
 void* operator new(std::size_t bytes, std::align_val_t a, const std::nothrow_t&) noexcept {
-  return try_allocate(bytes, bytes_of(a));
+  return try_allocate(bytes, to_bytes(a));
 }
 void* operator new[](std::size_t bytes, std::align_val_t a, const std::nothrow_t&) noexcept {
-  return try_allocate(bytes, bytes_of(a));
+  return try_allocate(bytes, to_bytes(a));
 }
 
 void operator delete(void* memory) noexcept { std::free(memory); }

@@ -1,11 +1,11 @@
-// Counts what the program asks of the heap, to show that a warm frame asks for nothing.
+// Counts heap allocations, to show that a warm frame makes none. Replaces the global operator new.
 #pragma once
 
 #include <cstdint>
 
 namespace temblor::app {
 
-// Calls of operator new, in all threads, since the program started.
+// Returns the number of calls of operator new in all threads since the program started.
 std::uint64_t allocation_count();
 
 }  // namespace temblor::app

@@ -1,4 +1,5 @@
-// The project's performance table: what `temblor bench --report` prints, in Markdown.
+// The tables of docs/performance.md in Markdown, as `temblor bench --report` prints them. Each row has a
+// measured value and the goal of the project for it.
 #pragma once
 
 #include <string>
@@ -11,17 +12,17 @@
 
 namespace temblor::app {
 
-// Measures one level in all the ways that docs/performance.md reports (minutes), starting from `settings`
-// (threads aside), and prints its section on standard output.
+// Measures everything that docs/performance.md reports about a level, which takes minutes, and prints its
+// section. `settings` is the starting point; the number of threads is set by each measurement.
 void print_report(const std::string& map_name, const LoadedMap& map, const render::Settings& settings,
                   double step_deg);
 
-// The same for a recording, in both formats. Fails where the recording does.
+// The same for a demo, in both pixel formats. Returns an error if the demo is damaged.
 base::Status print_demo_report(const std::string& name, const LoadedDemo& demo,
                                const client::PresentationSettings& presentation,
                                const render::Settings& settings);
 
-// Goals and machine: what the sections are held against. Printed once, before them.
+// Prints the machine and the conditions. Call once, before the sections.
 void print_report_header();
 
 }  // namespace temblor::app

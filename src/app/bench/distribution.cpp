@@ -6,17 +6,18 @@
 
 namespace temblor::app {
 
-Distribution distribution_of(std::vector<double> values) {
+Distribution compute_distribution(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
   const auto percentile = [&](std::size_t percent) {
-    const std::size_t rank = (percent * values.size() + 99) / 100;  // rounded up, 1 for the smallest
+    // Rounded up; 1 is the smallest value.
+    const std::size_t rank = (percent * values.size() + 99) / 100;
     return values[rank - 1];
   };
   return {percentile(50), percentile(99), values.back()};
 }
 
-double mean_of(const std::vector<double>& values) {
+double compute_mean(const std::vector<double>& values) {
   if (values.empty()) return 0;
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }

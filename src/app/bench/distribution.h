@@ -1,4 +1,4 @@
-// What is reported of many measured values.
+// Summary of measured values: median, 99th percentile, and maximum.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,11 @@ struct Distribution {
   double p50 = 0, p99 = 0, max = 0;
 };
 
-// A percentile p is the smallest value that at least p % of the values do not exceed. All 0 for no values.
-Distribution distribution_of(std::vector<double> values);
+// Percentile p is the smallest value that at least p % of the values do not exceed (nearest rank). All 0
+// without values.
+Distribution compute_distribution(std::vector<double> values);
 
-double mean_of(const std::vector<double>& values);
+// Returns 0 without values.
+double compute_mean(const std::vector<double>& values);
 
 }  // namespace temblor::app

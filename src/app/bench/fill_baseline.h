@@ -1,19 +1,25 @@
-// The floor that frame times are measured against: the least work that puts a textured pixel on the screen.
+// The fill baseline: a scalar loop that fills a frame from one texture, the least work that a frame of
+// textured pixels can take. Frame times divided by its time depend little on the machine, so goals can be
+// stated for all machines.
 #pragma once
 
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::app {
 
-// Fills the frame's pixels (not its depth) from one 256 x 256 surface with the plain scalar loop that anyone
-// would write: per row, texture coordinates in 16.16 that step by s += 40000, t += 3000 a pixel; one texel
-// read and one store for each. Compiled without vectorization.
+// Fills the frame's pixels, not its depth, from one 256 x 256 surface. Texture coordinates are 16.16 fixed
+// point and step by s += 40000, t += 3000 per pixel; each pixel is one texel read and one store. Compiled
+// without vectorization.
 //
-// Where such a short loop begins within a cache line of code changes its time by up to 1.8 (measured on a
-// Zen 5), and would change with every build. So it is there in several places, 16 bytes from one to the next,
-// and the quickest is the floor.
-constexpr int kFloorPlacements = 4;
-void fill_with_floor_loop(int placement, render::FrameBuffer& io_frame);
-int quickest_floor_placement(render::FrameBuffer& io_frame);
+// The offset of such a short loop in a cache line of code changes its time by a factor of up to 1.8 (measured
+// on a Zen 5) and varies with every build. The program therefore has several copies, 16 bytes apart, and uses
+// the fastest:
+//
+//   64-byte line   | 0    16   32   48 |
+//   copy           | 0    1    2    3  |
+constexpr int kBaselinePlacements = 4;
+void run_fill_baseline(int placement, render::FrameBuffer& io_frame);
+// Times all copies and returns the fastest, for run_fill_baseline().
+int find_fastest_placement(render::FrameBuffer& io_frame);
 
 }  // namespace temblor::app

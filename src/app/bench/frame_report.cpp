@@ -7,6 +7,7 @@
 
 namespace temblor::app {
 
+// First the counts, in the order of the pipeline, then one line per stage and their total.
 std::string describe_frame(const render::FrameStats& stats, std::size_t pixels) {
   constexpr double kKibibyte = 1024.0;
   std::string text;
@@ -15,8 +16,8 @@ std::string describe_frame(const render::FrameStats& stats, std::size_t pixels) 
                  stats.faces_drawn, stats.faces_seen);
   fmt::format_to(out, "edges     {:>8}\n", stats.edges);
   fmt::format_to(out, "spans     {:>8}  bands {}\n", stats.spans, stats.bands);
-  fmt::format_to(out, "surfaces  {:>8}  built {}  beside the cache {}\n", stats.surfaces,
-                 stats.surfaces_built, stats.over_budget);
+  fmt::format_to(out, "surfaces  {:>8}  built {}  not cached {}\n", stats.surfaces, stats.surfaces_built,
+                 stats.over_budget);
   fmt::format_to(out, "cache     {:>8.0f} KiB  hits {}  misses {}  evicted {}\n",
                  static_cast<double>(stats.cache_bytes) / kKibibyte, stats.cache_hits, stats.cache_misses,
                  stats.cache_evictions);

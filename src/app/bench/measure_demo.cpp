@@ -7,11 +7,13 @@
 #include "app/files/progress.h"
 #include "base/check.h"
 #include "base/large_memory.h"
+#include "render/present.h"
 
 namespace temblor::app {
 namespace {
 
-// What a window takes its pixels from, where the frame's have to be turned into colors first.
+// The pixels of a window, to measure how long presenting takes. Indexed frames must be expanded to colors;
+// rgb frames are shown as they are, so present() does nothing for them.
 class Window {
  public:
   Window(const render::FrameBuffer& frame, const MeasureOptions& options)
@@ -22,7 +24,7 @@ class Window {
   }
   void present(const render::FrameBuffer& frame, const formats::Palette& palette) {
     if (pixels_ != nullptr)
-      render::present(frame, palette, options_.settings.vector_kernels, jobs_,
+      render::present(frame, palette, options_.settings.simd_kernels, jobs_,
                       {pixels_.get(), frame.pixel_count()});
   }
 
@@ -32,32 +34,32 @@ class Window {
   base::LargeMemory<std::uint32_t> pixels_;
 };
 
-struct PlayedOnce {
+struct PlayedDemo {
   Samples samples;
   std::vector<std::string> notes;
 };
 
-// The recording once, from its beginning, with nothing built.
-base::Result<PlayedOnce> play_through(const LoadedDemo& demo,
-                                      const client::PresentationSettings& presentation,
-                                      const MeasureOptions& options, Measurement& io_result) {
+// Plays the demo once from its beginning with an empty surface cache.
+base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::PresentationSettings& presentation,
+                                   const MeasureOptions& options, Measurement& io_result) {
   TRY(const client::DemoLength length, client::DemoPlayer::scan(demo.bytes, demo.name));
   const FrameOptions frame_options{
       .size = options.size, .format = options.format, .fov_deg = options.fov_deg, .threads = {}};
   TRY(DemoRun run, DemoRun::start(demo, frame_options, presentation, options.settings));
   Window window(run.frame(), options);
-  const int floor_placement = quickest_floor_placement(run.frame());
+  const int baseline_placement = find_fastest_placement(run.frame());
   Samples samples;
   samples.reserve(length.packets);
   Progress progress("frames");
-  run.draw();  // what is done once for a level is part of loading it
-  for (bool goes_on = true; goes_on;) {
+  // Do the work that happens once per level, such as allocating buffers.
+  run.draw();
+  for (bool has_more = true; has_more;) {
     progress.update(samples.frame_ms.size(), length.packets);
     const std::uint64_t allocations_before = allocation_count();
     base::Result<bool> advanced = true;
     const double client_ms = time_ms([&] { advanced = run.advance_by_packet(); });
     if (!advanced.ok()) return advanced.error();
-    goes_on = *advanced;
+    has_more = *advanced;
     render::FrameStats stats;
     const double render_ms = time_ms([&] { stats = run.draw(); });
     const double present_ms = time_ms([&] { window.present(run.frame(), demo.look.palette); });
@@ -66,27 +68,29 @@ base::Result<PlayedOnce> play_through(const LoadedDemo& demo,
     samples.render_ms.push_back(client_ms + render_ms);
     samples.present_ms.push_back(present_ms);
     samples.frame_ms.push_back(client_ms + render_ms + present_ms);
-    samples.floor_ms.push_back(time_ms([&] { fill_with_floor_loop(floor_placement, run.frame()); }));
+    samples.baseline_ms.push_back(time_ms([&] { run_fill_baseline(baseline_placement, run.frame()); }));
     samples.add(stats);
     io_result.surfaces_built += stats.surfaces_built;
     io_result.cache_bytes = stats.cache_bytes;
   }
-  return PlayedOnce{std::move(samples), run.take_notes()};
+  return PlayedDemo{std::move(samples), run.take_notes()};
 }
 
 }  // namespace
 
+// Notes are the same in each run, so only those of the first are printed. Counts come from the first run, and
+// each frame's times from its fastest run.
 base::Result<Measurement> measure_demo(const LoadedDemo& demo,
                                        const client::PresentationSettings& presentation,
                                        const MeasureOptions& options) {
   Measurement result;
   result.options = options;
-  TRY(PlayedOnce played, play_through(demo, presentation, options, result));
+  TRY(PlayedDemo played, play_once(demo, presentation, options, result));
   for (const std::string& note : played.notes) print_note(note);
   for (int i = 1; i < options.runs; ++i) {
     Measurement again;
-    TRY(const PlayedOnce other, play_through(demo, presentation, options, again));
-    played.samples.keep_quickest(other.samples);
+    TRY(const PlayedDemo other, play_once(demo, presentation, options, again));
+    played.samples.keep_fastest(other.samples);
   }
   const auto pixels =
       static_cast<std::size_t>(options.size.width) * static_cast<std::size_t>(options.size.height);

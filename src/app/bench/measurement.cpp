@@ -12,12 +12,13 @@
 #include "app/files/progress.h"
 #include "base/check.h"
 #include "base/large_memory.h"
+#include "render/present.h"
 
 namespace temblor::app {
 namespace {
 
-// The views of one circle, starting with the viewpoint's own direction.
-std::vector<render::Camera> circle_views(const Viewpoint& viewpoint, float fov_deg, double step_deg) {
+// Returns the views of one circle, starting with the viewpoint's own direction.
+std::vector<render::Camera> make_circle_views(const Viewpoint& viewpoint, float fov_deg, double step_deg) {
   std::vector<render::Camera> views;
   const auto count = static_cast<int>(std::ceil(360.0 / step_deg));
   for (int i = 0; i < count; ++i) {
@@ -31,14 +32,14 @@ std::vector<render::Camera> circle_views(const Viewpoint& viewpoint, float fov_d
   return views;
 }
 
-// Every style at one value.
+// Light for relighting: every light style has the same value, and had the other one in the frame before.
 struct Lighting {
   std::uint16_t style_value, style_value_before;
   std::uint32_t frame_number;
   bool alternate;
 };
 
-// What is drawn with, kept from pass to pass.
+// Renderer, frame, and scene, shared by all measurements of a level.
 class Bench {
  public:
   Bench(const LoadedMap& map, const MeasureOptions& options)
@@ -47,10 +48,10 @@ class Bench {
         level_scene_(make_level_scene(map.level)),
         renderer_(map.look.palette, map.look.colormap),
         frame_(options.size.width, options.size.height, options.format),
-        floor_placement_(quickest_floor_placement(frame_)),
+        baseline_placement_(find_fastest_placement(frame_)),
         jobs_(options.settings.threads, options.settings.job_backend) {
-    for (const Viewpoint& viewpoint : all_viewpoints(*map.level))
-      circles_.push_back(circle_views(viewpoint, options.fov_deg, options.step_deg));
+    for (const Viewpoint& viewpoint : list_viewpoints(*map.level))
+      circles_.push_back(make_circle_views(viewpoint, options.fov_deg, options.step_deg));
     if (options.format == render::PixelFormat::kIndexed) {
       window_ = base::allocate_large<std::uint32_t>(frame_.pixel_count());
       CHECK(window_ != nullptr, "no memory for {} pixels", frame_.pixel_count());
@@ -58,14 +59,15 @@ class Bench {
   }
 
   render::FrameStats draw(const render::Camera& camera) { return draw(camera, 0.0); }
-  // With the light styles of that time; textures that move stand still.
+  // Draws with the light styles of that time. Everything else stays at time 0, so that only light changes.
   render::FrameStats draw(const render::Camera& camera, double light_time_s) {
-    render::Scene scene = scene_at(level_scene_, camera, 0.0);
-    scene.light_styles = world::light_style_values(level_scene_.light_styles, light_time_s);
+    render::Scene scene = make_scene(level_scene_, camera, 0.0);
+    scene.light_styles = world::compute_light_styles(level_scene_.light_styles, light_time_s);
     return renderer_.render(scene, options_.settings, frame_);
   }
+  // Draws with given light, as if the frame before had other light.
   render::FrameStats draw_lit(const render::Camera& camera, const Lighting& light) {
-    render::Scene scene = scene_at(level_scene_, camera, 0.0);
+    render::Scene scene = make_scene(level_scene_, camera, 0.0);
     scene.light_styles.fill(light.style_value);
     render::SceneLight before;
     before.light_styles.fill(light.style_value_before);
@@ -77,10 +79,11 @@ class Bench {
   }
   void present_frame() {
     if (window_ != nullptr)
-      render::present(frame_, palette_, options_.settings.vector_kernels, jobs_,
+      render::present(frame_, palette_, options_.settings.simd_kernels, jobs_,
                       {window_.get(), frame_.pixel_count()});
   }
-  void run_floor() { fill_with_floor_loop(floor_placement_, frame_); }
+  void run_baseline() { run_fill_baseline(baseline_placement_, frame_); }
+  // Empties the surface cache.
   void drop_surfaces() { renderer_.drop_surfaces(); }
   const std::vector<std::vector<render::Camera>>& circles() const { return circles_; }
   std::size_t pixels() const { return frame_.pixel_count(); }
@@ -91,18 +94,20 @@ class Bench {
   LevelScene level_scene_;
   render::Renderer renderer_;
   render::FrameBuffer frame_;
-  int floor_placement_;
+  int baseline_placement_;
   base::Jobs jobs_;
-  base::LargeMemory<std::uint32_t> window_;  // as a window's is; null where frames need no palette expansion
+  // Pixels of a window; null for rgb, which needs no palette expansion.
+  base::LargeMemory<std::uint32_t> window_;
   std::vector<std::vector<render::Camera>> circles_;
 };
 
-// Views whose surfaces are all still to be built, and the surfaces that a whole circle needs.
+// Measures views with an empty surface cache, and the size of the cache after a circle.
 void measure_cold(Bench& io_bench, Measurement& io_result) {
   constexpr std::size_t kDirections = 4;
   Progress progress("cold places");
   std::vector<double> cold_ms, circle_bytes;
-  io_bench.draw(io_bench.circles().front().front());  // what is done once for a level is part of loading it
+  // Do the work that happens once per level.
+  io_bench.draw(io_bench.circles().front().front());
   for (const auto& circle : io_bench.circles()) {
     progress.update(circle_bytes.size(), io_bench.circles().size());
     for (std::size_t i = 0; i < kDirections; ++i) {
@@ -114,10 +119,12 @@ void measure_cold(Bench& io_bench, Measurement& io_result) {
     for (const render::Camera& camera : circle) last = io_bench.draw(camera);
     circle_bytes.push_back(static_cast<double>(last.cache_bytes));
   }
-  io_result.cold_ms = distribution_of(std::move(cold_ms));
-  io_result.circle_cache_bytes = distribution_of(std::move(circle_bytes));
+  io_result.cold_ms = compute_distribution(std::move(cold_ms));
+  io_result.circle_cache_bytes = compute_distribution(std::move(circle_bytes));
 }
 
+// For four views of each place: ten frames in which all light changes, each followed by one with the same
+// light; ten with alternating halves; and ten with the standard light styles.
 RelightTimes measure_relight(Bench& io_bench) {
   constexpr std::size_t kDirections = 4, kFrames = 10;
   constexpr double kStyleStep_s = 0.1;
@@ -126,7 +133,7 @@ RelightTimes measure_relight(Bench& io_bench) {
   const auto time_lit = [&](const render::Camera& camera, const Lighting& light) {
     return time_ms([&] { io_bench.draw_lit(camera, light); });
   };
-  // Some letters away from 'm', up and down.
+  // Values of 256 and more: 'm' is normal light in light styles, and each letter above adds 22.
   const auto style_value = [](std::uint32_t frame) {
     return static_cast<std::uint16_t>(256 + 22 * (frame % 5));
   };
@@ -139,7 +146,7 @@ RelightTimes measure_relight(Bench& io_bench) {
       const auto lighting = [&](std::uint32_t frame, bool alternate) {
         return Lighting{style_value(frame), style_value(frame + 4), frame, alternate};
       };
-      // The first frames of each kind bring their surfaces in.
+      // The first frames of each kind build their surfaces and do not count.
       for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
         const double ms = time_lit(camera, lighting(frame, false));
         const double ms_again = time_lit(camera, lighting(frame, false));
@@ -164,14 +171,14 @@ RelightTimes measure_relight(Bench& io_bench) {
   const auto frames = static_cast<double>(animated_ms.size());
   result.animated_surfaces /= frames;
   result.animated_texels /= frames;
-  result.still_ms = distribution_of(std::move(still_ms));
-  result.relit_ms = distribution_of(std::move(relit_ms));
-  result.alternate_ms = distribution_of(std::move(alternate_ms));
-  result.animated_ms = distribution_of(std::move(animated_ms));
+  result.still_ms = compute_distribution(std::move(still_ms));
+  result.relit_ms = compute_distribution(std::move(relit_ms));
+  result.alternate_ms = compute_distribution(std::move(alternate_ms));
+  result.animated_ms = compute_distribution(std::move(animated_ms));
   return result;
 }
 
-// Draws every view once so that all is warm, then again with the clock running.
+// Draws every view once to fill the caches, then again with the clock running.
 Samples measure_warm(Bench& io_bench, Measurement& io_result) {
   Samples samples;
   std::size_t views = 0;
@@ -193,7 +200,7 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
       samples.render_ms.push_back(render_ms);
       samples.present_ms.push_back(present_ms);
       samples.frame_ms.push_back(render_ms + present_ms);
-      samples.floor_ms.push_back(time_ms([&] { io_bench.run_floor(); }));
+      samples.baseline_ms.push_back(time_ms([&] { io_bench.run_baseline(); }));
       samples.add(stats);
       io_result.surfaces_built += stats.surfaces_built;
       io_result.cache_bytes = stats.cache_bytes;
@@ -204,11 +211,13 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
 
 }  // namespace
 
-void Measurement::count_allocations(std::uint64_t of_frame) {
-  most_allocations = std::max(most_allocations, of_frame);
-  allocating_frames += of_frame > 0;
+void Measurement::count_allocations(std::uint64_t count) {
+  max_allocations = std::max(max_allocations, count);
+  allocating_frames += count > 0;
 }
 
+// The cold views come first, before the caches are filled for the warm ones. The order does not matter
+// otherwise.
 Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
   Bench bench(map, options);
   Measurement result;
@@ -220,15 +229,18 @@ Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
   return result;
 }
 
-double floor_speedup_of_two_threads(FrameSize size, render::PixelFormat format) {
+// Alternates between one thread and two, so that a change of the clock frequency affects both.
+double measure_baseline_speedup(FrameSize size, render::PixelFormat format) {
   constexpr int kRounds = 20;
-  constexpr int kFillsPerRound = 8;  // long enough that starting a thread does not count
+  // Long enough that the start of a thread does not matter.
+  constexpr int kFillsPerRound = 8;
   render::FrameBuffer first(size.width, size.height, format), second(size.width, size.height, format);
-  const int placement = quickest_floor_placement(first);
+  const int placement = find_fastest_placement(first);
   const auto fill = [placement](render::FrameBuffer& frame) {
-    for (int i = 0; i < kFillsPerRound; ++i) fill_with_floor_loop(placement, frame);
+    for (int i = 0; i < kFillsPerRound; ++i) run_fill_baseline(placement, frame);
   };
-  fill(second);  // its pages are there before the clock runs
+  // Touch its pages before the clock runs, so that page faults are not measured.
+  fill(second);
   std::vector<double> alone_ms, together_ms;
   for (int round = 0; round < kRounds; ++round) {
     alone_ms.push_back(time_ms([&] { fill(first); }));
@@ -238,7 +250,7 @@ double floor_speedup_of_two_threads(FrameSize size, render::PixelFormat format) 
       other.join();
     }));
   }
-  return 2.0 * distribution_of(alone_ms).p50 / distribution_of(together_ms).p50;
+  return 2.0 * compute_distribution(alone_ms).p50 / compute_distribution(together_ms).p50;
 }
 
 }  // namespace temblor::app

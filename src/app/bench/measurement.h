@@ -1,5 +1,9 @@
-// Measures the renderer, frame by frame beside the floor loop: in a level, full circles at every viewpoint;
-// in a recording, one frame for each packet, as fast as they can be drawn.
+// Measures how fast the renderer is, in levels and demos.
+//
+// In a level, the camera turns a full circle at every viewpoint: each view is drawn once to fill the caches,
+// then once with the clock running. A demo is drawn one frame per packet, as fast as possible, with
+// everything cold as in a game. The fill baseline (fill_baseline.h) runs after every frame, so that both see
+// the same state of the machine, for example its clock frequency and other load.
 #pragma once
 
 #include <array>
@@ -21,65 +25,88 @@ struct MeasureOptions {
   FrameSize size{1920, 1080};
   render::PixelFormat format = render::PixelFormat::kRgb;
   float fov_deg = 90;
-  double step_deg = 5;   // from one view of a circle to the next
-  int runs = 1;          // of a recording: each frame's times are those of its quickest run
-  bool cold = false;     // also measure views whose surfaces are all still to be built
-  bool relight = false;  // and views whose light changes
+  // Angle between two views of a circle.
+  double step_deg = 5;
+  // Runs of a demo; the fastest time of every frame counts.
+  int runs = 1;
+  // Also measure views with an empty surface cache.
+  bool cold = false;
+  // Also measure views with changing light.
+  bool relight = false;
   render::Settings settings;
 };
 
-// Render times of the same views under light that stays and light that changes.
+// Render times of the same views with constant and with changing light.
 struct RelightTimes {
   Distribution still_ms;
-  Distribution relit_ms;      // all light styles have changed since the frame before
-  Distribution alternate_ms;  // the same with Settings::relight_alternate
-  // The standard light styles, a tenth of a second on: some of the surfaces change.
+  // All light styles change between two frames.
+  Distribution relit_ms;
+  // The same with Settings::relight_alternate.
+  Distribution alternate_ms;
+  // The standard light styles advance by 0.1 s between two frames, so that some surfaces change. Means of the
+  // surfaces and texels that are then built in a frame.
   Distribution animated_ms;
-  double animated_surfaces = 0, animated_texels = 0;  // built, means
+  double animated_surfaces = 0, animated_texels = 0;
 };
 
-// Medians over all warm frames unless said otherwise. Milliseconds of wall time.
+// Results. Distributions are over all warm frames of a level or all frames of a demo; times are wall time.
 struct Measurement {
   MeasureOptions options;
-  std::size_t places = 0;         // viewpoints of the level; 0: of a recording
-  std::size_t frames = 0;         // measured; of a level, warm ones
-  double fps = 0;                 // frames / (time to render and present them)
-  Distribution frame_ms;          // client, render and present
-  Distribution render_ms;         // all but present
-  std::size_t slowest_frame = 0;  // of a recording: which of its packets, from 0
-  // Recordings, part of render_ms: messages read, entities and effects moved, status bar and texts laid out.
+  // Viewpoints of the level; 0 for a demo.
+  std::size_t places = 0;
+  // Measured frames.
+  std::size_t frames = 0;
+  // 1000 / mean of frame_ms.
+  double fps = 0;
+  // Client, render, and present; and without present.
+  Distribution frame_ms, render_ms;
+  // Only of a demo: index of the packet of the slowest frame.
+  std::size_t slowest_frame = 0;
+  // Only of demos, included in render_ms: read messages, move entities and effects, lay out status bar and
+  // texts.
   Distribution client_ms;
   double client_mean_ms = 0;
-  Distribution present_ms;  // palette expansion; 0 for rgb, which a window takes as it is
+  // Palette expansion; 0 for rgb, which a window shows as it is.
+  Distribution present_ms;
   double present_mean_ms = 0;
-  Distribution floor_ms;
-  // Four views at each place, 90 degrees apart, all surfaces dropped before each; only with options.cold.
+  // Fill baseline.
+  Distribution baseline_ms;
+  // Four views per place, 90 degrees apart, with the surface cache emptied before each; only with
+  // options.cold.
   std::optional<Distribution> cold_ms;
-  // Four views at each place, as for cold_ms; only with options.relight.
+  // The same four views; only with options.relight.
   std::optional<RelightTimes> relight;
-  // Bytes of surfaces after a whole circle at a place that began with none; only with options.cold.
+  // Size of the surface cache after a circle that started with an empty one; only with options.cold.
   std::optional<Distribution> circle_cache_bytes;
-  std::array<double, render::kStages> stage_ms{};                // means, so that they add up
-  std::array<double, render::kStages> stage_cycles_per_pixel{};  // means
-  Distribution models, triangles, particles;                     // of recordings
+  // Means, so that the stages add up to the frame.
+  std::array<double, render::kStages> stage_ms{};
+  std::array<double, render::kStages> stage_cycles_per_pixel{};
+  // Only of demos.
+  Distribution models, triangles, particles;
+  // Counts of render::FrameStats.
   Distribution faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
-  std::uint64_t cache_bytes = 0;     // in use at the end: all surfaces of all views
-  std::uint64_t surfaces_built = 0;  // in all warm frames together
-  // Calls of operator new in a frame. Of a recording the first sight of things is among them: arenas grow.
-  std::uint64_t most_allocations = 0;
+  // Surface cache in use at the end.
+  std::uint64_t cache_bytes = 0;
+  // Surface blocks built in all measured frames together.
+  std::uint64_t surfaces_built = 0;
+  // Maximum number of calls of operator new in a frame, and how many frames have any. In a demo, arenas grow
+  // when more is seen than before.
+  std::uint64_t max_allocations = 0;
   std::size_t allocating_frames = 0;
 
-  void count_allocations(std::uint64_t of_frame);
+  // Adds a frame with this number of allocations.
+  void count_allocations(std::uint64_t count);
 };
 
+// Measures all views of a level. Level and settings must be valid; nothing can fail.
 Measurement measure(const LoadedMap& map, const MeasureOptions& options);
-// options.step_deg and cold do not count. Fails where the recording does.
+// Ignores options.step_deg, cold, and relight. Returns an error if the demo is damaged.
 base::Result<Measurement> measure_demo(const LoadedDemo& demo,
                                        const client::PresentationSettings& presentation,
                                        const MeasureOptions& options);
 
-// How much faster two copies of the floor loop, each in a thread of its own, are than one: 2.0 on a machine
-// that really gives two cores.
-double floor_speedup_of_two_threads(FrameSize size, render::PixelFormat format);
+// Returns the speedup of two fill baselines in two threads over one after the other: 2.0 on a machine with
+// two independent cores, less if they share memory bandwidth, power, or a physical core.
+double measure_baseline_speedup(FrameSize size, render::PixelFormat format);
 
 }  // namespace temblor::app

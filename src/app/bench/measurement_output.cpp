@@ -11,24 +11,26 @@ namespace {
 
 constexpr double kMebibyte = 1024.0 * 1024.0;
 
-nlohmann::json json_of(const Distribution& values) {
+nlohmann::json make_json(const Distribution& values) {
   return {{"p50", values.p50}, {"p99", values.p99}, {"max", values.max}};
 }
 
-std::string size_text(const FrameSize& size) {
+std::string format_size(const FrameSize& size) {
   return fmt::format("{}x{}", size.width, size.height);
 }
 
 }  // namespace
 
-double render_floors(const Measurement& measurement) {
-  return measurement.render_ms.p50 / measurement.floor_ms.p50;
+// The medians of both are from the same run, so slow phases of the machine affect both.
+double compute_render_baselines(const Measurement& measurement) {
+  return measurement.render_ms.p50 / measurement.baseline_ms.p50;
 }
 
-double present_floors(const Measurement& measurement) {
-  return measurement.present_ms.p50 / measurement.floor_ms.p50;
+double compute_present_baselines(const Measurement& measurement) {
+  return measurement.present_ms.p50 / measurement.baseline_ms.p50;
 }
 
+// Columns are aligned, so that two runs can be compared line by line.
 std::string describe_measurement(const std::string& name, const Measurement& m) {
   std::string text;
   auto out = std::back_inserter(text);
@@ -42,8 +44,8 @@ std::string describe_measurement(const std::string& name, const Measurement& m) 
   };
   const bool is_demo = m.places == 0;
   fmt::format_to(out, "{}: {} frames{}, {} {}, threads: {}\n", name, m.frames,
-                 is_demo ? "" : fmt::format(" from {} places", m.places), size_text(m.options.size),
-                 name_of(m.options.format), m.options.settings.threads);
+                 is_demo ? "" : fmt::format(" from {} places", m.places), format_size(m.options.size),
+                 pixel_format_name(m.options.format), m.options.settings.threads);
   fmt::format_to(out, "  {:<11}{:>9.1f}\n", "fps", m.fps);
   times("frame", m.frame_ms);
   if (is_demo) {
@@ -52,18 +54,18 @@ std::string describe_measurement(const std::string& name, const Measurement& m) 
   }
   times("render", m.render_ms);
   times("present", m.present_ms);
-  times("floor", m.floor_ms);
-  if (m.cold_ms) times("cold", *m.cold_ms);
+  times("baseline", m.baseline_ms);
+  if (m.cold_ms) times("cold cache", *m.cold_ms);
   if (m.relight) {
-    times("light stays", m.relight->still_ms);
+    times("same light", m.relight->still_ms);
     times("all relit", m.relight->relit_ms);
     times("alternate", m.relight->alternate_ms);
     times("animated", m.relight->animated_ms);
     fmt::format_to(out, "  {:<11}{:>9.1f} surfaces, {:.0f} texels built for a step of the light styles\n", "",
                    m.relight->animated_surfaces, m.relight->animated_texels);
   }
-  fmt::format_to(out, "  {:<11}{:>9.3f} floors to render, {:.3f} to present\n", "ratio", render_floors(m),
-                 present_floors(m));
+  fmt::format_to(out, "  {:<11}{:>9.3f} fill baselines to render, {:.3f} to present\n", "ratio",
+                 compute_render_baselines(m), compute_present_baselines(m));
   for (std::size_t stage = 0; stage < render::kStages; ++stage)
     fmt::format_to(out, "  {:<11}{:>9.3f} ms mean   {:>9.2f} cycles/pixel\n", render::kStageNames[stage],
                    m.stage_ms[stage], m.stage_cycles_per_pixel[stage]);
@@ -85,24 +87,25 @@ std::string describe_measurement(const std::string& name, const Measurement& m) 
     fmt::format_to(out, "  {:<11}{:>9.1f} MiB median {:>9.1f} max, for a circle\n", "",
                    m.circle_cache_bytes->p50 / kMebibyte, m.circle_cache_bytes->max / kMebibyte);
   fmt::format_to(out, "  {:<11}{:>9} built\n", "surfaces", m.surfaces_built);
-  fmt::format_to(out, "  {:<11}{:>9} frames allocate, {} times at most\n", "heap", m.allocating_frames,
-                 m.most_allocations);
+  fmt::format_to(out, "  {:<11}{:>9} frames allocate, at most {} times\n", "heap", m.allocating_frames,
+                 m.max_allocations);
   return text;
 }
 
-nlohmann::json json_of(const std::string& name, const Measurement& m) {
+// Scripts depend on the keys, so they keep their names: "floor" is the fill baseline.
+nlohmann::json make_json(const std::string& name, const Measurement& m) {
   const bool is_demo = m.places == 0;
   nlohmann::json json = {
       {is_demo ? "demo" : "map", name},
       {"fps", m.fps},
       {"frames", m.frames},
       {"places", m.places},
-      {"frame_ms", json_of(m.frame_ms)},
-      {"render_ms", json_of(m.render_ms)},
-      {"present_ms", json_of(m.present_ms)},
-      {"floor_ms", m.floor_ms.p50},
-      {"render_floors", render_floors(m)},
-      {"present_floors", present_floors(m)},
+      {"frame_ms", make_json(m.frame_ms)},
+      {"render_ms", make_json(m.render_ms)},
+      {"present_ms", make_json(m.present_ms)},
+      {"floor_ms", m.baseline_ms.p50},
+      {"render_floors", compute_render_baselines(m)},
+      {"present_floors", compute_present_baselines(m)},
       {"faces", {{"in_pvs", m.faces_in_pvs.p50}, {"drawn", m.faces_drawn.p50}, {"seen", m.faces_seen.p50}}},
       {"edges", m.edges.p50},
       {"spans", m.spans.p50},
@@ -110,11 +113,11 @@ nlohmann::json json_of(const std::string& name, const Measurement& m) {
       {"surfaces_built", m.surfaces_built},
       {"texels_read", m.texels_read.p50},
       {"cache_bytes", m.cache_bytes},
-      {"allocations", m.most_allocations},
+      {"allocations", m.max_allocations},
       {"allocating_frames", m.allocating_frames},
       {"threads", m.options.settings.threads},
-      {"size", size_text(m.options.size)},
-      {"color", name_of(m.options.format)}};
+      {"size", format_size(m.options.size)},
+      {"color", pixel_format_name(m.options.format)}};
   for (std::size_t stage = 0; stage < render::kStages; ++stage) {
     json["stages"][render::kStageNames[stage]] = m.stage_ms[stage];
     json["cycles_per_pixel"][render::kStageNames[stage]] = m.stage_cycles_per_pixel[stage];
@@ -127,13 +130,15 @@ nlohmann::json json_of(const std::string& name, const Measurement& m) {
     json["particles"] = m.particles.p50;
     json["slowest_frame"] = m.slowest_frame;
   }
-  if (m.cold_ms) json["cold_ms"] = json_of(*m.cold_ms);
+  if (m.cold_ms) json["cold_ms"] = make_json(*m.cold_ms);
   if (m.relight)
-    json["relight"] = {
-        {"still_ms", json_of(m.relight->still_ms)},          {"relit_ms", json_of(m.relight->relit_ms)},
-        {"alternate_ms", json_of(m.relight->alternate_ms)},  {"animated_ms", json_of(m.relight->animated_ms)},
-        {"animated_surfaces", m.relight->animated_surfaces}, {"animated_texels", m.relight->animated_texels}};
-  if (m.circle_cache_bytes) json["circle_cache_bytes"] = json_of(*m.circle_cache_bytes);
+    json["relight"] = {{"still_ms", make_json(m.relight->still_ms)},
+                       {"relit_ms", make_json(m.relight->relit_ms)},
+                       {"alternate_ms", make_json(m.relight->alternate_ms)},
+                       {"animated_ms", make_json(m.relight->animated_ms)},
+                       {"animated_surfaces", m.relight->animated_surfaces},
+                       {"animated_texels", m.relight->animated_texels}};
+  if (m.circle_cache_bytes) json["circle_cache_bytes"] = make_json(*m.circle_cache_bytes);
   return json;
 }
 

@@ -1,4 +1,4 @@
-// A measurement as text for a person and as JSON for a program: what `temblor bench` prints.
+// Formats a measurement as text and as JSON, for `temblor bench`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,17 +8,24 @@
 
 namespace temblor::app {
 
-// The medians' ratios: how many floors it takes to render, and to present, a frame.
-double render_floors(const Measurement& measurement);
-double present_floors(const Measurement& measurement);
+// Returns a ratio of medians: the time to render, or to present, a frame divided by the time of the fill
+// baseline.
+double compute_render_baselines(const Measurement& measurement);
+double compute_present_baselines(const Measurement& measurement);
 
-// Several lines, each ended.
+// Returns several lines, each with a newline.
 std::string describe_measurement(const std::string& name, const Measurement& measurement);
 
-// map, fps, frames, places, frame_ms {p50, p99, max}, render_ms, present_ms, floor_ms, render_floors,
-// present_floors, cold_ms (with --cold), stages {name: ms}, cycles_per_pixel {name: cycles}, faces {in_pvs,
-// drawn, seen}, edges, spans, surfaces, surfaces_built, texels_read, cache_bytes, circle_cache_bytes (with
-// --cold), allocations, threads, size, color. Counts are medians over the frames, stages means.
-nlohmann::json json_of(const std::string& name, const Measurement& measurement);
+// Returns an object. Counts are medians over the frames, stages means:
+//
+//   map or demo, fps, frames, places, threads, size, color
+//   frame_ms, render_ms, present_ms {p50, p99, max}       also cold_ms (--cold)
+//   floor_ms, render_floors, present_floors               fill baseline, and ratios to it
+//   stages {name: ms}, cycles_per_pixel {name: cycles}
+//   faces {in_pvs, drawn, seen}, edges, spans, surfaces, surfaces_built, texels_read
+//   cache_bytes, allocations, allocating_frames           also circle_cache_bytes (--cold)
+//   relight {still_ms, relit_ms, alternate_ms, ...}       only with --relight
+//   models, triangles, particles, slowest_frame           only of demos
+nlohmann::json make_json(const std::string& name, const Measurement& measurement);
 
 }  // namespace temblor::app

@@ -7,10 +7,11 @@
 
 namespace temblor::app {
 
+// Reserves all arrays, so that no allocation of this structure falls into a measured frame.
 void Samples::reserve(std::size_t count) {
   for (std::vector<double>* samples :
-       {&frame_ms, &client_ms, &render_ms, &present_ms, &floor_ms, &faces_in_pvs, &faces_drawn, &faces_seen,
-        &edges, &spans, &surfaces, &texels_read, &models, &triangles, &particles})
+       {&frame_ms, &client_ms, &render_ms, &present_ms, &baseline_ms, &faces_in_pvs, &faces_drawn,
+        &faces_seen, &edges, &spans, &surfaces, &texels_read, &models, &triangles, &particles})
     samples->reserve(count);
   stages.reserve(count);
 }
@@ -29,7 +30,8 @@ void Samples::add(const render::FrameStats& stats) {
   stages.push_back(stats.stages);
 }
 
-void Samples::keep_quickest(const Samples& others) {
+// Counts are the same in each run, because a demo is deterministic, so only times are compared.
+void Samples::keep_fastest(const Samples& others) {
   CHECK(others.frame_ms.size() == frame_ms.size(), "{} and {} frames", frame_ms.size(),
         others.frame_ms.size());
   for (std::size_t i = 0; i < frame_ms.size(); ++i) {
@@ -40,38 +42,39 @@ void Samples::keep_quickest(const Samples& others) {
       present_ms[i] = others.present_ms[i];
       stages[i] = others.stages[i];
     }
-    floor_ms[i] = std::min(floor_ms[i], others.floor_ms[i]);
+    baseline_ms[i] = std::min(baseline_ms[i], others.baseline_ms[i]);
   }
 }
 
+// Stages are averaged instead of taking medians, so that they add up to the mean frame.
 void Samples::summarize(std::size_t pixels, Measurement& io_result) const {
   io_result.frames = frame_ms.size();
-  io_result.fps = 1000.0 / mean_of(frame_ms);
-  io_result.frame_ms = distribution_of(frame_ms);
-  io_result.render_ms = distribution_of(render_ms);
+  io_result.fps = 1000.0 / compute_mean(frame_ms);
+  io_result.frame_ms = compute_distribution(frame_ms);
+  io_result.render_ms = compute_distribution(render_ms);
   io_result.slowest_frame =
       static_cast<std::size_t>(std::max_element(frame_ms.begin(), frame_ms.end()) - frame_ms.begin());
-  io_result.present_mean_ms = mean_of(present_ms);
-  io_result.present_ms = distribution_of(present_ms);
+  io_result.present_mean_ms = compute_mean(present_ms);
+  io_result.present_ms = compute_distribution(present_ms);
   if (!client_ms.empty()) {
-    io_result.client_mean_ms = mean_of(client_ms);
-    io_result.client_ms = distribution_of(client_ms);
+    io_result.client_mean_ms = compute_mean(client_ms);
+    io_result.client_ms = compute_distribution(client_ms);
   }
-  io_result.floor_ms = distribution_of(floor_ms);
-  io_result.faces_in_pvs = distribution_of(faces_in_pvs);
-  io_result.faces_drawn = distribution_of(faces_drawn);
-  io_result.faces_seen = distribution_of(faces_seen);
-  io_result.edges = distribution_of(edges);
-  io_result.spans = distribution_of(spans);
-  io_result.surfaces = distribution_of(surfaces);
-  io_result.texels_read = distribution_of(texels_read);
-  io_result.models = distribution_of(models);
-  io_result.triangles = distribution_of(triangles);
-  io_result.particles = distribution_of(particles);
+  io_result.baseline_ms = compute_distribution(baseline_ms);
+  io_result.faces_in_pvs = compute_distribution(faces_in_pvs);
+  io_result.faces_drawn = compute_distribution(faces_drawn);
+  io_result.faces_seen = compute_distribution(faces_seen);
+  io_result.edges = compute_distribution(edges);
+  io_result.spans = compute_distribution(spans);
+  io_result.surfaces = compute_distribution(surfaces);
+  io_result.texels_read = compute_distribution(texels_read);
+  io_result.models = compute_distribution(models);
+  io_result.triangles = compute_distribution(triangles);
+  io_result.particles = compute_distribution(particles);
   const auto frames = static_cast<double>(frame_ms.size());
-  const render::StageTimes sums = std::accumulate(
-      stages.begin(), stages.end(), render::StageTimes{},
-      [](render::StageTimes sum, const render::StageTimes& of_frame) { return sum += of_frame; });
+  const render::StageTimes sums =
+      std::accumulate(stages.begin(), stages.end(), render::StageTimes{},
+                      [](render::StageTimes sum, const render::StageTimes& frame) { return sum += frame; });
   for (std::size_t stage = 0; stage < render::kStages; ++stage) {
     io_result.stage_ms[stage] = sums.ms[stage] / frames;
     io_result.stage_cycles_per_pixel[stage] = sums.cycles[stage] / (frames * static_cast<double>(pixels));

@@ -1,15 +1,15 @@
-// Every measured frame's numbers, by kind, and what they come to.
+// The measured values of every frame, one array per kind, and their summary.
 #pragma once
 
 #include <chrono>
 #include <vector>
 
 #include "app/bench/measurement.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::app {
 
-// How long `function` takes, by the wall clock.
+// Returns the wall time of a call of `function`, in milliseconds.
 template <typename Function>
 double time_ms(Function&& function) {
   using Clock = std::chrono::steady_clock;
@@ -18,17 +18,20 @@ double time_ms(Function&& function) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+// Parallel arrays, one element per frame. client_ms is empty for levels.
 struct Samples {
-  std::vector<double> frame_ms, client_ms, render_ms, present_ms, floor_ms;
+  std::vector<double> frame_ms, client_ms, render_ms, present_ms, baseline_ms;
   std::vector<double> faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
   std::vector<double> models, triangles, particles;
   std::vector<render::StageTimes> stages;
 
   void reserve(std::size_t count);
+  // Appends the counts and stage times of a frame. The caller appends the other times.
   void add(const render::FrameStats& stats);
-  // Of each frame the quicker one's times. `others` is of the same frames: what was counted is the same.
-  void keep_quickest(const Samples& others);
-  // Fills in what is worked out from samples.
+  // Keeps the times of the faster run for each frame. `others` must be of the same frames, so that counts are
+  // equal.
+  void keep_fastest(const Samples& others);
+  // Computes the distributions and means. `pixels` is the size of a frame.
   void summarize(std::size_t pixels, Measurement& io_result) const;
 };
 

@@ -12,14 +12,16 @@ constexpr std::array<std::string_view, 5> kViewpointClasses = {"info_player_star
                                                                "info_player_coop",
                                                                "info_teleport_destination", kIntermission};
 
-std::optional<Viewpoint> viewpoint_of(const formats::Entity& entity) {
+// Returns nothing for an entity of any other class.
+std::optional<Viewpoint> make_viewpoint(const formats::Entity& entity) {
   const std::string_view classname = entity.classname();
   for (const std::string_view known : kViewpointClasses) {
     if (classname != known) continue;
     Viewpoint viewpoint;
     viewpoint.classname = classname;
     viewpoint.eye_world = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
-    if (known == kIntermission) {  // a camera, not a player: no eye height, and a direction of its own
+    // An intermission entity is a camera, not a player: no eye height, and all three angles.
+    if (known == kIntermission) {
       viewpoint.angles_deg = entity.find_vec3("mangle").value_or(math::Vec3(0.0f));
     } else {
       viewpoint.eye_world.z += kEyeHeight;
@@ -32,29 +34,30 @@ std::optional<Viewpoint> viewpoint_of(const formats::Entity& entity) {
 
 }  // namespace
 
-math::Vec3 center_of(const world::Level& level) {
+math::Vec3 level_center(const world::Level& level) {
   const math::Bounds& bounds = level.world().bounds;
   return (bounds.mins + bounds.maxs) * 0.5f;
 }
 
-double size_of(const world::Level& level) {
+double level_diagonal(const world::Level& level) {
   const math::Bounds& bounds = level.world().bounds;
   return glm::length(math::Vec3d(bounds.maxs) - math::Vec3d(bounds.mins));
 }
 
-Viewpoint start_viewpoint(const world::Level& level) {
+// Classes in order of preference, then entities in order of the level.
+Viewpoint find_start_viewpoint(const world::Level& level) {
   for (const std::string_view wanted : kViewpointClasses)
     for (const formats::Entity& entity : level.entities)
       if (entity.classname() == wanted)
-        if (auto viewpoint = viewpoint_of(entity)) return *viewpoint;
-  return Viewpoint{"level center", center_of(level), math::Vec3(0.0f)};
+        if (auto viewpoint = make_viewpoint(entity)) return *viewpoint;
+  return Viewpoint{"level center", level_center(level), math::Vec3(0.0f)};
 }
 
-std::vector<Viewpoint> all_viewpoints(const world::Level& level) {
+std::vector<Viewpoint> list_viewpoints(const world::Level& level) {
   std::vector<Viewpoint> viewpoints;
   for (const formats::Entity& entity : level.entities)
-    if (auto viewpoint = viewpoint_of(entity)) viewpoints.push_back(std::move(*viewpoint));
-  if (viewpoints.empty()) viewpoints.push_back(start_viewpoint(level));
+    if (auto viewpoint = make_viewpoint(entity)) viewpoints.push_back(std::move(*viewpoint));
+  if (viewpoints.empty()) viewpoints.push_back(find_start_viewpoint(level));
   return viewpoints;
 }
 

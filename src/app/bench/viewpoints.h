@@ -1,4 +1,5 @@
-// Places in a level from which it is looked at: where players start, arrive and watch the intermission.
+// Viewpoints in a level for pictures and measurements: where players start, arrive by teleporter, and watch
+// the intermission.
 #pragma once
 
 #include <string>
@@ -9,23 +10,27 @@
 
 namespace temblor::app {
 
-constexpr float kEyeHeight = 22;  // units from a standing player's origin up to the eye
+// Units from the origin of a standing player up to the eye.
+constexpr float kEyeHeight = 22;
 
 struct Viewpoint {
+  // Of the entity; for messages.
   std::string classname;
   math::Vec3 eye_world{0.0f};
-  math::Vec3 angles_deg{0.0f};  // pitch, yaw, roll
+  // Pitch, yaw, and roll.
+  math::Vec3 angles_deg{0.0f};
 };
 
-// The first info_player_start; else another place where a player may start; else the middle of the level.
-Viewpoint start_viewpoint(const world::Level& level);
+// Returns the first info_player_start; otherwise another viewpoint; otherwise the center of the level.
+Viewpoint find_start_viewpoint(const world::Level& level);
 
-// Every start of a player (single, cooperative, deathmatch), teleport destination and intermission camera,
-// in the order of the level's entities; at least one, as start_viewpoint().
-std::vector<Viewpoint> all_viewpoints(const world::Level& level);
+// Returns every player start (single player, cooperative, deathmatch), teleport destination, and intermission
+// camera, in the order of the level's entities; find_start_viewpoint() if there is none.
+std::vector<Viewpoint> list_viewpoints(const world::Level& level);
 
-math::Vec3 center_of(const world::Level& level);
-// The diagonal of its bounds.
-double size_of(const world::Level& level);
+// Returns the center of the level's bounds.
+math::Vec3 level_center(const world::Level& level);
+// Returns the length of the diagonal of the level's bounds.
+double level_diagonal(const world::Level& level);
 
 }  // namespace temblor::app

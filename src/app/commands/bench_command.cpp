@@ -15,20 +15,21 @@ namespace temblor::app {
 namespace {
 
 constexpr const char* kBenchHelpFooter =
-    R"(In a level: stands at every player start, teleport destination and intermission camera and turns a full
-circle. Everything is drawn once before it is timed. In a recording: a frame for each of its packets, once, with all
-that belongs to it. Beside each frame runs the floor: a plain loop that fills the frame from one texture; a frame's
-time in floors says little about the machine.
---basedir, --game, --set and --show: see temblor --help.
+    R"(In a level, the camera turns a full circle at every player start, teleport destination, and
+intermission camera. Every view is drawn once before it is measured. A demo is drawn with one frame per
+packet. After each frame, the benchmark measures the fill baseline: a plain loop that fills the frame from
+one texture. The ratio of both times depends little on the machine.
+`temblor --help` describes --basedir, --game, --set, and --show.
 
 Examples:
-  temblor --basedir quake bench --map e1m1
-  temblor --basedir quake bench --map e1m1 --map e1m2 --size 1280x720 --color indexed --threads 1 --cold
-  temblor --basedir quake bench --demo demo1 --json > demo1.json
-  temblor --basedir quake bench --report --map start > table.md
-  temblor bench)";
+  temblor bench
+  temblor --basedir ~/quake bench --map e1m1
+  temblor --basedir ~/quake bench --map e1m1 --map e1m2 --size 1280x720 --color indexed --threads 1 --cold
+  temblor --basedir ~/quake bench --demo demo1 --json > demo1.json
+  temblor --basedir ~/quake bench --map start --report > table.md)";
 
-MeasureOptions measure_options(const BenchOptions& options, const render::Settings& settings) {
+// Translates the options of the command to those of a measurement.
+MeasureOptions make_measure_options(const BenchOptions& options, const render::Settings& settings) {
   MeasureOptions measure_options;
   measure_options.size = options.frame.size;
   measure_options.format = options.frame.format;
@@ -44,37 +45,35 @@ MeasureOptions measure_options(const BenchOptions& options, const render::Settin
 }  // namespace
 
 Command* add_bench_command(Command& program, BenchOptions& io_options) {
-  Command* command = program.add_subcommand("bench", "Measures how fast levels are drawn");
-  command->add_option("--map", io_options.maps, "Level to draw; may be repeated; else one made in code")
+  Command* command = program.add_subcommand("bench", "Measure how fast levels and demos are rendered");
+  command
+      ->add_option("--map", io_options.maps,
+                   "Level of the game, or a .bsp file; repeatable (default: a small built-in level)")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->take_all();
-  command
-      ->add_option("--demo", io_options.demos, "Recording to draw: its name, or a .dem file; may be repeated")
+  command->add_option("--demo", io_options.demos, "Demo of the game, or a .dem file; repeatable")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->take_all();
   add_frame_options(*command, io_options.frame);
-  command->add_option("--step", io_options.step_deg, "Turn between two views of a circle")
+  command->add_option("--step", io_options.step_deg, "Angle between two views")
       ->type_name("DEGREES")
       ->check(in_range(0.1, 360.0))
       ->capture_default_str();
-  command
-      ->add_option(
-          "--runs", io_options.runs,
-          "Draws a recording so often and takes each frame's quickest: what it costs where other work "
-          "disturbs the machine")
+  command->add_option("--runs", io_options.runs, "Draw each demo N times and keep each frame's fastest time")
       ->type_name("N")
       ->check(in_range(1, 100))
       ->capture_default_str();
-  command->add_flag("--cold", io_options.cold, "Also times views whose surfaces are still to be built");
-  command->add_flag("--relight", io_options.relight, "Also times views whose light changes");
+  command->add_flag("--cold", io_options.cold, "Also measure views with an empty surface cache");
+  command->add_flag("--relight", io_options.relight, "Also measure views with changing light");
   Option* json = command->add_flag("--json", io_options.json,
-                                   "Prints one JSON object, or a list of them for several levels");
+                                   "Print JSON: one object, or a list for several levels and demos");
   command
       ->add_flag("--report", io_options.report,
-                 "Prints the table of docs/performance.md instead (takes minutes; sizes, threads and formats "
-                 "are its own)")
+                 "Print the tables of docs/performance.md in Markdown; takes minutes and chooses sizes, "
+                 "threads, and "
+                 "formats itself")
       ->excludes(json);
   command->footer(kBenchHelpFooter);
   return command;
@@ -82,13 +81,15 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
 
 base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
                        const client::PresentationSettings& presentation, const render::Settings& settings) {
+  // An empty name is the built-in level.
   std::vector<std::string> maps = options.maps;
   if (maps.empty() && options.demos.empty()) maps.emplace_back();
   if (options.report) print_report_header();
+  // JSON is printed when everything has been measured, text and tables at once, because measuring takes long.
   nlohmann::json results = nlohmann::json::array();
   const auto show = [&](const std::string& name, const Measurement& measurement) {
     if (options.json)
-      results.push_back(json_of(name, measurement));
+      results.push_back(make_json(name, measurement));
     else
       fmt::print("{}", describe_measurement(name, measurement));
   };
@@ -99,7 +100,7 @@ base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
     if (options.report)
       print_report(name, loaded, settings, options.step_deg);
     else
-      show(name, measure(loaded, measure_options(options, settings)));
+      show(name, measure(loaded, make_measure_options(options, settings)));
   }
   for (const std::string& demo : options.demos) {
     TRY(const LoadedDemo loaded, load_demo(folders, demo));
@@ -108,7 +109,7 @@ base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
       continue;
     }
     TRY(const Measurement measurement,
-        measure_demo(loaded, presentation, measure_options(options, settings)));
+        measure_demo(loaded, presentation, make_measure_options(options, settings)));
     show(demo, measurement);
   }
   if (options.json) fmt::print("{}\n", (results.size() == 1 ? results[0] : results).dump(2));

@@ -1,4 +1,4 @@
-// `temblor bench`: how fast levels and recordings are drawn, and what each stage costs.
+// `temblor bench`: measures how fast levels and demos are drawn, and what each stage of a frame costs.
 #pragma once
 
 #include <string>
@@ -14,19 +14,25 @@ namespace temblor::app {
 class Command;
 
 struct BenchOptions {
-  std::vector<std::string> maps;  // none, and no recordings: the level made in code
-  std::vector<std::string> demos;
+  // Without maps and demos, the small built-in level is measured.
+  std::vector<std::string> maps, demos;
   FrameOptions frame{.size = {1920, 1080}};
+  // Angle between two views of a circle.
   double step_deg = 5;
+  // Runs of each demo; the fastest time of every frame counts.
   int runs = 1;
-  bool cold = false;
-  bool relight = false;
+  // Also measure with an empty surface cache, and with changing light.
+  bool cold = false, relight = false;
+  // Print JSON instead of text.
   bool json = false;
+  // Print the tables of docs/performance.md instead.
   bool report = false;
 };
 
 Command* add_bench_command(Command& program, BenchOptions& io_options);
 
+// Measures the maps, then the demos, and prints each result when it is done; JSON is printed at the end.
+// Errors: a level or demo that cannot be loaded, or a damaged demo.
 base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
                        const client::PresentationSettings& presentation, const render::Settings& settings);
 

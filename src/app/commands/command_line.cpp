@@ -86,14 +86,17 @@ Option* Option::excludes(const std::string& other) {
 Command::Command(const std::string& description, const std::string& name)
     : program_(std::make_unique<CLI::App>(description, name)), app_(*program_) {}
 
+// A subcommand, which CLI11's object of the program owns.
 Command::Command(CLI::App& app) : app_(app) {}
 
 Command::~Command() = default;
 
+// CLI11 owns its objects and returns pointers that stay valid, so Option and Command only refer to them.
 Command* Command::add_subcommand(const std::string& name, const std::string& description) {
   return &commands_.emplace_back(*app_.add_subcommand(name, description));
 }
 
+// Instantiated here for every supported type, so that callers need not include CLI11.
 template <typename T>
 Option* Command::add_option(const std::string& name, T& io_value, const std::string& help) {
   return &options_.emplace_back(*app_.add_option(name, io_value, help));
@@ -114,6 +117,7 @@ Option* Command::add_flag(const std::string& name, bool& io_value, const std::st
   return &options_.emplace_back(*app_.add_flag(name, io_value, help));
 }
 
+// CLI11 reports errors by exceptions; the rest of the program uses base::Result.
 Option* Command::add_text_option(const std::string& name, std::function<std::string(const std::string&)> read,
                                  const std::string& help) {
   const auto read_or_throw = [name, read = std::move(read)](const std::string& text) {
@@ -130,13 +134,17 @@ void Command::set_version_flag(const std::string& name, const std::string& versi
   app_.set_version_flag(name, version);
 }
 
+// fallthrough() lets a subcommand pass options that it does not know to the program: `temblor play --basedir
+// quake`.
 void Command::require_subcommand() {
   app_.require_subcommand(1);
   app_.fallthrough();
 }
 
+// --help and --version are exceptions with an exit code of success in CLI11.
 Command::Parsed Command::parse(std::vector<std::string> words) {
-  std::reverse(words.begin(), words.end());  // CLI11 takes the last word first
+  // CLI11 takes the words from the back.
+  std::reverse(words.begin(), words.end());
   try {
     app_.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
@@ -170,45 +178,49 @@ std::vector<std::string> Command::remaining_of_all_commands() const {
   return app_.remaining(true);
 }
 
+// `allow_extra_args(false)` matters here: without it, `--game hipnotic play` would take "play" for a second
+// value.
 void add_common_options(Command& program, CommonOptions& io_options) {
   program
       .add_option("--basedir", io_options.folders.base_folder,
-                  "Folder that holds the game folders (id1, mods); the current one where it holds id1")
+                  "Directory that contains id1 and mods (default: the current directory if it contains id1, "
+                  "otherwise "
+                  "the included game)")
       ->type_name("DIR");
   program
       .add_option("--game", io_options.folders.games,
-                  "Game folder to add to id1; may be repeated, the last one wins")
+                  "Game directory to add to id1; repeatable, the last one has priority")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->take_all();
   program
       .add_option("--set", io_options.assignments,
-                  "Sets a console variable; may be repeated; `temblor settings` lists them")
+                  "Set a console variable; repeatable (`temblor settings` lists them)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->take_all();
   program
       .add_option(
           "--show", io_options.show,
-          "Draws that instead of the picture: faces, edges, spans, surfaces, mips, pvs, overdraw, depth")
+          "Show how the picture is made: faces, edges, spans, surfaces, mips, pvs, overdraw, or depth")
       ->type_name("KIND");
 }
 
 void add_frame_options(Command& command, FrameOptions& io_options) {
-  add_parsed_option(command, "--size", io_options.size, parse_size, "Size of a frame in pixels")
+  add_parsed_option(command, "--size", io_options.size, parse_size, "Size in pixels")
       ->type_name("WxH")
       ->default_str(fmt::format("{}x{}", io_options.size.width, io_options.size.height));
   add_parsed_option(command, "--color", io_options.format, parse_color,
-                    "Pixel format: palette indices as the original, or 32 bits with colored light")
+                    "256 colors as in the original, or true color with colored light")
       ->type_name("indexed|rgb")
-      ->default_str(name_of(io_options.format));
+      ->default_str(pixel_format_name(io_options.format));
   command
       .add_option("--fov", io_options.fov_deg,
-                  "Horizontal field of view of a 4:3 picture in degrees; wider pictures see more")
+                  "Horizontal field of view of a 4:3 picture; wider pictures show more")
       ->type_name("DEGREES")
       ->check(in_range(10.0, 170.0))
       ->capture_default_str();
-  command.add_option("--threads", io_options.threads, "Threads that draw; 0: one for each core")
+  command.add_option("--threads", io_options.threads, "Rendering threads; 0: one per core")
       ->type_name("N")
       ->check(in_range(0, 256));
 }

@@ -1,4 +1,5 @@
-// `temblor compile`: from an editor's .map to a level, and what is told of it.
+// `temblor compile`: compiles an editor's .map to a level, and reports leaks, limits, and times. The work is
+// done by the compiler library; the files in app/compile read and write its files and print its results.
 #pragma once
 
 #include "app/commands/options.h"
@@ -11,7 +12,8 @@ class Command;
 
 Command* add_compile_command(Command& program, CompileCommandOptions& io_options);
 
-// One run, a share of one, or one after another (--watch).
+// Compiles once, computes or merges shards, compiles after every change (--watch), or makes a WAD, as the
+// options say.
 base::Status run_compile(const CompileCommandOptions& options, const GameFolders& folders);
 
 }  // namespace temblor::app

@@ -1,4 +1,4 @@
-// `temblor inspect`: what a file holds, and what is wrong with it.
+// `temblor inspect`: describes a file of any known format and lists its problems.
 #pragma once
 
 #include <string>
@@ -12,14 +12,16 @@ class Command;
 
 struct InspectOptions {
   std::string file;
+  // Print JSON instead of text.
   bool json = false;
-  SheetOptions sheet;  // drawn where it has a name
+  // A picture of a model, which is drawn if sheet.out is not empty.
+  SheetOptions sheet;
 };
 
 Command* add_inspect_command(Command& program, InspectOptions& io_options);
 
-// Prints the inspection; a file that its reader refuses is an error (and with --json, an object with the key
-// "error" as well).
+// Prints the inspection. A file that its reader rejects is an error; with --json, the command then also
+// prints an object with the key "error", so that scripts always get JSON.
 base::Status run_inspect(const InspectOptions& options);
 
 }  // namespace temblor::app

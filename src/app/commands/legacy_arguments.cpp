@@ -8,25 +8,28 @@
 namespace temblor::app {
 namespace {
 
-// Not "+0button", which is a texture.
-bool begins_command(std::string_view word) {
+// "+skill" is a console command, but "+0button" is the name of an animated texture.
+bool is_console_command(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
 }
 
-std::string with_two_dashes(std::string word) {
+// Only the two options that launchers pass; other single-dash words stay, so that -o works.
+std::string use_two_dashes(std::string word) {
   return word == "-basedir" || word == "-game" ? "-" + word : word;
 }
 
 }  // namespace
 
-std::vector<std::string> from_legacy_arguments(std::span<const char* const> words,
-                                               std::span<const std::string> commands) {
+std::vector<std::string> convert_legacy_arguments(std::span<const char* const> words,
+                                                  std::span<const std::string> commands) {
+  // `all` are the words as they were given, in case that no translation applies; `ours` are those without
+  // console commands.
   std::vector<std::string> all, ours;
   std::vector<std::vector<std::string>> to_execute;
   bool is_in_command = false;
   for (const char* const given : words) {
-    const std::string& word = all.emplace_back(with_two_dashes(given));
-    if (begins_command(word)) {
+    const std::string& word = all.emplace_back(use_two_dashes(given));
+    if (is_console_command(word)) {
       to_execute.push_back({word.substr(1)});
       is_in_command = true;
     } else if (is_in_command && !word.starts_with('-')) {
@@ -38,6 +41,7 @@ std::vector<std::string> from_legacy_arguments(std::span<const char* const> word
   }
   if (to_execute.empty()) return all;
 
+  // Add `play` if no command was given. Other commands than play and serve have no console.
   const auto named = std::find_first_of(ours.begin(), ours.end(), commands.begin(), commands.end());
   if (named == ours.end())
     ours.push_back("play");

@@ -1,5 +1,7 @@
-// The command line as players and tools of such games write it: `-basedir quake -game mod +skill 2 +map
-// start`.
+// Translates the traditional Quake command line, which launchers and level editors use, to Temblor's own:
+//
+//   -basedir quake -game mod +skill 2 +map start
+//   --basedir quake --game mod play --exec "skill 2" --exec "map start"
 #pragma once
 
 #include <span>
@@ -8,11 +10,11 @@
 
 namespace temblor::app {
 
-// `words`, the program's name not among them, in our own terms: -basedir and -game with two dashes; each word
-// that begins with + and a letter, with those behind it up to the next that begins with + or -, becomes
-// `--exec "COMMAND"` at the end. For play and serve only; where no command of `commands` is named, play is
-// meant.
-std::vector<std::string> from_legacy_arguments(std::span<const char* const> words,
-                                               std::span<const std::string> commands);
+// Returns the translated words. `words` does not include the program's name; `commands` are the names of all
+// commands. -basedir and -game get two dashes. Each word that starts with + and a letter, together with the
+// words after it up to the next + or -, becomes `--exec "COMMAND"` at the end. Only play and serve have
+// --exec; for other commands the words stay, and without a command `play` is added.
+std::vector<std::string> convert_legacy_arguments(std::span<const char* const> words,
+                                                  std::span<const std::string> commands);
 
 }  // namespace temblor::app

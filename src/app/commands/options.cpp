@@ -11,7 +11,7 @@ using base::ErrorCode;
 
 constexpr int kMaxSide = 8192;
 
-// The whole of `text` as a number, or nothing.
+// Parses all of `text` as a number; nothing if any character is left over.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
   Number number{};
@@ -30,11 +30,12 @@ base::Result<FrameSize> parse_size(std::string_view text) {
     if (width && height && *width >= 1 && *width <= kMaxSide && *height >= 1 && *height <= kMaxSide)
       return FrameSize{*width, *height};
   }
-  return base::error(ErrorCode::kUsage, "\"{}\" is not WIDTHxHEIGHT with sides of 1 to {} pixels", text,
-                     kMaxSide);
+  return base::error(ErrorCode::kUsage, "\"{}\" is not WIDTHxHEIGHT, each 1 to {} pixels", text, kMaxSide);
 }
 
 base::Result<FrameRange> parse_frame_range(std::string_view text) {
+  // Without a colon, the text is the end of a range that begins at 0. Both ends may be left out, but not at
+  // once.
   FrameRange range{0, kMaxFrames};
   const std::size_t colon = text.find(':');
   const std::string_view first = colon == std::string_view::npos ? "" : text.substr(0, colon);
@@ -44,7 +45,7 @@ base::Result<FrameRange> parse_frame_range(std::string_view text) {
   range.end = end_number.value_or(kMaxFrames);
   const bool parsed = (first_number || first.empty()) && (end_number || (end.empty() && !first.empty()));
   if (parsed && range.first < range.end && range.end <= kMaxFrames) return range;
-  return base::error(ErrorCode::kUsage, "\"{}\" is neither a number of frames nor a range of them, A:B",
+  return base::error(ErrorCode::kUsage, "\"{}\" is neither a number of frames nor a range A:B with A < B",
                      text);
 }
 
@@ -55,7 +56,7 @@ base::Result<math::Vec3> parse_vec3(std::string_view text) {
     const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
     const auto number = parse_number<float>(rest.substr(0, comma));
     if (comma == std::string_view::npos || !number || !std::isfinite(*number))
-      return base::error(ErrorCode::kUsage, "\"{}\" is not three numbers with commas between", text);
+      return base::error(ErrorCode::kUsage, "\"{}\" is not three numbers separated by commas", text);
     parts[i] = *number;
     if (i < 2) rest.remove_prefix(comma + 1);
   }
@@ -64,19 +65,21 @@ base::Result<math::Vec3> parse_vec3(std::string_view text) {
 
 base::Result<render::PixelFormat> parse_color(std::string_view text) {
   for (const auto format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb})
-    if (text == name_of(format)) return format;
+    if (text == pixel_format_name(format)) return format;
   return base::error(ErrorCode::kUsage, "\"{}\" is neither indexed nor rgb", text);
 }
 
-const char* name_of(render::PixelFormat format) {
+const char* pixel_format_name(render::PixelFormat format) {
   return format == render::PixelFormat::kIndexed ? "indexed" : "rgb";
 }
 
+// Later settings override earlier ones: --set in order, then --show and --threads.
 base::Status apply_options(const CommonOptions& options, std::optional<int> threads,
                            command::Variables& io_variables) {
   auto as_usage = [](const char* option, base::Status status) -> base::Status {
     if (status.ok()) return status;
-    return base::error(ErrorCode::kUsage, "{}: {}; temblor settings lists all", option, status.error().what);
+    return base::error(ErrorCode::kUsage, "{}: {}; `temblor settings` lists all variables", option,
+                       status.error().what);
   };
   for (const std::string& assignment : options.assignments)
     TRY_STATUS(as_usage("--set", io_variables.set_assignment(assignment)));

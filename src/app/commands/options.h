@@ -1,5 +1,4 @@
-// What the commands' options have in common: their types, and reading them from text. They become options of
-// the command line in command_line.h.
+// Option types that several commands share, and their parsers. command_line.h adds them to a command.
 #pragma once
 
 #include <cstddef>
@@ -11,52 +10,60 @@
 #include "base/result.h"
 #include "command/variables.h"
 #include "math/vec.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::app {
 
-// Where game data is: --basedir and --game.
+// Location of the game data: --basedir and --game.
 struct GameFolders {
-  std::string base_folder;         // empty: the current folder, where it holds id1
-  std::vector<std::string> games;  // folders in it besides id1, the last one wins
+  // The directory that contains id1; empty: the current directory or the shipped game (find_base_folder()).
+  std::string base_folder;
+  // Game directories in it, in order of increasing priority; id1 is implied.
+  std::vector<std::string> games;
 };
 
-// The options in front of every command.
+// Options that every command accepts.
 struct CommonOptions {
   GameFolders folders;
-  std::vector<std::string> assignments;  // NAME=VALUE
-  std::string show;                      // a value of r_show; empty: as r_show says
+  // --set: NAME=VALUE, in order.
+  std::vector<std::string> assignments;
+  // --show: a value for r_show; empty: leave r_show alone.
+  std::string show;
 };
 
+// In pixels, 1 to 8192 each.
 struct FrameSize {
-  int width = 0, height = 0;  // pixels, 1 to 8192
+  int width = 0, height = 0;
 };
 
-// How big and in what format frames are drawn: --size, --color, --fov, --threads.
+// Size and format of rendered frames: --size, --color, --fov, --threads.
 struct FrameOptions {
   FrameSize size;
   render::PixelFormat format = render::PixelFormat::kRgb;
+  // Horizontal field of view of a 4:3 picture.
   float fov_deg = 90;
-  std::optional<int> threads{};  // nothing: as r_threads says
+  // 0: one per core; nothing: leave r_threads alone.
+  std::optional<int> threads{};
 };
 
-// Frames of a sequence, counted from 0: first up to but not including end.
+// A half-open range of frames, counted from 0: first, ..., end - 1.
 struct FrameRange {
   std::size_t first = 0, end = 0;
 };
 
-// "N": the first N frames; "A:B", "A:" (to the last), ":B". At least one frame, and at most kMaxFrames.
+// Parses "N" (the first N frames), "A:B", "A:" (to the last), or ":B". The range has at least one frame and
+// ends at kMaxFrames or before. All parsers here return kUsage with the text quoted for anything else.
 constexpr std::size_t kMaxFrames = 10'000'000;
 base::Result<FrameRange> parse_frame_range(std::string_view text);
-// "640x480".
+// Parses "640x480".
 base::Result<FrameSize> parse_size(std::string_view text);
-// "1,-2.5,3": finite numbers.
+// Parses three finite numbers, "1,-2.5,3".
 base::Result<math::Vec3> parse_vec3(std::string_view text);
-// "indexed" or "rgb".
+// Parses "indexed" or "rgb".
 base::Result<render::PixelFormat> parse_color(std::string_view text);
-const char* name_of(render::PixelFormat format);
+const char* pixel_format_name(render::PixelFormat format);
 
-// Sets the variables that --set, --show and --threads name; errors are kUsage.
+// Applies --set, --show, and --threads to the console variables. Errors are kUsage.
 base::Status apply_options(const CommonOptions& options, std::optional<int> threads,
                            command::Variables& io_variables);
 

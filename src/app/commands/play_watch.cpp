@@ -12,9 +12,11 @@ namespace {
 
 constexpr double kLookEvery_s = 0.2;
 
-// This program once more, in a process of its own: a map that upsets the compiler must not end the game.
-std::vector<std::string> compiler_words(const std::filesystem::path& map, const std::filesystem::path& level,
-                                        const host::GameFolders& folders) {
+// Returns the command line that compiles the map with this program. A separate process, so that a map which
+// crashes the compiler does not end the game.
+std::vector<std::string> make_compiler_command(const std::filesystem::path& map,
+                                               const std::filesystem::path& level,
+                                               const host::GameFolders& folders) {
   std::vector<std::string> words = {std::filesystem::read_symlink("/proc/self/exe").string(), "--basedir",
                                     folders.base_folder.string()};
   for (const std::string& game : folders.games) words.insert(words.end(), {"--game", game});
@@ -22,7 +24,8 @@ std::vector<std::string> compiler_words(const std::filesystem::path& map, const 
   return words;
 }
 
-std::string echo_of(const std::string& line) {
+// Returns a console command that prints the line.
+std::string make_echo_command(const std::string& line) {
   return command::join_words({"echo", line});
 }
 
@@ -41,29 +44,31 @@ base::Result<PlayWatch> PlayWatch::begin(const std::vector<std::string>& files,
   TRY(const host::MountedGames games, host::mount_games(folders));
   for (const std::string& name : files) {
     const std::filesystem::path file = name;
-    const FileStamp stamp = stamp_of(file);
-    if (!stamp.exists) return base::error(base::ErrorCode::kNotFound, "there is no file {} to watch", name);
+    const FileStamp stamp = read_file_stamp(file);
+    if (!stamp.exists) return base::error(base::ErrorCode::kNotFound, "--watch: {} does not exist", name);
     if (file.extension() == ".dat") {
       watch.program_ = name;
       watch.played_.add({stamp});
       continue;
     }
     if (file.extension() != ".map" && file.extension() != ".bsp")
-      return base::error(base::ErrorCode::kUsage, "{}: --watch takes a .map, a .bsp or a progs.dat", name);
+      return base::error(base::ErrorCode::kUsage, "--watch: {} is not a .map, .bsp, or .dat file", name);
+    // A map is compiled to the directory that the game writes to. A .bsp may also be in another game
+    // directory.
     watch.level_ = file.stem().string();
     const std::filesystem::path level = games.write_folders.back() / "maps" / (watch.level_ + ".bsp");
     const bool is_map = file.extension() == ".map";
     if (is_map) {
       std::error_code ignored;
       std::filesystem::create_directories(level.parent_path(), ignored);
-      Map map{compiler_words(file, level, folders), {}};
+      Map map{make_compiler_command(file, level, folders), {}};
       map.watch.add({stamp});
       TRY(const std::vector<std::string> said, run_compiler(map.compile));
-      for (const std::string& line : said) watch.lines_.push_back(echo_of(line));
+      for (const std::string& line : said) watch.lines_.push_back(make_echo_command(line));
       watch.maps_.push_back(std::move(map));
     }
     const std::string played = games.files.where("maps/" + watch.level_ + ".bsp");
-    watch.played_.add({stamp_of(is_map || played.empty() ? level : std::filesystem::path(played))});
+    watch.played_.add({read_file_stamp(is_map || played.empty() ? level : std::filesystem::path(played))});
   }
   return watch;
 }
@@ -72,17 +77,18 @@ std::vector<std::string> PlayWatch::look(double now_s) {
   std::vector<std::string> lines = std::exchange(lines_, {});
   if (now_s - looked_at_s_ < kLookEvery_s) return lines;
   looked_at_s_ = now_s;
+  // The compiler runs in a thread, one map at a time. Its level is noticed as a change of the .bsp.
   if (compiling_ && compiling_->wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
     const Compiled compiled = compiling_->get();
     compiling_.reset();
     if (!compiled.ok())
-      lines.push_back(echo_of(compiled.error().message()));
+      lines.push_back(make_echo_command(compiled.error().message()));
     else
-      for (const std::string& line : *compiled) lines.push_back(echo_of(line));
+      for (const std::string& line : *compiled) lines.push_back(make_echo_command(line));
   }
   for (Map& map : maps_)
     if (!compiling_ && map.watch.has_changed()) {
-      lines.push_back("echo compiling");
+      lines.push_back("echo Compiling...");
       compiling_ = std::async(std::launch::async, run_compiler, map.compile);
     }
   if (played_.has_changed()) lines.emplace_back("reload");

@@ -4,7 +4,6 @@
 
 #include <cstdio>
 
-#include "app/bench/system.h"
 #include "app/commands/command_line.h"
 #include "app/files/atomic_write.h"
 #include "app/files/diagnostics.h"
@@ -12,6 +11,7 @@
 #include "app/files/game_files.h"
 #include "app/files/interrupt.h"
 #include "app/files/line_input.h"
+#include "app/files/system.h"
 #include "assets/library.h"
 #include "base/text.h"
 #include "command/text.h"
@@ -24,24 +24,28 @@ namespace temblor::app {
 namespace {
 
 constexpr const char* kServeHelpFooter =
-    R"(Type `help` for the console's commands, `quit` to end.
+    R"(Standard input is the server's console: `help` lists its commands, `quit` stops the server. If a game
+directory contains server.cfg, its commands run first. docs/hosting.md describes the settings of a server.
 
 Examples:
-  temblor --basedir quake serve --map e1m1
-  temblor --basedir quake serve --map dm3 --maxclients 16 --set deathmatch=1
-  temblor --basedir quake serve --map start --progs mymod/progs.dat)";
+  temblor serve --map start
+  temblor --basedir ~/quake serve --map e1m1
+  temblor --basedir ~/quake serve --map dm3 --maxclients 16 --set deathmatch=1
+  temblor --basedir ~/quake serve --map start --progs mymod/progs.dat)";
 
 constexpr const char* kConfiguration = "server.cfg";
 constexpr double kLookAtFilesEvery_s = 0.5;
 constexpr std::uint64_t kMaxConfigurationBytes = 1 << 20;
 
-net::ServerEndpointSettings wire_settings() {
+// Returns the default network settings with a new secret, which handshakes use to verify addresses.
+net::ServerEndpointSettings make_wire_settings() {
   net::ServerEndpointSettings settings;
-  settings.secret = any_secret();
+  settings.secret = make_secret();
   return settings;
 }
 
-// QuakeC's letters with the upper bit set are the same ones in another color.
+// Prints console text without control characters. Characters with the high bit set are the same letters in
+// bronze.
 void print_text(std::string_view text) {
   for (char c : text) {
     c = static_cast<char>(c & 127);
@@ -50,21 +54,23 @@ void print_text(std::string_view text) {
   std::fflush(stdout);
 }
 
-// The program's and the level's files, so that a change of either is taken up.
+// Watches progs.dat and the current level's .bsp, so that the server can reload when either is saved
+// (sv_reload).
 class GameFileWatch {
  public:
   explicit GameFileWatch(std::string program) : program_(std::move(program)) {}
 
+  // Checks at most every kLookAtFilesEvery_s. When the level changes, watches the files of the new one.
   bool has_changed(server::Server& io_server, double now_s) {
-    if (now_s - looked_at_s_ < kLookAtFilesEvery_s || !io_server.game()) return false;
+    if (now_s - looked_at_s_ < kLookAtFilesEvery_s || !io_server.game) return false;
     looked_at_s_ = now_s;
-    const std::string& map = io_server.game()->setup().map_name;
+    const std::string& map = io_server.game->setup().map_name;
     if (map != map_) {
       map_ = map;
       watch_ = FileWatch();
-      const vfs::FileSystem& files = io_server.files();
-      watch_.add({stamp_of(program_.empty() ? files.where("progs.dat") : program_),
-                  stamp_of(files.where(fmt::format("maps/{}.bsp", map)))});
+      const vfs::FileSystem& files = io_server.setup.library.files();
+      watch_.add({read_file_stamp(program_.empty() ? files.where("progs.dat") : program_),
+                  read_file_stamp(files.where(fmt::format("maps/{}.bsp", map)))});
     }
     return watch_.has_changed();
   }
@@ -75,21 +81,24 @@ class GameFileWatch {
   double looked_at_s_ = 0;
 };
 
-std::string is_port(const std::string& text) {
+// Returns an error message unless the text is a port.
+std::string check_port(const std::string& text) {
   const std::optional<std::int64_t> number = command::parse_whole_number(text);
   if (number && *number >= 0 && *number <= 65535) return {};
-  return fmt::format("\"{}\" is no UDP port: those are 1 to 65535; 0 takes any that is free",
+  return fmt::format("\"{}\" is not a UDP port; choose 1 to 65535, or 0 for any free port",
                      base::quotable(text));
 }
 
+// Opens the server's socket. The error for a port that is in use suggests another one.
 base::Result<std::unique_ptr<platform::DatagramSocket>> open_socket(const ServeOptions& options) {
   auto socket = platform::posix::open_udp_socket({.port = options.port, .host = options.host});
   if (socket.ok() || options.port == 0 || socket.error().code != base::ErrorCode::kIo) return socket;
   base::Error error = socket.error();
-  error.what += "; --port N takes another one, --port 0 any that is free";
+  error.what += "; choose another port with --port N, or any free one with --port 0";
   return error;
 }
 
+// Reads a file for the console command `exec`: from the game directories, otherwise from disk.
 base::Result<std::string> read_configuration(const vfs::FileSystem& files, std::string_view name) {
   base::Result<base::ByteVector> bytes = files.read(name);
   if (!bytes.ok()) bytes = vfs::read_disk_file(std::string(name), kMaxConfigurationBytes);
@@ -97,50 +106,48 @@ base::Result<std::string> read_configuration(const vfs::FileSystem& files, std::
   return std::string(base::as_text(*bytes));
 }
 
+// The server's loop: waits for input until the next tick is due, then runs console commands and the tick.
 void serve(server::Server& io_server, const ServeOptions& options) {
   Interrupt interrupt;
-  interrupt.hold();
+  interrupt.defer();
   LineInput input;
   GameFileWatch watch(options.program);
   const double began_s = clock_s();
-  while (!io_server.wants_to_quit() && !interrupt.was_noted()) {
-    for (const std::string& line : input.wait(io_server.until_next_tick_s(clock_s())))
-      io_server.console().append(line);
+  while (!io_server.wants_to_quit && !interrupt.was_requested()) {
+    for (const std::string& line : input.wait(server::time_until_next_tick_s(io_server, clock_s())))
+      io_server.console.append(line);
     const double now_s = clock_s();
     if (options.duration_s > 0 && now_s - began_s >= options.duration_s) break;
-    io_server.step(now_s);
+    server::step_server(io_server, now_s);
     if (io_server.settings().reloads() && watch.has_changed(io_server, now_s))
-      io_server.console().append("reload");
+      io_server.console.append("reload");
   }
-  io_server.shut_down("The server has ended.");
+  server::shut_down(io_server, "The server has shut down.");
 }
 
 }  // namespace
 
 Command* add_serve_command(Command& program, ServeOptions& io_options) {
-  Command* command = program.add_subcommand("serve", "A dedicated server, its console on standard input");
-  command->add_option("--map", io_options.map, "Level to begin with")->type_name("NAME")->required();
-  command->add_option("--port", io_options.port, "UDP port, 0 to 65535; 0: any that is free")
+  Command* command = program.add_subcommand("serve", "Run a dedicated server; its console is standard input");
+  command->add_option("--map", io_options.map, "First level")->type_name("NAME")->required();
+  command->add_option("--port", io_options.port, "UDP port; 0: any free port")
       ->type_name("N")
-      ->check(is_port)
+      ->check(check_port)
       ->capture_default_str();
-  command->add_option("--host", io_options.host, "Receives on this address of the machine alone")
-      ->type_name("ADDRESS");
+  command->add_option("--host", io_options.host, "Listen only on this address")->type_name("ADDRESS");
   command
       ->add_option("--maxclients", io_options.max_clients,
-                   "Players at a time; stock clients refuse servers of more than 16")
+                   "Maximum number of players, up to 255; stock clients refuse more than 16")
       ->type_name("N")
       ->check(in_range(1, 255))
       ->capture_default_str();
-  command
-      ->add_option("--progs", io_options.program, "The game's code; without it the game folders' progs.dat")
+  command->add_option("--progs", io_options.program, "Game code (default: progs.dat of the game directories)")
       ->type_name("FILE");
-  command
-      ->add_option("--exec", io_options.execute, "Console commands before the level begins; may be repeated")
+  command->add_option("--exec", io_options.execute, "Run console commands before the first level; repeatable")
       ->type_name("COMMANDS")
       ->allow_extra_args(false)
       ->take_all();
-  command->add_option("--duration", io_options.duration_s, "Ends by itself after so many seconds")
+  command->add_option("--duration", io_options.duration_s, "Quit after this time, for scripts")
       ->type_name("SECONDS")
       ->check(not_negative());
   command->footer(kServeHelpFooter);
@@ -158,27 +165,27 @@ base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
       {.library = library,
        .settings = settings,
        .sockets = std::move(sockets),
-       .wire = wire_settings(),
+       .wire = make_wire_settings(),
        .max_clients = options.max_clients,
        .program_file = options.program,
        .write_folder = library.files().folders().back(),
        .write_file = [](const std::filesystem::path& file,
                         base::Bytes bytes) { return replace_file(file, bytes, Remedy::kNone); },
        .print = print_text,
-       .seed = any_seed()});
-  server.console().set_loader(
-      [&](std::string_view name) { return read_configuration(library.files(), name); });
+       .seed = make_seed()});
+  server.console.set_loader([&](std::string_view name) { return read_configuration(library.files(), name); });
+  // In order of increasing priority: server.cfg, --set, --exec.
   if (library.files().contains(kConfiguration)) {
-    server.console().append(fmt::format("exec {}", kConfiguration));
-    server.console().run();
+    server.console.append(fmt::format("exec {}", kConfiguration));
+    server.console.run();
     TRY_STATUS(apply_options(common, std::nullopt, settings.variables()));
   }
-  for (const std::string& line : options.execute) server.console().append(line);
-  server.console().run();
-  TRY_STATUS(server.start_map(options.map));
-  print_text(fmt::format("{}: UDP port {}, {} at most, level {}, protocol {}\n", settings.host_name(), port,
+  for (const std::string& line : options.execute) server.console.append(line);
+  server.console.run();
+  TRY_STATUS(server::start_map(server, options.map));
+  print_text(fmt::format("{}: UDP port {}, up to {}, level {}, protocol {}\n", settings.host_name(), port,
                          base::counted(options.max_clients, "player"), options.map,
-                         static_cast<int>(server.game()->setup().dialect.protocol)));
+                         static_cast<int>(server.game->setup().dialect.protocol)));
   serve(server, options);
   return base::Ok{};
 }

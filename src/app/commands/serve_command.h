@@ -1,4 +1,5 @@
-// `temblor serve`: a dedicated server with its console on standard input.
+// `temblor serve`: a dedicated server whose console is standard input. Connects the server library to the
+// network, the files, and the clock.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +16,27 @@ namespace temblor::app {
 class Command;
 
 struct ServeOptions {
+  // The first level.
   std::string map;
+  // UDP port; 0: any free port.
   std::uint16_t port = 26000;
-  std::string host;  // a host in numbers to receive on alone
+  // Numeric address to listen on; empty: all addresses of the machine.
+  std::string host;
+  // 1 to 255; 1 starts a single-player game.
   std::uint32_t max_clients = 8;
-  std::string program;               // a progs.dat on disk; empty: the game folders'
-  std::vector<std::string> execute;  // console commands, before the first level
-  double duration_s = 0;             // ends by itself after that time; 0: never
+  // Path of a progs.dat; empty: the one in the game directories.
+  std::string program;
+  // Console commands to run before the first level.
+  std::vector<std::string> execute;
+  // Quit after this time; 0: never.
+  double duration_s = 0;
 };
 
 Command* add_serve_command(Command& program, ServeOptions& io_options);
 
-// Until `quit`, Ctrl-C, SIGTERM or the terminal's end. `common`: its --set are taken once more after
-// server.cfg, so that the command line has the last word.
+// Runs until `quit`, Ctrl-C, SIGTERM, or SIGHUP. The --set options in `common` are applied again after
+// server.cfg, so that the command line overrides the file. Errors: no game data, a port that is in use, or a
+// level that cannot start.
 base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
                        const server::ServerVariables& settings);
 

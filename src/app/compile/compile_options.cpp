@@ -5,8 +5,8 @@
 namespace temblor::app {
 namespace {
 
-// 0 unless all of it is a number.
-std::uint32_t parse_number(std::string_view text) {
+// Returns 0 unless the whole text is a number. 0 is not valid in a shard either.
+std::uint32_t parse_option_number(std::string_view text) {
   std::uint32_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc{} && end == text.data() + text.size() ? number : 0;
@@ -16,22 +16,23 @@ std::uint32_t parse_number(std::string_view text) {
 
 base::Result<Shard> parse_shard(std::string_view text) {
   const std::size_t slash = text.find('/');
-  const std::uint32_t number = parse_number(text.substr(0, slash));
-  const std::uint32_t count = slash == std::string_view::npos ? 0 : parse_number(text.substr(slash + 1));
+  const std::uint32_t number = parse_option_number(text.substr(0, slash));
+  const std::uint32_t count =
+      slash == std::string_view::npos ? 0 : parse_option_number(text.substr(slash + 1));
   if (number == 0 || number > count || count > kMaxShards)
     return base::error(base::ErrorCode::kUsage,
-                       "a shard is K/N with K from 1 to N and N up to {}, like 2/4; not \"{}\"", kMaxShards,
-                       text);
+                       "\"{1}\" is not a shard K/N, like 2/4, with 1 <= K <= N <= {0}", kMaxShards, text);
   return Shard{number, count};
 }
 
 base::Result<CompileStage> parse_compile_stage(std::string_view text) {
   for (const CompileStage stage : {CompileStage::kBsp, CompileStage::kVisibility, CompileStage::kLight})
-    if (text == name_of(stage)) return stage;
-  return base::error(base::ErrorCode::kUsage, "stages are bsp, vis and light; not \"{}\"", text);
+    if (text == stage_name(stage)) return stage;
+  return base::error(base::ErrorCode::kUsage, "unknown stage \"{}\"; the stages are bsp, vis, and light",
+                     text);
 }
 
-const char* name_of(CompileStage stage) {
+const char* stage_name(CompileStage stage) {
   switch (stage) {
     case CompileStage::kBsp:
       return "bsp";

@@ -1,4 +1,4 @@
-// What `temblor compile` is asked for.
+// Options of `temblor compile`, and the parsers of those that are neither numbers nor names.
 #pragma once
 
 #include <cstdint>
@@ -13,34 +13,51 @@ namespace temblor::app {
 
 enum class CompileStage : std::uint8_t { kBsp, kVisibility, kLight };
 
-// One of several processes, counted from 1: "2/4".
+// The part of one process in a stage that several processes share, counted from 1: "2/4".
 struct Shard {
   std::uint32_t number = 1, count = 1;
 };
 constexpr std::uint32_t kMaxShards = 9999;
+// Parses "K/N" with 1 <= K <= N <= kMaxShards.
 base::Result<Shard> parse_shard(std::string_view text);
 
-// "bsp", "vis", "light".
+// Parses "bsp", "vis", or "light".
 base::Result<CompileStage> parse_compile_stage(std::string_view text);
-const char* name_of(CompileStage stage);
+const char* stage_name(CompileStage stage);
 
 struct CompileCommandOptions {
-  std::string source;             // a .map file, or a .bsp that gets visibility and light
-  std::string out;                // empty: beside the source, .bsp
-  std::string textures;           // a folder of PNG files, which come before all other textures
-  std::vector<std::string> wads;  // WADs or levels, looked through before those that the map names
+  // A .map file, or a .bsp to compute visibility and light for.
+  std::string source;
+  // The level to write; empty: the source with .bsp.
+  std::string out;
+  // Folder of PNG files, which precede all other textures; empty: none.
+  std::string textures;
+  // WADs, levels, and folders, searched before those that the map names.
+  std::vector<std::string> wads;
+  // Run only this stage, and keep what is still valid of the others.
   std::optional<CompileStage> only{};
-  std::optional<Shard> shard{};  // of visibility or light
+  // Compute this part of visibility or light, or merge the results of all parts. Both need `only`.
+  std::optional<Shard> shard{};
   bool merge = false;
+  // Compile again after every change.
   bool watch = false;
-  bool clean = false;  // uses and leaves no build file
+  // Neither read nor write a build file.
+  bool clean = false;
+  // Rough visibility; light without dirt and bounces.
   bool fast = false;
+  // Skip the stage.
   bool no_vis = false, no_light = false;
+  // Liquids block visibility.
   bool opaque_water = false;
+  // Compute mip levels instead of using those of the source.
   bool built_mips = false;
+  // Write BSP2 even if the level fits version 29.
   bool bsp2 = false;
+  // Light samples in each direction: 1, 2, or 4.
   int extra = 1;
+  // 0 to 16; nothing: as the map says.
   std::optional<int> bounces{};
+  // Nothing or 0: one per core.
   std::optional<int> threads{};
 };
 

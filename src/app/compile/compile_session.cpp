@@ -15,6 +15,7 @@
 #include "app/files/game_files.h"
 #include "app/files/progress.h"
 #include "base/text.h"
+#include "compiler/compile_options.h"
 #include "compiler/prefabs.h"
 #include "formats/levels/lit.h"
 #include "vfs/disk.h"
@@ -25,28 +26,29 @@ namespace {
 namespace fs = std::filesystem;
 using compiler::StagePolicy;
 
-// One line of progress for each stage; Ctrl-C is held back while visibility can be saved.
+// Shows a progress line for each stage. Defers Ctrl-C during visibility, which can be saved and resumed.
 class TerminalWatcher : public compiler::CompileWatcher {
  public:
   TerminalWatcher(Interrupt& interrupt, const LevelPaths& paths, bool saves)
       : interrupt_(interrupt), paths_(paths), saves_(saves) {}
-  ~TerminalWatcher() override { interrupt_.let_go(); }
+  ~TerminalWatcher() override { interrupt_.stop_deferring(); }
 
   void begin_stage(const char* name) override {
     progress_.emplace(name);
     if (std::string_view(name) == "visibility")
-      interrupt_.hold();
+      interrupt_.defer();
     else
-      interrupt_.let_go();
+      interrupt_.stop_deferring();
   }
   bool progress(std::size_t done, std::size_t total) override {
     progress_->update(done, total);
-    return !interrupt_.was_noted();
+    return !interrupt_.was_requested();
   }
+  // Called every now and then during visibility. A failure is only a note, because the run itself can go on.
   void save(base::Bytes visibility_state) override {
     if (!saves_) return;
-    if (const base::Status saved = write_visibility_begun(visibility_state, paths_); !saved.ok())
-      print_note(fmt::format("what visibility has so far is not saved: {}", saved.error().message()));
+    if (const base::Status saved = write_partial_visibility(visibility_state, paths_); !saved.ok())
+      print_note(fmt::format("cannot save the unfinished visibility: {}", saved.error().message()));
   }
   void finish() { progress_.reset(); }
 
@@ -57,14 +59,16 @@ class TerminalWatcher : public compiler::CompileWatcher {
   std::optional<Progress> progress_;
 };
 
-compiler::CompileOptions compile_options(const CompileCommandOptions& options) {
-  const auto wish = [&](CompileStage stage, bool left_out) {
-    if (left_out) return StagePolicy::kSkip;
+// Translates the options of the command to those of the compiler. With --only, the other stages keep their
+// results.
+compiler::CompileOptions make_compile_options(const CompileCommandOptions& options) {
+  const auto choose_policy = [&](CompileStage stage, bool is_skipped) {
+    if (is_skipped) return StagePolicy::kSkip;
     return !options.only || *options.only == stage ? StagePolicy::kBuild : StagePolicy::kReuse;
   };
   compiler::CompileOptions how;
-  how.visibility_wish = wish(CompileStage::kVisibility, options.no_vis);
-  how.light_wish = wish(CompileStage::kLight, options.no_light);
+  how.visibility_policy = choose_policy(CompileStage::kVisibility, options.no_vis);
+  how.light_policy = choose_policy(CompileStage::kLight, options.no_light);
   how.draft.water_is_transparent = !options.opaque_water;
   how.fast_visibility = options.fast;
   how.light.fast = options.fast;
@@ -75,11 +79,11 @@ compiler::CompileOptions compile_options(const CompileCommandOptions& options) {
   return how;
 }
 
-// With the maps in it; `io_files` gets the names of all that were read.
+// Reads a map and the maps that it includes (misc_external_map). `io_files` receives a stamp of every file.
 base::Result<formats::Map> read_map_file(const std::string& path, std::vector<FileStamp>& io_files,
                                          compiler::Warnings& io_warnings) {
   const auto read = [&](const fs::path& file) -> base::Result<std::string> {
-    io_files.push_back(stamp_of(file));
+    io_files.push_back(read_file_stamp(file));
     TRY(const base::ByteVector bytes, vfs::read_disk_file(file));
     return std::string(base::as_text(bytes));
   };
@@ -88,44 +92,45 @@ base::Result<formats::Map> read_map_file(const std::string& path, std::vector<Fi
   return compiler::expand_prefabs(std::move(map), path, read, io_warnings).with_file(path);
 }
 
-// A level that was there before: what no build file knows is had from the level itself.
-base::Result<compiler::Build> build_of_file(const fs::path& bsp_path, bool water_is_transparent) {
+// Makes a build from a compiled level, for a .bsp without a .build file.
+base::Result<compiler::Build> read_level_build(const fs::path& bsp_path, bool water_is_transparent) {
   TRY(const base::ByteVector bytes, vfs::read_disk_file(bsp_path));
   TRY(formats::Bsp bsp, formats::read_bsp(bytes).with_file(bsp_path.string()));
   std::optional<formats::Lit> lit;
-  const fs::path lit_path = level_paths(bsp_path).lit;
+  const fs::path lit_path = make_level_paths(bsp_path).lit;
   if (const auto lit_bytes = vfs::read_disk_file(lit_path); lit_bytes.ok()) {
     TRY(lit, formats::read_lit(*lit_bytes).with_file(lit_path.string()));
   }
-  return compiler::build_of_level(std::move(bsp), std::move(lit), water_is_transparent)
+  return compiler::make_build_from_level(std::move(bsp), std::move(lit), water_is_transparent)
       .with_file(bsp_path.string());
 }
 
-// Whether both are one file, whatever they are called by.
-bool are_one_file(const fs::path& a, const fs::path& b) {
+// Returns whether both paths name the same file, also through links.
+bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code failure;
   return a == b || (fs::equivalent(a, b, failure) && !failure);
 }
 
-// Nothing that is read, or lies beside the level, must be written over by it.
+// Checks that the level overwrites neither the map nor one of its own side files.
 base::Status check_output(const fs::path& source, const LevelPaths& paths) {
-  if (!is_level(source) && are_one_file(source, paths.bsp))
-    return base::Error{base::ErrorCode::kUsage, "is the map itself: -o names the level that is made of it",
-                       paths.bsp.string()};
+  if (!is_level(source) && is_same_file(source, paths.bsp))
+    return base::Error{base::ErrorCode::kUsage,
+                       "would overwrite the map; choose another name with -o NAME.bsp", paths.bsp.string()};
   for (const fs::path& beside : {paths.lit, paths.points, paths.build, paths.visibility})
     if (beside == paths.bsp)
       return base::Error{base::ErrorCode::kUsage,
-                         "is what another file beside the level is called: -o NAME.bsp", paths.bsp.string()};
+                         "is the name of a file beside the level; choose another name with -o NAME.bsp",
+                         paths.bsp.string()};
   return base::Ok{};
 }
 
-fs::path output_of(const CompileCommandOptions& options) {
+fs::path choose_output(const CompileCommandOptions& options) {
   if (!options.out.empty()) return options.out;
   return is_level(options.source) ? fs::path(options.source)
                                   : fs::path(options.source).replace_extension(".bsp");
 }
 
-int thread_count(const CompileCommandOptions& options) {
+int choose_thread_count(const CompileCommandOptions& options) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return options.threads.value_or(0) == 0 ? cores : *options.threads;
 }
@@ -138,33 +143,35 @@ bool is_level(const fs::path& source) {
 
 CompileSession::CompileSession(const CompileCommandOptions& options, formats::Palette palette,
                                LevelPaths paths)
-    : options_(options), palette_(palette), paths_(std::move(paths)), jobs_(thread_count(options)) {}
+    : options_(options), palette_(palette), paths_(std::move(paths)), jobs_(choose_thread_count(options)) {}
 
+// Checks everything that is cheap to check, so that a long compilation does not fail at its end.
 base::Result<std::unique_ptr<CompileSession>> CompileSession::begin(const CompileCommandOptions& options,
                                                                     const GameFolders& folders) {
   TRY(const assets::Look look, find_look(folders));
-  const LevelPaths paths = level_paths(output_of(options));
+  const LevelPaths paths = make_level_paths(choose_output(options));
   TRY_STATUS(check_output(options.source, paths));
-  if (compile_options(options).light_wish == StagePolicy::kBuild) TRY_STATUS(compiler::check_light());
+  if (make_compile_options(options).light_policy == StagePolicy::kBuild) TRY_STATUS(compiler::check_light());
   std::unique_ptr<CompileSession> session(new CompileSession(options, look.palette, paths));
-  session->game_wads_ = wads_of_games(folders);
-  // A level that becomes another one begins with what is in it.
-  const bool is_its_own_source = !is_level(options.source) || are_one_file(options.source, paths.bsp);
+  session->game_wads_ = list_game_wads(folders);
+  // If a .bsp is compiled to another file, that file's build does not belong to it.
+  const bool is_its_own_source = !is_level(options.source) || is_same_file(options.source, paths.bsp);
   if (!options.clean && is_its_own_source) session->build_ = read_build_file(session->paths_);
   return session;
 }
 
 base::Result<compiler::CompileReport> CompileSession::run() {
-  return run(compile_options(options_));
+  return run(make_compile_options(options_));
 }
 
 base::Result<compiler::CompileReport> CompileSession::run_bsp() {
-  compiler::CompileOptions how = compile_options(options_);
-  how.visibility_wish = how.light_wish = StagePolicy::kReuse;
+  compiler::CompileOptions how = make_compile_options(options_);
+  how.visibility_policy = how.light_policy = StagePolicy::kReuse;
   return run(how);
 }
 
 base::Result<compiler::CompileReport> CompileSession::run(const compiler::CompileOptions& how) {
+  // Print warnings even if a stage fails, because they may explain why.
   compiler::Warnings warnings;
   TerminalWatcher watcher(interrupt_, paths_, !options_.clean);
   source_files_.clear();
@@ -172,21 +179,21 @@ base::Result<compiler::CompileReport> CompileSession::run(const compiler::Compil
   const auto stages = [&]() -> base::Result<compiler::CompileReport> {
     if (!is_level(options_.source)) return run_map(how, watcher, warnings);
     if (build_.bsp.models.empty()) {
+      // Keep the state of an interrupted visibility stage, which comes from its own file.
       base::ByteVector begun = std::move(build_.visibility_state);
-      TRY(build_, build_of_file(options_.source, how.draft.water_is_transparent));
+      TRY(build_, read_level_build(options_.source, how.draft.water_is_transparent));
       build_.visibility_state = std::move(begun);
     }
-    return compiler::finish_level(palette_, how, jobs_, watcher, build_, warnings);
+    return compiler::finish_level(palette_, how, {jobs_, watcher, warnings}, build_);
   };
   base::Result<compiler::CompileReport> report = stages();
   watcher.finish();
   print_warnings(warnings);
-  if (!report.ok() && interrupt_.was_noted()) {
+  if (!report.ok() && interrupt_.was_requested()) {
     if (options_.clean || build_.visibility_state.empty())
-      return base::Error{base::ErrorCode::kIo, "stopped", options_.source};
-    TRY_STATUS(write_visibility_begun(build_.visibility_state, paths_));
-    return base::Error{base::ErrorCode::kIo, "stopped; the next run goes on with visibility from here",
-                       options_.source};
+      return base::Error{base::ErrorCode::kIo, "interrupted", options_.source};
+    TRY_STATUS(write_partial_visibility(build_.visibility_state, paths_));
+    return base::Error{base::ErrorCode::kIo, "interrupted; the next run resumes visibility", options_.source};
   }
   return std::move(report).with_file(options_.source);
 }
@@ -197,11 +204,12 @@ base::Result<compiler::CompileReport> CompileSession::run_map(const compiler::Co
   TRY(const formats::Map map, read_map_file(options_.source, source_files_, io_warnings));
   TRY(const TextureFiles textures, find_textures({options_.textures, options_.wads, game_wads_},
                                                  options_.source, map, palette_, source_files_, io_warnings));
-  return compiler::compile_level(map, textures.sources, palette_, how, jobs_, watcher, build_, io_warnings);
+  return compiler::compile_level({map, textures.sources, palette_}, how, {jobs_, watcher, io_warnings},
+                                 build_);
 }
 
 compiler::LightOptions CompileSession::light_options() const {
-  compiler::LightOptions how = compile_options(options_).light;
+  compiler::LightOptions how = make_compile_options(options_).light;
   how.palette = palette_;
   return how;
 }

@@ -1,4 +1,12 @@
-// One `temblor compile`: its source, what earlier runs left, and the stages that it runs.
+// One `temblor compile`: its source, the results of earlier runs, and the stages to run.
+//
+//   .map -> bsp -> visibility -> light -> Build -> .bsp, .lit (level_output.h)
+//                                           ^
+//   .build, .visibility of earlier runs ----'
+//
+// The compiler library reuses every part of the Build whose input has not changed. The session only reads
+// files, shows progress, and handles Ctrl-C; level_output.h writes the result. For --watch, run() may be
+// called repeatedly.
 #pragma once
 
 #include <filesystem>
@@ -17,29 +25,30 @@
 
 namespace temblor::app {
 
-// A .bsp, and no map.
+// Returns whether the source is a .bsp, not a .map.
 bool is_level(const std::filesystem::path& source);
 
 class CompileSession {
  public:
-  // Finds the palette and what earlier runs left of the level. kUsage where the level would be written over
-  // the map, or over a file of its own.
+  // Finds the palette and reads the results of earlier runs. kUsage if the output would overwrite the map or
+  // one of the files beside the level.
   static base::Result<std::unique_ptr<CompileSession>> begin(const CompileCommandOptions& options,
                                                              const GameFolders& folders);
 
-  // Reads the source and runs the stages that the command line asks for. Does not write the level.
+  // Reads the source and runs the stages that the options ask for. Does not write the level.
   base::Result<compiler::CompileReport> run();
-  // The BSP stage alone: what visibility and light begin with.
+  // Runs only the BSP stage, whose result visibility and light need.
   base::Result<compiler::CompileReport> run_bsp();
 
+  // The results so far. Valid after a successful run.
   compiler::Build& build() { return build_; }
   const LevelPaths& paths() const { return paths_; }
   base::Jobs& jobs() { return jobs_; }
-  // Whether the last run ended because of Ctrl-C.
-  bool was_interrupted() const { return interrupt_.was_noted(); }
+  // Returns whether Ctrl-C ended the last run.
+  bool was_interrupted() const { return interrupt_.was_requested(); }
   Interrupt& interrupt() { return interrupt_; }
   compiler::LightOptions light_options() const;
-  // What the last run read, each as it was before that; also when the run failed.
+  // Stamps of the files that the last run read, taken before reading. Also valid after a failure.
   const std::vector<FileStamp>& source_files() const { return source_files_; }
 
  private:
@@ -54,7 +63,8 @@ class CompileSession {
   formats::Palette palette_;
   LevelPaths paths_;
   std::vector<std::filesystem::path> game_wads_;
-  Interrupt interrupt_;  // before the threads of jobs_
+  // Constructed before jobs_, whose threads inherit its signal mask.
+  Interrupt interrupt_;
   base::Jobs jobs_;
   compiler::Build build_;
   std::vector<FileStamp> source_files_;

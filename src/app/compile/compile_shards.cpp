@@ -13,8 +13,7 @@
 #include "app/files/atomic_write.h"
 #include "app/files/diagnostics.h"
 #include "app/files/progress.h"
-#include "compiler/light/build_light.h"
-#include "compiler/vis/build_visibility.h"
+#include "compiler/compile_shard.h"
 #include "vfs/disk.h"
 
 namespace temblor::app {
@@ -22,15 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Returns the name of a shard's file: castle.vis-2-of-4.
 fs::path shard_path(CompileStage stage, const Shard& shard, const LevelPaths& paths) {
   return fs::path(paths.bsp).replace_extension(
-      fmt::format(".{}-{}-of-{}", name_of(stage), shard.number, shard.count));
+      fmt::format(".{}-{}-of-{}", stage_name(stage), shard.number, shard.count));
 }
 
-// Whether the file is called what the file of some share would be.
+// Returns whether the file's name is exactly that of a shard's file.
 bool is_shard_file(const fs::path& file, CompileStage stage, const LevelPaths& paths) {
-  const std::string ending = file.extension().string();  // ".vis-2-of-4"
-  const std::string start = fmt::format(".{}-", name_of(stage)), middle = "-of-";
+  // The extension is, for example, ".vis-2-of-4". Comparing with the name that the parsed shard would have
+  // rejects variants such as ".vis-02-of-4".
+  const std::string ending = file.extension().string();
+  const std::string start = fmt::format(".{}-", stage_name(stage)), middle = "-of-";
   const std::size_t between = ending.find(middle, start.size());
   if (!ending.starts_with(start) || between == std::string::npos) return false;
   const base::Result<Shard> shard = parse_shard(fmt::format(
@@ -38,8 +40,8 @@ bool is_shard_file(const fs::path& file, CompileStage stage, const LevelPaths& p
   return shard.ok() && shard_path(stage, *shard, paths).filename() == file.filename();
 }
 
-// Whatever their number: those of a run with another count than the last are found as well, and told apart by
-// who reads them.
+// Finds the files of all shards, sorted by name, whatever their count. The readers check that they belong
+// together.
 base::Result<std::vector<fs::path>> find_shards(CompileStage stage, const LevelPaths& paths) {
   const fs::path folder = paths.bsp.has_parent_path() ? paths.bsp.parent_path() : fs::path(".");
   std::vector<fs::path> found;
@@ -51,41 +53,45 @@ base::Result<std::vector<fs::path>> find_shards(CompileStage stage, const LevelP
   if (found.empty())
     return base::Error{
         base::ErrorCode::kNotFound,
-        fmt::format("no shards to merge: run compile --only {} --shard K/N first", name_of(stage)),
+        fmt::format("no shards to merge; run compile --only {} --shard K/N first", stage_name(stage)),
         shard_path(stage, {1, 2}, paths).string()};
   return found;
 }
 
-// Says so if it is.
-bool visibility_is_finished(CompileSession& session) {
+// Prints a line if visibility is already complete. Returns whether it is.
+bool report_finished_visibility(CompileSession& session) {
   if (session.build().visibility != compiler::VisibilityKind::kFull) return false;
-  fmt::print("{}: visibility is finished\n", session.paths().bsp.string());
+  fmt::print("{}: visibility is complete\n", session.paths().bsp.string());
   return true;
 }
 
+// Computes the shard until Ctrl-C, and writes what is done. The file is written before signals are no longer
+// deferred, so that a second Ctrl-C cannot lose it.
 base::Status write_visibility_shard(const Shard& shard, const fs::path& path, CompileSession& io_session) {
-  if (visibility_is_finished(io_session)) return base::Ok{};
+  if (report_finished_visibility(io_session)) return base::Ok{};
   Interrupt& interrupt = io_session.interrupt();
-  interrupt.hold();
+  interrupt.defer();
   compiler::VisibilityShard made;
   {
     Progress line("visibility");
     const auto progress = [&](std::size_t done, std::size_t total) {
       line.update(done, total);
-      return !interrupt.was_noted();
+      return !interrupt.was_requested();
     };
     made = compiler::make_visibility_shard(io_session.build(), {shard.number - 1, shard.count},
                                            io_session.jobs(), progress);
   }
   const base::Status written = replace_file(path, made.state);
-  interrupt.let_go();
+  interrupt.stop_deferring();
   TRY_STATUS(written);
   if (made.end == compiler::VisibilityEnd::kStopped)
-    return base::Error{base::ErrorCode::kIo, "stopped; --merge joins what is done of it", path.string()};
+    return base::Error{base::ErrorCode::kIo, "interrupted; --merge uses what was computed so far",
+                       path.string()};
   return base::Ok{};
 }
 
-// Stops now and then to save what is done, in the file that it goes on from.
+// Computes the shard in slices of kSaveEvery and saves it after each one. An interrupted run resumes from the
+// same file.
 base::Status write_light_shard(const Shard& shard, const fs::path& path, CompileSession& io_session) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds kSaveEvery{120};
@@ -95,55 +101,57 @@ base::Status write_light_shard(const Shard& shard, const fs::path& path, Compile
   compiler::LightShardBytes made;
   if (base::Result<base::ByteVector> begun = vfs::read_disk_file(path); begun.ok())
     made.bytes = std::move(begun).value();
-  interrupt.hold();
+  interrupt.defer();
   while (!made.is_finished) {
     const Clock::time_point start = Clock::now();
     const auto progress = [&](std::size_t done, std::size_t total) {
       line.update(done, total);
-      return !interrupt.was_noted() && Clock::now() - start < kSaveEvery;
+      return !interrupt.was_requested() && Clock::now() - start < kSaveEvery;
     };
     const base::ByteVector begun = std::move(made.bytes);
-    TRY(made, compiler::light_shard(build.bsp, build.face_keys, io_session.light_options(),
-                                    {shard.number - 1, shard.count}, begun, io_session.jobs(), progress));
+    TRY(made, compiler::make_light_shard(build, {shard.number - 1, shard.count}, io_session.light_options(),
+                                         begun, io_session.jobs(), progress));
     TRY_STATUS(replace_file(path, made.bytes));
-    if (interrupt.was_noted() && !made.is_finished)
-      return base::Error{base::ErrorCode::kIo, "stopped; the same command goes on from here", path.string()};
+    if (interrupt.was_requested() && !made.is_finished)
+      return base::Error{base::ErrorCode::kIo, "interrupted; run the same command to resume", path.string()};
   }
-  interrupt.let_go();
+  interrupt.stop_deferring();
   return base::Ok{};
 }
 
-// Of files that do not belong together: the command line is right.
+// Turns a usage error into a file error: if shards do not belong together, the files are wrong, not the
+// command line.
 template <typename T>
-base::Result<T> as_fault_of_files(base::Result<T> result) {
+base::Result<T> as_file_error(base::Result<T> result) {
   if (result.ok() || result.error().code != base::ErrorCode::kUsage) return result;
   base::Error error = result.error();
   error.code = base::ErrorCode::kMalformed;
   return error;
 }
 
+// Merges the shards into the session's build.
 base::Status merge(CompileStage stage, std::span<const base::Bytes> shards, CompileSession& io_session) {
   if (stage == CompileStage::kVisibility) {
     TRY(const compiler::MergedVisibility merged,
-        as_fault_of_files(compiler::merge_visibility_shards(shards, io_session.build())));
-    fmt::print("{}: visibility of {} of {} portals{}\n", io_session.paths().bsp.string(),
+        as_file_error(compiler::merge_visibility_shards(shards, io_session.build())));
+    fmt::print("{}: visibility of {} of {} portals computed{}\n", io_session.paths().bsp.string(),
                merged.finished_portals, merged.portals,
-               merged.finished_portals == merged.portals ? "" : "; run the shards again");
+               merged.finished_portals == merged.portals ? "" : "; run the shards again for the rest");
     return base::Ok{};
   }
   compiler::Warnings warnings;
   base::Status merged = compiler::merge_light_shards(shards, io_session.light_options(), io_session.jobs(),
                                                      io_session.build(), warnings);
   print_warnings(warnings);
-  return as_fault_of_files(std::move(merged));
+  return as_file_error(std::move(merged));
 }
 
-// Visibility of what leaks is none.
+// Returns an error if the stage is visibility and the level leaks, because such a level has no visibility.
 base::Status check_closed(CompileStage stage, const compiler::CompileReport& report,
                           const CompileSession& session) {
   if (stage != CompileStage::kVisibility || !report.leak) return base::Ok{};
   return base::Error{base::ErrorCode::kMalformed,
-                     describe_leak(*report.leak) + "; compile --only bsp shows the way",
+                     describe_leak(*report.leak) + "; run compile --only bsp to see the path",
                      session.paths().bsp.string()};
 }
 
@@ -161,7 +169,7 @@ base::Status merge_shards(CompileStage stage, CompileSession& io_session) {
   TRY(const compiler::CompileReport report, io_session.run_bsp());
   TRY_STATUS(check_closed(stage, report, io_session));
   const auto write = [&] { return write_level(io_session.build(), report.leak, io_session.paths(), true); };
-  if (stage == CompileStage::kVisibility && visibility_is_finished(io_session)) return write();
+  if (stage == CompileStage::kVisibility && report_finished_visibility(io_session)) return write();
   TRY(const std::vector<fs::path> files, find_shards(stage, io_session.paths()));
   std::vector<base::ByteVector> bytes;
   for (const fs::path& file : files) {
@@ -170,10 +178,11 @@ base::Status merge_shards(CompileStage stage, CompileSession& io_session) {
   }
   const std::vector<base::Bytes> shards(bytes.begin(), bytes.end());
   const fs::path all_of_them =
-      fs::path(io_session.paths().bsp).replace_extension(fmt::format(".{}-*", name_of(stage)));
+      fs::path(io_session.paths().bsp).replace_extension(fmt::format(".{}-*", stage_name(stage)));
   TRY_STATUS(merge(stage, shards, io_session).with_file(all_of_them.string()));
   TRY_STATUS(write());
-  std::error_code ignored;  // only now: until here they are all that there is of the work
+  // Remove the shards only now: until the level is written, they are the only copy of the work.
+  std::error_code ignored;
   for (const fs::path& file : files) fs::remove(file, ignored);
   return base::Ok{};
 }

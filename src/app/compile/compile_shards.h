@@ -1,5 +1,8 @@
-// Visibility and light shared out among processes that have a file system in common, by files beside the
-// level: castle.vis-2-of-4.
+// Splits visibility or light among processes that share a file system. Each process writes its part to a file
+// next to the level, castle.vis-2-of-4, and a last run merges the files:
+//
+//   compile castle.map --only vis --shard 1/4   ...   --shard 4/4   (on any machines)
+//   compile castle.map --only vis --merge
 #pragma once
 
 #include "app/compile/compile_options.h"
@@ -8,12 +11,14 @@
 
 namespace temblor::app {
 
-// Works out a share of `stage` (visibility or light) and writes its file. Ctrl-C leaves what is done of the
-// share in it; then, and for visibility of a level that leaks, an error. A share of light is saved every two
-// minutes, and goes on from its file; one of visibility, once --merge has joined what there is.
+// Computes a shard of `stage` (visibility or light) and writes its file. Ctrl-C saves the part that is done
+// and returns an error. Light is saved every two minutes and resumes from its own file; visibility resumes
+// after --merge has joined the files. Visibility of a level that leaks is an error.
 base::Status run_shard(CompileStage stage, const Shard& shard, CompileSession& io_session);
 
-// Joins the files of all shards of `stage`, writes the level and takes them away; says how far the stage is.
+// Merges the files of all shards of `stage`, writes the level, and removes the files. Prints how much of
+// visibility is done. Missing visibility shards are not an error: what is done so far is kept, and the shards
+// can be run again.
 base::Status merge_shards(CompileStage stage, CompileSession& io_session);
 
 }  // namespace temblor::app

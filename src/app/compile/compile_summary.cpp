@@ -12,6 +12,7 @@
 
 namespace temblor::app {
 
+// A map may have thousands of equal warnings, so show the first three of each kind and count the rest.
 void print_warnings(const compiler::Warnings& warnings) {
   std::map<std::string, std::vector<const compiler::Warning*>> by_kind;
   for (const compiler::Warning& warning : warnings) by_kind[warning.kind].push_back(&warning);
@@ -28,16 +29,19 @@ void print_warnings(const compiler::Warnings& warnings) {
 std::string describe_leak(const compiler::LeakPath& leak) {
   const math::Vec3d& place = leak.points_world.front();
   return fmt::format(
-      "the level leaks, so it has no visibility: entity {} ({}) at {:g} {:g} {:g}, line {} of the map, sees "
-      "the outside",
+      "the level leaks, so it has no visibility: entity {} ({}) at {:g} {:g} {:g}, line {} of the map, can "
+      "reach the "
+      "outside",
       leak.entity, leak.classname, place.x, place.y, place.z, leak.line);
 }
 
+// The path itself is in the files; the message says where it starts and how to see it.
 void print_leak(const compiler::LeakPath& leak, const LevelPaths& paths) {
-  print_note(fmt::format("{}; the way is in {} and {}", describe_leak(leak), paths.points.string(),
+  print_note(fmt::format("{}; {} and {} show the path", describe_leak(leak), paths.points.string(),
                          paths.leak_picture.string()));
 }
 
+// The limits are those of the original engine and its compilers.
 void print_summary(const compiler::Build& build, const compiler::CompileReport& report,
                    const LevelPaths& paths) {
   struct Count {
@@ -47,7 +51,7 @@ void print_summary(const compiler::Build& build, const compiler::CompileReport& 
   const formats::Bsp& bsp = build.bsp;
   std::error_code ignored;
   fmt::print("{}: {} bytes, version {}\n", paths.bsp.string(), std::filesystem::file_size(paths.bsp, ignored),
-             formats::name_of(bsp.version));
+             formats::version_name(bsp.version));
   for (const Count& c :
        {Count{"models", bsp.models.size(), 256}, Count{"planes", bsp.planes.size(), 32767},
         Count{"vertices", bsp.vertices.size(), 65535}, Count{"nodes", bsp.nodes.size(), 32767},
@@ -57,9 +61,9 @@ void print_summary(const compiler::Build& build, const compiler::CompileReport& 
         Count{"surfedges", bsp.surfedges.size(), 512000}, Count{"light bytes", bsp.lighting.size(), 1048576},
         Count{"visibility bytes", bsp.visibility.size(), 1048576}})
     fmt::print("  {:<18} {:>8} of {}{}\n", c.what, c.count, c.classic,
-               c.count > c.classic ? "  over the original's limit" : "");
+               c.count > c.classic ? "  exceeds the original engine's limit" : "");
   if (build.mean_visible_share)
-    fmt::print("  leaves seen on average {:.1f} %\n", *build.mean_visible_share * 100);
+    fmt::print("  average visible leaves {:.1f} %\n", *build.mean_visible_share * 100);
   for (const compiler::StageTime& time : report.times) {
     if (time.wall_s)
       fmt::print("  {:<18} {:>8.2f} s\n", time.name, *time.wall_s);

@@ -1,4 +1,4 @@
-// What a mapper is told of a compilation.
+// The messages of a compilation, for mappers. Problems go to standard error, results to standard output.
 #pragma once
 
 #include <string>
@@ -10,21 +10,22 @@
 
 namespace temblor::app {
 
-// Notes: the first of each kind, with how many there are.
+// Prints one note per kind of warning: the number of warnings and the first three.
 void print_warnings(const compiler::Warnings& warnings);
 
-// What to do about it is for the caller to say: "the level leaks, so ...: entity 3 (light) at 0 0 64, line
-// 120 of the map, sees the outside".
+// Returns "the level leaks, so it has no visibility: entity 3 (light) at 0 0 64, line 120 of the map, can
+// reach the outside".
 std::string describe_leak(const compiler::LeakPath& leak);
 
-// Where the level leaks, and where that can be seen.
+// Prints where the level leaks and which files show the path.
 void print_leak(const compiler::LeakPath& leak, const LevelPaths& paths);
 
-// Counts beside the limits of the original engine, what leaves see, the time of each stage.
+// Prints counts with the limits of the original engine, the average share of visible leaves, and the time of
+// each stage.
 void print_summary(const compiler::Build& build, const compiler::CompileReport& report,
                    const LevelPaths& paths);
 
-// The times in one line.
+// Prints the times of all stages on one line.
 void print_times(const compiler::CompileReport& report, const LevelPaths& paths);
 
 }  // namespace temblor::app

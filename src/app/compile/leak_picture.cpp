@@ -17,12 +17,14 @@ using math::Vec3d;
 
 constexpr int kWidthPx = 1200, kMarginPx = 24, kMaxHeightPx = 1600;
 
+// Components from 0 to 1.
 struct Color {
-  float red = 0, green = 0, blue = 0;  // 0 to 1
+  float red = 0, green = 0, blue = 0;
 };
-constexpr Color kBackground{0.07f, 0.08f, 0.10f}, kWall{0.75f, 0.80f, 0.90f}, kWay{1.0f, 0.55f, 0.10f},
+constexpr Color kBackground{0.07f, 0.08f, 0.10f}, kWall{0.75f, 0.80f, 0.90f}, kPath{1.0f, 0.55f, 0.10f},
     kStart{0.25f, 0.90f, 0.35f}, kEnd{1.0f, 0.20f, 0.20f};
 
+// A picture with antialiased dots and lines. Drawing outside of it is allowed and has no effect.
 class Canvas {
  public:
   Canvas(int width, int height)
@@ -33,7 +35,7 @@ class Canvas {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // A disc with a soft rim.
+  // Draws a disc whose rim fades over one pixel.
   void dot(const Vec2d& center_px, double radius_px, const Color& color, float opacity) {
     const auto first = [](double place) { return static_cast<int>(std::floor(place)); };
     for (int y = first(center_px.y - radius_px); y <= first(center_px.y + radius_px) + 1; ++y)
@@ -43,6 +45,8 @@ class Canvas {
       }
   }
 
+  // Draws a line as overlapping dots, half a pixel apart. Slow but simple; a picture takes a fraction of a
+  // second.
   void line(const Vec2d& from_px, const Vec2d& to_px, double radius_px, const Color& color, float opacity) {
     constexpr double kStepPx = 0.5;
     const auto steps = std::max(1, static_cast<int>(glm::length(to_px - from_px) / kStepPx));
@@ -81,9 +85,10 @@ struct Bounds {
   }
 };
 
-// One view along an axis: the x axis to the right, `up_axis` upwards.
+// One orthographic view: the x axis to the right, `up_axis` upward.
 struct Projection {
-  Vec3d mins;  // at the lower left corner
+  // The level's point at the lower left corner.
+  Vec3d mins;
   int up_axis;
   double px_per_unit;
   Vec2d lower_left_px;
@@ -96,7 +101,8 @@ struct Projection {
 
 using Edge = std::array<Vec3d, 2>;
 
-std::vector<Edge> edges_of_world(const formats::Bsp& bsp) {
+// Returns the edges of all faces of the world, without brush models. Edges that faces share appear twice.
+std::vector<Edge> list_world_edges(const formats::Bsp& bsp) {
   std::vector<Edge> edges;
   const formats::BspModel& world = bsp.models.front();
   for (std::uint32_t i = 0; i < world.face_count; ++i) {
@@ -110,32 +116,33 @@ std::vector<Edge> edges_of_world(const formats::Bsp& bsp) {
   return edges;
 }
 
-void draw_view(std::span<const Edge> edges, std::span<const Vec3d> way_world, const Projection& project,
+void draw_view(std::span<const Edge> edges, std::span<const Vec3d> path_world, const Projection& project,
                Canvas& io_canvas) {
   for (const auto& [from, to] : edges) io_canvas.line(project(from), project(to), 0.4, kWall, 0.18f);
-  for (std::size_t i = 1; i < way_world.size(); ++i)
-    io_canvas.line(project(way_world[i - 1]), project(way_world[i]), 1.5, kWay, 0.9f);
-  if (way_world.empty()) return;
-  io_canvas.dot(project(way_world.back()), 6, kEnd, 1);
-  io_canvas.dot(project(way_world.front()), 6, kStart, 1);
+  for (std::size_t i = 1; i < path_world.size(); ++i)
+    io_canvas.line(project(path_world[i - 1]), project(path_world[i]), 1.5, kPath, 0.9f);
+  if (path_world.empty()) return;
+  io_canvas.dot(project(path_world.back()), 6, kEnd, 1);
+  io_canvas.dot(project(path_world.front()), 6, kStart, 1);
 }
 
 }  // namespace
 
-base::Result<base::ByteVector> draw_leak(const formats::Bsp& bsp, std::span<const Vec3d> way_world) {
-  const std::vector<Edge> edges = edges_of_world(bsp);
+// Both views have the same scale, chosen so that they fit the width and together the height.
+base::Result<base::ByteVector> draw_leak(const formats::Bsp& bsp, std::span<const Vec3d> path_world) {
+  const std::vector<Edge> edges = list_world_edges(bsp);
   Bounds bounds;
   for (const Edge& edge : edges)
     for (const Vec3d& point : edge) bounds.add(point);
-  for (const Vec3d& point : way_world) bounds.add(point);
+  for (const Vec3d& point : path_world) bounds.add(point);
   const Vec3d size = glm::max(bounds.maxs - bounds.mins, Vec3d(1.0));
   const double px_per_unit =
       std::min((kWidthPx - 2 * kMarginPx) / size.x, (kMaxHeightPx - 3 * kMarginPx) / (size.y + size.z));
   const auto px = [&](double units) { return static_cast<int>(std::ceil(units * px_per_unit)); };
   Canvas canvas(px(size.x) + 2 * kMarginPx, px(size.y) + px(size.z) + 3 * kMarginPx);
   const double plan_bottom_px = kMarginPx + px(size.y);
-  draw_view(edges, way_world, {bounds.mins, 1, px_per_unit, {kMarginPx, plan_bottom_px}}, canvas);
-  draw_view(edges, way_world,
+  draw_view(edges, path_world, {bounds.mins, 1, px_per_unit, {kMarginPx, plan_bottom_px}}, canvas);
+  draw_view(edges, path_world,
             {bounds.mins, 2, px_per_unit, {kMarginPx, plan_bottom_px + kMarginPx + px(size.z)}}, canvas);
   return canvas.png();
 }

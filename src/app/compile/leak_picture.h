@@ -1,4 +1,4 @@
-// Where a level leaks, to look at.
+// Draws the path of a leak, for mappers without an editor that shows .pts files.
 #pragma once
 
 #include <span>
@@ -10,8 +10,14 @@
 
 namespace temblor::app {
 
-// A PNG: the edges of the level's walls from above, and below that from the south, with the way through them
-// in orange from a green dot, where it begins, to a red one outside.
-base::Result<base::ByteVector> draw_leak(const formats::Bsp& bsp, std::span<const math::Vec3d> way_world);
+// Returns a PNG with two orthographic views, from above and from the south. The edges of the level's faces
+// are gray; the path of the leak is orange, from a green dot at its entity to a red dot in the void.
+//
+//   +--------------+
+//   |  from above  |   x to the right, y up
+//   +--------------+
+//   | from south   |   x to the right, z up
+//   +--------------+
+base::Result<base::ByteVector> draw_leak(const formats::Bsp& bsp, std::span<const math::Vec3d> path_world);
 
 }  // namespace temblor::app

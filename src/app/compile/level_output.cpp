@@ -19,13 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Nothing where there is no such file.
-base::ByteVector bytes_of(const fs::path& path) {
+// Reads a file; empty if it cannot be read.
+base::ByteVector read_file_or_empty(const fs::path& path) {
   base::Result<base::ByteVector> bytes = vfs::read_disk_file(path);
   return bytes.ok() ? std::move(bytes).value() : base::ByteVector{};
 }
 
-base::ByteVector points_of(const compiler::LeakPath& leak) {
+// Formats a .pts file: one point per line, from the entity to the outside.
+base::ByteVector format_leak_points(const compiler::LeakPath& leak) {
   std::string text;
   for (const math::Vec3d& point : leak.points_world)
     text += fmt::format("{:.2f} {:.2f} {:.2f}\n", point.x, point.y, point.z);
@@ -33,34 +34,38 @@ base::ByteVector points_of(const compiler::LeakPath& leak) {
   return {bytes.begin(), bytes.end()};
 }
 
-base::Result<FileChange> change_of(const fs::path& path, const std::optional<base::ByteVector>& bytes) {
+// Returns a change that writes the bytes, or removes the file if there are none.
+base::Result<FileChange> prepare_change(const fs::path& path, const std::optional<base::ByteVector>& bytes) {
   if (bytes) return FileChange::replacement(path, *bytes);
   return FileChange::removal(path);
 }
 
 base::Status replace_or_remove(const fs::path& path, const std::optional<base::ByteVector>& bytes) {
-  TRY(FileChange change, change_of(path, bytes));
-  return change.put_in_place();
+  TRY(FileChange change, prepare_change(path, bytes));
+  return change.commit();
 }
 
 }  // namespace
 
-LevelPaths level_paths(const fs::path& bsp) {
+LevelPaths make_level_paths(const fs::path& bsp) {
   const auto with = [&](const char* ending) { return fs::path(bsp).replace_extension(ending); };
   return {bsp, with(".lit"), with(".pts"), with(".leak.png"), with(".build"), with(".visibility")};
 }
 
+// A build file is only an optimization, so one that cannot be read is a note. It is valid only together with
+// the level and .lit that were written with it; if another program has changed them, the build is empty.
 compiler::Build read_build_file(const LevelPaths& paths) {
   compiler::Build build;
-  if (const base::ByteVector bytes = bytes_of(paths.build); !bytes.empty()) {
-    const base::ByteVector bsp = bytes_of(paths.bsp), lit = bytes_of(paths.lit);
+  if (const base::ByteVector bytes = read_file_or_empty(paths.build); !bytes.empty()) {
+    const base::ByteVector bsp = read_file_or_empty(paths.bsp), lit = read_file_or_empty(paths.lit);
     base::Result<compiler::Build> read = compiler::read_build(bytes, {bsp, lit});
     if (read.ok())
       build = std::move(read).value();
     else
-      print_note(fmt::format("{}: everything is made anew: {}", paths.build.string(), read.error().what));
+      print_note(
+          fmt::format("{}: ignored, everything is rebuilt: {}", paths.build.string(), read.error().what));
   }
-  build.visibility_state = bytes_of(paths.visibility);
+  build.visibility_state = read_file_or_empty(paths.visibility);
   return build;
 }
 
@@ -71,21 +76,23 @@ base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
   TRY(level.bsp, formats::write_bsp(build.bsp, build.bsp.version).with_file(paths.bsp.string()));
   TRY(FileChange bsp_change, FileChange::replacement(paths.bsp, level.bsp));
   std::error_code ignored;
-  if (fs::is_other(paths.bsp, ignored)) {  // beside a device lie other devices
+  // A device such as /dev/null: write nothing beside it.
+  if (fs::is_other(paths.bsp, ignored)) {
     level.steps.push_back(std::move(bsp_change));
     return level;
   }
   std::optional<base::ByteVector> points, picture;
   if (build.lit) level.lit = formats::write_lit(*build.lit);
   if (leak) {
-    points = points_of(*leak);
+    points = format_leak_points(*leak);
     TRY(picture, draw_leak(build.bsp, leak->points_world).with_file(paths.leak_picture.string()));
   }
-  TRY(FileChange points_change, change_of(paths.points, points));
-  TRY(FileChange picture_change, change_of(paths.leak_picture, picture));
+  TRY(FileChange points_change, prepare_change(paths.points, points));
+  TRY(FileChange picture_change, prepare_change(paths.leak_picture, picture));
   level.steps.push_back(std::move(points_change));
   level.steps.push_back(std::move(picture_change));
-  const bool has_new_colors = level.lit.value_or(base::ByteVector{}) != bytes_of(paths.lit);
+  // Unchanged colors stay where they are. New ones are removed first and added last, as the header explains.
+  const bool has_new_colors = level.lit.value_or(base::ByteVector{}) != read_file_or_empty(paths.lit);
   if (has_new_colors) level.steps.push_back(FileChange::removal(paths.lit, level.lit.has_value()));
   level.steps.push_back(std::move(bsp_change));
   if (has_new_colors && level.lit) {
@@ -98,19 +105,19 @@ base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
 base::Status write_level(const compiler::Build& build, const std::optional<compiler::LeakPath>& leak,
                          const LevelPaths& paths, bool keep) {
   TRY(PreparedLevel level, prepare_level(build, leak, paths));
-  for (FileChange& step : level.steps) TRY_STATUS(step.put_in_place());
+  for (FileChange& step : level.steps) TRY_STATUS(step.commit());
   std::error_code ignored;
   if (fs::is_other(paths.bsp, ignored)) return base::Ok{};
   std::optional<base::ByteVector> beside, begun;
   if (keep) beside = compiler::write_build(build, {level.bsp, level.lit.value_or(base::ByteVector{})});
-  // The level is whole without it.
+  // The level is complete without the build file, so a failure is only a note.
   if (const base::Status kept = replace_or_remove(paths.build, beside); !kept.ok())
-    print_note(fmt::format("the next run makes everything anew: {}", kept.error().message()));
+    print_note(fmt::format("the next run will rebuild everything: {}", kept.error().message()));
   if (keep && !build.visibility_state.empty()) begun = build.visibility_state;
   return replace_or_remove(paths.visibility, begun);
 }
 
-base::Status write_visibility_begun(base::Bytes visibility_state, const LevelPaths& paths) {
+base::Status write_partial_visibility(base::Bytes visibility_state, const LevelPaths& paths) {
   return replace_file(paths.visibility, visibility_state);
 }
 

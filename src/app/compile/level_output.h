@@ -1,4 +1,5 @@
-// A compiled level on disk: the .bsp, and what lies beside it under the same name.
+// Writes a compiled level: the .bsp and its side files, which have the same name with other extensions. All
+// files are prepared before the first one is replaced (files/atomic_write.h).
 #pragma once
 
 #include <filesystem>
@@ -9,26 +10,32 @@
 #include "base/bytes.h"
 #include "base/result.h"
 #include "compiler/build.h"
-#include "compiler/make_draft.h"
+#include "compiler/report.h"
 
 namespace temblor::app {
 
 struct LevelPaths {
   std::filesystem::path bsp;
-  std::filesystem::path lit;           // colored light
-  std::filesystem::path points;        // .pts: the way of a leak, as editors show it
-  std::filesystem::path leak_picture;  // .leak.png
-  std::filesystem::path build;         // .build: what lets the next run keep what did not change
-  std::filesystem::path visibility;    // .visibility: begun and not finished, of whatever is being compiled
+  // .lit: colored light.
+  std::filesystem::path lit;
+  // .pts: path of a leak, which editors can show.
+  std::filesystem::path points;
+  // .leak.png: the same as a picture.
+  std::filesystem::path leak_picture;
+  // .build: inputs and results, so that the next run can reuse them.
+  std::filesystem::path build;
+  // .visibility: state of an interrupted visibility stage.
+  std::filesystem::path visibility;
 };
-LevelPaths level_paths(const std::filesystem::path& bsp);
+LevelPaths make_level_paths(const std::filesystem::path& bsp);
 
-// What earlier runs left; an empty build where nothing is there, or nothing that can be used.
+// Reads the results of earlier runs; an empty build if there are none or they cannot be used.
 compiler::Build read_build_file(const LevelPaths& paths);
 
-// A level made ready: its bytes, and the steps that put it on disk. Wherever the steps are cut short, no
-// level lies beside colors of another: those that no longer fit go first, and new ones come after their
-// level.
+// A level that is ready to be written: its bytes, and the file changes in order. If the process is killed
+// between two steps, there is never a level with the colors of another one:
+//
+//   1. leak files   2. remove old .lit   3. replace .bsp   4. add new .lit
 struct PreparedLevel {
   base::ByteVector bsp;
   std::optional<base::ByteVector> lit;
@@ -38,12 +45,12 @@ base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
                                           const std::optional<compiler::LeakPath>& leak,
                                           const LevelPaths& paths);
 
-// Writes what the build has and takes away what it has not, each file whole or not at all; a full disk leaves
-// the old level and all beside it. `keep`: with the build file.
+// Writes the level and its side files and removes side files that no longer apply. Each file is replaced
+// atomically; on a full disk all old files stay. `keep` also writes the build file, otherwise it is removed.
 base::Status write_level(const compiler::Build& build, const std::optional<compiler::LeakPath>& leak,
                          const LevelPaths& paths, bool keep);
 
-// Saves visibility that is begun; the level stays as it is.
-base::Status write_visibility_begun(base::Bytes visibility_state, const LevelPaths& paths);
+// Saves the state of an interrupted visibility stage. Does not change the level.
+base::Status write_partial_visibility(base::Bytes visibility_state, const LevelPaths& paths);
 
 }  // namespace temblor::app

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The PNG files of a folder, in the order of their names.
+// Finds the PNG files of a folder, sorted by name.
 base::Result<std::vector<fs::path>> find_pictures(const fs::path& folder) {
   std::error_code failure;
   std::vector<fs::path> paths;
@@ -30,8 +30,9 @@ base::Result<std::vector<fs::path>> find_pictures(const fs::path& folder) {
   return paths;
 }
 
-base::Result<base::ByteVector> wad_of(const std::vector<fs::path>& pictures,
-                                      const formats::Palette& palette) {
+// Makes a WAD whose textures are named like the files.
+base::Result<base::ByteVector> make_picture_wad(const std::vector<fs::path>& pictures,
+                                                const formats::Palette& palette) {
   std::vector<base::ByteVector> bytes;
   for (const fs::path& path : pictures) {
     TRY(base::ByteVector png, vfs::read_disk_file(path));
@@ -42,11 +43,12 @@ base::Result<base::ByteVector> wad_of(const std::vector<fs::path>& pictures,
   return compiler::make_wad(files, palette);
 }
 
-// The first that is a file and can be read.
-bool add_first_of(const std::vector<fs::path>& candidates, std::vector<FileStamp>& io_stamps,
-                  TextureFiles& io_files) {
+// Adds the first candidate that can be read. Stamps all that were tried, so that a file that appears later
+// counts as a change.
+bool add_first_readable(const std::vector<fs::path>& candidates, std::vector<FileStamp>& io_stamps,
+                        TextureFiles& io_files) {
   for (const fs::path& path : candidates) {
-    io_stamps.push_back(stamp_of(path));
+    io_stamps.push_back(read_file_stamp(path));
     base::Result<base::ByteVector> file = vfs::read_disk_file(path);
     if (!file.ok()) continue;
     io_files.add(path.filename().string(), std::move(file).value());
@@ -62,14 +64,16 @@ void TextureFiles::add(std::string name, base::ByteVector file) {
   sources.push_back({std::move(name), *bytes.back()});
 }
 
-base::Result<base::ByteVector> wad_of_pictures(const fs::path& folder, const formats::Palette& palette) {
+base::Result<base::ByteVector> make_wad_from_pictures(const fs::path& folder,
+                                                      const formats::Palette& palette) {
   TRY(const std::vector<fs::path> pictures, find_pictures(folder));
   if (pictures.empty())
-    return base::Error{base::ErrorCode::kNotFound, "--textures: no .png file in it", folder.string()};
-  return wad_of(pictures, palette);
+    return base::Error{base::ErrorCode::kNotFound, "--textures: the folder has no .png file",
+                       folder.string()};
+  return make_picture_wad(pictures, palette);
 }
 
-std::vector<fs::path> wads_of_games(const GameFolders& folders) {
+std::vector<fs::path> list_game_wads(const GameFolders& folders) {
   constexpr const char* kFile = "textures.wad";
   const base::Result<fs::path> base_folder = find_base_folder(folders);
   std::vector<fs::path> wads;
@@ -80,8 +84,9 @@ std::vector<fs::path> wads_of_games(const GameFolders& folders) {
   return wads;
 }
 
-// Whether a WAD of the entry's file name is one of those that are taken anyway: the map means that one.
-bool is_at_hand(const std::string& entry, const TexturePlaces& places) {
+// Returns whether a WAD with the entry's file name is already used, from --wad or a game directory. Editors
+// write absolute paths of the mapper's machine into the "wad" key, which do not exist elsewhere.
+bool is_already_included(const std::string& entry, const TexturePlaces& places) {
   const auto is_named = [&](const fs::path& wad) {
     const std::vector<fs::path> beside = compiler::wad_candidates(entry, wad.parent_path(), {});
     std::error_code ignored;
@@ -91,15 +96,17 @@ bool is_at_hand(const std::string& entry, const TexturePlaces& places) {
   return std::ranges::any_of(places.wads, is_named) || std::ranges::any_of(places.game_wads, is_named);
 }
 
+// Adds the sources in the order that the header gives. Everything that was searched is stamped before it is
+// read.
 base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::path& map_path,
                                          const formats::Map& map, const formats::Palette& palette,
                                          std::vector<FileStamp>& io_stamps, compiler::Warnings& io_warnings) {
   TextureFiles files;
   if (!places.pictures.empty()) {
-    io_stamps.push_back(stamp_of(places.pictures));
+    io_stamps.push_back(read_file_stamp(places.pictures));
     TRY(const std::vector<fs::path> pictures, find_pictures(places.pictures));
-    for (const fs::path& picture : pictures) io_stamps.push_back(stamp_of(picture));
-    TRY(base::ByteVector wad, wad_of(pictures, palette));
+    for (const fs::path& picture : pictures) io_stamps.push_back(read_file_stamp(picture));
+    TRY(base::ByteVector wad, make_picture_wad(pictures, palette));
     files.add(places.pictures, std::move(wad));
   }
   std::vector<fs::path> folders;
@@ -109,7 +116,7 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
       folders.emplace_back(wad);
       continue;
     }
-    io_stamps.push_back(stamp_of(wad));
+    io_stamps.push_back(read_file_stamp(wad));
     base::Result<base::ByteVector> file = vfs::read_disk_file(wad);
     if (!file.ok()) {
       const base::Error& why = file.error();
@@ -120,19 +127,21 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
   const std::string_view key =
       map.entities.empty() ? "" : map.entities.front().fields.find("wad").value_or("");
   for (const std::string& entry : compiler::split_wad_key(key)) {
-    constexpr std::size_t kMaxChars = 120;  // paths are long
-    const bool is_found =
-        add_first_of(compiler::wad_candidates(entry, map_path.parent_path(), folders), io_stamps, files);
-    if (!is_found && !is_at_hand(entry, places))
-      io_warnings.push_back({"WAD not found", fmt::format("{} (--wad FOLDER says where to look)",
+    // Quoted texts are usually cut off sooner, but paths are long.
+    constexpr std::size_t kMaxChars = 120;
+    const bool is_found = add_first_readable(compiler::wad_candidates(entry, map_path.parent_path(), folders),
+                                             io_stamps, files);
+    if (!is_found && !is_already_included(entry, places))
+      io_warnings.push_back({"WAD not found", fmt::format("{} (use --wad FOLDER to add a folder to search)",
                                                           base::quotable(entry, kMaxChars))});
   }
+  // The built-in textures use Temblor's palette, so they would have wrong colors with another one.
   if (palette == artgen::make_palette()) {
     TRY(base::ByteVector own, formats::write_bsp(artgen::make_small_level({.pvs = false, .light = false}),
                                                  formats::BspVersion::k29));
     files.add("Temblor's own", std::move(own));
   }
-  for (const fs::path& wad : places.game_wads) add_first_of({wad}, io_stamps, files);
+  for (const fs::path& wad : places.game_wads) add_first_readable({wad}, io_stamps, files);
   return files;
 }
 

@@ -1,4 +1,10 @@
-// The files that a map's textures come from: those that the command line names, then those that the map does.
+// Finds the files with a map's textures. Sources are searched in this order, and the first with a name wins:
+//
+//   1. --textures: a folder of PNG files
+//   2. --wad: WADs, levels, and folders of WADs
+//   3. the WADs that the map's "wad" key names
+//   4. with Temblor's own palette, the textures of the small built-in level
+//   5. textures.wad of the game directories, the last one first
 #pragma once
 
 #include <filesystem>
@@ -17,7 +23,8 @@
 
 namespace temblor::app {
 
-// What `sources` point to lives as long as this does.
+// Texture sources and the bytes that they point into. The bytes are allocated one by one, so they stay where
+// they are when the structure is moved or grows.
 struct TextureFiles {
   std::vector<std::unique_ptr<base::ByteVector>> bytes;
   std::vector<compiler::TextureSource> sources;
@@ -26,24 +33,25 @@ struct TextureFiles {
 };
 
 struct TexturePlaces {
-  std::string pictures;           // a folder of PNG files; empty: none
-  std::vector<std::string> wads;  // WADs, levels, and folders in which the map's WADs may lie
-  std::vector<std::filesystem::path>
-      game_wads{};  // of the game folders; those that are not there are passed over
+  // Folder of PNG files; empty: none.
+  std::string pictures;
+  // WADs, levels, and folders to search for the map's WADs.
+  std::vector<std::string> wads;
+  // WADs of the game directories; missing ones are skipped.
+  std::vector<std::filesystem::path> game_wads{};
 };
 
-// A WAD of the PNG files of a folder.
-base::Result<base::ByteVector> wad_of_pictures(const std::filesystem::path& folder,
-                                               const formats::Palette& palette);
+// Converts the PNG files of a folder to a WAD. kNotFound if there is none.
+base::Result<base::ByteVector> make_wad_from_pictures(const std::filesystem::path& folder,
+                                                      const formats::Palette& palette);
 
-// Where game folders may have a WAD of textures, as the shipped game has: that of the last folder first.
-// Empty: there is no game.
-std::vector<std::filesystem::path> wads_of_games(const GameFolders& folders);
+// Lists the paths GAME/textures.wad of the game directories, the last one first. The files need not exist.
+// Empty without game data.
+std::vector<std::filesystem::path> list_game_wads(const GameFolders& folders);
 
-// In the order in which textures are looked for: pictures, `wads`, what the map's "wad" key names; with
-// the project's own palette the textures of the level made in code (artgen/small_level.h); `game_wads`. What
-// the map names and nobody has is a warning; what the command line names must be there. `io_stamps`: gets
-// those of all that is read, or looked for in vain, as it was before; also when this fails.
+// Reads all texture sources, in order of priority. A WAD that only the map names and that does not exist is a
+// warning; one that the command line names is an error. `io_stamps` receives a stamp of every file that was
+// read or searched, taken before reading, also on failure.
 base::Result<TextureFiles> find_textures(const TexturePlaces& places, const std::filesystem::path& map_path,
                                          const formats::Map& map, const formats::Palette& palette,
                                          std::vector<FileStamp>& io_stamps, compiler::Warnings& io_warnings);

@@ -18,16 +18,20 @@ bool is_on_disk(const std::string& path) {
   return std::filesystem::is_regular_file(path, ignored);
 }
 
-base::Error no_such_demo(const vfs::FileSystem& files, const std::string& name, const std::string& stem) {
-  base::Error error =
-      base::error(base::ErrorCode::kNotFound, "no such recording in {}; {}",
-                  files.folders().back().parent_path().string(), suggest(stem, stems(files, "", kSuffix)));
+// Returns an error that suggests demos with similar names.
+base::Error make_unknown_demo_error(const vfs::FileSystem& files, const std::string& name,
+                                    const std::string& stem) {
+  base::Error error = base::error(base::ErrorCode::kNotFound, "no such demo in {}; {}",
+                                  files.folders().back().parent_path().string(),
+                                  suggest(stem, list_stems(files, "", kSuffix)));
   error.file = name;
   return error;
 }
 
 }  // namespace
 
+// The game directories precede the disk, so "demo1" plays the game's demo even if the current directory has a
+// demo1.dem.
 base::Result<LoadedDemo> load_demo(const GameFolders& folders, const std::string& demo) {
   TRY(vfs::FileSystem files, open_files(folders));
   const bool has_suffix = base::to_lower(demo).ends_with(kSuffix);
@@ -40,7 +44,7 @@ base::Result<LoadedDemo> load_demo(const GameFolders& folders, const std::string
   } else if (is_on_disk(name)) {
     TRY(loaded.bytes, vfs::read_disk_file(name));
   } else {
-    return no_such_demo(found_in, name, name.substr(0, name.size() - kSuffix.size()));
+    return make_unknown_demo_error(found_in, name, name.substr(0, name.size() - kSuffix.size()));
   }
   TRY(loaded.look, loaded.library.look());
   return loaded;

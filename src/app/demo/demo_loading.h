@@ -1,4 +1,4 @@
-// From --demo and the game folders to a recording and all that it is played with.
+// Loads the demo that --demo names, with the game data to play it.
 #pragma once
 
 #include <string>
@@ -10,15 +10,18 @@
 
 namespace temblor::app {
 
+// A demo and the game data that its models, sounds, and pictures come from.
 struct LoadedDemo {
-  std::string name;  // for messages: where it was found
+  // For messages: where it was found.
+  std::string name;
+  // The whole file. Players of the demo refer to it.
   base::ByteVector bytes;
   assets::Library library;
   assets::Look look;
 };
 
-// `demo`: a name in the game folders ("demo1", "demo1.dem"), or a path to a file on disk. An unknown name
-// gets an error that lists the recordings that are there.
+// `demo` is a name in the game directories ("demo1", "demo1.dem") or the path of a file. The error for an
+// unknown name lists similar names.
 base::Result<LoadedDemo> load_demo(const GameFolders& folders, const std::string& demo);
 
 }  // namespace temblor::app

@@ -16,42 +16,46 @@ base::Result<DemoPlayback> DemoPlayback::open(const LoadedDemo& demo,
   return DemoPlayback(demo, std::move(player), presentation);
 }
 
+// The recorded view angles, interpolated between packets if the settings say so.
 math::Vec3 DemoPlayback::view_angles_deg() const {
   return player_.view_angles_at(player_.server_time_s(),
                                 {.interpolate = settings_.interpolate, .no_lerp_models = {}});
 }
 
+// The handler runs after the presentation has been updated, so it sees the sounds of this moment.
 base::Status DemoPlayback::present(double time_s) {
   TRY_STATUS(presentation_->advance(player_.state(), player_.server_time_s(), view_angles_deg(), settings_));
   on_moment_(time_s);
   return base::Ok{};
 }
 
-base::Status DemoPlayback::pass(double time_s) {
-  TRY_STATUS(presentation_->pass(player_.state(), player_.server_time_s(), view_angles_deg(), settings_));
+base::Status DemoPlayback::present_unseen(double time_s) {
+  TRY_STATUS(
+      presentation_->advance_unseen(player_.state(), player_.server_time_s(), view_angles_deg(), settings_));
   on_moment_(time_s);
   return base::Ok{};
 }
 
-// Every packet between is lived through from its beginning to its end.
+// Plays every packet up to `time_s`: first everything to the packet's time, then the packet's messages. Only
+// the state at `time_s` is prepared for drawing.
 base::Result<bool> DemoPlayback::advance_to(double time_s) {
   while (player_.packet_time_s() < time_s) {
     const double packet_time_s = player_.packet_time_s();
     TRY_STATUS(player_.advance_to(packet_time_s));
-    TRY_STATUS(pass(packet_time_s));
-    TRY(const bool goes_on, player_.begin_packet());
-    if (!goes_on) break;
-    TRY_STATUS(pass(packet_time_s));
+    TRY_STATUS(present_unseen(packet_time_s));
+    TRY(const bool has_more, player_.begin_packet());
+    if (!has_more) break;
+    TRY_STATUS(present_unseen(packet_time_s));
   }
-  TRY(const bool goes_on, player_.advance_to(time_s));
+  TRY(const bool has_more, player_.advance_to(time_s));
   TRY_STATUS(present(time_s));
-  return goes_on;
+  return has_more;
 }
 
 base::Result<bool> DemoPlayback::advance_by_packet() {
-  TRY(const bool goes_on, player_.read_packet());
+  TRY(const bool has_more, player_.read_packet());
   TRY_STATUS(present(player_.packet_time_s()));
-  return goes_on;
+  return has_more;
 }
 
 }  // namespace temblor::app

@@ -1,4 +1,8 @@
-// A recording being played, moment by moment: state and presentation, without a renderer.
+// Plays a demo without a renderer: advances the client's state and its presentation (entities, particles,
+// lights, sounds, status bar). It uses the client library's demo player, so a demo looks the same here as in
+// the game.
+//
+//   .dem -> DemoPlayer -> ClientState -> Presentation -> Scene, DrawList, AudioScene
 #pragma once
 
 #include <functional>
@@ -15,35 +19,38 @@ namespace temblor::app {
 
 class DemoPlayback {
  public:
-  // `demo` must outlive it. Nothing is shown before the first advance.
+  // `demo` must outlive it. There is nothing to show before the first advance.
   static base::Result<DemoPlayback> open(const LoadedDemo& demo,
                                          const client::PresentationSettings& presentation);
 
-  // Plays on to `time_s` of the recording's clock. False: the recording has ended. What happens on the way
-  // does so at its own time, however long the way is.
+  // Advances to `time_s` on the demo's clock. Every packet in between is played at its own time, so that
+  // effects do not depend on the frame rate. Returns false if the demo has ended.
   base::Result<bool> advance_to(double time_s);
-  // Plays on by one packet, to its time.
+  // Advances by one packet, to its time.
   base::Result<bool> advance_by_packet();
 
-  // What the last advance led to. Valid until the next one.
+  // Result of the last advance. Valid until the next one.
   client::Presentation& presentation() { return *presentation_; }
   const client::Presentation& presentation() const { return *presentation_; }
   const client::PresentationSettings& settings() const { return settings_; }
   client::PresentationSettings& settings() { return settings_; }
   const client::ClientState& state() const { return player_.state(); }
 
-  // Called with the recording's time at every moment that is lived through, also those on the way.
-  void on_moment(std::function<void(double time_s)> call) { on_moment_ = std::move(call); }
+  // Sets a function that is called with the demo's time at every moment that is played, including the packets
+  // between two advances.
+  void set_moment_handler(std::function<void(double time_s)> call) { on_moment_ = std::move(call); }
 
  private:
   DemoPlayback(const LoadedDemo& demo, client::DemoPlayer player,
                const client::PresentationSettings& presentation);
   math::Vec3 view_angles_deg() const;
+  // Updates the presentation for a moment that is drawn, or for one that is not.
   base::Status present(double time_s);
-  base::Status pass(double time_s);
+  base::Status present_unseen(double time_s);
 
   client::DemoPlayer player_;
-  std::unique_ptr<client::Presentation> presentation_;  // parts of it refer to one another
+  // Allocated separately, because its parts refer to each other and it must not move.
+  std::unique_ptr<client::Presentation> presentation_;
   client::PresentationSettings settings_;
   std::function<void(double time_s)> on_moment_ = [](double) {};
 };

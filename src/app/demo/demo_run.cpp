@@ -13,6 +13,7 @@ DemoRun::DemoRun(const LoadedDemo& demo, DemoPlayback playback, const FrameOptio
   playback_.settings().view.fov_deg = frame.fov_deg;
 }
 
+// Presents the first moment, so that there is a scene to draw.
 base::Result<DemoRun> DemoRun::start(const LoadedDemo& demo, const FrameOptions& frame,
                                      const client::PresentationSettings& presentation,
                                      const render::Settings& settings) {
@@ -22,21 +23,22 @@ base::Result<DemoRun> DemoRun::start(const LoadedDemo& demo, const FrameOptions&
   return run;
 }
 
-void DemoRun::lay_over() {
+// The overlay depends on the size of the frame, so it is laid out here and not by the playback.
+void DemoRun::lay_out_overlay() {
   overlay_ = &playback_.presentation().draw_list(playback_.state(), frame_.width(), frame_.height(),
                                                  playback_.settings());
 }
 
 base::Result<bool> DemoRun::advance_to(double time_s) {
-  TRY(const bool goes_on, playback_.advance_to(time_s));
-  lay_over();
-  return goes_on;
+  TRY(const bool has_more, playback_.advance_to(time_s));
+  lay_out_overlay();
+  return has_more;
 }
 
 base::Result<bool> DemoRun::advance_by_packet() {
-  TRY(const bool goes_on, playback_.advance_by_packet());
-  lay_over();
-  return goes_on;
+  TRY(const bool has_more, playback_.advance_by_packet());
+  lay_out_overlay();
+  return has_more;
 }
 
 render::FrameStats DemoRun::draw() {

@@ -1,4 +1,4 @@
-// A recording being played and drawn, moment by moment.
+// Plays a demo and draws its frames: a DemoPlayback with a renderer.
 #pragma once
 
 #include <string>
@@ -15,31 +15,33 @@ namespace temblor::app {
 
 class DemoRun {
  public:
-  // `demo` must outlive it. Plays on until the level is there and the game has begun; fails when that does
-  // not come about: a level that is not there, a recording without a game.
+  // `demo` must outlive it. Plays until the level is loaded and the game has started. Fails if the level is
+  // missing or the demo has no game.
   static base::Result<DemoRun> start(const LoadedDemo& demo, const FrameOptions& frame,
                                      const client::PresentationSettings& presentation,
                                      const render::Settings& settings);
 
-  // As those of DemoPlayback.
+  // See DemoPlayback.
   base::Result<bool> advance_to(double time_s);
   base::Result<bool> advance_by_packet();
 
-  // What the last advance led to. Valid until the next one.
+  // Result of the last advance. Valid until the next one.
   const render::Scene& scene() const { return playback_.presentation().scene(); }
-  // Draws it, with everything on it.
+  // Draws the scene with the status bar and texts on it.
   render::FrameStats draw();
   const render::FrameBuffer& frame() const { return frame_; }
   render::FrameBuffer& frame() { return frame_; }
+  // Returns the problems since the last call, such as missing models, one line each.
   std::vector<std::string> take_notes() { return playback_.presentation().take_notes(); }
 
  private:
   DemoRun(const LoadedDemo& demo, DemoPlayback playback, const FrameOptions& frame,
           const render::Settings& settings);
-  void lay_over();
+  void lay_out_overlay();
 
   DemoPlayback playback_;
-  const render::DrawList* overlay_ = nullptr;  // the presentation's last
+  // Status bar and texts of the last advance; the presentation owns them.
+  const render::DrawList* overlay_ = nullptr;
   render::Settings render_settings_;
   render::Renderer renderer_;
   render::FrameBuffer frame_;

@@ -6,42 +6,47 @@
 #include <vector>
 
 #include "app/demo/demo_playback.h"
+#include "app/demo/sound_file.h"
 #include "app/files/diagnostics.h"
 #include "app/files/progress.h"
-#include "app/files/sound_file.h"
 #include "audio/mixer.h"
 #include "audio/music_decoder.h"
 
 namespace temblor::app {
 namespace {
 
-// How often the listener is asked for where he is, besides whenever something happens.
+// The listener's position is sampled at every event and at least this often.
 constexpr double kStep_s = 1.0 / 60;
 
-// The mixer run along a recording: between two moments, things glide from how they were to how they are.
+// Runs the mixer along a demo. Between two moments, volumes and positions are interpolated by the mixer.
+//
+//   moment 1          moment 2        sound frames, 48000 per second
+//      |------ mix ------|            mixed_frame_ is the end of this range
+//   |<- kDelay_frames ->|             the mixer's output is late by this much
 class SoundTrack {
  public:
   SoundTrack(const LoadedDemo& demo, const SoundSpan& span, SoundFile& out)
       : demo_(demo), start_frame_(frame_at(span.first_s)), end_frame_(frame_at(span.end_s)), out_(out) {}
 
-  // The first moment is where mixing begins.
-  void live_through(double time_s, client::AudioScene& io_audio, std::uint8_t music_track) {
+  // Mixes up to the moment and gives the mixer the scene at that moment. Mixing begins at the first moment.
+  void advance(double time_s, client::AudioScene& io_audio, std::uint8_t music_track) {
     const std::int64_t frame = frame_at(time_s);
     if (!begun_) mixed_frame_ = frame;
     begun_ = true;
     if (frame > mixed_frame_) {
-      mixer_.follow(io_audio.scene(), static_cast<std::size_t>(frame - mixed_frame_));
+      mixer_.set_scene(io_audio.scene(), static_cast<std::size_t>(frame - mixed_frame_));
       mix_until(frame);
     } else {
-      mixer_.follow(io_audio.scene(), 0);
+      mixer_.set_scene(io_audio.scene(), 0);
     }
-    mixer_.happen(io_audio.events());
+    mixer_.handle_events(io_audio.events());
     io_audio.events().clear();
     play_music(music_track);
   }
-  // Until the span's end, and as long as the mixer holds back.
+  // Mixes to the end of the span, and further by the mixer's delay to get the last frames out of it.
   void finish() { mix_until(end_frame_ + static_cast<std::int64_t>(audio::Mixer::kDelay_frames)); }
 
+  // The first error of the file.
   const base::Status& written() const { return written_; }
 
  private:
@@ -55,15 +60,15 @@ class SoundTrack {
       music_samples_.resize(music_ ? 2 * count : 0);
       if (music_) music_->read(music_samples_);
       mixer_.render(samples_, music_samples_);
-      // What comes out belongs to frames a little before.
+      // The output belongs to earlier frames, by the mixer's delay.
       const std::int64_t first = mixed_frame_ - static_cast<std::int64_t>(audio::Mixer::kDelay_frames);
-      keep(first);
+      write_part(first);
       mixed_frame_ += static_cast<std::int64_t>(count);
     }
   }
 
-  // What of `samples_`, which begin at that frame, lies in the span.
-  void keep(std::int64_t first) {
+  // Writes the part of `samples_` that is inside the span. `first` is the frame of the first sample.
+  void write_part(std::int64_t first) {
     const auto count = static_cast<std::int64_t>(samples_.size() / 2);
     const std::int64_t from = std::clamp(start_frame_ - first, std::int64_t{0}, count);
     const std::int64_t to = std::clamp(end_frame_ - first, from, count);
@@ -72,6 +77,8 @@ class SoundTrack {
                                                     2 * static_cast<std::size_t>(to - from)));
   }
 
+  // Starts a track from its beginning if it is not playing. Missing music is normal: stock Quake had it on
+  // the CD.
   void play_music(std::uint8_t track) {
     if (track == track_) return;
     track_ = track;
@@ -99,24 +106,27 @@ class SoundTrack {
   base::Status written_ = base::Ok{};
 };
 
+// Prints what has gone wrong since the last call.
 void print_notes(client::Presentation& io_presentation, NoteKinds notes) {
   for (const std::string& note :
        notes == NoteKinds::kAll ? io_presentation.take_notes() : io_presentation.audio_scene().take_notes())
     print_note(note);
 }
 
+// Plays the demo from its start to the end of the span. The start matters, because sounds may still be
+// playing.
 base::Status play(DemoPlayback& io_playback, const SoundTrack& track, const SoundSpan& span,
                   NoteKinds notes) {
-  Progress progress("moments of sound");
+  Progress progress("sound");
   TRY_STATUS(io_playback.advance_by_packet());
-  const auto steps = static_cast<std::size_t>(std::ceil((span.end_s - span.recording_begins_s) / kStep_s));
+  const auto steps = static_cast<std::size_t>(std::ceil((span.end_s - span.demo_start_s) / kStep_s));
   for (std::size_t step = 1; step <= steps; ++step) {
-    const double time_s = span.recording_begins_s + static_cast<double>(step) * kStep_s;
-    TRY(const bool goes_on, io_playback.advance_to(std::min(span.end_s, time_s)));
+    const double time_s = span.demo_start_s + static_cast<double>(step) * kStep_s;
+    TRY(const bool has_more, io_playback.advance_to(std::min(span.end_s, time_s)));
     TRY_STATUS(track.written());
     print_notes(io_playback.presentation(), notes);
     progress.update(step, steps);
-    if (!goes_on) break;
+    if (!has_more) break;
   }
   return base::Ok{};
 }
@@ -130,8 +140,8 @@ base::Status write_demo_sound(const LoadedDemo& demo, const client::Presentation
   TRY(SoundFile file, SoundFile::open(path, audio::kFramesPerSecond));
   TRY(DemoPlayback playback, DemoPlayback::open(demo, settings));
   SoundTrack track(demo, span, file);
-  playback.on_moment([&](double time_s) {
-    track.live_through(time_s, playback.presentation().audio_scene(), playback.state().game().music_track);
+  playback.set_moment_handler([&](double time_s) {
+    track.advance(time_s, playback.presentation().audio_scene(), playback.state().game().music_track);
   });
   const base::Status played = play(playback, track, span, notes);
   if (played.ok()) track.finish();

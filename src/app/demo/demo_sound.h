@@ -1,4 +1,4 @@
-// A recording's sound: what the player heard, mixed as in the game.
+// Mixes the sound of a demo with the game's mixer, faster than real time, and writes it to a WAV file.
 #pragma once
 
 #include <string>
@@ -9,16 +9,18 @@
 
 namespace temblor::app {
 
-// Which part of the recording, on its own clock.
+// A part of a demo, on its own clock.
 struct SoundSpan {
-  double recording_begins_s = 0;  // client::DemoLength::first_time_s
+  // client::DemoLength::first_time_s
+  double demo_start_s = 0;
   double first_s = 0, end_s = 0;
 };
 
-// Which notes are printed: those of sounds, or with them those of models and all else.
-enum class NoteKinds { kOfSound, kAll };
+// Notes to print: only those about sounds, or also those about models and other files. A film draws the same
+// demo and prints the others.
+enum class NoteKinds { kSound, kAll };
 
-// Writes it as a WAV file. What came before a fault of the recording is kept, and the fault returned.
+// Writes the span as a WAV file. On damage in the demo, it keeps the sound before it and returns the error.
 base::Status write_demo_sound(const LoadedDemo& demo, const client::PresentationSettings& presentation,
                               const SoundSpan& span, const std::string& path, NoteKinds notes);
 

@@ -7,7 +7,7 @@
 
 #include "app/files/picture_file.h"
 #include "base/text.h"
-#include "render/renderer.h"
+#include "render/present.h"
 
 namespace temblor::app {
 namespace {
@@ -18,7 +18,8 @@ std::uint8_t to_byte(std::int32_t value_q16) {
   return static_cast<std::uint8_t>((value_q16 + 32768) >> 16);
 }
 
-// ITU-R BT.601 with 219 steps of luma from 16 and 224 of difference about 128, in 16.16.
+// Converts 0xRRGGBB by ITU-R BT.601 in studio range, in 16.16 fixed point: luma has 219 steps from 16, the
+// color differences 224 around 128.
 struct Yuv {
   std::uint8_t y, u, v;
 };
@@ -32,24 +33,24 @@ Yuv to_yuv(std::uint32_t color) {
 
 }  // namespace
 
-base::Result<OutputKind> output_kind(const std::string& name) {
+base::Result<OutputKind> find_output_kind(const std::string& name) {
   const std::string lower = base::to_lower(name);
   if (lower.ends_with(".mp4")) return OutputKind::kMp4;
   if (lower.ends_with(".y4m")) return OutputKind::kY4m;
   if (lower.ends_with(".wav")) return OutputKind::kSound;
   if (!lower.ends_with(".png"))
-    return base::error(
-        ErrorCode::kUsage,
-        "-o {}: the name ends in .png (a picture; with %05d in it, one for each frame), .mp4 or "
-        ".y4m (films), or .wav (a recording's sound)",
-        name);
+    return base::error(ErrorCode::kUsage,
+                       "-o {}: the name must end in .png (a picture; with %05d, one per frame), .mp4 or .y4m "
+                       "(a film), or .wav "
+                       "(a demo's sound)",
+                       name);
   TRY_STATUS(numbered_name(name, 0));
   return is_numbered(name) ? OutputKind::kNumberedPictures : OutputKind::kPicture;
 }
 
 base::Result<Film> Film::open(const std::string& name, const FilmOptions& options,
                               const formats::Palette& palette) {
-  TRY(const OutputKind kind, output_kind(name));
+  TRY(const OutputKind kind, find_output_kind(name));
   CHECK(kind != OutputKind::kSound, "{}", name);
   Film film(name, kind, options, palette);
   if (kind == OutputKind::kMp4) TRY_STATUS(film.start_ffmpeg());
@@ -57,6 +58,8 @@ base::Result<Film> Film::open(const std::string& name, const FilmOptions& option
   return film;
 }
 
+// Frames arrive at ffmpeg's standard input as raw pixels: "bgr0" is 0x00RRGGBB in little-endian order. -crf
+// 18 is visually lossless; +faststart lets browsers play the film while they load it.
 base::Status Film::start_ffmpeg() {
   std::vector<std::string> words = {"ffmpeg",
                                     "-y",
@@ -75,20 +78,21 @@ base::Status Film::start_ffmpeg() {
   if (!options_.sound_path.empty())
     words.insert(words.end(),
                  {"-i", fmt::format("file:{}", options_.sound_path), "-c:a", "aac", "-b:a", "192k"});
-  // Its usual color format holds one color for 2 x 2 pixels, and so wants even sides.
+  // yuv420p shares one color among 2 x 2 pixels, so both sides must be even.
   words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-crf", "18",
                              "-movflags", "+faststart", fmt::format("file:{}", name_)});
   base::Result<ChildProcess> process = ChildProcess::start(words);
   if (!process.ok()) {
     base::Error error = process.error();
     error.file = name_;
-    error.what += "; install ffmpeg, or write a .y4m film or numbered pictures (x-%05d.png)";
+    error.what += "; install ffmpeg, or write a .y4m film or numbered pictures (x-%05d.png) instead";
     return error;
   }
   ffmpeg_.emplace(std::move(process).value());
   return base::Ok{};
 }
 
+// The header of YUV4MPEG2: size, frame rate, progressive, square pixels, no chroma subsampling.
 base::Status Film::start_y4m() {
   errno = 0;
   y4m_.open(name_, std::ios::binary);
@@ -99,19 +103,20 @@ base::Status Film::start_y4m() {
 }
 
 base::Error Film::cannot_write() const {
-  base::Error error = base::error(ErrorCode::kIo, "cannot be written ({}): choose another place with -o",
+  base::Error error = base::error(ErrorCode::kIo, "cannot write ({}); choose another output with -o",
                                   std::generic_category().message(errno));
   error.file = name_;
   return error;
 }
 
-std::span<const std::uint32_t> Film::colors_of(const render::FrameBuffer& frame) {
+std::span<const std::uint32_t> Film::expand_colors(const render::FrameBuffer& frame) {
   if (frame.format() == render::PixelFormat::kRgb) return frame.rgb();
   expanded_.resize(frame.pixel_count());
   render::present(frame, palette_, true, jobs_, expanded_);
   return expanded_;
 }
 
+// Each frame is a line "FRAME" and then three planes, Y, U, and V, of one byte per pixel.
 base::Status Film::write_y4m_frame(std::span<const std::uint32_t> colors) {
   planes_.resize(colors.size() * 3);
   for (std::size_t i = 0; i < colors.size(); ++i) {
@@ -127,9 +132,9 @@ base::Status Film::write_y4m_frame(std::span<const std::uint32_t> colors) {
 }
 
 base::Status Film::add(const render::FrameBuffer& frame) {
-  if (kind_ == OutputKind::kY4m) return write_y4m_frame(colors_of(frame));
+  if (kind_ == OutputKind::kY4m) return write_y4m_frame(expand_colors(frame));
   if (kind_ == OutputKind::kMp4) {
-    base::Status written = ffmpeg_->write(std::as_bytes(colors_of(frame)));
+    base::Status written = ffmpeg_->write(std::as_bytes(expand_colors(frame)));
     return std::move(written).with_file(name_);
   }
   TRY(const std::string path, numbered_name(name_, options_.first_number + frames_++));

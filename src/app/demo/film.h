@@ -1,4 +1,10 @@
-// Frames to files: a PNG each, or a film (.mp4 through the ffmpeg program, with sound; .y4m by ourselves).
+// Writes frames to files. The extension of the name selects the format:
+//
+//   x.png        one picture
+//   x-%05d.png   one numbered picture per frame
+//   x.mp4        H.264 with sound, encoded by the ffmpeg program, which receives raw frames through a pipe
+//   x.y4m        uncompressed YUV4MPEG2 in 4:4:4, written without other programs
+//   x.wav        only the sound of a demo (demo_sound.h)
 #pragma once
 
 #include <cstdint>
@@ -13,29 +19,31 @@
 #include "base/parallel_for.h"
 #include "base/result.h"
 #include "formats/images/palette.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::app {
 
-// What the name asks for; kUsage for one that asks for none of them.
 enum class OutputKind { kPicture, kNumberedPictures, kMp4, kY4m, kSound };
-base::Result<OutputKind> output_kind(const std::string& name);
+// Returns the kind that the name selects; kUsage for any other extension.
+base::Result<OutputKind> find_output_kind(const std::string& name);
 
 struct FilmOptions {
   FrameSize size;
   int frames_per_second = 30;
-  std::size_t first_number = 0;  // of numbered pictures
-  // A WAV file with the film's sound, for kMp4; there until finish(). Empty: a silent film.
+  // The number of the first picture.
+  std::size_t first_number = 0;
+  // Path of a WAV file with the sound of an .mp4 film, which must exist until finish(). Empty: a silent film.
   std::string sound_path{};
 };
 
-// A file that takes frame after frame. Only what finish() was called for is sure to be whole.
+// A film or a sequence of pictures being written. It is valid only after finish(). Errors name the file.
 class Film {
  public:
-  // `name` as output_kind() takes it, but no sound.
+  // `name` is any that find_output_kind() accepts, except one for sound.
   static base::Result<Film> open(const std::string& name, const FilmOptions& options,
                                  const formats::Palette& palette);
 
+  // Appends a frame, which must have the size of the options.
   base::Status add(const render::FrameBuffer& frame);
   base::Status finish();
 
@@ -44,8 +52,8 @@ class Film {
       : name_(std::move(name)), kind_(kind), options_(options), palette_(palette), jobs_(1) {}
   base::Status start_ffmpeg();
   base::Status start_y4m();
-  // The frame as 0xffRRGGBB, whichever format it has.
-  std::span<const std::uint32_t> colors_of(const render::FrameBuffer& frame);
+  // Returns the frame's pixels as 0xffRRGGBB, expanding indexed ones to `expanded_`.
+  std::span<const std::uint32_t> expand_colors(const render::FrameBuffer& frame);
   base::Status write_y4m_frame(std::span<const std::uint32_t> colors);
   base::Error cannot_write() const;
 
@@ -58,7 +66,8 @@ class Film {
   std::optional<ChildProcess> ffmpeg_;
   std::ofstream y4m_;
   std::vector<std::uint32_t> expanded_;
-  std::vector<std::uint8_t> planes_;  // luma, blue and red difference, each width x height
+  // The Y, U, and V planes of a .y4m frame, each width x height.
+  std::vector<std::uint8_t> planes_;
 };
 
 }  // namespace temblor::app

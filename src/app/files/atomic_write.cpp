@@ -13,14 +13,15 @@
 namespace temblor::app {
 namespace {
 
+// Returns an error that says why, and what to do about it.
 base::Error cannot_write(const std::filesystem::path& path, const std::string& reason, Remedy remedy) {
   return {base::ErrorCode::kIo,
-          fmt::format("cannot be written ({}){}", reason,
-                      remedy == Remedy::kOtherOutput ? ": choose another place with -o" : ""),
+          fmt::format("cannot write ({}){}", reason,
+                      remedy == Remedy::kOtherOutput ? "; choose another output with -o" : ""),
           path.string()};
 }
 
-// The system's reason, where it cannot be written as a whole.
+// Writes the file. Returns the system's error message if any byte could not be written.
 std::optional<std::string> write_bytes(const std::filesystem::path& path, base::Bytes bytes) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
@@ -29,8 +30,8 @@ std::optional<std::string> write_bytes(const std::filesystem::path& path, base::
   return file ? std::nullopt : std::optional(std::generic_category().message(errno));
 }
 
-// What a link stands for: the link stays.
-std::filesystem::path place_of(const std::filesystem::path& path) {
+// Returns the target of a symbolic link, so that the link itself is kept; any other path unchanged.
+std::filesystem::path resolve_link(const std::filesystem::path& path) {
   std::error_code failure;
   if (!std::filesystem::is_symlink(path, failure)) return path;
   std::filesystem::path place = std::filesystem::canonical(path, failure);
@@ -45,23 +46,23 @@ base::Result<FileChange> FileChange::replacement(const std::filesystem::path& pa
   change.remedy_ = remedy;
   change.path_ = path;
   std::error_code failure;
-  // A device or a pipe holds nothing to be kept, and a file must not take its place.
+  // A device or a pipe has no contents to protect, and a regular file must not replace it.
   if (std::filesystem::is_other(path, failure)) {
     change.device_bytes_.emplace(bytes.begin(), bytes.end());
     return change;
   }
-  change.place_ = place_of(path);
-  // Two programs that write the same file at once must not write into each other's.
-  change.beside_ = change.place_;
-  change.beside_ += fmt::format(".{}.new", getpid());
-  if (const auto reason = write_bytes(change.beside_, bytes)) return cannot_write(path, *reason, remedy);
+  change.target_ = resolve_link(path);
+  // The process id keeps two programs that write the same file from sharing a temporary file.
+  change.temporary_ = change.target_;
+  change.temporary_ += fmt::format(".{}.new", getpid());
+  if (const auto reason = write_bytes(change.temporary_, bytes)) return cannot_write(path, *reason, remedy);
   return change;
 }
 
 FileChange FileChange::removal(const std::filesystem::path& path, bool replaced) {
   FileChange change;
   change.path_ = path;
-  change.place_ = replaced ? place_of(path) : path;
+  change.target_ = replaced ? resolve_link(path) : path;
   return change;
 }
 
@@ -69,38 +70,40 @@ FileChange::FileChange(FileChange&& other) noexcept {
   *this = std::move(other);
 }
 
+// Swaps, so that the other object removes this one's temporary file when it is destroyed.
 FileChange& FileChange::operator=(FileChange&& other) noexcept {
   path_.swap(other.path_);
   std::swap(remedy_, other.remedy_);
-  place_.swap(other.place_);
-  beside_.swap(other.beside_);
+  target_.swap(other.target_);
+  temporary_.swap(other.temporary_);
   device_bytes_.swap(other.device_bytes_);
   return *this;
 }
 
 FileChange::~FileChange() {
   std::error_code ignored;
-  if (!beside_.empty()) std::filesystem::remove(beside_, ignored);
+  if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
 }
 
-base::Status FileChange::put_in_place() {
+// A removal has no temporary file, and a device only bytes.
+base::Status FileChange::commit() {
   std::error_code failure;
   if (device_bytes_) {
     const auto reason = write_bytes(path_, *device_bytes_);
     return reason ? base::Status(cannot_write(path_, *reason, remedy_)) : base::Ok{};
   }
-  if (beside_.empty())
-    std::filesystem::remove(place_, failure);
+  if (temporary_.empty())
+    std::filesystem::remove(target_, failure);
   else
-    std::filesystem::rename(beside_, place_, failure);
+    std::filesystem::rename(temporary_, target_, failure);
   if (failure) return cannot_write(path_, failure.message(), remedy_);
-  beside_.clear();
+  temporary_.clear();
   return base::Ok{};
 }
 
 base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes, Remedy remedy) {
   TRY(FileChange change, FileChange::replacement(path, bytes, remedy));
-  return change.put_in_place();
+  return change.commit();
 }
 
 }  // namespace temblor::app

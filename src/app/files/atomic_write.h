@@ -1,4 +1,8 @@
-// Files that are there whole or not at all. POSIX.
+// Atomic file replacement (POSIX).
+//
+// The bytes are written to FILE.PID.new in the same folder, which is then renamed to FILE. rename() is
+// atomic: other programs see the old file or the new one, never a part, and if the disk is full the old file
+// stays.
 #pragma once
 
 #include <filesystem>
@@ -9,41 +13,44 @@
 
 namespace temblor::app {
 
-// What an error says can be done: kNone where the player has not chosen the place.
+// Advice in error messages: kOtherOutput suggests another -o; kNone is for files whose name the user did not
+// choose.
 enum class Remedy { kOtherOutput, kNone };
 
-// Written beside `path` under another name, then renamed: whoever reads it meanwhile sees the old file or the
-// new one, and a full disk leaves the old one. Of several programs that write it at once, one has the last
-// word. What a symbolic link stands for is replaced, not the link; a device or a pipe is written to. Errors
-// name the file.
+// Replaces or creates a file atomically. If several programs write it at once, the last rename wins. A
+// symbolic link is kept and its target replaced; a device or a pipe is written to directly. Errors are kIo
+// and name the file.
 base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes,
                           Remedy remedy = Remedy::kOtherOutput);
 
-// The same in two steps, for files that belong together: all that can fail for want of room or rights is done
-// for each of them before the first is put in place.
+// The same in two steps, for files that belong together: prepare all of them, which may fail for lack of
+// space or permission, then commit one after the other, which rarely fails.
 class FileChange {
  public:
-  // Writes the bytes beside the file. Those for a device are kept until put_in_place.
+  // Writes the bytes to the temporary file. Bytes for a device are kept in memory until commit().
   static base::Result<FileChange> replacement(const std::filesystem::path& path, base::Bytes bytes,
                                               Remedy remedy = Remedy::kOtherOutput);
-  // No error where there is no such file. Of a symbolic link what it stands for goes if that is `replaced`
-  // later, else the link.
+  // Removes the file; not an error if it does not exist. For a symbolic link, removes the target if a later
+  // change replaces it (`replaced`), otherwise the link.
   static FileChange removal(const std::filesystem::path& path, bool replaced = false);
 
   FileChange(FileChange&& other) noexcept;
   FileChange& operator=(FileChange&& other) noexcept;
-  ~FileChange();  // takes away what lies beside the file
+  // Removes the temporary file if commit() was not called.
+  ~FileChange();
 
-  // Once.
-  base::Status put_in_place();
+  // Makes the change visible. Call once.
+  base::Status commit();
 
  private:
   FileChange() = default;
 
   Remedy remedy_ = Remedy::kOtherOutput;
-  std::filesystem::path path_;    // as it is called in messages
-  std::filesystem::path place_;   // where it lies
-  std::filesystem::path beside_;  // what is renamed; empty: nothing
+  // The path as given, for messages, and with links resolved.
+  std::filesystem::path path_, target_;
+  // The temporary file; empty: none.
+  std::filesystem::path temporary_;
+  // What to write to a device or a pipe.
   std::optional<base::ByteVector> device_bytes_;
 };
 

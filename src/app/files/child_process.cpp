@@ -24,7 +24,7 @@ base::Error system_error(const char* what, int code) {
   return base::error(ErrorCode::kIo, "{}: {}", what, std::generic_category().message(code));
 }
 
-// A pipe whose reader has gone answers with EPIPE, and does not end us, while this lives.
+// While it exists, a write to a pipe without a reader fails with EPIPE instead of killing this process.
 class IgnoreBrokenPipe {
  public:
   IgnoreBrokenPipe() { previous_ = signal(SIGPIPE, SIG_IGN); }
@@ -36,7 +36,7 @@ class IgnoreBrokenPipe {
   void (*previous_)(int);
 };
 
-// A file that nobody else sees and that is gone when it is closed.
+// Opens a temporary file without a name, which is gone when it is closed. Returns -1 on failure.
 int open_unnamed_file() {
   std::FILE* file = std::tmpfile();
   if (file == nullptr) return -1;
@@ -45,7 +45,8 @@ int open_unnamed_file() {
   return copy;
 }
 
-// 0, or an errno value. `pipe_end` becomes its standard input, `messages` its output and errors.
+// Starts the program with `pipe_end` as standard input and `messages` as standard output and error. Returns 0
+// or an errno value.
 int spawn(const std::vector<std::string>& words, int pipe_end, int messages, pid_t& out_process) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -62,6 +63,8 @@ int spawn(const std::vector<std::string>& words, int pipe_end, int messages, pid
 
 }  // namespace
 
+// O_CLOEXEC keeps the parent's end of the pipe from the child, which otherwise would never see the end of its
+// input.
 base::Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& words) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return system_error("pipe", errno);
@@ -72,7 +75,7 @@ base::Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& w
   if (failure == 0) return ChildProcess(words[0], process, ends[1], messages);
   close(ends[1]);
   if (messages >= 0) close(messages);
-  if (failure == ENOENT) return base::error(ErrorCode::kNotFound, "there is no program {} in PATH", words[0]);
+  if (failure == ENOENT) return base::error(ErrorCode::kNotFound, "the program {} is not in PATH", words[0]);
   return system_error(words[0].c_str(), failure);
 }
 
@@ -103,6 +106,8 @@ void ChildProcess::close_input() {
   if (input_ >= 0) close(std::exchange(input_, -1));
 }
 
+// Returns the end of the output file. Both processes share its position, so read with pread(), which does not
+// move it.
 std::string ChildProcess::message_text() const {
   constexpr off_t kMaxBytes = 4096;
   const off_t size = lseek(messages_, 0, SEEK_END);
@@ -124,6 +129,7 @@ std::vector<std::string> ChildProcess::messages() const {
   return lines;
 }
 
+// If the program has ended, finish() knows its error message, which says more than "broken pipe".
 base::Status ChildProcess::write(base::Bytes bytes) {
   const IgnoreBrokenPipe ignore;
   while (!bytes.empty()) {
@@ -139,6 +145,8 @@ base::Status ChildProcess::write(base::Bytes bytes) {
   return base::Ok{};
 }
 
+// Closing the input tells filters such as ffmpeg that no more frames follow, so they write the end of the
+// file and exit.
 base::Status ChildProcess::finish() {
   if (process_ < 0) return base::Ok{};
   close_input();
@@ -149,10 +157,9 @@ base::Status ChildProcess::finish() {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return base::Ok{};
   const std::vector<std::string> said = messages();
   std::string message = said.empty() ? std::string() : said.back();
-  // Ours begins its lines with its name, as it stands here anyway.
+  // Temblor prefixes its own errors with its name, which the message below already has.
   if (const std::string own = name_ + ": "; message.starts_with(own)) message.erase(0, own.size());
-  return base::error(ErrorCode::kIo, "{} failed: {}", name_,
-                     message.empty() ? "it does not say why" : message);
+  return base::error(ErrorCode::kIo, "{} failed: {}", name_, message.empty() ? "no error message" : message);
 }
 
 }  // namespace temblor::app

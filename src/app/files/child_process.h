@@ -1,4 +1,4 @@
-// Another program that is fed through a pipe (ffmpeg). POSIX.
+// Runs another program (POSIX): ffmpeg, which receives frames through a pipe, or the compiler.
 #pragma once
 
 #include <string>
@@ -9,21 +9,22 @@
 
 namespace temblor::app {
 
-// Runs until finish(), or is ended when it is destroyed before.
+// A running program. Output and errors go to one temporary file without a name, so that the child never
+// blocks on a full pipe. The destructor terminates a program that finish() has not waited for.
 class ChildProcess {
  public:
-  // words[0] is looked for in PATH. kNotFound when there is no such program.
+  // Starts words[0], which is searched in PATH. kNotFound if there is no such program.
   static base::Result<ChildProcess> start(const std::vector<std::string>& words);
   ~ChildProcess();
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&& other) noexcept;
 
-  // To its standard input. Fails when it has ended; the error then says what it said.
+  // Writes to its standard input. Fails if the program has ended; the error has the program's last message.
   base::Status write(base::Bytes bytes);
-  // Ends its input and waits for it. Fails unless its exit status is 0; the error has the last line that it
-  // wrote to standard error. Nothing is left to say once it has been waited for, here or in write().
+  // Closes its input and waits for it to end. Fails unless its exit status is 0; the error has the last line
+  // that it printed. After a failed write() it returns success, because that error was already reported.
   base::Status finish();
-  // The last lines that it has written to standard error until now.
+  // The lines that it has printed so far; only those in the last 4 KiB.
   std::vector<std::string> messages() const;
 
  private:
@@ -33,9 +34,11 @@ class ChildProcess {
   std::string message_text() const;
 
   std::string name_;
-  int process_ = -1;   // -1: has ended
-  int input_ = -1;     // file descriptors; -1: closed
-  int messages_ = -1;  // a file without a name that takes its standard error
+  // Process id; -1: it has ended.
+  int process_ = -1;
+  // File descriptors: the write end of the pipe to its standard input (-1: closed), and the file with its
+  // output.
+  int input_ = -1, messages_ = -1;
 };
 
 }  // namespace temblor::app

@@ -8,8 +8,9 @@
 namespace temblor::app {
 namespace {
 
-// Paths may be in any encoding, so only control characters are replaced.
-std::string on_one_line(std::string_view text) {
+// Replaces only control characters, because paths may have any encoding. A message stays on one line, and a
+// file name cannot control the terminal.
+std::string replace_control_characters(std::string_view text) {
   std::string line(text);
   for (char& c : line)
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
@@ -20,8 +21,8 @@ std::string on_one_line(std::string_view text) {
 
 void print_error(const base::Error& error) {
   const bool is_usage = error.code == base::ErrorCode::kUsage;
-  fmt::print(stderr, "temblor: {}{}\n", on_one_line(error.message()),
-             is_usage ? " (temblor --help says more)" : "");
+  fmt::print(stderr, "temblor: {}{}\n", replace_control_characters(error.message()),
+             is_usage ? " (see temblor --help)" : "");
 }
 
 int exit_status(const base::Error& error) {
@@ -29,7 +30,7 @@ int exit_status(const base::Error& error) {
 }
 
 void print_note(std::string_view text) {
-  fmt::print(stderr, "temblor: note: {}\n", on_one_line(text));
+  fmt::print(stderr, "temblor: note: {}\n", replace_control_characters(text));
 }
 
 }  // namespace temblor::app

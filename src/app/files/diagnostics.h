@@ -1,4 +1,4 @@
-// What the program says when something is wrong: one line on standard error, and an exit status.
+// Errors and notes of the program: one line each on standard error, and an exit status.
 #pragma once
 
 #include <string_view>
@@ -8,15 +8,17 @@
 namespace temblor::app {
 
 constexpr int kExitSuccess = 0;
-constexpr int kExitFailure = 1;  // a file, a folder or the machine
-constexpr int kExitUsage = 2;    // the command line
+// A problem with a file, a folder, or the machine.
+constexpr int kExitFailure = 1;
+// A problem with the command line.
+constexpr int kExitUsage = 2;
 
-// "temblor: FILE: WHAT". Always one line: control characters (of a file's name, say) become '?'.
-// A wrong command line (kUsage) also gets a hint at --help.
+// Prints "temblor: FILE: PROBLEM". Always one line: control characters, for example in file names, become
+// '?'. Usage errors also point to --help.
 void print_error(const base::Error& error);
 int exit_status(const base::Error& error);
 
-// "temblor: note: TEXT": worth knowing, but not in the way.
+// Prints "temblor: note: TEXT" for a problem that does not stop the command.
 void print_note(std::string_view text);
 
 }  // namespace temblor::app

@@ -7,7 +7,8 @@
 
 namespace temblor::app {
 
-FileStamp stamp_of(const std::filesystem::path& file) {
+// A file that disappears between two calls counts as missing.
+FileStamp read_file_stamp(const std::filesystem::path& file) {
   std::error_code failure;
   FileStamp stamp{file};
   const bool is_folder = std::filesystem::is_directory(file, failure);
@@ -23,15 +24,17 @@ void FileWatch::add(const std::vector<FileStamp>& stamps) {
   for (const FileStamp& stamp : stamps) files_.try_emplace(stamp.file, Watched{stamp, stamp});
 }
 
+// A change is reported only when two consecutive looks see the same files, because editors write in several
+// steps.
 bool FileWatch::has_changed() {
-  bool changed = false, stands_still = true;
+  bool changed = false, is_stable = true;
   for (auto& [file, watched] : files_) {
-    FileStamp now = stamp_of(file);
-    if (now != watched.last) stands_still = false;
+    FileStamp now = read_file_stamp(file);
+    if (now != watched.last) is_stable = false;
     if (now.exists && now != watched.before) changed = true;
     watched.last = std::move(now);
   }
-  if (!changed || !stands_still) return false;
+  if (!changed || !is_stable) return false;
   for (auto& [file, watched] : files_) watched.before = watched.last;
   return true;
 }

@@ -1,4 +1,5 @@
-// Tells when files change.
+// Detects changes of files by polling size and modification time. Polling works on every file system, also on
+// network drives, and copes with editors that replace files instead of writing them.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 namespace temblor::app {
 
-// A file as it was when one looked. To be had before the file is read, so that what was read is not older.
+// State of a file at one moment. Take it before you read the file: then a later save is never missed.
 struct FileStamp {
   std::filesystem::path file;
   bool exists = false;
@@ -16,23 +17,25 @@ struct FileStamp {
   std::uintmax_t bytes = 0;
   bool operator==(const FileStamp&) const = default;
 };
-FileStamp stamp_of(const std::filesystem::path& file);
+// For a folder, `bytes` is 0 and `written` changes when an entry is added or removed.
+FileStamp read_file_stamp(const std::filesystem::path& file);
 
 class FileWatch {
  public:
-  // Watches them from the time of their stamps on; what is watched already stays so from where it was. A file
-  // that is not there is watched too; a folder changes when a file comes into it or goes.
+  // Watches the files for changes since their stamps. Files that are already watched keep their older stamps.
+  // A file may be missing; it changes when it appears.
   void add(const std::vector<FileStamp>& stamps);
 
-  // Whether any file is another one than at the last change (or when it was added), and all have stood still
-  // between two calls: an editor that is still writing is waited for. A file that goes away is no change, for
-  // it may be about to be replaced; one that comes back is.
+  // Returns whether any file has changed since the last reported change (or since it was added) and no file
+  // has changed between the last two calls, so that an editor can finish writing. A file that disappears is
+  // not a change, because it may be about to be replaced; its reappearance is.
   bool has_changed();
 
-  // Looks again and again until it has.
+  // Polls until has_changed().
   void wait();
 
  private:
+  // Stamps at the last reported change, and at the last call.
   struct Watched {
     FileStamp before, last;
   };

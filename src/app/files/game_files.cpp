@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t kSuggestions = 8;
 
-// Levenshtein: single characters inserted, removed or replaced to turn one into the other.
+// Computes the Levenshtein distance: the number of characters to insert, remove, or replace to turn one into
+// the other. By dynamic programming with one row of the table.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -33,16 +34,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-bool is_without_data(const GameFolders& folders) {
+// Returns whether neither --basedir nor the current directory names game data.
+bool has_no_game_data(const GameFolders& folders) {
   std::error_code ignored;
   return folders.base_folder.empty() && !std::filesystem::is_directory("id1", ignored);
 }
 
-// In a build tree and an unpacked archive, and where `make install` and the package put it.
+// Locations of the shipped game relative to the program: in a build tree or an unpacked archive, and after
+// `make install` or in a package.
 constexpr const char* kInstalledGame = "../share/games/temblor";
 constexpr std::array kShippedGame = {"game", kInstalledGame};
 
-std::filesystem::path beside_program(const char* place) {
+std::filesystem::path find_beside_program(const char* place) {
   std::error_code failure;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
   return (program.parent_path() / place).lexically_normal();
@@ -51,7 +54,7 @@ std::filesystem::path beside_program(const char* place) {
 std::optional<std::filesystem::path> find_shipped_game() {
   std::error_code failure;
   for (const char* const place : kShippedGame) {
-    const std::filesystem::path folder = beside_program(place);
+    const std::filesystem::path folder = find_beside_program(place);
     if (std::filesystem::exists(folder / "id1/gfx/palette.lmp", failure)) return folder;
   }
   return {};
@@ -59,19 +62,21 @@ std::optional<std::filesystem::path> find_shipped_game() {
 
 }  // namespace
 
+// --basedir is not checked here; opening its files fails with a better message.
 base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders) {
-  if (!is_without_data(folders))
+  if (!has_no_game_data(folders))
     return std::filesystem::path(folders.base_folder.empty() ? "." : folders.base_folder);
   if (std::optional<std::filesystem::path> shipped = find_shipped_game()) return *std::move(shipped);
-  return base::error(
-      base::ErrorCode::kNotFound,
-      "no game data: the current folder holds no id1, and the game that comes with Temblor is not "
-      "beside the program; name the folder that holds id1 with --basedir DIR");
+  return base::error(base::ErrorCode::kNotFound,
+                     "no game data: the current directory does not contain id1, and the included game is not "
+                     "beside the program; name "
+                     "the directory that contains id1 with --basedir DIR");
 }
 
 bool is_installed_game(const std::filesystem::path& base_folder) {
-  std::error_code failure;  // one of them is not there
-  return std::filesystem::equivalent(base_folder, beside_program(kInstalledGame), failure);
+  // The error is set if either does not exist; the result is then false.
+  std::error_code failure;
+  return std::filesystem::equivalent(base_folder, find_beside_program(kInstalledGame), failure);
 }
 
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {
@@ -79,29 +84,30 @@ base::Result<vfs::FileSystem> open_files(const GameFolders& folders) {
   return vfs::FileSystem::open(base_folder, folders.games);
 }
 
-assets::Look own_look() {
+assets::Look make_builtin_look() {
   const formats::Palette palette = artgen::make_palette();
   return {palette, formats::make_colormap(palette)};
 }
 
 base::Result<assets::Look> find_look(const GameFolders& folders) {
-  if (is_without_data(folders)) return own_look();
+  if (has_no_game_data(folders)) return make_builtin_look();
   TRY(const vfs::FileSystem files, open_files(folders));
   return assets::load_look(files);
 }
 
+// Names with the same distance are sorted by name, so the order does not depend on the file system.
 std::string suggest(std::string_view wanted, std::vector<std::string> names) {
-  if (names.empty()) return "there are none at all";
+  if (names.empty()) return "there are none";
   const std::string lower = base::to_lower(wanted);
   std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
     return std::tuple(edit_distance(lower, a), a) < std::tuple(edit_distance(lower, b), b);
   });
   names.resize(std::min(names.size(), kSuggestions));
-  return fmt::format("there are, for example, {}", fmt::join(names, ", "));
+  return fmt::format("similar names: {}", fmt::join(names, ", "));
 }
 
-std::vector<std::string> stems(const vfs::FileSystem& files, std::string_view folder,
-                               std::string_view suffix) {
+std::vector<std::string> list_stems(const vfs::FileSystem& files, std::string_view folder,
+                                    std::string_view suffix) {
   std::vector<std::string> names;
   for (const std::string& path : files.list(folder, suffix))
     names.push_back(path.substr(folder.size(), path.size() - folder.size() - suffix.size()));

@@ -1,4 +1,4 @@
-// Opens the game folders that the command line names, and finds names like a mistyped one.
+// Finds and opens the game data, and suggests names similar to a mistyped one.
 #pragma once
 
 #include <filesystem>
@@ -13,27 +13,26 @@
 
 namespace temblor::app {
 
-// The folder that --basedir names, or the current one where it holds id1, or the shipped game's, which lies
-// beside the program or where it is installed; else fails, saying what to do.
+// Returns the directory that contains id1: --basedir, or the current directory if it contains id1, or that of
+// the shipped game, beside the program or where it is installed. Otherwise kNotFound with advice.
 base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders);
-// Whether it is that of the game that was installed with this program: not for writing to, even by those who
-// may.
+// Returns whether that is the installed game. Nothing is written there, even with permission.
 bool is_installed_game(const std::filesystem::path& base_folder);
+// Opens id1 and the game directories that --game names.
 base::Result<vfs::FileSystem> open_files(const GameFolders& folders);
 
-// The palette that the level made in code is painted with, and what follows from it.
-assets::Look own_look();
+// Returns Temblor's own palette and colormap, which the small built-in level uses.
+assets::Look make_builtin_look();
 
-// The game's; Temblor's own, as the shipped game has it, where no --basedir is given and the current folder
-// holds no id1.
+// Returns the palette and colormap of the game data; Temblor's own if --basedir is not given and the current
+// directory does not contain id1.
 base::Result<assets::Look> find_look(const GameFolders& folders);
 
-// "there are, for example, a, b, c": of `names`, those most like `wanted`; "there are none at all" without
-// any.
+// Returns "similar names: a, b, c" with the names closest to `wanted` by edit distance, or "there are none".
 std::string suggest(std::string_view wanted, std::vector<std::string> names);
 
-// The files FOLDER*SUFFIX without folder and suffix.
-std::vector<std::string> stems(const vfs::FileSystem& files, std::string_view folder,
-                               std::string_view suffix);
+// Lists the files FOLDER*SUFFIX without folder and suffix.
+std::vector<std::string> list_stems(const vfs::FileSystem& files, std::string_view folder,
+                                    std::string_view suffix);
 
 }  // namespace temblor::app

@@ -1,4 +1,4 @@
-// Ctrl-C while something is worth saving. POSIX.
+// Defers Ctrl-C while there is work to save (POSIX).
 #pragma once
 
 #include <atomic>
@@ -7,9 +7,12 @@
 
 namespace temblor::app {
 
-// While it lives SIGINT and SIGTERM end the program at once, as ever, but between hold() and let_go() the
-// first of them is only noted; a second one ends it. To be made before other threads are, because they
-// inherit that signals come here; only one at a time.
+// While it exists, SIGINT, SIGTERM, and SIGHUP still end the program at once, except between defer() and
+// stop_deferring(): there, the first one only sets a flag, and the second one ends the program.
+//
+// Signals are blocked in all threads, and a separate thread waits for them, so no code runs in signal
+// handlers. Construct it before other threads start, because they inherit the signal mask. Only one may exist
+// at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -17,15 +20,17 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  void hold() { held_ = true; }
-  void let_go() { held_ = false; }
-  bool was_noted() const { return noted_; }
+  void defer() { deferred_ = true; }
+  void stop_deferring() { deferred_ = false; }
+  // Returns whether a signal arrived while they were deferred.
+  bool was_requested() const { return requested_; }
 
  private:
   void wait_for_signals(const std::stop_token& stop);
 
+  // The signal mask to restore.
   sigset_t before_{};
-  std::atomic<bool> held_{false}, noted_{false};
+  std::atomic<bool> deferred_{false}, requested_{false};
   std::jthread waiter_;
 };
 

@@ -1,4 +1,4 @@
-// From the command line's --basedir, --game and --map to a level with its palette.
+// Loads the level that --basedir, --game, and --map name, with its palette.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,12 @@ namespace temblor::app {
 struct LoadedMap {
   std::shared_ptr<const world::Level> level;
   assets::Look look;
-  std::vector<std::string> notes;  // what was made do with, one line each
+  // Tolerated problems, one line each.
+  std::vector<std::string> notes;
 };
 
-// `map`: a level's name ("start"), a path to a .bsp on disk, or empty for the small level that is made in
-// code and needs no data. An unknown name gets an error that lists levels that are there.
+// `map` is a level's name ("start"), the path of a .bsp, or empty for the small built-in level, which needs
+// no game data. The error for an unknown name lists similar names.
 base::Result<LoadedMap> load_map(const GameFolders& folders, const std::string& map);
 
 }  // namespace temblor::app

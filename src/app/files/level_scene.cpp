@@ -8,13 +8,15 @@
 namespace temblor::app {
 namespace {
 
+// Triggers are removed or invisible in the game. A func_episodegate appears only after its episode is
+// finished.
 bool is_shown(std::string_view classname) {
   const std::string name = base::to_lower(classname);
   return !name.starts_with("trigger_") && name != "func_episodegate";
 }
 
-// N of "*N", where the level has that model and it is not the world.
-std::optional<world::ModelIndex> brush_model_of(const world::Level& level, const formats::Entity& entity) {
+// Returns N for a model "*N"; nothing if the level has no such model, or if it is the world.
+std::optional<world::ModelIndex> find_brush_model(const world::Level& level, const formats::Entity& entity) {
   const std::string_view model = entity.find("model").value_or("");
   if (!model.starts_with('*')) return std::nullopt;
   std::uint32_t number = 0;
@@ -26,10 +28,11 @@ std::optional<world::ModelIndex> brush_model_of(const world::Level& level, const
 
 }  // namespace
 
+// Moving parts are drawn where the editor placed them, because no game code runs that could move them.
 LevelScene make_level_scene(std::shared_ptr<const world::Level> level) {
   LevelScene scene;
   for (const formats::Entity& entity : level->entities) {
-    const auto model = brush_model_of(*level, entity);
+    const auto model = find_brush_model(*level, entity);
     if (!model || !is_shown(entity.classname())) continue;
     render::BrushModelInstance instance;
     instance.model = *model;
@@ -37,17 +40,17 @@ LevelScene make_level_scene(std::shared_ptr<const world::Level> level) {
     scene.brush_models.push_back(instance);
   }
   scene.level = std::move(level);
-  scene.light_styles = world::standard_light_styles();
+  scene.light_styles = world::make_standard_light_styles();
   return scene;
 }
 
-render::Scene scene_at(const LevelScene& level_scene, const render::Camera& camera, double time_s) {
+render::Scene make_scene(const LevelScene& level_scene, const render::Camera& camera, double time_s) {
   render::Scene scene;
   scene.level = level_scene.level.get();
   scene.camera = camera;
   scene.brush_models = level_scene.brush_models;
   scene.time_s = time_s;
-  scene.light_styles = world::light_style_values(level_scene.light_styles, time_s);
+  scene.light_styles = world::compute_light_styles(level_scene.light_styles, time_s);
   return scene;
 }
 

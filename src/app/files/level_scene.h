@@ -1,4 +1,5 @@
-// A level as it is drawn: the world, and its doors, lifts and buttons where the level puts them.
+// A level as a scene for the renderer, without a running game: the world with its doors, lifts, and buttons
+// in their initial positions. `render` and `bench` draw it.
 #pragma once
 
 #include <memory>
@@ -16,11 +17,11 @@ struct LevelScene {
   world::LightStylePatterns light_styles;
 };
 
-// Every entity with a model "*N" stands at its `origin` (0 0 0 without one), but for those that the game does
-// not show: triggers, and gates of episodes that are still to be played.
+// Places every entity with a model "*N" at its `origin`, except those that are invisible in the game:
+// triggers, and gates of unfinished episodes.
 LevelScene make_level_scene(std::shared_ptr<const world::Level> level);
 
-// What `camera` looks at, `time_s` seconds into the level. Valid while `level_scene` lives.
-render::Scene scene_at(const LevelScene& level_scene, const render::Camera& camera, double time_s);
+// Returns the scene that `camera` sees, `time_s` seconds into the level. Valid while `level_scene` lives.
+render::Scene make_scene(const LevelScene& level_scene, const render::Camera& camera, double time_s);
 
 }  // namespace temblor::app

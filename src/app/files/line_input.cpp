@@ -11,13 +11,15 @@
 
 namespace temblor::app {
 
-std::vector<std::string> LineInput::wait(double at_most_s) {
+// After the end of input, as with `< /dev/null`, poll() would return at once, so sleep instead.
+std::vector<std::string> LineInput::wait(double timeout_s) {
   if (has_ended_) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(at_most_s));
+    std::this_thread::sleep_for(std::chrono::duration<double>(timeout_s));
     return {};
   }
+  // Round up: a wait that ends too early would only be repeated.
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  const auto whole_ms = static_cast<int>(std::ceil(at_most_s * 1000));
+  const auto whole_ms = static_cast<int>(std::ceil(timeout_s * 1000));
   if (poll(&input, 1, whole_ms) <= 0 || input.revents == 0) return {};
 
   std::array<char, 1024> bytes;

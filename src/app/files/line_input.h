@@ -1,4 +1,4 @@
-// Lines from standard input, without waiting for them. POSIX.
+// Reads lines from standard input with a timeout (POSIX), for the console of a dedicated server.
 #pragma once
 
 #include <string>
@@ -8,14 +8,16 @@ namespace temblor::app {
 
 class LineInput {
  public:
-  static constexpr std::size_t kMaxLineChars = 4096;  // what is longer comes in pieces
+  // Longer lines are split.
+  static constexpr std::size_t kMaxLineChars = 4096;
 
-  // Waits at most that long, less when something comes; the lines that are whole by then. The last one of
-  // input that has ended need not have an end of its own.
-  std::vector<std::string> wait(double at_most_s);
+  // Waits up to `timeout_s` for input and returns the lines that are complete, without newlines. At the end
+  // of input, a last line without a newline counts as complete; from then on it only waits.
+  std::vector<std::string> wait(double timeout_s);
   bool has_ended() const { return has_ended_; }
 
  private:
+  // The beginning of an incomplete line.
   std::string partial_;
   bool has_ended_ = false;
 };

@@ -16,25 +16,28 @@ using base::ErrorCode;
 
 constexpr std::size_t kMaxDigits = 9;
 
-base::Error bad_name(const std::string& pattern) {
-  return base::error(ErrorCode::kUsage, "-o {}: a picture's name ends in .png and has at most one %d or %05d",
-                     pattern);
+base::Error make_picture_name_error(const std::string& pattern) {
+  return base::error(ErrorCode::kUsage,
+                     "-o {}: the name of a picture must end in .png and may contain one %d or %05d", pattern);
 }
 
+// Returns an error that says what to do: create the folder, or choose another output.
 base::Error cannot_write(const std::string& path, int system_error) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code ignored;
   const bool folder_missing = !folder.empty() && !std::filesystem::is_directory(folder, ignored);
   base::Error error =
       folder_missing
-          ? base::error(ErrorCode::kIo, "the folder {} does not exist: make it, or choose another with -o",
+          ? base::error(ErrorCode::kIo,
+                        "the folder {} does not exist; create it, or choose another output with -o",
                         folder.string())
-          : base::error(ErrorCode::kIo, "cannot be written ({}): choose another place with -o",
+          : base::error(ErrorCode::kIo, "cannot write ({}); choose another output with -o",
                         std::generic_category().message(system_error));
   error.file = path;
   return error;
 }
 
+// Writes the file in place. Pictures are not replaced atomically, because a sequence may have thousands.
 base::Status write_file(const std::string& path, base::Bytes bytes) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
@@ -50,21 +53,23 @@ bool is_numbered(const std::string& pattern) {
   return pattern.find('%') != std::string::npos;
 }
 
+// Parses the pattern by hand instead of passing it to printf(), because it comes from the command line.
 base::Result<std::string> numbered_name(const std::string& pattern, std::size_t number) {
-  if (!base::to_lower(pattern).ends_with(".png")) return bad_name(pattern);
+  if (!base::to_lower(pattern).ends_with(".png")) return make_picture_name_error(pattern);
   const std::size_t percent = pattern.find('%');
   if (percent == std::string::npos) return pattern;
   const std::size_t end = pattern.find('d', percent);
-  if (end == std::string::npos) return bad_name(pattern);
+  if (end == std::string::npos) return make_picture_name_error(pattern);
   const std::string width_text = pattern.substr(percent + 1, end - percent - 1);
   std::size_t width = 0;
   if (!width_text.empty()) {
     const char* text_end = width_text.data() + width_text.size();
     const auto [parsed_end, failure] = std::from_chars(width_text.data(), text_end, width);
-    if (failure != std::errc{} || parsed_end != text_end || width > kMaxDigits) return bad_name(pattern);
+    if (failure != std::errc{} || parsed_end != text_end || width > kMaxDigits)
+      return make_picture_name_error(pattern);
   }
   const std::string rest = pattern.substr(end + 1);
-  if (is_numbered(rest)) return bad_name(pattern);
+  if (is_numbered(rest)) return make_picture_name_error(pattern);
   return fmt::format("{}{:0{}}{}", pattern.substr(0, percent), number, width, rest);
 }
 

@@ -18,6 +18,7 @@ std::string describe_time_left(double seconds) {
 
 }  // namespace
 
+// The time left assumes that the rest is as fast as what is done.
 std::string describe_progress(const std::string& what, std::size_t done, std::size_t total,
                               double elapsed_s) {
   constexpr std::size_t kBarChars = 20;
@@ -31,7 +32,7 @@ std::string describe_progress(const std::string& what, std::size_t done, std::si
   return text;
 }
 
-// "\r\x1b[K": to the start of the line, which is then empty.
+// "\r\x1b[K" moves to the start of the line and clears it.
 Progress::Progress(std::string what) : what_(std::move(what)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {

@@ -1,5 +1,4 @@
-// How far long work has got, and how long it still takes: one line on standard error that rewrites itself,
-// only where that is a terminal.
+// A progress line on standard error, rewritten in place. Prints nothing if standard error is not a terminal.
 #pragma once
 
 #include <chrono>
@@ -10,9 +9,10 @@ namespace temblor::app {
 
 class Progress {
  public:
-  // `what` stands in front of the count.
+  // `what` names what is counted, such as "frames".
   explicit Progress(std::string what);
-  ~Progress();  // takes the line away
+  // Erases the line.
+  ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -24,7 +24,8 @@ class Progress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// "frames: [####......] 40 of 100, 12 s left"; without the time as long as nothing is done.
+// Returns "frames: [####......] 40 of 100, 12 s left". The remaining time is extrapolated from `elapsed_s`
+// and left out while `done` is 0.
 std::string describe_progress(const std::string& what, std::size_t done, std::size_t total, double elapsed_s);
 
 }  // namespace temblor::app

@@ -1,4 +1,4 @@
-// Archives: what is in them, and whether it can be taken out.
+// Archives (.pak, .pk3, .wad): their entries, and whether those can be read.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -18,21 +18,21 @@ namespace {
 
 using base::ErrorCode;
 
-// `count` bytes of the file from `offset` on.
+// Reads `count` bytes of the file at `offset`.
 base::Result<base::ByteVector> read_part(const std::filesystem::path& path, std::uint64_t offset,
                                          std::uint64_t count) {
   std::ifstream file(path, std::ios::binary);
   base::ByteVector bytes(count);
   file.seekg(static_cast<std::streamoff>(offset));
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(count));
-  if (!file) return base::error(ErrorCode::kIo, "{} bytes at offset {} cannot be read", count, offset);
+  if (!file) return base::error(ErrorCode::kIo, "cannot read {} bytes at offset {}", count, offset);
   return bytes;
 }
 
-// `texture_type`: what lumps have that are textures, which WAD2 and WAD3 number differently.
+// `texture_type` is the lump type of textures; WAD2 and WAD3 number it differently.
 Inspection inspect_lump(const formats::WadLump& lump, std::uint8_t texture_type, Inspection& io_problems) {
   Inspection entry = {{"name", lump.name}, {"type", lump.type}, {"bytes", lump.data.size()}};
-  // gfx.wad gives its characters a texture's type, but they have no header.
+  // The console characters in gfx.wad have the type of a texture, but no header.
   if (lump.type != texture_type || base::equal_ignoring_case(lump.name, "conchars")) return entry;
   const base::Result<formats::WadTexture> texture = formats::read_wad_texture(lump.data);
   if (texture.ok()) {
@@ -46,6 +46,8 @@ Inspection inspect_lump(const formats::WadLump& lump, std::uint8_t texture_type,
 
 }  // namespace
 
+// A PAK consists of a header, the files, and a directory, which the header locates. Only header and directory
+// are read.
 base::Result<Inspection> inspect_pak(const std::filesystem::path& path) {
   std::error_code failure;
   const std::uint64_t archive_bytes = std::filesystem::file_size(path, failure);
@@ -61,6 +63,7 @@ base::Result<Inspection> inspect_pak(const std::filesystem::path& path) {
   return Inspection{{"count", entries.size()}, {"files", files}, {"problems", Inspection::array()}};
 }
 
+// A PK3 is a ZIP archive. Every file is unpacked to find damage.
 base::Result<Inspection> inspect_pk3(base::ByteVector bytes) {
   TRY(const formats::Pk3 pk3, formats::read_pk3(std::move(bytes)));
   Inspection files = Inspection::array();

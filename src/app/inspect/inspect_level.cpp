@@ -1,4 +1,4 @@
-// Levels, their light and their entities.
+// Levels (.bsp), their colored light (.lit), and their entity text (.ent).
 #include <fmt/format.h>
 
 #include <map>
@@ -15,6 +15,7 @@
 namespace temblor::app {
 namespace {
 
+// Returns the number of entities of each class.
 Inspection count_classes(const std::vector<formats::Entity>& entities) {
   std::map<std::string, std::size_t> counts;
   for (const formats::Entity& entity : entities)
@@ -40,6 +41,7 @@ Inspection list_textures(const formats::Bsp& bsp) {
   return textures;
 }
 
+// Returns the numbers of the light styles that faces use, in ascending order.
 Inspection list_styles(const formats::Bsp& bsp) {
   std::set<int> styles;
   for (const formats::BspFace& face : bsp.faces)
@@ -48,32 +50,33 @@ Inspection list_styles(const formats::Bsp& bsp) {
   return Inspection(styles);
 }
 
-// What is allowed, but not as a level should be.
+// Lists faults of a level that can still be played.
 Inspection find_problems(const formats::Bsp& bsp, const world::Level& level) {
   Inspection problems = Inspection::array();
   std::set<std::string> missing;
   for (const world::Face& face : level.faces)
     if (level.texture(face.texture).missing) missing.insert(level.texture(face.texture).name);
   for (const std::string& name : missing)
-    problems.push_back(fmt::format("texture \"{}\" is not in the level: drawn as a checker", name));
-  if (bsp.visibility.empty()) problems.push_back("no PVS: everything counts as visible from everywhere");
-  if (bsp.lighting.empty()) problems.push_back("no light: everything is drawn full-bright");
+    problems.push_back(fmt::format("texture \"{}\" is missing: drawn as a checkerboard", name));
+  if (bsp.visibility.empty()) problems.push_back("no PVS: everything is drawn from everywhere");
+  if (bsp.lighting.empty()) problems.push_back("no light: everything is fully bright");
   bool has_start = false;
   for (const formats::Entity& entity : level.entities)
     has_start = has_start || entity.classname().starts_with("info_player_");
-  if (!has_start) problems.push_back("no info_player_start: players cannot enter");
+  if (!has_start) problems.push_back("no info_player_start: players have nowhere to spawn");
   return problems;
 }
 
 }  // namespace
 
+// Besides the format's reader, this runs the checks that the game runs when it loads a level.
 base::Result<Inspection> inspect_bsp(base::Bytes bytes) {
   TRY(const formats::Bsp bsp, formats::read_bsp(bytes));
   TRY(const std::shared_ptr<const world::Level> level, world::make_level(bsp, "inspected"));
   Inspection result;
-  result["version"] = formats::name_of(bsp.version);
-  result["mins"] = json_of(bsp.models[0].mins);
-  result["maxs"] = json_of(bsp.models[0].maxs);
+  result["version"] = formats::version_name(bsp.version);
+  result["mins"] = make_json(bsp.models[0].mins);
+  result["maxs"] = make_json(bsp.models[0].maxs);
   result["visible leaves"] = level->visible_leaf_count;
   result["counts"] = count_lumps(bsp);
   result["light styles"] = list_styles(bsp);

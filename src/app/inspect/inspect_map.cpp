@@ -1,4 +1,4 @@
-// Maps: what an editor wrote.
+// Maps (.map), the source text of levels that editors write.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace temblor::app {
 namespace {
 
-const char* name_of(formats::MapAlignment alignment) {
+const char* alignment_name(formats::MapAlignment alignment) {
   switch (alignment) {
     case formats::MapAlignment::kStandard:
       return "standard";
@@ -26,7 +26,8 @@ const char* name_of(formats::MapAlignment alignment) {
   return "brush primitives";
 }
 
-// Worldspawn first, a place to start, and brushes that can bound something.
+// Checks that worldspawn comes first, that there is a start, and that every brush has enough sides to be
+// closed. Only the compiler finds geometric faults.
 Inspection find_problems(const formats::Map& map) {
   Inspection problems = Inspection::array();
   if (map.entities.empty() || map.entities.front().fields.classname() != "worldspawn")
@@ -40,13 +41,15 @@ Inspection find_problems(const formats::Map& map) {
   for (std::size_t i = 0; i < map.entities.size(); ++i)
     for (std::size_t k = 0; k < map.entities[i].brushes.size(); ++k)
       if (const formats::MapBrush& brush = map.entities[i].brushes[k]; brush.sides.size() < kMinSides)
-        problems.push_back(fmt::format("entity {}, brush {}, line {}: {} sides bound nothing", i, k,
-                                       brush.line, brush.sides.size()));
+        problems.push_back(
+            fmt::format("entity {}, brush {}, line {}: has {} sides, but a brush needs at least 4", i, k,
+                        brush.line, brush.sides.size()));
   return problems;
 }
 
 }  // namespace
 
+// Reads only this file. Prefabs and textures are not searched.
 base::Result<Inspection> inspect_map(base::Bytes bytes) {
   TRY(const formats::Map map, formats::read_map(base::as_text(bytes)));
   std::map<std::string, std::size_t> classes, alignments;
@@ -59,7 +62,7 @@ base::Result<Inspection> inspect_map(base::Bytes bytes) {
     for (const formats::MapBrush& brush : entity.brushes)
       for (const formats::MapSide& side : brush.sides) {
         ++sides;
-        ++alignments[name_of(side.texturing.alignment)];
+        ++alignments[alignment_name(side.texturing.alignment)];
         textures.insert(base::to_lower(side.texture));
       }
   }

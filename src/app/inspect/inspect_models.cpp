@@ -1,4 +1,4 @@
-// Models and sprites.
+// Alias models (.mdl) and sprites (.spr).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/inspect/inspection.h"
+#include "base/text.h"
 #include "formats/models/mdl.h"
 #include "formats/models/spr.h"
 
@@ -21,16 +22,17 @@ using formats::MdlFrame;
 using formats::MdlPose;
 using formats::MdlVertex;
 
-// What engines of the original's age refuse or misdraw.
+// Limits of the original engine, which refuses models beyond them or draws them wrong.
 constexpr std::size_t kStockVertices = 2000, kStockFrames = 256, kStockSkinHeight = 480, kStockWidthStep = 4;
 constexpr std::uint8_t kTransparent = 255;
 
+// Names of the bits of a model's flags, from bit 0 on: the effects that the client shows on it.
 constexpr std::array<const char*, 8> kFlagNames = {"rocket trail", "grenade smoke", "gib blood", "rotate",
                                                    "tracer",       "zombie blood",  "tracer 2",  "tracer 3"};
 constexpr std::array<const char*, 5> kOrientationNames = {"parallel upright", "facing upright", "parallel",
                                                           "oriented", "parallel oriented"};
 
-// The box that vertices fill, in a pose's bytes.
+// A bounding box in the byte coordinates of a pose.
 struct Box {
   std::array<std::uint8_t, 3> mins{255, 255, 255}, maxs{0, 0, 0};
 
@@ -47,13 +49,14 @@ struct Box {
   }
 };
 
-Box box_of(const MdlPose& pose) {
+Box pose_box(const MdlPose& pose) {
   Box box;
   for (const MdlVertex& vertex : pose.vertices) box.add(vertex);
   return box;
 }
 
-math::Vec3 position_of(const Mdl& mdl, const std::array<std::uint8_t, 3>& bytes) {
+// Converts a position of one byte per axis to units.
+math::Vec3 decode_position(const Mdl& mdl, const std::array<std::uint8_t, 3>& bytes) {
   return mdl.scale * math::Vec3(bytes[0], bytes[1], bytes[2]) + mdl.origin;
 }
 
@@ -64,6 +67,7 @@ Inspection list_flags(std::uint32_t flags) {
   return names;
 }
 
+// A skin with several pictures is animated; "seconds" is the length of its cycle.
 Inspection list_skins(const Mdl& mdl) {
   Inspection skins = Inspection::array();
   for (const formats::MdlSkin& skin : mdl.skins) {
@@ -74,6 +78,7 @@ Inspection list_skins(const Mdl& mdl) {
   return skins;
 }
 
+// A frame with several poses is a group, which animates on its own; "seconds" is the length of its cycle.
 Inspection list_frames(const Mdl& mdl) {
   Inspection frames = Inspection::array();
   for (const MdlFrame& frame : mdl.frames) {
@@ -84,17 +89,18 @@ Inspection list_frames(const Mdl& mdl) {
   return frames;
 }
 
-// "3 (the first is frame 7)"; the numbers of the frames, not empty.
-std::string count_and_first(const std::vector<std::size_t>& frames) {
+// Formats "3 (the first is frame 7)". `frames` must not be empty.
+std::string format_count_and_first(const std::vector<std::size_t>& frames) {
   return fmt::format("{} (the first is frame {})", frames.size(), frames.front());
 }
 
-void find_lying_boxes(const Mdl& mdl, Inspection& io_problems) {
+// Finds poses and groups whose bounding box in the file does not contain their vertices.
+void find_wrong_boxes(const Mdl& mdl, Inspection& io_problems) {
   std::vector<std::size_t> poses, groups;
   for (std::size_t i = 0; i < mdl.frames.size(); ++i) {
     const MdlFrame& frame = mdl.frames[i];
     for (const MdlPose& pose : frame.poses) {
-      const Box box = box_of(pose);
+      const Box box = pose_box(pose);
       if (!box.is_inside(pose.mins, pose.maxs)) poses.push_back(i);
       if (!frame.end_times_s.empty() && !box.is_inside(frame.mins, frame.maxs) &&
           (groups.empty() || groups.back() != i))
@@ -103,13 +109,14 @@ void find_lying_boxes(const Mdl& mdl, Inspection& io_problems) {
   }
   if (!poses.empty())
     io_problems.push_back(
-        fmt::format("poses with vertices outside their own box: {}", count_and_first(poses)));
+        fmt::format("poses with vertices outside their bounding box: {}", format_count_and_first(poses)));
   if (!groups.empty())
-    io_problems.push_back(
-        fmt::format("groups with vertices outside the group's box: {}", count_and_first(groups)));
+    io_problems.push_back(fmt::format("groups with vertices outside the group's bounding box: {}",
+                                      format_count_and_first(groups)));
 }
 
-void find_idle_parts(const Mdl& mdl, Inspection& io_problems) {
+// Finds vertices without triangles, and triangles without area.
+void find_unused_parts(const Mdl& mdl, Inspection& io_problems) {
   std::vector<bool> used(mdl.texels.size());
   std::size_t flat = 0;
   for (const formats::MdlTriangle& triangle : mdl.triangles) {
@@ -117,11 +124,13 @@ void find_idle_parts(const Mdl& mdl, Inspection& io_problems) {
     flat += a == b || b == c || a == c ? 1 : 0;
     for (const std::uint32_t vertex : triangle.vertices) used[vertex] = true;
   }
-  if (const auto idle = std::ranges::count(used, false); idle > 0)
-    io_problems.push_back(fmt::format("vertices that no triangle uses: {}", idle));
-  if (flat > 0) io_problems.push_back(fmt::format("triangles that use a vertex twice: {}", flat));
+  if (const auto unused = std::ranges::count(used, false); unused > 0)
+    io_problems.push_back(fmt::format("vertices not used by any triangle: {}", unused));
+  if (flat > 0) io_problems.push_back(fmt::format("triangles with a repeated vertex: {}", flat));
 }
 
+// Finds texture coordinates outside the skin. Vertices on the seam are shifted by half the skin's width in
+// triangles of the back, as when they are drawn.
 void find_corners_off_the_skin(const Mdl& mdl, Inspection& io_problems) {
   const auto width = static_cast<std::int32_t>(mdl.skin_width),
              height = static_cast<std::int32_t>(mdl.skin_height);
@@ -133,10 +142,10 @@ void find_corners_off_the_skin(const Mdl& mdl, Inspection& io_problems) {
       corners += s < 0 || s >= width || texel.t < 0 || texel.t >= height ? 1 : 0;
     }
   }
-  if (corners > 0)
-    io_problems.push_back(fmt::format("corners of triangles that lie off the skin: {}", corners));
+  if (corners > 0) io_problems.push_back(fmt::format("triangle corners outside the skin: {}", corners));
 }
 
+// Finds counts that only engines with higher limits accept, such as this one.
 void find_stock_limits(const Mdl& mdl, Inspection& io_problems) {
   const auto more_than = [&](const char* what, std::size_t count, std::size_t limit) {
     if (count > limit)
@@ -146,13 +155,16 @@ void find_stock_limits(const Mdl& mdl, Inspection& io_problems) {
   more_than("frames", mdl.frames.size(), kStockFrames);
   more_than("rows of a skin", mdl.skin_height, kStockSkinHeight);
   if (mdl.skin_width % kStockWidthStep != 0)
-    io_problems.push_back(fmt::format("skins {} texels wide: the original engine asks for a multiple of {}",
+    io_problems.push_back(fmt::format("skins are {} texels wide: the original engine needs a multiple of {}",
                                       mdl.skin_width, kStockWidthStep));
 }
 
+// Finds bytes after the end of the model, by comparing with the size that it would have if it were written
+// again.
 void find_tail(std::size_t file_bytes, std::size_t used_bytes, Inspection& io_problems) {
   if (file_bytes > used_bytes)
-    io_problems.push_back(fmt::format("{} bytes follow the last frame", file_bytes - used_bytes));
+    io_problems.push_back(
+        fmt::format("{} after the last frame", base::counted(file_bytes - used_bytes, "trailing byte")));
 }
 
 Inspection count_parts(const Mdl& mdl) {
@@ -163,6 +175,7 @@ Inspection count_parts(const Mdl& mdl) {
           {"skin pictures", pictures},     {"frames", mdl.frames.size()},       {"poses", poses}};
 }
 
+// Each frame shows the size and the offset of its first picture.
 Inspection list_sprite_frames(const formats::Spr& spr) {
   Inspection frames = Inspection::array();
   for (const formats::SprFrame& frame : spr.frames) {
@@ -189,9 +202,10 @@ Inspection find_sprite_problems(const formats::Spr& spr, std::size_t file_bytes)
     }
   }
   if (!larger.empty())
-    problems.push_back(fmt::format("pictures larger than the header's largest: {}", count_and_first(larger)));
+    problems.push_back(
+        fmt::format("pictures larger than the header's maximum: {}", format_count_and_first(larger)));
   if (!invisible.empty())
-    problems.push_back(fmt::format("pictures without a visible texel: {}", count_and_first(invisible)));
+    problems.push_back(fmt::format("fully transparent pictures: {}", format_count_and_first(invisible)));
   find_tail(file_bytes, formats::write_spr(spr).size(), problems);
   return problems;
 }
@@ -204,19 +218,19 @@ base::Result<Inspection> inspect_mdl(base::Bytes bytes) {
   for (const MdlFrame& frame : mdl.frames)
     for (const MdlPose& pose : frame.poses)
       for (const MdlVertex& vertex : pose.vertices) box.add(vertex);
-  const math::Vec3 low = position_of(mdl, box.mins), high = position_of(mdl, box.maxs);
+  const math::Vec3 low = decode_position(mdl, box.mins), high = decode_position(mdl, box.maxs);
   Inspection problems = Inspection::array();
-  find_lying_boxes(mdl, problems);
-  find_idle_parts(mdl, problems);
+  find_wrong_boxes(mdl, problems);
+  find_unused_parts(mdl, problems);
   find_corners_off_the_skin(mdl, problems);
   find_stock_limits(mdl, problems);
   if (const std::uint32_t unknown = mdl.flags >> kFlagNames.size(); unknown != 0)
-    problems.push_back(fmt::format("flags {:#x} have unknown bits", mdl.flags));
+    problems.push_back(fmt::format("unknown bits in flags {:#x}", mdl.flags));
   find_tail(bytes.size(), formats::write_mdl(mdl).size(), problems);
-  return Inspection{{"mins", json_of(glm::min(low, high))},
-                    {"maxs", json_of(glm::max(low, high))},
+  return Inspection{{"mins", make_json(glm::min(low, high))},
+                    {"maxs", make_json(glm::max(low, high))},
                     {"bounding radius", mdl.bounding_radius},
-                    {"eye", json_of(mdl.eye)},
+                    {"eye", make_json(mdl.eye)},
                     {"skin width", mdl.skin_width},
                     {"skin height", mdl.skin_height},
                     {"random phase", mdl.random_phase},

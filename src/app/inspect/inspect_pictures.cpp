@@ -1,4 +1,4 @@
-// Pictures, palettes and colormaps.
+// Pictures, palettes and colormaps, which share the extension .lmp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace temblor::app {
 namespace {
 
 constexpr std::uint8_t kTransparentPixel = 255;
-constexpr int kNormalRow = 31;  // of a colormap: light that leaves colors as they are
+// The row of a colormap for normal light, which should not change colors.
+constexpr int kNormalRow = 31;
 
 std::string hex(const formats::Rgb& color) {
   return fmt::format("{:02x}{:02x}{:02x}", color.r, color.g, color.b);
@@ -37,6 +38,7 @@ base::Result<Inspection> inspect_palette(base::Bytes bytes) {
   return Inspection{{"colors", colors}, {"problems", Inspection::array()}};
 }
 
+// Counts colors that normal light changes, and entries of full-bright colors that any light changes.
 base::Result<Inspection> inspect_colormap(base::Bytes bytes) {
   TRY(const formats::Colormap colormap, formats::read_colormap(bytes));
   Inspection problems = Inspection::array();
@@ -50,9 +52,8 @@ base::Result<Inspection> inspect_colormap(base::Bytes bytes) {
     }
   }
   if (changed > 0)
-    problems.push_back(
-        fmt::format("row {} is normal light, yet maps {} indices to others", kNormalRow, changed));
-  if (dimmed > 0) problems.push_back(fmt::format("{} entries of full-bright colors change", dimmed));
+    problems.push_back(fmt::format("row {} is normal light but changes {} colors", kNormalRow, changed));
+  if (dimmed > 0) problems.push_back(fmt::format("{} entries of full-bright colors depend on light", dimmed));
   return Inspection{{"rows", formats::Colormap::kRows},
                     {"full-bright colors", colormap.fullbrights},
                     {"problems", problems}};

@@ -1,4 +1,4 @@
-// Compiled QuakeC: what it has, and its statements in words.
+// Compiled QuakeC (progs.dat): counts, functions, and a disassembly.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@
 namespace temblor::app {
 namespace {
 
-// What the original's machine has room for.
+// Size of the original virtual machine's stack of locals.
 constexpr std::uint32_t kStockLocals = 2048;
 
 Inspection count_parts(const formats::Progs& progs) {
@@ -24,12 +24,14 @@ Inspection count_parts(const formats::Progs& progs) {
           {"string bytes", progs.strings.size()}};
 }
 
+// A function with a negative first statement is a built-in function of the engine. Function 0 is always
+// empty.
 Inspection list_functions(const vm::Program& program) {
   Inspection functions = Inspection::array();
   for (std::size_t i = 1; i < program.progs().functions.size(); ++i) {
     const auto index = base::to_index<vm::FunctionIndex>(i);
     const formats::ProgsFunction& function = program.function(index);
-    Inspection entry = {{"name", program.name_of(index)}, {"file", program.file_of(index)}};
+    Inspection entry = {{"name", program.function_name(index)}, {"file", program.function_file(index)}};
     if (function.first_statement <= 0) {
       entry["built in"] = -std::int64_t{function.first_statement};
     } else {
@@ -42,13 +44,13 @@ Inspection list_functions(const vm::Program& program) {
   return functions;
 }
 
-// A line for each function that has statements, and each of these.
+// Disassembles every function: a line with its name and source file, then a line per statement.
 Inspection list_statements(const vm::Program& program) {
   Inspection lines = Inspection::array();
   for (std::size_t i = 1; i < program.progs().functions.size(); ++i) {
     const auto index = base::to_index<vm::FunctionIndex>(i);
     if (program.function(index).first_statement <= 0) continue;
-    lines.push_back(fmt::format("{} ({})", program.name_of(index), program.file_of(index)));
+    lines.push_back(fmt::format("{} ({})", program.function_name(index), program.function_file(index)));
     const std::string text = vm::disassemble(program, index);
     for (std::size_t begin = 0; begin < text.size();) {
       const std::size_t end = text.find('\n', begin);
@@ -68,11 +70,12 @@ Inspection find_problems(const vm::Program& program) {
   for (std::size_t i = 1; i < progs.functions.size(); ++i) {
     const auto index = base::to_index<vm::FunctionIndex>(i);
     if (progs.functions[i].first_statement > 0 && progs.functions[i].local_count > kStockLocals)
-      problems.push_back(fmt::format("{} has {} locals: the original engine has room for {}",
-                                     program.name_of(index), progs.functions[i].local_count, kStockLocals));
-    if (const vm::FunctionIndex first = program.find_function(program.name_of(index)); first != index)
+      problems.push_back(fmt::format("{} has {} locals: the original engine allows {}",
+                                     program.function_name(index), progs.functions[i].local_count,
+                                     kStockLocals));
+    if (const vm::FunctionIndex first = program.find_function(program.function_name(index)); first != index)
       problems.push_back(fmt::format("functions {} and {} are both called \"{}\"", base::to_size(first), i,
-                                     base::quotable(program.name_of(index))));
+                                     base::quotable(program.function_name(index))));
   }
   return problems;
 }

@@ -1,4 +1,4 @@
-// Sounds.
+// Sounds (.wav).
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -9,16 +9,16 @@
 namespace temblor::app {
 namespace {
 
+// Quake's sounds are mono, because the game places them in space itself.
 Inspection find_wav_problems(const formats::Wav& wav) {
   Inspection problems = Inspection::array();
   if (wav.samples.empty()) {
-    problems.push_back("there is not a single sample");
+    problems.push_back("no samples");
     return problems;
   }
   const auto loudest = [](std::int16_t a, std::int16_t b) { return std::abs(int{a}) < std::abs(int{b}); };
-  if (*std::max_element(wav.samples.begin(), wav.samples.end(), loudest) == 0)
-    problems.push_back("it is silent");
-  if (wav.channels > 1) problems.push_back("several channels: the game folds them into one");
+  if (*std::max_element(wav.samples.begin(), wav.samples.end(), loudest) == 0) problems.push_back("silent");
+  if (wav.channels > 1) problems.push_back("several channels: the game mixes them to mono");
   return problems;
 }
 

@@ -1,4 +1,4 @@
-// Which format a file has, and a format's object as text.
+// Detects the format of a file, and prints an inspection as text.
 #include "app/inspect/inspection.h"
 
 #include <fmt/format.h>
@@ -38,11 +38,11 @@ enum class Format {
 };
 
 constexpr std::array<const char*, 16> kFormatNames = {
-    "level",    "colored light", "entity text", "PAK",       "PK3",  "WAD2", "picture",         "palette",
-    "colormap", "model",         "sprite",      "recording", "WAD3", "map",  "compiled QuakeC", "sound"};
+    "level",    "colored light", "entity text", "PAK",  "PK3",  "WAD2", "picture",         "palette",
+    "colormap", "model",         "sprite",      "demo", "WAD3", "map",  "compiled QuakeC", "sound"};
 
-// The formats whose files start with something of their own.
-std::optional<Format> format_of_start(base::Bytes bytes) {
+// Detects formats that start with a magic number.
+std::optional<Format> detect_format_by_content(base::Bytes bytes) {
   struct Start {
     std::string_view bytes;
     Format format;
@@ -53,7 +53,7 @@ std::optional<Format> format_of_start(base::Bytes bytes) {
                                               {"QLIT", Format::kLit},
                                               {"PACK", Format::kPak},
                                               {"PK\x03\x04", Format::kPk3},
-                                              {"PK\x05\x06", Format::kPk3},  // an empty one
+                                              {"PK\x05\x06", Format::kPk3},  // an empty archive
                                               {"WAD2", Format::kWad},
                                               {"WAD3", Format::kWad3},
                                               {"IDPO", Format::kMdl},
@@ -67,8 +67,9 @@ std::optional<Format> format_of_start(base::Bytes bytes) {
   return std::nullopt;
 }
 
-// The formats that only their name, and for *.lmp their size, tells; and damaged files of the others.
-std::optional<Format> format_of_name(const std::filesystem::path& path, std::size_t size) {
+// Detects formats without a magic number by name, *.lmp also by size. Also detects damaged files of all
+// formats, so that their readers can say what is wrong.
+std::optional<Format> detect_format_by_name(const std::filesystem::path& path, std::size_t size) {
   const std::string name = base::to_lower(path.filename().string());
   const std::string extension = base::to_lower(path.extension().string());
   if (extension == ".lmp") {
@@ -97,6 +98,7 @@ std::optional<Format> format_of_name(const std::filesystem::path& path, std::siz
   return std::nullopt;
 }
 
+// Inspects a file that has been read into memory, which every format except PAK can be.
 base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
   switch (format) {
     case Format::kBsp:
@@ -134,7 +136,7 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
   CHECK(false, "PAKs are inspected by path");
 }
 
-// The first bytes of a file, as far as it has them; none when it cannot be read.
+// Reads up to four bytes; none if the file cannot be read.
 base::ByteVector read_start(const std::filesystem::path& path) {
   constexpr std::streamsize kStartBytes = 4;
   base::ByteVector start(kStartBytes);
@@ -145,35 +147,37 @@ base::ByteVector read_start(const std::filesystem::path& path) {
 }
 
 base::Result<Inspection> inspect_content(const std::filesystem::path& path, Inspection& io_header) {
-  // Pictures go by their name first: one that is 29 pixels wide starts like a level.
-  // Lumps start with anything, and maps as entity text does.
+  // For pictures and maps, only the name decides: a picture that is 29 pixels wide starts like a level of
+  // version 29, and a map starts like entity text.
   const std::string extension = base::to_lower(path.extension().string());
   const bool goes_by_name = extension == ".lmp" || extension == ".map";
-  std::optional<Format> format = goes_by_name ? std::nullopt : format_of_start(read_start(path));
+  std::optional<Format> format = goes_by_name ? std::nullopt : detect_format_by_content(read_start(path));
   base::ByteVector bytes;
-  if (format != Format::kPak) {  // a PAK may be larger than memory
+  // A PAK may be larger than memory, so it is not read here.
+  if (format != Format::kPak) {
     TRY(bytes, vfs::read_disk_file(path));
-    if (!format) format = format_of_name(path, bytes.size());
+    if (!format) format = detect_format_by_name(path, bytes.size());
   }
   if (!format)
-    return base::error(ErrorCode::kUnsupported,
-                       "is of no known format; known are levels (.bsp), .map, .lit, .ent, .pak, .pk3, .wad, "
-                       ".mdl, .spr, .dem, .dat, .wav and "
-                       "pictures, palettes and colormaps (.lmp)");
+    return base::error(
+        ErrorCode::kUnsupported,
+        "unknown format; known are .bsp, .map, .lit, .ent, .pak, .pk3, .wad, .lmp, .mdl, .spr, .dem, "
+        ".dat, and .wav");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));
 }
 
-std::string text_of(const Inspection& value) {
+// Formats a text without quotes, any other value as JSON.
+std::string format_value(const Inspection& value) {
   return base::printable(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
-// "name: x  bytes: 12", or the value itself when it is no object.
-std::string one_line(const Inspection& value) {
-  if (!value.is_object()) return text_of(value);
+// Formats an object as "name: x  bytes: 12", any other value as itself.
+std::string format_line(const Inspection& value) {
+  if (!value.is_object()) return format_value(value);
   std::string line;
   for (const auto& [key, part] : value.items())
-    line += fmt::format("{}{}: {}", line.empty() ? "" : "  ", key, text_of(part));
+    line += fmt::format("{}{}: {}", line.empty() ? "" : "  ", key, format_value(part));
   return line;
 }
 
@@ -186,10 +190,11 @@ base::Result<Inspection> inspect_file(const std::filesystem::path& path) {
   return result;
 }
 
-Inspection json_of(const math::Vec3& v) {
+Inspection make_json(const math::Vec3& v) {
   return Inspection::array({v.x, v.y, v.z});
 }
 
+// Lists of numbers stay on one line; lists of texts and objects get one line per entry.
 std::string describe_inspection(const Inspection& inspection) {
   std::string text;
   for (const auto& [key, value] : inspection.items()) {
@@ -199,12 +204,12 @@ std::string describe_inspection(const Inspection& inspection) {
     if (value.is_object()) {
       text += key + ":\n";
       for (const auto& [name, part] : value.items())
-        text += fmt::format("  {}: {}\n", base::printable(name), text_of(part));
+        text += fmt::format("  {}: {}\n", base::printable(name), format_value(part));
     } else if (is_list) {
       text += key + ":\n";
-      for (const Inspection& entry : value) text += fmt::format("  {}\n", one_line(entry));
+      for (const Inspection& entry : value) text += fmt::format("  {}\n", format_line(entry));
     } else {
-      text += fmt::format("{}: {}\n", key, value.is_array() && value.empty() ? "none" : text_of(value));
+      text += fmt::format("{}: {}\n", key, value.is_array() && value.empty() ? "none" : format_value(value));
     }
   }
   return text;

@@ -1,6 +1,10 @@
-// What files hold: one function a format, each giving a JSON object whose keys are in the order to print
-// them in. The key "problems" lists what is readable but wrong, a line each; an error is what a reader says
-// of a file that it refuses.
+// Inspects files: one function per format returns a JSON object with its keys in printing order. The
+// functions only read with the formats library and count; they use nothing of the game.
+//
+//   file -> detect the format -> inspect_*() -> JSON object -> describe_inspection() -> text
+//
+// The key "problems" is a list of texts about faults that the game tolerates. A file that its reader rejects
+// is an error. Scripts depend on the keys, so they are stable; the texts are for people.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +23,7 @@ base::Result<Inspection> inspect_bsp(base::Bytes bytes);
 base::Result<Inspection> inspect_lit(base::Bytes bytes);
 base::Result<Inspection> inspect_entities(base::Bytes bytes);
 base::Result<Inspection> inspect_map(base::Bytes bytes);
-// Reads the table only: a PAK may be larger than memory.
+// Reads only the directory, because a PAK may be larger than memory.
 base::Result<Inspection> inspect_pak(const std::filesystem::path& path);
 base::Result<Inspection> inspect_pk3(base::ByteVector bytes);
 base::Result<Inspection> inspect_wad(base::Bytes bytes);
@@ -32,15 +36,15 @@ base::Result<Inspection> inspect_spr(base::Bytes bytes);
 base::Result<Inspection> inspect_wav(base::Bytes bytes);
 base::Result<Inspection> inspect_progs(base::Bytes bytes);
 
-// Any of them: the format is found from the file's first bytes, and where they say nothing (pictures,
-// palettes, entity text) from its name and size. kUnsupported for a file of no known format. The object
+// Inspects a file of any of these formats. The format is detected by the first bytes or, where they are not
+// unique (pictures, palettes, entity text), by name and size. kUnsupported for an unknown format. The object
 // starts with "file" and "format".
 base::Result<Inspection> inspect_file(const std::filesystem::path& path);
 
-// [x, y, z]
-Inspection json_of(const math::Vec3& v);
+// Returns [x, y, z].
+Inspection make_json(const math::Vec3& v);
 
-// As lines of text: "key: value", lists with an entry a line.
+// Formats an inspection as text: "key: value" lines, and lists with one line per entry.
 std::string describe_inspection(const Inspection& inspection);
 
 }  // namespace temblor::app

@@ -31,23 +31,28 @@ namespace {
 
 using base::ErrorCode;
 
-constexpr std::size_t kSpreadFrames = 8;
+constexpr std::size_t kDefaultFrames = 8;
+// Narrow, so that perspective distorts the model little.
 constexpr float kFovDeg = 30;
-constexpr double kMargin = 1.05;            // of what a picture shows around what must be seen
-constexpr std::size_t kMaxSide_px = 16384;  // of a sheet
+// A cell shows this much more than the model's box.
+constexpr double kMargin = 1.05;
+// Maximum side of the sheet.
+constexpr std::size_t kMaxSide_px = 16384;
 constexpr double kRoomSide = 3072, kRoomHeight = 1536, kWall_units = 16;
 
+// The direction of the camera. Models face yaw 0, so a camera in front of them looks at yaw 180.
 struct View {
   std::string_view name;
-  float pitch_deg, yaw_deg;  // where the camera looks; models face yaw 0
+  float pitch_deg, yaw_deg;
 };
 constexpr std::array<View, 5> kViews = {
     {{"front", 8, 180}, {"side", 8, -90}, {"back", 8, 0}, {"above", 60, 180}, {"quarter", 15, 215}}};
 constexpr std::string_view kHandView = "hand";
 
-// Tiles that a floor's distances can be told by, or one color; no brighter than what stands before them.
-base::Result<base::ByteVector> texture_lump(const formats::Palette& palette, const std::string& name,
-                                            formats::Rgb first, formats::Rgb second) {
+// Makes a texture of 32-texel tiles, which show distances on the floor; or of one color if both are the same.
+// The colors are dark so that they do not outshine the model.
+base::Result<base::ByteVector> make_texture_lump(const formats::Palette& palette, const std::string& name,
+                                                 formats::Rgb first, formats::Rgb second) {
   constexpr std::uint32_t kSide = 64, kTile = 32;
   const formats::NearestColor nearest(palette, 0, formats::kFirstFullbright);
   const std::array<std::uint8_t, 2> colors = {nearest.find(first), nearest.find(second)};
@@ -61,16 +66,18 @@ base::Result<base::ByteVector> texture_lump(const formats::Palette& palette, con
   return formats::write_wad_texture(texture);
 }
 
-base::Result<base::ByteVector> studio_textures(const formats::Palette& palette) {
-  TRY(base::ByteVector floor, texture_lump(palette, "floor", {104, 106, 110}, {124, 126, 130}));
-  TRY(base::ByteVector wall, texture_lump(palette, "wall", {70, 72, 78}, {70, 72, 78}));
+// Returns a WAD with the textures of floor and walls.
+base::Result<base::ByteVector> make_studio_textures(const formats::Palette& palette) {
+  TRY(base::ByteVector floor, make_texture_lump(palette, "floor", {104, 106, 110}, {124, 126, 130}));
+  TRY(base::ByteVector wall, make_texture_lump(palette, "wall", {70, 72, 78}, {70, 72, 78}));
   std::vector<formats::WadLump> lumps;
   lumps.push_back({"floor", formats::kWadTexture, std::move(floor)});
   lumps.push_back({"wall", formats::kWadTexture, std::move(wall)});
   return formats::write_wad(lumps);
 }
 
-std::string brush(const math::Vec3d& mins, const math::Vec3d& maxs, std::string_view texture) {
+// Returns the map text of an axis-aligned brush: six planes, each given by three points.
+std::string make_brush_text(const math::Vec3d& mins, const math::Vec3d& maxs, std::string_view texture) {
   const auto plane = [&](const math::Vec3d& a, const math::Vec3d& b, const math::Vec3d& c) {
     return fmt::format("( {} {} {} ) ( {} {} {} ) ( {} {} {} ) {} 0 0 0 1 1\n", a.x, a.y, a.z, b.x, b.y, b.z,
                        c.x, c.y, c.z, texture);
@@ -81,9 +88,11 @@ std::string brush(const math::Vec3d& mins, const math::Vec3d& maxs, std::string_
          plane(maxs, maxs - y, maxs - x) + "}\n";
 }
 
-class NeverStops : public compiler::CompileWatcher {};
+// The compilation takes a fraction of a second, so it shows no progress and cannot be interrupted.
+class StudioWatcher : public compiler::CompileWatcher {};
 
-// A wide room, its floor at z 0, with the same light (0 to 255) everywhere.
+// Compiles a wide room with its floor at z = 0 and the same light (0 to 255) everywhere, so that models are
+// lit by the same code as in the game.
 base::Result<std::shared_ptr<const world::Level>> make_studio(const formats::Palette& palette, int light,
                                                               base::Jobs& jobs) {
   std::string text = "{\n\"classname\" \"worldspawn\"\n";
@@ -94,23 +103,26 @@ base::Result<std::shared_ptr<const world::Level>> make_studio(const formats::Pal
       math::Vec3d low(-half - kWall_units, -half - kWall_units, -kWall_units),
           high(half + kWall_units, half + kWall_units, kRoomHeight + kWall_units);
       (upper ? low : high)[axis] = upper ? high[axis] - kWall_units : low[axis] + kWall_units;
-      text += brush(low, high, axis == 2 && !upper ? "floor" : "wall");
+      text += make_brush_text(low, high, axis == 2 && !upper ? "floor" : "wall");
     }
   }
   text += "}\n{\n\"classname\" \"info_player_start\"\n\"origin\" \"0 0 32\"\n}\n";
   TRY(const formats::Map map, formats::read_map(text));
   compiler::CompileOptions options;
-  options.visibility_wish = compiler::StagePolicy::kSkip;
+  options.visibility_policy = compiler::StagePolicy::kSkip;
   compiler::Build build;
   compiler::Warnings warnings;
-  TRY(const base::ByteVector textures, studio_textures(palette));
+  TRY(const base::ByteVector textures, make_studio_textures(palette));
   const compiler::TextureSource source{"studio.wad", textures};
-  NeverStops watcher;
-  TRY_STATUS(compiler::compile_level(map, {&source, 1}, palette, options, jobs, watcher, build, warnings));
+  StudioWatcher watcher;
+  TRY_STATUS(
+      compiler::compile_level({map, {&source, 1}, palette}, options, {jobs, watcher, warnings}, build));
   return world::make_level(std::move(build.bsp), "studio");
 }
 
-formats::Palette palette_for(const std::filesystem::path& model_file) {
+// Returns gfx/palette.lmp of the game directory that contains progs/MODEL.mdl; Temblor's own palette if there
+// is none.
+formats::Palette load_palette(const std::filesystem::path& model_file) {
   const std::filesystem::path file = model_file.parent_path().parent_path() / "gfx" / "palette.lmp";
   const base::Result<base::ByteVector> bytes = vfs::read_disk_file(file);
   if (bytes.ok())
@@ -118,7 +130,8 @@ formats::Palette palette_for(const std::filesystem::path& model_file) {
   return artgen::make_palette();
 }
 
-std::vector<std::string> split(std::string_view text) {
+// Empty parts, as in "a,,b", are kept; a comma at the end adds none.
+std::vector<std::string> split_at_commas(std::string_view text) {
   std::vector<std::string> parts;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(','), text.size());
@@ -128,6 +141,7 @@ std::vector<std::string> split(std::string_view text) {
   return parts;
 }
 
+// Finds a frame by number, otherwise by name.
 base::Result<std::uint32_t> find_frame(const formats::Mdl& mdl, const std::string& text) {
   std::uint32_t number = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -135,25 +149,28 @@ base::Result<std::uint32_t> find_frame(const formats::Mdl& mdl, const std::strin
   for (std::size_t i = 0; i < mdl.frames.size(); ++i)
     if (base::equal_ignoring_case(mdl.frames[i].poses.front().name, text))
       return static_cast<std::uint32_t>(i);
-  return base::error(ErrorCode::kUsage, "--frames: there is no frame \"{}\"; they are 0 to {}, {} to {}",
+  return base::error(ErrorCode::kUsage,
+                     "--frames: unknown frame \"{}\"; the model has frames 0 to {}, named {} to {}",
                      base::quotable(text), mdl.frames.size() - 1, mdl.frames.front().poses.front().name,
                      mdl.frames.back().poses.front().name);
 }
 
-base::Result<std::vector<std::uint32_t>> chosen_frames(const formats::Mdl& mdl, const std::string& text) {
+// Returns the frames in the order of the text; for an empty text up to eight, evenly spaced.
+base::Result<std::vector<std::uint32_t>> parse_frames(const formats::Mdl& mdl, const std::string& text) {
   std::vector<std::uint32_t> frames;
-  for (const std::string& part : split(text)) {
+  for (const std::string& part : split_at_commas(text)) {
     TRY(const std::uint32_t frame, find_frame(mdl, part));
     frames.push_back(frame);
   }
   if (!frames.empty()) return frames;
-  const std::size_t count = std::min(kSpreadFrames, mdl.frames.size());
+  const std::size_t count = std::min(kDefaultFrames, mdl.frames.size());
   for (std::size_t i = 0; i < count; ++i)
     frames.push_back(static_cast<std::uint32_t>(i * mdl.frames.size() / count));
   return frames;
 }
 
-math::Bounds box_of(const formats::Mdl& mdl, std::uint32_t frame) {
+// Returns the box around the vertices of a frame's first pose, in the model's space.
+math::Bounds frame_box(const formats::Mdl& mdl, std::uint32_t frame) {
   math::Bounds box{math::Vec3(1e9f), math::Vec3(-1e9f)};
   for (const formats::MdlVertex& vertex : mdl.frames[frame].poses.front().vertices) {
     const math::Vec3 place =
@@ -164,30 +181,36 @@ math::Bounds box_of(const formats::Mdl& mdl, std::uint32_t frame) {
   return box;
 }
 
-// What all pictures of a sheet share.
+// Everything that the cells of a sheet share.
 struct Studio {
   std::shared_ptr<const world::Level> level;
   std::shared_ptr<const render::AliasModel> model;
   formats::Palette palette;
-  math::Vec3 lift{0.0f};            // of the model: onto the floor
-  std::vector<math::Bounds> boxes;  // of the frames that are shown, in the model's space
+  // Added to the model's origin, so that it stands on the floor.
+  math::Vec3 lift{0.0f};
+  // Boxes of the frames that are shown, in the model's space. All cells of a view use the same camera, so
+  // that sizes can be compared.
+  std::vector<math::Bounds> boxes;
 };
 
-Studio set_up(const formats::Mdl& mdl, const std::vector<std::uint32_t>& frames) {
+Studio begin_studio(const formats::Mdl& mdl, const std::vector<std::uint32_t>& frames) {
   Studio studio;
-  // Not with its origin in the floor, where there is no light.
-  studio.lift.z = std::max(1.0f, -box_of(mdl, 0).mins.z);
-  for (const std::uint32_t frame : frames) studio.boxes.push_back(box_of(mdl, frame));
+  // A model is lit at its origin, so lift it until the origin is above the floor.
+  studio.lift.z = std::max(1.0f, -frame_box(mdl, 0).mins.z);
+  for (const std::uint32_t frame : frames) studio.boxes.push_back(frame_box(mdl, frame));
   return studio;
 }
 
+// What one cell shows.
 struct Shot {
   std::uint32_t frame = 0, skin = 0;
   std::string view;
 };
 
-// As near as it can be with every box in the picture, which is a square.
-math::Vec3 eye_for(const std::vector<math::Bounds>& boxes, const math::Vec3& angles_deg) {
+// Returns the nearest camera position from which every box fits the square cell. For each corner, the
+// distance along the view direction must be at least its distance from the axis divided by the slope of the
+// frustum.
+math::Vec3 place_camera(const std::vector<math::Bounds>& boxes, const math::Vec3& angles_deg) {
   math::Bounds all = boxes.front();
   for (const math::Bounds& box : boxes) all = {glm::min(all.mins, box.mins), glm::max(all.maxs, box.maxs)};
   const math::Vec3d middle(0.5f * (all.mins + all.maxs));
@@ -199,16 +222,18 @@ math::Vec3 eye_for(const std::vector<math::Bounds>& boxes, const math::Vec3& ang
       const math::Vec3d place((corner & 1) != 0 ? box.maxs.x : box.mins.x,
                               (corner & 2) != 0 ? box.maxs.y : box.mins.y,
                               (corner & 4) != 0 ? box.maxs.z : box.mins.z);
-      const math::Vec3d way = place - middle;
-      const double aside = std::max(std::abs(glm::dot(way, basis.right)), std::abs(glm::dot(way, basis.up)));
-      back = std::max(back, aside / slope - glm::dot(way, basis.forward));
+      const math::Vec3d offset = place - middle;
+      const double aside =
+          std::max(std::abs(glm::dot(offset, basis.right)), std::abs(glm::dot(offset, basis.up)));
+      back = std::max(back, aside / slope - glm::dot(offset, basis.forward));
     }
   }
   return math::Vec3(middle - basis.forward * back);
 }
 
-void take(const Studio& studio, const Shot& shot, render::Renderer& renderer,
-          render::FrameBuffer& out_picture) {
+// Draws a cell: as the view weapon through the player's camera, or standing in the room.
+void draw_cell(const Studio& studio, const Shot& shot, render::Renderer& renderer,
+               render::FrameBuffer& out_picture) {
   render::AliasInstance instance;
   instance.model = studio.model.get();
   instance.from_pose = instance.to_pose = render::pose_at(*studio.model, shot.frame, 0);
@@ -224,42 +249,46 @@ void take(const Studio& studio, const Shot& shot, render::Renderer& renderer,
     instance.origin_world = studio.lift;
     scene.camera.angles_deg = {view->pitch_deg, view->yaw_deg, 0};
     scene.camera.fov_deg = kFovDeg;
-    scene.camera.origin_world = studio.lift + eye_for(studio.boxes, scene.camera.angles_deg);
+    scene.camera.origin_world = studio.lift + place_camera(studio.boxes, scene.camera.angles_deg);
     scene.alias_models = {&instance, 1};
   }
   renderer.render(scene, {}, out_picture);
 }
 
+// Returns an error for an unknown view, before anything is drawn.
 base::Status check_views(const std::vector<std::string>& views) {
   for (const std::string& view : views) {
     if (view == kHandView ||
         std::any_of(kViews.begin(), kViews.end(), [&](const View& known) { return known.name == view; }))
       continue;
     return base::error(ErrorCode::kUsage,
-                       "--views: \"{}\" is none of front, side, back, above, quarter, hand",
+                       "--views: unknown view \"{}\"; choose from front, side, back, above, quarter, hand",
                        base::quotable(view));
   }
-  if (views.empty()) return base::error(ErrorCode::kUsage, "--views: none");
+  if (views.empty()) return base::error(ErrorCode::kUsage, "--views: name at least one view");
   return base::Ok{};
 }
 
-// Of one view: as square as it can be.
+// Layout of one view's cells. With several views, each has one row; a single view is wrapped to about 3:2.
 struct Grid {
-  int columns = 1, rows_a_view = 1;
+  int columns = 1, rows_per_view = 1;
 };
 
-base::Result<Grid> grid_for(std::size_t frames, std::size_t views, const SheetOptions& options) {
+// Returns an error if the sheet would be too large.
+base::Result<Grid> choose_grid(std::size_t frames, std::size_t views, const SheetOptions& options) {
   const auto square = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(frames) * 1.5)));
   const std::size_t columns = views > 1 ? frames : std::min(frames, square);
-  const std::size_t rows_a_view = (frames + columns - 1) / columns;
+  const std::size_t rows_per_view = (frames + columns - 1) / columns;
   const auto cell = static_cast<std::size_t>(options.cell_px);
-  if (std::max(columns, rows_a_view * views) * cell > kMaxSide_px)
-    return base::error(ErrorCode::kUsage,
-                       "--frames, --views, --cell: the picture would be {} x {} pixels; a side is {} at most",
-                       columns * cell, rows_a_view * views * cell, kMaxSide_px);
-  return Grid{static_cast<int>(columns), static_cast<int>(rows_a_view)};
+  if (std::max(columns, rows_per_view * views) * cell > kMaxSide_px)
+    return base::error(
+        ErrorCode::kUsage,
+        "--frames, --views, --cell: the picture would be {} x {} pixels; the maximum side is {}",
+        columns * cell, rows_per_view * views * cell, kMaxSide_px);
+  return Grid{static_cast<int>(columns), static_cast<int>(rows_per_view)};
 }
 
+// Copies a cell into the sheet at that position.
 void copy_into(const render::FrameBuffer& picture, int left, int top, render::FrameBuffer& io_sheet) {
   for (int row = 0; row < picture.height(); ++row) {
     const auto from = picture.rgb().begin() + std::ptrdiff_t{row} * picture.width();
@@ -270,23 +299,24 @@ void copy_into(const render::FrameBuffer& picture, int left, int top, render::Fr
 
 }  // namespace
 
+// Draws cell by cell into one small frame and copies it into the sheet, whose rows are the views.
 base::Status draw_model_sheet(const std::filesystem::path& model_file, const SheetOptions& options) {
   TRY(const base::ByteVector bytes, vfs::read_disk_file(model_file));
   TRY(const formats::Mdl mdl, formats::read_mdl(bytes).with_file(model_file.string()));
-  TRY(const std::vector<std::uint32_t> frames, chosen_frames(mdl, options.frames));
-  const std::vector<std::string> views = split(options.views);
+  TRY(const std::vector<std::uint32_t> frames, parse_frames(mdl, options.frames));
+  const std::vector<std::string> views = split_at_commas(options.views);
   TRY_STATUS(check_views(views));
-  TRY(const Grid grid, grid_for(frames.size(), views.size(), options));
+  TRY(const Grid grid, choose_grid(frames.size(), views.size(), options));
   base::Jobs jobs(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  Studio studio = set_up(mdl, frames);
-  studio.palette = palette_for(model_file);
+  Studio studio = begin_studio(mdl, frames);
+  studio.palette = load_palette(model_file);
   TRY(studio.level, make_studio(studio.palette, options.light, jobs));
   studio.model = render::make_alias_model(mdl, model_file.string());
 
   const auto count = static_cast<int>(frames.size());
-  const auto [columns, rows_a_view] = grid;
+  const auto [columns, rows_per_view] = grid;
   const int cell = options.cell_px;
-  render::FrameBuffer sheet(columns * cell, rows_a_view * cell * static_cast<int>(views.size()),
+  render::FrameBuffer sheet(columns * cell, rows_per_view * cell * static_cast<int>(views.size()),
                             render::PixelFormat::kRgb);
   std::fill(sheet.rgb().begin(), sheet.rgb().end(), 0xff000000u);
   render::FrameBuffer picture(cell, cell, render::PixelFormat::kRgb);
@@ -294,10 +324,11 @@ base::Status draw_model_sheet(const std::filesystem::path& model_file, const She
   for (int view = 0; view < static_cast<int>(views.size()); ++view) {
     for (int i = 0; i < count; ++i) {
       const auto index = static_cast<std::size_t>(i);
-      take(studio,
-           {frames[index], static_cast<std::uint32_t>(options.skin), views[static_cast<std::size_t>(view)]},
-           renderer, picture);
-      copy_into(picture, i % columns * cell, (view * rows_a_view + i / columns) * cell, sheet);
+      draw_cell(
+          studio,
+          {frames[index], static_cast<std::uint32_t>(options.skin), views[static_cast<std::size_t>(view)]},
+          renderer, picture);
+      copy_into(picture, i % columns * cell, (view * rows_per_view + i / columns) * cell, sheet);
     }
   }
   return write_picture_file(options.out, sheet, studio.palette);

@@ -1,4 +1,8 @@
-// Pictures of a model from several sides and in several frames, on one sheet: for those who make models.
+// A sheet with pictures of a model in several frames and from several sides, for authors of models:
+//
+//              frame 0   frame 7   ...
+//     front  |  cell   |  cell   |
+//     side   |  cell   |  cell   |
 #pragma once
 
 #include <filesystem>
@@ -11,17 +15,22 @@
 namespace temblor::app {
 
 struct SheetOptions {
-  std::string out;                        // a .png
-  std::string frames;                     // "0,12,walk1": numbers and names; empty: eight, evenly spread
-  std::string views = "front,side,back";  // front, side, back, above, quarter, hand (a weapon's own)
-  int cell_px = 240;                      // sides of a picture
+  // Name of the .png.
+  std::string out;
+  // Numbers and names, "0,12,walk1"; empty: up to eight, evenly spaced.
+  std::string frames;
+  // Any of front, side, back, above, quarter, and hand (as the view weapon).
+  std::string views = "front,side,back";
+  // Width and height of a cell in pixels.
+  int cell_px = 240;
   int skin = 0;
-  int light = 120;  // 0 to 255: of the floor
+  // Light level of the room, 0 to 255.
+  int light = 120;
 };
 
-// Draws frames side by side, a row for each view, with the renderer, in a room whose floor is where the first
-// frame's lowest point is. The palette is gfx/palette.lmp of the game folder that the model lies in
-// (progs/NAME.mdl), else the shipped game's. Errors: no model, a frame or view that there is not.
+// Draws the sheet with the game's renderer, in a room whose floor is at the lowest point of the model's first
+// frame. The palette is gfx/palette.lmp of the game directory that contains progs/NAME.mdl, otherwise
+// Temblor's own. Errors: a file that is not a model, an unknown frame or view, a sheet that is too large.
 base::Status draw_model_sheet(const std::filesystem::path& model_file, const SheetOptions& options);
 
 }  // namespace temblor::app

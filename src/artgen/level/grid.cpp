@@ -6,6 +6,7 @@
 namespace temblor::artgen {
 namespace {
 
+// The width of the background layer around the boxes.
 constexpr float kBorderUnits = 16;
 
 void sort_unique(std::vector<float>& io_values) {
@@ -13,6 +14,7 @@ void sort_unique(std::vector<float>& io_values) {
   io_values.erase(std::unique(io_values.begin(), io_values.end()), io_values.end());
 }
 
+// Inserts lines so that no two neighbors are more than `max_units` apart.
 void cut_wide_cells(std::vector<float>& io_lines, float max_units) {
   const std::vector<float> lines = io_lines;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i)
@@ -27,25 +29,26 @@ void for_each_cell(const CellGrid& grid, Visit visit) {
       for (std::size_t x = 0; x < grid.size(0); ++x) visit(CellPosition{x, y, z});
 }
 
-float center(const CellGrid& grid, std::size_t axis, std::size_t cell) {
+float cell_center(const CellGrid& grid, std::size_t axis, std::size_t cell) {
   return (grid.lines[axis][cell] + grid.lines[axis][cell + 1]) / 2;
 }
 
-bool holds(const math::Bounds& bounds, const math::Vec3& point) {
+bool contains_point(const math::Bounds& bounds, const math::Vec3& point) {
   for (int axis = 0; axis < 3; ++axis)
     if (point[axis] < bounds.mins[axis] || point[axis] > bounds.maxs[axis]) return false;
   return true;
 }
 
-bool stops_boxes(const Cell& cell) {
+// Sky stops boxes, although it is not solid for light.
+bool is_obstacle(const Cell& cell) {
   return cell.contents == kContentsSolid || cell.contents == kContentsSky;
 }
 
-// The cells of one axis that the open interval from `low` to `high` touches.
-struct Touched {
+// The range of cells on one axis that the open interval from `low` to `high` touches.
+struct TouchedCells {
   std::size_t first, last;
 };
-Touched touched_cells(const std::vector<float>& lines, float low, float high) {
+TouchedCells find_touched_cells(const std::vector<float>& lines, float low, float high) {
   const auto first = std::upper_bound(lines.begin(), lines.end(), low) - lines.begin() - 1;
   const auto last = std::lower_bound(lines.begin(), lines.end(), high) - lines.begin();
   const auto cells = static_cast<std::ptrdiff_t>(lines.size()) - 1;
@@ -53,13 +56,14 @@ Touched touched_cells(const std::vector<float>& lines, float low, float high) {
           static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(last, 0, cells))};
 }
 
-bool any_stops_boxes(const CellGrid& grid, const std::array<Touched, 3>& range, bool background_stops) {
-  for (const Touched& touched : range)
-    if (touched.first >= touched.last) return background_stops;
+// A range that is empty on some axis lies outside the grid, in the background.
+bool has_obstacle(const CellGrid& grid, const std::array<TouchedCells, 3>& range, bool is_background_solid) {
+  for (const TouchedCells& touched : range)
+    if (touched.first >= touched.last) return is_background_solid;
   for (std::size_t z = range[2].first; z < range[2].last; ++z)
     for (std::size_t y = range[1].first; y < range[1].last; ++y)
       for (std::size_t x = range[0].first; x < range[0].last; ++x)
-        if (stops_boxes(grid.at({x, y, z}))) return true;
+        if (is_obstacle(grid.at({x, y, z}))) return true;
   return false;
 }
 
@@ -74,11 +78,11 @@ math::Bounds CellGrid::bounds(const CellRange& range) const {
   return box;
 }
 
-CellGrid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float max_cell_units) {
+CellGrid make_grid(std::span<const LayoutBox> boxes, std::int32_t background, float max_cell_units) {
   CellGrid grid;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<float>& lines = grid.lines[axis];
-    for (const PlanBox& box : boxes) {
+    for (const LayoutBox& box : boxes) {
       lines.push_back(box.bounds.mins[static_cast<int>(axis)]);
       lines.push_back(box.bounds.maxs[static_cast<int>(axis)]);
     }
@@ -88,10 +92,13 @@ CellGrid make_grid(std::span<const PlanBox> boxes, std::int32_t background, floa
     lines.push_back(lines.back() + kBorderUnits);
   }
   for_each_cell(grid, [&](const CellPosition& at) {
-    const math::Vec3 middle(center(grid, 0, at[0]), center(grid, 1, at[1]), center(grid, 2, at[2]));
+    const math::Vec3 middle(cell_center(grid, 0, at[0]), cell_center(grid, 1, at[1]),
+                            cell_center(grid, 2, at[2]));
     Cell cell{background, CellLook::kNone};
-    for (const PlanBox& box : boxes)
-      if (holds(box.bounds, middle)) cell = {box.contents, box.look};
+    // The last box that contains the cell's center wins. The cell lies inside it completely, because all
+    // sides of boxes are lines of the grid.
+    for (const LayoutBox& box : boxes)
+      if (contains_point(box.bounds, middle)) cell = {box.contents, box.look};
     grid.cells.push_back(cell);
   });
   return grid;
@@ -100,8 +107,11 @@ CellGrid make_grid(std::span<const PlanBox> boxes, std::int32_t background, floa
 CellGrid grow_grid(const CellGrid& grid, const math::Vec3& mins, const math::Vec3& maxs,
                    std::int32_t background) {
   CellGrid grown;
-  std::array<std::vector<Touched>, 3> touched;
+  std::array<std::vector<TouchedCells>, 3> touched;
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    // A box around a point touches a plane exactly when the point lies within `-high` and `-low` of it.
+    // Between these shifted planes the answer is constant, so one test at the center of each new cell is
+    // enough.
     const float low = mins[static_cast<int>(axis)];
     const float high = maxs[static_cast<int>(axis)];
     for (const float line : grid.lines[axis]) {
@@ -110,14 +120,14 @@ CellGrid grow_grid(const CellGrid& grid, const math::Vec3& mins, const math::Vec
     }
     sort_unique(grown.lines[axis]);
     for (std::size_t cell = 0; cell < grown.size(axis); ++cell) {
-      const float middle = center(grown, axis, cell);
-      touched[axis].push_back(touched_cells(grid.lines[axis], middle + low, middle + high));
+      const float middle = cell_center(grown, axis, cell);
+      touched[axis].push_back(find_touched_cells(grid.lines[axis], middle + low, middle + high));
     }
   }
-  const bool background_stops = background == kContentsSolid;
+  const bool is_background_solid = background == kContentsSolid;
   for_each_cell(grown, [&](const CellPosition& at) {
     const bool stops =
-        any_stops_boxes(grid, {touched[0][at[0]], touched[1][at[1]], touched[2][at[2]]}, background_stops);
+        has_obstacle(grid, {touched[0][at[0]], touched[1][at[1]], touched[2][at[2]]}, is_background_solid);
     grown.cells.push_back({stops ? kContentsSolid : kContentsEmpty, CellLook::kNone});
   });
   return grown;

@@ -1,5 +1,6 @@
-// Space cut into cells by planes across each axis: a plan as cells, and the same grown by a box for clip
-// hulls.
+// A grid of box-shaped cells between axial planes. It turns overlapping boxes into a partition of space, in
+// which every cell has one contents, and it computes the clip hulls: a grid whose solid cells are expanded by
+// a box's size. Used only for the generated small level; the compiler works on arbitrary brushes.
 #pragma once
 
 #include <array>
@@ -8,28 +9,34 @@
 #include <span>
 #include <vector>
 
-#include "artgen/level/plan.h"
+#include "artgen/level/layout.h"
 #include "math/vec.h"
 
 namespace temblor::artgen {
 
+// What fills a cell, and which materials its surfaces have.
 struct Cell {
   std::int32_t contents;
   CellLook look;
   bool operator==(const Cell&) const = default;
 };
 
+// A cell's indices on the x, y, and z axes. The same type addresses grid points, which have one more index on
+// each axis.
 using CellPosition = std::array<std::size_t, 3>;
 
-// The cells from `first` up to, without, `last` on each axis.
+// A box of cells: on each axis from `first` up to, but not including, `last`.
 struct CellRange {
   CellPosition first{}, last{};
 };
 
 struct CellGrid {
-  std::array<std::vector<float>, 3> lines;  // where the planes cut each axis, ascending; cells lie between
-  std::vector<Cell> cells;                  // x fastest, then y, then z
+  // The coordinates of the planes on each axis, ascending. Cell i lies between lines i and i + 1.
+  std::array<std::vector<float>, 3> lines;
+  // x varies fastest, then y, then z.
+  std::vector<Cell> cells;
 
+  // The number of cells on an axis.
   std::size_t size(std::size_t axis) const { return lines[axis].size() - 1; }
   CellRange all() const { return {{}, {size(0), size(1), size(2)}}; }
   std::size_t index(const CellPosition& at) const { return (at[2] * size(1) + at[1]) * size(0) + at[0]; }
@@ -37,12 +44,13 @@ struct CellGrid {
   math::Bounds bounds(const CellRange& range) const;
 };
 
-// Paints the boxes over `background`, with one more layer of background around them. No cell is wider than
-// `max_cell_units`.
-CellGrid make_grid(std::span<const PlanBox> boxes, std::int32_t background, float max_cell_units);
+// Paints the boxes over `background` in their order, with one more layer of background cells on all sides.
+// Additional planes keep cells from being wider than `max_cell_units`. `boxes` must not be empty.
+CellGrid make_grid(std::span<const LayoutBox> boxes, std::int32_t background, float max_cell_units);
 
-// Solid wherever a box from `mins` to `maxs` around the point would touch solid or sky; empty elsewhere.
-// `background`: what lies outside the grid.
+// Returns a grid in which a cell is solid if a box from `mins` to `maxs` around any of its points would touch
+// solid or sky, and empty otherwise (a Minkowski sum, exact for axial planes). `background` is the contents
+// outside the grid.
 CellGrid grow_grid(const CellGrid& grid, const math::Vec3& mins, const math::Vec3& maxs,
                    std::int32_t background);
 

@@ -1,4 +1,5 @@
-// Light maps for the faces of a grid: point lights that fade with distance, and shadows.
+// Computes light maps for the faces of a grid: point lights with shadows. Like the stock light tool, a light
+// fades linearly with distance, and half of it does not depend on the angle to the surface.
 #pragma once
 
 #include <array>
@@ -7,37 +8,48 @@
 
 #include "artgen/level/grid.h"
 #include "artgen/level/grid_faces.h"
-#include "artgen/level/plan.h"
+#include "artgen/level/layout.h"
 
 namespace temblor::artgen {
 
-// Where a face's texture lies: s grows along world axis `s_axis`, t against `t_axis`, `texels_per_unit` of
-// both.
-struct TextureLayout {
+// How a texture lies on a face: s grows along the world axis `s_axis`, t against `t_axis`, both with
+// `texels_per_unit`.
+struct TextureProjection {
   std::size_t s_axis, t_axis;
   float texels_per_unit;
 };
-TextureLayout layout_of(const GridFace& face, float texels_per_unit);
+// Floors and ceilings use the x and y axes; walls use the horizontal axis in their plane and z.
+TextureProjection make_projection(const GridFace& face, float texels_per_unit);
 
+// A face's light samples, as the BSP format orders them.
 struct FaceLight {
-  std::array<std::uint8_t, 4> styles;  // 255: unused
-  std::vector<std::uint8_t> rgb;       // the used styles one after the other, three bytes a sample
+  // 255: the slot is unused. Used slots come first.
+  std::array<std::uint8_t, 4> styles;
+  // The samples of each used style after one another, row by row, three bytes per sample.
+  std::vector<std::uint8_t> rgb;
 };
 
+// Lights faces from a layout's lights. Cells of the grid block light.
 class GridLighter {
  public:
-  // Keeps references to both.
-  GridLighter(const SmallLevelPlan& plan, const CellGrid& grid);
+  // Keeps references to both arguments.
+  GridLighter(const SmallLevelLayout& layout, const CellGrid& grid);
 
-  FaceLight light(const CellGrid& face_grid, const GridFace& face, const TextureLayout& layout) const;
+  // `face` belongs to `face_grid`, which may differ from the grid that casts shadows (the door's faces, for
+  // example). If more than four styles reach the face, those with the highest numbers are dropped.
+  FaceLight light_face(const CellGrid& face_grid, const GridFace& face,
+                       const TextureProjection& projection) const;
 
  private:
-  bool blocked(const math::Vec3& from, const math::Vec3& to) const;
-  math::Vec3 light_at(const PlanLight& light, const math::Vec3& position, const math::Vec3& normal) const;
+  bool is_blocked(const math::Vec3& from, const math::Vec3& to) const;
+  math::Vec3 compute_light(const LayoutLight& light, const math::Vec3& position,
+                           const math::Vec3& normal) const;
 
-  const SmallLevelPlan& plan_;
+  const SmallLevelLayout& layout_;
   const CellGrid& grid_;
-  std::array<std::vector<std::uint16_t>, 3> cell_of_unit_;  // from the grid's first line, for each whole unit
+  // For each axis: the cell that contains each whole unit, counted from the grid's first line. A table,
+  // because the shadow rays look up cells often.
+  std::array<std::vector<std::uint16_t>, 3> cell_by_unit_;
 };
 
 }  // namespace temblor::artgen

@@ -1,5 +1,6 @@
-// Method: split where most of a cross-section changes contents (walls, floors), prefer the middle among such
-// planes, stop where a range holds one contents.
+// Method: split at the plane on which the largest share of the cross-section changes its contents, which
+// usually is a wall or a floor. Among similar planes prefer the middle one. Stop when a range has uniform
+// contents.
 #include "artgen/level/grid_tree.h"
 
 #include <algorithm>
@@ -10,14 +11,16 @@
 namespace temblor::artgen {
 namespace {
 
+// How much a split in the middle counts, compared with the share of changes.
 constexpr double kBalanceWeight = 0.3;
 
+// A line of the grid that splits a range.
 struct Split {
   std::size_t axis, line;
 };
 
-// The share of the plane's cross-section of the range where the contents on its two sides differ.
-double changing_share(const CellGrid& grid, const CellRange& range, std::size_t axis, std::size_t line) {
+// The share of the range's cross-section at the plane on which the contents of its two sides differ.
+double measure_change(const CellGrid& grid, const CellRange& range, std::size_t axis, std::size_t line) {
   const std::size_t u = (axis + 1) % 3;
   const std::size_t v = (axis + 2) % 3;
   std::size_t changing = 0;
@@ -35,6 +38,7 @@ double changing_share(const CellGrid& grid, const CellRange& range, std::size_t 
   return static_cast<double>(changing) / static_cast<double>(squares);
 }
 
+// Returns nothing if no plane separates different contents, that is, if the range is uniform.
 std::optional<Split> choose_split(const CellGrid& grid, const CellRange& range) {
   std::optional<Split> best;
   double best_score = 0;
@@ -42,7 +46,7 @@ std::optional<Split> choose_split(const CellGrid& grid, const CellRange& range) 
     const std::size_t first = range.first[axis];
     const std::size_t last = range.last[axis];
     for (std::size_t line = first + 1; line < last; ++line) {
-      const double share = changing_share(grid, range, axis, line);
+      const double share = measure_change(grid, range, axis, line);
       if (share == 0) continue;
       const auto smaller_side = static_cast<double>(std::min(line - first, last - line));
       const double score = share + kBalanceWeight * smaller_side / static_cast<double>(last - first);
@@ -58,6 +62,7 @@ std::optional<Split> choose_split(const CellGrid& grid, const CellRange& range) 
 }  // namespace
 
 GridTree build_grid_tree(const CellGrid& grid) {
+  // A range that still needs a node or a leaf, and the child slot that will refer to it.
   struct Pending {
     CellRange range;
     std::size_t parent;
@@ -82,6 +87,7 @@ GridTree build_grid_tree(const CellGrid& grid) {
     CellRange above = next.range;
     CellRange below = next.range;
     above.first[split->axis] = below.last[split->axis] = split->line;
+    // The upper side is processed first, so that nodes and leaves are stored in depth-first order.
     pending.push_back({below, tree.nodes.size(), 1});
     pending.push_back({above, tree.nodes.size(), 0});
     tree.nodes.push_back({split->axis, split->line, next.range, {}});

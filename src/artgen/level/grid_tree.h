@@ -1,4 +1,5 @@
-// A grid as a tree of splitting planes whose leaves are boxes of one contents.
+// Builds a BSP tree over a grid of cells. Its planes are the grid's lines, and each leaf is a box of cells
+// with the same contents.
 #pragma once
 
 #include <array>
@@ -13,19 +14,23 @@ namespace temblor::artgen {
 struct GridTree {
   struct Node {
     std::size_t axis;
-    std::size_t line;  // of the grid, on that axis
+    // The index of the splitting line on that axis.
+    std::size_t line;
     CellRange range;
-    std::array<std::int32_t, 2> children;  // the side above the line, the side below; negative: leaf ~child
+    // The side above the line, then the side below. A negative child is leaf ~child.
+    std::array<std::int32_t, 2> children;
   };
   struct Leaf {
     std::int32_t contents;
     CellRange range;
   };
-  std::vector<Node> nodes;   // the root first
-  std::vector<Leaf> leaves;  // each box its own, solid ones too
+  // The root is node 0.
+  std::vector<Node> nodes;
+  // Every box of cells is a leaf of its own, also solid ones.
+  std::vector<Leaf> leaves;
 };
 
-// The grid must have cells of more than one contents.
+// CHECKs that the grid contains at least two different contents, because a tree has at least one node.
 GridTree build_grid_tree(const CellGrid& grid);
 
 }  // namespace temblor::artgen

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kNoLeaf = 0xffffffff;
 
-// Calls visit(index of the cell) for every cell of a range.
+// Calls visit(index) for every cell of a range.
 template <typename Visit>
 void for_each_cell(const CellGrid& grid, const CellRange& range, Visit visit) {
   for (std::size_t z = range.first[2]; z < range.last[2]; ++z)
@@ -16,14 +16,16 @@ void for_each_cell(const CellGrid& grid, const CellRange& range, Visit visit) {
       for (std::size_t x = range.first[0]; x < range.last[0]; ++x) visit(grid.index({x, y, z}));
 }
 
+// Marks the cells that lines in one combination of directions can reach.
 class Flood {
  public:
   explicit Flood(const CellGrid& grid) : grid_(grid) {}
 
-  // Marks in io_seen what lies along lines from the range that run up (or down) each axis as told. The grid's
-  // outermost cells are never open, so steps need no bounds check.
+  // Marks in io_seen all cells on lines that start in `from` and go up or down on each axis as `up` says.
+  // Cells are visited in the order of the directions, so that one pass is enough. The outermost cells of a
+  // grid are never open, so steps need no bounds check.
   void run(const CellRange& from, const std::array<bool, 3>& up, std::vector<bool>& io_seen) {
-    // A cell passes the line on when it is open, or when the line starts there (even inside a sky).
+    // A line continues behind a cell if the cell is open or if the line starts there, even inside a sky.
     passes_.assign(grid_.cells.size(), false);
     const std::array<std::ptrdiff_t, 3> strides = {
         1, static_cast<std::ptrdiff_t>(grid_.size(0)),
@@ -50,17 +52,18 @@ class Flood {
 
  private:
   const CellGrid& grid_;
+  // Kept between runs to avoid allocations.
   std::vector<bool> passes_;
 };
 
 }  // namespace
 
-std::vector<std::vector<std::uint8_t>> visible_leaves(const CellGrid& grid,
-                                                      std::span<const GridTree::Leaf> leaves) {
-  std::vector<std::uint32_t> leaf_of_cell(grid.cells.size(), kNoLeaf);
+std::vector<std::vector<std::uint8_t>> find_visible_leaves(const CellGrid& grid,
+                                                           std::span<const GridTree::Leaf> leaves) {
+  std::vector<std::uint32_t> leaf_by_cell(grid.cells.size(), kNoLeaf);
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
     for_each_cell(grid, leaves[leaf].range,
-                  [&](std::size_t cell) { leaf_of_cell[cell] = static_cast<std::uint32_t>(leaf); });
+                  [&](std::size_t cell) { leaf_by_cell[cell] = static_cast<std::uint32_t>(leaf); });
 
   Flood flood(grid);
   std::vector<std::vector<std::uint8_t>> rows;
@@ -70,7 +73,7 @@ std::vector<std::vector<std::uint8_t>> visible_leaves(const CellGrid& grid,
       flood.run(leaf.range, {(octant & 1) != 0, (octant & 2) != 0, (octant & 4) != 0}, seen);
     std::vector<std::uint8_t> row((leaves.size() + 7) / 8);
     for (std::size_t cell = 0; cell < seen.size(); ++cell) {
-      const std::uint32_t other = leaf_of_cell[cell];
+      const std::uint32_t other = leaf_by_cell[cell];
       if (seen[cell] && other != kNoLeaf)
         row[other / 8] = static_cast<std::uint8_t>(row[other / 8] | (1u << (other % 8)));
     }

@@ -1,5 +1,5 @@
-// Each material is a function from a texel to a palette index, written for the full size and sampled coarser
-// where the level asks for small textures.
+// Each material is a function from a texel to a palette index. It is written for the full size; small
+// textures sample it at every fourth texel.
 #include "artgen/level/materials.h"
 
 #include <algorithm>
@@ -14,20 +14,22 @@
 namespace temblor::artgen {
 namespace {
 
-constexpr std::int32_t kSide = 64;  // texels of a full-size texture; skies have two squares of twice that
+// Texels of a full-size texture. A sky consists of two squares that are twice as wide.
+constexpr std::int32_t kSide = 64;
 constexpr std::int32_t kSkySide = 2 * kSide;
 constexpr std::int32_t kTinyShrink = 4;
 
 using Painter = std::uint8_t (*)(std::int32_t x, std::int32_t y, std::uint64_t seed);
 
-// How far a texel lies from the nearest line of a grid, in texels.
+// The distance in texels to the nearest line of a grid with this spacing.
 std::int32_t distance_to_joint(std::int32_t position, std::int32_t spacing) {
   const std::int32_t within = position % spacing;
   return std::min(within, spacing - 1 - within);
 }
 
-// Darker below and right, lighter above and left of a stone, as if lit from above.
-double bevel(std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height) {
+// The tone that a block's beveled edge adds: lighter above and left, darker below and right, as if lit from
+// the upper left.
+double shade_bevel(std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height) {
   if (x % width == 1 || y % height == 1) return 0.12;
   if (x % width == width - 1 || y % height == height - 1) return -0.12;
   return 0;
@@ -41,7 +43,7 @@ std::uint8_t paint_brick(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const double noise = tiling_noise(x, y, kSide, 8, seed);
   if (shifted % kWidth == 0 || y % kHeight == 0) return ramp_color(Ramp::kGray, 0.12 + 0.16 * noise);
   const double tone = hash_noise(shifted / kWidth, row, seed) * 0.18;
-  return ramp_color(Ramp::kBrick, 0.24 + tone + 0.34 * noise + bevel(shifted, y, kWidth, kHeight));
+  return ramp_color(Ramp::kBrick, 0.24 + tone + 0.34 * noise + shade_bevel(shifted, y, kWidth, kHeight));
 }
 
 std::uint8_t paint_slabs(std::int32_t x, std::int32_t y, std::uint64_t seed) {
@@ -49,7 +51,7 @@ std::uint8_t paint_slabs(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const double noise = tiling_noise(x, y, kSide, 16, seed);
   if (x % kSlab == 0 || y % kSlab == 0) return ramp_color(Ramp::kBrown, 0.14 + 0.1 * noise);
   const double tone = hash_noise(x / kSlab, y / kSlab, seed) * 0.12;
-  return ramp_color(Ramp::kSand, 0.2 + tone + 0.36 * noise + bevel(x, y, kSlab, kSlab));
+  return ramp_color(Ramp::kSand, 0.2 + tone + 0.36 * noise + shade_bevel(x, y, kSlab, kSlab));
 }
 
 std::uint8_t paint_concrete(std::int32_t x, std::int32_t y, std::uint64_t seed) {
@@ -69,7 +71,7 @@ std::uint8_t paint_stone(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const std::int32_t shifted = (x + y / kHeight * 24) % kSide;
   const double noise = tiling_noise(x, y, kSide, 16, seed);
   if (shifted == 0 || y % kHeight == 0) return ramp_color(Ramp::kGray, 0.16 + 0.12 * noise);
-  return ramp_color(Ramp::kGray, 0.3 + 0.36 * noise + bevel(shifted, y, kSide, kHeight));
+  return ramp_color(Ramp::kGray, 0.3 + 0.36 * noise + shade_bevel(shifted, y, kSide, kHeight));
 }
 
 std::uint8_t paint_earth(std::int32_t x, std::int32_t y, std::uint64_t seed) {
@@ -78,7 +80,7 @@ std::uint8_t paint_earth(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   return ramp_color(grass > 0.52 ? Ramp::kOlive : Ramp::kBrown, 0.22 + 0.44 * noise);
 }
 
-// Tubes of light behind a frame; the animation lets them flicker one after the other.
+// A lamp: light tubes in a frame. The frames of the animation brighten different tubes.
 std::uint8_t paint_panel(std::int32_t x, std::int32_t y, Ramp ramp, std::int32_t bright_tube) {
   constexpr std::int32_t kTubes = 4;
   constexpr std::int32_t kTubeWidth = kSide / kTubes;
@@ -106,7 +108,7 @@ std::uint8_t paint_door(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   const std::int32_t dy = y % kPlate - kPlate / 2;
   if (std::abs(dx) + std::abs(dy) < 5)
     return ramp_color(Ramp::kElectric, 0.9 - 0.1 * (dx * dx + dy * dy) / 4.0);
-  return ramp_color(Ramp::kTeal, 0.26 + 0.24 * noise + bevel(x, y, kPlate, kPlate) * 1.5);
+  return ramp_color(Ramp::kTeal, 0.26 + 0.24 * noise + shade_bevel(x, y, kPlate, kPlate) * 1.5);
 }
 
 std::uint8_t paint_water(std::int32_t x, std::int32_t y, std::uint64_t seed) {
@@ -116,7 +118,8 @@ std::uint8_t paint_water(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   return ramp_color(Ramp::kBlue, 0.36 + 0.06 * waves + 0.3 * tiling_noise(x, y, kSide, 16, seed));
 }
 
-// Left half: clouds, index 0 where the background shows. Right half: the background.
+// The left half has clouds, with index 0 where the background shows through. The right half is the
+// background. The engine scrolls them at different speeds.
 std::uint8_t paint_sky(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   if (x < kSkySide) {
     const double cloud = tiling_noise(x, y, kSkySide, 32, seed);
@@ -126,18 +129,21 @@ std::uint8_t paint_sky(std::int32_t x, std::int32_t y, std::uint64_t seed) {
   return ramp_color(Ramp::kBlue, 0.34 + 0.5 * haze);
 }
 
-struct Script {
+struct MaterialPainter {
   const char* name;
   Painter painter;
 };
-constexpr Script kScripts[] = {
+// In the order of Material. The names follow Quake's rules: "+0" and "+1" are the frames of an animation,
+// "+a" its alternate frame, "*" marks a liquid.
+constexpr MaterialPainter kPainters[] = {
     {"brick", paint_brick},     {"slabs", paint_slabs},     {"concrete", paint_concrete},
     {"trim", paint_trim},       {"stone", paint_stone},     {"earth", paint_earth},
     {"+0panel", paint_panel_0}, {"door", paint_door},       {"*water", paint_water},
     {"sky_dusk", paint_sky},    {"+1panel", paint_panel_1}, {"+apanel", paint_panel_alternate},
 };
 
-// The nearest color to the average of a square of texels: full-bright where most of them are.
+// The palette color nearest to the average of a square of texels. It is full-bright if more than half of the
+// texels are.
 std::uint8_t average_texels(const formats::Palette& palette, const formats::BspMiptex& miptex,
                             std::uint32_t x0, std::uint32_t y0, std::uint32_t side) {
   int red = 0, green = 0, blue = 0, fullbright = 0;
@@ -168,6 +174,7 @@ std::uint8_t average_texels(const formats::Palette& palette, const formats::BspM
   return static_cast<std::uint8_t>(best);
 }
 
+// Each mip level averages squares of the full-size texture.
 void add_mips(const formats::Palette& palette, formats::BspMiptex& io_miptex) {
   for (std::uint32_t mip = 1; mip < io_miptex.mips.size(); ++mip) {
     const std::uint32_t side = 1u << mip;
@@ -177,17 +184,17 @@ void add_mips(const formats::Palette& palette, formats::BspMiptex& io_miptex) {
   }
 }
 
-formats::BspMiptex paint(const Script& script, std::int32_t shrink, std::uint64_t seed) {
-  const bool is_sky = script.painter == paint_sky;
+formats::BspMiptex paint(const MaterialPainter& material, std::int32_t shrink, std::uint64_t seed) {
+  const bool is_sky = material.painter == paint_sky;
   const std::int32_t width = is_sky ? 2 * kSkySide : kSide;
   const std::int32_t height = is_sky ? kSkySide : kSide;
   formats::BspMiptex miptex;
   miptex.present = true;
-  miptex.name = script.name;
+  miptex.name = material.name;
   miptex.width = static_cast<std::uint32_t>(width / shrink);
   miptex.height = static_cast<std::uint32_t>(height / shrink);
   for (std::int32_t y = 0; y < height; y += shrink)
-    for (std::int32_t x = 0; x < width; x += shrink) miptex.mips[0].push_back(script.painter(x, y, seed));
+    for (std::int32_t x = 0; x < width; x += shrink) miptex.mips[0].push_back(material.painter(x, y, seed));
   return miptex;
 }
 
@@ -196,8 +203,8 @@ formats::BspMiptex paint(const Script& script, std::int32_t shrink, std::uint64_
 std::vector<formats::BspMiptex> make_materials(const SmallLevelOptions& options) {
   const formats::Palette palette = make_palette();
   std::vector<formats::BspMiptex> miptexes;
-  for (const Script& script : kScripts) {
-    miptexes.push_back(paint(script, options.tiny ? kTinyShrink : 1, options.seed));
+  for (const MaterialPainter& material : kPainters) {
+    miptexes.push_back(paint(material, options.tiny ? kTinyShrink : 1, options.seed));
     add_mips(palette, miptexes.back());
   }
   if (options.missing_texture) {

@@ -1,4 +1,4 @@
-// What the faces of the level made in code are covered with, and the textures for it.
+// The materials of the small level and the textures for them, painted by code.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace temblor::artgen {
 
-// In the order of the level's textures; the frames that only an animation shows follow behind.
+// The values are texture indices of the level. Textures that only appear in animations follow after these.
 enum class Material : std::uint8_t {
   kBrick,
   kSlabs,
@@ -23,10 +23,13 @@ enum class Material : std::uint8_t {
   kSky
 };
 
+// Liquids and sky have no light maps.
 constexpr bool is_lit(Material material) {
   return material != Material::kWater && material != Material::kSky;
 }
 
+// All textures in the order of Material, then the other animation frames, each with four mip levels. `tiny`
+// makes them a quarter as wide and high; `missing_texture` leaves the brick texture without texels.
 std::vector<formats::BspMiptex> make_materials(const SmallLevelOptions& options);
 
 }  // namespace temblor::artgen

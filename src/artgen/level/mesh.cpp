@@ -4,7 +4,7 @@ namespace temblor::artgen {
 
 LevelMesh::LevelMesh(formats::Bsp& io_bsp, bool share_without_limit)
     : bsp_(io_bsp), share_without_limit_(share_without_limit) {
-  // Edge 0 is never used: it has no negative.
+  // Edge 0 stays unused, because a surfedge of 0 could not have a sign.
   bsp_.edges.emplace_back();
 }
 
@@ -15,6 +15,8 @@ std::uint32_t LevelMesh::add_vertex(const math::Vec3& position) {
   return entry->second;
 }
 
+// Prefers an existing edge in the reverse direction, then (without a limit) one in the same direction, else
+// adds an edge.
 std::int32_t LevelMesh::add_surfedge(std::uint32_t from, std::uint32_t to) {
   if (const auto against = open_edges_.find({to, from}); against != open_edges_.end()) {
     const auto edge = static_cast<std::int32_t>(against->second);

@@ -1,4 +1,5 @@
-// Loops of vertices as a level stores them: vertices once, edges shared between neighboring faces.
+// Stores loops of vertices as the BSP format does: each vertex once, and edges shared between neighboring
+// faces, which refer to them by surfedges. A negative surfedge is an edge in reverse direction.
 #pragma once
 
 #include <array>
@@ -11,16 +12,20 @@
 
 namespace temblor::artgen {
 
+// A face's range in the level's surfedges.
 struct SurfedgeRange {
   std::uint32_t first, count;
 };
 
-// Writes into the vertices, edges and surfedges of a level, which must outlive it and be empty at first.
+// Appends to the vertices, edges, and surfedges of a level, which must be empty at first and must outlive the
+// mesh.
 class LevelMesh {
  public:
-  // An edge is used by two faces at most, once in each direction, unless `share_without_limit`.
+  // Stock compilers let at most two faces use an edge, once in each direction. `share_without_limit` lifts
+  // that limit, as some other compilers do.
   LevelMesh(formats::Bsp& io_bsp, bool share_without_limit);
 
+  // Adds a closed loop, clockwise as seen from the face's front.
   SurfedgeRange add_loop(std::span<const math::Vec3> vertices);
 
  private:
@@ -31,7 +36,8 @@ class LevelMesh {
   formats::Bsp& bsp_;
   bool share_without_limit_;
   std::map<std::array<float, 3>, std::uint32_t> vertices_;
-  std::multimap<Ends, std::uint32_t> open_edges_;  // which can take one more face, against their direction
+  // By start and end: edges that another face can still use in the reverse direction.
+  std::multimap<Ends, std::uint32_t> open_edges_;
 };
 
 }  // namespace temblor::artgen

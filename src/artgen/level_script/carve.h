@@ -1,20 +1,22 @@
-// The shell around a plan's spaces: what makes the level closed.
+// Makes the shell: the brushes around all spaces of a script, which seal the level.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "artgen/level_script/plan.h"
+#include "artgen/level_script/level_script.h"
 
 namespace temblor::artgen {
 
+// In units.
 constexpr int kShellThickness = 16;
 
-// Boxes that fill every place nearer than kShellThickness to a space and in none, corners included. A side of
-// one that borders on a space looks as that space wants it there, where spaces overlap as the last of them.
+// Returns boxes that fill every point that is within kShellThickness of a space but in no space, including
+// corners. Where a box borders on a space, it has the texture of that wall; where spaces overlap, the last
+// one decides.
 std::vector<Solid> carve_shell(std::span<const Space> spaces);
 
-// Whether every point of the box is in a space.
+// Whether every point of the box lies in some space.
 bool is_open(std::span<const Space> spaces, const Box& box);
 
 }  // namespace temblor::artgen

@@ -6,19 +6,19 @@
 #include <string>
 #include <utility>
 
-#include "artgen/level_script/plan_map.h"
+#include "artgen/level_script/level_script_map.h"
 #include "formats/levels/map.h"
 
 namespace temblor::artgen {
 
 base::Result<std::vector<ArtPart>> make_level(const ScriptLine& level) {
-  TRY(const Plan plan, read_plan(level));
-  TRY_STATUS(check_plan(plan));
-  const std::string text = formats::write_map(map_of_plan(plan));
+  TRY(const LevelScript script, read_level_script(level));
+  TRY_STATUS(check_level_script(script));
+  const std::string text = formats::write_map(make_map(script));
   base::ByteVector bytes(text.size());
   std::memcpy(bytes.data(), text.data(), text.size());
   std::vector<ArtPart> parts;
-  parts.push_back({fmt::format("maps/{}.map", plan.name), std::move(bytes)});
+  parts.push_back({fmt::format("maps/{}.map", script.name), std::move(bytes)});
   return parts;
 }
 

@@ -1,4 +1,5 @@
-// `level NAME ...`: a plan becomes maps/NAME.map.
+// The ArtMaker of `level NAME ...`: a level script becomes maps/NAME.map, which the level compiler turns into
+// a BSP.
 #pragma once
 
 #include <vector>
@@ -7,6 +8,7 @@
 
 namespace temblor::artgen {
 
+// Fails for scripts that do not parse and for entities inside solids.
 base::Result<std::vector<ArtPart>> make_level(const ScriptLine& level);
 
 }  // namespace temblor::artgen

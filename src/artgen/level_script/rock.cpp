@@ -8,38 +8,41 @@
 namespace temblor::artgen {
 namespace {
 
+// A random number in [0, 1) for a grid point.
 double noise_at(int x, int y, std::uint64_t seed) {
   const std::uint64_t bits =
       base::hash_with(base::hash_with(seed, static_cast<std::uint64_t>(x)), static_cast<std::uint64_t>(y));
   return static_cast<double>(bits >> 11) / 9007199254740992.0;
 }
 
-double eased(double t) {
+// The smoothstep polynomial.
+double ease_fraction(double t) {
   return t * t * (3 - 2 * t);
 }
 
-// What lies open behind the side of a space: parts of it, as boxes without depth.
-std::vector<Box> openings_in(const Box& box, Side side, const std::vector<Space>& spaces) {
+// The parts of a space's side behind which other spaces are open, one unit deep.
+std::vector<Box> find_openings(const Box& box, Side side, const std::vector<Space>& spaces) {
   Box behind = box;
-  (is_upper(side) ? behind.low : behind.high)[axis_of(side)] = box.at(side);
-  (is_upper(side) ? behind.high : behind.low)[axis_of(side)] = box.at(side) + (is_upper(side) ? 1 : -1);
+  (is_upper(side) ? behind.low : behind.high)[side_axis(side)] = box.at(side);
+  (is_upper(side) ? behind.high : behind.low)[side_axis(side)] = box.at(side) + (is_upper(side) ? 1 : -1);
   std::vector<Box> open;
   for (const Space& space : spaces) {
-    const Box shared = common(space.box, behind);
+    const Box shared = intersect(space.box, behind);
     if (shared.has_volume()) open.push_back(shared);
   }
   return open;
 }
 
-// The two axes of a side.
+// The axis perpendicular to a side, and the two axes in its plane.
 struct SideAxes {
   int across = 0, u = 1, v = 2;
 };
-SideAxes axes_of(Side side) {
-  const int across = axis_of(side);
+SideAxes find_side_axes(Side side) {
+  const int across = side_axis(side);
   return {across, across == 0 ? 1 : 0, across == 2 ? 1 : 2};
 }
 
+// The distance in the plane of the side from a point to the nearest opening.
 double distance_to(const std::vector<Box>& openings, const SideAxes& axes, Point point) {
   double nearest = 1e9;
   for (const Box& open : openings) {
@@ -53,18 +56,19 @@ double distance_to(const std::vector<Box>& openings, const SideAxes& axes, Point
   return nearest;
 }
 
-// How far the rock stands out at a place of the side.
+// How far the rock protrudes at a point: two octaves of noise between 8 and `rough` units, less near
+// openings.
 int bulge_at(const RockFace& face, const std::vector<Box>& openings, const SideAxes& axes, Point point) {
   const double scale = 1.0 / (2.0 * face.cell);
   const double u = point[axes.u] * scale, v = point[axes.v] * scale;
-  const std::uint64_t seed = base::hash_with(face.seed, index_of(face.side));
+  const std::uint64_t seed = base::hash_with(face.seed, side_index(face.side));
   const double rough = 0.65 * smooth_noise(u, v, seed) + 0.35 * smooth_noise(2.3 * u, 2.3 * v, seed + 1);
   const double least = std::min(8, face.rough);
   const double free = std::clamp(distance_to(openings, axes, point) / face.cell - 0.25, 0.0, 1.0);
   return static_cast<int>(std::lround((least + rough * (face.rough - least)) * free));
 }
 
-// Whether a cell of the side lies before an opening, be it in part.
+// Whether a cell of the grid overlaps an opening. Such cells are left out.
 bool covers_any(const std::vector<Box>& openings, const SideAxes& axes, Point low, Point high) {
   return std::any_of(openings.begin(), openings.end(), [&](const Box& open) {
     return open.low[axes.u] < high[axes.u] && low[axes.u] < open.high[axes.u] &&
@@ -72,6 +76,7 @@ bool covers_any(const std::vector<Box>& openings, const SideAxes& axes, Point lo
   });
 }
 
+// The number of cells on an axis, so that their size is close to `cell`.
 int steps_along(const Box& box, int axis, int cell) {
   return std::max(1, (box.size()[axis] + cell / 2) / cell);
 }
@@ -80,17 +85,18 @@ int steps_along(const Box& box, int axis, int cell) {
 
 double smooth_noise(double x, double y, std::uint64_t seed) {
   const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-  const double s = eased(x - x0), t = eased(y - y0);
+  const double s = ease_fraction(x - x0), t = ease_fraction(y - y0);
   const double low = noise_at(x0, y0, seed) * (1 - s) + noise_at(x0 + 1, y0, seed) * s;
   const double high = noise_at(x0, y0 + 1, seed) * (1 - s) + noise_at(x0 + 1, y0 + 1, seed) * s;
   return low * (1 - t) + high * t;
 }
 
 std::vector<Solid> make_rock(const RockFace& face, const std::vector<Space>& spaces) {
-  const SideAxes axes = axes_of(face.side);
-  const std::vector<Box> openings = openings_in(face.box, face.side, spaces);
+  const SideAxes axes = find_side_axes(face.side);
+  const std::vector<Box> openings = find_openings(face.box, face.side, spaces);
   const int columns = steps_along(face.box, axes.u, face.cell),
             rows = steps_along(face.box, axes.v, face.cell);
+  // A grid point on the wall, and the same point moved to the rock's front.
   const auto foot = [&](int column, int row) {
     Point point(0);
     point[axes.across] = face.box.at(face.side);
@@ -104,14 +110,14 @@ std::vector<Solid> make_rock(const RockFace& face, const std::vector<Space>& spa
     point[axes.across] += is_upper(face.side) ? -bulge : bulge;
     return point;
   };
-  Looks looks = looks_all(face.texture, face.box);
-  looks[index_of(Side::kUp)].texture = face.ledge_texture;
+  Looks looks = make_uniform_looks(face.texture, face.box);
+  looks[side_index(Side::kUp)].texture = face.ledge_texture;
   for (Look& look : looks) look.scale = math::Vec2d(face.scale);
   std::vector<Solid> solids;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       if (covers_any(openings, axes, foot(column, row), foot(column + 1, row + 1))) continue;
-      // The diagonal alternates, so that no grain runs through the rock.
+      // The diagonals of neighboring quads alternate, so that the rock shows no direction.
       const bool other = (row + column) % 2 != 0;
       const std::array<std::pair<int, int>, 4> ring = {
           {{column, row}, {column + 1, row}, {column + 1, row + 1}, {column, row + 1}}};
@@ -123,7 +129,7 @@ std::vector<Solid> make_rock(const RockFace& face, const std::vector<Space>& spa
           corners.push_back(foot(u, v));
           corners.push_back(front(u, v));
         }
-        if (!hull_of(corners).empty()) solids.push_back({std::move(corners), looks, face.line});
+        if (!make_hull(corners).empty()) solids.push_back({std::move(corners), looks, face.line});
       }
     }
   return solids;
@@ -133,19 +139,19 @@ std::vector<Solid> make_band(const Band& band, const std::vector<Space>& spaces)
   Box strip = band.box;
   strip.low.z = band.low;
   strip.high.z = band.high;
-  const int axis = axis_of(band.side);
+  const int axis = side_axis(band.side);
   (is_upper(band.side) ? strip.low : strip.high)[axis] =
       band.box.at(band.side) + (is_upper(band.side) ? -band.depth : band.depth);
-  std::vector<Box> open = openings_in(band.box, band.side, spaces);
+  std::vector<Box> open = find_openings(band.box, band.side, spaces);
   for (Box& hole : open) {
     hole.low[axis] = strip.low[axis];
     hole.high[axis] = strip.high[axis];
   }
   std::vector<Solid> solids;
-  for (const Box& piece : without(strip, open)) {
+  for (const Box& piece : subtract(strip, open)) {
     Box anchor = band.box;
     anchor.low.z = band.low;
-    solids.push_back({corners_of(piece), looks_all(band.texture, anchor), band.line});
+    solids.push_back({list_corners(piece), make_uniform_looks(band.texture, anchor), band.line});
   }
   return solids;
 }

@@ -1,5 +1,5 @@
-// Between keys: cubic curves whose slopes never overshoot (Fritsch and Butland, "A Method for Constructing
-// Local Monotone Piecewise Cubic Interpolants", 1984).
+// Between keys, values follow monotone cubic curves, which never overshoot (F. Fritsch and J. Butland, "A
+// Method for Constructing Local Monotone Piecewise Cubic Interpolants", 1984).
 #include "artgen/models/animation.h"
 
 #include <cmath>
@@ -10,13 +10,16 @@
 namespace temblor::artgen {
 namespace {
 
+// Pairs of frame and value, ascending.
 using Keys = std::vector<std::pair<double, double>>;
 
+// From key i to the next one.
 double slope_between(const Keys& keys, std::size_t i) {
   return (keys[i + 1].second - keys[i].second) / (keys[i + 1].first - keys[i].first);
 }
 
-// At key i, which has neighbors on both sides.
+// The tangent at key i, which needs neighbors on both sides: a weighted harmonic mean of the slopes, or 0 at
+// an extremum.
 double slope_at(const Keys& keys, std::size_t i) {
   const double before = slope_between(keys, i - 1), after = slope_between(keys, i);
   if (before * after <= 0) return 0;
@@ -26,12 +29,14 @@ double slope_at(const Keys& keys, std::size_t i) {
   return before * after / (share * after + (1 - share) * before);
 }
 
+// Hermite interpolation; slopes are per unit of t.
 double cubic(double from, double from_slope, double to, double to_slope, double t) {
   const double t2 = t * t, t3 = t2 * t;
   return from * (2 * t3 - 3 * t2 + 1) + from_slope * (t3 - 2 * t2 + t) + to * (3 * t2 - 2 * t3) +
          to_slope * (t3 - t2);
 }
 
+// Constant before the first and after the last key, where the tangents are 0.
 double value_between(const Keys& keys, double frame) {
   if (frame <= keys.front().first) return keys.front().second;
   if (frame >= keys.back().first) return keys.back().second;
@@ -46,20 +51,22 @@ double value_between(const Keys& keys, double frame) {
 
 double value_at(const Animation& animation, const Keys& keys, double frame) {
   if (!animation.loops || keys.size() < 2) return value_between(keys, frame);
-  // The turns before and after this one, too: the curve closes.
+  // Repeats the keys before and after the loop, so that the tangents at its ends agree.
   Keys round;
   for (const double shift : {-1.0, 0.0, 1.0})
     for (const auto& [at, value] : keys) round.emplace_back(at + shift * animation.frames, value);
   return value_between(round, frame);
 }
 
-void add_foot(const Gait& gait, double period, double phase, BoneMotion& io_foot) {
+// Moves a foot by its phase in the cycle.
+void add_foot(const WalkCycle& gait, double period, double phase, BoneMotion& io_foot) {
   const double half = 0.5 * gait.speed * period * gait.duty;
   if (phase < gait.duty) {
     io_foot.at.x += half * (1 - 2 * phase / gait.duty);
     return;
   }
-  // Through the air, leaving the floor and meeting it as fast as the floor goes by.
+  // In the air, the foot follows a cubic that leaves and meets the floor with the floor's speed, so that
+  // there is no jerk.
   const double air = 1 - gait.duty, t = (phase - gait.duty) / air;
   const double slope = -gait.speed * period * air;
   const double arc = std::sin(std::numbers::pi * t);
@@ -68,10 +75,11 @@ void add_foot(const Gait& gait, double period, double phase, BoneMotion& io_foot
   io_foot.turn_deg.x += gait.peel_deg * arc * (1.6 - 2.2 * t);
 }
 
-void add_gait(const Gait& gait, const Animation& animation, double frame, BonePose& io_pose) {
+// Adds a gait on top of the keys. The first bone bobs twice per cycle and sways once.
+void add_gait(const WalkCycle& gait, const Animation& animation, double frame, BonePose& io_pose) {
   const double period = animation.frames / gait.cycles;
   const double turns = frame / period;
-  for (const GaitFoot& foot : gait.feet) {
+  for (const WalkCycleFoot& foot : gait.feet) {
     const double phase = turns + foot.phase;
     add_foot(gait, period, phase - std::floor(phase), io_pose.bones[foot.bone]);
   }
@@ -111,13 +119,13 @@ double rest_value(const Skeleton& skeleton, Channel channel) {
   return channel >= plant_channel(skeleton) || channel % kBoneChannels >= 6 ? 1 : 0;
 }
 
-std::pair<Channel, double> mirrored(const Skeleton& skeleton, Channel channel) {
+std::pair<Channel, double> mirror_channel(const Skeleton& skeleton, Channel channel) {
   if (channel >= plant_channel(skeleton)) return {channel, 1.0};
   const std::size_t bone = channel / kBoneChannels, number = channel % kBoneChannels;
-  const std::size_t other = skeleton.find(mirrored_name(skeleton.bones[bone].name)).value_or(bone);
-  // Yaw, roll, and the shift to the side.
-  const bool turns_round = number == 1 || number == 2 || number == 4;
-  return {bone_channel(other, number), turns_round ? -1.0 : 1.0};
+  const std::size_t other = skeleton.find(mirror_name(skeleton.bones[bone].name)).value_or(bone);
+  // Yaw, roll, and the sideways offset change their sign in a mirror.
+  const bool is_negated = number == 1 || number == 2 || number == 4;
+  return {bone_channel(other, number), is_negated ? -1.0 : 1.0};
 }
 
 BonePose pose_at(const Animation& animation, const Skeleton& skeleton, const ChannelValues& base,
@@ -126,7 +134,7 @@ BonePose pose_at(const Animation& animation, const Skeleton& skeleton, const Cha
   for (const auto& [channel, value] : base) set_channel(skeleton, channel, value, pose);
   for (const auto& [channel, keys] : animation.keys)
     set_channel(skeleton, channel, value_at(animation, keys, frame), pose);
-  for (const Gait& gait : animation.gaits) add_gait(gait, animation, frame, pose);
+  for (const WalkCycle& gait : animation.gaits) add_gait(gait, animation, frame, pose);
   return pose;
 }
 

@@ -1,5 +1,7 @@
-// Movement: values of bones at key frames, smooth between them; and gaits, which put feet on the floor and
-// leave them there while the body moves on.
+// The movement of a model: values of bones at key frames, interpolated smoothly; and gaits, which move feet
+// with the floor so that they do not slide while the creature walks.
+//
+// An animation is a set of curves, one for each channel that has keys. A channel is one number of a pose.
 #pragma once
 
 #include <cstdint>
@@ -12,48 +14,71 @@
 
 namespace temblor::artgen {
 
-// One number of a pose: three turns, three shifts and three scales for each bone, then plant and hold.
+// Channels of bone b are 9 * b + n, with n = 0 to 2 for rotations (pitch, yaw, roll), 3 to 5 for offsets, and
+// 6 to 8 for scales. Two channels for `plant` and `hold` follow after all bones.
 using Channel = std::size_t;
 constexpr std::size_t kBoneChannels = 9;
 Channel bone_channel(std::size_t bone, std::size_t number);
 Channel plant_channel(const Skeleton& skeleton);
 Channel hold_channel(const Skeleton& skeleton);
-// At rest: 0, but 1 for scales, plant and hold.
+// The value at rest: 1 for scales, plant, and hold, else 0.
 double rest_value(const Skeleton& skeleton, Channel channel);
 
-// The channel, and the factor for the value, of the same movement on the other side.
-std::pair<Channel, double> mirrored(const Skeleton& skeleton, Channel channel);
+// The channel of the same movement on the other side of the body, and the factor for its value.
+std::pair<Channel, double> mirror_channel(const Skeleton& skeleton, Channel channel);
 
+// Values for some channels; a named pose, for example.
 using ChannelValues = std::map<Channel, double>;
 
-struct GaitFoot {
+// A foot that steps in a gait.
+struct WalkCycleFoot {
   std::size_t bone = 0;
-  double phase = 0;  // 0 to 1: when it comes down
+  // When the foot comes down: 0 to 1 of the cycle.
+  double phase = 0;
 };
 
-struct Gait {
-  std::vector<GaitFoot> feet;
-  double speed = 0;   // units a frame
-  double cycles = 1;  // in the animation
-  double duty = 0.6;  // the part of a cycle that a foot is down
-  double lift = 4;    // units
+// A gait. Each foot moves backward with the floor for a part of the cycle, then swings forward through the
+// air.
+//
+//   height  |      .--.
+//           |    .'    '.         one cycle of one foot:
+//           |___/        \____    `duty` of the time on the floor, moving back at `speed`,
+//           '------------------   then an arc of height `lift` forward
+struct WalkCycle {
+  std::vector<WalkCycleFoot> feet;
+  // Units per frame.
+  double speed = 0;
+  // The number of cycles in the animation.
+  double cycles = 1;
+  // The fraction of a cycle for which a foot is on the floor.
+  double duty = 0.6;
+  // The height of a step in units.
+  double lift = 4;
+  // The pitch of the foot in the air.
   double peel_deg = 25;
-  double bob = 0;   // units that the first bone goes down and up with each step (below 0: up and down)
-  double sway = 0;  // units that it goes to the side of the foot that is down
+  // How far the first bone moves down with each step, in units; negative: up.
+  double bob = 0;
+  // How far it moves toward the foot that is on the floor, in units.
+  double sway = 0;
 };
 
+// A named sequence of frames.
 struct Animation {
   std::string name;
   std::int32_t frames = 1;
+  // The last frame continues to the first.
   bool loops = false;
-  bool settles = false;      // the lowest point always touches the floor
-  double group_frame_s = 0;  // not 0: one frame whose poses follow one another by themselves
-  // By channel: frame numbers from 0 up to `frames`, rising, with values.
+  // Every frame is moved vertically so that its lowest point touches the floor; for dying creatures.
+  bool settles = false;
+  // If above 0, all poses form one frame group, which the engine animates automatically with this time per
+  // pose.
+  double group_frame_s = 0;
+  // For each channel: pairs of frame (0 to `frames`, ascending) and value.
   std::map<Channel, std::vector<std::pair<double, double>>> keys;
-  std::vector<Gait> gaits;
+  std::vector<WalkCycle> gaits;
 };
 
-// At a time in frames. Channels without keys have `base`'s value, or rest.
+// The pose at a time in frames. Channels without keys have the value of `base`, else the rest value.
 BonePose pose_at(const Animation& animation, const Skeleton& skeleton, const ChannelValues& base,
                  double frame);
 

@@ -1,4 +1,5 @@
-// Where a mesh's charts lie on the skin.
+// Places the charts of a mesh on a skin. All charts have the same density in texels per unit, with an unused
+// texel around each, so that texels do not bleed into other charts.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +10,28 @@
 
 namespace temblor::artgen {
 
-struct AtlasPlace {
-  math::Vec2d shift{0.0};  // texels = units * density + shift
-  bool swapped = false;    // a chart that lies on its side
+// The transform from a chart to the skin.
+struct ChartPlacement {
+  // texels = units * density + shift
+  math::Vec2d shift{0.0};
+  // The chart's axes are exchanged, so that its longer side is horizontal.
+  bool swapped = false;
 };
 
+// The layout of a skin.
 struct Atlas {
-  std::int32_t width = 0, height = 0;  // texels; the width a power of two
-  double density = 1;                  // texels a unit
-  std::vector<AtlasPlace> charts;
+  // In texels; the width is a power of two.
+  std::int32_t width = 0, height = 0;
+  // Texels per unit.
+  double density = 1;
+  std::vector<ChartPlacement> charts;
 
-  // The texel whose middle a corner lies on.
-  math::Vec2d texel(std::uint32_t chart, const math::Vec2d& place) const;
+  // The texel for a position on a chart, rounded.
+  math::Vec2d texel(std::uint32_t chart, const math::Vec2d& position) const;
 };
 
-// Every chart with a texel free around it, as densely as asked for unless that takes more than a skin may
-// have.
+// Uses the requested density unless the skin would exceed the largest allowed size; then it is reduced until
+// all charts fit.
 Atlas lay_out_charts(const Mesh& mesh, double density);
 
 }  // namespace temblor::artgen

@@ -1,4 +1,5 @@
-// Poses to bytes, triangles to corners with texels, skins.
+// Turns a Model into the structures of an MDL file. Positions are stored as one byte per axis, relative to
+// the bounds of all frames, and normals as indices into Quake's table of 162 directions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,11 +19,14 @@ using formats::MdlPose;
 using formats::MdlVertex;
 using math::Vec3d;
 
+// Positions are bytes.
 constexpr double kPoseByteSteps = 255;
+// A frame's name has 16 bytes with a terminating zero.
 constexpr std::size_t kMaxNameChars = 15;
-constexpr float kFarthest = 65536;  // units
+// Units; larger models are an error in the script.
+constexpr float kMaxRadius = 65536;
 
-// The file's vertices: a point once for every normal and every place on the skin that it has.
+// A vertex of the file. A point becomes several vertices if it has several normals or texels.
 struct FileVertex {
   std::uint32_t point = 0, smooth = 0;
 };
@@ -33,6 +37,7 @@ struct FileMesh {
   std::vector<formats::MdlTriangle> triangles;
 };
 
+// Merges corners with the same point, smoothing group, and texel.
 FileMesh number_vertices(const Mesh& mesh, const Atlas& atlas) {
   FileMesh file;
   std::map<std::tuple<std::uint32_t, std::uint32_t, std::int32_t, std::int32_t>, std::uint32_t> known;
@@ -40,7 +45,7 @@ FileMesh number_vertices(const Mesh& mesh, const Atlas& atlas) {
     formats::MdlTriangle made;
     for (std::size_t i = 0; i < 3; ++i) {
       const MeshCorner& corner = triangle.corners[i];
-      const math::Vec2d texel = atlas.texel(triangle.chart, corner.place);
+      const math::Vec2d texel = atlas.texel(triangle.chart, corner.position);
       const auto s = static_cast<std::int32_t>(texel.x), t = static_cast<std::int32_t>(texel.y);
       const auto next = static_cast<std::uint32_t>(file.vertices.size());
       const auto [entry, is_new] = known.try_emplace({corner.point, triangle.smooth, s, t}, next);
@@ -48,35 +53,40 @@ FileMesh number_vertices(const Mesh& mesh, const Atlas& atlas) {
         file.vertices.push_back({corner.point, triangle.smooth});
         file.texels.push_back({false, s, t});
       }
-      made.vertices[2 - i] = entry->second;  // clockwise
+      made.vertices[2 - i] = entry->second;  // MDL triangles are clockwise
     }
     file.triangles.push_back(made);
   }
   return file;
 }
 
-struct Shown {
+// A frame before packing.
+struct PosedModel {
   std::string name;
-  std::vector<Vec3d> places;  // by point
+  // By point of the mesh.
+  std::vector<Vec3d> positions;
 };
 
-Shown show(const Model& model, const Animation& animation, std::int32_t frame) {
+// Poses one frame on top of the stance, settles it on the floor, and scales it.
+PosedModel pose_model(const Model& model, const Animation& animation, std::int32_t frame) {
   const auto stance = model.poses.find("stance");
   const ChannelValues base = stance != model.poses.end() ? stance->second : ChannelValues{};
   const BonePose pose = pose_at(animation, model.skeleton, base, frame);
-  Shown shown;
-  shown.name = fmt::format("{}{}", animation.name, frame + 1).substr(0, kMaxNameChars);
-  shown.places = place_points(model.mesh, rest_places(model.skeleton), place_bones(model.skeleton, pose));
+  PosedModel posed;
+  posed.name = fmt::format("{}{}", animation.name, frame + 1).substr(0, kMaxNameChars);
+  posed.positions = transform_points(model.mesh, rest_positions(model.skeleton),
+                                     compute_bone_transforms(model.skeleton, pose));
   if (animation.settles) {
-    double lowest = shown.places.front().z;
-    for (const Vec3d& place : shown.places) lowest = std::min(lowest, place.z);
-    for (Vec3d& place : shown.places) place.z += model.floor - lowest;
+    double lowest = posed.positions.front().z;
+    for (const Vec3d& position : posed.positions) lowest = std::min(lowest, position.z);
+    for (Vec3d& position : posed.positions) position.z += model.floor - lowest;
   }
   const Vec3d middle(0, 0, model.floor);
-  for (Vec3d& place : shown.places) place = middle + (place - middle) * model.size;
-  return shown;
+  for (Vec3d& position : posed.positions) position = middle + (position - middle) * model.size;
+  return posed;
 }
 
+// The index in Quake's table of normals.
 std::uint8_t nearest_normal(const Vec3d& normal) {
   const auto all = formats::mdl_normals();
   std::size_t best = 0;
@@ -85,27 +95,28 @@ std::uint8_t nearest_normal(const Vec3d& normal) {
   return static_cast<std::uint8_t>(best);
 }
 
-// By smooth number and point.
-std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3d> normals_of(const Mesh& mesh,
-                                                                    const std::vector<Vec3d>& places) {
+// Vertex normals by smoothing group and point, weighted by triangle area, not normalized.
+std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3d> sum_normals(const Mesh& mesh,
+                                                                     const std::vector<Vec3d>& positions) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3d> sums;
   for (const MeshTriangle& triangle : mesh.triangles) {
     const auto& corners = triangle.corners;
-    const Vec3d area = glm::cross(places[corners[1].point] - places[corners[0].point],
-                                  places[corners[2].point] - places[corners[0].point]);
+    const Vec3d area = glm::cross(positions[corners[1].point] - positions[corners[0].point],
+                                  positions[corners[2].point] - positions[corners[0].point]);
     for (const MeshCorner& corner : corners) sums[{triangle.smooth, corner.point}] += area;
   }
   return sums;
 }
 
-MdlPose pack(const Shown& shown, const Mesh& mesh, const FileMesh& file, const Mdl& mdl) {
+// Quantizes positions and normals, and computes the frame's bounds in bytes.
+MdlPose pack(const PosedModel& posed, const Mesh& mesh, const FileMesh& file, const Mdl& mdl) {
   MdlPose pose;
-  pose.name = shown.name;
+  pose.name = posed.name;
   pose.mins.position = {255, 255, 255};
-  const auto normals = normals_of(mesh, shown.places);
+  const auto normals = sum_normals(mesh, posed.positions);
   for (const FileVertex& vertex : file.vertices) {
     MdlVertex made;
-    const Vec3d steps = (shown.places[vertex.point] - Vec3d(mdl.origin)) / Vec3d(mdl.scale);
+    const Vec3d steps = (posed.positions[vertex.point] - Vec3d(mdl.origin)) / Vec3d(mdl.scale);
     for (int axis = 0; axis < 3; ++axis) {
       const auto at = static_cast<std::size_t>(axis);
       made.position[at] = static_cast<std::uint8_t>(std::clamp(std::lround(steps[axis]), 0l, 255l));
@@ -119,27 +130,29 @@ MdlPose pack(const Shown& shown, const Mesh& mesh, const FileMesh& file, const M
   return pose;
 }
 
-void set_bounds(const std::vector<std::vector<Shown>>& animations, Mdl& out_mdl) {
+// Origin and scale are the same for all frames. The smallest scale avoids a division by zero for flat models.
+void set_bounds(const std::vector<std::vector<PosedModel>>& animations, Mdl& out_mdl) {
   Vec3d low(1e9), high(-1e9);
   double radius = 0;
   for (const auto& shown_frames : animations)
-    for (const Shown& shown : shown_frames)
-      for (const Vec3d& place : shown.places) {
-        low = glm::min(low, place);
-        high = glm::max(high, place);
-        radius = std::max(radius, glm::length(place));
+    for (const PosedModel& posed : shown_frames)
+      for (const Vec3d& position : posed.positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
+        radius = std::max(radius, glm::length(position));
       }
   out_mdl.origin = math::Vec3(low);
   out_mdl.scale = math::Vec3(glm::max((high - low) / kPoseByteSteps, Vec3d(1e-4)));
   out_mdl.bounding_radius = static_cast<float>(radius);
 }
 
-double mean_area(const Mesh& mesh, const std::vector<Vec3d>& places) {
+// For the header's average triangle size.
+double mean_area(const Mesh& mesh, const std::vector<Vec3d>& positions) {
   double sum = 0;
   for (const MeshTriangle& triangle : mesh.triangles)
-    sum +=
-        0.5 * glm::length(glm::cross(places[triangle.corners[1].point] - places[triangle.corners[0].point],
-                                     places[triangle.corners[2].point] - places[triangle.corners[0].point]));
+    sum += 0.5 * glm::length(
+                     glm::cross(positions[triangle.corners[1].point] - positions[triangle.corners[0].point],
+                                positions[triangle.corners[2].point] - positions[triangle.corners[0].point]));
   return sum / static_cast<double>(mesh.triangles.size());
 }
 
@@ -167,16 +180,17 @@ Mdl make_mdl(const Model& model) {
   for (const std::vector<Paint>& paints : model.skins)
     mdl.skins.push_back({{paint_skin(texels, atlas.width, model.shapes, paints)}, {}});
 
-  std::vector<std::vector<Shown>> shown(model.animations.size());
-  for (std::size_t i = 0; i < shown.size(); ++i)
+  std::vector<std::vector<PosedModel>> posed(model.animations.size());
+  for (std::size_t i = 0; i < posed.size(); ++i)
     for (std::int32_t frame = 0; frame < model.animations[i].frames; ++frame)
-      shown[i].push_back(show(model, model.animations[i], frame));
-  set_bounds(shown, mdl);
-  mdl.average_triangle_size = static_cast<float>(mean_area(model.mesh, shown.front().front().places));
-  for (std::size_t i = 0; i < shown.size(); ++i) {
+      posed[i].push_back(pose_model(model, model.animations[i], frame));
+  set_bounds(posed, mdl);
+  mdl.average_triangle_size = static_cast<float>(mean_area(model.mesh, posed.front().front().positions));
+  for (std::size_t i = 0; i < posed.size(); ++i) {
+    // An animation becomes a frame for each pose, or one frame group with all poses.
     formats::MdlFrame group;
     group.mins.position = {255, 255, 255};
-    for (const Shown& pose : shown[i]) {
+    for (const PosedModel& pose : posed[i]) {
       const MdlPose packed = pack(pose, model.mesh, file, mdl);
       if (model.animations[i].group_frame_s <= 0) {
         mdl.frames.push_back({{packed}, {}, {}, {}});
@@ -192,12 +206,12 @@ Mdl make_mdl(const Model& model) {
   return mdl;
 }
 
-base::Result<std::vector<ArtPart>> make_model_art(const ScriptLine& thing) {
-  TRY(const Model model, read_model(thing));
+base::Result<std::vector<ArtPart>> make_model_art(const ScriptLine& asset) {
+  TRY(const Model model, read_model(asset));
   const Mdl mdl = make_mdl(model);
-  if (mdl.bounding_radius > kFarthest)
-    return script_error(thing, fmt::format("it reaches {:.0f} units from its origin, the farthest is {}",
-                                           mdl.bounding_radius, kFarthest));
+  if (mdl.bounding_radius > kMaxRadius)
+    return script_error(asset, fmt::format("it reaches {:.0f} units from its origin; the limit is {}",
+                                           mdl.bounding_radius, kMaxRadius));
   std::vector<ArtPart> parts;
   parts.push_back({model.path, formats::write_mdl(mdl)});
   return parts;

@@ -2,16 +2,16 @@
 
 namespace temblor::artgen {
 
-std::vector<math::Vec3d> place_points(const Mesh& mesh, const std::vector<math::Vec3d>& rest_places,
-                                      const std::vector<Transform>& bones) {
-  std::vector<math::Vec3d> places;
-  places.reserve(mesh.points.size());
+std::vector<math::Vec3d> transform_points(const Mesh& mesh, const std::vector<math::Vec3d>& rest_positions,
+                                          const std::vector<Transform>& bones) {
+  std::vector<math::Vec3d> positions;
+  positions.reserve(mesh.points.size());
   for (const MeshPoint& point : mesh.points) {
-    const math::Vec3d by_a = bones[point.bone_a](point.rest - rest_places[point.bone_a]);
-    const math::Vec3d by_b = bones[point.bone_b](point.rest - rest_places[point.bone_b]);
-    places.push_back(by_a * (1 - point.share_b) + by_b * point.share_b);
+    const math::Vec3d by_a = bones[point.bone_a](point.rest - rest_positions[point.bone_a]);
+    const math::Vec3d by_b = bones[point.bone_b](point.rest - rest_positions[point.bone_b]);
+    positions.push_back(by_a * (1 - point.share_b) + by_b * point.share_b);
   }
-  return places;
+  return positions;
 }
 
 math::Vec3d triangle_normal(const math::Vec3d& a, const math::Vec3d& b, const math::Vec3d& c) {

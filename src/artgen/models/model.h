@@ -1,4 +1,11 @@
-// A model as its script has it: bones, shapes on them, paints and movement; and what becomes of it.
+// A model as its script describes it, and the two steps that make an alias model (MDL) from it.
+//
+//   model lines --read_model--> Model --make_mdl--> formats::Mdl
+//                  bones, mesh (rings.h, solids.h),     poses as bytes, texel coordinates (atlas.h),
+//                  paints, animations                   skins (skin.h)
+//
+// x is forward, y left, z up, in map units, with the entity's origin at 0. docs/art-scripts.md describes the
+// keywords.
 #pragma once
 
 #include <map>
@@ -16,28 +23,40 @@
 
 namespace temblor::artgen {
 
+// Everything that a model's script says.
 struct Model {
   std::string path;
-  double density = 2;  // texels a unit
-  double floor = -24;  // where what settles lies
-  double size = 1;     // everything grows from the middle of the floor; gaits keep their speed
+  // Texels per unit on the skin.
+  double density = 2;
+  // The height of the floor, for animations that settle and for `size`.
+  double floor = -24;
+  // Scales the model around the middle of the floor. The speed of gaits stays the same.
+  double size = 1;
+  // The eye position in the MDL header.
   math::Vec3 eye{0.0f};
   std::uint32_t flags = 0;  // formats::MdlFlags
+  // Frame groups start at a random time, so that several torches do not flicker in step.
   bool random_phase = false;
   Skeleton skeleton;
   Mesh mesh;
+  // By shape number.
   std::vector<ShapeLook> shapes;
-  std::vector<std::vector<Paint>> skins;  // every skin's paints; the first is the model's own
+  // The paints of each skin; shapes refer to them by index. The first skin has the model's own paints.
+  std::vector<std::vector<Paint>> skins;
+  // By name. "stance" is the base of all animations.
   std::map<std::string, ChannelValues> poses;
-  std::vector<Animation> animations;  // at least one
+  // At least one.
+  std::vector<Animation> animations;
 };
 
-// Errors begin with the line. docs/art.md has the words.
-base::Result<Model> read_model(const ScriptLine& thing);
+// Reads a `model` line and everything under it. The order of the lines does not matter, except within one
+// kind. Errors begin with the line's number.
+base::Result<Model> read_model(const ScriptLine& asset);
 
+// Poses every frame, packs the skin, and paints it. Deterministic.
 formats::Mdl make_mdl(const Model& model);
 
-// The maker of "model".
-base::Result<std::vector<ArtPart>> make_model_art(const ScriptLine& thing);
+// The ArtMaker of `model`.
+base::Result<std::vector<ArtPart>> make_model_art(const ScriptLine& asset);
 
 }  // namespace temblor::artgen

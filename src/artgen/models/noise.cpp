@@ -7,13 +7,16 @@
 namespace temblor::artgen {
 namespace {
 
-double faded(double t) {
+// The smoothstep polynomial.
+double fade_fraction(double t) {
   return t * t * (3 - 2 * t);
 }
 
-double one_octave(const math::Vec3d& place, std::uint64_t seed) {
-  const math::Vec3d corner(std::floor(place.x), std::floor(place.y), std::floor(place.z));
-  const math::Vec3d in(faded(place.x - corner.x), faded(place.y - corner.y), faded(place.z - corner.z));
+// Trilinear interpolation between the random values of a cell's corners.
+double one_octave(const math::Vec3d& position, std::uint64_t seed) {
+  const math::Vec3d corner(std::floor(position.x), std::floor(position.y), std::floor(position.z));
+  const math::Vec3d in(fade_fraction(position.x - corner.x), fade_fraction(position.y - corner.y),
+                       fade_fraction(position.z - corner.z));
   double sum = 0;
   for (std::int32_t i = 0; i < 8; ++i) {
     const std::int32_t x = i & 1, y = i >> 1 & 1, z = i >> 2;
@@ -33,9 +36,10 @@ double hash_at(std::int32_t x, std::int32_t y, std::int32_t z, std::uint64_t see
   return static_cast<double>(hash >> 11) * 0x1p-53;
 }
 
-double lump_noise(const math::Vec3d& place, std::uint64_t seed) {
-  return (one_octave(place, seed) * 4 + one_octave(place * 2.03, seed + 1) * 2 +
-          one_octave(place * 4.07, seed + 2)) /
+double lump_noise(const math::Vec3d& position, std::uint64_t seed) {
+  // The factors are not exactly 2 and 4, so that the octaves' grids do not coincide.
+  return (one_octave(position, seed) * 4 + one_octave(position * 2.03, seed + 1) * 2 +
+          one_octave(position * 4.07, seed + 2)) /
          7;
 }
 

@@ -1,5 +1,9 @@
-// A model's bones: a tree of places that turn and carry what is fixed to them; and limbs, whose last bone
-// stays where it is put while the two before it bend.
+// The bones of a model: a tree of joints that move everything attached to them; and limbs, chains of three
+// bones whose last one stays in place while the two before it bend (two-bone inverse kinematics), as feet and
+// hands need.
+//
+//   Skeleton + BonePose -> place every bone from its parent (forward kinematics)
+//                       -> solve the limbs one after another -> a Transform for each bone
 #pragma once
 
 #include <optional>
@@ -13,46 +17,62 @@
 
 namespace temblor::artgen {
 
+// A joint.
 struct Bone {
   std::string name;
-  std::optional<std::size_t> parent{};  // an earlier bone
-  math::Vec3d at{0.0};                  // from the parent, at rest
-  math::Vec3d scale{1.0};               // of what is fixed to it, bones included, but not of what is on those
+  // An earlier bone; nothing for a root.
+  std::optional<std::size_t> parent{};
+  // The offset from the parent at rest, before the parent's scale.
+  math::Vec3d at{0.0};
+  // Scales the shapes attached to the bone and the offsets of its children, but not what is attached to the
+  // children.
+  math::Vec3d scale{1.0};
 };
 
-// The last of three bones. A foot stays at its rest place in the model's space, a grip at a place of
-// another bone.
+// The end of a chain of three bones: `end`, its parent, and its grandparent. A foot stays at its rest
+// position in the model's coordinates; a grip stays at a point of another bone, as a hand holds a rifle.
 struct Limb {
   std::size_t end = 0;
+  // Nothing: the limb is a foot. Otherwise grip_at is in this bone's coordinates.
   std::optional<std::size_t> grip_on{};
   math::Vec3d grip_at{0.0};
-  math::Vec3d bend{1, 0, 0};  // where the knee or elbow points
+  // The direction in which the knee or elbow points.
+  math::Vec3d bend{1, 0, 0};
 };
 
+// Parents come before their children.
 struct Skeleton {
   std::vector<Bone> bones;
   std::vector<Limb> limbs;
 
+  // The index of a bone by its name.
   std::optional<std::size_t> find(std::string_view name) const;
-  const Limb* limb_at(std::size_t end) const;  // null: this bone ends none
+  // The limb that ends at this bone; null if none does.
+  const Limb* limb_at(std::size_t end) const;
 };
 
-// What a bone does beside resting. A limb's end moves by `at` from where the limb puts it.
+// A bone's deviation from rest. For the end of a limb, `at` moves it from the position that the limb gives
+// it.
 struct BoneMotion {
-  math::Vec3d turn_deg{0.0};  // pitch, yaw, roll
+  // Pitch, yaw, roll; see make_rotation.
+  math::Vec3d turn_deg{0.0};
   math::Vec3d at{0.0};
   math::Vec3d scale{1.0};
 };
 
+// A pose of the whole skeleton.
 struct BonePose {
-  std::vector<BoneMotion> bones;  // one for each
-  double plant = 1, hold = 1;     // 0 to 1: how far feet and grips go where their limbs put them
+  // One for each bone.
+  std::vector<BoneMotion> bones;
+  // 0 to 1: how far feet (plant) and grips (hold) are pulled to their limb's goal.
+  double plant = 1, hold = 1;
 };
 
-// Where the bones are at rest, in the model's space.
-std::vector<math::Vec3d> rest_places(const Skeleton& skeleton);
+// The positions of all bones at rest, in the model's coordinates.
+std::vector<math::Vec3d> rest_positions(const Skeleton& skeleton);
 
-// From each bone's own space to the model's. A limb that is too short stretches out towards its goal.
-std::vector<Transform> place_bones(const Skeleton& skeleton, const BonePose& pose);
+// Returns a transform from each bone's coordinates to the model's. If a limb cannot reach its goal, it is
+// stretched out toward it.
+std::vector<Transform> compute_bone_transforms(const Skeleton& skeleton, const BonePose& pose);
 
 }  // namespace temblor::artgen

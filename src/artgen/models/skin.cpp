@@ -13,33 +13,40 @@ namespace {
 using math::Vec2d;
 using math::Vec3d;
 
-constexpr double kBleedTexels = 1.0;  // round a triangle that texels take their color from it
-constexpr double kDeepCrease = 1.25;  // of the brightness that a wholly hidden place loses
-constexpr double kWearUnits = 0.7;    // width of worn edges
+// How far outside a triangle texels take their color from it, so that no seam shows when the renderer samples
+// its edge.
+constexpr double kBleedTexels = 1.0;
+// How much occlusion darkens. Above 1, because even deep creases are rarely hidden completely.
+constexpr double kDeepCrease = 1.25;
+// The width of worn edges.
+constexpr double kWearUnits = 0.7;
 
+// The point of a triangle that is nearest to a given one, in barycentric coordinates.
 struct Nearest {
   double distance;
   Vec3d weights;
 };
 
-// The place on a side of a triangle that is nearest to `point`.
-Nearest nearest_on_side(const std::array<Vec2d, 3>& corners, int side, const Vec2d& point) {
+// On the side from corner `side` to the next one.
+Nearest find_nearest_on_side(const std::array<Vec2d, 3>& corners, int side, const Vec2d& point) {
   const Vec2d from = corners[static_cast<std::size_t>(side)],
               to = corners[static_cast<std::size_t>((side + 1) % 3)];
-  const Vec2d way = to - from;
-  const double squared = glm::dot(way, way);
-  const double t = squared > 0 ? std::clamp(glm::dot(point - from, way) / squared, 0.0, 1.0) : 0.0;
-  Nearest nearest{glm::distance(point, from + way * t), Vec3d(0.0)};
+  const Vec2d direction = to - from;
+  const double squared = glm::dot(direction, direction);
+  const double t = squared > 0 ? std::clamp(glm::dot(point - from, direction) / squared, 0.0, 1.0) : 0.0;
+  Nearest nearest{glm::distance(point, from + direction * t), Vec3d(0.0)};
   nearest.weights[side] = 1 - t;
   nearest.weights[(side + 1) % 3] = t;
   return nearest;
 }
 
+// Twice the signed area of a triangle.
 double double_area(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-Nearest nearest_in(const std::array<Vec2d, 3>& corners, const Vec2d& point) {
+// At distance 0 inside the triangle, else on its nearest side.
+Nearest find_nearest_in_triangle(const std::array<Vec2d, 3>& corners, const Vec2d& point) {
   const double area = double_area(corners[0], corners[1], corners[2]);
   if (std::abs(area) > 1e-9) {
     const Vec3d weights(double_area(point, corners[1], corners[2]) / area,
@@ -47,14 +54,15 @@ Nearest nearest_in(const std::array<Vec2d, 3>& corners, const Vec2d& point) {
                         double_area(corners[0], corners[1], point) / area);
     if (std::min({weights.x, weights.y, weights.z}) >= 0) return {0, weights};
   }
-  Nearest nearest = nearest_on_side(corners, 0, point);
+  Nearest nearest = find_nearest_on_side(corners, 0, point);
   for (int side = 1; side < 3; ++side)
-    if (const Nearest other = nearest_on_side(corners, side, point); other.distance < nearest.distance)
+    if (const Nearest other = find_nearest_on_side(corners, side, point); other.distance < nearest.distance)
       nearest = other;
   return nearest;
 }
 
-// Normals of the mesh at rest: of triangles, and of points by what they share them with.
+// Normals of the mesh at rest: flat ones by triangle, and smooth ones by point and smoothing group, weighted
+// by area.
 class RestNormals {
  public:
   explicit RestNormals(const Mesh& mesh) {
@@ -81,8 +89,8 @@ class RestNormals {
     }
     return glm::length(sum) > 1e-9 ? glm::normalize(sum) : Vec3d(0, 0, 1);
   }
-  // Whether the surface bends away sharply at a triangle's side.
-  bool stands_out(const Mesh& mesh, std::size_t triangle, std::size_t side) const {
+  // Whether the surface bends sharply outward at a side of a triangle. Only those edges wear off.
+  bool is_convex_edge(const Mesh& mesh, std::size_t triangle, std::size_t side) const {
     const auto& corners = mesh.triangles[triangle].corners;
     const auto [low, high] = std::minmax(corners[side].point, corners[(side + 1) % 3].point);
     for (const std::size_t other : sides_.at({low, high})) {
@@ -101,7 +109,7 @@ class RestNormals {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> sides_;
 };
 
-double height_of(const Mesh& mesh) {
+double measure_height(const Mesh& mesh) {
   double low = 1e9, high = -1e9;
   for (const MeshPoint& point : mesh.points) {
     low = std::min(low, point.rest.z);
@@ -110,64 +118,69 @@ double height_of(const Mesh& mesh) {
   return high - low;
 }
 
-// Distance from a place on a triangle to its sides that stand out.
-double distance_to_edges(const std::array<Vec3d, 3>& at, const std::array<bool, 3>& stands_out,
-                         const Vec3d& place) {
+// The distance from a position on a triangle to its nearest marked side; `is_convex_edge` marks them.
+double distance_to_edges(const std::array<Vec3d, 3>& at, const std::array<bool, 3>& is_convex_edge,
+                         const Vec3d& position) {
   double nearest = 1e9;
   for (std::size_t side = 0; side < 3; ++side) {
-    if (!stands_out[side]) continue;
-    const Vec3d from = at[side], way = at[(side + 1) % 3] - from;
-    const double squared = std::max(glm::dot(way, way), 1e-12);
-    const double t = std::clamp(glm::dot(place - from, way) / squared, 0.0, 1.0);
-    nearest = std::min(nearest, glm::distance(place, from + way * t));
+    if (!is_convex_edge[side]) continue;
+    const Vec3d from = at[side], direction = at[(side + 1) % 3] - from;
+    const double squared = std::max(glm::dot(direction, direction), 1e-12);
+    const double t = std::clamp(glm::dot(position - from, direction) / squared, 0.0, 1.0);
+    nearest = std::min(nearest, glm::distance(position, from + direction * t));
   }
   return nearest;
 }
 
-bool lies_between(double angle_deg, double low_deg, double high_deg) {
+// Angles wrap around at 360 degrees.
+bool is_between(double angle_deg, double low_deg, double high_deg) {
   const double turn = angle_deg - low_deg - 360 * std::floor((angle_deg - low_deg) / 360);
   return turn <= high_deg - low_deg;
 }
 
+// The last patch that contains the texel decides.
 const Paint& paint_at(const SkinTexel& texel, const ShapeLook& look, const std::vector<Paint>& paints) {
   std::size_t paint = look.paint;
   for (const Patch& patch : look.patches)
     if (texel.along >= patch.along_low && texel.along <= patch.along_high &&
-        lies_between(texel.around_deg, patch.around_low_deg, patch.around_high_deg))
+        is_between(texel.around_deg, patch.around_low_deg, patch.around_high_deg))
       paint = patch.paint;
   return paints[paint];
 }
 
-bool covers(const PaintLayer& layer, const SkinTexel& texel, std::uint64_t seed) {
-  const double noise = lump_noise(texel.place / std::max(layer.grain, 0.1), seed);
-  // The noise is mostly near its middle.
+// Whether a pattern covers the texel.
+bool is_covered(const PaintLayer& layer, const SkinTexel& texel, std::uint64_t seed) {
+  const double noise = lump_noise(texel.position / std::max(layer.grain, 0.1), seed);
+  // The noise is concentrated around 0.5, so thresholds outside 0.22 to 0.78 would change little.
   if (layer.every <= 0) return noise < 0.22 + 0.56 * layer.amount;
-  const double at = (glm::dot(texel.place, layer.axis) + layer.waver * (noise - 0.5) * 2) / layer.every;
+  const double at = (glm::dot(texel.position, layer.axis) + layer.waver * (noise - 0.5) * 2) / layer.every;
   return at - std::floor(at) < layer.amount;
 }
 
-std::uint8_t color_of(const SkinTexel& texel, const Paint& paint, std::size_t number) {
-  // By the paint's name, so that a paint more or less leaves the others' noise as it is.
+std::uint8_t choose_texel_color(const SkinTexel& texel, const Paint& paint, std::size_t number) {
+  // Seeded by the paint's name, so that additional paints do not change the noise of others.
   std::uint64_t seed = 17;
   for (const char c : paint.name) seed = seed * 131 + static_cast<unsigned char>(c);
   Ramp ramp = paint.ramp;
   double low = paint.low, high = paint.high;
   for (std::size_t i = 0; i < paint.layers.size(); ++i) {
-    if (!covers(paint.layers[i], texel, seed + 100 * (i + 1))) continue;
+    if (!is_covered(paint.layers[i], texel, seed + 100 * (i + 1))) continue;
     ramp = paint.layers[i].ramp;
     low = paint.layers[i].low;
     high = paint.layers[i].high;
   }
-  const double lumps = lump_noise(texel.place / std::max(paint.grain, 0.1), seed);
+  const double lumps = lump_noise(texel.position / std::max(paint.grain, 0.1), seed);
   double bright = 0.55 + paint.noise * (lumps - 0.5) * 2.4 + 0.2 * paint.shade * texel.normal.z;
   if (texel.edge_units < kWearUnits)
     bright +=
-        paint.wear * (1 - texel.edge_units / kWearUnits) * (0.3 + 0.7 * lump_noise(texel.place, seed + 7));
+        paint.wear * (1 - texel.edge_units / kWearUnits) * (0.3 + 0.7 * lump_noise(texel.position, seed + 7));
   bright = std::clamp(bright, 0.0, 1.0);
+  // Full-bright colors have no shadows.
   const bool glows = ramp == Ramp::kFire || ramp == Ramp::kElectric;
   double value = low + (high - low) * bright;
   if (!glows) value *= 1 - std::min(0.9, kDeepCrease * texel.hidden) * paint.shade;
   const auto x = static_cast<std::int32_t>(number % 65536), y = static_cast<std::int32_t>(number / 65536);
+  // Random dithering, below one step of the ramp, hides the bands between its 16 colors.
   const double dither = (hash_at(x, y, 0, seed) - 0.5) * 0.7 / static_cast<double>(kRampColors - 1);
   return ramp_color(ramp, value + dither);
 }
@@ -176,7 +189,8 @@ std::uint8_t color_of(const SkinTexel& texel, const Paint& paint, std::size_t nu
 
 std::vector<SkinTexel> find_skin_texels(const Mesh& mesh, const Atlas& atlas) {
   const RestNormals normals(mesh);
-  const Occlusion occlusion(mesh, std::clamp(0.16 * height_of(mesh), 1.5, 14.0));
+  // The reach of occlusion is proportional to the model's height, within limits.
+  const Occlusion occlusion(mesh, std::clamp(0.16 * measure_height(mesh), 1.5, 14.0));
   std::vector<SkinTexel> texels(static_cast<std::size_t>(atlas.width) *
                                 static_cast<std::size_t>(atlas.height));
   std::vector<double> nearest(texels.size(), 1e9);
@@ -185,17 +199,19 @@ std::vector<SkinTexel> find_skin_texels(const Mesh& mesh, const Atlas& atlas) {
     Vec3d weights{0.0};
   };
   std::vector<Source> sources(texels.size());
+  // First pass: find the nearest triangle for each texel.
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (mesh.is_image[i]) continue;
     const MeshTriangle& triangle = mesh.triangles[i];
     std::array<Vec2d, 3> corners;
-    for (std::size_t c = 0; c < 3; ++c) corners[c] = atlas.texel(triangle.chart, triangle.corners[c].place);
+    for (std::size_t c = 0; c < 3; ++c)
+      corners[c] = atlas.texel(triangle.chart, triangle.corners[c].position);
     const Vec2d low = glm::min(glm::min(corners[0], corners[1]), corners[2]) - kBleedTexels;
     const Vec2d high = glm::max(glm::max(corners[0], corners[1]), corners[2]) + kBleedTexels;
     for (double y = low.y; y <= high.y; ++y) {
       for (double x = low.x; x <= high.x; ++x) {
         if (x < 0 || y < 0 || x >= atlas.width || y >= atlas.height) continue;
-        const Nearest found = nearest_in(corners, {x, y});
+        const Nearest found = find_nearest_in_triangle(corners, {x, y});
         const std::size_t at =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(atlas.width) + static_cast<std::size_t>(x);
         if (found.distance > kBleedTexels * 1.42 || found.distance >= nearest[at]) continue;
@@ -205,26 +221,27 @@ std::vector<SkinTexel> find_skin_texels(const Mesh& mesh, const Atlas& atlas) {
       }
     }
   }
+  // Second pass: interpolate the triangle's attributes and compute the expensive ones once per used texel.
   for (std::size_t at = 0; at < texels.size(); ++at) {
     SkinTexel& texel = texels[at];
     if (!texel.used) continue;
     const auto& [number, weights] = sources[at];
     const MeshTriangle& triangle = mesh.triangles[number];
-    std::array<Vec3d, 3> places;
-    std::array<bool, 3> stands_out{};
+    std::array<Vec3d, 3> positions;
+    std::array<bool, 3> is_convex_edge{};
     for (std::size_t c = 0; c < 3; ++c) {
       const MeshCorner& corner = triangle.corners[c];
-      places[c] = mesh.points[corner.point].rest;
+      positions[c] = mesh.points[corner.point].rest;
       const double weight = weights[static_cast<int>(c)];
-      texel.place += places[c] * weight;
+      texel.position += positions[c] * weight;
       texel.along += corner.along * weight;
       texel.around_deg += corner.around_deg * weight;
-      stands_out[c] = normals.stands_out(mesh, number, c);
+      is_convex_edge[c] = normals.is_convex_edge(mesh, number, c);
     }
     texel.shape = mesh.chart_shapes[triangle.chart];
     texel.normal = normals.smooth(triangle, weights);
-    texel.edge_units = distance_to_edges(places, stands_out, texel.place);
-    texel.hidden = occlusion.at(number, texel.place, normals.flat(number));
+    texel.edge_units = distance_to_edges(positions, is_convex_edge, texel.position);
+    texel.hidden = occlusion.at(number, texel.position, normals.flat(number));
   }
   return texels;
 }
@@ -235,7 +252,8 @@ std::vector<std::uint8_t> paint_skin(const std::vector<SkinTexel>& texels, std::
   for (std::size_t i = 0; i < texels.size(); ++i) {
     if (!texels[i].used) continue;
     const std::size_t row = i / static_cast<std::size_t>(width), column = i % static_cast<std::size_t>(width);
-    skin[i] = color_of(texels[i], paint_at(texels[i], shapes[texels[i].shape], paints), row * 65536 + column);
+    skin[i] = choose_texel_color(texels[i], paint_at(texels[i], shapes[texels[i].shape], paints),
+                                 row * 65536 + column);
   }
   return skin;
 }

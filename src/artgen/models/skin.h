@@ -1,5 +1,8 @@
-// What a model's skin is painted with: ramps of the palette, lightened, darkened and soiled by noise, by
-// where the surface looks and by how deep it lies in creases.
+// Paints the skins of a model. Each texel knows its position, normal, and surroundings on the model at rest;
+// a paint combines a palette ramp with noise in space, patterns, light from above, worn edges, and ambient
+// occlusion.
+//
+//   Mesh + Atlas -> find_skin_texels, once -> SkinTexels -> paint_skin, for each skin -> palette indices
 #pragma once
 
 #include <cstdint>
@@ -14,53 +17,73 @@
 
 namespace temblor::artgen {
 
-// A second color over parts of a paint.
+// A pattern of spots or stripes in another color on a paint.
 struct PaintLayer {
   Ramp ramp = Ramp::kGray;
+  // The brightness on the ramp of its darkest and brightest parts.
   double low = 0, high = 1;
-  double amount = 0.3;        // 0 to 1: how much of the surface
-  double grain = 4;           // units: of spots
-  double every = 0;           // units from stripe to stripe; 0: spots
-  math::Vec3d axis{0, 0, 1};  // that stripes lie across
-  double waver = 0;           // units that stripes stray
+  // The fraction of the surface that it covers, 0 to 1.
+  double amount = 0.3;
+  // The size of spots in units.
+  double grain = 4;
+  // The distance between stripes in units; 0: spots.
+  double every = 0;
+  // Stripes are perpendicular to this direction.
+  math::Vec3d axis{0, 0, 1};
+  // How far stripes deviate from planes, in units.
+  double waver = 0;
 };
 
+// A material of a model.
 struct Paint {
   std::string name;
   Ramp ramp = Ramp::kGray;
-  double low = 0, high = 1;  // brightness of its darkest and brightest parts
-  double noise = 0.3;        // 0 to 1
-  double grain = 4;          // units: of the noise
-  double wear = 0;           // 0 to 1: crisp edges are bare and bright
-  double shade = 1;          // 0 to 1: of creases and of what looks down
+  // The brightness on the ramp of its darkest and brightest parts.
+  double low = 0, high = 1;
+  // The strength of the noise, 0 to 1.
+  double noise = 0.3;
+  // The size of the noise in units.
+  double grain = 4;
+  // How bright sharp edges are worn, 0 to 1.
+  double wear = 0;
+  // How much creases and undersides are darkened, 0 to 1.
+  double shade = 1;
   std::vector<PaintLayer> layers;
 };
 
-// A part of a shape that has another paint.
+// A part of a shape with another paint. Ranges as in MeshCorner.
 struct Patch {
   std::size_t paint = 0;
   double along_low = 0, along_high = 1;
   double around_low_deg = -180, around_high_deg = 180;
 };
 
+// The paints of a shape.
 struct ShapeLook {
   std::size_t paint = 0;
-  std::vector<Patch> patches;  // later ones over earlier ones
+  // Later ones cover earlier ones.
+  std::vector<Patch> patches;
 };
 
-// What every texel of a skin shows: found once, painted for each skin.
+// What a texel of the skin shows; the same for all skins of a model.
 struct SkinTexel {
+  // Whether any triangle covers it.
   bool used = false;
   std::uint32_t shape = 0;
-  math::Vec3d place{0.0}, normal{0, 0, 1};  // at rest
+  // At rest.
+  math::Vec3d position{0.0}, normal{0, 0, 1};
+  // The position on its shape, as in MeshCorner.
   double along = 0, around_deg = 0;
-  double hidden = 0;        // 0 to 1
-  double edge_units = 1e9;  // to the nearest crisp edge that stands out
+  // Ambient occlusion, 0 to 1.
+  double hidden = 0;
+  // The distance to the nearest sharp convex edge.
+  double edge_units = 1e9;
 };
 
+// Row by row. Mirror images share the texels of their original.
 std::vector<SkinTexel> find_skin_texels(const Mesh& mesh, const Atlas& atlas);
 
-// Palette indices, row by row; never the transparent one.
+// Palette indices, row by row; never the transparent one. Unused texels are 0.
 std::vector<std::uint8_t> paint_skin(const std::vector<SkinTexel>& texels, std::int32_t width,
                                      const std::vector<ShapeLook>& shapes, const std::vector<Paint>& paints);
 

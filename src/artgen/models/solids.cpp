@@ -9,10 +9,12 @@ namespace {
 using math::Vec2d;
 using math::Vec3d;
 
-std::uint32_t last_of(std::size_t count) {
+std::uint32_t last_index(std::size_t count) {
   return static_cast<std::uint32_t>(count - 1);
 }
 
+// Without bevels, a box has 8 points and 6 flat sides. With bevels, it has 24 points, 6 sides, 12 edges, and
+// 8 corner triangles in one smoothing group.
 class BoxBuilder {
  public:
   BoxBuilder(const BoxSurface& surface, std::uint32_t shape, Mesh& io_mesh)
@@ -29,65 +31,66 @@ class BoxBuilder {
   }
 
  private:
-  // Bits of a corner's number are its x, y, z. With bevels a corner has three points, each on the plane of
-  // one axis.
-  Vec3d corner_place(std::uint32_t corner, std::size_t flat_axis) const {
-    Vec3d place;
+  // Bits 0 to 2 of a corner's number select the upper end on x, y, and z. A beveled corner has three points,
+  // each on the side that is perpendicular to `flat_axis`.
+  Vec3d corner_position(std::uint32_t corner, std::size_t flat_axis) const {
+    Vec3d position;
     const double bevel = surface_.bevel;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double half = 0.5 * surface_.size[static_cast<int>(axis)] -
                           (bevel > 0 && axis != flat_axis ? std::min(bevel, 0.45 * smallest()) : 0.0);
-      place[static_cast<int>(axis)] = (corner >> axis & 1) != 0 ? half : -half;
+      position[static_cast<int>(axis)] = (corner >> axis & 1) != 0 ? half : -half;
     }
-    const double up = place.z / surface_.size.z + 0.5;
-    place.x *= 1 + (surface_.taper.x - 1) * up;
-    place.y *= 1 + (surface_.taper.y - 1) * up;
-    return place;
+    const double up = position.z / surface_.size.z + 0.5;
+    position.x *= 1 + (surface_.taper.x - 1) * up;
+    position.y *= 1 + (surface_.taper.y - 1) * up;
+    return position;
   }
   double smallest() const { return std::min({surface_.size.x, surface_.size.y, surface_.size.z}); }
 
-  void add_point(const Vec3d& place) {
-    mesh_.points.push_back({surface_.place(place), surface_.bone, surface_.bone, 0});
-    local_.push_back(place);
+  // Box coordinates are kept, because charts and outward directions need them.
+  void add_point(const Vec3d& position) {
+    mesh_.points.push_back({surface_.transform(position), surface_.bone, surface_.bone, 0});
+    local_.push_back(position);
   }
 
   void add_corners() {
     first_ = static_cast<std::uint32_t>(mesh_.points.size());
-    for (std::uint32_t corner = 0; corner < 8; ++corner) add_point(corner_place(corner, 0));
+    for (std::uint32_t corner = 0; corner < 8; ++corner) add_point(corner_position(corner, 0));
   }
 
-  // The point of a corner on the plane of an axis; made when first asked for.
-  std::uint32_t point_of(std::uint32_t corner, std::size_t axis) {
+  // The index of a corner's point on the side of an axis. Beveled points are made when they are first needed.
+  std::uint32_t find_point(std::uint32_t corner, std::size_t axis) {
     if (surface_.bevel <= 0) return corner;
     std::int32_t& known = beveled_[corner * 3 + axis];
     if (known < 0) {
       if (local_.empty()) first_ = static_cast<std::uint32_t>(mesh_.points.size());
-      add_point(corner_place(corner, axis));
+      add_point(corner_position(corner, axis));
       known = static_cast<std::int32_t>(local_.size()) - 1;
     }
     return static_cast<std::uint32_t>(known);
   }
 
-  // Seen along the axis of the chart's side.
-  MeshCorner corner_of(std::uint32_t local, std::uint32_t side) const {
-    const Vec3d& place = local_[local];
+  // Charts are projections along the axis of a side.
+  MeshCorner make_corner(std::uint32_t local, std::uint32_t side) const {
+    const Vec3d& position = local_[local];
     const std::uint32_t axis = side / 2;
     MeshCorner made;
     made.point = first_ + local;
-    made.place = axis == 0   ? Vec2d(place.y, place.z)
-                 : axis == 1 ? Vec2d(place.x, place.z)
-                             : Vec2d(place.x, place.y);
-    made.along = place.z / surface_.size.z + 0.5;
-    made.around_deg = std::atan2(place.y, place.x) * 180 / 3.14159265358979;
+    made.position = axis == 0   ? Vec2d(position.y, position.z)
+                    : axis == 1 ? Vec2d(position.x, position.z)
+                                : Vec2d(position.x, position.y);
+    made.along = position.z / surface_.size.z + 0.5;
+    made.around_deg = std::atan2(position.y, position.x) * 180 / 3.14159265358979;
     return made;
   }
 
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t side) {
     MeshTriangle triangle;
-    // Outwards is away from the middle.
+    // Outward is away from the center, because the box is convex.
     const Vec3d normal = glm::cross(local_[b] - local_[a], local_[c] - local_[a]);
     if (glm::dot(normal, local_[a] + local_[b] + local_[c]) < 0) std::swap(b, c);
-    triangle.corners = {corner_of(a, side), corner_of(b, side), corner_of(c, side)};
+    triangle.corners = {make_corner(a, side), make_corner(b, side), make_corner(c, side)};
     triangle.chart = charts_ + side;
     triangle.smooth = mesh_.smooth_count - 1;
     mesh_.triangles.push_back(triangle);
@@ -99,13 +102,13 @@ class BoxBuilder {
     add_triangle(points[0], points[2], points[3], side);
   }
 
-  // Sides are -x, +x, -y, ...
+  // Sides are numbered -x, +x, -y, +y, -z, +z.
   void add_side(std::uint32_t side) {
     if (surface_.bevel <= 0) ++mesh_.smooth_count;
     const std::uint32_t axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
     const std::uint32_t base = side % 2 << axis;
-    add_quad({point_of(base, axis), point_of(base | 1u << u, axis), point_of(base | 1u << u | 1u << v, axis),
-              point_of(base | 1u << v, axis)},
+    add_quad({find_point(base, axis), find_point(base | 1u << u, axis),
+              find_point(base | 1u << u | 1u << v, axis), find_point(base | 1u << v, axis)},
              side);
   }
 
@@ -114,14 +117,14 @@ class BoxBuilder {
       const std::uint32_t u = (axis + 1) % 3, v = (axis + 2) % 3;
       for (std::uint32_t edge = 0; edge < 4; ++edge) {
         const std::uint32_t low = (edge & 1) << u | (edge >> 1) << v, high = low | 1u << axis;
-        // Seen from above where it can be, else from the side.
+        // An edge lies on the chart of the upper or lower side if it borders on one, else on a vertical side.
         const std::uint32_t seen = u == 2 ? v : v == 2 ? u : 0u;
         const std::uint32_t side = seen * 2 + (low >> seen & 1);
-        add_quad({point_of(low, u), point_of(high, u), point_of(high, v), point_of(low, v)}, side);
+        add_quad({find_point(low, u), find_point(high, u), find_point(high, v), find_point(low, v)}, side);
       }
     }
     for (std::uint32_t corner = 0; corner < 8; ++corner)
-      add_triangle(point_of(corner, 0), point_of(corner, 1), point_of(corner, 2), 4 + (corner >> 2));
+      add_triangle(find_point(corner, 0), find_point(corner, 1), find_point(corner, 2), 4 + (corner >> 2));
   }
 
   const BoxSurface& surface_;
@@ -136,6 +139,7 @@ class BoxBuilder {
   }();
 };
 
+// The area vector of the polygon (Newell's method). Its direction defines the front.
 Vec3d outline_normal(const std::vector<MeshPoint>& outline) {
   Vec3d sum(0.0);
   for (std::size_t i = 0; i < outline.size(); ++i)
@@ -143,26 +147,29 @@ Vec3d outline_normal(const std::vector<MeshPoint>& outline) {
   return glm::length(sum) > 1e-9 ? glm::normalize(sum) : Vec3d(0, 0, 1);
 }
 
-double turn_of(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
+// Twice the signed area of a triangle: above 0 for a left turn.
+double turn_direction(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Cuts off ears, each the first that holds no other corner. Counter-clockwise outlines.
+// Triangulates a counter-clockwise outline by ear clipping: cuts off the first convex corner that contains no
+// other one.
 std::vector<std::array<std::size_t, 3>> fill_outline(const std::vector<Vec2d>& flat) {
   std::vector<std::size_t> left(flat.size());
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
   std::vector<std::array<std::size_t, 3>> triangles;
   while (left.size() >= 3) {
-    std::size_t ear = 0;  // of a tangled outline, any
+    // If the outline intersects itself, there may be no ear; then any corner is cut off.
+    std::size_t ear = 0;
     for (std::size_t i = 0; i < left.size(); ++i) {
       const std::size_t before = left[(i + left.size() - 1) % left.size()], at = left[i],
                         after = left[(i + 1) % left.size()];
-      if (turn_of(flat[before], flat[at], flat[after]) <= 0) continue;
+      if (turn_direction(flat[before], flat[at], flat[after]) <= 0) continue;
       const bool empty = std::none_of(left.begin(), left.end(), [&](std::size_t other) {
         return other != before && other != at && other != after &&
-               turn_of(flat[before], flat[at], flat[other]) >= 0 &&
-               turn_of(flat[at], flat[after], flat[other]) >= 0 &&
-               turn_of(flat[after], flat[before], flat[other]) >= 0;
+               turn_direction(flat[before], flat[at], flat[other]) >= 0 &&
+               turn_direction(flat[at], flat[after], flat[other]) >= 0 &&
+               turn_direction(flat[after], flat[before], flat[other]) >= 0;
       });
       if (!empty) continue;
       ear = i;
@@ -197,7 +204,7 @@ void add_plate(const PlateSurface& surface, std::uint32_t shape, Mesh& io_mesh) 
     }
   }
   const auto add = [&](const std::array<MeshCorner, 3>& corners) {
-    io_mesh.triangles.push_back({corners, last_of(io_mesh.chart_shapes.size()), io_mesh.smooth_count - 1});
+    io_mesh.triangles.push_back({corners, last_index(io_mesh.chart_shapes.size()), io_mesh.smooth_count - 1});
     io_mesh.is_image.push_back(false);
   };
   const std::vector<std::array<std::size_t, 3>> filling = fill_outline(flat);

@@ -9,20 +9,28 @@
 
 namespace temblor::artgen {
 
+// A box around the origin of its own coordinates.
 struct BoxSurface {
-  Transform place;         // the model's space from the box's
-  math::Vec3d size{1.0};   // edge to edge
-  math::Vec2d taper{1.0};  // its upper side's x and y, in parts of the lower's
-  double bevel = 0;        // 0: crisp edges
+  // From the box's coordinates to the model's.
+  Transform transform;
+  // The full lengths of its sides.
+  math::Vec3d size{1.0};
+  // The size of the upper side in x and y, relative to the lower side.
+  math::Vec2d taper{1.0};
+  // The width of beveled edges; 0: sharp edges. It is limited to 0.45 of the shortest side.
+  double bevel = 0;
   std::size_t bone = 0;
 };
+// Appends the box to the mesh as part of shape number `shape`. Each side is a chart.
 void add_box(const BoxSurface& surface, std::uint32_t shape, Mesh& io_mesh);
 
-// An outline, about flat, with a thickness to both sides.
+// An approximately flat outline that is extruded by half of the thickness to both sides.
 struct PlateSurface {
-  std::vector<MeshPoint> outline;  // at least three
+  // At least three points, in either direction; it may be concave.
+  std::vector<MeshPoint> outline;
   double thickness = 1;
 };
+// Appends the plate: front, back, and rim are three charts.
 void add_plate(const PlateSurface& surface, std::uint32_t shape, Mesh& io_mesh);
 
 }  // namespace temblor::artgen

@@ -1,4 +1,4 @@
-// Places and turns of a model's bones. x is ahead, y left, z up.
+// Affine transforms for bones and shapes of a model. x is forward, y left, z up, in map units.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -7,18 +7,20 @@
 
 namespace temblor::artgen {
 
+// Maps a point p to linear * p + offset. transform(p) applies it.
 struct Transform {
   glm::dmat3 linear{1.0};
   math::Vec3d offset{0.0};
 
-  math::Vec3d operator()(const math::Vec3d& place) const { return linear * place + offset; }
+  math::Vec3d operator()(const math::Vec3d& position) const { return linear * position + offset; }
+  // The transform that applies `inner` first.
   Transform operator*(const Transform& inner) const {
     return {linear * inner.linear, linear * inner.offset + offset};
   }
 };
 
-// Pitch leans what points up ahead, yaw turns what points ahead to the left, roll leans what points up to the
-// right; roll first.
-glm::dmat3 rotation(const math::Vec3d& pitch_yaw_roll_deg);
+// For a bone that points up, pitch leans it forward and roll leans it to the right; yaw turns it to the left.
+// Roll is applied first, then pitch, then yaw.
+glm::dmat3 make_rotation(const math::Vec3d& pitch_yaw_roll_deg);
 
 }  // namespace temblor::artgen

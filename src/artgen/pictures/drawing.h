@@ -1,4 +1,4 @@
-// The lines of a drawing, painted in their order.
+// Draws the lines of a drawing onto a canvas, in their order.
 #pragma once
 
 #include <span>
@@ -9,11 +9,16 @@
 
 namespace temblor::artgen::pictures {
 
-// Shapes with their ink (words.h), and
-//   group at=X,Y turn=DEG scale=N     what is below it is placed so
-//   usual SHAPE settings              what later lines of that shape have if they do not say it
-//   write "text" X,Y color=...       in the glyphs that stand in the drawing
-//   tint RAMP:TONE by=0.5 rim=yes, shade 0.6, weather 0.2 lump=8    change all that was painted before
+// Besides shapes with their ink (drawing_settings.h), drawings contain
+//
+//   group at=X,Y turn=DEG scale=N     transforms the lines below it
+//   usual SHAPE SETTINGS              defaults for later shapes of this kind in this group
+//   write "text" X,Y color=...        in the glyphs that are defined among the same lines
+//   tint 0.5 color=RAMP:TONE rim=yes, shade 0.6, weather 0.2 lump=8
+//                                     change everything painted so far
+//
+// `placement` transforms the whole drawing. Fails at the first line with a problem; the canvas is then
+// incomplete.
 base::Status draw(std::span<const ScriptLine> lines, const Placement& placement, Canvas& io_canvas);
 
 }  // namespace temblor::artgen::pictures

@@ -1,5 +1,6 @@
-// A letter is a list of cuts between points of a grid 4 (M and W: 6) wide and 6 high: "06 00 40" goes from
-// the lower left corner up and to the right; a bar begins another cut.
+// A letter is a list of cuts between points of a grid that is 6 high and 4 wide (6 for M and W). "06 00 40"
+// goes from the lower left corner up and then to the right: each pair of digits is x and y. A bar starts a
+// new cut.
 #include "artgen/pictures/lettering.h"
 
 #include <algorithm>
@@ -64,32 +65,34 @@ constexpr std::array kLetters = {
     Letter{'\'', "00 01"},
 };
 
-char capital(char letter) {
+char to_capital(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
 }
 
 const Letter* find_letter(char name) {
   const auto found = std::find_if(kLetters.begin(), kLetters.end(),
-                                  [&](const Letter& letter) { return letter.name == capital(name); });
+                                  [&](const Letter& letter) { return letter.name == to_capital(name); });
   return found != kLetters.end() ? &*found : nullptr;
 }
 
+// The largest x of a letter's cuts. Every entry has three characters: x, y, and a separator.
 double grid_width(const Letter& letter) {
   char widest = '0';
   for (std::size_t i = 0; i < letter.cuts.size(); i += 3) widest = std::max(widest, letter.cuts[i]);
   return widest - '0';
 }
 
-// Pixels between the grid's lines.
-math::Vec2d grid_step(const LetteringLook& look) {
-  const double down = (look.height - look.weight) / kGridHeight;
-  return {down * look.narrow, down};
+// The distance in pixels between two grid lines.
+math::Vec2d grid_step(const LetteringStyle& style) {
+  const double down = (style.height - style.weight) / kGridHeight;
+  return {down * style.narrow, down};
 }
 
-double advance(char name, const LetteringLook& look) {
+// From a letter's left edge to the next letter's.
+double measure_advance(char name, const LetteringStyle& style) {
   const Letter* const letter = find_letter(name);
-  const double step = grid_step(look).x;
-  return letter == nullptr ? kBlankWidth * step : grid_width(*letter) * step + look.weight + look.spacing;
+  const double step = grid_step(style).x;
+  return letter == nullptr ? kBlankWidth * step : grid_width(*letter) * step + style.weight + style.spacing;
 }
 
 }  // namespace
@@ -98,31 +101,31 @@ bool has_letter(char letter) {
   return letter == ' ' || find_letter(letter) != nullptr;
 }
 
-double text_width(std::string_view text, const LetteringLook& look) {
-  double width = -look.spacing;
-  for (const char name : text) width += advance(name, look);
+double measure_text(std::string_view text, const LetteringStyle& style) {
+  double width = -style.spacing;
+  for (const char name : text) width += measure_advance(name, style);
   return std::max(width, 0.0);
 }
 
-Outline make_text(std::string_view text, math::Vec2d left_top, const LetteringLook& look) {
+Outline make_text(std::string_view text, math::Vec2d left_top, const LetteringStyle& style) {
   std::vector<Outline> cuts;
-  math::Vec2d corner = left_top + math::Vec2d{look.weight, look.weight} * 0.5;
+  math::Vec2d corner = left_top + math::Vec2d{style.weight, style.weight} * 0.5;
   for (const char name : text) {
     CHECK(has_letter(name), "{}", name);
     if (const Letter* const letter = find_letter(name)) {
       std::vector<math::Vec2d> points;
       for (std::size_t i = 0; i < letter->cuts.size(); i += 3) {
         points.push_back(corner +
-                         math::Vec2d{letter->cuts[i] - '0', letter->cuts[i + 1] - '0'} * grid_step(look));
+                         math::Vec2d{letter->cuts[i] - '0', letter->cuts[i + 1] - '0'} * grid_step(style));
         if (i + 2 < letter->cuts.size() && letter->cuts[i + 2] == ' ') continue;
-        cuts.push_back(make_line(points, look.weight, look.flare));
+        cuts.push_back(make_line(points, style.weight, style.flare));
         points.clear();
       }
     }
-    corner.x += advance(name, look);
+    corner.x += measure_advance(name, style);
   }
   CHECK(!cuts.empty(), "no letter to see");
-  return joined(std::move(cuts));
+  return join_outlines(std::move(cuts));
 }
 
 }  // namespace temblor::artgen::pictures

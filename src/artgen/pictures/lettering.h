@@ -1,4 +1,4 @@
-// Large letters, of straight cuts, for titles, numbers and signs.
+// Large letters that consist of straight cuts, as if cut into stone: for titles, numbers, and signs.
 #pragma once
 
 #include <string_view>
@@ -7,20 +7,27 @@
 
 namespace temblor::artgen::pictures {
 
-struct LetteringLook {
-  double height = 20;  // pixels, cuts included
-  double weight = 4;   // width of a cut
-  double flare = 1;    // how much wider cuts are at their ends
-  double spacing = 2;  // between letters
-  double narrow = 1;   // times as wide as usual
+// All sizes are pixels.
+struct LetteringStyle {
+  // The height of a letter, including the width of its cuts.
+  double height = 20;
+  // The width of a cut.
+  double weight = 4;
+  // How many times wider a cut is at its ends.
+  double flare = 1;
+  // Between letters.
+  double spacing = 2;
+  // A factor for the letters' width.
+  double narrow = 1;
 };
 
-// Small letters become capitals. Signs: - : / . ! ' and the blank.
+// Lower-case letters are drawn as capitals. Also exist: digits, the blank, and - : / . ! '
 bool has_letter(char letter);
 
-double text_width(std::string_view text, const LetteringLook& look);
-// `left` and `top` of the first letter's edge. CHECKs that there is something to see and that all letters are
-// known.
-Outline make_text(std::string_view text, math::Vec2d left_top, const LetteringLook& look);
+// The width of a line of text.
+double measure_text(std::string_view text, const LetteringStyle& style);
+// The outline of a line of text with its upper left corner at `left_top`. CHECKs that all letters exist and
+// that at least one of them is visible.
+Outline make_text(std::string_view text, math::Vec2d left_top, const LetteringStyle& style);
 
 }  // namespace temblor::artgen::pictures

@@ -1,4 +1,6 @@
-// Shapes in the plane, as distances: what the painter fills, rounds and lights.
+// Two-dimensional shapes as signed distance functions. A distance is all that the painter needs to fill a
+// shape, to draw an edge or glow around it, and to round and light its rim (canvas.h). Coordinates are
+// pixels, x right and y down.
 #pragma once
 
 #include <functional>
@@ -9,31 +11,39 @@
 
 namespace temblor::artgen::pictures {
 
-// Pixels, x right and y down.
+// A shape. Its functions own copies of their parameters, so an outline is independent of what it was made
+// from.
 struct Outline {
-  // To the shape's edge: below 0 inside. Near the edge it is exact, or too small for parts that overlap.
+  // The distance in pixels to the shape's edge, negative inside. It is exact near the edge, except that it
+  // may be too small where joined parts overlap.
   std::function<double(math::Vec2d)> distance;
-  math::Vec2d mins{0.0}, maxs{0.0};  // all of the inside
+  // A box that contains the inside.
+  math::Vec2d mins{0.0}, maxs{0.0};
 };
 
+// `rounding` is the corners' radius, limited to half of the shorter side.
 Outline make_box(math::Vec2d mins, math::Vec2d maxs, double rounding);
 Outline make_ellipse(math::Vec2d middle, math::Vec2d radii);
+// A circle line of `width` around `radius`.
 Outline make_ring(math::Vec2d middle, double radius, double width);
-// From angle to angle, in degrees clockwise from the right.
+// A part of a ring from one angle to another, in degrees clockwise from the right, with round ends.
 Outline make_arc(math::Vec2d middle, double radius, double width, double from_deg, double to_deg);
-Outline make_polygon(std::vector<math::Vec2d> corners);  // at least 3
-// Joined lines with flat ends; each line is `flare` times wider at its ends than in its middle, as cut with a
-// chisel.
+// At least 3 corners, in either direction. The polygon may be concave.
+Outline make_polygon(std::vector<math::Vec2d> corners);
+// Connected lines with flat ends. Each line is `flare` times as wide at its ends as in the middle, like a
+// chisel cut. At least 1 point.
 Outline make_line(const std::vector<math::Vec2d>& points, double width, double flare);
-Outline make_trace(const std::vector<math::Vec2d>& points,
-                   double width);  // the same, round; 2 points or more
-// What lies below a line from left to right, given by its heights at whole pixels from x = 0 on.
+// Connected lines with round ends. At least 2 points.
+Outline make_trace(const std::vector<math::Vec2d>& points, double width);
+// Everything below a line that is given by its heights at x = 0, 1, 2, and so on. At least 2 heights.
 Outline make_ground(std::vector<double> tops, double bottom);
-// A disc whose radius wanders by +- `rough` of itself, in lumps as long as `lump` radii.
+// A disc whose radius varies at random by up to +-2 * `rough` times itself. `lump` is the length of the
+// bulges in radii.
 Outline make_blob(math::Vec2d middle, double radius, double rough, double lump, double seed);
 
-// The same mirrored about the vertical line at x, and both together.
-Outline with_mirror(Outline outline, double x);
-Outline joined(std::vector<Outline> outlines);  // at least one
+// The shape together with its mirror image at the vertical line at x.
+Outline add_mirror_image(Outline outline, double x);
+// The union of at least one shape.
+Outline join_outlines(std::vector<Outline> outlines);
 
 }  // namespace temblor::artgen::pictures

@@ -1,4 +1,4 @@
-// The words of 2-D art: font, picture, wadpicture, pictures, wadpictures, sprite, icon.
+// The ArtMakers of two-dimensional art (art.h). A drawing's lines are described in drawing.h.
 #pragma once
 
 #include <vector>
@@ -7,17 +7,18 @@
 
 namespace temblor::artgen {
 
-// font NAME first=gray second=gold: a lump of gfx.wad with 256 glyphs of 8 x 8 (pictures/glyphs.h)
-base::Result<std::vector<ArtPart>> make_font(const ScriptLine& thing);
-// picture NAME 320x200: gfx/NAME.lmp; wadpicture: a lump of gfx.wad (pictures/drawing.h)
-base::Result<std::vector<ArtPart>> make_picture(const ScriptLine& thing);
-base::Result<std::vector<ArtPart>> make_wad_picture(const ScriptLine& thing);
-// pictures 24x24: every `drawing NAME` in every `style PREFIX`, whose line `drawing` stands for it.
-base::Result<std::vector<ArtPart>> make_pictures(const ScriptLine& thing);
-base::Result<std::vector<ArtPart>> make_wad_pictures(const ScriptLine& thing);
-// sprite progs/s_bubble.spr 16x16 facing=view: a drawing in each `frame`.
-base::Result<std::vector<ArtPart>> make_sprite(const ScriptLine& thing);
-// icon NAME 256: icon/NAME.png of that side, drawn on 64 x 64 pixels.
-base::Result<std::vector<ArtPart>> make_icon(const ScriptLine& thing);
+// font NAME first=gray second=gold: a lump of gfx.wad with 256 glyphs of 8 x 8 pixels (glyphs.h).
+base::Result<std::vector<ArtPart>> make_font(const ScriptLine& asset);
+// picture NAME 320x200: gfx/NAME.lmp. wadpicture: a lump of gfx.wad.
+base::Result<std::vector<ArtPart>> make_picture(const ScriptLine& asset);
+base::Result<std::vector<ArtPart>> make_wad_picture(const ScriptLine& asset);
+// pictures 24x24: a picture PREFIXNAME for every pair of a `style PREFIX` and a `drawing NAME`. A line
+// `drawing` in the style marks where the drawing goes.
+base::Result<std::vector<ArtPart>> make_pictures(const ScriptLine& asset);
+base::Result<std::vector<ArtPart>> make_wad_pictures(const ScriptLine& asset);
+// sprite progs/s_bubble.spr 16x16 facing=view: an SPR file; each `frame` line contains a drawing.
+base::Result<std::vector<ArtPart>> make_sprite(const ScriptLine& asset);
+// icon NAME 256: the true-color picture icon/NAME.png with this side, drawn in 64 x 64 coordinates.
+base::Result<std::vector<ArtPart>> make_icon(const ScriptLine& asset);
 
 }  // namespace temblor::artgen

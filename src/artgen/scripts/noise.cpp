@@ -7,6 +7,7 @@ namespace {
 
 constexpr int kOctaves = 3;
 
+// The smoothstep polynomial: its slope is 0 at both ends, so cells join without a crease.
 double smooth(double fraction) {
   return fraction * fraction * (3 - 2 * fraction);
 }
@@ -15,7 +16,8 @@ double mix(double from, double to, double fraction) {
   return from + (to - from) * fraction;
 }
 
-// Values at the corners of a grid of `columns` x `rows` that repeats, blended between.
+// One octave: random values at the corners of a grid of `columns` x `rows` cells that repeats, interpolated
+// between them.
 double value_noise(double x, double y, std::int32_t columns, std::int32_t rows, std::uint64_t seed) {
   const auto x0 = static_cast<std::int32_t>(std::floor(x));
   const auto y0 = static_cast<std::int32_t>(std::floor(y));
@@ -31,6 +33,7 @@ double value_noise(double x, double y, std::int32_t columns, std::int32_t rows, 
 }  // namespace
 
 double hash_noise(std::int32_t x, std::int32_t y, std::uint64_t seed) {
+  // Integer arithmetic that wraps around, and the upper 53 bits as a double: exact on every machine.
   std::uint64_t mixed = seed * 0x9e3779b97f4a7c15u + static_cast<std::uint32_t>(x) * 0xd6e8feb86659fd93u +
                         static_cast<std::uint32_t>(y) * 0xa0761d6478bd642fu;
   mixed = (mixed ^ (mixed >> 32)) * 0xd6e8feb86659fd93u;
@@ -56,6 +59,7 @@ double tiling_noise(double across, double down, const NoiseLumps& lumps, std::ui
     columns *= 2;
     rows *= 2;
   }
+  // Normalized, so that the range does not depend on the number of octaves.
   return sum / weights;
 }
 

@@ -1,5 +1,5 @@
-// Parts: lines that several things share. "part NAME" makes nothing by itself; a line "use NAME" in a thing,
-// or below one of its lines, stands for what is under the part, wherever among the scripts that is.
+// Parts: lines that several assets share. A line "part NAME" at the left edge makes nothing itself. A line
+// "use NAME", anywhere in an asset of any script, is replaced by the lines under that part.
 #pragma once
 
 #include <map>
@@ -10,12 +10,14 @@
 
 namespace temblor::artgen {
 
+// Parts by name. The lines are owned by the scripts.
 using Parts = std::map<std::string, const ScriptLine*>;
 
-// Adds a part; two of one name are an error.
+// Adds a part. Fails if its name is taken.
 base::Status add_part(const ScriptLine& part, Parts& io_parts);
 
-// The thing with every "use" replaced. Errors: no such part, one that uses itself.
-base::Result<ScriptLine> with_parts(const ScriptLine& thing, const Parts& parts);
+// Returns a copy of the asset in which every "use" line is replaced. Inserted lines remember their part for
+// error messages. Fails for an unknown part and for parts that use each other in a circle.
+base::Result<ScriptLine> expand_parts(const ScriptLine& asset, const Parts& parts);
 
 }  // namespace temblor::artgen

@@ -1,10 +1,10 @@
-// Values that move while a sound lasts, as scripts write them:
+// Values that change during a sound, as scripts write them:
 //
-//   440             all the time
-//   440..110        from the voice's beginning to its end
+//   440             constant
+//   440..110        from the start of the voice to its end
 //   0..1@0.05..0    by way of 1, which is reached after 0.05 s
 //
-// Points without a time lie evenly between those that have one.
+// Points without a time are spaced evenly between points with one.
 #pragma once
 
 #include <cstddef>
@@ -17,49 +17,57 @@
 
 namespace temblor::artgen {
 
-// kSteady: the same distance each second; kByRatio: the same ratio, as pitch is heard. By ratio all values
-// must be above 0.
-enum class Glide { kSteady, kByRatio };
+// How values change between two points. kLinear: by the same amount each second. kExponential: by the same
+// factor each second, which is how pitch is heard; all values must then be above 0.
+enum class Glide { kLinear, kExponential };
 
+// A function of time, given by points.
 class Curve {
  public:
   struct Point {
     double time_s = 0, value = 0;
   };
 
+  // `points` must not be empty, and their times must not decrease.
   Curve(std::vector<Point> points, Glide glide) : points_(std::move(points)), glide_(glide) {}
 
+  // Multiplies all values.
   void scale(double factor) {
     for (Point& point : points_) point.value *= factor;
   }
-  // Before the first point and after the last one it stays as there.
+  // The value at a time. Before the first point and after the last one it is constant.
   double at(double time_s) const;
-  // Its values at `count` times, 1 / rate apart; between every sixteenth in a straight line.
+  // The values at `count` times that are 1 / rate apart. Only every sixteenth is computed; the others are
+  // interpolated linearly.
   Signal values(std::size_t count, double rate) const;
 
  private:
-  std::vector<Point> points_;  // at least one, times never falling
+  // By time, at least one.
+  std::vector<Point> points_;
   Glide glide_;
 };
 
+// The valid values of a curve, and how it is interpolated.
 struct CurveLimits {
   double lowest = 0, highest = 1;
-  Glide glide = Glide::kSteady;
+  Glide glide = Glide::kLinear;
 };
-constexpr CurveLimits kHertz{0.01, 20000, Glide::kByRatio};
+// The limits of frequencies.
+constexpr CurveLimits kHertz{0.01, 20000, Glide::kExponential};
 
-// A setting, and the next value by place, of a voice that lasts for `length_s`. What is no curve or outside
-// the limits is a complaint, and `otherwise` is what comes back.
-Curve curve_setting(Arguments& io_arguments, std::string_view name, double otherwise,
-                    const CurveLimits& limits, double length_s);
-Curve curve_value(Arguments& io_arguments, double otherwise, const CurveLimits& limits, double length_s);
+// Reads a setting, or the next positional value, as a curve of a voice that lasts `length_s`. An invalid text
+// or a value outside the limits is recorded as a problem, and the result is constantly `fallback`.
+Curve read_curve_setting(Arguments& io_arguments, std::string_view name, double fallback,
+                         const CurveLimits& limits, double length_s);
+Curve read_curve_value(Arguments& io_arguments, double fallback, const CurveLimits& limits, double length_s);
 
-// The parts of "a..b@0.2..c": what stands before the @, and when. Nothing where a time is no number, lies
-// before the one in front of it, or where a part is empty.
-struct TimedWord {
-  std::string_view word;
+// One part of "a..b@0.2..c": the text before the @, and the time.
+struct TimedText {
+  std::string_view text;
   double time_s = 0;
 };
-std::vector<TimedWord> timed_words(std::string_view text, double length_s);
+// Splits a list with times. Returns nothing if a time is not a number or earlier than the one before it, or
+// if a part is empty.
+std::vector<TimedText> parse_timed_texts(std::string_view text, double length_s);
 
 }  // namespace temblor::artgen

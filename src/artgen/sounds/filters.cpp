@@ -7,17 +7,19 @@
 namespace temblor::artgen {
 namespace {
 
-constexpr double kMaxPart = 0.47;  // of the rate
+// The highest frequency as a fraction of the rate. The tangent grows without bound toward 0.5.
+constexpr double kMaxPart = 0.47;
 
 }  // namespace
 
-void StateFilter::set(double frequency, double q, double rate) {
+void StateVariableFilter::set(double frequency, double q, double rate) {
+  // Prewarping: the bilinear transform moves frequencies, and the tangent moves this one back.
   g_ = std::tan(std::numbers::pi * std::min(frequency / rate, kMaxPart));
   damping_ = 1 / q;
   scale_ = 1 / (1 + g_ * (g_ + damping_));
 }
 
-StateFilter::Bands StateFilter::step(double sample) {
+StateVariableFilter::Bands StateVariableFilter::step(double sample) {
   const double high = (sample - (damping_ + g_) * first_ - second_) * scale_;
   const double band = g_ * high + first_;
   const double low = g_ * band + second_;
@@ -26,7 +28,7 @@ StateFilter::Bands StateFilter::step(double sample) {
   return {low, band * damping_, high};
 }
 
-void Smoother::set(double frequency, double rate) {
+void OnePoleLowpass::set(double frequency, double rate) {
   part_ = 1 - std::exp(-2 * std::numbers::pi * std::min(frequency / rate, kMaxPart));
 }
 

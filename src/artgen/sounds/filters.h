@@ -1,17 +1,20 @@
-// Filters whose frequency may move from sample to sample.
+// Filters whose frequency may change with every sample. They are the building blocks of effects, voices, and
+// reverb.
 #pragma once
 
 namespace temblor::artgen {
 
-// Two poles, three outputs at once: the trapezoidal state-variable filter (V. Zavalishin, "The Art of VA
-// Filter Design", 2012), which stays stable however its frequency moves.
-class StateFilter {
+// A filter with two poles and three outputs at once, in the trapezoidal (zero-delay feedback) form, which
+// stays stable however its frequency moves (V. Zavalishin, "The Art of VA Filter Design", 2012).
+class StateVariableFilter {
  public:
   struct Bands {
-    double low = 0, band = 0, high = 0;  // band: 1 at the frequency itself
+    // `band` has a gain of 1 at the filter's frequency.
+    double low = 0, band = 0, high = 0;
   };
 
-  // `frequency` is kept below half the rate; q: 0.7 has no peak, 10 rings.
+  // Changes the filter and keeps its state. `frequency` is limited to less than half the rate. A q of 0.7 has
+  // no peak (Butterworth); 10 rings.
   void set(double frequency, double q, double rate);
   Bands step(double sample);
 
@@ -20,13 +23,14 @@ class StateFilter {
   double first_ = 0, second_ = 0;
 };
 
-// One pole: 6 dB an octave are taken away above the frequency.
-class Smoother {
+// A lowpass with one pole: 6 dB per octave above the frequency.
+class OnePoleLowpass {
  public:
   void set(double frequency, double rate);
   double step(double sample) { return state_ += part_ * (sample - state_); }
 
  private:
+  // The fraction of the difference to the input that a step adds; the last output.
   double part_ = 1, state_ = 0;
 };
 

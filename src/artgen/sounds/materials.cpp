@@ -1,6 +1,6 @@
-// Ratios: bars free at both ends, membranes and plates as the theory of sound has them (Rayleigh, 1877;
-// Fletcher and Rossing, "The Physics of Musical Instruments", 1998), bells as they are tuned (hum, prime,
-// tierce, quint, nominal), the others made up by the same kind of thing.
+// The ratios of bars with free ends, membranes, and plates come from acoustics (Rayleigh, "The Theory of
+// Sound", 1877; Fletcher and Rossing, "The Physics of Musical Instruments", 1998). Those of the bell are its
+// usual tuning (hum, prime, tierce, quint, nominal). The other materials are made up in the same manner.
 #include "artgen/sounds/materials.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 namespace temblor::artgen {
 namespace {
 
+// Name, ratios, ring_s, damping; in alphabetical order.
 const std::array<SoundMaterial, 11>& table() {
   static const std::array<SoundMaterial, 11> materials = {{
       {"bar", {1, 2.756, 5.404, 8.933, 13.34, 18.64}, 1.6, 0.7},
@@ -50,14 +51,16 @@ Resonances::Resonances(const SoundMaterial& material, const Settings& settings, 
   Noise noise(settings.seed);
   double sum = 0;
   for (const double ratio : material.ratios) {
-    const double mistuned = 1 + settings.spread * noise.both();
+    const double mistuned = 1 + settings.spread * noise.bipolar();
     const double frequency = settings.pitch * ratio * mistuned;
     if (frequency > 0.45 * rate) continue;
     const double ring_s = settings.ring_s * std::pow(ratio, -material.damping);
     const double loss = std::pow(10.0, -3 / std::max(1.0, ring_s * rate));
     const double angle = 2 * std::numbers::pi * frequency / rate;
+    // High modes are weaker.
     const double share = std::pow(ratio, -0.3);
-    // A sample of 1 through these two poles gives 1/sin(angle) times a sine that begins at its top.
+    // The impulse response of two poles at radius `loss` is a sine divided by sin(angle); the gain cancels
+    // that.
     modes_.push_back({2 * loss * std::cos(angle), -loss * loss, share * std::sin(angle), 0, 0});
     sum += share;
   }

@@ -1,4 +1,5 @@
-// What sound is while it is made: samples, one channel, and the noise that is the same every time.
+// The representation of sound during synthesis: one channel of samples, and a source of random numbers. All
+// random numbers come from seeds, so the same script makes the same sound.
 #pragma once
 
 #include <cmath>
@@ -10,29 +11,32 @@
 
 namespace temblor::artgen {
 
-using Signal = std::vector<double>;  // around -1 to 1; what comes out of a script is brought to level last
+// Samples, usually between -1 and 1. Intermediate signals may exceed that; mastering.h normalizes them at the
+// end.
+using Signal = std::vector<double>;
 
-// Samples are made at this rate, and files of half that rate are made from it.
+// The rate in samples per second at which sounds are made. Files with half that rate are derived from it.
 constexpr double kSynthesisRate = 44100;
 
-inline std::size_t frames_in(double seconds, double rate) {
+// The number of samples that last so long, rounded.
+inline std::size_t count_frames(double seconds, double rate) {
   return static_cast<std::size_t>(std::lround(seconds * rate));
 }
 
-// Random numbers that depend on the seed alone.
+// A generator of random numbers that depend only on the seed (SplitMix64).
 class Noise {
  public:
-  explicit Noise(std::uint64_t seed) : state_(base::mixed_bits(seed + base::kGoldenGamma)) {}
+  explicit Noise(std::uint64_t seed) : state_(base::mix_bits(seed + base::kGoldenGamma)) {}
 
-  // From 0 up to 1.
+  // Uniform in [0, 1).
   double unit() {
     state_ += base::kGoldenGamma;
-    return static_cast<double>(base::mixed_bits(state_) >> 11) * 0x1p-53;
+    return static_cast<double>(base::mix_bits(state_) >> 11) * 0x1p-53;
   }
-  // From -1 up to 1.
-  double both() { return 2 * unit() - 1; }
-  // From `low` to `high`, as many in each octave.
-  double octaves(double low, double high) { return low * std::pow(high / low, unit()); }
+  // Uniform in [-1, 1).
+  double bipolar() { return 2 * unit() - 1; }
+  // From `low` to `high`, with the same probability for each octave. Both must be above 0.
+  double log_uniform(double low, double high) { return low * std::pow(high / low, unit()); }
 
  private:
   std::uint64_t state_;

@@ -1,13 +1,15 @@
-// The word `sound`: one file of the game's sounds.
+// The ArtMaker of `sound`: one sound file of the game.
 //
 //   sound weapons/rocket1i length=0.8 class=weapon
 //     noise pink decay=0.6
 //       lowpass 6000..300
 //     tone sine pitch=120..40 decay=0.4
 //
-// length= is in seconds, class= says how loud (mastering.h), louder= by how many dB more than its class;
-// rate= is 22050 or 44100. loop=0.5 plays on from there for ever, and the file's end leads over to it; blend=
-// says for how long. fade= is how long the last of a sound takes to fall silent.
+// length= is in seconds. class= determines the loudness (mastering.h), louder= adds dB to it. rate= is 22050
+// or 44100. loop=0.5 makes the sound loop from there on; the end is blended into the loop's start over blend=
+// seconds. fade= is the length of the fade at the end of a sound that does not loop.
+//
+//   lines -> render_patch -> remove_rumble -> halve_rate -> normalize_loudness -> fades -> 16-bit WAV
 #pragma once
 
 #include <vector>
@@ -16,6 +18,7 @@
 
 namespace temblor::artgen {
 
-base::Result<std::vector<ArtPart>> make_sound_file(const ScriptLine& thing);
+// Makes sound/FOLDER/NAME.wav. The random seed comes from the name.
+base::Result<std::vector<ArtPart>> make_sound_file(const ScriptLine& asset);
 
 }  // namespace temblor::artgen

@@ -8,7 +8,7 @@
 namespace temblor::artgen {
 namespace {
 
-// The library's parts, each cleared by what it stands on last.
+// Owns the library's objects. They are cleared in the reverse order of their initialization.
 class Encoder {
  public:
   Encoder() { vorbis_info_init(&info_); }
@@ -32,6 +32,7 @@ class Encoder {
     return true;
   }
 
+  // The three header packets of Vorbis: identification, comments, and codebooks.
   void write_headers() {
     vorbis_comment comment;
     vorbis_comment_init(&comment);
@@ -40,10 +41,11 @@ class Encoder {
     for (ogg_packet* packet : {&identification, &comments, &codebooks}) ogg_stream_packetin(&stream_, packet);
     vorbis_comment_clear(&comment);
     ogg_page page;
-    while (ogg_stream_flush(&stream_, &page) != 0) add(page);  // sound begins on a page of its own
+    // The specification demands that audio starts on a new page.
+    while (ogg_stream_flush(&stream_, &page) != 0) add(page);
   }
 
-  // None of them: the end.
+  // Encodes samples from `start`. A count of 0 marks the end of the stream.
   void write_samples(const std::array<Signal, 2>& channels, std::size_t start, std::size_t count) {
     if (count > 0) {
       float** const buffer = vorbis_analysis_buffer(&state_, static_cast<int>(count));
@@ -65,6 +67,7 @@ class Encoder {
     }
   }
 
+  // Flushes the last page and returns the file.
   base::ByteVector take() {
     ogg_page page;
     while (ogg_stream_flush(&stream_, &page) != 0) add(page);
@@ -97,9 +100,10 @@ base::Result<base::ByteVector> write_vorbis(const std::array<Signal, 2>& channel
   Encoder encoder;
   if (!encoder.start(settings))
     return base::error(base::ErrorCode::kUnsupported,
-                       "the Vorbis encoder takes no {} frames a second at quality {}",
+                       "the Vorbis encoder does not support {} frames per second at quality {}",
                        settings.frames_per_second, settings.quality);
   encoder.write_headers();
+  // The size of the encoder's input buffer; the result does not depend on it.
   constexpr std::size_t kPiece = 4096;
   for (std::size_t start = 0; start < channels[0].size(); start += kPiece)
     encoder.write_samples(channels, start, std::min(kPiece, channels[0].size() - start));

@@ -1,4 +1,5 @@
-// Samples to an Ogg Vorbis file: the same bytes every time.
+// Encodes samples as an Ogg Vorbis file with libvorbisenc. The stream's serial number is fixed, so the same
+// input makes the same bytes.
 #pragma once
 
 #include <array>
@@ -9,13 +10,17 @@
 
 namespace temblor::artgen {
 
+// The parameters of the encoder.
 struct VorbisSettings {
   long frames_per_second = 32000;
-  float quality = 0.2F;  // -0.1 to 1, as the encoder counts: 0.2 is about 96 kbit a second at 44,100
-  int serial = 1;        // of the stream in its container
+  // The encoder's quality, from -0.1 to 1. 0.2 is about 96 kbit/s at 44,100 Hz.
+  float quality = 0.2F;
+  // Of the logical stream in the Ogg container.
+  int serial = 1;
 };
 
-// Left and right, as long as one another. An error is one of settings that the encoder does not take.
+// Encodes a left and a right channel, which must have the same length. Fails if the encoder does not support
+// the settings.
 base::Result<base::ByteVector> write_vorbis(const std::array<Signal, 2>& channels,
                                             const VorbisSettings& settings);
 

@@ -1,5 +1,5 @@
-// Shapes that grow by chance: patches of moss, veins, streaks of rain, cracks, pebbles; worn edges and
-// hollows.
+// Random shapes: patches of moss, veins, streaks of rain, cracks, pebbles; and worn edges and hollows, which
+// depend on the heights painted so far.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +13,8 @@
 namespace temblor::artgen {
 namespace {
 
-Cover noise_of(const Surface& surface, const NoiseLumps& lumps, std::uint64_t seed) {
+// Noise for every texel, in [0, 1).
+Cover make_noise(const Surface& surface, const NoiseLumps& lumps, std::uint64_t seed) {
   Cover noise(surface.width, surface.height);
   for (std::int32_t y = 0; y < noise.height; ++y)
     for (std::int32_t x = 0; x < noise.width; ++x)
@@ -21,8 +22,10 @@ Cover noise_of(const Surface& surface, const NoiseLumps& lumps, std::uint64_t se
   return noise;
 }
 
-// The highest values, so that the share `cover` of the texels is above 0; `scale` makes them texels.
-Cover highest(Cover values, double cover, double scale) {
+// Keeps the highest values so that the fraction `cover` of all texels lies above 0. `scale` converts the
+// values to a depth in texels. The threshold comes from the sorted values, so the covered area is exact
+// whatever the noise is.
+Cover keep_highest(Cover values, double cover, double scale) {
   std::vector<double> sorted = values.cells;
   std::sort(sorted.begin(), sorted.end());
   const auto below = static_cast<std::size_t>(std::lround((1 - cover) * static_cast<double>(sorted.size())));
@@ -31,34 +34,35 @@ Cover highest(Cover values, double cover, double scale) {
   return values;
 }
 
-// patches cover=0.3 lump=16 low=0 bottom=0: the share `cover` of the surface in lumps; low=1 rather in its
-// hollows, -1 rather on its heights; bottom=1 rather further down.
+// patches cover=0.3 lump=16 low=0 bottom=0: covers the fraction `cover` of the surface in blotches. low=1
+// prefers hollows, low=-1 heights, and bottom=1 the lower part of the texture.
 Cover cover_patches(Layer& layer, const Surface& surface) {
   const double share = layer.arguments.number("cover", 0.3, 0, 1);
-  const NoiseLumps lumps = noise_lumps(layer.arguments, surface, {16, 16}, 4);
+  const NoiseLumps lumps = read_lumps(layer.arguments, surface, {16, 16}, 4);
   const double low = layer.arguments.number("low", 0, -8, 8);
   const double bottom = layer.arguments.number("bottom", 0, -8, 8);
-  Cover noise = noise_of(surface, lumps, layer.seed);
-  const Cover heights = heights_of(surface);
-  const Cover soft = softened(heights, 3);
+  Cover noise = make_noise(surface, lumps, layer.seed);
+  const Cover heights = copy_heights(surface);
+  const Cover soft = soften(heights, 3);
   for (std::int32_t y = 0; y < noise.height; ++y)
     for (std::int32_t x = 0; x < noise.width; ++x) {
       noise.at(x, y) += 0.2 * low * (soft.at(x, y) - heights.at(x, y));
       noise.at(x, y) += 0.5 * bottom * ((y + 0.5) / noise.height - 0.5);
     }
-  return highest(std::move(noise), share, 0.5 * surface.width / lumps.across);
+  return keep_highest(std::move(noise), share, 0.5 * surface.width / lumps.across);
 }
 
-// veins cover=0.1 lump=24: winding lines, where a noise crosses its middle.
+// veins cover=0.1 lump=24: winding lines, where the noise is near its middle value.
 Cover cover_veins(Layer& layer, const Surface& surface) {
   const double share = layer.arguments.number("cover", 0.1, 0, 1);
-  const NoiseLumps lumps = noise_lumps(layer.arguments, surface, {24, 24}, 3);
-  Cover noise = noise_of(surface, lumps, layer.seed);
+  const NoiseLumps lumps = read_lumps(layer.arguments, surface, {24, 24}, 3);
+  Cover noise = make_noise(surface, lumps, layer.seed);
   for (double& value : noise.cells) value = -std::abs(value - 0.5);
-  return highest(std::move(noise), share, 2.0 * surface.width / lumps.across);
+  return keep_highest(std::move(noise), share, 2.0 * surface.width / lumps.across);
 }
 
-// runs count=8 length=8..40 width=1..3 at=0..64: streaks that run down and fade.
+// runs count=8 length=8..40 width=1..3 at=0..64: streaks that run down from the rows `at`, become narrower,
+// and fade.
 Cover cover_runs(Layer& layer, const Surface& surface) {
   const std::int32_t count = layer.arguments.integer("count", 8, 0, 256);
   const auto [shortest, longest] = layer.arguments.range("length", {8, 32});
@@ -86,7 +90,8 @@ Cover cover_runs(Layer& layer, const Surface& surface) {
   return cover;
 }
 
-// cracks count=2 length=40: they wander, turn and branch.
+// cracks count=2 length=40: random walks that turn slightly with each texel and sometimes branch into walks
+// of half the remaining length. At most 256 walks.
 Cover cover_cracks(Layer& layer, const Surface& surface) {
   const std::int32_t count = layer.arguments.integer("count", 2, 0, 64);
   const std::int32_t length = layer.arguments.integer("length", 40, 1, 1024);
@@ -116,7 +121,7 @@ Cover cover_cracks(Layer& layer, const Surface& surface) {
   return cover;
 }
 
-// scatter count=20 radius=1..3: round things anywhere, each a dome with bevel as large as its radius.
+// scatter count=20 radius=1..3: random discs. With a bevel as large as the radius they become domes.
 Cover cover_scatter(Layer& layer, const Surface& surface) {
   const std::int32_t count = layer.arguments.integer("count", 20, 0, 4096);
   const auto [smallest, largest] = layer.arguments.range("radius", {1, 3});
@@ -137,7 +142,8 @@ Cover cover_scatter(Layer& layer, const Surface& surface) {
   return cover;
 }
 
-// strands count=4 width=2 sway=4: stems from the top to the bottom that sway and close round the edges.
+// strands count=4 width=2 sway=4: stems from top to bottom. They sway in whole sine waves, so that they meet
+// themselves at the upper side.
 Cover cover_strands(Layer& layer, const Surface& surface) {
   const std::int32_t count = layer.arguments.integer("count", 4, 1, 64);
   const double width = layer.arguments.number("width", 2, 0.5, 32);
@@ -160,14 +166,14 @@ Cover cover_strands(Layer& layer, const Surface& surface) {
   return cover;
 }
 
-// edges by=0.3 uneven=0.3: what stands out from its surroundings by more than that, unevenly. hollows: what
-// lies below.
+// edges by=0.3 uneven=0.3: texels that are at least `by` higher than their surroundings, with noise. hollows:
+// the same for lower ones, with `sign` -1.
 Cover cover_bulges(Layer& layer, const Surface& surface, double sign) {
   const double by = layer.arguments.number("by", 0.3, 0, 16);
   const double uneven = layer.arguments.number("uneven", 0.3, 0, 4);
-  const Cover heights = heights_of(surface);
-  const Cover soft = softened(heights, 2);
-  const Cover noise = noise_of(surface, noise_lumps(surface, {8, 8}, 3), layer.seed);
+  const Cover heights = copy_heights(surface);
+  const Cover soft = soften(heights, 2);
+  const Cover noise = make_noise(surface, make_lumps(surface, {8, 8}, 3), layer.seed);
   Cover cover(surface.width, surface.height);
   for (std::size_t i = 0; i < cover.cells.size(); ++i)
     cover.cells[i] = sign * (heights.cells[i] - soft.cells[i]) - by + 2 * uneven * (noise.cells[i] - 0.5);
@@ -180,7 +186,7 @@ Cover cover_hollows(Layer& layer, const Surface& surface) {
   return cover_bulges(layer, surface, -1);
 }
 
-constexpr std::array<ShapeWord, 8> kGrownShapes = {{
+constexpr std::array<ShapeKeyword, 8> kGrownShapes = {{
     {"patches", cover_patches},
     {"veins", cover_veins},
     {"runs", cover_runs},
@@ -193,7 +199,7 @@ constexpr std::array<ShapeWord, 8> kGrownShapes = {{
 
 }  // namespace
 
-std::span<const ShapeWord> grown_words() {
+std::span<const ShapeKeyword> grown_keywords() {
   return kGrownShapes;
 }
 

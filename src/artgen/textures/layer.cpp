@@ -20,13 +20,13 @@ constexpr std::array<std::string_view, 16> kRampNames = {
     "gray", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
     "blue", "purple", "slate", "rust", "skin", "green", "fire", "electric"};
 
-std::string no_such_ramp(std::string_view name) {
+std::string describe_unknown_ramp(std::string_view name) {
   std::string names;
   for (const std::string_view ramp : kRampNames) names += fmt::format(" {}", ramp);
-  return fmt::format("'{}' is no ramp of the palette; there are{}", base::quotable(name), names);
+  return fmt::format("'{}' is not a color ramp; expected one of{}", base::quotable(name), names);
 }
 
-std::optional<Point> two_numbers(std::string_view text, char between) {
+std::optional<Point> parse_pair(std::string_view text, char between) {
   std::array<double, 2> numbers{};
   const std::size_t end = text.find(between);
   if (end == std::string_view::npos) return {};
@@ -40,7 +40,7 @@ std::optional<Point> two_numbers(std::string_view text, char between) {
   return Point{numbers[0], numbers[1]};
 }
 
-// What every shape knows.
+// The settings that every shape accepts; see layer.h.
 struct ShapeSettings {
   std::optional<Ramp> ramp;
   std::optional<double> tone;
@@ -50,14 +50,15 @@ struct ShapeSettings {
   bool cut = false;
 };
 
-ShapeSettings shape_settings(Arguments& arguments) {
+// Reads the positional color last: values that belong to the shape come before it.
+ShapeSettings read_shape_settings(Arguments& arguments) {
   ShapeSettings settings;
-  if (const std::optional<std::string> name = arguments.text_if_there()) {
-    settings.ramp = ramp_named(*name);
-    if (!settings.ramp) arguments.complain(no_such_ramp(*name));
-    if (const std::optional<std::string> tone = arguments.text_if_there()) {
-      const auto both = two_numbers(*tone + ",0", ',');
-      if (!both) arguments.complain(fmt::format("'{}' is not a tone", base::quotable(*tone)));
+  if (const std::optional<std::string> name = arguments.text_if_present()) {
+    settings.ramp = find_ramp(*name);
+    if (!settings.ramp) arguments.set_error(describe_unknown_ramp(*name));
+    if (const std::optional<std::string> tone = arguments.text_if_present()) {
+      const auto both = parse_pair(*tone + ",0", ',');
+      if (!both) arguments.set_error(fmt::format("'{}' is not a tone", base::quotable(*tone)));
       settings.tone = both.value_or(Point{}).x;
     }
   }
@@ -70,9 +71,9 @@ ShapeSettings shape_settings(Arguments& arguments) {
   return settings;
 }
 
-// Shows what was painted where the shape covers it.
-void lay(const Cover& cover, const ShapeSettings& settings, std::uint64_t seed, const Surface& painted,
-         Surface& io_surface) {
+// Copies texels from `painted` where the shape covers them. `ragged` drops texels near the edge at random.
+void blend_shape(const Cover& cover, const ShapeSettings& settings, std::uint64_t seed,
+                 const Surface& painted, Surface& io_surface) {
   for (std::size_t i = 0; i < io_surface.cells.size(); ++i) {
     const double depth = cover.cells[i];
     if (depth <= 0 || depth < settings.ragged * hash_noise(static_cast<std::int32_t>(i), 0, seed)) continue;
@@ -84,6 +85,7 @@ void lay(const Cover& cover, const ShapeSettings& settings, std::uint64_t seed, 
   }
 }
 
+// A ramp also fills holes; a tone alone does not.
 void set_color(const ShapeSettings& settings, Surface& io_surface) {
   for (Texel& texel : io_surface.cells) {
     if (settings.ramp) texel.ramp = *settings.ramp;
@@ -92,30 +94,32 @@ void set_color(const ShapeSettings& settings, Surface& io_surface) {
   }
 }
 
-base::Status paint_shape(const ShapeWord& word, const ScriptLine& line, std::uint64_t seed,
+// The layers under a shape are painted over a copy of the whole surface, which wraps as the surface does.
+// Then the covered texels are taken from it.
+base::Status paint_shape(const ShapeKeyword& word, const ScriptLine& line, std::uint64_t seed,
                          Surface& io_surface) {
   Arguments arguments(line);
   Layer layer{arguments, seed};
   const Cover cover = word.cover(layer, io_surface);
-  const ShapeSettings settings = shape_settings(arguments);
+  const ShapeSettings settings = read_shape_settings(arguments);
   TRY_STATUS(arguments.finish());
   Surface painted = io_surface;
   set_color(settings, painted);
   TRY_STATUS(paint_layers(line.below, seed, painted));
-  lay(cover, settings, seed, painted, io_surface);
+  blend_shape(cover, settings, seed, painted, io_surface);
   return base::Ok{};
 }
 
-// A picture of its own, which repeats by itself, let into the surface.
+// An inlay is a surface of its own, which wraps at its own sides, copied into a rectangle of the surface.
 base::Status paint_inlay(const ScriptLine& line, std::uint64_t seed, Surface& io_surface) {
   Arguments arguments(line);
-  const Point at = point(arguments, "at", {});
-  const Point size = extent(arguments, "size", {16, 16});
-  const ShapeSettings settings = shape_settings(arguments);
+  const Point at = read_point(arguments, "at", {});
+  const Point size = read_extent(arguments, "size", {16, 16});
+  const ShapeSettings settings = read_shape_settings(arguments);
   const auto left = static_cast<std::int32_t>(at.x), top = static_cast<std::int32_t>(at.y);
   const auto width = static_cast<std::int32_t>(size.x), height = static_cast<std::int32_t>(size.y);
   if (width < 1 || height < 1 || width > io_surface.width || height > io_surface.height)
-    arguments.complain(
+    arguments.set_error(
         fmt::format("size={}x{} is not inside {}x{}", width, height, io_surface.width, io_surface.height));
   TRY_STATUS(arguments.finish());
   Surface inlay(width, height);
@@ -133,92 +137,93 @@ base::Status paint_inlay(const ScriptLine& line, std::uint64_t seed, Surface& io
   return base::Ok{};
 }
 
+// Null if no table has the keyword.
 template <typename Word>
-const Word* find_word(std::span<const std::span<const Word>> tables, std::string_view word) {
+const Word* find_keyword(std::span<const std::span<const Word>> tables, std::string_view word) {
   for (const std::span<const Word> table : tables)
     for (const Word& known : table)
-      if (known.word == word) return &known;
+      if (known.keyword == word) return &known;
   return nullptr;
 }
 
 base::Status paint_layer(const ScriptLine& line, std::uint64_t seed, Surface& io_surface) {
-  if (line.word == "inlay") return paint_inlay(line, seed, io_surface);
-  const std::array shapes = {drawn_words(), grown_words()};
-  if (const ShapeWord* shape = find_word<ShapeWord>(shapes, line.word))
+  if (line.keyword == "inlay") return paint_inlay(line, seed, io_surface);
+  const std::array shapes = {drawn_keywords(), grown_keywords()};
+  if (const ShapeKeyword* shape = find_keyword<ShapeKeyword>(shapes, line.keyword))
     return paint_shape(*shape, line, seed, io_surface);
-  const std::array layers = {material_words(), structure_words(), relief_words()};
-  const LayerWord* layer_word = find_word<LayerWord>(layers, line.word);
-  if (layer_word == nullptr) return script_error(line, "there is no such layer of a texture");
-  if (!line.below.empty()) return script_error(line.below.front(), "no layer can stand under this one");
+  const std::array layers = {material_keywords(), structure_keywords(), relief_keywords()};
+  const LayerKeyword* layer_keyword = find_keyword<LayerKeyword>(layers, line.keyword);
+  if (layer_keyword == nullptr) return script_error(line, "unknown texture layer");
+  if (!line.below.empty()) return script_error(line.below.front(), "no line can be under this layer");
   Arguments arguments(line);
   Layer layer{arguments, seed};
-  layer_word->paint(layer, io_surface);
+  layer_keyword->paint(layer, io_surface);
   return arguments.finish();
 }
 
 }  // namespace
 
-// A layer's seed comes from its word and how many such words were before it, so that a line more does not
-// change what the others look like.
+// The seed of a layer comes from its keyword and from the number of earlier lines with that keyword. So an
+// additional line changes other layers only if it has the same keyword.
 base::Status paint_layers(std::span<const ScriptLine> lines, std::uint64_t seed, Surface& io_surface) {
-  std::map<std::string_view, std::uint64_t> count_of_word;
+  std::map<std::string_view, std::uint64_t> keyword_counts;
   for (const ScriptLine& line : lines) {
-    const std::uint64_t word = base::hash_of_bytes(base::as_bytes(line.word));
-    TRY_STATUS(paint_layer(line, base::hash_with(base::hash_with(seed, word), count_of_word[line.word]++),
+    const std::uint64_t word = base::hash_bytes(base::as_bytes(line.keyword));
+    TRY_STATUS(paint_layer(line, base::hash_with(base::hash_with(seed, word), keyword_counts[line.keyword]++),
                            io_surface));
   }
   return base::Ok{};
 }
 
-Point point(Arguments& arguments, std::string_view name, Point otherwise) {
-  if (!arguments.has(name)) return otherwise;
+Point read_point(Arguments& arguments, std::string_view name, Point fallback) {
+  if (!arguments.has(name)) return fallback;
   const std::string text = arguments.text(name, "");
-  const std::optional<Point> found = two_numbers(text, ',');
-  if (!found) arguments.complain(fmt::format("{}={} is not X,Y", name, base::quotable(text)));
-  return found.value_or(otherwise);
+  const std::optional<Point> found = parse_pair(text, ',');
+  if (!found) arguments.set_error(fmt::format("{}={} is not X,Y", name, base::quotable(text)));
+  return found.value_or(fallback);
 }
 
-Point extent(Arguments& arguments, std::string_view name, Point otherwise) {
-  if (!arguments.has(name)) return otherwise;
+Point read_extent(Arguments& arguments, std::string_view name, Point fallback) {
+  if (!arguments.has(name)) return fallback;
   const std::string text = arguments.text(name, "");
   const std::string both = text.find('x') == std::string::npos ? fmt::format("{}x{}", text, text) : text;
-  const std::optional<Point> found = two_numbers(both, 'x');
+  const std::optional<Point> found = parse_pair(both, 'x');
   if (!found || found->x <= 0 || found->y <= 0) {
-    arguments.complain(fmt::format("{}={} is not WIDTHxHEIGHT", name, base::quotable(text)));
-    return otherwise;
+    arguments.set_error(fmt::format("{}={} is not WIDTHxHEIGHT", name, base::quotable(text)));
+    return fallback;
   }
   return *found;
 }
 
-std::optional<Ramp> ramp_named(std::string_view name) {
+std::optional<Ramp> find_ramp(std::string_view name) {
   const auto found = std::find(kRampNames.begin(), kRampNames.end(), name);
   if (found == kRampNames.end()) return {};
   return static_cast<Ramp>(found - kRampNames.begin());
 }
 
-Ramp ramp(Arguments& arguments, std::string_view name, Ramp otherwise) {
-  if (!arguments.has(name)) return otherwise;
+Ramp read_ramp(Arguments& arguments, std::string_view name, Ramp fallback) {
+  if (!arguments.has(name)) return fallback;
   const std::string text = arguments.text(name, "");
-  const std::optional<Ramp> found = ramp_named(text);
-  if (!found) arguments.complain(no_such_ramp(text));
-  return found.value_or(otherwise);
+  const std::optional<Ramp> found = find_ramp(text);
+  if (!found) arguments.set_error(describe_unknown_ramp(text));
+  return found.value_or(fallback);
 }
 
-NoiseLumps noise_lumps(Arguments& arguments, const Surface& surface, Point usual_lump,
-                       std::int32_t usual_octaves) {
-  const Point lump = extent(arguments, "lump", usual_lump);
-  return noise_lumps(surface, lump, arguments.integer("octaves", usual_octaves, 1, 6));
+NoiseLumps read_lumps(Arguments& arguments, const Surface& surface, Point default_lump,
+                      std::int32_t default_octaves) {
+  const Point lump = read_extent(arguments, "lump", default_lump);
+  return make_lumps(surface, lump, arguments.integer("octaves", default_octaves, 1, 6));
 }
 
-NoiseLumps noise_lumps(const Surface& surface, Point lump, std::int32_t octaves) {
-  return {times_in(surface.width, lump.x), times_in(surface.height, lump.y), octaves};
+NoiseLumps make_lumps(const Surface& surface, Point lump, std::int32_t octaves) {
+  return {count_repeats(surface.width, lump.x), count_repeats(surface.height, lump.y), octaves};
 }
 
-std::int32_t times_in(double side, double length) {
+std::int32_t count_repeats(double side, double length) {
   return std::max(1, static_cast<std::int32_t>(std::lround(side / length)));
 }
 
-double wrapped(double value, double period) {
+double wrap(double value, double period) {
   return value - period * std::floor(value / period);
 }
 

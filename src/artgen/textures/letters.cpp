@@ -5,6 +5,7 @@
 namespace temblor::artgen {
 namespace {
 
+// The rows from the top; '#' is ink.
 struct Letter {
   char letter;
   std::array<std::string_view, kLetterHeight> rows;
@@ -71,12 +72,12 @@ bool has_letter(char letter) {
   return find_letter(letter) != nullptr;
 }
 
-std::int32_t letters_width(std::string_view text) {
+std::int32_t measure_letters(std::string_view text) {
   return static_cast<std::int32_t>(text.size()) * (kLetterWidth + 1) - 1;
 }
 
-bool letters_at(std::string_view text, std::int32_t column, std::int32_t row) {
-  if (column < 0 || column >= letters_width(text) || row < 0 || row >= kLetterHeight) return false;
+bool has_ink(std::string_view text, std::int32_t column, std::int32_t row) {
+  if (column < 0 || column >= measure_letters(text) || row < 0 || row >= kLetterHeight) return false;
   const std::int32_t within = column % (kLetterWidth + 1);
   const Letter* letter = find_letter(text[static_cast<std::size_t>(column / (kLetterWidth + 1))]);
   if (letter == nullptr || within == kLetterWidth) return false;

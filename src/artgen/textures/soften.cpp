@@ -3,7 +3,9 @@
 namespace temblor::artgen {
 namespace {
 
-Cover mean_along(const Cover& values, std::int32_t radius, std::int32_t step_x, std::int32_t step_y) {
+// Averages in one direction: the step is (1, 0) or (0, 1). A box blur is separable, so two of these passes
+// make one.
+Cover average_along(const Cover& values, std::int32_t radius, std::int32_t step_x, std::int32_t step_y) {
   Cover means(values.width, values.height);
   for (std::int32_t y = 0; y < values.height; ++y)
     for (std::int32_t x = 0; x < values.width; ++x) {
@@ -16,16 +18,16 @@ Cover mean_along(const Cover& values, std::int32_t radius, std::int32_t step_x, 
 
 }  // namespace
 
-Cover heights_of(const Surface& surface) {
+Cover copy_heights(const Surface& surface) {
   Cover heights(surface.width, surface.height);
   for (std::size_t i = 0; i < heights.cells.size(); ++i) heights.cells[i] = surface.cells[i].height;
   return heights;
 }
 
-Cover softened(const Cover& values, std::int32_t radius) {
+Cover soften(const Cover& values, std::int32_t radius) {
   Cover soft = values;
   for (std::int32_t pass = 0; pass < 2; ++pass)
-    soft = mean_along(mean_along(soft, radius, 1, 0), radius, 0, 1);
+    soft = average_along(average_along(soft, radius, 1, 0), radius, 0, 1);
   return soft;
 }
 

@@ -6,7 +6,7 @@ bool is_fullbright(Ramp ramp) {
   return ramp == Ramp::kFire || ramp == Ramp::kElectric;
 }
 
-std::vector<std::uint8_t> indices_of(const Surface& surface) {
+std::vector<std::uint8_t> to_palette_indices(const Surface& surface) {
   std::vector<std::uint8_t> indices;
   indices.reserve(surface.cells.size());
   for (const Texel& texel : surface.cells)

@@ -1,5 +1,6 @@
-// What a texture is while it is painted: for each texel its color, how far it stands out, and which piece of
-// the wall (a brick, a board) it belongs to. Sides wrap: what leaves at the right comes in at the left.
+// A texture while it is painted. Each texel has a color, a height above the wall, and the piece of the wall
+// (a brick, a board) that it belongs to; layers read and change them. All grids wrap around at their sides,
+// so every texture tiles.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,7 @@
 
 namespace temblor::artgen {
 
+// A two-dimensional array whose coordinates wrap around.
 template <typename T>
 struct Grid {
   Grid(std::int32_t columns, std::int32_t rows, T value = {})
@@ -17,7 +19,7 @@ struct Grid {
         height(rows),
         cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), value) {}
 
-  // Any x and y: wrapped.
+  // Any coordinates are valid; they are wrapped.
   T& at(std::int32_t x, std::int32_t y) { return cells[index(x, y)]; }
   const T& at(std::int32_t x, std::int32_t y) const { return cells[index(x, y)]; }
 
@@ -31,23 +33,31 @@ struct Grid {
   }
 };
 
+// The state of one texel. Palette indices are computed only at the end, so layers can add and subtract tones
+// freely.
 struct Texel {
   Ramp ramp = Ramp::kGray;
-  double tone = 0.5;  // along the ramp, 0 dark to 1 bright; outside counts as the nearest
-  double height = 0;  // texels towards the eye
-  bool hole = false;  // transparent
+  // The position on the ramp: 0 is dark, 1 bright. Values outside are clamped at the end.
+  double tone = 0.5;
+  // In texels, toward the viewer. The `relief` layer turns it into shading.
+  double height = 0;
+  // Transparent, for textures whose name begins with "{".
+  bool hole = false;
+  // The number of the piece; set by structure layers.
   std::int32_t piece = 0;
-  double rim = 1e9;  // texels to the piece's edge; 0 or less in the joints
+  // The distance in texels to the edge of the piece; 0 or less in the joints.
+  double rim = 1e9;
 };
 
 using Surface = Grid<Texel>;
 
-// Which texels a layer covers, and how deep they lie in it: texels from its edge, 0 or less outside.
+// How far inside a shape each texel lies: the distance in texels to the shape's edge, 0 or less outside.
 using Cover = Grid<double>;
 
+// Whether the engine draws the ramp's colors without light.
 bool is_fullbright(Ramp ramp);
 
-// The palette's indices, row by row.
-std::vector<std::uint8_t> indices_of(const Surface& surface);
+// Row by row; holes become kTransparent.
+std::vector<std::uint8_t> to_palette_indices(const Surface& surface);
 
 }  // namespace temblor::artgen

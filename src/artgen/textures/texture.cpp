@@ -18,55 +18,65 @@ namespace temblor::artgen {
 namespace {
 
 constexpr std::string_view kWad = "textures.wad";
-constexpr std::size_t kNameChars = 15;  // what a level has room for
+// The BSP and WAD formats have room for 15 characters and a terminating zero.
+constexpr std::size_t kNameChars = 15;
 constexpr std::int32_t kMaxSide = 256;
+// Quake's mip levels need sides that are multiples of 16.
 constexpr std::int32_t kSideMultiple = 16;
 
+// The color lookup tables are expensive to build and are shared by all threads.
 const formats::MipColors& mip_colors() {
   static const formats::MipColors colors(make_palette());
   return colors;
 }
 
-struct Head {
+// The settings of a texture's first line.
+struct TextureHeader {
   std::string name;
   std::int32_t width = 16, height = 16;
   std::int32_t frames = 1;
+  // Computed from the name and the setting `seed`, so that each texture has its own random parts.
   std::uint64_t seed = 0;
 };
 
-base::Result<Head> read_head(const ScriptLine& thing, std::int32_t usual_frames, std::int32_t most_frames) {
-  Arguments arguments(thing);
-  Head head;
-  head.name = arguments.text();
-  std::tie(head.width, head.height) = arguments.size(kMaxSide);
-  if (head.width % kSideMultiple != 0 || head.height % kSideMultiple != 0)
-    arguments.complain(
-        fmt::format("{}x{}: sides are multiples of {}", head.width, head.height, kSideMultiple));
-  if (head.name.empty() || head.name.size() + (most_frames > 1 ? 2 : 0) > kNameChars)
-    arguments.complain(fmt::format("'{}': a name in a level has 1 to {} characters", head.name, kNameChars));
-  if (most_frames > 1) head.frames = arguments.integer("frames", usual_frames, 1, most_frames);
-  head.seed = base::hash_with(base::hash_of_bytes(base::as_bytes(head.name)),
-                              static_cast<std::uint64_t>(arguments.integer("seed", 0, 0, 1 << 30)));
+// With more than one frame, the name needs room for the prefix "+0".
+base::Result<TextureHeader> read_header(const ScriptLine& asset, std::int32_t default_frames,
+                                        std::int32_t max_frames) {
+  Arguments arguments(asset);
+  TextureHeader header;
+  header.name = arguments.text();
+  std::tie(header.width, header.height) = arguments.size(kMaxSide);
+  if (header.width % kSideMultiple != 0 || header.height % kSideMultiple != 0)
+    arguments.set_error(
+        fmt::format("{}x{}: sides must be multiples of {}", header.width, header.height, kSideMultiple));
+  if (header.name.empty() || header.name.size() + (max_frames > 1 ? 2 : 0) > kNameChars)
+    arguments.set_error(
+        fmt::format("'{}': a texture's name has 1 to {} characters", header.name, kNameChars));
+  if (max_frames > 1) header.frames = arguments.integer("frames", default_frames, 1, max_frames);
+  header.seed = base::hash_with(base::hash_bytes(base::as_bytes(header.name)),
+                                static_cast<std::uint64_t>(arguments.integer("seed", 0, 0, 1 << 30)));
   TRY_STATUS(arguments.finish());
-  return head;
+  return header;
 }
 
-base::Result<ArtPart> make_part(const Head& head, const std::string& name,
+// Paints one texture; `name` includes the prefix of its frame. All frames use the same seed, so they differ
+// only where their settings do.
+base::Result<ArtPart> make_part(const TextureHeader& header, const std::string& name,
                                 std::span<const ScriptLine> layers) {
-  Surface surface(head.width, head.height);
+  Surface surface(header.width, header.height);
   const bool has_holes = name.starts_with('{');
   for (Texel& texel : surface.cells) texel.hole = has_holes;
-  TRY_STATUS(paint_layers(layers, head.seed, surface));
+  TRY_STATUS(paint_layers(layers, header.seed, surface));
   formats::WadTexture texture{
-      name, static_cast<std::uint32_t>(head.width), static_cast<std::uint32_t>(head.height),
-      formats::build_mips(indices_of(surface), static_cast<std::uint32_t>(head.width),
-                          static_cast<std::uint32_t>(head.height), has_holes, mip_colors())};
+      name, static_cast<std::uint32_t>(header.width), static_cast<std::uint32_t>(header.height),
+      formats::build_mips(to_palette_indices(surface), static_cast<std::uint32_t>(header.width),
+                          static_cast<std::uint32_t>(header.height), has_holes, mip_colors())};
   TRY(base::ByteVector bytes, formats::write_wad_texture(texture));
   return ArtPart{std::string(kWad), std::move(bytes), name, formats::kWadTexture};
 }
 
-// The values between slashes that a frame has.
-std::string value_in_frame(std::string_view value, std::int32_t frame) {
+// The frame's value from a list with slashes. Shorter lists repeat.
+std::string pick_frame_value(std::string_view value, std::int32_t frame) {
   if (value.find('/') == std::string_view::npos) return std::string(value);
   std::vector<std::string_view> values;
   while (true) {
@@ -78,45 +88,46 @@ std::string value_in_frame(std::string_view value, std::int32_t frame) {
   return std::string(values[static_cast<std::size_t>(frame) % values.size()]);
 }
 
-std::vector<ScriptLine> lines_in_frame(std::span<const ScriptLine> lines, std::int32_t frame) {
+// The layers of one frame, recursively.
+std::vector<ScriptLine> pick_frame_lines(std::span<const ScriptLine> lines, std::int32_t frame) {
   std::vector<ScriptLine> frame_lines(lines.begin(), lines.end());
   for (ScriptLine& line : frame_lines) {
-    for (std::string& value : line.values) value = value_in_frame(value, frame);
-    for (auto& [name, value] : line.settings) value = value_in_frame(value, frame);
-    line.below = lines_in_frame(line.below, frame);
+    for (std::string& value : line.values) value = pick_frame_value(value, frame);
+    for (auto& [name, value] : line.settings) value = pick_frame_value(value, frame);
+    line.below = pick_frame_lines(line.below, frame);
   }
   return frame_lines;
 }
 
 }  // namespace
 
-base::Result<std::vector<ArtPart>> make_texture(const ScriptLine& thing) {
-  TRY(const Head head, read_head(thing, 1, 1));
-  TRY(ArtPart part, make_part(head, head.name, thing.below));
+base::Result<std::vector<ArtPart>> make_texture(const ScriptLine& asset) {
+  TRY(const TextureHeader header, read_header(asset, 1, 1));
+  TRY(ArtPart part, make_part(header, header.name, asset.below));
   std::vector<ArtPart> parts;
   parts.push_back(std::move(part));
   return parts;
 }
 
-base::Result<std::vector<ArtPart>> make_animation(const ScriptLine& thing) {
-  TRY(const Head head, read_head(thing, 4, 10));
+base::Result<std::vector<ArtPart>> make_animation(const ScriptLine& asset) {
+  TRY(const TextureHeader header, read_header(asset, 4, 10));
   std::vector<ArtPart> parts;
-  for (std::int32_t frame = 0; frame < head.frames; ++frame) {
-    const std::vector<ScriptLine> lines = lines_in_frame(thing.below, frame);
-    TRY(ArtPart part, make_part(head, fmt::format("+{}{}", frame, head.name), lines));
+  for (std::int32_t frame = 0; frame < header.frames; ++frame) {
+    const std::vector<ScriptLine> lines = pick_frame_lines(asset.below, frame);
+    TRY(ArtPart part, make_part(header, fmt::format("+{}{}", frame, header.name), lines));
     parts.push_back(std::move(part));
   }
   return parts;
 }
 
-base::Result<std::vector<ArtPart>> make_switch(const ScriptLine& thing) {
-  TRY(const Head head, read_head(thing, 1, 5));
+base::Result<std::vector<ArtPart>> make_switch(const ScriptLine& asset) {
+  TRY(const TextureHeader header, read_header(asset, 1, 5));
   std::vector<ArtPart> parts;
-  for (std::int32_t frame = 0; frame < 2 * head.frames; ++frame) {
-    const bool is_pressed = frame >= head.frames;
-    const std::string mark(1, static_cast<char>((is_pressed ? 'a' : '0') + frame % head.frames));
-    const std::vector<ScriptLine> lines = lines_in_frame(thing.below, frame);
-    TRY(ArtPart part, make_part(head, fmt::format("+{}{}", mark, head.name), lines));
+  for (std::int32_t frame = 0; frame < 2 * header.frames; ++frame) {
+    const bool is_pressed = frame >= header.frames;
+    const std::string mark(1, static_cast<char>((is_pressed ? 'a' : '0') + frame % header.frames));
+    const std::vector<ScriptLine> lines = pick_frame_lines(asset.below, frame);
+    TRY(ArtPart part, make_part(header, fmt::format("+{}{}", mark, header.name), lines));
     parts.push_back(std::move(part));
   }
   return parts;

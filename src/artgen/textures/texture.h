@@ -1,11 +1,12 @@
-// Textures of the shipped game: each a lump of textures.wad, with its mip levels.
+// Makes the textures of the shipped game: lumps of textures.wad with four mip levels.
 //
 //   texture NAME WxH               one texture
-//   animation NAME WxH frames=4    +0NAME, +1NAME ...
-//   switch NAME WxH                +0NAME and +aNAME, before and after it is pressed; frames=2 gives each two
+//   animation NAME WxH frames=4    +0NAME, +1NAME, and so on
+//   switch NAME WxH                +0NAME and +aNAME: released and pressed; frames=2 makes two of each
 //
-// In an animation or a switch, a value with slashes is another one in each frame: at=8,8/8,16/8,24. A name
-// that begins with { has holes where nothing is painted.
+// In animations and switches, slashes separate the values of the frames: at=8,8/8,16/8,24. If a name begins
+// with "{", unpainted texels are transparent. The lines under a texture are its layers (layer.h), painted in
+// their order.
 #pragma once
 
 #include <vector>
@@ -16,8 +17,9 @@
 
 namespace temblor::artgen {
 
-base::Result<std::vector<ArtPart>> make_texture(const ScriptLine& thing);
-base::Result<std::vector<ArtPart>> make_animation(const ScriptLine& thing);
-base::Result<std::vector<ArtPart>> make_switch(const ScriptLine& thing);
+// ArtMakers; see art.h.
+base::Result<std::vector<ArtPart>> make_texture(const ScriptLine& asset);
+base::Result<std::vector<ArtPart>> make_animation(const ScriptLine& asset);
+base::Result<std::vector<ArtPart>> make_switch(const ScriptLine& asset);
 
 }  // namespace temblor::artgen

@@ -5,7 +5,7 @@
 namespace temblor::audio {
 namespace {
 
-// The oldest go.
+// Drops the oldest entries.
 template <typename T>
 void add_bounded(const T& what, std::vector<T>& io_list) {
   if (io_list.size() >= kMaxFolded) io_list.erase(io_list.begin());
@@ -16,7 +16,7 @@ void start(const StartedSound& what, SoundEvents& io_events) {
   const auto is_its_place = [&](const auto& other) {
     return other.entity == what.entity && other.channel == what.channel;
   };
-  // Starts come before stops: this one must not be what an earlier stop meant.
+  // The mixer applies starts before stops, so an earlier stop must not hit this later start.
   std::erase_if(io_events.stopped, is_its_place);
   if (what.channel != kFreeChannel && what.channel != kAnyChannel)
     std::erase_if(io_events.started, is_its_place);
@@ -28,7 +28,7 @@ void stop(const StoppedSound& what, SoundEvents& io_events) {
     return other.entity == what.entity && other.channel == what.channel;
   };
   std::erase_if(io_events.started, is_its_place);
-  // What plays already, too.
+  // The stop also applies to a sound that already plays.
   std::erase_if(io_events.stopped, is_its_place);
   add_bounded(what, io_events.stopped);
 }
@@ -36,8 +36,8 @@ void stop(const StoppedSound& what, SoundEvents& io_events) {
 }  // namespace
 
 void fold(const SoundEvents& next, SoundEvents& io_events) {
-  if (next.begins_anew) {
-    io_events.begins_anew = true;
+  if (next.stops_all) {
+    io_events.stops_all = true;
     io_events.statics.clear();
     io_events.started.clear();
     io_events.stopped.clear();

@@ -1,4 +1,4 @@
-// Events that nobody has taken up yet, made one: a sound device may hang for minutes.
+// Merges events that wait for the device thread: a sound device may hang for minutes.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 namespace temblor::audio {
 
-// What of a kind a folded one holds at most; the last ones count, but of static sounds the first.
+// The most entries of each list after folding. The last ones stay; of static sounds, the first.
 constexpr std::size_t kMaxFolded = 1024;
 
-// Adds what happened after `io_events`. For the mixer it is as if both happened one after the other without
-// any time between: what is replaced or stopped at once is left out. (One that was to be stopped on
-// kFreeChannel goes on if its entity starts another there.)
+// Appends `next` to `io_events`. The mixer behaves as if both had arrived one right after the other: a sound
+// that is replaced or stopped at once is left out. (One exception: a sound stopped on kFreeChannel keeps
+// playing if its entity starts another sound on that channel.)
 void fold(const SoundEvents& next, SoundEvents& io_events);
 
 }  // namespace temblor::audio

@@ -1,7 +1,7 @@
-// The method: every frame needs a gain, the ceiling over its peak. The lowest need of the last D frames, let
-// go slowly, is averaged over D frames; the sound is delayed by D. When a frame comes out, all D values in
-// the average were made with its need in sight, so the average is not above it; and an average of D values
-// cannot jump.
+// Method: each frame needs a gain of at most ceiling / peak. Take the minimum need of the last D frames, let
+// it rise only slowly, and average it over D frames; delay the sound by D frames. When a frame leaves the
+// delay, all D values in the average already included its need, so the average does not exceed it. An average
+// over D values cannot jump.
 #include "audio/mixing/limiter.h"
 
 #include <algorithm>
@@ -10,16 +10,17 @@
 namespace temblor::audio {
 namespace {
 
-constexpr float kRelease = 1.0f / (0.15f * 48000);  // of the way back to 1, each frame
+constexpr float kRelease = 1.0f / (0.15f * 48000);  // share of the way back to 1, per frame
 constexpr float kNearOne = 0.9999f;
 
+// A damaged sound must not stay in the averages forever.
 float finite_or_zero(float sample) {
   return std::isfinite(sample) ? sample : 0;
 }
 
 }  // namespace
 
-// Moved on without change.
+// Passes the samples through the delay unchanged.
 void Limiter::delay(std::span<float> left, std::span<float> right) {
   for (std::size_t i = 0; i < left.size(); ++i) {
     std::swap(left[i], left_[at_]);
@@ -29,6 +30,8 @@ void Limiter::delay(std::span<float> left, std::span<float> right) {
   frame_ += left.size();
 }
 
+// Keeps the needs of the last D frames in a monotonic queue: a need is dropped once a later one is at least
+// as strict, so the front is always the minimum.
 void Limiter::add_need(float gain) {
   while (need_count_ > 0 && needs_[(first_need_ + need_count_ - 1) % kDelay_frames].gain >= gain)
     --need_count_;
@@ -36,6 +39,7 @@ void Limiter::add_need(float gain) {
   ++need_count_;
 }
 
+// Returns the gain of the frame that leaves the delay now. `peak` belongs to the frame that enters it.
 float Limiter::next_gain(float peak) {
   if (need_count_ > 0 && needs_[first_need_].frame + kDelay_frames <= frame_) {
     first_need_ = (first_need_ + 1) % kDelay_frames;
@@ -48,7 +52,7 @@ float Limiter::next_gain(float peak) {
   rest_frames_ = eased_now_ < 1 ? 0 : rest_frames_ + 1;
   eased_sum_ += static_cast<double>(eased_now_) - static_cast<double>(eased_[at_]);
   eased_[at_] = eased_now_;
-  if (is_at_rest()) eased_sum_ = kDelay_frames;  // whatever rounding has left
+  if (is_at_rest()) eased_sum_ = kDelay_frames;  // removes accumulated rounding errors
   return static_cast<float>(eased_sum_ / kDelay_frames);
 }
 
@@ -59,6 +63,7 @@ void Limiter::process(std::span<float> left, std::span<float> right) {
     right[i] = finite_or_zero(right[i]);
     peak = std::max(peak, std::max(std::abs(left[i]), std::abs(right[i])));
   }
+  // The usual case: nothing in the block is too loud, and the gain is 1 already.
   if (is_at_rest() && peak <= kCeiling) return delay(left, right);
   for (std::size_t i = 0; i < left.size(); ++i) {
     gain_ = next_gain(std::max(std::abs(left[i]), std::abs(right[i])));
@@ -66,7 +71,7 @@ void Limiter::process(std::span<float> left, std::span<float> right) {
     std::swap(right[i], right_[at_]);
     at_ = at_ + 1 == kDelay_frames ? 0 : at_ + 1;
     ++frame_;
-    // The last of rounding.
+    // Guards against rounding.
     left[i] = std::clamp(left[i] * gain_, -kCeiling, kCeiling);
     right[i] = std::clamp(right[i] * gain_, -kCeiling, kCeiling);
   }

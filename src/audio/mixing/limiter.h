@@ -1,5 +1,5 @@
-// Keeps the mix within full scale without distortion: what is too loud is turned down a few milliseconds
-// before it comes, and up again slowly.
+// Keeps the mix within full scale without distortion: lowers the gain a few milliseconds before a peak and
+// raises it again slowly. The method is described in limiter.cpp.
 #pragma once
 
 #include <array>
@@ -11,12 +11,11 @@ namespace temblor::audio {
 
 class Limiter {
  public:
-  // What comes out is this many frames late.
+  // The output is this many frames late.
   static constexpr std::size_t kDelay_frames = 144;  // 3 ms
   static constexpr float kCeiling = 0.99f;
 
-  // Two channels of equal length, in place. Nothing beyond kCeiling comes out, whatever goes in; what is no
-  // number is taken for 0.
+  // Processes two channels of equal length in place. No output sample exceeds kCeiling; NaN counts as 0.
   void process(std::span<float> left, std::span<float> right);
 
   // The factor in use, 0 to 1.
@@ -32,12 +31,12 @@ class Limiter {
   float next_gain(float peak);
   void add_need(float gain);
 
-  std::array<float, kDelay_frames> left_{}, right_{};  // on their way
+  std::array<float, kDelay_frames> left_{}, right_{};  // the delayed samples
   std::array<float, kDelay_frames> eased_ = filled_with_one();
-  std::size_t at_ = 0;  // in these three: the oldest
+  std::size_t at_ = 0;  // index of the oldest entry of these three rings
   double eased_sum_ = kDelay_frames;
-  // The needs of the last kDelay_frames that no later, lower one makes superfluous: rising, oldest first, in
-  // a circle.
+  // A monotonic queue in a ring: the needs of the last kDelay_frames, without those that a later and lower
+  // need makes irrelevant. Gains rise from the oldest to the newest entry.
   std::array<Need, kDelay_frames> needs_{};
   std::size_t first_need_ = 0, need_count_ = 0;
   std::uint64_t frame_ = 0;

@@ -1,5 +1,5 @@
-// The mixer's inner loop, as vector code and as plain C++ with the same results. Only plain types here: the
-// vector file is compiled for several processors.
+// The mixer's inner loop, as SIMD code and as a scalar reference with the same results. This header has only
+// plain types: the SIMD file is compiled once per instruction set.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct MixJob {
   float left_gain, left_step, right_gain, right_step;
 };
 
-// From sample `first` on.
+// Mixes the samples from `first` on.
 void mix_scalar(const MixJob& job, std::size_t first = 0);
 void mix_simd(const MixJob& job);
 

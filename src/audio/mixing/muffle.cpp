@@ -1,5 +1,5 @@
-// A state-variable filter of two poles, integrated by the trapezoidal rule (A. Simper, "Linear Trapezoidal
-// Integrated State Variable Filter", 2013): it stays stable while its frequency moves.
+// A two-pole state-variable filter, integrated by the trapezoidal rule (A. Simper, "Linear Trapezoidal
+// Integrated State Variable Filter", 2013). It stays stable while its frequency changes.
 #include "audio/mixing/muffle.h"
 
 #include <algorithm>
@@ -14,13 +14,14 @@ namespace {
 constexpr float kHighest_hz = 16000, kLowest_hz = 450;
 constexpr float kDamping = std::numbers::sqrt2_v<float>;  // no resonance
 constexpr std::uint32_t kTuneEvery_frames = 32;
-// Below this share of the way in, the unfiltered sound is still mixed in, so that the filter's own beginning
-// and end are not heard.
+// Below this amount, the unfiltered sound is still mixed in, so that switching the filter on and off is
+// inaudible.
 constexpr float kBlendIn = 0.125f;
 constexpr float kSilence = 1e-15f;
 
 }  // namespace
 
+// Moves the cutoff frequency. Equal steps of the amount are equal musical intervals.
 void Muffle::tune() {
   const float frequency_hz = kHighest_hz * std::pow(kLowest_hz / kHighest_hz, amount_);
   const float g = std::tan(std::numbers::pi_v<float> * frequency_hz / kFramesPerSecond);
@@ -29,6 +30,7 @@ void Muffle::tune() {
   a3_ = g * a2_;
 }
 
+// Filters one sample of one ear; the low-pass output of the filter is used.
 float Muffle::filtered(float sample, Poles& io_poles) const {
   const float rest = sample - io_poles.second;
   const float band = a1_ * io_poles.first + a2_ * rest;
@@ -49,7 +51,7 @@ void Muffle::process(std::span<float> left, std::span<float> right) {
     right[i] += share * (filtered(right[i], poles_[1]) - right[i]);
   }
   for (Poles& poles : poles_) {
-    // Ever smaller numbers cost processors much time.
+    // Denormal numbers are slow on many processors.
     if (std::abs(poles.first) + std::abs(poles.second) < kSilence) poles = {};
   }
   if (amount_ == 0) {

@@ -1,4 +1,4 @@
-// How it sounds under water: a low-pass filter that comes and goes smoothly.
+// Muffles sounds under water: a low-pass filter that fades in and out.
 #pragma once
 
 #include <array>
@@ -10,11 +10,12 @@ namespace temblor::audio {
 
 class Muffle {
  public:
-  // 0: nothing is changed, to 1: only what lies below a few hundred hertz is left. Reached within kGlide_s.
+  // 0: no change; 1: only frequencies below a few hundred hertz remain. The filter gets there within
+  // kGlide_s.
   static constexpr float kGlide_s = 0.2f;
   void set_target(float amount) { target_ = amount; }
 
-  // Two channels of equal length, in place.
+  // Filters two channels of equal length in place.
   void process(std::span<float> left, std::span<float> right);
 
  private:

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kPiece_frames = 2048;
 constexpr auto kNap = std::chrono::milliseconds(15);
-// What is left of a break after a frame: it is gone in some 5 ms.
+// The share of a break's offset that remains after one frame: it fades within about 5 ms.
 constexpr float kBridge = 0.98f;
 
 }  // namespace
@@ -32,7 +32,7 @@ void MusicStream::play(OpenMusic open) {
     std::swap(next_, open);
     has_next_ = true;
     is_called_ = true;
-    has_failed_ = false;  // the music before may have
+    has_failed_ = false;  // the previous music may have failed
     failure_.reset();
   }
   wake_.notify_one();
@@ -43,7 +43,7 @@ std::optional<base::Error> MusicStream::take_failure() {
   return std::exchange(failure_, std::nullopt);
 }
 
-// What is still to be read belongs to the music before.
+// The unread frames belong to the previous music.
 void MusicStream::open_next(std::unique_lock<std::mutex>& io_lock) {
   const OpenMusic open = std::exchange(next_, nullptr);
   has_next_ = is_called_ = has_failed_ = false;
@@ -78,7 +78,7 @@ void MusicStream::fill() {
   if (!decoder_) return;
   std::size_t written = written_.load(std::memory_order_relaxed);
   while (!is_called_ && kRing_frames - (written - read_.load(std::memory_order_acquire)) >= kPiece_frames) {
-    // Pieces divide the ring, so that none goes over its end.
+    // Pieces divide the ring evenly, so none wraps around its end.
     const std::span<float> piece = std::span(ring_).subspan(2 * (written % kRing_frames), 2 * kPiece_frames);
     decoder_->read(piece);
     written += kPiece_frames;
@@ -100,7 +100,7 @@ void MusicStream::take(std::span<float> out_samples, std::size_t from_frame) {
               out_samples.begin() + static_cast<std::ptrdiff_t>(before_end));
 }
 
-// Over a break the sound slides from where it was, instead of jumping.
+// After a break, the signal slides from its last value instead of jumping.
 void MusicStream::bridge(std::span<float> io_samples) {
   for (std::size_t i = 0; i < io_samples.size(); ++i) {
     float& offset = offset_[i % 2];
@@ -114,7 +114,7 @@ void MusicStream::read(std::span<float> out_samples) {
   const std::size_t written = written_.load(std::memory_order_acquire);
   const std::size_t read = read_.load(std::memory_order_relaxed);
   const std::size_t from = std::max(read, dropped_.load(std::memory_order_acquire));
-  // dropped_ may have run ahead of what was seen of written_.
+  // dropped_ may be newer than the value of written_ read above.
   const std::size_t ready = written > from && !paused_ ? written - from : 0;
   const std::size_t count = std::min(ready, out_samples.size() / 2);
   const std::span<float> music = out_samples.first(2 * count), silence = out_samples.subspan(2 * count);

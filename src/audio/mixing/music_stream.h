@@ -1,4 +1,7 @@
-// Music for an audio callback: decoded ahead on a thread of its own, so that whoever reads never waits.
+// Music for an audio callback. A separate thread decodes ahead into a lock-free ring, so the reader never
+// waits.
+//
+//   game thread: play() --mutex--> decoder thread: decode --ring--> device thread: read()
 #pragma once
 
 #include <array>
@@ -16,7 +19,7 @@
 
 namespace temblor::audio {
 
-// Reads and opens a file of music; on whichever thread decodes it.
+// Reads and opens a music file. Called on the decoder thread.
 using OpenMusic = std::function<base::Result<MusicDecoder>()>;
 
 class MusicStream {
@@ -26,19 +29,19 @@ class MusicStream {
   MusicStream(const MusicStream&) = delete;
   MusicStream& operator=(const MusicStream&) = delete;
 
-  // From the thread that made it, which never waits for a file. What played before stops; null: silence.
+  // Game thread. Stops the current music and starts this one; null: silence. Never waits for a file.
   void play(OpenMusic open);
-  // Why what was to be played is not, once.
+  // Returns once why the last music could not be opened.
   std::optional<base::Error> take_failure();
   void set_paused(bool paused) { paused_ = paused; }
-  // The file that is being played turned out to be damaged.
+  // Whether the file that plays is damaged.
   bool has_failed() const { return has_failed_; }
 
-  // From one other thread: the next frames, left and right in turn; silence where there are none yet. Neither
-  // waits nor asks the heap for anything.
+  // Device thread. Returns the next frames, left and right interleaved, and silence if none are ready. Never
+  // waits or allocates.
   void read(std::span<float> out_samples);
 
-  // Frames that are ready to be read.
+  // The number of frames that are ready to be read.
   std::size_t frames_ready() const;
 
  private:
@@ -51,23 +54,24 @@ class MusicStream {
   void bridge(std::span<float> io_samples);
 
   std::vector<float> ring_ = std::vector<float>(2 * kRing_frames);
-  // Frames since the beginning. One thread writes each: the decoder's the first two, the reader's the last.
+  // Frame counts since the stream was made. The decoder thread writes the first two, the device thread the
+  // last.
   std::atomic<std::size_t> written_{0}, dropped_{0}, read_{0};
   std::atomic<bool> paused_{false}, has_failed_{false};
 
-  // The reader's: its last frame, and how far off it the next ones are made to begin.
+  // Device thread: the last frame, and the offset that keeps the next frames continuous with it.
   std::array<float, 2> last_{}, offset_{};
   bool was_playing_ = false;
 
-  std::mutex mutex_;  // between play() and the decoder's thread
+  std::mutex mutex_;  // guards the four members below
   std::condition_variable wake_;
   OpenMusic next_;
   std::optional<base::Error> failure_;
   bool has_next_ = false, quits_ = false;
-  std::atomic<bool> is_called_{false};  // one of both, for who does not hold the mutex
+  std::atomic<bool> is_called_{false};  // has_next_ || quits_, readable without the mutex
 
-  std::optional<MusicDecoder> decoder_;  // the decoder's thread's
-  std::thread thread_;                   // last: it uses all of the above
+  std::optional<MusicDecoder> decoder_;  // decoder thread only
+  std::thread thread_;                   // declared last: it uses everything above
 };
 
 }  // namespace temblor::audio

@@ -1,4 +1,4 @@
-// How loud a sound is in each ear.
+// The loudness of a sound in each ear, by the original's rules.
 #pragma once
 
 #include "audio/scene.h"
@@ -10,12 +10,12 @@ struct EarGains {
   bool operator==(const EarGains&) const = default;
 };
 
-// The original's law: with 1 - distance * attenuation / 1000, and 1 -+ the cosine of the angle to the right,
-// so a sound at one side is twice as loud there and silent in the other ear. Never below 0, and 0 for a place
-// that is no number.
-EarGains gains_at(const Listener& listener, const math::Vec3& origin_world, float volume, float attenuation);
+// gain = volume * (1 - distance * attenuation / 1000) * (1 -+ cos(angle to the right)), so a sound exactly at
+// one side is twice as loud in that ear and silent in the other. Never negative; 0 if the position is NaN.
+EarGains compute_ear_gains(const Listener& listener, const math::Vec3& origin_world, float volume,
+                           float attenuation);
 
-// What a leaf's level comes to, as the original has it: that share of it, and nothing below 8; 0 to 255.
-float ambient_target(std::uint8_t leaf_level, float share);
+// The target level of an ambient sound, 0 to 255: `share` of the leaf's level, and 0 below 8.
+float compute_ambient_level(std::uint8_t leaf_level, float share);
 
 }  // namespace temblor::audio

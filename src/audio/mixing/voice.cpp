@@ -8,28 +8,31 @@ namespace temblor::audio {
 namespace {
 
 constexpr std::size_t kFadeIn_frames = 96, kFadeOut_frames = 240;  // 2 and 5 ms
-// While a fade and a movement go on at once, their product is taken for straight over so many frames.
+// While a fade and a movement overlap, their product is treated as linear over this many frames.
 constexpr std::size_t kStraight_frames = 16;
 
-EarGains gains_of(const Voice& voice, const Listener& listener) {
+// A player's own sounds are equally loud in both ears at any distance, as in stock Quake.
+EarGains compute_gains(const Voice& voice, const Listener& listener) {
   if (voice.kind == VoiceKind::kStarted && voice.entity == listener.entity)
     return {voice.volume, voice.volume};
-  return gains_at(listener, voice.origin_world, voice.volume, voice.attenuation);
+  return compute_ear_gains(listener, voice.origin_world, voice.volume, voice.attenuation);
 }
 
-std::size_t end_of(const Sound& sound) {
+std::size_t find_end(const Sound& sound) {
   return sound.loop ? sound.loop->end : sound.samples.size();
 }
 
-// How long the voice's next stretch is, over which all that moves moves evenly.
+// The length of the next stretch over which all gains change linearly.
 std::size_t stretch_frames(const Voice& voice, std::size_t wanted) {
-  std::size_t frames = std::min(wanted, end_of(*voice.sound) - voice.position);
+  std::size_t frames = std::min(wanted, find_end(*voice.sound) - voice.position);
   for (const Glide* glide : {&voice.left, &voice.right})
     if (glide->frames_left() > 0) frames = std::min(frames, glide->frames_left());
   if (voice.fade.frames_left() > 0) frames = std::min({frames, voice.fade.frames_left(), kStraight_frames});
   return frames;
 }
 
+// Adds a stretch in which the gains change linearly: the product of two linear gains is close to linear over
+// kStraight_frames. The kernel takes a start and a step for each ear.
 void add_stretch(const Voice& voice, std::size_t frames, float* left, float* right) {
   if (voice.is_silent()) return;
   const auto count = static_cast<float>(frames);
@@ -42,6 +45,7 @@ void add_stretch(const Voice& voice, std::size_t frames, float* left, float* rig
             (at(voice.right, count) * fade_end - right_gain) / count});
 }
 
+// Advances the voice by `frames`, which must not go past the end of its sound or of a glide.
 void pass(Voice& io_voice, std::size_t frames) {
   io_voice.left.pass(frames);
   io_voice.right.pass(frames);
@@ -50,7 +54,7 @@ void pass(Voice& io_voice, std::size_t frames) {
   if (io_voice.is_ending && was_fading && io_voice.fade.frames_left() == 0) io_voice.has_ended = true;
   io_voice.position += frames;
   const Sound& sound = *io_voice.sound;
-  if (io_voice.position < end_of(sound)) return;
+  if (io_voice.position < find_end(sound)) return;
   if (sound.loop)
     io_voice.position = sound.loop->start;
   else
@@ -59,6 +63,7 @@ void pass(Voice& io_voice, std::size_t frames) {
 
 }  // namespace
 
+// With 0 frames the value jumps. A glide that is under way turns to the new target from where it is.
 void Glide::go_to(float target, std::size_t frames) {
   target_ = target;
   frames_left_ = target == value_ ? 0 : frames;
@@ -69,7 +74,7 @@ void Glide::go_to(float target, std::size_t frames) {
 void Glide::pass(std::size_t frames) {
   if (frames_left_ == 0) return;
   frames_left_ -= frames;
-  // At its end it is where it was to go, whatever rounding says.
+  // At the end it has exactly the target's value, without rounding errors.
   value_ = frames_left_ == 0 ? target_ : value_ + step_ * static_cast<float>(frames);
   if (frames_left_ == 0) step_ = 0;
 }
@@ -79,13 +84,13 @@ std::size_t Voice::frames_left() const {
 }
 
 void place_voice(Voice& io_voice, const Listener& listener) {
-  const EarGains gains = gains_of(io_voice, listener);
+  const EarGains gains = compute_gains(io_voice, listener);
   io_voice.left = Glide(gains.left);
   io_voice.right = Glide(gains.right);
 }
 
 void move_voice(Voice& io_voice, const Listener& listener, std::size_t frames) {
-  const EarGains gains = gains_of(io_voice, listener);
+  const EarGains gains = compute_gains(io_voice, listener);
   io_voice.left.go_to(gains.left, frames);
   io_voice.right.go_to(gains.right, frames);
 }
@@ -98,11 +103,13 @@ void fade_in(Voice& io_voice) {
 void end_voice(Voice& io_voice) {
   if (io_voice.is_ending) return;
   io_voice.is_ending = true;
-  // What was never heard need not fade.
+  // A voice that was never heard need not fade out.
   if (io_voice.is_new) io_voice.has_ended = true;
   io_voice.fade.go_to(0, kFadeOut_frames);
 }
 
+// Splits the block at the ends of glides, of the loop, and of the sound, so that the kernel needs no
+// branches.
 void mix_voice(Voice& io_voice, const EarBuffers& io_ears) {
   std::size_t done = 0;
   while (done < io_ears.left.size() && !io_voice.has_ended) {

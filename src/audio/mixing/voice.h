@@ -1,4 +1,4 @@
-// One sound being played: where it is, how loud in each ear, and how it begins and ends without a click.
+// A voice: one sound that plays, its position, its loudness in each ear, and its fades.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace temblor::audio {
 
-// Goes to its target along a straight line.
+// A value that moves to its target along a straight line.
 class Glide {
  public:
   Glide() = default;
@@ -19,12 +19,12 @@ class Glide {
 
   float value() const { return value_; }
   float target() const { return target_; }
-  float step() const { return step_; }  // of each frame
+  float step() const { return step_; }  // change per frame
   std::size_t frames_left() const { return frames_left_; }
   bool is_silent() const { return value_ == 0 && target_ == 0; }
 
   void go_to(float target, std::size_t frames);
-  void pass(std::size_t frames);  // at most frames_left(), where that is not 0
+  void pass(std::size_t frames);  // advances; at most frames_left() unless that is 0
 
  private:
   float value_ = 0, target_ = 0, step_ = 0;
@@ -35,35 +35,35 @@ enum class VoiceKind : std::uint8_t { kStarted, kStatic };
 
 struct Voice {
   SoundPtr sound;
-  std::size_t position = 0;  // of the next sample
+  std::size_t position = 0;  // index of the next sample
   VoiceKind kind = VoiceKind::kStarted;
   std::int32_t entity = kNoEntity;
   int channel = kFreeChannel;
   math::Vec3 origin_world{0.0f};
   float volume = 1, attenuation = 1;
-  Glide left{}, right{};  // where it is heard
-  Glide fade{1};          // how it begins and ends
+  Glide left{}, right{};  // gains from the position
+  Glide fade{1};          // the fade in and out
   std::uint64_t number = 0;
-  bool is_new = true;      // no frame of it was played yet
-  bool is_ending = false;  // fades, and is gone then
+  bool is_new = true;      // no frame has been played yet
+  bool is_ending = false;  // fades out and then ends
   bool has_ended = false;
 
   bool is_silent() const { return (left.is_silent() && right.is_silent()) || fade.is_silent(); }
-  // Frames until it ends; as many as there are numbers for one that loops.
+  // Frames until it ends; the largest std::size_t if it loops.
   std::size_t frames_left() const;
 };
 
-// Both ears of a stretch of sound; equally long.
+// The two channels of a block; both have the same length.
 struct EarBuffers {
   std::span<float> left, right;
 };
 
-// As loud as the listener has it, at once or over that many frames.
+// Sets the gains for this listener, at once or over `frames`.
 void place_voice(Voice& io_voice, const Listener& listener);
 void move_voice(Voice& io_voice, const Listener& listener, std::size_t frames);
 void fade_in(Voice& io_voice);
 void end_voice(Voice& io_voice);
-// Adds what comes next of it, and moves on.
+// Adds the next samples to `io_ears` and advances the voice.
 void mix_voice(Voice& io_voice, const EarBuffers& io_ears);
 
 }  // namespace temblor::audio

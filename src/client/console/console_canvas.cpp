@@ -10,28 +10,31 @@ namespace temblor::client {
 
 namespace {
 
-constexpr std::uint8_t kBlack = 0, kWhite = 254;
-constexpr int kMargin = 1;  // columns
+// Palette indices.
+constexpr std::uint8_t kConsoleBlack = 0, kWhite = 254;
+constexpr int kConsoleMargin = 1;  // columns
 
-// The white characters' letters are bright, the shadows at their edges of the palette's dark grays.
+// A palette translation for high contrast. The character pictures draw bright glyphs with shadows in the
+// palette's six darkest grays: those become black, everything else white.
 constexpr render::ColorTranslation kBlackAndWhite = [] {
   constexpr std::size_t kDarkGrays = 6;
   render::ColorTranslation colors{};
   colors.fill(kWhite);
-  for (std::size_t i = 0; i < kDarkGrays; ++i) colors[i] = kBlack;
+  for (std::size_t i = 0; i < kDarkGrays; ++i) colors[i] = kConsoleBlack;
   return colors;
 }();
 
-// Text may be as large as it likes while a few rows of it still fit.
-int text_scale(int width, int height, const ConsoleSettings& settings) {
+// Chooses the frame pixels per character pixel: the scale of the HUD times the text size that the player
+// wants, but never so large that fewer than 20 columns or 8 rows fit.
+int choose_text_scale(int width, int height, const ConsoleSettings& settings) {
   constexpr int kMinColumns = 20, kMinRows = 8;
-  const int most =
+  const int max_scale =
       std::max(1, std::min(width / (kMinColumns * kCharacterSide), height / (kMinRows * kCharacterSide)));
   const auto scale = static_cast<float>(choose_scale(width, height, settings.scale));
-  return std::clamp(static_cast<int>(std::lround(scale * settings.text_size)), 1, most);
+  return std::clamp(static_cast<int>(std::lround(scale * settings.text_size)), 1, max_scale);
 }
 
-int divided_up(int value, int by) {
+int divide_rounding_up(int value, int by) {
   return (value + by - 1) / by;
 }
 
@@ -44,25 +47,28 @@ ConsoleCanvas::ConsoleCanvas(const assets::Pictures& pictures, const ConsoleSett
       list_(io_list),
       frame_width_(width),
       frame_height_(height),
-      scale_(text_scale(width, height, settings)),
+      scale_(choose_text_scale(width, height, settings)),
       panel_(pictures, io_list, width, height, scale_) {}
 
 int ConsoleCanvas::columns() const {
-  return std::max(1, frame_width_ / (scale_ * kCharacterSide) - 2 * kMargin);
+  return std::max(1, frame_width_ / (scale_ * kCharacterSide) - 2 * kConsoleMargin);
 }
 
-void ConsoleCanvas::plain_fill(int top, int bottom, float opacity) const {
-  list_.commands.push_back(
-      {.area = {0, top * scale_, frame_width_, (bottom - top) * scale_}, .fill = kBlack, .opacity = opacity});
+void ConsoleCanvas::fill_plain(int top, int bottom, float opacity) const {
+  list_.commands.push_back({.area = {0, top * scale_, frame_width_, (bottom - top) * scale_},
+                            .fill = kConsoleBlack,
+                            .opacity = opacity});
 }
 
-// The picture hangs from its lower edge, in the middle, large enough to leave nothing free.
-void ConsoleCanvas::background(int bottom, float opacity) const {
+// The picture's lower edge stays at the console's lower edge while the console slides, as in stock Quake. It
+// is centered and scaled by a whole number so that it covers the width.
+void ConsoleCanvas::draw_background(int bottom, float opacity) const {
   const formats::Picture* const picture =
       settings_.high_contrast ? nullptr : pictures_.find_real("gfx/conback.lmp");
-  if (picture == nullptr) return plain_fill(0, bottom, settings_.high_contrast ? 1 : opacity);
+  if (picture == nullptr) return fill_plain(0, bottom, settings_.high_contrast ? 1 : opacity);
   const auto width = static_cast<int>(picture->width), height = static_cast<int>(picture->height);
-  const int scale = std::max(divided_up(frame_width_, width), divided_up(frame_height_, height));
+  const int scale =
+      std::max(divide_rounding_up(frame_width_, width), divide_rounding_up(frame_height_, height));
   list_.commands.push_back({.picture = picture,
                             .area = {(frame_width_ - width * scale) / 2, bottom * scale_ - height * scale,
                                      width * scale, height * scale},
@@ -70,36 +76,42 @@ void ConsoleCanvas::background(int bottom, float opacity) const {
                             .opacity = opacity});
 }
 
-void ConsoleCanvas::row_background(int y) const {
-  if (settings_.high_contrast) plain_fill(y, y + kCharacterSide, 1);
+void ConsoleCanvas::draw_row_background(int y) const {
+  if (settings_.high_contrast) fill_plain(y, y + kCharacterSide, 1);
 }
 
-void ConsoleCanvas::text(std::string_view glyphs, int column, int y) const {
+// For high contrast, moves the commands that the panel has just appended to the white half of the character
+// picture and replaces their colors.
+void ConsoleCanvas::draw_text(std::string_view glyphs, int column, int y) const {
   const std::size_t first = list_.commands.size();
-  panel_.text(glyphs, (column + kMargin) * kCharacterSide, y);
+  panel_.draw_text(glyphs, (column + kConsoleMargin) * kCharacterSide, y);
   if (!settings_.high_contrast) return;
-  constexpr int kBronzeRow = 64;  // of the characters' picture: the lower half is the upper one in bronze
+  // Rows of the character picture, in pixels: the lower half (codes 128 to 255) repeats the upper one in
+  // bronze.
+  constexpr int kBronzeRow = 64;
   for (std::size_t i = first; i < list_.commands.size(); ++i) {
     list_.commands[i].part_y %= kBronzeRow;
     list_.commands[i].translation = &kBlackAndWhite;
   }
 }
 
-void ConsoleCanvas::text_at_right(std::string_view glyphs, int y) const {
+void ConsoleCanvas::draw_right_aligned_text(std::string_view glyphs, int y) const {
   const int column = columns() - static_cast<int>(glyphs.size());
-  if (column > 0) text(glyphs, column, y);
+  if (column > 0) draw_text(glyphs, column, y);
 }
 
-void ConsoleCanvas::cursor(int column, int y, double time_s) const {
+void ConsoleCanvas::draw_cursor(int column, int y, double time_s) const {
   constexpr double kBlinksPerSecond = 2;
   constexpr char kBlock = 11;
   const double blinks = time_s * kBlinksPerSecond;
-  if (blinks - std::floor(blinks) < 0.5) text({&kBlock, 1}, column, y);
+  if (blinks - std::floor(blinks) < 0.5) draw_text({&kBlock, 1}, column, y);
 }
 
-ShownInput show_input(std::string_view prompt, std::string_view glyphs, std::size_t cursor, int columns) {
+// Scrolls sideways by the smallest amount that keeps the cursor's column inside the row.
+InputLineView layout_input_line(std::string_view prompt, std::string_view glyphs, std::size_t cursor,
+                                int columns) {
   const auto width = static_cast<std::size_t>(columns);
-  // A prompt that leaves no room for the text is cut off.
+  // A prompt that leaves no room for the text is shortened.
   prompt = prompt.substr(0, width / 2);
   const std::size_t room = width - prompt.size();
   const std::size_t first = cursor >= room ? cursor - room + 1 : 0;

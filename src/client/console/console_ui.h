@@ -1,5 +1,13 @@
-// The console on the screen: what was printed, the line that is typed, and the last lines over the game. An
-// object without window, files or clock; what is entered is taken from it as text.
+// The console on the screen: output, an input line with history and completion, chat, and recent messages
+// over the game.
+//
+//   platform events -> handle() -> edit line -> Enter -> take_commands() -> command::Console
+//   game text ------> print() ---> ConsoleLog -> draw() -> render::DrawList
+//
+// The part has no window, files or clock of its own: the owner passes events and the time, and runs the
+// entered lines. Editing follows the shells (Ctrl+A, E, U, K, W; Ctrl+R searches the history backward),
+// completion is on Tab. At most one line has the input focus: the console's, or a chat line at the top of the
+// screen.
 #pragma once
 
 #include <cstddef>
@@ -24,67 +32,85 @@ namespace temblor::client {
 
 class ConsoleCanvas;
 
+// The values of the console variables that console_variables.h registers.
 struct ConsoleSettings {
-  double slide_speed = 300;    // of the original's 200 rows of pixels a second
-  double notify_time_s = 3;    // how long a line stays over the game
-  int notify_rows = 4;         // and how many at most
-  int scale = 0;               // frame pixels for each of the original's; 0: what suits the frame's size
-  float text_size = 1;         // times as large
-  float opacity = 1;           // of its background over the game
-  bool high_contrast = false;  // white on black, without colors
+  // Original pixels per second; the screen has 200.
+  double slide_speed = 300;
+  // How long a message stays over the game, and how many rows of messages at most.
+  double notify_time_s = 3;
+  int notify_rows = 4;
+  // Frame pixels per original pixel; 0: chosen from the frame's size.
+  int scale = 0;
+  // A factor on the scale.
+  float text_size = 1;
+  // Opacity of the background over a game, 0 to 1.
+  float opacity = 1;
+  // White on black, without colors or pictures.
+  bool high_contrast = false;
 };
 
-// What it shows, and when.
+// The inputs of drawing a frame.
 struct ConsoleView {
   const assets::Pictures& pictures;
-  double time_s = 0;         // on the clock of print()
-  bool game_runs = true;     // false: the console takes the whole frame, open or not
-  std::string_view version;  // "Temblor 0.1.0"
+  // On the clock of print().
+  double time_s = 0;
+  // False: no game runs, and the console covers the whole frame, open or not.
+  bool game_runs = true;
+  // Shown in the lower right corner: "Temblor 0.1.0".
+  std::string_view version;
   ConsoleSettings settings;
 };
 
-// What it needs of others. Each may be null.
+// Services that the owner provides; each may be empty.
 struct ConsolePorts {
   std::function<command::Completion(std::string_view line)> complete;
   std::function<std::string()> read_clipboard;
   std::function<void(std::string_view text)> write_clipboard;
 };
 
+// Owns the log, the input lines and the history.
 class ConsoleUi {
  public:
   explicit ConsoleUi(ConsolePorts ports) : ports_(std::move(ports)) {}
 
-  // See ConsoleLog. `time_s`: on the clock of ConsoleView.
+  // See ConsoleLog. `time_s` is on the clock of ConsoleView.
   void print(std::string_view text, double time_s) { log_.print(text, time_s); }
   void print_utf8(std::string_view text, double time_s) { log_.print_utf8(text, time_s); }
   void clear() { log_.clear(); }
-  // Lines printed so far are no longer shown over the game.
+  // Hides the messages that are over the game now; the log keeps them.
   void clear_notify() { notify_from_ = log_.end_line(); }
+  // The whole log as plain ASCII; see ConsoleLog::text().
   std::string text() const { return log_.text(); }
 
+  // Opening and closing starts a slide, which draw() carries out. Closing also ends a search, scrolls to the
+  // end, and hides the messages that were just visible in the console.
   void open();
   void close();
   void toggle() { is_open() ? close() : open(); }
-  // A line at the top to say something; `to_team` only to the own team.
+  // Opens an empty chat line at the top of the screen; `to_team` sends it only to the player's team.
   void begin_chat(bool to_team);
   bool is_open() const { return entry_ == Entry::kConsole; }
-  // Keys are for typing: Window::take_text().
+  // Whether keys are for typing; for Window::take_text().
   bool takes_text() const { return entry_ != Entry::kNone; }
-  // Nothing of the game is to be seen.
+  // Whether the console hides the game completely.
   bool covers_frame() const { return covers_frame_; }
 
-  // Whether it was for the console. Every event has to come here first, open or not; that a key was let go is
-  // never the console's alone. The key that opened it (its text follows) types nothing. Escape is not taken
-  // where no game runs: there is nothing to close it for.
+  // Handles an event and returns whether it was used; the game must then ignore it. Every event must come
+  // here first, open or not, as the console tracks Ctrl, Shift and Alt. Releases are never used up, so that a
+  // key which was held when the console opened is still released in the game. The key that opened the console
+  // types nothing. While no game runs there is nothing to return to, so Escape and the backquote key are not
+  // used.
   bool handle(const platform::InputEvent& event);
-  // Lines that were entered since the last time, as Console::append() takes them; chat as `say "TEXT"`.
+  // Returns the lines entered since the last call, for Console::append(); chat as `say "TEXT"` or `say_team
+  // "TEXT"`.
   std::vector<std::string> take_commands() { return std::exchange(commands_, {}); }
 
-  // The lines entered, to be kept between runs.
+  // The history of input lines, which the owner saves between runs.
   void load_history(std::string_view text) { history_.load(text); }
   std::string history_text() const { return history_.text(); }
 
-  // Lets time pass, and appends what there is to see in a frame of that size. Valid while the pictures live.
+  // Advances the slide to the view's time and appends draw commands for a frame of `width` x `height` pixels.
+  // The commands are valid while the pictures live.
   void draw(const ConsoleView& view, int width, int height, render::DrawList& io_list);
 
  private:
@@ -92,20 +118,22 @@ class ConsoleUi {
   struct HeldKeys {
     bool ctrl = false, shift = false, alt = false;
   };
-  // Going back through the history for what has a text in it.
+  // A backward search through the history, as Ctrl+R in a shell.
   struct Search {
-    std::string text;
-    std::string typed;  // what stood there before
+    std::string text;  // what to find
+    // The line before the search began; Escape restores it.
+    std::string typed;
+    // Number of the history line that was found; the history's size before the first match.
     std::size_t found = 0;
   };
 
-  void hold(const platform::KeyChange& change);
-  bool press(platform::Key key);
-  bool leave();
-  bool press_in_console(platform::Key key);
-  bool press_in_chat(platform::Key key);
-  bool press_with_ctrl(platform::Key key);
-  bool press_in_search(platform::Key key);
+  void track_modifiers(const platform::KeyChange& change);
+  bool handle_key(platform::Key key);
+  bool close_if_game_runs();
+  bool handle_console_key(platform::Key key);
+  bool handle_chat_key(platform::Key key);
+  bool handle_ctrl_key(platform::Key key);
+  bool handle_search_key(platform::Key key);
   bool edit(platform::Key key);
   bool scroll(platform::Key key);
   void type(std::string_view text);
@@ -113,12 +141,12 @@ class ConsoleUi {
   void copy();
   void enter_command();
   void enter_chat();
-  void show_line(const std::optional<std::string>& line);
+  void set_line(const std::optional<std::string>& line);
   void complete();
-  void list(const command::Completion& completion);
-  void search_on(std::size_t before);
+  void print_candidates(const command::Completion& completion);
+  void find_match(std::size_t before);
 
-  void slide(const ConsoleView& view);
+  void advance_slide(const ConsoleView& view);
   void draw_page(const ConsoleCanvas& canvas, const ConsoleView& view);
   int draw_notify(const ConsoleCanvas& canvas, const ConsoleSettings& settings);
   std::string prompt() const;
@@ -133,13 +161,17 @@ class ConsoleUi {
   Entry entry_ = Entry::kNone;
   EditLine chat_;
   HeldKeys held_;
-  bool ignores_text_ = false;  // until another key is pressed
+  // The key that opened the console types a character too ('`'). Text is ignored until the next key press.
+  bool ignores_text_ = false;
   bool game_runs_ = true;
   bool covers_frame_ = false;
   double time_s_ = 0;
-  double shown_ = 0;  // of the frame's height
+  // The share of the frame's height that the console covers now, 0 to 1.
+  double shown_ = 0;
+  // The first log line that may appear over the game.
   std::uint64_t notify_from_ = 0;
-  std::vector<std::string_view> rows_, line_rows_;  // of a frame
+  // Scratch space of draw(), kept to avoid allocations. The views refer to the log.
+  std::vector<std::string_view> rows_, line_rows_;
 };
 
 }  // namespace temblor::client

@@ -5,22 +5,19 @@ namespace temblor::client {
 ConsoleVariables::ConsoleVariables(command::Variables& variables) {
   const ConsoleSettings defaults;
   notify_time_ = variables.add_float("con_notifytime", defaults.notify_time_s, 0, 3600,
-                                     "Seconds that a message stays over the game.");
+                                     "Seconds that messages stay on screen during the game.");
   notify_rows_ = variables.add_int("con_notifylines", defaults.notify_rows, 0, 64,
-                                   "Rows of messages over the game at most.");
-  slide_speed_ =
-      variables.add_float("scr_conspeed", defaults.slide_speed, 1, 1e6,
-                          "How fast the console opens and closes; 200: all of the screen in a second.");
-  scale_ =
-      variables.add_int("scr_conscale", defaults.scale, 0, 64,
-                        "Pixels for each of the console's characters'; 0: chosen from the window's size.");
+                                   "Maximum number of message rows during the game.");
+  slide_speed_ = variables.add_float("scr_conspeed", defaults.slide_speed, 1, 1e6,
+                                     "How fast the console slides. 200: one screen per second.");
+  scale_ = variables.add_int("scr_conscale", defaults.scale, 0, 64,
+                             "Console character size. 0 picks a size that fits the window.");
   opacity_ = variables.add_float("scr_conalpha", static_cast<double>(defaults.opacity), 0, 1,
-                                 "Opacity of the console over a game.");
+                                 "Opacity of the console during a game.");
   high_contrast_ = variables.add_bool("con_highcontrast", defaults.high_contrast,
-                                      "The console and its messages are white on black.");
-  text_size_ =
-      variables.add_float("scr_textsize", static_cast<double>(defaults.text_size), 0.5, 4,
-                          "How large text of the console and the menus is; 1: as the window suggests.");
+                                      "Shows the console, messages and menus in white on black.");
+  text_size_ = variables.add_float("scr_textsize", static_cast<double>(defaults.text_size), 0.5, 4,
+                                   "Console and menu text size. 1 (100%) picks a size that fits the window.");
 }
 
 ConsoleSettings ConsoleVariables::read(const command::Variables& variables) const {

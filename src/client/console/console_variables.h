@@ -1,4 +1,5 @@
-// The console's look as console variables, with the size of all text.
+// Console variables for the console's look: con_notifytime, con_notifylines, con_highcontrast, scr_conspeed,
+// scr_conscale, scr_conalpha and scr_textsize.
 #pragma once
 
 #include "client/console/console_ui.h"
@@ -8,9 +9,9 @@ namespace temblor::client {
 
 class ConsoleVariables {
  public:
-  // Registers the variables, each with its help; the defaults are those of ConsoleSettings.
+  // Registers the variables. Their defaults are those of ConsoleSettings.
   explicit ConsoleVariables(command::Variables& variables);
-  // `variables` is the table they were registered in.
+  // The current settings. `variables` is the table that the constructor received.
   ConsoleSettings read(const command::Variables& variables) const;
 
  private:

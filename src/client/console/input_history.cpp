@@ -7,6 +7,7 @@
 
 namespace temblor::client {
 
+// Repeated lines would make stepping back tedious, so only one of them is kept.
 void InputHistory::add(std::string_view line) {
   stop();
   if (line.empty() || (!lines_.empty() && lines_.back() == line)) return;
@@ -14,6 +15,7 @@ void InputHistory::add(std::string_view line) {
   if (lines_.size() > kMaxLines) lines_.pop_front();
 }
 
+// The first step back saves the typed line.
 std::optional<std::string> InputHistory::older(std::string_view typed) {
   if (lines_.empty() || shown_ == 0u) return std::nullopt;
   if (!shown_) typed_ = typed;
@@ -21,6 +23,7 @@ std::optional<std::string> InputHistory::older(std::string_view typed) {
   return lines_[*shown_];
 }
 
+// A step past the newest line returns to the typed one.
 std::optional<std::string> InputHistory::newer() {
   if (!shown_) return std::nullopt;
   if (++*shown_ < lines_.size()) return lines_[*shown_];
@@ -39,7 +42,7 @@ void InputHistory::load(std::string_view text) {
   EditLine line;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    // More than fits is not worth the time to look at it.
+    // Looks at no more of a line than could fit.
     line.set(text.substr(0, std::min(end, 2 * EditLine::kMaxBytes)));
     add(line.text());
     text.remove_prefix(std::min(end + 1, text.size()));

@@ -1,4 +1,4 @@
-// The lines that were entered before: to go back through, to search, and to keep between runs.
+// The history of input lines: to step through, to search, and to save between runs.
 #pragma once
 
 #include <cstddef>
@@ -9,31 +9,37 @@
 
 namespace temblor::client {
 
+// Lines are numbered from 0, the oldest. Numbers shift when a line is dropped, so they are valid only until
+// the next add().
 class InputHistory {
  public:
-  static constexpr std::size_t kMaxLines = 512;  // older ones are forgotten
+  static constexpr std::size_t kMaxLines = 512;  // older lines are dropped
 
-  // An empty line, and one that is the same as the last, is not kept. Going through them is over.
+  // Adds a line, unless it is empty or repeats the last one. Ends stepping through the history.
   void add(std::string_view line);
 
-  // The line before the one that is shown, or after it; nothing where there is none. Going back from what is
-  // being typed, that is kept, and comes again after the last line.
+  // Steps through the history and returns the line to show, or nothing at the ends. `typed` is the line being
+  // typed: the first step saves it, and newer() returns it again after the newest line.
   std::optional<std::string> older(std::string_view typed);
   std::optional<std::string> newer();
+  // Ends stepping: the next older() starts at the newest line.
   void stop() { shown_.reset(); }
 
-  // The last line before line number `before` in which the text occurs, without regard to case.
+  // The number of the last line before line `before` that contains the text, ignoring case.
   std::optional<std::size_t> find_before(std::size_t before, std::string_view text) const;
-  const std::string& line(std::size_t number) const { return lines_[number]; }  // 0: the oldest
+  const std::string& line(std::size_t number) const { return lines_[number]; }  // 0 is the oldest
   std::size_t size() const { return lines_.size(); }
 
-  // One line each. What is read is added to what there is, as far as it can be typed.
+  // The saved form: one line each, oldest first. load() appends to the history; lines pass through the same
+  // filter as typed text, so a damaged file does no harm.
   void load(std::string_view text);
   std::string text() const;
 
  private:
   std::deque<std::string> lines_;
-  std::optional<std::size_t> shown_;  // while going through them
+  // The line shown while stepping; nothing otherwise.
+  std::optional<std::size_t> shown_;
+  // The line that was being typed before stepping.
   std::string typed_;
 };
 

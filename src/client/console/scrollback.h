@@ -1,5 +1,9 @@
-// Which rows of the log are to be seen. Rows are those of its lines, wrapped at a number of columns; going
-// back, the rows that are shown stay where they are while others are printed.
+// The visible part of the console's log: which rows are shown, and scrolling.
+//
+// Rows are log lines wrapped to a number of columns. Nothing is stored per row: wrapping is repeated for the
+// rows on the page, so a change of the window's size costs nothing and the log may be long. The position is
+// stored as a log line and a row within it. While scrolled back, the view stays on its rows as new ones are
+// printed.
 #pragma once
 
 #include <compare>
@@ -13,40 +17,47 @@
 
 namespace temblor::client {
 
+// Positions refer to a log that every call must pass again; it must be the same log each time.
 class Scrollback {
  public:
-  // What the page holds, each 1 or more. The work below is a page's, whatever the log's length.
+  // Sets the page size in characters; values below 1 count as 1. The cost of all functions depends on the
+  // page, not on the length of the log.
   void set_page(int columns, int rows);
 
-  void up(const ConsoleLog& log, int rows);
-  void down(const ConsoleLog& log, int rows);
-  void page_up(const ConsoleLog& log) { up(log, page_step()); }
-  void page_down(const ConsoleLog& log) { down(log, page_step()); }
-  void to_begin(const ConsoleLog& log);
-  void to_end() { lowest_.reset(); }
-  // There is nothing below what is shown.
+  // Scroll by rows, or by a page less two rows, within the log. An empty log cannot be scrolled.
+  void scroll_up(const ConsoleLog& log, int rows);
+  void scroll_down(const ConsoleLog& log, int rows);
+  void page_up(const ConsoleLog& log) { scroll_up(log, page_step()); }
+  void page_down(const ConsoleLog& log) { scroll_down(log, page_step()); }
+  void scroll_to_start(const ConsoleLog& log);
+  void scroll_to_end() { lowest_.reset(); }
+  // Whether the view is at the newest row.
   bool is_at_end() const { return !lowest_; }
 
-  // Rows from the lowest one upwards, `count` at most. Valid until something is printed.
-  void rows_upwards(const ConsoleLog& log, std::size_t count, std::vector<std::string_view>& out_rows);
+  // The visible rows from the lowest one upward, at most `count`. The views refer to the log and are valid
+  // until something is printed.
+  void collect_rows_upwards(const ConsoleLog& log, std::size_t count,
+                            std::vector<std::string_view>& out_rows);
 
  private:
   struct Row {
     std::uint64_t line = 0;
-    std::size_t row = 0;  // of the line
+    // Row within the wrapped line, from 0.
+    std::size_t row = 0;
     auto operator<=>(const Row&) const = default;
   };
   int page_step() const;
-  std::size_t rows_of(const ConsoleLog& log, std::uint64_t line) const;
-  Row last(const ConsoleLog& log) const;
-  // The row that is shown lowest, where it is now. The log is not empty.
-  Row lowest(const ConsoleLog& log) const;
-  Row moved_up(const ConsoleLog& log, Row from, std::size_t rows) const;
-  Row moved_down(const ConsoleLog& log, Row from, std::size_t rows) const;
-  void show(const ConsoleLog& log, const Row& wanted);
+  std::size_t count_line_rows(const ConsoleLog& log, std::uint64_t line) const;
+  Row last_row(const ConsoleLog& log) const;
+  // The lowest visible row. The log must not be empty.
+  Row lowest_row(const ConsoleLog& log) const;
+  Row step_up(const ConsoleLog& log, Row from, std::size_t rows) const;
+  Row step_down(const ConsoleLog& log, Row from, std::size_t rows) const;
+  void scroll_to(const ConsoleLog& log, const Row& wanted);
 
   int columns_ = 1, page_rows_ = 1;
-  std::optional<Row> lowest_;  // none: the last that there is
+  // The lowest visible row; nothing while the view follows the newest row.
+  std::optional<Row> lowest_;
   std::vector<std::string_view> line_rows_;
 };
 

@@ -1,4 +1,5 @@
-// The table of well-formed byte sequences of the Unicode standard, chapter 3.9.
+// Follows the table of well-formed byte sequences in the Unicode standard, section 3.9: overlong encodings,
+// surrogates and code points past U+10FFFF are invalid.
 #include "client/console/utf8.h"
 
 #include <cstdint>
@@ -7,16 +8,17 @@ namespace temblor::client {
 
 namespace {
 
-// What a character's first byte says of it: its bytes, and what the second one may be.
+// What a character's first byte says: the character's length in bytes (0: no character starts with this
+// byte), and the valid range of its second byte.
 struct Lead {
   std::size_t length = 0;
   std::uint8_t second_min = 0x80, second_max = 0xbf;
 };
 
-Lead lead_of(std::uint8_t byte) {
+Lead decode_lead_byte(std::uint8_t byte) {
   if (byte < 0x80) return {1};
   if (byte >= 0xc2 && byte <= 0xdf) return {2};
-  if (byte == 0xe0) return {3, 0xa0, 0xbf};  // below: in more bytes than it needs
+  if (byte == 0xe0) return {3, 0xa0, 0xbf};  // below: overlong encodings
   if (byte == 0xed) return {3, 0x80, 0x9f};  // above: surrogates
   if (byte >= 0xe1 && byte <= 0xef) return {3};
   if (byte == 0xf0) return {4, 0x90, 0xbf};
@@ -25,31 +27,31 @@ Lead lead_of(std::uint8_t byte) {
   return {};
 }
 
-std::uint8_t byte_at(std::string_view text, std::size_t at) {
+std::uint8_t get_byte(std::string_view text, std::size_t at) {
   return static_cast<std::uint8_t>(text[at]);
 }
 
-// C0 and DEL, and C1, which takes two bytes.
+// C0 controls, DEL, and C1 controls, which take two bytes.
 bool is_control(std::string_view character) {
-  const std::uint8_t first = byte_at(character, 0);
+  const std::uint8_t first = get_byte(character, 0);
   if (character.size() == 1) return first < ' ' || first == 0x7f;
-  return first == 0xc2 && byte_at(character, 1) < 0xa0;
+  return first == 0xc2 && get_byte(character, 1) < 0xa0;
 }
 
 }  // namespace
 
 std::size_t character_length(std::string_view text, std::size_t at) {
   if (at >= text.size()) return 0;
-  const Lead lead = lead_of(byte_at(text, at));
+  const Lead lead = decode_lead_byte(get_byte(text, at));
   if (lead.length == 0 || lead.length > text.size() - at) return 0;
   for (std::size_t i = 1; i < lead.length; ++i) {
-    const std::uint8_t byte = byte_at(text, at + i);
+    const std::uint8_t byte = get_byte(text, at + i);
     if (byte < (i == 1 ? lead.second_min : 0x80) || byte > (i == 1 ? lead.second_max : 0xbf)) return 0;
   }
   return lead.length;
 }
 
-std::string typed_text(std::string_view text) {
+std::string sanitize_typed_text(std::string_view text) {
   std::string typed;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = character_length(text, at);

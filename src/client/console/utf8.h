@@ -1,4 +1,5 @@
-// Text as people type it: UTF-8, one character at a time.
+// UTF-8 text as people type it, and its conversion to the console's one-byte characters. Input is never
+// trusted: any bytes are accepted, and invalid ones are replaced.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +8,17 @@
 
 namespace temblor::client {
 
-// Bytes of the character that begins at `at`; 0 where none does: in the middle of one, in bytes that are no
-// UTF-8, at the end.
+// The length in bytes of the character that begins at `at`, 1 to 4; 0 if none begins there: within a
+// character, in invalid bytes, or at the end.
 std::size_t character_length(std::string_view text, std::size_t at);
 
-// Fit for a line to type in: control characters are left out, but for line ends and tabs, which are spaces;
-// each byte that belongs to no character becomes '?'.
-std::string typed_text(std::string_view text);
+// Makes text fit for an input line: drops control characters, turns line ends and tabs into spaces, and
+// replaces each invalid byte with '?'.
+std::string sanitize_typed_text(std::string_view text);
 
-// For the console's characters: one byte for each of `text`'s, '?' for what is not ASCII.
+// Converts to the console's character set: one byte per character, '?' for characters that are not ASCII.
 std::string to_glyphs(std::string_view text);
-// The same in bronze.
+// The same, in the bronze half of the character set.
 std::string to_bronze_glyphs(std::string_view text);
 
 }  // namespace temblor::client

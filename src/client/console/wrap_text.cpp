@@ -11,12 +11,13 @@ bool is_space(char c) {
 
 }  // namespace
 
-std::string_view take_row(std::string_view& io_line, int columns) {
-  const auto most = static_cast<std::size_t>(columns);
+std::string_view split_first_row(std::string_view& io_line, int columns) {
+  const auto max_chars = static_cast<std::size_t>(columns);
+  // Looks backward from one character past the row for a space; a space exactly there lets the row be full.
   std::size_t end = io_line.size(), next = end;
-  if (end > most) {
-    end = next = most;
-    for (std::size_t space = most; space > 0; --space) {
+  if (end > max_chars) {
+    end = next = max_chars;
+    for (std::size_t space = max_chars; space > 0; --space) {
       if (!is_space(io_line[space])) continue;
       end = space;
       next = space + 1;
@@ -30,14 +31,14 @@ std::string_view take_row(std::string_view& io_line, int columns) {
 
 void wrap_line(std::string_view line, int columns, std::vector<std::string_view>& out_rows) {
   out_rows.clear();
-  do out_rows.push_back(take_row(line, columns));
+  do out_rows.push_back(split_first_row(line, columns));
   while (!line.empty());
 }
 
 std::size_t count_rows(std::string_view line, int columns) {
   std::size_t rows = 0;
   do {
-    take_row(line, columns);
+    split_first_row(line, columns);
     ++rows;
   } while (!line.empty());
   return rows;

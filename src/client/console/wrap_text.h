@@ -1,4 +1,4 @@
-// A line of the console's characters -> rows that are no wider than a number of columns.
+// Wraps a line of console characters to a number of columns. Rows are views into the line: nothing is copied.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace temblor::client {
 
-// Takes the first row off: as much as fits, up to a space, which is left out (and is no row's first character
-// but the line's); in the middle of a word where there is no space. `columns` > 0.
-std::string_view take_row(std::string_view& io_line, int columns);
+// Removes the first row from the line and returns it: as much as fits, up to the last space that allows it,
+// which is dropped. A word that is longer than a row is split. `columns` must be positive.
+std::string_view split_first_row(std::string_view& io_line, int columns);
 
-// All of its rows; an empty line has one.
+// All rows of a line, or their number; an empty line has one empty row.
 void wrap_line(std::string_view line, int columns, std::vector<std::string_view>& out_rows);
 std::size_t count_rows(std::string_view line, int columns);
 

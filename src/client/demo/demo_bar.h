@@ -1,4 +1,4 @@
-// What somebody who watches a recording wants to know of it, above the status bar.
+// The progress bar of a demo, above the status bar.
 #pragma once
 
 #include "assets/pictures.h"
@@ -7,13 +7,14 @@
 
 namespace temblor::client {
 
-// A bar for the recording's length, filled up to the moment that is shown, and above it that moment, the
-// length, and how it is played. Appended to `io_list`, for a frame of that size; valid while the pictures
-// live. `scale`: see choose_scale().
+// Draws a bar for the demo's length, filled up to the time that is shown. The text above it has that time,
+// the length, and at the right "paused", "end", or a speed other than 1. Appends to `io_list` for a frame of
+// `width` x `height` pixels; the commands are valid while the pictures live. `scale`: see choose_scale().
 void draw_demo_bar(const DemoSession& session, const assets::Pictures& pictures, int width, int height,
                    int scale, render::DrawList& io_list);
 
-// Where of the recording the bar is that many pixels from the frame's left, for who clicks there.
-double demo_time_at(const DemoSession& session, int x_px, int width, int height, int scale);
+// The demo time at a pixel column of the bar, for mouse clicks; columns beside the bar give its first or last
+// time.
+double find_demo_time(const DemoSession& session, int x_px, int width, int height, int scale);
 
 }  // namespace temblor::client

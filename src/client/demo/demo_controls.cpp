@@ -18,7 +18,7 @@ constexpr float kFastFactor = 4;
 
 bool DemoControls::handle(const platform::InputEvent& event) {
   if (const auto* change = std::get_if<platform::KeyChange>(&event.what)) {
-    if (const std::optional<Held> held = held_by(change->key)) held_[*held] = change->down;
+    if (const std::optional<Held> held = find_held_key(change->key)) held_[*held] = change->down;
     if (!change->down || !press(change->key)) return false;
     idle_s_ = 0;
     return true;
@@ -34,7 +34,7 @@ bool DemoControls::handle(const platform::InputEvent& event) {
   return false;
 }
 
-std::optional<DemoControls::Held> DemoControls::held_by(Key key) {
+std::optional<DemoControls::Held> DemoControls::find_held_key(Key key) {
   constexpr std::pair<Key, Held> kKeys[] = {
       {Key{'w'}, kForward}, {Key{'s'}, kBack}, {Key{'a'}, kLeft},    {Key{'d'}, kRight},
       {Key{'e'}, kUp},      {Key{'q'}, kDown}, {Key::kShift, kFast},
@@ -44,82 +44,86 @@ std::optional<DemoControls::Held> DemoControls::held_by(Key key) {
   return std::nullopt;
 }
 
+// Requests are only stored here; advance() carries them out. So any number of key presses between two frames
+// costs one seek.
 bool DemoControls::press(Key key) {
   const double seek_s = held_[kFast] ? kLargeSeek_s : kSmallSeek_s;
   if (key == Key::kSpace)
-    turns_pause_ = !turns_pause_;
+    toggles_pause_ = !toggles_pause_;
   else if (key == Key::kLeftArrow || key == Key::kRightArrow)
-    seconds_ += key == Key::kLeftArrow ? -seek_s : seek_s;
+    seek_offset_s_ += key == Key::kLeftArrow ? -seek_s : seek_s;
   else if (key == Key::kUpArrow || key == Key::kDownArrow)
-    faster_ += key == Key::kUpArrow ? 1 : -1;
+    speed_steps_ += key == Key::kUpArrow ? 1 : -1;
   else if (key == Key::kBackspace)
     resets_speed_ = true;
   else if (key == Key{','} || key == Key{'.'})
-    packets_ += key == Key{','} ? -1 : 1;
+    packet_steps_ += key == Key{','} ? -1 : 1;
   else if (key == Key::kHome)
     seeks_begin_ = true;
   else if (key == Key::kEnd)
     seeks_end_ = true;
   else if (key == Key::kPageUp || key == Key::kPageDown)
-    recordings_ += key == Key::kPageUp ? -1 : 1;
+    demo_steps_ += key == Key::kPageUp ? -1 : 1;
   else if (key == Key{'f'})
-    flies_ = !flies_, has_place_ = false;
+    flies_ = !flies_, has_camera_ = false;
   else
-    return flies_ && held_by(key);
+    return flies_ && find_held_key(key);
   return true;
 }
 
-void DemoControls::set_speed(DemoSession& io_session) const {
+// Moves along kSpeeds. A speed between two entries counts as the higher one.
+void DemoControls::change_speed(DemoSession& io_session) const {
   const auto last = static_cast<std::ptrdiff_t>(std::size(kSpeeds)) - 1;
   const double now = resets_speed_ ? 1 : io_session.speed();
   const std::ptrdiff_t here = std::lower_bound(std::begin(kSpeeds), std::end(kSpeeds), now) - kSpeeds;
-  io_session.set_speed(kSpeeds[std::clamp<std::ptrdiff_t>(here + faster_, 0, last)]);
+  io_session.set_speed(kSpeeds[std::clamp<std::ptrdiff_t>(here + speed_steps_, 0, last)]);
 }
 
-void DemoControls::fly(double passed_s, const Settings& settings, const Presentation& shown) {
-  if (!has_place_ && shown.has_level()) {
+// The first flight starts at the player's eyes. Later ones start there again, as press() forgets the camera.
+void DemoControls::fly(double elapsed_s, const Settings& settings, const Presentation& shown) {
+  if (!has_camera_ && shown.has_level()) {
     camera_.place(shown.scene().camera);
-    has_place_ = true;
+    has_camera_ = true;
   }
   camera_.turn(turned_down_ * settings.turn_deg_per_count, -turned_right_ * settings.turn_deg_per_count);
   turned_right_ = turned_down_ = 0;
-  const auto wish = [&](Held for_it, Held against) {
-    return (held_[for_it] ? 1.0f : 0.0f) - (held_[against] ? 1.0f : 0.0f);
+  const auto axis = [&](Held positive, Held negative) {
+    return (held_[positive] ? 1.0f : 0.0f) - (held_[negative] ? 1.0f : 0.0f);
   };
-  camera_.fly({wish(kForward, kBack), wish(kRight, kLeft), wish(kUp, kDown)},
-              settings.fly_speed * (held_[kFast] ? kFastFactor : 1), passed_s);
+  camera_.fly({axis(kForward, kBack), axis(kRight, kLeft), axis(kUp, kDown)},
+              settings.fly_speed * (held_[kFast] ? kFastFactor : 1), elapsed_s);
 }
 
-base::Result<bool> DemoControls::go(double passed_s, const PresentationSettings& presentation,
-                                    DemoSession& io_session) {
-  std::optional<double> sought_s;
-  if (seeks_begin_) sought_s = io_session.begin_s();
-  if (seeks_end_) sought_s = io_session.end_s();
-  if (seconds_ != 0) sought_s = sought_s.value_or(io_session.time_s()) + seconds_;
-  if (packets_ != 0) {
+base::Result<bool> DemoControls::advance_session(double elapsed_s, const PresentationSettings& presentation,
+                                                 DemoSession& io_session) {
+  std::optional<double> target_s;
+  if (seeks_begin_) target_s = io_session.begin_s();
+  if (seeks_end_) target_s = io_session.end_s();
+  if (seek_offset_s_ != 0) target_s = target_s.value_or(io_session.time_s()) + seek_offset_s_;
+  if (packet_steps_ != 0) {
     io_session.pause(true);
-    return io_session.step(packets_, presentation);
+    return io_session.step(packet_steps_, presentation);
   }
-  // Somebody who seeks past the end is to see it.
-  if (sought_s) return io_session.seek(std::min(*sought_s, io_session.end_s()), presentation);
-  return io_session.advance(passed_s, presentation);
+  // Seeking past the end shows the end.
+  if (target_s) return io_session.seek(std::min(*target_s, io_session.end_s()), presentation);
+  return io_session.advance(elapsed_s, presentation);
 }
 
-base::Result<bool> DemoControls::advance(double passed_s, PresentationSettings presentation,
+base::Result<bool> DemoControls::advance(double elapsed_s, PresentationSettings presentation,
                                          const Settings& settings, const Presentation& shown,
                                          DemoSession& io_session) {
-  idle_s_ += passed_s;
-  if (turns_pause_) io_session.pause(!io_session.is_paused());
-  if (faster_ != 0 || resets_speed_) set_speed(io_session);
+  idle_s_ += elapsed_s;
+  if (toggles_pause_) io_session.pause(!io_session.is_paused());
+  if (speed_steps_ != 0 || resets_speed_) change_speed(io_session);
   if (flies_) {
-    fly(passed_s, settings, shown);
-    if (has_place_) presentation.camera = camera_.camera();
+    fly(elapsed_s, settings, shown);
+    if (has_camera_) presentation.camera = camera_.camera();
   }
-  base::Result<bool> gone = go(passed_s, presentation, io_session);
-  turns_pause_ = seeks_begin_ = seeks_end_ = resets_speed_ = false;
-  faster_ = packets_ = 0;
-  seconds_ = 0;
-  return gone;
+  base::Result<bool> result = advance_session(elapsed_s, presentation, io_session);
+  toggles_pause_ = seeks_begin_ = seeks_end_ = resets_speed_ = false;
+  speed_steps_ = packet_steps_ = 0;
+  seek_offset_s_ = 0;
+  return result;
 }
 
 }  // namespace temblor::client

@@ -1,12 +1,10 @@
-// What somebody who watches a recording does with keys and mouse, by default.
+// Default controls for watching demos with keys and mouse. Stock Quake only played a demo to its end.
 //
-//   Space            pauses, goes on           , and .     a packet back, on; pauses
-//   Left, Right      5 seconds; Shift: 30      Home, End   the beginning, the end
-//   Up, Down         faster, slower            Backspace   as fast as it was
-//   Page Up, Down    the recording before, after
-//   F                a camera of one's own, and back to the player's eyes: W A S D, E up, Q down, Shift
-//   faster,
-//                    the mouse turns it
+//   Space            pause, resume            , and .    one packet back, on; pauses
+//   Left, Right      5 seconds; Shift: 30     Home, End  the start, the end
+//   Up, Down         faster, slower           Backspace  original speed
+//   Page Up, Down    previous, next demo
+//   F                free camera and back: W A S D, E up, Q down, Shift faster, the mouse turns
 #pragma once
 
 #include <array>
@@ -22,41 +20,45 @@ namespace temblor::client {
 class DemoControls {
  public:
   struct Settings {
-    float turn_deg_per_count = 0.066f;  // of the mouse
-    float fly_speed = 400;              // units a second
+    // Degrees per mouse count.
+    float turn_deg_per_count = 0.066f;
+    // Units per second; Shift makes it four times as fast.
+    float fly_speed = 400;
   };
 
-  // Whether it was for these keys. A key that is let go is never theirs alone.
+  // Returns whether the event was used. Releases never are, as other parts of the client may wait for them
+  // too.
   bool handle(const platform::InputEvent& event);
-  // Does what was asked for since the last time, and lets time go by: as DemoSession::advance(), to whose
-  // presentation a camera of one's own is given.
-  base::Result<bool> advance(double passed_s, PresentationSettings presentation, const Settings& settings,
+  // Carries out the requests since the last call and advances the demo, like DemoSession::advance(). Sets the
+  // camera in `presentation` while flying.
+  base::Result<bool> advance(double elapsed_s, PresentationSettings presentation, const Settings& settings,
                              const Presentation& shown, DemoSession& io_session);
 
-  // How many recordings on (back: negative) were asked for since the last time.
-  int take_recordings() { return std::exchange(recordings_, 0); }
-  // Seconds since anything was asked for: a bar of the recording (draw_demo_bar) may go again.
+  // How many demos to go forward (negative: back) since the last call.
+  int take_demo_steps() { return std::exchange(demo_steps_, 0); }
+  // Seconds since the last key that this class used; tells the owner when to hide the bar (draw_demo_bar()).
   double idle_s() const { return idle_s_; }
-  // The mouse is wanted: Window::capture_mouse().
+  // Whether the mouse should be captured: Window::capture_mouse().
   bool is_flying() const { return flies_; }
 
  private:
   enum Held { kForward, kBack, kLeft, kRight, kUp, kDown, kFast, kHeldKeys };
 
   bool press(platform::Key key);
-  static std::optional<Held> held_by(platform::Key key);
-  void set_speed(DemoSession& io_session) const;
-  void fly(double passed_s, const Settings& settings, const Presentation& shown);
-  base::Result<bool> go(double passed_s, const PresentationSettings& presentation, DemoSession& io_session);
+  static std::optional<Held> find_held_key(platform::Key key);
+  void change_speed(DemoSession& io_session) const;
+  void fly(double elapsed_s, const Settings& settings, const Presentation& shown);
+  base::Result<bool> advance_session(double elapsed_s, const PresentationSettings& presentation,
+                                     DemoSession& io_session);
 
   std::array<bool, kHeldKeys> held_{};
   FreeCamera camera_;
-  bool flies_ = false, has_place_ = false;
-  float turned_right_ = 0, turned_down_ = 0;  // counts
-  // What is asked for.
-  bool turns_pause_ = false, seeks_begin_ = false, seeks_end_ = false, resets_speed_ = false;
-  int faster_ = 0, packets_ = 0, recordings_ = 0;
-  double seconds_ = 0;
+  bool flies_ = false, has_camera_ = false;
+  float turned_right_ = 0, turned_down_ = 0;  // mouse counts
+  // Requests that advance() has not carried out yet.
+  bool toggles_pause_ = false, seeks_begin_ = false, seeks_end_ = false, resets_speed_ = false;
+  int speed_steps_ = 0, packet_steps_ = 0, demo_steps_ = 0;
+  double seek_offset_s_ = 0;
   double idle_s_ = 0;
 };
 

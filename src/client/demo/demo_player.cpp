@@ -10,13 +10,16 @@ namespace temblor::client {
 
 namespace {
 
-// The original's rule for a client that has fallen behind.
+// The longest gap between packets that the demo's clock counts. Stock clients use the same limit when they
+// fall behind.
 constexpr double kMaxGap_s = 0.1;
 
 }  // namespace
 
+// What play_record() has found among the messages of one record.
 struct DemoPlayer::Record {
   bool has_time = false;
+  // The server disconnected: nothing follows.
   bool is_last = false;
   std::optional<math::Vec3> set_angles_deg;
 };
@@ -31,10 +34,11 @@ base::Result<DemoLength> DemoPlayer::scan(base::Bytes bytes, std::string name) {
   auto demo = formats::DemReader::open(bytes).with_file(name);
   if (!demo.ok()) return demo.error();
   DemoPlayer player({}, *demo, std::move(name));
-  return player.play_out([] {});
+  return player.play_to_end([] {});
 }
 
-base::Result<DemoLength> DemoPlayer::play_out(base::FunctionRef<void()> on_packet) {
+// Damage at the end is part of the result, not a failure.
+base::Result<DemoLength> DemoPlayer::play_to_end(base::FunctionRef<void()> on_packet) {
   DemoLength length;
   while (true) {
     const auto read = read_packet();
@@ -47,16 +51,17 @@ base::Result<DemoLength> DemoPlayer::play_out(base::FunctionRef<void()> on_packe
     length.last_time_s = now_.packet_time_s;
     ++length.packets;
   }
-  length.cut_short = cut_short();
+  length.is_truncated = is_truncated();
   if (length.packets > 0) return length;
   if (length.damage) return *length.damage;
-  return base::Result<DemoLength>(base::malformed("the recording ends before the game in it begins"))
-      .with_file(name_);
+  return base::Result<DemoLength>(base::malformed("the demo ends before its game begins")).with_file(name_);
 }
 
+// The packet at `time_s` is the one that interpolation heads for, so reading stops as soon as a packet is not
+// before `time_s`.
 base::Result<bool> DemoPlayer::advance_to(double time_s) {
   while (!now_.has_ended && (!is_playing() || now_.packet_time_s < time_s)) TRY_STATUS(read_record());
-  const PacketWindow window = packet_window(now_.state.previous_time_s(), now_.state.time_s());
+  const PacketWindow window = make_packet_window(now_.state.previous_time_s(), now_.state.time_s());
   now_.server_time_s =
       std::clamp(time_s + now_.server_ahead_s, std::min(window.begin_s, window.end_s), window.end_s);
   return !now_.has_ended;
@@ -71,7 +76,7 @@ base::Result<bool> DemoPlayer::read_packet() {
 
 base::Result<bool> DemoPlayer::begin_packet() {
   TRY(const bool goes_on, read_packet());
-  const PacketWindow window = packet_window(now_.state.previous_time_s(), now_.state.time_s());
+  const PacketWindow window = make_packet_window(now_.state.previous_time_s(), now_.state.time_s());
   now_.server_time_s = std::min(window.begin_s, window.end_s);
   return goes_on;
 }
@@ -83,7 +88,7 @@ base::Result<bool> DemoPlayer::read_record() {
   return std::move(read).with_file(name_);
 }
 
-// False: there is none.
+// Returns false at the end of the file.
 base::Result<bool> DemoPlayer::play_record() {
   TRY(const auto packet, now_.demo.next());
   if (!packet) return false;
@@ -93,11 +98,11 @@ base::Result<bool> DemoPlayer::play_record() {
   now_.state.end_packet();
   if (record.has_time) {
     run_clock(previous_time_s);
-    const bool turned_at_once = now_.state.view_has_jumped();
+    const bool turned_at_once = now_.state.has_view_jumped();
     now_.previous_angles_deg = turned_at_once ? packet->view_angles_deg : now_.angles_deg;
     now_.angles_deg = packet->view_angles_deg;
   }
-  // A record holds where the player looked before he read its messages.
+  // A record contains the view angles from before its messages were read.
   if (record.set_angles_deg) now_.previous_angles_deg = now_.angles_deg = *record.set_angles_deg;
   return !record.is_last;
 }
@@ -109,7 +114,7 @@ base::Status DemoPlayer::apply_messages(const formats::DemMessage& packet, Recor
     TRY(const auto message, now_.messages.next());
     if (!message) return base::Ok{};
     if (auto status = now_.state.apply(*message); !status.ok())
-      return base::error(status.error().code, "offset {}: {}: {}", offset, net::name_of(*message),
+      return base::error(status.error().code, "offset {}: {}: {}", offset, net::message_name(*message),
                          status.error().what);
     if (std::holds_alternative<net::Time>(*message)) {
       out_record.has_time = true;
@@ -124,6 +129,7 @@ base::Status DemoPlayer::apply_messages(const formats::DemMessage& packet, Recor
   }
 }
 
+// Advances the demo's clock by the server's. A level change takes no time, and a jump at most kMaxGap_s.
 void DemoPlayer::run_clock(double previous_time_s) {
   const double now_s = now_.state.time_s(), gap_s = now_s - previous_time_s;
   if (!now_.clock_runs) {
@@ -140,9 +146,9 @@ void DemoPlayer::run_clock(double previous_time_s) {
 
 math::Vec3 DemoPlayer::view_angles_at(double server_time_s, const ClientSettings& settings) const {
   if (!settings.interpolate) return now_.angles_deg;
-  const PacketWindow window = packet_window(now_.state.previous_time_s(), now_.state.time_s());
+  const PacketWindow window = make_packet_window(now_.state.previous_time_s(), now_.state.time_s());
   return blend_angles_deg(now_.previous_angles_deg, now_.angles_deg,
-                          fraction_passed(window.begin_s, window.end_s, server_time_s));
+                          compute_elapsed_fraction(window.begin_s, window.end_s, server_time_s));
 }
 
 }  // namespace temblor::client

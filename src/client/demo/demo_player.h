@@ -1,4 +1,10 @@
-// A recording played back: records in, client state out.
+// Plays a demo: .dem records in, client state out.
+//
+// .dem: | "2\n" | record | record | ...      record: | length | view angles | server messages |
+//
+// The messages are those that the server sent to the recording client, so playback is the same path as a
+// network game: MessageReader and ClientState (client/session). The view angles are stored because only the
+// client knew them.
 #pragma once
 
 #include <cstddef>
@@ -16,65 +22,67 @@
 
 namespace temblor::client {
 
-// Of as much of a recording as can be played.
+// The length of the playable part of a demo.
 struct DemoLength {
-  std::size_t packets = 0;                   // how often read_packet() gives one
-  double first_time_s = 0, last_time_s = 0;  // for advance_to()
-  std::vector<std::string> levels;           // "maps/e1m1.bsp", in the order that they are played
-  bool cut_short = false;                    // see DemoPlayer::cut_short()
-  std::optional<base::Error> damage;         // what ends it before its end, if anything does
+  std::size_t packets = 0;                   // how many packets read_packet() returns
+  double first_time_s = 0, last_time_s = 0;  // on the clock of advance_to()
+  std::vector<std::string> levels;           // "maps/e1m1.bsp", in order of play
+  bool is_truncated = false;                 // see DemoPlayer::is_truncated()
+  std::optional<base::Error> damage;         // the error that ends it early, if any
 };
 
-// Two clocks: the server's, by which all of the client state goes, starts anew with every level, and may
-// jump. The recording's own is the server's in its first level, but goes on through changes of level, over
-// which no time passes, and counts no gap between two packets as more than 0.1 s: a recording never takes
-// longer than it has packets for, whatever times they claim.
+// There are two clocks. The server's clock drives the client state; it restarts with every level and may
+// jump. The demo's clock starts as the server's in the first level, continues through level changes, which
+// take no time, and counts no gap between packets as more than 0.1 s. So a demo never takes longer than its
+// number of packets allows, whatever times they claim.
 //
-// What cannot be read is an error that names the offset in the file; it is returned once, all that came
-// before it (even in the same record) holds, and the recording has ended. Warm, playing takes no memory but
-// for text.
+//   server's clock   5.0 5.1 5.2 | 1.0 1.1 1.2 ... 90.0      a new level, later a jump
+//   demo's clock     5.0 5.1 5.2 | 5.2 5.3 5.4 ...  5.5
+//
+// Damage is an error that names the offset in the file. It is returned once; everything before it, even in
+// the same record, stays valid, and the demo ends there. Playing allocates nothing in the steady state,
+// except for texts.
 class DemoPlayer {
  public:
-  // `name` is for messages. Fails on what is not a recording at all.
+  // `name` is for error messages. Fails if the data is not a demo.
   static base::Result<DemoPlayer> open(base::ByteVector bytes, std::string name);
-  // Plays all of it, quickly. Fails where there is not a single packet to show.
+  // Plays the whole demo quickly and returns its length. Fails if there is not a single packet to show.
   static base::Result<DemoLength> scan(base::Bytes bytes, std::string name);
-  // Plays on to the end in the same way, from where it is. `on_packet` is called for each packet; what
-  // happened in it is forgotten afterwards.
-  base::Result<DemoLength> play_out(base::FunctionRef<void()> on_packet);
+  // Plays from the current place to the end in the same way. Calls `on_packet` for each packet, then drops
+  // its events.
+  base::Result<DemoLength> play_to_end(base::FunctionRef<void()> on_packet);
 
-  // Reads on until that time of the recording's clock is not past its last packet; through the beginning of a
-  // level always until its first entities have come. Afterwards there is something to show, unless it returns
-  // false: the recording has ended (and stays so). A time before the last packets' shows them at their
-  // beginning; the way back is return_to().
+  // Reads until `time_s`, on the demo's clock, is not past the last packet; always reads through the start of
+  // a level until its first entities arrive. Afterward there is something to show. Returns false if the demo
+  // has ended, now or before. A time before the last packets shows them at their start; restore() goes back.
   base::Result<bool> advance_to(double time_s);
-  // Reads one record, whatever its time, as for measuring; through the beginning of a level as above.
+  // Reads one record regardless of its time, as benchmarks do; reads through the start of a level as above.
   base::Result<bool> read_packet();
 
-  // The same, but what it shows is the beginning of what was read: the moment at which advance_to() in small
-  // steps would come to it.
+  // Like read_packet(), but shows the start of the packet's interval: the time at which advance_to() in small
+  // steps would reach it.
   base::Result<bool> begin_packet();
 
-  // The moment to show, on the server's clock: for state(), view angles, light styles and all the rest. It is
-  // between the last two packets' times.
+  // The time to show, on the server's clock: for state(), view angles, light styles and everything else. It
+  // is between the times of the last two packets.
   double server_time_s() const { return now_.server_time_s; }
-  // Of the last packet, on the recording's clock.
+  // Of the last packet, on the demo's clock.
   double packet_time_s() const { return now_.packet_time_s; }
 
   ClientState& state() { return now_.state; }
   const ClientState& state() const { return now_.state; }
-  // Where the player looked, on the server's clock: from record to record the short way, but at once where
-  // the server turned or moved him. Not blended where settings.interpolate is off.
+  // The player's view angles, on the server's clock: interpolated between records, except where the server
+  // turned or moved the player, and not if settings.interpolate is off.
   math::Vec3 view_angles_at(double server_time_s, const ClientSettings& settings) const;
 
-  // The recording ends in the middle of a record, which was left out.
-  bool cut_short() const { return now_.demo.cut_short(); }
+  // Whether the file ends in the middle of a record, which was dropped.
+  bool is_truncated() const { return now_.demo.is_truncated(); }
 
-  // Where the playing is: with the state, all that what follows depends on.
+  // The complete playback state. Copying it saves a place; its size is mostly that of the client state.
   class Place {
    public:
     explicit Place(formats::DemReader reader) : demo(reader) {}
-    // About what a copy of it takes.
+    // The approximate size of a copy.
     std::size_t memory_bytes() const { return sizeof(Place) + state.memory_bytes(); }
 
    private:
@@ -86,14 +94,14 @@ class DemoPlayer {
     bool level_begins = false;  // no packet since the last serverinfo
     bool clock_runs = false;    // there has been a packet
     double packet_time_s = 0;
-    double server_ahead_s = 0;  // the server's clock less the recording's
+    double server_ahead_s = 0;  // the server's clock minus the demo's
     double server_time_s = 0;
-    math::Vec3 previous_angles_deg{0.0f}, angles_deg{0.0f};  // of the last two packets
+    math::Vec3 previous_angles_deg{0.0f}, angles_deg{0.0f};  // from the last two packets
   };
-  // To come back to; valid while this player (or what it was moved to) lives.
+  // A place to return to; valid while this player (or the one it is moved to) lives.
   const Place& place() const { return now_; }
-  // `place` is one of this player's.
-  void return_to(const Place& place) { now_ = place; }
+  // `place` must come from this player.
+  void restore(const Place& place) { now_ = place; }
 
  private:
   DemoPlayer(base::ByteVector bytes, formats::DemReader demo, std::string name)

@@ -1,6 +1,6 @@
-// Seeking goes back to a place of the index, plays on quickly, without anything but the state, to some
-// seconds before the moment that is wanted, and lives through these: by then, everything that fades and all
-// particles from before have gone.
+// Seeking restores an entry of the index, plays on quickly with only the client state up to a few seconds
+// before the target, and replays those seconds with effects but unseen. By then everything that fades, and
+// all particles from before, have gone.
 #include "client/demo/demo_session.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace temblor::client {
 
 namespace {
 
-// Particles of explosions live longest, for 5 seconds.
+// Explosion particles live longest: 5 seconds. Tints, kicks and dynamic lights are shorter.
 constexpr double kLeadIn_s = 6;
 
 }  // namespace
@@ -27,29 +27,30 @@ base::Result<DemoSession> DemoSession::open(base::ByteVector bytes, std::string 
 }
 
 void DemoSession::set_speed(double speed) {
-  speed_ = speed > kSlowest ? std::min(speed, kFastest) : kSlowest;
+  speed_ = speed > kMinSpeed ? std::min(speed, kMaxSpeed) : kMinSpeed;
 }
 
-base::Result<bool> DemoSession::advance(double passed_s, const PresentationSettings& settings) {
+base::Result<bool> DemoSession::advance(double elapsed_s, const PresentationSettings& settings) {
   if (!has_begun_) return seek(begin_s(), settings);
-  if (paused_ || has_ended_ || !(passed_s > 0)) {
+  if (paused_ || has_ended_ || !(elapsed_s > 0)) {
     TRY_STATUS(present(settings));
     return !has_ended_;
   }
-  return go_on_to(time_s_ + passed_s * speed_, settings);
+  return play_to(time_s_ + elapsed_s * speed_, settings);
 }
 
 base::Result<bool> DemoSession::seek(double time_s, const PresentationSettings& settings) {
   if (!(time_s > begin_s())) time_s = begin_s();
   seeks_ = true;
-  const base::Status near = go_before(std::min(time_s, end_s()), settings);
-  base::Result<bool> there = near.ok() ? go_on_to(time_s, settings) : base::Result<bool>(near.error());
+  const base::Status near = restore_before(std::min(time_s, end_s()), settings);
+  base::Result<bool> result = near.ok() ? play_to(time_s, settings) : base::Result<bool>(near.error());
   seeks_ = false;
-  hear_level();
-  return there;
+  notify_level_start();
+  return result;
 }
 
-// Packets of one time are one.
+// Packets with the same time count as one. A step back is a seek; a step forward plays on, so that effects
+// continue.
 base::Result<bool> DemoSession::step(int packets, const PresentationSettings& settings) {
   if (!has_begun_) return seek(begin_s(), settings);
   const std::vector<double>& times_s = index_.packet_times_s();
@@ -62,13 +63,14 @@ base::Result<bool> DemoSession::step(int packets, const PresentationSettings& se
   const auto next = std::upper_bound(times_s.begin(), times_s.end(), time_s_) - times_s.begin();
   const auto wanted = static_cast<std::size_t>(next + packets - 1);
   constexpr double kPastTheEnd_s = 1;
-  return go_on_to(wanted < times_s.size() ? times_s[wanted] : end_s() + kPastTheEnd_s, settings);
+  return play_to(wanted < times_s.size() ? times_s[wanted] : end_s() + kPastTheEnd_s, settings);
 }
 
-base::Status DemoSession::go_before(double time_s, const PresentationSettings& settings) {
+// With marks, the whole level must be replayed with effects, as they stay until the level ends.
+base::Status DemoSession::restore_before(double time_s, const PresentationSettings& settings) {
   const DemoIndex::Entry& from =
-      settings.effects.marks ? index_.level_before(time_s) : index_.entry_before(time_s, kLeadIn_s);
-  player_->return_to(from.place);
+      settings.effects.marks ? index_.find_level_start(time_s) : index_.find_entry_before(time_s, kLeadIn_s);
+  player_->restore(from.place);
   EffectCounts effects = from.effects;
   static_sounds_ = from.static_sounds;
   has_begun_ = true;
@@ -78,62 +80,64 @@ base::Status DemoSession::go_before(double time_s, const PresentationSettings& s
   while (player_->packet_time_s() < lead_in_s) {
     Events& events = player_->state().events();
     Effects::count(events, effects);
-    collect_static_sounds(events, static_sounds_);
+    append_static_sounds(events, static_sounds_);
     events.clear();
     TRY(const bool goes_on, player_->read_packet());
     if (!goes_on) break;
   }
-  // The level is named anew where the listener is told of it; here its sounds would be taken for further
-  // ones.
+  // notify_level_start() reports static sounds itself; here they would be reported twice.
   if (player_->state().events().new_level) static_sounds_.clear();
   return presentation_->resume(player_->state(), effects, settings);
 }
 
-// Behind the end, what the recording still says there is read, and its damage told.
-base::Result<bool> DemoSession::go_on_to(double time_s, const PresentationSettings& settings) {
-  base::Result<bool> lived = live_through(time_s, settings);
+// Past the end, the rest of the demo is read so that damage is reported.
+base::Result<bool> DemoSession::play_to(double time_s, const PresentationSettings& settings) {
+  base::Result<bool> played = replay_unseen(time_s, settings);
   time_s_ = std::min(time_s, end_s());
-  has_ended_ = !lived.ok() || !*lived;
-  const bool is_damage = !lived.ok() && length().damage && time_s > end_s();
+  has_ended_ = !played.ok() || !*played;
+  const bool is_damage = !played.ok() && length().damage && time_s > end_s();
   if (!is_damage) {
-    if (lived.ok()) TRY_STATUS(present(settings));
-    return lived;
+    if (played.ok()) TRY_STATUS(present(settings));
+    return played;
   }
   TRY_STATUS(present(settings));
-  if (std::exchange(damage_told_, true)) return false;
-  return lived;
+  if (std::exchange(damage_reported_, true)) return false;
+  return played;
 }
 
-// Every packet on the way from its beginning to its end, however long the way is.
-base::Result<bool> DemoSession::live_through(double time_s, const PresentationSettings& settings) {
+// Replays every packet of the interval, however long it is.
+base::Result<bool> DemoSession::replay_unseen(double time_s, const PresentationSettings& settings) {
   while (player_->packet_time_s() < time_s) {
     TRY_STATUS(player_->advance_to(player_->packet_time_s()));
-    TRY_STATUS(pass(settings));
+    TRY_STATUS(advance_unseen(settings));
     TRY(const bool goes_on, player_->begin_packet());
     if (!goes_on) break;
-    TRY_STATUS(pass(settings));
+    TRY_STATUS(advance_unseen(settings));
   }
   return player_->advance_to(time_s);
 }
 
-base::Status DemoSession::pass(const PresentationSettings& settings) {
-  hear();
-  return presentation_->pass(player_->state(), player_->server_time_s(), view_angles_deg(settings), settings);
+base::Status DemoSession::advance_unseen(const PresentationSettings& settings) {
+  notify_listener();
+  return presentation_->advance_unseen(player_->state(), player_->server_time_s(), view_angles_deg(settings),
+                                       settings);
 }
 
+// Makes the scene of the current time.
 base::Status DemoSession::present(const PresentationSettings& settings) {
-  hear();
+  notify_listener();
   return presentation_->advance(player_->state(), player_->server_time_s(), view_angles_deg(settings),
                                 settings);
 }
 
-void DemoSession::hear() {
+void DemoSession::notify_listener() {
   const Events& events = player_->state().events();
-  collect_static_sounds(events, static_sounds_);
+  append_static_sounds(events, static_sounds_);
   if (listener_ != nullptr && !seeks_) listener_(events, player_->state().game(), player_->server_time_s());
 }
 
-void DemoSession::hear_level() {
+// Presents the level to the listener as newly begun, with the static sounds so far.
+void DemoSession::notify_level_start() {
   presentation_->audio_scene().resume(static_sounds_);
   if (listener_ == nullptr) return;
   Events level;

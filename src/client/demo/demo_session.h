@@ -1,4 +1,4 @@
-// A recording that somebody watches: paused, slow, fast, and from any moment on.
+// A demo that somebody watches: with pause, speed and seeking.
 #pragma once
 
 #include <functional>
@@ -14,23 +14,25 @@
 
 namespace temblor::client {
 
-// Times are the recording's (see DemoPlayer), from begin_s() to end_s(). What is to be seen at a time does
-// not depend on how it was come to: after seeking, what happened in the seconds before is lived through
-// unseen, and all of the level with marks on walls, which stay. Only the trail of what has flown for longer
-// than these seconds may be dotted elsewhere.
+// Times are on the demo's clock (see DemoPlayer), from begin_s() to end_s(). The picture at a time does not
+// depend on how it was reached: after a seek, the seconds before it are replayed unseen, and the whole level
+// with bullet marks, as those stay. Only the trail of something that has flown for longer may have its
+// particles elsewhere.
 //
-// Where the recording is damaged it ends; that is told once, as an error of advance() or seek(), when its end
-// is come to. What there is to see stays.
+//   seek:  restore an entry of the index -> replay unseen with effects -> show
+//
+// A damaged demo ends at the damage. The error is returned once, by the advance() or seek() that reaches it;
+// what came before stays visible.
 class DemoSession {
  public:
-  static constexpr double kSlowest = 0.1, kFastest = 8;
+  static constexpr double kMinSpeed = 0.1, kMaxSpeed = 8;
 
-  // What happened, when it is to be heard: `events` of the moment, and the game that it happened in. After a
-  // seek, one call has the level as if it had just begun: new_level, and its static sounds.
+  // Receives the events at the time they should be heard, and the game they happened in. After a seek, one
+  // call presents the level as newly begun: new_level, and its static sounds.
   using Listener = std::function<void(const Events& events, const Game& game, double server_time_s)>;
 
-  // Reads all of it once. Nothing is to be seen before the first advance() or seek(). `io_presentation` must
-  // outlive it.
+  // Reads the whole demo once. There is nothing to show before the first advance() or seek().
+  // `io_presentation` must outlive the session.
   static base::Result<DemoSession> open(base::ByteVector bytes, std::string name,
                                         Presentation& io_presentation);
   void set_listener(Listener listener) { listener_ = std::move(listener); }
@@ -43,43 +45,44 @@ class DemoSession {
 
   bool is_paused() const { return paused_; }
   void pause(bool paused) { paused_ = paused; }
-  // Times as fast as it was recorded; kept from kSlowest to kFastest.
+  // A factor, clamped to [kMinSpeed, kMaxSpeed].
   double speed() const { return speed_; }
   void set_speed(double speed);
 
-  // `passed_s` of real time go by: that times the speed, none while paused. False: the recording has ended.
-  base::Result<bool> advance(double passed_s, const PresentationSettings& settings);
-  // Times before the beginning and behind the end are these.
+  // Advances by `elapsed_s` of real time, times the speed; by nothing while paused. Returns false if the demo
+  // has ended.
+  base::Result<bool> advance(double elapsed_s, const PresentationSettings& settings);
+  // Clamps the time to the demo's.
   base::Result<bool> seek(double time_s, const PresentationSettings& settings);
-  // To the end of the packet that many after this one, or before it, whether or not it is paused. False past
-  // the last one: the recording has ended.
+  // Moves to the end of the packet that many after this one, or before it, paused or not. Returns false past
+  // the last packet: the demo has ended.
   base::Result<bool> step(int packets, const PresentationSettings& settings);
 
   ClientState& state() { return player_->state(); }
   const ClientState& state() const { return player_->state(); }
-  // Of what is shown, on the server's clock.
+  // The time shown, on the server's clock.
   double server_time_s() const { return player_->server_time_s(); }
 
  private:
   DemoSession(std::unique_ptr<DemoPlayer> player, DemoIndex index, Presentation& io_presentation)
       : player_(std::move(player)), index_(std::move(index)), presentation_(&io_presentation) {}
 
-  base::Status go_before(double time_s, const PresentationSettings& settings);
-  base::Result<bool> go_on_to(double time_s, const PresentationSettings& settings);
-  base::Result<bool> live_through(double time_s, const PresentationSettings& settings);
-  base::Status pass(const PresentationSettings& settings);
+  base::Status restore_before(double time_s, const PresentationSettings& settings);
+  base::Result<bool> play_to(double time_s, const PresentationSettings& settings);
+  base::Result<bool> replay_unseen(double time_s, const PresentationSettings& settings);
+  base::Status advance_unseen(const PresentationSettings& settings);
   base::Status present(const PresentationSettings& settings);
-  void hear();
-  void hear_level();
+  void notify_listener();
+  void notify_level_start();
   math::Vec3 view_angles_deg(const PresentationSettings& settings) const;
 
-  std::unique_ptr<DemoPlayer> player_;  // stays where it is: places of the index are in it
+  std::unique_ptr<DemoPlayer> player_;  // a pointer, as the places of the index refer to it
   DemoIndex index_;
   Presentation* presentation_;
   Listener listener_;
-  std::vector<net::SpawnStaticSound> static_sounds_;  // of the level
+  std::vector<net::SpawnStaticSound> static_sounds_;  // of the current level
   double time_s_ = 0, speed_ = 1;
-  bool has_begun_ = false, has_ended_ = false, damage_told_ = false;
+  bool has_begun_ = false, has_ended_ = false, damage_reported_ = false;
   bool paused_ = false, seeks_ = false;
 };
 

@@ -1,4 +1,9 @@
-// Lightning: straight rows of pieces, each turned about the row at random.
+// Lightning: each beam is a straight row of model pieces, every piece rotated about the beam at random.
+//
+//   start [piece][piece][piece][pie end      a piece every 30 units: progs/bolt.mdl and others
+//
+// A beam lives for 0.2 s after its message. Game code that holds a lightning gun sends one again and again,
+// and each message replaces the entity's last beam.
 #pragma once
 
 #include <array>
@@ -11,17 +16,19 @@
 
 namespace temblor::client {
 
+// The order of ModelTable's beam models.
 enum class BeamModel : std::uint8_t { kBolt, kBolt2, kBolt3, kBeam };
 
-// A piece of lightning: one model along its way.
+// One model of the row.
 struct BeamPiece {
   BeamModel model{};
   math::Vec3 origin_world{0.0f};
-  math::Vec3 angles_deg{0.0f};  // pitch is positive upwards, as alias models have it
+  math::Vec3 angles_deg{0.0f};  // pitch is positive upward, as in alias models
 };
 
+// A beam as the server sent it.
 struct Beam {
-  std::uint32_t entity = 0;  // whose; its older beam ends. 0: nobody's
+  std::uint32_t entity = 0;  // the owner, whose older beam ends; 0: none
   BeamModel model{};
   math::Vec3 start_world{0.0f}, end_world{0.0f};
   double born_s = 0;
@@ -29,31 +36,34 @@ struct Beam {
 
 class Beams {
  public:
-  // When that many are alive, the oldest ends for a new one.
-  static constexpr std::size_t kMost = 64;
+  // With this many alive, a new beam replaces the oldest.
+  static constexpr std::size_t kMaxBeams = 64;
   static constexpr double kLife_s = 0.2;
   static constexpr float kPieceLength = 30;
-  // Beyond it a beam is cut off: more than any level measures.
+  // Longer beams are cut off: no level is this large.
   static constexpr int kMaxPieces = 1024;
 
-  // The beams of one entity that starts where it is, not where it was: the player whose eyes we see through.
-  struct Held {
+  // The player's own entity. Its beams start at its current (predicted) place, not where they were fired, so
+  // that lightning stays in front of the weapon.
+  struct Anchor {
     std::uint32_t entity;
     math::Vec3 origin_world;
   };
 
   void clear();
+  // Adds a beam; it lives for kLife_s.
   void add(const Beam& beam);
-  void advance(double time_s, const std::optional<Held>& held);
-  // As of the last advance(). Valid until anything changes.
+  // Removes expired beams and places the pieces of the others at `time_s`.
+  void advance(double time_s, const std::optional<Anchor>& anchor);
+  // The pieces as of the last advance(). Valid until anything changes.
   std::span<const BeamPiece> pieces() const { return pieces_; }
 
  private:
-  std::size_t slot_for(std::uint32_t entity) const;
-  void lay_out(const Beam& beam, double time_s);
+  std::size_t find_slot(std::uint32_t entity) const;
+  void place_pieces(const Beam& beam, double time_s);
 
   std::size_t size_ = 0;
-  std::array<Beam, kMost> beams_;
+  std::array<Beam, kMaxBeams> beams_;
   std::vector<BeamPiece> pieces_;
 };
 

@@ -1,4 +1,8 @@
-// Dynamic lights: each shines for a time and may shrink. An entity has one at most.
+// Dynamic lights with a lifetime and optional shrinking: explosions, muzzle flashes, glowing entities.
+//
+// Like the original's they are spheres of light that the renderer adds to light maps and models. Radius and
+// end are computed from the age, so the light at a given time does not depend on the frame rate. An entity
+// has at most one light.
 #pragma once
 
 #include <array>
@@ -10,37 +14,44 @@
 
 namespace temblor::client {
 
-struct LightBirth {
-  std::uint32_t entity = 0;  // whose; its older light goes out. 0: nobody's
+// A light at the time at which it is added.
+struct TimedLight {
+  // The owner, whose older light ends; 0: none.
+  std::uint32_t entity = 0;
   math::Vec3 origin_world{0.0f};
-  float radius = 0;               // units, when it is born
-  float least = 0;                // as render::DynamicLight
-  float shrinks_per_second = 0;   // units
-  double born_s = 0, life_s = 0;  // life 0: for one moment
+  // Units, when the light is added.
+  float radius = 0;
+  // See render::DynamicLight.
+  float min_light = 0;
+  // Units per second.
+  float shrinks_per_second = 0;
+  // A life of 0 lasts for one frame.
+  double born_s = 0, life_s = 0;
 };
 
-// 0 to 31 units by which an entity's light is larger than its least: changes ten times a second of the
-// server's time, whatever the frame rate.
+// The flicker of an entity's light: 0 to 31 units added to its radius. Changes ten times a second of server
+// time at any frame rate.
 float light_flicker(std::uint32_t entity, double time_s);
 
 class DynamicLights {
  public:
-  // Four times the original's. When all shine, the one that ends first goes out for a new one.
-  static constexpr std::size_t kMost = 128;
+  // Four times the original's number. If all are in use, a new light replaces the one that ends first.
+  static constexpr std::size_t kMaxLights = 128;
 
   void clear() { size_ = 0; }
-  void add(const LightBirth& birth);
-  // Puts out those whose time is over, and works out the others' radius at `time_s`.
+  // Adds a light. It shines from the next lights() on.
+  void add(const TimedLight& light);
+  // Removes expired lights and computes the radius of the others at `time_s`.
   void advance(double time_s);
-  // As of the last advance(). Valid until anything changes.
+  // The lights as of the last advance(). Valid until anything changes.
   std::span<const render::DynamicLight> lights() const { return {shining_.data(), size_}; }
 
  private:
-  std::size_t slot_for(std::uint32_t entity) const;
+  std::size_t find_slot(std::uint32_t entity) const;
 
   std::size_t size_ = 0;
-  std::array<LightBirth, kMost> births_;
-  std::array<render::DynamicLight, kMost> shining_;
+  std::array<TimedLight, kMaxLights> timed_lights_;
+  std::array<render::DynamicLight, kMaxLights> shining_;
 };
 
 }  // namespace temblor::client

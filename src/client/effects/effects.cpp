@@ -21,9 +21,10 @@ namespace {
 using net::TempEntity;
 using net::TempEntityKind;
 
-constexpr std::uint16_t kCountOfExplosion = 1024;
+// A svc_particle message with this count means an explosion. (On the wire it is 255.)
+constexpr std::uint16_t kExplosionCount = 1024;
 
-std::optional<BeamModel> beam_model(TempEntityKind kind) {
+std::optional<BeamModel> find_beam_model(TempEntityKind kind) {
   switch (kind) {
     case TempEntityKind::kLightning1:
       return BeamModel::kBolt;
@@ -38,12 +39,13 @@ std::optional<BeamModel> beam_model(TempEntityKind kind) {
   }
 }
 
-// Chips of stone or sparks, in the colors that the original gave them.
+// Chips of stone or sparks, in the original's colors.
 struct Chips {
   std::uint8_t color;
   std::size_t count;
 };
-std::optional<Chips> chips_of(TempEntityKind kind) {
+// Returns the chips of an impact; nothing for other effects.
+std::optional<Chips> find_chips(TempEntityKind kind) {
   switch (kind) {
     case TempEntityKind::kSpike:
       return Chips{0, 10};
@@ -59,8 +61,9 @@ std::optional<Chips> chips_of(TempEntityKind kind) {
   }
 }
 
-// How a hit marks the wall: shots end up to 4 units before it, rockets 8.
-std::optional<Hit> hit_of(const TempEntity& what) {
+// Returns how a hit marks the wall; nothing for effects that leave none. Shots end up to 4 units before the
+// wall, rockets 8, so the reach is a little more.
+std::optional<Hit> find_hit(const TempEntity& what) {
   switch (what.kind) {
     case TempEntityKind::kGunshot:
     case TempEntityKind::kSpike:
@@ -78,17 +81,17 @@ std::optional<Hit> hit_of(const TempEntity& what) {
   }
 }
 
-// Blood is a burst in the palette's row of reds. More of it leaves a larger splatter.
-std::optional<Hit> hit_of(const net::Particles& burst) {
+// A burst in the palette's row of reds is blood; a larger burst makes a larger splatter.
+std::optional<Hit> find_hit(const net::Particles& burst) {
   constexpr std::uint8_t kReds = 64 / 16;
-  if (burst.color / 16 != kReds || burst.count == kCountOfExplosion) return std::nullopt;
+  if (burst.color / 16 != kReds || burst.count == kExplosionCount) return std::nullopt;
   const float radius = std::min(4.0f + static_cast<float>(burst.count) / 8, 16.0f);
   return Hit{render::MarkKind::kSplatter, burst.origin, 48, radius};
 }
 
 }  // namespace
 
-float rotated_yaw_deg(double time_s) {
+float compute_rotated_yaw_deg(double time_s) {
   constexpr double kDegreesPerSecond = 100;
   const double yaw_deg = std::fmod(time_s * kDegreesPerSecond, 360.0);
   return static_cast<float>(yaw_deg < 0 ? yaw_deg + 360 : yaw_deg);
@@ -98,19 +101,22 @@ struct Effects::State {
   explicit State(std::uint32_t seed_of_all) : seed(seed_of_all), trails(seed_of_all) {}
 
   void clear();
-  void happen(const Events& events, const Moment& moment, bool leave_marks);
-  EffectRandom next_chance() { return EffectRandom(base::hash_with(seed, ++count.events)); }
-  void begin(const TempEntity& what, const Moment& moment);
-  void begin(const net::Particles& what, const Moment& moment);
-  void mark(std::optional<Hit> hit, const Moment& moment);
-  void go_on(const Moment& moment);
-  void leave_trail(const SeenEntity& entity, TrailKind kind, double time_s);
-  void shine(const SeenEntity& entity, const math::Vec3& origin_world, bool rocket, double time_s);
-  std::optional<Beams::Held> held_beam(const Moment& moment) const;
+  void handle_events(const Events& events, const EffectsInput& input, bool makes_marks);
+  EffectRandom make_random() { return EffectRandom(base::hash_with(seed, ++count.events)); }
+  void begin(const TempEntity& what, const EffectsInput& input);
+  void begin(const net::Particles& what, const EffectsInput& input);
+  void mark(std::optional<Hit> hit, const EffectsInput& input);
+  // Effects that entities have as long as they exist: trails, glow and muzzle flashes.
+  void advance_entities(const EffectsInput& input);
+  void emit_trail(const InterpolatedEntity& entity, TrailKind kind, double time_s);
+  void add_lights(const InterpolatedEntity& entity, const math::Vec3& origin_world, bool rocket,
+                  double time_s);
+  std::optional<Beams::Anchor> find_beam_anchor(const EffectsInput& input) const;
 
+  // Seeds the random numbers of all effects.
   std::uint32_t seed;
-  // Each event has a chance of its own, which does not depend on what moments were looked at before it.
-  // Marks' is another: with them or without, particles fly alike.
+  // Each event has its own random numbers, which do not depend on earlier frames. Marks count separately, so
+  // that particles fly alike with and without marks.
   EffectCounts count;
   ParticlePool particles;
   Trails trails;
@@ -118,6 +124,7 @@ struct Effects::State {
   Beams beams;
   HitMarks hit_marks;
   render::MarkSet marks;
+  // The time of the last advance(); nothing at the start of a level.
   std::optional<double> last_time_s;
 };
 
@@ -130,101 +137,104 @@ void Effects::State::clear() {
   last_time_s.reset();
 }
 
-void Effects::State::happen(const Events& events, const Moment& moment, bool leave_marks) {
+void Effects::State::handle_events(const Events& events, const EffectsInput& input, bool makes_marks) {
   for (const TempEntity& what : events.temp_entities) {
-    begin(what, moment);
-    if (leave_marks) mark(hit_of(what), moment);
+    begin(what, input);
+    if (makes_marks) mark(find_hit(what), input);
   }
   for (const net::Particles& what : events.particles) {
-    begin(what, moment);
-    if (leave_marks) mark(hit_of(what), moment);
+    begin(what, input);
+    if (makes_marks) mark(find_hit(what), input);
   }
 }
 
-void Effects::State::begin(const net::Particles& what, const Moment& moment) {
-  EffectRandom random = next_chance();
-  const BurstContext burst{particles, random, moment.time_s};
-  if (what.count == kCountOfExplosion)
-    burst_explosion(burst, what.origin);
+void Effects::State::begin(const net::Particles& what, const EffectsInput& input) {
+  EffectRandom random = make_random();
+  const BurstContext burst{particles, random, input.time_s};
+  if (what.count == kExplosionCount)
+    spawn_explosion(burst, what.origin);
   else
-    burst_chips(burst, what.origin, what.direction, what.color, what.count);
+    spawn_chips(burst, what.origin, what.direction, what.color, what.count);
 }
 
-void Effects::State::begin(const TempEntity& what, const Moment& moment) {
-  EffectRandom random = next_chance();
-  const BurstContext burst{particles, random, moment.time_s};
-  const LightBirth flash{.origin_world = what.origin,
+// Explosions also flash: a light of 350 units that shrinks by 300 units a second for half a second, as in
+// stock Quake.
+void Effects::State::begin(const TempEntity& what, const EffectsInput& input) {
+  EffectRandom random = make_random();
+  const BurstContext burst{particles, random, input.time_s};
+  const TimedLight flash{.origin_world = what.origin,
                          .radius = 350,
                          .shrinks_per_second = 300,
-                         .born_s = moment.time_s,
+                         .born_s = input.time_s,
                          .life_s = 0.5};
-  if (const std::optional<Chips> chips = chips_of(what.kind))
-    burst_chips(burst, what.origin, math::Vec3(0.0f), chips->color, chips->count);
-  if (const std::optional<BeamModel> model = beam_model(what.kind))
-    beams.add({what.entity, *model, what.origin, what.end, moment.time_s});
+  if (const std::optional<Chips> chips = find_chips(what.kind))
+    spawn_chips(burst, what.origin, math::Vec3(0.0f), chips->color, chips->count);
+  if (const std::optional<BeamModel> model = find_beam_model(what.kind))
+    beams.add({what.entity, *model, what.origin, what.end, input.time_s});
   switch (what.kind) {
     case TempEntityKind::kExplosion:
-      burst_explosion(burst, what.origin);
+      spawn_explosion(burst, what.origin);
       lights.add(flash);
       break;
     case TempEntityKind::kExplosion2:
-      burst_colored_explosion(burst, what.origin, what.color_start, what.color_count);
+      spawn_colored_explosion(burst, what.origin, what.color_start, what.color_count);
       lights.add(flash);
       break;
     case TempEntityKind::kTarExplosion:
-      burst_blob_explosion(burst, what.origin);
+      spawn_blob_explosion(burst, what.origin);
       break;
     case TempEntityKind::kLavaSplash:
-      burst_lava_splash(burst, what.origin);
+      spawn_lava_splash(burst, what.origin);
       break;
     case TempEntityKind::kTeleport:
-      burst_teleport(burst, what.origin);
+      spawn_teleport_splash(burst, what.origin);
       break;
     default:
       break;
   }
 }
 
-void Effects::State::mark(std::optional<Hit> hit, const Moment& moment) {
+void Effects::State::mark(std::optional<Hit> hit, const EffectsInput& input) {
   if (!hit) return;
-  hit->seed = static_cast<std::uint32_t>(base::mixed_bits(++count.hits));
-  hit_marks.leave(moment.level, *hit, marks);
+  hit->seed = static_cast<std::uint32_t>(base::mix_bits(++count.hits));
+  hit_marks.add(input.level, *hit, marks);
 }
 
-void Effects::State::go_on(const Moment& moment) {
-  for (const SeenEntity& entity : moment.entities) {
-    if (entity.number >= SeenEntity::kFirstStatic) break;
-    const std::uint32_t flags =
-        entity.model < moment.model_flags.size() ? moment.model_flags[entity.model] : 0;
-    const std::optional<TrailKind> trail = trail_kind(flags);
-    if (trail && entity.has_come) trails.begin(entity.number, entity.origin_world);
-    if (trail) leave_trail(entity, *trail, moment.time_s);
-    const math::Vec3 place_world = entity.number == moment.view_entity && moment.own_origin_world
-                                       ? *moment.own_origin_world
-                                       : entity.origin_world;
-    if (entity.effects & kEffectBrightField) show_bright_field(particles, moment.time_s, place_world);
-    shine(entity, place_world, trail == TrailKind::kRocket, moment.time_s);
+// Entities are sorted by number, and static ones (torches) come last. They never move, so they are skipped.
+void Effects::State::advance_entities(const EffectsInput& input) {
+  for (const InterpolatedEntity& entity : input.entities) {
+    if (entity.number >= InterpolatedEntity::kFirstStatic) break;
+    const std::uint32_t flags = entity.model < input.model_flags.size() ? input.model_flags[entity.model] : 0;
+    const std::optional<TrailKind> trail = find_trail_kind(flags);
+    if (trail && entity.is_new) trails.begin(entity.number, entity.origin_world);
+    if (trail) emit_trail(entity, *trail, input.time_s);
+    const math::Vec3 origin_world_now = entity.number == input.view_entity && input.predicted_origin_world
+                                            ? *input.predicted_origin_world
+                                            : entity.origin_world;
+    if (entity.effects & kEffectBrightField) show_bright_field(particles, input.time_s, origin_world_now);
+    add_lights(entity, origin_world_now, trail == TrailKind::kRocket, input.time_s);
   }
 }
 
-void Effects::State::leave_trail(const SeenEntity& entity, TrailKind kind, double time_s) {
-  trails.leave({entity.number, kind, entity.previous_origin_world, entity.origin_world,
-                last_time_s.value_or(time_s), time_s},
-               particles);
+// The piece of path since the last frame; its particles are born at times between the two frames.
+void Effects::State::emit_trail(const InterpolatedEntity& entity, TrailKind kind, double time_s) {
+  trails.emit({entity.number, kind, entity.previous_origin_world, entity.origin_world,
+               last_time_s.value_or(time_s), time_s},
+              particles);
 }
 
-// An entity has one light: a later one of these takes the place of an earlier.
-void Effects::State::shine(const SeenEntity& entity, const math::Vec3& origin_world, bool rocket,
-                           double time_s) {
-  LightBirth light{.entity = entity.number, .origin_world = origin_world, .born_s = time_s};
+// An entity has one light: a later one of these replaces an earlier one.
+void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Vec3& origin_world, bool rocket,
+                                double time_s) {
+  TimedLight light{.entity = entity.number, .origin_world = origin_world, .born_s = time_s};
   const math::Vec3 above = origin_world + math::Vec3(0, 0, 16);
   const float flicker = light_flicker(entity.number, time_s);
-  if (entity.muzzle_flash_now || entity.effects & kEffectMuzzleFlash) {
-    LightBirth flash = light;
+  if (entity.has_muzzle_flash || entity.effects & kEffectMuzzleFlash) {
+    TimedLight flash = light;
     const math::Vec3d forward = math::basis_from_angles(entity.angles_deg).forward;
     flash.origin_world = above + math::Vec3(forward * 18.0);
     flash.radius = 200 + flicker;
-    flash.least = 32;
+    flash.min_light = 32;
     flash.life_s = 0.1;
     lights.add(flash);
   }
@@ -244,10 +254,10 @@ void Effects::State::shine(const SeenEntity& entity, const math::Vec3& origin_wo
   }
 }
 
-std::optional<Beams::Held> Effects::State::held_beam(const Moment& moment) const {
-  const SeenEntity* const viewer = find_entity(moment.entities, moment.view_entity);
+std::optional<Beams::Anchor> Effects::State::find_beam_anchor(const EffectsInput& input) const {
+  const InterpolatedEntity* const viewer = find_entity(input.entities, input.view_entity);
   if (viewer == nullptr) return std::nullopt;
-  return Beams::Held{viewer->number, moment.own_origin_world.value_or(viewer->origin_world)};
+  return Beams::Anchor{viewer->number, input.predicted_origin_world.value_or(viewer->origin_world)};
 }
 
 Effects::Effects(std::uint32_t seed) : state_(std::make_unique<State>(seed)) {}
@@ -264,32 +274,33 @@ void Effects::resume(const EffectCounts& before) {
 
 void Effects::count(const Events& events, EffectCounts& io_counts) {
   io_counts.events += static_cast<std::uint32_t>(events.temp_entities.size() + events.particles.size());
-  for (const TempEntity& what : events.temp_entities) io_counts.hits += hit_of(what) ? 1 : 0;
-  for (const net::Particles& what : events.particles) io_counts.hits += hit_of(what) ? 1 : 0;
+  for (const TempEntity& what : events.temp_entities) io_counts.hits += find_hit(what) ? 1 : 0;
+  for (const net::Particles& what : events.particles) io_counts.hits += find_hit(what) ? 1 : 0;
 }
 
-void Effects::advance(const Events& events, const Moment& moment, const EffectsSettings& settings) {
+void Effects::advance(const Events& events, const EffectsInput& input, const EffectsSettings& settings) {
   State& state = *state_;
-  if (state.last_time_s && moment.time_s < *state.last_time_s) state.clear();
+  if (state.last_time_s && input.time_s < *state.last_time_s) state.clear();
   if (!settings.marks && state.marks.size() > 0) state.marks.clear();
-  const bool time_passed = !state.last_time_s || moment.time_s > *state.last_time_s;
+  // Two frames at the same time (a paused game) must not emit trails twice.
+  const bool time_passed = !state.last_time_s || input.time_s > *state.last_time_s;
   state.particles.set_capacity(settings.max_particles);
-  // The old first: what has died makes room.
-  state.particles.advance(moment.time_s);
-  state.lights.advance(moment.time_s);
-  state.happen(events, moment, settings.marks);
-  if (time_passed) state.go_on(moment);
-  state.particles.place_new(moment.time_s);
-  state.beams.advance(moment.time_s, state.held_beam(moment));
-  state.last_time_s = moment.time_s;
+  // Advances old effects first, so that dead ones make room.
+  state.particles.advance(input.time_s);
+  state.lights.advance(input.time_s);
+  state.handle_events(events, input, settings.marks);
+  if (time_passed) state.advance_entities(input);
+  state.particles.place_new(input.time_s);
+  state.beams.advance(input.time_s, state.find_beam_anchor(input));
+  state.last_time_s = input.time_s;
 }
 
 render::ParticleCloud Effects::particles() const {
   return state_->particles.cloud();
 }
 
-std::size_t Effects::particles_left_out() const {
-  return state_->particles.left_out();
+std::size_t Effects::dropped_particles() const {
+  return state_->particles.dropped();
 }
 
 std::span<const render::DynamicLight> Effects::lights() const {

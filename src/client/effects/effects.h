@@ -1,6 +1,12 @@
-// What the client makes up by itself around what the server says: particles, trails, dynamic lights,
-// lightning, marks. Behaves as the original did, but for what depended on its frame rate: what there is at a
-// time does not depend on how often it was asked for before.
+// Effects that the client adds to what the server sends: particles, trails, dynamic lights, lightning, bullet
+// marks.
+//
+//   temporary entities, svc_particle --> bursts, flashes, beams, marks --+--> render::Scene
+//   entities: model flags, effects ----> trails, glow, muzzle flashes ---+
+//
+// They look like the original's, except where those depended on the frame rate: the effects at a given time
+// do not depend on how often they were advanced before. All randomness comes from counters and seeds, so a
+// demo looks the same each time and after each seek.
 #pragma once
 
 #include <cstdint>
@@ -10,54 +16,61 @@
 
 #include "client/effects/beams.h"
 #include "client/session/client_state.h"
-#include "client/session/seen_entity.h"
+#include "client/session/interpolated_entity.h"
 #include "render/scene.h"
 #include "world/level.h"
 
 namespace temblor::client {
 
 struct EffectsSettings {
-  std::size_t max_particles = 16384;  // r_particles_max; further ones are left out
-  bool marks = false;                 // r_marks; turned off, the marks that there are go
+  std::size_t max_particles = 16384;  // r_particles_max; further particles are dropped
+  bool marks = false;                 // r_marks; turning it off removes all marks
 };
 
-// What an effect needs to know of the moment.
-struct Moment {
+// The state of the game at the time of an advance(). References must be valid during the call.
+struct EffectsInput {
   const world::Level& level;
+  // On the server's clock.
   double time_s;
-  std::span<const SeenEntity> entities;
-  std::span<const std::uint32_t> model_flags;  // formats::MdlFlags by precache number; missing ones: none
+  std::span<const InterpolatedEntity> entities;
+  std::span<const std::uint32_t> model_flags;  // formats::MdlFlags by precache number; 0 past the end
+  // The entity whose eyes the player sees through.
   std::uint32_t view_entity;
-  // Where the view entity is shown, if that is not where it is told to be: its lights and beams go with it.
-  std::optional<math::Vec3> own_origin_world{};
+  // The predicted place of the view entity, where its lights and beams are; nothing without prediction.
+  std::optional<math::Vec3> predicted_origin_world{};
 };
 
-// The yaw of models that turn by themselves (formats::kMdlRotate), 0 to 360.
-float rotated_yaw_deg(double time_s);
+// The yaw of models that rotate on the spot, such as items (formats::kMdlRotate), in [0, 360): 100 degrees a
+// second.
+float compute_rotated_yaw_deg(double time_s);
 
-// How much has happened that has a chance of its own.
+// How many events and hits there have been. The counters seed the random numbers of each event; a seek in a
+// demo restores them.
 struct EffectCounts {
   std::uint32_t events = 0, hits = 0;
 };
 
 class Effects {
  public:
-  // The same seed and the same input give the same effects.
+  // The same seed and input give the same effects.
   explicit Effects(std::uint32_t seed = 1);
   ~Effects();
 
+  // Removes all effects.
   void begin_level();
-  // The same, and chance is what it would be after that much has happened: for a recording that is sought in.
+  // Like begin_level(), and continues with the random numbers that follow after `before`. For seeking in
+  // demos.
   void resume(const EffectCounts& before);
+  // Adds the events that advance() would count, without their effects.
   static void count(const Events& events, EffectCounts& io_counts);
-  // What happened, then what goes on, up to `moment`. Time must not run backwards; if it does (a demo
-  // rewound), all that was under way ends. When it stands still, nothing goes on. Once warm it asks the heap
-  // for nothing, but for the first mark on a face.
-  void advance(const Events& events, const Moment& moment, const EffectsSettings& settings);
+  // Starts effects for `events` and continues the others up to `input`. If time runs backward (a demo was
+  // rewound), all effects end; if it stands still, nothing continues. In the steady state it allocates
+  // nothing, except for the first mark on a face.
+  void advance(const Events& events, const EffectsInput& input, const EffectsSettings& settings);
 
-  // Valid until the next advance().
+  // Results; valid until the next advance().
   render::ParticleCloud particles() const;
-  std::size_t particles_left_out() const;  // of this level, for want of room
+  std::size_t dropped_particles() const;  // of this level, beyond max_particles
   std::span<const render::DynamicLight> lights() const;
   std::span<const BeamPiece> beams() const;
   const render::MarkSet& marks() const;

@@ -1,5 +1,11 @@
-// What shots and explosions leave on the world's faces: a hit is a ball around the point of a face that is
-// nearest to it, and marks every face where the ball cuts its plane.
+// Bullet holes, scorches and blood on the world's faces. Stock Quake has none; r_marks turns them on.
+//
+// A hit is a ball around the nearest point of a face; it marks every face whose plane the ball cuts, so that
+// marks wrap around corners:
+//
+//      ____.-"-.____ wall        the ball's intersection with each plane is a circle,
+//         (  +  )|               the mark on that face
+//          `-.-' | other wall
 #pragma once
 
 #include <cstdint>
@@ -10,22 +16,22 @@
 
 namespace temblor::client {
 
+// A shot or explosion near a wall. `seed` chooses among variants of the mark's shape.
 struct Hit {
   render::MarkKind kind{};
   math::Vec3 origin_world{0.0f};
-  float reach = 0;   // units to the nearest face at most
-  float radius = 0;  // units
+  float reach = 0;   // maximum distance to the nearest face, units
+  float radius = 0;  // of the ball, units
   std::uint32_t seed = 0;
 };
 
 class HitMarks {
  public:
-  // No mark when there is no lit face within reach, or the nearest surface is the sky's. Liquids are looked
-  // through.
-  void leave(const world::Level& level, const Hit& hit, render::MarkSet& io_marks);
+  // Adds marks. Adds none if no lit face is within reach or the nearest surface is sky. Liquids are ignored.
+  void add(const world::Level& level, const Hit& hit, render::MarkSet& io_marks);
 
  private:
-  world::FacesNear faces_near_;
+  world::NearFaceFinder faces_near_;
 };
 
 }  // namespace temblor::client

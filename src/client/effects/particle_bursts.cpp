@@ -1,4 +1,5 @@
-// Numbers of the original; where it took whole units by chance, here any fraction of them.
+// Counts, speeds, lifetimes and colors are the original's. Where it drew random whole units, this draws any
+// fraction.
 #include "client/effects/particle_bursts.h"
 
 #include <algorithm>
@@ -13,25 +14,28 @@ namespace {
 
 constexpr float kExplosionSize = 16, kExplosionSpeed = 256;
 
-ParticleBirth of_explosion(const BurstContext& context, const math::Vec3& origin_world) {
-  ParticleBirth birth;
-  birth.origin_world = origin_world + context.random.in_cube(kExplosionSize);
-  birth.velocity = context.random.in_cube(kExplosionSpeed);
-  birth.born_s = context.time_s;
-  return birth;
+ParticleSpawn make_explosion_particle(const BurstContext& context, const math::Vec3& origin_world) {
+  ParticleSpawn particle;
+  particle.origin_world = origin_world + context.random.uniform_in_cube(kExplosionSize);
+  particle.velocity = context.random.uniform_in_cube(kExplosionSpeed);
+  particle.born_s = context.time_s;
+  return particle;
 }
 
-std::uint8_t one_of(EffectRandom& random, std::uint8_t first, std::uint32_t count) {
+// Returns one of `count` palette colors from `first` on.
+std::uint8_t pick_color(EffectRandom& random, std::uint8_t first, std::uint32_t count) {
   return static_cast<std::uint8_t>(first + random.below(count));
 }
 
-math::Vec3 with_length(const math::Vec3& direction, float length) {
+// Returns 0 for a direction without length.
+math::Vec3 scale_to_length(const math::Vec3& direction, float length) {
   const float old_length = glm::length(direction);
   return old_length > 0 ? direction * (length / old_length) : math::Vec3(0.0f);
 }
 
-// Points spread evenly over the unit ball's surface, each turned from the one before it by the golden angle.
-math::Vec3d on_ball(std::size_t index, std::size_t count) {
+// Returns one of `count` evenly spread points on the unit sphere (a Fibonacci lattice): each is turned from
+// the last by the golden angle. Stock Quake used the 162 normals of its alias models instead.
+math::Vec3d compute_sphere_point(std::size_t index, std::size_t count) {
   constexpr double kGoldenAngle = 2 * std::numbers::pi * (2 - std::numbers::phi);
   const double z = 1 - (2 * static_cast<double>(index) + 1) / static_cast<double>(count);
   const double radius = std::sqrt(1 - z * z), turn = kGoldenAngle * static_cast<double>(index);
@@ -40,104 +44,109 @@ math::Vec3d on_ball(std::size_t index, std::size_t count) {
 
 }  // namespace
 
-void burst_explosion(const BurstContext& context, const math::Vec3& origin_world) {
+// Half of the sparks fly apart faster and faster, the other half slow down.
+void spawn_explosion(const BurstContext& context, const math::Vec3& origin_world) {
   for (int i = 0; i < 1024; ++i) {
-    ParticleBirth birth = of_explosion(context, origin_world);
-    birth.life_s = 5;
-    birth.motion = i % 2 == 0 ? ParticleMotion::kExplode2 : ParticleMotion::kExplode;
-    birth.ramp = static_cast<float>(context.random.below(4));
-    context.pool.add(birth);
+    ParticleSpawn particle = make_explosion_particle(context, origin_world);
+    particle.life_s = 5;
+    particle.motion = i % 2 == 0 ? ParticleMotion::kExplode2 : ParticleMotion::kExplode;
+    particle.ramp = static_cast<float>(context.random.below(4));
+    context.pool.add(particle);
   }
 }
 
-void burst_blob_explosion(const BurstContext& context, const math::Vec3& origin_world) {
+void spawn_blob_explosion(const BurstContext& context, const math::Vec3& origin_world) {
   for (int i = 0; i < 1024; ++i) {
-    ParticleBirth birth = of_explosion(context, origin_world);
-    birth.life_s = context.random.below(2) == 0 ? 1.0f : 1.4f;
-    birth.motion = i % 2 == 0 ? ParticleMotion::kBlob2 : ParticleMotion::kBlob;
-    birth.color = one_of(context.random, i % 2 == 0 ? 150 : 66, 6);
-    context.pool.add(birth);
+    ParticleSpawn particle = make_explosion_particle(context, origin_world);
+    particle.life_s = context.random.below(2) == 0 ? 1.0f : 1.4f;
+    particle.motion = i % 2 == 0 ? ParticleMotion::kBlob2 : ParticleMotion::kBlob;
+    particle.color = pick_color(context.random, i % 2 == 0 ? 150 : 66, 6);
+    context.pool.add(particle);
   }
 }
 
-void burst_colored_explosion(const BurstContext& context, const math::Vec3& origin_world,
+void spawn_colored_explosion(const BurstContext& context, const math::Vec3& origin_world,
                              std::uint8_t color_start, std::uint8_t color_count) {
   const int colors = std::max<int>(color_count, 1);
   for (int i = 0; i < 512; ++i) {
-    ParticleBirth birth = of_explosion(context, origin_world);
-    birth.life_s = 0.3f;
-    birth.motion = ParticleMotion::kBlob;
-    birth.color = static_cast<std::uint8_t>(color_start + i % colors);
-    context.pool.add(birth);
+    ParticleSpawn particle = make_explosion_particle(context, origin_world);
+    particle.life_s = 0.3f;
+    particle.motion = ParticleMotion::kBlob;
+    particle.color = static_cast<std::uint8_t>(color_start + i % colors);
+    context.pool.add(particle);
   }
 }
 
-void burst_chips(const BurstContext& context, const math::Vec3& origin_world, const math::Vec3& direction,
+void spawn_chips(const BurstContext& context, const math::Vec3& origin_world, const math::Vec3& direction,
                  std::uint8_t color, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    ParticleBirth birth;
-    birth.origin_world = origin_world + context.random.in_cube(8);
-    birth.velocity = direction * 15.0f;
-    birth.born_s = context.time_s;
-    birth.life_s = 0.1f * static_cast<float>(context.random.below(5));
-    birth.motion = ParticleMotion::kFalling;
-    birth.color = one_of(context.random, static_cast<std::uint8_t>(color & ~7), 8);
-    context.pool.add(birth);
+    ParticleSpawn particle;
+    particle.origin_world = origin_world + context.random.uniform_in_cube(8);
+    particle.velocity = direction * 15.0f;
+    particle.born_s = context.time_s;
+    particle.life_s = 0.1f * static_cast<float>(context.random.below(5));
+    particle.motion = ParticleMotion::kFalling;
+    particle.color = pick_color(context.random, static_cast<std::uint8_t>(color & ~7), 8);
+    context.pool.add(particle);
   }
 }
 
-void burst_teleport(const BurstContext& context, const math::Vec3& origin_world) {
+// A block of particles in the shape of a player, flying outward.
+void spawn_teleport_splash(const BurstContext& context, const math::Vec3& origin_world) {
   constexpr int kStep = 4;
   for (int x = -16; x < 16; x += kStep)
     for (int y = -16; y < 16; y += kStep)
       for (int z = -24; z < 32; z += kStep) {
         const math::Vec3 place{x, y, z};
-        const math::Vec3 shift = (context.random.in_cube(1) + 1.0f) * 2.0f;
-        ParticleBirth birth;
-        birth.origin_world = origin_world + place + shift;
-        birth.velocity = with_length(place, context.random.uniform(50, 114));
-        birth.born_s = context.time_s;
-        birth.life_s = 0.2f + 0.02f * static_cast<float>(context.random.below(8));
-        birth.motion = ParticleMotion::kFalling;
-        birth.color = one_of(context.random, 7, 8);
-        context.pool.add(birth);
+        const math::Vec3 shift = (context.random.uniform_in_cube(1) + 1.0f) * 2.0f;
+        ParticleSpawn particle;
+        particle.origin_world = origin_world + place + shift;
+        particle.velocity = scale_to_length(place, context.random.uniform(50, 114));
+        particle.born_s = context.time_s;
+        particle.life_s = 0.2f + 0.02f * static_cast<float>(context.random.below(8));
+        particle.motion = ParticleMotion::kFalling;
+        particle.color = pick_color(context.random, 7, 8);
+        context.pool.add(particle);
       }
 }
 
-void burst_lava_splash(const BurstContext& context, const math::Vec3& origin_world) {
+// A square of 256 x 256 units, thrown upward and outward.
+void spawn_lava_splash(const BurstContext& context, const math::Vec3& origin_world) {
   constexpr int kSide = 32;
   constexpr float kStep = 8, kUpwards = 256;
   for (int x = -kSide / 2; x < kSide / 2; ++x)
     for (int y = -kSide / 2; y < kSide / 2; ++y) {
       const float east = (static_cast<float>(x) + context.random.uniform(0, 1)) * kStep;
       const float north = (static_cast<float>(y) + context.random.uniform(0, 1)) * kStep;
-      ParticleBirth birth;
-      birth.origin_world = origin_world + math::Vec3(east, north, context.random.uniform(0, 64));
-      birth.velocity = with_length({east, north, kUpwards}, context.random.uniform(50, 114));
-      birth.born_s = context.time_s;
-      birth.life_s = 2 + 0.02f * static_cast<float>(context.random.below(32));
-      birth.motion = ParticleMotion::kFalling;
-      birth.color = one_of(context.random, 224, 8);
-      context.pool.add(birth);
+      ParticleSpawn particle;
+      particle.origin_world = origin_world + math::Vec3(east, north, context.random.uniform(0, 64));
+      particle.velocity = scale_to_length({east, north, kUpwards}, context.random.uniform(50, 114));
+      particle.born_s = context.time_s;
+      particle.life_s = 2 + 0.02f * static_cast<float>(context.random.below(32));
+      particle.motion = ParticleMotion::kFalling;
+      particle.color = pick_color(context.random, 224, 8);
+      context.pool.add(particle);
     }
 }
 
 void show_bright_field(ParticlePool& io_pool, double time_s, const math::Vec3& origin_world) {
   constexpr std::size_t kCount = 162;
   constexpr double kRadius = 64, kWander = 16;
-  constexpr double kFastest = 2.55;  // radians a second
+  // Radians per second.
+  constexpr double kMaxTurnSpeed = 2.55;
   for (std::size_t i = 0; i < kCount; ++i) {
-    // Each wanders at a pace of its own, always the same.
-    const std::uint64_t own = base::hash_with(0, i);
-    const double yaw = time_s * kFastest * static_cast<double>(own & 255) / 255;
-    const double pitch = time_s * kFastest * static_cast<double>(own >> 8 & 255) / 255;
+    // Each particle wanders at its own constant speed, chosen by its hash.
+    const std::uint64_t particle_hash = base::hash_with(0, i);
+    const double yaw = time_s * kMaxTurnSpeed * static_cast<double>(particle_hash & 255) / 255;
+    const double pitch = time_s * kMaxTurnSpeed * static_cast<double>(particle_hash >> 8 & 255) / 255;
     const math::Vec3d wander{std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw),
                              -std::sin(pitch)};
-    ParticleBirth birth;
-    birth.origin_world = origin_world + math::Vec3(on_ball(i, kCount) * kRadius + wander * kWander);
-    birth.born_s = time_s;
-    birth.color = 0x6f;
-    io_pool.add(birth);
+    ParticleSpawn particle;
+    particle.origin_world =
+        origin_world + math::Vec3(compute_sphere_point(i, kCount) * kRadius + wander * kWander);
+    particle.born_s = time_s;
+    particle.color = 0x6f;
+    io_pool.add(particle);
   }
 }
 

@@ -1,4 +1,5 @@
-// Bursts of particles: what the server's temporary entities and svc_particle look like.
+// Bursts of particles for the server's temporary entities and svc_particle messages. Each function adds all
+// of its particles to the pool at once; what the pool has no room for is dropped.
 #pragma once
 
 #include <cstdint>
@@ -8,28 +9,31 @@
 
 namespace temblor::client {
 
-// Where and when bursts begin, and whence their chance comes.
+// Where a burst's particles go, its random numbers, and when it starts (server time).
 struct BurstContext {
   ParticlePool& pool;
   EffectRandom& random;
   double time_s;
 };
 
-// A rocket's or grenade's: 1024 sparks that burn out.
-void burst_explosion(const BurstContext& context, const math::Vec3& origin_world);
-// A spawn's: 1024 drops in two colors.
-void burst_blob_explosion(const BurstContext& context, const math::Vec3& origin_world);
-// 512 drops in the palette's colors from `color_start` on; 0 of them counts as 1.
-void burst_colored_explosion(const BurstContext& context, const math::Vec3& origin_world,
+// A rocket or grenade: 1024 sparks that burn out within 5 seconds.
+void spawn_explosion(const BurstContext& context, const math::Vec3& origin_world);
+// An exploding spawn (tarbaby): 1024 drops in two colors.
+void spawn_blob_explosion(const BurstContext& context, const math::Vec3& origin_world);
+// 512 drops in the `color_count` palette colors from `color_start` on; a count of 0 acts as 1.
+void spawn_colored_explosion(const BurstContext& context, const math::Vec3& origin_world,
                              std::uint8_t color_start, std::uint8_t color_count);
-// Chips and blood: `count` of them, in the eight colors around `color`.
-void burst_chips(const BurstContext& context, const math::Vec3& origin_world, const math::Vec3& direction,
+// Chips of stone, sparks or blood: `count` particles in the eight palette colors around `color`, moving along
+// `direction`.
+void spawn_chips(const BurstContext& context, const math::Vec3& origin_world, const math::Vec3& direction,
                  std::uint8_t color, std::size_t count);
-void burst_teleport(const BurstContext& context, const math::Vec3& origin_world);
-void burst_lava_splash(const BurstContext& context, const math::Vec3& origin_world);
+// A player or monster appears.
+void spawn_teleport_splash(const BurstContext& context, const math::Vec3& origin_world);
+// A boss rises from the lava.
+void spawn_lava_splash(const BurstContext& context, const math::Vec3& origin_world);
 
-// Not a burst but a cloud for as long as it is asked for: 162 particles that wander on and around a ball of
-// 64 units, where they are at this moment.
+// The effect EF_BRIGHTFIELD: 162 particles that wander on and around a ball of 64 units. A cloud rather than
+// a burst: its particles last for one frame, so call it in every frame in which it is visible.
 void show_bright_field(ParticlePool& io_pool, double time_s, const math::Vec3& origin_world);
 
 }  // namespace temblor::client

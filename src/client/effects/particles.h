@@ -1,8 +1,11 @@
-// Particles: where each is at a moment, from how it was born.
+// The particle pool. Each particle's place is computed from the values with which it was added, and from its
+// age.
 //
-// The original stepped velocities and positions once a frame, so its explosions grew larger at higher frame
-// rates. Here its laws of motion (change of velocity a second) are solved: a particle is kept as it was born,
-// and its place is a function of its age. It does not matter how often that is asked for.
+// The original integrated velocities once a frame, so its explosions grew with the frame rate. Here the same
+// laws of motion (change of velocity per second) are solved in closed form, so that the result does not
+// depend on when and how often it is computed.
+//
+// The pool is a structure of arrays: particle i has element i in each. Removal closes the gaps.
 #pragma once
 
 #include <array>
@@ -15,62 +18,65 @@
 
 namespace temblor::client {
 
-// The laws, as changes a second. Gravity is 40 units/s^2; a ramp is a row of colors that is walked through.
+// The laws, as changes per second. Gravity is 40 units/s^2. A ramp is a row of colors that the particle runs
+// through.
 enum class ParticleMotion : std::uint8_t {
-  kStill,     // its velocity stays
+  kStill,     // constant velocity
   kFalling,   // gravity
-  kFire,      // rises as fast as others fall; ramp of 6, 5 a second
-  kExplode,   // velocity + 4 x velocity, gravity; ramp of 8, 10 a second
-  kExplode2,  // velocity - velocity, gravity; ramp of 8, 15 a second
+  kFire,      // rises as fast as others fall; ramp of 6 colors, 5 a second
+  kExplode,   // velocity + 4 x velocity, gravity; ramp of 8 colors, 10 a second
+  kExplode2,  // velocity - velocity, gravity; ramp of 8 colors, 15 a second
   kBlob,      // velocity + 4 x velocity, gravity
   kBlob2      // horizontal velocity - 4 x velocity, gravity
 };
 constexpr std::size_t kParticleMotions = 7;
 
-struct ParticleBirth {
-  math::Vec3 origin_world{0.0f}, velocity{0.0f};  // units, units a second
+// A particle at the time at which it is added.
+struct ParticleSpawn {
+  math::Vec3 origin_world{0.0f}, velocity{0.0f};  // units, units per second
   double born_s = 0;
-  float life_s = 0;  // 0: for one moment. The end of its ramp may come first
+  float life_s = 0;  // 0: for one frame. The end of the ramp may come first
   ParticleMotion motion{};
-  std::uint8_t color = 0;  // palette index, when the motion has no ramp
-  float ramp = 0;          // where it starts on its ramp, in steps
+  std::uint8_t color = 0;  // palette index, for motions without a ramp
+  float ramp = 0;          // start on the ramp, in colors
 };
 
 class ParticlePool {
  public:
-  // At most that many live at once. A lower number removes none: fewer are taken until enough have died.
+  // Sets the maximum number of particles. A lower number removes none; new ones are dropped until enough have
+  // died.
   void set_capacity(std::size_t capacity);
   void clear();
 
-  // False, and counted, when there is no room for it.
-  bool add(const ParticleBirth& birth);
+  // Adds a particle. If the pool is full, returns false and counts the particle as dropped.
+  bool add(const ParticleSpawn& particle);
   std::size_t room() const { return capacity_ > size() ? capacity_ - size() : 0; }
-  // To be counted as left out without having been tried one by one.
-  void leave_out(std::size_t count) { left_out_ += count; }
+  // Counts particles as dropped that the caller did not try to add.
+  void count_dropped(std::size_t count) { dropped_ += count; }
 
-  // Removes those whose life is over, and moves the others to where they are at `time_s`. Particles added
-  // after it are in the cloud from the next place_new() or advance() on.
+  // Removes dead particles and moves the others to their places at `time_s`. Particles that are added later
+  // appear after the next place_new() or advance().
   void advance(double time_s);
   void place_new(double time_s);
 
-  // Valid until anything changes.
+  // The particles to draw. Valid until anything changes.
   render::ParticleCloud cloud() const;
   std::size_t size() const { return born_s_.size(); }
-  std::size_t left_out() const { return left_out_; }  // since the beginning or clear()
+  std::size_t dropped() const { return dropped_; }  // since clear()
 
  private:
   void place(std::size_t first, double time_s);
-  void keep(std::size_t from, std::size_t to);
+  void move_particle(std::size_t from, std::size_t to);
   void resize(std::size_t size);
 
-  std::size_t capacity_ = 0, placed_ = 0, left_out_ = 0;
-  // As they were born.
+  std::size_t capacity_ = 0, placed_ = 0, dropped_ = 0;
+  // Constant values from add(); x, y and z separately.
   std::array<std::vector<float>, 3> origin_, velocity_;
   std::vector<double> born_s_;
   std::vector<float> life_s_, ramp_;
   std::vector<ParticleMotion> motion_;
   std::vector<std::uint8_t> born_color_;
-  // As they are.
+  // Values at the time of the last advance() or place_new(), for cloud().
   std::array<std::vector<float>, 3> place_;
   std::vector<std::uint8_t> color_;
 };

@@ -1,4 +1,4 @@
-// Messages in the middle of the screen.
+// Text in the middle of the screen: messages of the game (svc_centerprint) and the text of finales.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace temblor::client {
 
-// Each line in the middle of the frame, lines of more than 40 characters broken. Short messages begin above
-// the frame's middle, long ones further up. Only the first `letters` are shown, where they will stand when
-// all are; line ends do not count.
+// Draws each line centered; breaks lines at 40 characters. Short texts begin above the middle of the frame,
+// long ones further up. Draws only the first `letters` characters, at their final places, so that text which
+// is being written does not move; line ends do not count.
 void draw_center_text(const Panel& panel, std::string_view text,
                       std::size_t letters = std::string_view::npos);
 
-// How many letters of a text have been written after `seconds`.
-std::size_t letters_written(double seconds);
+// How many letters of a finale's text are visible after `seconds`: 8 a second.
+std::size_t count_written_letters(double seconds);
 
 }  // namespace temblor::client

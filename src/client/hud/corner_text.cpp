@@ -9,7 +9,7 @@ void draw_corner_text(const assets::Pictures& pictures, std::string_view text, i
   const int scale = choose_scale(width, height, 0);
   const Panel panel(pictures, io_list, width, height, scale);
   const int characters = static_cast<int>(text.size()) + 1;
-  panel.text(text, width / scale - characters * kCharacterSide, (line + 1) * kCharacterSide);
+  panel.draw_text(text, width / scale - characters * kCharacterSide, (line + 1) * kCharacterSide);
 }
 
 }  // namespace temblor::client

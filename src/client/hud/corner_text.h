@@ -1,4 +1,4 @@
-// Small measurements over the picture.
+// Small readouts over the picture, such as the frame rate.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,8 @@
 
 namespace temblor::client {
 
-// In the frame's upper right corner, `line` lines below its edge.
+// Draws text right-aligned in the upper right corner of a frame of `width` x `height` pixels, `line` lines
+// below the top. Appends to `io_list`; the commands are valid while the pictures live.
 void draw_corner_text(const assets::Pictures& pictures, std::string_view text, int line, int width,
                       int height, render::DrawList& io_list);
 

@@ -1,4 +1,4 @@
-// A mark in the middle of the frame, where shots go.
+// The crosshair.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,15 @@
 
 namespace temblor::client {
 
+// The values of the variable `crosshair`. kCharacter is the original's: a '+' of the console's characters.
 enum class Crosshair { kNone, kCharacter, kDot, kLines };
 
 struct CrosshairLook {
   Crosshair shape = Crosshair::kNone;
-  std::uint8_t color = 15;  // index into the palette, of dot and lines
+  std::uint8_t color = 15;  // palette index, for dot and lines
 };
 
+// Draws the crosshair in the center of the frame. Line widths follow the frame's height.
 void draw_crosshair(const Panel& panel, const CrosshairLook& look);
 
 }  // namespace temblor::client

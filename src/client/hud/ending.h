@@ -1,4 +1,4 @@
-// What stands over the view when a level has ended.
+// Screens at the end of a level: intermission and finale.
 #pragma once
 
 #include "client/hud/panel.h"
@@ -6,10 +6,12 @@
 
 namespace temblor::client {
 
-// Time, secrets and kills of a finished level; in deathmatch the ranking.
+// Draws time, secrets and kills of the finished level, or the ranking in a deathmatch. Without the game's
+// pictures only the numbers appear.
 void draw_intermission(const Panel& panel, const Game& game);
 
-// The title of the end, and its text, letter by letter. A cut scene has the text alone.
+// Draws the finale's title and its text, letter by letter, at server time `time_s`. A cut scene has only the
+// text.
 void draw_finale(const Panel& panel, const Game& game, double time_s);
 
 }  // namespace temblor::client

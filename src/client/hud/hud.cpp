@@ -14,8 +14,11 @@ namespace temblor::client {
 
 namespace {
 
+// How long the face shows pain and how long a center text stays, as in the original, and how long after a
+// death its hint appears.
 constexpr double kPainSeconds = 0.2, kCenterTextSeconds = 2, kHintAfterSeconds = 1;
 
+// The score bar replaces the status bar while the player is dead or looks at the scores.
 void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
                const HudSettings& settings) {
   const Panel bar = panel.at_bottom(kBarHeight);
@@ -32,18 +35,19 @@ void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, doub
     draw_status_bar(bar, game, times, time_s, {settings.opacity, settings.safe_colors});
 }
 
-// Above the status bar, whose height it leaves free whether that is shown or not.
+// Draws the hint above the status bar, whose height stays free even if it is hidden.
 void draw_death_hint(const Panel& panel, std::string_view hint) {
   constexpr int kLine = kCharacterSide + 2, kGap = 6;
   const int lines = 1 + static_cast<int>(std::count(hint.begin(), hint.end(), '\n'));
   const Panel place = panel.at_bottom(kBarHeight + kInventoryHeight + kGap + lines * kLine);
   for (int y = 0; !hint.empty(); y += kLine) {
     const std::string_view line = hint.substr(0, hint.find('\n'));
-    place.text(line, (kScreenWidth - static_cast<int>(line.size()) * kCharacterSide) / 2, y);
+    place.draw_text(line, (kScreenWidth - static_cast<int>(line.size()) * kCharacterSide) / 2, y);
     hint.remove_prefix(std::min(line.size() + 1, hint.size()));
   }
 }
 
+// Draws everything of a running level. The ranking hides center texts, as both are in the middle.
 void draw_play(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
                const HudSettings& settings) {
   if (game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
@@ -58,8 +62,8 @@ void draw_play(const Panel& panel, const Game& game, const HudTimes& times, doub
 }
 
 void draw_pause(const Panel& panel) {
-  constexpr int kY = 64;  // in the middle of what the status bar leaves
-  panel.in_middle(kScreenHeight).picture_in_middle("gfx/pause.lmp", kY);
+  constexpr int kY = 64;  // the middle of the area above the status bar
+  panel.in_middle(kScreenHeight).draw_centered_picture("gfx/pause.lmp", kY);
 }
 
 }  // namespace
@@ -81,6 +85,7 @@ void Hud::advance(const Game& game, const Events& events, double time_s) {
   items_ = game.data.items;
   for (std::size_t bit = 0; bit < times_.item_gained_s.size(); ++bit)
     if ((gained >> bit & 1) != 0) times_.item_gained_s[bit] = time_s;
+  // Only the change to dead sets the time of death.
   const bool is_dead = game.stat(Stat::kHealth) <= 0;
   if (is_dead && !std::exchange(is_dead_, is_dead)) times_.died_s = time_s;
   is_dead_ = is_dead;

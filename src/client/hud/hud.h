@@ -1,4 +1,10 @@
-// The 2-D part of a frame: status bar, center print, intermission and finale screens, as a DrawList.
+// The heads-up display: status bar, center text, crosshair, intermission and finale screens, as a
+// render::DrawList.
+//
+// ClientState: Game, Events --advance()--> times of pickups, pain, death --draw()--> render::DrawList
+//
+// Everything is laid out on the original's 320 x 200 screen and scaled by a whole number (hud/panel.h). Most
+// of what is drawn is in the Game already; this class adds only when things happened.
 #pragma once
 
 #include <array>
@@ -12,40 +18,50 @@
 
 namespace temblor::client {
 
-enum class StatusBar { kNone, kSmall, kFull };  // kSmall: without the inventory
+// How much of the status bar is shown; kSmall is without the inventory row.
+enum class StatusBar { kNone, kSmall, kFull };  // kSmall: without the inventory row
 
 struct HudSettings {
   StatusBar status_bar = StatusBar::kFull;
-  int scale = 0;      // frame pixels for each of the original's; 0: as large as the frame's size asks for
-  float opacity = 1;  // of what the status bar stands on, 0 to 1
+  // Frame pixels per original pixel; 0: chosen from the frame's size.
+  int scale = 0;
+  // Opacity of the status bar's background, 0 to 1.
+  float opacity = 1;
   CrosshairLook crosshair{};
-  bool shows_scores = false;      // asked for: what the level still holds, and in a game of several who leads
-  std::string_view death_hint{};  // lines that tell the dead what they can do; must live while it is drawn
-  bool safe_colors = false;       // what the original tells by color alone is told by a mark as well
+  // +showscores is held.
+  bool shows_scores = false;
+  // What a dead player can do, in lines; it must live while drawing.
+  std::string_view death_hint{};
+  // Adds marks to information that the original shows only by color.
+  bool safe_colors = false;
 };
 
-// What it shows of the past. Far in the past: never.
+// When the things happened that the bar shows, in server time; far in the past for never.
 struct HudTimes {
-  double pain_until_s = 0;  // the face is in pain
+  // The face shows pain until then.
+  double pain_until_s = 0;
   double died_s = 0;
-  std::array<double, 32> item_gained_s{};  // by bit of net::ClientData::items
+  // Indexed by bit of net::ClientData::items.
+  std::array<double, 32> item_gained_s{};
 };
 
 class Hud {
  public:
   explicit Hud(const assets::Pictures& pictures) : pictures_(pictures) { begin_level(); }
 
+  // Forgets everything; items in the first packet count as just gained.
   void begin_level();
-  // What flashes: new weapons, and the face of who was hurt; when he died. Time that runs backwards begins
-  // the level anew.
+  // Records pickups, pain and death for the bar. If time runs backward (a demo was rewound), starts over.
   void advance(const Game& game, const Events& events, double time_s);
-  // Appends to `io_list`, for a frame of that size. Valid while the pictures live.
+  // Draws the display of server time `time_s`. Appends to `io_list` for a frame of `width` x `height` pixels;
+  // the commands are valid while the pictures live.
   void draw(const Game& game, double time_s, int width, int height, const HudSettings& settings,
             render::DrawList& io_list) const;
 
  private:
   const assets::Pictures& pictures_;
   HudTimes times_;
+  // The state at the last advance().
   std::uint32_t items_ = 0;
   double last_time_s_ = 0;
   bool is_dead_ = false;

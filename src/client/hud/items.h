@@ -1,4 +1,5 @@
-// What net::ClientData::items says that the player has; power-ups are in client/session/powerups.h.
+// Bits of net::ClientData::items for the status bar; power-ups are in client/session/powerups.h. Apart from
+// the Tremor they are stock Quake's IT_ constants, which game code uses too.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +9,10 @@
 namespace temblor::client {
 
 enum ItemBits : std::uint32_t {
-  kItemShotgun = 1u << 0,  // each weapon's bit is twice the one before: to kItemTremor
+  kItemShotgun = 1u << 0,  // weapons are consecutive bits up to kItemTremor
   kItemLightning = 1u << 6,
-  kItemTremor = 1u << 7,  // of our own game: the extra weapon that stock status bars have no picture for
-  kItemShells = 1u << 8,  // the ammunition that the weapon in hand takes
+  kItemTremor = 1u << 7,  // our game's extra weapon, for which stock status bars have no picture
+  kItemShells = 1u << 8,  // the ammo type of the current weapon
   kItemNails = 1u << 9,
   kItemRockets = 1u << 10,
   kItemCells = 1u << 11,
@@ -20,7 +21,7 @@ enum ItemBits : std::uint32_t {
   kItemArmor3 = 1u << 15,
   kItemKey1 = 1u << 17,
   kItemKey2 = 1u << 18,
-  kItemSigil1 = 1u << 28  // four of them, each bit twice the one before
+  kItemSigil1 = 1u << 28  // four consecutive bits
 };
 
 }  // namespace temblor::client

@@ -8,27 +8,29 @@ namespace temblor::client {
 
 namespace {
 
-// The smallest frame in which a scale of 2 is readable without hiding much of the game is twice this.
+// The frame size that each step of the automatic scale needs: at 2 the status bar is readable and hides
+// little.
 constexpr int kSuitableWidth = 480, kSuitableHeight = 300;
-constexpr int kLargeDigit = 24;
-constexpr int kCharactersARow = 16;
+constexpr int kLargeDigitWidth = 24;
+constexpr int kCharactersPerRow = 16;
 
-int bounded(int value, int digits) {
-  int most = 1;
-  for (int i = 0; i < digits; ++i) most *= 10;
-  return std::clamp(value, -most / 10 + 1, most - 1);
+// Limits a number to what fits in `digits` characters: 3 digits hold -99 to 999.
+int clamp_to_digits(int value, int digits) {
+  int limit = 1;
+  for (int i = 0; i < digits; ++i) limit *= 10;
+  return std::clamp(value, -limit / 10 + 1, limit - 1);
 }
 
 }  // namespace
 
-int choose_scale(int frame_width, int frame_height, int wished) {
+int choose_scale(int frame_width, int frame_height, int requested) {
   const int largest = std::min(frame_width / kScreenWidth, frame_height / kScreenHeight);
   const int suitable = std::min(frame_width / kSuitableWidth, frame_height / kSuitableHeight);
-  return std::max(1, wished > 0 ? std::min(wished, largest) : suitable);
+  return std::max(1, requested > 0 ? std::min(requested, largest) : suitable);
 }
 
-std::string right_aligned(int value, int width) {
-  return fmt::format("{:{}}", bounded(value, width), width);
+std::string align_right(int value, int width) {
+  return fmt::format("{:{}}", clamp_to_digits(value, width), width);
 }
 
 Panel Panel::with_top(int top_px) const {
@@ -48,7 +50,7 @@ Panel Panel::in_frame_pixels() const {
   return unscaled;
 }
 
-void Panel::picture(std::string_view name, int x, int y, float opacity) const {
+void Panel::draw_picture(std::string_view name, int x, int y, float opacity) const {
   const formats::Picture* const picture = pictures_->find(name);
   if (picture == nullptr) return;
   list_->commands.push_back(
@@ -59,9 +61,9 @@ void Panel::picture(std::string_view name, int x, int y, float opacity) const {
        .opacity = opacity});
 }
 
-void Panel::picture_in_middle(std::string_view name, int y) const {
+void Panel::draw_centered_picture(std::string_view name, int y) const {
   if (const formats::Picture* const found = pictures_->find(name))
-    picture(name, (kScreenWidth - static_cast<int>(found->width)) / 2, y);
+    draw_picture(name, (kScreenWidth - static_cast<int>(found->width)) / 2, y);
 }
 
 void Panel::fill(int x, int y, int width, int height, std::uint8_t index, float opacity) const {
@@ -71,31 +73,33 @@ void Panel::fill(int x, int y, int width, int height, std::uint8_t index, float 
        .opacity = opacity});
 }
 
-void Panel::character(std::uint8_t character, int x, int y) const {
-  constexpr int kShape = 127;  // the upper half is the lower one in another color
+// Characters are parts of one picture of 16 x 16 characters. Spaces draw nothing.
+void Panel::draw_character(std::uint8_t character, int x, int y) const {
+  constexpr int kShape = 127;  // codes from 128 on are the same shapes in another color
   if ((character & kShape) == ' ') return;
   list_->commands.push_back({.picture = &pictures_->characters(),
                              .area = {left_px_ + x * scale_, top_px_ + y * scale_, kCharacterSide * scale_,
                                       kCharacterSide * scale_},
-                             .part_x = character % kCharactersARow * kCharacterSide,
-                             .part_y = character / kCharactersARow * kCharacterSide,
+                             .part_x = character % kCharactersPerRow * kCharacterSide,
+                             .part_y = character / kCharactersPerRow * kCharacterSide,
                              .scale = scale_});
 }
 
-void Panel::text(std::string_view text, int x, int y) const {
+void Panel::draw_text(std::string_view text, int x, int y) const {
   for (const char c : text) {
-    character(static_cast<std::uint8_t>(c), x, y);
+    draw_character(static_cast<std::uint8_t>(c), x, y);
     x += kCharacterSide;
   }
 }
 
-void Panel::number(int value, int digits, bool alarm, int x, int y) const {
-  for (const char c : right_aligned(value, digits)) {
+// The pictures are num_0 to num_9 and num_minus, and anum_... in the warning color.
+void Panel::draw_number(int value, int digits, bool alarm, int x, int y) const {
+  for (const char c : align_right(value, digits)) {
     if (c != ' ')
-      picture(
+      draw_picture(
           fmt::format("{}_{}", alarm ? "anum" : "num", c == '-' ? std::string("minus") : std::string(1, c)),
           x, y);
-    x += kLargeDigit;
+    x += kLargeDigitWidth;
   }
 }
 

@@ -1,4 +1,4 @@
-// A place on the frame to lay out the original's 2-D parts in, in the original's pixels.
+// A drawing area in the original's pixels, for the parts of its 320 x 200 screen.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace temblor::client {
 
-// The original's screen, its status bar, and a character.
+// Sizes of the original's screen, status bar and characters, in its pixels.
 constexpr int kScreenWidth = 320, kScreenHeight = 200;
 constexpr int kBarHeight = 24, kInventoryHeight = 24;
 constexpr int kCharacterSide = 8;
 
-// Frame pixels for each of the original's: `wished`, or (0) what suits the size: 3 at 1920 x 1080. Never so
-// many that the original's screen would not fit, where it can.
-int choose_scale(int frame_width, int frame_height, int wished);
+// Frame pixels per original pixel: `requested`, or for 0 a scale that suits the frame (3 at 1920 x 1080).
+// Never more than the largest scale at which the original's screen fits, and at least 1.
+int choose_scale(int frame_width, int frame_height, int requested);
 
-// Everything a panel draws is appended to its list. Coordinates are from its upper left corner, x right, y
-// down; they may be negative and lead out of it.
+// Appends what it draws to a list. Coordinates are relative to the panel's upper left corner, x right and y
+// down; they may be outside it. Pictures and list must outlive the panel, which is cheap to copy.
 class Panel {
  public:
   Panel(const assets::Pictures& pictures, render::DrawList& io_list, int frame_width, int frame_height,
@@ -31,28 +31,31 @@ class Panel {
         frame_height_(frame_height),
         scale_(scale) {}
 
-  // The same with its corner elsewhere: 320 wide in the middle of the frame, `height` of the original's
-  // pixels high, at its bottom or in its middle; `top_px`: so many pixels below the frame's top.
+  // Panels at other places of the same frame: 320 wide and `height` high, horizontally centered, at the
+  // bottom or in the middle of the frame. `left_px` and `top_px` are in frame pixels.
   Panel at_bottom(int height) const { return with_top(frame_height_ - height * scale_); }
   Panel in_middle(int height) const { return with_top((frame_height_ - height * scale_) / 2); }
   Panel with_top(int top_px) const;
   Panel at(int left_px, int top_px) const;
-  Panel centered() const {
-    return at(frame_width_ / 2, frame_height_ / 2);
-  }                               // its corner in the frame's middle
-  Panel in_frame_pixels() const;  // the same corner, a scale of 1
+  // A panel whose corner is the center of the frame.
+  Panel centered() const { return at(frame_width_ / 2, frame_height_ / 2); }
+  // A panel with the same corner and scale 1.
+  Panel in_frame_pixels() const;
 
   int frame_height_px() const { return frame_height_; }
 
-  // Nothing for a name that there is no picture of.
-  void picture(std::string_view name, int x, int y, float opacity = 1) const;
-  void picture_in_middle(std::string_view name, int y) const;  // of the panel's 320
+  // Draws a picture of the game (assets/pictures.h). Draws nothing if there is no picture of that name.
+  void draw_picture(std::string_view name, int x, int y, float opacity = 1) const;
+  // Draws it centered on the panel's 320 pixels.
+  void draw_centered_picture(std::string_view name, int y) const;
+  // Fills with the palette color `index`.
   void fill(int x, int y, int width, int height, std::uint8_t index, float opacity = 1) const;
-  void character(std::uint8_t character, int x, int y) const;
-  void text(std::string_view text, int x, int y) const;
-  // `digits` large digits, 24 apart, right-aligned; what has more is shown as the largest that fits, or the
-  // smallest. `alarm`: in the color that warns.
-  void number(int value, int digits, bool alarm, int x, int y) const;
+  // Draw characters of the console's character set, 8 pixels apart.
+  void draw_character(std::uint8_t character, int x, int y) const;
+  void draw_text(std::string_view text, int x, int y) const;
+  // Draws large digits, 24 pixels apart, right-aligned in `digits` places. A number that does not fit is
+  // shown as the largest or smallest that does. `alarm`: in the warning color.
+  void draw_number(int value, int digits, bool alarm, int x, int y) const;
 
  private:
   const assets::Pictures* pictures_;
@@ -61,7 +64,7 @@ class Panel {
   int left_px_ = 0, top_px_ = 0;
 };
 
-// A whole number, right-aligned in `width` characters; cut off as Panel::number() does.
-std::string right_aligned(int value, int width);
+// A number right-aligned in `width` characters, limited like Panel::draw_number().
+std::string align_right(int value, int width);
 
 }  // namespace temblor::client

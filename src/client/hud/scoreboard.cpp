@@ -15,9 +15,10 @@ namespace temblor::client {
 namespace {
 
 constexpr int kFragDigits = 3;
+// Character codes.
 constexpr std::uint8_t kOpeningBracket = 16, kClosingBracket = 17, kArrow = 13;
 
-// Those who play, best first; where frags agree, in the order that they came. By number.
+// The numbers of the active players, best first; equal scores are in order of joining.
 class Ranking {
  public:
   explicit Ranking(const Game& game) {
@@ -32,46 +33,48 @@ class Ranking {
   std::span<const std::uint8_t> players() const { return {numbers_.data(), count_}; }
 
  private:
-  std::array<std::uint8_t, 255> numbers_{};  // serverinfo counts players in a byte
+  std::array<std::uint8_t, 255> numbers_{};  // serverinfo has the number of players in a byte
   std::size_t count_ = 0;
 };
 
-// A player is the entity of the number after his own.
+// A player's entity number is the player number plus 1.
 bool is_viewer(const Game& game, std::size_t player) {
   return game.view_entity == player + 1;
 }
 
-// A row of the palette in a middle shade.
-std::uint8_t shade_of(std::uint8_t color) {
+// The middle shade of a palette row; player colors are rows.
+std::uint8_t get_middle_shade(std::uint8_t color) {
   constexpr int kRow = 16, kMiddle = 8;
   return static_cast<std::uint8_t>((color & 15) * kRow + kMiddle);
 }
 
+// A box for a player's colors and frags, in the panel's pixels.
 struct ScoreBox {
   int x, y, width, height;
 };
 
-// Shirt over pants, and the frags on them.
+// Draws the shirt color above the pants color, and the frags on them.
 void draw_frags(const Panel& panel, const Player& player, const ScoreBox& box) {
   const int upper = (box.height + 1) / 2;
-  panel.fill(box.x, box.y, box.width, upper, shade_of(player.shirt));
-  panel.fill(box.x, box.y + upper, box.width, box.height - upper, shade_of(player.pants));
-  panel.text(right_aligned(player.frags, kFragDigits), box.x + (box.width - kFragDigits * kCharacterSide) / 2,
-             box.y + box.height - kCharacterSide);
+  panel.fill(box.x, box.y, box.width, upper, get_middle_shade(player.shirt));
+  panel.fill(box.x, box.y + upper, box.width, box.height - upper, get_middle_shade(player.pants));
+  panel.draw_text(align_right(player.frags, kFragDigits),
+                  box.x + (box.width - kFragDigits * kCharacterSide) / 2,
+                  box.y + box.height - kCharacterSide);
 }
 
-constexpr int kUpperY = 4, kLowerY = 12, kLeftX = 8;  // of what stands on the score bar
+constexpr int kUpperY = 4, kLowerY = 12, kLeftX = 8;  // rows and left edge of the score bar
 
-// "Monsters:  3 / 21": what there is of something, and how much of it in all.
+// Draws "Monsters:  3 / 21".
 void draw_tally(const Panel& bar, std::string_view label, int part, int whole, int y) {
   constexpr int kCountDigits = 3;
-  fmt::memory_buffer line;  // has room in itself, where a string of that length is on the heap
-  fmt::format_to(std::back_inserter(line), "{}:{} /{}", label, right_aligned(part, kCountDigits),
-                 right_aligned(whole, kCountDigits));
-  bar.text({line.data(), line.size()}, kLeftX, y);
+  fmt::memory_buffer line;  // an inline buffer, as a string of that length would allocate
+  fmt::format_to(std::back_inserter(line), "{}:{} /{}", label, align_right(part, kCountDigits),
+                 align_right(whole, kCountDigits));
+  bar.draw_text({line.data(), line.size()}, kLeftX, y);
 }
 
-// What counts among players against one another: frags, and how many have more.
+// Draws the player's frags and rank in a deathmatch.
 void draw_standing(const Panel& bar, const Game& game) {
   const std::size_t viewer = game.view_entity - std::size_t{1};
   if (viewer >= game.players.size()) return;
@@ -82,29 +85,29 @@ void draw_standing(const Panel& bar, const Game& game) {
     ++players;
     place += player.frags > frags ? 1 : 0;
   }
-  bar.text("Frags:", kLeftX, kUpperY);
-  bar.text(right_aligned(frags, kFragDigits), kLeftX + 6 * kCharacterSide, kUpperY);
+  bar.draw_text("Frags:", kLeftX, kUpperY);
+  bar.draw_text(align_right(frags, kFragDigits), kLeftX + 6 * kCharacterSide, kUpperY);
   draw_tally(bar, "Place", place, players, kLowerY);
 }
 
-// As much of it as so many characters hold, "..." in place of the rest.
-void draw_shortened(const Panel& bar, std::string_view text, std::size_t most_chars, int middle_x, int y) {
+// Draws text centered, shortened with "..." to at most that many characters.
+void draw_shortened(const Panel& bar, std::string_view text, std::size_t max_chars, int middle_x, int y) {
   constexpr std::string_view kMissing = "...";
-  const bool fits = text.size() <= most_chars;
-  if (!fits) text = text.substr(0, most_chars - kMissing.size());
+  const bool fits = text.size() <= max_chars;
+  if (!fits) text = text.substr(0, max_chars - kMissing.size());
   while (!fits && text.ends_with(' ')) text.remove_suffix(1);
   const std::size_t chars = text.size() + (fits ? 0 : kMissing.size());
   const int x = middle_x - static_cast<int>(chars) * kCharacterSide / 2;
-  bar.text(text, x, y);
-  if (!fits) bar.text(kMissing, x + static_cast<int>(text.size()) * kCharacterSide, y);
+  bar.draw_text(text, x, y);
+  if (!fits) bar.draw_text(kMissing, x + static_cast<int>(text.size()) * kCharacterSide, y);
 }
 
 }  // namespace
 
 void draw_level_scores(const Panel& bar, const Game& game, double time_s, float opacity) {
   constexpr int kTimeX = 184, kNameMiddleX = 232;
-  constexpr std::size_t kMaxNameChars = 20;  // up to the counts on the left
-  bar.picture("scorebar", 0, 0, opacity);
+  constexpr std::size_t kMaxNameChars = 20;  // the room right of the counts
+  bar.draw_picture("scorebar", 0, 0, opacity);
   if (game.deathmatch) {
     draw_standing(bar, game);
   } else {
@@ -112,36 +115,38 @@ void draw_level_scores(const Panel& bar, const Game& game, double time_s, float 
     draw_tally(bar, "Secrets ", game.stat(Stat::kSecrets), game.stat(Stat::kTotalSecrets), kLowerY);
   }
   const int seconds = static_cast<int>(std::clamp(time_s, 0.0, 59999.0));
-  bar.text(fmt::format("Time :{:3}:{:02}", seconds / 60, seconds % 60), kTimeX, kUpperY);
+  bar.draw_text(fmt::format("Time :{:3}:{:02}", seconds / 60, seconds % 60), kTimeX, kUpperY);
   draw_shortened(bar, game.level_name, kMaxNameChars, kNameMiddleX, kLowerY);
 }
 
 void draw_leaders(const Panel& inventory, const Game& game) {
   constexpr std::size_t kShown = 4;
+  // Four boxes fit in the inventory's top row, above keys and power-ups.
   constexpr int kFirstX = 194, kApart = 32, kWidth = 28, kHeight = 7;
   const Ranking ranking(game);
   int x = kFirstX;
   for (const std::size_t player : ranking.players().first(std::min(ranking.players().size(), kShown))) {
     draw_frags(inventory, game.players[player], {x, 1, kWidth, kHeight});
     if (is_viewer(game, player)) {
-      inventory.character(kOpeningBracket, x - 4, 0);
-      inventory.character(kClosingBracket, x + kWidth - 4, 0);
+      inventory.draw_character(kOpeningBracket, x - 4, 0);
+      inventory.draw_character(kClosingBracket, x + kWidth - 4, 0);
     }
     x += kApart;
   }
 }
 
 void draw_ranking(const Panel& screen, const Game& game) {
+  // Players beyond the bottom of the screen are not shown.
   constexpr int kTitleY = 8, kFirstY = 40, kApart = 10;
   constexpr int kFragsX = 80, kFragsWidth = 40, kArrowX = 128, kNameX = 144;
-  screen.picture_in_middle("gfx/ranking.lmp", kTitleY);
+  screen.draw_centered_picture("gfx/ranking.lmp", kTitleY);
   int y = kFirstY;
   const Ranking ranking(game);
   for (const std::size_t player : ranking.players()) {
     if (y + kCharacterSide > kScreenHeight) return;
     draw_frags(screen, game.players[player], {kFragsX, y, kFragsWidth, kCharacterSide});
-    if (is_viewer(game, player)) screen.character(kArrow, kArrowX, y);
-    screen.text(game.players[player].name, kNameX, y);
+    if (is_viewer(game, player)) screen.draw_character(kArrow, kArrowX, y);
+    screen.draw_text(game.players[player].name, kNameX, y);
     y += kApart;
   }
 }

@@ -1,4 +1,4 @@
-// Scores: what the level still holds, and who leads a deathmatch.
+// Scores: a level's monsters and secrets, and the frags of a deathmatch.
 #pragma once
 
 #include "client/hud/panel.h"
@@ -6,13 +6,15 @@
 
 namespace temblor::client {
 
-// In the bar's place: monsters, secrets, time, the level's name. `bar`: of kBarHeight.
+// Draws monsters, secrets, time and the level's name in place of the status bar; in a deathmatch the player's
+// frags and place instead of monsters and secrets. `bar`: a panel kBarHeight high.
 void draw_level_scores(const Panel& bar, const Game& game, double time_s, float opacity);
 
-// The frags of the first four, in the inventory's upper right. `inventory`: of kInventoryHeight.
+// Draws the frags of the four leaders at the upper right of the inventory, with the player's own in brackets.
+// `inventory`: a panel kInventoryHeight high.
 void draw_leaders(const Panel& inventory, const Game& game);
 
-// All players, best first. `screen`: of kScreenHeight.
+// Draws all players, best first, with an arrow at the player's own row. `screen`: a panel kScreenHeight high.
 void draw_ranking(const Panel& screen, const Game& game);
 
 }  // namespace temblor::client

@@ -1,4 +1,8 @@
-// The status bar: 320 x 24 of the original's pixels, and above it the inventory, as large.
+// The status bar, 320 x 24 of the original's pixels, and the inventory of the same size above it.
+//
+//   | ammo counts                        | leaders' frags          |   inventory: 8 pixels
+//   | weapons                            | keys, power-ups, sigils |            16 pixels
+//   | armor 25 |  face  | health 100 |  ammo 50                    |   status bar: 24 pixels
 #pragma once
 
 #include "client/hud/hud.h"
@@ -7,16 +11,19 @@
 
 namespace temblor::client {
 
+// How both bars are drawn.
 struct BarLook {
-  float opacity = 1;         // of what the bar stands on
-  bool safe_colors = false;  // marks beside what colors alone tell: warnings, kinds of armor, of keys
+  // Opacity of the background, 0 to 1.
+  float opacity = 1;
+  // Adds marks to warnings and to kinds of armor and keys.
+  bool safe_colors = false;
 };
 
-// Armor, face, health, ammunition, each with its number. `bar`: of kBarHeight.
+// Draws armor, face, health and ammo with their numbers. `bar`: a panel kBarHeight high.
 void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, BarLook look);
 
-// Weapons, ammunition of all kinds, keys, power-ups, sigils, and in deathmatch the leaders' frags.
-// `inventory`: of kInventoryHeight.
+// Draws weapons, all ammo counts, keys, power-ups, sigils, and in a deathmatch the leaders' frags.
+// `inventory`: a panel kInventoryHeight high.
 void draw_inventory(const Panel& inventory, const Game& game, const HudTimes& times, double time_s,
                     BarLook look);
 

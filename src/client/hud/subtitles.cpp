@@ -12,17 +12,21 @@ namespace temblor::client {
 namespace {
 
 constexpr std::size_t kMaxLines = 4;
-constexpr double kShownFor_s = 2;
-constexpr float kSilentAt_units = 1000;  // divided by the sound's attenuation
-constexpr int kAboveBar = 8;             // of the original's pixels
+constexpr double kCaptionDuration_s = 2;
+// Units, divided by the sound's attenuation: the distance at which the mixer's volume reaches 0.
+constexpr float kSilentDistance_units = 1000;
+// Gap above the status bar, in the original's pixels.
+constexpr int kAboveBar = 8;
 constexpr std::size_t kMaxChars = 32;
 
-bool is_heard(const net::Sound& sound, const render::Camera& camera) {
-  return glm::distance(sound.origin, camera.origin_world) * sound.attenuation < kSilentAt_units &&
+// Whether the player could hear the sound. Attenuation 0 is heard everywhere.
+bool is_audible(const net::Sound& sound, const render::Camera& camera) {
+  return glm::distance(sound.origin, camera.origin_world) * sound.attenuation < kSilentDistance_units &&
          sound.volume > 0;
 }
 
-std::string text_of(const std::string& caption, SoundSide side) {
+// Adds arrows: "< door", "door >", or "v door v" for a sound from behind.
+std::string format_caption(const std::string& caption, SoundSide side) {
   switch (side) {
     case SoundSide::kLeft:
       return fmt::format("< {}", caption);
@@ -35,7 +39,7 @@ std::string text_of(const std::string& caption, SoundSide side) {
 
 }  // namespace
 
-std::string caption_of(std::string_view sound) {
+std::string make_caption(std::string_view sound) {
   if (const std::size_t dot = sound.rfind('.'); dot != std::string_view::npos) sound = sound.substr(0, dot);
   std::string words;
   for (const char c : sound.substr(0, kMaxChars)) {
@@ -49,10 +53,10 @@ std::string caption_of(std::string_view sound) {
   return words;
 }
 
-SoundSide side_of(const math::Vec3& place_world, const render::Camera& camera) {
+SoundSide find_sound_side(const math::Vec3& place_world, const render::Camera& camera) {
   const math::Basis basis = math::basis_from_angles(camera.angles_deg);
-  const math::Vec3d way = math::Vec3d(place_world) - math::Vec3d(camera.origin_world);
-  const double ahead = glm::dot(way, basis.forward), right = glm::dot(way, basis.right);
+  const math::Vec3d direction = math::Vec3d(place_world) - math::Vec3d(camera.origin_world);
+  const double ahead = glm::dot(direction, basis.forward), right = glm::dot(direction, basis.right);
   const double half_width = std::tan(static_cast<double>(camera.fov_deg) / 360 * 3.14159265358979);
   if (ahead > 0 && std::abs(right) <= ahead * half_width) return SoundSide::kSeen;
   if (ahead < 0 && std::abs(right) < -ahead) return SoundSide::kBehind;
@@ -60,13 +64,15 @@ SoundSide side_of(const math::Vec3& place_world, const render::Camera& camera) {
 }
 
 void Subtitles::advance(const Game& game, const Events& events, const render::Camera& camera, double time_s) {
-  std::erase_if(
-      lines_, [&](const Line& line) { return time_s < line.since_s || time_s - line.since_s > kShownFor_s; });
+  std::erase_if(lines_, [&](const Line& line) {
+    return time_s < line.since_s || time_s - line.since_s > kCaptionDuration_s;
+  });
   for (const net::Sound& sound : events.sounds) {
-    if (sound.entity == game.view_entity || sound.sound >= game.sounds.size() || !is_heard(sound, camera))
+    if (sound.entity == game.view_entity || sound.sound >= game.sounds.size() || !is_audible(sound, camera))
       continue;
-    const SoundSide side = side_of(sound.origin, camera);
-    std::string caption = caption_of(game.sounds[sound.sound]);
+    // A sound that repeats renews its caption instead of filling the list.
+    const SoundSide side = find_sound_side(sound.origin, camera);
+    std::string caption = make_caption(game.sounds[sound.sound]);
     if (side == SoundSide::kSeen || caption.empty()) continue;
     std::erase_if(lines_, [&](const Line& line) { return line.caption == caption && line.side == side; });
     lines_.push_back({std::move(caption), side, time_s});
@@ -81,12 +87,12 @@ void Subtitles::draw(const assets::Pictures& pictures, int width, int height, in
   const Panel place = panel.at_bottom(kBarHeight + kInventoryHeight + kAboveBar + rows * kCharacterSide);
   for (int row = 0; row < rows; ++row) {
     const Line& line = lines_[static_cast<std::size_t>(row)];
-    const std::string text = text_of(line.caption, line.side);
+    const std::string text = format_caption(line.caption, line.side);
     const int text_width = static_cast<int>(text.size()) * kCharacterSide;
     const int x = (kScreenWidth - text_width) / 2;
-    // Readable over anything.
+    // A dark background keeps it readable.
     place.fill(x - 2, row * kCharacterSide, text_width + 4, kCharacterSide, 0, 0.5f);
-    place.text(text, x, row * kCharacterSide);
+    place.draw_text(text, x, row * kCharacterSide);
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using platform::Key;
 
-// Character keys stand for themselves.
+// Stock bindings plus WASD, mouse and gamepad. Character keys are named by their character.
 constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
     {"w", "+forward"},
     {"s", "+back"},
@@ -79,32 +79,34 @@ constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
     {"YBUTTON", "+zoom"},
 };
 
-std::size_t index_of(Key key) {
+std::size_t to_index(Key key) {
   return static_cast<std::size_t>(key);
 }
 
-// "+a; echo b; +c" -> "-a;-c", each with the key's number behind it, as the '+' commands got.
-std::string ending_of(std::string_view commands, Key key) {
+// Returns the commands of a key's release: "+a; echo b; +c" becomes "-a;-c", each with the key's number, as
+// the '+' commands had.
+std::string make_release_commands(std::string_view commands, Key key) {
   std::string ending;
   while (!commands.empty()) {
     const std::size_t length = command::command_length(commands);
     const std::vector<std::string> words = command::split_words(commands.substr(0, length));
     if (!words.empty() && words[0].starts_with('+'))
-      ending += fmt::format("-{} {}\n", words[0].substr(1), index_of(key));
+      ending += fmt::format("-{} {}\n", words[0].substr(1), to_index(key));
     commands.remove_prefix(std::min(length + 1, commands.size()));
   }
   return ending;
 }
 
-// Actions are told which key holds them, so that one that two keys hold goes on until both are let go.
-std::string beginning_of(std::string_view commands, Key key) {
+// Returns the commands of a press. Actions get the key's number as argument, as in stock Quake, so that an
+// action held by two keys lasts until both are released.
+std::string make_press_commands(std::string_view commands, Key key) {
   std::string beginning;
   while (!commands.empty()) {
     const std::size_t length = command::command_length(commands);
     const std::string_view command = commands.substr(0, length);
     const std::vector<std::string> words = command::split_words(command);
     if (!words.empty() && words[0].starts_with('+'))
-      beginning += fmt::format("{} {}\n", words[0], index_of(key));
+      beginning += fmt::format("{} {}\n", words[0], to_index(key));
     else
       beginning += fmt::format("{}\n", command);
     commands.remove_prefix(std::min(length + 1, commands.size()));
@@ -123,7 +125,7 @@ void Bindings::add_defaults() {
 }
 
 void Bindings::bind(Key key, std::string_view commands) {
-  commands_[index_of(key)] = commands;
+  commands_[to_index(key)] = commands;
 }
 
 void Bindings::unbind_all() {
@@ -131,10 +133,10 @@ void Bindings::unbind_all() {
 }
 
 const std::string& Bindings::commands(Key key) const {
-  return commands_[index_of(key)];
+  return commands_[to_index(key)];
 }
 
-std::vector<Key> Bindings::keys_of(std::string_view commands) const {
+std::vector<Key> Bindings::find_keys(std::string_view commands) const {
   std::vector<Key> keys;
   for (std::size_t i = 0; i < commands_.size(); ++i)
     if (!commands_[i].empty() && base::equal_ignoring_case(commands_[i], commands))
@@ -154,36 +156,40 @@ std::string Bindings::to_text() const {
 void add_binding_commands(command::Console& io_console, Bindings& io_bindings,
                           command::Console::Output print) {
   using Arguments = command::Console::Arguments;
-  const auto key_of = [&io_console](const std::string& name) {
+  // Prints an error for an unknown key name.
+  const auto parse_key = [&io_console](const std::string& name) {
     const std::optional<Key> key = find_key(name);
-    if (!key) io_console.print_error(fmt::format("there is no key \"{}\"", base::quotable(name)));
+    if (!key)
+      io_console.print_error(fmt::format("Unknown key \"{}\". Keys have names such as w, SPACE or MOUSE1",
+                                         base::quotable(name)));
     return key;
   };
   io_console.add_command(
-      "bind", "bind KEY \"COMMANDS\" has a key run them; bind KEY says what it runs.",
-      [&io_console, &io_bindings, print, key_of](Arguments arguments) {
+      "bind", "bind KEY \"COMMANDS\": makes a key run commands. bind KEY: shows them.",
+      [&io_console, &io_bindings, print, parse_key](Arguments arguments) {
         if (arguments.size() < 2)
-          return io_console.print_error("bind KEY \"COMMANDS\": name a key (w, SPACE, MOUSE1, ...)");
-        const std::optional<Key> key = key_of(arguments[1]);
+          return io_console.print_error("Usage: bind KEY \"COMMANDS\", with KEY such as w, SPACE or MOUSE1");
+        const std::optional<Key> key = parse_key(arguments[1]);
         if (!key) return;
         if (arguments.size() == 2) {
           const std::string& commands = io_bindings.commands(*key);
-          return print(commands.empty() ? fmt::format("\"{}\" does nothing", arguments[1])
+          return print(commands.empty() ? fmt::format("\"{}\" is not bound", arguments[1])
                                         : fmt::format("\"{}\" = \"{}\"", arguments[1], commands));
         }
+        // Words after the second belong to the commands, for people who forget the quotes.
         std::string commands = arguments[2];
         for (const std::string& word : arguments.subspan(3)) commands += fmt::format(" {}", word);
         io_bindings.bind(*key, commands);
       });
-  io_console.add_command("unbind", "unbind KEY takes from a key what it runs.",
-                         [&io_console, &io_bindings, key_of](Arguments arguments) {
-                           if (arguments.size() < 2) return io_console.print_error("unbind KEY: name a key");
-                           if (const std::optional<Key> key = key_of(arguments[1]))
+  io_console.add_command("unbind", "unbind KEY: removes a key's binding.",
+                         [&io_console, &io_bindings, parse_key](Arguments arguments) {
+                           if (arguments.size() < 2) return io_console.print_error("Usage: unbind KEY");
+                           if (const std::optional<Key> key = parse_key(arguments[1]))
                              io_bindings.bind(*key, "");
                          });
-  io_console.add_command("unbindall", "unbindall takes from all keys what they run.",
+  io_console.add_command("unbindall", "Removes all key bindings.",
                          [&io_bindings](Arguments) { io_bindings.unbind_all(); });
-  io_console.add_command("bindlist", "bindlist says what each key runs.", [&io_bindings, print](Arguments) {
+  io_console.add_command("bindlist", "Lists all key bindings.", [&io_bindings, print](Arguments) {
     for (std::size_t i = 0; i < platform::kKeys; ++i) {
       const Key key{static_cast<std::uint16_t>(i)};
       if (!io_bindings.commands(key).empty())
@@ -192,16 +198,17 @@ void add_binding_commands(command::Console& io_console, Bindings& io_bindings,
   });
 }
 
+// A key that repeats while held runs its commands only once.
 std::string HeldKeys::press(Key key, std::string_view commands) {
-  const std::size_t index = index_of(key);
+  const std::size_t index = to_index(key);
   if (std::exchange(held_[index], true)) return {};
-  ending_[index] = ending_of(commands, key);
-  return beginning_of(commands, key);
+  release_commands_[index] = make_release_commands(commands, key);
+  return make_press_commands(commands, key);
 }
 
 std::string HeldKeys::release(Key key) {
-  held_[index_of(key)] = false;
-  return std::exchange(ending_[index_of(key)], {});
+  held_[to_index(key)] = false;
+  return std::exchange(release_commands_[to_index(key)], {});
 }
 
 std::string HeldKeys::release_all() {

@@ -5,30 +5,31 @@
 
 namespace temblor::client {
 
-ButtonName name_of(Button button) {
+ButtonName button_name(Button button) {
   static constexpr std::array<ButtonName, kButtons> kNames = {{
-      {"forward", "Walks ahead."},
-      {"back", "Walks backwards."},
-      {"moveleft", "Steps to the left."},
-      {"moveright", "Steps to the right."},
+      {"forward", "Moves forward."},
+      {"back", "Moves back."},
+      {"moveleft", "Strafes left."},
+      {"moveright", "Strafes right."},
       {"moveup", "Swims up."},
       {"movedown", "Swims down."},
       {"left", "Turns left."},
       {"right", "Turns right."},
       {"lookup", "Looks up."},
       {"lookdown", "Looks down."},
-      {"speed", "Runs; with cl_alwaysrun: walks."},
-      {"strafe", "Turning keys and the mouse step aside instead."},
+      {"speed", "Runs. Walks if cl_alwaysrun is on."},
+      {"strafe", "Turn keys and the mouse strafe."},
       {"attack", "Fires."},
-      {"jump", "Jumps; swims up."},
-      {"klook", "Keys that walk ahead and back look up and down instead."},
-      {"mlook", "The mouse looks up and down, where freelook is off."},
-      {"zoom", "Narrows the view to zoom_fov."},
+      {"jump", "Jumps, or swims up."},
+      {"klook", "Forward and back keys look up and down."},
+      {"mlook", "The mouse looks up and down while freelook is off."},
+      {"zoom", "Zooms in."},
       {"showscores", "Shows the scores."},
   }};
   return kNames[static_cast<std::size_t>(button)];
 }
 
+// A key that joins others only becomes one more holder: the action has begun already.
 void ButtonState::press(int holder, double time_s) {
   if (std::find(holders_.begin(), holders_.end(), holder) != holders_.end()) return;
   if (holders_.empty()) counted_to_s_ = time_s;
@@ -49,6 +50,7 @@ bool ButtonState::take_was_down() {
   return std::exchange(was_pressed_, false) || is_down();
 }
 
+// Time is counted up to `time_s`; what follows belongs to the next call.
 double ButtonState::take_held_s(double time_s) {
   if (is_down() && time_s > counted_to_s_) {
     held_s_ += time_s - counted_to_s_;

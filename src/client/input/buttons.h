@@ -1,4 +1,4 @@
-// The actions that last: +forward, +attack and so on.
+// Actions that last while a key is held: +forward, +attack and so on (the original's kbutton_t).
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 
 namespace temblor::client {
 
+// In the order of the names in button_name().
 enum class Button : std::uint8_t {
   kForward,
   kBack,
@@ -30,34 +31,41 @@ enum class Button : std::uint8_t {
   kCount
 };
 constexpr std::size_t kButtons = static_cast<std::size_t>(Button::kCount);
-// Without the '+', and one sentence.
+// The command's name without '+', and its help.
 struct ButtonName {
   std::string_view name, help;
 };
-ButtonName name_of(Button button);
+ButtonName button_name(Button button);
 
-// One action, held by any number of keys. Exact to the moment: what it adds up to does not depend on how
-// often it is asked.
+// One action, held by any number of keys. It adds up how long it was held between the times of the key
+// events, so the total is exact and does not depend on how often it is read. Stock Quake estimated the share
+// of a frame as 0, 1/4, 1/2, 3/4 or 1.
 class ButtonState {
  public:
-  // `holder`: a key's number; 0: typed.
+  // A key or a typed command starts the action. `holder`: the key's number; 0 for a typed command. Does
+  // nothing if this holder holds it already. `time_s`: the time of the event, on the window's clock.
   void press(int holder, double time_s);
-  // 0 lets all of them go, for a typed "-forward" must end what has stuck.
+  // A holder lets go; the action ends with the last one. Holder 0 releases all keys, as a typed "-forward"
+  // must end whatever is stuck.
   void release(int holder, double time_s);
 
   bool is_down() const { return !holders_.empty(); }
-  // Whether it was held at all since the last call: a press and release between two calls is not lost.
+  // Whether the action was held at any time since the last call, so that a press and release between two
+  // calls is not lost.
   bool take_was_down();
-  // Seconds that it was held between the last call and this moment.
+  // Seconds that it was held between the last call and `time_s`.
   double take_held_s(double time_s);
 
  private:
   std::vector<int> holders_;
   bool was_pressed_ = false;
-  double counted_to_s_ = 0;  // while down
-  double held_s_ = 0;        // not taken yet
+  // Up to when held_s_ counts; valid while down.
+  double counted_to_s_ = 0;
+  // Seconds not yet returned by take_held_s().
+  double held_s_ = 0;
 };
 
+// The state of each action.
 class Buttons {
  public:
   ButtonState& operator[](Button button) { return states_[static_cast<std::size_t>(button)]; }

@@ -11,48 +11,54 @@ namespace temblor::client {
 InputVariables::InputVariables(command::Variables& variables) {
   const InputSettings d;
   const auto number = [&](const char* name, float value, double min, double max, const char* help) {
-    // Defaults are decimal numbers that a float does not hold exactly: 0.022, not 0.02199999988.
+    // Formats the float first: 0.022 rather than the nearest double of the float, 0.02199999988.
     return variables.add_float(name, std::stod(fmt::format("{}", value)), min, max, help);
   };
-  sensitivity_ = number("sensitivity", d.sensitivity, 0, 100, "How far the mouse turns the view.");
-  yaw_ = number("m_yaw", d.mouse_yaw_deg, -1, 1, "Degrees to the side for each count of the mouse.");
+  sensitivity_ = number("sensitivity", d.sensitivity, 0, 100, "Mouse sensitivity.");
+  yaw_ = number("m_yaw", d.mouse_yaw_deg, -1, 1, "Degrees the view turns sideways per mouse count.");
   pitch_ = number("m_pitch", d.mouse_pitch_deg, -1, 1,
-                  "Degrees up and down for each count of the mouse; below 0: turned over.");
-  side_ = number("m_side", d.mouse_side, -10, 10, "Sideways speed for each count, with +strafe.");
-  forward_ = number("m_forward", d.mouse_forward, -10, 10, "Speed ahead for each count, without free look.");
-  invert_ = variables.add_bool("m_invert", d.invert_mouse, "Mouse away from you looks down.");
-  free_look_ = variables.add_bool("freelook", d.free_look, "The mouse looks up and down.");
-  look_spring_ = variables.add_bool("lookspring", d.look_spring,
-                                    "The view goes back to straight ahead when free looking ends.");
-  look_strafe_ =
-      variables.add_bool("lookstrafe", d.look_strafe, "The mouse steps aside while looking freely.");
-  always_run_ = variables.add_bool("cl_alwaysrun", d.always_run, "Runs; the run key walks.");
-  forward_speed_ =
-      number("cl_forwardspeed", d.forward_speed, 0, 2000, "Walking speed ahead, units a second.");
-  back_speed_ = number("cl_backspeed", d.back_speed, 0, 2000, "Walking speed backwards.");
-  side_speed_ = number("cl_sidespeed", d.side_speed, 0, 2000, "Walking speed to the side.");
-  up_speed_ = number("cl_upspeed", d.up_speed, 0, 2000, "Swimming speed up and down.");
-  run_factor_ = number("cl_movespeedkey", d.run_factor, 0, 10, "How much faster running is.");
-  yaw_speed_ = number("cl_yawspeed", d.yaw_speed_deg, 0, 1000, "Degrees a second that turning keys turn.");
-  pitch_speed_ = number("cl_pitchspeed", d.pitch_speed_deg, 0, 1000, "Degrees a second, up and down.");
+                  "Degrees the view turns up or down per mouse count. Negative values invert it.");
+  side_ = number("m_side", d.mouse_side, -10, 10, "Strafe speed per mouse count, with +strafe.");
+  forward_ =
+      number("m_forward", d.mouse_forward, -10, 10, "Forward speed per mouse count, without mouse look.");
+  invert_ =
+      variables.add_bool("m_invert", d.invert_mouse, "Inverts the mouse: pushing it forward looks down.");
+  free_look_ = variables.add_bool("freelook", d.free_look, "The mouse always looks up and down.");
+  look_spring_ = variables.add_bool("lookspring", d.look_spring, "The view levels out when mouse look ends.");
+  look_strafe_ = variables.add_bool("lookstrafe", d.look_strafe, "The mouse strafes while mouse look is on.");
+  always_run_ = variables.add_bool("cl_alwaysrun", d.always_run, "Runs by default. The run key then walks.");
+  forward_speed_ = number("cl_forwardspeed", d.forward_speed, 0, 2000, "Forward speed, in units per second.");
+  back_speed_ = number("cl_backspeed", d.back_speed, 0, 2000, "Backward speed.");
+  side_speed_ = number("cl_sidespeed", d.side_speed, 0, 2000, "Strafe speed.");
+  up_speed_ = number("cl_upspeed", d.up_speed, 0, 2000, "Swim speed up and down.");
+  run_factor_ = number("cl_movespeedkey", d.run_factor, 0, 10, "How many times faster running is.");
+  yaw_speed_ =
+      number("cl_yawspeed", d.yaw_speed_deg, 0, 1000, "Turn speed of the turn keys, in degrees per second.");
+  pitch_speed_ = number("cl_pitchspeed", d.pitch_speed_deg, 0, 1000,
+                        "Look speed of the look keys, in degrees per second.");
   turn_factor_ =
-      number("cl_anglespeedkey", d.fast_turn_factor, 0, 10, "How much faster keys turn with the run key.");
-  min_pitch_ = number("cl_minpitch", d.min_pitch_deg, -90, 0, "How far up one can look, degrees below 0.");
-  max_pitch_ = number("cl_maxpitch", d.max_pitch_deg, 0, 90, "How far down one can look, degrees.");
-  gamepad_ = variables.add_bool("joy_enable", d.gamepad, "Uses the gamepad's sticks.");
+      number("cl_anglespeedkey", d.fast_turn_factor, 0, 10, "How many times faster you turn while running.");
+  // Stock defaults: 70 degrees up, 80 down.
+  min_pitch_ =
+      number("cl_minpitch", d.min_pitch_deg, -90, 0, "How far up you can look, in negative degrees.");
+  max_pitch_ = number("cl_maxpitch", d.max_pitch_deg, 0, 90, "How far down you can look, in degrees.");
+  gamepad_ = variables.add_bool("joy_enable", d.gamepad, "Uses the gamepad.");
   dead_zone_look_ = number("joy_deadzone_look", d.stick_dead_zone_look, 0, 0.9,
-                           "How far the looking stick is pushed before it counts.");
-  dead_zone_move_ =
-      number("joy_deadzone_move", d.stick_dead_zone_move, 0, 0.9, "Alike, of the walking stick.");
+                           "How far to push the look stick before it responds.");
+  dead_zone_move_ = number("joy_deadzone_move", d.stick_dead_zone_move, 0, 0.9,
+                           "How far to push the move stick before it responds.");
   exponent_look_ = number("joy_exponent", d.stick_exponent_look, 0.25, 8,
-                          "Curve of the looking stick: 1 even, more: finer near the middle.");
-  exponent_move_ =
-      number("joy_exponent_move", d.stick_exponent_move, 0.25, 8, "Alike, of the walking stick.");
-  stick_yaw_ =
-      number("joy_sensitivity_yaw", d.stick_yaw_deg, 0, 2000, "Degrees a second, pushed all the way.");
-  stick_pitch_ = number("joy_sensitivity_pitch", d.stick_pitch_deg, 0, 2000, "Alike, up and down.");
-  invert_stick_ = variables.add_bool("joy_invert", d.invert_stick, "Pushing the looking stick looks down.");
-  swap_sticks_ = variables.add_bool("joy_swapmovelook", d.swap_sticks, "Left looks and right walks.");
+                          "Response of the look stick. 1: linear; higher: finer near the center.");
+  exponent_move_ = number("joy_exponent_move", d.stick_exponent_move, 0.25, 8,
+                          "Response of the move stick. 1: linear; higher: finer near the center.");
+  stick_yaw_ = number("joy_sensitivity_yaw", d.stick_yaw_deg, 0, 2000,
+                      "Sideways look speed of the stick, in degrees per second.");
+  stick_pitch_ = number("joy_sensitivity_pitch", d.stick_pitch_deg, 0, 2000,
+                        "Up and down look speed of the stick, in degrees per second.");
+  invert_stick_ = variables.add_bool("joy_invert", d.invert_stick,
+                                     "Inverts the look stick: pushing it forward looks down.");
+  swap_sticks_ = variables.add_bool("joy_swapmovelook", d.swap_sticks,
+                                    "Swaps the sticks: look with the left, move with the right.");
 }
 
 InputSettings InputVariables::read(const command::Variables& v) const {
@@ -92,8 +98,8 @@ InputSettings InputVariables::read(const command::Variables& v) const {
 
 namespace {
 
-// Which key holds a button down; one that is told wrongly is key 0, as one that is not told.
-int holder_of(command::Console::Arguments arguments) {
+// The key that runs a button command, from its argument; 0 for a typed command or a bad number.
+int parse_holder(command::Console::Arguments arguments) {
   const auto number = arguments.size() > 1 ? command::parse_whole_number(arguments[1]) : std::nullopt;
   return static_cast<int>(number.value_or(0));
 }
@@ -104,27 +110,27 @@ void add_input_commands(command::Console& io_console, PlayerInput& io_input, con
   using Arguments = command::Console::Arguments;
   for (std::size_t i = 0; i < kButtons; ++i) {
     const Button button{static_cast<std::uint8_t>(i)};
-    const auto [name, help] = name_of(button);
+    const auto [name, help] = button_name(button);
     io_console.add_command(fmt::format("+{}", name), help,
                            [&io_input, &event_time_s, button](Arguments arguments) {
-                             io_input.buttons()[button].press(holder_of(arguments), event_time_s);
+                             io_input.buttons()[button].press(parse_holder(arguments), event_time_s);
                            });
     io_console.add_command(fmt::format("-{}", name), fmt::format("Ends +{}.", name),
                            [&io_input, &event_time_s, button](Arguments arguments) {
-                             io_input.buttons()[button].release(holder_of(arguments), event_time_s);
+                             io_input.buttons()[button].release(parse_holder(arguments), event_time_s);
                            });
   }
   io_console.add_command(
-      "impulse", "impulse N tells the game's code a number: 1 to 8 choose weapons.",
+      "impulse", "impulse N: selects a weapon (1 to 8) or triggers another game action.",
       [&io_console, &io_input](Arguments arguments) {
         const auto number = arguments.size() == 2 ? command::parse_whole_number(arguments[1]) : std::nullopt;
         if (!number || *number < 0 || *number > 255)
-          return io_console.print_error("impulse N: a number from 0 to 255");
+          return io_console.print_error("Usage: impulse N, with N from 0 to 255");
         io_input.set_impulse(static_cast<std::uint8_t>(*number));
       });
-  io_console.add_command("centerview", "Looks straight ahead again.",
+  io_console.add_command("centerview", "Centers the view smoothly.",
                          [&io_input](Arguments) { io_input.center_view(); });
-  io_console.add_command("force_centerview", "Looks straight ahead at once.", [&io_input](Arguments) {
+  io_console.add_command("force_centerview", "Centers the view at once.", [&io_input](Arguments) {
     math::Vec3 angles_deg = io_input.view_angles_deg();
     angles_deg.x = 0;
     io_input.set_view_angles(angles_deg);

@@ -1,4 +1,5 @@
-// The player's controls as console variables, and the actions and commands of input.
+// Console variables and commands for the player's controls. Names and defaults are stock Quake's where it has
+// them; joy_ variables are this engine's own.
 #pragma once
 
 #include "client/input/player_input.h"
@@ -9,8 +10,9 @@ namespace temblor::client {
 
 class InputVariables {
  public:
-  // Registers the variables; the defaults are those of InputSettings.
+  // Registers the variables. Their defaults are those of InputSettings.
   explicit InputVariables(command::Variables& variables);
+  // The current settings. `variables` is the table that the constructor received.
   InputSettings read(const command::Variables& variables) const;
 
  private:
@@ -20,8 +22,9 @@ class InputVariables {
       exponent_look_, exponent_move_, stick_yaw_, stick_pitch_, invert_stick_, swap_sticks_;
 };
 
-// +forward and -forward and so on, impulse, centerview, force_centerview. `event_time_s` is when what runs
-// the command happened; both it and `io_input` must outlive the console.
+// Registers +forward, -forward and so on for each Button, and impulse, centerview and force_centerview.
+// `event_time_s` is read when a command runs: the time of the event that runs it. It and `io_input` must
+// outlive the console.
 void add_input_commands(command::Console& io_console, PlayerInput& io_input, const double& event_time_s);
 
 }  // namespace temblor::client

@@ -17,8 +17,8 @@ struct NamedKey {
   Key key;
 };
 
-// The first name of a key is the one that is written; the others are understood: those of configuration files
-// of other engines.
+// The first name of a key is the one that is written. Later ones are accepted for configuration files of
+// other engines.
 constexpr NamedKey kNames[] = {
     {"TAB", Key::kTab},
     {"ENTER", Key::kEnter},
@@ -106,11 +106,12 @@ constexpr NamedKey kNames[] = {
     {"DPAD_RIGHT", Key::kPadRight},
     {"LTRIGGER", Key::kPadLeftTrigger},
     {"RTRIGGER", Key::kPadRightTrigger},
-    // It separates commands, and this begins and ends a word.
+    // These characters separate commands and quote words, so they need names.
     {"SEMICOLON", Key{';'}},
     {"QUOTE", Key{'"'}},
 };
 
+// Keys that type one ASCII character are numbered by it.
 bool is_character(Key key) {
   return key > Key::kSpace && key < Key::kBackspace;
 }

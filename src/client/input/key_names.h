@@ -1,4 +1,4 @@
-// Names of keys as in stock configuration files: `bind UPARROW "+forward"`.
+// Key names as in stock configuration files: `bind UPARROW "+forward"`.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace temblor::client {
 
-// "w", "UPARROW", "MOUSE1", "SEMICOLON"; "KEY65" for one without a name.
+// Returns the name of a key: "w", "UPARROW", "MOUSE1", "SEMICOLON"; "KEY65" for a key without a name.
 std::string key_name(platform::Key key);
-// Case does not matter. Nothing for a name that no key has.
+// Finds a key by name, ignoring case. Returns nothing for an unknown name.
 std::optional<platform::Key> find_key(std::string_view name);
 
 }  // namespace temblor::client

@@ -6,32 +6,35 @@
 namespace temblor::client {
 namespace {
 
-constexpr double kFilled = 0.75;  // of the frame, by the original's screen
-// What is wider or higher is hard to overlook, and a menu's title would be far from its rows.
-constexpr int kWidest = 424, kHighest = 300;
-constexpr int kNarrowest = 5 * kCharacterSide, kLowest = kCharacterSide + 2;
-// Characters of 8 pixels are small on today's displays: for twice as large ones, pages are laid out in less.
-constexpr int kNarrowAtTwo = 288, kLowAtTwo = 180;
-constexpr std::uint8_t kBlack = 0, kLight = 15;  // of the palette's first row, which is gray
+// The share of the frame that a 320 x 200 screen would fill.
+constexpr double kFilled = 0.75;
+// Limits of the canvas in its own pixels. On a larger one the eye has to travel too far from a title to its
+// rows; a smaller one has no room for a word.
+constexpr int kMaxWidth = 424, kMaxHeight = 300;
+constexpr int kMinWidth = 5 * kCharacterSide, kMinHeight = kCharacterSide + 2;
+// Characters of 8 pixels are small on today's displays, so a frame with this much room uses scale 2.
+constexpr int kMinWidthAtTwo = 288, kMinHeightAtTwo = 180;
+// Both ends of the palette's first row, which is gray.
+constexpr std::uint8_t kMenuBlack = 0, kLight = 15;
 
 }  // namespace
 
 int choose_menu_scale(int frame_width, int frame_height, double text_size) {
   const double fitting = std::min(static_cast<double>(frame_width) / kScreenWidth,
                                   static_cast<double>(frame_height) / kScreenHeight);
-  const double wished = std::clamp(fitting * kFilled * text_size, 1.0, std::max(fitting, 1.0));
-  const int scale = std::max(1, std::min(static_cast<int>(std::lround(wished)), static_cast<int>(fitting)));
-  const bool has_room_for_two = frame_width >= 2 * kNarrowAtTwo && frame_height >= 2 * kLowAtTwo;
+  const double wanted = std::clamp(fitting * kFilled * text_size, 1.0, std::max(fitting, 1.0));
+  const int scale = std::max(1, std::min(static_cast<int>(std::lround(wanted)), static_cast<int>(fitting)));
+  const bool has_room_for_two = frame_width >= 2 * kMinWidthAtTwo && frame_height >= 2 * kMinHeightAtTwo;
   return scale == 1 && text_size >= 1 && has_room_for_two ? 2 : scale;
 }
 
 std::optional<Canvas> Canvas::fit(const assets::Pictures& pictures, int frame_width, int frame_height,
                                   const CanvasLook& look, render::DrawList& io_list) {
-  if (frame_width < kNarrowest || frame_height < kLowest) return std::nullopt;
+  if (frame_width < kMinWidth || frame_height < kMinHeight) return std::nullopt;
   const int scale = choose_menu_scale(frame_width, frame_height, look.text_size);
   Box area;
-  area.width = std::min(frame_width / scale, kWidest) * scale;
-  area.height = std::min(frame_height / scale, kHighest) * scale;
+  area.width = std::min(frame_width / scale, kMaxWidth) * scale;
+  area.height = std::min(frame_height / scale, kMaxHeight) * scale;
   area.x = (frame_width - area.width) / 2;
   area.y = (frame_height - area.height) / 2;
   Canvas canvas(pictures, frame_width, frame_height, scale, area, io_list);
@@ -56,55 +59,58 @@ Box Canvas::to_frame(const Box& box) const {
 
 void Canvas::dim() const {
   list_->commands.push_back({.area = {0, 0, frame_width_, frame_height_},
-                             .fill = kBlack,
-                             .opacity = high_contrast_ ? 1.0f : kStrong});
+                             .fill = kMenuBlack,
+                             .opacity = high_contrast_ ? 1.0f : kStrongOpacity});
 }
 
 void Canvas::highlight(const Box& box) const {
   constexpr float kHighContrast = 0.4375f;
-  fill(box, kLight, high_contrast_ ? kHighContrast : kFaint);
+  fill(box, kLight, high_contrast_ ? kHighContrast : kFaintOpacity);
 }
 
 void Canvas::fill(const Box& box, std::uint8_t index, float opacity) const {
   panel_.fill(box.x, box.y, box.width, box.height, index, opacity);
 }
 
-void Canvas::text(std::string_view text, int x, int y, int size) const {
+// High contrast draws the white half of the character set only. Large text comes from a panel with twice the
+// scale, at the same place.
+void Canvas::draw_text(std::string_view text, int x, int y, int size) const {
   const Box place = to_frame({x, y, 0, 0});
   const Panel panel = (size == 1 ? panel_ : large_).at(place.x, place.y);
   constexpr unsigned char kFirstColor = 127;
   int right = 0;
   for (const char c : text) {
     const auto letter = static_cast<unsigned char>(c);
-    panel.character(high_contrast_ ? letter & kFirstColor : letter, right, 0);
+    panel.draw_character(high_contrast_ ? letter & kFirstColor : letter, right, 0);
     right += kCharacterSide;
   }
 }
 
-void Canvas::text_in_middle(std::string_view words, int y, int size) const {
-  text(words, (width() - static_cast<int>(words.size()) * kCharacterSide * size) / 2, y, size);
+void Canvas::draw_centered_text(std::string_view words, int y, int size) const {
+  draw_text(words, (width() - static_cast<int>(words.size()) * kCharacterSide * size) / 2, y, size);
 }
 
-void Canvas::character(char c, int x, int y) const {
-  panel_.character(static_cast<std::uint8_t>(c), x, y);
+void Canvas::draw_character(char c, int x, int y) const {
+  panel_.draw_character(static_cast<std::uint8_t>(c), x, y);
 }
 
-void Canvas::plaque(std::string_view name, int x, int y) const {
+// Only the game's own pictures count: a placeholder would be worse than no picture.
+void Canvas::draw_plaque(std::string_view name, int x, int y) const {
   constexpr std::uint32_t kMaxPlaque = 48;
   const formats::Picture* const picture = pictures_->find_real(name);
-  if (picture != nullptr && picture->width <= kMaxPlaque) panel_.picture(name, x, y);
+  if (picture != nullptr && picture->width <= kMaxPlaque) panel_.draw_picture(name, x, y);
 }
 
-int Canvas::title_picture(std::string_view name, int y) const {
+int Canvas::draw_title_picture(std::string_view name, int y) const {
   constexpr std::uint32_t kMaxTitle = 32;
   const formats::Picture* const picture = pictures_->find_real(name);
   if (picture == nullptr || picture->height > kMaxTitle || static_cast<int>(picture->width) > width())
     return 0;
-  panel_.picture(name, (width() - static_cast<int>(picture->width)) / 2, y);
+  panel_.draw_picture(name, (width() - static_cast<int>(picture->width)) / 2, y);
   return static_cast<int>(picture->height);
 }
 
-void Canvas::own_pixels(const formats::Picture& picture, const Box& box) const {
+void Canvas::draw_unscaled(const formats::Picture& picture, const Box& box) const {
   const Box place = to_frame(box);
   const auto picture_width = static_cast<int>(picture.width),
              picture_height = static_cast<int>(picture.height);

@@ -1,4 +1,13 @@
-// The menu's part of the frame: a box in its middle, laid out in pixels of the original.
+// The menu's drawing surface: a box in the middle of the frame, measured in the original's pixels.
+//
+// Pages lay themselves out in canvas pixels; the canvas scales them by a whole number and appends draw
+// commands to a render::DrawList. A large frame gets a larger scale, never a box wider than pages can use:
+//
+//   frame +---------------------------+
+//         |     +---------------+     |   width()  = box width  / scale, 40 to 424
+//         |     |    canvas     |     |   height() = box height / scale, 10 to 300
+//         |     +---------------+     |
+//         +---------------------------+
 #pragma once
 
 #include <cstdint>
@@ -11,6 +20,7 @@
 
 namespace temblor::client {
 
+// A rectangle, in pixels of the canvas or of the frame. The right and bottom edges are outside it.
 struct Box {
   int x = 0, y = 0, width = 0, height = 0;
   int right() const { return x + width; }
@@ -20,44 +30,53 @@ struct Box {
   }
 };
 
-// Frame pixels for each of the original's: three quarters of what would fill the frame with its screen, times
-// `text_size`, but never so many that it would not fit. Only at 2 it may stand out a little.
+// Frame pixels per canvas pixel, at least 1: three quarters of the largest scale at which a 320 x 200 screen
+// still fits, times `text_size`, rounded. A frame with room for it uses 2 rather than 1, as letters of 8
+// pixels are small.
 int choose_menu_scale(int frame_width, int frame_height, double text_size);
 
-// Opacities. In indexed color each one that is drawn with costs a table: two do for all.
-constexpr float kFaint = 0.1875f, kStrong = 0.75f;
+// The only two opacities that menus draw with. In indexed color each opacity costs a lookup table.
+constexpr float kFaintOpacity = 0.1875f, kStrongOpacity = 0.75f;
 
+// The player's settings for all menus.
 struct CanvasLook {
+  // A factor on the scale: the variable scr_textsize.
   double text_size = 1;
-  bool high_contrast = false;  // text in one color on black
+  // Text in one color on black: the variable con_highcontrast.
+  bool high_contrast = false;
 };
 
+// Refers to the pictures and the list, which must outlive it. Cheap to make: one for each frame.
 class Canvas {
  public:
-  // Nothing for a frame too small for a word.
+  // Makes a canvas for a frame. Returns nothing for a frame too small for a word.
   static std::optional<Canvas> fit(const assets::Pictures& pictures, int frame_width, int frame_height,
                                    const CanvasLook& look, render::DrawList& io_list);
 
+  // In canvas pixels, as all coordinates below.
   int width() const { return area_.width / scale_; }
   int height() const { return area_.height / scale_; }
   int scale() const { return scale_; }
-  // In pixels of the frame.
+  // Converts canvas pixels to frame pixels.
   Box to_frame(const Box& box) const;
 
-  // What is behind it: all of the frame, as strips beside it would draw the eye.
+  // Darkens the whole frame behind the menu. Darkening only the canvas would leave distracting strips.
   void dim() const;
-  // Behind a row that is selected.
+  // Lightens the background of the selected row.
   void highlight(const Box& box) const;
+  // Fills with a palette color.
   void fill(const Box& box, std::uint8_t index, float opacity = 1) const;
-  // `size`: 1, or 2 for characters of 16 x 16.
-  void text(std::string_view text, int x, int y, int size = 1) const;
-  void text_in_middle(std::string_view text, int y, int size = 1) const;
-  void character(char c, int x, int y) const;
-  // Only where the game has it, no larger than menus can do with; the latter returns its height, or 0.
-  void plaque(std::string_view name, int x, int y) const;
-  int title_picture(std::string_view name, int y) const;
-  // `picture` has the frame's own pixels; in the middle of `box`.
-  void own_pixels(const formats::Picture& picture, const Box& box) const;
+  // `size`: 1 for characters of 8 x 8 pixels, 2 for 16 x 16.
+  void draw_text(std::string_view text, int x, int y, int size = 1) const;
+  void draw_centered_text(std::string_view text, int y, int size = 1) const;
+  void draw_character(char c, int x, int y) const;
+  // Draws the picture if the game has it and it is at most 48 pixels wide.
+  void draw_plaque(std::string_view name, int x, int y) const;
+  // Draws the picture centered and returns its height. Returns 0 and draws nothing if the game does not have
+  // it or it is too large for a title.
+  int draw_title_picture(std::string_view name, int y) const;
+  // Draws a picture that is already in frame pixels in the middle of `box`. The list refers to the picture.
+  void draw_unscaled(const formats::Picture& picture, const Box& box) const;
 
  private:
   Canvas(const assets::Pictures& pictures, int frame_width, int frame_height, int scale, const Box& area,
@@ -66,7 +85,7 @@ class Canvas {
   const assets::Pictures* pictures_;
   Panel panel_, large_;
   render::DrawList* list_;
-  Box area_;  // of the frame
+  Box area_;  // frame pixels
   int frame_width_, frame_height_, scale_;
   bool high_contrast_ = false;
 };

@@ -1,4 +1,5 @@
-// Text as the console's characters show it: 8 x 8 pixels each, 128 shapes in two colors.
+// Text in the console's character set: 8 x 8 pixels each, codes 0 to 127 in white and 128 to 255 as the same
+// shapes in the second color. A byte is a character; there is no UTF-8 here.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +9,23 @@
 
 namespace temblor::client {
 
-// Codes of the console's characters.
+// Character codes of symbols.
 namespace glyph {
 constexpr char kBlock = 11, kArrow = 13;
 constexpr char kSliderLeft = '\x80', kSliderMiddle = '\x81', kSliderRight = '\x82', kSliderKnob = '\x83';
 }  // namespace glyph
 
-// Spaces for line ends and for characters that are frames and signs rather than text.
-std::string shown(std::string_view text);
-// The same text in the console's other color.
-std::string in_second_color(std::string_view text);
-// At most `chars` of it, the last ones dots where some are missing.
-std::string cut(std::string_view text, std::size_t chars);
-// Lines of at most `chars` (1 or more) characters, broken between words where there are some; empty lines are
-// kept. At most `lines` of them, the last one cut where some are missing.
+// Replaces line ends and symbols with spaces, so that only letters, digits and signs are left.
+std::string to_printable(std::string_view text);
+// The same text in the second color.
+std::string to_second_color(std::string_view text);
+// At most `chars` characters. Text that is cut off ends with "..".
+std::string truncate(std::string_view text, std::size_t chars);
+// Breaks text into lines of at most `chars` (1 or more) characters, between words where possible. Keeps empty
+// lines. Returns at most `lines` lines; if text is left over, the last line is truncated.
 std::vector<std::string> wrap(std::string_view text, std::size_t chars,
                               std::size_t lines = static_cast<std::size_t>(-1));
-// Whether `text` holds `part`, without regard to case and color.
-bool holds(std::string_view text, std::string_view part);
+// Whether `text` contains `part`, regardless of case and color.
+bool contains_text(std::string_view text, std::string_view part);
 
 }  // namespace temblor::client

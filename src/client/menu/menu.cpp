@@ -1,5 +1,7 @@
-// A stack of pages: the topmost one is drawn and gets what the player does; what its rows lead to is carried
-// out here.
+// The stack of pages: passes input to the top page and applies the outcomes of its rows.
+//
+// Order of an event: a row that waits for a key or text sees it first, then the pointer and typed text, then
+// the mouse buttons, and what is left becomes a step (up, accept, back).
 #include "client/menu/menu.h"
 
 #include <algorithm>
@@ -17,12 +19,14 @@ namespace {
 using platform::Key;
 using platform::KeyChange;
 
+// A page of the stack, and the function that makes it again when its contents change.
 struct OpenPage {
   PageMaker make;
   std::unique_ptr<PageView> view;
 };
 
-std::string_view file_of(MenuSound sound) {
+// Sounds of stock Quake's menus, below "sound/".
+std::string_view sound_file(MenuSound sound) {
   switch (sound) {
     case MenuSound::kMove:
       return "misc/menu1.wav";
@@ -36,12 +40,13 @@ std::string_view file_of(MenuSound sound) {
   return {};
 }
 
-// What is pressed, pushed, typed or pointed at. A stick on its way back to the middle is one that is let go.
+// Whether an open menu uses this event up: presses, pushes, text and pointer moves. A stick near its center
+// counts as released, so that the game sees the release.
 bool is_for_menu(const platform::InputEvent& event) {
-  constexpr float kLetGo = 0.25f;
+  constexpr float kReleased = 0.25f;
   if (const auto* const change = std::get_if<KeyChange>(&event.what)) return change->down;
   if (const auto* const moved = std::get_if<platform::PadAxisMoved>(&event.what))
-    return std::abs(moved->value) > kLetGo;
+    return std::abs(moved->value) > kReleased;
   return std::holds_alternative<platform::TextTyped>(event.what) ||
          std::holds_alternative<platform::MouseMoved>(event.what) ||
          std::holds_alternative<platform::PointerMoved>(event.what);
@@ -52,8 +57,8 @@ bool is_function_key(const platform::InputEvent& event) {
   return change != nullptr && change->key >= platform::Key::kF1 && change->key <= platform::Key::kF12;
 }
 
-int pixel_of(float fraction, int size) {
-  // Beyond the window is beyond the window, however far.
+int to_pixel(float fraction, int size) {
+  // Clamped far outside the window, so that the product fits an int.
   return static_cast<int>(std::floor(std::clamp(fraction, -1.0f, 2.0f) * static_cast<float>(size)));
 }
 
@@ -71,65 +76,75 @@ struct Menu::State {
     return row != nullptr && row->is_waiting() ? row : nullptr;
   }
 
-  void carry_out(Outcome outcome);
+  // Input of a page's rows becomes outcomes; these change the stack.
+  void apply_outcome(Outcome outcome);
   void play(MenuSound sound);
   void push(PageMaker make);
   void back();
-  void make_top_anew();
-  void catch_up_refresh();
+  void rebuild_top();
+  void apply_pending_refresh();
 
-  void take(const platform::InputEvent& event);
+  void handle(const platform::InputEvent& event);
   void point(const platform::PointerMoved& moved);
   bool is_at_rest();
   void type(std::string_view text);
-  void pick(char letter);
-  bool take_mouse(const KeyChange& change);
+  void activate_by_letter(char letter);
+  bool handle_mouse(const KeyChange& change);
   void step(MenuStep step);
   void erase();
-  double number(std::string_view variable, double otherwise) const;
+  double number(std::string_view variable, double fallback) const;
 
   MenuContent content;
   MenuChoices choices;
   PageContext context;
   std::vector<OpenPage> pages;
   MenuSteps steps;
-  bool refresh_waits = false;  // until the row that is edited is done
-  bool rests = false;          // the pointer, since the menu has opened
-  std::optional<int> rest_x;   // where; nothing: not known yet
+  // Waits until no row is being edited and no slider is held.
+  bool refresh_pending = false;
+  // The pointer has not been moved since the menu opened.
+  bool pointer_rests = false;
+  // Where the pointer rests, in frame pixels; nothing if not known yet.
+  std::optional<int> rest_x;
   int rest_y = 0;
-  bool drop_text = false;    // what the key that was just taken types
-  bool point_again = false;  // the rows have moved under the pointer
+  // Ignore the text of a key press that was already used, for example by the row that it ended.
+  bool drop_text = false;
+  // The rows have moved under the pointer (mouse wheel), so it must select again after the next draw.
+  bool repoint = false;
   int frame_width = 0, frame_height = 0;
+  // In frame pixels, as of the last event.
   int pointer_x = -1, pointer_y = -1;
   std::vector<std::string> commands, sounds;
 };
 
 void Menu::State::play(MenuSound sound) {
-  if (sound != MenuSound::kNone) sounds.emplace_back(file_of(sound));
+  if (sound != MenuSound::kNone) sounds.emplace_back(sound_file(sound));
 }
 
+// Limits the depth: notices and page commands could otherwise pile up without end.
 void Menu::State::push(PageMaker make) {
-  constexpr std::size_t kDeepest = 16;
-  if (pages.size() >= kDeepest) pages.erase(pages.begin());
+  constexpr std::size_t kMaxDepth = 16;
+  if (pages.size() >= kMaxDepth) pages.erase(pages.begin());
   auto view = std::make_unique<PageView>(make(context));
   pages.push_back({std::move(make), std::move(view)});
 }
 
-void Menu::State::make_top_anew() {
-  refresh_waits = false;
+void Menu::State::rebuild_top() {
+  refresh_pending = false;
   if (!pages.empty()) top().replace(pages.back().make(context));
 }
 
+// The page below is made again, as its contents may have changed meanwhile.
 void Menu::State::back() {
   pages.pop_back();
-  make_top_anew();
+  rebuild_top();
 }
 
-void Menu::State::catch_up_refresh() {
-  if (refresh_waits && !pages.empty() && waiting_row() == nullptr && !top().is_sliding()) make_top_anew();
+void Menu::State::apply_pending_refresh() {
+  if (refresh_pending && !pages.empty() && waiting_row() == nullptr && !top().is_sliding()) rebuild_top();
 }
 
-void Menu::State::carry_out(Outcome outcome) {
+// The order is that of Outcome's members. Commands are only stored; the owner runs them after the event.
+void Menu::State::apply_outcome(Outcome outcome) {
   play(outcome.sound);
   for (std::string& line : outcome.commands) commands.push_back(std::move(line));
   if (outcome.leaving == Leaving::kClose) {
@@ -138,9 +153,10 @@ void Menu::State::carry_out(Outcome outcome) {
     back();
   }
   if (outcome.page) push(std::move(outcome.page));
-  if (outcome.refresh) make_top_anew();
+  if (outcome.refresh) rebuild_top();
 }
 
+// Backspace deletes from the search first, then clears the row, and otherwise leaves the page.
 void Menu::State::erase() {
   std::string search = top().search();
   if (!search.empty()) {
@@ -149,15 +165,15 @@ void Menu::State::erase() {
   }
   Row* const row = top().selected_row();
   if (std::optional<Outcome> outcome = row == nullptr ? std::nullopt : row->clear())
-    return carry_out(std::move(*outcome));
+    return apply_outcome(std::move(*outcome));
   step(MenuStep::kBack);
 }
 
 void Menu::State::step(MenuStep step) {
   PageView& view = top();
   Row* const row = view.selected_row();
-  const auto moved = [&](bool has_moved) {
-    if (has_moved) play(MenuSound::kMove);
+  const auto moved = [&](bool moved_row) {
+    if (moved_row) play(MenuSound::kMove);
   };
   switch (step) {
     case MenuStep::kUp:
@@ -169,19 +185,19 @@ void Menu::State::step(MenuStep step) {
     case MenuStep::kPageDown:
       return moved(view.move_pages(1));
     case MenuStep::kHome:
-      return moved(view.go_to_begin());
+      return moved(view.go_to_start());
     case MenuStep::kEnd:
       return moved(view.go_to_end());
     case MenuStep::kLeft:
     case MenuStep::kRight:
-      if (row != nullptr) carry_out(row->adjust(step == MenuStep::kLeft ? -1 : 1));
+      if (row != nullptr) apply_outcome(row->adjust(step == MenuStep::kLeft ? -1 : 1));
       return;
     case MenuStep::kAccept:
-      if (row != nullptr) carry_out(row->activate());
+      if (row != nullptr) apply_outcome(row->activate());
       return;
     case MenuStep::kClear:
       if (std::optional<Outcome> outcome = row == nullptr ? std::nullopt : row->clear())
-        carry_out(std::move(*outcome));
+        apply_outcome(std::move(*outcome));
       return;
     case MenuStep::kErase:
       return erase();
@@ -195,22 +211,23 @@ void Menu::State::step(MenuStep step) {
   }
 }
 
-// A pointer that appears where the menu has opened, because the game let go of it, points at nothing yet.
+// When the menu opens, the game releases the pointer and it appears somewhere. It selects nothing until the
+// player moves it; a few pixels do not count.
 bool Menu::State::is_at_rest() {
-  constexpr int kTremble_px = 8;
-  if (!rests) return false;
+  constexpr int kJitter_px = 8;
+  if (!pointer_rests) return false;
   if (!rest_x) {
     rest_x = pointer_x;
     rest_y = pointer_y;
   }
-  rests = std::abs(pointer_x - *rest_x) <= kTremble_px && std::abs(pointer_y - rest_y) <= kTremble_px;
-  return rests;
+  pointer_rests = std::abs(pointer_x - *rest_x) <= kJitter_px && std::abs(pointer_y - rest_y) <= kJitter_px;
+  return pointer_rests;
 }
 
 void Menu::State::point(const platform::PointerMoved& moved) {
   if (!std::isfinite(moved.x) || !std::isfinite(moved.y)) return;
-  pointer_x = pixel_of(moved.x, frame_width);
-  pointer_y = pixel_of(moved.y, frame_height);
+  pointer_x = to_pixel(moved.x, frame_width);
+  pointer_y = to_pixel(moved.y, frame_height);
   if (is_at_rest()) return;
   if (top().is_sliding())
     top().slide_to(pointer_x, pointer_y);
@@ -218,53 +235,55 @@ void Menu::State::point(const platform::PointerMoved& moved) {
     top().point_at(pointer_x, pointer_y);
 }
 
-// Whether it is of the mouse, but for the buttons that are steps.
-bool Menu::State::take_mouse(const KeyChange& change) {
+// Handles the left button and the wheel and returns true. Other buttons are menu steps.
+bool Menu::State::handle_mouse(const KeyChange& change) {
   constexpr int kWheelLines = 3;
   if (change.key == Key::kMouse1) {
     if (!change.down) {
-      top().let_go();
+      top().release();
       return true;
     }
     const PageView::Pressed pressed = top().press(pointer_x, pointer_y);
-    if (pressed == PageView::Pressed::kRow) carry_out(top().selected_row()->activate());
+    if (pressed == PageView::Pressed::kRow) apply_outcome(top().selected_row()->activate());
     if (pressed == PageView::Pressed::kSlider) play(MenuSound::kAdjust);
     return true;
   }
   if (change.key != Key::kWheelUp && change.key != Key::kWheelDown) return false;
   if (change.down) top().scroll(change.key == Key::kWheelUp ? -kWheelLines : kWheelLines);
-  point_again = true;
+  repoint = true;
   return true;
 }
 
-void Menu::State::pick(char letter) {
+void Menu::State::activate_by_letter(char letter) {
   const Rows& rows = top().page().rows;
   const auto picked = std::find_if(rows.begin(), rows.end(), [&](const std::unique_ptr<Row>& row) {
     return row->letter() != 0 && row->letter() == base::to_lower(letter);
   });
-  if (picked != rows.end()) carry_out((*picked)->activate());
+  if (picked != rows.end()) apply_outcome((*picked)->activate());
 }
 
+// A selected text row takes typing as the start of an edit. On other rows text goes to the page's search, or
+// picks a row by its letter ("y" for yes).
 void Menu::State::type(std::string_view text) {
   constexpr std::size_t kMaxSearch = 40;
   Row* const row = top().selected_row();
   if (text.empty() || (row != nullptr && row->type(text))) return;
-  if (!top().page().searched) return pick(text.front());
+  if (!top().page().has_search) return activate_by_letter(text.front());
   std::string search = top().search();
   for (const char c : text)
     if ((c > ' ' || (c == ' ' && !search.empty())) && c <= '~' && search.size() < kMaxSearch) search += c;
   if (search != top().search()) top().set_search(std::move(search));
 }
 
-void Menu::State::take(const platform::InputEvent& event) {
+void Menu::State::handle(const platform::InputEvent& event) {
   const auto* const change = std::get_if<KeyChange>(&event.what);
   const bool is_pressed = change != nullptr && change->down;
   if (is_pressed) drop_text = false;
   if (Row* const row = waiting_row()) {
     Outcome outcome;
-    if (row->take(event, outcome)) {
+    if (row->handle(event, outcome)) {
       drop_text = is_pressed && !row->is_waiting();
-      return carry_out(std::move(outcome));
+      return apply_outcome(std::move(outcome));
     }
   }
   if (const auto* const moved = std::get_if<platform::PointerMoved>(&event.what)) return point(*moved);
@@ -272,15 +291,15 @@ void Menu::State::take(const platform::InputEvent& event) {
     if (!std::exchange(drop_text, false)) type(typed->text);
     return;
   }
-  if (std::holds_alternative<platform::FocusChanged>(event.what)) top().let_go();
-  if (std::holds_alternative<platform::WindowChanged>(event.what)) refresh_waits = true;
-  if (change != nullptr && take_mouse(*change)) return;
-  if (const std::optional<MenuStep> taken = steps.take(event)) step(*taken);
+  if (std::holds_alternative<platform::FocusChanged>(event.what)) top().release();
+  if (std::holds_alternative<platform::WindowChanged>(event.what)) refresh_pending = true;
+  if (change != nullptr && handle_mouse(*change)) return;
+  if (const std::optional<MenuStep> taken = steps.translate(event)) step(*taken);
 }
 
-double Menu::State::number(std::string_view variable, double otherwise) const {
+double Menu::State::number(std::string_view variable, double fallback) const {
   const command::Variable* const found = context.variables.find(variable);
-  return found == nullptr ? otherwise : found->number;
+  return found == nullptr ? fallback : found->number;
 }
 
 std::vector<MenuCommand> menu_commands() {
@@ -317,19 +336,19 @@ void Menu::open(MenuPage page) {
   const bool was_open = is_open();
   if (!was_open) {
     state_->drop_text = true;
-    state_->rests = true;
+    state_->pointer_rests = true;
     state_->rest_x.reset();
     state_->steps = {};
   }
   state_->pages.clear();
-  Outcome outcome = opening(state_->context, page);
+  Outcome outcome = open_page(state_->context, page);
   if (!was_open && outcome.page) outcome.sound = MenuSound::kEnter;
-  state_->carry_out(std::move(outcome));
+  state_->apply_outcome(std::move(outcome));
 }
 
-void Menu::tell(Notice notice) {
+void Menu::show_notice(Notice notice) {
   if (!is_open()) open();
-  state_->carry_out({.sound = MenuSound::kEnter, .page = make_notice(std::move(notice))});
+  state_->apply_outcome({.sound = MenuSound::kEnter, .page = make_notice(std::move(notice))});
 }
 
 void Menu::close() {
@@ -346,8 +365,8 @@ bool Menu::wants_text() const {
 }
 
 void Menu::refresh() {
-  state_->refresh_waits = true;
-  state_->catch_up_refresh();
+  state_->refresh_pending = true;
+  state_->apply_pending_refresh();
 }
 
 bool Menu::is_waiting() const {
@@ -356,10 +375,10 @@ bool Menu::is_waiting() const {
 
 bool Menu::handle(const platform::InputEvent& event) {
   if (!is_open()) return false;
-  // Bound to pages of the menus, most of them; a row that waits for a key may want it.
+  // Function keys open pages, so they work here too, unless a row waits for a key to bind.
   if (is_function_key(event) && state_->waiting_row() == nullptr) return false;
-  state_->take(event);
-  state_->catch_up_refresh();
+  state_->handle(event);
+  state_->apply_pending_refresh();
   return is_for_menu(event);
 }
 
@@ -368,14 +387,14 @@ void Menu::draw(int width, int height, double time_s, render::DrawList& io_list)
   state.frame_width = width;
   state.frame_height = height;
   if (is_open() && state.waiting_row() == nullptr)
-    if (const std::optional<MenuStep> step = state.steps.repeated(time_s)) state.step(*step);
+    if (const std::optional<MenuStep> step = state.steps.repeat_held(time_s)) state.step(*step);
   if (!is_open()) return;
   const CanvasLook look{state.number("scr_textsize", 1), state.number("con_highcontrast", 0) != 0};
   const std::optional<Canvas> canvas = Canvas::fit(state.context.pictures, width, height, look, io_list);
   if (!canvas) return;
   canvas->dim();
   state.top().draw(*canvas, time_s);
-  if (std::exchange(state.point_again, false)) state.top().point_at(state.pointer_x, state.pointer_y);
+  if (std::exchange(state.repoint, false)) state.top().point_at(state.pointer_x, state.pointer_y);
 }
 
 std::vector<std::string> Menu::take_commands() {

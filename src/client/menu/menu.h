@@ -1,5 +1,14 @@
-// The menus: pages of rows over the picture, for keyboard, mouse and gamepad. Knows no window, files, clock
-// or sockets: it is told what happened, and says what is to be drawn, run and played.
+// The menus: pages of rows over the game's picture, for keyboard, mouse and gamepad.
+//
+// A Menu holds a stack of open pages. The top page is drawn and receives input:
+//
+//   InputEvent -> MenuSteps -> PageView (selection, search, pointer) -> Row -> Outcome
+//                                                                              |
+//                     console commands, sounds, another page, close  <---------+
+//
+// The menu knows nothing of windows, files, clocks or sockets. It reads the world through MenuContent,
+// settings through command::Variables, and returns what should happen as console commands and sound names
+// that the owner fetches each frame with take_commands() and take_sounds().
 #pragma once
 
 #include <memory>
@@ -17,6 +26,7 @@
 
 namespace temblor::client {
 
+// The pages that commands and links can open.
 enum class MenuPage {
   kMain,
   kSinglePlayer,
@@ -42,54 +52,58 @@ enum class MenuPage {
   kCount
 };
 
-// The page that a stock console command opens: "menu_load", "menu_options", "help", ...
+// A console command that opens a page: "menu_load", "menu_options", "help_menu", ...
 struct MenuCommand {
   std::string_view name;
   MenuPage page;
 };
+// The console commands for all pages. Names follow stock Quake where it has the page.
 std::vector<MenuCommand> menu_commands();
 
-// Something that the player has to know: text, in lines that are broken where they are too long, and pages
-// that help, by what he would call them.
+// A message to the player: a title such as "Connection failed", and the reason. Long lines are wrapped.
 struct Notice {
   std::string title, text;
+  // Buttons below "OK" that lead to helpful pages: label and page.
   std::vector<std::pair<std::string, MenuPage>> pages = {};
 };
 
+// Owns the stack of open pages and choices that are not applied yet (an address, a video mode).
 class Menu {
  public:
-  // All of them must outlive the menu. Rows of variables that are not registered when their page opens are
-  // left out.
+  // The variables and pictures must outlive the menu. A page leaves out rows whose variable is not registered
+  // when the page opens.
   Menu(command::Variables& io_variables, const assets::Pictures& pictures, MenuContent content);
   ~Menu();
   Menu(Menu&&) noexcept;
   Menu& operator=(Menu&&) noexcept;
 
-  // Opens a page, over those that are open. With kQuit nothing opens where nothing would be lost: `quit` is
-  // run. Alike kNewGame, where there is nothing to choose.
+  // Opens a page in place of all that are open. kQuit runs `quit` without a page if no progress would be
+  // lost; kNewGame starts a game without a page if there is nothing to choose.
   void open(MenuPage page = MenuPage::kMain);
-  // Opens the main page and this above it; above what is open, where the menu is.
-  void tell(Notice notice);
+  // Shows a notice above the open page; opens the main page first if the menu is closed.
+  void show_notice(Notice notice);
   void close();
   bool is_open() const;
-  // A row waits for a key or a text: nothing else may have what is pressed.
+  // Whether a row waits for a key or text. The owner must then pass all input to the menu.
   bool is_waiting() const;
-  // Whether the window is to tell what is typed: while it is open, but not while it waits for a key to bind.
+  // Whether the window should send TextTyped events: while the menu is open, except while it waits for a key
+  // to bind.
   bool wants_text() const;
-  // The content's lists have changed: pages ask for them anew, and keep what is selected.
+  // Rebuilds the open page because a list of the content has changed. The selection stays.
   void refresh();
 
-  // Whether it was for the menu. An open one takes all that is pressed, pushed, typed and pointed at; what is
-  // let go, and what happens to the window, it looks at and leaves to others.
+  // Returns whether the menu consumed the event. An open menu consumes key presses, stick pushes, text and
+  // pointer moves. It also sees releases and window events, but leaves them to others.
   bool handle(const platform::InputEvent& event);
 
-  // Appends to `io_list`, which refers to the menu until the next call of anything else. `time_s` is on the
-  // clock that events are stamped with: held sticks move on. Where the pointer is counts for what was drawn
-  // last. Frames too small for a line of text are left alone.
+  // Appends draw commands to `io_list`; they refer to the menu and are valid until the next call of any other
+  // member. `time_s` is on the clock of the events' timestamps; sticks and buttons that are held repeat by
+  // it. The pointer refers to the page as it was last drawn. Draws nothing in a frame too small for a line of
+  // text.
   void draw(int width, int height, double time_s, render::DrawList& io_list);
 
-  // Lines for the console, in order; those of a file that play, without folders: "misc/menu1.wav". Each is
-  // told once.
+  // Return, in order, the console lines to run and the sounds to play ("misc/menu1.wav", below "sound/")
+  // since the last call.
   std::vector<std::string> take_commands();
   std::vector<std::string> take_sounds();
 

@@ -1,5 +1,6 @@
-// What the menus show of the world around them, and are told by whoever owns them. Lists are asked for when
-// a page opens and after Menu::refresh(); pictures and keys whenever they are drawn.
+// The menus' view of the world around them, provided by their owner as functions. Lists are read when a page
+// opens and after Menu::refresh(); pictures and key bindings whenever they are drawn. So the menus need no
+// files or sockets, and tests provide invented content.
 #pragma once
 
 #include <functional>
@@ -13,8 +14,8 @@
 
 namespace temblor::client {
 
-// Names are what console commands take, titles are for people and may be empty. Whatever they hold is shown
-// as far as the console's characters can.
+// Names are arguments of console commands; titles are for people and may be empty. Both may contain any
+// bytes: the menu replaces what the console's characters cannot show, and quotes names in commands.
 struct MenuLevel {
   std::string name, title;
 };
@@ -23,7 +24,8 @@ struct MenuEpisode {
 };
 struct MenuSave {
   std::string name, level_title;
-  double time_s = 0;  // in the level
+  // Played in the level, seconds.
+  double time_s = 0;
   int kills = 0, monsters = 0;
 };
 struct MenuDemo {
@@ -38,34 +40,41 @@ struct MenuServer {
   int players = 0, max_players = 0, ping_ms = 0;
 };
 
-// A function that is left out counts as one that has nothing to tell. Pictures must live until the next call
-// of the menu.
+// An empty function counts as one that returns an empty value. Pictures must live until the next call of the
+// menu.
 struct MenuContent {
   std::function<std::vector<MenuLevel>()> levels;
-  // Seen from above. Null: there is none, or not yet; asked for the level that is selected only, again in
-  // every frame.
+  // The level from above; null if there is none, or none yet. Called in every frame, for the selected level
+  // only.
   std::function<const formats::Picture*(std::string_view level)> level_picture;
-  // With none of these a new game begins in the level "start", where the game lets players choose.
+  // Without episodes a new game starts in the level "start", where the player chooses.
   std::function<std::vector<MenuEpisode>()> episodes;
-  std::function<std::vector<MenuSave>()> saves;  // newest first
+  // Saved games, newest first, and their screenshots.
+  std::function<std::vector<MenuSave>()> saves;
   std::function<const formats::Picture*(std::string_view save)> save_picture;
   std::function<std::vector<MenuDemo>()> demos;
   std::function<std::vector<MenuGameFolder>()> game_folders;
 
-  std::function<std::vector<MenuServer>()> servers;  // that have answered so far
-  std::function<void()> search_servers;              // asks the local network anew
+  // The servers that have answered so far.
+  std::function<std::vector<MenuServer>()> servers;
+  // Starts a new search of the local network.
+  std::function<void()> search_servers;
 
+  // The number of monitors, and the sizes that each offers.
   std::function<int()> displays;
   std::function<std::vector<platform::PixelSize>(int display)> display_sizes;
 
-  std::function<bool()> game_runs;  // one's own or a server's
+  // Whether a game runs, locally or on a server, and whether it can be saved.
+  std::function<bool()> game_runs;
   std::function<bool()> can_save;
-  // What ending the game that runs would lose, a sentence for the player. Empty: nothing.
+  // A sentence about what the player would lose if the game ended now; empty for nothing.
   std::function<std::string()> unsaved;
 
-  std::function<std::vector<platform::Key>(std::string_view commands)> keys_of;
+  // The keys that run exactly these commands.
+  std::function<std::vector<platform::Key>(std::string_view commands)> find_keys;
   std::function<std::string()> clipboard;
-  std::function<std::string()> help_text;  // of several lines; those that begin with "# " are headings
+  // The text of the help page, in lines; those that begin with "# " are headings.
+  std::function<std::string()> help_text;
 };
 
 }  // namespace temblor::client

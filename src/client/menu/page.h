@@ -1,4 +1,5 @@
-// Pages: what each of them has, made anew whenever it opens or what it shows has changed.
+// A page's contents: title, rows and texts. Pages are values made by functions, one for each page, and made
+// again whenever they open or what they show has changed. PageView draws and drives them.
 #pragma once
 
 #include <functional>
@@ -16,35 +17,45 @@
 namespace temblor::client {
 
 enum class PageStyle {
-  kLarge,    // few rows of large characters
+  kLarge,    // a few rows of large characters
   kRows,     // labels and values
-  kDetails,  // a list with a picture and text of what is selected beside it
+  kDetails,  // a list, and beside it a picture and text about the selected row
 };
 
+// A page's contents. Texts may contain any bytes.
 struct Page {
   std::string title;
-  std::string_view title_picture;  // in its place where the game has it
+  // A picture that replaces the title if the game has it.
+  std::string_view title_picture;
   PageStyle style = PageStyle::kRows;
-  bool searched = false;  // typing finds rows
-  std::string text;       // above the rows; alone on a page it scrolls
-  std::string nothing;    // what stands in place of rows, where there are none to select
+  // Typing filters the rows.
+  bool has_search = false;
+  // Text above the rows; a page with only text scrolls it.
+  std::string text;
+  // Shown if no row can be selected.
+  std::string empty_text;
   Rows rows;
-  std::size_t first_choice = 0;  // the row that is selected when it opens
-  // Stands below the rows, where there is room; must live until it is asked for again.
+  // The row that is selected when the page opens.
+  std::size_t first_choice = 0;
+  // A picture below the rows, if there is room. It must live until the function is called again.
   std::function<const formats::Picture*()> picture;
 
-  void add(std::unique_ptr<Row> row) {  // null: none
+  // Adds a row at the end. Ignores null, which functions return for variables that are not registered.
+  void add(std::unique_ptr<Row> row) {
     if (row) rows.push_back(std::move(row));
   }
 };
 
-// What players have chosen and not yet carried out: kept while the program runs.
+// Choices that the player has made but not applied. They live as long as the menu, so that a page shows them
+// again when it is rebuilt.
 struct MenuChoices {
+  // The address on the join page.
   std::string address;
   struct Host {
     std::string level;
     int players = 8;
-    int mode = 0;  // 0 deathmatch, 1 coop
+    // 0: deathmatch, 1: cooperative.
+    int mode = 0;
   } host;
   struct Video {
     std::string mode;
@@ -52,10 +63,12 @@ struct MenuChoices {
     platform::PixelSize size;
     bool operator==(const Video&) const = default;
   };
-  std::optional<Video> video, video_before;  // chosen, and what it was when that began
+  // What the player has chosen on the video page, and what the variables said when the page was made.
+  std::optional<Video> video;
+  std::optional<Video> video_before;
 };
 
-// All of it outlives the pages.
+// What the functions that make pages and rows need. All of it outlives the pages.
 struct PageContext {
   command::Variables& variables;
   const assets::Pictures& pictures;
@@ -63,32 +76,37 @@ struct PageContext {
   MenuChoices& choices;
 };
 
-// What the content says; without the function, nothing.
+// Calls a function of the content; returns an empty value if the function is empty.
 template <typename Result, typename... Parameters>
-Result asked(const std::function<Result(Parameters...)>& function, Parameters... parameters) {
+Result call_or_default(const std::function<Result(Parameters...)>& function, Parameters... parameters) {
   return function ? function(parameters...) : Result{};
 }
 
-// What leads to a page, or to what happens in its place: see Menu::open().
-Outcome opening(const PageContext& context, MenuPage page);
-std::unique_ptr<Row> make_opener(const PageContext& context, std::string label, MenuPage page,
-                                 std::string help = {});
+// The outcome of opening a page; see Menu::open() for pages that may run a command instead.
+Outcome open_page(const PageContext& context, MenuPage page);
+// A row that opens a page.
+std::unique_ptr<Row> make_page_link(const PageContext& context, std::string label, MenuPage page,
+                                    std::string help = {});
 
 PageMaker make_notice(Notice notice);
-// A question with "Yes" and "No"; `yes` happens instead of it.
-PageMaker ask(std::string question, Outcome yes);
-// `outcome`, asked about first where it would lose something.
-Outcome unless_lost(const PageContext& context, std::string_view doing, Outcome outcome);
+// A page that asks a question; "Yes" leads to the outcome `yes`, "No" back.
+PageMaker make_question(std::string question, Outcome yes);
+// Returns `outcome`, or a page that asks for confirmation first if unsaved progress would be lost. `question`
+// follows the sentence about what would be lost (MenuContent::unsaved): "Quit anyway?".
+Outcome confirm_if_unsaved(const PageContext& context, std::string_view question, Outcome outcome);
 
+// Each makes the page of that name from the content and the variables as they are now.
 Page make_main_page(const PageContext& context);
 Page make_help_page(const PageContext& context);
 
 Page make_single_player_page(const PageContext& context);
-// Opens the page, or begins where there is nothing to choose.
-Outcome new_game(const PageContext& context);
+// Opens the new-game page, or starts a game if there is nothing to choose.
+Outcome start_new_game(const PageContext& context);
+// A row of a list of levels, with the level's title and picture beside the list.
 std::unique_ptr<Row> make_level_row(const MenuContent& content, const MenuLevel& level,
                                     std::function<Outcome()> choose);
-std::unique_ptr<Row> make_skill_row(const PageContext& context);  // null without such a variable
+// Null if the variable `skill` is not registered.
+std::unique_ptr<Row> make_skill_row(const PageContext& context);
 Page make_new_game_page(const PageContext& context);
 Page make_load_page(const PageContext& context);
 Page make_save_page(const PageContext& context);

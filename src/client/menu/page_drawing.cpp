@@ -1,4 +1,13 @@
-// How a page is laid out: title, rows, what is known of the selected one, help.
+// Page layout and drawing: title, search line, rows, details of the selected row, help. Units are canvas
+// pixels.
+//
+//   +----------------------------------+
+//   |             TITLE                |
+//   | Filter: ab_              3 of 40 |   searched pages
+//   | > row      value     | | picture |   the scroll bar, and details of the selected row
+//   |   row      value     | | text    |
+//   | help for the selected row        |
+//   +----------------------------------+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,44 +20,50 @@
 namespace temblor::client {
 namespace {
 
-constexpr int kLine = kCharacterSide + 2;  // with the gap to the next
+// Heights with the gap to the next line.
+constexpr int kLine = kCharacterSide + 2;  // with the gap to the next line
 constexpr int kLargeLine = 2 * kCharacterSide + 2;
-constexpr int kCursor = 2 * kCharacterSide;  // left of a row
-constexpr int kScrollBar = 8;                // right of it
+constexpr int kCursor = 2 * kCharacterSide;  // room for the cursor, left of a row
+constexpr int kScrollBar = 8;                // right of the rows
 constexpr int kMargin = 8, kGap = 4;
 constexpr int kHelpLines = 3;
-constexpr std::uint8_t kTrackGray = 15;  // of the palette's first row, which is gray
+constexpr std::uint8_t kTrackGray = 15;         // the palette's first row is gray
+constexpr std::uint8_t kPictureBackground = 0;  // black
 
-constexpr int kLargeChars = 13;  // of the longest label on a large page
+constexpr int kLargeChars = 13;  // the longest label on a large page
 constexpr int kLargeWidth = kLargeChars * 2 * kCharacterSide;
-constexpr int kPlaqueWidth = 56;  // with the gap to the rows
+// The width of the plaque with the gap to the rows.
+constexpr int kPlaqueWidth = 56;
 
-// A canvas lower than this leaves out what it can do without.
+// The canvas heights from which on these parts are drawn.
 constexpr int kRoomForTitle = 60, kRoomForLargeTitle = 120, kRoomForPicture = 160, kRoomForHelp = 130;
 
-std::array<int, 2> fitted(const formats::Picture& picture, int width, int height) {
+// Returns the largest size with the picture's proportions that fits, at least 1 x 1.
+std::array<int, 2> fit_picture(const formats::Picture& picture, int width, int height) {
   const double scale =
       std::min(static_cast<double>(width) / picture.width, static_cast<double>(height) / picture.height);
   return {std::max(1, static_cast<int>(picture.width * scale)),
           std::max(1, static_cast<int>(picture.height * scale))};
 }
 
-// Plaque and rows of a large page stand in the middle together.
-int plaque_x(const Canvas& canvas) {
+// Centers the plaque and the rows of a large page together.
+int compute_plaque_x(const Canvas& canvas) {
   return (canvas.width() - kPlaqueWidth - kCursor - kLargeWidth) / 2;
 }
 
 }  // namespace
 
+// Records where rows were drawn; the pointer is compared with these places until the next frame.
 void PageView::draw(const Canvas& canvas, double time_s) {
   spots_.clear();
   scroll_bar_ = {};
   int top = draw_title(canvas);
-  if (is_text_alone()) return draw_text(canvas, lay_out(canvas, top));
+  if (is_text_only()) return draw_text(canvas, compute_layout(canvas, top));
   top = draw_question(canvas, draw_search(canvas, top));
-  const Layout layout = lay_out(canvas, top);
-  if (nearest(0, 1) == std::nullopt && !page_.nothing.empty() && search_.empty())
-    canvas.text_in_middle(cut(page_.nothing, characters_in(canvas.width())), layout.rows.y + kLine);
+  const Layout layout = compute_layout(canvas, top);
+  if (find_nearest(0, 1) == std::nullopt && !page_.empty_text.empty() && search_.empty())
+    canvas.draw_centered_text(truncate(page_.empty_text, count_fitting_characters(canvas.width())),
+                              layout.rows.y + kLine);
   draw_rows(canvas, layout, time_s);
   draw_details(canvas, layout);
   draw_picture_below(canvas, layout);
@@ -60,11 +75,12 @@ bool PageView::has_plaque(const Canvas& canvas) const {
          canvas.width() >= kScreenWidth;
 }
 
+// A small canvas gets a small title, a tiny one none.
 int PageView::draw_title(const Canvas& canvas) const {
   const bool has_room = canvas.height() >= kRoomForPicture;
-  if (has_plaque(canvas)) canvas.plaque("gfx/qplaque.lmp", plaque_x(canvas), kGap);
+  if (has_plaque(canvas)) canvas.draw_plaque("gfx/qplaque.lmp", compute_plaque_x(canvas), kGap);
   if (has_room)
-    if (const int height = canvas.title_picture(page_.title_picture, kGap); height > 0)
+    if (const int height = canvas.draw_title_picture(page_.title_picture, kGap); height > 0)
       return kGap + height + kGap;
   if (canvas.height() < kRoomForTitle) return 1;
   const int letters =
@@ -72,43 +88,46 @@ int PageView::draw_title(const Canvas& canvas) const {
               static_cast<int>(page_.title.size()) * 2 * kCharacterSide <= canvas.width() - 2 * kMargin
           ? 2
           : 1;
-  canvas.text_in_middle(in_second_color(cut(page_.title, characters_in(canvas.width() / letters))),
-                        kGap + kGap, letters);
+  canvas.draw_centered_text(
+      to_second_color(truncate(page_.title, count_fitting_characters(canvas.width() / letters))), kGap + kGap,
+      letters);
   return kGap + kGap + letters * kCharacterSide + kGap + kGap;
 }
 
 int PageView::draw_search(const Canvas& canvas, int top) const {
-  if (!page_.searched || page_.rows.empty()) return top;
+  if (!page_.has_search || page_.rows.empty()) return top;
   const Box line{kCursor, top, canvas.width() - kCursor - kMargin, kCharacterSide};
   if (search_.empty())
-    draw_left_and_right(canvas, line, in_second_color("Type to find"),
-                        in_second_color(fmt::format("{}", shown_.size())));
+    draw_left_and_right(canvas, line, to_second_color("Type to filter"),
+                        to_second_color(fmt::format("{}", shown_.size())));
   else
-    draw_left_and_right(canvas, line, in_second_color("Find: ") + search_ + '_',
-                        in_second_color(fmt::format("{} of {}", shown_.size(), page_.rows.size())));
+    draw_left_and_right(canvas, line, to_second_color("Filter: ") + search_ + '_',
+                        to_second_color(fmt::format("{} of {}", shown_.size(), page_.rows.size())));
   return top + kLine + kGap;
 }
 
 int PageView::draw_question(const Canvas& canvas, int top) const {
-  // Without taking the rows' room, where there is any.
+  // Long texts are cut so that they leave room for the rows.
   constexpr std::size_t kMinLines = 6;
   const int room = (canvas.height() - top) / kLine - static_cast<int>(page_.rows.size()) - 2;
-  const std::size_t most_lines = std::max(kMinLines, static_cast<std::size_t>(std::max(room, 0)));
+  const std::size_t max_lines = std::max(kMinLines, static_cast<std::size_t>(std::max(room, 0)));
   int y = top;
-  for (const std::string& line : wrap(page_.text, characters_in(canvas.width() - 2 * kCursor), most_lines)) {
-    canvas.text(line, kCursor, y);
+  for (const std::string& line :
+       wrap(page_.text, count_fitting_characters(canvas.width() - 2 * kCursor), max_lines)) {
+    canvas.draw_text(line, kCursor, y);
     y += kLine;
   }
   return y > top ? y + kLine : top;
 }
 
-Box PageView::large_rows(const Canvas& canvas, int top) const {
-  const int x =
-      has_plaque(canvas) ? plaque_x(canvas) + kPlaqueWidth + kCursor : (canvas.width() - kLargeWidth) / 2;
+Box PageView::compute_large_rows(const Canvas& canvas, int top) const {
+  const int x = has_plaque(canvas) ? compute_plaque_x(canvas) + kPlaqueWidth + kCursor
+                                   : (canvas.width() - kLargeWidth) / 2;
   return {x, top, kLargeWidth, canvas.height() - top};
 }
 
-PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
+// Large rows become small ones if they do not all fit. Details take the right 7/16 of the width.
+PageView::Layout PageView::compute_layout(const Canvas& canvas, int top) const {
   Layout layout;
   const int width = canvas.width(), height = canvas.height();
   const bool is_large = page_.style == PageStyle::kLarge && width >= kLargeWidth + 2 * kCursor &&
@@ -120,8 +139,8 @@ PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
     layout.help_y = height - kHelpLines * (kCharacterSide + 1) - kGap;
     bottom = layout.help_y - kGap;
   }
-  const int left = kCursor + (has_plaque(canvas) ? plaque_x(canvas) + kPlaqueWidth : 0);
-  layout.rows = is_large ? large_rows(canvas, top)
+  const int left = kCursor + (has_plaque(canvas) ? compute_plaque_x(canvas) + kPlaqueWidth : 0);
+  layout.rows = is_large ? compute_large_rows(canvas, top)
                          : Box{left, top, width - left - kScrollBar, std::max(bottom - top, kLine)};
   constexpr int kMinDetails = 200;
   if (page_.style == PageStyle::kDetails && width >= kMinDetails) {
@@ -129,23 +148,25 @@ PageView::Layout PageView::lay_out(const Canvas& canvas, int top) const {
     const int x = layout.rows.right() + kScrollBar + kGap;
     layout.details = {x, top, width - kMargin - x, bottom - top};
   }
+  // The label column takes 56 % of the row, at most 22 characters: 20 in a frame of 320 pixels.
   constexpr int kMaxLabel = 22, kLabelPercent = 56;
-  const auto chars = static_cast<int>(characters_in(layout.rows.width));
+  const auto chars = static_cast<int>(count_fitting_characters(layout.rows.width));
   layout.value_x = layout.rows.x + std::min(kMaxLabel, chars * kLabelPercent / 100) * kCharacterSide;
   return layout;
 }
 
+// A page without rows scrolls its text.
 void PageView::draw_text(const Canvas& canvas, const Layout& layout) {
-  const std::vector<std::string> lines = wrap(page_.text, characters_in(layout.rows.width));
+  const std::vector<std::string> lines = wrap(page_.text, count_fitting_characters(layout.rows.width));
   set_lines(lines.size(), static_cast<std::size_t>(layout.rows.height / kLine));
   int y = layout.rows.y;
   for (std::size_t i = first_; i < std::min(lines.size(), first_ + room_); ++i, y += kLine) {
     const std::string_view line = lines[i];
     constexpr std::string_view kHeading = "# ";
     if (line.starts_with(kHeading))
-      canvas.text(in_second_color(line.substr(kHeading.size())), layout.rows.x, y);
+      canvas.draw_text(to_second_color(line.substr(kHeading.size())), layout.rows.x, y);
     else
-      canvas.text(line, layout.rows.x, y);
+      canvas.draw_text(line, layout.rows.x, y);
   }
   draw_scroll_bar(canvas, layout.rows);
 }
@@ -171,8 +192,8 @@ void PageView::draw_row(const Canvas& canvas, const RowPlace& place, std::size_t
   const Box whole{box.x - kCursor, box.y - 1, box.width + kCursor, box.height + 2};
   if (place.selected) {
     canvas.highlight(whole);
-    canvas.text(std::string_view(&glyph::kArrow, 1), box.x - (place.letters == 1 ? 10 : kCursor), box.y,
-                place.letters);
+    canvas.draw_text(std::string_view(&glyph::kArrow, 1), box.x - (place.letters == 1 ? 10 : kCursor), box.y,
+                     place.letters);
   }
   row.draw(canvas, place);
   Spot spot{position, canvas.to_frame(whole), {}, {}};
@@ -185,16 +206,16 @@ void PageView::draw_row(const Canvas& canvas, const RowPlace& place, std::size_t
 
 void PageView::draw_scroll_bar(const Canvas& canvas, const Box& beside) {
   if (lines_ <= room_) return;
-  constexpr int kTrackWidth = 3, kShortest = 6;
+  constexpr int kTrackWidth = 3, kMinThumb = 6;
   const Box track{beside.right() + kScrollBar - kTrackWidth - 1, beside.y, kTrackWidth, beside.height};
   Box thumb = track;
   thumb.height = std::clamp(static_cast<int>(static_cast<double>(track.height) * static_cast<double>(room_) /
                                              static_cast<double>(lines_)),
-                            std::min(kShortest, track.height), track.height);
+                            std::min(kMinThumb, track.height), track.height);
   thumb.y += static_cast<int>(static_cast<double>(track.height - thumb.height) * static_cast<double>(first_) /
-                              static_cast<double>(last_first()));
-  canvas.fill(track, kTrackGray, kFaint);
-  canvas.fill(thumb, kTrackGray, kStrong);
+                              static_cast<double>(max_first()));
+  canvas.fill(track, kTrackGray, kFaintOpacity);
+  canvas.fill(thumb, kTrackGray, kStrongOpacity);
   scroll_bar_ = canvas.to_frame({beside.right(), track.y, kScrollBar, track.height});
 }
 
@@ -206,21 +227,24 @@ void PageView::draw_details(const Canvas& canvas, const Layout& layout) {
   int y = box.y;
   if (details.picture != nullptr && details.picture->width > 0 && details.picture->height > 0) {
     const Box picture_box{box.x, y, box.width, std::min(box.width * 5 / 8, box.height / 2 + kLine)};
-    canvas.fill(picture_box, kBlack);
+    canvas.fill(picture_box, kPictureBackground);
     draw_picture(canvas, *details.picture, picture_box);
     y = picture_box.bottom() + kGap;
   }
   for (const std::string& paragraph : details.paragraphs)
-    for (const std::string& line : wrap(paragraph, std::max<std::size_t>(characters_in(box.width), 1))) {
+    for (const std::string& line :
+         wrap(paragraph, std::max<std::size_t>(count_fitting_characters(box.width), 1))) {
       if (y + kCharacterSide > box.bottom()) return;
-      canvas.text(line, box.x, y);
+      canvas.draw_text(line, box.x, y);
       y += kLine;
     }
 }
 
+// Scales the picture to frame pixels by taking the nearest pixel, so that it is as sharp as the frame allows.
+// The canvas would only scale it by whole numbers.
 void PageView::draw_picture(const Canvas& canvas, const formats::Picture& picture, const Box& box) {
   const Box frame_box = canvas.to_frame(box);
-  const auto [width, height] = fitted(picture, frame_box.width, frame_box.height);
+  const auto [width, height] = fit_picture(picture, frame_box.width, frame_box.height);
   const auto to_u32 = [](int side) { return static_cast<std::uint32_t>(side); };
   thumbnail_.width = to_u32(width);
   thumbnail_.height = to_u32(height);
@@ -230,9 +254,10 @@ void PageView::draw_picture(const Canvas& canvas, const formats::Picture& pictur
     for (std::uint64_t x = 0; x < thumbnail_.width; ++x)
       thumbnail_.pixels.push_back(picture.pixels[row + (2 * x + 1) * picture.width / (2 * thumbnail_.width)]);
   }
-  canvas.own_pixels(thumbnail_, box);
+  canvas.draw_unscaled(thumbnail_, box);
 }
 
+// Draws nothing if there is no room for the whole picture.
 void PageView::draw_picture_below(const Canvas& canvas, const Layout& layout) {
   const formats::Picture* const picture = page_.picture ? page_.picture() : nullptr;
   const Box& rows = layout.rows;
@@ -244,9 +269,9 @@ void PageView::draw_picture_below(const Canvas& canvas, const Layout& layout) {
 void PageView::draw_help(const Canvas& canvas, const Layout& layout) const {
   if (layout.help_y == 0 || !selected_) return;
   int y = layout.help_y;
-  const std::size_t chars = characters_in(canvas.width() - 2 * kMargin);
+  const std::size_t chars = count_fitting_characters(canvas.width() - 2 * kMargin);
   for (const std::string& line : wrap(row_at(*selected_).help(), chars, kHelpLines)) {
-    canvas.text(in_second_color(line), kMargin, y);
+    canvas.draw_text(to_second_color(line), kMargin, y);
     y += kCharacterSide + 1;
   }
 }

@@ -9,20 +9,22 @@
 namespace temblor::client {
 
 PageView::PageView(Page page) : page_(std::move(page)) {
-  list_rows();
+  update_shown_rows();
   select_first_choice();
 }
 
+// A rebuilt page may have more, fewer or renamed rows, so the selection is found by label rather than by
+// number.
 void PageView::replace(Page page) {
   const std::size_t row = selected_ ? shown_[*selected_] : 0;
   const std::string label = selected_ ? std::string(row_at(*selected_).label()) : std::string();
   const bool had_selection = selected_.has_value();
-  let_go();
+  release();
   spots_.clear();
   page_ = std::move(page);
-  list_rows();
+  update_shown_rows();
   if (!had_selection) return select_first_choice();
-  // The nearest row of the same name; without one, what stands in its place.
+  // Selects the nearest row with the same label, or else the row at the same place.
   std::optional<std::size_t> same;
   const auto distance = [&](std::size_t position) {
     const std::size_t number = shown_[position];
@@ -31,14 +33,16 @@ void PageView::replace(Page page) {
   for (std::size_t i = 0; i < shown_.size(); ++i)
     if (row_at(i).label() == label && (!same || distance(i) < distance(*same))) same = i;
   const auto place = std::lower_bound(shown_.begin(), shown_.end(), row) - shown_.begin();
-  selected_ = nearest(same.value_or(static_cast<std::size_t>(place)), 1);
+  selected_ = find_nearest(same.value_or(static_cast<std::size_t>(place)), 1);
 }
 
-void PageView::list_rows() {
+// Lists the rows that match the search. Headings match none.
+void PageView::update_shown_rows() {
   shown_.clear();
   for (std::size_t i = 0; i < page_.rows.size(); ++i) {
     const Row& row = *page_.rows[i];
-    if (search_.empty() || (row.can_be_selected() && holds(row.search_text(), search_))) shown_.push_back(i);
+    if (search_.empty() || (row.can_be_selected() && contains_text(row.search_text(), search_)))
+      shown_.push_back(i);
   }
   has_help_ = page_.style == PageStyle::kRows &&
               std::any_of(page_.rows.begin(), page_.rows.end(),
@@ -48,7 +52,7 @@ void PageView::list_rows() {
 }
 
 void PageView::select_first_choice() {
-  selected_ = nearest(page_.first_choice, 1);
+  selected_ = find_nearest(page_.first_choice, 1);
   keep_selected_visible();
 }
 
@@ -56,7 +60,9 @@ Row* PageView::selected_row() {
   return selected_ ? page_.rows[shown_[*selected_]].get() : nullptr;
 }
 
-std::optional<std::size_t> PageView::nearest(std::size_t position, int direction) const {
+// Searches in `direction` first, then back, so that a page of headings and rows always finds a row if there
+// is one.
+std::optional<std::size_t> PageView::find_nearest(std::size_t position, int direction) const {
   if (shown_.empty()) return std::nullopt;
   const auto from = static_cast<std::ptrdiff_t>(std::min(position, shown_.size() - 1));
   const auto end = static_cast<std::ptrdiff_t>(shown_.size());
@@ -66,9 +72,10 @@ std::optional<std::size_t> PageView::nearest(std::size_t position, int direction
   return std::nullopt;
 }
 
+// A new selection ends the dragging of a slider.
 bool PageView::select(std::size_t position) {
   const bool changes = selected_ != position;
-  if (changes) let_go();
+  if (changes) release();
   selected_ = position;
   keep_selected_visible();
   return changes;
@@ -76,12 +83,12 @@ bool PageView::select(std::size_t position) {
 
 void PageView::keep_selected_visible() {
   if (selected_) {
-    // Headings above the first row that can be selected come into sight with it.
-    const bool is_topmost = nearest(0, 1) == selected_ && *selected_ < room_;
+    // Headings above the first selectable row become visible with it.
+    const bool is_topmost = find_nearest(0, 1) == selected_ && *selected_ < room_;
     first_ = is_topmost ? 0 : std::min(first_, *selected_);
     if (*selected_ >= first_ + room_) first_ = *selected_ + 1 - room_;
   }
-  first_ = std::min(first_, last_first());
+  first_ = std::min(first_, max_first());
 }
 
 void PageView::set_lines(std::size_t lines, std::size_t room) {
@@ -105,6 +112,7 @@ bool PageView::move(int steps) {
   return select(static_cast<std::size_t>(position));
 }
 
+// A page step keeps one row of the last page visible.
 bool PageView::move_pages(int pages) {
   const auto lines = static_cast<std::ptrdiff_t>(std::max<std::size_t>(room_, 2) - 1) * pages;
   if (!selected_) {
@@ -114,58 +122,60 @@ bool PageView::move_pages(int pages) {
   }
   const auto last = static_cast<std::ptrdiff_t>(shown_.size()) - 1;
   const auto to = std::clamp(static_cast<std::ptrdiff_t>(*selected_) + lines, std::ptrdiff_t{0}, last);
-  return select(*nearest(static_cast<std::size_t>(to), pages));
+  return select(*find_nearest(static_cast<std::size_t>(to), pages));
 }
 
-bool PageView::go_to_begin() {
+bool PageView::go_to_start() {
   first_ = 0;
-  return selected_ && select(*nearest(0, 1));
+  return selected_ && select(*find_nearest(0, 1));
 }
 
 bool PageView::go_to_end() {
-  first_ = last_first();
-  return selected_ && select(*nearest(shown_.size() - 1, -1));
+  first_ = max_first();
+  return selected_ && select(*find_nearest(shown_.size() - 1, -1));
 }
 
+// Moves the selection only as far as needed.
 void PageView::scroll(int lines) {
   const auto to = static_cast<std::ptrdiff_t>(first_) + lines;
   first_ =
-      static_cast<std::size_t>(std::clamp(to, std::ptrdiff_t{0}, static_cast<std::ptrdiff_t>(last_first())));
+      static_cast<std::size_t>(std::clamp(to, std::ptrdiff_t{0}, static_cast<std::ptrdiff_t>(max_first())));
   if (!selected_) return;
   const std::size_t last = std::min(first_ + room_, shown_.size()) - 1;
-  selected_ = nearest(std::clamp(*selected_, first_, last), *selected_ < first_ ? 1 : -1);
+  selected_ = find_nearest(std::clamp(*selected_, first_, last), *selected_ < first_ ? 1 : -1);
   keep_selected_visible();
 }
 
 void PageView::set_search(std::string search) {
   search_ = std::move(search);
-  let_go();
+  release();
   spots_.clear();
-  list_rows();
+  update_shown_rows();
   first_ = 0;
-  selected_ = nearest(search_.empty() ? page_.first_choice : 0, 1);
+  selected_ = find_nearest(search_.empty() ? page_.first_choice : 0, 1);
   keep_selected_visible();
 }
 
-const PageView::Spot* PageView::spot_at(int x, int y) const {
+const PageView::Spot* PageView::find_spot(int x, int y) const {
   const auto found =
       std::find_if(spots_.begin(), spots_.end(), [&](const Spot& spot) { return spot.row.contains(x, y); });
   return found == spots_.end() ? nullptr : &*found;
 }
 
 bool PageView::point_at(int x, int y) {
-  const Spot* const spot = spot_at(x, y);
+  const Spot* const spot = find_spot(x, y);
   if (spot == nullptr || !row_at(spot->position).can_be_selected()) return false;
   return select(spot->position);
 }
 
+// Only the value column of a row is its slider; a press on the label activates the row.
 PageView::Pressed PageView::press(int x, int y) {
   if (scroll_bar_.contains(x, y)) {
     bar_slides_ = true;
     slide_to(x, y);
     return Pressed::kSlider;
   }
-  const Spot* const spot = spot_at(x, y);
+  const Spot* const spot = find_spot(x, y);
   if (spot == nullptr || !row_at(spot->position).can_be_selected()) return Pressed::kNothing;
   select(spot->position);
   if (spot->slide.width <= 0 || !spot->value.contains(x, y)) return Pressed::kRow;
@@ -175,18 +185,19 @@ PageView::Pressed PageView::press(int x, int y) {
   return Pressed::kSlider;
 }
 
+// Follows the pointer even outside the slider, until release().
 void PageView::slide_to(int x, int y) {
-  const auto fraction_of = [](int at, int from, int size) {
+  const auto compute_fraction = [](int at, int from, int size) {
     return std::clamp(static_cast<double>(at - from) / std::max(size, 1), 0.0, 1.0);
   };
-  if (sliding_ != nullptr) sliding_->slide(fraction_of(x, sliding_box_.x, sliding_box_.width));
+  if (sliding_ != nullptr) sliding_->slide(compute_fraction(x, sliding_box_.x, sliding_box_.width));
   if (!bar_slides_) return;
-  const double fraction = fraction_of(y, scroll_bar_.y, scroll_bar_.height);
-  const auto wanted = static_cast<int>(fraction * static_cast<double>(last_first()) + 0.5);
+  const double fraction = compute_fraction(y, scroll_bar_.y, scroll_bar_.height);
+  const auto wanted = static_cast<int>(fraction * static_cast<double>(max_first()) + 0.5);
   scroll(wanted - static_cast<int>(first_));
 }
 
-void PageView::let_go() {
+void PageView::release() {
   sliding_ = nullptr;
   bar_slides_ = false;
 }

@@ -1,5 +1,12 @@
-// An open page: which of its rows are shown and which is selected, where they stand on the frame, and what
-// a pointer finds there.
+// An open page: which rows are shown and selected, where they are on the frame, and what the pointer hits
+// there.
+//
+// Layout (page_drawing.cpp), from top to bottom: title, search line or question text, rows with an optional
+// scroll bar and details, a picture below the rows, help for the selected row. Small canvases drop help,
+// picture and title, in that order.
+//
+//   positions: 0 .. shown_.size()-1, indices into shown_, which lists the rows that match the search
+//   first_:    the position at the top; room_ positions are visible
 #pragma once
 
 #include <cstddef>
@@ -12,55 +19,65 @@
 
 namespace temblor::client {
 
+// Owns its page. Positions and scrolling are in rows, or in lines of text on a page without rows.
 class PageView {
  public:
   explicit PageView(Page page);
 
-  // The same page made anew: what is selected stays so, as far as it is still there.
+  // Replaces the page with a newer version of itself. The selection stays on the row with the same label, or
+  // else at the same place.
   void replace(Page page);
 
   const Page& page() const { return page_; }
-  Row* selected_row();  // null where none can be selected
+  Row* selected_row();  // null if no row can be selected
 
-  // Each returns whether something has changed.
-  bool move(int steps);  // to the next row that can be selected, round the ends; text scrolls
+  // Move the selection, or scroll a page without rows; they return whether anything has moved. move() goes to
+  // the next selectable row and wraps around at the ends.
+  bool move(int steps);
   bool move_pages(int pages);
-  bool go_to_begin();
+  bool go_to_start();
   bool go_to_end();
-  // What is selected stays in sight.
+  // Scrolls rows or text. The selection moves so that it stays visible.
   void scroll(int lines);
 
-  // Rows that hold this are shown; empty: all.
+  // Shows only rows that contain this text; empty shows all.
   const std::string& search() const { return search_; }
   void set_search(std::string search);
 
-  // On the menu's whole place. A picture that it draws is kept here until the next call.
+  // Draws on the whole canvas. The draw list may refer to a picture in this object until the next call.
   void draw(const Canvas& canvas, double time_s);
 
-  // Where things were last drawn, in pixels of the frame.
-  bool point_at(int x, int y);  // selects the row that is there
+  // Pointer input, in frame pixels, compared with the page as it was last drawn. point_at() selects the row
+  // under the pointer.
+  bool point_at(int x, int y);
+  // What a press has hit.
   enum class Pressed { kNothing, kRow, kSlider };
-  Pressed press(int x, int y);  // kSlider: follows slide_to() until let_go()
+  // Presses the pointer's button. After kSlider, slide_to() moves the slider until release().
+  Pressed press(int x, int y);
   void slide_to(int x, int y);
   bool is_sliding() const { return sliding_ != nullptr || bar_slides_; }
-  void let_go();
+  void release();
 
  private:
-  static constexpr std::size_t kUnknownRoom = std::size_t{1} << 30;  // before it is drawn: for all
-  struct Spot {                                                      // where a row was drawn
+  static constexpr std::size_t kUnknownRoom = std::size_t{1} << 30;  // until first drawn: room for all rows
+  // Where a row was drawn, in frame pixels.
+  struct Spot {
     std::size_t position = 0;
-    Box row, value, slide;  // of the frame; slide: empty where nothing slides
+    // `slide` is empty if the row has no slider.
+    Box row, value, slide;
   };
   struct Layout {
-    Box rows, details;  // details: empty for none
+    // `details` is empty if the page has none.
+    Box rows, details;
     int row_height = 0, letters = 1, value_x = 0;
     int help_y = 0;  // 0: no help
   };
 
-  Layout lay_out(const Canvas& canvas, int top) const;
-  Box large_rows(const Canvas& canvas, int top) const;
+  Layout compute_layout(const Canvas& canvas, int top) const;
+  Box compute_large_rows(const Canvas& canvas, int top) const;
   bool has_plaque(const Canvas& canvas) const;
-  int draw_title(const Canvas& canvas) const;  // returns where it ends
+  // Draw at `top` and return the y below what they have drawn.
+  int draw_title(const Canvas& canvas) const;
   int draw_search(const Canvas& canvas, int top) const;
   int draw_question(const Canvas& canvas, int top) const;
   void draw_text(const Canvas& canvas, const Layout& layout);
@@ -72,31 +89,35 @@ class PageView {
   void draw_help(const Canvas& canvas, const Layout& layout) const;
   void draw_picture(const Canvas& canvas, const formats::Picture& picture, const Box& box);
 
-  bool is_text_alone() const { return page_.rows.empty() && !page_.text.empty(); }
+  bool is_text_only() const { return page_.rows.empty() && !page_.text.empty(); }
   const Row& row_at(std::size_t position) const { return *page_.rows[shown_[position]]; }
-  void list_rows();
+  void update_shown_rows();
   void select_first_choice();
   bool select(std::size_t position);
-  // The first that can be selected from `position` on in that direction, or else in the other.
-  std::optional<std::size_t> nearest(std::size_t position, int direction) const;
+  // The first selectable position from `position` on in that direction, or else in the other one.
+  std::optional<std::size_t> find_nearest(std::size_t position, int direction) const;
   void set_lines(std::size_t lines, std::size_t room);
   void keep_selected_visible();
-  std::size_t last_first() const { return lines_ > room_ ? lines_ - room_ : 0; }
-  const Spot* spot_at(int x, int y) const;
+  std::size_t max_first() const { return lines_ > room_ ? lines_ - room_ : 0; }
+  const Spot* find_spot(int x, int y) const;
 
   Page page_;
   bool has_help_ = false;
   std::string search_;
-  std::vector<std::size_t> shown_;       // rows that fit the search
-  std::optional<std::size_t> selected_;  // position in shown_
-  std::size_t first_ = 0;                // the position, or line of text, at the top
-  std::size_t lines_ = 0;                // how many there are
-  std::size_t room_ = kUnknownRoom;      // how many are visible
+  // Indices of the rows that match the search.
+  std::vector<std::size_t> shown_;
+  std::optional<std::size_t> selected_;  // a position
+  // The position, or line of text, at the top; how many there are; and how many are visible.
+  std::size_t first_ = 0;
+  std::size_t lines_ = 0;
+  std::size_t room_ = kUnknownRoom;
   std::vector<Spot> spots_;
-  Box scroll_bar_;  // of the frame
+  Box scroll_bar_;  // frame pixels
+  // The row whose slider the pointer holds, and the slider's box in frame pixels.
   Row* sliding_ = nullptr;
   Box sliding_box_;
-  bool bar_slides_ = false;
+  bool bar_slides_ = false;  // the pointer holds the scroll bar
+  // The picture of the last draw(), scaled to frame pixels; the draw list refers to it.
   formats::Picture thumbnail_;
 };
 

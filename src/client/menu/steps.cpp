@@ -7,7 +7,7 @@ namespace {
 
 using platform::Key;
 
-std::optional<MenuStep> step_of(Key key) {
+std::optional<MenuStep> find_step(Key key) {
   switch (key) {
     case Key::kUpArrow:
     case Key::kPadUp:
@@ -52,40 +52,42 @@ std::optional<MenuStep> step_of(Key key) {
   }
 }
 
+// Steps that a held key repeats: moves, changes of a value, and deletion.
 bool may_repeat(MenuStep step) {
   return step <= MenuStep::kPageDown || step == MenuStep::kErase;
 }
 
 }  // namespace
 
-std::optional<MenuStep> MenuSteps::take(const platform::InputEvent& event) {
+// What is held is forgotten when its release may not arrive.
+std::optional<MenuStep> MenuSteps::translate(const platform::InputEvent& event) {
   if (const auto* const change = std::get_if<platform::KeyChange>(&event.what))
-    return take_key(*change, event.time_s);
+    return handle_key(*change, event.time_s);
   if (const auto* const moved = std::get_if<platform::PadAxisMoved>(&event.what))
-    return take_axis(*moved, event.time_s);
+    return handle_axis(*moved, event.time_s);
   const bool is_lost = std::holds_alternative<platform::FocusChanged>(event.what) ||
                        std::holds_alternative<platform::PadChanged>(event.what);
   if (is_lost) *this = {};
   return std::nullopt;
 }
 
-std::optional<MenuStep> MenuSteps::take_key(const platform::KeyChange& change, double time_s) {
-  const std::optional<MenuStep> step = step_of(change.key);
+std::optional<MenuStep> MenuSteps::handle_key(const platform::KeyChange& change, double time_s) {
+  const std::optional<MenuStep> step = find_step(change.key);
   if (!step) return std::nullopt;
   const bool is_pad = change.key >= Key::kPadA;
   if (!change.down) {
-    if (is_pad && held_.step == step) let_go();
+    if (is_pad && held_.step == step) release();
     return std::nullopt;
   }
   if (change.repeated) return may_repeat(*step) ? step : std::nullopt;
-  let_go();
+  release();
   if (is_pad && may_repeat(*step)) hold(*step, time_s);
   return step;
 }
 
-std::optional<MenuStep> MenuSteps::take_axis(const platform::PadAxisMoved& moved, double time_s) {
-  // Let go later than pushed, so that a stick that trembles is one step.
-  constexpr float kPushed = 0.6f, kLetGo = 0.4f;
+std::optional<MenuStep> MenuSteps::handle_axis(const platform::PadAxisMoved& moved, double time_s) {
+  // Hysteresis: a stick that trembles at the threshold makes one step only.
+  constexpr float kPushed = 0.6f, kReleased = 0.4f;
   if (!std::isfinite(moved.value)) return std::nullopt;
   if (moved.axis == platform::PadAxis::kLeftX)
     stick_x_ = moved.value;
@@ -93,12 +95,12 @@ std::optional<MenuStep> MenuSteps::take_axis(const platform::PadAxisMoved& moved
     stick_y_ = moved.value;
   else
     return std::nullopt;
-  const float far = std::max(std::abs(stick_x_), std::abs(stick_y_));
-  if (far < kLetGo && pushed_) {
-    if (held_.step == pushed_) let_go();
+  const float deflection = std::max(std::abs(stick_x_), std::abs(stick_y_));
+  if (deflection < kReleased && pushed_) {
+    if (held_.step == pushed_) release();
     pushed_.reset();
   }
-  if (far < kPushed || pushed_) return std::nullopt;
+  if (deflection < kPushed || pushed_) return std::nullopt;
   if (std::abs(stick_x_) > std::abs(stick_y_))
     pushed_ = stick_x_ > 0 ? MenuStep::kRight : MenuStep::kLeft;
   else
@@ -111,7 +113,7 @@ void MenuSteps::hold(MenuStep step, double time_s) {
   held_ = {step, time_s + kFirstRepeatSeconds};
 }
 
-std::optional<MenuStep> MenuSteps::repeated(double time_s) {
+std::optional<MenuStep> MenuSteps::repeat_held(double time_s) {
   if (!held_.step || !(time_s >= held_.next_s)) return std::nullopt;
   held_.next_s = time_s + kRepeatSeconds;
   return held_.step;

@@ -1,5 +1,5 @@
-// From keys, buttons and sticks to steps through a menu. What is held on a gamepad is repeated, as a
-// keyboard does by itself.
+// Translates keys, gamepad buttons and sticks to steps through a menu. Keyboards repeat held keys on their
+// own; this class repeats what is held on a gamepad.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 
 namespace temblor::client {
 
+// Steps up to kPageDown, and kErase, repeat while held.
 enum class MenuStep {
   kUp,
   kDown,
@@ -19,7 +20,7 @@ enum class MenuStep {
   kEnd,
   kAccept,
   kBack,
-  kErase,  // the last letter that was typed, or else as kClear
+  kErase,  // deletes the last letter typed; without one acts as kClear
   kClear,
   kClose,
 };
@@ -28,24 +29,26 @@ class MenuSteps {
  public:
   static constexpr double kFirstRepeatSeconds = 0.4, kRepeatSeconds = 0.1;
 
-  // The step that an event is, at once.
-  std::optional<MenuStep> take(const platform::InputEvent& event);
-  // The step that what is held has come to; at most one a call, however much time has passed.
-  std::optional<MenuStep> repeated(double time_s);
-  void let_go() { held_ = {}; }
+  // Returns the step that an event means; nothing for other events.
+  std::optional<MenuStep> translate(const platform::InputEvent& event);
+  // Returns the step that a held button or stick repeats at this time. At most one step per call, however
+  // much time has passed.
+  std::optional<MenuStep> repeat_held(double time_s);
+  void release() { held_ = {}; }
 
  private:
-  std::optional<MenuStep> take_key(const platform::KeyChange& change, double time_s);
-  std::optional<MenuStep> take_axis(const platform::PadAxisMoved& moved, double time_s);
+  std::optional<MenuStep> handle_key(const platform::KeyChange& change, double time_s);
+  std::optional<MenuStep> handle_axis(const platform::PadAxisMoved& moved, double time_s);
   void hold(MenuStep step, double time_s);
 
   struct Held {
     std::optional<MenuStep> step;
-    double next_s = 0;
+    double next_s = 0;  // when it repeats
   };
   Held held_;
-  float stick_x_ = 0, stick_y_ = 0;
-  std::optional<MenuStep> pushed_;  // by the stick
+  float stick_x_ = 0, stick_y_ = 0;  // -1 to 1
+  // The step that the stick has made. It must return to its center before it makes another.
+  std::optional<MenuStep> pushed_;
 };
 
 }  // namespace temblor::client

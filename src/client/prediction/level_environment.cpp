@@ -11,12 +11,15 @@
 namespace temblor::client {
 namespace {
 
-std::optional<std::string_view> find_either(const formats::Entity& entity, const std::string& key) {
+// Finds a key with or without a leading underscore. Mappers add it so that engines without the key do not
+// warn.
+std::optional<std::string_view> find_key(const formats::Entity& entity, const std::string& key) {
   const auto plain = entity.find(key);
   return plain ? plain : entity.find("_" + key);
 }
 
-// Numbers with spaces between, as many as there are, at most four.
+// Up to four numbers separated by spaces; stops at the first thing that is not a number. Numbers are parsed
+// independently of the locale.
 struct Numbers {
   std::array<float, 4> values{};
   std::size_t count = 0;
@@ -34,19 +37,19 @@ Numbers parse_numbers(std::string_view text) {
   return numbers;
 }
 
-render::Fog fog_of(const formats::Entity& worldspawn) {
-  const auto text = find_either(worldspawn, "fog");
+render::Fog parse_fog(const formats::Entity& worldspawn) {
+  const auto text = find_key(worldspawn, "fog");
   if (!text) return {};
   const auto [values, count] = parse_numbers(*text);
   render::Fog fog;
   fog.density = std::max(values[0], 0.0f);
   fog.color = count == 4 ? glm::clamp(math::Vec3(values[1], values[2], values[3]), 0.0f, 1.0f)
-                         : math::Vec3(0.3f);  // as other engines have it for a density alone
+                         : math::Vec3(0.3f);  // the gray that other engines use for a density alone
   return count == 0 ? render::Fog{} : fog;
 }
 
-std::optional<float> alpha_of(const formats::Entity& worldspawn, const std::string& key) {
-  const auto text = find_either(worldspawn, key);
+std::optional<float> parse_alpha(const formats::Entity& worldspawn, const std::string& key) {
+  const auto text = find_key(worldspawn, key);
   const Numbers numbers = parse_numbers(text.value_or(""));
   if (numbers.count == 0) return std::nullopt;
   return std::clamp(numbers.values[0], 0.0f, 1.0f);
@@ -54,23 +57,23 @@ std::optional<float> alpha_of(const formats::Entity& worldspawn, const std::stri
 
 }  // namespace
 
-render::LiquidAlpha LevelEnvironment::liquid_alpha(const render::LiquidAlpha& otherwise) const {
-  return {water_alpha.value_or(otherwise.water), slime_alpha.value_or(otherwise.slime),
-          lava_alpha.value_or(otherwise.lava), teleport_alpha.value_or(otherwise.teleport)};
+render::LiquidAlpha LevelEnvironment::liquid_alpha(const render::LiquidAlpha& fallback) const {
+  return {water_alpha.value_or(fallback.water), slime_alpha.value_or(fallback.slime),
+          lava_alpha.value_or(fallback.lava), teleport_alpha.value_or(fallback.teleport)};
 }
 
-LevelEnvironment environment_of(const world::Level& level) {
+LevelEnvironment parse_environment(const world::Level& level) {
   LevelEnvironment environment;
   if (level.entities.empty()) return environment;
   const formats::Entity& worldspawn = level.entities[0];
   for (const char* key : {"sky", "skyname", "qlsky"})
-    if (const auto name = find_either(worldspawn, key); name && environment.skybox.empty())
+    if (const auto name = find_key(worldspawn, key); name && environment.skybox.empty())
       environment.skybox = *name;
-  environment.fog = fog_of(worldspawn);
-  environment.water_alpha = alpha_of(worldspawn, "wateralpha");
-  environment.slime_alpha = alpha_of(worldspawn, "slimealpha");
-  environment.lava_alpha = alpha_of(worldspawn, "lavaalpha");
-  environment.teleport_alpha = alpha_of(worldspawn, "telealpha");
+  environment.fog = parse_fog(worldspawn);
+  environment.water_alpha = parse_alpha(worldspawn, "wateralpha");
+  environment.slime_alpha = parse_alpha(worldspawn, "slimealpha");
+  environment.lava_alpha = parse_alpha(worldspawn, "lavaalpha");
+  environment.teleport_alpha = parse_alpha(worldspawn, "telealpha");
   return environment;
 }
 

@@ -1,4 +1,5 @@
-// What a level's worldspawn says of its air: sky, fog, and how clear its liquids are.
+// The sky, fog and liquid opacity that a level's worldspawn asks for. The keys are those that other engines
+// have established. Console variables and messages of the server are combined with them by the presentation.
 #pragma once
 
 #include <optional>
@@ -10,16 +11,19 @@
 namespace temblor::client {
 
 struct LevelEnvironment {
-  std::string skybox;  // empty: the sky's texture
+  // Name of the skybox; empty: the level's sky texture.
+  std::string skybox;
   render::Fog fog;
-  std::optional<float> water_alpha, slime_alpha, lava_alpha, teleport_alpha;  // 0 to 1
+  // Opacities from 0 to 1; nothing for those that the level does not set.
+  std::optional<float> water_alpha, slime_alpha, lava_alpha, teleport_alpha;
 
-  // As the level has it; where it says nothing, as `otherwise`.
-  render::LiquidAlpha liquid_alpha(const render::LiquidAlpha& otherwise) const;
+  // The level's opacities; those of `fallback` that the level does not set.
+  render::LiquidAlpha liquid_alpha(const render::LiquidAlpha& fallback) const;
 };
 
-// Keys "sky" (also "skyname", "qlsky"), "fog" ("DENSITY RED GREEN BLUE"), "wateralpha", "slimealpha",
-// "lavaalpha" and "telealpha", each also with an underscore in front. What does not parse is left out.
-LevelEnvironment environment_of(const world::Level& level);
+// Parses the worldspawn keys "sky" (also "skyname", "qlsky"), "fog" ("DENSITY RED GREEN BLUE", colors 0 to
+// 1), "wateralpha", "slimealpha", "lavaalpha" and "telealpha", each also with a leading underscore. Ignores
+// values that do not parse. A level without entities has the default environment.
+LevelEnvironment parse_environment(const world::Level& level);
 
 }  // namespace temblor::client

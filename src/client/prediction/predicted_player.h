@@ -1,4 +1,8 @@
-// One step of a player as a client sees it coming: what the server will make of a move, without its program.
+// Simulates one move of a player on the client, as the server will, but without its game program.
+//
+// The order is that of a server tick (server/physics/player.cpp): acceleration, the program before the move
+// (of which the client knows what the stock one does: jumping), the move, then movers and the players on
+// them.
 #pragma once
 
 #include <cstddef>
@@ -13,41 +17,44 @@
 
 namespace temblor::client {
 
-// A brush model that stops players: a door, a lift.
+// A brush model that blocks players: a door, a lift. It stands where the last packet put it.
 struct SolidModel {
   std::uint32_t entity = 0;
   world::ModelIndex model{};
   math::Vec3 origin{0.0f};
 };
 
+// The surroundings of a prediction, constant during a step.
 struct PredictionWorld {
   const world::Level& level;
-  std::span<const SolidModel> solids;  // in order of entity
-  movement::Settings settings{};
-  float eyes_z = 22;  // above the player's origin
+  std::span<const SolidModel> solids;  // sorted by entity
+  math::PhysicsSettings settings{};
+  // Eye height above the player's origin, units.
+  float eyes_z = 22;
 };
 
+// The state that a move starts from and changes. Server and client must agree on all of it.
 struct PredictedPlayer {
   movement::Player player;
   bool is_jump_released = true;
-  float swim_up_speed = 100;  // who wants to jump under water
+  // Units per second while jump is held under water; depends on the liquid.
+  float swim_up_speed = 100;
+  // A factor on the world's gravity.
   float own_gravity = 1;
-  // What he stood on when the server last told of him, and how it goes on. Its model is among the solids,
-  // whose origin does not count then.
+  // The mover under the player as of the last acknowledgment, and its further motion. Its model is among the
+  // solids; the solid's own origin is ignored.
   std::uint32_t ride_entity = 0;
-  std::optional<net::MoveAcknowledgement::Ride> ride{};
+  std::optional<net::MoveAcknowledgment::Ride> ride{};
 };
 
-// As the server has told.
-PredictedPlayer predicted_from(const net::MoveAcknowledgement& told);
-// Whether a client can know how he goes on: who lives and walks, flies or goes through walls.
+// Returns the player as the server acknowledged it: the state right after a move.
+PredictedPlayer make_predicted_player(const net::MoveAcknowledgment& acknowledged);
+// Whether the client can predict the player: alive, and walking, flying or without clipping. Anything else is
+// moved by game code.
 bool is_predictable(const PredictedPlayer& predicted);
-// As far as he gets by that move in `duration_s`, a tick or a part of one. For whom is_predictable(). Returns
-// what it took: one for each trace through the level or a model, and for each 128 models that were passed
-// over.
+// Simulates a move for `duration_s`, a tick or a part of one. is_predictable() must hold. Returns the effort:
+// one for each trace through the level or a model, and one for each 128 models that were skipped.
 std::size_t step(PredictedPlayer& io_predicted, const net::Move& move, double duration_s,
                  const PredictionWorld& world);
-
-movement::Settings settings_of(const net::MoveParameters& terms);
 
 }  // namespace temblor::client

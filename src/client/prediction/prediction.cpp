@@ -10,13 +10,16 @@
 namespace temblor::client {
 namespace {
 
-constexpr double kFade_s = 0.04;  // in which an error shrinks to a third
-constexpr float kSameness = 0.01f;
-constexpr float kAboveFloor = 1.0f / 16;  // twice what bodies stop from it
+// An error shrinks to 1/e (37 %) in this time.
+constexpr double kFade_s = 0.04;
+// Units. Smaller differences do not count as corrections.
+constexpr float kMinCorrection = 0.01f;
+// Units: twice the distance that bodies keep from the floor.
+constexpr float kAboveFloor = 1.0f / 16;
 
-// "*12": the twelfth of the level's models.
-std::optional<world::ModelIndex> brush_model(const Game& game, std::uint16_t number,
-                                             const world::Level& level) {
+// Returns submodel 12 for a model named "*12"; nothing for other models, and for the level itself.
+std::optional<world::ModelIndex> find_brush_model(const Game& game, std::uint16_t number,
+                                                  const world::Level& level) {
   if (number >= game.models.size() || !game.models[number].starts_with('*')) return std::nullopt;
   const std::string& name = game.models[number];
   std::uint32_t index = 0;
@@ -27,37 +30,43 @@ std::optional<world::ModelIndex> brush_model(const Game& game, std::uint16_t num
 
 }  // namespace
 
-void Prediction::begin_frame(const Connection& connection, const net::Move& doing, double now_s) {
-  terms_ = connection.move_parameters();
-  told_ = connection.acknowledged();
-  told_count_ = connection.acknowledgements();
+// Copies what it needs, as the connection may read more packets before advance(). The pending part of a tick
+// is converted from real time to game time, which may pass at another speed.
+void Prediction::begin_frame(const Connection& connection, const net::Move& pending, double now_s) {
+  parameters_ = connection.move_parameters();
+  acknowledged_ = connection.acknowledged();
+  acknowledgment_count_ = connection.acknowledgments();
   const std::span<const NumberedMove> sent = connection.sent_moves();
   moves_.assign(sent.begin(), sent.end());
-  doing_ = doing;
-  doing_for_s_ = terms_ ? connection.since_last_move_s(now_s) / terms_->tick_s * terms_->world_tick_s : 0;
+  pending_ = pending;
+  pending_s_ =
+      parameters_ ? connection.since_last_move_s(now_s) / parameters_->tick_s * parameters_->world_tick_s : 0;
   now_s_ = now_s;
 }
 
-void Prediction::take_up_solids(const ClientState& state, const world::Level& level) {
-  state.latest_places(places_);
+// The brush models near the player, at their latest places.
+void Prediction::update_solids(const ClientState& state, const world::Level& level) {
+  state.copy_latest_places(places_);
   solids_.clear();
   for (const EntityPlace& place : places_)
-    if (const auto model = brush_model(state.game(), place.model, level))
+    if (const auto model = find_brush_model(state.game(), place.model, level))
       solids_.push_back({place.number, *model, place.origin_world});
-  keep_nearest(solids_, level, told_->origin, kMaxSolids);
+  keep_nearest(solids_, level, acknowledged_->origin, kMaxSolids);
 }
 
+// Plays the moves with numbers above `after`, within the frame's effort.
 void Prediction::play_sent_moves(std::uint32_t after, const PredictionWorld& world,
-                                 PredictedPlayer& io_whole) {
+                                 PredictedPlayer& io_player) {
   for (const NumberedMove& sent : moves_)
-    if (sent.number > after && is_predictable(io_whole) && effort_ < kMaxEffort)
-      effort_ += step(io_whole, sent.move, terms_->world_tick_s, world);
+    if (sent.number > after && is_predictable(io_player) && effort_ < kMaxEffort)
+      effort_ += step(io_player, sent.move, parameters_->world_tick_s, world);
 }
 
-// How far a mover is drawn from where the prediction has it.
-math::Vec3 Prediction::lag_of(std::uint32_t ground, const PredictedPlayer& predicted,
-                              std::span<const SeenEntity> drawn) const {
-  const SeenEntity* seen = ground != 0 ? find_entity(drawn, ground) : nullptr;
+// Returns the offset from where the prediction has a mover to where it is drawn. Movers are drawn up to a
+// packet late (interpolation), so a player on one is shown with the same lag.
+math::Vec3 Prediction::compute_ride_lag(std::uint32_t ground, const PredictedPlayer& predicted,
+                                        std::span<const InterpolatedEntity> drawn) const {
+  const InterpolatedEntity* seen = ground != 0 ? find_entity(drawn, ground) : nullptr;
   if (seen == nullptr) return math::Vec3(0.0f);
   if (predicted.ride && predicted.ride_entity == ground) return seen->origin_world - predicted.ride->origin;
   for (const SolidModel& solid : solids_)
@@ -65,97 +74,107 @@ math::Vec3 Prediction::lag_of(std::uint32_t ground, const PredictedPlayer& predi
   return math::Vec3(0.0f);
 }
 
-Prediction::Shown Prediction::shown(const PredictedPlayer& whole, const PredictionWorld& world,
-                                    std::span<const SeenEntity> drawn) {
-  Shown shown{whole};
+// Adds the move that is still being collected to `latest`, for this frame only.
+Prediction::ShownPlayer Prediction::predict_shown(const PredictedPlayer& latest, const PredictionWorld& world,
+                                                  std::span<const InterpolatedEntity> drawn) {
+  ShownPlayer shown{latest};
   movement::Body& body = shown.predicted.player.body;
-  if (doing_for_s_ > 0 && is_predictable(whole) && effort_ < kMaxEffort)
-    effort_ += step(shown.predicted, doing_, doing_for_s_, world);
-  // The beginning of a tick's fall does not reach the floor that the whole of it does.
+  if (pending_s_ > 0 && is_predictable(latest) && effort_ < kMaxEffort)
+    effort_ += step(shown.predicted, pending_, pending_s_, world);
+  // At the start of a tick gravity has pulled only a little, so the fall may not reach the floor yet that the
+  // whole tick's fall reaches. Keeps the player on the floor unless it has jumped.
   const bool has_left = body.velocity.z > 0 && !body.on_ground;
-  const float fallen = whole.player.body.origin.z - body.origin.z;
-  if (whole.player.body.on_ground && !body.on_ground && fallen > 0 && fallen < kAboveFloor)
-    body.origin.z = whole.player.body.origin.z;
-  shown.on_ground = body.on_ground || (whole.player.body.on_ground && !has_left);
+  const float fallen = latest.player.body.origin.z - body.origin.z;
+  if (latest.player.body.on_ground && !body.on_ground && fallen > 0 && fallen < kAboveFloor)
+    body.origin.z = latest.player.body.origin.z;
+  shown.on_ground = body.on_ground || (latest.player.body.on_ground && !has_left);
   shown.ground = shown.on_ground ? body.ground : 0;
-  shown.origin = body.origin + lag_of(shown.ground, shown.predicted, drawn);
+  shown.origin = body.origin + compute_ride_lag(shown.ground, shown.predicted, drawn);
   return shown;
 }
 
+// Turns the difference between two predictions of the same moment into an error that fades.
 void Prediction::correct(const math::Vec3& before, const math::Vec3& now) {
   const math::Vec3 difference = before - now;
   const float distance = glm::length(difference);
-  // What is no number is no small mistake either.
+  // A difference that is not a number counts as a teleport, not as a small error.
   if (!std::isfinite(distance) || is_teleport(before, now)) {
-    report_.unpredicted_units = std::max(report_.unpredicted_units, distance);
+    report_.teleport_units = std::max(report_.teleport_units, distance);
     error_ = math::Vec3(0.0f);
     return;
   }
-  if (distance > kSameness) ++report_.corrections;
+  if (distance > kMinCorrection) ++report_.corrections;
   report_.largest_units = std::max(report_.largest_units, distance);
   error_ += difference;
 }
 
-std::optional<OwnMotion> Prediction::advance(const ClientState& state, const world::Level& level,
-                                             std::span<const SeenEntity> drawn) {
+// The prediction needs every move since the acknowledged one. It is impossible right after the server starts
+// to take numbered moves, and if more moves are pending than SentMoves keeps.
+std::optional<PredictedMotion> Prediction::advance(const ClientState& state, const world::Level& level,
+                                                   std::span<const InterpolatedEntity> drawn) {
   const Game& game = state.game();
-  const bool is_known = terms_ && told_ && game.view_entity == terms_->entity && game.ending == Ending::kNone;
-  const bool is_complete = is_known && (moves_.empty() || moves_.front().number <= told_->number + 1);
+  const bool is_known =
+      parameters_ && acknowledged_ && game.view_entity == parameters_->entity && game.ending == Ending::kNone;
+  const bool is_complete = is_known && (moves_.empty() || moves_.front().number <= acknowledged_->number + 1);
   if (!is_complete) {
-    whole_.reset();
+    latest_.reset();
     error_ = math::Vec3(0.0f);
     return std::nullopt;
   }
+  // The server does not run moves during a pause, so none are played.
   if (game.paused) {
     moves_.clear();
-    doing_for_s_ = 0;
+    pending_s_ = 0;
   }
   effort_ = 0;
-  const Shown now = whole_ ? go_on(state, level, drawn) : begin(state, level, drawn);
+  const ShownPlayer now = latest_ ? continue_prediction(state, level, drawn) : restart(state, level, drawn);
   if (effort_ >= kMaxEffort) {
-    ++report_.given_up;
-    whole_.reset();
+    ++report_.abandoned_frames;
+    latest_.reset();
     error_ = math::Vec3(0.0f);
     return std::nullopt;
   }
-  played_ = moves_.empty() ? told_->number : std::max(moves_.back().number, told_->number);
+  last_played_ =
+      moves_.empty() ? acknowledged_->number : std::max(moves_.back().number, acknowledged_->number);
   ground_ = now.ground;
   shown_at_s_ = now_s_;
-  return OwnMotion{now.origin + error_, now.predicted.player.body.velocity, now.on_ground};
+  return PredictedMotion{now.origin + error_, now.predicted.player.body.velocity, now.on_ground};
 }
 
-PredictionWorld Prediction::world_around(const ClientState& state, const world::Level& level) const {
-  return {level, solids_, settings_of(*terms_), state.game().data.view_height};
+PredictionWorld Prediction::make_world(const ClientState& state, const world::Level& level) const {
+  return {level, solids_, parameters_->physics, state.game().data.view_height};
 }
 
-// From the server's word.
-Prediction::Shown Prediction::begin(const ClientState& state, const world::Level& level,
-                                    std::span<const SeenEntity> drawn) {
-  take_up_solids(state, level);
-  const PredictionWorld world = world_around(state, level);
-  whole_ = predicted_from(*told_);
-  whole_from_ = told_count_;
-  play_sent_moves(told_->number, world, *whole_);
-  return shown(*whole_, world, drawn);
+// Starts over from the acknowledged state.
+Prediction::ShownPlayer Prediction::restart(const ClientState& state, const world::Level& level,
+                                            std::span<const InterpolatedEntity> drawn) {
+  update_solids(state, level);
+  const PredictionWorld world = make_world(state, level);
+  latest_ = make_predicted_player(*acknowledged_);
+  latest_base_ = acknowledgment_count_;
+  play_sent_moves(acknowledged_->number, world, *latest_);
+  return predict_shown(*latest_, world, drawn);
 }
 
-// As it would go on by the word before, among the movers as they were told then; then by the new one.
-Prediction::Shown Prediction::go_on(const ClientState& state, const world::Level& level,
-                                    std::span<const SeenEntity> drawn) {
-  const PredictionWorld world = world_around(state, level);
-  play_sent_moves(played_, world, *whole_);
-  Shown now = shown(*whole_, world, drawn);
-  // Onto a lift that is drawn somewhere else than it is predicted, or off it: no step, a glide.
+// Continues from the previous acknowledgment with the movers of then; if a newer one has arrived, compares
+// with a restart from that.
+Prediction::ShownPlayer Prediction::continue_prediction(const ClientState& state, const world::Level& level,
+                                                        std::span<const InterpolatedEntity> drawn) {
+  const PredictionWorld world = make_world(state, level);
+  play_sent_moves(last_played_, world, *latest_);
+  ShownPlayer now = predict_shown(*latest_, world, drawn);
+  // A player who steps onto or off a lift that is drawn elsewhere than predicted glides instead of jumping.
   if (now.ground != ground_)
-    error_ += lag_of(ground_, now.predicted, drawn) - lag_of(now.ground, now.predicted, drawn);
-  if (whole_from_ != told_count_) {
-    const Shown right = begin(state, level, drawn);
-    correct(now.origin, right.origin);
-    now = right;
+    error_ +=
+        compute_ride_lag(ground_, now.predicted, drawn) - compute_ride_lag(now.ground, now.predicted, drawn);
+  if (latest_base_ != acknowledgment_count_) {
+    const ShownPlayer corrected = restart(state, level, drawn);
+    correct(now.origin, corrected.origin);
+    now = corrected;
   }
-  const math::Vec3 whole_error = error_;
+  const math::Vec3 old_error = error_;
   error_ *= static_cast<float>(std::exp(-std::max(now_s_ - shown_at_s_, 0.0) / kFade_s));
-  report_.largest_jump_units = std::max(report_.largest_jump_units, glm::distance(whole_error, error_));
+  report_.largest_jump_units = std::max(report_.largest_jump_units, glm::distance(old_error, error_));
   return now;
 }
 

@@ -1,4 +1,5 @@
-// The moves that a client has sent to a server that takes them numbered, as the server reads them.
+// The moves that a client has sent to a server that takes numbered moves (net/protocol/numbered_moves.h),
+// exactly as the server decodes them. The prediction plays those that are not acknowledged yet.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 
 namespace temblor::client {
 
+// A move and its number; numbers start at 1.
 struct NumberedMove {
   std::uint32_t number = 0;
   net::Move move;
@@ -18,18 +20,19 @@ struct NumberedMove {
 
 class SentMoves {
  public:
-  // Moves that are kept: more than two seconds of them at 72 a second.
-  static constexpr std::size_t kKept = 160;
+  // More than two seconds of moves at 72 a second. Older ones are dropped: a connection that is slower has no
+  // prediction.
+  static constexpr std::size_t kMaxMoves = 160;
 
-  // The next one. False where it cannot be said.
+  // Appends the next move. Returns false if the protocol cannot encode it.
   bool add(const net::Move& move, net::Protocol protocol);
-  // The packet's bytes: its head, to which the last number is added, and the last few moves. There must be
+  // Writes a packet: its head, completed with the last number, and the last few moves. There must be at least
   // one.
   void write_packet(net::NumberedPacket head, net::Protocol protocol, base::ByteWriter& io_writer) const;
 
-  // In order of number, without gaps; the last kKept of this level.
+  // The last kMaxMoves moves of this level, with consecutive numbers. Valid until the next add().
   std::span<const NumberedMove> moves() const { return moves_; }
-  // Another level; numbers go on.
+  // Forgets the moves; numbers continue.
   void begin_level() { moves_.clear(); }
 
  private:

@@ -1,4 +1,5 @@
-// What each server message does to a ClientState.
+// What each server message does to a ClientState: one overload of Apply::operator() per message type, grouped
+// by subject. Every number from a message is checked before it is used as an index.
 #include <algorithm>
 #include <limits>
 
@@ -8,20 +9,23 @@ namespace temblor::client {
 
 namespace {
 
-// As long as any console's line; and more than levels have.
+// Limits on what a server can make the client store: a line of commands, and static entities or sounds of a
+// level. (Stock Quake allowed 128 static entities.)
 constexpr std::size_t kMaxCommandChars = 8192, kMaxStatics = 8192;
 
-base::Status too_early(const char* what) {
+// Returns the error for messages that need a level.
+base::Status make_too_early_error(const char* what) {
   return base::malformed("{} before a serverinfo: there is no level yet", what);
 }
 
+// Fails for entity numbers for which no table has room.
 base::Status check_entity(const char* what, int number) {
   if (number < net::kMaxEntities) return base::Ok{};
   return base::malformed("{} of entity {}, expected 0 to {}", what, number, net::kMaxEntities - 1);
 }
 
-// The stats that every clientdata carries.
-void mirror(const net::ClientData& data, std::array<std::int32_t, net::kStats>& io_stats) {
+// Copies the stats that every clientdata message contains. Others arrive as svc_updatestat.
+void copy_stats(const net::ClientData& data, std::array<std::int32_t, net::kStats>& io_stats) {
   const auto set = [&](Stat stat, std::int32_t value) { io_stats[static_cast<std::size_t>(stat)] = value; };
   set(Stat::kHealth, data.health);
   set(Stat::kWeaponModel, data.weapon_model);
@@ -35,7 +39,8 @@ void mirror(const net::ClientData& data, std::array<std::int32_t, net::kStats>& 
   set(Stat::kActiveWeapon, data.active_weapon);
 }
 
-std::vector<std::string> precache_list(std::span<const std::string_view> names) {
+// Precache numbers start at 1; entry 0 stays empty.
+std::vector<std::string> make_precache_list(std::span<const std::string_view> names) {
   std::vector<std::string> list = {""};
   list.insert(list.end(), names.begin(), names.end());
   return list;
@@ -48,10 +53,11 @@ struct ClientState::Apply {
   Game& game = state.game_;
   Events& events = state.events_;
 
+  // The time of the packet, on the server's clock.
   double now_s() const { return state.window_.end_s; }
   bool has_level() const { return game.models.size() > 1; }
 
-  // What the client has nothing to do about.
+  // Messages that need no action.
   base::Status operator()(const net::Nop&) { return base::Ok{}; }
   base::Status operator()(const net::Disconnect&) { return base::Ok{}; }
   base::Status operator()(const net::Version&) { return base::Ok{}; }
@@ -66,8 +72,8 @@ struct ClientState::Apply {
     game.dialect = info.dialect;
     game.deathmatch = info.game_type != 0;
     game.level_name = info.level_name;
-    game.models = precache_list(info.models);
-    game.sounds = precache_list(info.sounds);
+    game.models = make_precache_list(info.models);
+    game.sounds = make_precache_list(info.sounds);
     game.players.resize(info.max_clients);
     state.previous_time_s_ = 0;
     state.window_ = {};
@@ -78,7 +84,7 @@ struct ClientState::Apply {
     return base::Ok{};
   }
 
-  // Texts are for the player, wherever he is.
+  // Texts stay, as the player should see them whichever level they came from.
   void drop_events_of_old_level() {
     events.temp_entities.clear();
     events.particles.clear();
@@ -101,8 +107,9 @@ struct ClientState::Apply {
     if (!(time.time_s >= 0 && time.time_s <= kMaxServerTime_s))
       return base::malformed("{} s, expected 0 to {}", time.time_s, kMaxServerTime_s);
     const double time_s = static_cast<double>(time.time_s);
+    // The first packet of a level has none before it.
     state.previous_time_s_ = state.has_time_ ? now_s() : time_s;
-    state.window_ = packet_window(state.previous_time_s_, time_s);
+    state.window_ = make_packet_window(state.previous_time_s_, time_s);
     state.has_time_ = true;
     state.entities_.begin_packet();
     return base::Ok{};
@@ -113,15 +120,15 @@ struct ClientState::Apply {
     return base::Ok{};
   }
 
-  base::Status end_play(Ending ending, std::string_view text) {
+  base::Status end_level(Ending ending, std::string_view text) {
     game.ending = ending;
     game.ending_since_s = now_s();
     game.ending_text = text;
     return base::Ok{};
   }
-  base::Status operator()(const net::Intermission&) { return end_play(Ending::kIntermission, ""); }
-  base::Status operator()(const net::Finale& finale) { return end_play(Ending::kFinale, finale.text); }
-  base::Status operator()(const net::CutScene& scene) { return end_play(Ending::kCutScene, scene.text); }
+  base::Status operator()(const net::Intermission&) { return end_level(Ending::kIntermission, ""); }
+  base::Status operator()(const net::Finale& finale) { return end_level(Ending::kFinale, finale.text); }
+  base::Status operator()(const net::CutScene& scene) { return end_level(Ending::kCutScene, scene.text); }
 
   base::Status operator()(const net::CdTrack& track) {
     game.music_track = track.track;
@@ -141,11 +148,13 @@ struct ClientState::Apply {
     return base::Ok{};
   }
 
-  // A line may come in pieces, and a piece may hold several lines.
+  // Collects text to whole lines: a line may arrive in pieces, and a piece may contain several lines. "bf" is
+  // the bonus flash; lines that begin with "//" are comments, with which Temblor servers talk to the
+  // Connection.
   base::Status operator()(const net::StuffText& stuffed) {
     for (const char c : stuffed.text) {
       if (c != '\n') {
-        // A line that is longer than any console takes is cut.
+        // Longer lines are cut.
         if (state.command_line_.size() < kMaxCommandChars) state.command_line_ += c;
         continue;
       }
@@ -158,7 +167,7 @@ struct ClientState::Apply {
     return base::Ok{};
   }
 
-  // The original's demonstration copy opened its help pages.
+  // The original's shareware version opened its help pages.
   base::Status operator()(const net::SellScreen&) {
     events.commands.emplace_back("help");
     return base::Ok{};
@@ -167,13 +176,14 @@ struct ClientState::Apply {
   // The player.
 
   base::Status operator()(const net::ClientData& data) {
-    if (!has_level()) return too_early("clientdata");
+    if (!has_level()) return make_too_early_error("clientdata");
+    // A new weapon appears without blending from the old one's frame.
     if (data.weapon_model == game.data.weapon_model)
       state.weapon_.update(data.weapon_frame, state.window_.begin_s, kThinkInterval_s);
     else
       state.weapon_.show(data.weapon_frame);
     game.data = data;
-    mirror(data, game.stats);
+    copy_stats(data, game.stats);
     return base::Ok{};
   }
 
@@ -236,25 +246,25 @@ struct ClientState::Apply {
   // Entities.
 
   base::Status operator()(const net::SpawnBaseline& baseline) {
-    if (!has_level()) return too_early("a baseline");
+    if (!has_level()) return make_too_early_error("a baseline");
     TRY_STATUS(check_entity("baseline", baseline.number));
     state.entities_.set_baseline(baseline.number, baseline.entity);
     return base::Ok{};
   }
   base::Status operator()(const net::SpawnStatic& spawned) {
-    if (!has_level()) return too_early("a static entity");
+    if (!has_level()) return make_too_early_error("a static entity");
     if (state.entities_.static_count() >= kMaxStatics)
       return base::error(base::ErrorCode::kTooLarge, "more than {} static entities", kMaxStatics);
     state.entities_.add_static(spawned.entity);
     return base::Ok{};
   }
   base::Status operator()(const net::EntityUpdate& update) {
-    if (!has_level()) return too_early("an entity update");
+    if (!has_level()) return make_too_early_error("an entity update");
     TRY_STATUS(check_entity("update", update.number));
-    // No message says that the last stage of the signon is reached: the first update does.
+    // No message announces the last stage of the signon: the first update does.
     if (game.signon == kPlaying - 1) game.signon = kPlaying;
     state.entities_.update(update, state.window_);
-    // The player's own model flashes when his weapon does.
+    // The view entity's muzzle flash is that of the weapon in hand.
     const bool flashes = (update.effects.value_or(std::uint8_t{0}) & kEffectMuzzleFlash) != 0;
     if (flashes && update.number == game.view_entity) state.weapon_.flash();
     return base::Ok{};
@@ -273,7 +283,7 @@ struct ClientState::Apply {
     return base::Ok{};
   }
   base::Status operator()(const net::Fog& fog) {
-    game.fog_before = fog_mixture_at(game, now_s());
+    game.fog_before = compute_fog_mixture(game, now_s());
     game.fog = fog;
     game.fog_since_s = now_s();
     return base::Ok{};

@@ -1,4 +1,13 @@
-// What a client knows of the game, from nothing but the server's messages: no window, no files, no clock.
+// The client's view of the game, built only from the server's messages. No window, files or clock.
+//
+// Messages go in through apply(), one packet at a time; end_packet() closes each packet. Lasting facts end up
+// in Game, one-time happenings in Events, entities in the EntityTable:
+//
+//   packet -> MessageReader -> apply() -> Game      level, players, stats, fog: until the next message
+//                                      -> Events    sounds, particles, prints: until the client clears them
+//                                      -> entities  interpolated between the last two packets
+//
+// All times are the server's, in seconds.
 #pragma once
 
 #include <array>
@@ -10,13 +19,14 @@
 
 #include "base/result.h"
 #include "client/session/entity_table.h"
+#include "client/session/interpolated_entity.h"
 #include "client/session/interpolation.h"
-#include "client/session/seen_entity.h"
 #include "net/protocol/server_message.h"
 #include "world/animation.h"
 
 namespace temblor::client {
 
+// Indices of stats; the numbers are the protocol's.
 enum class Stat : std::uint8_t {
   kHealth = 0,
   kFrags = 1,
@@ -35,122 +45,138 @@ enum class Stat : std::uint8_t {
   kMonsters = 14
 };
 
+// A player of the scoreboard.
 struct Player {
   std::string name;
   std::int16_t frags = 0;
+  // Rows of the palette, 0 to 15.
   std::uint8_t shirt = 0, pants = 0;
 };
 
+// How the level has ended, if it has: with statistics, with a text under the finale's title, or with only a
+// text.
 enum class Ending { kNone, kIntermission, kFinale, kCutScene };
 
+// The last stage of the signon: the client is in the game.
 constexpr int kPlaying = 4;
-// Half a year. Times are told as 32-bit floats: long before, they come in whole seconds.
+// About half a year. Times travel as 32-bit floats, which have a precision of whole seconds by then.
 constexpr float kMaxServerTime_s = 1 << 24;
 
-// Fog as a mixture of the level's own, which the server's messages do not say, and what they have said.
+// Fog as a mixture of two parts: a share of the level's own fog, which the messages do not contain, and an
+// added constant.
 struct FogMixture {
   float share_of_level = 1;
-  float density = 0;  // to be added
+  float density = 0;  // added to the level's share
   math::Vec3 color{0.0f};
 };
 
-// What holds from serverinfo on, until the next one.
+// Everything that stays true from one serverinfo to the next.
 struct Game {
   net::Dialect dialect;
   bool deathmatch = false;
-  std::string level_name;           // "The Slipgate Complex"
-  std::vector<std::string> models;  // [0] is empty; [1] is the level, "maps/e1m1.bsp"; "*1" a part of it
-  std::vector<std::string> sounds;  // [0] is empty
+  std::string level_name;  // for people: "The Slipgate Complex"
+  // By precache number: [0] is empty, [1] is the level, "maps/e1m1.bsp"; "*1" is a submodel of it.
+  std::vector<std::string> models;
+  std::vector<std::string> sounds;  // by precache number; [0] is empty
   std::vector<Player> players;      // max_clients of them
-  int signon = 0;                   // kPlaying: entities have come
+  // The stage of the signon, 0 to kPlaying. At kPlaying the first entities have arrived.
+  int signon = 0;
   std::uint16_t view_entity = 0;
   std::array<std::int32_t, net::kStats> stats{};
-  net::ClientData data;  // of the last update
+  net::ClientData data;  // from the last packet
   world::LightStylePatterns light_styles;
-  math::Vec3 set_angles_deg{0.0f};  // as the server last turned the player
-  std::uint32_t turns = 0;          // how often it did
+  // The angles that the server last set.
+  math::Vec3 set_angles_deg{0.0f};
+  // How often the server has set the angles, so that each time can be noticed.
+  std::uint32_t turns = 0;
   bool paused = false;
   Ending ending = Ending::kNone;
-  double ending_since_s = 0;  // when the ending began: play time stands still
+  // When the ending began; play time stops then.
+  double ending_since_s = 0;
   std::string ending_text;
   std::string center_text;
   double center_text_since_s = 0;
   std::uint8_t music_track = 0;
-  std::optional<std::string> skybox;  // as the server said; else as the level says
-  std::optional<net::Fog> fog;        // alike; see fog_at()
-  double fog_since_s = 0;             // when it began to come in, which takes fog->fade_s
-  FogMixture fog_before;              // what it comes in over
+  // Set by the server; if not set, the level's worldspawn decides.
+  std::optional<std::string> skybox;
+  // Set by the server; see compute_fog().
+  std::optional<net::Fog> fog;
+  // Start of the fade to `fog`, which takes fog->fade_s.
+  double fog_since_s = 0;
+  FogMixture fog_before;  // the fog at the start of the fade
 
   std::int32_t stat(Stat stat) const { return stats[static_cast<std::size_t>(stat)]; }
 };
 
-FogMixture fog_mixture_at(const Game& game, double time_s);
-// The fog at that time, where the level's own is `of_level`. Its fade_s is 0: it is as it is.
-net::Fog fog_at(const Game& game, const net::Fog& of_level, double time_s);
+// The server's fog at a time, with fading applied.
+FogMixture compute_fog_mixture(const Game& game, double time_s);
+// The fog to draw at a time, where `level_fog` is the level's own. The result's fade_s is 0.
+net::Fog compute_fog(const Game& game, const net::Fog& level_fog, double time_s);
 
-// What happened once. The client acts on it (effects, sounds, flashes) and clears it.
+// Things that happen once. The client acts on them (effects, sounds, flashes), then clears them.
 struct Events {
   std::vector<net::TempEntity> temp_entities;
   std::vector<net::Particles> particles;
   std::vector<net::Damage> damages;
   std::vector<net::Sound> sounds;
-  std::vector<net::StopSound> stopped_sounds;  // after all of `sounds`
+  std::vector<net::StopSound> stopped_sounds;  // take effect after all of `sounds`
   std::vector<net::SpawnStaticSound> static_sounds;
-  std::vector<std::string> prints;    // text for the console, as it came
-  std::vector<std::string> commands;  // stuffed by the server: whole lines, without their ends
-  int bonus_flashes = 0;              // messages, and lines "bf" of stuffed text
-  bool new_level = false;  // a serverinfo came; what happened before it in the old level is left out
-  // Keeps the memory.
+  std::vector<std::string> prints;    // text for the console, byte for byte
+  std::vector<std::string> commands;  // console lines that the server sent, without line ends
+  int bonus_flashes = 0;              // svc_bonus messages and "bf" lines
+  bool new_level = false;             // a serverinfo arrived; the old level's events are dropped
+  // Keeps the capacity.
   void clear();
 };
 
+// How entities are interpolated.
 struct ClientSettings {
-  bool interpolate =
-      true;  // false: entities stand where the last update put them, as the original played demos
-  // Precache numbers of models that are not to be blended from frame to frame (flames): r_nolerp_list.
+  // False: entities stand where the last update put them, as the original played demos.
+  bool interpolate = true;
+  // By precache number: models whose frames are never blended, such as flames (r_nolerp_list).
   std::vector<bool> no_lerp_models;
 };
 
-// Warm, it takes no memory for a packet but for text.
+// A copy is a complete snapshot: demos copy states to seek. Allocates nothing for a packet in the steady
+// state, except for texts.
 class ClientState {
  public:
-  // Fails on what makes no sense after what came before (an entity number out of range, an update before
-  // serverinfo); the state is then as if the message had not come. Model and sound numbers may be past the
-  // end of their lists.
+  // Applies one message. Fails if it is impossible after the ones before it (an entity number out of range,
+  // an update before serverinfo); the state is then unchanged. Model and sound numbers may be past the end of
+  // their lists; readers must check.
   base::Status apply(const net::ServerMessage& message);
-  // After the last message of a packet or recorded message: entities that it left out are gone, if it had a
-  // time.
+  // Call after the last message of a packet. Removes the entities that a packet with a time did not mention.
   void end_packet();
 
   const Game& game() const { return game_; }
   Events& events() { return events_; }
   const Events& events() const { return events_; }
 
-  // About what a copy of it takes.
+  // The approximate size of a copy, for memory limits.
   std::size_t memory_bytes() const;
 
-  // The server's times of the last two packets, the same before there were two. Drawing happens between them.
+  // The times of the last two packets; equal until there are two. Frames show a time between them.
   double time_s() const { return window_.end_s; }
   double previous_time_s() const { return previous_time_s_; }
 
-  // All entities that the last packet showed, and the static ones, as they are at `time_s`, in order of
-  // number. Valid until the next call.
-  std::span<const SeenEntity> entities_at(double time_s, const ClientSettings& settings);
-  // Where the last packet has put what it showed, in order of number. Static entities are not among them.
-  void latest_places(std::vector<EntityPlace>& out_places) const { entities_.latest(out_places); }
-  FrameBlend weapon_frame_at(double time_s, const ClientSettings& settings) const;
-  // The last packet put the view somewhere else: what is drawn must not glide there.
-  bool view_has_jumped() const { return entities_.has_jumped(game_.view_entity); }
+  // The entities of the last packet and the static ones, interpolated at `time_s`, sorted by number. Valid
+  // until the next call.
+  std::span<const InterpolatedEntity> interpolate_entities(double time_s, const ClientSettings& settings);
+  // The entities where the last packet put them, sorted by number, without static ones.
+  void copy_latest_places(std::vector<EntityPlace>& out_places) const { entities_.copy_latest(out_places); }
+  FrameBlend interpolate_weapon_frame(double time_s, const ClientSettings& settings) const;
+  // Whether the last packet moved the view entity too far for a glide: a teleport.
+  bool has_view_jumped() const { return entities_.has_jumped(game_.view_entity); }
 
  private:
-  struct Apply;  // one function for each kind of message
+  struct Apply;  // one function per message type
 
   Game game_;
   Events events_;
-  std::string command_line_;  // stuffed text whose line end has not come yet
+  std::string command_line_;  // text of an incomplete line
   double previous_time_s_ = 0;
   PacketWindow window_;
-  bool has_time_ = false;  // of this level
+  bool has_time_ = false;  // a packet of this level had a time
   EntityTable entities_;
   FrameChanges weapon_;
 };

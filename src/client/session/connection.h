@@ -1,5 +1,18 @@
-// A client's way into a game on a server: connects, answers while it joins, keeps the state up to date, and
-// says what the player does. Without window, files or clock.
+// A client's connection to a server: connects, answers the signon, keeps the ClientState up to date, and
+// sends what the player does. No window, files or clock.
+//
+//   signon     server                      client
+//              serverinfo, signon 1  -->
+//                                    <--   prespawn
+//              baselines, signon 2   -->
+//                                    <--   name, color, spawn
+//              clientdata, signon 3  -->
+//                                    <--   begin
+//              first entities        -->   playing
+//
+// Once a frame: update() reads packets and answers them; count_due_moves() says how many moves to send with
+// send_move(). Servers that take numbered moves (net/protocol/numbered_moves.h) get one move per server tick;
+// others get one per frame.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +34,7 @@
 
 namespace temblor::client {
 
+// The player's name and colors (palette rows), sent to the server during the signon.
 struct PlayerSettings {
   std::string name = "player";
   std::uint8_t shirt = 0, pants = 0;
@@ -31,58 +45,62 @@ class Connection {
   Connection(std::unique_ptr<platform::DatagramSocket> socket, PlayerSettings settings)
       : endpoint_(std::move(socket)), settings_(std::move(settings)) {}
 
+  // Starts to connect; update() continues. disconnect() ends the connection at once, and it notifies the
+  // server.
   void connect(const platform::Address& server, double now_s);
   void disconnect();
 
-  // Reads all that has come, and answers it; once a frame. Each packet that was read goes to the state whole.
+  // Reads and answers all packets that have arrived. Call once a frame. An error in a packet ends the
+  // connection.
   void update(double now_s);
-  // How many moves are to be sent now, once a frame: one of each tick that has passed to a server that takes
-  // them numbered (what a hitch of more than a quarter of a second leaves out is forgotten), else one.
-  int moves_due(double now_s);
-  // One was due then: to send them with the ticks of a server that is here.
+  // How many moves to send now; call once a frame. A server that takes numbered moves gets one for each tick
+  // that has passed (a hitch of more than a quarter of a second is skipped), any other server one.
+  int count_due_moves(double now_s);
+  // Declares that a move was due at that time, to align moves with the ticks of a local server.
   void align_moves(double due_s) { last_move_due_s_ = due_s; }
-  // Unreliable, and only once playing: what the player does now. The time is filled in. The first two of a
-  // level are left out, as stock clients do: the view is not known yet.
+  // Sends a move, unreliably, and only while playing. Fills in its time. Skips the first two moves of a
+  // level, as stock clients do: the view is not known yet.
   void send_move(net::Move move);
-  // A line for the server's eyes.
+  // Sends a console line for the server to run, reliably.
   void send_command(std::string_view line);
 
   bool is_connecting() const { return endpoint_.state() == net::ClientEndpoint::State::kConnecting; }
   bool is_connected() const { return endpoint_.state() == net::ClientEndpoint::State::kConnected; }
   bool is_playing() const { return is_connected() && state_.game().signon == kPlaying; }
-  // Why there is no connection any more; empty while there is, or before.
-  const std::string& lost_because() const { return lost_because_; }
+  // Why the connection ended; empty while connected or before the first connection.
+  const std::string& disconnect_reason() const { return disconnect_reason_; }
 
   ClientState& state() { return state_; }
   const ClientState& state() const { return state_; }
-  // How the server plays moves that are numbered; nothing: it does not take them.
+  // How the server simulates numbered moves; nothing if it does not take them.
   const std::optional<net::MoveParameters>& move_parameters() const { return move_parameters_; }
-  // What came of them, as the last update said; nothing before it has.
-  const std::optional<net::MoveAcknowledgement>& acknowledged() const { return acknowledged_; }
-  // Counts those of all levels.
-  std::uint64_t acknowledgements() const { return acknowledgements_; }
+  // The result of the moves as of the last packet; nothing before the first one.
+  const std::optional<net::MoveAcknowledgment>& acknowledged() const { return acknowledged_; }
+  // How many acknowledgments have arrived, over all levels.
+  std::uint64_t acknowledgments() const { return acknowledgments_; }
   std::span<const NumberedMove> sent_moves() const { return sent_moves_.moves(); }
-  // Of the server's clock, since the last numbered move; at most a tick.
+  // Server time since the last numbered move, at most a tick; 0 if the server does not take them.
   double since_last_move_s(double now_s) const;
-  // Packets with the game's time that were read: updates.
+  // How many packets with a server time have been read.
   std::uint64_t updates() const { return updates_; }
-  // Records what comes from the next level on that the server tells of: a recording holds levels from their
-  // beginning. Goes on through changes of level, until it is taken.
+  // Records a demo from the start of the next level on, as a demo holds levels from their start. Continues
+  // through level changes until finish_recording().
   void start_recording() { recording_.emplace(); }
   bool is_recording() const { return recording_.has_value(); }
-  // The recording's bytes (.dem); nothing where no level has begun since, or none was started.
+  // The demo's bytes (.dem); nothing if no recording was started or no level has begun since.
   std::optional<base::ByteVector> finish_recording();
 
-  // Lines that the server wants run here and that are not about the connection itself.
+  // Returns the console lines that the server wants to be run here, except those that concern the connection
+  // itself.
   std::vector<std::string> take_commands() { return std::exchange(commands_, {}); }
   const net::Channel& channel() const { return endpoint_.channel(); }
 
  private:
-  base::Status read_from(const net::FromServer& message);
+  base::Status handle_transport_event(const net::FromServer& message);
   base::Status read(base::Bytes packet);
   void record(base::Bytes packet, bool begins_level);
   void answer_signon();
-  void take_comment(std::string_view text);
+  void handle_comment(std::string_view text);
   void run_stuffed_commands();
   void send_waiting();
 
@@ -90,21 +108,23 @@ class Connection {
   PlayerSettings settings_;
   net::MessageReader reader_;
   ClientState state_;
-  std::vector<std::string> to_send_;  // lines, in order
+  // Reliable console lines that wait to be sent, in order.
+  std::vector<std::string> to_send_;
   std::vector<std::string> commands_;
-  std::string lost_because_;
+  std::string disconnect_reason_;
   int answered_signon_ = 0;
-  int moves_left_out_ = 0;
+  int skipped_moves_ = 0;
   std::optional<net::MoveParameters> move_parameters_;
-  std::optional<net::MoveAcknowledgement> acknowledged_;
-  std::uint64_t acknowledgements_ = 0;
-  bool accepts_deltas_ = false;  // the server has offered them
+  std::optional<net::MoveAcknowledgment> acknowledged_;
+  std::uint64_t acknowledgments_ = 0;
+  bool accepts_deltas_ = false;  // the server has offered delta compression
   net::ReceivedSnapshots received_snapshots_;
   SentMoves sent_moves_;
-  std::optional<double> last_move_due_s_;  // when the last numbered one was
+  // When the last numbered move was due.
+  std::optional<double> last_move_due_s_;
   std::uint64_t updates_ = 0;
-  std::optional<net::DemoRecording> recording_;
-  math::Vec3 view_angles_deg_{0.0f};  // as last said by the server or sent to it
+  std::optional<net::DemoWriter> recording_;
+  math::Vec3 view_angles_deg_{0.0f};  // the latest angles, set by the server or sent to it
 };
 
 }  // namespace temblor::client

@@ -1,74 +1,87 @@
-// What the server's packets say of entities: baselines, updates as differences from them, who is there, and
-// how each has come to where it is. Numbers are in [0, net::kMaxEntities); memory grows to the highest one
-// that was named and stays.
+// The entities of a level as the server's packets describe them: baselines, updates relative to them, which
+// entities exist, and the motion of each.
+//
+// Entity numbers are in [0, net::kMaxEntities). Memory grows to the highest number used and stays. The call
+// order for each packet is begin_packet(), update() for each entity in it, end_packet(); then interpolate()
+// for each frame until the next packet.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "client/session/interpolated_entity.h"
 #include "client/session/interpolation.h"
-#include "client/session/seen_entity.h"
 #include "net/protocol/server_message.h"
 
 namespace temblor::client {
 
 struct ClientSettings;
 
-// The frames as the settings want them blended, or snapped; never blended for models that are not to be.
-FrameBlend frames_at(const FrameChanges& frames, double time_s, std::uint16_t model,
-                     const ClientSettings& settings);
+// Returns a model's frames at a time, blended or snapped as the settings say. `model`: its precache number.
+FrameBlend blend_frames(const FrameChanges& frames, double time_s, std::uint16_t model,
+                        const ClientSettings& settings);
 
 class EntityTable {
  public:
-  // Forgets everything but its memory.
+  // Removes all entities; keeps the capacity.
   void begin_level();
+  // Sets the values that updates of this entity are relative to.
   void set_baseline(std::uint16_t number, const net::Baseline& baseline);
+  // Adds an entity that never changes, such as a torch.
   void add_static(const net::Baseline& entity);
   std::size_t static_count() const { return statics_.size(); }
 
-  // From here on updates belong to a new packet.
+  // Starts a new packet: the updates that follow belong to it.
   void begin_packet() { ++packet_, arriving_.clear(); }
+  // Applies an update of the current packet.
   void update(const net::EntityUpdate& update, const PacketWindow& window);
   std::size_t memory_bytes() const;
-  // Who had no update since begin_packet() is gone.
+  // Removes entities without an update since begin_packet().
   void end_packet();
 
-  // The last update of that entity showed it for the first time, or too far from the one before.
+  // Whether the last update showed the entity for the first time, or too far away for a glide.
   bool has_jumped(std::uint16_t number) const;
 
-  // Where the last packet has put them, in order of number.
-  void latest(std::vector<EntityPlace>& out_places) const;
+  // The entities where the last packet put them, sorted by number.
+  void copy_latest(std::vector<EntityPlace>& out_places) const;
 
   struct Viewer {
-    std::uint16_t entity = 0;  // shown even without a model: the view is in it
-    std::size_t players = 0;   // color maps above that are none
+    std::uint16_t entity = 0;  // returned even without a model, as the view is in it
+    std::size_t players = 0;   // color maps above this number are ignored
   };
-  // See ClientState::entities_at().
-  std::span<const SeenEntity> at(double time_s, const Viewer& viewer, const ClientSettings& settings);
+  // See ClientState::interpolate_entities().
+  std::span<const InterpolatedEntity> interpolate(double time_s, const Viewer& viewer,
+                                                  const ClientSettings& settings);
 
  private:
   struct Entity {
     net::Baseline baseline;
-    net::Baseline now;  // as of the last update; its place is the motion's target
+    net::Baseline now;  // as of the last update; its place is the target of the motion
     std::uint8_t effects = 0;
     bool jumped = false;
-    std::uint32_t packet = 0;  // of the last update
+    // The packet of the last update, counted by packet_.
+    std::uint32_t packet = 0;
     Motion motion;
     FrameChanges frames;
-    // For what is told by difference to the last time that at() was asked.
-    bool jumped_since_asked = false, flash_since_asked = false;
-    std::uint32_t asked = 0;
-    math::Vec3 origin_when_asked_world{0.0f};
+    // What has happened since the last interpolate() call.
+    bool jumped_since_query = false, flash_since_query = false;
+    std::uint32_t query = 0;
+    math::Vec3 origin_at_query_world{0.0f};
   };
   Entity& entity(std::uint16_t number);
-  SeenEntity seen(std::uint16_t number, double time_s, const Viewer& viewer, const ClientSettings& settings);
+  InterpolatedEntity interpolate_entity(std::uint16_t number, double time_s, const Viewer& viewer,
+                                        const ClientSettings& settings);
 
-  std::vector<Entity> entities_;  // by number
+  // Indexed by entity number.
+  std::vector<Entity> entities_;
+  // Entity numbers: of the packet that is being read, in order of arrival, and of the last complete one,
+  // sorted.
   std::vector<std::uint16_t> arriving_, shown_;
-  std::vector<SeenEntity> statics_, seen_;
-  // Count packets and questions; the fields of the same meaning in Entity start below both.
-  std::uint32_t packet_ = 2, asked_ = 2;
+  // Static entities, and the result of interpolate().
+  std::vector<InterpolatedEntity> statics_, interpolated_;
+  // Count packets and interpolate() calls. They start above the values in a new Entity.
+  std::uint32_t packet_ = 2, query_ = 2;
 };
 
 }  // namespace temblor::client

@@ -1,7 +1,11 @@
-// How a thing looks between two updates. Drawing runs one packet behind the server: a packet is shown from
-// the time of the one before it on, and everything in it is reached at its own time. Monsters (`step`) and
-// the frames of models change ten times a second whatever the rate of packets is: their changes take as long
-// as they last.
+// Interpolation between updates. Drawing runs one packet behind the server: a packet is shown from the time
+// of the packet before it on, and its contents are reached at its own time.
+//
+//   packets      A-----------B-----------C
+//   frame shows              [ A -> B )[ B -> C )      while the client already has the packet on the right
+//
+// Monsters (`step` movement) and animation frames change ten times a second at any packet rate, so their
+// changes last as long as the server's think interval instead.
 //
 // All times are the server's, in seconds. Nothing here allocates.
 #pragma once
@@ -9,43 +13,46 @@
 #include <cstdint>
 #include <optional>
 
-#include "client/session/seen_entity.h"
+#include "client/session/interpolated_entity.h"
 #include "math/vec.h"
 
 namespace temblor::client {
 
-// How long a step and a frame of a model last when the server does not say.
+// The duration of a step or animation frame if the server does not send one.
 constexpr double kThinkInterval_s = 0.1;
 
-// When the last packet is drawn: from begin_s (the time of the packet before, but at most 0.1 s earlier) to
-// end_s (its own).
+// The time during which the last packet is drawn: from begin_s (the time of the packet before, at most 0.1 s
+// earlier) to end_s (its own time).
 struct PacketWindow {
   double begin_s = 0, end_s = 0;
 };
-PacketWindow packet_window(double previous_time_s, double time_s);
+// Returns the window of a packet from its time and that of the one before.
+PacketWindow make_packet_window(double previous_time_s, double time_s);
 
-// How much of the way from begin_s to end_s has passed, in [0, 1]; 1 when there is no way.
-double fraction_passed(double begin_s, double end_s, double time_s);
+// The share of the interval that has passed, in [0, 1]; 1 for an empty interval.
+double compute_elapsed_fraction(double begin_s, double end_s, double time_s);
 
-// From one set of angles to another, each the short way round. Exact at both ends.
+// Interpolates each angle along the shorter way round. Exact at both ends.
 math::Vec3 blend_angles_deg(const math::Vec3& from_deg, const math::Vec3& to_deg, double fraction);
 
+// An entity's place and orientation.
 struct Place {
   math::Vec3 origin_world{0.0f}, angles_deg{0.0f};
   bool operator==(const Place&) const = default;
 };
 
-// The way of an entity to where its last update put it.
+// An entity's motion to the place of its last update.
 class Motion {
  public:
-  // It stands there, without having come from anywhere.
+  // Moves the entity there at once.
   void put(const Place& place);
-  // It goes there during the packet's window.
+  // Moves the entity there at constant speed during the packet's window.
   void fly_to(const Place& place, const PacketWindow& window);
-  // It goes there in the time that its steps take: `step_s` when known (0 or more), or else the time since
-  // its last step, 0.1 s at most. Nothing changes when it is there or on its way there.
+  // Moves the entity there during the time of a monster's step: `step_s` if known (0 or more), else the time
+  // since the last step, at most 0.1 s. Does nothing if it is there or already on its way there.
   void step_to(const Place& place, const PacketWindow& window, std::optional<float> step_s);
 
+  // The place at a time; the target from the end of the motion on.
   Place at(double time_s) const;
   const Place& target() const { return to_; }
 
@@ -54,20 +61,22 @@ class Motion {
   double begin_s_ = 0, end_s_ = 0;
 };
 
-// Too far in one update to have been a movement: more than 100 units along an axis.
+// Whether a change is too large for movement: more than 100 units along an axis in one update, as in the
+// original.
 bool is_teleport(const math::Vec3& from_world, const math::Vec3& to_world);
 
-// The frames of a model, blended from one to the next. Frames that belong to a muzzle flash are shown and
-// left at once: blended, the flash would be seen growing and shrinking.
+// Animation frames, blended from one to the next. The frames of a muzzle flash appear and vanish at once;
+// blended, the flash would grow and shrink visibly.
 class FrameChanges {
  public:
+  // Shows a frame at once, without blending.
   void show(std::uint16_t frame);
-  // The frame of an update that is drawn from `begin_s` on, and how long a change takes.
+  // Starts blending to the frame of an update, drawn from `begin_s` on.
   void update(std::uint16_t frame, double begin_s, double duration_s);
-  // The update of this moment, whether or not its frame is known already, has a muzzle flash.
+  // Marks the current update as one with a muzzle flash. May come before or after the frame of that update.
   void flash();
 
-  // from = to when nothing is being blended.
+  // from == to if nothing is being blended.
   FrameBlend at(double time_s) const;
   std::uint16_t frame() const { return to_; }
 

@@ -12,12 +12,15 @@
 namespace temblor::client {
 namespace {
 
+// The level's precache number.
 constexpr std::size_t kLevelNumber = 1;
+// In the order of BeamModel. Messages name beams by kind rather than by precache number, so their models are
+// loaded by path, as in stock Quake.
 constexpr std::array<const char*, 4> kBeamPaths = {"progs/bolt.mdl", "progs/bolt2.mdl", "progs/bolt3.mdl",
                                                    "progs/beam.mdl"};
 
-// N of "*N", where the level has that model.
-std::optional<world::ModelIndex> part_of_level(const world::Level& level, std::string_view name) {
+// Parses "*N"; returns nothing if the level has no such submodel.
+std::optional<world::ModelIndex> find_submodel(const world::Level& level, std::string_view name) {
   std::uint32_t number = 0;
   const auto [end, failure] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
   if (failure != std::errc{} || end != name.data() + name.size() || number >= level.models.size())
@@ -25,9 +28,9 @@ std::optional<world::ModelIndex> part_of_level(const world::Level& level, std::s
   return static_cast<world::ModelIndex>(number);
 }
 
-base::Error no_such_part(std::string_view name, const world::Level& level) {
-  return base::error(base::ErrorCode::kNotFound, "model {}: level {} has {} models", base::printable(name),
-                     level.name, level.models.size());
+base::Error missing_submodel(std::string_view name, const world::Level& level) {
+  return base::error(base::ErrorCode::kNotFound, "model {} is not in level {}", base::printable(name),
+                     level.name);
 }
 
 base::Result<AliasModelPtr> load_alias_model(const assets::Library& library, const std::string& path) {
@@ -35,12 +38,12 @@ base::Result<AliasModelPtr> load_alias_model(const assets::Library& library, con
   return render::make_alias_model(mdl, path);
 }
 
-// A model of any kind but a level of its own.
+// Loads any model that is not a level of its own.
 base::Result<ClientModel> load_model(const assets::Library& library, const world::Level& level,
                                      const std::string& name) {
   if (name.starts_with('*')) {
-    const auto part = part_of_level(level, name);
-    if (!part) return no_such_part(name, level);
+    const auto part = find_submodel(level, name);
+    if (!part) return missing_submodel(name, level);
     return ClientModel(*part);
   }
   if (base::to_lower(name).ends_with(".spr")) {
@@ -51,13 +54,15 @@ base::Result<ClientModel> load_model(const assets::Library& library, const world
   return ClientModel(std::move(model));
 }
 
+// Ammo boxes and similar items are .bsp files too.
 bool is_level(const std::string& name) {
   return base::to_lower(name).ends_with(".bsp");
 }
 
 }  // namespace
 
-// Levels among them are joined to the first.
+// Brush models from other files are joined to the level, so that one tree of models serves rendering and
+// traces.
 void ModelTable::load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
                              std::span<const std::string> names, std::vector<std::string>& io_notes) {
   models_.assign(names.size(), placeholder_);
@@ -65,7 +70,7 @@ void ModelTable::load_models(const assets::Library& library, const std::shared_p
   std::vector<std::shared_ptr<const world::Level>> boxes;
   std::vector<std::size_t> box_numbers;
   const auto note = [&](const base::Error& error) {
-    io_notes.push_back(fmt::format("{}; drawn as a cube", error.message()));
+    io_notes.push_back(fmt::format("{}. A placeholder is drawn instead", error.message()));
   };
   for (std::size_t number = kLevelNumber + 1; number < names.size(); ++number) {
     if (is_level(names[number])) {
@@ -89,7 +94,7 @@ void ModelTable::load_models(const assets::Library& library, const std::shared_p
   for (std::size_t i = 0; i < boxes.size(); ++i) models_[box_numbers[i]] = joined.models[i];
 }
 
-// Not every game has all four, and most levels show none: nobody is told of those that are missing.
+// Not every game has all four, and most levels show none, so missing ones are not reported.
 void ModelTable::load_beams(const assets::Library& library) {
   for (std::size_t i = 0; i < kBeamPaths.size(); ++i) {
     base::Result<AliasModelPtr> beam = load_alias_model(library, kBeamPaths[i]);
@@ -110,13 +115,13 @@ base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::s
   table.load_beams(library);
   for (const ClientModel& model : table.models_) {
     const auto* alias = std::get_if<AliasModelPtr>(&model);
-    table.flags_.push_back(alias != nullptr ? render::flags_of(**alias) : 0);
+    table.flags_.push_back(alias != nullptr ? render::find_model_flags(**alias) : 0);
   }
   return table;
 }
 
 const ClientModel& ModelTable::model(std::size_t number) const {
-  return has(number) ? models_[number] : placeholder_;
+  return contains(number) ? models_[number] : placeholder_;
 }
 
 }  // namespace temblor::client

@@ -1,4 +1,10 @@
-// The models of a level's precache list, loaded: numbers in messages become things to draw.
+// The models of a level's precache list, loaded. Translates model numbers of messages to things to draw.
+//
+//   "maps/e1m1.bsp" "*3"  "maps/b_bh25.bsp" -> world::ModelIndex   a part of the (joined) level
+//   "progs/ogre.mdl"                        -> AliasModelPtr
+//   "progs/s_bubble.spr"                    -> SpritePtr
+//
+// The table is constant after loading and shares models with the asset library.
 #pragma once
 
 #include <array>
@@ -20,22 +26,24 @@ namespace temblor::client {
 
 using AliasModelPtr = std::shared_ptr<const render::AliasModel>;
 using SpritePtr = std::shared_ptr<const formats::Spr>;
+// A brush model of the level (submodels and joined ammo boxes too), an alias model, or a sprite.
 using ClientModel = std::variant<world::ModelIndex, AliasModelPtr, SpritePtr>;
 
 class ModelTable {
  public:
-  // `names` as in Game::models: [1] is the level. Fails when the level is not there or cannot be used; any
-  // other model that cannot gets a stand-in, and a line in `io_notes`.
+  // Loads the models. `names` is Game::models: [0] is empty, [1] is the level. Fails if the level is missing
+  // or unusable. Any other model that is missing or unusable gets a placeholder and a line in `io_notes`.
   static base::Result<ModelTable> load(const assets::Library& library, std::span<const std::string> names,
                                        std::vector<std::string>& io_notes);
 
-  // The level, with the brush models that are files of their own joined to it.
+  // The level. Brush models from other files (ammo boxes) are joined to it.
   const std::shared_ptr<const world::Level>& level() const { return level_; }
-  // The stand-in for numbers past the list. Number 0 is no model, and not to be asked for.
+  // Returns the placeholder for numbers past the list. Number 0 means no model and must not be passed.
   const ClientModel& model(std::size_t number) const;
-  bool has(std::size_t number) const { return number < models_.size(); }
+  bool contains(std::size_t number) const { return number < models_.size(); }
+  // The model of a beam's pieces; null if the game has none.
   const AliasModelPtr& beam(BeamModel beam) const { return beams_[static_cast<std::size_t>(beam)]; }
-  // formats::MdlFlags by number; 0 for what is not an alias model.
+  // formats::MdlFlags by model number; 0 for models that are not alias models.
   std::span<const std::uint32_t> flags() const { return flags_; }
 
  private:

@@ -4,16 +4,18 @@ namespace temblor::client {
 namespace {
 
 constexpr std::uint32_t kSkinSide = 16, kCheck = 8;  // texels
-constexpr std::uint8_t kLight = 251, kDark = 0;      // palette: a full-bright red and black in stock palettes
-constexpr std::uint8_t kHalfSide = 127;              // vertex bytes, 1/16 unit each
+// Palette indices: full-bright red and black in stock palettes.
+constexpr std::uint8_t kLight = 251, kDark = 0;
+constexpr std::uint8_t kHalfSide = 127;  // vertex bytes, 1/16 unit each
 constexpr float kByteUnits = 1.0f / 16.0f;
 
-// Four corners of a side, clockwise seen from outside; bits of a corner's number are its x, y, z.
+// The corners of each side, clockwise as seen from outside. The bits of a corner's number are its x, y and z.
 constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides = {
     {{1, 5, 7, 3}, {0, 2, 6, 4}, {2, 3, 7, 6}, {0, 4, 5, 1}, {4, 6, 7, 5}, {0, 1, 3, 2}}};
 
 }  // namespace
 
+// Each side has vertices of its own, so that it has a whole skin instead of sharing one with its neighbors.
 formats::Mdl make_placeholder_model() {
   formats::Mdl mdl;
   mdl.scale = math::Vec3(kByteUnits);

@@ -1,4 +1,4 @@
-// Power-ups among net::ClientData::items.
+// Bits of net::ClientData::items for power-ups; stock Quake's IT_ constants.
 #pragma once
 
 #include <cstdint>

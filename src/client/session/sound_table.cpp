@@ -10,11 +10,12 @@
 namespace temblor::client {
 namespace {
 
-std::size_t samples_of(const audio::SoundPtr& sound) {
+std::size_t count_samples(const audio::SoundPtr& sound) {
   return sound ? sound->samples.size() : 0;
 }
 
-std::string file_name_of(std::string_view sound) {
+// Names that differ only in case or in the direction of slashes are the same file.
+std::string normalize_file_name(std::string_view sound) {
   std::string name = base::to_lower(sound);
   std::replace(name.begin(), name.end(), '\\', '/');
   return name;
@@ -26,6 +27,7 @@ SoundTable::~SoundTable() {
   stop_loading();
 }
 
+// Ends the thread; waits at most for the file that it is loading.
 void SoundTable::stop_loading() {
   stops_ = true;
   if (loader_.joinable()) loader_.join();
@@ -34,12 +36,13 @@ void SoundTable::stop_loading() {
 
 SoundTable::Loaded SoundTable::load(const std::string& name, audio::Repeats repeats) const {
   base::Result<formats::Wav> wav = library_.sound(name);
-  if (!wav.ok()) return {nullptr, fmt::format("{}; it stays silent", wav.error().message())};
+  if (!wav.ok()) return {nullptr, fmt::format("{}. The sound will be silent", wav.error().message())};
   base::Result<audio::SoundPtr> sound = audio::make_sound(*wav, name, repeats).with_file("sound/" + name);
-  if (!sound.ok()) return {nullptr, fmt::format("{}; it stays silent", sound.error().message())};
+  if (!sound.ok()) return {nullptr, fmt::format("{}. The sound will be silent", sound.error().message())};
   return {std::move(sound).value(), {}};
 }
 
+// Files are loaded without the lock, so that a slow file does not stop the other thread.
 audio::SoundPtr SoundTable::find_or_load(Sounds& io_sounds, const std::string& name, audio::Repeats repeats) {
   std::unique_lock lock(mutex_);
   auto found = io_sounds.find(name);
@@ -47,24 +50,24 @@ audio::SoundPtr SoundTable::find_or_load(Sounds& io_sounds, const std::string& n
     if (is_full()) {
       if (!std::exchange(has_noted_limit_, true))
         notes_.push_back(
-            fmt::format("sound/{}: it and further ones stay silent, for there are {} of {} MB already",
+            fmt::format("sound/{}: too many sounds ({} loaded, {} MB). This and further ones will be silent",
                         base::printable(name), sounds_.size(), (samples_ * sizeof(float)) >> 20));
       return nullptr;
     }
     lock.unlock();
     Loaded loaded = load(name, repeats);
     lock.lock();
-    // Whoever was first, it is the same.
+    // If the other thread has loaded it meanwhile, both results are equal.
     const auto [place, is_new] = io_sounds.emplace(name, std::move(loaded));
     found = place;
-    if (is_new) samples_ += samples_of(found->second.sound);
+    if (is_new) samples_ += count_samples(found->second.sound);
   }
   Loaded& loaded = found->second;
   if (!loaded.note.empty()) notes_.push_back(std::exchange(loaded.note, {}));
   return loaded.sound;
 }
 
-// In the order of the list: what game code names first (the weapons) is likely to be heard first.
+// Loads in the order of the list: game code names weapons first, and they are likely to be heard first.
 void SoundTable::load_ahead(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (stops_) return;
@@ -73,23 +76,24 @@ void SoundTable::load_ahead(const std::vector<std::string>& names) {
       if (samples_ >= limits_.ahead_samples || is_full()) return;
       if (name.empty() || sounds_.contains(name)) continue;
     }
-    Loaded loaded = load(name, audio::Repeats::kAsTheFileSays);
+    Loaded loaded = load(name, audio::Repeats::kAsInFile);
     const std::lock_guard lock(mutex_);
     const auto [place, is_new] = sounds_.emplace(name, std::move(loaded));
-    if (is_new) samples_ += samples_of(place->second.sound);
+    if (is_new) samples_ += count_samples(place->second.sound);
   }
 }
 
+// The thread has ended before the lists change, so they need no lock here.
 void SoundTable::begin_level(std::span<const std::string> names) {
   stop_loading();
   names_.clear();
-  // Written in another way, it is the same file.
-  for (const std::string& name : names) names_.push_back(file_name_of(name));
+  // Names that differ only in case or slashes are the same file.
+  for (const std::string& name : names) names_.push_back(normalize_file_name(name));
   const std::set<std::string> wanted_names(names_.begin(), names_.end());
   std::erase_if(sounds_, [&](const auto& entry) { return !wanted_names.contains(entry.first); });
   samples_ = 0;
   for (const Sounds* sounds : {&sounds_, &looped_sounds_})
-    for (const auto& [name, loaded] : *sounds) samples_ += samples_of(loaded.sound);
+    for (const auto& [name, loaded] : *sounds) samples_ += count_samples(loaded.sound);
   has_noted_limit_ = false;
   loader_ = std::thread([this, wanted = names_] { load_ahead(wanted); });
 }
@@ -106,7 +110,7 @@ audio::SoundPtr SoundTable::sound(std::size_t number) {
 }
 
 audio::SoundPtr SoundTable::sound(const std::string& name) {
-  return find_or_load(sounds_, name, audio::Repeats::kAsTheFileSays);
+  return find_or_load(sounds_, name, audio::Repeats::kAsInFile);
 }
 
 audio::SoundPtr SoundTable::looped_sound(const std::string& name) {

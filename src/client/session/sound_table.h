@@ -1,5 +1,5 @@
-// The sounds of a level's precache list, and those that the client plays by itself: numbers and names become
-// sounds that can be mixed.
+// The sounds of a level's precache list, and those that the client plays itself. Translates numbers and names
+// of messages to sounds for the mixer (audio/sound.h).
 #pragma once
 
 #include <atomic>
@@ -17,19 +17,22 @@
 
 namespace temblor::client {
 
-// Game code names whatever it likes, and a server may have any file played: over a limit, further sounds are
-// silent until the next level, which is noted once.
+// Limits against servers that name huge numbers of sounds. Above a limit, further sounds are silent until the
+// next level, which is reported once.
 struct SoundLimits {
-  std::size_t ahead_samples = std::size_t{1} << 26;  // 256 MB loaded by the thread; the rest when it is heard
-  std::size_t samples = std::size_t{1} << 27;        // 512 MB, but for the last one
+  // Samples (floats) that the thread loads ahead, 256 MB; the rest is loaded on first use.
+  std::size_t ahead_samples = std::size_t{1} << 26;
+  // Samples in all, 512 MB; the last sound may exceed it.
+  std::size_t samples = std::size_t{1} << 27;
   std::size_t names = std::size_t{1} << 14;
 };
 
-// A sound that is missing or damaged is silent. That is noted once, when it would be heard for the first
-// time: many a list has names that nobody ever plays.
+// Missing and damaged sounds are silent. Each is reported once, when it would first be heard: many lists have
+// names that are never played.
 //
-// A level's sounds are loaded on a thread of their own, so that it can be seen before. One that is asked for
-// earlier is loaded there and then, so what is heard does not depend on that thread.
+// A thread loads a level's sounds ahead, so that the game starts without waiting. A sound that is needed
+// earlier is loaded at once by the caller, so what is heard does not depend on the thread. All public
+// functions must be called from one thread.
 class SoundTable {
  public:
   explicit SoundTable(const assets::Library& library, const SoundLimits& limits = {})
@@ -38,25 +41,27 @@ class SoundTable {
   SoundTable(const SoundTable&) = delete;
   SoundTable& operator=(const SoundTable&) = delete;
 
-  // `names` as in Game::sounds: [0] is none. Sounds of the level before that this one has too are kept.
+  // Starts loading the sounds. `names` is Game::sounds: [0] is none. Keeps the sounds that the last level had
+  // too.
   void begin_level(std::span<const std::string> names);
 
-  // Null: silent, or a number past the list. What is not there yet is loaded now, which takes milliseconds.
+  // Returns the sound; null for a silent one or a number past the list. Loads the sound now if necessary,
+  // which takes milliseconds. `name`: below "sound/".
   audio::SoundPtr sound(std::size_t number);
   audio::SoundPtr sound(const std::string& name);
-  // The same, made to loop if it does not.
+  // Returns the sound as one that loops even if the file does not.
   audio::SoundPtr looped_sound(const std::string& name);
 
-  // How many sounds of the level are there.
+  // How many of the level's sounds are loaded.
   std::size_t loaded_count() const;
 
-  // A line each, since the last time it was asked for.
+  // Problems since the last call, a line each.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
  private:
   struct Loaded {
-    audio::SoundPtr sound;  // null: silent
-    std::string note;       // why, until it has been told
+    audio::SoundPtr sound;  // null if silent
+    std::string note;       // why, until it is reported
   };
   using Sounds = std::map<std::string, Loaded>;
 
@@ -69,9 +74,9 @@ class SoundTable {
   const assets::Library& library_;
   SoundLimits limits_;
   std::vector<std::string> names_;
-  mutable std::mutex mutex_;  // of the two maps and what is in them; held for moments
+  mutable std::mutex mutex_;  // guards both maps and their contents; held for moments
   Sounds sounds_, looped_sounds_;
-  std::size_t samples_ = 0;  // of all of both
+  std::size_t samples_ = 0;  // in both maps
   bool has_noted_limit_ = false;
   std::vector<std::string> notes_;
   std::atomic<bool> stops_{false};

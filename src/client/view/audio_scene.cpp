@@ -14,12 +14,14 @@ namespace {
 
 using net::TempEntityKind;
 
+// Files that the client plays without being asked by the server; stock games contain them.
 constexpr const char* kAmbientWater = "ambience/water1.wav";
 constexpr const char* kAmbientSky = "ambience/wind2.wav";
 constexpr const char* kExplosion = "weapons/r_exp3.wav";
 
-// A nail on stone; now and then it glances off.
-const char* nail_sound(std::uint32_t hit_number) {
+// Nails click on stone; one in five ricochets. The hit's number seeds the choice, so that a demo sounds the
+// same each time.
+const char* choose_nail_sound(std::uint32_t hit_number) {
   EffectRandom random(base::hash_with(hit_number, 0));
   if (random.below(5) != 0) return "weapons/tink1.wav";
   switch (random.below(4)) {
@@ -32,12 +34,12 @@ const char* nail_sound(std::uint32_t hit_number) {
   }
 }
 
-// Null: it makes no sound.
-const char* sound_of(TempEntityKind kind, std::uint32_t hit_number) {
+// Returns the sound of a temporary entity; null for silent ones.
+const char* find_sound_name(TempEntityKind kind, std::uint32_t hit_number) {
   switch (kind) {
     case TempEntityKind::kSpike:
     case TempEntityKind::kSuperSpike:
-      return nail_sound(hit_number);
+      return choose_nail_sound(hit_number);
     case TempEntityKind::kWizSpike:
       return "wizard/hit.wav";
     case TempEntityKind::kKnightSpike:
@@ -51,12 +53,15 @@ const char* sound_of(TempEntityKind kind, std::uint32_t hit_number) {
   }
 }
 
-float volume_of(std::uint8_t volume) {
+// Volumes travel as bytes, 255 for full.
+float to_volume(std::uint8_t volume) {
   return static_cast<float>(volume) / 255;
 }
 
 }  // namespace
 
+// Starts the ambient sounds of water and wind, two of the four kinds for which a level's leaves have volumes.
+// Stock Quake does not use the others (slime and lava) either.
 void AudioScene::begin_ambients() {
   events_.new_ambients = true;
   events_.ambients = {sounds_.looped_sound(kAmbientWater), sounds_.looped_sound(kAmbientSky), nullptr,
@@ -65,46 +70,46 @@ void AudioScene::begin_ambients() {
 
 void AudioScene::begin_level(const Game& game) {
   sounds_.begin_level(game.sounds);
-  noted_statics_.clear();
-  // What an earlier level still had to say is said no more.
+  reported_statics_.clear();
+  // Events of the last level are dropped.
   events_.clear();
-  events_.begins_anew = true;
+  events_.stops_all = true;
   begin_ambients();
 }
 
 void AudioScene::resume(std::span<const net::SpawnStaticSound> static_sounds) {
   const bool had_new_ambients = events_.new_ambients;
   events_.clear();
-  events_.begins_anew = true;
+  events_.stops_all = true;
   if (had_new_ambients) begin_ambients();
-  for (const net::SpawnStaticSound& what : static_sounds) hear(what);
+  for (const net::SpawnStaticSound& what : static_sounds) add_sound(what);
 }
 
+// Silences the level but keeps its sounds loaded.
 void AudioScene::end_level() {
   resume({});
   scene_.ambient_levels = {};
   scene_.listener.underwater = false;
 }
 
-void AudioScene::hear(const net::TempEntity& what) {
-  if (const char* name = sound_of(what.kind, ++hit_count_); name != nullptr)
+void AudioScene::add_sound(const net::TempEntity& what) {
+  if (const char* name = find_sound_name(what.kind, ++hit_count_); name != nullptr)
     events_.started.push_back({.sound = sounds_.sound(std::string(name)), .origin_world = what.origin});
 }
 
-// As in the original, only what loops can stay.
-void AudioScene::hear(const net::SpawnStaticSound& what) {
+// As in the original, only looping sounds can be static. Others are reported once.
+void AudioScene::add_sound(const net::SpawnStaticSound& what) {
   const audio::SoundPtr sound = sounds_.sound(what.sound);
   if (sound == nullptr) return;
   if (!sound->loop) {
-    if (std::find(noted_statics_.begin(), noted_statics_.end(), what.sound) != noted_statics_.end()) return;
-    noted_statics_.push_back(what.sound);
+    if (std::find(reported_statics_.begin(), reported_statics_.end(), what.sound) != reported_statics_.end())
+      return;
+    reported_statics_.push_back(what.sound);
     notes_.push_back(
-        fmt::format("sound/{}: has no loop, so it cannot sound from one place all the time; it "
-                    "stays silent there",
-                    sound->name));
+        fmt::format("sound/{}: cannot be used as an ambient sound, as it does not loop", sound->name));
     return;
   }
-  events_.statics.push_back({sound, what.origin, volume_of(what.volume), what.attenuation});
+  events_.statics.push_back({sound, what.origin, to_volume(what.volume), what.attenuation});
 }
 
 void AudioScene::advance(const Game& game, const Events& events, const world::Level& level,
@@ -115,21 +120,21 @@ void AudioScene::advance(const Game& game, const Events& events, const world::Le
   scene_.listener.underwater = view.underwater;
   scene_.ambient_levels = level.leaf(view.leaf).ambient;
   scene_.volumes = volumes;
-  for (const net::SpawnStaticSound& what : events.static_sounds) hear(what);
+  for (const net::SpawnStaticSound& what : events.static_sounds) add_sound(what);
   for (const net::Sound& what : events.sounds)
     events_.started.push_back({.sound = sounds_.sound(what.sound),
                                .entity = what.entity,
                                .channel = what.channel,
                                .origin_world = what.origin,
-                               .volume = volume_of(what.volume),
+                               .volume = to_volume(what.volume),
                                .attenuation = what.attenuation});
-  for (const net::TempEntity& what : events.temp_entities) hear(what);
+  for (const net::TempEntity& what : events.temp_entities) add_sound(what);
   for (const net::StopSound& what : events.stopped_sounds)
     events_.stopped.push_back({what.entity, what.channel});
 }
 
 void AudioScene::play_local(const std::string& name) {
-  // The original's cut off a sound of the player's own; these do not.
+  // In the original, a menu sound cut off a sound of the player; here it does not.
   events_.started.push_back({.sound = sounds_.sound(name),
                              .entity = scene_.listener.entity,
                              .origin_world = scene_.listener.origin_world});

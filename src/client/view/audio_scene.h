@@ -1,4 +1,8 @@
-// What a player hears: from the server's messages and the place of his head to the mixer's scene and events.
+// The audio side of the presentation: turns the server's messages and the listener's place into a scene and
+// events for the mixer.
+//
+//   svc_sound, svc_temp_entity, static sounds --> SoundEvents: started, stopped, statics --+--> mixer
+//   camera, leaf, volumes ----------------------> Scene: listener, ambients, volumes ------+
 #pragma once
 
 #include <cstdint>
@@ -15,34 +19,35 @@
 
 namespace temblor::client {
 
+// Runs without a mixer or sound device too. The library must outlive it.
 class AudioScene {
  public:
   explicit AudioScene(const assets::Library& library) : sounds_(library) {}
 
-  // All that sounded ends. The level's sounds begin to be loaded; those that are damaged or missing are
-  // silent.
+  // Ends all sounds and starts loading those of the level. Missing and damaged ones are silent.
   void begin_level(const Game& game);
-  // Another moment of the same level (a recording sought in): what sounded ends, and what has happened since
-  // is not heard. The level's static sounds by then are these.
+  // Jumps to another time in the same level (a seek in a demo): ends all sounds, and skips what happened in
+  // between. `static_sounds` are the level's static sounds at that time.
   void resume(std::span<const net::SpawnStaticSound> static_sounds);
-  // The game is over: nothing of its places is heard any more.
+  // Ends all sounds of the level.
   void end_level();
-  // Hears what has happened, from where the eye is now.
+  // Starts the sounds of `events`, and moves the listener to the view's camera.
   void advance(const Game& game, const Events& events, const world::Level& level, const PlayerView& view,
                const audio::Volumes& volumes);
-  // Heard in full, whatever else happens: a menu's clicks. `name` as game code has it: "misc/menu1.wav".
+  // Plays a sound at full volume, independent of the game: menu clicks. `name` as in game code:
+  // "misc/menu1.wav".
   void play_local(const std::string& name);
 
   const audio::Scene& scene() const { return scene_; }
-  // What has happened since whoever passes it on to a mixer has cleared it.
+  // Sound events for the mixer. The owner passes them on and clears them.
   audio::SoundEvents& events() { return events_; }
 
-  // What was made do with, a line each, since the last time it was asked for.
+  // Returns the problems since the last call, a line each.
   std::vector<std::string> take_notes();
 
  private:
-  void hear(const net::TempEntity& what);
-  void hear(const net::SpawnStaticSound& what);
+  void add_sound(const net::TempEntity& what);
+  void add_sound(const net::SpawnStaticSound& what);
   void begin_ambients();
 
   SoundTable sounds_;
@@ -50,7 +55,7 @@ class AudioScene {
   audio::SoundEvents events_;
   std::uint32_t hit_count_ = 0;
   std::vector<std::string> notes_;
-  std::vector<std::uint16_t> noted_statics_;
+  std::vector<std::uint16_t> reported_statics_;
 };
 
 }  // namespace temblor::client

@@ -8,19 +8,22 @@
 namespace temblor::client {
 namespace {
 
-// As the original's viewsize: what of the status bar is left.
+// From these values of `viewsize` on, parts of the status bar are hidden, as in the original. Unlike there,
+// smaller values do not shrink the view.
 constexpr std::int64_t kSmallBarViewSize = 110, kNoBarViewSize = 120;
 
-StatusBar status_bar_of(std::int64_t view_size) {
+StatusBar to_status_bar(std::int64_t view_size) {
   if (view_size >= kNoBarViewSize) return StatusBar::kNone;
   return view_size >= kSmallBarViewSize ? StatusBar::kSmall : StatusBar::kFull;
 }
 
-float weapon_rise_above(StatusBar bar) {
+// The original lifts the weapon by up to 2 units, so that the status bar does not cover it.
+float choose_weapon_rise(StatusBar bar) {
   if (bar == StatusBar::kNone) return 0;
   return bar == StatusBar::kSmall ? 1 : 2;
 }
 
+// Drops empty parts.
 std::vector<std::string> split_at_commas(std::string_view text) {
   std::vector<std::string> parts;
   while (!text.empty()) {
@@ -35,59 +38,66 @@ std::vector<std::string> split_at_commas(std::string_view text) {
 
 ClientVariables::ClientVariables(command::Variables& variables) {
   const PresentationSettings defaults;
-  const auto factor = [&](const char* name, float value, double most, const char* help) {
-    return variables.add_float(name, static_cast<double>(value), 0, most, help);
+  // A factor of 0 turns an effect off; a `max` above 1 allows more than the original's strength.
+  const auto factor = [&](const char* name, float value, double max, const char* help) {
+    return variables.add_float(name, static_cast<double>(value), 0, max, help);
   };
   no_lerp_ = variables.add_bool("cl_nolerp", !defaults.interpolate,
-                                "Entities stand where the server's last word put them, as in the original's "
-                                "recordings; 0: they move smoothly.");
+                                "Classic animation: entities jump with each server update. 0: smooth "
+                                "movement.");
   predict_ = variables.add_bool("cl_predict", defaults.predict,
-                                "Shows the player's own movement at once, where the server takes part.");
+                                "Shows your own movement at once, without waiting for the server.");
   no_lerp_models_ =
       variables.add_text("r_nolerp_list", fmt::format("{}", fmt::join(defaults.no_lerp_models, ",")),
-                         "Models that jump from frame to frame, with commas between.");
+                         "Models whose animation is never smoothed, separated by commas.");
   max_particles_ =
       variables.add_int("r_particles_max", static_cast<std::int64_t>(defaults.effects.max_particles), 0,
-                        1 << 20, "Particles at a time; further ones are left out.");
+                        1 << 20, "Maximum number of particles.");
   marks_ = variables.add_bool("r_marks", defaults.effects.marks,
-                              "Shots leave holes and scorches on walls, which the original does not have.");
-  bob_ = factor("v_bob", defaults.view.bob, 4, "How much the view sways while walking; 1: as the original.");
-  roll_ = factor("v_roll", defaults.view.roll, 4, "How much the view leans in sideways movement.");
-  kick_ = factor("v_kick", defaults.view.kick, 4, "How much damage and recoil shake the view.");
-  damage_tint_ = factor("v_tint_damage", defaults.view.damage_tint, 1, "Strength of the flash when hurt.");
-  bonus_tint_ = factor("v_tint_bonus", defaults.view.bonus_tint, 1, "Strength of the flash of pick-ups.");
-  powerup_tint_ = factor("v_tint_powerup", defaults.view.powerup_tint, 1, "Strength of power-ups' colors.");
-  contents_tint_ = factor("v_tint_liquid", defaults.view.contents_tint, 1, "Strength of liquids' colors.");
+                              "Shots leave bullet holes, scorches and blood on walls.");
+  bob_ = factor("v_bob", defaults.view.bob, 4, "View bob while walking. 1: original strength.");
+  roll_ = factor("v_roll", defaults.view.roll, 4, "How far the view leans when strafing.");
+  kick_ = factor("v_kick", defaults.view.kick, 4, "How hard damage and recoil shake the view.");
+  damage_tint_ =
+      factor("v_tint_damage", defaults.view.damage_tint, 1, "Strength of the flash when you take damage.");
+  bonus_tint_ = factor("v_tint_bonus", defaults.view.bonus_tint, 1,
+                       "Strength of the flash when you pick something up.");
+  powerup_tint_ =
+      factor("v_tint_powerup", defaults.view.powerup_tint, 1, "Strength of the tint of power-ups.");
+  contents_tint_ =
+      factor("v_tint_liquid", defaults.view.contents_tint, 1, "Strength of the tint in liquids.");
   view_size_ = variables.add_int("viewsize", 100, 30, kNoBarViewSize,
-                                 "110: the status bar without the row above it; 120: no status bar.");
+                                 "110 hides the inventory row, 120 the whole status bar.");
   hud_scale_ = variables.add_int("scr_scale", defaults.hud.scale, 0, 64,
-                                 "Pixels for each of the 2-D pictures'; 0: chosen from the frame's size.");
-  hud_opacity_ = factor("scr_sbaralpha", defaults.hud.opacity, 1, "Opacity of the status bar.");
-  crosshair_ = variables.add_int(
-      "crosshair", 0, 0, 3, "A mark where shots go: 1: a cross of the game's letters; 2: a dot; 3: lines.");
+                                 "Status bar size. 0 picks a size that fits the window.");
+  hud_opacity_ = factor("scr_sbaralpha", defaults.hud.opacity, 1, "Opacity of the status bar's background.");
+  crosshair_ = variables.add_int("crosshair", 0, 0, 3, "Crosshair. 0: off, 1: cross, 2: dot, 3: lines.");
   crosshair_color_ = variables.add_int("crosshair_color", defaults.hud.crosshair.color, 0, 255,
-                                       "Color of its dot or lines, of the game's palette.");
+                                       "Palette color of the crosshair's dot or lines.");
   safe_colors_ = variables.add_bool("scr_safecolors", defaults.hud.safe_colors,
-                                    "The status bar tells by marks too what it tells by colors: low numbers, "
-                                    "kinds of armor and of keys.");
-  show_weapon_ = variables.add_bool("r_drawviewmodel", defaults.show_weapon, "Draws the weapon in hand.");
-  water_alpha_ = factor("r_wateralpha", defaults.liquid_alpha.water, 1,
-                        "Opacity of water, where the level does not say.");
-  slime_alpha_ = factor("r_slimealpha", defaults.liquid_alpha.slime, 1, "Opacity of slime, alike.");
-  lava_alpha_ = factor("r_lavaalpha", defaults.liquid_alpha.lava, 1, "Opacity of lava, alike.");
-  teleport_alpha_ =
-      factor("r_telealpha", defaults.liquid_alpha.teleport, 1, "Opacity of teleporters, alike.");
-  fog_ = variables.add_bool("r_fog", defaults.fog, "Draws the fog that a level or server asks for.");
+                                    "Marks low numbers, armor types and keys with symbols as well as "
+                                    "colors.");
+  variables.add_alias("crosshair_colour", "crosshair_color");  // old spelling
+  variables.add_alias("scr_safecolours", "scr_safecolors");    // old spelling
+  show_weapon_ = variables.add_bool("r_drawviewmodel", defaults.show_weapon, "Shows your weapon.");
+  water_alpha_ =
+      factor("r_wateralpha", defaults.liquid_alpha.water, 1, "Opacity of water, unless the level sets it.");
+  slime_alpha_ =
+      factor("r_slimealpha", defaults.liquid_alpha.slime, 1, "Opacity of slime, unless the level sets it.");
+  lava_alpha_ =
+      factor("r_lavaalpha", defaults.liquid_alpha.lava, 1, "Opacity of lava, unless the level sets it.");
+  teleport_alpha_ = factor("r_telealpha", defaults.liquid_alpha.teleport, 1,
+                           "Opacity of teleporters, unless the level sets it.");
+  fog_ = variables.add_bool("r_fog", defaults.fog, "Shows fog where the level or server wants it.");
   skybox_ =
-      variables.add_bool("r_skybox", defaults.skybox, "Draws the skybox that a level or server asks for.");
+      variables.add_bool("r_skybox", defaults.skybox, "Shows skyboxes where the level or server wants them.");
   subtitles_ = variables.add_bool("scr_subtitles", defaults.subtitles,
-                                  "Names sounds that come from where the player does not look.");
-  sound_volume_ = variables.add_float("volume", 0.7, 0, 1, "How loud sounds are.");
-  ambient_level_ =
-      variables.add_float("ambient_level", 0.3, 0, 1, "How loud water and wind are, of what the level says.");
-  music_volume_ = factor("bgmvolume", defaults.volumes.music, 1, "How loud music is.");
+                                  "Shows captions for sounds from outside your view.");
+  sound_volume_ = variables.add_float("volume", 0.7, 0, 1, "Volume of sound effects.");
+  ambient_level_ = variables.add_float("ambient_level", 0.3, 0, 1, "Volume of water and wind.");
+  music_volume_ = factor("bgmvolume", defaults.volumes.music, 1, "Volume of the music.");
   muffled_underwater_ = factor("s_underwater", defaults.volumes.muffled_underwater, 1,
-                               "How much sounds are muffled while the head is under water; the original: 0.");
+                               "How much sounds are muffled underwater. The original: 0.");
 }
 
 PresentationSettings ClientVariables::read(const command::Variables& variables) const {
@@ -107,8 +117,8 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.view.bonus_tint = factor(bonus_tint_);
   settings.view.powerup_tint = factor(powerup_tint_);
   settings.view.contents_tint = factor(contents_tint_);
-  settings.hud.status_bar = status_bar_of(variables.int_value(view_size_));
-  settings.view.weapon_rise = weapon_rise_above(settings.hud.status_bar);
+  settings.hud.status_bar = to_status_bar(variables.int_value(view_size_));
+  settings.view.weapon_rise = choose_weapon_rise(settings.hud.status_bar);
   settings.hud.scale = static_cast<int>(variables.int_value(hud_scale_));
   settings.hud.opacity = factor(hud_opacity_);
   settings.hud.crosshair = {static_cast<Crosshair>(variables.int_value(crosshair_)),

@@ -1,4 +1,6 @@
-// The client's choices as console variables: what is seen of a game, and how.
+// The client's console variables: how a game looks and sounds. Most names are stock Quake's or those that
+// other engines have established; v_bob, v_roll, v_kick and v_tint_... are factors of this engine, 1 for the
+// original's strength.
 #pragma once
 
 #include "client/view/presentation.h"
@@ -8,10 +10,10 @@ namespace temblor::client {
 
 class ClientVariables {
  public:
-  // Registers the variables, each with its help; the defaults are those of PresentationSettings.
+  // Registers the variables. Their defaults are those of PresentationSettings.
   explicit ClientVariables(command::Variables& variables);
 
-  // What the variables say now. `variables` is the table they were registered in.
+  // The current settings; read them once a frame. `variables` is the table that the constructor received.
   PresentationSettings read(const command::Variables& variables) const;
 
  private:

@@ -1,4 +1,4 @@
-// A camera that somebody flies, through walls and all: for recordings, and to look around.
+// A camera that the viewer flies, through walls too: for watching demos and for looking around a level.
 #pragma once
 
 #include "math/vec.h"
@@ -8,17 +8,17 @@ namespace temblor::client {
 
 class FreeCamera {
  public:
-  // How much is wished for of each, -1 to 1, in the view's directions; up is the world's.
-  struct Wishes {
+  // Where to fly, -1 to 1 each, in the view's directions; up is the world's.
+  struct Directions {
     float forward = 0, right = 0, up = 0;
   };
 
-  // From there it starts; it keeps the field of view.
+  // Starts at another camera's place; keeps its field of view and levels its roll.
   void place(const render::Camera& camera);
-  // Added to where it looks. Pitch stays within 90 degrees up and down.
+  // Turns the camera, positive pitch down. Pitch stays within 90 degrees up and down.
   void turn(float pitch_deg, float yaw_deg);
-  // At `speed` units a second, for `seconds`.
-  void fly(const Wishes& wishes, float speed, double seconds);
+  // Moves at `speed` units per second for `seconds`.
+  void fly(const Directions& directions, float speed, double seconds);
 
   const render::Camera& camera() const { return camera_; }
 

@@ -15,18 +15,20 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
   models_.emplace(std::move(models));
   model_names_ = game.models;
   client_settings_.no_lerp_models.clear();
+  // The variable lists names, interpolation needs flags by precache number.
   for (const std::string& name : game.models)
     client_settings_.no_lerp_models.push_back(std::find(settings.no_lerp_models.begin(),
                                                         settings.no_lerp_models.end(),
                                                         name) != settings.no_lerp_models.end());
-  environment_ = environment_of(*models_->level());
+  environment_ = parse_environment(*models_->level());
   scene_builder_.begin_level();
-  forget_past();
+  reset_effects();
   begin_sound(game, settings);
   return base::Ok{};
 }
 
-void Presentation::forget_past() {
+// Ends everything that fades or moves, for a new level or a seek.
+void Presentation::reset_effects() {
   scene_ = {};
   hud_.begin_level();
   subtitles_.begin_level();
@@ -34,26 +36,29 @@ void Presentation::forget_past() {
   view_.begin_level();
 }
 
+// Reloads models only if the demo is in another level than before.
 base::Status Presentation::resume(ClientState& io_state, const EffectCounts& before,
                                   const PresentationSettings& settings) {
   if (!models_ || model_names_ != io_state.game().models)
     TRY_STATUS(begin_level(io_state.game(), settings));
   else
-    forget_past();
+    reset_effects();
   effects_.resume(before);
   io_state.events().new_level = false;
   return base::Ok{};
 }
 
+// A level that began without sound stays silent: its sounds were not loaded.
 void Presentation::begin_sound(const Game& game, const PresentationSettings& settings) {
   has_sound_ = settings.sound;
   if (has_sound_) audio_scene_.begin_level(game);
 }
 
+// Messages of the server override the level's sky and fog. The skybox is loaded only when its name changes.
 void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
   scene_.liquid_alpha = environment_.liquid_alpha(settings.liquid_alpha);
   if (settings.fog) {
-    const net::Fog fog = fog_at(game, {environment_.fog.density, environment_.fog.color, 0}, time_s);
+    const net::Fog fog = compute_fog(game, {environment_.fog.density, environment_.fog.color, 0}, time_s);
     scene_.fog = {fog.density, fog.color};
   }
   const std::string& skybox = game.skybox ? *game.skybox : environment_.skybox;
@@ -65,23 +70,25 @@ void Presentation::apply_environment(const Game& game, double time_s, const Pres
   scene_.skybox = settings.skybox && !skybox_name_.empty() ? &skybox_ : nullptr;
 }
 
-// Lets time pass up to that moment.
-Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
-                                       const math::Vec3& view_angles_deg,
-                                       const PresentationSettings& settings) {
+// Advances effects, view and heads-up display to the time, and returns what there is to see. The order
+// matters: the prediction comes first, as effects and view start at the predicted place.
+Presentation::FrameView Presentation::advance_parts(ClientState& io_state, double time_s,
+                                                    const math::Vec3& view_angles_deg,
+                                                    const PresentationSettings& settings) {
   const Game& game = io_state.game();
   client_settings_.interpolate = settings.interpolate;
-  const std::span<const SeenEntity> entities = io_state.entities_at(time_s, client_settings_);
+  const std::span<const InterpolatedEntity> entities =
+      io_state.interpolate_entities(time_s, client_settings_);
   const world::Level& level = *models_->level();
-  ViewMoment moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
+  ViewInput moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
   if (prediction_ && settings.predict) moment.own = prediction_->advance(io_state, level, entities);
-  std::optional<math::Vec3> own_origin_world;
-  if (moment.own) own_origin_world = moment.own->origin_world;
+  std::optional<math::Vec3> predicted_origin_world;
+  if (moment.own) predicted_origin_world = moment.own->origin_world;
   effects_.advance(io_state.events(),
-                   {level, time_s, entities, models_->flags(), game.view_entity, own_origin_world},
+                   {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world},
                    settings.effects);
   PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
-  if (settings.camera) view = view_from(*settings.camera, level, settings.view);
+  if (settings.camera) view = make_camera_view(*settings.camera, level, settings.view);
   hud_.advance(game, io_state.events(), time_s);
   if (settings.subtitles) subtitles_.advance(game, io_state.events(), view.camera, time_s);
   if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
@@ -90,15 +97,18 @@ Presentation::Sight Presentation::look(ClientState& io_state, double time_s,
   return {entities, view};
 }
 
-void Presentation::make_scene(const ClientState& state, double time_s, const Sight& sight,
+// Keeps the lights of the previous scene too, for a renderer that relights only some of the faces in each
+// frame (Settings::relight_alternate).
+void Presentation::make_scene(const ClientState& state, double time_s, const FrameView& frame_view,
                               const PresentationSettings& settings) {
   const Game& game = state.game();
   const bool is_first_scene = scene_.level == nullptr;
   lights_before_.swap(lights_);
   light_before_ = {lights_before_, scene_.light_styles};
   scene_ = scene_builder_.build(
-      {*models_, game, sight.entities, effects_, sight.view, state.weapon_frame_at(time_s, client_settings_),
-       time_s, settings.show_weapon && game.ending == Ending::kNone, settings.camera.has_value()},
+      {*models_, game, frame_view.entities, effects_, frame_view.view,
+       state.interpolate_weapon_frame(time_s, client_settings_), time_s,
+       settings.show_weapon && game.ending == Ending::kNone, settings.camera.has_value()},
       notes_);
   lights_.assign(scene_.lights.begin(), scene_.lights.end());
   scene_.frame_number = ++frame_number_;
@@ -110,14 +120,15 @@ base::Status Presentation::advance(ClientState& io_state, double time_s, const m
                                    const PresentationSettings& settings) {
   if (io_state.events().new_level) TRY_STATUS(begin_level(io_state.game(), settings));
   if (!models_) return base::Ok{};
-  make_scene(io_state, time_s, look(io_state, time_s, view_angles_deg, settings), settings);
+  make_scene(io_state, time_s, advance_parts(io_state, time_s, view_angles_deg, settings), settings);
   return base::Ok{};
 }
 
-base::Status Presentation::pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
-                                const PresentationSettings& settings) {
+base::Status Presentation::advance_unseen(ClientState& io_state, double time_s,
+                                          const math::Vec3& view_angles_deg,
+                                          const PresentationSettings& settings) {
   if (io_state.events().new_level) TRY_STATUS(begin_level(io_state.game(), settings));
-  if (models_) look(io_state, time_s, view_angles_deg, settings);
+  if (models_) advance_parts(io_state, time_s, view_angles_deg, settings);
   return base::Ok{};
 }
 

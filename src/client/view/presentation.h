@@ -1,4 +1,11 @@
-// From the client's state to a frame: scene and 2-D. The same for a recording and for a game.
+// From the client's state to a frame: everything between network messages and the renderer, the same for
+// demos and games.
+//
+//                               /  Prediction, View, Effects -> SceneBuilder -> render::Scene
+//   ClientState --advance()-->    Hud, Subtitles ----------------------------> render::DrawList
+//                               \  AudioScene -------------------------------> audio::Scene, SoundEvents
+//
+// One Presentation lives for the whole session; it loads models and pictures when a level begins.
 #pragma once
 
 #include <optional>
@@ -25,83 +32,89 @@
 
 namespace temblor::client {
 
+// The values of the client's console variables, read once a frame.
 struct PresentationSettings {
-  bool interpolate = true;  // ClientSettings
-  bool predict = true;      // the player's own moves, where the server takes part
-  // Models that are not blended from frame to frame, by their names in the precache list; followed from the
-  // next level on.
+  // See ClientSettings.
+  bool interpolate = true;
+  // Predict the player's own motion if the server supports it.
+  bool predict = true;
+  // Models that are not blended from frame to frame, by name in the precache list. Takes effect at the next
+  // level.
   std::vector<std::string> no_lerp_models = {"progs/flame.mdl", "progs/flame0.mdl", "progs/flame2.mdl"};
   EffectsSettings effects;
   ViewSettings view;
   HudSettings hud;
   bool show_weapon = true;
-  // Of liquids whose level says nothing of its own.
+  // For liquids without an opacity in the level.
   render::LiquidAlpha liquid_alpha;
   bool fog = true, skybox = true;
-  bool sound = false;  // loads sounds and fills audio_scene(); followed from the next level on
+  // Load sounds and fill audio_scene(). Takes effect at the next level.
+  bool sound = false;
   audio::Volumes volumes;
-  bool subtitles = false;  // of sounds that come from where the player does not look
-  // Where to look from instead of the player's eyes.
+  // Captions for sounds from outside the view.
+  bool subtitles = false;
+  // A camera that replaces the player's view.
   std::optional<render::Camera> camera;
 };
 
+// Owns everything that the client loads to draw a level. The library must outlive it.
 class Presentation {
  public:
   explicit Presentation(const assets::Library& library);
 
-  // Time passes up to `time_s`, and the state's events are acted on and cleared. Loads the level's models
-  // when a new one has begun; fails when the level cannot be loaded. Nothing is drawn before the state is in
-  // a game.
+  // Advances to `time_s`, acts on the state's events and clears them. Loads the level's models if a new level
+  // has begun; fails if the level cannot be loaded. There is nothing to draw before the state is in a game.
   base::Status advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
                        const PresentationSettings& settings);
-  // The same, but there is nothing to draw after it until the next advance(): for moments between frames at
-  // which something happens.
-  base::Status pass(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
-                    const PresentationSettings& settings);
-  // The game's 2-D pictures; for menus and the console.
+  // Like advance(), but makes no scene to draw: for times between frames at which something happens.
+  base::Status advance_unseen(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                              const PresentationSettings& settings);
+  // The game's 2-D pictures, also for menus and the console.
   const assets::Pictures& pictures() const { return pictures_; }
-  // The state has been put to another moment of its recording, `before` which that much had happened: all
-  // that was under way ends, and time goes on from there. Loads the level if it is another one; what happens
-  // in this moment is still to be acted on.
+  // Call after the state was moved to another time of its demo; `before` counts the effects up to there. Ends
+  // all effects and loads the level if it is another one. The events at that time are still to be acted on by
+  // advance().
   base::Status resume(ClientState& io_state, const EffectCounts& before,
                       const PresentationSettings& settings);
-  // From the next call on the player is shown where `prediction` has him, after its begin_frame(); null:
-  // where the server has. It must live until then.
-  void follow(Prediction* prediction) { prediction_ = prediction; }
-  // Whether there is a level to draw.
+  // From now on shows the player where `prediction` predicts it, after its begin_frame(); null: where the
+  // server's packets place it. The object must stay alive until replaced.
+  void set_prediction(Prediction* prediction) { prediction_ = prediction; }
+  // Whether a level is loaded.
   bool has_level() const { return models_.has_value(); }
 
-  // What the last advance() led to. Valid until the next one, and while the state lives.
+  // Results of the last advance(). Valid until the next one, and while the state lives.
   const render::Scene& scene() const { return scene_; }
   const render::DrawList& draw_list(const ClientState& state, int width, int height,
                                     const PresentationSettings& settings);
 
-  // What is heard, up to the last advance() or pass(). Its events are for whoever owns the mixer to take and
-  // clear.
+  // The sounds up to the last advance() or advance_unseen(). The owner of the mixer passes its events on and
+  // clears them.
   AudioScene& audio_scene() { return audio_scene_; }
 
-  // What was made do with since the last time it was asked for, a line each.
+  // Returns the problems since the last call, a line each.
   std::vector<std::string> take_notes();
 
  private:
   base::Status begin_level(const Game& game, const PresentationSettings& settings);
   void begin_sound(const Game& game, const PresentationSettings& settings);
-  void forget_past();
-  struct Sight {
-    std::span<const SeenEntity> entities;
+  void reset_effects();
+  // What a frame shows, for make_scene().
+  struct FrameView {
+    std::span<const InterpolatedEntity> entities;
     PlayerView view;
   };
-  Sight look(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
-             const PresentationSettings& settings);
-  void make_scene(const ClientState& state, double time_s, const Sight& sight,
+  FrameView advance_parts(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
+                          const PresentationSettings& settings);
+  void make_scene(const ClientState& state, double time_s, const FrameView& frame_view,
                   const PresentationSettings& settings);
   void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
-  std::vector<std::string> notes_;  // the pictures' too: made before them
+  std::vector<std::string> notes_;  // declared before pictures_, which adds to it
   assets::Pictures pictures_;
   std::optional<ModelTable> models_;
-  std::vector<std::string> model_names_;  // of those, as the server named them
+  // The server's names of models_.
+  std::vector<std::string> model_names_;
   ClientSettings client_settings_;
   Effects effects_;
   View view_;
@@ -110,12 +123,14 @@ class Presentation {
   Subtitles subtitles_;
   SceneBuilder scene_builder_;
   AudioScene audio_scene_;
-  bool has_sound_ = false;  // of this level
+  // Whether this level has sound: the setting at its start.
+  bool has_sound_ = false;
   LevelEnvironment environment_;
   std::string skybox_name_;
   render::Skybox skybox_;
   render::Scene scene_;
-  std::vector<render::DynamicLight> lights_, lights_before_;  // of the scene, and of the one before it
+  // The lights of this scene and of the previous one.
+  std::vector<render::DynamicLight> lights_, lights_before_;
   render::SceneLight light_before_;
   std::uint32_t frame_number_ = 0;
   render::DrawList draw_list_;

@@ -9,33 +9,35 @@
 namespace temblor::client {
 namespace {
 
-constexpr float kWeaponLeastLight = 24;
+// The weapon in hand is never darker than this light level, as in the original.
+constexpr float kWeaponMinLight = 24;
 
-// Groups of frames that ask for it start at a moment of their own for each entity, so that a row of torches
-// does not flicker as one.
-double phase_time_s(double time_s, std::uint32_t entity, bool random_phase) {
-  constexpr double kPhaseStep_s = 0.618034;  // the golden ratio: no two neighbors alike
+// Frame groups with a random phase start at a different time for each entity, so that a row of torches does
+// not flicker in step.
+double compute_phase_time_s(double time_s, std::uint32_t entity, bool random_phase) {
+  constexpr double kPhaseStep_s = 0.618034;  // the golden ratio spreads neighbors evenly
   return random_phase ? time_s + kPhaseStep_s * entity : time_s;
 }
 
 }  // namespace
 
-void SceneBuilder::add_alias(const SceneInput& input, const SeenEntity& entity,
+// Blends between two poses. The frame numbers come from the entity; groups of frames choose a pose by time.
+void SceneBuilder::add_alias(const SceneInput& input, const InterpolatedEntity& entity,
                              const render::AliasModel& model) {
-  const double time_s = phase_time_s(input.time_s, entity.number, render::random_phase_of(model));
+  const double time_s = compute_phase_time_s(input.time_s, entity.number, render::has_random_phase(model));
   render::AliasInstance instance;
   instance.model = &model;
   instance.origin_world = entity.origin_world;
   instance.angles_deg = entity.angles_deg;
-  if ((render::flags_of(model) & formats::kMdlRotate) != 0)
-    instance.angles_deg.y = rotated_yaw_deg(input.time_s);
+  if ((render::find_model_flags(model) & formats::kMdlRotate) != 0)
+    instance.angles_deg.y = compute_rotated_yaw_deg(input.time_s);
   instance.scale = entity.scale;
   instance.from_pose = render::pose_at(model, entity.from_frame, time_s);
   instance.to_pose = render::pose_at(model, entity.to_frame, time_s);
   instance.blend = entity.blend;
   instance.skin = render::skin_at(model, entity.skin, time_s);
   instance.alpha = entity.alpha;
-  // Colormap n is that of player n; 0: as the skin is.
+  // Colormap n is that of player n; 0 leaves the skin as it is.
   if (entity.colormap > 0 && entity.colormap <= input.game.players.size()) {
     const Player& player = input.game.players[entity.colormap - 1u];
     instance.colors = render::PlayerColors{player.shirt, player.pants};
@@ -43,13 +45,15 @@ void SceneBuilder::add_alias(const SceneInput& input, const SeenEntity& entity,
   alias_models_.push_back(instance);
 }
 
-void SceneBuilder::add_sprite(const SceneInput& input, const SeenEntity& entity, const formats::Spr& sprite) {
+// Sprites are not blended.
+void SceneBuilder::add_sprite(const SceneInput& input, const InterpolatedEntity& entity,
+                              const formats::Spr& sprite) {
   const std::size_t number = entity.to_frame < sprite.frames.size() ? entity.to_frame : 0;
   const formats::SprFrame& frame = sprite.frames[number];
-  const double time_s = phase_time_s(input.time_s, entity.number, sprite.random_phase);
+  const double time_s = compute_phase_time_s(input.time_s, entity.number, sprite.random_phase);
   render::SpriteInstance instance;
   instance.sprite = &sprite;
-  instance.picture = &frame.pictures[formats::group_member_at(frame.end_times_s, time_s)];
+  instance.picture = &frame.pictures[formats::find_group_member(frame.end_times_s, time_s)];
   instance.origin_world = entity.origin_world;
   instance.angles_deg = entity.angles_deg;
   instance.scale = entity.scale;
@@ -57,19 +61,19 @@ void SceneBuilder::add_sprite(const SceneInput& input, const SeenEntity& entity,
   sprites_.push_back(instance);
 }
 
-void SceneBuilder::add_entity(const SceneInput& input, const SeenEntity& entity,
+void SceneBuilder::add_entity(const SceneInput& input, const InterpolatedEntity& entity,
                               std::vector<std::string>& io_notes) {
   const bool is_player = entity.number == input.game.view_entity;
   if (entity.model == 0 || entity.alpha <= 0 || (is_player && !input.show_player)) return;
-  if (!input.models.has(entity.model) &&
-      std::find(noted_.begin(), noted_.end(), entity.model) == noted_.end()) {
-    noted_.push_back(entity.model);
-    io_notes.push_back(fmt::format("entity {} has model {}, which the server never named; drawn as a cube",
+  if (!input.models.contains(entity.model) &&
+      std::find(reported_.begin(), reported_.end(), entity.model) == reported_.end()) {
+    reported_.push_back(entity.model);
+    io_notes.push_back(fmt::format("entity {} has unknown model {}. A placeholder is drawn instead",
                                    entity.number, entity.model));
   }
   const ClientModel& model = input.models.model(entity.model);
   if (const auto* brush_model = std::get_if<world::ModelIndex>(&model)) {
-    // The world itself is drawn anyway.
+    // The world itself is always drawn.
     if (*brush_model == world::ModelIndex{0}) return;
     brush_models_.push_back(
         {*brush_model, entity.origin_world, entity.angles_deg, entity.to_frame, entity.alpha});
@@ -80,6 +84,7 @@ void SceneBuilder::add_entity(const SceneInput& input, const SeenEntity& entity,
   }
 }
 
+// Games without a model for a kind of beam show nothing for it.
 void SceneBuilder::add_beams(const SceneInput& input) {
   for (const BeamPiece& piece : input.effects.beams()) {
     const AliasModelPtr& model = input.models.beam(piece.model);
@@ -93,11 +98,12 @@ void SceneBuilder::add_beams(const SceneInput& input) {
   }
 }
 
+// Places the weapon in hand; returns false if none is shown.
 bool SceneBuilder::place_weapon(const SceneInput& input) {
   const auto number = static_cast<std::size_t>(std::max(0, input.game.stat(Stat::kWeaponModel)));
   if (!input.show_weapon || !input.view.show_weapon || number == 0) return false;
   const auto* model = std::get_if<AliasModelPtr>(&input.models.model(number));
-  if (model == nullptr || !input.models.has(number)) return false;
+  if (model == nullptr || !input.models.contains(number)) return false;
   weapon_ = {};
   weapon_.model = model->get();
   weapon_.origin_world = input.view.weapon_origin_world;
@@ -106,7 +112,7 @@ bool SceneBuilder::place_weapon(const SceneInput& input) {
   weapon_.to_pose = render::pose_at(**model, input.weapon_frame.to, input.time_s);
   weapon_.blend = input.weapon_frame.blend;
   weapon_.alpha = input.game.data.weapon_alpha;
-  weapon_.min_light = kWeaponLeastLight;
+  weapon_.min_light = kWeaponMinLight;
   return true;
 }
 
@@ -114,7 +120,7 @@ render::Scene SceneBuilder::build(const SceneInput& input, std::vector<std::stri
   brush_models_.clear();
   alias_models_.clear();
   sprites_.clear();
-  for (const SeenEntity& entity : input.entities) add_entity(input, entity, io_notes);
+  for (const InterpolatedEntity& entity : input.entities) add_entity(input, entity, io_notes);
   add_beams(input);
 
   render::Scene scene;
@@ -130,7 +136,7 @@ render::Scene SceneBuilder::build(const SceneInput& input, std::vector<std::stri
   scene.underwater = input.view.underwater;
   scene.tint = input.view.tint;
   scene.time_s = input.time_s;
-  scene.light_styles = world::light_style_values(input.game.light_styles, input.time_s);
+  scene.light_styles = world::compute_light_styles(input.game.light_styles, input.time_s);
   return scene;
 }
 

@@ -1,4 +1,5 @@
-// What the client knows -> what the renderer draws.
+// Builds the renderer's Scene from the client's entities, effects and view: chooses the kind of instance for
+// each entity by its model, the pose of each alias model, and the picture of each sprite.
 #pragma once
 
 #include <span>
@@ -13,32 +14,36 @@
 
 namespace temblor::client {
 
-// Everything of one moment.
+// The inputs, all at one server time.
 struct SceneInput {
   const ModelTable& models;
   const Game& game;
-  std::span<const SeenEntity> entities;
+  std::span<const InterpolatedEntity> entities;
   const Effects& effects;
   const PlayerView& view;
   FrameBlend weapon_frame;
   double time_s;
-  bool show_weapon = true;   // r_drawviewmodel
-  bool show_player = false;  // his own body, which stands around the eye otherwise
+  // The variable r_drawviewmodel, and no ending.
+  bool show_weapon = true;
+  // Draw the player's own body, for cameras outside it.
+  bool show_player = false;
 };
 
-// Keeps the lists that a Scene refers to.
+// Owns the lists that a Scene refers to. The lists keep their capacity, so building allocates nothing in the
+// steady state.
 class SceneBuilder {
  public:
-  // Valid until the next call, and while the input's parts live. Models
-  // that the server never named are drawn as stand-ins and noted once each.
+  // Builds a scene. It is valid until the next call, and while the input's parts live. Models that the server
+  // never named are drawn as placeholders and reported once each.
   render::Scene build(const SceneInput& input, std::vector<std::string>& io_notes);
 
-  void begin_level() { noted_.clear(); }
+  void begin_level() { reported_.clear(); }
 
  private:
-  void add_entity(const SceneInput& input, const SeenEntity& entity, std::vector<std::string>& io_notes);
-  void add_alias(const SceneInput& input, const SeenEntity& entity, const render::AliasModel& model);
-  void add_sprite(const SceneInput& input, const SeenEntity& entity, const formats::Spr& sprite);
+  void add_entity(const SceneInput& input, const InterpolatedEntity& entity,
+                  std::vector<std::string>& io_notes);
+  void add_alias(const SceneInput& input, const InterpolatedEntity& entity, const render::AliasModel& model);
+  void add_sprite(const SceneInput& input, const InterpolatedEntity& entity, const formats::Spr& sprite);
   void add_beams(const SceneInput& input);
   bool place_weapon(const SceneInput& input);
 
@@ -46,7 +51,7 @@ class SceneBuilder {
   std::vector<render::AliasInstance> alias_models_;
   std::vector<render::SpriteInstance> sprites_;
   render::AliasInstance weapon_;
-  std::vector<std::uint16_t> noted_;
+  std::vector<std::uint16_t> reported_;
 };
 
 }  // namespace temblor::client

@@ -1,4 +1,5 @@
-// From the audio scene to the sound device: keeps a device open while there is one, and music playing.
+// The sound device: keeps one open while there is one, feeds it from the mixer, and plays music. A device may
+// vanish at any time (unplugged headphones); the game then continues in silence and opens the next one.
 #pragma once
 
 #include <functional>
@@ -15,43 +16,50 @@
 
 namespace temblor::client {
 
+// Opens the default device, which calls `fill` from its own thread.
 using OpenAudioDevice =
     std::function<base::Result<std::unique_ptr<platform::AudioDevice>>(platform::AudioFill fill)>;
 
+// Owns mixer and device.
 class SoundOutput {
  public:
-  // `open` may be called again whenever a device was lost or could not be had.
+  // `open` is called again whenever a device was lost or could not be opened.
   explicit SoundOutput(OpenAudioDevice open);
 
-  // Once a frame: what is to be heard from now on. Without a device time passes all the same, so that one
-  // that comes later plays what goes on by then. `time_s`: a clock that never stands still.
+  // Updates what is audible; call once a frame. Without a device, time passes in silence, so that a device
+  // that appears later joins in at the right place. `time_s`: a clock that never stops.
   void advance(double time_s, const audio::Scene& scene, const audio::SoundEvents& events);
 
-  // The number of the track, as servers tell it; 0: none. Another call for what is playing changes nothing.
-  // The file is read elsewhere: what is wrong with it is noted by a later advance().
+  // Plays a track by its server number; 0 for none. Does nothing if that track is playing. The file is read
+  // by another thread; problems are noted in a later advance().
   void play_music(const assets::Library& library, int track);
   void pause_music(bool paused) { mixer_.pause_music(paused); }
 
   bool has_device() const { return device_ != nullptr; }
-  // Of the device; "no sound device" without.
+  // The device's description, or "no sound device".
   std::string describe() const;
-  // What changed, a line each, since the last time it was asked for.
+  // Changes and problems since the last call, a line each.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
  private:
-  void look_after_device(double time_s);
-  void pass_without_device(double time_s);
+  void maintain_device(double time_s);
+  void advance_unheard(double time_s);
 
   OpenAudioDevice open_;
   audio::LiveMixer mixer_;
-  std::unique_ptr<platform::AudioDevice> device_;  // uses the mixer
-  std::optional<double> next_try_s_;               // nothing: at once
+  // Uses the mixer, so it is declared after it.
+  std::unique_ptr<platform::AudioDevice> device_;
+  // When to try again to open a device; nothing: at the next advance().
+  std::optional<double> next_try_s_;
   double time_s_ = 0;
-  int tries_ = 0;            // without a device, one after another
-  bool is_missing_ = false;  // and that was said
+  // Failed tries in a row.
+  int tries_ = 0;
+  // There is no device, and the player knows it.
+  bool is_missing_ = false;
   int track_ = 0;
   bool has_noted_music_ = false;
-  std::vector<float> unheard_;
+  // Scratch space of advance_unheard().
+  std::vector<float> discarded_;
   std::vector<std::string> notes_;
 };
 

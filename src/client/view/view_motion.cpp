@@ -8,7 +8,9 @@
 
 namespace temblor::client {
 
-float bob_units(double time_s, const math::Vec3& velocity) {
+// A sine of time, scaled by horizontal speed: 0.6 s per cycle, 2 % of the speed in units, of which 30 % are
+// constant. Stock Quake's rise and fall may differ in length (cl_bobup); its default is equal.
+float compute_bob(double time_s, const math::Vec3& velocity) {
   constexpr double kCycle_s = 0.6, kPerSpeed = 0.02, kSteady = 0.3;
   const double phase = time_s / kCycle_s - std::floor(time_s / kCycle_s);
   const double size = std::hypot(double{velocity.x}, double{velocity.y}) * kPerSpeed;
@@ -16,51 +18,55 @@ float bob_units(double time_s, const math::Vec3& velocity) {
   return static_cast<float>(std::clamp(bob, -7.0, 4.0));
 }
 
-float strafe_roll_deg(const math::Vec3& velocity, const math::Vec3& right) {
-  constexpr float kMaxSpeed = 200, kMost_deg = 2;
-  return std::clamp(glm::dot(velocity, right) / kMaxSpeed, -1.0f, 1.0f) * kMost_deg;
+float compute_strafe_roll_deg(const math::Vec3& velocity, const math::Vec3& right) {
+  constexpr float kMaxSpeed = 200, kMaxRoll_deg = 2;
+  return std::clamp(glm::dot(velocity, right) / kMaxSpeed, -1.0f, 1.0f) * kMaxRoll_deg;
 }
 
-math::Vec3 idle_sway_deg(double time_s) {
+math::Vec3 compute_idle_sway_deg(double time_s) {
   return {0.3 * std::sin(time_s), 0.3 * std::sin(2 * time_s), 0.1 * std::sin(0.5 * time_s)};
 }
 
-float StairSmoothing::advance(float floor_z, bool on_ground, double passed_s) {
-  constexpr float kMaxBehind = 12, kSpeed = 80;
+// In the air, and on the way down, the eyes stay with the body.
+float StairSmoothing::advance(float floor_z, bool on_ground, double elapsed_s) {
+  constexpr float kMaxLag = 12, kSpeed = 80;
   if (!on_ground || floor_z <= eyes_z_) {
     eyes_z_ = floor_z;
     return 0;
   }
-  const float risen = eyes_z_ + kSpeed * static_cast<float>(passed_s);
-  eyes_z_ = std::clamp(risen, floor_z - kMaxBehind, floor_z);
+  const float risen = eyes_z_ + kSpeed * static_cast<float>(elapsed_s);
+  eyes_z_ = std::clamp(risen, floor_z - kMaxLag, floor_z);
   return eyes_z_ - floor_z;
 }
 
-void DamageKick::take(const net::Damage& damage, const math::Vec3& body_world, float body_yaw_deg,
-                      double time_s) {
-  constexpr float kPerCount_deg = 0.6f;
+// Half the damage, at least 10, times 0.6 degrees: from the front it throws the head back, from the side it
+// rolls it.
+void DamageKick::add(const net::Damage& damage, const math::Vec3& body_world, float body_yaw_deg,
+                     double time_s) {
+  constexpr float kDegreesPerCount = 0.6f;
   const float count = std::max(10.0f, static_cast<float>(damage.armor + damage.blood) / 2);
-  const math::Vec3 way = damage.from - body_world;
-  const float distance = glm::length(way);
-  const math::Vec3 from = distance > 0 ? way / distance : math::Vec3(0.0f);
+  const math::Vec3 direction = damage.from - body_world;
+  const float distance = glm::length(direction);
+  const math::Vec3 from = distance > 0 ? direction / distance : math::Vec3(0.0f);
   const math::Basis body = math::basis_from_angles({0, body_yaw_deg, 0});
-  whole_deg_ = {count * kPerCount_deg * glm::dot(from, math::Vec3(body.forward)), 0,
-                count * kPerCount_deg * glm::dot(from, math::Vec3(body.right))};
+  kick_deg_ = {count * kDegreesPerCount * glm::dot(from, math::Vec3(body.forward)), 0,
+               count * kDegreesPerCount * glm::dot(from, math::Vec3(body.right))};
   since_s_ = time_s;
 }
 
 math::Vec3 DamageKick::angles_deg(double time_s) const {
-  constexpr double kFades_s = 0.5;
-  const double left = 1 - (time_s - since_s_) / kFades_s;
-  return whole_deg_ * static_cast<float>(std::max(0.0, left));
+  constexpr double kDuration_s = 0.5;
+  const double left = 1 - (time_s - since_s_) / kDuration_s;
+  return kick_deg_ * static_cast<float>(std::max(0.0, left));
 }
 
+// A new target starts a new step from the current value, so there is no jump.
 void EasedVector::advance(const math::Vec3& target, double time_s) {
-  constexpr double kLongest_s = 0.1;
+  constexpr double kMaxEase_s = 0.1;
   if (target == to_) return;
   from_ = value(time_s);
   to_ = target;
-  step_s_ = std::clamp(time_s - changed_s_, 0.0, kLongest_s);
+  step_s_ = std::clamp(time_s - changed_s_, 0.0, kMaxEase_s);
   changed_s_ = time_s;
 }
 
@@ -71,9 +77,9 @@ void EasedVector::jump(const math::Vec3& target, double time_s) {
 }
 
 math::Vec3 EasedVector::value(double time_s) const {
-  const double passed_s = time_s - changed_s_;
-  if (!(passed_s < step_s_)) return to_;
-  return from_ + (to_ - from_) * static_cast<float>(std::max(0.0, passed_s) / step_s_);
+  const double elapsed_s = time_s - changed_s_;
+  if (!(elapsed_s < step_s_)) return to_;
+  return from_ + (to_ - from_) * static_cast<float>(std::max(0.0, elapsed_s) / step_s_);
 }
 
 }  // namespace temblor::client

@@ -1,5 +1,6 @@
-// How the player's eyes move within the body: what walking, strafing, stairs, kicks and idleness do to them.
-// All of it is a function of time, or exact for any steps of time.
+// Motion of the eyes within the body, from walking, strafing, stairs, damage and idling. The amounts are
+// stock Quake's. Each is a function of time, or exact for any division of time into steps, so the frame rate
+// does not change it.
 #pragma once
 
 #include <limits>
@@ -9,43 +10,48 @@
 
 namespace temblor::client {
 
-// Up and down while walking, -7 to 4 units.
-float bob_units(double time_s, const math::Vec3& velocity);
+// The vertical bob of walking, -7 to 4 units. `velocity`: units per second; only its horizontal part counts.
+float compute_bob(double time_s, const math::Vec3& velocity);
 
-// The head leans 2 degrees towards where it is carried sideways, at 200 units a second and above.
-float strafe_roll_deg(const math::Vec3& velocity, const math::Vec3& right);
+// The roll of moving sideways: 2 degrees at 200 units per second and above, in proportion below. `right`: the
+// unit vector to the view's right.
+float compute_strafe_roll_deg(const math::Vec3& velocity, const math::Vec3& right);
 
-// Pitch, yaw and roll of a view that nobody holds.
-math::Vec3 idle_sway_deg(double time_s);
+// The sway of a view that nobody controls: pitch, yaw, roll.
+math::Vec3 compute_idle_sway_deg(double time_s);
 
-// A floor that lifts the player by a step lifts the eyes at 80 units a second, at most 12 units behind.
+// Smooths steps: the eyes rise at 80 units per second and lag behind the floor by at most 12 units.
 class StairSmoothing {
  public:
-  // For the time since the last call. Returns how far the eyes are behind, 0 or below.
-  float advance(float floor_z, bool on_ground, double passed_s);
-  void follow(float floor_z) { eyes_z_ = floor_z; }
+  // Advances by the time since the last call. Returns the eyes' height relative to the floor, 0 or negative.
+  float advance(float floor_z, bool on_ground, double elapsed_s);
+  // Puts the eyes at the floor at once, for teleports.
+  void reset(float floor_z) { eyes_z_ = floor_z; }
 
  private:
   float eyes_z_ = 0;
 };
 
-// A blow throws the head away from where it came from, for half a second.
+// Damage throws the head away from the attacker for half a second.
 class DamageKick {
  public:
-  void take(const net::Damage& damage, const math::Vec3& body_world, float body_yaw_deg, double time_s);
-  // Pitch, 0, roll.
+  void add(const net::Damage& damage, const math::Vec3& body_world, float body_yaw_deg, double time_s);
+  // The kick at a time: pitch, 0, roll. It fades linearly.
   math::Vec3 angles_deg(double time_s) const;
 
  private:
-  math::Vec3 whole_deg_{0.0f};
+  // The full kick, and when it began.
+  math::Vec3 kick_deg_{0.0f};
   double since_s_ = -std::numeric_limits<double>::infinity();
 };
 
-// Follows values that come by messages, in even steps from one to the next instead of jumps. The time for a
-// step is that between the last two changes, at most 0.1 s.
+// Turns values that change with each packet into even motion. A change takes as long as the time between the
+// last two changes, at most 0.1 s.
 class EasedVector {
  public:
+  // Starts to move to a new target; does nothing for the same one.
   void advance(const math::Vec3& target, double time_s);
+  // Changes the value at once.
   void jump(const math::Vec3& target, double time_s);
   math::Vec3 value(double time_s) const;
 

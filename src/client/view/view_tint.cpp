@@ -10,14 +10,17 @@ namespace {
 
 constexpr float kWhole = 256;
 
+// Colors in the original's units: 0 to 255, and the opacity in parts of 256.
 constexpr render::Tint tint(float red, float green, float blue, float part) {
   return {{red, green, blue}, part / kWhole};
 }
 
-float damage_count(const net::Damage& damage) {
+// The strength of a hit, as for the view's kick.
+float compute_damage_count(const net::Damage& damage) {
   return std::max(10.0f, static_cast<float>(damage.armor + damage.blood) / 2);
 }
 
+// Pale if armor took most of the damage, red without armor.
 math::Vec3 damage_color(const net::Damage& damage) {
   if (damage.armor > damage.blood) return {200, 100, 100};
   if (damage.armor > 0) return {220, 50, 50};
@@ -26,7 +29,9 @@ math::Vec3 damage_color(const net::Damage& damage) {
 
 }  // namespace
 
-render::Tint tint_over(const render::Tint& below, const render::Tint& above) {
+// Two blends c' = c (1 - a) + t a in a row are one blend: with opacity a = a1 (1 - a2) + a2 and color (t1 a1
+// (1 - a2) + t2 a2) / a.
+render::Tint blend_tints(const render::Tint& below, const render::Tint& above) {
   const float below_seen = below.opacity * (1 - above.opacity);
   const float opacity = below_seen + above.opacity;
   if (!(opacity > 0)) return {};
@@ -56,14 +61,14 @@ render::Tint powerup_tint(std::uint32_t items) {
   return {};
 }
 
-void FadingTints::advance(double passed_s, std::span<const net::Damage> damages, int bonus_flashes) {
-  constexpr float kDamageFades = 150, kBonusFades = 100;  // a second
-  constexpr float kDamageMost = 150, kBonus = 50;
-  const auto passed = static_cast<float>(passed_s);
+void FadingTints::advance(double elapsed_s, std::span<const net::Damage> damages, int bonus_flashes) {
+  constexpr float kDamageFades = 150, kBonusFades = 100;  // percent of 256 per second
+  constexpr float kMaxDamage = 150, kBonus = 50;
+  const auto passed = static_cast<float>(elapsed_s);
   damage_percent_ = std::max(0.0f, damage_percent_ - kDamageFades * passed);
   bonus_percent_ = std::max(0.0f, bonus_percent_ - kBonusFades * passed);
   for (const net::Damage& damage : damages) {
-    damage_percent_ = std::min(kDamageMost, damage_percent_ + 3 * damage_count(damage));
+    damage_percent_ = std::min(kMaxDamage, damage_percent_ + 3 * compute_damage_count(damage));
     damage_color_ = damage_color(damage);
   }
   if (bonus_flashes > 0) bonus_percent_ = kBonus;

@@ -1,5 +1,6 @@
-// Colors over the view: what the eye is in, pain, things picked up, power-ups. One color comes out that
-// does what laying them over the picture one after the other would.
+// Color tints over the view: liquids, pain, pickups, power-ups. All are combined into one color with the
+// effect of blending them over the picture one after the other. Colors and strengths are the original's.
+// Stock Quake changed the video palette for the same effect.
 #pragma once
 
 #include <span>
@@ -10,24 +11,24 @@
 
 namespace temblor::client {
 
-// Laying `above` over what has `below` over it already.
-render::Tint tint_over(const render::Tint& below, const render::Tint& above);
+// The combination of two tints: `above` over `below`.
+render::Tint blend_tints(const render::Tint& below, const render::Tint& above);
 
-// Of an eye in there; clear in the open.
+// The tint of an eye in these contents; clear in the open.
 render::Tint contents_tint(world::Contents contents);
-// Of the first of quad, suit, ring and pentagram that is among the items.
+// The tint of the first of quad, suit, ring and pentagram among the items.
 render::Tint powerup_tint(std::uint32_t items);
 
-// The tints that fade.
+// The tints that fade: damage and pickups. Percentages are added by each hit and fall at a constant rate.
 class FadingTints {
  public:
-  // Lets `passed_s` go by, then takes what happened at its end.
-  void advance(double passed_s, std::span<const net::Damage> damages, int bonus_flashes);
+  // Fades for `elapsed_s`, then adds what happened at the end of that time.
+  void advance(double elapsed_s, std::span<const net::Damage> damages, int bonus_flashes);
   render::Tint damage() const;
   render::Tint bonus() const;
 
  private:
-  float damage_percent_ = 0, bonus_percent_ = 0;  // of 256, as the original counts
+  float damage_percent_ = 0, bonus_percent_ = 0;  // of 256, as in the original
   math::Vec3 damage_color_{0.0f};
 };
 

@@ -1,3 +1,5 @@
+// Method: the tree is cut off where detail begins, and the portals of what is left are made as for any tree.
+// A leaf of the shortened tree is opaque only if all structural leaves in it are.
 #include "compiler/bsp/cluster_portals.h"
 
 #include <algorithm>
@@ -5,12 +7,14 @@
 namespace temblor::compiler {
 namespace {
 
-// The tree down to where detail begins, and which of its leaves each of the whole tree's lies in.
+// The structural part of a tree: its leaves are the clusters.
 struct CoarseTree {
   Tree tree;
-  std::vector<std::uint32_t> coarse_leaf;  // by leaf of the whole tree
+  std::vector<std::uint32_t> coarse_leaf;  // by leaf of the whole tree: its leaf in `tree`
 };
 
+// Copies a tree without its detail nodes. All leaves of the copy count as opaque until an open one is found
+// in them.
 class Coarsener {
  public:
   explicit Coarsener(const Tree& tree) : whole_(tree) {
@@ -38,7 +42,7 @@ class Coarsener {
     return static_cast<std::int32_t>(index);
   }
 
-  // Something that is not opaque shows that the leaf as a whole is not.
+  // Collects the leaves of a subtree in one coarse leaf. It is open if any of them is.
   void gather(std::int32_t child, std::size_t into) {
     if (child >= 0) {
       for (const std::int32_t below : whole_.nodes[static_cast<std::size_t>(child)].children)
@@ -55,6 +59,7 @@ class Coarsener {
   CoarseTree out_;
 };
 
+// Whether one can see through the portal between two structural fills.
 bool is_open(Fill a, Fill b, bool water_is_transparent) {
   if (is_opaque(a) || is_opaque(b)) return false;
   if (a != b && (a == Fill::kVisBlocker || b == Fill::kVisBlocker)) return false;
@@ -63,13 +68,14 @@ bool is_open(Fill a, Fill b, bool water_is_transparent) {
 
 }  // namespace
 
+// A cluster without any leaf of the level is solid; it has no number, and no portal leads to it.
 PortalSet make_cluster_portals(const Tree& tree, const PlaneSet& planes,
                                std::span<const std::uint32_t> leaf_numbers, std::size_t leaf_count,
                                bool water_is_transparent) {
   const CoarseTree coarse = Coarsener(tree).make();
   PortalSet set;
   set.cluster_of_leaf.assign(leaf_count, kNoCluster);
-  // Numbered in the order of the level's leaves.
+  // Clusters are numbered in the order of the level's leaves.
   std::vector<std::uint32_t> leaf_of_number(leaf_count, 0);
   for (std::uint32_t leaf = 0; leaf < leaf_numbers.size(); ++leaf) leaf_of_number[leaf_numbers[leaf]] = leaf;
   std::vector<std::uint32_t> cluster(coarse.tree.leaves.size(), kNoCluster);

@@ -1,3 +1,5 @@
+// Method: a flood fill through the leaves of one fence, whose open neighbors are the leaves that get the
+// faces.
 #include "compiler/bsp/fence_sight.h"
 
 #include <algorithm>
@@ -6,8 +8,10 @@
 namespace temblor::compiler {
 namespace {
 
+// Walks through fences from leaf to leaf.
 class FenceSight {
  public:
+  // Lists neighbors for fences only: nothing walks on from an open leaf.
   FenceSight(const Tree& tree, std::span<const LeafPortal> portals) : tree_(tree) {
     neighbors_.resize(tree.leaves.size());
     for (const LeafPortal& portal : portals)
@@ -19,7 +23,7 @@ class FenceSight {
 
   bool is_fence(std::uint32_t leaf) const { return tree_.leaves[leaf].fill == Fill::kFence; }
 
-  // Those around the fence that one of `leaves` is a part of.
+  // The open leaves around the fence that contains any of `leaves`.
   std::vector<std::uint32_t> around(std::span<const std::uint32_t> leaves) const {
     std::set<std::uint32_t> fence, found;
     std::vector<std::uint32_t> next(leaves.begin(), leaves.end());
@@ -37,7 +41,7 @@ class FenceSight {
 
  private:
   const Tree& tree_;
-  std::vector<std::vector<std::uint32_t>> neighbors_;  // by leaf; of fences alone
+  std::vector<std::vector<std::uint32_t>> neighbors_;  // by leaf; only fences have any
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Who sees what lies wholly behind a fence: the fence is no leaf of the level, so it is marked in those
-// around.
+// Faces inside a fence (func_detail_fence: bars, grates), which are seen through its holes. The fence is
+// solid, so its leaves are not leaves of the level, and the faces must be listed in the leaves around it.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace temblor::compiler {
 
-// Faces that only fences' leaves see get the leaves that touch those fences, in order; others stay as they
-// are.
+// If all leaves that see a face are a fence's, replaces them by the open leaves that touch that fence, in
+// order. Other faces stay unchanged.
 void mark_around_fences(std::span<TreeFace> io_faces, const Tree& tree, std::span<const LeafPortal> portals);
 
 }  // namespace temblor::compiler

@@ -1,4 +1,8 @@
-// What lies outside of a level is made solid, and a level that is not closed is found out.
+// Finds leaks, and makes the void outside a sealed level solid.
+//
+// The flood begins at the edge of the tree's box and passes through every portal between leaves that nothing
+// opaque fills. It must not reach an entity: qbsp's old trick for telling the inside of a level from the
+// outside. A sealed level loses everything outside, faces included, which roughly halves its size.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +14,15 @@
 
 namespace temblor::compiler {
 
+// How the outside reaches an occupant.
 struct Leak {
-  std::size_t entity;                  // which of the occupants is reached
-  std::vector<math::Vec3d> way_world;  // from it to the outside, through the middles of portals
+  std::size_t entity;                   // index of the occupant that the flood reached
+  std::vector<math::Vec3d> path_world;  // from the occupant to the outside, through the centers of portals
 };
 
-// Floods the tree from outside, through leaves that nothing opaque fills. When no occupant (a point that is
-// not in an opaque leaf) is reached, all that was reached becomes kSolid, filled by nothing; otherwise, and
-// without occupants, nothing changes.
+// Floods the tree from outside. If no occupant is reached, every reached leaf becomes kSolid without brushes,
+// and the result is empty. If one is reached, or if there are none, nothing changes. Occupants inside opaque
+// leaves are never reached.
 std::optional<Leak> fill_outside(Tree& io_tree, const PlaneSet& planes, const LeafPortals& portals,
                                  std::span<const math::Vec3d> occupants);
 

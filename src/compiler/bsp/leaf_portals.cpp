@@ -5,12 +5,15 @@
 namespace temblor::compiler {
 namespace {
 
+// Visits every node. `outsides_` are the planes of its ancestors, facing away from it, so cutting a winding
+// to the back of all of them leaves the part inside the node.
 class PortalMaker {
  public:
   PortalMaker(const Tree& tree, const PlaneSet& planes) : tree_(tree), planes_(planes) {
     out_.is_outermost.assign(tree.leaves.size(), false);
   }
 
+  // The six faces of the tree's box say which leaves are at the edge; the nodes give the portals.
   LeafPortals make() {
     for (int axis = 0; axis < 3; ++axis)
       for (const int side : {-1, 1}) {
@@ -21,7 +24,7 @@ class PortalMaker {
         walls_.push_back(wall);
       }
     for (std::size_t i = 0; i < walls_.size(); ++i) {
-      Winding winding = whole_plane(walls_[i]);
+      Winding winding = make_base_winding(walls_[i]);
       for (std::size_t other = 0; other < walls_.size(); ++other)
         if (other != i) cut_to_back(winding, walls_[other], true);
       spread(tree_.root, std::move(winding), -walls_[i].normal,
@@ -32,15 +35,16 @@ class PortalMaker {
   }
 
  private:
+  // Makes the portals in the plane of a node, then in its subtrees.
   void visit(std::int32_t number) {
     const TreeNode& node = tree_.nodes[static_cast<std::size_t>(number)];
     const Plane& plane = planes_[node.plane];
-    Winding winding = whole_plane(plane);
+    Winding winding = make_base_winding(plane);
     for (const Plane& wall : walls_) cut_to_back(winding, wall, true);
-    // From the node upwards: the nearest ancestors cut off most.
+    // From the node upward: the nearest ancestors cut off most.
     for (std::size_t i = outsides_.size(); i-- > 0 && !winding.empty();)
       cut_to_back(winding, planes_[outsides_[i]], true,
-                  on_plane_for(plane.normal, planes_[outsides_[i]].normal));
+                  on_plane_epsilon(plane.normal, planes_[outsides_[i]].normal));
     if (!is_tiny(winding))
       spread(node.children[0], std::move(winding), plane.normal, [&](std::uint32_t front, Winding part) {
         spread(node.children[1], std::move(part), -plane.normal, [&](std::uint32_t back, Winding piece) {
@@ -49,22 +53,23 @@ class PortalMaker {
       });
     for (const int side : {0, 1}) {
       if (node.children[static_cast<std::size_t>(side)] < 0) continue;
-      outsides_.push_back(side == 0 ? turned(node.plane) : node.plane);
+      outsides_.push_back(side == 0 ? flipped(node.plane) : node.plane);
       visit(node.children[static_cast<std::size_t>(side)]);
       outsides_.pop_back();
     }
   }
 
-  // Calls found(leaf, part) for each leaf below `child` that the winding bounds; `inwards` points into them.
+  // Pushes a winding on the surface of a subtree's volume down to the leaves: calls found(leaf, part) for
+  // each leaf below `child` that it touches. `inward` points into the volume.
   template <typename Found>
-  void spread(std::int32_t child, Winding winding, const math::Vec3d& inwards, const Found& found) {
+  void spread(std::int32_t child, Winding winding, const math::Vec3d& inward, const Found& found) {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
-      const double on_plane = on_plane_for(inwards, plane.normal);
-      switch (side_of(winding, plane, on_plane)) {
+      const double on_plane = on_plane_epsilon(inward, plane.normal);
+      switch (find_side(winding, plane, on_plane)) {
         case WindingSide::kOn:
-          child = node.children[glm::dot(inwards, plane.normal) > 0 ? 0 : 1];
+          child = node.children[glm::dot(inward, plane.normal) > 0 ? 0 : 1];
           continue;
         case WindingSide::kFront:
           child = node.children[0];
@@ -78,7 +83,7 @@ class PortalMaker {
       WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
       if (!in_front && !behind) return;
-      if (in_front && behind) spread(node.children[0], std::move(parts.front), inwards, found);
+      if (in_front && behind) spread(node.children[0], std::move(parts.front), inward, found);
       winding = std::move(behind ? parts.back : parts.front);
       child = node.children[behind ? 1 : 0];
     }
@@ -88,7 +93,7 @@ class PortalMaker {
   const Tree& tree_;
   const PlaneSet& planes_;
   std::vector<Plane> walls_;
-  std::vector<PlaneIndex> outsides_;  // of the nodes on the way down: their fronts are elsewhere
+  std::vector<PlaneIndex> outsides_;  // of the ancestors of the current node, facing away from it
   LeafPortals out_;
 };
 

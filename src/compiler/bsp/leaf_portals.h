@@ -1,4 +1,8 @@
-// Where a tree's leaves touch: a polygon for each pair of neighbors.
+// Portals: one convex polygon for each pair of leaves of a tree that touch.
+//
+// Each node's plane is clipped to the node's volume and pushed down both of its subtrees; every piece that
+// arrives at a leaf on both sides is a portal. Faces, the outside flood and the clusters' portals all come
+// from these.
 #pragma once
 
 #include <array>
@@ -9,17 +13,20 @@
 
 namespace temblor::compiler {
 
+// `winding` is clockwise seen from the first leaf.
 struct LeafPortal {
-  Winding winding;  // seen from the first leaf
-  std::uint32_t node;
-  std::array<std::uint32_t, 2> leaves;  // in front of the node's plane, behind it
+  Winding winding;
+  std::uint32_t node;                   // the portal is in this node's plane
+  std::array<std::uint32_t, 2> leaves;  // in front of the plane, behind it
 };
 
+// All portals of a tree, in the order of its nodes.
 struct LeafPortals {
   std::vector<LeafPortal> portals;
-  std::vector<bool> is_outermost;  // by leaf: it reaches the end of the tree's box
+  std::vector<bool> is_outermost;  // by leaf: it touches the faces of the tree's box
 };
 
+// Makes the portals of a tree. Tiny ones (is_tiny) are left out.
 LeafPortals make_leaf_portals(const Tree& tree, const PlaneSet& planes);
 
 }  // namespace temblor::compiler

@@ -5,9 +5,10 @@
 namespace temblor::compiler {
 namespace {
 
-// As a .bsp names what is in a leaf.
-std::int32_t contents_of(Fill fill) {
+// The contents of a leaf as a .bsp numbers them.
+std::int32_t to_contents(Fill fill) {
   switch (fill) {
+    // CONTENTS_WATER to CONTENTS_SKY of the game; below, CONTENTS_SOLID and CONTENTS_EMPTY.
     case Fill::kWater:
       return -3;
     case Fill::kSlime:
@@ -21,19 +22,22 @@ std::int32_t contents_of(Fill fill) {
   }
 }
 
+// Extends a box by another one.
 void join(Box& io_box, const Box& other) {
   if (other.is_empty()) return;
   io_box.add(other.mins);
   io_box.add(other.maxs);
 }
 
-math::Vec3 mins_of(const Box& box) {
+// Empty boxes become points: lumps have no empty box.
+math::Vec3 box_mins(const Box& box) {
   return box.is_empty() ? math::Vec3(0.0f) : math::Vec3(box.mins);
 }
-math::Vec3 maxs_of(const Box& box) {
+math::Vec3 box_maxs(const Box& box) {
   return box.is_empty() ? math::Vec3(0.0f) : math::Vec3(box.maxs);
 }
 
+// The number of a leaf that is a child.
 std::size_t number(std::int32_t leaf_child) {
   return static_cast<std::size_t>(~leaf_child);
 }
@@ -42,11 +46,12 @@ std::size_t number(std::int32_t leaf_child) {
 
 LevelWriter::LevelWriter(const PlaneSet& planes) : planes_(planes) {
   formats::BspLeaf solid;
-  solid.contents = contents_of(Fill::kSolid);
+  solid.contents = to_contents(Fill::kSolid);
   bsp_.leaves.push_back(solid);
-  bsp_.edges.push_back({});  // a surfedge's sign could not turn edge 0
+  bsp_.edges.push_back({});  // edge 0 is never used: -0 could not mean the other direction
 }
 
+// Leaves get their numbers before faces and nodes, which refer to them.
 std::vector<std::uint32_t> LevelWriter::add_model(const Tree& tree, std::span<const LeafPortal> portals,
                                                   std::span<const TreeFace> faces, const Box& box) {
   ModelParts parts{
@@ -55,15 +60,15 @@ std::vector<std::uint32_t> LevelWriter::add_model(const Tree& tree, std::span<co
   for (const LeafPortal& portal : portals)
     for (const std::uint32_t leaf : portal.leaves) parts.leaf_boxes[leaf].add(portal.winding);
   formats::BspModel model;
-  model.mins = mins_of(box);
-  model.maxs = maxs_of(box);
+  model.mins = box_mins(box);
+  model.maxs = box_maxs(box);
   model.first_face = static_cast<std::uint32_t>(bsp_.faces.size());
   add_leaves(tree.root, parts);
   model.visible_leaves = static_cast<std::int32_t>(bsp_.leaves.size() - parts.first_leaf);
   add_faces(faces, parts);
   model.face_count = static_cast<std::uint32_t>(bsp_.faces.size()) - model.first_face;
   model.head_nodes = {add_node(tree.root, parts).first, -1, -1, -1};
-  // Engines take a leaf's number here for contents, so a model that is one leaf gets a node all the same.
+  // Engines would read a leaf's number here as contents, so a model that is a single leaf still gets a node.
   if (tree.is_leaf(tree.root)) {
     formats::BspNode node;
     node.plane = plane_number(PlaneIndex{0});
@@ -75,6 +80,7 @@ std::vector<std::uint32_t> LevelWriter::add_model(const Tree& tree, std::span<co
   return std::move(parts.leaf_numbers);
 }
 
+// Numbers the open leaves in the order of the tree.
 void LevelWriter::add_leaves(std::int32_t child, ModelParts& io_parts) {
   if (child >= 0) {
     for (const std::int32_t below : io_parts.tree.nodes[static_cast<std::size_t>(child)].children)
@@ -84,13 +90,15 @@ void LevelWriter::add_leaves(std::int32_t child, ModelParts& io_parts) {
   const TreeLeaf& from = io_parts.tree.leaves[number(child)];
   if (is_blocked(from.fill)) return;
   formats::BspLeaf leaf;
-  leaf.contents = contents_of(from.fill);
-  leaf.mins = mins_of(io_parts.leaf_boxes[number(child)]);
-  leaf.maxs = maxs_of(io_parts.leaf_boxes[number(child)]);
+  leaf.contents = to_contents(from.fill);
+  leaf.mins = box_mins(io_parts.leaf_boxes[number(child)]);
+  leaf.maxs = box_maxs(io_parts.leaf_boxes[number(child)]);
   io_parts.leaf_numbers[number(child)] = static_cast<std::uint32_t>(bsp_.leaves.size());
   bsp_.leaves.push_back(leaf);
 }
 
+// Turns windings into loops of shared vertices and edges, and lists each face in the leaves that see it.
+// Faces that only solid leaves see are dropped.
 void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_parts) {
   std::vector<FaceLoop> loops;
   for (const TreeFace& face : faces) {
@@ -99,7 +107,7 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
     loops.push_back(std::move(loop));
   }
   close_t_junctions(loops, vertices_);
-  open_edges_.clear();  // no edge is shared by two models
+  open_edges_.clear();  // models share no edges
   std::vector<std::vector<std::uint32_t>> marked(bsp_.leaves.size() - io_parts.first_leaf);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const TreeFace& face = faces[i];
@@ -108,7 +116,7 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
     const auto index = static_cast<std::uint32_t>(bsp_.faces.size());
     formats::BspFace out;
     out.plane = plane_number(stored(face.plane));
-    out.side = is_turned(face.plane) ? 1 : 0;
+    out.side = is_flipped(face.plane) ? 1 : 0;
     out.first_surfedge = static_cast<std::uint32_t>(bsp_.surfedges.size());
     out.surfedge_count = static_cast<std::uint32_t>(loops[i].size());
     for (std::size_t k = 0; k < loops[i].size(); ++k)
@@ -129,10 +137,11 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
   }
 }
 
+// Writes a subtree, parents before children. Returns its child number and the box around its open leaves.
 std::pair<std::int32_t, Box> LevelWriter::add_node(std::int32_t child, const ModelParts& parts) {
   if (child < 0) {
     const Fill fill = parts.tree.leaves[number(child)].fill;
-    const bool is_seen = !is_blocked(fill) || fill == Fill::kFence;  // what is seen in a fence is drawn, too
+    const bool is_seen = !is_blocked(fill) || fill == Fill::kFence;  // one looks into fences
     return {-static_cast<std::int32_t>(parts.leaf_numbers[number(child)]) - 1,
             is_seen ? parts.leaf_boxes[number(child)] : Box{}};
   }
@@ -148,8 +157,8 @@ std::pair<std::int32_t, Box> LevelWriter::add_node(std::int32_t child, const Mod
     node.children[side] = number_below;
     join(box, box_below);
   }
-  node.mins = mins_of(box);
-  node.maxs = maxs_of(box);
+  node.mins = box_mins(box);
+  node.maxs = box_maxs(box);
   bsp_.nodes[index] = node;
   return {static_cast<std::int32_t>(index), box};
 }
@@ -158,8 +167,9 @@ void LevelWriter::set_hull(std::size_t hull, const Tree& tree) {
   bsp_.models.back().head_nodes[hull] = add_clipnode(tree, tree.root);
 }
 
+// Writes a subtree of a clip hull, whose leaves are contents instead of numbers.
 std::int32_t LevelWriter::add_clipnode(const Tree& tree, std::int32_t child) {
-  if (child < 0) return contents_of(tree.leaves[number(child)].fill);
+  if (child < 0) return to_contents(tree.leaves[number(child)].fill);
   const TreeNode& from = tree.nodes[static_cast<std::size_t>(child)];
   const std::size_t index = bsp_.clipnodes.size();
   bsp_.clipnodes.push_back({plane_number(from.plane), {}});
@@ -170,6 +180,7 @@ std::int32_t LevelWriter::add_clipnode(const Tree& tree, std::int32_t child) {
   return static_cast<std::int32_t>(index);
 }
 
+// The number of a plane in the level. Planes that nothing uses are not written.
 std::uint32_t LevelWriter::plane_number(PlaneIndex plane) {
   const auto [known, is_new] =
       plane_numbers_.try_emplace(plane, static_cast<std::uint32_t>(bsp_.planes.size()));
@@ -184,6 +195,7 @@ std::uint32_t LevelWriter::plane_number(PlaneIndex plane) {
   return known->second;
 }
 
+// An edge that a neighbor already uses in the other direction is reused with a negative sign.
 std::int32_t LevelWriter::surfedge(std::uint32_t from, std::uint32_t to) {
   if (const auto open = open_edges_.find({to, from}); open != open_edges_.end()) {
     const auto edge = static_cast<std::int32_t>(open->second);
@@ -197,7 +209,7 @@ std::int32_t LevelWriter::surfedge(std::uint32_t from, std::uint32_t to) {
 }
 
 formats::Bsp LevelWriter::take() && {
-  if (vertices_.points().empty()) bsp_.vertices.emplace_back();  // of edge 0, where nothing is drawn
+  if (vertices_.points().empty()) bsp_.vertices.emplace_back();  // edge 0 needs one even if nothing is drawn
   for (const math::Vec3d& point : vertices_.points()) bsp_.vertices.push_back(math::Vec3(point));
   return std::move(bsp_);
 }

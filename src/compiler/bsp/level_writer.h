@@ -1,4 +1,7 @@
-// Trees and faces as a level's lumps, model by model.
+// Writes trees and faces into a level's lumps, one model after another.
+//
+// Leaf 0 of a level is the solid leaf that all solid leaves of all trees share. Edges are shared by the two
+// faces on both sides of them.
 #pragma once
 
 #include <cstdint>
@@ -13,31 +16,33 @@
 
 namespace temblor::compiler {
 
+// Use: add_model(), then set_hull() for each clip hull; the world first; take() at the end.
 class LevelWriter {
  public:
+  // `planes` outlives the writer.
   explicit LevelWriter(const PlaneSet& planes);
 
-  // The world first; `faces` in order of their nodes, `box` of the model's brushes. Returns the number of
-  // each of the tree's leaves in the level; 0 for solid ones.
+  // Adds a model. `faces` are in the order of their nodes; `box` bounds the model's brushes. Returns, by leaf
+  // of the tree, its number in the level; 0 for solid leaves.
   std::vector<std::uint32_t> add_model(const Tree& tree, std::span<const LeafPortal> portals,
                                        std::span<const TreeFace> faces, const Box& box);
-  // Of the last model: hull 1 or 2.
+  // Sets clip hull 1 or 2 of the last model.
   void set_hull(std::size_t hull, const Tree& tree);
 
-  // By face, its surface.
+  // By face of the level: the surface that it shows.
   const std::vector<std::uint32_t>& surface_of_face() const { return surface_of_face_; }
-  // Everything but texinfos, textures, entities, visibility and light.
+  // Returns the level without texinfos, textures, entities, visibility and light.
   formats::Bsp take() &&;
 
  private:
-  // What is being added.
+  // The model that is being added.
   struct ModelParts {
     const Tree& tree;
     std::vector<Box> leaf_boxes;
     std::vector<std::uint32_t> leaf_numbers;
-    // By node of the tree: its faces in the level.
+    // By node of the tree: the range of its faces in the level.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> first_face_and_count;
-    std::size_t first_leaf;  // of its leaves in the level
+    std::size_t first_leaf;  // number of the model's first leaf in the level
   };
   void add_leaves(std::int32_t child, ModelParts& io_parts);
   void add_faces(std::span<const TreeFace> faces, ModelParts& io_parts);
@@ -50,7 +55,7 @@ class LevelWriter {
   formats::Bsp bsp_;
   std::map<PlaneIndex, std::uint32_t> plane_numbers_;
   VertexSet vertices_;
-  // From vertex to vertex, while one face alone uses it.
+  // Edges that only one face uses so far, by their two vertices.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> open_edges_;
   std::vector<std::uint32_t> surface_of_face_;
 };

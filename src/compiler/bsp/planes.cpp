@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kSameNormal = 1e-5, kSameDistance = 0.01;  // units
 
-// To the axis, where it is as good as one; distances of such planes to whole units likewise.
+// Snaps a normal that is nearly along an axis to that axis, and the distance of such a plane to a whole
+// number.
 void snap(math::Vec3d& io_normal, double& io_distance) {
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(std::abs(io_normal[axis]) - 1) >= kSameNormal) continue;
@@ -22,7 +23,8 @@ void snap(math::Vec3d& io_normal, double& io_distance) {
   }
 }
 
-// The first of those that are as long as the longest: rounding must not make two planes of one.
+// The axis with the longest component; of nearly equal ones the first, so that rounding never makes two
+// planes of one.
 int dominant_axis(const math::Vec3d& normal) {
   constexpr double kAsLong = 1e-4;
   const math::Vec3d size = glm::abs(normal);
@@ -30,15 +32,16 @@ int dominant_axis(const math::Vec3d& normal) {
   return size.x >= least ? 0 : size.y >= least ? 1 : 2;
 }
 
-// Planes of the same kind, axial ones by axis, and of nearly the same distance have the same key.
+// Hash key: planes of the same kind (along x, y, z, or any other) at nearly the same distance share one.
 constexpr std::int64_t kKinds = 4;
-std::int64_t key_of(double distance, int axis) {
+std::int64_t make_key(double distance, int axis) {
   constexpr double kStepsAUnit = 8;
   return static_cast<std::int64_t>(std::floor(distance * kStepsAUnit)) * kKinds + axis;
 }
 
 }  // namespace
 
+// Looks at all distances within the tolerance. Of several matches, the plane with the lowest number wins.
 PlaneIndex PlaneSet::find_or_add(math::Vec3d normal, double distance) {
   snap(normal, distance);
   const int dominant = dominant_axis(normal);
@@ -48,8 +51,8 @@ PlaneIndex PlaneSet::find_or_add(math::Vec3d normal, double distance) {
     distance = -distance;
   }
   const int axis = normal[dominant] == 1 ? dominant : 3;
-  const std::int64_t first = key_of(distance - kSameDistance, axis),
-                     last = key_of(distance + kSameDistance, axis);
+  const std::int64_t first = make_key(distance - kSameDistance, axis),
+                     last = make_key(distance + kSameDistance, axis);
   std::optional<PlaneIndex> found;
   for (std::int64_t key = first; key <= last; key += kKinds) {
     const auto [begin, end] = by_distance_.equal_range(key);
@@ -61,12 +64,12 @@ PlaneIndex PlaneSet::find_or_add(math::Vec3d normal, double distance) {
         found = it->second;
     }
   }
-  if (found) return turn ? turned(*found) : *found;
+  if (found) return turn ? flipped(*found) : *found;
   const auto index = static_cast<PlaneIndex>(planes_.size());
   planes_.push_back({normal, distance, axis});
   planes_.push_back({-normal, -distance, axis});
-  by_distance_.emplace(key_of(distance, axis), index);
-  return turn ? turned(index) : index;
+  by_distance_.emplace(make_key(distance, axis), index);
+  return turn ? flipped(index) : index;
 }
 
 }  // namespace temblor::compiler

@@ -1,3 +1,7 @@
+// Method: a side of a brush is kept as a splitting side if some portal of the first tree in its plane
+// separates leaves with different contents, or shows a face. The tree is then built again from the same
+// brushes, and each of its leaves takes its contents from the first tree. Faces, which were made from the
+// first tree, are pushed down the second one.
 #include "compiler/bsp/second_tree.h"
 
 #include <algorithm>
@@ -6,15 +10,16 @@
 namespace temblor::compiler {
 namespace {
 
+// Whether boxes overlap or touch.
 bool touch(const Box& a, const Box& b) {
-  return glm::all(glm::lessThanEqual(a.mins - kOnPlane, b.maxs)) &&
-         glm::all(glm::lessThanEqual(b.mins - kOnPlane, a.maxs));
+  return glm::all(glm::lessThanEqual(a.mins - kOnPlaneEpsilon, b.maxs)) &&
+         glm::all(glm::lessThanEqual(b.mins - kOnPlaneEpsilon, a.maxs));
 }
 
-// The brushes, only sides splitting at which the fill changes somewhere, or something is seen
-// (and hints).
-std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> portals,
-                                 std::span<const Brush> brushes) {
+// The brushes with only those sides splitting at which the contents change or a face is visible. Sides of
+// hint brushes always split.
+std::vector<Brush> keep_bounding_sides(const Tree& tree, std::span<const LeafPortal> portals,
+                                       std::span<const Brush> brushes) {
   std::vector<Brush> kept(brushes.begin(), brushes.end());
   std::vector<std::vector<Box>> side_boxes(kept.size());
   for (std::size_t i = 0; i < kept.size(); ++i)
@@ -25,8 +30,8 @@ std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> p
   for (const LeafPortal& portal : portals) {
     const TreeLeaf &front = tree.leaves[portal.leaves[0]], &back = tree.leaves[portal.leaves[1]];
     const PlaneIndex plane = tree.nodes[portal.node].plane;
-    const bool is_seen = surface_between(front, back, plane, brushes) != kNoSurface ||
-                         surface_between(back, front, turned(plane), brushes) != kNoSurface;
+    const bool is_seen = find_surface_between(front, back, plane, brushes) != kNoSurface ||
+                         find_surface_between(back, front, flipped(plane), brushes) != kNoSurface;
     if (front.fill == back.fill && front.structure == back.structure && !is_seen) continue;
     Box box;
     box.add(portal.winding);
@@ -39,7 +44,8 @@ std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> p
           found = true;
         }
     if (found) continue;
-    // The plane is another brush's, so near to one of these that the tree took both for one.
+    // No brush of these leaves has a side there: the plane belongs to another brush and is so near to a side
+    // of one of these that the tree took them for one. Keep all their sides.
     for (const TreeLeaf* leaf : {&front, &back})
       for (const std::uint32_t brush : leaf->brushes)
         for (BrushSide& side : kept[brush].sides) side.splits = true;
@@ -47,14 +53,14 @@ std::vector<Brush> only_bounding(const Tree& tree, std::span<const LeafPortal> p
   return kept;
 }
 
-// A point inside of each bounded leaf: the mean of its portals' corners.
+// A point inside each bounded leaf: the mean of its portals' corners.
 struct InnerPoint {
   math::Vec3d sum{0.0};
   double count = 0;
   int portals = 0;
 };
 
-std::vector<InnerPoint> inner_points(const Tree& tree, std::span<const LeafPortal> portals) {
+std::vector<InnerPoint> find_inner_points(const Tree& tree, std::span<const LeafPortal> portals) {
   std::vector<InnerPoint> points(tree.leaves.size());
   for (const LeafPortal& portal : portals)
     for (const std::uint32_t leaf : portal.leaves) {
@@ -65,16 +71,16 @@ std::vector<InnerPoint> inner_points(const Tree& tree, std::span<const LeafPorta
   return points;
 }
 
-// Whether a tree may take a plane and that of a winding for one, as far as the winding reaches, though they
-// meet at an angle: a flatter one is the same plane, given twice.
+// Whether a winding is so near to a plane everywhere that a tree may take it to be in that plane, although
+// they meet at an angle.
 bool nearly_in(const Winding& winding, const math::Vec3d& normal, const Plane& plane) {
   constexpr double kNear = 0.15;  // units
-  return on_plane_for(normal, plane.normal) < kOnPlane &&
+  return on_plane_epsilon(normal, plane.normal) < kOnPlaneEpsilon &&
          std::ranges::all_of(
              winding, [&](const math::Vec3d& point) { return std::abs(plane.distance_to(point)) < kNear; });
 }
 
-// Places faces one after another.
+// Moves faces down a tree.
 class FacePlacer {
  public:
   FacePlacer(const Tree& tree, const PlaneSet& planes) : tree_(tree), planes_(planes) {}
@@ -85,21 +91,21 @@ class FacePlacer {
   }
 
  private:
-  // `near`: the last node on the way down in whose plane the winding nearly lies, -1 without one.
+  // `near`: the last node on the way down whose plane the winding is nearly in; -1: none.
   void find_node(const TreeFace& face, Winding winding, std::int32_t child, std::int32_t near = -1) {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
-      const math::Vec3d& outwards = planes_[face.plane].normal;
-      if (nearly_in(winding, outwards, plane)) near = child;
-      const double on_plane = on_plane_for(outwards, plane.normal);
-      const WindingSide side = side_of(winding, plane, on_plane);
+      const math::Vec3d& outward = planes_[face.plane].normal;
+      if (nearly_in(winding, outward, plane)) near = child;
+      const double on_plane = on_plane_epsilon(outward, plane.normal);
+      const WindingSide side = find_side(winding, plane, on_plane);
       if (side == WindingSide::kFront || side == WindingSide::kBack) {
         child = node.children[side == WindingSide::kFront ? 0 : 1];
         continue;
       }
       if (side == WindingSide::kOn) {
-        const std::size_t facing = glm::dot(outwards, plane.normal) > 0 ? 0 : 1;
+        const std::size_t facing = glm::dot(outward, plane.normal) > 0 ? 0 : 1;
         if (node.plane == stored(face.plane)) {
           place_at(child, face.plane, face, std::move(winding));
           return;
@@ -115,12 +121,14 @@ class FacePlacer {
       child = node.children[behind ? 1 : 0];
     }
     if (near < 0) return;
-    // What stands out from a plane by a sliver counted as lying behind it, here and not in the first tree.
+    // The winding sticks out from a plane by a sliver; here it counted as behind, while in the first tree it
+    // did not.
     const PlaneIndex plane = tree_.nodes[static_cast<std::size_t>(near)].plane;
     const bool facing = glm::dot(planes_[face.plane].normal, planes_[plane].normal) > 0;
-    place_at(near, facing ? plane : turned(plane), face, std::move(winding));
+    place_at(near, facing ? plane : flipped(plane), face, std::move(winding));
   }
 
+  // Adds the face to a node, in one of its plane's two directions.
   void place_at(std::int32_t number, PlaneIndex plane, const TreeFace& face, Winding winding) {
     const TreeNode& node = tree_.nodes[static_cast<std::size_t>(number)];
     TreeFace placed{winding, plane, face.surface, static_cast<std::uint32_t>(number), {}};
@@ -129,23 +137,24 @@ class FacePlacer {
     placed_.push_back(std::move(placed));
   }
 
-  void find_leaves(Winding winding, const math::Vec3d& outwards, std::int32_t child,
+  // Collects the leaves in front of the winding, which see it.
+  void find_leaves(Winding winding, const math::Vec3d& outward, std::int32_t child,
                    std::vector<std::uint32_t>& out) {
     while (child >= 0) {
       const TreeNode& node = tree_.nodes[static_cast<std::size_t>(child)];
       const Plane& plane = planes_[node.plane];
-      const double on_plane = on_plane_for(outwards, plane.normal);
-      const WindingSide side = side_of(winding, plane, on_plane);
+      const double on_plane = on_plane_epsilon(outward, plane.normal);
+      const WindingSide side = find_side(winding, plane, on_plane);
       if (side != WindingSide::kBoth) {
         const bool front =
-            side == WindingSide::kFront || (side == WindingSide::kOn && glm::dot(outwards, plane.normal) > 0);
+            side == WindingSide::kFront || (side == WindingSide::kOn && glm::dot(outward, plane.normal) > 0);
         child = node.children[front ? 0 : 1];
         continue;
       }
       WindingParts parts = split(winding, plane, on_plane);
       const bool in_front = !is_tiny(parts.front), behind = !is_tiny(parts.back);
       if (!in_front && !behind) return;
-      if (in_front && behind) find_leaves(std::move(parts.front), outwards, node.children[0], out);
+      if (in_front && behind) find_leaves(std::move(parts.front), outward, node.children[0], out);
       winding = std::move(behind ? parts.back : parts.front);
       child = node.children[behind ? 1 : 0];
     }
@@ -159,18 +168,20 @@ class FacePlacer {
 
 }  // namespace
 
+// A leaf of the second tree may lie in any number of brushes, so its fill comes from the first tree, at a
+// point inside it.
 SecondTree make_second_tree(const Tree& first, std::span<const LeafPortal> portals,
                             std::span<const Brush> brushes, const PlaneSet& planes) {
   SecondTree second;
-  second.tree = build_tree(only_bounding(first, portals, brushes), planes, Cover::kNone, [](double) {});
+  second.tree = build_tree(keep_bounding_sides(first, portals, brushes), planes, Cover::kNone, [](double) {});
   second.portals = make_leaf_portals(second.tree, planes);
-  const std::vector<InnerPoint> points = inner_points(second.tree, second.portals.portals);
+  const std::vector<InnerPoint> points = find_inner_points(second.tree, second.portals.portals);
   for (std::size_t i = 0; i < second.tree.leaves.size(); ++i) {
     TreeLeaf& leaf = second.tree.leaves[i];
     constexpr int kMinWalls = 4;
     if (!second.portals.is_outermost[i] && points[i].portals < kMinWalls)
-      continue;  // a sliver: what its brushes say
-    // Outside is the same everywhere; the corner of the box is outside.
+      continue;  // a sliver: keep the fill that its brushes gave it
+    // Outside is the same everywhere, so one corner of the box stands for all of it.
     const math::Vec3d inside =
         second.portals.is_outermost[i] ? first.box.mins + 1.0 : points[i].sum / points[i].count;
     const TreeLeaf& known = first.leaves[first.leaf_at(inside, planes)];

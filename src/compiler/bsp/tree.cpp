@@ -1,3 +1,9 @@
+// Method: each brush starts as one piece. A node cuts the pieces that its plane crosses, so a piece is always
+// the part of a brush inside the node, closed by the cut surfaces. When no piece has a side left that splits,
+// every remaining piece fills the whole node, which becomes a leaf.
+//
+// Pieces that would be slivers are not cut: they go to the side that has nearly all of them. That makes trees
+// smaller, and a leaf's contents wrong by less than kSliver.
 #include "compiler/bsp/tree.h"
 
 #include <algorithm>
@@ -9,20 +15,22 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr double kRoomAround = 128;  // units
-// With more brushes a middle plane is taken.
+constexpr double kRoomAround = 128;  // around the brushes, in units
+// A node with more brushes is split by a plane near its center.
 constexpr std::size_t kMaxWeighed = 96;
 
 constexpr std::uint32_t kNoNumber = std::numeric_limits<std::uint32_t>::max();
 
+// A side of a piece, clipped to the node.
 struct PieceSide {
   PlaneIndex plane;
-  std::uint32_t number;  // of its plane, either way, among those of the tree's brushes; kNoNumber: cut later
+  // The number of its plane, either way, among all planes of the tree's brushes; kNoNumber: made by a cut.
+  std::uint32_t number;
   bool splits;
   Winding winding;
 };
 
-// What of a brush lies in a node.
+// The part of a brush that is inside a node.
 struct Piece {
   std::uint32_t brush;
   bool is_detail;
@@ -34,22 +42,24 @@ using Pieces = std::vector<Piece>;
 
 enum class Where { kFront, kBack, kBoth };
 
-// By how much a piece lies on either side of a plane; of one that is cut by it, at least kSliver.
+// How far a piece reaches in front of a plane and behind it, in units. If both are at least kSliver, they may
+// be underestimates.
 struct Reach {
   double front, back;
 };
 
-// What sticks out by less is not worth a piece of its own.
+// A part that sticks out by less is not worth a piece.
 constexpr double kSliver = 0.1;  // units
 
-Reach reach(const Piece& piece, const Plane& plane) {
-  // Stored planes along an axis face up it.
+// Boxes give a quick answer for axial planes, and for others if they are clear of the plane.
+Reach compute_reach(const Piece& piece, const Plane& plane) {
+  // Stored planes along an axis face up that axis.
   if (plane.axis < 3)
     return {piece.box.maxs[plane.axis] - plane.distance, plane.distance - piece.box.mins[plane.axis]};
   const math::Vec3d middle = (piece.box.mins + piece.box.maxs) * 0.5,
                     half = (piece.box.maxs - piece.box.mins) * 0.5;
   const double at = plane.distance_to(middle), wide = glm::dot(half, glm::abs(plane.normal));
-  if (at - wide >= -kOnPlane || at + wide <= kOnPlane) return {at + wide, wide - at};
+  if (at - wide >= -kOnPlaneEpsilon || at + wide <= kOnPlaneEpsilon) return {at + wide, wide - at};
   Reach found{-1e30, -1e30};
   for (const PieceSide& side : piece.sides) {
     for (const math::Vec3d& point : side.winding) {
@@ -61,31 +71,32 @@ Reach reach(const Piece& piece, const Plane& plane) {
   return found;
 }
 
-Where side_of(const Reach& reach) {
-  if (reach.back <= kOnPlane) return Where::kFront;
-  if (reach.front <= kOnPlane) return Where::kBack;
+// On which side of a plane a piece counts as being; both: it must be cut.
+Where find_side(const Reach& reach) {
+  if (reach.back <= kOnPlaneEpsilon) return Where::kFront;
+  if (reach.front <= kOnPlaneEpsilon) return Where::kBack;
   if (reach.back < kSliver && reach.front > kSliver) return Where::kFront;
   if (reach.front < kSliver && reach.back > kSliver) return Where::kBack;
   return Where::kBoth;
 }
 
-Box box_of(const Piece& piece) {
+Box compute_box(const Piece& piece) {
   Box box;
   for (const PieceSide& side : piece.sides) box.add(side.winding);
   return box;
 }
 
-// Reused from one cut to the next.
+// Memory that is reused from one cut to the next.
 struct CutScratch {
   std::vector<WindingSide> lies;  // by side of the piece
-  Winding between;                // in the plane
+  Winding between;                // the cut surface, in the plane
 };
 
-// In front of the plane and behind it. Where one of the two would have no volume, the other is the whole
-// piece, as it was.
+// Splits a piece into its parts in front of a plane and behind it. If one of them would have no volume, the
+// other is the whole piece, unchanged.
 std::pair<Piece, Piece> split(Piece piece, PlaneIndex number, const PlaneSet& planes, CutScratch& scratch) {
   const Plane& plane = planes[number];
-  scratch.between = whole_plane(plane);
+  scratch.between = make_base_winding(plane);
   for (const PieceSide& side : piece.sides) {
     cut_to_back(scratch.between, planes[side.plane], true);
     if (scratch.between.empty()) break;
@@ -94,7 +105,7 @@ std::pair<Piece, Piece> split(Piece piece, PlaneIndex number, const PlaneSet& pl
   std::size_t front_count = is_closed ? 1 : 0, back_count = front_count;
   scratch.lies.clear();
   for (const PieceSide& side : piece.sides) {
-    const WindingSide lies = scratch.lies.emplace_back(side_of(side.winding, plane));
+    const WindingSide lies = scratch.lies.emplace_back(find_side(side.winding, plane));
     front_count += lies == WindingSide::kFront || lies == WindingSide::kBoth ? 1 : 0;
     back_count += lies == WindingSide::kBack || lies == WindingSide::kBoth ? 1 : 0;
   }
@@ -116,20 +127,20 @@ std::pair<Piece, Piece> split(Piece piece, PlaneIndex number, const PlaneSet& pl
     } else if (scratch.lies[i] == WindingSide::kBack) {
       back.sides.push_back(std::move(side));
     } else if (scratch.lies[i] == WindingSide::kBoth) {
-      // However narrow: without it the part would have no end on that side.
+      // However narrow the part is: without it, the piece would be open on that side.
       WindingParts cut = split(side.winding, plane);
       front.sides.push_back({side.plane, side.number, side.splits, std::move(cut.front)});
       back.sides.push_back({side.plane, side.number, side.splits, std::move(cut.back)});
     }
   }
   if (is_closed) {
-    // The front part lies behind the plane as seen from the back, and the other way round.
+    // The cut surface closes both parts. Each lies behind it as seen from the other.
     front.sides.push_back(
-        {turned(number), kNoNumber, false, Winding(scratch.between.rbegin(), scratch.between.rend())});
+        {flipped(number), kNoNumber, false, Winding(scratch.between.rbegin(), scratch.between.rend())});
     back.sides.push_back({number, kNoNumber, false, scratch.between});
   }
-  front.box = box_of(front);
-  back.box = box_of(back);
+  front.box = compute_box(front);
+  back.box = compute_box(back);
   return parts;
 }
 
@@ -140,7 +151,7 @@ class TreeBuilder {
       : brushes_(brushes), planes_(planes), cover_(cover), grown_(grown) {}
 
   Tree build() {
-    const std::vector<PlaneIndex> used = planes_of_brushes();
+    const std::vector<PlaneIndex> used = collect_planes();
     weighed_.assign(used.size(), 0);
     Pieces pieces;
     for (std::size_t i = 0; i < brushes_.size(); ++i) {
@@ -148,7 +159,7 @@ class TreeBuilder {
       Piece piece{static_cast<std::uint32_t>(i), brush.is_detail, brush.box, {}};
       for (const BrushSide& side : brush.sides)
         if (!side.winding.empty())
-          piece.sides.push_back({side.plane, number_in(used, side.plane), side.splits, side.winding});
+          piece.sides.push_back({side.plane, find_number(used, side.plane), side.splits, side.winding});
       tree_.box.add(brush.box.mins);
       tree_.box.add(brush.box.maxs);
       pieces.push_back(std::move(piece));
@@ -161,8 +172,8 @@ class TreeBuilder {
   }
 
  private:
-  // In order: a map of many models has far more planes than any of them.
-  std::vector<PlaneIndex> planes_of_brushes() const {
+  // In order, and only those of this tree: a map with many models has far more planes than any model.
+  std::vector<PlaneIndex> collect_planes() const {
     std::vector<PlaneIndex> used;
     for (const Brush& brush : brushes_)
       for (const BrushSide& side : brush.sides) used.push_back(stored(side.plane));
@@ -171,10 +182,12 @@ class TreeBuilder {
     return used;
   }
 
-  static std::uint32_t number_in(std::span<const PlaneIndex> used, PlaneIndex plane) {
+  static std::uint32_t find_number(std::span<const PlaneIndex> used, PlaneIndex plane) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(used, stored(plane)) - used.begin());
   }
 
+  // Builds the subtree for the pieces in `box`, whose share of the whole work is `share`. Returns a child
+  // number.
   std::int32_t grow(Pieces pieces, const Box& box, double share) {
     keep_cover_alone(pieces);
     bool is_detail = false;
@@ -199,7 +212,7 @@ class TreeBuilder {
     return index;
   }
 
-  // Where a solid brush fills the whole node, nothing else in it matters.
+  // If a solid brush fills the whole node, removes all others from it.
   void keep_cover_alone(Pieces& io_pieces) const {
     if (cover_ == Cover::kNone || io_pieces.size() < 2) return;
     std::uint32_t last = 0;
@@ -216,12 +229,13 @@ class TreeBuilder {
     }
   }
 
+  // Distributes the pieces of a node to its two sides.
   void divide(Pieces pieces, PlaneIndex number, Pieces& out_front, Pieces& out_back) {
     const Plane& plane = planes_[number];
     for (Piece& piece : pieces) {
-      // What lies in the plane is dealt with: there is no second node for it.
+      // A side in the plane has its node now: it must not ask for another.
       for (PieceSide& side : piece.sides) side.splits &= stored(side.plane) != number;
-      switch (side_of(reach(piece, plane))) {
+      switch (find_side(compute_reach(piece, plane))) {
         case Where::kFront:
           out_front.push_back(std::move(piece));
           break;
@@ -237,17 +251,19 @@ class TreeBuilder {
     }
   }
 
+  // The splitting plane for a node; nothing: it becomes a leaf.
   std::optional<PlaneIndex> choose(const Pieces& pieces, const Box& box, bool& out_is_detail) {
     for (const bool detail : {false, true}) {
       out_is_detail = detail;
       if (pieces.size() > kMaxWeighed)
-        if (const auto plane = middle_plane(pieces, box, detail)) return plane;
-      if (const auto plane = cheapest_plane(pieces, detail)) return plane;
+        if (const auto plane = find_middle_plane(pieces, box, detail)) return plane;
+      if (const auto plane = find_cheapest_plane(pieces, detail)) return plane;
     }
     return std::nullopt;
   }
 
-  std::optional<PlaneIndex> middle_plane(const Pieces& pieces, const Box& box, bool detail) const {
+  // The axial plane nearest to the center of the node's longest side, within the middle half.
+  std::optional<PlaneIndex> find_middle_plane(const Pieces& pieces, const Box& box, bool detail) const {
     const math::Vec3d size = box.maxs - box.mins;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const double middle = (box.mins[axis] + box.maxs[axis]) / 2;
@@ -267,8 +283,9 @@ class TreeBuilder {
     return found;
   }
 
-  std::optional<PlaneIndex> cheapest_plane(const Pieces& pieces, bool detail) {
-    // Enough of the candidates, evenly spread, where there are very many.
+  // The plane with the lowest cost among the sides that still split.
+  std::optional<PlaneIndex> find_cheapest_plane(const Pieces& pieces, bool detail) {
+    // With very many candidates, an evenly spaced sample of them is enough.
     constexpr std::size_t kMaxTests = 40000;
     const std::size_t step = std::max<std::size_t>(1, pieces.size() * pieces.size() * 6 / kMaxTests);
     ++round_;
@@ -281,7 +298,7 @@ class TreeBuilder {
         const PlaneIndex plane = stored(side.plane);
         if (!side.splits || std::exchange(weighed_[side.number], round_) == round_) continue;
         if (found && candidate++ % step != 0) continue;
-        const long cost = cost_of(plane, pieces);
+        const long cost = compute_cost(plane, pieces);
         if (found && cost >= least) continue;
         least = cost;
         found = plane;
@@ -290,20 +307,22 @@ class TreeBuilder {
     return found;
   }
 
-  long cost_of(PlaneIndex number, const Pieces& pieces) const {
+  // The cost that build_tree() describes.
+  long compute_cost(PlaneIndex number, const Pieces& pieces) const {
     const Plane& plane = planes_[number];
     long split = 0, facing = 0, balance = 0;
     for (const Piece& piece : pieces) {
-      const Reach by = reach(piece, plane);
-      const Where where = side_of(by);
+      const Reach by = compute_reach(piece, plane);
+      const Where where = find_side(by);
       split += where == Where::kBoth ? 1 : 0;
       balance += where == Where::kFront ? 1 : where == Where::kBack ? -1 : 0;
-      if (std::abs(by.front) > kOnPlane && std::abs(by.back) > kOnPlane) continue;
+      if (std::abs(by.front) > kOnPlaneEpsilon && std::abs(by.back) > kOnPlaneEpsilon) continue;
       for (const PieceSide& side : piece.sides) facing += stored(side.plane) == number ? 1 : 0;
     }
     return 8 * split - 4 * facing + std::abs(balance) - (plane.axis < 3 ? 6 : 0);
   }
 
+  // Makes a leaf that its strongest brush fills.
   std::int32_t add_leaf(const Pieces& pieces) {
     TreeLeaf leaf;
     for (const Piece& piece : pieces) leaf.brushes.push_back(piece.brush);
@@ -321,7 +340,7 @@ class TreeBuilder {
   const PlaneSet& planes_;
   Cover cover_;
   base::FunctionRef<void(double)> grown_;
-  std::vector<std::uint32_t> weighed_;  // by PieceSide::number: the last round in which it was
+  std::vector<std::uint32_t> weighed_;  // by PieceSide::number: the last round that tried the plane
   std::uint32_t round_ = 0;
   CutScratch scratch_;
   Tree tree_;
@@ -343,8 +362,9 @@ Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover co
   return TreeBuilder(brushes, planes, cover, grown).build();
 }
 
+// Unused nodes and leaves stay in the lists; only the children change.
 void prune(Tree& io_tree, base::FunctionRef<bool(const TreeLeaf&, const TreeLeaf&)> same) {
-  // Children have higher numbers than their parents.
+  // Children have higher numbers than their parents, so this goes from the leaves up.
   for (std::size_t i = io_tree.nodes.size(); i-- > 0;) {
     TreeNode& node = io_tree.nodes[i];
     for (std::int32_t& child : node.children) {

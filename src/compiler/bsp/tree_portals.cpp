@@ -1,5 +1,5 @@
-// A node's plane, cut by the planes above the node, is the opening between its two sides; pushed down both
-// subtrees, it falls into one piece for each pair of leaves that touch there.
+// Method: a node's plane, clipped to the node's volume, is the opening between the node's two sides. Pushed
+// down both subtrees, it falls into one piece for each pair of leaves that touch there.
 #include "compiler/bsp/tree_portals.h"
 
 #include <algorithm>
@@ -14,27 +14,28 @@ namespace {
 
 using math::Vec3d;
 
-constexpr std::int32_t kSolidContents = -2;
-constexpr std::int32_t kSkyContents = -6;
+constexpr std::int32_t kTreeSolid = -2;
+constexpr std::int32_t kTreeSky = -6;
 constexpr int kNoAxis = 3;
 
-Plane plane_of(const formats::BspPlane& plane) {
+Plane to_plane(const formats::BspPlane& plane) {
   const Vec3d normal(plane.normal);
-  // Portals' planes have normals of length 1 in double precision; the level's are rounded to float.
+  // Portals need normals of length 1 in double precision; the level's are rounded to float.
   const double length = glm::length(normal);
   return {normal / length, double{plane.distance} / length, kNoAxis};
 }
 
+// Visits the nodes of a finished level.
 class TreeWalk {
  public:
   TreeWalk(const formats::Bsp& bsp, const TreePortalSettings& settings, PortalSet& io_set)
       : bsp_(bsp), settings_(settings), set_(io_set) {}
 
-  // False: too many portals.
+  // Returns false if there are too many portals.
   bool visit(std::int32_t child) {
     if (child < 0) return true;
     const formats::BspNode& node = bsp_.nodes[static_cast<std::size_t>(child)];
-    const Plane plane = plane_of(bsp_.planes[node.plane]);
+    const Plane plane = to_plane(bsp_.planes[node.plane]);
     if (!join_sides(node, plane, inside_cell(plane))) return false;
     cell_.push_back(plane);
     const bool fits_front = visit(node.children[0]);
@@ -45,14 +46,15 @@ class TreeWalk {
   }
 
  private:
-  // The part of a plane that lies in the cell of the node being visited.
+  // The part of a plane that is inside the volume of the current node.
   Winding inside_cell(const Plane& plane) const {
-    Winding winding = whole_plane(plane);
+    Winding winding = make_base_winding(plane);
     for (std::size_t i = cell_.size(); i-- > 0 && !winding.empty();)
       winding = split(winding, cell_[i], kTreePortalEpsilon).front;
     return winding;
   }
 
+  // Makes the portals between the leaves on both sides of a node's plane.
   bool join_sides(const formats::BspNode& node, const Plane& plane, Winding winding) {
     if (winding.empty()) return true;
     std::vector<std::pair<std::uint32_t, Winding>> fronts, backs;
@@ -66,8 +68,9 @@ class TreeWalk {
     return true;
   }
 
-  // The pieces of a winding on the cell's border, with the leaf that each touches on the side of `inwards`.
-  void push_down(std::int32_t child, const Vec3d& inwards, Winding winding,
+  // Splits a winding on the surface of a subtree's volume into the pieces that each leaf touches. `inward`
+  // points into the volume.
+  void push_down(std::int32_t child, const Vec3d& inward, Winding winding,
                  std::vector<std::pair<std::uint32_t, Winding>>& out_pieces) const {
     if (child < 0) {
       const auto leaf = static_cast<std::uint32_t>(-(child + 1));
@@ -75,20 +78,20 @@ class TreeWalk {
       return;
     }
     const formats::BspNode& node = bsp_.nodes[static_cast<std::size_t>(child)];
-    const Plane plane = plane_of(bsp_.planes[node.plane]);
+    const Plane plane = to_plane(bsp_.planes[node.plane]);
     WindingParts pieces = split(winding, plane, kTreePortalEpsilon);
     if (pieces.front.empty() && pieces.back.empty()) {
-      const bool front = glm::dot(plane.normal, inwards) > 0;
-      push_down(node.children[front ? 0 : 1], inwards, std::move(winding), out_pieces);
+      const bool front = glm::dot(plane.normal, inward) > 0;
+      push_down(node.children[front ? 0 : 1], inward, std::move(winding), out_pieces);
       return;
     }
-    if (!pieces.front.empty()) push_down(node.children[0], inwards, std::move(pieces.front), out_pieces);
-    if (!pieces.back.empty()) push_down(node.children[1], inwards, std::move(pieces.back), out_pieces);
+    if (!pieces.front.empty()) push_down(node.children[0], inward, std::move(pieces.front), out_pieces);
+    if (!pieces.back.empty()) push_down(node.children[1], inward, std::move(pieces.back), out_pieces);
   }
 
   bool add(std::uint32_t front_leaf, std::uint32_t back_leaf, const Plane& plane, Winding winding) {
-    if (!contents_see_through(bsp_.leaves[front_leaf].contents, bsp_.leaves[back_leaf].contents,
-                              settings_.liquids_see_through))
+    if (!can_see_through(bsp_.leaves[front_leaf].contents, bsp_.leaves[back_leaf].contents,
+                         settings_.liquids_see_through))
       return true;
     if (set_.portals.size() >= kMaxTreePortals) return false;
     set_.portals.push_back({std::move(winding), plane.normal, plane.distance, {front_leaf, back_leaf}});
@@ -98,9 +101,10 @@ class TreeWalk {
   const formats::Bsp& bsp_;
   const TreePortalSettings& settings_;
   PortalSet& set_;
-  std::vector<Plane> cell_;  // planes above the node, the cell on their front sides
+  std::vector<Plane> cell_;  // the planes of all ancestors, with the current node in front
 };
 
+// Marks the open leaves of the world.
 void mark_leaves(const formats::Bsp& bsp, std::int32_t child, PortalSet& io_set) {
   if (child >= 0) {
     for (const std::int32_t below : bsp.nodes[static_cast<std::size_t>(child)].children)
@@ -108,17 +112,17 @@ void mark_leaves(const formats::Bsp& bsp, std::int32_t child, PortalSet& io_set)
     return;
   }
   const auto leaf = static_cast<std::size_t>(-(child + 1));
-  if (bsp.leaves[leaf].contents != kSolidContents)
-    io_set.cluster_of_leaf[leaf] = static_cast<std::uint32_t>(leaf);  // numbered below
+  if (bsp.leaves[leaf].contents != kTreeSolid)
+    io_set.cluster_of_leaf[leaf] = static_cast<std::uint32_t>(leaf);  // a placeholder until number_clusters()
 }
 
-// Union-find: the lowest leaf of the group that a leaf belongs to.
-std::uint32_t group_of(std::vector<std::uint32_t>& io_groups, std::uint32_t leaf) {
+// Union-find with path halving: the lowest leaf of the group that contains a leaf.
+std::uint32_t find_group(std::vector<std::uint32_t>& io_groups, std::uint32_t leaf) {
   while (io_groups[leaf] != leaf) leaf = io_groups[leaf] = io_groups[io_groups[leaf]];
   return leaf;
 }
 
-// Portals lead from leaf to leaf until here, from cluster to cluster afterwards.
+// Until here portals lead from leaf to leaf, afterwards from cluster to cluster.
 void number_clusters(const formats::Bsp& bsp, Clusters clusters, PortalSet& io_set) {
   std::vector<std::uint32_t> groups(bsp.leaves.size());
   std::iota(groups.begin(), groups.end(), 0u);
@@ -127,13 +131,13 @@ void number_clusters(const formats::Bsp& bsp, Clusters clusters, PortalSet& io_s
     for (const Portal& portal : io_set.portals) {
       const auto [a, b] = portal.clusters;
       if (offset(a) < 0 || offset(a) != offset(b)) continue;
-      const auto [low, high] = std::minmax({group_of(groups, a), group_of(groups, b)});
+      const auto [low, high] = std::minmax({find_group(groups, a), find_group(groups, b)});
       groups[high] = low;
     }
   }
   for (std::uint32_t leaf = 0; leaf < groups.size(); ++leaf) {
     if (io_set.cluster_of_leaf[leaf] == kNoCluster) continue;
-    const std::uint32_t group = group_of(groups, leaf);
+    const std::uint32_t group = find_group(groups, leaf);
     io_set.cluster_of_leaf[leaf] = group == leaf ? io_set.cluster_count++ : io_set.cluster_of_leaf[group];
   }
   for (Portal& portal : io_set.portals)
@@ -149,9 +153,9 @@ bool is_liquid(std::int32_t contents) {
 
 }  // namespace
 
-bool contents_see_through(std::int32_t from, std::int32_t to, bool liquids_see_through) {
-  if (from == kSolidContents || to == kSolidContents) return false;
-  if ((from == kSkyContents) != (to == kSkyContents)) return false;
+bool can_see_through(std::int32_t from, std::int32_t to, bool liquids_see_through) {
+  if (from == kTreeSolid || to == kTreeSolid) return false;
+  if ((from == kTreeSky) != (to == kTreeSky)) return false;
   return liquids_see_through || is_liquid(from) == is_liquid(to);
 }
 
@@ -160,7 +164,8 @@ base::Result<PortalSet> make_tree_portals(const formats::Bsp& bsp, const TreePor
   set.cluster_of_leaf.assign(bsp.leaves.size(), kNoCluster);
   mark_leaves(bsp, bsp.models[0].head_nodes[0], set);
   if (!TreeWalk(bsp, settings, set).visit(bsp.models[0].head_nodes[0]))
-    return base::error(base::ErrorCode::kTooLarge, "the level's tree has more than {} portals",
+    return base::error(base::ErrorCode::kTooLarge,
+                       "the level's tree has more than {} portals: visibility cannot be computed",
                        kMaxTreePortals);
   number_clusters(bsp, settings.clusters, set);
   return set;

@@ -8,9 +8,10 @@ namespace {
 
 constexpr double kShortSide = 0.1;  // units
 
-// Where the line between two points on different sides meets the plane. The same for both directions, so that
-// neighbors that are cut alike keep a common corner; exact on planes along an axis.
-math::Vec3d meet(math::Vec3d a, math::Vec3d b, double a_distance, double b_distance, const Plane& plane) {
+// The point where the line between two points on different sides meets the plane. The same for both
+// directions, so that neighbors that are cut alike keep a common corner; exact on axial planes.
+math::Vec3d find_crossing(math::Vec3d a, math::Vec3d b, double a_distance, double b_distance,
+                          const Plane& plane) {
   if (a_distance < b_distance) {
     std::swap(a, b);
     std::swap(a_distance, b_distance);
@@ -23,15 +24,15 @@ math::Vec3d meet(math::Vec3d a, math::Vec3d b, double a_distance, double b_dista
 
 }  // namespace
 
-double on_plane_for(const math::Vec3d& winding_normal, const math::Vec3d& plane_normal) {
-  constexpr double kFlattest = 1e-4;  // sine of the angle: flatter ones are one plane, given twice
-  constexpr double kSteep = 0.1;
+double on_plane_epsilon(const math::Vec3d& winding_normal, const math::Vec3d& plane_normal) {
+  constexpr double kFlattest = 1e-4;  // sine of the angle; below, both are one plane given twice
+  constexpr double kSteep = 0.1;      // from here on the strip is narrow
   const double sine = glm::length(glm::cross(winding_normal, plane_normal));
-  return sine < kFlattest || sine > kSteep ? kOnPlane : kOnPlane * sine;
+  return sine < kFlattest || sine > kSteep ? kOnPlaneEpsilon : kOnPlaneEpsilon * sine;
 }
 
-Winding whole_plane(const Plane& plane, double extent) {
-  // Any direction far from the normal's.
+Winding make_base_winding(const Plane& plane, double extent) {
+  // Any direction far from that of the normal.
   math::Vec3d up(0, 0, 1);
   if (std::abs(plane.normal.z) > 0.7) up = {1, 0, 0};
   up = glm::normalize(up - plane.normal * glm::dot(up, plane.normal)) * (2 * extent);
@@ -40,7 +41,7 @@ Winding whole_plane(const Plane& plane, double extent) {
   return {middle - right + up, middle + right + up, middle + right - up, middle - right - up};
 }
 
-WindingSide side_of(const Winding& winding, const Plane& plane, double on_plane) {
+WindingSide find_side(const Winding& winding, const Plane& plane, double on_plane) {
   bool any_front = false, any_back = false;
   for (const math::Vec3d& point : winding) {
     const double d = plane.distance_to(point);
@@ -51,8 +52,9 @@ WindingSide side_of(const Winding& winding, const Plane& plane, double on_plane)
   return any_back ? WindingSide::kBack : WindingSide::kOn;
 }
 
+// Corners on the plane go to both parts, so the parts share an edge and leave no gap.
 WindingParts split(const Winding& winding, const Plane& plane, double on_plane) {
-  switch (side_of(winding, plane, on_plane)) {
+  switch (find_side(winding, plane, on_plane)) {
     case WindingSide::kOn:
       return {};
     case WindingSide::kFront:
@@ -72,7 +74,7 @@ WindingParts split(const Winding& winding, const Plane& plane, double on_plane) 
     if (a >= -on_plane) parts.front.push_back(begin);
     if (a <= on_plane) parts.back.push_back(begin);
     if ((a > on_plane && b < -on_plane) || (a < -on_plane && b > on_plane)) {
-      const math::Vec3d point = meet(begin, end, a, b, plane);
+      const math::Vec3d point = find_crossing(begin, end, a, b, plane);
       parts.front.push_back(point);
       parts.back.push_back(point);
     }
@@ -81,20 +83,20 @@ WindingParts split(const Winding& winding, const Plane& plane, double on_plane) 
 }
 
 void cut_to_back(Winding& io_winding, const Plane& plane, bool keep_on, double on_plane) {
-  const WindingSide side = side_of(io_winding, plane, on_plane);
+  const WindingSide side = find_side(io_winding, plane, on_plane);
   if (side == WindingSide::kBack || (side == WindingSide::kOn && keep_on)) return;
   if (side != WindingSide::kBoth) {
     io_winding.clear();
     return;
   }
-  // Nearly all windings have so few corners that they are cut without asking for memory.
-  constexpr std::size_t kMost = 64;
+  // Nearly all windings have so few corners that they can be cut without allocating memory.
+  constexpr std::size_t kMaxCorners = 64;
   const std::size_t count = io_winding.size();
-  if (2 * count > kMost) {
+  if (2 * count > kMaxCorners) {
     io_winding = split(io_winding, plane, on_plane).back;
     return;
   }
-  std::array<math::Vec3d, kMost> kept;
+  std::array<math::Vec3d, kMaxCorners> kept;
   std::size_t kept_count = 0;
   double a = plane.distance_to(io_winding.front());
   for (std::size_t i = 0; i < count; ++i) {
@@ -102,7 +104,7 @@ void cut_to_back(Winding& io_winding, const Plane& plane, bool keep_on, double o
     const double b = plane.distance_to(end);
     if (a <= on_plane) kept[kept_count++] = begin;
     if ((a > on_plane && b < -on_plane) || (a < -on_plane && b > on_plane))
-      kept[kept_count++] = meet(begin, end, a, b, plane);
+      kept[kept_count++] = find_crossing(begin, end, a, b, plane);
     a = b;
   }
   io_winding.assign(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(kept_count));
@@ -117,6 +119,7 @@ bool is_tiny(const Winding& winding) {
   return true;
 }
 
+// The sum over a fan of triangles around the first corner.
 double area(const Winding& winding) {
   math::Vec3d sum(0.0);
   for (std::size_t i = 2; i < winding.size(); ++i)

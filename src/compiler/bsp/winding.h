@@ -1,4 +1,4 @@
-// Convex polygons in space, their corners clockwise seen from the front of their plane.
+// Windings: convex polygons whose corners run clockwise seen from the front of their plane.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@ namespace temblor::compiler {
 
 using Winding = std::vector<math::Vec3d>;
 
-// Points nearer to a plane than this lie on it, in units.
-constexpr double kOnPlane = 0.01;
-// No level is larger, from its middle, in units.
+// Points nearer to a plane than this are on it, in units.
+constexpr double kOnPlaneEpsilon = 0.01;
+// No level reaches farther from the origin, in units.
 constexpr double kWorldExtent = 1 << 20;
-
+// An axis-aligned box; empty until something is added.
 struct Box {
   math::Vec3d mins{1e30}, maxs{-1e30};
 
@@ -28,28 +28,30 @@ struct Box {
   bool is_empty() const { return mins.x > maxs.x; }
 };
 
-// How near to a plane is on it, for a winding that lies in a plane of that normal. Where two planes meet at a
-// small angle, all that is within kOnPlane of one is a wide strip of the other: taken for one side or the
-// other as a whole, it would be a gap between two faces, or drawn twice.
-double on_plane_for(const math::Vec3d& winding_normal, const math::Vec3d& plane_normal);
+// The distance from a plane, in units, below which points of a winding count as on it. Usually
+// kOnPlaneEpsilon, but less if the plane meets the winding's own plane at a small angle: there, everything
+// within kOnPlaneEpsilon is a wide strip, and putting that strip on one side as a whole would leave a gap
+// between two faces, or draw it twice.
+double on_plane_epsilon(const math::Vec3d& winding_normal, const math::Vec3d& plane_normal);
 
-// A square in the plane that reaches beyond `extent` in every direction.
-Winding whole_plane(const Plane& plane, double extent = kWorldExtent);
+// A square in the plane that reaches beyond `extent` in every direction: what sides and portals are cut from.
+Winding make_base_winding(const Plane& plane, double extent = kWorldExtent);
 
-// Where all of a winding lies.
+// On which side of a plane a winding is.
 enum class WindingSide { kOn, kFront, kBack, kBoth };
-WindingSide side_of(const Winding& winding, const Plane& plane, double on_plane = kOnPlane);
+// Points within `on_plane` of the plane count as on it.
+WindingSide find_side(const Winding& winding, const Plane& plane, double on_plane = kOnPlaneEpsilon);
 
-// What lies in front and behind; either may be empty. A winding on the plane goes to neither.
+// The parts in front and behind; either may be empty. A winding on the plane has neither.
 struct WindingParts {
   Winding front, back;
 };
-WindingParts split(const Winding& winding, const Plane& plane, double on_plane = kOnPlane);
+WindingParts split(const Winding& winding, const Plane& plane, double on_plane = kOnPlaneEpsilon);
 
-// What lies behind the plane (or on it, where `keep_on`) stays.
-void cut_to_back(Winding& io_winding, const Plane& plane, bool keep_on, double on_plane = kOnPlane);
+// Keeps the part behind the plane, and with `keep_on` a winding on it.
+void cut_to_back(Winding& io_winding, const Plane& plane, bool keep_on, double on_plane = kOnPlaneEpsilon);
 
-// Whether so little is left that it would only come of rounding: fewer than three sides of some length.
+// Whether the winding is a leftover of rounding: fewer than three of its sides are longer than 0.1 units.
 bool is_tiny(const Winding& winding);
 
 double area(const Winding& winding);  // square units

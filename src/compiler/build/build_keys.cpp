@@ -1,3 +1,5 @@
+// Keys of the BSP stage hash the map, not the file, so that comments, line numbers and the order of keys do
+// not matter, while every number that geometry depends on does.
 #include "compiler/build/build_keys.h"
 
 #include <algorithm>
@@ -14,10 +16,10 @@
 namespace temblor::compiler {
 namespace {
 
-// To be raised when the BSP stage, or light, makes something else of the same input.
+// Raise these if the BSP stage or the light stage makes something else of the same input.
 constexpr std::uint64_t kBrushesMethod = 2, kLightMethod = 2;
 
-// Keys of entities with brushes that only the game reads.
+// Keys of brush entities that only the game reads.
 constexpr std::array<std::string_view, 17> kGameKeys = {
     "angles",  "count", "delay", "dmg",    "event", "health", "height", "killtarget", "lip",
     "message", "noise", "sound", "sounds", "speed", "wait",   "map",    "worldtype"};
@@ -26,11 +28,14 @@ bool is_for_the_game_alone(std::string_view key) {
   return std::find(kGameKeys.begin(), kGameKeys.end(), key) != kGameKeys.end();
 }
 
+// Chains values into one hash. Texts are preceded by their length, so that no two sequences of fields look
+// alike.
 class Hasher {
  public:
   explicit Hasher(std::uint64_t start) : hash_(start) {}
 
   void add(std::uint64_t value) { hash_ = base::hash_with(hash_, value); }
+  // Adding 0.0 makes -0.0 the same as 0.0.
   void add(double value) { add(std::bit_cast<std::uint64_t>(value + 0.0)); }
   void add(std::string_view text) {
     add(text.size());
@@ -39,13 +44,14 @@ class Hasher {
   void add(const math::Vec2d& v) { add(v.x), add(v.y); }
   void add(const math::Vec3d& v) { add(v.x), add(v.y), add(v.z); }
 
-  // Never 0, which stands for no result.
+  // Never 0, which means that there is no result.
   StageKey key() const { return hash_ == 0 ? 1 : hash_; }
 
  private:
   std::uint64_t hash_;
 };
 
+// Everything that the BSP stage reads of a side. The texture's pixels do not matter, but its size does.
 void add_side(const formats::MapSide& side, TextureSize texture_size, Hasher& io_hash) {
   for (const math::Vec3d& point : side.points_world) io_hash.add(point);
   io_hash.add(std::string_view(side.texture));
@@ -63,77 +69,79 @@ void add_side(const formats::MapSide& side, TextureSize texture_size, Hasher& io
     io_hash.add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(flag)));
 }
 
-// All that the BSP stage reads of an entity with brushes.
+// Everything that the BSP stage reads of an entity with brushes.
 void add_brush_keys(const formats::Entity& fields, Hasher& io_hash) {
   io_hash.add(fields.classname());
-  const BrushClass of = brush_class_of(fields);
-  for (const std::int32_t number : {of.is_world ? 1 : 0, static_cast<std::int32_t>(of.solid),
-                                    of.is_detail ? 1 : 0, static_cast<std::int32_t>(of.hulls), of.chop_order,
-                                    of.is_seen_from_inside ? 1 : 0, of.keeps_inner_faces ? 1 : 0})
+  const BrushClass found = find_brush_class(fields);
+  for (const std::int32_t number :
+       {found.is_world ? 1 : 0, static_cast<std::int32_t>(found.solid), found.is_detail ? 1 : 0,
+        static_cast<std::int32_t>(found.hulls), found.chop_order, found.is_seen_from_inside ? 1 : 0,
+        found.keeps_inner_faces ? 1 : 0})
     io_hash.add(static_cast<double>(number));
-  const SurfaceKeys keys = surface_keys_of(fields);
+  const SurfaceKeys keys = read_surface_keys(fields);
   visit_fields(keys, [&](auto field) { io_hash.add(static_cast<double>(field)); });
 }
 
-constexpr std::int32_t kSolidContents = -2;
-constexpr std::size_t kHulls = 3;  // that levels are compiled for
+constexpr std::int32_t kHullSolid = -2;
+constexpr std::size_t kHulls = 3;  // drawn, players, large monsters
 
-// In the tree of what is drawn, or in that of a hull of boxes.
-std::int32_t contents_at(const formats::Bsp& bsp, std::size_t hull, const math::Vec3d& point_world) {
-  // Readers take hulls for empty where no hull has a node; those of ours are solid then.
-  if (hull > 0 && bsp.clipnodes.empty()) return kSolidContents;
+// The contents at a point, in the drawn tree or in a clip hull.
+std::int32_t find_contents(const formats::Bsp& bsp, std::size_t hull, const math::Vec3d& point_world) {
+  // Readers take clip hulls without any nodes to be empty; ours are solid then.
+  if (hull > 0 && bsp.clipnodes.empty()) return kHullSolid;
   std::int32_t child = bsp.models.front().head_nodes[hull];
-  const auto side_of = [&](std::uint32_t plane_index) {
+  const auto find_child = [&](std::uint32_t plane_index) {
     const formats::BspPlane& plane = bsp.planes[plane_index];
     return glm::dot(math::Vec3d(plane.normal), point_world) >= double{plane.distance} ? 0 : 1;
   };
   while (child >= 0) {
     const auto node = static_cast<std::size_t>(child);
-    child = hull == 0 ? bsp.nodes[node].children[side_of(bsp.nodes[node].plane)]
-                      : bsp.clipnodes[node].children[side_of(bsp.clipnodes[node].plane)];
+    child = hull == 0 ? bsp.nodes[node].children[find_child(bsp.nodes[node].plane)]
+                      : bsp.clipnodes[node].children[find_child(bsp.clipnodes[node].plane)];
   }
   return hull == 0 ? bsp.leaves[static_cast<std::size_t>(-(child + 1))].contents : child;
 }
 
-// Whether the outside might reach places in this hull that it does not reach in what is drawn: where a brush
-// of the world, which may be what seals it, is not in the hull. Else there is only more in it.
+// Whether the outside might reach places in this hull that it does not reach in the drawn one: only if a
+// brush of the world, which may seal the level, is not in the hull. Otherwise the hull only has more solid.
 bool may_be_more_open(const formats::Map& map, std::size_t hull) {
   return std::ranges::any_of(map.entities, [&](const formats::MapEntity& entity) {
-    const BrushClass of = brush_class_of(entity.fields);
-    return of.is_world && !entity.brushes.empty() && (of.hulls & hull_bit(hull)) == 0;
+    const BrushClass found = find_brush_class(entity.fields);
+    return found.is_world && !entity.brushes.empty() && (found.hulls & hull_bit(hull)) == 0;
   });
 }
 
+// Whether the entity shows a model of the level.
 bool has_brushes(const formats::Entity& entity) {
   return entity.classname() == "worldspawn" || entity.find("model").value_or("").starts_with('*');
 }
 
-// What light might read of the level's entities.
-std::vector<formats::Entity> entities_for_light(const std::vector<formats::Entity>& entities) {
-  std::vector<formats::Entity> concerned;
+// The entities, and those of their keys, that light might read.
+std::vector<formats::Entity> select_entities_for_light(const std::vector<formats::Entity>& entities) {
+  std::vector<formats::Entity> selected;
   for (const formats::Entity& entity : entities) {
-    // Of lights all keys count, also of those with brushes: light reads "wait" and "delay".
+    // All keys of lights matter, even with brushes: light reads "wait" and "delay".
     if (is_light(entity)) {
-      concerned.push_back(entity);
+      selected.push_back(entity);
     } else if (has_brushes(entity)) {
-      formats::Entity& copy = concerned.emplace_back();
+      formats::Entity& copy = selected.emplace_back();
       for (const auto& pair : entity.pairs)
         if (!is_for_the_game_alone(pair.first)) copy.pairs.push_back(pair);
     } else if (entity.find("targetname")) {
-      concerned.push_back(entity);
+      selected.push_back(entity);
     }
   }
-  return concerned;
+  return selected;
 }
 
 }  // namespace
 
-StageKey key_of_brushes(const formats::Map& map, TextureSize texture_size, const DraftOptions& options) {
+StageKey make_brushes_key(const formats::Map& map, TextureSize texture_size, const DraftOptions& options) {
   Hasher hash(kBrushesMethod);
   hash.add(std::uint64_t{options.water_is_transparent});
   hash.add(options.subdivide_texels);
   hash.add(std::uint64_t{options.fill_outside});
-  // A map that does not begin with worldspawn is refused.
+  // A map that does not begin with worldspawn is an error.
   hash.add(map.entities.empty() ? std::string_view{} : map.entities.front().fields.classname());
   for (const formats::MapEntity& entity : map.entities) {
     if (is_point_entity(entity)) continue;
@@ -147,7 +155,8 @@ StageKey key_of_brushes(const formats::Map& map, TextureSize texture_size, const
   return hash.key();
 }
 
-StageKey key_of_solid_occupants(const formats::Map& map, const formats::Bsp& bsp) {
+// Adds the origins in the order of the map. Hulls without any candidate for a new leak are skipped.
+StageKey make_solid_occupants_key(const formats::Map& map, const formats::Bsp& bsp) {
   Hasher hash(0);
   for (std::size_t hull = 0; hull < kHulls; ++hull) {
     if (hull > 0 && !may_be_more_open(map, hull)) continue;
@@ -155,19 +164,19 @@ StageKey key_of_solid_occupants(const formats::Map& map, const formats::Bsp& bsp
     for (const formats::MapEntity& entity : map.entities) {
       if (!is_point_entity(entity)) continue;
       const auto origin = entity.fields.find_vec3("origin");
-      if (origin && contents_at(bsp, hull, math::Vec3d(*origin)) == kSolidContents)
+      if (origin && find_contents(bsp, hull, math::Vec3d(*origin)) == kHullSolid)
         hash.add(math::Vec3d(*origin));
     }
   }
   return hash.key();
 }
 
-StageKey key_of_light(const formats::Bsp& bsp, const std::vector<formats::Entity>& entities,
-                      const FaceKeys& face_keys, const LightOptions& options) {
-  formats::Bsp asked = unlit(bsp);
-  asked.entities = formats::write_entities(entities_for_light(entities));
+StageKey make_light_key(const formats::Bsp& bsp, const std::vector<formats::Entity>& entities,
+                        const FaceKeys& face_keys, const LightOptions& options) {
+  formats::Bsp asked = strip_light(bsp);
+  asked.entities = formats::write_entities(select_entities_for_light(entities));
   Hasher hash(kLightMethod);
-  hash.add(hash_of_light_input(asked, face_keys, options));
+  hash.add(hash_light_input(asked, face_keys, options));
   return hash.key();
 }
 

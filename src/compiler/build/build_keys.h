@@ -1,25 +1,25 @@
-// Tells whether a stage would make what it made before.
+// Keys that tell whether a stage would make what it made before: hashes of everything that the stage reads.
 #pragma once
 
+#include "compiler/bsp/make_draft.h"
 #include "compiler/build.h"
 #include "compiler/light/light_level.h"
-#include "compiler/make_draft.h"
 #include "formats/levels/map.h"
 
 namespace temblor::compiler {
 
-// Of the BSP stage: all brushes, and what their entities say of them; of entities without brushes nothing, as
-// long as the level does not leak.
-StageKey key_of_brushes(const formats::Map& map, TextureSize texture_size, const DraftOptions& options);
+// The key of the BSP stage: all brushes, and the keys of their entities. Point entities matter only for
+// leaks, and results with a leak are never reused.
+StageKey make_brushes_key(const formats::Map& map, TextureSize texture_size, const DraftOptions& options);
 
-// Of the places of entities within what is solid, which the BSP stage does not take for outside. Where an
-// entity goes into or out of solid, a leak may come or go. That is asked of each hull whose outside may be
-// larger than that of what is drawn; the level leaks in none of them.
-StageKey key_of_solid_occupants(const formats::Map& map, const formats::Bsp& bsp);
+// A hash of the origins of entities that are inside solid, which the flood from outside ignores. If an entity
+// moves into or out of solid, a leak may come or go. Each hull whose outside may be larger than that of the
+// drawn hull is checked; `bsp` leaks in none of them.
+StageKey make_solid_occupants_key(const formats::Map& map, const formats::Bsp& bsp);
 
-// Of the light stage. `bsp`: with visibility, if it shall have any; what light it has does not count.
-// Entities count if they are lights, if they have brushes, or if a spotlight might aim at them.
-StageKey key_of_light(const formats::Bsp& bsp, const std::vector<formats::Entity>& entities,
-                      const FaceKeys& face_keys, const LightOptions& options);
+// The key of the light stage. `bsp` has its final visibility; light that it already has does not matter.
+// Entities matter if they are lights, have brushes, or might be the target of a spotlight.
+StageKey make_light_key(const formats::Bsp& bsp, const std::vector<formats::Entity>& entities,
+                        const FaceKeys& face_keys, const LightOptions& options);
 
 }  // namespace temblor::compiler

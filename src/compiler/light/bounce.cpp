@@ -1,7 +1,7 @@
-// Method: radiosity gathered by rays. Nodes are laid on every face, on each fourth luxel and at least on the
-// rim's. From a node rays go out, as often as the cosine of their angle, and the node that lies nearest to
-// where a ray ends is remembered: what such rays bring on average is what the node gets. So rays are traced
-// once however often the light bounces. Between nodes light is interpolated.
+// Method: radiosity, gathered by rays. Every face gets a grid of nodes, one for every fourth luxel along each
+// axis and at least on the rim. From each node go kRays rays, distributed by the cosine of their angle, and
+// each remembers the node nearest to where it ends. The mean light of those nodes is what the node gets. So
+// each ray is traced only once, however often the light bounces. Light is interpolated between nodes.
 #include "compiler/light/bounce.h"
 
 #include <algorithm>
@@ -19,38 +19,42 @@ namespace temblor::compiler {
 namespace {
 
 constexpr int kLuxelsToNode = 4;
-constexpr int kRays = 128;  // a node
+constexpr int kRays = 128;  // of each node
 constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 constexpr float kFar = 1 << 20;  // longer than any level
-// Levels are made for bounced light that is this bright: measured on levels that their makers lit with one
-// bounce. Of each further bounce a fifth is left, as of that from dark stone.
+// How bright bounced light is: measured on finished levels that their makers lit with one bounce. Each
+// further bounce keeps a fifth, like dark stone.
 constexpr float kFirstBounce = 1.125f;
 constexpr float kReflectance = 0.2f;
 
+// The nodes of one face.
 struct NodeGrid {
   std::uint32_t first_node = 0;
-  int columns = 0, rows = 0;  // nodes; 0: the face gets no light
-  int width = 0, height = 0;  // luxels
+  int columns = 0, rows = 0;  // in nodes; 0: the face gets no light
+  int width = 0, height = 0;  // in luxels
 
   std::uint32_t node(int column, int row) const {
     return first_node + static_cast<std::uint32_t>(row * columns + column);
   }
 };
 
-int nodes_along(int luxels) {
+int count_nodes_along(int luxels) {
   return luxels <= 1 ? 1 : (luxels - 2) / kLuxelsToNode + 2;
 }
-// Nodes are spread evenly, the first and the last on the first and last luxel.
-double luxel_of_node(int node, int nodes, int luxels) {
+// Nodes are spaced evenly, from the first luxel to the last one.
+double find_luxel_at_node(int node, int nodes, int luxels) {
   return nodes <= 1 ? 0 : static_cast<double>(node) * (luxels - 1) / (nodes - 1);
 }
 
+// The nodes of all faces, and what faces reflect.
 struct BouncedWorld {
   std::vector<NodeGrid> grids;          // by face
   std::vector<math::Vec3> reflectance;  // by face
   std::vector<std::uint32_t> face_of_node;
 };
 
+// Lays a grid of nodes on each face that gets light, in the order of the faces, so that node numbers depend
+// only on the level.
 BouncedWorld lay_nodes(const LitLevel& lit) {
   const world::Level& level = *lit.level;
   BouncedWorld bounced;
@@ -60,18 +64,18 @@ BouncedWorld lay_nodes(const LitLevel& lit) {
     if (!lit.gets_light[face]) continue;
     const world::Face& shape = level.faces[face];
     NodeGrid& grid = bounced.grids[face];
-    grid = {static_cast<std::uint32_t>(bounced.face_of_node.size()), nodes_along(shape.light_width()),
-            nodes_along(shape.light_height()), shape.light_width(), shape.light_height()};
+    grid = {static_cast<std::uint32_t>(bounced.face_of_node.size()), count_nodes_along(shape.light_width()),
+            count_nodes_along(shape.light_height()), shape.light_width(), shape.light_height()};
     bounced.face_of_node.insert(bounced.face_of_node.end(),
                                 static_cast<std::size_t>(grid.columns * grid.rows),
                                 static_cast<std::uint32_t>(face));
-    if (!lit.keys_of(face).takes_bounce) bounced.reflectance[face] = math::Vec3(0.0f);
+    if (!lit.surface_keys(face).takes_bounce) bounced.reflectance[face] = math::Vec3(0.0f);
   }
   return bounced;
 }
 
-// The mean color of a texture, the strongest channel 1; white where it is black or without texels.
-math::Vec3 hue_of(const world::Texture& texture, const formats::Palette& palette) {
+// The mean color of a texture, scaled so that its strongest channel is 1; white for black or missing texels.
+math::Vec3 find_mean_hue(const world::Texture& texture, const formats::Palette& palette) {
   math::Vec3d sum(0.0);
   for (const std::uint8_t texel : texture.mips[0])
     sum += math::Vec3d(palette[texel].r, palette[texel].g, palette[texel].b);
@@ -79,22 +83,24 @@ math::Vec3 hue_of(const world::Texture& texture, const formats::Palette& palette
   return strongest > 0 ? math::Vec3(sum / strongest) : math::Vec3(1.0f);
 }
 
+// Scales the reflectance of faces by the colors of their textures.
 void tint_by_textures(const LitLevel& lit, const BounceSettings& settings, const formats::Palette& palette,
                       BouncedWorld& io_bounced) {
   const world::Level& level = *lit.level;
   std::vector<math::Vec3> hues;
-  for (const world::Texture& texture : level.textures) hues.push_back(hue_of(texture, palette));
+  for (const world::Texture& texture : level.textures) hues.push_back(find_mean_hue(texture, palette));
   for (std::size_t face = 0; face < level.faces.size(); ++face)
     io_bounced.reflectance[face] *=
         glm::mix(math::Vec3(1.0f), hues[base::to_size(level.faces[face].texture)], settings.color_scale);
 }
 
-// The node of a face nearest to a point on it.
-std::uint32_t node_at(const LitLevel& lit, const NodeGrid& grid, std::size_t face, const math::Vec3& point) {
+// The node of a face that is nearest to a point on it.
+std::uint32_t find_node(const LitLevel& lit, const NodeGrid& grid, std::size_t face,
+                        const math::Vec3& point) {
   if (grid.columns == 0) return kNoNode;
   const world::Face& shape = lit.level->faces[face];
   const world::TextureAxes& axes = lit.level->texture_axes[shape.axes];
-  const math::Vec3 local = point - lit.offset_of(face);
+  const math::Vec3 local = point - lit.model_offset(face);
   const auto nearest = [](float texel, int mins, int nodes, int luxels) {
     constexpr float kTexels = 16;
     if (nodes <= 1) return 0;
@@ -109,7 +115,7 @@ std::uint32_t node_at(const LitLevel& lit, const NodeGrid& grid, std::size_t fac
   return grid.node(column, row);
 }
 
-// For each node of a face kRays node numbers, node by node.
+// Traces the rays of a face: kRays node numbers for each of its nodes.
 void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& bounced, std::size_t face,
                 std::vector<std::uint32_t>& out_seen) {
   const NodeGrid& nodes = bounced.grids[face];
@@ -117,34 +123,35 @@ void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& 
   std::vector<std::uint32_t> luxels;
   for (int row = 0; row < nodes.rows; ++row)
     for (int column = 0; column < nodes.columns; ++column) {
-      const auto x = std::lround(luxel_of_node(column, nodes.columns, nodes.width));
-      const auto y = std::lround(luxel_of_node(row, nodes.rows, nodes.height));
+      const auto x = std::lround(find_luxel_at_node(column, nodes.columns, nodes.width));
+      const auto y = std::lround(find_luxel_at_node(row, nodes.rows, nodes.height));
       luxels.push_back(static_cast<std::uint32_t>(y * nodes.width + x));
     }
-  const std::vector<math::Vec3> places = places_of_luxels(lit, scene, grid, luxels).points;
+  const std::vector<math::Vec3> places = sample_luxels(lit, scene, grid, luxels).points;
   const Frame frame = frame_around(math::Vec3(grid.normal));
   std::vector<math::Vec3> directions(places.size());
   std::vector<RayHit> hits(places.size());
   for (int ray = 0; ray < kRays; ++ray) {
     std::fill(directions.begin(), directions.end(), in_frame(frame, cosine_direction(ray, kRays)));
-    scene.nearest(places, directions, kFar, hits);
+    scene.find_nearest(places, directions, kFar, hits);
     for (std::size_t i = 0; i < places.size(); ++i) {
       std::uint32_t seen = kNoNode;
       if (const RayHit& hit = hits[i]; hit.surface != RayHit::kNone) {
-        const world::FacePlane plane = world::plane_of(*lit.level, lit.level->faces[hit.surface]);
-        // What turns its back on the ray is not a surface that one sees.
+        const world::FacePlane plane = world::compute_face_plane(*lit.level, lit.level->faces[hit.surface]);
+        // The back of a face is not visible.
         if (glm::dot(math::Vec3d(directions[i]), plane.normal) < 0)
-          seen =
-              node_at(lit, bounced.grids[hit.surface], hit.surface, places[i] + directions[i] * hit.distance);
+          seen = find_node(lit, bounced.grids[hit.surface], hit.surface,
+                           places[i] + directions[i] * hit.distance);
       }
       out_seen[(nodes.first_node + i) * kRays + static_cast<std::size_t>(ray)] = seen;
     }
   }
 }
 
-// What each node sends back of the light that falls on its face: the mean of the luxels around it.
-std::vector<math::Vec3> first_light(const BouncedWorld& bounced, const std::vector<FaceLight>& light,
-                                    std::uint8_t style) {
+// What each node sends back of the light that falls on its face: the mean of the luxels around it, times the
+// reflectance.
+std::vector<math::Vec3> collect_emitted_light(const BouncedWorld& bounced,
+                                              const std::vector<FaceLight>& light, std::uint8_t style) {
   std::vector<math::Vec3> sent(bounced.face_of_node.size(), math::Vec3(0.0f));
   for (std::size_t face = 0; face < bounced.grids.size(); ++face) {
     const NodeGrid& grid = bounced.grids[face];
@@ -152,8 +159,8 @@ std::vector<math::Vec3> first_light(const BouncedWorld& bounced, const std::vect
     if (grid.columns == 0 || layer == nullptr) continue;
     for (int row = 0; row < grid.rows; ++row)
       for (int column = 0; column < grid.columns; ++column) {
-        const auto x = static_cast<int>(std::lround(luxel_of_node(column, grid.columns, grid.width)));
-        const auto y = static_cast<int>(std::lround(luxel_of_node(row, grid.rows, grid.height)));
+        const auto x = static_cast<int>(std::lround(find_luxel_at_node(column, grid.columns, grid.width)));
+        const auto y = static_cast<int>(std::lround(find_luxel_at_node(row, grid.rows, grid.height)));
         constexpr int kAround = kLuxelsToNode / 2;
         math::Vec3 sum(0.0f);
         float count = 0;
@@ -166,7 +173,7 @@ std::vector<math::Vec3> first_light(const BouncedWorld& bounced, const std::vect
   return sent;
 }
 
-// `map` may be of another scale than the nodes' own.
+// Adds gathered light to a light map, whose scale may differ from that of the nodes.
 void add_to_map(const NodeGrid& grid, const LightMapShape& own, const LightMapShape& map,
                 const std::vector<math::Vec3>& gathered, std::uint8_t style, FaceLight& io_light) {
   const std::uint32_t end = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
@@ -197,10 +204,11 @@ void add_to_map(const NodeGrid& grid, const LightMapShape& own, const LightMapSh
   }
 }
 
-// What each node gets after all bounces of what is sent at first.
-std::vector<math::Vec3> gathered_light(const BouncedWorld& bounced, std::span<const std::uint32_t> seen,
-                                       const BounceSettings& settings, std::vector<math::Vec3> sent,
-                                       base::Jobs& io_jobs) {
+// What each node gets over all bounces of the light that is sent first.
+// Each bounce reads `sent` and writes gathered_now, so the result does not depend on the order of the faces.
+std::vector<math::Vec3> gather_light(const BouncedWorld& bounced, std::span<const std::uint32_t> seen,
+                                     const BounceSettings& settings, std::vector<math::Vec3> sent,
+                                     base::Jobs& io_jobs) {
   const std::size_t nodes = sent.size();
   std::vector<math::Vec3> gathered(nodes, math::Vec3(0.0f)), gathered_now(nodes);
   for (int bounce = 0; bounce < settings.count; ++bounce) {
@@ -223,8 +231,9 @@ std::vector<math::Vec3> gathered_light(const BouncedWorld& bounced, std::span<co
   return gathered;
 }
 
-std::vector<std::uint8_t> bouncing_styles(const BounceSettings& settings,
-                                          const std::vector<FaceLight>& light) {
+// The styles whose light bounces, in order.
+std::vector<std::uint8_t> list_bouncing_styles(const BounceSettings& settings,
+                                               const std::vector<FaceLight>& light) {
   std::set<std::uint8_t> styles{0};
   if (settings.styled)
     for (const FaceLight& face : light)
@@ -261,7 +270,7 @@ bool trace_bounces(const LitLevel& lit, const RayScene& scene, std::span<const s
   return !stopped;
 }
 
-bool are_bounces_of(const LitLevel& lit, std::span<const std::uint32_t> seen) {
+bool are_bounces_for(const LitLevel& lit, std::span<const std::uint32_t> seen) {
   const std::size_t nodes = lay_nodes(lit).face_of_node.size();
   return seen.size() == nodes * kRays && std::all_of(seen.begin(), seen.end(), [&](std::uint32_t node) {
            return node < nodes || node == kNoNode;
@@ -275,12 +284,12 @@ void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
   if (palette && settings.color_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
   const std::size_t nodes = bounced.face_of_node.size();
   CHECK(seen.size() == nodes * kRays);
-  for (const std::uint8_t style : bouncing_styles(settings, io_light)) {
+  for (const std::uint8_t style : list_bouncing_styles(settings, io_light)) {
     const std::vector<math::Vec3> gathered =
-        gathered_light(bounced, seen, settings, first_light(bounced, io_light, style), io_jobs);
+        gather_light(bounced, seen, settings, collect_emitted_light(bounced, io_light, style), io_jobs);
     io_jobs.parallel_for(lit.maps.size(), [&](std::size_t map) {
       const std::size_t face = lit.maps[map].face;
-      if (bounced.grids[face].columns > 0 && lit.keys_of(face).takes_bounce)
+      if (bounced.grids[face].columns > 0 && lit.surface_keys(face).takes_bounce)
         add_to_map(bounced.grids[face], lit.maps[face], lit.maps[map], gathered, style, io_light[map]);
     });
   }

@@ -1,4 +1,5 @@
-// Light that comes back from lit faces.
+// Bounced light: the light that lit faces send back to others (radiosity, Goral et al., "Modeling the
+// interaction of light between diffuse surfaces", 1984). bounce.cpp describes the method.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +17,27 @@
 
 namespace temblor::compiler {
 
-// What bounced light sees: a number for each of many rays, which depend on the level's shape alone.
+// What bounced light meets: the node that each of many rays ends at. Depends only on the level's shape, so
+// the light cache keeps it.
 struct BounceRays {
-  std::vector<std::uint32_t> seen;         // face by face
-  std::vector<std::size_t> begin_of_face;  // into `seen`; one more than there are faces
-  std::vector<std::uint8_t> is_traced;     // by face, 0 or 1: what is not sees nothing yet
+  std::vector<std::uint32_t> seen;         // by ray, face after face: a node, or none
+  std::vector<std::size_t> begin_of_face;  // by face, plus one: where its rays begin in `seen`
+  std::vector<std::uint8_t> is_traced;     // by face, 0 or 1
 };
+// Returns rays of which none is traced.
 BounceRays begin_bounces(const LitLevel& lit);
 
-// Traces those of some faces that are not traced yet. Calls `step` once for each, from any thread; false when
-// it ever said so, and then some may be left.
+// Traces the rays of those `faces` that are not traced yet. Calls `step` once for each face, from any thread.
+// Returns false if it ever returned false; then some faces may be missing.
 bool trace_bounces(const LitLevel& lit, const RayScene& scene, std::span<const std::uint32_t> faces,
                    base::Jobs& io_jobs, base::FunctionRef<bool()> step, BounceRays& io_rays);
 
-// Whether `seen` could be what bounced light sees in this level.
-bool are_bounces_of(const LitLevel& lit, std::span<const std::uint32_t> seen);
+// Whether `seen` has the right size and node numbers for this level.
+bool are_bounces_for(const LitLevel& lit, std::span<const std::uint32_t> seen);
 
-// Adds to style 0 of every face what it gets from the others after settings.count bounces of style 0, and so
-// for every style with settings.styled. Negative lights do not bounce. Without a palette no face has a
-// color. `seen`: of all faces. `io_light`: by light map.
+// Adds to style 0 of every face the light that it gets from others after settings.count bounces, and with
+// settings.styled, to every style. Negative lights do not bounce. Without a palette, faces are gray. `seen`:
+// BounceRays::seen of all faces. `io_light`: by light map.
 void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
                        const BounceSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light);

@@ -1,7 +1,5 @@
-// The light stage of a Build: at once, or in shares.
+// The light stage of a Build: lights the level and stores the result with its key.
 #pragma once
-
-#include <span>
 
 #include "base/parallel_for.h"
 #include "base/result.h"
@@ -11,20 +9,23 @@
 
 namespace temblor::compiler {
 
-// Of what the build's light would be made; equal to its light_key when it is that already. Fails on entity
-// text that does not parse.
-base::Result<StageKey> light_key_of(const Build& build, const LightOptions& options);
+// The key of the light that the build would get; equal to its light_key if it has that light already. Fails
+// if the entity text does not parse.
+base::Result<StageKey> find_light_key(const Build& build, const LightOptions& options);
 
+// Lights the level with the help of the build's light cache, and updates the cache. Fails as light_level()
+// does.
 base::Status make_light(const LightOptions& options, base::Jobs& jobs, Progress progress, Build& io_build,
                         Warnings& io_warnings);
 
-// For entity text that is new while light is not: styles of switchable lights are written into it.
-base::Status keep_light(Build& io_build);
+// Stores light that belongs to the level.
+void set_light(LightSummary light, StageKey key, Build& io_build);
 
+// Keeps the light although the entity text is new: writes the styles of switchable lights into the text
+// again.
+base::Status reuse_light(Build& io_build);
+
+// Makes the level fully lit: without light maps, faces show their textures as they are.
 void remove_light(Build& io_build);
-
-// Joins shards (light_shard), all of them, to what make_light would have made.
-base::Status merge_light_shards(std::span<const base::Bytes> shards, const LightOptions& options,
-                                base::Jobs& jobs, Build& io_build, Warnings& io_warnings);
 
 }  // namespace temblor::compiler

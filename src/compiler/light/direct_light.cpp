@@ -1,5 +1,5 @@
-// Method: light by light over all luxels of the face, so that the rays of a packet run side by side. What a
-// light would give without shadows is worked out first; only luxels that it reaches ask whether they see it.
+// Method: light after light, each for all luxels of the face, so that the rays of a packet run side by side.
+// The light without shadows comes first; only luxels that it reaches trace rays.
 #include "compiler/light/direct_light.h"
 
 #include <algorithm>
@@ -15,15 +15,16 @@
 namespace temblor::compiler {
 namespace {
 
-// Steps in a shadow's edge that are smaller than this in the light map are not looked into.
+// Steps at the edge of a shadow below this many steps of the light map are not refined.
 constexpr float kRoughBelow = 1;
 
+// Bounds the sample points of a face, for quick tests against lights.
 struct Sphere {
   math::Vec3 middle{0.0f};
   float radius = 0;
 };
 
-Sphere sphere_around(std::span<const math::Vec3> points) {
+Sphere make_bounding_sphere(std::span<const math::Vec3> points) {
   math::Vec3 mins = points[0], maxs = points[0];
   for (const math::Vec3& point : points) {
     mins = glm::min(mins, point);
@@ -32,16 +33,16 @@ Sphere sphere_around(std::span<const math::Vec3> points) {
   return {(mins + maxs) * 0.5f, glm::length(maxs - mins) * 0.5f};
 }
 
-// What stands up into a brush of sky is drawn there.
+// Whether the face sticks out into a brush of sky.
 bool lies_in_sky(const world::Level& level, std::span<const world::LeafIndex> leaves) {
   return std::any_of(leaves.begin(), leaves.end(), [&](world::LeafIndex leaf) {
     return level.leaf(leaf).contents == world::Contents::kSky;
   });
 }
 
-// Gives luxels that lie within something solid the mean of their neighbors, ring by ring, so that what is
-// seen of them fades into the rest. All stays as it is where all are hidden.
-void fill_hidden(const LightGrid& grid, const SamplePlaces& places, std::span<math::Vec3> io_samples) {
+// Gives luxels that are inside solid the mean of their neighbors, ring by ring, so that what is visible of
+// them blends into the rest. If all luxels are hidden, nothing changes.
+void fill_hidden(const LightGrid& grid, const SamplePoints& places, std::span<math::Vec3> io_samples) {
   std::vector<std::uint8_t> unknown;
   for (std::size_t i = 0; i < places.leaves.size(); ++i) unknown.push_back(places.is_hidden(i) ? 1 : 0);
   const int width = grid.width, height = grid.height;
@@ -71,31 +72,34 @@ void fill_hidden(const LightGrid& grid, const SamplePlaces& places, std::span<ma
   }
 }
 
+// Whether cached layers fit the map, since a damaged cache may hold anything.
 bool are_of_size(std::span<const LightLayer> layers, std::size_t luxels) {
   return std::all_of(layers.begin(), layers.end(),
                      [&](const LightLayer& layer) { return layer.samples.size() == luxels; });
 }
 
-// The factor for each step of a share.
+// The light factor for each quantized share.
 constexpr std::array<float, kWholeShare + 1> kFactors = [] {
   std::array<float, kWholeShare + 1> factors{};
   for (std::size_t i = 0; i < factors.size(); ++i)
     factors[i] = static_cast<float>(i) / static_cast<float>(kWholeShare);
   return factors;
 }();
-math::Vec3 factor_of(const Share& share) {
+math::Vec3 share_factor(const Share& share) {
   return {kFactors[share[0]], kFactors[share[1]], kFactors[share[2]]};
 }
 
+// Lights one light map. Holds what all lights share: sample points, normals, shadow filter and the cache's
+// records.
 class FaceLighter {
  public:
-  // `learned`: null when nothing is to be kept; outlives this.
-  FaceLighter(const DirectLightInput& input, LightGrid grid, SamplePlaces places, LightCache::Map* learned)
+  // `learned`: outlives this; null: nothing is kept.
+  FaceLighter(const DirectLightInput& input, LightGrid grid, SamplePoints places, LightCache::Map* learned)
       : input_(input),
         grid_(std::move(grid)),
         filter_(input.lit, input.scene, grid_, input.sampling, std::move(places)),
         places_(filter_.luxel_places().points),
-        bounds_(sphere_around(places_)),
+        bounds_(make_bounding_sphere(places_)),
         flat_normal_(grid_.normal),
         is_flat_(!input.phong.is_curved(grid_.face) || grid_.corners_world.size() < 3),
         is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leaves)),
@@ -105,16 +109,17 @@ class FaceLighter {
         shadows_before_(known_ != nullptr ? base::Bytes(known_->shadows) : base::Bytes(), places_.size()),
         shadows_(places_.size()) {
     if (!is_flat_) set_normals();
-    if (input.settings.dirt.on && input.lit.keys_of(grid_.face).takes_dirt) light_.dirt = dirt();
+    if (input.settings.dirt.on && input.lit.surface_keys(grid_.face).takes_dirt) light_.dirt = dirt();
   }
 
   void add_all() {
-    const std::vector<world::LeafIndex> leaves = input_.sight.leaves_of(grid_.face, filter_.luxel_places());
+    const std::vector<world::LeafIndex> leaves = input_.sight.find_leaves(grid_.face, filter_.luxel_places());
     for (std::size_t i = 0; i < input_.lights.size(); ++i)
       if (may_reach(input_.lights[i]) && input_.sight.light_may_reach(i, leaves)) add(i);
     if (input_.scene.has_sky() && !input_.beams.empty() && input_.sight.sky_may_reach(leaves)) add_sky();
   }
 
+  // Hands over the light, and what a cache keeps of it.
   FaceLight take() && {
     if (learned_ != nullptr) {
       learned_->shadows = std::move(shadows_).take();
@@ -125,12 +130,13 @@ class FaceLighter {
   }
 
  private:
+  // Adds one light.
   void add(std::size_t number) {
     const LightSource& light = input_.lights[number];
     lit_luxels_.clear();
     float brightest = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      unshadowed_[i] = is_hidden(i) ? 0 : value_of(light, i);
+      unshadowed_[i] = is_hidden(i) ? 0 : compute_unshadowed(light, i);
       if (std::abs(unshadowed_[i]) <= kLightGate) continue;
       lit_luxels_.push_back(static_cast<std::uint32_t>(i));
       brightest = std::max(brightest, std::abs(unshadowed_[i]));
@@ -139,25 +145,25 @@ class FaceLighter {
     const LayerKind kind = light.attenuation == Attenuation::kLocalMinlight ? LayerKind::kRaise
                            : light.value < 0                                ? LayerKind::kSubtract
                                                                             : LayerKind::kAdd;
-    deposit(shares_of(number, is_rough(brightest)), {light.color, light.style, kind, light.takes_dirt},
+    deposit(find_shares(number, is_rough(brightest)), {light.color, light.style, kind, light.takes_dirt},
             light_);
   }
 
-  // The shares of the lit luxels: from the cache, where it has the answer to the same question.
-  std::span<const Share> shares_of(std::size_t number, bool rough) {
+  // The shares of light that arrive at the lit luxels; from the cache, if it knows the same question.
+  std::span<const Share> find_shares(std::size_t number, bool rough) {
     std::optional<std::span<const Share>> shares;
-    if (known_ != nullptr && input_.known->number_of(number) != CachedLight::kUnknown)
-      shares = shadows_before_.find({input_.known->number_of(number), lit_luxels_, rough});
+    if (known_ != nullptr && input_.known->cached_number(number) != CachedLight::kUnknown)
+      shares = shadows_before_.find({input_.known->cached_number(number), lit_luxels_, rough});
     if (!shares)
-      shares = filter_.shares(
+      shares = filter_.compute_shares(
           lit_luxels_, rough, [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
-            input_.scene.towards_point(points, input_.lights[number].origin_world, out, model());
+            input_.scene.trace_to_point(points, input_.lights[number].origin_world, out, model());
           });
     if (learned_ != nullptr) shadows_.add({static_cast<std::uint32_t>(number), lit_luxels_, rough}, *shares);
     return *shares;
   }
 
-  // All beams are added up by themselves, so that their sum can be kept.
+  // Sums the sky on its own, so that the cache can keep the sum.
   void add_sky() {
     FaceLight sky;
     sky.dirt = light_.dirt;
@@ -172,32 +178,36 @@ class FaceLighter {
     if (learned_ != nullptr) learned_->sky = std::move(sky.layers);
   }
 
+  // Adds one beam of the sky.
   void add(const SkyBeam& beam, FaceLight& io_sky) {
-    if (is_flat_ && glm::dot(flat_normal_, beam.towards_sky) <= 0) return;
+    if (is_flat_ && glm::dot(flat_normal_, beam.toward_sky) <= 0) return;
     lit_luxels_.clear();
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      unshadowed_[i] = beam.value * angle_factor(beam.angle_scale, glm::dot(normal_of(i), beam.towards_sky));
+      unshadowed_[i] = beam.value * angle_factor(beam.angle_scale, glm::dot(normal_at(i), beam.toward_sky));
       if (unshadowed_[i] != 0 && !is_hidden(i)) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
     }
     if (lit_luxels_.empty()) return;
-    const auto shares = filter_.shares(lit_luxels_, is_rough(std::abs(beam.value)),
-                                       [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
-                                         if (is_in_sky_)
-                                           input_.scene.towards_void(points, beam.towards_sky, out, model());
-                                         else
-                                           input_.scene.towards_sky(points, beam.towards_sky, out, model());
-                                       });
+    const auto shares =
+        filter_.compute_shares(lit_luxels_, is_rough(std::abs(beam.value)),
+                               [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
+                                 if (is_in_sky_)
+                                   input_.scene.trace_to_void(points, beam.toward_sky, out, model());
+                                 else
+                                   input_.scene.trace_to_sky(points, beam.toward_sky, out, model());
+                               });
     const LayerKind kind = beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd;
     deposit(shares, {beam.color, beam.style, kind, beam.takes_dirt}, io_sky);
   }
 
+  // Dirt takes many rays for each luxel, so the cache is asked first.
   std::vector<float> dirt() {
     if (known_ != nullptr && input_.known->holds_dirt() && known_->dirt.size() == places_.size())
       return known_->dirt;
     if (is_flat_) set_normals();
-    return dirt_at(input_.scene, places_, normals_, input_.settings.dirt);
+    return compute_dirt(input_.scene, places_, normals_, input_.settings.dirt);
   }
 
+  // Curved faces have a normal for each luxel; flat ones need them only for dirt.
   void set_normals() {
     normals_.reserve(places_.size());
     for (int row = 0; row < grid_.height; ++row)
@@ -207,20 +217,21 @@ class FaceLighter {
   }
   std::uint32_t model() const { return input_.lit.model_of_face[grid_.face]; }
   bool is_hidden(std::size_t luxel) const { return filter_.luxel_places().is_hidden(luxel); }
-  const math::Vec3& normal_of(std::size_t luxel) const { return is_flat_ ? flat_normal_ : normals_[luxel]; }
+  const math::Vec3& normal_at(std::size_t luxel) const { return is_flat_ ? flat_normal_ : normals_[luxel]; }
   bool is_rough(float brightest) const { return brightest * input_.settings.range < kRoughBelow; }
 
+  // A quick test by the light's reach and the side of the face that it is on.
   bool may_reach(const LightSource& light) const {
-    const float reach = reach_of(light) + bounds_.radius;
+    const float reach = light_reach(light) + bounds_.radius;
     const math::Vec3 way = light.origin_world - bounds_.middle;
     if (glm::dot(way, way) > reach * reach) return false;
     return !is_flat_ || glm::dot(flat_normal_, light.origin_world - places_[0]) > -bounds_.radius;
   }
 
-  // Without shadows and dirt.
-  float value_of(const LightSource& light, std::size_t luxel) const {
+  // The light at a luxel without shadows and dirt.
+  float compute_unshadowed(const LightSource& light, std::size_t luxel) const {
     const math::Vec3 way = light.origin_world - places_[luxel];
-    const float facing = glm::dot(way, normal_of(luxel));
+    const float facing = glm::dot(way, normal_at(luxel));
     if (facing <= 0) return 0;
     const float distance = glm::length(way);
     float value = value_at(light, distance);
@@ -229,12 +240,14 @@ class FaceLighter {
     return light.cone ? value * cone_factor(*light.cone, way / distance) : value;
   }
 
+  // What a light or beam brings besides its value.
   struct Arriving {
     math::Vec3 color;
     std::uint8_t style;
     LayerKind kind;
     bool takes_dirt;
   };
+  // Adds arriving light to the layer of its style and kind.
   void deposit(std::span<const Share> shares, const Arriving& light, FaceLight& io_light) {
     if (std::all_of(shares.begin(), shares.end(), [](const Share& share) { return share == Share{}; }))
       return;
@@ -243,7 +256,7 @@ class FaceLighter {
     for (std::size_t i = 0; i < lit_luxels_.size(); ++i) {
       const std::uint32_t luxel = lit_luxels_[i];
       const float value = std::abs(unshadowed_[luxel]) * (dirty ? io_light.dirt[luxel] : 1);
-      const math::Vec3 arriving = light.color * factor_of(shares[i]) * value;
+      const math::Vec3 arriving = light.color * share_factor(shares[i]) * value;
       samples[luxel] =
           light.kind == LayerKind::kRaise ? glm::max(samples[luxel], arriving) : samples[luxel] + arriving;
     }
@@ -257,7 +270,7 @@ class FaceLighter {
   math::Vec3 flat_normal_;
   bool is_flat_, is_in_sky_;
   std::vector<math::Vec3> normals_;
-  std::vector<float> unshadowed_;  // by luxel, of the light at hand
+  std::vector<float> unshadowed_;  // by luxel, of the current light
   std::vector<std::uint32_t> lit_luxels_;
   const LightCache::Map* known_;  // null: nothing is known
   LightCache::Map* learned_;      // null: nothing is kept
@@ -266,28 +279,28 @@ class FaceLighter {
   FaceLight light_;
 };
 
-// One luxel in the middle of the face's model.
-SamplePlaces place_in_middle(const LitLevel& lit, std::size_t face) {
+// A single sample point at the center of the face's model.
+SamplePoints make_center_point(const LitLevel& lit, std::size_t face) {
   const math::Bounds& bounds = lit.level->models[lit.model_of_face[face]].bounds;
-  SamplePlaces places;
-  places.points.push_back((bounds.mins + bounds.maxs) * 0.5f + lit.offset_of(face));
+  SamplePoints places;
+  places.points.push_back((bounds.mins + bounds.maxs) * 0.5f + lit.model_offset(face));
   const world::LeafIndex leaf = world::find_leaf(*lit.level, places.points[0]);
   const bool solid = lit.level->leaf(leaf).contents == world::Contents::kSolid;
   places.leaves.push_back(solid ? world::LeafIndex{0} : leaf);
   return places;
 }
 
-// For a face of a brush model with all of its luxels inside something solid, as the sides of a closed door:
-// the mean light in the model's middle, from all six sides, for every luxel.
-FaceLight light_in_middle(const DirectLightInput& input, const LightGrid& grid) {
+// For a face of a brush model whose luxels are all inside solid, such as the side of a closed door: every
+// luxel gets the mean light at the model's center, over all six directions.
+FaceLight compute_center_light(const DirectLightInput& input, const LightGrid& grid) {
   FaceLight mean;
   for (int side = 0; side < 6; ++side) {
     LightGrid single;
     single.face = grid.face;
     single.width = single.height = 1;
     single.normal[side / 2] = side % 2 == 0 ? 1 : -1;
-    SamplePlaces middle = place_in_middle(input.lit, grid.face);
-    single.corners_world = {math::Vec3d(middle.points[0])};  // a point, and so flat
+    SamplePoints middle = make_center_point(input.lit, grid.face);
+    single.corners_world = {math::Vec3d(middle.points[0])};  // a single point counts as flat
     if (middle.is_hidden(0)) return {};
     FaceLighter lighter(input, std::move(single), std::move(middle), nullptr);
     lighter.add_all();
@@ -298,16 +311,16 @@ FaceLight light_in_middle(const DirectLightInput& input, const LightGrid& grid) 
   return mean;
 }
 
-std::vector<std::uint32_t> hidden_luxels(const SamplePlaces& places) {
+std::vector<std::uint32_t> list_hidden_luxels(const SamplePoints& places) {
   std::vector<std::uint32_t> hidden;
   for (std::size_t i = 0; i < places.leaves.size(); ++i)
     if (places.is_hidden(i)) hidden.push_back(static_cast<std::uint32_t>(i));
   return hidden;
 }
 
-// Gives some luxels the light of another map of the same size, and no other.
-void put(const FaceLight& from, std::span<const std::uint32_t> luxels, std::size_t size,
-         FaceLight& io_light) {
+// Gives only the listed luxels the light of another map of the same size.
+void replace_luxels(const FaceLight& from, std::span<const std::uint32_t> luxels, std::size_t size,
+                    FaceLight& io_light) {
   for (LightLayer& layer : io_light.layers)
     for (const std::uint32_t luxel : luxels) layer.samples[luxel] = math::Vec3(0.0f);
   for (const LightLayer& layer : from.layers)
@@ -317,23 +330,26 @@ void put(const FaceLight& from, std::span<const std::uint32_t> luxels, std::size
 
 }  // namespace
 
-FaceLight direct_light_of(const DirectLightInput& input, std::size_t map, LightCache::Map* out_learned) {
+// Brush models often start inside other brushes, as doors do. Hidden luxels take the light at the model's
+// center if _autominlight asks for it, or if all luxels are hidden.
+FaceLight compute_direct_light(const DirectLightInput& input, std::size_t map, LightCache::Map* out_learned) {
   const LitLevel& lit = input.lit;
   const std::size_t face = lit.maps[map].face;
   LightGrid grid = make_light_grid(lit, map);
-  SamplePlaces places = sample_points(lit, input.scene, grid, 1);
-  const SurfaceKeys& keys = lit.keys_of(face);
+  SamplePoints places = sample_points(lit, input.scene, grid, 1);
+  const SurfaceKeys& keys = lit.surface_keys(face);
   const bool takes_light = !keys.ignores_light;
-  const bool may_take_middle = takes_light && lit.model_of_face[face] != 0 && keys.auto_min_light >= 0;
-  const std::vector<std::uint32_t> hidden = hidden_luxels(places);
-  if (may_take_middle && hidden.size() == grid.size()) return light_in_middle(input, grid);
+  const bool may_take_center = takes_light && lit.model_of_face[face] != 0 && keys.auto_min_light >= 0;
+  const std::vector<std::uint32_t> hidden = list_hidden_luxels(places);
+  if (may_take_center && hidden.size() == grid.size()) return compute_center_light(input, grid);
   FaceLight middle;
-  if (may_take_middle && keys.auto_min_light > 0 && !hidden.empty()) middle = light_in_middle(input, grid);
+  if (may_take_center && keys.auto_min_light > 0 && !hidden.empty())
+    middle = compute_center_light(input, grid);
   const std::size_t size = grid.size();
   FaceLighter lighter(input, std::move(grid), std::move(places), out_learned);
   if (takes_light) lighter.add_all();
   FaceLight light = std::move(lighter).take();
-  if (may_take_middle && keys.auto_min_light > 0) put(middle, hidden, size, light);
+  if (may_take_center && keys.auto_min_light > 0) replace_luxels(middle, hidden, size, light);
   return light;
 }
 

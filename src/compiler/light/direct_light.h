@@ -1,4 +1,4 @@
-// What lights and sky give a face straight away.
+// Direct light: what a face gets from lights and sky without any bounce.
 #pragma once
 
 #include <span>
@@ -17,20 +17,21 @@
 
 namespace temblor::compiler {
 
+// Everything that direct light depends on. Shared by all faces.
 struct DirectLightInput {
   const LitLevel& lit;
   const RayScene& scene;
   const PhongNormals& phong;
-  const Leavesight& sight;  // of `lights`
+  const LeafSight& sight;  // made for `lights`
   const LightSettings& settings;
   std::span<const LightSource> lights;
   std::span<const SkyBeam> beams;
   ShadowSampling sampling;
-  const CachedLight* known;  // null: every ray is asked
+  const CachedLight* known;  // null: trace every ray
 };
 
-// On a light map (LitLevel::maps) of a face that gets light. Safe to call for several maps at once.
-// `out_learned`: what a cache is to keep of the face; null: nothing.
-FaceLight direct_light_of(const DirectLightInput& input, std::size_t map, LightCache::Map* out_learned);
+// Lights one light map (LitLevel::maps) of a face that gets light. May run for several maps at once.
+// `out_learned`: gets what a cache keeps of the map; null: nothing is kept.
+FaceLight compute_direct_light(const DirectLightInput& input, std::size_t map, LightCache::Map* out_learned);
 
 }  // namespace temblor::compiler

@@ -1,10 +1,10 @@
 // Layout, little-endian:
 //   u32 "TLCH", u32 version, u64 geometry, u64 dirt, u64 sky
-//   u32 lights, for each three f32
-//   u32 light maps, for each
+//   u32 number of lights, for each three f32
+//   u32 number of light maps, for each
 //     u32 bytes of shadows, the bytes; u32 values of dirt, f32 each
 //     u8 layers of sky, for each u8 style, u8 kind, u32 samples, for each three f32
-//   u32 values of bounces, u32 each
+//   u32 number of bounce rays, u32 each
 //   u64 hash of all bytes before
 #include "compiler/light/light_cache.h"
 
@@ -19,7 +19,7 @@ namespace temblor::compiler {
 namespace {
 
 constexpr std::uint32_t kLightCacheMagic = 0x48434c54;
-// To be raised when the layout changes, and when light is measured in another way.
+// Raise this if the layout changes, or if light is measured in another way.
 constexpr std::uint32_t kLightCacheVersion = 1;
 constexpr std::size_t kStartBytes = 8, kHashBytes = 8;
 
@@ -31,7 +31,7 @@ void write_all(const std::vector<T>& values, base::ByteWriter& io_writer) {
   io_writer.bytes(std::as_bytes(std::span(values)));
 }
 
-// Nothing, and a reader that is not ok(), where fewer are left than the count says.
+// Reads a counted list. Returns nothing, and fails the reader, if fewer bytes are left than the count says.
 template <typename T>
 std::vector<T> read_all(base::ByteReader& io_reader) {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -62,13 +62,13 @@ base::Result<LightCache::Map> read_map(base::ByteReader& io_reader) {
     layer.style = io_reader.u8();
     const std::uint8_t kind = io_reader.u8();
     if (kind > static_cast<std::uint8_t>(LayerKind::kSubtract))
-      return base::malformed("light cache: no kind {} of light at {}", kind, io_reader.offset());
+      return base::malformed("light cache: unknown kind {} of light at offset {}", kind, io_reader.offset());
     layer.kind = static_cast<LayerKind>(kind);
     layer.samples = read_all<math::Vec3>(io_reader);
     map.sky.push_back(std::move(layer));
   }
   if (!io_reader.ok())
-    return base::malformed("light cache: ends within a light map at {}", io_reader.offset());
+    return base::malformed("light cache: it ends within a light map at offset {}", io_reader.offset());
   return map;
 }
 
@@ -83,20 +83,21 @@ base::ByteVector write_light_cache(const LightCache& cache) {
   writer.u32(static_cast<std::uint32_t>(cache.maps.size()));
   for (const LightCache::Map& map : cache.maps) write_map(map, writer);
   write_all(cache.bounces, writer);
-  writer.write(base::hash_of_bytes(writer.view()));
+  writer.write(base::hash_bytes(writer.view()));
   return std::move(writer).take();
 }
 
 base::Result<LightCache> read_light_cache(base::Bytes bytes) {
   if (bytes.size() < kStartBytes + kHashBytes)
-    return base::malformed("light cache: {} bytes are too few to be one", bytes.size());
+    return base::malformed("light cache: {} bytes are too short", bytes.size());
   base::ByteReader reader(bytes.first(bytes.size() - kHashBytes)), end(bytes.last(kHashBytes));
   if (reader.u32() != kLightCacheMagic) return base::malformed("light cache: it does not begin with TLCH");
   if (const std::uint32_t version = reader.u32(); version != kLightCacheVersion)
-    return base::error(base::ErrorCode::kUnsupported, "light cache: version {}, known is {}", version,
+    return base::error(base::ErrorCode::kUnsupported,
+                       "light cache: version {} is not supported, only version {}", version,
                        kLightCacheVersion);
-  if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
-    return base::malformed("light cache: damaged, its hash is not that of its bytes");
+  if (end.read<std::uint64_t>() != base::hash_bytes(bytes.first(bytes.size() - kHashBytes)))
+    return base::malformed("light cache: it is damaged (wrong hash)");
   LightCache cache;
   for (std::uint64_t* hash : {&cache.geometry, &cache.dirt, &cache.sky}) *hash = reader.read<std::uint64_t>();
   cache.lights = read_all<math::Vec3>(reader);
@@ -107,7 +108,7 @@ base::Result<LightCache> read_light_cache(base::Bytes bytes) {
   }
   cache.bounces = read_all<std::uint32_t>(reader);
   if (!reader.ok() || reader.remaining() > 0)
-    return base::malformed("light cache: {} bytes are not those of its {} light maps", bytes.size(), maps);
+    return base::malformed("light cache: its {} bytes do not fit its {} light maps", bytes.size(), maps);
   return cache;
 }
 

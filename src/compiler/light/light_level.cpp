@@ -1,5 +1,5 @@
-// Method: every face that gets light asks every light that can reach it, by itself; then faces exchange what
-// they send back; then all of it is put into bytes, in the order of faces.
+// Method: every face gathers direct light on its own; then faces exchange the light that they send back; then
+// all of it is packed into bytes, in the order of the faces.
 #include "compiler/light/light_level.h"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ namespace {
 
 constexpr const char* kColoredLump = "RGBLIGHTING";
 
-// Everything that is known before the first ray.
-struct SurfaceSelector {
+// Everything that is known before the first ray is traced.
+struct PreparedLight {
   std::vector<formats::Entity> entities;
   bool styles_changed = false;
   LightSettings settings;
@@ -39,11 +39,12 @@ struct SurfaceSelector {
   std::vector<SkyBeam> beams;
 };
 
-LightSettings settings_of(const std::vector<formats::Entity>& entities, const LightOptions& options) {
+// The level's own settings, as overridden by the mapper's options.
+LightSettings read_settings(const std::vector<formats::Entity>& entities, const LightOptions& options) {
   const auto world = std::find_if(entities.begin(), entities.end(), [](const formats::Entity& entity) {
     return entity.classname() == "worldspawn";
   });
-  LightSettings settings = light_settings_of(world != entities.end() ? *world : formats::Entity{});
+  LightSettings settings = read_light_settings(world != entities.end() ? *world : formats::Entity{});
   if (options.bounces) settings.bounce.count = std::max(0, *options.bounces);
   if (options.dirt) settings.dirt.on = *options.dirt;
   if (options.fast) {
@@ -53,29 +54,30 @@ LightSettings settings_of(const std::vector<formats::Entity>& entities, const Li
   return settings;
 }
 
-base::Result<SurfaceSelector> prepare(const formats::Bsp& bsp, const FaceKeys& face_keys,
-                                      const LightOptions& options, Warnings& io_warnings) {
+// Reads the entities and builds the scene that rays meet.
+base::Result<PreparedLight> prepare(const formats::Bsp& bsp, const FaceKeys& face_keys,
+                                    const LightOptions& options, Warnings& io_warnings) {
   TRY(std::vector<formats::Entity> entities, formats::read_entities(bsp.entities));
   const bool styles_changed = assign_switchable_styles(entities, io_warnings);
-  const LightSettings settings = settings_of(entities, options);
-  TRY(LitLevel lit, make_lit_level(unlit(bsp), face_keys));
-  TRY(RayScene scene, RayScene::make(occluders_of(lit, options.palette)));
-  EntityLights found = entity_lights_of(entities, settings, io_warnings);
-  const std::vector<LightSource> surface_lights = surface_lights_of(lit, found.templates);
+  const LightSettings settings = read_settings(entities, options);
+  TRY(LitLevel lit, make_lit_level(strip_light(bsp), face_keys));
+  TRY(RayScene scene, RayScene::make(make_occluders(lit, options.palette)));
+  EntityLights found = find_entity_lights(entities, settings, io_warnings);
+  const std::vector<LightSource> surface_lights = find_surface_lights(lit, found.templates);
   found.lights.insert(found.lights.end(), surface_lights.begin(), surface_lights.end());
   const int sky_rays = options.fast ? std::max(1, options.sky_rays / 8) : options.sky_rays;
-  std::vector<SkyBeam> beams = sky_beams_of(entities, settings, sky_rays);
-  return SurfaceSelector{std::move(entities), styles_changed,          settings,        std::move(lit),
-                         std::move(scene),    std::move(found.lights), std::move(beams)};
+  std::vector<SkyBeam> beams = find_sky_beams(entities, settings, sky_rays);
+  return PreparedLight{std::move(entities), styles_changed,          settings,        std::move(lit),
+                       std::move(scene),    std::move(found.lights), std::move(beams)};
 }
 
-// One progress over all that is done face by face, by any thread.
+// One progress over all light maps and faces, reported from any thread.
 class SharedProgress {
  public:
   SharedProgress(Progress report, std::size_t total, std::size_t done = 0)
       : report_(report), total_(total), done_(done) {}
 
-  // False: stop here.
+  // Returns false to stop.
   bool step() {
     const std::lock_guard lock(reporting_);
     stopped_ = stopped_ || !report_(++done_, total_);
@@ -95,23 +97,32 @@ base::Error stopped() {
 
 constexpr ShardHeader kWhole{};
 
-bool bounces(const SurfaceSelector& prepared) {
+bool has_bounces(const PreparedLight& prepared) {
   return prepared.settings.bounce.count > 0;
 }
 
-// Whether the rays of a shard could be this level's.
-bool are_bounces_of(const SurfaceSelector& prepared, const LightWork& work) {
-  return !bounces(prepared) || are_bounces_of(prepared.lit, work.bounces.seen);
+// Whether the bounce rays of shards fit the level.
+bool are_bounces_for(const PreparedLight& prepared, const LightWork& work) {
+  return !has_bounces(prepared) || are_bounces_for(prepared.lit, work.bounces.seen);
 }
 
-// The direct light of a shard's light maps that are not lit yet. `io_learned`: gets what was found out of
-// them; may be null. False when the progress ever said stop.
-bool add_direct_light(const SurfaceSelector& prepared, const LightOptions& options, const ShardHeader& shard,
-                      base::Jobs& io_jobs, SharedProgress& io_progress, LightWork& io_work,
-                      const CachedLight* known = nullptr, LightCache* io_learned = nullptr) {
+// One pass over light maps and faces: which of them, with what help, and who watches.
+struct LightPass {
+  const PreparedLight& prepared;
+  const LightOptions& options;
+  ShardHeader shard;  // which maps and faces
+  base::Jobs& jobs;
+  SharedProgress& progress;
+  const CachedLight* known = nullptr;  // null: no cache is used
+  LightCache* learned = nullptr;       // gets what the pass finds out; null: nothing is kept
+};
+
+// Lights the maps of the pass that are not lit yet. Returns false if the progress said stop.
+bool add_direct_light(const LightPass& pass, LightWork& io_work) {
+  const PreparedLight& prepared = pass.prepared;
   const LitLevel& lit = prepared.lit;
   const PhongNormals phong(lit);
-  const Leavesight sight(lit, prepared.lights);
+  const LeafSight sight(lit, prepared.lights);
   const DirectLightInput input{lit,
                                prepared.scene,
                                phong,
@@ -119,35 +130,35 @@ bool add_direct_light(const SurfaceSelector& prepared, const LightOptions& optio
                                prepared.settings,
                                prepared.lights,
                                prepared.beams,
-                               shadow_sampling(options.extra),
-                               known};
-  if (io_learned != nullptr) io_learned->maps.resize(lit.maps.size());
-  const std::vector<std::uint32_t> maps = share_of(shard, lit.maps.size());
+                               shadow_sampling(pass.options.extra),
+                               pass.known};
+  if (pass.learned != nullptr) pass.learned->maps.resize(lit.maps.size());
+  const std::vector<std::uint32_t> maps = list_share(pass.shard, lit.maps.size());
   std::atomic<bool> is_stopped{false};
-  io_jobs.parallel_for(maps.size(), [&](std::size_t i) {
+  pass.jobs.parallel_for(maps.size(), [&](std::size_t i) {
     const std::uint32_t map = maps[i];
     if (io_work.is_lit[map] != 0 || is_stopped.load(std::memory_order_relaxed)) return;
     if (lit.gets_light[lit.maps[map].face])
       io_work.light[map] =
-          direct_light_of(input, map, io_learned != nullptr ? &io_learned->maps[map] : nullptr);
+          compute_direct_light(input, map, pass.learned != nullptr ? &pass.learned->maps[map] : nullptr);
     io_work.is_lit[map] = 1;
-    if (!io_progress.step()) is_stopped = true;
+    if (!pass.progress.step()) is_stopped = true;
   });
   return !is_stopped;
 }
 
-// The rays of bounced light: known ones, or traced now. False when the progress ever said stop.
-bool add_bounces(const SurfaceSelector& prepared, const ShardHeader& shard, base::Jobs& io_jobs,
-                 SharedProgress& io_progress, LightWork& io_work, const CachedLight* known = nullptr) {
-  if (!bounces(prepared)) return true;
+// Takes the rays of bounced light from the cache, or traces them. Returns false if the progress said stop.
+bool add_bounces(const LightPass& pass, LightWork& io_work) {
+  const PreparedLight& prepared = pass.prepared;
+  if (!has_bounces(prepared)) return true;
   BounceRays& rays = io_work.bounces;
-  if (known != nullptr && are_bounces_of(prepared.lit, known->bounces())) {
-    rays.seen.assign(known->bounces().begin(), known->bounces().end());
+  if (pass.known != nullptr && are_bounces_for(prepared.lit, pass.known->bounces())) {
+    rays.seen.assign(pass.known->bounces().begin(), pass.known->bounces().end());
     return true;
   }
   return trace_bounces(
-      prepared.lit, prepared.scene, share_of(shard, rays.is_traced.size()), io_jobs,
-      [&] { return io_progress.step(); }, rays);
+      prepared.lit, prepared.scene, list_share(pass.shard, rays.is_traced.size()), pass.jobs,
+      [&] { return pass.progress.step(); }, rays);
 }
 
 void set_colored_lump(const formats::Lit& lit, formats::Bsp& io_bsp) {
@@ -155,10 +166,12 @@ void set_colored_lump(const formats::Lit& lit, formats::Bsp& io_bsp) {
   io_bsp.bspx.push_back({kColoredLump, base::ByteVector(bytes.begin(), bytes.end())});
 }
 
-LightSummary finish(const SurfaceSelector& prepared, const LightOptions& options, LightWork& io_work,
-                    formats::Bsp& io_bsp, base::Jobs& io_jobs, Warnings& io_warnings) {
+// Adds bounced light, packs everything, and writes it into the level.
+// The level changes only here, so all errors before leave it as it was.
+LightSummary store_light(const PreparedLight& prepared, const LightOptions& options, LightWork& io_work,
+                         formats::Bsp& io_bsp, base::Jobs& io_jobs, Warnings& io_warnings) {
   const LightSettings& settings = prepared.settings;
-  if (bounces(prepared))
+  if (has_bounces(prepared))
     add_bounced_light(prepared.lit, io_work.bounces.seen, settings.bounce, options.palette, io_jobs,
                       io_work.light);
   PackedLight packed = pack_light_maps(prepared.lit, settings, io_work.light, io_jobs, io_bsp, io_warnings);
@@ -171,18 +184,19 @@ LightSummary finish(const SurfaceSelector& prepared, const LightOptions& options
   return summary;
 }
 
-std::vector<std::size_t> luxels_of_maps(const LitLevel& lit) {
+std::vector<std::size_t> count_luxels_by_map(const LitLevel& lit) {
   std::vector<std::size_t> luxels;
   for (const LightMapShape& map : lit.maps) luxels.push_back(map.size());
   return luxels;
 }
 
-// A cache for what is about to be lit, with nothing in it yet.
-LightCache empty_cache(const SurfaceSelector& prepared, formats::Bsp unlit_bsp, const LightOptions& options) {
+// A cache with the hashes and lights of what is about to be lit, but without results.
+LightCache make_empty_cache(const PreparedLight& prepared, formats::Bsp unlit_bsp,
+                            const LightOptions& options) {
   LightCache cache;
-  cache.geometry = hash_of_geometry(std::move(unlit_bsp), prepared.lit, options);
-  cache.dirt = hash_of_dirt(prepared.settings.dirt);
-  cache.sky = hash_of_sky(prepared.beams, prepared.settings.range);
+  cache.geometry = hash_geometry(std::move(unlit_bsp), prepared.lit, options);
+  cache.dirt = hash_dirt(prepared.settings.dirt);
+  cache.sky = hash_sky(prepared.beams, prepared.settings.range);
   for (const LightSource& light : prepared.lights) cache.lights.push_back(light.origin_world);
   return cache;
 }
@@ -196,21 +210,24 @@ base::Status check_light() {
 base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings, LightCache* io_cache) {
-  TRY(const SurfaceSelector prepared, prepare(io_bsp, face_keys, options, io_warnings));
-  LightWork work = begin_light(prepared.lit, bounces(prepared));
+  TRY(const PreparedLight prepared, prepare(io_bsp, face_keys, options, io_warnings));
+  LightWork work = begin_light(prepared.lit, has_bounces(prepared));
   SharedProgress shared(progress, work.light.size() + work.bounces.is_traced.size());
   LightCache learned;
   std::optional<CachedLight> known;
   if (io_cache != nullptr) {
-    learned = empty_cache(prepared, unlit(io_bsp), options);
+    learned = make_empty_cache(prepared, strip_light(io_bsp), options);
     known.emplace(*io_cache, learned, prepared.lights);
   }
-  const CachedLight* const use = known ? &*known : nullptr;
-  LightCache* const learns = io_cache != nullptr ? &learned : nullptr;
-  if (!add_direct_light(prepared, options, kWhole, io_jobs, shared, work, use, learns) ||
-      !add_bounces(prepared, kWhole, io_jobs, shared, work, use))
-    return stopped();
-  const LightSummary summary = finish(prepared, options, work, io_bsp, io_jobs, io_warnings);
+  const LightPass pass{prepared,
+                       options,
+                       kWhole,
+                       io_jobs,
+                       shared,
+                       known ? &*known : nullptr,
+                       io_cache != nullptr ? &learned : nullptr};
+  if (!add_direct_light(pass, work) || !add_bounces(pass, work)) return stopped();
+  const LightSummary summary = store_light(prepared, options, work, io_bsp, io_jobs, io_warnings);
   if (io_cache != nullptr) {
     learned.bounces = std::move(work.bounces.seen);
     *io_cache = std::move(learned);
@@ -218,55 +235,59 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
   return summary;
 }
 
+// Work that was begun for another level, other options, or another shard starts over.
 base::Result<LightShardBytes> light_shard(const formats::Bsp& bsp, const FaceKeys& face_keys,
                                           const LightOptions& options, const LightShard& shard,
                                           base::Bytes begun, base::Jobs& io_jobs, Progress progress) {
   CHECK(shard.index < shard.count);
-  Warnings told_by_the_merge;
-  TRY(const SurfaceSelector prepared, prepare(bsp, face_keys, options, told_by_the_merge));
-  const ShardHeader header{hash_of_light_input(unlit(bsp), face_keys, options), shard.index, shard.count};
-  LightWork work = begin_light(prepared.lit, bounces(prepared));
-  const base::Result<ReadShard> read = read_shard(begun, luxels_of_maps(prepared.lit), work);
-  if (!read.ok() || read->header != header || !are_bounces_of(prepared, work))
-    work = begin_light(prepared.lit, bounces(prepared));
+  Warnings reported_by_the_merge;
+  TRY(const PreparedLight prepared, prepare(bsp, face_keys, options, reported_by_the_merge));
+  const ShardHeader header{hash_light_input(strip_light(bsp), face_keys, options), shard.index, shard.count};
+  LightWork work = begin_light(prepared.lit, has_bounces(prepared));
+  const base::Result<ReadShard> read = read_shard(begun, count_luxels_by_map(prepared.lit), work);
+  if (!read.ok() || read->header != header || !are_bounces_for(prepared, work))
+    work = begin_light(prepared.lit, has_bounces(prepared));
   const auto done = [&] {
     return static_cast<std::size_t>(std::ranges::count(work.is_lit, 1) +
                                     std::ranges::count(work.bounces.is_traced, 1));
   };
-  const std::size_t total =
-      share_of(header, work.is_lit.size()).size() + share_of(header, work.bounces.is_traced.size()).size();
+  const std::size_t total = list_share(header, work.is_lit.size()).size() +
+                            list_share(header, work.bounces.is_traced.size()).size();
   SharedProgress shared(progress, total, done());
-  if (add_direct_light(prepared, options, header, io_jobs, shared, work))
-    add_bounces(prepared, header, io_jobs, shared, work);
+  const LightPass pass{prepared, options, header, io_jobs, shared};
+  if (add_direct_light(pass, work)) add_bounces(pass, work);
   return LightShardBytes{write_shard(header, work), done() == total};
 }
 
+// Checks all shards before it changes the level.
 base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, std::span<const base::Bytes> shards,
                                        base::Jobs& io_jobs, Warnings& io_warnings) {
-  TRY(const SurfaceSelector prepared, prepare(io_bsp, face_keys, options, io_warnings));
-  const std::vector<std::size_t> luxels = luxels_of_maps(prepared.lit);
-  const std::uint64_t level = hash_of_light_input(unlit(io_bsp), face_keys, options);
-  LightWork work = begin_light(prepared.lit, bounces(prepared));
+  TRY(const PreparedLight prepared, prepare(io_bsp, face_keys, options, io_warnings));
+  const std::vector<std::size_t> luxels = count_luxels_by_map(prepared.lit);
+  const std::uint64_t level = hash_light_input(strip_light(io_bsp), face_keys, options);
+  LightWork work = begin_light(prepared.lit, has_bounces(prepared));
   std::vector<bool> merged(shards.size());
   for (const base::Bytes bytes : shards) {
     TRY(const ReadShard shard, read_shard(bytes, luxels, work));
     const ShardHeader& header = shard.header;
     if (header.level != level)
-      return base::error(base::ErrorCode::kUsage, "light shard {} of {} is of another level or other options",
+      return base::error(base::ErrorCode::kUsage,
+                         "light shard {} of {} belongs to another level, or to other options: make it again",
                          header.index + 1, header.count);
     if (header.count != shards.size() || merged[header.index])
       return base::error(base::ErrorCode::kUsage, "light shard {} of {} {} among {} shards", header.index + 1,
-                         header.count, header.count == shards.size() ? "is there twice" : "is",
-                         shards.size());
+                         header.count, header.count == shards.size() ? "appears twice" : "is", shards.size());
     if (!shard.is_finished)
-      return base::error(base::ErrorCode::kUsage, "light shard {} of {} is not finished: run it again",
-                         header.index + 1, header.count);
+      return base::error(base::ErrorCode::kUsage,
+                         "light shard {} of {} is not finished: run its command again", header.index + 1,
+                         header.count);
     merged[header.index] = true;
   }
-  if (shards.empty()) return base::error(base::ErrorCode::kUsage, "no light shards to merge");
-  if (!are_bounces_of(prepared, work)) return base::malformed("light shards: rays end on what is not there");
-  return finish(prepared, options, work, io_bsp, io_jobs, io_warnings);
+  if (shards.empty()) return base::error(base::ErrorCode::kUsage, "there are no light shards to merge");
+  if (!are_bounces_for(prepared, work))
+    return base::malformed("light shards: their bounced light does not fit the level");
+  return store_light(prepared, options, work, io_bsp, io_jobs, io_warnings);
 }
 
 }  // namespace temblor::compiler

@@ -1,4 +1,13 @@
-// Light: from a level's geometry and the lights among its entities to the light maps on its faces.
+// The light stage: computes the light maps of a level's faces from the lights among its entities (light in
+// Quake's own tools). Keys and formulas are those of ericw-tools' light, as far as its documentation
+// describes them.
+//
+//   entities -> lights, suns, settings      faces -> luxel grids -> sample points
+//        \______________________________________________/
+//                                |
+//         direct light with shadows (Embree) -> bounces -> styles and bytes
+//
+// Embree traces the rays; check_light() says whether it is available.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +18,8 @@
 #include "base/bytes.h"
 #include "base/parallel_for.h"
 #include "base/result.h"
-#include "compiler/build/surface_keys.h"
 #include "compiler/light/light_cache.h"
+#include "compiler/light/surface_keys.h"
 #include "compiler/report.h"
 #include "formats/images/palette.h"
 #include "formats/levels/bsp.h"
@@ -18,57 +27,59 @@
 
 namespace temblor::compiler {
 
-// What the person at work asks for; what the level asks for is in its entities.
+// What the mapper asks for on the command line. What the level asks for is in its entities.
 struct LightOptions {
-  // Samples of a shadow for each sample of the light map, each way: 1, 2 or 4 (see light/shadow_filter.h).
+  // Shadow samples for each luxel along each axis: 1, 2 or 4 (shadows/shadow_filter.h).
   int extra = 1;
-  bool fast = false;             // neither dirt nor bounces, an eighth of the rays to the sky
-  std::optional<int> bounces{};  // instead of the level's own _bounce
-  std::optional<bool> dirt{};    // instead of the level's own _dirt
-  int sky_rays = 128;            // the most directions each for a dome of sky, or a sun's penumbra
-  std::optional<formats::Palette> palette{};  // for _bouncecolorscale, which without it does nothing
+  bool fast = false;             // no dirt, no bounces, an eighth of the rays to the sky
+  std::optional<int> bounces{};  // overrides the level's _bounce
+  std::optional<bool> dirt{};    // overrides the level's _dirt
+  int sky_rays = 128;            // at most this many directions for a sky dome or a sun's penumbra
+  std::optional<formats::Palette> palette{};  // for _bouncecolorscale and tinted glass
 };
 
+// Counts for the mapper, and the colored light. Dark faces are those that may be lit but get no light.
 struct LightSummary {
   std::size_t lights = 0, lit_faces = 0, dark_faces = 0;
-  std::size_t samples = 0;  // bytes of gray light
-  bool colored = false;     // `lit` then has samples, and the level the BSPX lump RGBLIGHTING
+  std::size_t samples = 0;  // gray samples of all styles
+  bool colored = false;     // `lit` has samples, and the level has a BSPX lump RGBLIGHTING
   formats::Lit lit;
 };
 
-// Fills styles and light_offset of every face, `lighting`, and RGBLIGHTING where any light has a color;
-// throws away whatever light there was. Gives switchable lights their "style" in the entity text. A level
-// with visibility is lit faster, and alike. The bytes do not depend on the number of threads. Fails on entity
-// text that does not parse, on faces that no level has, when `progress` says to stop (kUsage), and without
-// Embree's memory; the level and the cache are then as they were.
+// Lights a level: sets styles and light_offset of every face, `lighting`, and RGBLIGHTING if any light has a
+// color. Replaces any earlier light. Writes the "style" of switchable lights into the entity text. Visibility
+// makes this faster, but does not change the result; neither does the number of threads.
 //
-// `io_cache`: what earlier runs found out, used and brought up to date; null: none is kept. The light is the
-// same with any.
+// Fails if the entity text does not parse, if faces are invalid, if `progress` stops it (kUsage), or if
+// Embree is missing or out of memory; level and cache are then unchanged.
+//
+// `io_cache`: what earlier runs found out; used and updated. null: nothing is kept. The light is the same
+// either way.
 base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, base::Jobs& io_jobs, Progress progress,
                                        Warnings& io_warnings, LightCache* io_cache = nullptr);
 
-// kUnsupported where no level can be lit: Embree is not on this machine, or does not run on it. Worth asking
-// before what comes ahead of light.
+// Fails with kUnsupported if no level can be lit because Embree is missing or does not run on this machine.
+// Lets a program fail before the long stages that come first.
 base::Status check_light();
 
-// The same work by several processes: each makes a shard, which is light maps and faces index, index + count,
-// ..., and one of them merges all shards to what light_level would have made.
+// For several processes that share the work: shard `index` of `count` is light maps and faces index, index +
+// count, ...; one process merges all shards into what light_level() would have made.
 struct LightShard {
   std::uint32_t index = 0, count = 1;  // index < count
 };
 struct LightShardBytes {
   base::ByteVector bytes;
-  bool is_finished = false;  // else `progress` said stop: to go on from
+  bool is_finished = false;  // false: `progress` stopped it; `bytes` can be continued
 };
-// `begun`: what was saved of this shard; empty, or of anything else: all of it is worked out. When it is
-// finished the bytes are the same however often it was stopped.
+// Makes a shard. `begun`: earlier bytes of the same shard, to continue; empty or anything else: start over.
+// The finished bytes do not depend on how often the work was stopped.
 base::Result<LightShardBytes> light_shard(const formats::Bsp& bsp, const FaceKeys& face_keys,
                                           const LightOptions& options, const LightShard& shard,
                                           base::Bytes begun, base::Jobs& io_jobs, Progress progress);
 
-// `shards`: all of them, in any order. kUsage where one is missing, there twice, not finished, or of another
-// level, other lights or other options.
+// Merges all shards, in any order. Fails with kUsage if one is missing, duplicate or unfinished, or belongs
+// to another level, other lights or other options.
 base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& face_keys,
                                        const LightOptions& options, std::span<const base::Bytes> shards,
                                        base::Jobs& io_jobs, Warnings& io_warnings);

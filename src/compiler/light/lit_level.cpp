@@ -1,3 +1,5 @@
+// Brush models are lit where their entity's origin puts them when the level starts. Their vertices are copied
+// there, so that their shadows fall where players first see them.
 #include "compiler/light/lit_level.h"
 
 #include <algorithm>
@@ -15,7 +17,8 @@ namespace {
 
 constexpr std::int32_t kFlagNoLight = 1;
 
-std::optional<std::size_t> shown_model(const formats::Entity& entity) {
+// The number of the model that an entity shows ("model" "*3").
+std::optional<std::size_t> find_shown_model(const formats::Entity& entity) {
   const std::string_view name = entity.find("model").value_or("");
   std::size_t number = 0;
   if (!name.starts_with('*')) return std::nullopt;
@@ -23,13 +26,14 @@ std::optional<std::size_t> shown_model(const formats::Entity& entity) {
   return error == std::errc{} ? std::optional<std::size_t>(number) : std::nullopt;
 }
 
-// Textures of brushes that are there for the game alone.
+// Textures of brushes that only the game uses.
 bool is_never_drawn(std::string_view texture) {
   constexpr std::array<std::string_view, 6> kNames{"trigger", "clip", "skip", "hint", "hintskip", "origin"};
   return std::any_of(kNames.begin(), kNames.end(),
                      [&](std::string_view name) { return base::equal_ignoring_case(name, texture); });
 }
 
+// Sky, faces that are never drawn, and faces whose texinfo says so get no light.
 bool may_be_lit(const world::Level& level, const world::Face& face, std::int32_t texinfo_flags) {
   const bool sky = level.texture(face.texture).kind == world::TextureKind::kSky;
   return !sky && !is_never_drawn(level.texture(face.texture).name) && (texinfo_flags & kFlagNoLight) == 0 &&
@@ -38,52 +42,54 @@ bool may_be_lit(const world::Level& level, const world::Face& face, std::int32_t
 
 constexpr std::size_t kHole = 255;  // the palette index that is not drawn
 
-// What passes by palette index. Glass tints light by its texels, the more the less transparent it is; without
-// a palette it just takes light away.
-std::vector<math::Vec3> passes_by_texel(const SurfaceKeys& keys, bool has_holes,
-                                        const std::optional<formats::Palette>& palette) {
-  std::vector<math::Vec3> passes(kHole + 1, math::Vec3(1 - keys.light_alpha));
-  for (std::size_t i = 0; i < passes.size() && palette && keys.light_alpha < 1; ++i) {
+// The share of light that passes, by palette index. Glass tints light by its texels, the more the less
+// transparent it is; without a palette it only dims light.
+std::vector<math::Vec3> make_transmission_table(const SurfaceKeys& keys, bool has_holes,
+                                                const std::optional<formats::Palette>& palette) {
+  std::vector<math::Vec3> transmission(kHole + 1, math::Vec3(1 - keys.light_alpha));
+  for (std::size_t i = 0; i < transmission.size() && palette && keys.light_alpha < 1; ++i) {
     const formats::Rgb& color = (*palette)[i];
     const math::Vec3 tint = math::Vec3(color.r, color.g, color.b) / 255.0f;
-    passes[i] = glm::mix(math::Vec3(1.0f), tint, keys.light_alpha);
+    transmission[i] = glm::mix(math::Vec3(1.0f), tint, keys.light_alpha);
   }
-  if (has_holes) passes[kHole] = math::Vec3(1.0f);
-  return passes;
+  if (has_holes) transmission[kHole] = math::Vec3(1.0f);
+  return transmission;
 }
 
-ShadowReceivers receivers_of(const SurfaceKeys& keys) {
+ShadowReceivers find_shadow_receivers(const SurfaceKeys& keys) {
   if (keys.shadows_own_model_only) return ShadowReceivers::kOwnModel;
   return keys.shadows_world_only ? ShadowReceivers::kWorld : ShadowReceivers::kAll;
 }
 
-AlphaMask sieve_of(const LitLevel& lit, std::size_t number, const std::optional<formats::Palette>& palette) {
+// The mask of a face with a transparent texture, _light_alpha, or a limited shadow.
+AlphaMask make_alpha_mask(const LitLevel& lit, std::size_t number,
+                          const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
   const world::Face& face = level.faces[number];
   const world::Texture& texture = level.texture(face.texture);
   const world::TextureAxes& axes = level.texture_axes[face.axes];
-  const math::Vec3& offset = lit.offset_of(number);
-  AlphaMask sieve;
-  sieve.normal = math::Vec3(world::plane_of(level, face).normal);
-  sieve.s_axis = axes.s_axis;
-  sieve.t_axis = axes.t_axis;
-  sieve.s_offset = axes.s_offset - glm::dot(offset, axes.s_axis);
-  sieve.t_offset = axes.t_offset - glm::dot(offset, axes.t_axis);
-  sieve.width = texture.width;
-  sieve.height = texture.height;
-  const SurfaceKeys& keys = lit.keys_of(number);
+  const math::Vec3& offset = lit.model_offset(number);
+  AlphaMask mask;
+  mask.normal = math::Vec3(world::compute_face_plane(level, face).normal);
+  mask.s_axis = axes.s_axis;
+  mask.t_axis = axes.t_axis;
+  mask.s_offset = axes.s_offset - glm::dot(offset, axes.s_axis);
+  mask.t_offset = axes.t_offset - glm::dot(offset, axes.t_axis);
+  mask.width = texture.width;
+  mask.height = texture.height;
+  const SurfaceKeys& keys = lit.surface_keys(number);
   const bool has_holes = texture.kind == world::TextureKind::kCutout;
   const bool has_texels = texture.mips[0].size() == std::size_t{texture.width} * texture.height;
-  sieve.texels = texture.mips[0];
-  sieve.passes = math::Vec3(1 - keys.light_alpha);
+  mask.texels = texture.mips[0];
+  mask.transmission = math::Vec3(1 - keys.light_alpha);
   if (has_texels && (has_holes || keys.light_alpha < 1))
-    sieve.passes_by_texel = passes_by_texel(keys, has_holes, palette);
-  sieve.model = lit.model_of_face[number];
-  sieve.receivers = receivers_of(keys);
-  return sieve;
+    mask.transmission_by_texel = make_transmission_table(keys, has_holes, palette);
+  mask.model = lit.model_of_face[number];
+  mask.receivers = find_shadow_receivers(keys);
+  return mask;
 }
 
-// A face as a fan, its vertices moved to where its model stands.
+// Adds a face as a triangle fan.
 void add_fan(const LitLevel& lit, std::size_t number, std::uint32_t first_vertex, std::uint32_t surface,
              std::vector<OccluderTriangle>& io_triangles) {
   const world::Level& level = *lit.level;
@@ -95,24 +101,25 @@ void add_fan(const LitLevel& lit, std::size_t number, std::uint32_t first_vertex
     io_triangles.push_back({{vertex(0), vertex(i - 1), vertex(i)}, surface});
 }
 
+// Sorts a face into the triangles that light meets; liquids and faces without shadow are left out.
 void add_occluder(const LitLevel& lit, std::size_t number, std::uint32_t first_vertex,
                   const std::optional<formats::Palette>& palette, Occluders& io_occluders) {
   const world::Level& level = *lit.level;
   const world::Face& face = level.faces[number];
-  const SurfaceKeys& keys = lit.keys_of(number);
+  const SurfaceKeys& keys = lit.surface_keys(number);
   const world::TextureKind kind = level.texture(face.texture).kind;
   if (kind == world::TextureKind::kSky) {
     if (lit.model_of_face[number] != 0) return;
     const auto surface = static_cast<std::uint32_t>(io_occluders.sky_normals.size());
-    io_occluders.sky_normals.emplace_back(world::plane_of(level, face).normal);
+    io_occluders.sky_normals.emplace_back(world::compute_face_plane(level, face).normal);
     add_fan(lit, number, first_vertex, surface, io_occluders.skies);
   } else if (kind == world::TextureKind::kLiquid || !keys.casts_shadow) {
     return;
   } else if (kind == world::TextureKind::kCutout || keys.light_alpha < 1 ||
-             receivers_of(keys) != ShadowReceivers::kAll) {
-    const auto surface = static_cast<std::uint32_t>(io_occluders.sieve_surfaces.size());
-    io_occluders.sieve_surfaces.push_back(sieve_of(lit, number, palette));
-    add_fan(lit, number, first_vertex, surface, io_occluders.sieves);
+             find_shadow_receivers(keys) != ShadowReceivers::kAll) {
+    const auto surface = static_cast<std::uint32_t>(io_occluders.alpha_masks.size());
+    io_occluders.alpha_masks.push_back(make_alpha_mask(lit, number, palette));
+    add_fan(lit, number, first_vertex, surface, io_occluders.masked);
   } else {
     add_fan(lit, number, first_vertex, static_cast<std::uint32_t>(number), io_occluders.opaque);
   }
@@ -127,7 +134,7 @@ std::vector<math::Vec3d> LitLevel::corners_world(std::size_t face) const {
   for (std::uint32_t i = 0; i < shape.surfedge_count; ++i)
     corners.push_back(
         math::Vec3d(level->vertices[level->surfedge_start(std::size_t{shape.first_surfedge} + i)]) +
-        math::Vec3d(offset_of(face)));
+        math::Vec3d(model_offset(face)));
   return corners;
 }
 
@@ -151,20 +158,20 @@ base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys) {
   }
   lit.offset_of_model.assign(level.models.size(), math::Vec3(0.0f));
   for (const formats::Entity& entity : level.entities)
-    if (const auto model = shown_model(entity); model && *model < level.models.size())
+    if (const auto model = find_shown_model(entity); model && *model < level.models.size())
       lit.offset_of_model[*model] = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
-  lit.maps = light_map_shapes(level, lit.keys, lit.gets_light);
+  lit.maps = make_light_map_shapes(level, lit.keys, lit.gets_light);
   return lit;
 }
 
-Occluders occluders_of(const LitLevel& lit, const std::optional<formats::Palette>& palette) {
+Occluders make_occluders(const LitLevel& lit, const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
   Occluders occluders;
   occluders.vertices = level.vertices;
   for (std::size_t model = 0; model < level.models.size(); ++model) {
     const world::Model& shape = level.models[model];
     std::uint32_t first_vertex = 0;
-    // Vertices are shared within a model, so that no light gets through between its faces.
+    // Vertices are shared within a model, so no light leaks between its faces.
     if (lit.offset_of_model[model] != math::Vec3(0.0f)) {
       first_vertex = static_cast<std::uint32_t>(occluders.vertices.size());
       for (const math::Vec3& vertex : level.vertices)

@@ -1,4 +1,5 @@
-// A level as the light compiler sees it: the game's own, with every face at the place where the level starts.
+// The level as the light stage sees it: the game's own level, with every face where its model is when the
+// level starts.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +8,9 @@
 #include <vector>
 
 #include "base/result.h"
-#include "compiler/build/surface_keys.h"
 #include "compiler/light/faces/light_map_shape.h"
 #include "compiler/light/rays/ray_scene.h"
+#include "compiler/light/surface_keys.h"
 #include "formats/images/palette.h"
 #include "formats/levels/bsp.h"
 #include "math/vec.h"
@@ -17,26 +18,28 @@
 
 namespace temblor::compiler {
 
+// Never changes once it is made.
 struct LitLevel {
   std::shared_ptr<const world::Level> level;
   FaceKeys keys;
   std::vector<std::uint32_t> model_of_face;  // 0: the world
-  std::vector<math::Vec3> offset_of_model;   // its entity's origin
+  std::vector<math::Vec3> offset_of_model;   // by model: its entity's origin
   std::vector<bool> gets_light;              // by face
-  std::vector<LightMapShape> maps;           // light_map_shapes of all this
+  std::vector<LightMapShape> maps;           // all grids of luxels
 
-  const SurfaceKeys& keys_of(std::size_t face) const { return keys.keys[keys.of_face[face]]; }
-  const math::Vec3& offset_of(std::size_t face) const { return offset_of_model[model_of_face[face]]; }
-  // The face's vertices, clockwise from its front.
+  // What the brush of a face asks of its light.
+  const SurfaceKeys& surface_keys(std::size_t face) const { return keys.keys[keys.of_face[face]]; }
+  const math::Vec3& model_offset(std::size_t face) const { return offset_of_model[model_of_face[face]]; }
+  // The face's vertices, clockwise seen from its front.
   std::vector<math::Vec3d> corners_world(std::size_t face) const;
 };
 
-// `bsp` is not lit. CHECKs that `keys` has as many faces as the level.
+// `bsp` has no light. `keys` has as many faces as the level (CHECKed). Fails if world::make_level() does.
 base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys);
 
-// Faces that stop light: of the world all but sky and liquids, and what asks to cast a shadow. Surfaces of
-// opaque triangles are face numbers. Texels stay the level's. `palette`: what tints light through glass;
-// without it glass is gray.
-Occluders occluders_of(const LitLevel& lit, const std::optional<formats::Palette>& palette);
+// Returns the faces that stop light: all of the world except sky and liquids, and those of other models that
+// ask to cast a shadow. The surfaces of opaque triangles are face numbers. Refers to the level's texels.
+// `palette`: tints light that passes through glass; without it glass is gray.
+Occluders make_occluders(const LitLevel& lit, const std::optional<formats::Palette>& palette);
 
 }  // namespace temblor::compiler

@@ -1,8 +1,11 @@
-// Layout, little-endian: "TLSH", u32 version, u64 level, u32 index, u32 count; then for each light map of the
-// shard in order: u8 1 when it is lit, and then: u16 layers, u8 1 when there is dirt; the dirt, a float a
-// luxel; for each layer u8 style, u8 kind and three floats a luxel; then for each face of the shard, where
-// light bounces: u8 1 when it is traced, and then a u32 for each of its rays. Floats are kept to the last
-// bit, so that merged light is that of one process.
+// Layout, little-endian:
+//   "TLSH", u32 version, u64 level, u32 index, u32 count
+//   for each light map of the shard, in order:
+//     u8 1 if it is lit; then u16 layers, u8 1 if there is dirt; the dirt, f32 for each luxel;
+//     for each layer u8 style, u8 kind, three f32 for each luxel
+//   for each face of the shard, if light bounces:
+//     u8 1 if it is traced; then u32 for each of its rays
+// Floats are stored exactly, so merged light equals that of one process.
 #include "compiler/light/shard_file.h"
 
 #include <span>
@@ -26,7 +29,7 @@ base::Result<FaceLight> read_map(base::ByteReader& io_reader, std::size_t luxels
   constexpr std::size_t kSampleBytes = 3 * sizeof(float);
   if (has_dirt) {
     if (luxels * sizeof(float) > io_reader.remaining())
-      return base::malformed("light shard: ends within a light map at {}", io_reader.offset());
+      return base::malformed("light shard: it ends within a light map at offset {}", io_reader.offset());
     for (std::size_t i = 0; i < luxels; ++i) light.dirt.push_back(io_reader.f32());
   }
   for (std::size_t i = 0; i < layers; ++i) {
@@ -35,7 +38,8 @@ base::Result<FaceLight> read_map(base::ByteReader& io_reader, std::size_t luxels
     const std::uint8_t kind = io_reader.u8();
     if (!io_reader.ok() || luxels * kSampleBytes > io_reader.remaining() ||
         kind > static_cast<std::uint8_t>(LayerKind::kSubtract))
-      return base::malformed("light shard: no layer of {} samples at {}", luxels, io_reader.offset());
+      return base::malformed("light shard: no valid layer of {} samples at offset {}", luxels,
+                             io_reader.offset());
     layer.kind = static_cast<LayerKind>(kind);
     layer.samples.reserve(luxels);
     for (std::size_t k = 0; k < luxels; ++k) {
@@ -49,12 +53,12 @@ base::Result<FaceLight> read_map(base::ByteReader& io_reader, std::size_t luxels
 
 base::Status read_rays(base::ByteReader& io_reader, std::span<std::uint32_t> out_seen) {
   if (out_seen.size_bytes() > io_reader.remaining())
-    return base::malformed("light shard: ends within a face's rays at {}", io_reader.offset());
+    return base::malformed("light shard: it ends within the rays of a face at offset {}", io_reader.offset());
   for (std::uint32_t& node : out_seen) node = io_reader.u32();
   return base::Ok{};
 }
 
-std::span<std::uint32_t> rays_of(BounceRays& io_rays, std::size_t face) {
+std::span<std::uint32_t> face_rays(BounceRays& io_rays, std::size_t face) {
   const std::size_t begin = io_rays.begin_of_face[face];
   return std::span(io_rays.seen).subspan(begin, io_rays.begin_of_face[face + 1] - begin);
 }
@@ -65,12 +69,13 @@ base::Result<ShardHeader> read_header(base::ByteReader& io_reader) {
   header.level = io_reader.read<std::uint64_t>();
   header.index = io_reader.u32();
   header.count = io_reader.u32();
-  if (!io_reader.ok() || magic != kShardMagic) return base::malformed("not a light shard");
+  if (!io_reader.ok() || magic != kShardMagic) return base::malformed("this is not a light shard");
   if (version != kShardVersion)
-    return base::error(base::ErrorCode::kUnsupported, "light shard of version {}, not {}", version,
-                       kShardVersion);
+    return base::error(base::ErrorCode::kUnsupported,
+                       "light shard: version {} is not supported, only version {}", version, kShardVersion);
   if (header.count == 0 || header.index >= header.count)
-    return base::malformed("light shard {} of {}", header.index, header.count);
+    return base::malformed("light shard: its number {} is not below its count {}", header.index,
+                           header.count);
   return header;
 }
 
@@ -84,7 +89,7 @@ LightWork begin_light(const LitLevel& lit, bool bounces) {
   return work;
 }
 
-std::vector<std::uint32_t> share_of(const ShardHeader& shard, std::size_t total) {
+std::vector<std::uint32_t> list_share(const ShardHeader& shard, std::size_t total) {
   std::vector<std::uint32_t> share;
   for (std::size_t i = shard.index; i < total; i += shard.count)
     share.push_back(static_cast<std::uint32_t>(i));
@@ -98,7 +103,7 @@ base::ByteVector write_shard(const ShardHeader& header, const LightWork& work) {
   writer.write(header.level);
   writer.u32(header.index);
   writer.u32(header.count);
-  for (const std::uint32_t map : share_of(header, work.light.size())) {
+  for (const std::uint32_t map : list_share(header, work.light.size())) {
     writer.u8(work.is_lit[map]);
     if (work.is_lit[map] == 0) continue;
     const FaceLight& light = work.light[map];
@@ -108,7 +113,7 @@ base::ByteVector write_shard(const ShardHeader& header, const LightWork& work) {
     for (const LightLayer& layer : light.layers) write_layer(layer, writer);
   }
   const BounceRays& rays = work.bounces;
-  for (const std::uint32_t face : share_of(header, rays.is_traced.size())) {
+  for (const std::uint32_t face : list_share(header, rays.is_traced.size())) {
     writer.u8(rays.is_traced[face]);
     if (rays.is_traced[face] == 0) continue;
     for (std::size_t i = rays.begin_of_face[face]; i < rays.begin_of_face[face + 1]; ++i)
@@ -117,26 +122,28 @@ base::ByteVector write_shard(const ShardHeader& header, const LightWork& work) {
   return std::move(writer).take();
 }
 
+// The number of luxels comes from the level, and every list must fit into the remaining bytes, so damaged
+// bytes cannot ask for much memory.
 base::Result<ReadShard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_map,
                                    LightWork& io_work) {
   base::ByteReader reader(bytes);
   ReadShard shard;
   shard.is_finished = true;
   TRY(shard.header, read_header(reader));
-  for (const std::uint32_t map : share_of(shard.header, luxels_of_map.size())) {
+  for (const std::uint32_t map : list_share(shard.header, luxels_of_map.size())) {
     io_work.is_lit[map] = reader.u8() != 0 ? 1 : 0;
     shard.is_finished &= io_work.is_lit[map] != 0;
     if (io_work.is_lit[map] == 0) continue;
     TRY(io_work.light[map], read_map(reader, luxels_of_map[map]));
   }
   BounceRays& rays = io_work.bounces;
-  for (const std::uint32_t face : share_of(shard.header, rays.is_traced.size())) {
+  for (const std::uint32_t face : list_share(shard.header, rays.is_traced.size())) {
     rays.is_traced[face] = reader.u8() != 0 ? 1 : 0;
     shard.is_finished &= rays.is_traced[face] != 0;
-    if (rays.is_traced[face] != 0) TRY_STATUS(read_rays(reader, rays_of(rays, face)));
+    if (rays.is_traced[face] != 0) TRY_STATUS(read_rays(reader, face_rays(rays, face)));
   }
   if (!reader.ok() || reader.remaining() > 0)
-    return base::malformed("light shard: its light maps end at {} of {} bytes", reader.offset(),
+    return base::malformed("light shard: its contents end at offset {} of {} bytes", reader.offset(),
                            bytes.size());
   return shard;
 }

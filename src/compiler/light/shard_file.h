@@ -1,5 +1,4 @@
-// What one of several processes that share the work has found out of a level's light, saved: to be joined, or
-// to go on from.
+// The share of one process in a level's light, as bytes: to be merged with others, or to be continued.
 #pragma once
 
 #include <cstddef>
@@ -14,32 +13,35 @@
 
 namespace temblor::compiler {
 
+// Which share of which level the bytes are.
 struct ShardHeader {
-  std::uint64_t level = 0;  // a hash of the level and all that it is lit by
+  std::uint64_t level = 0;  // hash of the level and of everything that its light depends on
   std::uint32_t index = 0, count = 1;
   bool operator==(const ShardHeader&) const = default;
 };
 
-// How far a level's light is: what comes straight from lights, and the rays of what bounces.
+// The light computed so far: direct light, and the rays of bounced light.
 struct LightWork {
   std::vector<FaceLight> light;      // by light map (LitLevel::maps)
   std::vector<std::uint8_t> is_lit;  // by light map, 0 or 1
-  BounceRays bounces;                // of no face where no light bounces
+  BounceRays bounces;                // empty if no light bounces
 };
+// Returns light of which nothing is computed. `bounces`: whether light bounces.
 LightWork begin_light(const LitLevel& lit, bool bounces);
 
-// Of `total` maps or faces those that are a shard's: index, index + count, ...
-std::vector<std::uint32_t> share_of(const ShardHeader& shard, std::size_t total);
+// Which of `total` light maps or faces belong to a shard: index, index + count, ...
+std::vector<std::uint32_t> list_share(const ShardHeader& shard, std::size_t total);
 
-// What is done of the shard's light maps and faces. The same bytes however often the work was stopped.
+// Writes what is done of a shard. The bytes do not depend on how often the work was stopped.
 base::ByteVector write_shard(const ShardHeader& header, const LightWork& work);
 
+// What read_shard() read.
 struct ReadShard {
   ShardHeader header;
   bool is_finished = false;
 };
-// Adds a shard to `io_work`, which is of the level at hand; after an error that is in no certain state.
-// Errors name the offset.
+// Adds a shard to `io_work`, which belongs to the same level; after an error, `io_work` is unusable. Errors
+// name the offset.
 base::Result<ReadShard> read_shard(base::Bytes bytes, const std::vector<std::size_t>& luxels_of_map,
                                    LightWork& io_work);
 

@@ -1,4 +1,4 @@
-// A true-color picture as a texture of the game.
+// Converts a true-color image to a texture with the game's palette.
 #pragma once
 
 #include <string_view>
@@ -10,10 +10,10 @@
 
 namespace temblor::compiler {
 
-// Every pixel takes the nearest dull color, without dithering, which would show on large texels; a
-// full-bright one only where the pixel is exactly that color and no dull one is. Pixels of which less than
-// half is opaque become holes in a texture named {...; elsewhere opacity is not looked at. kUsage for sides
-// that are no multiples of 16, on which the engines' light maps rest.
+// Each pixel takes the nearest color that is not full-bright, without dithering, which would show on large
+// texels. It takes a full-bright color only if it is exactly that color and no other color of the palette is.
+// In a texture named {..., pixels that are less than half opaque become holes; otherwise opacity is ignored.
+// Fails with kUsage if a side is not a multiple of 16, which light maps need.
 base::Result<formats::WadTexture> texture_from_image(std::string_view name, const formats::Image& image,
                                                      const formats::MipColors& colors);
 

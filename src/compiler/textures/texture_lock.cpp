@@ -1,3 +1,6 @@
+// Method: s and t are linear functions of position, p -> dot(gradient, p) + offset. Under a placement M the
+// gradient becomes the inverse transpose of M times the gradient, which is written with cross products here,
+// and the offset follows from the placement's own.
 #include "compiler/textures/texture_lock.h"
 
 #include <utility>
@@ -9,14 +12,14 @@ namespace {
 
 using math::Vec3d;
 
-// gradient * position + offset, somewhere in the map.
+// A linear function of position: gradient * position + offset.
 struct Field {
   Vec3d gradient;
   double offset;
 };
 
-// The field whose value at a position's new place is what `field` was at the old one.
-Field placed_field(const Field& field, const Placement& placement) {
+// The function that has, at each moved position, the value that `field` has at the original one.
+Field move_field(const Field& field, const Placement& placement) {
   const auto& [x, y, z] = placement.columns;
   const Vec3d gradient = (glm::cross(y, z) * field.gradient.x + glm::cross(z, x) * field.gradient.y +
                           glm::cross(x, y) * field.gradient.z) /
@@ -24,13 +27,14 @@ Field placed_field(const Field& field, const Placement& placement) {
   return {gradient, field.offset - glm::dot(gradient, placement.offset)};
 }
 
-Vec3d scaled_normal(const std::array<Vec3d, 3>& points) {
+// The normal of a side, times the area that its three points span; zero if they are on one line.
+Vec3d compute_scaled_normal(const std::array<Vec3d, 3>& points) {
   return glm::cross(points[0] - points[1], points[2] - points[1]);
 }
 
-formats::MapTexturing as_valve(const TextureAxes& axes, const Placement& placement) {
-  const Field s = placed_field({axes.s_axis, axes.s_offset}, placement);
-  const Field t = placed_field({axes.t_axis, axes.t_offset}, placement);
+formats::MapTexturing make_valve_texturing(const TextureAxes& axes, const Placement& placement) {
+  const Field s = move_field({axes.s_axis, axes.s_offset}, placement);
+  const Field t = move_field({axes.t_axis, axes.t_offset}, placement);
   formats::MapTexturing texturing;
   texturing.alignment = formats::MapAlignment::kValve;
   texturing.s_axis = s.gradient;
@@ -39,14 +43,15 @@ formats::MapTexturing as_valve(const TextureAxes& axes, const Placement& placeme
   return texturing;
 }
 
-// Brush primitives measure within the plane alone: what changes across it goes into the constant.
-formats::MapTexturing as_primitive(const formats::MapTexturing& before, const Vec3d& normal_before,
-                                   const Vec3d& normal, const Vec3d& point, const Placement& placement) {
+// Brush primitives measure only within the plane, so changes across it go into the constant.
+formats::MapTexturing make_primitive_texturing(const formats::MapTexturing& before,
+                                               const Vec3d& normal_before, const Vec3d& normal,
+                                               const Vec3d& point, const Placement& placement) {
   const auto [x_before, y_before] = brush_primitive_axes(normal_before);
   const auto [x, y] = brush_primitive_axes(normal);
   formats::MapTexturing texturing = before;
   for (std::array<double, 3>& row : texturing.matrix) {
-    const Field field = placed_field({row[0] * x_before + row[1] * y_before, row[2]}, placement);
+    const Field field = move_field({row[0] * x_before + row[1] * y_before, row[2]}, placement);
     row = {glm::dot(field.gradient, x), glm::dot(field.gradient, y),
            field.offset + glm::dot(field.gradient, normal) * glm::dot(normal, point)};
   }
@@ -55,7 +60,7 @@ formats::MapTexturing as_primitive(const formats::MapTexturing& before, const Ve
 
 }  // namespace
 
-Placement combined(const Placement& outer, const Placement& inner) {
+Placement combine(const Placement& outer, const Placement& inner) {
   Placement result;
   result.offset = outer.apply(inner.offset);
   for (std::size_t i = 0; i < result.columns.size(); ++i)
@@ -63,18 +68,20 @@ Placement combined(const Placement& outer, const Placement& inner) {
   return result;
 }
 
-formats::MapSide placed(const formats::MapSide& side, const Placement& placement) {
+formats::MapSide place_side(const formats::MapSide& side, const Placement& placement) {
   formats::MapSide result = side;
   for (Vec3d& point : result.points_world) point = placement.apply(point);
+  // Mirroring reverses the order of the points, which would turn the brush inside out.
   if (placement.determinant() < 0) std::swap(result.points_world[0], result.points_world[2]);
 
-  const Vec3d across_before = scaled_normal(side.points_world), across = scaled_normal(result.points_world);
+  const Vec3d across_before = compute_scaled_normal(side.points_world),
+              across = compute_scaled_normal(result.points_world);
   if (across_before == Vec3d(0.0) || across == Vec3d(0.0)) return result;
   const Vec3d normal_before = glm::normalize(across_before), normal = glm::normalize(across);
   result.texturing =
       side.texturing.alignment == formats::MapAlignment::kBrushPrimitive
-          ? as_primitive(side.texturing, normal_before, normal, result.points_world[1], placement)
-          : as_valve(text_axes(side.texturing, normal_before, math::Vec2d(1, 1)), placement);
+          ? make_primitive_texturing(side.texturing, normal_before, normal, result.points_world[1], placement)
+          : make_valve_texturing(make_text_axes(side.texturing, normal_before, math::Vec2d(1, 1)), placement);
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Brushes moved, turned and scaled with their textures on them.
+// Moves, turns and scales brushes together with their textures ("texture lock" in editors).
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace temblor::compiler {
 
-// position' = columns[0] * x + columns[1] * y + columns[2] * z + offset.
+// An affine map: position' = columns[0] * x + columns[1] * y + columns[2] * z + offset.
 struct Placement {
   std::array<math::Vec3d, 3> columns{math::Vec3d(1, 0, 0), math::Vec3d(0, 1, 0), math::Vec3d(0, 0, 1)};
   math::Vec3d offset{0.0};
@@ -16,16 +16,15 @@ struct Placement {
   math::Vec3d apply(const math::Vec3d& position) const {
     return columns[0] * position.x + columns[1] * position.y + columns[2] * position.z + offset;
   }
-  // Volumes grow by it; negative: mirrored.
+  // The factor by which volumes grow; negative: mirrored.
   double determinant() const { return glm::dot(columns[0], glm::cross(columns[1], columns[2])); }
 };
 
-// First `inner`, then `outer`.
-Placement combined(const Placement& outer, const Placement& inner);
+// Applies first `inner`, then `outer`.
+Placement combine(const Placement& outer, const Placement& inner);
 
-// The side where the placement (its determinant is not 0) puts it, every point of it with the texel it had.
-// Standard alignment becomes Valve's, which can lie at any angle. A side whose points span no plane keeps its
-// alignment.
-formats::MapSide placed(const formats::MapSide& side, const Placement& placement);
+// Moves a side; each point keeps its texel. The placement's determinant is not 0. Standard alignment becomes
+// Valve's, which allows any angle. A side whose points are on one line keeps its alignment.
+formats::MapSide place_side(const formats::MapSide& side, const Placement& placement);
 
 }  // namespace temblor::compiler

@@ -11,8 +11,8 @@
 namespace temblor::compiler {
 namespace {
 
-// The level's name for a texture, with the source's case.
-std::string level_name(std::string_view name) {
+// A texture's name as the level stores it, in the source's case.
+std::string make_level_name(std::string_view name) {
   return std::string(name.substr(0, kLevelNameChars));
 }
 
@@ -35,6 +35,7 @@ base::Result<TextureSources::Source> TextureSources::open(const TextureSource& s
   return opened;
 }
 
+// The first source that has a name keeps it: later try_emplace() calls change nothing.
 TextureSources::TextureSources(std::span<const TextureSource> sources, const formats::Palette& palette,
                                Warnings& io_warnings)
     : palette_(palette) {
@@ -60,13 +61,13 @@ base::Result<formats::BspMiptex> TextureSources::read(const Source& source, cons
   formats::WadTexture texture;
   if (source.is_wad3) {
     TRY(formats::Wad3Texture wad3_texture, formats::read_wad3_texture(lump.data));
-    wad3_texture.texture.name = lump.name;  // which says whether it has holes
+    wad3_texture.texture.name = lump.name;  // says whether it has holes
     if (!dull_colors_) dull_colors_.emplace(palette_, 0, formats::kFirstFullbright);
-    texture = formats::recolored(wad3_texture, palette_, *dull_colors_);
+    texture = formats::convert_to_palette(wad3_texture, palette_, *dull_colors_);
   } else {
     TRY(texture, formats::read_wad_texture(lump.data));
   }
-  return formats::BspMiptex{true, level_name(lump.name), texture.width, texture.height,
+  return formats::BspMiptex{true, make_level_name(lump.name), texture.width, texture.height,
                             std::move(texture.mips)};
 }
 

@@ -1,4 +1,4 @@
-// What is in the WADs and levels that textures are taken from.
+// An index of all textures in the WADs and levels that a map takes textures from.
 #pragma once
 
 #include <cstdint>
@@ -18,20 +18,22 @@
 
 namespace temblor::compiler {
 
-constexpr std::size_t kLevelNameChars = 15;  // of a texture's name, in a level
+constexpr std::size_t kLevelNameChars = 15;  // the longest texture name in a level
 
-// Textures are the same when these are.
+// Names with equal keys are the same texture: case does not matter, nor do characters beyond the longest
+// name.
 std::string texture_key(std::string_view name);
 
+// Reads textures on demand, so that large WADs cost only what the map uses.
 class TextureSources {
  public:
-  // Keeps views of the sources' bytes. A source that cannot be read is a warning.
+  // Keeps views of the sources' bytes. Warns about each source that cannot be read.
   TextureSources(std::span<const TextureSource> sources, const formats::Palette& palette,
                  Warnings& io_warnings);
 
   bool has(const std::string& key) const { return places_.contains(key); }
-  // From the first source that has it. Only texels of mip 0 are sure to be there. A texture that cannot be
-  // read is a warning, and nothing.
+  // Reads a texture from the first source that has it. Only its mip level 0 is guaranteed to have texels.
+  // Returns nothing, with a warning, if it cannot be read.
   std::optional<formats::BspMiptex> take(const std::string& key, Warnings& io_warnings);
 
  private:
@@ -50,7 +52,7 @@ class TextureSources {
   std::vector<Source> sources_;
   std::unordered_map<std::string, Place> places_;
   formats::Palette palette_;
-  std::optional<formats::NearestColor> dull_colors_;  // made when the first WAD3 texture is read
+  std::optional<formats::NearestColor> dull_colors_;  // made on first use; only WAD3 textures need it
 };
 
 }  // namespace temblor::compiler

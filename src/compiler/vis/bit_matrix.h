@@ -1,4 +1,4 @@
-// Rows of bits in one block of memory, worked on 64 at a time.
+// A matrix of bits in one block of memory, processed 64 bits at a time. Rows are sets of clusters.
 #pragma once
 
 #include <bit>
@@ -9,19 +9,20 @@
 
 namespace temblor::compiler {
 
+// The number of rows and columns is fixed.
 class BitMatrix {
  public:
   using Word = std::uint64_t;
 
   BitMatrix() = default;
-  // All bits 0.
+  // All bits are 0.
   BitMatrix(std::size_t rows, std::size_t columns)
       : rows_(rows), columns_(columns), words_((columns + 63) / 64), bits_(rows * words_) {}
 
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }
 
-  // Bit c of the row is bit c % 64 of word c / 64; bits past the last column are 0.
+  // Bit c of a row is bit c % 64 of word c / 64. Bits beyond the last column are 0.
   std::span<Word> row(std::size_t index) { return {bits_.data() + index * words_, words_}; }
   std::span<const Word> row(std::size_t index) const { return {bits_.data() + index * words_, words_}; }
 
@@ -38,6 +39,7 @@ class BitMatrix {
   std::vector<Word> bits_;
 };
 
+// Bits of a single row.
 inline bool has_bit(std::span<const BitMatrix::Word> row, std::size_t bit) {
   return (row[bit / 64] >> (bit % 64) & 1) != 0;
 }

@@ -1,35 +1,24 @@
-// The visibility stage of a Build: at once, going on from where it stopped, or in shares.
+// The visibility stage of a Build: computes visibility, continuing from where an earlier run stopped, and
+// stores it.
 #pragma once
-
-#include <span>
 
 #include "base/parallel_for.h"
 #include "base/result.h"
 #include "compiler/build.h"
-#include "compiler/build/compile_watcher.h"
 #include "compiler/report.h"
 #include "compiler/vis/visibility.h"
 
 namespace temblor::compiler {
 
-// Goes on from the build's visibility_state, if that is of its portals. kUsage when the watcher says stop;
-// what is done then lies in visibility_state.
+// Continues from the build's visibility_state if that belongs to its portals. Fails with kUsage if the
+// watcher stops it; visibility_state then holds what is done. Afterwards visibility_state holds the finished
+// state, until the level is safe: light may still be stopped.
 base::Status make_visibility(VisibilityKind kind, base::Jobs& jobs, CompileWatcher& watcher, Build& io_build);
 
-struct VisibilityShard {
-  base::ByteVector state;  // for merge_visibility_shards
-  VisibilityEnd end;
-};
-// Works out a share of the first round that visibility_state has not finished; or less of it, when `progress`
-// says stop.
-VisibilityShard make_visibility_shard(const Build& build, WorkShare share, base::Jobs& jobs,
-                                      Progress progress);
+// Returns the build's saved state, or an empty one if there is none or if it belongs to other portals.
+VisibilityState resume_visibility(const Build& build, const SearchablePortals& portals);
 
-struct MergedVisibility {
-  std::size_t finished_portals, portals;
-};
-// Joins shards to the build's visibility_state; when nothing is left to do the build has its visibility.
-// Errors: those of read_visibility_state, and kUsage without any shard; the build is then as it was.
-base::Result<MergedVisibility> merge_visibility_shards(std::span<const base::Bytes> shards, Build& io_build);
+// Writes visibility into the level. `visible` has a row and a column for each cluster of the build's portals.
+base::Status set_visibility(const BitMatrix& visible, VisibilityKind kind, Build& io_build);
 
 }  // namespace temblor::compiler

@@ -1,4 +1,4 @@
-// The openings between the clusters of a level: what can be seen through.
+// Portals: the openings between the clusters of a level, the input of the visibility stage.
 #pragma once
 
 #include <array>
@@ -10,9 +10,10 @@
 
 namespace temblor::compiler {
 
+// The cluster of a solid leaf.
 constexpr std::uint32_t kNoCluster = std::numeric_limits<std::uint32_t>::max();
 
-// A convex polygon in a plane; its corners run clockwise seen from in front of the plane, at least three.
+// A convex polygon in a plane. It has at least three corners, clockwise seen from in front of the plane.
 struct Portal {
   std::vector<math::Vec3d> winding_world;
   math::Vec3d normal{0.0};
@@ -20,11 +21,12 @@ struct Portal {
   std::array<std::uint32_t, 2> clusters{};  // in front of the plane, behind it
 };
 
-// A cluster is a leaf, or several that detail brushes split, which are seen together.
+// A cluster is a leaf, or several leaves into which detail brushes split one; they see, and are seen,
+// together.
 struct PortalSet {
   std::uint32_t cluster_count = 0;
   std::vector<Portal> portals;
-  std::vector<std::uint32_t> cluster_of_leaf;  // by leaf of the level, leaf 0 included; kNoCluster: solid
+  std::vector<std::uint32_t> cluster_of_leaf;  // by leaf of the level, including leaf 0; kNoCluster: solid
 };
 
 }  // namespace temblor::compiler

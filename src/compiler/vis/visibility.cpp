@@ -1,3 +1,9 @@
+// Rounds: portals in the order of what they might see, cut at fixed percentages.
+//
+//   cheap portals                                          expensive portals
+//   |------ round 1 ------|--- round 2 ---|-- round 3 --|- 4 -|- 5 -|- 6 -|- 7 -|
+//    base visibility only   uses the rows    uses the rows of rounds 1 and 2 ...
+//                           of round 1
 #include "compiler/vis/visibility.h"
 
 #include <algorithm>
@@ -21,15 +27,15 @@ namespace {
 
 using vis::PortalGraph;
 
-// Changes whenever the same portals would give other rows, so that no saved state is continued in another
-// way.
+// Raise this if the same portals get other rows, so that no saved state is continued by another method.
 constexpr std::uint64_t kMethod = 1;
 
-// Where rounds end, in percent of the portals. The first portals are quick and the last are not, so rounds
-// become shorter; with more of them, one run waits more often for its slowest thread and gains little.
+// Where rounds end, in percent of the portals. The first portals are quick and the last ones slow, so rounds
+// get shorter. With more rounds, a run waits more often for its slowest thread and gains little.
 constexpr std::array<std::size_t, 7> kRoundEnds{40, 60, 75, 85, 92, 97, 100};
 
-std::uint64_t fingerprint_of(const PortalSet& set) {
+// Depends on every number of every portal, in order.
+std::uint64_t compute_fingerprint(const PortalSet& set) {
   std::uint64_t hash = base::hash_with(kMethod, set.cluster_count);
   const auto add = [&hash](double value) {
     hash = base::hash_with(hash, std::bit_cast<std::uint64_t>(value + 0.0));
@@ -46,10 +52,10 @@ std::uint64_t fingerprint_of(const PortalSet& set) {
   return hash;
 }
 
-// The portals in the order of the work: first those that might see least.
+// Portals in the order of the work: those that might see least come first.
 struct WorkOrder {
   std::vector<std::uint32_t> portals, rank_of_portal;
-  std::vector<std::uint64_t> cost_of_portal;  // about in proportion to the time
+  std::vector<std::uint64_t> cost_of_portal;  // roughly proportional to its time
 
   std::uint64_t cost(std::span<const std::uint32_t> some) const {
     return std::accumulate(
@@ -58,7 +64,7 @@ struct WorkOrder {
   }
 };
 
-WorkOrder order_of_work(const BitMatrix& base_visibility) {
+WorkOrder order_portals(const BitMatrix& base_visibility) {
   const std::size_t count = base_visibility.rows();
   WorkOrder order;
   order.portals.resize(count);
@@ -75,10 +81,10 @@ WorkOrder order_of_work(const BitMatrix& base_visibility) {
   return order;
 }
 
-// Tells the caller how far the work is, from any thread.
-class Meter {
+// Reports progress to the caller, from any thread.
+class FlowMeter {
  public:
-  Meter(Progress progress, std::uint64_t done, std::uint64_t total)
+  FlowMeter(Progress progress, std::uint64_t done, std::uint64_t total)
       : progress_(progress), done_(done), total_(total) {
     add(0);
   }
@@ -120,11 +126,11 @@ class FlowPool {
   std::vector<std::unique_ptr<vis::PortalFlow>> idle_;
 };
 
-// Works out the rows of some portals, all of one round.
+// Computes the rows of some portals of one round.
 void run_portals(std::span<const std::uint32_t> portals, const WorkOrder& order,
-                 const vis::FlowBounds& bounds, base::Jobs& jobs, FlowPool& io_pool, Meter& io_meter,
+                 const vis::FlowBounds& bounds, base::Jobs& jobs, FlowPool& io_pool, FlowMeter& io_meter,
                  VisibilityState& io_state) {
-  // Several at a time, where they are many and short: threads meet less often.
+  // Short searches are grouped, so that threads seldom wait for each other.
   constexpr std::size_t kBatches = 256;
   const std::size_t batch_size = std::max<std::size_t>(1, portals.size() / kBatches);
   jobs.parallel_for((portals.size() + batch_size - 1) / batch_size, [&](std::size_t batch) {
@@ -132,7 +138,7 @@ void run_portals(std::span<const std::uint32_t> portals, const WorkOrder& order,
     std::uint64_t done = 0;
     const std::size_t end = std::min((batch + 1) * batch_size, portals.size());
     for (std::size_t i = batch * batch_size; i < end && !io_meter.stopped(); ++i) {
-      // The longest first: then no thread is left with one of them at the end of the round.
+      // The longest searches come first, so that no thread is left with one at the end of the round.
       const std::uint32_t portal = portals[portals.size() - 1 - i];
       const auto row = io_state.seen.row(portal);
       if (flow->run(portal, bounds, io_meter.stopped(), row)) {
@@ -147,8 +153,8 @@ void run_portals(std::span<const std::uint32_t> portals, const WorkOrder& order,
   });
 }
 
-// Whether a sees b and b sees a: what one of the two searches found out holds for both.
-BitMatrix only_mutual(const BitMatrix& matrix) {
+// Keeps the pairs that see each other: each search may exclude what the other could not.
+BitMatrix keep_mutual(const BitMatrix& matrix) {
   BitMatrix mutual(matrix.rows(), matrix.columns());
   for (std::size_t a = 0; a < matrix.rows(); ++a) {
     const auto row = matrix.row(a);
@@ -162,6 +168,7 @@ BitMatrix only_mutual(const BitMatrix& matrix) {
   return mutual;
 }
 
+// A cluster sees what is seen through any of its portals, and itself.
 BitMatrix join_portals(const PortalGraph& graph, const BitMatrix& seen_by_portal) {
   BitMatrix joined(graph.cluster_count, graph.cluster_count);
   for (std::size_t i = 0; i < graph.cluster_count; ++i) joined.set(i, i);
@@ -170,7 +177,7 @@ BitMatrix join_portals(const PortalGraph& graph, const BitMatrix& seen_by_portal
     const auto to = joined.row(graph.portals[i].from);
     for (std::size_t word = 0; word < to.size(); ++word) to[word] |= from[word];
   }
-  return only_mutual(joined);
+  return keep_mutual(joined);
 }
 
 bool matches(const VisibilityState& state, const SearchablePortals& portals) {
@@ -183,7 +190,7 @@ bool matches(const VisibilityState& state, const SearchablePortals& portals) {
 
 SearchablePortals::SearchablePortals(const PortalSet& portals)
     : graph_(std::make_unique<PortalGraph>(vis::make_portal_graph(portals))),
-      fingerprint_(fingerprint_of(portals)) {}
+      fingerprint_(compute_fingerprint(portals)) {}
 SearchablePortals::~SearchablePortals() = default;
 SearchablePortals::SearchablePortals(SearchablePortals&&) noexcept = default;
 SearchablePortals& SearchablePortals::operator=(SearchablePortals&&) noexcept = default;
@@ -200,11 +207,11 @@ VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& 
   const PortalGraph& graph = portals.graph();
   CHECK(matches(io_state, portals));
   const BitMatrix base_visibility = vis::find_base_visibility(graph, jobs);
-  const WorkOrder order = order_of_work(base_visibility);
+  const WorkOrder order = order_portals(base_visibility);
 
   std::vector<std::uint32_t> known = order.portals;
   std::erase_if(known, [&](std::uint32_t portal) { return io_state.finished[portal] == 0; });
-  Meter meter(progress, order.cost(known), order.cost(order.portals));
+  FlowMeter meter(progress, order.cost(known), order.cost(order.portals));
   FlowPool pool(graph);
   std::uint32_t round_begin = 0;
   for (const std::size_t end_percent : kRoundEnds) {
@@ -225,14 +232,14 @@ VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& 
   return VisibilityEnd::kFinished;
 }
 
-BitMatrix visible_clusters(const SearchablePortals& portals, const VisibilityState& state) {
+BitMatrix find_visible_clusters(const SearchablePortals& portals, const VisibilityState& state) {
   const PortalGraph& graph = portals.graph();
   CHECK(matches(state, portals));
   CHECK(std::ranges::find(state.finished, 0) == state.finished.end());
   return join_portals(graph, state.seen);
 }
 
-BitMatrix roughly_visible_clusters(const SearchablePortals& portals, base::Jobs& jobs) {
+BitMatrix find_roughly_visible_clusters(const SearchablePortals& portals, base::Jobs& jobs) {
   const PortalGraph& graph = portals.graph();
   return join_portals(graph, vis::find_base_visibility(graph, jobs));
 }

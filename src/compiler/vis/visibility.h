@@ -1,8 +1,13 @@
-// Which clusters of a level can see each other.
+// Visibility: which clusters of a level can see each other (the potentially visible set, or PVS).
 //
-// Work is cut at portals, and a portal's result depends on the portals alone: not on threads, nor on who
-// worked out which part. For that, portals are put in order of how much they might see and the order is cut
-// into rounds; what a round finds narrows the search of all later rounds and of none of its own.
+// For each portal in each direction, a search (vis/flow/portal_flow.h) follows all chains of portals that a
+// straight line can pass. The level's PVS joins the results of all portals of each cluster. The method is
+// that of Teller, "Visibility Computations in Densely Occluded Polyhedral Environments" (1992), which Quake's
+// vis uses, too.
+//
+// A portal's result depends only on the portals, not on threads or on how processes share the work. To that
+// end, portals are sorted by how much they might see, and the order is cut into rounds. Results of a round
+// narrow the searches of later rounds, but never those of the same round.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +25,18 @@ namespace vis {
 struct PortalGraph;
 }
 
-// The portals of a level, ready to be searched. Every portal of the set has clusters below its cluster_count
-// and at least three corners (CHECKed).
+// The portals of a level, prepared for searching. Every portal's clusters are below cluster_count and it has
+// at least three corners (CHECKed).
 class SearchablePortals {
  public:
-  // Implicit: who asks once need not keep it.
+  // Implicit, so that callers with a single query can pass a PortalSet.
   SearchablePortals(const PortalSet& portals);  // NOLINT(google-explicit-constructor)
   ~SearchablePortals();
   SearchablePortals(SearchablePortals&&) noexcept;
   SearchablePortals& operator=(SearchablePortals&&) noexcept;
 
   const vis::PortalGraph& graph() const { return *graph_; }
+  // A hash of the portals and of the version of the method.
   std::uint64_t fingerprint() const { return fingerprint_; }
 
  private:
@@ -38,40 +44,42 @@ class SearchablePortals {
   std::uint64_t fingerprint_;
 };
 
-// How far the work is. Rows are portals in both directions, joined where the tree cut an opening for no
-// reason that visibility has, so their number is not that of the PortalSet.
+// What has been computed so far. Rows are directed portals after pieces of one opening were joined, so there
+// are not twice as many as in the PortalSet.
 struct VisibilityState {
-  std::uint64_t fingerprint = 0;       // of the PortalSet, and of the way in which rows are worked out
-  BitMatrix seen;                      // clusters seen through each portal; 0 where it is not finished
+  std::uint64_t fingerprint = 0;       // of the SearchablePortals
+  BitMatrix seen;                      // by portal: the clusters seen through it; 0 if it is not finished
   std::vector<std::uint8_t> finished;  // by portal, 0 or 1
 
   bool operator==(const VisibilityState&) const = default;
 };
 
-// One of several independent processes: 0 <= index < count.
+// The share of one of several independent processes: 0 <= index < count.
 struct WorkShare {
   std::uint32_t index = 0, count = 1;
 };
 
+// Why continue_visibility() returned.
 enum class VisibilityEnd {
-  kFinished,  // every row is known
-  kStopped,   // because `progress` said so
-  kWaiting,   // this share of the round is done; the next needs the other shares, merged into the state
+  kFinished,  // every portal is finished
+  kStopped,   // by `progress`
+  kWaiting,   // this share of the round is done; the next round needs all shares merged into the state
 };
 
-// A state in which nothing is done.
+// Returns a state in which nothing is done.
 VisibilityState begin_visibility(const SearchablePortals& portals);
 
-// Goes on from a state of the same portals (CHECKed) to the end, or with a share of the work, to the end of
-// its part of the first round that is not finished. `progress` counts units that time roughly follows.
+// Continues from a state of the same portals (CHECKed): to the end, or with a share, to the end of that share
+// of the first unfinished round. `progress` counts units of roughly equal time.
 VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& jobs, Progress progress,
                                   VisibilityState& io_state, WorkShare share = {});
 
-// Row and column: cluster; symmetric, and every cluster sees itself. What can be seen is never missing, but
-// for openings that show as a slit narrower than 0.01 units. The state must be finished (CHECKed).
-BitMatrix visible_clusters(const SearchablePortals& portals, const VisibilityState& state);
+// Returns which clusters see each other: symmetric, and every cluster sees itself. It never misses anything
+// visible, except through openings that appear as slits narrower than 0.01 units. The state must be finished
+// (CHECKed).
+BitMatrix find_visible_clusters(const SearchablePortals& portals, const VisibilityState& state);
 
-// The same from the sides of planes alone: at once, and far from tight.
-BitMatrix roughly_visible_clusters(const SearchablePortals& portals, base::Jobs& jobs);
+// The same, quickly and far from tight: from the bound of vis/flow/base_visibility.h alone.
+BitMatrix find_roughly_visible_clusters(const SearchablePortals& portals, base::Jobs& jobs);
 
 }  // namespace temblor::compiler

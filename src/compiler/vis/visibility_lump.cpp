@@ -1,3 +1,5 @@
+// Method: clusters, not leaves, see each other, so one row for each cluster is coded and shared by all of its
+// leaves. Different clusters with equal rows share them as well.
 #include "compiler/vis/visibility_lump.h"
 
 #include <algorithm>
@@ -21,7 +23,7 @@ namespace {
 
 using ByteRow = std::vector<std::uint8_t>;
 
-// Slots of formats::BspLeaf::ambient. Slot 2, slime, is left to engines' default.
+// Slots of formats::BspLeaf::ambient. Slot 2, slime, is left to the engine's default.
 enum AmbientSlot : std::size_t { kWater = 0, kSky = 1, kLava = 3 };
 constexpr std::uint8_t kFullLevel = 255;
 
@@ -32,15 +34,16 @@ void for_each_bit(std::span<const BitMatrix::Word> row, Visit visit) {
       visit(i * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
 }
 
-std::vector<std::vector<std::uint32_t>> leaves_by_cluster(const PortalSet& portals) {
+std::vector<std::vector<std::uint32_t>> group_leaves_by_cluster(const PortalSet& portals) {
   std::vector<std::vector<std::uint32_t>> leaves(portals.cluster_count);
   for (std::uint32_t leaf = 0; leaf < portals.cluster_of_leaf.size(); ++leaf)
     if (portals.cluster_of_leaf[leaf] != kNoCluster) leaves[portals.cluster_of_leaf[leaf]].push_back(leaf);
   return leaves;
 }
 
-// As text, which is a key that compares by its bytes.
-std::string run_length_coded(const ByteRow& row) {
+// Returns the coded row as text, which serves as a map key.
+// Only zero bytes are stored as runs, as the game expects.
+std::string encode_run_length(const ByteRow& row) {
   std::string coded;
   for (std::size_t i = 0; i < row.size();) {
     coded.push_back(static_cast<char>(row[i]));
@@ -52,7 +55,7 @@ std::string run_length_coded(const ByteRow& row) {
   return coded;
 }
 
-// The rows one after another, equal ones once.
+// All rows, one after another; equal ones are stored once.
 struct RowStore {
   std::vector<std::uint8_t> bytes;
   std::map<std::string, std::size_t> offsets;
@@ -64,8 +67,8 @@ struct RowStore {
   }
 };
 
-// Which sound a texture makes, by its name in lower case.
-std::optional<AmbientSlot> sound_of(std::string_view name) {
+// The sound of a texture, by its name in lower case.
+std::optional<AmbientSlot> find_ambient_slot(std::string_view name) {
   if (name.starts_with("sky")) return kSky;
   if (!name.starts_with('*')) return std::nullopt;
   if (name.find("water") != name.npos || name.find("slime") != name.npos) return kWater;
@@ -81,9 +84,9 @@ SoundLevels louder(const SoundLevels& a, const SoundLevels& b) {
   return both;
 }
 
-// What can be heard of each cluster's own faces.
-std::vector<SoundLevels> sounds_of_clusters(const PortalSet& portals, const AmbientSounds& wanted,
-                                            const formats::Bsp& bsp) {
+// The sounds of the faces in each cluster.
+std::vector<SoundLevels> find_cluster_sounds(const PortalSet& portals, const AmbientSounds& wanted,
+                                             const formats::Bsp& bsp) {
   std::array<bool, 4> is_wanted{};
   is_wanted[kWater] = wanted.water;
   is_wanted[kSky] = wanted.sky;
@@ -92,7 +95,7 @@ std::vector<SoundLevels> sounds_of_clusters(const PortalSet& portals, const Ambi
   for (const formats::BspMiptex& miptex : bsp.miptexes) {
     std::string name = miptex.name;
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
-    const auto slot = sound_of(name);
+    const auto slot = find_ambient_slot(name);
     sounds.push_back(slot && is_wanted[*slot] ? slot : std::nullopt);
   }
   std::vector<SoundLevels> levels(portals.cluster_count, SoundLevels{});
@@ -110,19 +113,21 @@ std::vector<SoundLevels> sounds_of_clusters(const PortalSet& portals, const Ambi
 
 }  // namespace
 
+// Rows count leaves from leaf 1, since leaf 0 is solid and never visible; models other than the world have no
+// visibility.
 base::Status write_visibility(const PortalSet& portals, const BitMatrix& visible, const AmbientSounds& sounds,
                               formats::Bsp& io_bsp) {
   CHECK(portals.cluster_of_leaf.size() == io_bsp.leaves.size());
   CHECK(portals.cluster_of_leaf[0] == kNoCluster);
   CHECK(visible.rows() == portals.cluster_count && visible.columns() == portals.cluster_count);
-  const auto leaves = leaves_by_cluster(portals);
+  const auto leaves = group_leaves_by_cluster(portals);
   std::uint32_t last_leaf = 0;
   for (const auto& cluster : leaves)
     for (const std::uint32_t leaf : cluster) last_leaf = std::max(last_leaf, leaf);
 
   RowStore store;
   std::vector<std::size_t> offsets(portals.cluster_count);
-  const std::vector<SoundLevels> own_sounds = sounds_of_clusters(portals, sounds, io_bsp);
+  const std::vector<SoundLevels> own_sounds = find_cluster_sounds(portals, sounds, io_bsp);
   std::vector<SoundLevels> heard(portals.cluster_count, SoundLevels{});
   for (std::size_t cluster = 0; cluster < portals.cluster_count; ++cluster) {
     ByteRow row((std::size_t{last_leaf} + 7) / 8);
@@ -131,9 +136,11 @@ base::Status write_visibility(const PortalSet& portals, const BitMatrix& visible
       for (const std::uint32_t leaf : leaves[seen])
         row[(leaf - 1) / 8] = static_cast<std::uint8_t>(row[(leaf - 1) / 8] | 1u << ((leaf - 1) % 8));
     });
-    offsets[cluster] = store.add(run_length_coded(row));
+    offsets[cluster] = store.add(encode_run_length(row));
     if (store.bytes.size() > std::size_t{std::numeric_limits<std::int32_t>::max()})
-      return base::error(base::ErrorCode::kTooLarge, "the visibility of {} leaves takes more than 2 GB",
+      return base::error(base::ErrorCode::kTooLarge,
+                         "the visibility of {} leaves takes more than 2 GB: turn small brushes into "
+                         "func_detail, or compile without visibility",
                          last_leaf);
   }
 
@@ -149,7 +156,7 @@ base::Status write_visibility(const PortalSet& portals, const BitMatrix& visible
 }
 
 double mean_visible_share(const PortalSet& portals, const BitMatrix& visible) {
-  const auto leaves = leaves_by_cluster(portals);
+  const auto leaves = group_leaves_by_cluster(portals);
   double leaf_count = 0, seen_pairs = 0;
   for (std::size_t cluster = 0; cluster < portals.cluster_count; ++cluster) {
     const auto own = static_cast<double>(leaves[cluster].size());

@@ -1,3 +1,5 @@
+// Reading checks the hash first, then the fingerprint and the counts, so rows are read only if they belong to
+// the portals of `begun`.
 #include "compiler/vis/visibility_state.h"
 
 #include <algorithm>
@@ -14,22 +16,23 @@ constexpr std::uint32_t kStateFileMagic = 0x53495654;  // "TVIS"
 constexpr std::uint32_t kStateFileVersion = 1;
 constexpr std::size_t kHeaderBytes = 24, kHashBytes = 8;
 
-base::Error other_level() {
+base::Error make_other_level_error() {
   return base::error(
       base::ErrorCode::kUsage,
-      "the saved visibility is of another level, or of this one before it was changed; delete it "
-      "to begin anew");
+      "the saved visibility belongs to another level, or to this one before it was changed: delete "
+      "it to start over");
 }
 
 bool same_shape(const VisibilityState& a, const VisibilityState& b) {
   return a.finished.size() == b.finished.size() && a.seen.columns() == b.seen.columns();
 }
 
-// Whether bits past the last column are 0.
+// Whether the bits beyond the last column are 0.
 bool ends_clean(std::span<const BitMatrix::Word> row, std::size_t columns) {
   return columns % 64 == 0 || row.back() >> (columns % 64) == 0;
 }
 
+// Reads the rows of all finished portals.
 base::Status read_rows(base::ByteReader& io_reader, VisibilityState& io_state) {
   for (std::size_t portal = 0; portal < io_state.finished.size(); ++portal) {
     if (io_state.finished[portal] == 0) continue;
@@ -56,31 +59,32 @@ base::ByteVector write_visibility_state(const VisibilityState& state) {
   writer.bytes(std::as_bytes(std::span(flags)));
   for (std::size_t i = 0; i < state.finished.size(); ++i)
     if (state.finished[i] != 0) writer.bytes(std::as_bytes(state.seen.row(i)));
-  writer.write(base::hash_of_bytes(writer.view()));
+  writer.write(base::hash_bytes(writer.view()));
   return std::move(writer).take();
 }
 
 base::Result<VisibilityState> read_visibility_state(base::Bytes bytes, const VisibilityState& begun) {
   if (bytes.size() < kHeaderBytes + kHashBytes)
-    return base::malformed("saved visibility: {} bytes are too few to be one", bytes.size());
+    return base::malformed("saved visibility: {} bytes are too short", bytes.size());
   base::ByteReader reader(bytes);
   if (reader.u32() != kStateFileMagic)
     return base::malformed("saved visibility: it does not begin with TVIS");
   if (const std::uint32_t version = reader.u32(); version != kStateFileVersion)
-    return base::error(base::ErrorCode::kUnsupported, "saved visibility: version {}, known is {}", version,
+    return base::error(base::ErrorCode::kUnsupported,
+                       "saved visibility: version {} is not supported, only version {}", version,
                        kStateFileVersion);
   base::ByteReader end(bytes.last(kHashBytes));
-  if (end.read<std::uint64_t>() != base::hash_of_bytes(bytes.first(bytes.size() - kHashBytes)))
-    return base::malformed("saved visibility: damaged, its hash is not that of its bytes");
+  if (end.read<std::uint64_t>() != base::hash_bytes(bytes.first(bytes.size() - kHashBytes)))
+    return base::malformed("saved visibility: it is damaged (wrong hash)");
 
   VisibilityState state;
   state.fingerprint = reader.read<std::uint64_t>();
   const std::uint32_t portal_count = reader.u32(), cluster_count = reader.u32();
   if (state.fingerprint != begun.fingerprint || portal_count != begun.finished.size() ||
       cluster_count != begun.seen.columns())
-    return other_level();
+    return make_other_level_error();
 
-  // The counts are those of `begun`, which is in memory already: they ask for no more than is there.
+  // The counts equal those of `begun`, which is in memory already, so damaged bytes cannot demand more.
   state.seen = BitMatrix(portal_count, cluster_count);
   state.finished.resize(portal_count);
   const base::Bytes flags = reader.take((std::size_t{portal_count} + 7) / 8);
@@ -89,16 +93,18 @@ base::Result<VisibilityState> read_visibility_state(base::Bytes bytes, const Vis
     state.finished[i] = static_cast<std::uint8_t>(base::as_u8(flags)[i / 8] >> (i % 8) & 1u);
   TRY_STATUS(read_rows(reader, state));
   if (!reader.ok() || reader.remaining() != kHashBytes)
-    return base::malformed("saved visibility: {} bytes are not those of its portals", bytes.size());
+    return base::malformed("saved visibility: its {} bytes do not fit its portals", bytes.size());
   return state;
 }
 
+// Compares everything first, so that io_state is unchanged after an error.
 base::Status merge_visibility_state(const VisibilityState& other, VisibilityState& io_state) {
-  if (other.fingerprint != io_state.fingerprint || !same_shape(other, io_state)) return other_level();
+  if (other.fingerprint != io_state.fingerprint || !same_shape(other, io_state))
+    return make_other_level_error();
   for (std::size_t i = 0; i < other.finished.size(); ++i) {
     if (other.finished[i] == 0 || io_state.finished[i] == 0) continue;
     if (!std::ranges::equal(other.seen.row(i), io_state.seen.row(i)))
-      return base::malformed("saved visibility: two results for portal {} differ", i);
+      return base::malformed("saved visibility: two shards have different results for portal {}", i);
   }
   for (std::size_t i = 0; i < other.finished.size(); ++i) {
     if (other.finished[i] == 0) continue;

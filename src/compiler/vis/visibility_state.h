@@ -1,4 +1,5 @@
-// The state of visibility as bytes: to go on after a stop, and to join what several processes worked out.
+// The state of the visibility stage as bytes: for continuing after a stop, and for merging the work of
+// several processes.
 #pragma once
 
 #include "base/bytes.h"
@@ -7,21 +8,21 @@
 
 namespace temblor::compiler {
 
-// The same bytes for equal states. Little-endian:
+// Returns the same bytes for equal states. Little-endian:
 //   u32 "TVIS", u32 version, u64 fingerprint, u32 portals P, u32 clusters C
 //   (P + 7) / 8 bytes: bit i % 8 of byte i / 8 says that portal i is finished
 //   for each finished portal (C + 63) / 64 times u64: the clusters seen through it
 //   u64 hash of all bytes before
 base::ByteVector write_visibility_state(const VisibilityState& state);
 
-// `begun` is begin_visibility's of the level at hand. kUsage when the bytes are the state of another level
-// (or of another version of this one, or of another way to work it out); kUnsupported when their version is
-// not ours; kMalformed when they are damaged. What is read is taken on trust: a state made up with the right
-// hash gives a wrong result, though nothing worse.
+// Reads a state. `begun` is that of begin_visibility() for the current level. Fails with kUsage if the bytes
+// belong to another level (or another version of this one, or another method), with kUnsupported for another
+// version of the format, and with kMalformed if they are damaged. The contents are trusted: a forged state
+// gives wrong visibility, but does no other harm.
 base::Result<VisibilityState> read_visibility_state(base::Bytes bytes, const VisibilityState& begun);
 
-// Adds what `other` has finished. kUsage when it is the state of another level; kMalformed when the two have
-// different results for one portal; io_state is then as it was.
+// Adds what `other` has finished. Fails with kUsage if it belongs to another level, and with kMalformed if
+// both have different results for one portal; io_state is then unchanged.
 base::Status merge_visibility_state(const VisibilityState& other, VisibilityState& io_state);
 
 }  // namespace temblor::compiler

@@ -1,4 +1,4 @@
-// What the archive formats (PAK, PK3) share.
+// What the archive formats (PAK, PK3) share: files to pack, and the rule for names that are safe to unpack.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace temblor::formats {
 
-// A file to put into an archive. `data` is not owned: it must outlive the call that writes it.
+// A file to pack into an archive. `data` is borrowed, and must outlive the call that writes it.
 struct ArchiveFile {
   std::string name;
   base::Bytes data;
 };
 
-// Whether a file of that name, unpacked into a folder, stays inside it: relative, '/' between parts (no '\'
-// and no ':'), no empty, "." or ".." part, no control characters.
+// Returns whether a name is safe to unpack below a folder: a relative path with '/' separators, without '\',
+// ':', control characters, and empty, ".", or ".." parts. So "/etc/passwd", "../x", and "c:x" are not.
 bool is_contained_name(std::string_view name);
 
 }  // namespace temblor::formats

@@ -20,19 +20,22 @@ base::Result<PakHeader> read_pak_header(base::Bytes header, std::uint64_t archiv
   const std::int32_t offset = reader.i32();
   const std::int32_t bytes = reader.i32();
   if (!reader.ok())
-    return base::malformed("a PAK's header has {} bytes, this has {}", kPakHeaderBytes, header.size());
-  if (magic != kPakMagic) return base::malformed("not a PAK: it does not start with \"PACK\"");
+    return base::malformed("PAK header needs {} bytes, the file has {}", kPakHeaderBytes, header.size());
+  if (magic != kPakMagic) return base::malformed("not a PAK file: it does not start with \"PACK\"");
   if (offset < 0 || bytes < 0 || std::uint64_t(offset) + std::uint64_t(bytes) > archive_bytes)
-    return base::malformed("PAK directory: offset {} and {} bytes lie outside the file ({} bytes)", offset,
+    return base::malformed("PAK directory: offset {} and {} bytes are outside of the file ({} bytes)", offset,
                            bytes, archive_bytes);
   if (std::size_t(bytes) % kPakRecordBytes != 0)
-    return base::malformed("PAK directory: {} bytes are not whole entries of {}", bytes, kPakRecordBytes);
+    return base::malformed("PAK directory: {} bytes is not a multiple of the entry size {}", bytes,
+                           kPakRecordBytes);
   if (std::size_t(bytes) / kPakRecordBytes > kMaxPakEntries)
     return base::error(base::ErrorCode::kTooLarge, "PAK directory: {} entries, the limit is {}",
                        std::size_t(bytes) / kPakRecordBytes, kMaxPakEntries);
   return PakHeader{std::uint64_t(offset), std::uint64_t(bytes)};
 }
 
+// Offsets and sizes are signed in the file; negative ones are rejected like those past the end. The sum is
+// computed in 64 bits, so it cannot wrap around.
 base::Result<std::vector<PakEntry>> read_pak_directory(base::Bytes directory, std::uint64_t archive_bytes) {
   base::ByteReader reader(directory);
   std::vector<PakEntry> entries;
@@ -41,14 +44,14 @@ base::Result<std::vector<PakEntry>> read_pak_directory(base::Bytes directory, st
     const std::string_view field = base::as_text(reader.take(kPakNameBytes));
     const std::int32_t offset = reader.i32();
     const std::int32_t size = reader.i32();
-    if (!reader.ok()) return base::malformed("PAK directory: ends within entry {}", entries.size());
+    if (!reader.ok()) return base::malformed("PAK directory ends within entry {}", entries.size());
     const std::size_t length = field.find('\0');
     if (length == std::string_view::npos)
-      return base::malformed("PAK directory: entry {}: its name has no end", entries.size());
+      return base::malformed("PAK directory: entry {}: name is not terminated", entries.size());
     std::string name(field.substr(0, length));
     if (offset < 0 || size < 0 || std::uint64_t(offset) + std::uint64_t(size) > archive_bytes)
       return base::malformed(
-          "PAK directory: entry {} \"{}\": offset {} and {} bytes lie outside the file ({} bytes)",
+          "PAK directory: entry {} \"{}\": offset {} and {} bytes are outside of the file ({} bytes)",
           entries.size(), base::printable(name), offset, size, archive_bytes);
     entries.push_back({std::move(name), std::uint64_t(offset), std::uint64_t(size)});
   }
@@ -61,19 +64,21 @@ base::Result<std::vector<PakEntry>> read_pak(base::Bytes archive) {
   return read_pak_directory(archive.subspan(header.directory_offset, header.directory_bytes), archive.size());
 }
 
+// Layout: header, data in the given order, directory. Checks all limits before it writes anything.
 base::Result<base::ByteVector> write_pak(std::span<const ArchiveFile> files) {
   if (files.size() > kMaxPakEntries)
-    return base::error(base::ErrorCode::kTooLarge, "{} files, a PAK holds at most {}", files.size(),
+    return base::error(base::ErrorCode::kTooLarge, "{} files exceed the PAK limit of {}", files.size(),
                        kMaxPakEntries);
   std::uint64_t directory_offset = kPakHeaderBytes;
   for (const ArchiveFile& file : files) {
     if (file.name.size() > kPakNameChars)
-      return base::error(base::ErrorCode::kTooLarge, "\"{}\": a PAK's names have at most {} characters",
+      return base::error(base::ErrorCode::kTooLarge, "\"{}\": PAK names have at most {} characters",
                          file.name, kPakNameChars);
     directory_offset += file.data.size();
   }
   if (directory_offset + files.size() * kPakRecordBytes > std::numeric_limits<std::int32_t>::max())
-    return base::error(base::ErrorCode::kTooLarge, "{} bytes of files do not fit a PAK", directory_offset);
+    return base::error(base::ErrorCode::kTooLarge, "{} bytes of files exceed the size limit of a PAK",
+                       directory_offset);
 
   base::ByteWriter writer;
   writer.bytes(base::as_bytes(kPakMagic));

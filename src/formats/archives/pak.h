@@ -1,4 +1,14 @@
-// PAK archives: a header, the files one after another, a table of names.
+// PAK archives: a header, the data of the files, and a directory at any place. Little-endian, without
+// compression, so the game can read a file from the middle of the archive. The vfs reads only the directory
+// when it mounts a PAK.
+//
+//   header, 12 bytes               0  "PACK"
+//                                  4  directory offset i32    from the start of the file
+//                                  8  directory size i32      bytes, 64 for each entry
+//   data of the files, in any order, with gaps or overlaps
+//   directory entry, 64 bytes      0  name char[56]           "maps/start.bsp", zero-terminated
+//                                 56  data offset i32
+//                                 60  data size i32           bytes
 #pragma once
 
 #include <cstddef>
@@ -15,15 +25,17 @@ namespace temblor::formats {
 
 constexpr std::size_t kPakHeaderBytes = 12;
 constexpr std::size_t kPakRecordBytes = 64;
-constexpr std::size_t kPakNameChars = 55;  // and a zero
-// The original's limit was 2048 files; this one only keeps a hostile table out of memory.
+constexpr std::size_t kPakNameChars = 55;  // without the terminating zero
+// The original engine allowed 2048 files; this limit only bounds the memory for hostile files.
 constexpr std::size_t kMaxPakEntries = 1 << 18;
 
+// The place of the directory, inside of the file.
 struct PakHeader {
   std::uint64_t directory_offset = 0;
   std::uint64_t directory_bytes = 0;  // a multiple of kPakRecordBytes
 };
 
+// A file in the archive. Its name is not checked; the vfs skips names that leave the folder.
 struct PakEntry {
   std::string name;  // as stored, at most 55 characters
   std::uint64_t offset = 0;
@@ -31,18 +43,18 @@ struct PakEntry {
   bool operator==(const PakEntry&) const = default;
 };
 
-// A PAK can be used without reading it whole: read_pak_header() of its first 12 bytes says where the table
-// is, read_pak_directory() of the table's bytes gives the entries. `archive_bytes` is the size of the whole
-// file; header and entries lie inside it.
+// Reads a PAK without loading it: read_pak_header() parses the first 12 bytes and returns the place of the
+// directory, and read_pak_directory() parses the bytes there. `archive_bytes`: size of the file; both return
+// kMalformed if the directory or an entry exceeds it.
 base::Result<PakHeader> read_pak_header(base::Bytes header, std::uint64_t archive_bytes);
 base::Result<std::vector<PakEntry>> read_pak_directory(base::Bytes directory, std::uint64_t archive_bytes);
 
-// Both at once, for an archive that is in memory: every entry lies inside `archive`. Entries may overlap and
-// names may repeat (the first one counts).
+// Reads the directory of an archive in memory. Every entry is inside of `archive`. Entries may overlap, and
+// names may repeat; the first one counts.
 base::Result<std::vector<PakEntry>> read_pak(base::Bytes archive);
 
-// The files in the order given. kTooLarge for a name over 55 characters, for more than kMaxPakEntries files
-// or for more than 2^31 - 1 bytes.
+// Packs files in the given order. Returns kTooLarge for a name over 55 characters, more than kMaxPakEntries
+// files, or more than 2^31 - 1 bytes.
 base::Result<base::ByteVector> write_pak(std::span<const ArchiveFile> files);
 
 }  // namespace temblor::formats

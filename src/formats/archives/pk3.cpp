@@ -1,5 +1,6 @@
-// Method: libzip over the archive in memory. What it does not bound itself is checked around it: the size of
-// the central directory before it is parsed, the sizes that entries claim before anything is unpacked.
+// libzip reads the archive in memory. It does not limit everything itself, so this file also checks the size
+// of the central directory before libzip parses it, and the declared sizes of entries before they are
+// unpacked.
 #include "formats/archives/pk3.h"
 
 #include <zip.h>
@@ -20,14 +21,15 @@ using base::ErrorCode;
 
 // libzip keeps about 300 bytes for each directory record of at least 46.
 constexpr std::uint64_t kMaxDirectoryBytes = std::uint64_t{32} << 20;
-// A deflated byte gives at most four matches of 258 bytes.
+// Upper bound of deflate: a byte encodes at most four matches of 258 bytes.
 constexpr std::uint64_t kMaxDeflateRatio = 1032;
 constexpr std::string_view kEndRecord = "PK\5\6";
 constexpr std::string_view kZip64Locator = "PK\6\7";
-// The end record, the longest comment after it and the zip64 locator before it.
+// The end record, the longest possible comment after it, and the zip64 locator before it.
 constexpr std::size_t kTailBytes = 65536 + 22 + 20;
 constexpr zip_uint16_t kDosDate1980 = (1 << 5) | 1;  // January 1st
 
+// Owns the error object of libzip calls that have no archive yet.
 class ZipError {
  public:
   ZipError() { zip_error_init(&error_); }
@@ -57,34 +59,39 @@ using ZipHandle = std::unique_ptr<zip_t, DiscardZip>;
 using SourceHandle = std::unique_ptr<zip_source_t, FreeSource>;
 using FileHandle = std::unique_ptr<zip_file_t, CloseFile>;
 
-// libzip parses the whole directory at once; this looks at the size that any end record claims for it.
+// libzip parses the whole directory at once, so first check the size that the end record declares. The mark
+// of an end record may also occur in the comment after it, and libzip may choose any of them, so check all:
+//
+//   end record: "PK\5\6" | disk numbers u16 x2 | entries u16 x2 | 12: directory size u32 | offset u32 |
+//   comment
 base::Status check_directory_size(base::Bytes bytes) {
   const std::string_view tail = base::as_text(bytes.last(std::min(bytes.size(), kTailBytes)));
   if (tail.find(kZip64Locator) != std::string_view::npos)
-    return base::error(ErrorCode::kUnsupported, "PK3: zip64 is not supported; pack it as an ordinary zip");
+    return base::error(ErrorCode::kUnsupported, "PK3: zip64 is not supported; save it as an ordinary zip");
   std::size_t position = tail.find(kEndRecord);
   if (position == std::string_view::npos)
-    return base::malformed("PK3: no zip directory; not a zip, or cut off");
+    return base::malformed("PK3: no zip directory: not a zip file, or truncated");
   for (; position != std::string_view::npos; position = tail.find(kEndRecord, position + 1)) {
     constexpr std::size_t kSizeField = 12;
     base::ByteReader reader(base::as_bytes(tail));
     reader.seek(position + kSizeField);
     if (const std::uint32_t size = reader.u32(); reader.ok() && size > kMaxDirectoryBytes)
-      return base::error(ErrorCode::kTooLarge, "PK3: a directory of {} bytes, the limit is {}", size,
+      return base::error(ErrorCode::kTooLarge, "PK3: directory of {} bytes exceeds the limit of {}", size,
                          kMaxDirectoryBytes);
   }
   return base::Ok{};
 }
 
+// Checks name, encryption, compression, and size of one entry before anything is unpacked.
 base::Status check_entry(const zip_stat_t& stat, std::size_t archive_bytes) {
   const std::string name = base::printable(stat.name);
   if (!is_contained_name(stat.name))
-    return base::malformed("PK3: \"{}\": a name that leads outside the game's folder", name);
+    return base::malformed("PK3: \"{}\": the name leads outside of the game folder", name);
   if (stat.encryption_method != ZIP_EM_NONE)
     return base::error(ErrorCode::kUnsupported, "PK3: \"{}\" is encrypted; pack it without a password", name);
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
     return base::error(ErrorCode::kUnsupported,
-                       "PK3: \"{}\": packing method {} is not supported (use deflate)", name,
+                       "PK3: \"{}\": compression method {} is not supported; use deflate", name,
                        stat.comp_method);
   const std::uint64_t ratio = stat.comp_method == ZIP_CM_STORE ? 1 : kMaxDeflateRatio;
   if (stat.comp_size > archive_bytes || stat.size > stat.comp_size * ratio)
@@ -103,7 +110,7 @@ base::Result<std::vector<Pk3Entry>> read_directory(zip_t* zip, std::size_t archi
   for (std::uint64_t i = 0; i < count; ++i) {
     zip_stat_t stat;
     if (zip_stat_index(zip, i, ZIP_FL_ENC_RAW, &stat) != 0 || (stat.valid & kNeeded) != kNeeded)
-      return base::malformed("PK3: entry {} of the directory cannot be read", i);
+      return base::malformed("PK3: entry {} of the directory is unreadable", i);
     const std::string_view name = stat.name;
     if (name.ends_with('/')) continue;  // a folder
     TRY_STATUS(check_entry(stat, archive_bytes));
@@ -117,9 +124,10 @@ base::Result<std::vector<Pk3Entry>> read_directory(zip_t* zip, std::size_t archi
   return entries;
 }
 
+// Adds one file to a new archive. libzip reads file.data only when the archive is closed.
 base::Status add_file(zip_t* zip, const ArchiveFile& file) {
   if (!is_contained_name(file.name))
-    return base::error(ErrorCode::kUsage, "PK3: \"{}\" cannot name a file in an archive",
+    return base::error(ErrorCode::kUsage, "PK3: \"{}\" is not a valid name for a file in an archive",
                        base::printable(file.name));
   const auto failed = [&] {
     return base::error(ErrorCode::kUsage, "PK3: \"{}\": {}", base::printable(file.name), zip_strerror(zip));
@@ -128,7 +136,7 @@ base::Status add_file(zip_t* zip, const ArchiveFile& file) {
   if (!source) return failed();
   const zip_int64_t index = zip_file_add(zip, file.name.c_str(), source.get(), 0);
   if (index < 0) return failed();
-  (void)source.release();  // the archive's now
+  (void)source.release();  // now owned by the archive
   const auto position = static_cast<zip_uint64_t>(index);
   if (zip_set_file_compression(zip, position, ZIP_CM_DEFLATE, 0) != 0 ||
       zip_file_set_dostime(zip, position, 0, kDosDate1980, 0) != 0)
@@ -136,6 +144,7 @@ base::Status add_file(zip_t* zip, const ArchiveFile& file) {
   return base::Ok{};
 }
 
+// Copies the archive that libzip has written to memory.
 base::Result<base::ByteVector> read_source(zip_source_t* source) {
   const auto failed = [&] {
     return base::error(ErrorCode::kIo, "PK3: {}", zip_error_strerror(zip_source_error(source)));
@@ -170,7 +179,7 @@ base::Result<base::ByteVector> Pk3::read(std::size_t position) const {
   const std::scoped_lock lock(zip_->mutex);
   const FileHandle file(zip_fopen_index(zip_->handle.get(), entry.zip_index, 0));
   if (!file) return base::malformed("PK3: \"{}\": {}", name, zip_strerror(zip_->handle.get()));
-  // One byte more than stated: reaching the end is what makes libzip compare the checksum.
+  // Request one byte more than declared: libzip verifies the checksum only at the end of the data.
   base::ByteVector bytes(entry.size + 1);
   std::size_t size = 0;
   while (size < bytes.size()) {
@@ -181,7 +190,7 @@ base::Result<base::ByteVector> Pk3::read(std::size_t position) const {
     size += static_cast<std::size_t>(got);
   }
   if (size != entry.size)
-    return base::malformed("PK3: \"{}\": does not unpack to the {} bytes that its directory states", name,
+    return base::malformed("PK3: \"{}\": does not unpack to the {} bytes that the directory declares", name,
                            entry.size);
   bytes.resize(size);
   return bytes;
@@ -196,7 +205,7 @@ base::Result<Pk3> read_pk3(base::ByteVector bytes, const Pk3Limits& limits) {
   if (!source) return error.to_error(ErrorCode::kIo, "cannot be opened");
   zip->handle.reset(zip_open_from_source(source.get(), ZIP_RDONLY, error.get()));
   if (!zip->handle) return error.to_error(ErrorCode::kMalformed, "the zip directory is damaged");
-  (void)source.release();  // the archive's now
+  (void)source.release();  // now owned by the archive
   TRY(std::vector<Pk3Entry> entries, read_directory(zip->handle.get(), zip->bytes.size(), limits));
   return Pk3(std::move(zip), std::move(entries));
 }
@@ -207,7 +216,7 @@ base::Result<base::ByteVector> write_pk3(std::span<const ArchiveFile> files) {
   const SourceHandle source(zip_source_buffer_create(nullptr, 0, 0, error.get()));
   if (!source) return error.to_error(ErrorCode::kIo, "cannot be created");
   zip_source_keep(
-      source.get());  // one hold for the archive, which drops it when closed; one for reading back
+      source.get());  // one reference for the archive, released when it is closed; one to read the result
   ZipHandle zip(zip_open_from_source(source.get(), ZIP_TRUNCATE, error.get()));
   if (!zip) {
     zip_source_free(source.get());

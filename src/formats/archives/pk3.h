@@ -1,4 +1,11 @@
-// PK3 archives: zip files, as later engines mount them. Stored and deflated entries; no encryption, no zip64.
+// PK3 archives: zip files with another extension, as later engines use them. Supports stored and deflated
+// entries; no encryption, no zip64. Built on libzip, with our own limits against zip bombs and damaged
+// directories:
+//
+//   | local header, packed data | local header, packed data | ... | central directory | end record |
+//
+// Reading starts at the end record, which has the place of the central directory. The whole archive stays in
+// memory; entries are unpacked when they are read.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +21,30 @@
 
 namespace temblor::formats {
 
+// Limits against archives that unpack to far more than they contain.
 struct Pk3Limits {
-  std::uint64_t unpacked_bytes = std::uint64_t{1} << 30;  // of all entries together
+  std::uint64_t unpacked_bytes = std::uint64_t{1} << 30;  // limit for all entries together
 };
 
+// A file in the archive.
 struct Pk3Entry {
   std::string name;             // as stored; is_contained_name()
-  std::uint64_t size = 0;       // bytes, unpacked, as the archive states it
-  std::uint64_t zip_index = 0;  // its place in the zip's directory, which also lists folders
+  std::uint64_t size = 0;       // unpacked bytes, as declared in the archive
+  std::uint64_t zip_index = 0;  // index in the zip directory, which also lists folders
 };
 
-// An open archive: holds the packed bytes and unpacks an entry when it is asked for.
+// An open archive. Owns the packed bytes, and unpacks entries on demand.
 class Pk3 {
  public:
   Pk3(Pk3&&) noexcept;
   Pk3& operator=(Pk3&&) noexcept;
   ~Pk3();
 
-  // Files in the order of the zip's directory, without its folders. Names may repeat (the last one counts).
+  // Files in the order of the zip directory, without folders. Names may repeat; the last one counts.
   std::span<const Pk3Entry> entries() const { return entries_; }
 
-  // Unpacks entries()[position]. CHECKs the position. An error when the data is damaged, or is not as long as
-  // the archive states. May be called from several threads.
+  // Unpacks entries()[position]; CHECKs the position. Returns kMalformed if the data is damaged or its size
+  // differs from the directory. Thread-safe.
   base::Result<base::ByteVector> read(std::size_t position) const;
 
  private:
@@ -47,13 +56,13 @@ class Pk3 {
   std::vector<Pk3Entry> entries_;
 };
 
-// Takes the archive over and checks its directory: kUnsupported for encryption, a packing method other than
-// store and deflate, or zip64; kTooLarge over a limit; kMalformed for a name that leads outside or a size
-// that its packed bytes cannot give.
+// Opens an archive and checks its directory. Returns kUnsupported for encryption, zip64, and compression
+// methods other than deflate; kTooLarge above a limit; kMalformed for a name that leaves the folder, or an
+// impossible size.
 base::Result<Pk3> read_pk3(base::ByteVector bytes, const Pk3Limits& limits = {});
 
-// Deflates the files in the order given; the same files give the same bytes (entries carry the zip epoch,
-// 1980, as their date). Names must be is_contained_name() and differ.
+// Packs files in the given order. The result is reproducible: all entries have the date 1980-01-01. Names
+// must be unique and satisfy is_contained_name(), or it returns kUsage.
 base::Result<base::ByteVector> write_pk3(std::span<const ArchiveFile> files);
 
 }  // namespace temblor::formats

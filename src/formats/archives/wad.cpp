@@ -8,10 +8,11 @@ namespace temblor::formats {
 namespace {
 
 constexpr std::string_view kWadMagic = "WAD2";
-constexpr std::string_view kMagic3 = "WAD3";
+constexpr std::string_view kWad3Magic = "WAD3";
 constexpr std::size_t kWadHeaderBytes = 12;
 constexpr std::size_t kRecordBytes = 32;
 
+// Reads the table entry of lump `number`; its data must be inside of `wad`.
 base::Result<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad, std::size_t number) {
   const std::int32_t offset = io_reader.i32();
   const std::int32_t stored_size = io_reader.i32();
@@ -24,10 +25,11 @@ base::Result<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad, 
     return base::error(base::ErrorCode::kUnsupported, "WAD lump {} \"{}\": compression {} is not supported",
                        number, base::printable(name), compression);
   if (stored_size != size)
-    return base::malformed("WAD lump {} \"{}\": {} bytes stored for {}, yet not compressed", number,
-                           base::printable(name), stored_size, size);
+    return base::malformed(
+        "WAD lump {} \"{}\": stored size {} differs from size {}, although it is not compressed", number,
+        base::printable(name), stored_size, size);
   if (offset < 0 || size < 0 || std::uint64_t(offset) + std::uint64_t(size) > wad.size())
-    return base::malformed("WAD lump {} \"{}\": offset {} and {} bytes lie outside the file ({} bytes)",
+    return base::malformed("WAD lump {} \"{}\": offset {} and {} bytes are outside of the file ({} bytes)",
                            number, base::printable(name), offset, size, wad.size());
   return WadLump{std::move(name), type, wad.subspan(std::size_t(offset), std::size_t(size))};
 }
@@ -40,12 +42,12 @@ base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
   const std::int32_t count = reader.i32();
   const std::int32_t table_offset = reader.i32();
   if (!reader.ok())
-    return base::malformed("a WAD's header has {} bytes, this has {}", kWadHeaderBytes, bytes.size());
-  if (magic != kWadMagic && magic != kMagic3)
-    return base::malformed("not a WAD: it starts neither with \"WAD2\" nor with \"WAD3\"");
+    return base::malformed("WAD header needs {} bytes, the file has {}", kWadHeaderBytes, bytes.size());
+  if (magic != kWadMagic && magic != kWad3Magic)
+    return base::malformed("not a WAD file: it starts with neither \"WAD2\" nor \"WAD3\"");
   if (count < 0 || table_offset < 0 ||
       std::uint64_t(table_offset) + std::uint64_t(count) * kRecordBytes > bytes.size())
-    return base::malformed("WAD table: {} lumps at offset {} lie outside the file ({} bytes)", count,
+    return base::malformed("WAD table: {} lumps at offset {} are outside of the file ({} bytes)", count,
                            table_offset, bytes.size());
   reader.seek(std::size_t(table_offset));
   std::vector<WadLump> lumps;
@@ -58,19 +60,20 @@ base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
 }
 
 bool is_wad3(base::Bytes bytes) {
-  return base::as_text(bytes).starts_with(kMagic3);
+  return base::as_text(bytes).starts_with(kWad3Magic);
 }
 
 base::Result<base::ByteVector> write_wad(std::span<const WadLump> lumps) {
   std::uint64_t table_offset = kWadHeaderBytes;
   for (const WadLump& lump : lumps) {
     if (lump.name.size() > kWadNameChars)
-      return base::error(base::ErrorCode::kTooLarge, "\"{}\": a WAD's names have at most {} characters",
+      return base::error(base::ErrorCode::kTooLarge, "\"{}\": WAD names have at most {} characters",
                          lump.name, kWadNameChars);
     table_offset += lump.data.size();
   }
   if (table_offset + lumps.size() * kRecordBytes > std::numeric_limits<std::int32_t>::max())
-    return base::error(base::ErrorCode::kTooLarge, "{} bytes of lumps do not fit a WAD", table_offset);
+    return base::error(base::ErrorCode::kTooLarge, "{} bytes of lumps exceed the size limit of a WAD",
+                       table_offset);
 
   base::ByteWriter writer;
   writer.bytes(base::as_bytes(kWadMagic));

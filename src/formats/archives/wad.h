@@ -1,4 +1,17 @@
-// WAD2 and WAD3 archives: named lumps with a type (gfx.wad, texture WADs; WAD3 is Half-Life's).
+// WAD2 and WAD3 archives: named, typed lumps. gfx.wad has the pictures of the status bar; map editors and
+// compilers take textures from other WADs. WAD3 is Half-Life's variant, whose textures have their own
+// palettes.
+//
+//   header, 12 bytes      0  "WAD2" or "WAD3"
+//                         4  lump count i32
+//                         8  table offset i32    from the start of the file, usually after the lumps
+//   table entry, 32 bytes 0  data offset i32
+//                         4  stored size i32     bytes in the file
+//                         8  size i32            bytes after decompression
+//                        12  type u8             kWadPicture and so on
+//                        13  compression u8      0: none
+//                        14  unused u16
+//                        16  name char[16]       zero-padded
 #pragma once
 
 #include <cstddef>
@@ -15,31 +28,31 @@ namespace temblor::formats {
 
 constexpr std::size_t kWadNameChars = 16;
 
-// The types that stock tools write; a reader keeps any other as it is.
+// Lump types of stock tools. read_wad() accepts all types.
 constexpr std::uint8_t kWadPalette = 64;
 constexpr std::uint8_t kWadPicture = 66;  // picture.h
 constexpr std::uint8_t kWadSound = 67;
-constexpr std::uint8_t kWad3Texture = 67;  // in a WAD3: wad3_texture.h
+constexpr std::uint8_t kWad3Texture = 67;  // in a WAD3 only: wad3_texture.h
 constexpr std::uint8_t kWadTexture = 68;   // wad_texture.h; in gfx.wad also the header-less conchars
 
-// `data` is not owned: it lies in the bytes that the WAD was read from, or that it is written from.
+// `data` is borrowed from the bytes of the WAD.
 struct WadLump {
   std::string name;  // as stored, at most 16 characters
   std::uint8_t type = 0;
   base::Bytes data;
 };
 
-// In file order. Lumps lie inside `bytes`; they may overlap. kUnsupported for a compressed lump (no tool of
-// the time wrote one).
+// Returns the lumps in file order. Lumps are inside of `bytes` and may overlap. Returns kUnsupported for
+// compressed lumps, which no known tool writes.
 base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes);
 
-// By its first four bytes.
+// Checks the first four bytes only.
 bool is_wad3(base::Bytes bytes);
 
-// A WAD2. kTooLarge for a name over 16 characters or for more than 2^31 - 1 bytes.
+// Writes a WAD2. Returns kTooLarge for a name over 16 characters or for more than 2^31 - 1 bytes.
 base::Result<base::ByteVector> write_wad(std::span<const WadLump> lumps);
 
-// The first lump of that name, without regard to case; null when there is none.
+// Returns the first lump with this name, ignoring case, or null.
 const WadLump* find_lump(std::span<const WadLump> lumps, std::string_view name);
 
 }  // namespace temblor::formats

@@ -12,7 +12,7 @@
 namespace temblor::formats {
 namespace {
 
-// Longer than any number of 32 bits with its sign and line end.
+// Longer than any 32-bit number with sign and line end.
 constexpr std::size_t kMaxTrackLine = 16;
 
 }  // namespace
@@ -21,33 +21,33 @@ base::Result<DemReader> DemReader::open(base::Bytes bytes) {
   const std::string_view start = base::as_text(bytes).substr(0, kMaxTrackLine);
   const std::size_t line_end = start.find('\n');
   if (line_end == std::string_view::npos)
-    return base::malformed("not a recording: its first line, a track number, does not end within {} bytes",
-                           kMaxTrackLine);
+    return base::malformed("not a demo: the first line is not a track number within {} bytes", kMaxTrackLine);
   std::string_view line = start.substr(0, line_end);
   if (line.ends_with('\r')) line.remove_suffix(1);
   DemReader recording(bytes);
   const auto [rest, fault] = std::from_chars(line.data(), line.data() + line.size(), recording.forced_track_);
   if (fault != std::errc{} || rest != line.data() + line.size())
-    return base::malformed("not a recording: its first line is \"{}\", not a track number",
-                           base::printable(line));
+    return base::malformed("not a demo: the first line is \"{}\", not a track number", base::printable(line));
   recording.reader_.seek(line_end + 1);
   return recording;
 }
 
+// Reads into a copy of the reader, so that offset() stays at the last complete record. A demo whose end is
+// missing, because the program that recorded it was killed, still plays up to there.
 base::Result<std::optional<DemMessage>> DemReader::next() {
   using Message = std::optional<DemMessage>;
-  if (cut_short_ || reader_.remaining() == 0) return Message{};
+  if (is_truncated_ || reader_.remaining() == 0) return Message{};
   base::ByteReader record = reader_;
   const std::int32_t length = record.i32();
   if (record.ok() && (length < 0 || static_cast<std::size_t>(length) > kMaxDemMessage))
-    return base::malformed("message at offset {}: a length of {} bytes, the limit is {}", reader_.offset(),
+    return base::malformed("message at offset {}: size of {} bytes exceeds the limit of {}", reader_.offset(),
                            length, kMaxDemMessage);
   DemMessage message;
   for (int axis = 0; axis < 3; ++axis) message.view_angles_deg[axis] = record.f32();
   message.offset = record.offset();
   message.message = record.take(static_cast<std::size_t>(length));
   if (!record.ok()) {
-    cut_short_ = true;
+    is_truncated_ = true;
     return Message{};
   }
   for (int axis = 0; axis < 3; ++axis)

@@ -1,5 +1,3 @@
-// Layout, as read off what fteqcc writes: "LNOF", version 1, how many definitions of globals, global words,
-// definitions of fields and statements the program has, then a line for each statement.
 #include "formats/game/lno.h"
 
 #include <array>
@@ -16,16 +14,18 @@ constexpr std::size_t kLnoHeaderBytes = 24, kLineBytes = 4;
 base::Result<std::vector<std::uint32_t>> read_lno(base::Bytes bytes, const Progs& progs) {
   base::ByteReader reader(bytes);
   if (bytes.size() < kLnoHeaderBytes || base::as_text(reader.take(kLnoMagic.size())) != kLnoMagic)
-    return base::malformed("no line numbers: it does not begin with \"{}\" and a header", kLnoMagic);
+    return base::malformed("not a line number file: it does not start with \"{}\" and a header", kLnoMagic);
   if (const std::uint32_t version = reader.u32(); version != kLnoVersion)
-    return base::error(base::ErrorCode::kUnsupported, "version {} of line numbers: only {} is known", version,
-                       kLnoVersion);
+    return base::error(base::ErrorCode::kUnsupported, "line numbers of version {} are not supported, only {}",
+                       version, kLnoVersion);
   for (const std::size_t count :
        {progs.globals.size(), progs.global_words.size(), progs.fields.size(), progs.statements.size()})
     if (const std::uint32_t here = reader.u32(); here != count)
-      return base::malformed("line numbers of another program: {} where this one has {}", here, count);
+      return base::malformed(
+          "line numbers belong to another program: count {}, expected {}; compile the program again", here,
+          count);
   if (reader.remaining() < progs.statements.size() * kLineBytes)
-    return base::malformed("lines of {} statements: {} bytes are missing", progs.statements.size(),
+    return base::malformed("line numbers of {} statements: {} bytes are missing", progs.statements.size(),
                            progs.statements.size() * kLineBytes - reader.remaining());
   std::vector<std::uint32_t> lines(progs.statements.size());
   for (std::uint32_t& line : lines) line = reader.u32();

@@ -1,4 +1,4 @@
-// Layout: quake-facts.md, section 15. Sections may lie anywhere in the file, in any order.
+// Reads and writes progs.dat; progs.h shows the layout.
 #include "formats/game/progs.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr std::size_t kMaxProgsNameChars = 1024;
 constexpr std::uint16_t kSavedBit = 0x8000;
 constexpr std::uint16_t kLastType = static_cast<std::uint16_t>(ProgsType::kPointer);
 
-// Where a section lies and how many entries it has.
+// The place of a section in the file, and its number of entries.
 struct Section {
   std::uint32_t offset = 0, count = 0;
 };
@@ -28,13 +28,15 @@ struct Header {
 
 base::Result<Header> read_header(base::Bytes bytes) {
   if (bytes.size() < kProgsHeaderBytes)
-    return base::malformed("{} bytes: a program's header has {} bytes", bytes.size(), kProgsHeaderBytes);
+    return base::malformed("{} bytes are shorter than the header of {} bytes", bytes.size(),
+                           kProgsHeaderBytes);
   base::ByteReader reader(bytes);
   if (const std::int32_t version = reader.i32(); version != kProgsVersion)
-    return base::error(base::ErrorCode::kUnsupported,
-                       "version {} of compiled QuakeC: only version {} is known (compile it without -Tfte or "
-                       "-Th2)",
-                       version, kProgsVersion);
+    return base::error(
+        base::ErrorCode::kUnsupported,
+        "version {} of compiled QuakeC is not supported, only version {} (compile it without -Tfte or "
+        "-Th2)",
+        version, kProgsVersion);
   Header header;
   header.crc = reader.u32();
   for (Section* section : {&header.statements, &header.globals, &header.fields, &header.functions,
@@ -44,11 +46,12 @@ base::Result<Header> read_header(base::Bytes bytes) {
   }
   header.entity_words = reader.u32();
   if (header.entity_words > kMaxEntityWords)
-    return base::error(base::ErrorCode::kTooLarge, "header: {} words an entity, the limit is {}",
+    return base::error(base::ErrorCode::kTooLarge, "header: {} words per entity exceed the limit of {}",
                        header.entity_words, kMaxEntityWords);
   return header;
 }
 
+// Returns a reader for a section that is inside of the file. `what` names its entries in errors.
 base::Result<base::ByteReader> open_section(base::Bytes bytes, const Section& section,
                                             std::size_t entry_bytes, std::string_view what) {
   const std::uint64_t end = section.offset + std::uint64_t{section.count} * entry_bytes;
@@ -62,33 +65,33 @@ base::Result<std::string> read_strings(base::Bytes bytes, const Section& section
   TRY(base::ByteReader reader, open_section(bytes, section, 1, "characters of strings"));
   std::string strings(base::as_text(reader.take(section.count)));
   if (strings.empty() || strings.front() != '\0' || strings.back() != '\0')
-    return base::malformed("strings at offset {:#x}: they do not begin and end with a zero", section.offset);
+    return base::malformed("strings at offset {:#x}: must begin and end with a zero byte", section.offset);
   return strings;
 }
 
 base::Result<std::vector<std::uint32_t>> read_words(base::Bytes bytes, const Section& section) {
   if (section.count < kReservedGlobalWords)
-    return base::malformed("{} global words: every program has at least {}", section.count,
-                           kReservedGlobalWords);
+    return base::malformed("{} global words, expected at least {}", section.count, kReservedGlobalWords);
   TRY(base::ByteReader reader, open_section(bytes, section, kWordBytes, "global words"));
   std::vector<std::uint32_t> words(section.count);
   for (std::uint32_t& word : words) word = reader.u32();
   return words;
 }
 
-// The name that begins at `offset`. That it ends soon keeps files from being slow to read.
+// Returns the name at `offset`. The length limit keeps hostile files from being slow to read.
 base::Result<std::string_view> name_at(std::string_view strings, std::uint32_t offset) {
   if (offset >= strings.size())
-    return base::malformed("its name or file lies at character {} of {}", offset, strings.size());
+    return base::malformed("the name or file is at character {} of {}", offset, strings.size());
   const std::string_view rest = strings.substr(offset, kMaxProgsNameChars + 1);
   const std::size_t end = rest.find('\0');
   if (end == std::string_view::npos)
-    return base::error(base::ErrorCode::kTooLarge, "its name or file has more than {} characters",
+    return base::error(base::ErrorCode::kTooLarge, "the name or file has more than {} characters",
                        kMaxProgsNameChars);
   return rest.substr(0, end);
 }
 
-base::Error in_entry(std::string_view what, std::size_t number, const base::Error& error) {
+// Adds the entry to an error that describes only the problem.
+base::Error add_entry(std::string_view what, std::size_t number, const base::Error& error) {
   return base::error(error.code, "{} {}: {}", what, number, error.what);
 }
 
@@ -103,7 +106,7 @@ base::Result<std::vector<ProgsStatement>> read_statements(base::Bytes bytes, con
   return statements;
 }
 
-// `words`: how many there are for definitions to lie in.
+// `words`: limit for the offsets of the definitions.
 base::Result<std::vector<ProgsDefinition>> read_definitions(base::Bytes bytes, const Section& section,
                                                             std::string_view what, std::size_t words,
                                                             std::string_view strings) {
@@ -115,39 +118,40 @@ base::Result<std::vector<ProgsDefinition>> read_definitions(base::Bytes bytes, c
     definition.offset = reader.u16();
     definition.name = reader.u32();
     const auto name = name_at(strings, definition.name);
-    if (!name.ok()) return in_entry(what, i, name.error());
+    if (!name.ok()) return add_entry(what, i, name.error());
     if (const std::uint16_t number = type & ~kSavedBit; number > kLastType)
-      return base::malformed("{} {} (\"{}\"): type {}, the last known is {}", what, i, base::quotable(*name),
+      return base::malformed("{} {} (\"{}\"): type {}, expected at most {}", what, i, base::quotable(*name),
                              number, kLastType);
     definition.type = static_cast<ProgsType>(type & ~kSavedBit);
     definition.is_saved = (type & kSavedBit) != 0;
-    if (definition.offset + words_of(definition.type) > words)
-      return base::malformed("{} {} (\"{}\"): it lies at word {} of {}", what, i, base::quotable(*name),
+    if (definition.offset + value_words(definition.type) > words)
+      return base::malformed("{} {} (\"{}\"): the offset is word {} of {}", what, i, base::quotable(*name),
                              definition.offset, words);
   }
   return definitions;
 }
 
-// Of a function that has statements: where it begins, its locals and its parameters.
+// Checks the first statement, the locals, and the parameters of a function with statements.
 base::Status check_body(const ProgsFunction& function, const Progs& progs) {
   const auto first = static_cast<std::size_t>(function.first_statement);
   if (first >= progs.statements.size())
-    return base::malformed("it begins at statement {} of {}", first, progs.statements.size());
+    return base::malformed("starts at statement {} of {}", first, progs.statements.size());
   if (function.parameter_count > kMaxParameters)
-    return base::malformed("{} parameters, the most are {}", function.parameter_count, kMaxParameters);
+    return base::malformed("{} parameters exceed the limit of {}", function.parameter_count, kMaxParameters);
   std::uint64_t parameter_words = 0;
   for (std::int32_t i = 0; i < function.parameter_count; ++i) {
     const std::uint8_t words = function.parameter_words[static_cast<std::size_t>(i)];
-    if (words > 3) return base::malformed("parameter {} has {} words, the most are 3", i, words);
+    if (words > 3) return base::malformed("parameter {} has {} words, expected at most 3", i, words);
     parameter_words += words;
   }
   const std::uint64_t words = std::max<std::uint64_t>(function.local_count, parameter_words);
   if (function.first_local + words > progs.global_words.size())
-    return base::malformed("its {} locals lie at global word {} of {}", words, function.first_local,
+    return base::malformed("its {} locals are at global word {} of {}", words, function.first_local,
                            progs.global_words.size());
   return base::Ok{};
 }
 
+// Built-in functions have no body: compilers leave any values in their other fields.
 base::Status check_function(const ProgsFunction& function, const Progs& progs) {
   TRY(const std::string_view name, name_at(progs.strings, function.name));
   TRY_STATUS(name_at(progs.strings, function.file));
@@ -168,13 +172,13 @@ base::Result<std::vector<ProgsFunction>> read_functions(base::Bytes bytes, const
     function.first_statement = reader.i32();
     function.first_local = reader.u32();
     function.local_count = reader.u32();
-    reader.u32();  // room for a profile, in memory
+    reader.u32();  // profile counter of the original engine, used only in memory
     function.name = reader.u32();
     function.file = reader.u32();
     function.parameter_count = reader.i32();
     for (std::uint8_t& words : function.parameter_words) words = reader.u8();
     if (const auto status = check_function(function, progs); !status.ok())
-      return in_entry("function", i, status.error());
+      return add_entry("function", i, status.error());
   }
   return functions;
 }
@@ -210,6 +214,7 @@ void write_header(base::ByteWriter& io_writer, const Progs& progs) {
     io_writer.u32(static_cast<std::uint32_t>(count));
     offset += count * entry_bytes;
   };
+  // In this order, the sections follow the header without gaps.
   section(progs.statements.size(), kStatementBytes);
   section(progs.globals.size(), kDefinitionBytes);
   section(progs.fields.size(), kDefinitionBytes);

@@ -1,5 +1,24 @@
-// Compiled QuakeC (progs.dat), version 6: bytes to structs and back. What the numbers mean is the business of
-// vm; here they are only inside their bounds.
+// Compiled QuakeC (progs.dat), version 6: converts between bytes and structs, and validates all indices.
+// src/vm defines the meaning of the statements. Sections may be anywhere in the file:
+//
+//   header, 60 bytes       0  version i32            6
+//                          4  crc i32                of the system definitions (progdefs.h of the original)
+//                          8  statements             each section: offset in the file i32, count i32
+//                         16  global definitions
+//                         24  field definitions
+//                         32  functions
+//                         40  strings                count in bytes
+//                         48  global words           initial values, 4 bytes each
+//                         56  entity words i32       size of an entity's fields
+//   statement, 8 bytes     0  op u16 | 2 a u16 | 4 b u16 | 6 c u16
+//   definition, 8 bytes    0  type u16 (bit 15: saved) | 2 offset u16 | 4 name i32
+//   function, 36 bytes     0  first statement i32    negative: built-in function
+//                          4  first local i32        a global word
+//                          8  number of locals i32   words, including parameters
+//                         12  profile i32            only used in memory
+//                         16  name i32, 20 file i32  into the strings
+//                         24  parameter count i32
+//                         28  parameter words u8[8]
 #pragma once
 
 #include <array>
@@ -13,77 +32,81 @@
 
 namespace temblor::formats {
 
-// Of a definition and of its value.
+// Type of a definition and its value.
 enum class ProgsType : std::uint8_t {
   kVoid = 0,
   kString = 1,
   kFloat = 2,
-  kVector = 3,  // three words
+  kVector = 3,  // three 32-bit words
   kEntity = 4,
   kField = 5,
   kFunction = 6,
   kPointer = 7,
 };
 
-// Operands are word offsets among the globals, or, of jumps, statements to go on (signed).
+// One statement. Operands are word offsets into the globals; for jumps, signed distances in statements.
 struct ProgsStatement {
   std::uint16_t op = 0;
   std::array<std::uint16_t, 3> operands{};
   bool operator==(const ProgsStatement&) const = default;
 };
 
-// A named global, or a field of entities.
+// A named global, or a field of an entity.
 struct ProgsDefinition {
   ProgsType type = ProgsType::kVoid;
-  bool is_saved = false;
+  bool is_saved = false;     // the value of a global is part of saved games
   std::uint16_t offset = 0;  // in words: among the globals, or in an entity
   std::uint32_t name = 0;    // into strings
   bool operator==(const ProgsDefinition&) const = default;
 };
 
+// A QuakeC function, or a built-in function of the engine.
 struct ProgsFunction {
-  std::int32_t first_statement = 0;  // negative: built-in function -first_statement
-  std::uint32_t first_local = 0;     // global words; the parameters are the first of them
+  // Negative: built-in function number -first_statement. 0: a built-in function that is found by its name.
+  std::int32_t first_statement = 0;
+  std::uint32_t first_local = 0;  // global word of the first local; parameters come first
   std::uint32_t local_count = 0;
   std::uint32_t name = 0, file = 0;               // into strings
-  std::int32_t parameter_count = 0;               // at most 8; below 0: as many as the caller likes
-  std::array<std::uint8_t, 8> parameter_words{};  // of each: 1 or 3
+  std::int32_t parameter_count = 0;               // at most 8; negative: variadic
+  std::array<std::uint8_t, 8> parameter_words{};  // size of each: 1 or 3
   bool operator==(const ProgsFunction&) const = default;
 };
 
+// A whole program.
 struct Progs {
-  std::uint32_t crc = 0;  // of the system definitions that it was compiled with: 5927 for Quake's
+  std::uint32_t crc = 0;  // of the system definitions; kQuakeProgsCrc for Quake
   std::vector<ProgsStatement> statements;
   std::vector<ProgsDefinition> globals, fields;
-  std::vector<ProgsFunction> functions;  // [0] stands for no function
-  std::string strings;                   // all of them, each with a zero behind it; begins with the empty one
+  std::vector<ProgsFunction> functions;  // [0] is the null function
+  std::string strings;                   // zero-terminated, back to back; the first is empty
   std::vector<std::uint32_t> global_words;
-  std::uint32_t entity_words = 0;  // words that an entity has
+  std::uint32_t entity_words = 0;  // size of an entity's fields
 
-  // Valid offsets only.
+  // Returns the string at `offset`, which must be valid.
   std::string_view string_at(std::uint32_t offset) const { return strings.data() + offset; }
   bool operator==(const Progs&) const = default;
 };
 
 constexpr std::int32_t kProgsVersion = 6;
-constexpr std::uint32_t kReservedGlobalWords = 28;  // nothing, the returned value and eight parameters
-constexpr std::uint32_t kMaxEntityWords = 1 << 16;  // all that a field's 16 bits can name
+constexpr std::uint32_t kReservedGlobalWords = 28;  // null, return value, eight parameters
+constexpr std::uint32_t kMaxEntityWords = 1 << 16;  // limit of 16-bit field offsets
 constexpr std::int32_t kMaxParameters = 8;
+// Of Quake's system globals and fields. Another value means a program for another game.
 constexpr std::uint32_t kQuakeProgsCrc = 5927;
 
-// Words that a value of that type takes.
-constexpr std::uint32_t words_of(ProgsType type) {
+// Size of a value in words.
+constexpr std::uint32_t value_words(ProgsType type) {
   return type == ProgsType::kVoid ? 0 : type == ProgsType::kVector ? 3 : 1;
 }
 
-// Of a Progs that was read: at least one statement, function and the 28 reserved global words; every name and
-// file is a string of `strings`, at most 1024 characters long; these begin and end with a zero; definitions
-// and locals lie inside the globals or the entity; functions that have statements begin inside them and take
-// at most 8 parameters. kUnsupported for other versions (7 and up: fteqcc's own), with what to do about it.
-// Operations and operands of statements are anything.
+// Reads and validates a program. Guarantees: at least one statement, one function, and the 28 reserved global
+// words; names and files are valid strings of at most 1024 characters; `strings` begins and ends with a zero;
+// definitions and locals are inside of the globals or the entity; functions with statements start inside of
+// the statements and have at most 8 parameters. Opcodes and operands are not checked. Returns kUnsupported
+// for other versions (7 is fteqcc's extended format), with advice.
 base::Result<Progs> read_progs(base::Bytes bytes);
 
-// CHECKs nothing: what is written is what is there.
+// Writes a program without validation.
 base::ByteVector write_progs(const Progs& progs);
 
 }  // namespace temblor::formats

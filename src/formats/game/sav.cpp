@@ -14,6 +14,7 @@ constexpr std::string_view kSavVersion = "5";
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr float kMaxSkill = 3;
 
+// Reads lines, then blocks, and counts the lines for errors.
 class SavReader {
  public:
   explicit SavReader(std::string_view text) : rest_(text) {}
@@ -25,9 +26,9 @@ class SavReader {
     return base::malformed("line {}: {}", line_, fmt::format(format, std::forward<Args>(args)...));
   }
 
-  // A whole line without its end, or nothing at the end of the text.
+  // Reads a line without its end. `what` names it in errors.
   base::Result<std::string_view> whole_line(std::string_view what) {
-    if (rest_.empty()) return error("the file ends where {} should stand", what);
+    if (rest_.empty()) return error("the file ends, expected {}", what);
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
     std::string_view text = rest_.substr(0, end);
     skip(std::min(end + 1, rest_.size()));
@@ -42,16 +43,15 @@ class SavReader {
     float value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-      return base::malformed("line {}: {} should be a number, not \"{}\"", line_ - 1, what,
-                             text.substr(0, 40));
+      return base::malformed("line {}: {} must be a number, not \"{}\"", line_ - 1, what, text.substr(0, 40));
     return value;
   }
 
-  // { "name" "value" ... }; nothing at the end of the text.
+  // Reads a block { "name" "value" ... }; nullopt at the end of the text.
   base::Result<std::optional<SavPairs>> block() {
     skip_blanks();
     if (rest_.empty()) return std::optional<SavPairs>{};
-    if (rest_.front() != '{') return error("{{ should begin the next block, not \"{}\"", rest_.substr(0, 20));
+    if (rest_.front() != '{') return error("{{ expected at the next block, not \"{}\"", rest_.substr(0, 20));
     skip(1);
     SavPairs pairs;
     while (true) {
@@ -82,7 +82,7 @@ class SavReader {
   base::Result<std::string> quoted(std::string_view what) {
     if (rest_.empty()) return error("the file ends in the middle of a block");
     const std::size_t end = rest_.front() == '"' ? rest_.find('"', 1) : std::string_view::npos;
-    if (end == std::string_view::npos) return error("{} should stand here in quotes", what);
+    if (end == std::string_view::npos) return error("{} expected in quotes", what);
     std::string text(rest_.substr(1, end - 1));
     skip(end + 1);
     return text;
@@ -92,22 +92,24 @@ class SavReader {
   std::size_t line_ = 1;
 };
 
-std::string with_other_blanks(std::string_view text, char from, char to) {
+std::string replace_chars(std::string_view text, char from, char to) {
   std::string result(text);
   std::replace(result.begin(), result.end(), from, to);
   return result;
 }
 
+// A line end in a value would shift all following lines.
 base::Status check_line(std::string_view what, std::string_view text) {
   if (text.find_first_of("\n\r") == std::string_view::npos) return base::Ok{};
-  return base::error(base::ErrorCode::kUsage, "{} holds the end of a line", what);
+  return base::error(base::ErrorCode::kUsage, "{} contains a line end", what);
 }
 
+// The format has no escapes, so values with quotes cannot be stored.
 base::Status append_block(const SavPairs& pairs, std::string& io_text) {
   io_text += "{\n";
   for (const auto& [name, value] : pairs) {
     if (name.find('"') != std::string::npos || value.find('"') != std::string::npos)
-      return base::error(base::ErrorCode::kUsage, "the value of \"{}\" holds quotes", name);
+      return base::error(base::ErrorCode::kUsage, "the value of \"{}\" contains quotes", name);
     io_text += fmt::format("\"{}\" \"{}\"\n", name, value);
   }
   io_text += "}\n";
@@ -120,13 +122,12 @@ base::Result<Sav> read_sav(std::string_view text) {
   SavReader reader(text.substr(0, text.find('\0')));
   TRY(const std::string_view version, reader.whole_line("the version"));
   if (version != kSavVersion)
-    return base::error(base::ErrorCode::kUnsupported,
-                       "is not a saved game of version {}: it begins with \"{}\"", kSavVersion,
-                       version.substr(0, 20));
+    return base::error(base::ErrorCode::kUnsupported, "not a saved game of version {}: it starts with \"{}\"",
+                       kSavVersion, version.substr(0, 20));
   Sav sav;
   TRY(const std::string_view comment, reader.whole_line("the comment"));
-  sav.comment = with_other_blanks(comment, '_', ' ');
-  while (sav.comment.ends_with(' ')) sav.comment.pop_back();  // it is filled up to its full length
+  sav.comment = replace_chars(comment, '_', ' ');
+  while (sav.comment.ends_with(' ')) sav.comment.pop_back();  // the file pads it to its full length
   for (float& parameter : sav.spawn_parameters) {
     TRY(parameter, reader.number("a spawn parameter"));
   }
@@ -156,7 +157,7 @@ base::Result<std::string> write_sav(const Sav& sav) {
   TRY_STATUS(check_line("the level's name", sav.map));
   std::string text =
       fmt::format("{}\n{:_<{}}\n", kSavVersion,
-                  with_other_blanks(sav.comment, ' ', '_').substr(0, kSavCommentChars), kSavCommentChars);
+                  replace_chars(sav.comment, ' ', '_').substr(0, kSavCommentChars), kSavCommentChars);
   for (const float parameter : sav.spawn_parameters) text += fmt::format("{:.9g}\n", parameter);
   text += fmt::format("{}\n{}\n{:.9g}\n", sav.skill, sav.map, sav.time_s);
   for (const std::string& style : sav.light_styles) {

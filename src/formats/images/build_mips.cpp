@@ -9,19 +9,19 @@ namespace temblor::formats {
 namespace {
 
 constexpr std::int32_t kMaxLight = 255 * 255;
-// What a texel hands on at most. Full-bright texels can lie outside what dull colors mix to; what they leave
-// over must not pile up into a smear.
+// Limit of the diffused error. Dull colors cannot represent every mean with fullbright texels; the error
+// would accumulate into a smear.
 constexpr std::int32_t kMaxError = kMaxLight;
 
-// Red, green and blue, each squared.
+// Linear light: red, green, and blue, squared.
 using Light = std::array<std::int32_t, 3>;
 
-Light light_of(Rgb color) {
+Light to_light(Rgb color) {
   return {color.r * color.r, color.g * color.g, color.b * color.b};
 }
 
-// The nearest that can be shown.
-Rgb color_of(const Light& light) {
+// The inverse of to_light(), clamped to the displayable range.
+Rgb to_color(const Light& light) {
   const auto channel = [](std::int32_t squared) {
     const auto shown = static_cast<double>(std::clamp(squared, 0, kMaxLight));
     return static_cast<std::uint8_t>(std::lround(std::sqrt(shown)));
@@ -29,8 +29,8 @@ Rgb color_of(const Light& light) {
   return {channel(light[0]), channel(light[1]), channel(light[2])};
 }
 
-// A mip level before and after it was given to the palette: the next one takes its colors from the first, so
-// that dithering is not averaged, and its holes and full-bright places from the second.
+// A mip level before and after mapping to the palette. The next level averages the exact colors, so that it
+// does not average dithering, and takes holes and fullbright texels from the mapped indices.
 struct Level {
   std::uint32_t width, height;
   std::vector<Light> lights;
@@ -44,7 +44,8 @@ struct Texel {
   TexelKind kind = TexelKind::kHole;
 };
 
-Texel mean_of_four(const Level& above, std::uint32_t x, std::uint32_t y, bool has_holes) {
+// Averages the texels of the level above that are not transparent, and votes on the kind of the result.
+Texel average_four(const Level& above, std::uint32_t x, std::uint32_t y, bool has_holes) {
   Light sum{};
   std::int32_t seen = 0, bright = 0;
   for (const std::uint32_t row : {2 * y, 2 * y + 1})
@@ -65,8 +66,8 @@ Texel mean_of_four(const Level& above, std::uint32_t x, std::uint32_t y, bool ha
   return texel;
 }
 
-std::uint8_t nearest_index(const MipColors& colors, TexelKind kind, const Light& light) {
-  const Rgb color = color_of(light);
+std::uint8_t find_mip_index(const MipColors& colors, TexelKind kind, const Light& light) {
+  const Rgb color = to_color(light);
   switch (kind) {
     case TexelKind::kDull:
       return colors.dull.find(color);
@@ -80,12 +81,18 @@ std::uint8_t nearest_index(const MipColors& colors, TexelKind kind, const Light&
   return kTransparentIndex;
 }
 
-// The errors that a row of texels was handed, in sixteenths.
+// Diffused errors of a row of texels, in 16ths.
 using ErrorRow = std::vector<Light>;
 
-// Textures repeat, and what leaves a row at one side comes in at the other, a row further down: small levels
-// would lose much of it at their rims.
-void hand_on(const Light& error, std::size_t x, ErrorRow& io_row, ErrorRow& io_below) {
+// Adds the error of a texel to its neighbors that are not mapped yet, with the weights of Floyd and
+// Steinberg:
+//
+//         *   7/16
+//   3/16 5/16 1/16
+//
+// Textures repeat, so errors that leave a row on one side enter on the other side; small levels would lose a
+// large part of the error otherwise.
+void diffuse_error(const Light& error, std::size_t x, ErrorRow& io_row, ErrorRow& io_below) {
   const std::size_t width = io_row.size();
   const std::size_t left = x == 0 ? width - 1 : x - 1;
   const bool is_last = x + 1 == width;
@@ -100,7 +107,8 @@ void hand_on(const Light& error, std::size_t x, ErrorRow& io_row, ErrorRow& io_b
   }
 }
 
-Level halved(const Level& above, bool has_holes, const MipColors& colors) {
+// Computes the next smaller mip level.
+Level halve(const Level& above, bool has_holes, const MipColors& colors) {
   Level level{above.width / 2, above.height / 2, {}, {}};
   level.lights.reserve(std::size_t{level.width} * level.height);
   level.indices.reserve(level.lights.capacity());
@@ -109,15 +117,15 @@ Level halved(const Level& above, bool has_holes, const MipColors& colors) {
     std::swap(row, below);
     std::ranges::fill(below, Light{});
     for (std::uint32_t x = 0; x < level.width; ++x) {
-      const Texel texel = mean_of_four(above, x, y, has_holes);
+      const Texel texel = average_four(above, x, y, has_holes);
       level.lights.push_back(texel.light);
       Light wanted = texel.light;
       for (std::size_t c = 0; c < wanted.size(); ++c) wanted[c] += row[x][c] / 16;
-      const std::uint8_t index = nearest_index(colors, texel.kind, wanted);
+      const std::uint8_t index = find_mip_index(colors, texel.kind, wanted);
       level.indices.push_back(index);
       if (texel.kind == TexelKind::kHole) continue;
-      const Light got = light_of(colors.palette[index]);
-      hand_on({wanted[0] - got[0], wanted[1] - got[1], wanted[2] - got[2]}, x, row, below);
+      const Light got = to_light(colors.palette[index]);
+      diffuse_error({wanted[0] - got[0], wanted[1] - got[1], wanted[2] - got[2]}, x, row, below);
     }
   }
   return level;
@@ -131,10 +139,10 @@ std::array<std::vector<std::uint8_t>, 4> build_mips(std::vector<std::uint8_t> mi
   CHECK(mip0.size() == std::size_t{width} * height, "{} texels for {} x {}", mip0.size(), width, height);
   Level level{width, height, {}, std::move(mip0)};
   level.lights.reserve(level.indices.size());
-  for (const std::uint8_t index : level.indices) level.lights.push_back(light_of(colors.palette[index]));
+  for (const std::uint8_t index : level.indices) level.lights.push_back(to_light(colors.palette[index]));
   std::array<std::vector<std::uint8_t>, 4> mips;
   for (std::size_t k = 0; k + 1 < mips.size(); ++k) {
-    Level next = halved(level, has_holes, colors);
+    Level next = halve(level, has_holes, colors);
     mips[k] = std::move(level.indices);
     level = std::move(next);
   }

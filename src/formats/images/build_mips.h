@@ -1,4 +1,4 @@
-// The smaller mip levels of a texture, made from its largest.
+// Computes the three smaller mip levels of a palette texture from the largest.
 #pragma once
 
 #include <array>
@@ -10,8 +10,9 @@
 
 namespace temblor::formats {
 
-// The palette, and what of it a texel may become. Making one takes some ten milliseconds.
+// A palette with color searches in its parts: dull colors, fullbright colors, and both.
 struct MipColors {
+  // Takes about 10 ms.
   explicit MipColors(const Palette& game_palette)
       : palette(game_palette),
         dull(palette, 0, kFirstFullbright),
@@ -22,22 +23,22 @@ struct MipColors {
   NearestColor dull, bright, any;
 };
 
-// Each texel is the mean of the four below it, given to the palette by error diffusion (Floyd and Steinberg,
-// "An Adaptive Algorithm for Spatial Grayscale", 1976), row by row from the left.
+// Each texel is the mean of four texels of the level below, mapped to the palette with error diffusion (Floyd
+// and Steinberg, "An Adaptive Algorithm for Spatial Grayscale", 1976), row by row from the left.
 //
-// The mean is taken of light, not of the palette's numbers, because that is what the eye does with texels too
-// small to be told apart: so a wall keeps its brightness where one mip level gives way to the next. A
-// channel's light is taken as its square, close to what displays do (2.2) and exact on every machine.
+// The mean is computed in linear light, not in palette values, so that a wall keeps its brightness where the
+// mip level changes. Linear light is the square of a channel: close to the gamma of displays (2.2), and exact
+// on every machine.
 //
-// A level's mean light, as a color, stays within 2 + 48 / (its shorter side) of 255 of the largest level's,
-// where neither has holes or full-bright texels.
+// The mean color of a level differs from that of the largest level by at most 2 + 48 / (shorter side) of 255,
+// if the texture has no holes and no fullbright texels.
 //
-// A texel is full-bright only where at least half of its four are (then chosen among all colors; where all
-// four are, among the full-bright alone), never because the mean happens to lie near a full-bright color.
+// A texel may become fullbright only if at least half of its four texels are; if all four are, it must. So
+// the mean never becomes fullbright just because it is near a fullbright color.
 //
-// `mip0` has width * height indices. With holes, index 255 is transparent, and a texel is where at least
-// three of its four are; otherwise 255 is a full-bright color, which is never chosen. Level k is (width >>
-// k) x (height >> k).
+// `mip0`: width * height indices (CHECKed). With has_holes, index 255 is transparent, and a texel becomes
+// transparent if at least three of its four are; otherwise 255 is an ordinary color that is never chosen.
+// Level k has (width >> k) x (height >> k) texels.
 std::array<std::vector<std::uint8_t>, 4> build_mips(std::vector<std::uint8_t> mip0, std::uint32_t width,
                                                     std::uint32_t height, bool has_holes,
                                                     const MipColors& colors);

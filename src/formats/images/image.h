@@ -1,4 +1,4 @@
-// True-color pictures from files: skyboxes.
+// True-color images from files, for sky boxes: TGA, the format of most mods, and PNG.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,12 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-// Color-mapped, true-color and gray, 8 to 32 bits, run-length coded or not, from either corner.
+// Reads color-mapped, true-color, and gray TGA files of 8 to 32 bits, with or without run-length encoding.
+// image_tga.cpp shows the layout.
 base::Result<Image> read_tga(base::Bytes bytes);
-// 32 bits, uncoded.
+// Writes 32 bits per pixel, without compression.
 base::ByteVector write_tga(const Image& image);
-// Any PNG.
+// Reads any PNG. Both readers return kMalformed, kUnsupported, or kTooLarge with the reason.
 base::Result<Image> read_png(base::Bytes bytes);
 
 }  // namespace temblor::formats

@@ -1,4 +1,18 @@
-// TGA, as the Truevision specification of 1991 has it, without interleaved rows, which nobody wrote.
+// TGA after the Truevision specification of 1991, without interleaved rows, which no known tool writes.
+//
+//   header, 18 bytes    0  id size u8             bytes after the header, skipped
+//                       1  has color map u8
+//                       2  type u8                1 color-mapped, 2 true-color, 3 gray; +8: run-length coded
+//                       3  color map: first entry u16, number of entries u16, bits of an entry u8
+//                       8  position on a screen u16 x2
+//                      12  width u16, height u16
+//                      16  bits of a pixel u8
+//                      17  descriptor u8          bits 0-3 alpha bits, 4 right to left, 5 top to bottom, 6-7
+//                                                 interleaving
+//   id | color map | pixels
+//
+// Coded pixels are packets: a byte with the number of pixels - 1 in its low 7 bits, then one pixel that
+// repeats if bit 7 is set, otherwise as many pixels as the number says.
 #include <algorithm>
 #include <span>
 
@@ -11,7 +25,7 @@ namespace {
 using base::ErrorCode;
 
 constexpr std::size_t kTgaHeaderBytes = 18;
-constexpr std::uint8_t kRunLengthCoded = 8;  // added to an image type
+constexpr std::uint8_t kRunLengthCoded = 8;  // flag of the image type
 constexpr std::uint8_t kAlphaBits = 0x0f, kRightToLeft = 0x10, kTopToBottom = 0x20, kInterleaved = 0xc0;
 constexpr std::size_t kMaxPacketPixels = 128;
 
@@ -32,7 +46,7 @@ struct TgaHeader {
   std::size_t map_bytes() const { return map_entries * ((map_bits + 7u) / 8); }
 };
 
-std::uint32_t argb(std::uint32_t a, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+std::uint32_t pack_argb(std::uint32_t a, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
   return a << 24 | r << 16 | g << 8 | b;
 }
 
@@ -44,26 +58,26 @@ bool are_pixel_bits(Colors colors, std::uint8_t bits) {
   return colors == Colors::kTrue ? are_color_bits(bits) : bits == 8 || bits == 16;
 }
 
-// One pixel or entry of the map. In 16 bits the top one is alpha, if the file says that it has any.
+// Converts a pixel or color map entry. In 16 bits the top bit is alpha, if the header declares alpha.
 std::uint32_t read_color(base::ByteReader& io_reader, std::uint8_t bits, bool has_alpha) {
   if (bits <= 16) {
     const std::uint32_t value = io_reader.u16();
     const auto channel = [&](std::uint32_t shift) { return ((value >> shift & 31) * 255 + 15) / 31; };
     const bool transparent = bits == 16 && has_alpha && (value & 0x8000) == 0;
-    return argb(transparent ? 0 : 255, channel(10), channel(5), channel(0));
+    return pack_argb(transparent ? 0 : 255, channel(10), channel(5), channel(0));
   }
   const std::uint32_t b = io_reader.u8(), g = io_reader.u8(), r = io_reader.u8();
-  return argb(bits == 32 ? io_reader.u8() : 255u, r, g, b);
+  return pack_argb(bits == 32 ? io_reader.u8() : 255u, r, g, b);
 }
 
 std::uint32_t read_gray(base::ByteReader& io_reader, std::uint8_t bits) {
   const std::uint32_t level = io_reader.u8();
-  return argb(bits == 16 ? io_reader.u8() : 255u, level, level, level);
+  return pack_argb(bits == 16 ? io_reader.u8() : 255u, level, level, level);
 }
 
 base::Result<TgaHeader> read_header(base::ByteReader& io_reader) {
   if (io_reader.remaining() < kTgaHeaderBytes)
-    return base::malformed("a TGA's header has {} bytes, this file {}", kTgaHeaderBytes,
+    return base::malformed("TGA header needs {} bytes, the file has {}", kTgaHeaderBytes,
                            io_reader.remaining());
   TgaHeader header;
   header.id_bytes = io_reader.u8();
@@ -74,15 +88,16 @@ base::Result<TgaHeader> read_header(base::ByteReader& io_reader) {
   header.map_first = io_reader.u16();
   header.map_entries = io_reader.u16();
   header.map_bits = io_reader.u8();
-  io_reader.take(4);  // where on a screen it should stand
+  io_reader.take(4);  // position on a screen
   header.width = io_reader.u16();
   header.height = io_reader.u16();
   header.pixel_bits = io_reader.u8();
   header.descriptor = io_reader.u8();
   if (header.colors < Colors::kMapped || header.colors > Colors::kGray)
-    return base::error(ErrorCode::kUnsupported, "TGA of unknown type {} (known: 1, 2, 3, 9, 10, 11)", type);
+    return base::error(ErrorCode::kUnsupported, "TGA of unknown type {} (supported: 1, 2, 3, 9, 10, 11)",
+                       type);
   if (!are_pixel_bits(header.colors, header.pixel_bits))
-    return base::error(ErrorCode::kUnsupported, "TGA of type {} with {} bits a pixel", type,
+    return base::error(ErrorCode::kUnsupported, "TGA of type {} with {} bits per pixel", type,
                        header.pixel_bits);
   if ((header.descriptor & kInterleaved) != 0)
     return base::error(ErrorCode::kUnsupported, "TGA with interleaved rows");
@@ -93,7 +108,7 @@ base::Result<TgaHeader> read_header(base::ByteReader& io_reader) {
   if (header.colors == Colors::kMapped && !header.has_map)
     return base::malformed("TGA of type {} without a color map", type);
   if (header.has_map && !are_color_bits(header.map_bits))
-    return base::error(ErrorCode::kUnsupported, "TGA with a color map of {} bits an entry", header.map_bits);
+    return base::error(ErrorCode::kUnsupported, "TGA with a color map of {} bits per entry", header.map_bits);
   return header;
 }
 
@@ -105,7 +120,7 @@ base::Result<std::vector<std::uint32_t>> read_map(base::ByteReader& io_reader, c
   std::vector<std::uint32_t> map;
   if (!header.has_map) return map;
   if (io_reader.remaining() < header.map_bytes())
-    return base::malformed("TGA: its color map at offset {:#x} needs {} bytes, {} are left",
+    return base::malformed("TGA: the color map at offset {:#x} needs {} bytes, only {} are left",
                            io_reader.offset(), header.map_bytes(), io_reader.remaining());
   map.reserve(header.map_entries);
   for (std::size_t i = 0; i < header.map_entries; ++i)
@@ -113,7 +128,7 @@ base::Result<std::vector<std::uint32_t>> read_map(base::ByteReader& io_reader, c
   return map;
 }
 
-// The next pixel; zero past the end, which the caller asks the reader about.
+// Reads the next pixel. Returns zero past the end; the caller checks the reader.
 base::Result<std::uint32_t> read_pixel(base::ByteReader& io_reader, const TgaHeader& header,
                                        std::span<const std::uint32_t> map) {
   switch (header.colors) {
@@ -133,22 +148,22 @@ base::Result<std::uint32_t> read_pixel(base::ByteReader& io_reader, const TgaHea
   return map[index - header.map_first];
 }
 
-// The fewest bytes that can hold the pixels.
-std::size_t least_bytes(const TgaHeader& header) {
+// Returns the minimum size of the pixel data, so that a short file cannot request a large image.
+std::size_t min_pixel_bytes(const TgaHeader& header) {
   if (!header.coded) return header.pixel_count() * header.pixel_bytes();
   return (header.pixel_count() + kMaxPacketPixels - 1) / kMaxPacketPixels * (1 + header.pixel_bytes());
 }
 
-// In the file's order.
+// Returns the pixels in file order. An image without run-length coding is read as packets of one pixel.
 base::Result<std::vector<std::uint32_t>> read_pixels(base::ByteReader& io_reader, const TgaHeader& header,
                                                      std::span<const std::uint32_t> map) {
   const std::size_t offset = io_reader.offset(), left = io_reader.remaining();
-  const auto cut_short = [&] {
+  const auto truncated = [&] {
     return base::malformed(
-        "TGA of {} x {} pixels: they start at offset {:#x} and do not fit the {} bytes left", header.width,
+        "TGA of {} x {} pixels: data at offset {:#x} does not fit into the remaining {} bytes", header.width,
         header.height, offset, left);
   };
-  if (left < least_bytes(header)) return cut_short();
+  if (left < min_pixel_bytes(header)) return truncated();
   std::vector<std::uint32_t> pixels;
   pixels.reserve(header.pixel_count());
   while (pixels.size() < header.pixel_count()) {
@@ -163,12 +178,13 @@ base::Result<std::vector<std::uint32_t>> read_pixels(base::ByteReader& io_reader
       TRY(const std::uint32_t pixel, read_pixel(io_reader, header, map));
       pixels.insert(pixels.end(), repeated ? count : 1, pixel);
     }
-    if (!io_reader.ok()) return cut_short();
+    if (!io_reader.ok()) return truncated();
   }
   return pixels;
 }
 
-void turn_to_top_left(const TgaHeader& header, std::span<std::uint32_t> io_pixels) {
+// Reorders the pixels to rows from the top, each from the left. Most files are stored bottom to top.
+void flip_to_top_left(const TgaHeader& header, std::span<std::uint32_t> io_pixels) {
   const auto row = [&](std::size_t y) { return io_pixels.subspan(y * header.width, header.width); };
   if ((header.descriptor & kRightToLeft) != 0)
     for (std::size_t y = 0; y < header.height; ++y) std::ranges::reverse(row(y));
@@ -185,7 +201,7 @@ base::Result<Image> read_tga(base::Bytes bytes) {
   reader.take(header.id_bytes);
   TRY(const std::vector<std::uint32_t> map, read_map(reader, header));
   TRY(std::vector<std::uint32_t> pixels, read_pixels(reader, header, map));
-  turn_to_top_left(header, pixels);
+  flip_to_top_left(header, pixels);
   return Image{header.width, header.height, std::move(pixels)};
 }
 
@@ -200,7 +216,7 @@ base::ByteVector write_tga(const Image& image) {
   writer.u8(0);  // no color map
   writer.u8(static_cast<std::uint8_t>(Colors::kTrue));
   for (int map_byte = 0; map_byte < 5; ++map_byte) writer.u8(0);
-  writer.u32(0);  // the screen's corner
+  writer.u32(0);  // position on a screen
   writer.u16(static_cast<std::uint16_t>(image.width));
   writer.u16(static_cast<std::uint16_t>(image.height));
   writer.u8(kBits);

@@ -9,7 +9,7 @@ namespace temblor::formats {
 namespace {
 
 constexpr int kCoarseSize = 64, kFineSize = 16;
-constexpr int kFineCells = 256 / kFineSize;  // of each channel
+constexpr int kFineCells = 256 / kFineSize;  // cells of each channel
 
 constexpr std::size_t cell_index(int r, int g, int b) {
   return static_cast<std::size_t>((r / kFineSize * kFineCells + g / kFineSize) * kFineCells + b / kFineSize);
@@ -19,7 +19,7 @@ constexpr int squared(int x) {
   return x * x;
 }
 
-// Squared distances, in one channel, from a color's value to the nearest and the farthest one of a cell.
+// Squared distances in one channel from a value to the nearest and the farthest value of a cell.
 struct Reach {
   int nearest, farthest;
 };
@@ -28,7 +28,7 @@ Reach reach(int value, int low, int size) {
   return {squared(std::max({below, above, 0})), squared(std::min(below, above))};
 }
 
-// Calls `visit` with the lowest values of every cell of a cube.
+// Calls `visit` with the lowest corner of every cell of a cube.
 template <typename Visit>
 void for_each_cell(int low_r, int low_g, int low_b, int cube_size, int cell_size, Visit visit) {
   for (int r = low_r; r < low_r + cube_size; r += cell_size)
@@ -44,7 +44,8 @@ NearestColor::NearestColor(const Palette& palette, std::size_t first, std::size_
   std::vector<Candidate> all, near;
   for (std::size_t i = first; i < first + count; ++i)
     all.push_back({palette[i].r, palette[i].g, palette[i].b, static_cast<std::uint8_t>(i)});
-  // What is nearest to a point of a cell is so in the large cell around it: few are left to look at there.
+  // The candidates of a small cell are a subset of those of the large cell around it, so only few need
+  // testing.
   for_each_cell(0, 0, 0, 256, kCoarseSize, [&](int coarse_r, int coarse_g, int coarse_b) {
     near.clear();
     add_candidates({coarse_r, coarse_g, coarse_b, kCoarseSize}, all, near);
@@ -58,28 +59,28 @@ NearestColor::NearestColor(const Palette& palette, std::size_t first, std::size_
 
 void NearestColor::add_candidates(const Cell& cell, std::span<const Candidate> among,
                                   std::vector<Candidate>& io_found) {
-  const auto reach_of = [&](const Candidate& color) -> Reach {
+  const auto compute_reach = [&](const Candidate& color) -> Reach {
     const Reach r = reach(color.r, cell.r, cell.size), g = reach(color.g, cell.g, cell.size),
                 b = reach(color.b, cell.b, cell.size);
     return {r.nearest + g.nearest + b.nearest, r.farthest + g.farthest + b.farthest};
   };
-  // A color that is nowhere nearer than this cannot be the nearest.
+  // A color whose nearest distance exceeds the smallest farthest distance of any color is never the nearest.
   int bound = std::numeric_limits<int>::max();
-  for (const Candidate& color : among) bound = std::min(bound, reach_of(color).farthest);
+  for (const Candidate& color : among) bound = std::min(bound, compute_reach(color).farthest);
   for (const Candidate& color : among)
-    if (reach_of(color).nearest <= bound) io_found.push_back(color);
+    if (compute_reach(color).nearest <= bound) io_found.push_back(color);
 }
 
 std::uint8_t NearestColor::find(Rgb color) const {
   const Range cell = cells_[cell_index(color.r, color.g, color.b)];
-  int least = std::numeric_limits<int>::max();
+  int best_distance = std::numeric_limits<int>::max();
   std::uint8_t found = 0;
   for (std::uint32_t i = cell.begin; i < cell.end; ++i) {
     const Candidate& candidate = candidates_[i];
     const int distance =
         squared(candidate.r - color.r) + squared(candidate.g - color.g) + squared(candidate.b - color.b);
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= best_distance) continue;
+    best_distance = distance;
     found = candidate.index;
   }
   return found;

@@ -1,4 +1,9 @@
-// The palette's color nearest to any other, exactly, at a few comparisons each.
+// Exact nearest-color search in a palette, for tools that convert images and compute mip levels.
+//
+// Method: divide the RGB cube into 16 x 16 x 16 cells. Each cell stores the few palette colors that can be
+// the nearest to any of its points, so a lookup takes a few comparisons instead of 256. A color can be
+// nearest only if its distance to the nearest point of the cell is at most the smallest distance of any color
+// to the farthest point.
 #pragma once
 
 #include <cstddef>
@@ -10,36 +15,36 @@
 
 namespace temblor::formats {
 
-// What the palette's indices mean, whatever its colors.
-constexpr std::size_t kFirstFullbright = 224;    // from here on colors shine in the dark
+// Fixed meanings of palette indices.
+constexpr std::size_t kFirstFullbright = 224;    // this index and higher ones ignore light
 constexpr std::uint8_t kTransparentIndex = 255;  // in pictures and in textures named {...
 
-// Searches `count` colors of the palette from `first` on, at least one. Making one takes a millisecond
-// or two. The color cube is cut into cells, and each knows the few colors that can be nearest to a point in
-// it.
+// Searches the `count` (at least 1) palette colors from index `first`. Construction takes 1 to 2 ms.
 class NearestColor {
  public:
   NearestColor(const Palette& palette, std::size_t first, std::size_t count);
 
-  // By squared distance of RGB; the lowest index where several are as near.
+  // Returns the nearest color by squared RGB distance; ties go to the lowest index.
   std::uint8_t find(Rgb color) const;
 
  private:
+  // A palette color.
   struct Candidate {
     std::int16_t r, g, b;
     std::uint8_t index;
   };
   struct Cell {
-    int r, g, b, size;  // lowest values, and how many of each channel
+    int r, g, b, size;  // lowest values, and size in each channel
   };
   struct Range {
     std::uint32_t begin = 0, end = 0;  // in candidates_
   };
+  // Appends the colors of `among` that can be the nearest somewhere in the cell.
   static void add_candidates(const Cell& cell, std::span<const Candidate> among,
                              std::vector<Candidate>& io_found);
 
-  std::vector<Candidate> candidates_;  // of every cell, by increasing index
-  std::vector<Range> cells_;           // by red, green, blue, the last fastest
+  std::vector<Candidate> candidates_;  // of all cells; by palette index within a cell
+  std::vector<Range> cells_;           // index order: red, green, blue (fastest)
 };
 
 }  // namespace temblor::formats

@@ -12,13 +12,13 @@ namespace {
 constexpr std::size_t kPaletteBytes = 256 * 3;
 constexpr std::size_t kColormapBytes = Colormap::kRows * 256;
 
-// One channel under light row `row`, rounded as the stock generator does.
-int lit_channel(std::uint8_t channel, int row) {
+// Shades one channel for row `row`, rounded like the stock generator.
+int shade_channel(std::uint8_t channel, int row) {
   return std::min(255, (channel * (63 - row) + 16) / 32);
 }
 
-// The index among the first `candidates` whose color is nearest; the lowest of several.
-std::uint8_t nearest_index(const Palette& palette, int candidates, int r, int g, int b) {
+// Returns the index of the nearest color among the first `candidates`; ties go to the lowest index.
+std::uint8_t find_nearest_index(const Palette& palette, int candidates, int r, int g, int b) {
   int best = 0;
   int best_distance = std::numeric_limits<int>::max();
   for (int i = 0; i < candidates; ++i) {
@@ -39,7 +39,7 @@ std::uint8_t nearest_index(const Palette& palette, int candidates, int r, int g,
 
 base::Result<Palette> read_palette(base::Bytes bytes) {
   if (bytes.size() != kPaletteBytes)
-    return base::malformed("palette of {} bytes: it should have {}", bytes.size(), kPaletteBytes);
+    return base::malformed("palette has {} bytes, expected {}", bytes.size(), kPaletteBytes);
   base::ByteReader reader(bytes);
   Palette palette;
   for (Rgb& color : palette) {
@@ -62,7 +62,7 @@ base::ByteVector write_palette(const Palette& palette) {
 
 base::Result<Colormap> read_colormap(base::Bytes bytes) {
   if (bytes.size() != kColormapBytes && bytes.size() != kColormapBytes + 1)
-    return base::malformed("colormap of {} bytes: it should have {} or {}", bytes.size(), kColormapBytes,
+    return base::malformed("colormap has {} bytes, expected {} or {}", bytes.size(), kColormapBytes,
                            kColormapBytes + 1);
   const std::span<const std::uint8_t> values = base::as_u8(bytes);
   Colormap colormap;
@@ -80,7 +80,7 @@ base::ByteVector write_colormap(const Colormap& colormap) {
 }
 
 Colormap make_colormap(const Palette& palette) {
-  // Index 255 marks transparent pixels in pictures, so nothing lit may turn into it.
+  // Index 255 marks transparent pixels in pictures, so no shaded color may become 255.
   constexpr int kCandidates = 255;
   Colormap colormap;
   const int lit_colors = 256 - colormap.fullbrights;
@@ -89,8 +89,8 @@ Colormap make_colormap(const Palette& palette) {
       const Rgb& color = palette[static_cast<std::size_t>(index)];
       colormap.rows[static_cast<std::size_t>(row * 256 + index)] =
           index >= lit_colors ? static_cast<std::uint8_t>(index)
-                              : nearest_index(palette, kCandidates, lit_channel(color.r, row),
-                                              lit_channel(color.g, row), lit_channel(color.b, row));
+                              : find_nearest_index(palette, kCandidates, shade_channel(color.r, row),
+                                                   shade_channel(color.g, row), shade_channel(color.b, row));
     }
   }
   return colormap;

@@ -1,4 +1,15 @@
-// gfx/palette.lmp and gfx/colormap.lmp.
+// The palette and the colormap, which shades its colors.
+//
+//   gfx/palette.lmp, 768 bytes              256 colors of red, green, blue u8
+//   gfx/colormap.lmp, 16384 or 16385 bytes  64 rows of 256 palette indices | number of fullbright colors u8
+//
+//                      color 0 ... 223              224 ... 255
+//   row  0, brightest  about twice as bright        unchanged (fullbright: lamps, fire, eyes)
+//   row 31             unchanged
+//   row 63, darkest    black
+//
+// The 256-color renderer draws a texel as colormap[row of its light][texel], without any arithmetic on
+// colors.
 #pragma once
 
 #include <array>
@@ -17,24 +28,24 @@ struct Rgb {
 
 using Palette = std::array<Rgb, 256>;
 
-// Row r of 64 maps a palette index to the one that looks like it under light row r: row 0 brightest (about
-// twice), row 31 as it is, row 63 black. The last `fullbrights` indices are the same in every row.
+// `rows`: entry row * 256 + index is the index of the shaded color.
 struct Colormap {
   static constexpr int kRows = 64;
   std::array<std::uint8_t, kRows * 256> rows{};
-  int fullbrights = 32;
+  int fullbrights = 32;  // the last indices, which are the same in every row
 };
 
+// Accepts exactly 768 bytes.
 base::Result<Palette> read_palette(base::Bytes bytes);
 base::ByteVector write_palette(const Palette& palette);
 
-// Accepts 16384 bytes, or 16385 with the number of full-bright colors at the end.
+// Accepts 16384 bytes, or 16385 with the number of fullbright colors at the end.
 base::Result<Colormap> read_colormap(base::Bytes bytes);
 base::ByteVector write_colormap(const Colormap& colormap);
 
-// The colormap a palette asks for, as the stock one was made: the color nearest (squared distance; the
-// lowest index where several are) to rgb * (63 - row) / 32, rounded and clamped to 255, never index 255. The
-// last 32 indices stay as they are in every row.
+// Computes the colormap of a palette the way the stock one was made: the nearest color (squared distance,
+// ties to the lowest index, never index 255) to rgb * (63 - row) / 32, rounded and clamped to 255. The last
+// 32 indices stay unchanged in every row.
 Colormap make_colormap(const Palette& palette);
 
 }  // namespace temblor::formats

@@ -23,7 +23,8 @@ base::Result<Picture> read_picture(base::Bytes bytes) {
   const std::uint32_t width = reader.u32();
   const std::uint32_t height = reader.u32();
   if (!reader.ok())
-    return base::malformed("a picture's header has {} bytes, this has {}", kPictureHeaderBytes, bytes.size());
+    return base::malformed("picture header needs {} bytes, the file has {}", kPictureHeaderBytes,
+                           bytes.size());
   if (!is_picture_side(width) || !is_picture_side(height))
     return base::malformed("picture of {} x {} pixels, sides are 1 to {}", width, height, kMaxPictureSide);
   const auto pixels = base::as_u8(reader.take(std::size_t{width} * height));
@@ -46,7 +47,7 @@ base::ByteVector write_picture(const Picture& picture) {
 
 base::Result<Picture> read_conchars(base::Bytes lump) {
   if (lump.size() != std::size_t{kConcharsSide} * kConcharsSide)
-    return base::malformed("conchars of {} bytes: they should have {}", lump.size(),
+    return base::malformed("conchars lump has {} bytes, expected {}", lump.size(),
                            kConcharsSide * kConcharsSide);
   const auto pixels = base::as_u8(lump);
   Picture picture{kConcharsSide, kConcharsSide, {pixels.begin(), pixels.end()}};

@@ -1,4 +1,8 @@
-// LMP pictures: the game's 2-D art (gfx/*.lmp, pictures in gfx.wad).
+// LMP pictures, the 2D art of the game: gfx/*.lmp, and lumps of type kWadPicture in gfx.wad.
+//
+//    0  width i32
+//    4  height i32
+//    8  palette indices u8, row by row from the top; 255 is transparent
 #pragma once
 
 #include <cstdint>
@@ -17,13 +21,13 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
-// Bytes past the pixels are ignored, as the original does.
+// Reads a picture. Ignores bytes after the pixels, as the original engine does.
 base::Result<Picture> read_picture(base::Bytes bytes);
-// CHECKs that the sides are in range and that the pixels are as many as they say.
+// Writes a picture. CHECKs the size and the number of pixels.
 base::ByteVector write_picture(const Picture& picture);
 
-// The console's characters, lump "conchars" of gfx.wad: 128 x 128 pixels without a header, 16 rows of 16
-// glyphs of 8 x 8. Index 0 is transparent there; the picture returned has 255 in its place, as any other.
+// Reads the console font, lump "conchars" of gfx.wad: 128 x 128 pixels without a header, 16 rows of 16 glyphs
+// of 8 x 8. Index 0 is transparent in the lump; the result has 255 there, like every other picture.
 base::Result<Picture> read_conchars(base::Bytes lump);
 
 }  // namespace temblor::formats

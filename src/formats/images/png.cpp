@@ -11,7 +11,7 @@
 namespace temblor::formats {
 namespace {
 
-// On a dithered 1280 x 800 picture: 14 % larger than zlib's default, 6, in a third of the time.
+// Compared with zlib's default level 6 on a dithered 1280 x 800 picture: 14 % larger, in a third of the time.
 constexpr int kCompressionLevel = 4;
 
 struct ContextDeleter {
@@ -21,7 +21,8 @@ struct Free {
   void operator()(void* memory) const { std::free(memory); }
 };
 
-// A picture being written row by row; the first call that fails decides the result.
+// Writes a PNG row by row. Keeps the first error: later calls do nothing, and take() returns it, so callers
+// need not check each call.
 class Encoder {
  public:
   Encoder(int width, int height, spng_color_type color_type) : context_(spng_ctx_new(SPNG_CTX_ENCODER)) {
@@ -56,7 +57,7 @@ class Encoder {
   void write_row(std::span<const std::uint8_t> row) {
     call([&](spng_ctx* context) {
       const int status = spng_encode_row(context, row.data(), row.size());
-      return status == static_cast<int>(SPNG_EOI) ? 0 : status;  // "end of image": the last row went well
+      return status == static_cast<int>(SPNG_EOI) ? 0 : status;  // "end of image": success of the last row
     });
   }
 

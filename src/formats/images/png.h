@@ -1,4 +1,4 @@
-// PNG writing: what `render -o` and `screenshot` give.
+// Writes PNG files with libspng, for `render -o`, screenshots, and golden pictures. image.h has the reader.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace temblor::formats {
 
-// width x height palette indices, row by row (no padding), as a PNG of color type 3 that keeps all 256
-// palette entries. CHECKs that the sides are positive and that there are width * height pixels.
+// Writes palette indices (row by row, no padding) as color type 3 with all 256 palette entries. CHECKs that
+// the sides are positive and that there are width * height pixels. Returns kIo if the library fails.
 base::Result<base::ByteVector> write_png(std::span<const std::uint8_t> indices, int width, int height,
                                          const Palette& palette);
 
-// The same for pixels 0xffRRGGBB: color type 2, 8 bits each; the top byte is ignored.
+// As above for pixels 0xffRRGGBB: color type 2 with 8 bits per channel; ignores the top byte.
 base::Result<base::ByteVector> write_png(std::span<const std::uint32_t> rgb, int width, int height);
 
 // With transparency: color type 6.

@@ -8,17 +8,18 @@
 namespace temblor::formats {
 namespace {
 
-// Without the last, which is the transparent one's.
-std::span<const Rgb> fullbrights_of(const Palette& palette) {
+// Returns the fullbright colors, without the last one, which is transparent.
+std::span<const Rgb> fullbright_colors(const Palette& palette) {
   return std::span(palette).subspan(kFirstFullbright, kTransparentIndex - kFirstFullbright);
 }
 
+// Maps the texture's palette indices to those of the game.
 using IndexTable = std::array<std::uint8_t, 256>;
 
 IndexTable make_table(const Wad3Texture& texture, const Palette& game_palette,
                       const NearestColor& dull_colors) {
   const bool means_fullbrights =
-      std::ranges::equal(fullbrights_of(texture.palette), fullbrights_of(game_palette));
+      std::ranges::equal(fullbright_colors(texture.palette), fullbright_colors(game_palette));
   IndexTable table{};
   for (std::size_t i = 0; i < table.size(); ++i)
     table[i] = means_fullbrights && i >= kFirstFullbright ? static_cast<std::uint8_t>(i)
@@ -38,7 +39,7 @@ base::Result<Wad3Texture> read_wad3_texture(base::Bytes lump) {
   reader.seek(reader.u32() + texture.texture.mips.back().size());
   const std::uint16_t colors = reader.u16();
   if (!reader.ok() || colors > texture.palette.size() || reader.remaining() < std::size_t{colors} * 3)
-    return base::malformed("texture \"{}\": no palette of up to 256 colors behind its mip levels",
+    return base::malformed("texture \"{}\": no palette of up to 256 colors after the mip levels",
                            base::printable(texture.texture.name));
   for (Rgb& color : std::span(texture.palette).first(colors)) {
     color.r = reader.u8();
@@ -64,8 +65,8 @@ base::Result<base::ByteVector> write_wad3_texture(const Wad3Texture& texture) {
   return std::move(writer).take();
 }
 
-WadTexture recolored(const Wad3Texture& texture, const Palette& game_palette,
-                     const NearestColor& dull_colors) {
+WadTexture convert_to_palette(const Wad3Texture& texture, const Palette& game_palette,
+                              const NearestColor& dull_colors) {
   const IndexTable table = make_table(texture, game_palette, dull_colors);
   WadTexture result = texture.texture;
   for (auto& mip : result.mips)

@@ -1,4 +1,8 @@
-// A texture of a WAD3 (Half-Life's): as in a WAD2, with a palette of its own behind the mip levels.
+// Textures of a WAD3 (Half-Life). Each has its own palette, so the compiler converts them to the game's
+// palette.
+//
+//   the record of a WAD2 texture (wad_texture.h)
+//   after the last mip level:  color count u16, at most 256 | red, green, blue u8 for each color
 #pragma once
 
 #include "base/bytes.h"
@@ -11,19 +15,20 @@ namespace temblor::formats {
 
 struct Wad3Texture {
   WadTexture texture;
-  Palette palette{};  // entries that the file lacks are black
+  Palette palette{};  // entries that the file omits are black
 };
 
+// Returns kMalformed if the palette does not follow the last mip level.
 base::Result<Wad3Texture> read_wad3_texture(base::Bytes lump);
 
-// Its own palette is cut behind the last index that is in use; otherwise as write_wad_texture.
+// Writes the palette up to the last used index; otherwise as write_wad_texture().
 base::Result<base::ByteVector> write_wad3_texture(const Wad3Texture& texture);
 
-// The texture in the game's palette: each color becomes the nearest one of `dull_colors`, which are the
-// game's without the full-bright ones. Full-bright
-// indices stay only where the texture's palette ends with the same full-bright colors as the game's, and so
-// means them. Index 255 of a texture named {... stays, being transparent.
-WadTexture recolored(const Wad3Texture& texture, const Palette& game_palette,
-                     const NearestColor& dull_colors);
+// Converts the texture to the game's palette: each color becomes the nearest one of `dull_colors`, the game's
+// colors without the fullbright ones. Fullbright indices stay only if the texture's palette ends with the
+// game's fullbright colors, which shows that it means them. Index 255 stays if the name starts with '{',
+// because it is transparent.
+WadTexture convert_to_palette(const Wad3Texture& texture, const Palette& game_palette,
+                              const NearestColor& dull_colors);
 
 }  // namespace temblor::formats

@@ -29,7 +29,7 @@ base::Result<WadTexture> read_wad_texture(base::Bytes lump) {
   std::array<std::uint32_t, 4> offsets{};
   for (std::uint32_t& offset : offsets) offset = reader.u32();
   if (!reader.ok())
-    return base::malformed("a texture's header has {} bytes, this has {}", kMiptexHeaderBytes, lump.size());
+    return base::malformed("texture header needs {} bytes, the lump has {}", kMiptexHeaderBytes, lump.size());
   if (!is_miptex_side(texture.width) || !is_miptex_side(texture.height))
     return base::malformed("texture \"{}\": {} x {} texels, sides are 1 to {}", base::printable(texture.name),
                            texture.width, texture.height, kMaxTextureSide);
@@ -49,7 +49,7 @@ base::Result<base::ByteVector> write_wad_texture(const WadTexture& texture) {
     return base::error(base::ErrorCode::kUsage, "texture \"{}\": {} x {} texels, sides are 1 to {}",
                        texture.name, texture.width, texture.height, kMaxTextureSide);
   if (texture.name.size() > kWadNameChars)
-    return base::error(base::ErrorCode::kTooLarge, "\"{}\": a texture's name has at most {} characters",
+    return base::error(base::ErrorCode::kTooLarge, "\"{}\": texture names have at most {} characters",
                        texture.name, kWadNameChars);
   base::ByteWriter writer;
   writer.fixed_text(texture.name, kWadNameChars);

@@ -29,7 +29,7 @@ constexpr std::array<LumpNames, kBspLumpCount> kLumpNames{{
 
 }  // namespace
 
-const char* name_of(BspVersion version) {
+const char* version_name(BspVersion version) {
   switch (version) {
     case BspVersion::k29:
       return "29";
@@ -41,10 +41,10 @@ const char* name_of(BspVersion version) {
   return "unknown";
 }
 
-const char* name_of(BspLump lump) {
+const char* lump_name(BspLump lump) {
   return kLumpNames[static_cast<std::size_t>(lump)].lump;
 }
-const char* record_name_of(BspLump lump) {
+const char* record_name(BspLump lump) {
   return kLumpNames[static_cast<std::size_t>(lump)].record;
 }
 

@@ -1,5 +1,19 @@
-// Quake levels: version 29, 2PSB and BSP2, one struct for all three (the widest type of each field).
-// Layouts: bsp/records.h; see write_bsp for what each version can hold.
+// Compiled levels (.bsp): versions 29 (Quake), 2PSB, and BSP2 (large levels), in one struct with the widest
+// type of each field.
+//
+//   header, 124 bytes     0  version i32: 29, "2PSB", or "BSP2"
+//                         4  15 x (offset i32, size i32), one for each lump
+//   lumps, anywhere in the file, in any order
+//   BSPX, optionally: more lumps with names (bsp/bspx.h)
+//
+//   models --> nodes --> leaves --> marksurfaces --> faces --> surfedges --> edges --> vertices
+//     |          |          \--> visibility           |  \--> planes
+//     |          \--> planes                          |--> texinfo --> textures
+//     \--> clipnodes --> planes                       \--> lighting
+//
+// bsp/records.h shows the records of each lump. Versions differ only in the width of their fields. References
+// between lumps are indices; read_bsp() validates all of them (bsp_validate.h), so other code needs no
+// checks. src/world makes a playable level of a Bsp.
 #pragma once
 
 #include <array>
@@ -16,9 +30,9 @@
 namespace temblor::formats {
 
 enum class BspVersion { k29, k2Psb, kBsp2 };
-const char* name_of(BspVersion version);  // "29", "2PSB", "BSP2"
+const char* version_name(BspVersion version);  // "29", "2PSB", "BSP2"
 
-// The lumps, in the order of the file's directory.
+// The lumps, in the order of the header.
 enum class BspLump : std::uint8_t {
   kEntities,
   kPlanes,
@@ -37,25 +51,28 @@ enum class BspLump : std::uint8_t {
   kModels,
 };
 constexpr std::size_t kBspLumpCount = 15;
-const char* name_of(BspLump lump);         // "entities", "planes", ...
-const char* record_name_of(BspLump lump);  // of one of its records: "plane", "texture", ...
+const char* lump_name(BspLump lump);    // "entities", "planes", ...
+const char* record_name(BspLump lump);  // name of one record: "plane", "texture", ...
 
+// All points p with dot(p, normal) == distance.
 struct BspPlane {
   math::Vec3 normal{0.0f};
   float distance = 0;
-  std::int32_t type = 0;  // 0-2 axial, 3-5 the dominant axis
+  std::int32_t type = 0;  // 0-2: axial (x, y, z); 3-5: axis of the largest component
   bool operator==(const BspPlane&) const = default;
 };
 
+// A texture. Its name selects effects such as liquid and animation.
 struct BspMiptex {
-  bool present = false;  // false: the level names no data here (offset -1); all else is empty
+  bool present = false;  // false: no data (offset -1); all other fields are empty
   std::string name;      // as stored, at most 15 characters
   std::uint32_t width = 0, height = 0;
-  // Mip level k is (width>>k) x (height>>k) palette indices; empty when the texture lies outside the level.
+  // Mip level k is (width>>k) x (height>>k) palette indices; empty if the level does not contain them.
   std::array<std::vector<std::uint8_t>, 4> mips;
   bool operator==(const BspMiptex&) const = default;
 };
 
+// A node of the tree of hull 0.
 struct BspNode {
   std::uint32_t plane = 0;
   std::array<std::int32_t, 2> children{};  // front, back; negative: leaf -(child + 1)
@@ -64,34 +81,38 @@ struct BspNode {
   bool operator==(const BspNode&) const = default;
 };
 
+// How a texture lies on faces: s = dot(position, s_axis) + s_offset, in texels, and t in the same way.
 struct BspTexinfo {
   math::Vec3 s_axis{0.0f};
   float s_offset = 0;
   math::Vec3 t_axis{0.0f};
   float t_offset = 0;
   std::int32_t miptex = 0;
-  std::int32_t flags = 0;  // 1: no light map, any extent
+  std::int32_t flags = 0;  // 1: no light map, unlimited size
   bool operator==(const BspTexinfo&) const = default;
 };
 
+// A convex polygon, whose vertices run clockwise seen from its front.
 struct BspFace {
   std::uint32_t plane = 0;
-  std::int32_t side = 0;  // 1: the face looks against its plane's normal
+  std::int32_t side = 0;  // 1: the face points against the plane's normal
   std::uint32_t first_surfedge = 0, surfedge_count = 0;
   std::uint32_t texinfo = 0;
   std::array<std::uint8_t, 4> styles{255, 255, 255, 255};  // 255: unused
-  std::int32_t light_offset = -1;                          // into lighting, -1: none
+  std::int32_t light_offset = -1;                          // into `lighting`; -1: none
   bool operator==(const BspFace&) const = default;
 };
 
+// A node of the trees of hulls 1 to 3.
 struct BspClipnode {
   std::uint32_t plane = 0;
   std::array<std::int32_t, 2> children{};  // negative: contents
   bool operator==(const BspClipnode&) const = default;
 };
 
+// A convex part of space. Leaf 0 is the solid outside that all solid space shares.
 struct BspLeaf {
-  std::int32_t contents = 0;
+  std::int32_t contents = 0;            // world::Contents
   std::int32_t visibility_offset = -1;  // -1: sees everything
   math::Vec3 mins{0.0f}, maxs{0.0f};
   std::uint32_t first_marksurface = 0, marksurface_count = 0;
@@ -99,65 +120,70 @@ struct BspLeaf {
   bool operator==(const BspLeaf&) const = default;
 };
 
+// A side that two faces share. Edge 0 is unused, because surfedges need a sign.
 struct BspEdge {
   std::array<std::uint32_t, 2> vertices{};
   bool operator==(const BspEdge&) const = default;
 };
 
+// A brush model: the world, or a door and the like, with its own trees and faces.
 struct BspModel {
   math::Vec3 mins{0.0f}, maxs{0.0f}, origin{0.0f};
-  std::array<std::int32_t, 4>
-      head_nodes{};                 // hull 0: node, or leaf when negative; hulls 1-3: clipnode or contents
+  // Roots of the trees. Hull 0: a node, or a leaf if negative; hulls 1-3: a clipnode, or contents if
+  // negative.
+  std::array<std::int32_t, 4> head_nodes{};
   std::int32_t visible_leaves = 0;  // without leaf 0
   std::uint32_t first_face = 0, face_count = 0;
   bool operator==(const BspModel&) const = default;
 };
 
+// A lump of the BSPX extension, such as RGBLIGHTING, uninterpreted.
 struct BspxLump {
   std::string name;
   base::ByteVector data;
   bool operator==(const BspxLump&) const = default;
 };
 
+// A whole level.
 struct Bsp {
   BspVersion version = BspVersion::k29;
   std::string entities;
   std::vector<BspPlane> planes;
   std::vector<BspMiptex> miptexes;
   std::vector<math::Vec3> vertices;
-  std::vector<std::uint8_t> visibility;
+  std::vector<std::uint8_t> visibility;  // run-length encoded PVS rows (world/visibility.h)
   std::vector<BspNode> nodes;
   std::vector<BspTexinfo> texinfos;
   std::vector<BspFace> faces;
   std::vector<std::uint8_t> lighting;  // gray samples
   std::vector<BspClipnode> clipnodes;
   std::vector<BspLeaf> leaves;
-  std::vector<std::uint32_t> marksurfaces;
+  std::vector<std::uint32_t> marksurfaces;  // faces by leaf
   std::vector<BspEdge> edges;
-  std::vector<std::int32_t> surfedges;  // negative: edge -value, end to start
+  std::vector<std::int32_t> surfedges;  // negative: edge -value, traversed backward
   std::vector<BspModel> models;
   std::vector<BspxLump> bspx;
 
+  // Returns the first BSPX lump with this name, or null.
   const BspxLump* find_bspx(std::string_view name) const;
   bool operator==(const Bsp&) const = default;
 };
 
-// Reads any of the three versions and validates it whole: every index and range lies inside its array, trees
-// have no cycles, every number is finite, face loops close, model 0 exists and its head node is hull 0's
-// root. What a reader of the result may rely on is listed in bsp_validate.h. Errors name lump, record, its
-// offset in the file, and reason. Memory stays within a small multiple of the file's size, whatever is in it.
+// Reads any of the three versions and validates everything: indices, ranges, finite numbers, closed face
+// loops, trees without cycles. bsp_validate.h lists the guarantees. Errors name the lump, the record with its
+// offset in the file, and the reason. Memory is limited to a small multiple of the file size, whatever the
+// file contains.
 //
-// Made regular on the way in, because nothing is lost by it: the entity text ends at its first zero; in a
-// level without visibility every leaf's offset becomes -1; in a level without clipnodes hulls 1-3 become
-// empty contents; a plane of type 0-2 whose normal is not that axis gets type 3-5; bounds beyond
-// +-kBspMaxCoordinate are cut to it; a texture's name is cut to 15 characters; bytes after the last lump that
-// are not BSPX are ignored.
+// Normalizes on the way, without loss: the entity text ends at its first zero; in a level without visibility,
+// every leaf's offset becomes -1; in a level without clipnodes, hulls 1-3 become empty contents; a plane of
+// type 0-2 whose normal is not that axis gets type 3-5; bounds are clamped to +-kBspMaxCoordinate; texture
+// names are truncated to 15 characters; bytes after the last lump that are not BSPX are ignored.
 base::Result<Bsp> read_bsp(base::Bytes bytes);
 
-// Writes as `version`; kTooLarge, naming lump, record and field, when a number does not fit that version (a
-// vertex index over 65535 in 29, ...). Node and leaf bounds are whole numbers in 29 and 2PSB: mins are
-// rounded down and maxs up. Nothing is validated: what read_bsp returned reads back equal, but for that
-// rounding; the entity text must hold no zero byte.
+// Writes a level as `version`, without validation. Returns kTooLarge with lump, record, and field if a number
+// does not fit, such as a vertex index over 65535 in version 29. Bounds of nodes and leaves are integers in
+// 29 and 2PSB: mins are rounded down, maxs up. Except for that rounding, a level from read_bsp() reads back
+// equal. The entity text must not contain a zero byte.
 base::Result<base::ByteVector> write_bsp(const Bsp& bsp, BspVersion version);
 
 }  // namespace temblor::formats

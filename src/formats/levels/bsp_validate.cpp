@@ -24,8 +24,8 @@ bool is_sane(const math::Vec3& vector) {
   return is_sane(vector.x) && is_sane(vector.y) && is_sane(vector.z);
 }
 
-// The first of the ranges [first, first + count) that leaves an array of `size`, or that makes their sum
-// larger than it. `Range` gives a record's {first, count}.
+// Finds the first range [first, first + count) that exceeds an array of `size`, or makes the total of all
+// counts exceed it. `Range` returns the {first, count} of a record.
 template <typename Record, typename Range>
 Fault check_ranges(const std::vector<Record>& records, BspLump lump, std::size_t size, const char* what,
                    Range range) {
@@ -36,7 +36,8 @@ Fault check_ranges(const std::vector<Record>& records, BspLump lump, std::size_t
       return fault(lump, i, "{} {} and the {} after it are past the end ({})", what, first, count, size);
     total += count;
     if (total > size)
-      return fault(lump, i, "up to here {}s are named {} times, but there are only {}", what, total, size);
+      return fault(lump, i, "{}s are referenced {} times up to here, but there are only {}", what, total,
+                   size);
   }
   return std::nullopt;
 }
@@ -47,10 +48,10 @@ Fault check_planes(const Bsp& bsp) {
   for (std::size_t i = 0; i < bsp.planes.size(); ++i) {
     const BspPlane& plane = bsp.planes[i];
     if (!is_sane(plane.normal) || !is_sane(plane.distance))
-      return fault(kLump, i, "a number is not finite, or out of all proportion");
+      return fault(kLump, i, "a number is not finite or too large");
     const float length_squared = glm::dot(plane.normal, plane.normal);
     if (std::abs(length_squared - 1) > kLengthSquaredTolerance)
-      return fault(kLump, i, "the normal's length is {}, not 1", std::sqrt(length_squared));
+      return fault(kLump, i, "the length of the normal is {}, not 1", std::sqrt(length_squared));
     if (plane.type < 0 || plane.type > 5) return fault(kLump, i, "type {} is not 0 to 5", plane.type);
     math::Vec3 axis(0.0f);
     axis[plane.type % 3] = 1;
@@ -66,7 +67,7 @@ Fault check_textures(const Bsp& bsp) {
   for (std::size_t i = 0; i < bsp.miptexes.size(); ++i) {
     const BspMiptex& texture = bsp.miptexes[i];
     if (!texture.present) {
-      if (texture != BspMiptex{}) return fault(kLump, i, "it is not present, but not empty either");
+      if (texture != BspMiptex{}) return fault(kLump, i, "the texture is marked absent but not empty");
       continue;
     }
     for (const std::uint32_t size : {texture.width, texture.height})
@@ -83,7 +84,7 @@ Fault check_textures(const Bsp& bsp) {
 Fault check_vertices(const Bsp& bsp) {
   for (std::size_t i = 0; i < bsp.vertices.size(); ++i)
     if (!is_sane(bsp.vertices[i]))
-      return fault(BspLump::kVertices, i, "a coordinate is not finite, or out of all proportion");
+      return fault(BspLump::kVertices, i, "a coordinate is not finite or too large");
   return std::nullopt;
 }
 
@@ -93,7 +94,7 @@ Fault check_texinfos(const Bsp& bsp) {
     const BspTexinfo& texinfo = bsp.texinfos[i];
     if (!is_sane(texinfo.s_axis) || !is_sane(texinfo.t_axis) || !is_sane(texinfo.s_offset) ||
         !is_sane(texinfo.t_offset))
-      return fault(kLump, i, "a number is not finite, or out of all proportion");
+      return fault(kLump, i, "a number is not finite or too large");
     if (texinfo.miptex < 0 || static_cast<std::size_t>(texinfo.miptex) >= bsp.miptexes.size())
       return fault(kLump, i, "texture {} is past the end ({})", texinfo.miptex, bsp.miptexes.size());
   }
@@ -112,25 +113,25 @@ Fault check_edges(const Bsp& bsp) {
   return std::nullopt;
 }
 
-// The vertices where a surfedge starts and ends.
-std::array<std::uint32_t, 2> ends_of(const Bsp& bsp, std::size_t surfedge) {
+// Returns the start and end vertex of a surfedge.
+std::array<std::uint32_t, 2> surfedge_vertices(const Bsp& bsp, std::size_t surfedge) {
   const std::int32_t edge = bsp.surfedges[surfedge];
   const auto& vertices = bsp.edges[static_cast<std::size_t>(std::abs(edge))].vertices;
   if (edge >= 0) return vertices;
   return {vertices[1], vertices[0]};
 }
 
-// Needs the face's surfedges in range.
+// Checks that the edges form a loop. Requires that the surfedges are in range.
 Fault check_loop(const Bsp& bsp, std::size_t face_number) {
   const BspFace& face = bsp.faces[face_number];
-  std::uint32_t arrived_at = ends_of(bsp, face.first_surfedge + face.surfedge_count - 1)[1];
+  std::uint32_t previous_end = surfedge_vertices(bsp, face.first_surfedge + face.surfedge_count - 1)[1];
   for (std::uint32_t i = 0; i < face.surfedge_count; ++i) {
-    const auto [start, end] = ends_of(bsp, face.first_surfedge + i);
-    if (start != arrived_at)
+    const auto [start, end] = surfedge_vertices(bsp, face.first_surfedge + i);
+    if (start != previous_end)
       return fault(BspLump::kFaces, face_number,
-                   "its loop is open: edge {} starts at vertex {}, the one before ends at {}", i, start,
-                   arrived_at);
-    arrived_at = end;
+                   "the edges do not form a loop: edge {} starts at vertex {}, the previous one ends at {}",
+                   i, start, previous_end);
+    previous_end = end;
   }
   return std::nullopt;
 }
@@ -169,9 +170,9 @@ Fault check_leaves(const Bsp& bsp) {
     return fault(kLump, 0, "contents {} are not solid ({})", bsp.leaves[0].contents, kSolid);
   for (std::size_t i = 0; i < bsp.leaves.size(); ++i) {
     const BspLeaf& leaf = bsp.leaves[i];
-    if (!is_sane(leaf.mins) || !is_sane(leaf.maxs)) return fault(kLump, i, "a bound is not a number");
-    if (leaf.contents < kBspLowestContents || leaf.contents > -1)
-      return fault(kLump, i, "contents {} are not within {} to -1", leaf.contents, kBspLowestContents);
+    if (!is_sane(leaf.mins) || !is_sane(leaf.maxs)) return fault(kLump, i, "a bound is not finite");
+    if (leaf.contents < kBspMinContents || leaf.contents > -1)
+      return fault(kLump, i, "contents {} are not within {} to -1", leaf.contents, kBspMinContents);
     const bool inside = leaf.visibility_offset >= 0 &&
                         static_cast<std::size_t>(leaf.visibility_offset) < bsp.visibility.size();
     if (leaf.visibility_offset != -1 && !inside)
@@ -191,14 +192,14 @@ Fault check_marksurfaces(const Bsp& bsp) {
   return std::nullopt;
 }
 
-// A child of a node, or a model's head in hull 0.
+// Checks a child of a node, or a head node of hull 0.
 bool is_node_or_leaf(const Bsp& bsp, std::int32_t child) {
   return child >= 0 ? static_cast<std::size_t>(child) < bsp.nodes.size()
                     : static_cast<std::size_t>(~child) < bsp.leaves.size();
 }
 
 bool is_clipnode_or_contents(const Bsp& bsp, std::int32_t child) {
-  return child >= 0 ? static_cast<std::size_t>(child) < bsp.clipnodes.size() : child >= kBspLowestContents;
+  return child >= 0 ? static_cast<std::size_t>(child) < bsp.clipnodes.size() : child >= kBspMinContents;
 }
 
 Fault check_nodes(const Bsp& bsp) {
@@ -207,7 +208,7 @@ Fault check_nodes(const Bsp& bsp) {
     const BspNode& node = bsp.nodes[i];
     if (node.plane >= bsp.planes.size())
       return fault(kLump, i, "plane {} is past the end ({})", node.plane, bsp.planes.size());
-    if (!is_sane(node.mins) || !is_sane(node.maxs)) return fault(kLump, i, "a bound is not a number");
+    if (!is_sane(node.mins) || !is_sane(node.maxs)) return fault(kLump, i, "a bound is not finite");
     for (const std::int32_t child : node.children)
       if (!is_node_or_leaf(bsp, child))
         return fault(kLump, i, "child {} is neither one of {} nodes nor of {} leaves", child,
@@ -237,7 +238,7 @@ Fault check_models(const Bsp& bsp) {
   for (std::size_t i = 0; i < bsp.models.size(); ++i) {
     const BspModel& model = bsp.models[i];
     if (!is_sane(model.mins) || !is_sane(model.maxs) || !is_sane(model.origin))
-      return fault(kLump, i, "a coordinate is not finite, or out of all proportion");
+      return fault(kLump, i, "a coordinate is not finite or too large");
     if (!is_node_or_leaf(bsp, model.head_nodes[0]))
       return fault(kLump, i, "head {} of hull 0 is neither one of {} nodes nor of {} leaves",
                    model.head_nodes[0], bsp.nodes.size(), bsp.leaves.size());
@@ -256,7 +257,7 @@ Fault check_models(const Bsp& bsp) {
 }  // namespace
 
 std::optional<BspFault> find_fault(const Bsp& bsp) {
-  // In an order in which each check may rely on those before it.
+  // Each check may rely on the ones before it: ranges first, then loops and trees that follow references.
   for (auto* check : {check_planes, check_textures, check_vertices, check_texinfos, check_edges, check_faces,
                       check_leaves, check_marksurfaces, check_nodes, check_clipnodes, check_models,
                       bsp_file::check_node_trees, bsp_file::check_clipnode_trees})

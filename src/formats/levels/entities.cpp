@@ -22,9 +22,10 @@ struct Token {
   enum class Kind { kEnd, kOpen, kClose, kText };
   Kind kind = Kind::kEnd;
   std::string_view text;  // of kText
-  std::size_t line = 1;   // where it starts
+  std::size_t line = 1;   // of its first character
 };
 
+// Splits entity text into braces and texts, and counts lines for errors.
 class Tokenizer {
  public:
   explicit Tokenizer(std::string_view text) : rest_(text.substr(0, text.find('\0'))) {}
@@ -48,7 +49,7 @@ class Tokenizer {
     take(1);
     const std::size_t end = rest_.find('"');
     if (end == std::string_view::npos)
-      return base::malformed("line {}: the quote that opens here is never closed", token.line);
+      return base::malformed("line {}: this quote is never closed", token.line);
     token.text = take(end);
     take(1);
     return token;
@@ -74,16 +75,17 @@ class Tokenizer {
   std::size_t line_ = 1;
 };
 
-// The rest of an entity whose opening brace stood on line `opened_on`.
+// Reads the rest of an entity after its opening brace on line `opened_on`.
 base::Result<Entity> read_entity(Tokenizer& tokens, std::size_t opened_on) {
   Entity entity;
   while (true) {
     TRY(const Token key, tokens.next());
     switch (key.kind) {
       case Token::Kind::kEnd:
-        return base::malformed("line {}: the entity that opens here is never closed", opened_on);
+        return base::malformed("line {}: this entity is never closed", opened_on);
       case Token::Kind::kOpen:
-        return base::malformed("line {}: an entity opens inside the one from line {}", key.line, opened_on);
+        return base::malformed("line {}: an entity starts inside of the one from line {}", key.line,
+                               opened_on);
       case Token::Kind::kClose:
         return entity;
       case Token::Kind::kText:
@@ -96,7 +98,7 @@ base::Result<Entity> read_entity(Tokenizer& tokens, std::size_t opened_on) {
   }
 }
 
-// The numbers of `text`, between white space; false unless there are exactly as many as asked for, all
+// Parses numbers separated by white space. Returns false unless there are exactly as many as requested, all
 // finite.
 bool read_numbers(std::string_view text, std::span<float> out_numbers) {
   const char* at = text.data();
@@ -104,7 +106,7 @@ bool read_numbers(std::string_view text, std::span<float> out_numbers) {
   const auto skip_space = [&] { at = std::find_if_not(at, end, is_space); };
   for (float& number : out_numbers) {
     skip_space();
-    // from_chars knows no plus sign; and no number has two signs.
+    // from_chars rejects a plus sign, so skip it; but not before another sign.
     if (at != end && *at == '+' && ++at != end && *at == '-') return false;
     const auto [after, code] = std::from_chars(at, end, number);
     if (code != std::errc{} || !std::isfinite(number)) return false;
@@ -144,7 +146,7 @@ base::Result<std::vector<Entity>> read_entities(std::string_view text) {
     TRY(const Token token, tokens.next());
     if (token.kind == Token::Kind::kEnd) return entities;
     if (token.kind != Token::Kind::kOpen)
-      return base::malformed("line {}: expected an entity's opening brace", token.line);
+      return base::malformed("line {}: expected the opening brace of an entity", token.line);
     TRY(Entity entity, read_entity(tokens, token.line));
     entities.push_back(std::move(entity));
   }

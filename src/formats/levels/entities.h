@@ -1,4 +1,13 @@
-// The entity text of a level: { "key" "value" ... } blocks.
+// The entity text of a level: one block for each entity, with the fields that the mapper has set. The first
+// one is worldspawn.
+//
+//   {
+//   "classname" "light"
+//   "origin" "128 -64 40"
+//   "light" "300"
+//   }
+//
+// Keys are the names of QuakeC fields; the server converts the values to the types of the fields.
 #pragma once
 
 #include <optional>
@@ -12,26 +21,28 @@
 
 namespace temblor::formats {
 
+// An entity as text.
 struct Entity {
-  std::vector<std::pair<std::string, std::string>> pairs;  // in file order
+  std::vector<std::pair<std::string, std::string>> pairs;  // key and value, in file order; keys may repeat
 
-  // The value of the first pair of that key, or nothing.
+  // Returns the value of the first pair with this key, or nullopt.
   std::optional<std::string_view> find(std::string_view key) const;
   std::string_view classname() const { return find("classname").value_or(""); }
-  // "x y z"; nothing when missing or not exactly three finite numbers.
+  // Parses "x y z". Returns nullopt if the key is missing or the value is not exactly three finite numbers.
   std::optional<math::Vec3> find_vec3(std::string_view key) const;
-  // Nothing when missing or not exactly one finite number.
+  // Returns nullopt if the key is missing or the value is not exactly one finite number.
   std::optional<float> find_number(std::string_view key) const;
 
   bool operator==(const Entity&) const = default;
 };
 
-// Keys and values are quoted, with anything but a quote between the quotes, taken as it lies (backslashes are
-// not escapes here); or bare words, up to white space, a brace or a quote. Comments run from // to the end of
+// Parses entity text. Keys and values are quoted, and may contain anything except quotes (backslashes are not
+// escapes); or they are bare words up to white space, a brace, or a quote. Comments run from // to the end of
 // the line. The text ends at its first zero byte. Errors name the line.
 base::Result<std::vector<Entity>> read_entities(std::string_view text);
 
-// Keys and values must hold neither a quote nor a zero byte; then the text reads back as the same entities.
+// Writes entity text. If no key or value contains a quote or zero byte, the text reads back as equal
+// entities.
 std::string write_entities(const std::vector<Entity>& entities);
 
 }  // namespace temblor::formats

@@ -13,16 +13,14 @@ constexpr std::int32_t kLitVersion = 1;
 base::Result<Lit> read_lit(base::Bytes bytes) {
   base::ByteReader reader(bytes);
   if (base::as_text(reader.take(kMark.size())) != kMark)
-    return base::malformed("not a colored light file: it does not begin with QLIT");
+    return base::malformed("not a colored light file: it does not start with QLIT");
   const std::int32_t version = reader.i32();
-  if (!reader.ok()) return base::malformed("{} bytes are too few for the header", bytes.size());
+  if (!reader.ok()) return base::malformed("{} bytes are shorter than the header", bytes.size());
   if (version != kLitVersion)
-    return error(base::ErrorCode::kUnsupported, "version {} of colored light is not supported (known: {})",
-                 version, kLitVersion);
+    return error(base::ErrorCode::kUnsupported,
+                 "version {} of colored light is not supported (supported: {})", version, kLitVersion);
   const std::size_t size = reader.remaining();
-  if (size % 3 != 0)
-    return base::malformed("{} bytes after the header are not a whole number of red, green, blue samples",
-                           size);
+  if (size % 3 != 0) return base::malformed("{} bytes after the header are not a multiple of 3", size);
   const auto samples = base::as_u8(reader.take(size));
   return Lit{{samples.begin(), samples.end()}};
 }

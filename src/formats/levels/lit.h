@@ -1,4 +1,8 @@
-// .lit files: colored light samples for a level, three bytes for each gray one.
+// Colored light for a level (.lit), next to the .bsp, whose gray light it replaces.
+//
+//    0  "QLIT"
+//    4  version i32 (1)
+//    8  red, green, blue u8 for each byte of the level's lighting lump, in the same order
 #pragma once
 
 #include <cstdint>
@@ -15,8 +19,8 @@ struct Lit {
   bool operator==(const Lit&) const = default;
 };
 
-// Fails on another mark or version than QLIT 1, and on a number of bytes that is not a multiple of 3. Whether
-// there are as many samples as the level has is for the level's loader to say.
+// Returns an error for another magic or version, or if the size of the samples is not a multiple of 3. The
+// level loader checks that the number of samples matches the level.
 base::Result<Lit> read_lit(base::Bytes bytes);
 base::ByteVector write_lit(const Lit& lit);
 

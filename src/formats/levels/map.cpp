@@ -1,5 +1,5 @@
-// Recursive descent over the text, once. What is wrong is told by the entity and brush that were being read,
-// counted from 0 as in the comments that editors write, and the line.
+// A recursive descent parser: one member function for each part of the grammar in map.h. Errors name the
+// current entity and brush, counted from 0 as in the comments of editors, and the line.
 #include "formats/levels/map.h"
 
 #include <cmath>
@@ -50,7 +50,7 @@ class MapReader {
   map::Scanner scanner_;
   Map map_;
   bool in_entity_ = false;
-  std::optional<std::size_t> brush_;  // which of the entity's is being read, patches counted too
+  std::optional<std::size_t> brush_;  // index of the current brush; patches count too
   std::size_t brushes_begun_ = 0;
 };
 
@@ -96,7 +96,7 @@ base::Status MapReader::read_point(math::Vec3d& out_point) {
   TRY_STATUS(read_row('(', numbers, ')'));
   for (const double number : numbers)
     if (std::abs(number) > kMapMaxCoordinate)
-      return malformed_on(line, "the coordinate {} lies beyond +-{}", number, kMapMaxCoordinate);
+      return malformed_on(line, "the coordinate {} is beyond +-{}", number, kMapMaxCoordinate);
   out_point = {numbers[0], numbers[1], numbers[2]};
   return base::Ok{};
 }
@@ -104,11 +104,10 @@ base::Status MapReader::read_point(math::Vec3d& out_point) {
 base::Status MapReader::read_texture(std::string& out_name) {
   if (scanner_.peek() != '"') {
     out_name = scanner_.run();
-    return out_name.empty() ? base::Status(malformed("the text ends where a texture's name should stand"))
-                            : base::Ok{};
+    return out_name.empty() ? base::Status(malformed("the text ends, expected a texture name")) : base::Ok{};
   }
   const auto name = scanner_.quoted();
-  if (!name) return malformed("the quote that opens here is not closed on its line");
+  if (!name) return malformed("this quote is not closed on its line");
   out_name = *name;
   return base::Ok{};
 }
@@ -147,6 +146,8 @@ base::Status MapReader::read_matrix(MapTexturing& out_texturing) {
   return expect(')');
 }
 
+// Reads up to three flags, if there are any. They are 32-bit integers, signed or unsigned; MapSideFlags keeps
+// the bits.
 base::Status MapReader::read_flags(std::optional<MapSideFlags>& out_flags) {
   const auto is_number_next = [&] {
     const char next = scanner_.peek();
@@ -159,13 +160,14 @@ base::Status MapReader::read_flags(std::optional<MapSideFlags>& out_flags) {
     const auto number = scanner_.whole_number();
     if (!number) {
       const std::uint32_t line = scanner_.line();
-      return malformed_on(line, "expected a side's flags, whole numbers of 32 bits, found {}", next_token());
+      return malformed_on(line, "expected the flags of a side (32-bit integers), found {}", next_token());
     }
     flag = *number;
   }
   return base::Ok{};
 }
 
+// A matrix comes before the texture name, the other alignments after it, so the next character decides.
 base::Status MapReader::read_side(MapSide& out_side) {
   out_side.line = scanner_.line();
   for (math::Vec3d& point : out_side.points_world) TRY_STATUS(read_point(point));
@@ -184,7 +186,8 @@ base::Status MapReader::read_sides(std::vector<MapSide>& io_sides) {
   return base::Ok{};
 }
 
-// Its texture's name may start with a brace; all else in it are numbers in parentheses.
+// Skips a patch. Its texture name may start with a brace; everything after it is numbers and parentheses, so
+// the next brace ends it.
 base::Status MapReader::read_patch() {
   TRY_STATUS(expect('{'));
   std::string texture;
@@ -202,8 +205,8 @@ base::Status MapReader::read_brush(std::vector<MapBrush>& io_brushes) {
   bool is_patch = false;
   while (!scanner_.accept('}')) {
     const char next = scanner_.peek();
-    if (next == '\0') return malformed_on(brush.line, "the brush that opens here is never closed");
-    if (next == '{') return malformed("a brace opens inside the brush from line {}", brush.line);
+    if (next == '\0') return malformed_on(brush.line, "this brush is never closed");
+    if (next == '{') return malformed("unexpected brace inside of the brush from line {}", brush.line);
     if (next == '(') {
       TRY_STATUS(read_sides(brush.sides));
       continue;
@@ -218,7 +221,7 @@ base::Status MapReader::read_brush(std::vector<MapBrush>& io_brushes) {
       TRY_STATUS(read_sides(brush.sides));
       TRY_STATUS(expect('}'));
     } else {
-      return malformed_on(line, "expected a side or the brush's closing brace, found \"{}\"",
+      return malformed_on(line, "expected a side or the closing brace of the brush, found \"{}\"",
                           base::quotable(keyword.empty() ? scanner_.run() : keyword));
     }
   }
@@ -233,7 +236,7 @@ base::Status MapReader::read_pair(Entity& io_fields) {
     const char next = scanner_.peek();
     return next != '\0' && next != '{' && next != '}';
   };
-  constexpr std::string_view kNotClosed = "the quote that opens here is not closed on its line";
+  constexpr std::string_view kNotClosed = "this quote is not closed on its line";
 
   std::string_view key;
   if (scanner_.peek() != '"') {
@@ -255,17 +258,18 @@ base::Status MapReader::read_pair(Entity& io_fields) {
   return base::Ok{};
 }
 
+// The entity is added to the map before its contents are read, so that errors can name it.
 base::Status MapReader::read_entity() {
   const std::uint32_t line = scanner_.line();
   if (!scanner_.accept('{'))
-    return malformed_on(line, "expected an entity's opening brace, found {}", next_token());
+    return malformed_on(line, "expected the opening brace of an entity, found {}", next_token());
   MapEntity& entity = map_.entities.emplace_back();
   entity.line = line;
   in_entity_ = true;
   brushes_begun_ = 0;
   while (!scanner_.accept('}')) {
     const char next = scanner_.peek();
-    if (next == '\0') return malformed_on(line, "the entity that opens here is never closed");
+    if (next == '\0') return malformed_on(line, "this entity is never closed");
     TRY_STATUS(next == '{' ? read_brush(entity.brushes) : read_pair(entity.fields));
   }
   in_entity_ = false;

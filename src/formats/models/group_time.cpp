@@ -5,14 +5,15 @@
 
 namespace temblor::formats {
 
-std::size_t group_member_at(std::span<const float> end_times_s, double time_s) {
+std::size_t find_group_member(std::span<const float> end_times_s, double time_s) {
   if (end_times_s.empty()) return 0;
+  // In double precision: after days of play, a float cannot represent tenths of a second.
   const double period_s = end_times_s.back();
   double within_s = std::fmod(time_s, period_s);
   if (within_s < 0) within_s += period_s;
   const auto next_end =
       std::ranges::upper_bound(end_times_s, within_s, {}, [](float end) { return double{end}; });
-  // A moment before zero, the sum above rounds to the period itself.
+  // For tiny negative times, the sum above rounds up to the period itself.
   return std::min(static_cast<std::size_t>(next_end - end_times_s.begin()), end_times_s.size() - 1);
 }
 

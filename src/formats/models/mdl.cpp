@@ -18,7 +18,7 @@ constexpr std::size_t kTexelBytes = 12, kTriangleBytes = 16, kVertexBytes = 4, k
 constexpr std::int32_t kSeam = 32;
 constexpr std::size_t kMaxFrameNameChars = kFrameNameBytes - 1;
 
-// What the header promises.
+// Counts from the header.
 struct Counts {
   std::uint32_t skins = 0, vertices = 0, triangles = 0, frames = 0;
 };
@@ -27,7 +27,7 @@ bool is_finite(const math::Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// The largest coordinate that any vertex can have.
+// Returns the largest coordinate that a vertex can have, in units.
 float reach(const math::Vec3& scale, const math::Vec3& origin) {
   const math::Vec3 far_corner = glm::abs(scale) * 255.0f + glm::abs(origin);
   return std::max({far_corner.x, far_corner.y, far_corner.z});
@@ -61,6 +61,7 @@ void write_vertex(base::ByteWriter& io_writer, const MdlVertex& vertex) {
   io_writer.u8(vertex.normal);
 }
 
+// Checks a number of the header: at least 1, because an empty model cannot be drawn.
 base::Status check_count(const char* what, std::size_t offset, std::uint32_t count, std::uint32_t limit) {
   if (count == 0) return base::malformed("header at offset {:#x}: no {}", offset, what);
   if (count > limit)
@@ -69,6 +70,7 @@ base::Status check_count(const char* what, std::size_t offset, std::uint32_t cou
   return base::Ok{};
 }
 
+// Stores the fields of the model, and returns the counts of the parts that follow.
 base::Result<Counts> read_header(base::ByteReader& io_reader, Mdl& out_mdl) {
   TRY_STATUS(read_file_kind(io_reader, kFile, kMdlHeaderBytes));
   const std::size_t scale_offset = io_reader.offset();
@@ -88,8 +90,8 @@ base::Result<Counts> read_header(base::ByteReader& io_reader, Mdl& out_mdl) {
     return check_count(what, offset, out_count, limit);
   };
   TRY_STATUS(read_count("skins", kMaxMdlSkins, counts.skins));
-  TRY_STATUS(read_count("texels in a skin's width", kMaxMdlSkinSide, out_mdl.skin_width));
-  TRY_STATUS(read_count("texels in a skin's height", kMaxMdlSkinSide, out_mdl.skin_height));
+  TRY_STATUS(read_count("texels of skin width", kMaxMdlSkinSide, out_mdl.skin_width));
+  TRY_STATUS(read_count("texels of skin height", kMaxMdlSkinSide, out_mdl.skin_height));
   TRY_STATUS(read_count("vertices", kMaxMdlVertices, counts.vertices));
   TRY_STATUS(read_count("triangles", kMaxMdlTriangles, counts.triangles));
   TRY_STATUS(read_count("frames", kMaxMdlPoses, counts.frames));
@@ -148,6 +150,7 @@ base::Status read_triangles(base::ByteReader& io_reader, const Counts& counts, M
   return base::Ok{};
 }
 
+// Checks every normal, because the renderer uses it as an index. Bytes of positions may have any value.
 base::Result<MdlPose> read_pose(base::ByteReader& io_reader, std::uint32_t vertices, std::string_view part) {
   TRY_STATUS(need_bytes(io_reader, (2 + std::uint64_t{vertices}) * kVertexBytes + kFrameNameBytes, part));
   MdlPose pose;
@@ -182,6 +185,7 @@ base::Result<MdlFrame> read_frame(base::ByteReader& io_reader, std::uint32_t ver
   return frame;
 }
 
+// A file can have many groups, so the limit applies to the sum of their poses.
 base::Status read_frames(base::ByteReader& io_reader, const Counts& counts, Mdl& out_mdl) {
   std::size_t poses = 0;
   for (std::uint32_t i = 0; i < counts.frames; ++i) {
@@ -190,8 +194,8 @@ base::Status read_frames(base::ByteReader& io_reader, const Counts& counts, Mdl&
     poses += frame.poses.size();
     if (poses > kMaxMdlPoses)
       return base::error(base::ErrorCode::kTooLarge,
-                         "frame {} at offset {:#x}: with it the model has {} poses, the limit is {}", i,
-                         offset, poses, kMaxMdlPoses);
+                         "frame {} at offset {:#x}: brings the model to {} poses, the limit is {}", i, offset,
+                         poses, kMaxMdlPoses);
     out_mdl.frames.push_back(std::move(frame));
   }
   return base::Ok{};

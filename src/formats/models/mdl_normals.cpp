@@ -1,13 +1,14 @@
-// The 162 directions: an icosahedron whose 20 faces are split in four twice over, at the middles of their
-// edges, the points then moved out to the unit sphere. Points are numbered as a recursion over the faces
-// meets them.
+// The 162 directions: an icosahedron whose 20 faces are split in four twice, at the midpoints of their edges,
+// with the points then projected onto the unit sphere. Points are numbered in the order of a recursion over
+// the faces.
 //
-// Shape and order were found from data: for every normal index, the mean of the geometric normals of the
-// vertices that have it in stock models (LibreQuake's creatures) was matched with the nearest of the 162
-// points. That is one-to-one, 1.5 degrees off on average and 5.5 at most, where the points are 14 or more
-// apart; and the order so found is the recursion's for exactly one order of faces and corners, the one below.
-// Whether points move out once at the end or after each split, which differs by 1.3 degrees at 60 of them,
-// the data says less clearly: once fits 826 single vertices better, after each split 636.
+// Shape and order were found from data. For every normal index, the mean of the geometric normals of all
+// vertices with this index in stock models (LibreQuake's creatures) was matched with the nearest of the 162
+// points. The match is one-to-one, with an error of 1.5 degrees on average and 5.5 at most, while the points
+// are at least 14 degrees apart. The resulting order is that of the recursion for exactly one order of faces
+// and corners, the one below. The data leaves some doubt whether points are projected once at the end or
+// after each split, which differs by 1.3 degrees for 60 of them: projecting once fits 826 vertices better,
+// after each split 636.
 #include "formats/models/mdl_normals.h"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ constexpr std::array<Face, 20> kFaces = {{{0, 1, 2},  {0, 3, 1},  {3, 4, 1},   {
 
 using Points = std::vector<math::Vec3d>;
 
-// Neighboring faces compute the points of their common edge from the same two corners, so that equal points
-// are equal to the last bit.
+// Neighboring faces compute the points of their common edge from the same two corners, so that shared points
+// are exactly equal.
 void add_point(const math::Vec3d& point, Points& io_points) {
   if (std::ranges::find(io_points, point) == io_points.end()) io_points.push_back(point);
 }

@@ -1,4 +1,5 @@
-// The directions that a model's vertices choose their normals from.
+// The fixed table of vertex normals of alias models. A model stores only an index for each vertex, so that
+// lighting needs no computation of normals. mdl_normals.cpp describes how the table was found.
 #pragma once
 
 #include <span>
@@ -7,7 +8,7 @@
 
 namespace temblor::formats {
 
-// kMdlNormals unit vectors, in the order of MdlVertex::normal.
+// Returns kMdlNormals unit vectors, by MdlVertex::normal. Valid until the program ends. Thread-safe.
 std::span<const math::Vec3> mdl_normals();
 
 }  // namespace temblor::formats

@@ -16,13 +16,13 @@ constexpr std::int32_t kSingle = 0, kGroup = 1;
 
 base::Status read_file_kind(base::ByteReader& io_reader, const FileKind& kind, std::size_t header_bytes) {
   if (io_reader.remaining() < header_bytes)
-    return base::malformed("a {}'s header has {} bytes, this file {}", kind.name, header_bytes,
+    return base::malformed("{} header needs {} bytes, the file has {}", kind.name, header_bytes,
                            io_reader.remaining());
   if (base::as_text(io_reader.take(kind.magic.size())) != kind.magic)
     return base::malformed("not a {}: it does not start with \"{}\"", kind.name, kind.magic);
   if (const std::int32_t version = io_reader.i32(); version != kind.version)
-    return base::error(base::ErrorCode::kUnsupported, "{} of version {}, known is {}", kind.name, version,
-                       kind.version);
+    return base::error(base::ErrorCode::kUnsupported, "{} version {} is not supported, only {}", kind.name,
+                       version, kind.version);
   return base::Ok{};
 }
 
@@ -41,7 +41,7 @@ base::Result<float> read_finite(base::ByteReader& io_reader, std::string_view wh
 
 base::Status need_bytes(const base::ByteReader& reader, std::uint64_t bytes, std::string_view part) {
   if (bytes <= reader.remaining()) return base::Ok{};
-  return base::malformed("{} at offset {:#x}: needs {} bytes, {} are left", part, reader.offset(), bytes,
+  return base::malformed("{} at offset {:#x}: needs {} bytes, only {} are left", part, reader.offset(), bytes,
                          reader.remaining());
 }
 
@@ -51,11 +51,11 @@ base::Result<std::uint32_t> read_group_members(base::ByteReader& io_reader, std:
   const std::int32_t kind = io_reader.i32();
   if (kind == kSingle) return std::uint32_t{0};
   if (kind != kGroup)
-    return base::malformed("{} at offset {:#x}: unknown kind {} (known: {} single, {} group)", part, offset,
-                           kind, kSingle, kGroup);
+    return base::malformed("{} at offset {:#x}: unknown type {} (expected {} for single or {} for group)",
+                           part, offset, kind, kSingle, kGroup);
   TRY_STATUS(need_bytes(io_reader, sizeof(std::uint32_t), part));
   const std::uint32_t members = io_reader.u32();
-  if (members == 0) return base::malformed("{} at offset {:#x}: a group of none", part, offset);
+  if (members == 0) return base::malformed("{} at offset {:#x}: empty group", part, offset);
   return members;
 }
 
@@ -69,6 +69,8 @@ void write_group_members(base::ByteWriter& io_writer, std::size_t members) {
   if (members > 0) io_writer.u32(static_cast<std::uint32_t>(members));
 }
 
+// Compares each end time with the one before it, which it has checked already, so that the error names the
+// first bad one.
 base::Result<std::vector<float>> read_group_times(base::ByteReader& io_reader, std::uint32_t members,
                                                   std::string_view part) {
   const std::size_t offset = io_reader.offset();
@@ -77,9 +79,9 @@ base::Result<std::vector<float>> read_group_times(base::ByteReader& io_reader, s
   for (std::size_t i = 0; i < members; ++i) {
     end_times_s[i] = io_reader.f32();
     if (!are_group_times(std::span(end_times_s).subspan(i > 0 ? i - 1 : 0, i > 0 ? 2 : 1)))
-      return base::malformed("{} at offset {:#x}: end time {} of {} is {} after {}, times rise from zero",
-                             part, offset + i * sizeof(float), i, members, end_times_s[i],
-                             i > 0 ? end_times_s[i - 1] : 0.0f);
+      return base::malformed(
+          "{} at offset {:#x}: end time {} of {} is {} after {}, end times must be positive and increasing",
+          part, offset + i * sizeof(float), i, members, end_times_s[i], i > 0 ? end_times_s[i - 1] : 0.0f);
   }
   return end_times_s;
 }

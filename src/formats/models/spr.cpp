@@ -20,18 +20,18 @@ bool is_sprite_side(std::uint32_t side) {
   return side >= 1 && side <= kMaxSprSide;
 }
 
-bool is_place(const SprPicture& picture) {
+bool is_valid_offset(const SprPicture& picture) {
   return std::min(picture.left, picture.up) >= -kMaxSprOffset &&
          std::max(picture.left, picture.up) <= kMaxSprOffset;
 }
 
-// The number of frames; all else goes into out_spr.
+// Returns the number of frames, and stores all other fields in out_spr.
 base::Result<std::uint32_t> read_header(base::ByteReader& io_reader, Spr& out_spr) {
   TRY_STATUS(read_file_kind(io_reader, kSprFile, kSprHeaderBytes));
   const std::size_t orientation_offset = io_reader.offset();
   const std::uint32_t orientation = io_reader.u32();
   if (orientation > kLastOrientation)
-    return base::malformed("header at offset {:#x}: unknown orientation {} (known: 0 to {})",
+    return base::malformed("header at offset {:#x}: unknown orientation {} (expected 0 to {})",
                            orientation_offset, orientation, kLastOrientation);
   out_spr.orientation = static_cast<SprOrientation>(orientation);
   TRY(out_spr.bounding_radius, read_finite(io_reader, "bounding radius"));
@@ -59,7 +59,7 @@ base::Result<SprPicture> read_sprite_picture(base::ByteReader& io_reader, std::s
   if (!is_sprite_side(picture.width) || !is_sprite_side(picture.height))
     return base::malformed("{} at offset {:#x}: {} x {} texels, sides are 1 to {}", part, offset,
                            picture.width, picture.height, kMaxSprSide);
-  if (!is_place(picture))
+  if (!is_valid_offset(picture))
     return base::error(base::ErrorCode::kTooLarge, "{} at offset {:#x}: {} left, {} up, the limit is {}",
                        part, offset, picture.left, picture.up, kMaxSprOffset);
   const std::size_t texels = std::size_t{picture.width} * picture.height;
@@ -85,7 +85,7 @@ base::Result<SprFrame> read_frame(base::ByteReader& io_reader, std::string_view 
 void check_picture(const SprPicture& picture) {
   CHECK(is_sprite_side(picture.width) && is_sprite_side(picture.height), "{} x {}", picture.width,
         picture.height);
-  CHECK(is_place(picture), "{} left, {} up", picture.left, picture.up);
+  CHECK(is_valid_offset(picture), "{} left, {} up", picture.left, picture.up);
   CHECK(picture.texels.size() == std::size_t{picture.width} * picture.height, "{}", picture.texels.size());
 }
 
@@ -124,7 +124,7 @@ base::Result<Spr> read_spr(base::Bytes bytes) {
     pictures += frame.pictures.size();
     if (pictures > kMaxSprPictures)
       return base::error(base::ErrorCode::kTooLarge,
-                         "frame {} at offset {:#x}: with it the sprite has {} pictures, the limit is {}", i,
+                         "frame {} at offset {:#x}: brings the sprite to {} pictures, the limit is {}", i,
                          offset, pictures, kMaxSprPictures);
     spr.frames.push_back(std::move(frame));
   }

@@ -11,14 +11,14 @@ using base::ErrorCode;
 
 constexpr std::uint16_t kPcm = 1, kExtensible = 0xfffe;
 constexpr std::size_t kChunkHeaderBytes = 8, kFormatBytes = 16, kCuePointBytes = 24;
-// Of the extended header, where the 16 bytes begin that name the true format; its first two are the number.
+// Offset of the 16-byte subformat in the extended header; its first two bytes are the format number.
 constexpr std::size_t kExtendedFormatAt = 24, kExtendedFormatBytes = 40;
 
 struct Chunk {
   std::string_view name;
-  std::size_t offset = 0;  // of its name
-  base::Bytes bytes;       // as many as there are
-  bool whole = true;       // they are as many as it says
+  std::size_t offset = 0;  // of its id in the file
+  base::Bytes bytes;       // those that are present
+  bool whole = true;       // all declared bytes are present
 };
 
 struct CuePoint {
@@ -34,7 +34,7 @@ struct Chunks {
   std::vector<Mark> marks;
 };
 
-// Nothing where not even a header is left. Chunks begin at even offsets.
+// Reads the next chunk; nullopt if no whole header is left. Chunks start at even offsets.
 std::optional<Chunk> next_chunk(ByteReader& io_reader) {
   if (io_reader.remaining() < kChunkHeaderBytes) return std::nullopt;
   Chunk chunk;
@@ -47,6 +47,7 @@ std::optional<Chunk> next_chunk(ByteReader& io_reader) {
   return chunk;
 }
 
+// Reads the first cue point; nullopt if there is none.
 std::optional<CuePoint> read_cue(base::Bytes bytes) {
   ByteReader reader(bytes);
   if (reader.u32() == 0 || reader.remaining() < kCuePointBytes) return std::nullopt;
@@ -57,7 +58,7 @@ std::optional<CuePoint> read_cue(base::Bytes bytes) {
   return point;
 }
 
-// The `mark`s among the labeled texts of a LIST chunk.
+// Finds the `mark` texts in a LIST chunk.
 void read_marks(base::Bytes bytes, std::vector<Mark>& io_marks) {
   ByteReader reader(bytes);
   if (base::as_text(reader.take(4)) != "adtl") return;
@@ -71,6 +72,7 @@ void read_marks(base::Bytes bytes, std::vector<Mark>& io_marks) {
   }
 }
 
+// Collects the chunks in any order. The first of each kind counts, except that every LIST may have marks.
 Chunks find_chunks(ByteReader& io_reader) {
   Chunks chunks;
   while (const std::optional<Chunk> chunk = next_chunk(io_reader)) {
@@ -84,13 +86,13 @@ Chunks find_chunks(ByteReader& io_reader) {
 
 base::Status read_format(const Chunk& chunk, Wav& out_wav) {
   if (chunk.bytes.size() < kFormatBytes)
-    return base::malformed("fmt chunk at offset {:#x}: {} bytes, it has at least {}", chunk.offset,
+    return base::malformed("fmt chunk at offset {:#x}: {} bytes, expected at least {}", chunk.offset,
                            chunk.bytes.size(), kFormatBytes);
   ByteReader reader(chunk.bytes);
   std::uint16_t kind = reader.u16();
   out_wav.channels = reader.u16();
   out_wav.frames_per_second = reader.u32();
-  reader.u32();  // bytes a second and bytes a frame follow from the rest
+  reader.u32();  // bytes per second and per frame: redundant
   reader.u16();
   out_wav.bits = reader.u16();
   if (kind == kExtensible && chunk.bytes.size() >= kExtendedFormatBytes) {
@@ -102,14 +104,15 @@ base::Status read_format(const Chunk& chunk, Wav& out_wav) {
                        "fmt chunk at offset {:#x}: format {} of {} bits; convert it to PCM of 8 or 16 bits",
                        chunk.offset, kind, out_wav.bits);
   if (out_wav.channels < 1 || out_wav.channels > kMaxWavChannels)
-    return base::malformed("fmt chunk at offset {:#x}: {} channels, there are 1 to {}", chunk.offset,
+    return base::malformed("fmt chunk at offset {:#x}: {} channels, expected 1 to {}", chunk.offset,
                            out_wav.channels, kMaxWavChannels);
   if (out_wav.frames_per_second < kMinWavRate || out_wav.frames_per_second > kMaxWavRate)
-    return base::malformed("fmt chunk at offset {:#x}: {} frames a second, rates are {} to {}", chunk.offset,
+    return base::malformed("fmt chunk at offset {:#x}: {} frames per second, expected {} to {}", chunk.offset,
                            out_wav.frames_per_second, kMinWavRate, kMaxWavRate);
   return base::Ok{};
 }
 
+// Converts 8-bit samples, which are unsigned, to signed ones. Drops an incomplete frame at the end.
 base::Status read_samples(const Chunk& chunk, Wav& io_wav) {
   if (!chunk.whole)
     return base::malformed("data chunk at offset {:#x}: the file ends after {} of its bytes", chunk.offset,
@@ -123,6 +126,7 @@ base::Status read_samples(const Chunk& chunk, Wav& io_wav) {
   return base::Ok{};
 }
 
+// The last mark of the cue point counts. A mark that reaches past the end of the sound is ignored.
 std::optional<WavLoop> find_loop(const Chunks& chunks, std::size_t frame_count) {
   if (!chunks.cue || chunks.cue->frame >= frame_count) return std::nullopt;
   const auto frames = static_cast<std::uint32_t>(frame_count);
@@ -150,6 +154,7 @@ void write_format(base::ByteWriter& io_writer, std::uint32_t frames_per_second, 
   io_writer.u16(bits);
 }
 
+// Writes a loop as the stock sounds have it: a cue point, and its length as a `mark` in a LIST chunk.
 void write_loop(base::ByteWriter& io_writer, const WavLoop& loop) {
   constexpr std::uint32_t kNumber = 1;
   write_chunk_header(io_writer, "cue ", 4 + kCuePointBytes);
@@ -176,9 +181,9 @@ void write_loop(base::ByteWriter& io_writer, const WavLoop& loop) {
 base::Result<Wav> read_wav(base::Bytes bytes) {
   ByteReader reader(bytes);
   const bool is_riff = base::as_text(reader.take(4)) == "RIFF";
-  reader.u32();  // the file's size: what it says is often wrong, and not needed
+  reader.u32();  // file size: often wrong, and not needed
   if (!is_riff || base::as_text(reader.take(4)) != "WAVE")
-    return base::malformed("not a WAV sound: it does not begin with RIFF and WAVE");
+    return base::malformed("not a WAV file: it does not start with RIFF and WAVE");
   const Chunks chunks = find_chunks(reader);
   if (!chunks.format) return base::malformed("no fmt chunk in {} bytes", bytes.size());
   Wav wav;
@@ -211,8 +216,8 @@ base::ByteVector write_wav(const Wav& wav) {
   return std::move(writer).take();
 }
 
-base::ByteVector wav_header(std::uint32_t frames_per_second, std::uint16_t channels,
-                            std::uint32_t sample_bytes) {
+base::ByteVector make_wav_header(std::uint32_t frames_per_second, std::uint16_t channels,
+                                 std::uint32_t sample_bytes) {
   constexpr std::uint32_t kHeaderBytes = 44;
   base::ByteWriter writer;
   write_chunk_header(writer, "RIFF", kHeaderBytes - kChunkHeaderBytes + sample_bytes);

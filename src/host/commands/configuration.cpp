@@ -12,16 +12,18 @@ namespace {
 constexpr std::uint64_t kMaxCommandFileBytes = 1 << 20;
 constexpr std::string_view kStockConfiguration = "config.cfg";
 
+// Whether all bytes are printable or white space. Bytes from 128 on are allowed: UTF-8, or the game's own
+// letters.
 bool is_text(std::string_view text) {
   return std::none_of(text.begin(), text.end(), [](char c) {
     return c == 0 || (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\r' && c != '\n');
   });
 }
 
-// Where it was written, unless a later game folder came with a file of that name. What was written since the
-// folders were read is not in their tables.
-std::optional<std::filesystem::path> atomic_write(const GameData& data, std::string_view name) {
-  const std::optional<std::size_t> came_with = data.library.files().game_of(name);
+// Finds the file of that name in the write folders, unless a later game folder came with one. Looks at the
+// disk, because files that were written after the folders were mounted are not in their file tables.
+std::optional<std::filesystem::path> find_written_file(const GameData& data, std::string_view name) {
+  const std::optional<std::size_t> came_with = data.library.files().find_game(name);
   for (std::size_t game = data.write_folders.size(); game-- > came_with.value_or(0);) {
     const std::filesystem::path file = data.write_folders[game] / name;
     std::error_code ignored;
@@ -33,20 +35,19 @@ std::optional<std::filesystem::path> atomic_write(const GameData& data, std::str
 }  // namespace
 
 bool has_commands(const GameData& data, std::string_view name) {
-  return atomic_write(data, name) || data.library.files().contains(name);
+  return find_written_file(data, name) || data.library.files().contains(name);
 }
 
 base::Result<std::string> read_commands(const GameData& data, std::string_view name) {
-  const std::optional<std::string> normalized = vfs::normalized_name(name);
-  if (!normalized)
-    return base::error(base::ErrorCode::kUsage, "\"{}\" is no name of a file in the game folders", name);
-  const std::optional<std::filesystem::path> written = atomic_write(data, name);
+  const std::optional<std::string> normalized = vfs::normalize_name(name);
+  if (!normalized) return base::error(base::ErrorCode::kUsage, "\"{}\" is not a valid file name", name);
+  const std::optional<std::filesystem::path> written = find_written_file(data, name);
   const base::Result<base::ByteVector> bytes =
       written ? vfs::read_disk_file(*written, kMaxCommandFileBytes) : data.library.files().read(name);
   if (!bytes.ok()) return bytes.error();
   std::string text(base::as_text(*bytes));
   if (text.size() > kMaxCommandFileBytes || !is_text(text))
-    return base::malformed("{} is not a file of commands", name);
+    return base::malformed("{} is not a text file of console commands", name);
   return text;
 }
 
@@ -57,7 +58,7 @@ std::optional<std::string> configuration_to_run(const GameData& data) {
 }
 
 base::Result<ReadConfiguration> read_configuration(const GameData& data) {
-  const std::optional<std::filesystem::path> written = atomic_write(data, kConfigurationFile);
+  const std::optional<std::filesystem::path> written = find_written_file(data, kConfigurationFile);
   TRY(const base::ByteVector bytes, written ? vfs::read_disk_file(*written, kMaxCommandFileBytes)
                                             : data.library.files().read(kConfigurationFile));
   ReadConfiguration read;
@@ -73,15 +74,15 @@ base::Result<ReadConfiguration> read_configuration(const GameData& data) {
   return read;
 }
 
-base::Result<std::optional<std::filesystem::path>> keep_configuration_aside(const GameData& data) {
+base::Result<std::optional<std::filesystem::path>> copy_damaged_configuration(const GameData& data) {
   const std::filesystem::path file = data.write_folder / kConfigurationFile;
   std::error_code failure;
   if (!std::filesystem::exists(file, failure)) return std::optional<std::filesystem::path>();
-  std::filesystem::path aside = file;
-  aside += ".damaged";
-  std::filesystem::copy_file(file, aside, std::filesystem::copy_options::overwrite_existing, failure);
-  if (failure) return base::error(base::ErrorCode::kIo, "{}: {}", aside.string(), failure.message());
-  return std::optional(std::move(aside));
+  std::filesystem::path copy = file;
+  copy += ".damaged";
+  std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing, failure);
+  if (failure) return base::error(base::ErrorCode::kIo, "{}: {}", copy.string(), failure.message());
+  return std::optional(std::move(copy));
 }
 
 std::string read_history(const GameData& data) {
@@ -96,7 +97,8 @@ std::string read_history(const GameData& data) {
 std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables,
                                const Overrides& overrides) {
   return fmt::format(
-      "// Written by Temblor when it ends; autoexec.cfg is run after it and never written.\n{}{}",
+      "// Written by Temblor when it ends. Put your own commands into autoexec.cfg: it runs after this "
+      "file.\n{}{}",
       bindings.to_text(), variables.to_text(overrides));
 }
 

@@ -10,260 +10,294 @@
 
 #include "base/text.h"
 #include "command/text.h"
-#include "host/host.h"
+#include "host/frame/host_parts.h"
+#include "host/menus/menus.h"
+#include "host/session/configure.h"
+#include "host/session/demos.h"
+#include "host/session/games.h"
 
 namespace temblor::host {
 namespace {
 
 using Arguments = command::Console::Arguments;
 
-struct NamedHelp {
+// min_arguments does not count the command's name. With fewer arguments, the command prints its help.
+struct CommandHelp {
   std::string_view name, help;
-  std::size_t least_words = 0;  // behind the name
+  std::size_t min_arguments = 0;
 };
 
-// Said to the server, on the player's behalf.
+// Sent to the server unchanged. The server decides whether a player may use them.
 constexpr std::array kPlayerCommands = {
-    NamedHelp{"say", "say WORDS speaks to everybody.", 1},
-    NamedHelp{"say_team", "say_team WORDS speaks to the own side.", 1},
-    NamedHelp{"tell", "tell NAME WORDS speaks to one player.", 2},
-    NamedHelp{"ping", "Shows how long everybody's way to the server is."},
-    NamedHelp{"status", "Shows the level and who plays."},
-    NamedHelp{"pause", "Stops time, or lets it go on."},
-    NamedHelp{"kill", "Ends this life."},
-    NamedHelp{"god", "Nothing hurts any more; again: it does."},
-    NamedHelp{"notarget", "Monsters do not see the player; again: they do."},
-    NamedHelp{"noclip", "Walks through everything; again: not."},
-    NamedHelp{"fly", "Flies; again: walks."},
-    NamedHelp{"give",
-              "give all; give weapons, ammo, keys; give 2 to 8; give h 100: health, armor (a), shells (s), "
-              "nails (n), rockets (r), cells (c).",
-              1},
-    NamedHelp{"rcon", "rcon PASSWORD COMMAND runs a command on the server.", 2},
+    CommandHelp{"say", "say TEXT: sends a message to all players.", 1},
+    CommandHelp{"say_team", "say_team TEXT: sends a message to your team.", 1},
+    CommandHelp{"tell", "tell NAME TEXT: sends a message to one player.", 2},
+    CommandHelp{"ping", "Shows every player's ping."},
+    CommandHelp{"status", "Shows the level and the players."},
+    CommandHelp{"pause", "Pauses or resumes the game."},
+    CommandHelp{"kill", "Suicide."},
+    CommandHelp{"god", "Toggles god mode (no damage)."},
+    CommandHelp{"notarget", "Toggles whether monsters ignore you."},
+    CommandHelp{"noclip", "Toggles flying through walls."},
+    CommandHelp{"fly", "Toggles flying."},
+    CommandHelp{"give",
+                "give all, weapons, ammo, or keys; give 2 to 8: a weapon; give h 100: health; a: armor, "
+                "s: shells, n: nails, r: rockets, c: cells.",
+                1},
+    CommandHelp{"rcon", "rcon PASSWORD COMMAND: runs a command on the server.", 2},
 };
 
-// Run by the server that runs here.
+// Run in the console of our own server. A remote server accepts them only through `rcon`.
 constexpr std::array kServerCommands = {
-    NamedHelp{"changelevel", "changelevel NAME goes on in another level with what players have."},
-    NamedHelp{"restart", "Starts the level again."},
-    NamedHelp{"reload", "Takes up the game's code and the level as they are on disk now."},
-    NamedHelp{"kick", "kick NAME or #NUMBER, then a reason: lets go of a player."},
-    NamedHelp{"ban", "ban ADDRESS, ADDRESS/BITS or a player: refuses them from now on; alone: lists them."},
-    NamedHelp{"unban", "unban ADDRESS takes back a ban."},
-    NamedHelp{"profile", "Functions of the game's code that took the most instructions since the last time."},
-    NamedHelp{"edict", "edict NUMBER shows the fields of an entity."},
+    CommandHelp{"changelevel", "changelevel NAME: moves everyone to another level, with their items."},
+    CommandHelp{"restart", "Restarts the level."},
+    CommandHelp{"reload", "Reloads the level and the game code from disk."},
+    CommandHelp{"kick", "kick NAME or #NUMBER [REASON]: disconnects a player."},
+    CommandHelp{"ban", "ban ADDRESS[/BITS] or PLAYER: bans a player. Without an argument: lists all bans."},
+    CommandHelp{"unban", "unban ADDRESS: lifts a ban."},
+    CommandHelp{"profile", "Lists the QuakeC functions that ran the most instructions since the last call."},
+    CommandHelp{"edict", "edict NUMBER: shows the fields of an entity."},
 };
 
-// What stock games have their players run: nothing of it changes settings or reaches files.
+// See may_be_stuffed().
 constexpr std::array<std::string_view, 8> kMayBeStuffed = {
     "play", "playvol", "stopsound", "centerview", "bf", "cd", "music", "force_centerview"};
 
-// Whether a command was given what it takes, one name; else says so.
+// Prints an error, with the file and line of the command if it is in a file.
+void print_command_error(Host& io_host, std::string_view text) {
+  io_host.console.commands.print_error(text);
+}
+
+void print_if_command_error(Host& io_host, const base::Status& status) {
+  if (!status.ok()) print_command_error(io_host, status.error().message());
+}
+
+// Whether the command has exactly one argument. If not, prints the help or an error.
 bool has_one_name(Host& io_host, Arguments arguments, std::string_view help) {
   if (arguments.size() == 2) return true;
-  io_host.console().print_error(
-      arguments.size() < 2
-          ? std::string(help)
-          : fmt::format("{} takes one name; quotes hold one with blanks together", arguments[0]));
+  print_command_error(
+      io_host, arguments.size() < 2
+                   ? std::string(help)
+                   : fmt::format("{} takes one name. Put quotes around a name with spaces.", arguments[0]));
   return false;
 }
 
-void print_error(Host& io_host, const base::Status& status) {
-  if (!status.ok()) io_host.console().print_error(status.error().message());
-}
-
-std::string line_of(Arguments arguments) {
+// The inverse of splitting: quotes arguments that contain spaces.
+std::string join_arguments(Arguments arguments) {
   return command::join_words(std::vector<std::string>(arguments.begin(), arguments.end()));
 }
 
+// Returns the argument as a number. Prints an error and returns none unless there is exactly one number.
+std::optional<double> parse_number_argument(Host& io_host, Arguments arguments) {
+  const auto number = arguments.size() == 2 ? command::parse_number(arguments[1]) : std::nullopt;
+  if (!number) print_command_error(io_host, fmt::format("{} takes one number", arguments[0]));
+  return number;
+}
+
+// Returns a function add(NAME, HELP, RUN) that registers RUN(Host&, Arguments).
+auto make_adder(Host& io_host) {
+  return [&io_host](std::string_view name, std::string_view help, auto run) {
+    io_host.console.commands.add_command(
+        name, help, [host = &io_host, run](Arguments arguments) { run(*host, arguments); });
+  };
+}
+
+// Registers a command that takes exactly one name, of a level, file or server. Prints the error that it
+// returns.
+void add_named(Host& io_host, std::string_view name, std::string_view help,
+               base::Status (*run)(Host&, std::string_view)) {
+  make_adder(io_host)(name, help, [run, help](Host& host, Arguments arguments) {
+    if (has_one_name(host, arguments, help)) print_if_command_error(host, run(host, arguments[1]));
+  });
+}
+
 void add_player_commands(Host& io_host) {
-  for (const NamedHelp& entry : kPlayerCommands)
-    io_host.console().add_command(entry.name, entry.help, [host = &io_host, entry](Arguments arguments) {
-      if (arguments.size() <= entry.least_words) return host->console().print_error(entry.help);
-      if (client::Connection* const connection = host->session().connection())
-        return connection->send_command(line_of(arguments));
-      host->console().print_error(fmt::format("{}: not in a game", arguments[0]));
+  for (const CommandHelp& entry : kPlayerCommands)
+    make_adder(io_host)(entry.name, entry.help, [entry](Host& host, Arguments arguments) {
+      if (arguments.size() <= entry.min_arguments) return print_command_error(host, entry.help);
+      if (client::Connection* const connection = host.game.session->connection())
+        return connection->send_command(join_arguments(arguments));
+      print_command_error(host, fmt::format("{}: start or join a game first", arguments[0]));
     });
 }
 
 void add_server_commands(Host& io_host) {
-  for (const NamedHelp& entry : kServerCommands)
-    io_host.console().add_command(entry.name, entry.help, [host = &io_host](Arguments arguments) {
-      if (server::Server* const server = host->session().server())
-        return server->console().execute(line_of(arguments));
-      host->console().print_error(fmt::format("{}: no game runs here; `map NAME` begins one", arguments[0]));
+  for (const CommandHelp& entry : kServerCommands)
+    make_adder(io_host)(entry.name, entry.help, [](Host& host, Arguments arguments) {
+      if (server::Server* const server = host.game.session->server())
+        return server->console.execute(join_arguments(arguments));
+      print_command_error(
+          host,
+          fmt::format("{}: no game is running on this machine. Type map NAME to start one.", arguments[0]));
     });
 }
 
-void color_command(Host& io_host, Arguments arguments) {
-  if (arguments.size() < 2) return io_host.console().print_error("color SHIRT [TROUSERS]: 0 to 13");
-  command::Variables& variables = io_host.variables().variables();
-  print_error(io_host, variables.set("topcolor", arguments[1]));
-  print_error(io_host, variables.set("bottomcolor", arguments[arguments.size() > 2 ? 2 : 1]));
+void set_colors(Host& io_host, Arguments arguments) {
+  if (arguments.size() < 2) return print_command_error(io_host, "color SHIRT [PANTS]: 0 to 13");
+  command::Variables& variables = io_host.variables.variables();
+  print_if_command_error(io_host, variables.set("topcolor", arguments[1]));
+  print_if_command_error(io_host, variables.set("bottomcolor", arguments[arguments.size() > 2 ? 2 : 1]));
 }
 
 void list_levels(Host& io_host) {
-  for (const std::string& file : io_host.data().library.files().list("maps/", ".bsp")) {
+  for (const std::string& file : io_host.game.data->library.files().list("maps/", ".bsp")) {
     const std::string name = file.substr(5, file.size() - 9);
-    if (!name.starts_with("b_")) io_host.print(name);
+    if (!name.starts_with("b_")) print_line(io_host, name);  // b_*.bsp are the models of ammo boxes
   }
 }
 
-// As `render --pos --angles` takes them, so that a place can be shown to others.
-void tell_view(Host& io_host) {
-  const std::optional<render::Camera> view = io_host.view();
-  if (!view) return io_host.console().print_error("viewpos: there is no view; `map NAME` begins a game");
-  const auto written = [](const math::Vec3& v, std::string_view between) {
-    return fmt::format("{1}{0}{2}{0}{3}", between, std::lround(v.x), std::lround(v.y), std::lround(v.z));
+// Prints the camera for people, and as options of `temblor render`, which draws the same view for a bug
+// report.
+void print_camera(Host& io_host) {
+  const std::optional<render::Camera> camera = current_camera(io_host);
+  if (!camera) return print_command_error(io_host, "viewpos: start or join a game first");
+  const auto format = [](const math::Vec3& v, std::string_view separator) {
+    return fmt::format("{1}{0}{2}{0}{3}", separator, std::lround(v.x), std::lround(v.y), std::lround(v.z));
   };
-  const math::Vec3& eye = view->origin_world;
-  const math::Vec3& angles = view->angles_deg;
-  io_host.print(fmt::format("eyes at {} (units), looking {} (pitch, yaw, roll in degrees)", written(eye, " "),
-                            written(angles, " ")));
-  io_host.print(fmt::format("render --pos {} --angles {}", written(eye, ","), written(angles, ",")));
+  const math::Vec3& position = camera->origin_world;
+  const math::Vec3& angles = camera->angles_deg;
+  print_line(io_host, fmt::format("position {} (map units), angles {} (pitch, yaw, roll in degrees)",
+                                  format(position, " "), format(angles, " ")));
+  print_line(io_host, fmt::format("render --pos {} --angles {}", format(position, ","), format(angles, ",")));
 }
 
 void change_view_size(Host& io_host, int step) {
-  command::Variables& variables = io_host.variables().variables();
+  command::Variables& variables = io_host.variables.variables();
   const command::Variable& size = *variables.find("viewsize");
   const double wanted = std::clamp(size.number + step, size.min, size.max);
-  print_error(io_host, variables.set("viewsize", std::to_string(static_cast<int>(wanted))));
+  print_if_command_error(io_host, variables.set("viewsize", std::to_string(static_cast<int>(wanted))));
 }
 
-// Commands are plain functions of host and words.
-auto adder(Host& io_host) {
-  return [&io_host](std::string_view name, std::string_view help, auto run) {
-    io_host.console().add_command(name, help,
-                                  [host = &io_host, run](Arguments arguments) { run(*host, arguments); });
-  };
+// Returns the current demo. Prints an error and returns null if no demo is playing.
+client::DemoSession* find_demo(Host& io_host, Arguments arguments) {
+  if (io_host.demos.session) return &*io_host.demos.session;
+  print_command_error(io_host, fmt::format("{}: no demo is playing", arguments[0]));
+  return nullptr;
 }
 
-// The number behind the command's name; nothing where there is none, and says so.
-std::optional<double> told_number(Host& io_host, Arguments arguments) {
-  const auto number = arguments.size() == 2 ? command::parse_number(arguments[1]) : std::nullopt;
-  if (!number) io_host.console().print_error(fmt::format("{}: give one number", arguments[0]));
-  return number;
-}
-
-// The recording that plays; null where none does, and says so.
-client::DemoSession* playing_demo(Host& io_host, Arguments arguments) {
-  if (io_host.demo() == nullptr)
-    io_host.console().print_error(fmt::format("{}: no recording is playing", arguments[0]));
-  return io_host.demo();
-}
-
+// "+10" and "-10" are relative to the current time, "10" to the start of the demo.
 void seek(Host& io_host, Arguments arguments) {
-  const client::DemoSession* const demo = playing_demo(io_host, arguments);
-  const std::optional<double> number_s = demo == nullptr ? std::nullopt : told_number(io_host, arguments);
+  const client::DemoSession* const demo = find_demo(io_host, arguments);
+  const std::optional<double> number_s =
+      demo == nullptr ? std::nullopt : parse_number_argument(io_host, arguments);
   if (!number_s) return;
-  const bool is_step = arguments[1].starts_with('+') || arguments[1].starts_with('-');
-  print_error(io_host, io_host.seek_demo((is_step ? demo->time_s() : demo->begin_s()) + *number_s));
+  const bool is_relative = arguments[1].starts_with('+') || arguments[1].starts_with('-');
+  print_if_command_error(io_host,
+                         seek_demo(io_host, (is_relative ? demo->time_s() : demo->begin_s()) + *number_s));
 }
 
 void add_demo_commands(Host& io_host) {
-  const auto add = adder(io_host);
-  const auto add_named = [&](std::string_view name, std::string_view help,
-                             base::Status (Host::*run)(std::string_view)) {
-    add(name, help, [run, help](Host& host, Arguments arguments) {
-      if (!has_one_name(host, arguments, help)) return;
-      print_error(host, (host.*run)(arguments[1]));
-    });
-  };
-  add_named("playdemo",
-            "playdemo NAME shows a recording: Space stops it, the arrows seek and change its speed.",
-            &Host::play_demo);
-  add_named("timedemo", "timedemo NAME draws every update of a recording as fast as it can.",
-            &Host::time_demo);
-  add_named("record", "record NAME records what is seen, until `stop`.", &Host::record);
-  add("stop", "Ends the recording that is being made.",
-      [](Host& host, Arguments) { print_error(host, host.stop_recording()); });
-  add("startdemos", "startdemos NAME... shows recordings behind the menus, one after another, for ever.",
+  const auto add = make_adder(io_host);
+  add_named(io_host, "playdemo",
+            "playdemo NAME: plays a demo. Space pauses, the arrow keys seek and change the speed.",
+            play_demo);
+  add_named(io_host, "timedemo", "timedemo NAME: benchmark; plays a demo as fast as possible.", time_demo);
+  add_named(io_host, "record", "record NAME: records a demo until you type stop.", record_demo);
+  add("stop", "Stops recording and saves the demo.",
+      [](Host& host, Arguments) { print_if_command_error(host, stop_recording(host)); });
+  add("startdemos", "startdemos NAME...: plays demos behind the menu in an endless loop.",
       [](Host& host, Arguments arguments) {
-        if (arguments.size() < 2) return host.print("startdemos NAME...");
-        host.attract({arguments.begin() + 1, arguments.end()});
+        if (arguments.size() < 2) return print_line(host, "startdemos NAME...");
+        attract(host, {arguments.begin() + 1, arguments.end()});
       });
-  add("stopdemo", "Leaves the recording that is playing.", [](Host& host, Arguments) { host.stop_demo(); });
-  add("demo_pause", "Stops a recording, or lets it go on.", [](Host& host, Arguments arguments) {
-    if (client::DemoSession* const demo = playing_demo(host, arguments)) demo->pause(!demo->is_paused());
+  add("stopdemo", "Stops the demo that is playing.", [](Host& host, Arguments) { stop_demo(host); });
+  add("demo_pause", "Pauses or resumes a demo.", [](Host& host, Arguments arguments) {
+    if (client::DemoSession* const demo = find_demo(host, arguments)) demo->pause(!demo->is_paused());
   });
-  add("demo_speed", "demo_speed TIMES: 0.1 to 8.", [](Host& host, Arguments arguments) {
-    client::DemoSession* const demo = playing_demo(host, arguments);
-    const std::optional<double> speed = demo == nullptr ? std::nullopt : told_number(host, arguments);
-    if (speed) demo->set_speed(*speed);
-  });
-  add("demo_seek", "demo_seek SECONDS goes to that moment; +SECONDS and -SECONDS on and back.", seek);
+  add("demo_speed", "demo_speed FACTOR: sets the speed of a demo, 0.1 to 8.",
+      [](Host& host, Arguments arguments) {
+        client::DemoSession* const demo = find_demo(host, arguments);
+        const std::optional<double> speed =
+            demo == nullptr ? std::nullopt : parse_number_argument(host, arguments);
+        if (speed) demo->set_speed(*speed);
+      });
+  add("demo_seek", "demo_seek SECONDS: jumps to that time in a demo. +SECONDS and -SECONDS skip.", seek);
+}
+
+// "menu_video" -> "Opens the video menu." Names that do not read well get a title from the table.
+std::string make_menu_help(std::string_view command) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kTitles = {{
+      {"menu_singleplayer", "single-player"},
+      {"menu_newgame", "new game"},
+      {"menu_setup", "player setup"},
+      {"menu_games", "mods"},
+      {"help_menu", "help"},
+  }};
+  std::string_view title = command.substr(command.find('_') + 1);
+  for (const auto& [name, text] : kTitles)
+    if (name == command) title = text;
+  return fmt::format("Opens the {} menu.", title);
 }
 
 void add_screen_commands(Host& io_host) {
-  const auto add = adder(io_host);
+  const auto add = make_adder(io_host);
   for (const client::MenuCommand& menu : client::menu_commands())
-    io_host.console().add_command(menu.name, "Opens a page of the menus.",
-                                  [host = &io_host, page = menu.page](Arguments) { host->open_menu(page); });
-  add("togglemenu", "Opens the menus, or closes them.", [](Host& host, Arguments) { host.toggle_menu(); });
-  add("toggleconsole", "Opens the console, or closes it.",
-      [](Host& host, Arguments) { host.console_ui().toggle(); });
-  add("messagemode", "Says something to everybody.",
-      [](Host& host, Arguments) { host.console_ui().begin_chat(false); });
-  add("messagemode2", "Says something to the own side.",
-      [](Host& host, Arguments) { host.console_ui().begin_chat(true); });
-  add("clear", "Empties the console.", [](Host& host, Arguments) { host.console_ui().clear(); });
-  add("condump", "condump [FILE] writes what the console has shown to a file.",
+    add(menu.name, make_menu_help(menu.name),
+        [page = menu.page](Host& host, Arguments) { open_menu(host, page); });
+  add("togglemenu", "Opens or closes the menu.", [](Host& host, Arguments) { toggle_menu(host); });
+  add("toggleconsole", "Opens or closes the console.",
+      [](Host& host, Arguments) { host.console.ui.toggle(); });
+  add("messagemode", "Opens a prompt to chat with all players.",
+      [](Host& host, Arguments) { host.console.ui.begin_chat(false); });
+  add("messagemode2", "Opens a prompt to chat with your team.",
+      [](Host& host, Arguments) { host.console.ui.begin_chat(true); });
+  add("clear", "Clears the console.", [](Host& host, Arguments) { host.console.ui.clear(); });
+  add("condump", "condump [FILE]: saves the console's text. Default file: condump.txt.",
       [](Host& host, Arguments arguments) {
-        print_error(host, host.dump_console(arguments.size() > 1 ? arguments[1] : "condump.txt"));
+        print_if_command_error(host, dump_console(host, arguments.size() > 1 ? arguments[1] : "condump.txt"));
       });
-  add("bind_defaults", "Gives all keys what they run at first.", [](Host& host, Arguments) {
-    host.bindings().unbind_all();
-    host.bindings().add_defaults();
+  add("bind_defaults", "Restores the default key bindings.", [](Host& host, Arguments) {
+    host.input.bindings.unbind_all();
+    host.input.bindings.add_defaults();
+  });
+  add("screenshot", "screenshot [FILE]: saves the picture as a PNG. Without a name: the next free number.",
+      [](Host& host, Arguments arguments) {
+        print_if_command_error(host, write_screenshot(host, arguments.size() > 1 ? arguments[1] : ""));
+      });
+  add("viewpos", "Prints the camera's position and angles.",
+      [](Host& host, Arguments) { print_camera(host); });
+  add("sizeup", "Shows less of the status bar.", [](Host& host, Arguments) { change_view_size(host, 10); });
+  add("sizedown", "Shows more of the status bar.",
+      [](Host& host, Arguments) { change_view_size(host, -10); });
+  add("play", "play FILE...: plays sounds, for example misc/menu1.wav.", [](Host& host, Arguments arguments) {
+    if (arguments.size() < 2) return print_command_error(host, "play FILE...: name a sound");
+    for (const std::string& name : arguments.subspan(1))
+      host.game.data->presentation.audio_scene().play_local(name);
   });
 }
 
 void add_game_commands(Host& io_host) {
-  const auto add = adder(io_host);
-  // Those with one name behind them.
-  const auto add_named = [&](std::string_view name, std::string_view help,
-                             base::Status (Host::*run)(std::string_view)) {
-    io_host.console().add_command(name, help, [host = &io_host, run, help](Arguments arguments) {
-      if (!has_one_name(*host, arguments, help)) return;
-      print_error(*host, (host->*run)(arguments[1]));
-    });
-  };
-  add_named("map", "map NAME begins a new game on a level; maps lists them.", &Host::start_map);
-  add_named("save", "save NAME keeps the game of a single player.", &Host::save_game);
-  add_named("load", "load NAME goes on from a saved game.", &Host::load_game);
-  add_named("connect", "connect HOST[:PORT] joins a game on another machine.", &Host::connect);
-  add("disconnect", "Leaves the game.", [](Host& host, Arguments) { host.disconnect(); });
-  add("quit", "Ends the program.", [](Host& host, Arguments) { host.quit(); });
-  add("maps", "Lists the levels that there are.", [](Host& host, Arguments) { list_levels(host); });
-  add("viewpos", "Tells where the eyes are, in units, and where they look, in degrees.",
-      [](Host& host, Arguments) { tell_view(host); });
-  add("color", "color SHIRT [TROUSERS] of the player, 0 to 13.", color_command);
-  add("sizeup", "Shows less of the status bar.", [](Host& host, Arguments) { change_view_size(host, 10); });
-  add("sizedown", "Shows more of the status bar.",
-      [](Host& host, Arguments) { change_view_size(host, -10); });
-  add("game", "game FOLDER... plays other game folders besides id1; alone: says which ones.",
+  const auto add = make_adder(io_host);
+  add_named(io_host, "map", "map NAME: starts a new game on a level. Type maps to list all levels.",
+            start_map);
+  add_named(io_host, "save", "save NAME: saves a single-player game.", save_game);
+  add_named(io_host, "load", "load NAME: loads a saved game.", load_game);
+  add_named(io_host, "connect", "connect HOST[:PORT]: joins a game on a server.", connect_to_server);
+  add("disconnect", "Leaves the game.", [](Host& host, Arguments) { disconnect(host); });
+  add("quit", "Quits Temblor.", [](Host& host, Arguments) { quit(host); });
+  add("maps", "Lists all levels.", [](Host& host, Arguments) { list_levels(host); });
+  add("color", "color SHIRT [PANTS]: sets your colors, 0 to 13.", set_colors);
+  add("game", "game FOLDER...: switches to these mods. Without an argument: lists the folders in use.",
       [](Host& host, Arguments arguments) {
-        if (arguments.size() > 1) return host.ask_for_games({arguments.begin() + 1, arguments.end()});
-        for (const std::filesystem::path& folder : host.data().library.files().folders())
-          host.print(folder.string());
-      });
-  add("screenshot", "screenshot [FILE] writes the picture as a PNG; without a name: the next free number.",
-      [](Host& host, Arguments arguments) {
-        print_error(host, host.screenshot(arguments.size() > 1 ? arguments[1] : ""));
+        // The switch waits for the end of the frame's commands: it replaces the files that this command may
+        // come from, and the menu that may have sent it.
+        if (arguments.size() > 1) {
+          host.game.requested_games.emplace(arguments.begin() + 1, arguments.end());
+          return;
+        }
+        for (const std::filesystem::path& folder : host.game.data->library.files().folders())
+          print_line(host, folder.string());
       });
   add("writeconfig", "Saves the settings now instead of at the end.",
-      [](Host& host, Arguments) { print_error(host, host.save_configuration()); });
-  add("play", "play FILE sounds once: misc/menu1.wav.", [](Host& host, Arguments arguments) {
-    if (arguments.size() < 2) return host.console().print_error("play FILE: name a sound");
-    for (const std::string& name : arguments.subspan(1)) host.play_sound(name);
-  });
-  // Said by games' code to stock clients, which change the track or the view's color by them.
+      [](Host& host, Arguments) { print_if_command_error(host, save_configuration(host)); });
+  // Stock games send these to their players to change the music or the tint of the view.
   for (const char* const name : {"playvol", "stopsound", "cd", "music", "v_cshift"})
-    add(name, "Of stock games; does nothing here.", [](Host&, Arguments) {});
-  add("cmd", "cmd WORDS says them to the server as they are.", [](Host& host, Arguments arguments) {
-    if (arguments.size() < 2) return host.console().print_error("cmd WORDS: what to say to the server");
-    if (client::Connection* const connection = host.session().connection())
-      return connection->send_command(line_of(arguments.subspan(1)));
-    host.console().print_error("cmd: not in a game");
+    add(name, "Accepted for compatibility; does nothing.", [](Host&, Arguments) {});
+  add("cmd", "cmd TEXT: sends a command to the server as it is.", [](Host& host, Arguments arguments) {
+    if (arguments.size() < 2) return print_command_error(host, "cmd TEXT: name a command of the server");
+    if (client::Connection* const connection = host.game.session->connection())
+      return connection->send_command(join_arguments(arguments.subspan(1)));
+    print_command_error(host, "cmd: start or join a game first");
   });
 }
 
@@ -279,7 +313,7 @@ void add_host_commands(Host& io_host) {
 
 bool may_be_stuffed(std::string_view line) {
   const std::vector<std::string> words = command::split_words(line);
-  // One command: what follows a ';' would be run as well.
+  // The line must be a single command: any text after a ';' would run as well.
   return !words.empty() && command::command_length(line) == line.size() &&
          std::find(kMayBeStuffed.begin(), kMayBeStuffed.end(), base::to_lower(words[0])) !=
              kMayBeStuffed.end();

@@ -1,15 +1,25 @@
-// The commands of a game in a window.
+// The console commands of a game in a window.
+//
+//   kind                                 runs                             examples
+//   player commands                      on the server, sent as text      say, god, kill
+//   server commands                      in our own server's console      changelevel, kick
+//   game, demo and screen commands       in the host                      map, playdemo, screenshot
+//
+// The commands that hold or bind keys are registered elsewhere (client/input/input_variables.h).
 #pragma once
 
 #include <string_view>
 
 namespace temblor::host {
 
-class Host;
+struct Host;
 
+// Registers all commands of the host. `io_host` must outlive its console.
 void add_host_commands(Host& io_host);
 
-// Whether a server on another machine may have this line run here.
+// Whether a server on another machine may run this line in the player's console ("stuffcmd" in the stock
+// game, which allows any line). Only a few harmless commands that stock games send are allowed: none changes
+// settings or touches files.
 bool may_be_stuffed(std::string_view line);
 
 }  // namespace temblor::host

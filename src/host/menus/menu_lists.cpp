@@ -7,33 +7,38 @@
 
 #include "formats/game/sav.h"
 #include "formats/levels/entities.h"
-#include "host/host.h"
+#include "host/frame/host_parts.h"
+#include "host/session/games.h"
 #include "vfs/disk.h"
 
 namespace temblor::host {
 namespace {
 
 constexpr std::string_view kHelp = R"(# Playing
-W A S D walk, the mouse looks, its left button fires and its right one jumps.
-1 to 8 and the wheel choose weapons. Shift walks slowly where one always runs.
-F6 saves at once, F9 goes back to that. Escape opens the menu.
-A game for one is also saved by itself. Who is dead fires to go on from the last save, or jumps to begin the level again.
+WASD move, mouse aims, left button fires, right button jumps.
+1 to 8 or the mouse wheel select weapons. Hold Shift to walk.
+F6 quicksaves, F9 loads the quicksave. Escape opens the menu.
+Single-player games autosave. When you die, press Fire to load the last save or Jump to restart the level.
 # The console
-` opens it. Type a word and press Tab to see what there is; `help NAME` explains it.
-`map NAME` begins a game on a level, `maps` lists them.
-`bind KEY "COMMANDS"` has a key run any commands.
-# Where things are kept
-Settings are in temblor.cfg, saved games in NAME.sav, pictures in temblorNNNN.png: all in the game's folder.
-Commands in autoexec.cfg are run at every start.
+` opens the console. Type a word and press Tab to complete it; `help NAME` explains it.
+`map NAME` starts a game on a level, `maps` lists all levels.
+`bind KEY "COMMANDS"` binds commands to a key.
+# Files
+Settings are in temblor.cfg, saved games in NAME.sav, screenshots in temblorNNNN.png, all in the game's folder.
+Commands in autoexec.cfg run at every start.
 )";
 
-// The level's own title. Only the entities of a level are looked at: they stand at its end mostly, and all of
-// it is read, which for all levels of a game takes a moment.
-std::string title_of(const vfs::FileSystem& files, const std::string& file) {
+// Reads the title of a level: the key "message" of its first entity, worldspawn. Returns an empty text if the
+// file is damaged. Only the entities are parsed, to keep the list fast when there are hundreds of levels. The
+// start of a BSP file, in 32-bit little-endian integers:
+//
+//   version | lump 0: offset, size | lump 1: offset, size | ...
+//             the entities, as text
+std::string read_title(const vfs::FileSystem& files, const std::string& file) {
   const base::Result<base::ByteVector> bytes = files.read(file);
   if (!bytes.ok()) return {};
   base::ByteReader reader(*bytes);
-  reader.u32();  // the version; the first lump is the entities' in all of them
+  reader.u32();  // the version; in all versions the first lump holds the entities
   const std::uint32_t offset = reader.u32(), size = reader.u32();
   if (!reader.ok() || offset > bytes->size() || size > bytes->size() - offset) return {};
   const auto entities = formats::read_entities(base::as_text(base::Bytes(*bytes).subspan(offset, size)));
@@ -43,7 +48,7 @@ std::string title_of(const vfs::FileSystem& files, const std::string& file) {
 
 }  // namespace
 
-std::vector<std::string> written_files(const GameData& data, std::string_view suffix) {
+std::vector<std::string> list_written_files(const GameData& data, std::string_view suffix) {
   std::vector<std::pair<std::filesystem::file_time_type, std::string>> found;
   std::error_code failure;
   for (const auto& entry : std::filesystem::directory_iterator(data.write_folder, failure)) {
@@ -64,21 +69,22 @@ std::vector<client::MenuLevel> MenuLists::levels() {
   const vfs::FileSystem& files = data_.library.files();
   for (const std::string& file : files.list("maps/", ".bsp")) {
     const std::string name = file.substr(5, file.size() - 9);
-    if (!name.starts_with("b_")) levels_.push_back({name, title_of_level(name)});
+    // b_*.bsp are the models of ammo boxes.
+    if (!name.starts_with("b_")) levels_.push_back({name, level_title(name)});
   }
   return levels_;
 }
 
-const std::string& MenuLists::title_of_level(const std::string& level) {
+const std::string& MenuLists::level_title(const std::string& level) {
   const auto [entry, is_new] = titles_.try_emplace(level);
   const std::string file = "maps/" + level + ".bsp";
-  if (is_new && data_.library.files().contains(file)) entry->second = title_of(data_.library.files(), file);
+  if (is_new && data_.library.files().contains(file)) entry->second = read_title(data_.library.files(), file);
   return entry->second;
 }
 
 std::vector<client::MenuSave> MenuLists::saves() {
   std::vector<client::MenuSave> saves;
-  for (const std::string& name : written_files(data_, ".sav")) {
+  for (const std::string& name : list_written_files(data_, ".sav")) {
     const base::Result<base::ByteVector> bytes = vfs::read_disk_file(data_.write_folder / (name + ".sav"));
     if (!bytes.ok()) continue;
     const base::Result<formats::Sav> sav = formats::read_sav(base::as_text(*bytes));
@@ -86,11 +92,12 @@ std::vector<client::MenuSave> MenuLists::saves() {
       saves.push_back({.name = name, .level_title = "damaged"});
       continue;
     }
+    // The stock game's comment: 22 columns for the title, then the kills, padded with spaces or underscores:
     // "The Slipgate Complex   kills:  3/ 21"
     client::MenuSave save{
         .name = name, .level_title = sav->comment.substr(0, 22), .time_s = double{sav->time_s}};
-    // Of which it holds no more than that.
-    if (const std::string& title = title_of_level(sav->map); title.size() > save.level_title.size())
+    // A longer title is cut off in the comment. The level has all of it.
+    if (const std::string& title = level_title(sav->map); title.size() > save.level_title.size())
       save.level_title = title;
     while (save.level_title.ends_with(' ') || save.level_title.ends_with('_')) save.level_title.pop_back();
     if (const std::size_t kills = sav->comment.find("kills:"); kills != std::string::npos) {
@@ -107,7 +114,7 @@ std::vector<client::MenuDemo> MenuLists::demos() const {
   std::set<std::string> names;
   for (const std::string& file : data_.library.files().list("", ".dem"))
     names.insert(file.substr(0, file.size() - 4));
-  for (const std::string& name : written_files(data_, ".dem")) names.insert(name);
+  for (const std::string& name : list_written_files(data_, ".dem")) names.insert(name);
   std::vector<client::MenuDemo> demos;
   for (const std::string& name : names) demos.push_back({name, ""});
   return demos;
@@ -117,11 +124,12 @@ std::vector<client::MenuGameFolder> MenuLists::game_folders() const {
   std::vector<client::MenuGameFolder> folders;
   std::error_code failure;
   const auto in_use = data_.library.files().folders();
-  for (const auto& entry : std::filesystem::directory_iterator(host_.folders().base_folder, failure)) {
+  for (const auto& entry : std::filesystem::directory_iterator(host_.options.folders.base_folder, failure)) {
     std::error_code ignored;
     const std::string name = entry.path().filename().string();
     if (!entry.is_directory(ignored) || name.starts_with('.')) continue;
     const auto has = [&](const char* file) { return std::filesystem::exists(entry.path() / file, ignored); };
+    // Skip folders that hold no game data, such as documentation or saved screenshots.
     if (!has("pak0.pak") && !has("progs.dat") && !has("maps") && !has("gfx.wad")) continue;
     const bool is_used = std::any_of(in_use.begin(), in_use.end(), [&](const std::filesystem::path& folder) {
       return std::filesystem::equivalent(folder, entry.path(), ignored);
@@ -136,21 +144,22 @@ client::MenuContent MenuLists::content() {
   Host* const host = &host_;
   return {
       .levels = [this] { return levels(); },
-      .level_picture = [this](std::string_view level) { return thumbnails_.of_level(std::string(level)); },
+      .level_picture =
+          [this](std::string_view level) { return thumbnails_.level_picture(std::string(level)); },
       .episodes = {},
       .saves = [this] { return saves(); },
-      .save_picture = [this](std::string_view save) { return thumbnails_.of_save(std::string(save)); },
+      .save_picture = [this](std::string_view save) { return thumbnails_.save_picture(std::string(save)); },
       .demos = [this] { return demos(); },
       .game_folders = [this] { return game_folders(); },
-      .servers = [host] { return host->found_servers(); },
-      .search_servers = [host] { host->search_servers(); },
-      .displays = [host] { return host->window().displays(); },
-      .display_sizes = [host](int) { return host->window().full_screen_sizes(); },
-      .game_runs = [host] { return host->session().is_playing(); },
-      .can_save = [host] { return host->can_save(); },
-      .unsaved = [host] { return host->unsaved(); },
-      .keys_of = [host](std::string_view commands) { return host->bindings().keys_of(commands); },
-      .clipboard = [host] { return host->window().clipboard(); },
+      .servers = [host] { return host->search.found(); },
+      .search_servers = [host] { search_servers(*host); },
+      .displays = [host] { return host->services.window.displays(); },
+      .display_sizes = [host](int) { return host->services.window.full_screen_sizes(); },
+      .game_runs = [host] { return host->game.session->is_playing(); },
+      .can_save = [host] { return can_save(*host); },
+      .unsaved = [host] { return find_unsaved_progress(*host); },
+      .find_keys = [host](std::string_view commands) { return host->input.bindings.find_keys(commands); },
+      .clipboard = [host] { return host->services.window.clipboard(); },
       .help_text = [] { return std::string(kHelp); }};
 }
 

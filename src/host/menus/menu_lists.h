@@ -1,4 +1,8 @@
-// What the menus show of the host and its files.
+// Supplies the menus with the host's lists: levels, saved games, demos, mods, servers.
+//
+// client::Menu knows neither files nor the host. It calls the functions of a MenuContent when a page needs
+// their lists. Levels and their titles are cached for as long as the game folders stay the same, because
+// their files do not change; saved games and demos are listed again each time.
 #pragma once
 
 #include <map>
@@ -10,31 +14,37 @@
 
 namespace temblor::host {
 
-class Host;
+struct Host;
 
 class MenuLists {
  public:
-  // Both must outlive it.
+  // Both must outlive this object.
   MenuLists(Host& host, const GameData& data);
+  // The functions in the result refer to this object and must not outlive it.
   client::MenuContent content();
   Thumbnails& thumbnails() { return thumbnails_; }
 
  private:
   std::vector<client::MenuLevel> levels();
-  // Empty: it has none, or is not there. Each level is read once.
-  const std::string& title_of_level(const std::string& level);
+  // The title of a level by its name, "e1m1". Empty if the level has no title or does not exist. Each level
+  // is read only once.
+  const std::string& level_title(const std::string& level);
+  // Newest first. A damaged saved game stays in the list, so that the player can see it.
   std::vector<client::MenuSave> saves();
+  // Sorted by name: demos of the game folders, and demos that were recorded since they were mounted.
   std::vector<client::MenuDemo> demos() const;
+  // The folders below base_folder that look like a game, sorted by name.
   std::vector<client::MenuGameFolder> game_folders() const;
 
   Host& host_;
   const GameData& data_;
   Thumbnails thumbnails_;
-  std::vector<client::MenuLevel> levels_;  // read once
+  std::vector<client::MenuLevel> levels_;  // cached
   std::map<std::string, std::string> titles_;
 };
 
-// Files of the last game folder as it is now whose names end so, without that ending; newest first.
-std::vector<std::string> written_files(const GameData& data, std::string_view suffix);
+// Returns the names of the files in the write folder that end with `suffix` (".sav"), without it, newest
+// first. Empty if the folder cannot be read.
+std::vector<std::string> list_written_files(const GameData& data, std::string_view suffix);
 
 }  // namespace temblor::host

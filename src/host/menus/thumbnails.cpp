@@ -11,24 +11,25 @@
 namespace temblor::host {
 namespace {
 
-constexpr int kSamples = 4;  // a side, of a pixel of a level's picture
+constexpr int kSamples = 4;  // drawn per pixel of a level's picture, in each direction
 constexpr std::uint64_t kMaxPictureBytes = 1 << 22;
 
 int brightness(std::uint32_t rgb) {
   return static_cast<int>((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 3;
 }
 
-// As a photographer would: nine tenths of what is to be seen no brighter than this.
+// Brightens a dark picture like a camera's exposure: nine tenths of the visible pixels get no brighter than
+// kTarget. Black pixels, outside the level, are not counted, and a bright picture is never darkened.
 void expose(std::span<std::uint32_t> io_rgb) {
-  constexpr int kWanted = 150, kMaxGain = 8, kNothing = 2;
-  std::vector<int> seen;
+  constexpr int kTarget = 150, kMaxGain = 8, kMaxBlack = 2;
+  std::vector<int> visible;
   for (const std::uint32_t pixel : io_rgb)
-    if (brightness(pixel) > kNothing) seen.push_back(brightness(pixel));
-  if (seen.empty()) return;
-  const auto ninth = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() * 9 / 10);
-  std::nth_element(seen.begin(), ninth, seen.end());
+    if (brightness(pixel) > kMaxBlack) visible.push_back(brightness(pixel));
+  if (visible.empty()) return;
+  const auto ninth_decile = visible.begin() + static_cast<std::ptrdiff_t>(visible.size() * 9 / 10);
+  std::nth_element(visible.begin(), ninth_decile, visible.end());
   const float gain =
-      std::clamp(static_cast<float>(kWanted) / static_cast<float>(*ninth), 1.0f, float{kMaxGain});
+      std::clamp(static_cast<float>(kTarget) / static_cast<float>(*ninth_decile), 1.0f, float{kMaxGain});
   for (std::uint32_t& pixel : io_rgb) {
     std::uint32_t brighter = 0;
     for (const int shift : {16, 8, 0})
@@ -39,7 +40,8 @@ void expose(std::span<std::uint32_t> io_rgb) {
   }
 }
 
-// All of the level, from above, without ceilings; where there is sky below, nothing.
+// Draws the whole level from above. Ceilings do not hide the rooms: the camera sees their back sides, which
+// are culled. The sky stays black.
 formats::Picture draw_level(const world::Level& level, const assets::Look& look,
                             const formats::NearestColor& colors) {
   const math::Bounds& bounds = level.world().bounds;
@@ -49,8 +51,8 @@ formats::Picture draw_level(const world::Level& level, const assets::Look& look,
   scene.camera.origin_world = (bounds.mins + bounds.maxs) * 0.5f + math::Vec3(0, 0, glm::length(size));
   scene.camera.angles_deg = {90, 0, 0};
   scene.camera.projection = render::Projection::kOrthographic;
-  const render::Skybox nothing;
-  scene.skybox = &nothing;
+  const render::Skybox empty;
+  scene.skybox = &empty;
   render::FrameBuffer frame(kSamples * kThumbnailWidth, kSamples * kThumbnailHeight,
                             render::PixelFormat::kRgb);
   render::Renderer renderer(look.palette, look.colormap);
@@ -59,8 +61,8 @@ formats::Picture draw_level(const world::Level& level, const assets::Look& look,
   return make_thumbnail(frame.rgb(), frame.width(), frame.height(), colors);
 }
 
-std::optional<formats::Picture> try_level(const GameData& data, const std::string& name,
-                                          const formats::NearestColor& colors) {
+std::optional<formats::Picture> try_draw_level(const GameData& data, const std::string& name,
+                                               const formats::NearestColor& colors) {
   const base::Result<assets::LoadedLevel> loaded = assets::load_level(data.library.files(), name);
   if (!loaded.ok()) return std::nullopt;
   return draw_level(*loaded->level, data.look, colors);
@@ -102,15 +104,16 @@ Thumbnails::~Thumbnails() {
   if (drawing_.valid()) drawing_.wait();
 }
 
-std::filesystem::path Thumbnails::file_of_save(const std::string& name) const {
+std::filesystem::path Thumbnails::save_picture_file(const std::string& name) const {
   return data_.write_folder / (name + ".png");
 }
 
-const formats::Picture* Thumbnails::of_save(const std::string& name) {
+const formats::Picture* Thumbnails::save_picture(const std::string& name) {
   const auto [entry, is_new] = saves_.try_emplace(name);
   std::optional<formats::Picture>& picture = entry->second;
   if (is_new) {
-    const base::Result<base::ByteVector> bytes = vfs::read_disk_file(file_of_save(name), kMaxPictureBytes);
+    const base::Result<base::ByteVector> bytes =
+        vfs::read_disk_file(save_picture_file(name), kMaxPictureBytes);
     if (bytes.ok())
       if (const base::Result<formats::Image> image = formats::read_png(*bytes); image.ok())
         picture = make_thumbnail(image->pixels, static_cast<int>(image->width),
@@ -119,14 +122,16 @@ const formats::Picture* Thumbnails::of_save(const std::string& name) {
   return picture ? &*picture : nullptr;
 }
 
-const formats::Picture* Thumbnails::of_level(const std::string& name) {
+const formats::Picture* Thumbnails::level_picture(const std::string& name) {
+  // Fetch the picture of the previous level, if it is ready. Only one level is drawn at a time, so scrolling
+  // through a long list does not start hundreds of threads.
   if (drawing_.valid() && drawing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
     levels_[drawn_level_] = drawing_.get();
   const auto found = levels_.find(name);
   if (found != levels_.end()) return found->second ? &*found->second : nullptr;
   if (!drawing_.valid()) {
     drawn_level_ = name;
-    drawing_ = std::async(std::launch::async, [this, name] { return try_level(data_, name, colors_); });
+    drawing_ = std::async(std::launch::async, [this, name] { return try_draw_level(data_, name, colors_); });
   }
   return nullptr;
 }

@@ -3,6 +3,7 @@
 namespace temblor::host {
 
 base::Status Overrides::apply(const std::function<base::Status()>& set, command::Variables& io_variables) {
+  // `set` may touch any variable, so compare all of them before and after.
   std::map<std::string, std::string> own;
   for (const command::Variable* variable : io_variables.all()) own.emplace(variable->name, variable->text);
   TRY_STATUS(set());

@@ -8,19 +8,19 @@
 namespace temblor::host {
 namespace {
 
-constexpr double kListen_s = 5;
+constexpr double kSearchTime_s = 5;  // later replies are ignored
 
 }  // namespace
 
 base::Status ServerSearch::begin(double now_s) {
   found_.clear();
-  if (!services_.open_socket) return base::error(base::ErrorCode::kUsage, "there is no network to search");
+  if (!services_.open_socket) return base::error(base::ErrorCode::kUsage, "no network is available");
   TRY(socket_, services_.open_socket(0));
-  TRY(const base::ByteVector question, net::write_control_packet(net::ServerInfoRequest{}));
-  // Everybody of the local network, and this machine, which a broadcast need not reach.
-  socket_->send(platform::ip4_address({255, 255, 255, 255}, kStockPort), question);
-  socket_->send(platform::ip4_address({127, 0, 0, 1}, kStockPort), question);
-  asked_s_ = now_s;
+  TRY(const base::ByteVector request, net::write_control_packet(net::ServerInfoRequest{}));
+  // A broadcast to the local network may not reach this machine, so send the request here, too.
+  socket_->send(platform::ip4_address({255, 255, 255, 255}, kDefaultPort), request);
+  socket_->send(platform::ip4_address({127, 0, 0, 1}, kDefaultPort), request);
+  request_s_ = now_s;
   return base::Ok{};
 }
 
@@ -32,6 +32,7 @@ bool ServerSearch::update(double now_s) {
     if (!packet.ok()) continue;
     const auto* const reply = std::get_if<net::ServerInfoReply>(&*packet);
     const std::string address = platform::to_text(datagram->from);
+    // A server on this machine replies to both requests, from two addresses: recognize it by name and level.
     const auto is_known = [&](const client::MenuServer& server) {
       return server.address == address ||
              (reply != nullptr && server.name == reply->host_name && server.level == reply->map);
@@ -44,10 +45,10 @@ bool ServerSearch::update(double now_s) {
                       .level = std::string(reply->map),
                       .players = reply->players,
                       .max_players = reply->max_players,
-                      .ping_ms = static_cast<int>(std::lround((now_s - asked_s_) * 1000))});
+                      .ping_ms = static_cast<int>(std::lround((now_s - request_s_) * 1000))});
     has_changed = true;
   }
-  if (now_s - asked_s_ > kListen_s) socket_.reset();
+  if (now_s - request_s_ > kSearchTime_s) socket_.reset();
   return has_changed;
 }
 

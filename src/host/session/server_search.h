@@ -1,4 +1,8 @@
-// Asks the local network which servers there are, and listens to the answers.
+// Searches the local network for servers: broadcasts a request, then collects the replies for a few seconds.
+//
+// The request and the reply are the control packets of the stock game (net/transport/control.h), so stock
+// servers are found as well. Only servers at the default port reply. The ping of a server is the time until
+// its reply.
 #pragma once
 
 #include <map>
@@ -12,22 +16,24 @@ namespace temblor::host {
 
 class ServerSearch {
  public:
-  // `services` must outlive it.
+  // `services` must outlive this object.
   explicit ServerSearch(Services& services) : services_(services) {}
 
-  // Forgets what was found and asks anew. Fails where there is no network.
+  // Clears the list and starts a new search. Fails if there is no network.
   base::Status begin(double now_s);
-  // Reads what has come. Whether the list has changed.
+  // Reads replies and ends the search after some seconds. Call it in each frame. Returns whether the list has
+  // changed.
   bool update(double now_s);
+  // The servers that have replied, in the order of their replies.
   const std::vector<client::MenuServer>& found() const { return found_; }
 
  private:
-  // Servers are asked for once; who answers without end is not listened to for ever.
+  // Bounds the list, in case a peer sends replies without end.
   static constexpr std::size_t kMaxServers = 256;
 
   Services& services_;
   std::unique_ptr<platform::DatagramSocket> socket_;  // null: not searching
-  double asked_s_ = 0;
+  double request_s_ = 0;                              // when the request was sent
   std::vector<client::MenuServer> found_;
 };
 

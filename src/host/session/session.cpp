@@ -7,10 +7,11 @@
 namespace temblor::host {
 namespace {
 
-constexpr double kMovesEvery_s = 1.0 / 72;
+// The stock game draws at most 72 frames per second, and its clients send one move per frame.
+constexpr double kMoveInterval_s = 1.0 / 72;
 constexpr std::uint16_t kServerLoopbackPort = 1;
 
-net::ServerEndpointSettings wire_settings(const Services& services) {
+net::ServerEndpointSettings make_endpoint_settings(const Services& services) {
   net::ServerEndpointSettings settings;
   settings.secret = services.secret;
   return settings;
@@ -30,11 +31,11 @@ Session::~Session() {
   disconnect("The host has left.");
 }
 
-server::ServerSetup Session::setup_for(net::ServerEndpoint::Sockets sockets, std::uint32_t max_clients) {
+server::ServerSetup Session::make_setup(net::ServerEndpoint::Sockets sockets, std::uint32_t max_clients) {
   return {.library = library_,
           .settings = settings_,
           .sockets = std::move(sockets),
-          .wire = wire_settings(services_),
+          .wire = make_endpoint_settings(services_),
           .max_clients = max_clients,
           .program_file = program_file_,
           .write_folder = write_folder_,
@@ -47,21 +48,23 @@ server::ServerSetup Session::setup_for(net::ServerEndpoint::Sockets sockets, std
 base::Status Session::open_server(std::uint32_t max_clients, std::uint16_t port,
                                   const client::PlayerSettings& player) {
   if (server_ && max_clients_ == max_clients) return base::Ok{};
-  // The port that the one before has is wanted again.
-  if (server_ && max_clients_ > 1) disconnect("The host has begun another game.");
+  // Close an old server that others may join first: the new one needs its port.
+  if (server_ && max_clients_ > 1) disconnect("The host has started another game.");
   net::ServerEndpoint::Sockets sockets;
   net::LoopbackNetwork network;
   sockets.push_back(network.open(kServerLoopbackPort));
   const platform::Address local = sockets.front()->local_address();
   if (max_clients > 1) {
     if (!services_.open_socket)
-      return base::error(base::ErrorCode::kUsage, "there is no network for a game of several players");
+      return base::error(base::ErrorCode::kUsage,
+                         "a multiplayer game needs a network, and none is available");
     TRY(std::unique_ptr<platform::DatagramSocket> socket, services_.open_socket(port));
     sockets.push_back(std::move(socket));
   }
-  disconnect("The host has begun another game.");
+  // A single-player game is closed only here, so that it continues if the port is not free.
+  disconnect("The host has started another game.");
   network_ = network;
-  server_ = std::make_unique<server::Server>(setup_for(std::move(sockets), max_clients));
+  server_ = std::make_unique<server::Server>(make_setup(std::move(sockets), max_clients));
   max_clients_ = max_clients;
   connection_.emplace(network_->open(), player);
   connection_->connect(local, now_s_);
@@ -70,8 +73,8 @@ base::Status Session::open_server(std::uint32_t max_clients, std::uint16_t port,
 
 base::Status Session::connect(std::string_view address, const client::PlayerSettings& player) {
   if (!services_.open_socket || !services_.look_up)
-    return base::error(base::ErrorCode::kUsage, "there is no network here");
-  TRY(const platform::Address server, services_.look_up(address, kStockPort));
+    return base::error(base::ErrorCode::kUsage, "no network is available");
+  TRY(const platform::Address server, services_.look_up(address, kDefaultPort));
   TRY(std::unique_ptr<platform::DatagramSocket> socket, services_.open_socket(0));
   disconnect("");
   connection_.emplace(std::move(socket), player);
@@ -82,7 +85,7 @@ base::Status Session::connect(std::string_view address, const client::PlayerSett
 void Session::disconnect(std::string_view reason) {
   if (connection_) connection_->disconnect();
   connection_.reset();
-  if (server_) server_->shut_down(reason);
+  if (server_) server::shut_down(*server_, reason);
   server_.reset();
   network_.reset();
   max_clients_ = 0;
@@ -95,31 +98,35 @@ std::optional<std::string> Session::read(double now_s) {
   if (!connection_) return std::nullopt;
   connection_->update(now_s);
   if (!connection_->is_connecting() && !connection_->is_connected()) {
-    std::string reason = connection_->lost_because();
+    std::string reason = connection_->disconnect_reason();
     lost_recording_ = connection_->finish_recording();
     disconnect("");
     return reason;
   }
-  // Between the last two updates, at the pace of the clock here, whatever the way there does to theirs.
+  // Advance at the rate of our own clock, so that network jitter does not show, but stay between the last two
+  // snapshots.
   const client::ClientState& state = connection_->state();
   time_s_ = std::clamp(time_s_ + passed_s, state.previous_time_s(),
                        std::max(state.previous_time_s(), state.time_s()));
   return std::nullopt;
 }
 
+// step_server() runs at the end of a frame, so its clock is extended to the current time.
 double Session::move_clock_s(double now_s) const {
   return server_ ? server_now_s_ + (now_s - stepped_s_) : now_s;
 }
 
-int Session::moves_due(double now_s) {
+// A server that numbers moves simulates exactly one per tick. With our own server, the moves are aligned with
+// its ticks: each is sent in the frame that runs its tick, just before it, with the newest input.
+int Session::count_due_moves(double now_s) {
   if (!is_playing()) return 0;
   const double clock_s = move_clock_s(now_s);
-  const double until_tick_s = server_ ? server_->until_next_tick_s(clock_s) : 0;
+  const double until_tick_s = server_ ? server::time_until_next_tick_s(*server_, clock_s) : 0;
   if (!connection_->move_parameters())
-    return until_tick_s <= 0 && (server_ || now_s - moved_s_ >= kMovesEvery_s);
+    return until_tick_s <= 0 && (server_ || now_s - moved_s_ >= kMoveInterval_s);
   if (until_tick_s > 0)
     connection_->align_moves(clock_s + until_tick_s - connection_->move_parameters()->tick_s);
-  return connection_->moves_due(clock_s);
+  return connection_->count_due_moves(clock_s);
 }
 
 void Session::send_move(net::Move move, double now_s) {
@@ -131,7 +138,7 @@ void Session::step_server(double now_s, bool halted) {
   if (!server_) return;
   if (!halted) server_now_s_ += std::max(0.0, now_s - stepped_s_);
   stepped_s_ = now_s;
-  server_->step(server_now_s_);
+  server::step_server(*server_, server_now_s_);
 }
 
 }  // namespace temblor::host

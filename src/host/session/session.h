@@ -1,4 +1,15 @@
-// Being in a game: the connection to its server, and the server itself where it runs in this program.
+// A game that the player is in: the connection to its server, and the server itself if it runs in this
+// program.
+//
+// Our own server is connected over a loopback network, with the same packets as a remote one:
+//
+//   single player, listen server   Connection <-> LoopbackNetwork <-> Server <-> UDP (other players)
+//   remote server                  Connection <-> UDP
+//
+// Times `now_s` are the window's clock. Our own server has a clock of its own, which stands still while the
+// game is halted. In each frame the host calls
+//
+//   read() -> count_due_moves(), send_move() -> step_server()
 #pragma once
 
 #include <memory>
@@ -15,64 +26,72 @@ namespace temblor::host {
 
 class Session {
  public:
-  // The references must outlive it. The paths are ServerSetup's.
+  // The references must outlive this object. The paths are those of server::ServerSetup.
   Session(Services& services, const assets::Library& library, std::filesystem::path write_folder,
           const server::ServerVariables& settings, std::filesystem::path program_file);
   ~Session();
 
-  // A server in this program for that many players, of which this one is the first; one that runs already for
-  // as many goes on. More than one: others may join over UDP at `port`.
+  // Starts a server for this number of players and connects to it. Keeps the running server if it has the
+  // same number of players. With more than one, others may join over UDP at `port`; fails if the port is not
+  // free. The server has no level until server::start_map() or load_saved_game().
   base::Status open_server(std::uint32_t max_clients, std::uint16_t port,
                            const client::PlayerSettings& player);
+  // Null: no server runs in this program.
   server::Server* server() { return server_.get(); }
+  // A single-player game on our own server.
   bool is_alone() const { return server_ != nullptr && max_clients_ == 1; }
-  // Another machine's: "HOST", "HOST:PORT".
+  // Connects to a server on another machine: "HOST" or "HOST:PORT". Ends the current game, unless the address
+  // cannot be resolved.
   base::Status connect(std::string_view address, const client::PlayerSettings& player);
-  // Leaves the game, and ends the server that runs here.
+  // Leaves the game, and shuts down our own server. `reason` is shown to its other players. Does nothing if
+  // there is no game.
   void disconnect(std::string_view reason);
 
-  // Null: not in a game, nor on the way into one.
+  // Null: neither in a game nor connecting.
   client::Connection* connection() { return connection_ ? &*connection_ : nullptr; }
   bool is_playing() const { return connection_ && connection_->is_playing(); }
 
-  // Reads what has come. What ends the connection is returned once, as text for a person.
+  // Reads packets. If the connection was lost, returns the reason once, as text for the player.
   std::optional<std::string> read(double now_s);
-  // What was recorded of a connection that was lost, once.
+  // Returns the demo of a lost connection once, if one was being recorded.
   std::optional<base::ByteVector> take_lost_recording() {
     return std::exchange(lost_recording_, std::nullopt);
   }
-  // The moment to show, on the server's clock: with the last update or between the last two.
+  // The time to show, on the server's clock, between the last two snapshots. The view is thus up to one
+  // snapshot late, and entities move smoothly between two known positions.
   double time_s() const { return time_s_; }
-  // How many moves should be sent now: one before each tick of the own server, or of one that numbers them;
-  // 72 times a second to others.
-  int moves_due(double now_s);
+  // The number of moves to send now: one before each tick of our own server or of a server that numbers
+  // moves, 72 per second to others.
+  int count_due_moves(double now_s);
   void send_move(net::Move move, double now_s);
-  // That moves are counted by: of the own server, which may stand still.
+  // The clock for the times of moves: that of our own server, otherwise the window's.
   double move_clock_s(double now_s) const;
-  // Lets the server here go on to this time; nothing where there is none. While `halted` its time stands
-  // still, but it still listens. May run on another thread while nothing else is called.
+  // Runs our own server up to this time; does nothing without one. If `halted`, its clock stands still, but
+  // it still receives and sends packets, so that the connection does not time out. May run on another thread
+  // while nothing else of this object is called.
   void step_server(double now_s, bool halted);
-  // What the server had to say since the last time, lines and parts of lines.
+  // Returns what our own server has printed since the last call. It may end in the middle of a line.
   std::string take_server_output() { return std::exchange(server_output_, {}); }
 
  private:
-  void follow_clock(double now_s);
-  server::ServerSetup setup_for(net::ServerEndpoint::Sockets sockets, std::uint32_t max_clients);
+  server::ServerSetup make_setup(net::ServerEndpoint::Sockets sockets, std::uint32_t max_clients);
 
   Services& services_;
   const assets::Library& library_;
   std::filesystem::path write_folder_;
   const server::ServerVariables& settings_;
   std::filesystem::path program_file_;
-  std::optional<net::LoopbackNetwork> network_;
+  std::optional<net::LoopbackNetwork> network_;  // none: no server of our own
   std::unique_ptr<server::Server> server_;
   std::uint32_t max_clients_ = 0;
   std::string server_output_;
   std::optional<client::Connection> connection_;
   std::optional<base::ByteVector> lost_recording_;
-  double now_s_ = 0, time_s_ = 0, moved_s_ = 0;
-  double server_now_s_ = 0;  // its own clock, which stands still while it is halted
-  double stepped_s_ = 0;     // when it last went on
+  double now_s_ = 0;         // when read() was last called
+  double time_s_ = 0;        // see time_s()
+  double moved_s_ = 0;       // when send_move() was last called
+  double server_now_s_ = 0;  // our own server's clock
+  double stepped_s_ = 0;     // when step_server() was last called
 };
 
 }  // namespace temblor::host

@@ -11,10 +11,12 @@ namespace temblor::host {
 struct Worker::State {
   std::mutex mutex;
   std::condition_variable changed;
-  std::function<void()> work;  // empty: nothing to do
+  std::function<void()> work;  // empty: no job
   bool ends = false;
   std::thread thread;
 
+  // The thread's loop. The mutex is free while a job runs, so that wait() can sleep on it. A job that was
+  // begun is still run after `ends` is set.
   void run() {
     std::unique_lock lock(mutex);
     while (true) {

@@ -1,4 +1,7 @@
-// One thread that does one thing at a time beside its owner: the game's tick while the picture is drawn.
+// A thread that runs one job at a time in parallel with its owner: server ticks, while a frame is drawn.
+//
+// begin() and wait() must be called from one thread. They order memory: the job sees everything that was
+// written before begin(), and its own writes are visible after wait().
 #pragma once
 
 #include <functional>
@@ -9,13 +12,14 @@ namespace temblor::host {
 class Worker {
  public:
   Worker();
+  // Finishes the job, if one is running.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  // What was begun before must have been waited for.
+  // Starts a job. wait() must have been called for the previous one.
   void begin(std::function<void()> work);
-  // Until it is done; at once where nothing was begun.
+  // Waits until the job is done; returns at once if none was started.
   void wait();
 
  private:

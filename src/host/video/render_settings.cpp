@@ -8,7 +8,8 @@
 namespace temblor::host {
 namespace {
 
-// Names in the order of the enumerations; the first one is the default.
+// Names of the choices, in the order of the enumerations that read() casts them to, unless a table of values
+// follows. The first name is the default.
 constexpr std::array<std::string_view, 2> kJobBackends = {"onetbb", "stdthread"};
 constexpr std::array<std::string_view, 2> kMipRules = {"footprint", "stock"};
 constexpr std::array<render::MipRule, 2> kMipRuleValues = {render::MipRule::kFootprint,
@@ -25,42 +26,44 @@ constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
 
 RenderSettings::RenderSettings(command::Variables& variables) {
   const render::Settings defaults;
-  threads_ = variables.add_int("r_threads", 0, 0, 256, "Threads that draw a frame; 0: one for each core.");
-  job_backend_ = variables.add_choice("r_job_backend", kJobBackends, "What runs the threads' work.");
+  threads_ = variables.add_int("r_threads", 0, 0, 256, "Threads that draw a frame; 0: one per core.");
+  job_backend_ = variables.add_choice("r_job_backend", kJobBackends, "The library that runs the threads.");
   mip_rule_ = variables.add_choice("r_mip_rule", kMipRules,
-                                   "How a surface's mip level is chosen: from the pixels that a texel really "
-                                   "covers, or by the thresholds of the original.");
+                                   "How a surface's mip level is chosen: from the pixels that a texel "
+                                   "covers, or by the thresholds of the stock game.");
   force_mip_ = variables.add_int("r_mip_force", defaults.force_mip, -1, 3,
-                                 "Draws every surface at this mip level; -1: each at its own.");
+                                 "Draws all surfaces at this mip level; -1: automatic.");
   perspective_ = variables.add_choice("r_perspective", kPerspectives,
-                                      "Perspective of textures: exact at every pixel, or a division every 16 "
-                                      "pixels and straight lines between, as the original.");
-  vector_kernels_ = variables.add_bool("r_simd", defaults.vector_kernels,
-                                       "Uses the processor's vector instructions; 0: the plain twins.");
+                                      "Texture perspective: exact at every pixel, or one division every 16 "
+                                      "pixels, like the stock game.");
+  simd_kernels_ = variables.add_bool("r_simd", defaults.simd_kernels,
+                                     "Uses SIMD instructions; 0: the scalar reference code.");
   prefetch_ = variables.add_bool("r_prefetch", defaults.prefetch,
-                                 "Asks for a surface's texels before it is drawn from.");
-  surface_cache_ = variables.add_bool("r_surface_cache", defaults.surface_cache,
-                                      "Keeps lit surfaces from frame to frame; 0: builds all anew.");
+                                 "Prefetches a surface's texels before it is drawn.");
+  surface_cache_ =
+      variables.add_bool("r_surface_cache", defaults.surface_cache,
+                         "Keeps lit surfaces from frame to frame; 0: rebuilds them in every frame.");
   cache_mb_ = variables.add_float("r_cache_mb", static_cast<double>(defaults.cache_bytes) / kBytesPerMebibyte,
-                                  0, 65536, "Memory for kept surfaces, in MiB.");
+                                  0, 65536, "Size of the surface cache, in MiB.");
   use_pvs_ = variables.add_bool("r_use_pvs", defaults.use_pvs,
-                                "Skips what the level's potentially visible set rules out.");
+                                "Skips leaves outside the potentially visible set (PVS).");
   fill_depth_ = variables.add_bool("r_fill_depth", defaults.fill_depth,
-                                   "Fills 1/z for every pixel; 0 only to measure what that costs.");
+                                   "Fills the depth buffer; 0 only to measure its cost.");
   colored_light_ = variables.add_bool("r_colored_light", defaults.colored_light,
-                                      "Uses colored light (rgb only) where the level has it.");
-  relight_alternate_ = variables.add_bool("r_relight_alternate", defaults.relight_alternate,
-                                          "Relights half of the faces in each frame where light changes.");
-  band_rows_ = variables.add_int("r_band_rows", defaults.band_rows, 0, 8192,
-                                 "Scan lines in one piece of threaded work; 0: chosen from the size.");
-  alias_raster_ =
-      variables.add_choice("r_alias_raster", kAliasRasters,
-                           "How the triangles of models are filled: scan line by scan line, by "
-                           "recursive subdivision, or each model by the one that suits its size.");
+                                      "Uses the level's colored light, in true color only.");
+  variables.add_alias("r_coloured_light", "r_colored_light");  // old spelling
+  relight_alternate_ =
+      variables.add_bool("r_relight_alternate", defaults.relight_alternate,
+                         "Relights only half of the faces with changing light in each frame.");
+  band_rows_ =
+      variables.add_int("r_band_rows", defaults.band_rows, 0, 8192, "Scan lines per job; 0: automatic.");
+  alias_raster_ = variables.add_choice("r_alias_raster", kAliasRasters,
+                                       "How the triangles of models are filled: by scan lines, by recursive "
+                                       "subdivision, or automatically by the size of each model.");
   alias_snap_ = variables.add_bool("r_alias_snap", defaults.alias_snap,
-                                   "Moves vertices of models to whole pixels and leaves their textures "
-                                   "without perspective, as the original.");
-  show_ = variables.add_choice("r_show", kShows, "Draws how the picture was made instead of the picture.");
+                                   "Snaps vertices of models to whole pixels and draws their textures "
+                                   "without perspective, like the stock game.");
+  show_ = variables.add_choice("r_show", kShows, "Debug view: shows how the picture was drawn.");
 }
 
 render::Settings RenderSettings::read(const command::Variables& variables) const {
@@ -72,7 +75,7 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
   settings.mip_rule = kMipRuleValues[variables.choice_value(mip_rule_)];
   settings.force_mip = static_cast<int>(variables.int_value(force_mip_));
   settings.perspective = static_cast<render::Perspective>(variables.choice_value(perspective_));
-  settings.vector_kernels = variables.bool_value(vector_kernels_);
+  settings.simd_kernels = variables.bool_value(simd_kernels_);
   settings.prefetch = variables.bool_value(prefetch_);
   settings.surface_cache = variables.bool_value(surface_cache_);
   settings.cache_bytes = static_cast<std::size_t>(variables.float_value(cache_mb_) * kBytesPerMebibyte);

@@ -4,34 +4,37 @@
 #include <cmath>
 #include <utility>
 
+#include "render/present.h"
+
 namespace temblor::host {
 namespace {
 
-int scaled(int pixels, float scale) {
-  return std::clamp(static_cast<int>(std::lround(static_cast<float>(pixels) * scale)), 1, Screen::kLargest);
+int scale_size(int pixels, float scale) {
+  return std::clamp(static_cast<int>(std::lround(static_cast<float>(pixels) * scale)), 1, Screen::kMaxSize);
 }
 
 }  // namespace
 
 render::FrameBuffer& Screen::begin(platform::PixelSize window_size, const ScreenSettings& settings) {
   scale_ = settings.scale * (settings.automatic_scale ? automatic_.scale() : 1.0f);
-  scale_ = std::clamp(scale_, AutomaticScale::kSmallest, 1.0f);
-  const int width = scaled(window_size.width, scale_), height = scaled(window_size.height, scale_);
+  scale_ = std::clamp(scale_, AutomaticScale::kMinScale, 1.0f);
+  const int width = scale_size(window_size.width, scale_), height = scale_size(window_size.height, scale_);
   if (frame_.width() != width || frame_.height() != height || frame_.format() != settings.format) {
-    shown_ = {};
+    shown_ = {};  // it may refer to the old frame buffer
     frame_ = render::FrameBuffer(width, height, settings.format);
   }
   return frame_;
 }
 
+// Applies the tone to a true-color frame in place, so it must be drawn again before it is shown again.
 base::Status Screen::show(const formats::Palette& palette, const ScreenSettings& settings, double drawing_s,
                           platform::Window& io_window) {
   if (settings.automatic_scale) automatic_.update(drawing_s, settings.target_s);
-  const ToneTable table = tone_table(settings.tone);
+  const ToneTable table = make_tone_table(settings.tone);
   shown_ = std::as_const(frame_).rgb();
   if (frame_.format() == render::PixelFormat::kIndexed) {
     expanded_.resize(frame_.pixel_count());
-    render::present(frame_, toned(palette, table), true, jobs_, expanded_);
+    render::present(frame_, apply_tone(table, palette), true, jobs_, expanded_);
     shown_ = expanded_;
   } else if (!settings.tone.is_neutral()) {
     apply_tone(table, jobs_, frame_.rgb());

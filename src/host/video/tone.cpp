@@ -5,15 +5,16 @@
 
 namespace temblor::host {
 
-ToneTable tone_table(const Tone& tone) {
+ToneTable make_tone_table(const Tone& tone) {
   ToneTable table{};
+  // Rounding in the formula must not change a neutral picture.
   if (tone.is_neutral()) {
     for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<std::uint8_t>(i);
     return table;
   }
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const float bent = 255 * std::pow((static_cast<float>(i) + 0.5f) / 255.5f, tone.gamma) + 0.5f;
-    const float shown = bent * tone.contrast + 255 * tone.brightness;
+    const float curved = 255 * std::pow((static_cast<float>(i) + 0.5f) / 255.5f, tone.gamma) + 0.5f;
+    const float shown = curved * tone.contrast + 255 * tone.brightness;
     table[i] = static_cast<std::uint8_t>(std::clamp(shown, 0.0f, 255.0f));
   }
   return table;
@@ -29,7 +30,7 @@ void apply_tone(const ToneTable& table, base::Jobs& io_jobs, std::span<std::uint
   });
 }
 
-formats::Palette toned(const formats::Palette& palette, const ToneTable& table) {
+formats::Palette apply_tone(const ToneTable& table, const formats::Palette& palette) {
   formats::Palette result = palette;
   for (std::size_t i = 0; i < 256; ++i)
     result[i] = {table[palette[i].r], table[palette[i].g], table[palette[i].b]};

@@ -1,7 +1,11 @@
-// Bits in as much room as they surprise: binary arithmetic coding. Each bit narrows an interval in proportion
-// to how probable it was; what is written is any number within the last one. (Ian Witten, Radford Neal and
-// John Cleary, "Arithmetic coding for data compression", 1987; here with intervals of 32 bits, moved on by
-// bytes.)
+// Adaptive binary arithmetic coding: a bit of probability p costs -log2(p) bits. Each bit narrows an interval
+// in proportion to its probability, and the output is the shortest number inside of the final interval. (Ian
+// Witten, Radford Neal, and John Cleary, "Arithmetic coding for data compression", 1987; here with 32-bit
+// intervals, and a byte is output as soon as the top bytes of both bounds agree.)
+//
+//        low            middle                    high
+//         |---- bit 1 ----|--------- bit 0 ---------|
+//         <- probability ->
 #pragma once
 
 #include <cstddef>
@@ -11,39 +15,44 @@
 
 namespace temblor::net {
 
-// How probable a bit of one kind is, learnt from those that came.
+// Adaptive probability of one kind of bit. Encoder and decoder must update it with the same bits.
 class BitModel {
  public:
-  // Of 65536; never none, never all.
+  // In 65536ths; never 0 or 65536.
   std::uint32_t probability_of_one() const { return probability_; }
-  void learn(bool bit) {
-    const std::uint32_t step = bit ? (65535u - probability_) >> kSlowness : probability_ >> kSlowness;
+  // Moves the probability toward the bit by 1/32 of the distance.
+  void update(bool bit) {
+    const std::uint32_t step =
+        bit ? (65535u - probability_) >> kAdaptationShift : probability_ >> kAdaptationShift;
     probability_ = static_cast<std::uint16_t>(bit ? probability_ + step : probability_ - step);
   }
 
  private:
-  static constexpr int kSlowness = 5;
+  static constexpr int kAdaptationShift = 5;
   std::uint16_t probability_ = 32768;
 };
 
-// Both have the same members, so that what is said and what is understood is one text (differences.cpp).
+// Encodes bits. Encoder and decoder have the same members, so that one template describes the format for both
+// directions (delta.cpp). Appends to a borrowed writer.
 class BitEncoder {
  public:
   explicit BitEncoder(base::ByteWriter& io_bytes) : bytes_(io_bytes) {}
 
+  // Encodes `value`, updates the model, and returns `value`.
   bool bit(BitModel& io_model, bool value) {
     narrow(io_model.probability_of_one(), value);
-    io_model.learn(value);
+    io_model.update(value);
     return value;
   }
-  // `count` bits, the highest first, of which nothing is known; up to 32.
-  std::uint32_t plain(std::uint32_t value, int count) {
+  // Encodes the low `count` bits (0 to 32) of `value` at one bit each, highest first.
+  std::uint32_t raw_bits(std::uint32_t value, int count) {
     for (int i = count - 1; i >= 0; --i) narrow(32768, (value >> i & 1) != 0);
     return value;
   }
-  // Writes as many bytes as tell the interval; a reader takes those behind the end for zeros.
+  // Writes the shortest number (0 to 4 bytes) inside of the interval. The decoder reads zeros past the end.
   void finish() {
     for (int count = 0; count <= 4; ++count) {
+      // The upper bound, truncated to `count` bytes.
       const std::uint32_t within = count == 0 ? 0 : high_ >> (32 - 8 * count) << (32 - 8 * count);
       if (within < low_) continue;
       for (int i = 0; i < count; ++i) bytes_.u8(static_cast<std::uint8_t>(within >> (24 - 8 * i)));
@@ -67,28 +76,29 @@ class BitEncoder {
   std::uint32_t low_ = 0, high_ = 0xffffffff;
 };
 
-// Reads any bytes as some bits or other, and behind their end without one: what is read must be bounded.
-// is_past_end() says for certain that no encoder has written so many bits.
+// Decodes bits. Any input decodes to some bits, and the end of the input is not detected exactly: the caller
+// must bound what it reads. If is_past_end() returns true, no encoder wrote so many bits.
 class BitDecoder {
  public:
   explicit BitDecoder(base::Bytes bytes) : bytes_(bytes) {
-    for (std::size_t i = 0; i < kAhead; ++i) value_ = value_ << 8 | next();
+    for (std::size_t i = 0; i < kPreloadBytes; ++i) value_ = value_ << 8 | next();
   }
 
+  // The second parameter exists for symmetry with BitEncoder and is ignored.
   bool bit(BitModel& io_model, bool) {
     const bool value = narrow(io_model.probability_of_one());
-    io_model.learn(value);
+    io_model.update(value);
     return value;
   }
-  std::uint32_t plain(std::uint32_t, int count) {
+  std::uint32_t raw_bits(std::uint32_t, int count) {
     std::uint32_t value = 0;
     for (int i = 0; i < count; ++i) value = value << 1 | (narrow(32768) ? 1u : 0u);
     return value;
   }
-  bool is_past_end() const { return offset_ > bytes_.size() + kAhead; }
+  bool is_past_end() const { return offset_ > bytes_.size() + kPreloadBytes; }
 
  private:
-  static constexpr std::size_t kAhead = 4;  // bytes that are read before they are needed
+  static constexpr std::size_t kPreloadBytes = 4;  // value_ holds this many bytes
 
   std::uint8_t next() {
     const std::size_t at = offset_++;

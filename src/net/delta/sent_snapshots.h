@@ -1,12 +1,16 @@
-// Updates of the game between a server and a client of ours, told as differences to one that the client has
-// said it has: a packet that begins with a byte which is no message's, then
-//   u16  the update's number; they count up, and go on through levels
-//   u8   how far back the update is that it is told against, at most kReferenceSnapshots - 1; 0: against
-//   nothing
-//   ...  the difference (net/delta/delta.h)
-// So every packet tells all that matters, and one that is lost costs its own tick and nothing more. Who reads
-// it gets the stock messages back, byte for byte. Packets of stock messages may come in between: they belong
-// to no update.
+// Delta-compressed snapshots between a Temblor server and a Temblor client. Each unreliable packet holds a
+// complete snapshot, encoded against a reference snapshot that the client has acknowledged:
+//
+//   +----------+---------------+----------------------+-----------------------+
+//   | 119 (u8) | number (u16)  | back (u8)            | delta (delta/delta.h) |
+//   +----------+---------------+----------------------+-----------------------+
+//
+//   119     no stock message has this number
+//   number  counts up from packet to packet, also across levels, and wraps around
+//   back    reference = number - back; below kReferenceSnapshots; 0: no reference
+//
+// So a lost packet costs its own tick and nothing else. The reader restores the stock messages byte for byte.
+// Packets of stock messages may come in between; they are not snapshots.
 #pragma once
 
 #include <cstdint>
@@ -19,53 +23,54 @@
 
 namespace temblor::net {
 
-constexpr std::uint8_t kDeltaPacket = 119;  // its first byte
-constexpr std::size_t kReferenceSnapshots = 64;
+constexpr std::uint8_t kDeltaPacket = 119;       // first byte of the packet
+constexpr std::size_t kReferenceSnapshots = 64;  // recent snapshots that both ends keep
 
-// A server's, of one client.
+// Server side: the snapshots sent to one client.
 class SentSnapshots {
  public:
-  // What was told belongs to a level that is over.
-  void forget();
-  // The next one, to be filled in; empty.
-  SnapshotState& next();
-  // Appends its packet, against the last one that the client has. It may still be left untold: then next()
-  // begins it anew; else tell() it.
+  // Forgets all snapshots, because a new level begins. Numbers continue.
+  void reset();
+  // Returns an empty snapshot for the caller to fill in.
+  SnapshotState& begin_snapshot();
+  // Appends the packet of the snapshot, encoded against the last acknowledged one. If the packet was sent,
+  // call mark_sent(); otherwise begin_snapshot() starts again with the same number.
   void write(base::ByteWriter& io_writer);
-  void tell() { ++next_; }
-  // The client has that one. Numbers that were not told lately are passed over.
+  void mark_sent() { ++next_; }
+  // The client received snapshot `number`. Ignores numbers that were not sent recently.
   void acknowledge(std::uint16_t number);
 
  private:
-  struct Told {
-    std::optional<std::uint32_t> number;
-    ReferenceSnapshot update;
+  struct Entry {
+    std::optional<std::uint32_t> number;  // nullopt: unused, or not sent yet
+    ReferenceSnapshot snapshot;
   };
-  Told& at(std::uint32_t number) { return kept_[number % kReferenceSnapshots]; }
+  Entry& entry(std::uint32_t number) { return entries_[number % kReferenceSnapshots]; }
 
-  std::vector<Told> kept_ = std::vector<Told>(kReferenceSnapshots);
+  std::vector<Entry> entries_ = std::vector<Entry>(kReferenceSnapshots);  // ring buffer
   std::uint32_t next_ = 0;
   std::optional<std::uint32_t> acknowledged_;
 };
 
-// A client's.
+// Client side: the snapshots received from a server.
 class ReceivedSnapshots {
  public:
-  void forget();
-  // The stock messages of a packet, valid until the next call; nothing for one told against an update that is
-  // not here, which is to be passed over. kMalformed for what is no such packet.
+  // Forgets all snapshots, because a new level or connection begins.
+  void reset();
+  // Decodes a packet and returns its stock messages, valid until the next call. Returns nullopt if the
+  // reference snapshot is missing; ignore the packet then. Returns kMalformed if the packet is invalid.
   base::Result<std::optional<base::Bytes>> read(base::Bytes packet, const Dialect& dialect);
-  // To be acknowledged.
+  // Number of the latest snapshot, to acknowledge it.
   std::optional<std::uint16_t> latest() const { return latest_; }
 
  private:
-  struct Known {
+  struct Entry {
     std::optional<std::uint16_t> number;
-    ReferenceSnapshot update;
+    ReferenceSnapshot snapshot;
   };
-  std::vector<Known> kept_ = std::vector<Known>(kReferenceSnapshots);
+  std::vector<Entry> entries_ = std::vector<Entry>(kReferenceSnapshots);  // ring buffer
   std::optional<std::uint16_t> latest_;
-  UpdateWriter writer_;
+  SnapshotWriter writer_;
   base::ByteWriter bytes_;
 };
 

@@ -11,7 +11,8 @@
 namespace temblor::net {
 namespace {
 
-// Numbers as they lie in the message, signed ones with their sign, so that words of neighbors differ little.
+// Reads fields of a message as words. The member functions are those of WordWriter, so that one template
+// visits the fields for both.
 class WordReader {
  public:
   WordReader(base::Bytes bytes, const Dialect& dialect)
@@ -29,6 +30,7 @@ class WordReader {
       case CoordEncoding::kEighths16:
         return i16(out_word);
       case CoordEncoding::kWholeAnd255: {
+        // One word for both parts, so that a small step is a small difference, also across a whole unit.
         const auto whole = signed_word(bytes_.i16());
         out_word = whole << 8 | bytes_.u8();
         return;
@@ -48,7 +50,7 @@ class WordReader {
         return u32(out_word);
     }
   }
-  // All was there, and nothing else.
+  // True if the fields were exactly the whole message.
   bool is_whole() const { return bytes_.ok() && bytes_.remaining() == 0; }
 
  private:
@@ -59,6 +61,7 @@ class WordReader {
   AngleEncoding angle_;
 };
 
+// The inverse of WordReader.
 class WordWriter {
  public:
   WordWriter(const Dialect& dialect, base::ByteWriter& io_bytes)
@@ -100,6 +103,7 @@ class WordWriter {
   AngleEncoding angle_;
 };
 
+// Index of each field among the words.
 enum EntityWord : std::size_t {
   kFlags,
   kModel,
@@ -117,9 +121,9 @@ enum EntityWord : std::size_t {
 static_assert(kEntityWordsEnd == SnapshotState::kEntityWords);
 static_assert(kOrigin == SnapshotState::kFirstMoving && kAlpha == kOrigin + SnapshotState::kMoving);
 
-// Behind flags and number, in the message's order; both ways.
+// Visits the fields after flags and number in wire order; reads or writes them.
 template <typename Wire, typename Word>
-void exchange_entity(Wire& io_wire, std::span<Word> words) {
+void visit_entity_fields(Wire& io_wire, std::span<Word> words) {
   namespace flag = entity_flag;
   const std::uint32_t flags = words[kFlags];
   if (flags & flag::kModel) io_wire.low(words[kModel]);
@@ -160,8 +164,9 @@ enum ClientWord : std::size_t {
 };
 static_assert(kClientWordsEnd == SnapshotState::kClientDataWords);
 
+// As visit_entity_fields(). Low bytes come before the high bytes of the same words.
 template <typename Wire, typename Word>
-void exchange_client_data(Wire& io_wire, std::span<Word> words) {
+void visit_client_data_fields(Wire& io_wire, std::span<Word> words) {
   namespace flag = client_data_flag;
   const std::uint32_t flags = words[kClientFlags];
   if (flags & flag::kViewHeight) io_wire.i8(words[kViewHeight]);
@@ -194,6 +199,8 @@ void clear(std::span<std::uint32_t> out_words) {
 
 }  // namespace
 
+// Unknown flags stay in the flags word and so return with the message. If such a flag adds a field, the
+// message is longer than the visited fields, and is_whole() fails.
 bool read_entity_words(base::Bytes message, const Dialect& dialect, std::uint16_t& out_number,
                        std::span<std::uint32_t> out_words) {
   namespace flag = entity_flag;
@@ -206,7 +213,7 @@ bool read_entity_words(base::Bytes message, const Dialect& dialect, std::uint16_
   if (flags & flag::kExtend1) flags |= reader.u8() << 16;
   if (flags & flag::kExtend2) return false;
   out_number = static_cast<std::uint16_t>(flags & flag::kLongEntity ? reader.u16() : reader.u8());
-  exchange_entity(reader, out_words);
+  visit_entity_fields(reader, out_words);
   return reader.is_whole();
 }
 
@@ -222,7 +229,7 @@ void write_entity_words(std::uint16_t number, std::span<const std::uint32_t> wor
     writer.u16(number);
   else
     writer.u8(number);
-  exchange_entity(writer, words);
+  visit_entity_fields(writer, words);
 }
 
 bool read_client_data_words(base::Bytes message, const Dialect& dialect, std::span<std::uint32_t> out_words) {
@@ -234,7 +241,7 @@ bool read_client_data_words(base::Bytes message, const Dialect& dialect, std::sp
   flags = reader.u16();
   if (flags & flag::kExtend1) flags |= reader.u8() << 16;
   if (flags & flag::kExtend2) flags |= reader.u8() << 24;
-  exchange_client_data(reader, out_words);
+  visit_client_data_fields(reader, out_words);
   return reader.is_whole();
 }
 
@@ -247,7 +254,7 @@ void write_client_data_words(std::span<const std::uint32_t> words, const Dialect
   writer.u16(flags);
   if (flags & flag::kExtend1) writer.u8(flags >> 16);
   if (flags & flag::kExtend2) writer.u8(flags >> 24);
-  exchange_client_data(writer, words);
+  visit_client_data_fields(writer, words);
 }
 
 }  // namespace temblor::net

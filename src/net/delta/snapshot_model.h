@@ -1,5 +1,6 @@
-// What the coder of differences has learnt of how words change (bit_coder.h). It belongs to a state: both
-// ends that have the state have come to the same by it, whatever was lost in between.
+// The adaptive probabilities of delta.cpp, one BitModel for each kind of decision. A model belongs to a
+// snapshot: it is the reference's model, updated while coding the snapshot. So both ends that have a snapshot
+// have the same model, whatever packets were lost.
 #pragma once
 
 #include <array>
@@ -9,28 +10,29 @@
 
 namespace temblor::net {
 
-// Of numbers from -2^31 to 2^31 without 0: the sign, then the number of bits (a tree of five decisions).
+// A nonzero 32-bit difference: the sign, then the bit length (1 to 32) as a binary tree of five decisions,
+// indexed by the path from the root (1). The bits below the highest one are raw.
 struct NumberModel {
   BitModel negative;
   std::array<BitModel, 32> length;
 };
 
-// A word among its kind: whether it changes, if it changed the last time or not, and by how much.
+// One word: whether it differs from the prediction, given whether it did the last time; and the difference.
 struct WordModel {
   std::array<BitModel, 2> changes;
   NumberModel difference;
 };
 
 struct SnapshotModel {
-  BitModel has_time, has_client_data, has_acknowledgement, has_once, has_events;
+  BitModel has_time, has_client_data, has_acknowledgment, has_once, has_events;
   WordModel time;
   std::array<WordModel, SnapshotState::kClientDataWords> client_data;
-  BitModel acknowledgement_resizes;
-  std::array<WordModel, kMaxAcknowledgementWords> acknowledgement;
-  // Entities that the state before has: by whether they changed the last time.
+  BitModel acknowledgment_resizes;
+  std::array<WordModel, kMaxAcknowledgmentWords> acknowledgment;
+  // Entities of the reference; index: whether the entity changed the last time.
   std::array<BitModel, 2> is_gone, changes;
   std::array<WordModel, SnapshotState::kEntityWords> entity;
-  // Others, told against nothing.
+  // New entities, coded without a reference.
   BitModel has_new;
   NumberModel new_number;
   std::array<WordModel, SnapshotState::kEntityWords> new_entity;

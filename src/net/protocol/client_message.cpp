@@ -10,20 +10,20 @@ namespace {
 
 enum ClientMessageId : std::uint8_t { kNop = 1, kDisconnect = 2, kMove = 3, kStringCommand = 4 };
 
-const char* name_of_id(unsigned id) {
+const char* find_message_name(unsigned id) {
   constexpr const char* kNames[] = {"clc_nop", "clc_disconnect", "clc_move", "clc_stringcmd"};
   return id >= kNop && id <= kStringCommand ? kNames[id - 1] : nullptr;
 }
 
-// A move's angles are 16-bit in both newer protocols, whatever flags 999 has for the server's own.
-Dialect dialect_of_moves(Protocol protocol) {
+// Both newer protocols send the angles of a move in 16 bits; the flags of 999 apply to server messages only.
+Dialect choose_move_dialect(Protocol protocol) {
   return protocol == Protocol::kNetQuake ? Dialect{} : Dialect{Protocol::kRmq, kShortAngle};
 }
 
 Move read_move(FieldReader& io_fields) {
   FieldReader& f = io_fields;
   Move move;
-  move.time_s = f.finite("the time");
+  move.time_s = f.finite("time");
   move.angles_deg = f.angles_deg();
   move.forward = f.i16();
   move.side = f.i16();
@@ -34,13 +34,14 @@ Move read_move(FieldReader& io_fields) {
 }
 
 StringCommand read_string_command(FieldReader& io_fields) {
-  const StringCommand command{io_fields.text("the text")};
+  const StringCommand command{io_fields.text("text")};
   if (command.text.size() >= kMaxCommandBytes)
-    io_fields.refuse(base::ErrorCode::kTooLarge, "a text of {} bytes, the most is {}", command.text.size(),
-                     kMaxCommandBytes - 1);
+    io_fields.fail(base::ErrorCode::kTooLarge, "text of {} bytes exceeds the limit of {}",
+                   command.text.size(), kMaxCommandBytes - 1);
   return command;
 }
 
+// Reads the fields after the message number. An unknown number is an error, since the length is unknown.
 ClientMessage read_body(unsigned id, FieldReader& io_fields) {
   switch (id) {
     case kNop:
@@ -52,19 +53,21 @@ ClientMessage read_body(unsigned id, FieldReader& io_fields) {
     case kStringCommand:
       return read_string_command(io_fields);
     default:
-      io_fields.refuse(base::ErrorCode::kUnsupported, "no such message is known");
+      io_fields.fail(base::ErrorCode::kUnsupported, "unknown message");
       return Nop{};
   }
 }
 
-base::Error error_of(const FieldReader& fields, unsigned id, std::size_t offset, std::size_t have) {
-  const char* name = name_of_id(id);
+// `have`: bytes from the start of the message to the end of the packet.
+base::Error make_read_error(const FieldReader& fields, unsigned id, std::size_t offset, std::size_t have) {
+  const char* name = find_message_name(id);
   const std::string place =
       fmt::format("offset {}: {}", offset, name != nullptr ? name : fmt::format("message {}", id));
-  if (fields.refusal()) return base::error(fields.refusal()->code, "{}: {}", place, fields.refusal()->what);
-  return base::malformed("{}: message ends after {} of {} bytes", place, have, 1 + fields.bytes_wanted());
+  if (fields.error()) return base::error(fields.error()->code, "{}: {}", place, fields.error()->what);
+  return base::malformed("{}: message ends after {} of {} bytes", place, have, 1 + fields.bytes_needed());
 }
 
+// Visitor that writes a message with its number.
 class ClientMessageWriter {
  public:
   explicit ClientMessageWriter(FieldWriter& io_fields) : f_(io_fields) {}
@@ -83,7 +86,7 @@ class ClientMessageWriter {
   }
   void operator()(const StringCommand& command) {
     if (command.text.size() >= kMaxCommandBytes)
-      f_.refuse("a text of {} bytes, the most is {}", command.text.size(), kMaxCommandBytes - 1);
+      f_.fail("text of {} bytes exceeds the limit of {}", command.text.size(), kMaxCommandBytes - 1);
     f_.u8(kStringCommand);
     f_.text(command.text);
   }
@@ -94,29 +97,29 @@ class ClientMessageWriter {
 
 }  // namespace
 
-const char* name_of(const ClientMessage& message) {
-  return name_of_id(static_cast<unsigned>(message.index()) + 1);
+const char* message_name(const ClientMessage& message) {
+  return find_message_name(static_cast<unsigned>(message.index()) + 1);
 }
 
 base::Result<std::optional<ClientMessage>> ClientMessageReader::next() {
   const std::size_t start = reader_.offset(), have = reader_.remaining();
   if (have == 0) return std::optional<ClientMessage>{};
   const std::uint8_t id = reader_.u8();
-  FieldReader fields(reader_, dialect_of_moves(protocol_));
+  FieldReader fields(reader_, choose_move_dialect(protocol_));
   const ClientMessage message = read_body(id, fields);
   if (fields.ok()) return std::optional<ClientMessage>(message);
-  reader_ = base::ByteReader({});
-  return error_of(fields, id, start, have);
+  reader_ = base::ByteReader({});  // the length of the bad message is unknown
+  return make_read_error(fields, id, start, have);
 }
 
 base::Status write_client_message(const ClientMessage& message, Protocol protocol,
                                   base::ByteWriter& io_writer) {
   const std::size_t start = io_writer.size();
-  FieldWriter fields(io_writer, dialect_of_moves(protocol));
+  FieldWriter fields(io_writer, choose_move_dialect(protocol));
   std::visit(ClientMessageWriter(fields), message);
-  if (!fields.refusal()) return base::Ok{};
+  if (!fields.error()) return base::Ok{};
   io_writer.truncate(start);
-  return base::error(fields.refusal()->code, "{}: {}", name_of(message), fields.refusal()->what);
+  return base::error(fields.error()->code, "{}: {}", message_name(message), fields.error()->what);
 }
 
 }  // namespace temblor::net

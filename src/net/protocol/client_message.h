@@ -1,5 +1,12 @@
-// What a client tells a server: four messages, alike in protocols 15, 666 and 999 but for the angles of a
-// move, which are bytes in 15 and 16-bit in the others. Both directions.
+// Messages from client to server, reader and writer. There are four, each a byte with its number and its
+// fields (little endian), in any order and number in one packet:
+//
+//   1 clc_nop         -
+//   2 clc_disconnect  -
+//   3 clc_move        f32 time, 3 angles, i16 forward, i16 side, i16 up, u8 buttons, u8 impulse
+//   4 clc_stringcmd   text + '\0'
+//
+// Protocols 15, 666, and 999 differ only in the angles of a move: bytes in 15, 16 bits in the others.
 #pragma once
 
 #include <cstddef>
@@ -16,37 +23,37 @@
 
 namespace temblor::net {
 
-// A line of console text of a stock client is shorter than this; a longer one is refused.
+// Limit for a console line, with its zero byte, as in stock clients; longer ones are errors.
 constexpr std::size_t kMaxCommandBytes = 1024;
 
-// One a client frame, unreliable and not repeated.
+// The player's input of one client frame; unreliable, not repeated.
 struct Move {
-  float time_s = 0;             // the server's time that the client last heard of, for the ping
-  math::Vec3 angles_deg{0.0f};  // pitch, yaw, roll; read back in [-180, 180)
-  std::int16_t forward = 0, side = 0, up = 0;
-  std::uint8_t buttons = 0;  // 1 attack, 2 jump
+  float time_s = 0;             // latest server time that the client received; the server derives the ping
+  math::Vec3 angles_deg{0.0f};  // pitch, yaw, roll; a reader returns them in [-180, 180)
+  std::int16_t forward = 0, side = 0, up = 0;  // wanted speed, units per second
+  std::uint8_t buttons = 0;                    // 1 attack, 2 jump
   std::uint8_t impulse = 0;
 };
-// A line for the server's console: "prespawn", "say hello".
+// A console line for the server: "prespawn", "say hello".
 struct StringCommand {
   std::string_view text;
 };
 
 using ClientMessage = std::variant<Nop, Disconnect, Move, StringCommand>;
 
-// "clc_move".
-const char* name_of(const ClientMessage& message);
+// Name for messages to people, such as "clc_move".
+const char* message_name(const ClientMessage& message);
 
-// Reads what one packet of a client holds.
+// Reads the messages of one client packet.
 class ClientMessageReader {
  public:
-  // `bytes` must live until all of it is read; so must what is done with a StringCommand's text.
+  // `bytes` must outlive the reader and the texts of its messages.
   ClientMessageReader(base::Bytes bytes, Protocol protocol) : reader_(bytes), protocol_(protocol) {}
 
-  // The next message, or nothing at the end. Of a message that was read all numbers are finite and the text
-  // is shorter than kMaxCommandBytes. Errors say the offset of the message's first byte, its name and what
-  // was expected: kUnsupported for a number that is no message, kTooLarge for a text too long, else
-  // kMalformed. The rest of these bytes is taken for read then.
+  // Returns the next message, or nullopt at the end. All numbers of a message are finite, and its text is
+  // shorter than kMaxCommandBytes. Errors name the offset, the message, and the problem: kUnsupported for an
+  // unknown message number, kTooLarge for a long text, otherwise kMalformed. After an error the reader is at
+  // its end, because the length of the bad message is unknown.
   base::Result<std::optional<ClientMessage>> next();
 
  private:
@@ -54,8 +61,8 @@ class ClientMessageReader {
   Protocol protocol_;
 };
 
-// Appends one message. kTooLarge for a text too long or with a zero in it, and for numbers that are not
-// finite; nothing is appended then. Angles are rounded to the nearest that can be said.
+// Appends one message. Rounds angles to the nearest representable value. Returns kTooLarge and appends
+// nothing if the text is too long or contains a zero byte, or a number is not finite.
 base::Status write_client_message(const ClientMessage& message, Protocol protocol,
                                   base::ByteWriter& io_writer);
 

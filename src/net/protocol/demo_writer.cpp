@@ -5,14 +5,14 @@
 
 namespace temblor::net {
 
-void DemoRecording::add(const math::Vec3& view_angles_deg, base::Bytes messages) {
-  // What is too long for one record was too long for the client as well.
+void DemoWriter::add(const math::Vec3& view_angles_deg, base::Bytes messages) {
+  // A client cannot have accepted a packet that is too long for a demo record.
   if (messages.empty() || messages.size() > formats::kMaxDemMessage || is_full()) return;
   writer_.add(view_angles_deg, messages);
   bytes_ += messages.size();
 }
 
-base::ByteVector DemoRecording::finish() && {
+base::ByteVector DemoWriter::finish() && {
   base::ByteWriter end;
   const base::Status written = write_message(Disconnect{}, Dialect{}, end);
   CHECK(written.ok());

@@ -1,4 +1,5 @@
-// A recording (.dem) in the making, at either end of a connection: what one player is told.
+// Records the server messages of one player as a demo (.dem), at either end of a connection. Holds the demo
+// in memory; formats/game/dem.h describes the file.
 #pragma once
 
 #include "base/bytes.h"
@@ -7,16 +8,17 @@
 
 namespace temblor::net {
 
-class DemoRecording {
+class DemoWriter {
  public:
-  // It is held in memory until it is finished; what comes when it is full is left out.
+  // A demo stops growing at this size; later messages are dropped.
   static constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
-  // Server messages that came together, and where the player looked then.
+  // Adds the messages of one packet, and the view angles of the player at that time. Ignores empty packets,
+  // and packets longer than formats::kMaxDemMessage.
   void add(const math::Vec3& view_angles_deg, base::Bytes messages);
   bool is_full() const { return bytes_ >= kMaxBytes; }
   bool is_empty() const { return bytes_ == 0; }
-  // The recording's bytes, with its end.
+  // Appends svc_disconnect, as the end of a demo, and returns the bytes of the file.
   base::ByteVector finish() &&;
 
  private:

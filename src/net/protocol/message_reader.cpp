@@ -15,31 +15,30 @@
 namespace temblor::net {
 namespace {
 
-ServerMessage refuse_id(MessageId id, FieldReader& io_fields) {
-  if (name_of(id) != nullptr)
-    io_fields.refuse(base::ErrorCode::kUnsupported,
-                     "a message of the 2021 re-release whose length is not known");
+ServerMessage fail_unknown_id(MessageId id, FieldReader& io_fields) {
+  if (message_name(id) != nullptr)
+    io_fields.fail(base::ErrorCode::kUnsupported, "message of the 2021 re-release, which is not supported");
   else
-    io_fields.refuse(base::ErrorCode::kUnsupported, "no such message is known");
+    io_fields.fail(base::ErrorCode::kUnsupported, "unknown message");
   return Nop{};
 }
 
-// These two not as temporaries in one line: g++ 12 takes the padding of those for uninitialized values.
+// g++ 12 warns about uninitialized padding if these two are built as temporaries.
 LightStyle read_light_style(FieldReader& io_fields) {
   LightStyle style;
   style.style = io_fields.u8();
-  style.pattern = io_fields.text("the pattern");
+  style.pattern = io_fields.text("pattern");
   return style;
 }
 
 UpdateName read_update_name(FieldReader& io_fields) {
   UpdateName update;
   update.client = io_fields.u8();
-  update.name = io_fields.text("the name");
+  update.name = io_fields.text("name");
   return update;
 }
 
-// Everything but ServerInfo.
+// Reads every message except ServerInfo.
 ServerMessage read_body(MessageId id, FieldReader& io_fields) {
   FieldReader& f = io_fields;
   switch (id) {
@@ -56,11 +55,11 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
     case MessageId::kSound:
       return read_sound(f);
     case MessageId::kTime:
-      return Time{f.finite("the time")};
+      return Time{f.finite("time")};
     case MessageId::kPrint:
-      return Print{f.text("the text")};
+      return Print{f.text("text")};
     case MessageId::kStuffText:
-      return StuffText{f.text("the text")};
+      return StuffText{f.text("text")};
     case MessageId::kSetAngle:
       return SetAngle{f.angles_deg()};
     case MessageId::kLightStyle:
@@ -90,7 +89,7 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
     case MessageId::kSignonNumber:
       return SignonNumber{f.u8()};
     case MessageId::kCenterPrint:
-      return CenterPrint{f.text("the text")};
+      return CenterPrint{f.text("text")};
     case MessageId::kKilledMonster:
       return KilledMonster{};
     case MessageId::kFoundSecret:
@@ -100,15 +99,15 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
     case MessageId::kIntermission:
       return Intermission{};
     case MessageId::kFinale:
-      return Finale{f.text("the text")};
+      return Finale{f.text("text")};
     case MessageId::kCdTrack:
       return CdTrack{f.u8(), f.u8()};
     case MessageId::kSellScreen:
       return SellScreen{};
     case MessageId::kCutScene:
-      return CutScene{f.text("the text")};
+      return CutScene{f.text("text")};
     case MessageId::kSkybox:
-      return Skybox{f.text("the name")};
+      return Skybox{f.text("name")};
     case MessageId::kBonusFlash:
       return BonusFlash{};
     case MessageId::kFog:
@@ -120,7 +119,7 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
     case MessageId::kSpawnStaticSound2:
       return read_static_sound(true, f);
     case MessageId::kAchievement:
-      f.text("the achievement's name");
+      f.text("achievement name");
       return Ignored{static_cast<std::uint8_t>(id)};
     case MessageId::kLocalSound:
       skip_local_sound(f);
@@ -130,16 +129,18 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
       break;
   }
   const auto number = static_cast<std::uint8_t>(id);
-  return id >= MessageId::kEntityUpdate ? ServerMessage(read_entity_update(number, f)) : refuse_id(id, f);
+  return id >= MessageId::kEntityUpdate ? ServerMessage(read_entity_update(number, f))
+                                        : fail_unknown_id(id, f);
 }
 
-// `have`: bytes from the message's first to the last there is.
-base::Error error_of(const FieldReader& fields, std::uint8_t id, std::size_t offset, std::size_t have) {
-  const char* name = name_of(MessageId{id});
+// `have`: bytes from the start of the message to the end of the packet.
+base::Error make_read_error(const FieldReader& fields, std::uint8_t id, std::size_t offset,
+                            std::size_t have) {
+  const char* name = message_name(MessageId{id});
   const std::string place =
       fmt::format("offset {}: {}", offset, name != nullptr ? name : fmt::format("message {}", id));
-  if (fields.refusal()) return base::error(fields.refusal()->code, "{}: {}", place, fields.refusal()->what);
-  return base::malformed("{}: message ends after {} of {} bytes", place, have, 1 + fields.bytes_wanted());
+  if (fields.error()) return base::error(fields.error()->code, "{}: {}", place, fields.error()->what);
+  return base::malformed("{}: message ends after {} of {} bytes", place, have, 1 + fields.bytes_needed());
 }
 
 }  // namespace
@@ -154,12 +155,13 @@ base::Result<std::optional<ServerMessage>> MessageReader::next() {
   if (have == 0) return std::optional<ServerMessage>{};
   const std::uint8_t id = reader_.u8();
   FieldReader fields(reader_, dialect_);
+  // A ServerInfo refers to lists that live in this reader, so read_body() cannot read it.
   const bool is_server_info = MessageId{id} == MessageId::kServerInfo;
   const ServerMessage message =
       is_server_info ? read_server_info(fields, models_, sounds_) : read_body(MessageId{id}, fields);
   if (!fields.ok()) {
     reader_ = base::ByteReader({});
-    return error_of(fields, id, offset_in_file_ + start, have);
+    return make_read_error(fields, id, offset_in_file_ + start, have);
   }
   if (is_server_info) dialect_ = std::get<ServerInfo>(message).dialect;
   return std::optional<ServerMessage>(message);

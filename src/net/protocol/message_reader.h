@@ -1,4 +1,9 @@
-// Bytes -> server messages.
+// Reads server messages (server_message.h) from packets and demos of protocols 15, 666, and 999.
+//
+//   packet:  | u8 number | fields | u8 number | fields | ...
+//
+// Messages have no length field: a reader must know all of them, and cannot continue after an error. The
+// field readers of net/wire parse the fields with bounds checks.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +17,26 @@
 
 namespace temblor::net {
 
-// Reads the messages of one connection or recording. Keeps the dialect that the last ServerInfo named.
+// Reads the messages of one connection or demo, and keeps the dialect that the last ServerInfo announced.
 //
-// Of a message that was read, all numbers are finite, coordinates are at most 2^27, entity numbers below
-// kMaxEntities, and precache lists no longer than kMaxModels and kMaxSounds. Models, sounds, frames, clients,
-// stats and styles are whatever their bytes say.
+// Guarantees for each message: all numbers are finite, coordinates are within +-2^27, entity numbers are
+// below kMaxEntities, and precache lists have at most kMaxModels and kMaxSounds names. The numbers of models,
+// sounds, frames, clients, stats, and light styles are unchecked.
 //
-// FitzQuake's messages of their own (fog, skybox, bonus flash, wide baselines) are read in protocol 15 too,
-// where game code may send them by hand. Once warm, reading asks the heap for nothing.
+// Accepts FitzQuake's messages (fog, skybox, bonus flash, wide baselines) in protocol 15 too, because mods
+// may write them byte by byte. Allocates no memory once warm.
 class MessageReader {
  public:
-  // Starts on the next packet or recorded message; its bytes must live until all of it is read.
-  // `offset_in_file` is only for error messages.
+  // Starts reading a packet or demo record. `bytes` must outlive the messages read from it. `offset_in_file`
+  // is added to the offsets in error messages.
   void begin(base::Bytes bytes, std::size_t offset_in_file = 0);
 
-  // The next message, or nothing at the end. Errors say the offset of the message's first byte, the message
-  // that was being read, and what was expected; the rest of these bytes cannot be read then, and is taken for
-  // read. kUnsupported for protocols and messages that are not known.
+  // Returns the next message, or nullopt at the end. Errors name the offset, the message, and the problem;
+  // kUnsupported stands for unknown protocols and messages. After an error the reader is at its end.
   base::Result<std::optional<ServerMessage>> next();
 
   const Dialect& dialect() const { return dialect_; }
-  // Of the next message's first byte, or of the end.
+  // Offset of the next message, or of the end.
   std::size_t offset_in_file() const { return offset_in_file_ + reader_.offset(); }
 
  private:

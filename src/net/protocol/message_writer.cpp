@@ -14,7 +14,7 @@
 namespace temblor::net {
 namespace {
 
-// Writes whole messages, their numbers included.
+// Visitor that writes a message with its number.
 class ServerMessageWriter {
  public:
   explicit ServerMessageWriter(FieldWriter& io_fields) : f_(io_fields) {}
@@ -88,7 +88,7 @@ class ServerMessageWriter {
   void operator()(const Finale& message) { text(MessageId::kFinale, message.text); }
   void operator()(const CutScene& message) { text(MessageId::kCutScene, message.text); }
   void operator()(const CdTrack& message) { bytes(MessageId::kCdTrack, message.track, message.loop_track); }
-  // FitzQuake's own.
+  // Only FitzQuake and later have these.
   void operator()(const Skybox& message) {
     if (is_extended(f_.dialect())) text(MessageId::kSkybox, message.name);
   }
@@ -126,9 +126,9 @@ base::Status write_message(const ServerMessage& message, const Dialect& dialect,
   const std::size_t start = io_writer.size();
   FieldWriter fields(io_writer, dialect);
   std::visit(ServerMessageWriter(fields), message);
-  if (!fields.refusal()) return base::Ok{};
+  if (!fields.error()) return base::Ok{};
   io_writer.truncate(start);
-  return base::error(fields.refusal()->code, "{}: {}", name_of(message), fields.refusal()->what);
+  return base::error(fields.error()->code, "{}: {}", message_name(message), fields.error()->what);
 }
 
 }  // namespace temblor::net

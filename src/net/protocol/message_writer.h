@@ -1,4 +1,4 @@
-// Server messages -> bytes, in any of the dialects.
+// Writes server messages (server_message.h) in any dialect; the inverse of message_reader.h.
 #pragma once
 
 #include "base/bytes.h"
@@ -7,13 +7,13 @@
 
 namespace temblor::net {
 
-// Appends one message. kTooLarge when the dialect cannot say it (a model number over 255 in protocol 15, a
-// place outside of the level's bounds of +-4096), and nothing is appended then. A message that it has no
-// words for at all (fog in protocol 15; an Ignored in any) is left out, and so are single fields without
-// words (an entity's opacity and scale in protocol 15). Coordinates and angles are rounded to the nearest
-// that can be said; speeds, opacities and the like also into their range.
+// Appends one message with its number. Returns kTooLarge and appends nothing if the dialect cannot represent
+// a value: a model number over 255, or a coordinate beyond +-4096 in protocol 15. Omits messages that the
+// dialect does not have (fog in protocol 15; Ignored in every one), and fields that it does not have (the
+// alpha and scale of an entity in protocol 15). Rounds coordinates and angles to the nearest representable
+// value; also clamps velocities, alpha, and the like.
 //
-// A ServerInfo announces its own dialect; the messages behind it are to be written in that one.
+// A ServerInfo is written in the dialect that it announces; write all later messages in that dialect.
 base::Status write_message(const ServerMessage& message, const Dialect& dialect, base::ByteWriter& io_writer);
 
 }  // namespace temblor::net

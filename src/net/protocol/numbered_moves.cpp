@@ -14,15 +14,25 @@
 namespace temblor::net {
 namespace {
 
-// Of any number that is told: sums of so large ones are numbers still.
-constexpr float kMaxOfAnything = 1e6f;
+// Limit for every received number, so that sums and products stay finite.
+constexpr float kMaxMagnitude = 1e6f;
 
-constexpr std::string_view kTermsBegin = "//temblor moves ", kAcknowledgementBegin = "//a ";
-constexpr std::string_view kNumberBegin = "tm ", kNoUpdate = "-";
+constexpr std::string_view kParametersPrefix = "//temblor moves ", kAcknowledgmentPrefix = "//a ";
+constexpr std::string_view kPacketPrefix = "tm ", kNoSnapshot = "-";
 constexpr std::string_view kDeltaOffer = "//temblor differences\n";
-constexpr std::size_t kUpdateLetters = 3;  // of a number of 16 bits
+constexpr std::size_t kSnapshotDigits = 3;  // base64url characters of 16 bits
 constexpr double kMinTick_s = 0.001, kMaxTick_s = 0.1;
 
+// An acknowledgment before base64url, little-endian:
+//
+//   flags u16 | number u32 | move type u8, water level u8, ground u16 | origin, velocity, angles 9 x f32 |
+//   [punch 3 x f32] | [water jump velocity 2 x f32] | [teleport time f32] | [own gravity f32] |
+//   [ride: origin, velocity, time left 7 x f32]
+//
+// Everything after the flags is a multiple of 4 bytes long, so delta compression can treat it as 32-bit words
+// without knowing the fields (read_acknowledgment_words()).
+//
+// First field of an acknowledgment. kPunched to kRide mark optional fields.
 enum Flag : std::uint16_t {
   kAlive = 1,
   kOnGround = 2,
@@ -32,12 +42,12 @@ enum Flag : std::uint16_t {
   kSlime = 32,
   kLava = 64,
   kPunched = 128,
-  kSettling = 256,
+  kTeleported = 256,
   kOwnGravity = 512,
   kRide = 1024,
 };
 
-std::uint16_t flags_of(const MoveAcknowledgement& a) {
+std::uint16_t compute_flags(const MoveAcknowledgment& a) {
   std::uint16_t flags = 0;
   const auto add = [&](bool is_set, Flag flag) {
     if (is_set) flags = static_cast<std::uint16_t>(flags | flag);
@@ -50,15 +60,15 @@ std::uint16_t flags_of(const MoveAcknowledgement& a) {
   add(a.is_in_slime, kSlime);
   add(a.is_in_lava, kLava);
   add(a.punch_deg != math::Vec3(0.0f), kPunched);
-  add(a.teleport_time_s != 0, kSettling);
+  add(a.teleport_time_s != 0, kTeleported);
   add(a.own_gravity != 1, kOwnGravity);
   add(a.ride.has_value(), kRide);
   return flags;
 }
 
-// The same fields in the same order, both ways.
-template <typename Wire, typename Acknowledgement>
-void exchange(Wire& io_wire, Acknowledgement& a, std::uint16_t flags) {
+// Visits the fields after the flags in wire order; used for reading and writing.
+template <typename Wire, typename Acknowledgment>
+void visit_fields(Wire& io_wire, Acknowledgment& a, std::uint16_t flags) {
   io_wire(a.number);
   io_wire(a.move_type);
   io_wire(a.water_level);
@@ -71,7 +81,7 @@ void exchange(Wire& io_wire, Acknowledgement& a, std::uint16_t flags) {
     io_wire(a.water_jump_velocity.x);
     io_wire(a.water_jump_velocity.y);
   }
-  if (flags & kSettling) io_wire(a.teleport_time_s);
+  if (flags & kTeleported) io_wire(a.teleport_time_s);
   if (flags & kOwnGravity) io_wire(a.own_gravity);
   if (flags & kRide) {
     io_wire(a.ride->origin);
@@ -80,7 +90,8 @@ void exchange(Wire& io_wire, Acknowledgement& a, std::uint16_t flags) {
   }
 }
 
-using WireBytes = std::array<std::byte, 2 + 4 * (kMaxAcknowledgementWords - 1)>;  // more than all fields
+// The flags and the words after them: larger than all fields together.
+using WireBytes = std::array<std::byte, 2 + 4 * (kMaxAcknowledgmentWords - 1)>;
 
 struct WireWriter {
   WireBytes bytes;
@@ -97,53 +108,55 @@ struct WireWriter {
 
 struct WireReader {
   base::ByteReader bytes;
-  bool is_sane = true;  // not so large that sums of them are no number any more
+  bool is_sane = true;  // all floats are within kMaxMagnitude
   template <typename T>
   void operator()(T& out_value) {
     out_value = bytes.read<T>();
   }
   void operator()(float& out_value) {
     out_value = bytes.f32();
-    is_sane = is_sane && std::abs(out_value) <= kMaxOfAnything;
+    is_sane = is_sane && std::abs(out_value) <= kMaxMagnitude;
   }
   void operator()(math::Vec3& out_value) {
     for (int axis = 0; axis < 3; ++axis) (*this)(out_value[axis]);
   }
 };
 
-std::string_view without_end(std::string_view line) {
+std::string_view remove_line_end(std::string_view line) {
   while (line.ends_with('\n')) line.remove_suffix(1);
   return line;
 }
 
-// Numbers with a space between; nothing where that is not what it is.
+// Parses exactly kCount numbers separated by spaces.
 template <std::size_t kCount>
-std::optional<std::array<double, kCount>> numbers_of(std::string_view text) {
+std::optional<std::array<double, kCount>> parse_numbers(std::string_view text) {
   std::array<double, kCount> numbers{};
   for (double& number : numbers) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (failure != std::errc() || !(std::abs(number) <= kMaxOfAnything)) return std::nullopt;
+    if (failure != std::errc() || !(std::abs(number) <= kMaxMagnitude)) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
   return text.empty() ? std::optional(numbers) : std::nullopt;
 }
 
+// Also rejects NaN, because every comparison with it is false.
 bool is_tick(double tick_s) {
   return tick_s >= kMinTick_s && tick_s <= kMaxTick_s;
 }
 
 }  // namespace
 
-std::string line_of(const MoveParameters& t) {
-  return fmt::format("{}{} {} {} {} {} {} {} {} {} {} {}\n", kTermsBegin, t.entity, t.tick_s, t.world_tick_s,
-                     t.gravity, t.max_velocity, t.friction, t.edge_friction, t.stop_speed, t.accelerate,
-                     t.max_speed, t.no_step ? 1 : 0);
+std::string format_move_parameters(const MoveParameters& m) {
+  const math::PhysicsSettings& p = m.physics;
+  return fmt::format("{}{} {} {} {} {} {} {} {} {} {} {}\n", kParametersPrefix, m.entity, m.tick_s,
+                     m.world_tick_s, p.gravity, p.max_velocity, p.friction, p.edge_friction, p.stop_speed,
+                     p.accelerate, p.max_speed, p.no_step ? 1 : 0);
 }
 
 std::optional<MoveParameters> read_move_parameters(std::string_view line) {
-  if (!line.starts_with(kTermsBegin)) return std::nullopt;
-  const auto numbers = numbers_of<11>(without_end(line.substr(kTermsBegin.size())));
+  if (!line.starts_with(kParametersPrefix)) return std::nullopt;
+  const auto numbers = parse_numbers<11>(remove_line_end(line.substr(kParametersPrefix.size())));
   if (!numbers) return std::nullopt;
   const auto& n = *numbers;
   if (!(n[0] >= 1 && n[0] <= 65535) || !is_tick(n[1]) || !is_tick(n[2])) return std::nullopt;
@@ -151,34 +164,34 @@ std::optional<MoveParameters> read_move_parameters(std::string_view line) {
   return MoveParameters{.entity = static_cast<std::uint16_t>(n[0]),
                         .tick_s = n[1],
                         .world_tick_s = n[2],
-                        .gravity = number(3),
-                        .max_velocity = number(4),
-                        .friction = number(5),
-                        .edge_friction = number(6),
-                        .stop_speed = number(7),
-                        .accelerate = number(8),
-                        .max_speed = number(9),
-                        .no_step = n[10] != 0};
+                        .physics = {.gravity = number(3),
+                                    .max_velocity = number(4),
+                                    .friction = number(5),
+                                    .edge_friction = number(6),
+                                    .stop_speed = number(7),
+                                    .accelerate = number(8),
+                                    .max_speed = number(9),
+                                    .no_step = n[10] != 0}};
 }
 
-void write_line(const MoveAcknowledgement& acknowledgement, std::string& out_line) {
-  const std::uint16_t flags = flags_of(acknowledgement);
+void write_acknowledgment(const MoveAcknowledgment& acknowledgment, std::string& out_line) {
+  const std::uint16_t flags = compute_flags(acknowledgment);
   WireWriter writer;
   writer(flags);
-  exchange(writer, acknowledgement, flags);
-  out_line = kAcknowledgementBegin;
+  visit_fields(writer, acknowledgment, flags);
+  out_line = kAcknowledgmentPrefix;
   append_base64url(base::Bytes(writer.bytes).first(writer.size), out_line);
   out_line += '\n';
 }
 
-std::optional<MoveAcknowledgement> read_acknowledgement(std::string_view line) {
-  if (!line.starts_with(kAcknowledgementBegin)) return std::nullopt;
+std::optional<MoveAcknowledgment> read_acknowledgment(std::string_view line) {
+  if (!line.starts_with(kAcknowledgmentPrefix)) return std::nullopt;
   WireBytes bytes;
-  const auto size = read_base64url(without_end(line.substr(kAcknowledgementBegin.size())), bytes);
+  const auto size = read_base64url(remove_line_end(line.substr(kAcknowledgmentPrefix.size())), bytes);
   if (!size) return std::nullopt;
   WireReader reader{base::ByteReader(base::Bytes(bytes).first(*size))};
   const std::uint16_t flags = reader.bytes.u16();
-  MoveAcknowledgement a;
+  MoveAcknowledgment a;
   a.is_alive = (flags & kAlive) != 0;
   a.on_ground = (flags & kOnGround) != 0;
   a.is_jump_released = (flags & kJumpReleased) != 0;
@@ -186,14 +199,15 @@ std::optional<MoveAcknowledgement> read_acknowledgement(std::string_view line) {
   a.is_turned_by_game = (flags & kTurnedByGame) != 0;
   a.is_in_slime = (flags & kSlime) != 0;
   a.is_in_lava = (flags & kLava) != 0;
-  if (flags & kRide) a.ride = MoveAcknowledgement::Ride{};
-  exchange(reader, a, flags);
+  if (flags & kRide) a.ride = MoveAcknowledgment::Ride{};
+  visit_fields(reader, a, flags);
   return reader.bytes.ok() && reader.is_sane ? std::optional(a) : std::nullopt;
 }
 
-std::size_t read_words(std::string_view line, std::span<std::uint32_t> out_words) {
-  if (!line.starts_with(kAcknowledgementBegin) || !line.ends_with('\n')) return 0;
-  line.remove_prefix(kAcknowledgementBegin.size());
+// Restorable exactly: the flags are 2 bytes, and the rest must be whole words.
+std::size_t read_acknowledgment_words(std::string_view line, std::span<std::uint32_t> out_words) {
+  if (!line.starts_with(kAcknowledgmentPrefix) || !line.ends_with('\n')) return 0;
+  line.remove_prefix(kAcknowledgmentPrefix.size());
   line.remove_suffix(1);
   WireBytes bytes;
   const auto size = read_base64url(line, bytes);
@@ -206,11 +220,11 @@ std::size_t read_words(std::string_view line, std::span<std::uint32_t> out_words
   return count;
 }
 
-void write_line(std::span<const std::uint32_t> words, std::string& out_line) {
+void write_acknowledgment_words(std::span<const std::uint32_t> words, std::string& out_line) {
   WireWriter writer;
   writer(static_cast<std::uint16_t>(words[0]));
   for (const std::uint32_t word : words.subspan(1)) writer(word);
-  out_line = kAcknowledgementBegin;
+  out_line = kAcknowledgmentPrefix;
   append_base64url(base::Bytes(writer.bytes).first(writer.size), out_line);
   out_line += '\n';
 }
@@ -223,18 +237,18 @@ bool is_delta_offer(std::string_view line) {
   return line == kDeltaOffer;
 }
 
-std::string command_of(const NumberedPacket& packet) {
-  std::string command = fmt::format("{}{}", kNumberBegin, packet.last_move);
+std::string format_numbered_packet(const NumberedPacket& packet) {
+  std::string command = fmt::format("{}{}", kPacketPrefix, packet.last_move);
   if (!packet.accepts_deltas) return command;
   command += ' ';
-  if (!packet.received_snapshot) return command += kNoUpdate;
+  if (!packet.received_snapshot) return command += kNoSnapshot;
   append_base64url(std::as_bytes(std::span(&*packet.received_snapshot, 1)), command);
   return command;
 }
 
 std::optional<NumberedPacket> read_numbered_packet(std::string_view command) {
-  if (!command.starts_with(kNumberBegin)) return std::nullopt;
-  command.remove_prefix(kNumberBegin.size());
+  if (!command.starts_with(kPacketPrefix)) return std::nullopt;
+  command.remove_prefix(kPacketPrefix.size());
   NumberedPacket packet;
   const auto [end, failure] =
       std::from_chars(command.data(), command.data() + command.size(), packet.last_move);
@@ -244,9 +258,9 @@ std::optional<NumberedPacket> read_numbered_packet(std::string_view command) {
   if (!command.starts_with(' ')) return std::nullopt;
   command.remove_prefix(1);
   packet.accepts_deltas = true;
-  if (command == kNoUpdate) return packet;
+  if (command == kNoSnapshot) return packet;
   std::array<std::byte, 2> bytes;
-  if (command.size() != kUpdateLetters || !read_base64url(command, bytes)) return std::nullopt;
+  if (command.size() != kSnapshotDigits || !read_base64url(command, bytes)) return std::nullopt;
   packet.received_snapshot = base::ByteReader(bytes).u16();
   return packet;
 }

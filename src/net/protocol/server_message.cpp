@@ -4,8 +4,8 @@
 
 namespace temblor::net {
 
-const char* name_of(const ServerMessage& message) {
-  const char* name = name_of(id_of(message));
+const char* message_name(const ServerMessage& message) {
+  const char* name = message_name(message_id(message));
   return name != nullptr ? name : "unknown message";
 }
 

@@ -6,32 +6,33 @@
 namespace temblor::net {
 namespace {
 
-constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-constexpr std::uint8_t kNoLetter = 255;
+constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+constexpr std::uint8_t kInvalid = 255;
 
-constexpr std::array<std::uint8_t, 256> values() {
+// Maps each character to its six bits, others to kInvalid.
+constexpr std::array<std::uint8_t, 256> make_values() {
   std::array<std::uint8_t, 256> values{};
-  values.fill(kNoLetter);
-  for (std::size_t i = 0; i < kLetters.size(); ++i)
-    values[static_cast<unsigned char>(kLetters[i])] = static_cast<std::uint8_t>(i);
+  values.fill(kInvalid);
+  for (std::size_t i = 0; i < kAlphabet.size(); ++i)
+    values[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::uint8_t>(i);
   return values;
 }
-constexpr std::array<std::uint8_t, 256> kValues = values();
+constexpr std::array<std::uint8_t, 256> kValues = make_values();
 
 }  // namespace
 
 void append_base64url(base::Bytes bytes, std::string& io_text) {
   std::uint32_t bits = 0;
   int count = 0;
-  const auto letter = [&] { io_text += kLetters[bits >> (count - 6) & 63]; };
+  const auto append_top_bits = [&] { io_text += kAlphabet[bits >> (count - 6) & 63]; };
   for (const std::uint8_t byte : base::as_u8(bytes)) {
     bits = bits << 8 | byte;
-    for (count += 8; count >= 6; count -= 6) letter();
+    for (count += 8; count >= 6; count -= 6) append_top_bits();
   }
   if (count == 0) return;
   bits <<= 6 - count;
   count = 6;
-  letter();
+  append_top_bits();
 }
 
 std::optional<std::size_t> read_base64url(std::string_view text, std::span<std::byte> out_bytes) {
@@ -40,7 +41,7 @@ std::optional<std::size_t> read_base64url(std::string_view text, std::span<std::
   int count = 0;
   for (const char c : text) {
     const std::uint8_t value = kValues[static_cast<unsigned char>(c)];
-    if (value == kNoLetter) return std::nullopt;
+    if (value == kInvalid) return std::nullopt;
     bits = bits << 6 | value;
     count += 6;
     if (count < 8) continue;

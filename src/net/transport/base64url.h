@@ -1,4 +1,5 @@
-// Bytes as letters that mean nothing to a console, six bits each: A-Z a-z 0-9 - _.
+// Binary data as text that is safe inside a console line: base64url (RFC 4648, section 5: A-Z a-z 0-9 - _)
+// without padding. The move acknowledgments of numbered_moves.h use it.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +12,12 @@
 
 namespace temblor::net {
 
-// Each byte's upper bits first; the last letter is filled up with zeros.
+// Appends ceil(size * 8 / 6) characters to `io_text`, most significant bits first; the last character is
+// padded with zero bits.
 void append_base64url(base::Bytes bytes, std::string& io_text);
-// How many bytes they are; bits that are no whole byte are left over. Nothing where another letter is among
-// them, and where `out_bytes` has no room.
+
+// Decodes `text` into `out_bytes` and returns the number of bytes written. Ignores trailing bits that do not
+// fill a byte. Returns nullopt if a character is not in the alphabet or `out_bytes` is too small.
 std::optional<std::size_t> read_base64url(std::string_view text, std::span<std::byte> out_bytes);
 
 }  // namespace temblor::net

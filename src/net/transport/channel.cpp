@@ -9,17 +9,17 @@
 namespace temblor::net {
 namespace {
 
-// An unreliable packet further ahead than this was not preceded by lost ones: at 200 packets a second it is
-// longer than the silence after which a connection is given up. Somebody made it up, and to believe it would
-// make everything that follows late.
+// Packet loss cannot explain a larger jump of the unreliable sequence: at 200 packets a second it would be
+// longer than the connection timeout. Such a packet is forged, and accepting it would make all genuine
+// packets look stale.
 constexpr std::uint32_t kMaxUnreliableGap = 65535;
 
-// Of the estimate of the round trip (Jacobson, Congestion Avoidance and Control, 1988).
+// Gains of the round trip estimator; the timeout is mean + kDeviations * deviation (Jacobson 1988).
 constexpr double kSampleWeight = 1.0 / 8, kDeviationWeight = 1.0 / 4, kDeviations = 4;
 
 }  // namespace
 
-MessageLimits limits_of(Protocol protocol, bool is_local) {
+MessageLimits message_limits_for(Protocol protocol, bool is_local) {
   if (protocol == Protocol::kNetQuake) return {};
   return {64000, is_local ? std::size_t{64000} : std::size_t{1400}};
 }
@@ -27,12 +27,13 @@ MessageLimits limits_of(Protocol protocol, bool is_local) {
 base::Status Channel::send_reliable(base::Bytes message, double now_s, Sink send) {
   CHECK(!message.empty());
   if (message.size() > settings_.sent.reliable_bytes)
-    return base::error(base::ErrorCode::kTooLarge, "a reliable message of {} bytes, the peer takes {}",
-                       message.size(), settings_.sent.reliable_bytes);
+    return base::error(base::ErrorCode::kTooLarge,
+                       "reliable message of {} bytes exceeds the peer's limit of {}", message.size(),
+                       settings_.sent.reliable_bytes);
   if (queued_.size() + message.size() > settings_.queue_bytes)
     return base::error(base::ErrorCode::kTooLarge,
-                       "{} bytes of reliable messages wait, no room for {} more of at most {}",
-                       queued_.size(), message.size(), settings_.queue_bytes);
+                       "reliable queue is full: {} bytes wait, {} more exceed its {}", queued_.size(),
+                       message.size(), settings_.queue_bytes);
   queued_.insert(queued_.end(), message.begin(), message.end());
   queued_sizes_.push_back(message.size());
   if (queued_sizes_.size() == 1) send_fragment(now_s, send);
@@ -41,8 +42,9 @@ base::Status Channel::send_reliable(base::Bytes message, double now_s, Sink send
 
 base::Status Channel::send_unreliable(base::Bytes message, Sink send) {
   if (message.size() > settings_.sent.unreliable_bytes)
-    return base::error(base::ErrorCode::kTooLarge, "an unreliable message of {} bytes, the peer takes {}",
-                       message.size(), settings_.sent.unreliable_bytes);
+    return base::error(base::ErrorCode::kTooLarge,
+                       "unreliable message of {} bytes exceeds the peer's limit of {}", message.size(),
+                       settings_.sent.unreliable_bytes);
   send_packet({PacketKind::kUnreliable, unreliable_sequence_++}, message, send);
   return base::Ok{};
 }
@@ -60,7 +62,7 @@ base::Result<std::optional<ChannelMessage>> Channel::receive(base::Bytes packet,
   const base::Bytes content = packet.subspan(kPacketHeaderBytes);
   switch (header.kind) {
     case PacketKind::kAck:
-      receive_acknowledgement(header.sequence, now_s, send);
+      receive_acknowledgment(header.sequence, now_s, send);
       return std::optional<ChannelMessage>{};
     case PacketKind::kUnreliable:
       return receive_unreliable(header.sequence, content);
@@ -71,6 +73,7 @@ base::Result<std::optional<ChannelMessage>> Channel::receive(base::Bytes packet,
   return receive_fragment(header, content, send);
 }
 
+// One buffer for header and content, because a datagram socket sends one block of bytes.
 void Channel::send_packet(const PacketHeader& header, base::Bytes content, Sink send) {
   const auto head = packet_header_bytes(header, kPacketHeaderBytes + content.size());
   packet_.assign(head.begin(), head.end());
@@ -80,21 +83,22 @@ void Channel::send_packet(const PacketHeader& header, base::Bytes content, Sink 
   send(packet_);
 }
 
+// For the first copy and for resends alike: what is in flight depends only on acknowledged_bytes_.
 void Channel::send_fragment(double now_s, Sink send) {
   const base::Bytes message = base::Bytes(queued_).first(queued_sizes_.front());
   const base::Bytes rest = message.subspan(acknowledged_bytes_);
   const bool is_last = rest.size() <= kFragmentBytes;
-  ++sendings_;
+  ++send_count_;
   sent_at_s_ = now_s;
   send_packet({is_last ? PacketKind::kLastData : PacketKind::kData, fragment_sequence_},
               rest.first(std::min(rest.size(), kFragmentBytes)), send);
 }
 
-void Channel::receive_acknowledgement(std::uint32_t sequence, double now_s, Sink send) {
-  if (queued_sizes_.empty() || sequence != fragment_sequence_) return;  // of one acknowledged before
-  // Of a fragment that was sent twice, nobody knows which sending this answers (Karn's rule).
-  if (sendings_ == 1) learn_round_trip(now_s - sent_at_s_);
-  sendings_ = 0;
+void Channel::receive_acknowledgment(std::uint32_t sequence, double now_s, Sink send) {
+  if (queued_sizes_.empty() || sequence != fragment_sequence_) return;  // duplicate of an old one
+  // After a resend, the acknowledgment may answer either copy: no sample (Karn's rule).
+  if (send_count_ == 1) update_round_trip(now_s - sent_at_s_);
+  send_count_ = 0;
   ++fragment_sequence_;
   acknowledged_bytes_ += kFragmentBytes;
   if (const std::size_t size = queued_sizes_.front(); acknowledged_bytes_ >= size) {
@@ -106,6 +110,7 @@ void Channel::receive_acknowledgement(std::uint32_t sequence, double now_s, Sink
 }
 
 std::optional<ChannelMessage> Channel::receive_unreliable(std::uint32_t sequence, base::Bytes content) {
+  // Unsigned: an old packet gives a huge gap. Sequence numbers wrap around the same way.
   const std::uint32_t gap = sequence - expected_unreliable_;
   if (gap > kMaxUnreliableGap) {
     ++statistics_.stale;
@@ -118,7 +123,7 @@ std::optional<ChannelMessage> Channel::receive_unreliable(std::uint32_t sequence
 
 base::Result<std::optional<ChannelMessage>> Channel::receive_fragment(const PacketHeader& header,
                                                                       base::Bytes content, Sink send) {
-  // Also what came before: its acknowledgement was lost, and the peer waits for one.
+  // Acknowledge duplicates too: the peer repeats a fragment because it lost our acknowledgment.
   send_packet({PacketKind::kAck, header.sequence}, {}, send);
   if (header.sequence != expected_fragment_) {
     ++statistics_.duplicates;
@@ -127,7 +132,7 @@ base::Result<std::optional<ChannelMessage>> Channel::receive_fragment(const Pack
   if (assembled_is_whole_) assembled_.clear();
   assembled_is_whole_ = false;
   if (assembled_.size() + content.size() > settings_.max_received_bytes)
-    return base::error(base::ErrorCode::kTooLarge, "a reliable message is longer than {} bytes",
+    return base::error(base::ErrorCode::kTooLarge, "reliable message exceeds {} bytes",
                        settings_.max_received_bytes);
   ++expected_fragment_;
   assembled_.insert(assembled_.end(), content.begin(), content.end());
@@ -136,7 +141,7 @@ base::Result<std::optional<ChannelMessage>> Channel::receive_fragment(const Pack
   return std::optional<ChannelMessage>{ChannelMessage{assembled_, true}};
 }
 
-void Channel::learn_round_trip(double sample_s) {
+void Channel::update_round_trip(double sample_s) {
   if (!round_trip_s_) {
     round_trip_s_ = sample_s;
     round_trip_deviation_s_ = sample_s / 2;
@@ -150,7 +155,7 @@ void Channel::learn_round_trip(double sample_s) {
 double Channel::resend_after_s() const {
   if (!round_trip_s_) return settings_.resend_s;
   const double expected_s = *round_trip_s_ + kDeviations * round_trip_deviation_s_;
-  return std::clamp(expected_s, settings_.least_resend_s, settings_.resend_s);
+  return std::clamp(expected_s, settings_.min_resend_s, settings_.resend_s);
 }
 
 }  // namespace temblor::net

@@ -1,8 +1,25 @@
-// One connection's packets, at either end: NetQuake's reliable messages (one fragment in flight, each
-// acknowledged, sent again until it is) and unreliable ones (the newest counts, what is late is dropped).
+// The packet layer of one connection, the same for client and server. It carries two kinds of messages:
 //
-// A value without socket or clock: bytes and the time go in, messages come out as results and packets through
-// the sink that each call is given. Time is any clock in seconds that does not go back.
+// - Reliable messages arrive once and in order. A message is cut into fragments of 1024 bytes. One fragment
+//   is in flight at a time; it is sent again until the peer acknowledges its sequence number (stop and wait).
+// - Unreliable messages are one packet each. Lost ones are not repeated, and one that arrives after a newer
+//   one is dropped.
+//
+// Every packet begins with the header of NetQuake (wire/packet_header.h):
+//
+//   +----------------+----------------+---------------------------------+
+//   | flags  u16 BE  | size  u16 BE   | sequence u32 BE                 |
+//   +----------------+----------------+---------------------------------+
+//   | content: a fragment, an unreliable message, or nothing (an ack)   |
+//   +-------------------------------------------------------------------+
+//
+// Reliable fragments and unreliable messages count their sequence numbers separately.
+//
+// The resend timeout follows the measured round trip (Jacobson, "Congestion Avoidance and Control", 1988); a
+// fragment that was sent twice gives no sample (Karn's rule).
+//
+// A Channel is a value without socket or clock: the caller passes bytes and time, and gets messages as
+// results and packets through a sink. Time is any clock in seconds that never goes back.
 #pragma once
 
 #include <cstddef>
@@ -17,35 +34,35 @@
 
 namespace temblor::net {
 
-// Content of a packet that stock peers take in any protocol; reliable messages are cut into pieces of this.
+// Size of a reliable fragment, and the largest packet content that stock peers accept in every protocol.
 constexpr std::size_t kFragmentBytes = 1024;
 
-// What a peer that speaks `protocol` takes in one message.
+// The largest messages that a peer accepts.
 struct MessageLimits {
   std::size_t reliable_bytes = 8000;
   std::size_t unreliable_bytes = kFragmentBytes;
 };
-// 15: 8000 and 1024. 666 and 999: 64000, and unreliable ones 1400 (what passes networks in one piece) or,
-// to a peer of this process, 64000.
-MessageLimits limits_of(Protocol protocol, bool is_local);
+// Limits of a peer that speaks `protocol`. Protocol 15: 8000 and 1024. Protocols 666 and 999: 64000 reliable,
+// and 1400 unreliable (fits one network packet) or 64000 if the peer is in this process.
+MessageLimits message_limits_for(Protocol protocol, bool is_local);
 
 struct ChannelSettings {
   MessageLimits sent{};
-  // A peer whose message is longer than this is to be dropped.
+  // The owner should drop a peer that sends a longer reliable message.
   std::size_t max_received_bytes = 65535;
-  // Reliable messages that wait, the one in flight included.
+  // Capacity for reliable messages that wait, including the one in flight.
   std::size_t queue_bytes = 256 * 1024;
-  // A fragment is sent again after this; sooner once the round trip is known, but never before the least.
+  // Resend timeout until the round trip is known; later its upper bound. min_resend_s is the lower bound.
   double resend_s = 1.0;
-  double least_resend_s = 0.1;
+  double min_resend_s = 0.1;
 };
 
 struct ChannelStatistics {
   std::uint64_t packets_in = 0, packets_out = 0, bytes_in = 0, bytes_out = 0;
-  std::uint64_t resent = 0;      // reliable fragments
-  std::uint64_t duplicates = 0;  // reliable fragments that had come before
-  std::uint64_t lost = 0;        // unreliable ones, from the gaps in their sequence
-  std::uint64_t stale = 0;       // unreliable ones dropped for being late, or too far ahead to be believed
+  std::uint64_t resent = 0;      // reliable fragments sent again
+  std::uint64_t duplicates = 0;  // reliable fragments received again
+  std::uint64_t lost = 0;        // unreliable messages, counted from gaps in the sequence
+  std::uint64_t stale = 0;       // unreliable messages dropped: too old, or too far ahead to be genuine
 };
 
 struct ChannelMessage {
@@ -57,65 +74,69 @@ struct PacketHeader;
 
 class Channel {
  public:
+  // Receives each packet that the channel sends; the bytes are valid only during the call.
   using Sink = base::FunctionRef<void(base::Bytes packet)>;
 
   explicit Channel(const ChannelSettings& settings = {}) : settings_(settings) {}
 
-  // Queues a message and sends its first fragment if nothing is in flight. kTooLarge, and nothing is queued,
-  // for one longer than the peer takes and when the queue is full: the owner drops a peer that reads so
-  // slowly. CHECKs that it is not empty.
+  // Queues a message, and sends its first fragment if nothing is in flight. Returns kTooLarge and queues
+  // nothing if the message exceeds the peer's limit or the queue is full; the owner should drop a peer that
+  // reads so slowly. CHECKs that the message is not empty.
   base::Status send_reliable(base::Bytes message, double now_s, Sink send);
-  // No reliable message waits or is in flight: the next one goes out at once.
+  // True if the queue is empty, so that the next reliable message leaves at once.
   bool can_send_reliable() const { return queued_sizes_.empty(); }
   std::size_t queued_bytes() const { return queued_.size(); }
-  // kTooLarge for one longer than the peer takes.
+  // Returns kTooLarge and sends nothing if the message exceeds the peer's limit.
   base::Status send_unreliable(base::Bytes message, Sink send);
-  // Sends again what was not acknowledged in time. Call it every tick.
+  // Sends the fragment in flight again if its acknowledgment is overdue. Call it every tick.
   void update(double now_s, Sink send);
 
-  // Takes one packet: the message that it completes, if any. Errors: kMalformed for what is no packet of a
-  // connection; nothing has changed, and anybody may have sent it. kTooLarge for a reliable message that is
-  // longer than allowed: the connection cannot go on.
+  // Handles one packet, and returns the message that it completes, if any. Errors: kMalformed if the bytes
+  // are not a packet of a connection; the channel is unchanged, because anybody may have forged the packet.
+  // kTooLarge if a reliable message exceeds max_received_bytes; the connection is unusable then.
   base::Result<std::optional<ChannelMessage>> receive(base::Bytes packet, double now_s, Sink send);
 
-  // For messages from here on; what is queued stays.
+  // Applies to later messages; queued messages stay.
   void set_sent_limits(const MessageLimits& limits) { settings_.sent = limits; }
   const MessageLimits& sent_limits() const { return settings_.sent; }
   const ChannelStatistics& statistics() const { return statistics_; }
-  // Smoothed, of reliable fragments; nothing until one has been acknowledged at its first sending.
+  // Smoothed round trip of reliable fragments in seconds; nullopt until the first sample.
   std::optional<double> round_trip_s() const { return round_trip_s_; }
 
  private:
   void send_packet(const PacketHeader& header, base::Bytes content, Sink send);
   void send_fragment(double now_s, Sink send);
-  void receive_acknowledgement(std::uint32_t sequence, double now_s, Sink send);
+  void receive_acknowledgment(std::uint32_t sequence, double now_s, Sink send);
   std::optional<ChannelMessage> receive_unreliable(std::uint32_t sequence, base::Bytes content);
   base::Result<std::optional<ChannelMessage>> receive_fragment(const PacketHeader& header,
                                                                base::Bytes content, Sink send);
-  void learn_round_trip(double sample_s);
+  void update_round_trip(double sample_s);
   double resend_after_s() const;
 
   ChannelSettings settings_;
   ChannelStatistics statistics_;
 
-  // Sending. Of the first message in the queue, `acknowledged_bytes_` have arrived and one fragment is out.
-  // The messages lie one behind the other, so that a warm channel asks the heap for nothing.
+  // Sending. The queued messages are stored back to back, so that a warm channel allocates nothing:
+  //
+  //   queued_        | first message                      | second message | ...
+  //                  | acknowledged_bytes_ | in flight    |
+  //   queued_sizes_  [ size of the first,                   size of the second, ... ]
   base::ByteVector queued_;
   std::vector<std::size_t> queued_sizes_;
-  std::size_t acknowledged_bytes_ = 0;
-  std::uint32_t fragment_sequence_ = 0;  // of the fragment in flight, or of the next
-  int sendings_ = 0;                     // of the fragment in flight
+  std::size_t acknowledged_bytes_ = 0;   // of the first message
+  std::uint32_t fragment_sequence_ = 0;  // of the fragment in flight, or of the next one
+  int send_count_ = 0;                   // how often the fragment in flight was sent
   double sent_at_s_ = 0;
-  std::uint32_t unreliable_sequence_ = 0;  // of the next
+  std::uint32_t unreliable_sequence_ = 0;  // of the next unreliable message
 
   std::optional<double> round_trip_s_;
   double round_trip_deviation_s_ = 0;
 
   // Receiving.
   std::uint32_t expected_fragment_ = 0, expected_unreliable_ = 0;
-  base::ByteVector assembled_;
-  bool assembled_is_whole_ = false;  // and was handed out
-  base::ByteVector packet_;          // being sent; kept for its memory
+  base::ByteVector assembled_;       // fragments of the message that is arriving
+  bool assembled_is_whole_ = false;  // assembled_ was returned; the next fragment starts a new message
+  base::ByteVector packet_;          // scratch of send_packet(); keeps its memory
 };
 
 }  // namespace temblor::net

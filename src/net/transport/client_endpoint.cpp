@@ -13,19 +13,19 @@
 namespace temblor::net {
 namespace {
 
-base::ByteVector client_message_bytes(const ClientMessage& message) {
+base::ByteVector make_client_message_bytes(const ClientMessage& message) {
   base::ByteWriter writer;
   const base::Status status = write_client_message(message, Protocol::kNetQuake, writer);
   CHECK(status.ok());
   return std::move(writer).take();
 }
 
-base::Error not_connected() {
-  return base::error(base::ErrorCode::kNotFound, "there is no connection");
+base::Error make_not_connected_error() {
+  return base::error(base::ErrorCode::kNotFound, "not connected");
 }
 
-// A server's text as one line.
-std::string one_line(std::string_view text) {
+// Makes a server's text printable, as one line of at most 200 characters.
+std::string make_one_line(std::string_view text) {
   while (text.ends_with('\n')) text.remove_suffix(1);
   return base::quotable(text, 200);
 }
@@ -40,19 +40,19 @@ ClientEndpoint::ClientEndpoint(std::unique_ptr<platform::DatagramSocket> socket,
 
 void ClientEndpoint::connect(const platform::Address& server, double now_s) {
   disconnect();
-  asked_ = server_ = server;
+  requested_server_ = server_ = server;
   state_ = State::kConnecting;
   channel_ = Channel(settings_.channel);
-  heard_ = false;
+  has_received_ = false;
   requests_ = 0;
   request(now_s);
 }
 
 void ClientEndpoint::disconnect() {
-  // One of them may be lost, and nobody will ask for it again.
-  constexpr int kTimes = 3;
+  // Packets may be lost, and nothing repeats this one after we have left.
+  constexpr int kCopies = 3;
   if (state_ == State::kConnected)
-    for (int i = 0; i < kTimes; ++i) CHECK(send_unreliable(client_message_bytes(Disconnect{})).ok());
+    for (int i = 0; i < kCopies; ++i) CHECK(send_unreliable(make_client_message_bytes(Disconnect{})).ok());
   state_ = State::kIdle;
   lost_.reset();
 }
@@ -63,7 +63,7 @@ std::optional<ClientEvent> ClientEndpoint::next_event(double now_s) {
     if (lost_) return std::exchange(lost_, std::nullopt);
     const std::optional<platform::Datagram> datagram = socket_->receive();
     if (!datagram) return std::nullopt;
-    if (auto event = take(*datagram)) return event;
+    if (auto event = handle_datagram(*datagram)) return event;
   }
 }
 
@@ -71,26 +71,26 @@ void ClientEndpoint::update(double now_s) {
   now_s_ = now_s;
   if (state_ == State::kConnecting && now_s - requested_s_ >= settings_.request_every_s) {
     if (requests_ < settings_.requests) return request(now_s);
-    return lose(fmt::format("{} does not answer", to_text(asked_)));
+    return drop(fmt::format("{} does not answer", to_text(requested_server_)));
   }
   if (state_ != State::kConnected) return;
-  if (!server_.is_local() && now_s - heard_s_ > settings_.timeout_s)
-    return lose("the server has fallen silent");
+  if (!server_.is_local() && now_s - last_received_s_ > settings_.timeout_s)
+    return drop("the server stopped responding");
   channel_.update(now_s, SendTo{*socket_, server_});
 }
 
 base::Status ClientEndpoint::send_reliable(base::Bytes message) {
-  if (state_ != State::kConnected) return not_connected();
+  if (state_ != State::kConnected) return make_not_connected_error();
   return channel_.send_reliable(message, now_s_, SendTo{*socket_, server_});
 }
 
 base::Status ClientEndpoint::send_unreliable(base::Bytes message) {
-  if (state_ != State::kConnected) return not_connected();
+  if (state_ != State::kConnected) return make_not_connected_error();
   return channel_.send_unreliable(message, SendTo{*socket_, server_});
 }
 
 void ClientEndpoint::set_protocol(Protocol protocol) {
-  channel_.set_sent_limits(limits_of(protocol, server_.is_local()));
+  channel_.set_sent_limits(message_limits_for(protocol, server_.is_local()));
 }
 
 void ClientEndpoint::request(double now_s) {
@@ -99,29 +99,31 @@ void ClientEndpoint::request(double now_s) {
   requested_s_ = now_s;
   const auto bytes = write_control_packet(ConnectRequest{});
   CHECK(bytes.ok());
-  socket_->send(asked_, *bytes);
+  socket_->send(requested_server_, *bytes);
 }
 
-std::optional<ClientEvent> ClientEndpoint::take(const platform::Datagram& datagram) {
-  if (state_ == State::kConnecting && datagram.from == asked_) return take_control(datagram.bytes);
+std::optional<ClientEvent> ClientEndpoint::handle_datagram(const platform::Datagram& datagram) {
+  if (state_ == State::kConnecting && datagram.from == requested_server_)
+    return handle_control(datagram.bytes);
   if (state_ != State::kConnected || !is_from_server(datagram.from)) return std::nullopt;
   const auto message = channel_.receive(datagram.bytes, now_s_, SendTo{*socket_, datagram.from});
   if (!message.ok()) {
-    if (message.error().code == base::ErrorCode::kTooLarge) lose(message.error().what);
-    return std::nullopt;  // else anybody's
+    if (message.error().code == base::ErrorCode::kTooLarge) drop(message.error().what);
+    return std::nullopt;  // anybody may have forged a malformed packet: ignore it
   }
+  // From now on only the port that the server really sends from counts.
   server_ = datagram.from;
-  heard_ = true;
-  heard_s_ = now_s_;
+  has_received_ = true;
+  last_received_s_ = now_s_;
   if (!message->has_value()) return std::nullopt;
   message_bytes_.assign((*message)->bytes.begin(), (*message)->bytes.end());
   return FromServer{message_bytes_, (*message)->reliable};
 }
 
-std::optional<ClientEvent> ClientEndpoint::take_control(base::Bytes packet) {
+std::optional<ClientEvent> ClientEndpoint::handle_control(base::Bytes packet) {
   const auto read = read_control_packet(packet);
   if (!read.ok()) return std::nullopt;
-  if (const auto* refusal = std::get_if<RejectReply>(&*read)) lose(one_line(refusal->reason));
+  if (const auto* rejected = std::get_if<RejectReply>(&*read)) drop(make_one_line(rejected->reason));
   const auto* accepted = std::get_if<AcceptReply>(&*read);
   if (accepted == nullptr) return std::nullopt;
   accept(accepted->port);
@@ -129,21 +131,21 @@ std::optional<ClientEvent> ClientEndpoint::take_control(base::Bytes packet) {
 }
 
 void ClientEndpoint::accept(std::int32_t port) {
-  // A server that names no port means the one it was asked at.
+  // Without a valid port, the server keeps the port that received the request.
   if (port > 0 && port <= 0xffff) server_.port = static_cast<std::uint16_t>(port);
   state_ = State::kConnected;
-  heard_s_ = now_s_;
-  // Opens the way back through a translation of addresses on our side, where the server's port is a new one.
-  CHECK(send_unreliable(client_message_bytes(Nop{})).ok());
+  last_received_s_ = now_s_;
+  // Lets packets from a new server port pass our NAT.
+  CHECK(send_unreliable(make_client_message_bytes(Nop{})).ok());
 }
 
-// Behind a translation of addresses a server may name a port that is not the one the world sees: until its
-// first packet, the port that was asked is believed as well.
+// A server behind NAT may announce a port that differs from its public one. Until its first packet arrives,
+// we also accept packets from the port that received the request.
 bool ClientEndpoint::is_from_server(const platform::Address& from) const {
-  return from == server_ || (!heard_ && from == asked_);
+  return from == server_ || (!has_received_ && from == requested_server_);
 }
 
-void ClientEndpoint::lose(std::string reason) {
+void ClientEndpoint::drop(std::string reason) {
   disconnect();
   lost_ = ConnectionLost{std::move(reason)};
 }

@@ -20,7 +20,7 @@ struct Command {
   std::uint8_t id;
   const char* name;
 };
-// In the order of ControlPacket. The remote command's numbers are those that other engines use for theirs.
+// In the order of ControlPacket.
 constexpr std::array<Command, std::variant_size_v<ControlPacket>> kCommands = {{
     {0x01, "CCREQ_CONNECT"},
     {0x02, "CCREQ_SERVER_INFO"},
@@ -36,13 +36,13 @@ constexpr std::array<Command, std::variant_size_v<ControlPacket>> kCommands = {{
 }};
 
 std::uint8_t read_game(FieldReader& io_fields) {
-  const std::string_view game = io_fields.text("the game's name");
+  const std::string_view game = io_fields.text("game name");
   if (io_fields.ok() && game != kGame)
-    io_fields.refuse(base::ErrorCode::kUnsupported, "for the game '{}'", base::quotable(game));
+    io_fields.fail(base::ErrorCode::kUnsupported, "game is '{}', expected 'QUAKE'", base::quotable(game));
   return io_fields.u8();
 }
 
-// Lists in braces are evaluated in order, so fields are read in the order of the structs.
+// Braced lists are evaluated left to right, so the fields are read in the order of the structs.
 ControlPacket read_body(std::uint8_t id, FieldReader& io_fields) {
   FieldReader& f = io_fields;
   switch (id) {
@@ -53,29 +53,30 @@ ControlPacket read_body(std::uint8_t id, FieldReader& io_fields) {
     case 0x03:
       return PlayerInfoRequest{f.u8()};
     case 0x04:
-      return RuleInfoRequest{f.text("the rule's name")};
+      return RuleInfoRequest{f.text("rule name")};
     case 0x05:
-      return RemoteCommandRequest{f.text("the password"), f.text("the command")};
+      return RemoteCommandRequest{f.text("password"), f.text("command")};
     case 0x81:
       return AcceptReply{f.i32()};
     case 0x82:
-      return RejectReply{f.text("the reason")};
+      return RejectReply{f.text("reason")};
     case 0x83:
       return ServerInfoReply{
-          f.text("the address"), f.text("the host's name"), f.text("the map's name"), f.u8(), f.u8(), f.u8()};
+          f.text("address"), f.text("host name"), f.text("map name"), f.u8(), f.u8(), f.u8()};
     case 0x84:
-      return PlayerInfoReply{f.u8(), f.text("the name"), f.i32(), f.i32(), f.i32(), f.text("the address")};
+      return PlayerInfoReply{f.u8(), f.text("name"), f.i32(), f.i32(), f.i32(), f.text("address")};
     default:
-      return RemoteCommandReply{f.text("the text")};
+      return RemoteCommandReply{f.text("text")};
   }
 }
 
-// Nothing at all behind the command says that the list has ended.
+// A reply without any fields marks the end of the list.
 ControlPacket read_rule_info(FieldReader& io_fields, bool is_end) {
   if (is_end) return RuleInfoReply{};
-  return RuleInfoReply{io_fields.text("the rule's name"), io_fields.text("the value")};
+  return RuleInfoReply{io_fields.text("rule name"), io_fields.text("value")};
 }
 
+// Visitor that writes the fields of a packet.
 class ControlWriter {
  public:
   explicit ControlWriter(FieldWriter& io_fields) : f_(io_fields) {}
@@ -124,29 +125,28 @@ class ControlWriter {
 
 }  // namespace
 
-const char* name_of(const ControlPacket& packet) {
+const char* packet_name(const ControlPacket& packet) {
   return kCommands[packet.index()].name;
 }
 
 base::Result<ControlPacket> read_control_packet(base::Bytes packet) {
   if (!is_control_packet(packet) || packet.size() <= kControlHeaderBytes)
-    return base::malformed("{} bytes are no control packet", packet.size());
+    return base::malformed("not a control packet ({} bytes)", packet.size());
   const std::uint32_t word = read_big_endian(packet);
   if (word != (kControl | packet.size()))
-    return base::malformed("a control packet of {} bytes has the header {:#x}", packet.size(), word);
+    return base::malformed("control packet of {} bytes has the header {:#x}", packet.size(), word);
   base::ByteReader bytes(packet.subspan(kControlHeaderBytes));
   const std::uint8_t id = bytes.u8();
   const Command* known = nullptr;
   for (const Command& command : kCommands)
     if (command.id == id) known = &command;
   if (known == nullptr)
-    return base::error(base::ErrorCode::kUnsupported, "control command {:#x} is not known", id);
+    return base::error(base::ErrorCode::kUnsupported, "unknown control command {:#x}", id);
   FieldReader fields(bytes, Dialect{});
   const ControlPacket read =
       id == 0x85 ? read_rule_info(fields, bytes.remaining() == 0) : read_body(id, fields);
-  if (fields.refusal())
-    return base::error(fields.refusal()->code, "{}: {}", known->name, fields.refusal()->what);
-  if (!fields.ok()) return base::malformed("{}: ends after {} bytes", known->name, packet.size());
+  if (fields.error()) return base::error(fields.error()->code, "{}: {}", known->name, fields.error()->what);
+  if (!fields.ok()) return base::malformed("{}: packet ends after {} bytes", known->name, packet.size());
   return read;
 }
 
@@ -156,9 +156,9 @@ base::Result<base::ByteVector> write_control_packet(const ControlPacket& packet)
   fields.u8(kCommands[packet.index()].id);
   std::visit(ControlWriter(fields), packet);
   const std::size_t size = kControlHeaderBytes + body.size();
-  if (size > kMaxControlBytes) fields.refuse("{} bytes, the most is {}", size, kMaxControlBytes);
-  if (fields.refusal())
-    return base::error(fields.refusal()->code, "{}: {}", name_of(packet), fields.refusal()->what);
+  if (size > kMaxControlBytes) fields.fail("{} bytes exceed the limit of {}", size, kMaxControlBytes);
+  if (fields.error())
+    return base::error(fields.error()->code, "{}: {}", packet_name(packet), fields.error()->what);
   const auto header = big_endian_bytes(kControl | static_cast<std::uint32_t>(size));
   base::ByteVector whole(size);
   std::copy(header.begin(), header.end(), whole.begin());

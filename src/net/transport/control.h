@@ -1,5 +1,12 @@
-// Control packets: what is said outside of connections. Requests to connect and queries go to a server, the
-// answers back. Both directions; texts refer to the bytes that they were read from.
+// Control packets: connection requests and server queries, which travel outside of connections. This file
+// describes both directions; texts refer to the bytes that they were read from.
+//
+//   +-----------------------------+------------+--------------------------------+
+//   | 0x80000000 | size  u32 BE   | command u8 | fields: u8, i32 LE, text + '\0' |
+//   +-----------------------------+------------+--------------------------------+
+//
+// Requests have the commands 0x01 to 0x05, replies 0x81 to 0x86. The packets are those of NetQuake; the
+// remote command uses the numbers that other engines chose for it.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +19,9 @@
 
 namespace temblor::net {
 
-// The version of the packets themselves, which all NetQuake games share.
+// Version of the packet layer, the same for all NetQuake games.
 constexpr std::uint8_t kNetProtocol = 3;
-// None of ours is longer; what comes may be.
+// Largest packet that we write; packets that we read may be larger.
 constexpr std::size_t kMaxControlBytes = 1400;
 
 struct ConnectRequest {
@@ -24,17 +31,17 @@ struct ServerInfoRequest {
   std::uint8_t net_protocol = kNetProtocol;
 };
 struct PlayerInfoRequest {
-  std::uint8_t player = 0;  // counting those who play, from 0
+  std::uint8_t player = 0;  // index among the connected players, from 0
 };
 struct RuleInfoRequest {
-  std::string_view previous;  // the next rule is asked for; empty: the first
+  std::string_view previous;  // asks for the rule after this one; empty: the first rule
 };
-// A line for a server's console from somebody who knows its password.
+// A console line for the server; runs only with the right password.
 struct RemoteCommandRequest {
   std::string_view password, command;
 };
 struct AcceptReply {
-  std::int32_t port = 0;  // where the server listens to this client
+  std::int32_t port = 0;  // port for this connection
 };
 struct RejectReply {
   std::string_view reason;
@@ -51,7 +58,7 @@ struct PlayerInfoReply {
   std::string_view address;
 };
 struct RuleInfoReply {
-  std::string_view rule, value;  // both empty: there are no more
+  std::string_view rule, value;  // both empty: end of the list
 };
 struct RemoteCommandReply {
   std::string_view text;
@@ -61,15 +68,16 @@ using ControlPacket = std::variant<ConnectRequest, ServerInfoRequest, PlayerInfo
                                    RemoteCommandRequest, AcceptReply, RejectReply, ServerInfoReply,
                                    PlayerInfoReply, RuleInfoReply, RemoteCommandReply>;
 
-// "CCREQ_CONNECT".
-const char* name_of(const ControlPacket& packet);
+// Name for messages to people, such as "CCREQ_CONNECT".
+const char* packet_name(const ControlPacket& packet);
 
-// Bytes behind what is known are passed over: other engines append words of their own. Errors name the packet
-// and what is wrong: kUnsupported for a command that is not known and for another game than "QUAKE", else
-// kMalformed.
+// Parses a packet. Ignores extra bytes at the end, because other engines append fields of their own. Errors
+// name the packet and the field: kUnsupported for an unknown command and for a game other than "QUAKE",
+// otherwise kMalformed.
 base::Result<ControlPacket> read_control_packet(base::Bytes packet);
 
-// A whole packet with its header. kTooLarge for a text with a zero in it and for more than kMaxControlBytes.
+// Makes a packet with its header. Returns kTooLarge if a text contains a zero byte or the packet exceeds
+// kMaxControlBytes.
 base::Result<base::ByteVector> write_control_packet(const ControlPacket& packet);
 
 }  // namespace temblor::net

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxReasonBytes = 200;
 
-base::ByteVector farewell_message(std::string_view reason) {
+base::ByteVector make_disconnect_message(std::string_view reason) {
   base::ByteWriter writer;
   const std::string text = base::printable(reason.substr(0, kMaxReasonBytes)) + "\n";
   if (!reason.empty()) CHECK(write_message(Print{text}, Dialect{}, writer).ok());
@@ -22,30 +22,30 @@ base::ByteVector farewell_message(std::string_view reason) {
 
 }  // namespace
 
-void DisconnectResender::say(const platform::Address& peer, Channel channel, std::string_view reason,
-                             double now_s, Channel::Sink sink) {
-  if (disconnect_resender_.size() >= kMost) disconnect_resender_.pop_front();
-  disconnect_resender_.push_back(
-      {peer, std::move(channel), farewell_message(reason), now_s + kLife_s, now_s});
-  send(disconnect_resender_.back(), now_s, sink);
+void DisconnectResender::send(const platform::Address& peer, Channel channel, std::string_view reason,
+                              double now_s, Channel::Sink sink) {
+  if (entries_.size() >= kMaxEntries) entries_.pop_front();
+  entries_.push_back({peer, std::move(channel), make_disconnect_message(reason), now_s + kLifetime_s, now_s});
+  send_entry(entries_.back(), now_s, sink);
 }
 
-void DisconnectResender::repeat(const platform::Address& peer, double now_s, Channel::Sink sink) {
-  for (Farewell& farewell : disconnect_resender_)
-    if (farewell.peer == peer && now_s - farewell.said_s >= kEvery_s) send(farewell, now_s, sink);
+void DisconnectResender::resend(const platform::Address& peer, double now_s, Channel::Sink sink) {
+  for (Entry& entry : entries_)
+    if (entry.peer == peer && now_s - entry.last_sent_s >= kMinInterval_s) send_entry(entry, now_s, sink);
 }
 
 void DisconnectResender::forget(const platform::Address& peer) {
-  std::erase_if(disconnect_resender_, [&](const Farewell& farewell) { return farewell.peer == peer; });
+  std::erase_if(entries_, [&](const Entry& entry) { return entry.peer == peer; });
 }
 
 void DisconnectResender::update(double now_s) {
-  std::erase_if(disconnect_resender_, [&](const Farewell& farewell) { return now_s > farewell.until_s; });
+  std::erase_if(entries_, [&](const Entry& entry) { return now_s > entry.expires_s; });
 }
 
-void DisconnectResender::send(Farewell& io_farewell, double now_s, Channel::Sink sink) {
-  io_farewell.said_s = now_s;
-  const base::Status sent = io_farewell.channel.send_unreliable(io_farewell.message, sink);
+void DisconnectResender::send_entry(Entry& io_entry, double now_s, Channel::Sink sink) {
+  io_entry.last_sent_s = now_s;
+  // Unreliable: the reliable stream may be blocked by a fragment that the peer never acknowledges.
+  const base::Status sent = io_entry.channel.send_unreliable(io_entry.message, sink);
   CHECK(sent.ok());
 }
 

@@ -9,18 +9,18 @@
 namespace temblor::net {
 namespace {
 
-struct Waiting {
+struct QueuedDatagram {
   platform::Address from;
   base::ByteVector bytes;
 };
 struct Inbox {
-  std::deque<Waiting> waiting;
+  std::deque<QueuedDatagram> queue;
   std::size_t bytes = 0;
 };
 
-// With what holding a datagram takes, so that empty ones do not wait without limit either.
-std::size_t cost_of(base::Bytes bytes) {
-  return sizeof(Waiting) + bytes.size();
+// Includes the overhead of a queue entry, so that empty datagrams cannot pile up without limit.
+std::size_t compute_queue_cost(base::Bytes bytes) {
+  return sizeof(QueuedDatagram) + bytes.size();
 }
 
 }  // namespace
@@ -43,17 +43,17 @@ class LoopbackSocket final : public platform::DatagramSocket {
     const auto found = sockets_->inboxes.find(to.port);
     if (!to.is_local() || found == sockets_->inboxes.end()) return;
     Inbox& inbox = found->second;
-    if (inbox.bytes + cost_of(bytes) > kLoopbackBufferBytes) return;
-    inbox.bytes += cost_of(bytes);
-    inbox.waiting.push_back({local_address(), {bytes.begin(), bytes.end()}});
+    if (inbox.bytes + compute_queue_cost(bytes) > kLoopbackBufferBytes) return;
+    inbox.bytes += compute_queue_cost(bytes);
+    inbox.queue.push_back({local_address(), {bytes.begin(), bytes.end()}});
   }
 
   std::optional<platform::Datagram> receive() override {
     Inbox& inbox = sockets_->inboxes.at(port_);
-    if (inbox.waiting.empty()) return std::nullopt;
-    received_ = std::move(inbox.waiting.front());
-    inbox.waiting.pop_front();
-    inbox.bytes -= cost_of(received_.bytes);
+    if (inbox.queue.empty()) return std::nullopt;
+    received_ = std::move(inbox.queue.front());
+    inbox.queue.pop_front();
+    inbox.bytes -= compute_queue_cost(received_.bytes);
     return platform::Datagram{received_.from, received_.bytes};
   }
 
@@ -62,7 +62,7 @@ class LoopbackSocket final : public platform::DatagramSocket {
  private:
   std::shared_ptr<LoopbackNetwork::Sockets> sockets_;
   std::uint16_t port_;
-  Waiting received_;
+  QueuedDatagram received_;
 };
 
 }  // namespace
@@ -73,7 +73,7 @@ std::unique_ptr<platform::DatagramSocket> LoopbackNetwork::open(std::uint16_t po
   const bool any = port == 0;
   if (any) port = 1;
   while (any && sockets_->inboxes.contains(port)) ++port;
-  CHECK(sockets_->inboxes.try_emplace(port).second, "port {} is taken", port);
+  CHECK(sockets_->inboxes.try_emplace(port).second, "port {} is in use", port);
   return std::make_unique<LoopbackSocket>(sockets_, port);
 }
 

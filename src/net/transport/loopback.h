@@ -1,5 +1,5 @@
-// Datagrams between sockets of one process, without a system: single player speaks to its server through
-// this. Nothing is lost but what overflows, and everything keeps its order.
+// Datagram sockets inside one process, without the operating system. A single-player game and its server talk
+// through these. Datagrams keep their order, and are lost only when a receiver's buffer overflows.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,19 @@
 
 namespace temblor::net {
 
-// Bytes that may wait at one socket; what comes on top of them is lost, as in a system's own buffer.
+// Receive buffer of each socket, overhead included. Datagrams that do not fit are lost, as with a real
+// socket.
 constexpr std::size_t kLoopbackBufferBytes = 1 << 20;
 
 class LoopbackNetwork {
  public:
   LoopbackNetwork();
 
-  // A socket with the address "local:PORT"; 0 means any that is free. CHECKs that nobody has it. The network
-  // may end before its sockets, which then still reach one another.
+  // Opens a socket with the address "local:PORT"; port 0 picks a free one. CHECKs that the port is free.
+  // Sockets may outlive the network object and still reach one another.
   std::unique_ptr<platform::DatagramSocket> open(std::uint16_t port = 0);
 
-  struct Sockets;
+  struct Sockets;  // inboxes by port, shared by all sockets
 
  private:
   std::shared_ptr<Sockets> sockets_;

@@ -1,4 +1,4 @@
-// A sink for a channel's packets (channel.h): sends each to one peer.
+// A Channel::Sink that sends every packet to one peer through one socket.
 #pragma once
 
 #include "base/bytes.h"
@@ -6,7 +6,7 @@
 
 namespace temblor::net {
 
-// Both are borrowed, for as long as the call takes that is given this.
+// Borrows both; create one for each call and do not store it.
 struct SendTo {
   platform::DatagramSocket& socket;
   const platform::Address& address;

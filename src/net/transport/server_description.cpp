@@ -5,31 +5,35 @@
 namespace temblor::net {
 namespace {
 
-std::string_view cut(std::string_view text) {
-  return text.substr(0, 255);
+constexpr std::size_t kMaxTextBytes = 255;
+
+std::string_view truncate_text(std::string_view text) {
+  return text.substr(0, kMaxTextBytes);
 }
 
-std::uint8_t byte_of(std::size_t count) {
+std::uint8_t clamp_to_byte(std::size_t count) {
   return static_cast<std::uint8_t>(std::min<std::size_t>(count, 255));
 }
 
-class Answer {
+// Visitor of a query that makes its reply.
+class ReplyMaker {
  public:
-  Answer(const ServerDescription& server, std::string_view own_address)
+  ReplyMaker(const ServerDescription& server, std::string_view own_address)
       : server_(server), own_address_(own_address) {}
 
   std::optional<ControlPacket> operator()(const ServerInfoRequest&) const {
-    return ServerInfoReply{cut(own_address_), cut(server_.host_name), cut(server_.map),
-                           byte_of(server_.players.size()),
-                           byte_of(static_cast<std::size_t>(std::max(server_.max_players, 0)))};
+    return ServerInfoReply{truncate_text(own_address_), truncate_text(server_.host_name),
+                           truncate_text(server_.map), clamp_to_byte(server_.players.size()),
+                           clamp_to_byte(static_cast<std::size_t>(std::max(server_.max_players, 0)))};
   }
   std::optional<ControlPacket> operator()(const PlayerInfoRequest& query) const {
     if (query.player >= server_.players.size()) return std::nullopt;
     const PlayerDescription& player = server_.players[query.player];
     const double seconds = std::clamp(player.connected_s, 0.0, 2e9);
-    return PlayerInfoReply{query.player, cut(player.name),          player.colors,
-                           player.frags, static_cast<int>(seconds), cut(player.address)};
+    return PlayerInfoReply{query.player, truncate_text(player.name), player.colors,
+                           player.frags, static_cast<int>(seconds),  truncate_text(player.address)};
   }
+  // A client walks through the list: each query names the rule before the one that it wants.
   std::optional<ControlPacket> operator()(const RuleInfoRequest& query) const {
     auto next = server_.rules.begin();
     if (!query.previous.empty()) {
@@ -39,7 +43,7 @@ class Answer {
       ++next;
     }
     if (next == server_.rules.end()) return RuleInfoReply{};
-    return RuleInfoReply{cut(next->name), cut(next->value)};
+    return RuleInfoReply{truncate_text(next->name), truncate_text(next->value)};
   }
   template <typename Other>
   std::optional<ControlPacket> operator()(const Other&) const {
@@ -58,9 +62,9 @@ bool is_query(const ControlPacket& packet) {
          std::holds_alternative<PlayerInfoRequest>(packet) || std::holds_alternative<RuleInfoRequest>(packet);
 }
 
-std::optional<ControlPacket> answer_to(const ControlPacket& query, const ServerDescription& server,
-                                       std::string_view own_address) {
-  return std::visit(Answer(server, own_address), query);
+std::optional<ControlPacket> make_query_reply(const ControlPacket& query, const ServerDescription& server,
+                                              std::string_view own_address) {
+  return std::visit(ReplyMaker(server, own_address), query);
 }
 
 }  // namespace temblor::net

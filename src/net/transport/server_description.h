@@ -1,4 +1,6 @@
-// What a server tells whoever asks (`quakestat -qs -P -R`), and the answers made of it.
+// The public description of a server (name, map, players, rules) and the replies to queries for it, as server
+// browsers such as `quakestat -qs -P -R` send them. Depends on the control packets only; the server fills in
+// a ServerDescription on demand.
 #pragma once
 
 #include <optional>
@@ -10,13 +12,15 @@
 
 namespace temblor::net {
 
+// A connected player.
 struct PlayerDescription {
   std::string name;
   int colors = 0;  // shirt << 4 | pants
   int frags = 0;
   double connected_s = 0;
-  std::string address;  // as far as the world may know it
+  std::string address;  // what the public may see; a server may mask it
 };
+// A public console variable.
 struct RuleDescription {
   std::string name, value;
 };
@@ -27,12 +31,13 @@ struct ServerDescription {
   std::vector<RuleDescription> rules;
 };
 
-// Whether it asks for one of these descriptions.
+// True for requests of server, player, and rule info.
 bool is_query(const ControlPacket& packet);
 
-// The answer to a query; its texts are those of the description and `own_address`, cut at 255 bytes. Nothing
-// for a packet that is none, for a player there is not, and for the rule behind one that is not known.
-std::optional<ControlPacket> answer_to(const ControlPacket& query, const ServerDescription& server,
-                                       std::string_view own_address);
+// Makes the reply to a query. Its texts refer to `server` and `own_address` (the server's address as text),
+// and are truncated at 255 bytes. Returns nullopt if the packet is not a query, the player does not exist, or
+// the previous rule is unknown. After the last rule, returns an empty RuleInfoReply.
+std::optional<ControlPacket> make_query_reply(const ControlPacket& query, const ServerDescription& server,
+                                              std::string_view own_address);
 
 }  // namespace temblor::net

@@ -1,13 +1,21 @@
-// A server's end of the wire: all its connections and all its strangers, over one UDP port (and, of a listen
-// server, the loopback to its own player).
+// The server's end of all its connections, over one or more datagram sockets: a UDP port, and for a listen
+// server also the loopback to its own player. It handles the handshake, one Channel per connection, queries,
+// remote commands, bans, and rate limits. The game sees only the events and the send functions.
 //
-// A peer is host and port. A request to connect is answered with the port it came to, so that address
-// translation and containers need one port alone. The peer then is half open: it gets a message of one byte
-// that does nothing, and is a connection when it has acknowledged it or said anything itself. Nothing larger
-// than its own question is sent to a peer until then, but for answers to queries, which have budgets
-// (net/transport/admission/unverified_peer_limits.h).
+// A peer is an address and a port. Every peer starts unverified, because anybody can forge a sender address:
 //
-// The endpoint reads no clock: every call that needs it is given the time, in seconds, that does not go back.
+//   unverified --- CCREQ_CONNECT ---> half open --- ack or message ---> connection
+//                  (CCREP_ACCEPT)     (svc_nop)     (and the cookie, if `challenge` is set)
+//
+// - CCREP_ACCEPT names the port that the request came to. All clients share this port, so NAT and containers
+//   need to forward only one.
+// - A half-open peer (admission/half_open.h) gets one reliable byte, svc_nop. Its acknowledgment shows that
+//   the peer receives packets at this address. Until then the peer never gets a packet larger than its
+//   request, except replies to queries, which have budgets (admission/unverified_peer_limits.h).
+// - A connection has a rate limit for packets, and ends after timeout_s of silence.
+// - Packets of ended connections are answered with the disconnect message again (disconnect_resender.h).
+//
+// The endpoint reads no clock: callers pass the time in seconds, which never goes back.
 #pragma once
 
 #include <cstddef>
@@ -32,45 +40,48 @@
 
 namespace temblor::net {
 
-// Of one endpoint; none is given twice.
+// Identifies a connection of one endpoint. Never reused.
 enum class ConnectionId : std::uint32_t {};
 
 struct ServerEndpointSettings {
   std::size_t max_connections = 16;
-  double timeout_s = 300;   // a connection that is silent for longer ends
-  double half_open_s = 10;  // one that shows no sign of life at all
-  // Told to clients instead of the socket's own where a translation of addresses gives the server another.
+  double timeout_s = 300;           // ends a connection after this much silence
+  double half_open_timeout_s = 10;  // forgets a half-open peer after this time
+  // Port that CCREP_ACCEPT names instead of the socket's own; for servers behind NAT. 0: the socket's own
+  // port.
   std::uint16_t announced_port = 0;
-  // Limits of what is sent follow from the protocol that the server speaks: set_protocol().
+  // The limits of sent messages are those of the server's protocol: see set_protocol().
   ChannelSettings channel{.max_received_bytes = 8192};
-  Rate packets_of_connection{1000, 500};           // further ones are dropped unread
-  std::size_t max_packets_between_updates = 8192;  // the rest waits
-  UnverifiedPeerRates strangers{};
-  // Whether a peer must also say a word that was sent to it (net/transport/admission/challenge.h) before the
-  // game hears of it: its first acknowledgement can be guessed, by a forger who would have a victim played
-  // to. Costs a round trip. Needs clients that know the console's `cmd`, as stock ones do.
+  Rate packets_per_connection{1000, 500};          // excess packets are dropped unread
+  std::size_t max_packets_between_updates = 8192;  // more packets wait in the socket
+  UnverifiedPeerRates unverified_peer_rates{};
+  // Whether a peer must also return a challenge cookie (admission/challenge.h) before it becomes a
+  // connection. An attacker can guess the sequence number of the first acknowledgment, and so make the
+  // server stream a game to a victim; it cannot guess the cookie. Costs one round trip. Works with all
+  // clients that have the console command `cmd`, including stock ones.
   bool challenge = false;
-  // From the system's source of chance; anything in tests.
+  // Key for cookies and hash tables: from the system's random source, or fixed in tests.
   Secret secret{};
 };
 
+// A peer completed the handshake.
 struct PeerConnected {
   ConnectionId connection{};
   platform::Address address;
 };
-// `bytes` are valid until the next call of next_event().
+// A message of a client. `bytes` are valid until the next call of next_event().
 struct PeerMessage {
   ConnectionId connection{};
   base::Bytes bytes;
   bool reliable = false;
 };
-// Not for those that the owner disconnected itself.
+// A connection ended. Not sent for disconnect() and disconnect_all().
 struct PeerDisconnected {
   ConnectionId connection{};
   platform::Address address;
-  std::string reason;
+  std::string reason;  // for the log, without a line end
 };
-// A console line from somebody who knew the password. `command` is valid until the next call of next_event().
+// A remote command with the right password. `command` is valid until the next call of next_event().
 struct RemoteCommand {
   platform::Address from;
   std::size_t socket = 0;
@@ -78,67 +89,75 @@ struct RemoteCommand {
 };
 using ServerEvent = std::variant<PeerConnected, PeerMessage, PeerDisconnected, RemoteCommand>;
 
+// Counters since the start.
 struct ServerEndpointStatistics {
   std::uint64_t datagrams = 0;
-  std::uint64_t malformed = 0;       // neither control packets nor a connection's
-  std::uint64_t from_strangers = 0;  // packets of connections that are not there
-  std::uint64_t unanswered = 0;      // requests and queries over the limits
-  std::uint64_t flooded = 0;         // packets of connections over their rate
+  std::uint64_t malformed = 0;           // not valid packets
+  std::uint64_t from_unknown_peers = 0;  // packets that belong to no connection
+  std::uint64_t unanswered = 0;          // requests and queries over the rate limits
+  std::uint64_t rate_limited = 0;        // packets of connections over their rate limit
 };
 
 class ServerEndpoint {
  public:
   using Sockets = std::vector<std::unique_ptr<platform::DatagramSocket>>;
+  // Describes the server for queries.
   using Describe = std::function<ServerDescription()>;
 
-  // `sockets`: one or more. `describe` is asked when a query is to be answered.
+  // CHECKs that there is at least one socket. Calls `describe` for each query that it answers.
   ServerEndpoint(Sockets sockets, const ServerEndpointSettings& settings, Describe describe);
 
-  // The next thing that happened, in order; nothing when the sockets are empty or enough was read until
-  // update(). Call it until then, every tick.
+  // Returns the next event in order of arrival. Returns nullopt when the sockets are empty, or
+  // max_packets_between_updates were read. Call it every tick until it returns nullopt.
   std::optional<ServerEvent> next_event(double now_s);
-  // Sends again, gives up who is silent. Call it once a tick.
+  // Resends overdue fragments and ends silent connections (with events). Call it once a tick.
   void update(double now_s);
 
-  // kNotFound for a connection that has ended (its event may not have been read yet), else as Channel's. An
-  // error of send_reliable() means that the peer cannot go on: disconnect it.
+  // As in Channel; kNotFound if the connection has ended (its event may still be unread). After any other
+  // error of send_reliable() the client is missing a message: disconnect it.
   base::Status send_reliable(ConnectionId connection, base::Bytes message);
   base::Status send_unreliable(ConnectionId connection, base::Bytes message);
-  // False for a connection that has ended.
+  // Returns false if the connection has ended.
   bool can_send_reliable(ConnectionId connection) const;
-  // Tells the peer, with the reason unless it is empty, and forgets it. Nothing for one that has ended.
+  // Ends a connection, sends the peer the reason (unless it is empty), and discards its unread events. Does
+  // nothing if the connection has ended.
   void disconnect(ConnectionId connection, std::string_view reason);
-  // Everybody, as when the server ends.
+  // Ends all connections, for example at shutdown.
   void disconnect_all(std::string_view reason);
 
-  // Seconds of silence after which a connection ends, from here on.
+  // Changes ServerEndpointSettings::timeout_s.
   void set_timeout(double timeout_s) { settings_.timeout_s = timeout_s; }
-  // What peers take in one message, from here on (limits_of).
+  // Applies the message limits of `protocol` to all connections (message_limits_for()).
   void set_protocol(Protocol protocol);
-  MessageLimits limits_to(ConnectionId connection) const;
+  // Limits for messages to this connection; those of a remote peer if it has ended.
+  MessageLimits message_limits(ConnectionId connection) const;
 
-  // Hosts that are kept out; those of them that play are disconnected, with an event. Adding one twice does
-  // nothing.
+  // Rejects these hosts from now on, and drops their connections (with events). Adding a prefix twice is
+  // harmless.
   void ban(const AddressPrefix& prefix);
-  // Whether it was there.
+  // Returns false if the prefix was not banned.
   bool unban(const AddressPrefix& prefix);
   const std::vector<AddressPrefix>& bans() const { return bans_; }
 
-  // Empty, as at first: there are no remote commands.
+  // An empty password (the default) disables remote commands.
   void set_remote_password(std::string_view password) { remote_password_ = password; }
-  // For the same password said over a connection ("rcon PASSWORD COMMAND" as a console line, which stock
-  // clients send with `cmd rcon ...`). Constant time; wrong ones are limited for each host.
-  bool admits_remote_command(const platform::Address& from, std::string_view password, double now_s);
-  // At most kMaxRemoteReplyBytes; the rest is left out.
+  // Checks a password that came over a connection: "rcon PASSWORD COMMAND" as a console line, which stock
+  // clients send with `cmd rcon ...`. Takes constant time, and limits the rate of wrong passwords for each
+  // host.
+  bool admit_remote_command(const platform::Address& from, std::string_view password, double now_s);
+  // Largest reply to a remote command; longer ones are truncated.
   static constexpr std::size_t kMaxRemoteReplyBytes = 8 * 1024;
+  // Sends `text`, up to its first zero byte, in packets of 1024 bytes.
   void reply_to_remote_command(const RemoteCommand& command, std::string_view text);
 
+  // Number of connections; half-open ones do not count.
   std::size_t connections() const { return connections_.size(); }
-  std::optional<platform::Address> address_of(ConnectionId connection) const;
-  // Null for one that has ended; valid until the next call that is not const.
-  const Channel* channel_of(ConnectionId connection) const;
+  // nullopt if the connection has ended.
+  std::optional<platform::Address> peer_address(ConnectionId connection) const;
+  // Returns null if the connection has ended. Valid until the next non-const call.
+  const Channel* find_channel(ConnectionId connection) const;
   const ServerEndpointStatistics& statistics() const { return statistics_; }
-  // Of the socket at this place in what the constructor was given.
+  // `socket`: index in the constructor's list.
   platform::Address local_address(std::size_t socket = 0) const { return sockets_[socket]->local_address(); }
 
  private:
@@ -150,39 +169,42 @@ class ServerEndpoint {
     ConnectionId id{};
     Peer peer;
     Channel channel;
-    double accepted_s = 0, heard_s = 0;
+    double accepted_s = 0, last_received_s = 0;
     TokenBucket packets{};
   };
-  struct Arrived {
+  struct ReceivedPacket {
     Peer from;
     base::Bytes bytes;
   };
 
-  std::optional<Arrived> receive();
-  void take(const Arrived& packet);
-  void take_control(const Arrived& packet);
-  void take_connect_request(const Peer& from, const ConnectRequest& request, std::size_t question_bytes);
-  void take_remote_command(const Peer& from, const RemoteCommandRequest& request);
-  void answer_query(const Peer& to, const ControlPacket& query, std::size_t question_bytes);
-  void take_from_connection(Connection& connection, base::Bytes packet);
-  void take_from_half_open(HalfOpen& half_open, base::Bytes packet);
-  void ask_for_word(HalfOpen& half_open);
+  std::optional<ReceivedPacket> receive();
+  void handle_packet(const ReceivedPacket& packet);
+  void handle_control(const ReceivedPacket& packet);
+  void handle_connect_request(const Peer& from, const ConnectRequest& request, std::size_t request_bytes);
+  void handle_remote_command(const Peer& from, const RemoteCommandRequest& request);
+  void reply_to_query(const Peer& to, const ControlPacket& query, std::size_t request_bytes);
+  void handle_connection_packet(Connection& connection, base::Bytes packet);
+  void handle_half_open_packet(HalfOpen& half_open, base::Bytes packet);
+  void send_challenge(HalfOpen& half_open);
   void handle_unverified_packet(const Peer& from);
-  // Makes it a connection, which has said this (if it is not empty); or tells it that there is no place.
-  void promote(const HalfOpen& half_open, const ChannelMessage& said);
-  void keep_message(ConnectionId connection, const ChannelMessage& message);
+  // Turns a half-open peer into a connection and queues its first message, unless that is empty. Disconnects
+  // it if the server is full.
+  void promote(const HalfOpen& half_open, const ChannelMessage& first_message);
+  void queue_message(ConnectionId connection, const ChannelMessage& message);
 
-  void open_half(const Peer& from);
+  void start_handshake(const Peer& from);
   void accept(const Peer& to);
-  void reject(const Peer& to, std::string_view reason, std::size_t question_bytes);
-  // An answer within the budgets.
-  void send_to_unverified_peer(const Peer& to, const ControlPacket& answer, std::size_t question_bytes,
+  void reject(const Peer& to, std::string_view reason, std::size_t request_bytes);
+  // Sends a reply if the budgets allow it.
+  void send_to_unverified_peer(const Peer& to, const ControlPacket& reply, std::size_t request_bytes,
                                bool is_known);
   void send_control(const Peer& to, const ControlPacket& packet);
-  void end(ConnectionId connection, std::string_view reason);
-  // Ends it, with an event.
-  void lose(ConnectionId connection, std::string_view reason);
-  void say_farewell(const Peer& peer, Channel channel, std::string_view reason);
+  // Ends a connection, without an event.
+  void close_connection(ConnectionId connection, std::string_view reason);
+  // Ends a connection, with an event.
+  void drop(ConnectionId connection, std::string_view reason);
+  // Sends the disconnect message over the channel of an ended connection.
+  void send_disconnect(const Peer& peer, Channel channel, std::string_view reason);
   Connection* find(ConnectionId connection);
   const Connection* find(ConnectionId connection) const;
   Connection* find(const platform::Address& address);
@@ -195,18 +217,18 @@ class ServerEndpoint {
   Protocol protocol_ = Protocol::kNetQuake;
   double now_s_ = 0;
   std::uint32_t next_id_ = 1;
-  std::uint64_t next_word_ = 0;
+  std::uint64_t next_cookie_serial_ = 0;
   std::vector<Connection> connections_;
   HalfOpenTable half_open_;
   DisconnectResender disconnect_resender_;
   UnverifiedPeerLimits unverified_limits_;
   std::vector<AddressPrefix> bans_;
   std::string remote_password_;
-  std::vector<ServerEvent> events_;  // those up to `events_read_` were given out
+  std::vector<ServerEvent> events_;  // before events_read_: already returned
   std::size_t events_read_ = 0;
-  base::ByteVector message_bytes_;  // of the PeerMessage or RemoteCommand among the events
-  std::size_t packets_read_ = 0;    // since update()
-  std::size_t next_socket_ = 0;     // to be read
+  base::ByteVector message_bytes_;  // of the PeerMessage or RemoteCommand in events_
+  std::size_t packets_read_ = 0;    // since the last update()
+  std::size_t next_socket_ = 0;     // to be read next
   ServerEndpointStatistics statistics_;
 };
 

@@ -1,4 +1,8 @@
-// How entities begin: baselines of those that will move, and all there is of those that never do.
+// Wire format of svc_spawnbaseline and svc_spawnstatic:
+//
+//   original:   [number u16, baseline only] model u8 | frame u8 | colormap u8 | skin u8 | 3 x (coord, angle)
+//   FitzQuake:  [number u16, baseline only] flags u8 | model u8/u16 | frame u8/u16 | colormap u8 | skin u8 |
+//               3 x (coord, angle) | [alpha u8] | [scale u8]
 #pragma once
 
 #include "net/protocol/server_message.h"
@@ -7,11 +11,12 @@
 
 namespace temblor::net {
 
+// Read the fields after the entity number.
 Baseline read_baseline(FieldReader& io_fields);
-// The longer form of FitzQuake: flags first, then two bytes for a high model or frame, opacity and scale.
+// FitzQuake's form.
 Baseline read_baseline2(FieldReader& io_fields);
 
-// Whole messages, in the longer form where the dialect has it and the baseline needs it.
+// Write whole messages. They use FitzQuake's form only if the dialect has it and the baseline needs it.
 void write_spawn_static(const SpawnStatic& message, FieldWriter& io_fields);
 void write_spawn_baseline(const SpawnBaseline& message, FieldWriter& io_fields);
 

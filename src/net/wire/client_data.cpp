@@ -7,11 +7,13 @@ namespace {
 
 using namespace client_data_flag;
 
-constexpr std::uint32_t kFlagsOf15 = 0x00ff | kItems | kOnGround | kInWater | kWeaponFrame | kArmor | kWeapon;
-constexpr std::uint32_t kFlagsOf666 = kFlagsOf15 | kExtend1 | kWeapon2 | kArmor2 | kAmmo2 | kShells2 |
-                                      kNails2 | kRockets2 | kCells2 | kExtend2 | kWeaponFrame2 | kWeaponAlpha;
+constexpr std::uint32_t kProtocol15Flags =
+    0x00ff | kItems | kOnGround | kInWater | kWeaponFrame | kArmor | kWeapon;
+constexpr std::uint32_t kProtocol666Flags = kProtocol15Flags | kExtend1 | kWeapon2 | kArmor2 | kAmmo2 |
+                                            kShells2 | kNails2 | kRockets2 | kCells2 | kExtend2 |
+                                            kWeaponFrame2 | kWeaponAlpha;
 
-// Fields of two bytes whose high ones stand at the message's end, in this order.
+// Fields of two bytes. The high bytes follow at the end of the message, in this order.
 struct WideField {
   std::uint32_t high_byte_flag;
   std::uint16_t ClientData::*field;
@@ -32,32 +34,34 @@ std::uint32_t read_flags(FieldReader& io_fields) {
   std::uint32_t flags = io_fields.u16();
   if (extended && (flags & kExtend1)) flags |= std::uint32_t{io_fields.u8()} << 16;
   if (extended && (flags & kExtend2)) flags |= std::uint32_t{io_fields.u8()} << 24;
-  io_fields.check_flags(flags, extended ? kFlagsOf666 : kFlagsOf15);
+  io_fields.check_flags(flags, extended ? kProtocol666Flags : kProtocol15Flags);
   return flags;
 }
 
-// The message in the steps of its bytes, so that only what is not the default in them is written.
+// The values as they appear on the wire. Fields are omitted if they equal the default after rounding.
 struct Steps {
   int view_height, ideal_pitch;
   std::array<int, 3> punch, velocity;
 };
 constexpr int kDefaultViewHeight = 22;
 
-int step8(float value, float unit) {
+int compute_step8(float value, float unit) {
   return nearest_step(value, 1 / unit, -128, 127);
 }
 
-Steps steps_of(const ClientData& message) {
-  Steps steps{step8(message.view_height, 1), step8(message.ideal_pitch_deg, 1), {}, {}};
+Steps quantize(const ClientData& message) {
+  Steps steps{compute_step8(message.view_height, 1), compute_step8(message.ideal_pitch_deg, 1), {}, {}};
   for (int axis = 0; axis < 3; ++axis) {
-    steps.punch[static_cast<std::size_t>(axis)] = step8(message.punch_deg[axis], 1);
-    steps.velocity[static_cast<std::size_t>(axis)] = step8(message.velocity[axis], kVelocityUnit);
+    steps.punch[static_cast<std::size_t>(axis)] = compute_step8(message.punch_deg[axis], 1);
+    steps.velocity[static_cast<std::size_t>(axis)] = compute_step8(message.velocity[axis], kVelocityUnit);
   }
   return steps;
 }
 
-std::uint32_t flags_of(const ClientData& message, const Steps& steps, bool extended) {
-  std::uint32_t flags = kItems | kWeapon;  // both always, as stock servers do
+// The flags of the third and fourth byte come first, because kExtend1 and kExtend2 depend on whether any of
+// those is set.
+std::uint32_t compute_flags(const ClientData& message, const Steps& steps, bool extended) {
+  std::uint32_t flags = kItems | kWeapon;  // always set, as stock servers do
   if (steps.view_height != kDefaultViewHeight) flags |= kViewHeight;
   if (steps.ideal_pitch != 0) flags |= kIdealPitch;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -71,13 +75,15 @@ std::uint32_t flags_of(const ClientData& message, const Steps& steps, bool exten
   if (extended) {
     for (const WideField& wide : kWideFields)
       if (message.*wide.field > 255) flags |= wide.high_byte_flag;
-    if (alpha_byte(message.weapon_alpha) != alpha_byte(1)) flags |= kWeaponAlpha;
+    if (encode_alpha(message.weapon_alpha) != encode_alpha(1)) flags |= kWeaponAlpha;
   }
   if (flags >> 24) flags |= kExtend2;
   if (flags >> 16) flags |= kExtend1;
   return flags;
 }
 
+// Writes the part of the message between items and active weapon, in wire order. Without the flag for its
+// high byte, a value over 255 is an error.
 void write_low_bytes(const ClientData& message, std::uint32_t flags, FieldWriter& io_fields) {
   const auto low_byte = [&](std::uint16_t ClientData::*field) {
     for (const WideField& wide : kWideFields)
@@ -94,6 +100,8 @@ void write_low_bytes(const ClientData& message, std::uint32_t flags, FieldWriter
 
 }  // namespace
 
+// Low bytes come in the middle of the message and high bytes at its end, so wide fields are put together from
+// two places.
 ClientData read_client_data(FieldReader& io_fields) {
   const std::uint32_t flags = read_flags(io_fields);
   ClientData data;
@@ -120,13 +128,13 @@ ClientData read_client_data(FieldReader& io_fields) {
   for (const WideField& wide : kWideFields)
     if (flags & wide.high_byte_flag)
       data.*wide.field = static_cast<std::uint16_t>(data.*wide.field | io_fields.u8() << 8);
-  if (flags & kWeaponAlpha) data.weapon_alpha = alpha_of(io_fields.u8());
+  if (flags & kWeaponAlpha) data.weapon_alpha = decode_alpha(io_fields.u8());
   return data;
 }
 
 void write_client_data(const ClientData& message, FieldWriter& io_fields) {
-  const Steps steps = steps_of(message);
-  const std::uint32_t flags = flags_of(message, steps, is_extended(io_fields.dialect()));
+  const Steps steps = quantize(message);
+  const std::uint32_t flags = compute_flags(message, steps, is_extended(io_fields.dialect()));
   const auto i8 = [&](int value) { io_fields.i8(static_cast<std::int8_t>(value)); };
   io_fields.id(MessageId::kClientData);
   io_fields.u16(static_cast<std::uint16_t>(flags));
@@ -143,7 +151,7 @@ void write_client_data(const ClientData& message, FieldWriter& io_fields) {
   io_fields.u8(message.active_weapon);
   for (const WideField& wide : kWideFields)
     if (flags & wide.high_byte_flag) io_fields.u8(static_cast<std::uint8_t>(message.*wide.field >> 8));
-  if (flags & kWeaponAlpha) io_fields.u8(alpha_byte(message.weapon_alpha));
+  if (flags & kWeaponAlpha) io_fields.u8(encode_alpha(message.weapon_alpha));
 }
 
 }  // namespace temblor::net

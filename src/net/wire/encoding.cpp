@@ -19,11 +19,11 @@ AngleEncoding angle_encoding(const Dialect& dialect) {
   return AngleEncoding::kByte;
 }
 
-float alpha_of(std::uint8_t byte) {
+float decode_alpha(std::uint8_t byte) {
   return byte == 0 ? 1.0f : static_cast<float>(byte - 1) / 254.0f;
 }
 
-std::uint8_t alpha_byte(float alpha) {
+std::uint8_t encode_alpha(float alpha) {
   return static_cast<std::uint8_t>(1 + nearest_step(alpha, 254, 0, 254));
 }
 

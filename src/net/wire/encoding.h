@@ -1,5 +1,5 @@
-// How numbers that are not whole are put into bytes: coordinates and angles as the dialect says, the rest
-// alike in all of them.
+// Fixed-point encodings of messages. Coordinates and angles depend on the dialect; alpha, scale, attenuation,
+// and the like are the same in all dialects.
 #pragma once
 
 #include <cstdint>
@@ -8,33 +8,36 @@
 
 namespace temblor::net {
 
+// Coordinates, in map units.
 enum class CoordEncoding {
-  kEighths16,     // i16 of eighths of a unit
-  kWholeAnd255,   // i16 of whole units, u8 of 255ths
+  kEighths16,  // i16 of eighths of a unit; the range is about +-4096
+  // i16 of whole units, rounded down, then u8 of 255ths to add. The fraction 255 is a whole unit, so the top
+  // of the range is 32768.
+  kWholeAnd255,
   kSixteenths32,  // i32 of sixteenths of a unit
-  kFloat,
+  kFloat,         // f32
 };
 enum class AngleEncoding {
-  kByte,   // 256ths of a turn
-  kShort,  // 65536ths of a turn
-  kFloat,  // degrees
+  kByte,   // u8, 256ths of a turn
+  kShort,  // u16, 65536ths of a turn
+  kFloat,  // f32, degrees
 };
 
-// A wider encoding wins over a narrower one where flags name several: float, then 32 bits, then 24.
+// If several flags are set, the widest encoding wins: float, then 32 bits, then 24.
 CoordEncoding coord_encoding(const Dialect& dialect);
 AngleEncoding angle_encoding(const Dialect& dialect);
 
-// Whether it has the longer forms of messages that FitzQuake added.
+// True if the dialect has FitzQuake's extended messages.
 inline bool is_extended(const Dialect& dialect) {
   return dialect.protocol != Protocol::kNetQuake;
 }
 
-// Coordinates stay within this whatever the encoding: what the widest whole-number one can say.
+// Limit of coordinates in all encodings: the range of kSixteenths32.
 constexpr float kMaxCoord = 1 << 27;
 
-// Opacity: byte 0 says nothing (opaque), 1 is invisible, 255 opaque.
-float alpha_of(std::uint8_t byte);
-std::uint8_t alpha_byte(float alpha);  // the nearest, never 0
+// Alpha from 0 to 1 as a byte: 0 means default (opaque), 1 invisible, 255 opaque.
+float decode_alpha(std::uint8_t byte);
+std::uint8_t encode_alpha(float alpha);  // rounds; never returns 0
 
 constexpr float kScaleSteps = 16;        // a byte of 16ths
 constexpr float kAttenuationSteps = 64;  // a byte of 64ths
@@ -44,7 +47,7 @@ constexpr float kNextThinkSteps = 255;   // a byte of 255ths of a second
 constexpr float kFogSteps = 255;         // bytes of 255ths
 constexpr float kFogTimeSteps = 100;     // hundredths of a second
 
-// `value`, in steps of 1 / steps, to the nearest whole number in [low, high]; `low` for what is no number.
+// Returns value * steps, rounded to the nearest integer and clamped to [low, high]. NaN gives `low`.
 int nearest_step(double value, double steps, int low, int high);
 
 }  // namespace temblor::net

@@ -7,9 +7,9 @@ namespace {
 
 using namespace entity_flag;
 
-constexpr std::uint32_t kFlagsOf15 = kExtend1 - 1;
-constexpr std::uint32_t kFlagsOf666 =
-    kFlagsOf15 | kExtend1 | kAlpha | kFrame2 | kModel2 | kLerpFinish | kScale | kExtend2;
+constexpr std::uint32_t kProtocol15UpdateFlags = kExtend1 - 1;
+constexpr std::uint32_t kProtocol666UpdateFlags =
+    kProtocol15UpdateFlags | kExtend1 | kAlpha | kFrame2 | kModel2 | kLerpFinish | kScale | kExtend2;
 
 std::uint32_t read_flags(std::uint8_t id, FieldReader& io_fields) {
   const bool extended = is_extended(io_fields.dialect());
@@ -17,21 +17,23 @@ std::uint32_t read_flags(std::uint8_t id, FieldReader& io_fields) {
   if (flags & kMoreBits) flags |= std::uint32_t{io_fields.u8()} << 8;
   if (extended && (flags & kExtend1)) flags |= std::uint32_t{io_fields.u8()} << 16;
   if (extended && (flags & kExtend2)) flags |= std::uint32_t{io_fields.u8()} << 24;
-  io_fields.check_flags(flags, extended ? kFlagsOf666 : kFlagsOf15);
+  io_fields.check_flags(flags, extended ? kProtocol666UpdateFlags : kProtocol15UpdateFlags);
   return flags;
 }
 
-// The high byte of a field whose low byte came earlier. Without that one the field is refused: the rest of it
-// would be the baseline's, which a reader of messages does not know.
+// Reads the high byte of a field whose low byte came earlier. A high byte alone is an error: the low byte
+// would be the baseline's, which a message reader does not know.
 void read_high_byte(std::optional<std::uint16_t>& io_field, const char* what, FieldReader& io_fields) {
   const std::uint8_t high = io_fields.u8();
   if (io_field)
     *io_field = static_cast<std::uint16_t>(*io_field | high << 8);
   else
-    io_fields.refuse(base::ErrorCode::kMalformed, "the {}'s high byte comes without its low byte", what);
+    io_fields.fail(base::ErrorCode::kMalformed, "{} has a high byte but no low byte", what);
 }
 
-std::uint32_t flags_of(const EntityUpdate& update, bool extended) {
+// Flags for the fields that the update has. Our fields need three bytes of flags at most, so kExtend2 is
+// never set.
+std::uint32_t compute_flags(const EntityUpdate& update, bool extended) {
   std::uint32_t flags = kSignal;
   if (update.step) flags |= kStep;
   if (update.model) flags |= kModel;
@@ -72,7 +74,7 @@ EntityUpdate read_entity_update(std::uint8_t id, FieldReader& io_fields) {
     if (flags & kOrigin[axis]) update.origin[axis] = io_fields.coord();
     if (flags & kAngle[axis]) update.angles_deg[axis] = io_fields.angle_deg();
   }
-  if (flags & kAlpha) update.alpha = alpha_of(io_fields.u8());
+  if (flags & kAlpha) update.alpha = decode_alpha(io_fields.u8());
   if (flags & kScale) update.scale = static_cast<float>(io_fields.u8()) / kScaleSteps;
   if (flags & kFrame2) read_high_byte(update.frame, "frame", io_fields);
   if (flags & kModel2) read_high_byte(update.model, "model", io_fields);
@@ -81,7 +83,7 @@ EntityUpdate read_entity_update(std::uint8_t id, FieldReader& io_fields) {
 }
 
 void write_entity_update(const EntityUpdate& update, FieldWriter& io_fields) {
-  const std::uint32_t flags = flags_of(update, is_extended(io_fields.dialect()));
+  const std::uint32_t flags = compute_flags(update, is_extended(io_fields.dialect()));
   io_fields.u8(static_cast<std::uint8_t>(flags));
   if (flags & kMoreBits) io_fields.u8(static_cast<std::uint8_t>(flags >> 8));
   if (flags & kExtend1) io_fields.u8(static_cast<std::uint8_t>(flags >> 16));
@@ -98,7 +100,7 @@ void write_entity_update(const EntityUpdate& update, FieldWriter& io_fields) {
     if (update.origin[axis]) io_fields.coord(*update.origin[axis]);
     if (update.angles_deg[axis]) io_fields.angle_deg(*update.angles_deg[axis]);
   }
-  if (flags & kAlpha) io_fields.u8(alpha_byte(*update.alpha));
+  if (flags & kAlpha) io_fields.u8(encode_alpha(*update.alpha));
   if (flags & kScale) io_fields.steps8(*update.scale, kScaleSteps);
   if (flags & kFrame2) io_fields.u8(static_cast<std::uint8_t>(*update.frame >> 8));
   if (flags & kModel2) io_fields.u8(static_cast<std::uint8_t>(*update.model >> 8));

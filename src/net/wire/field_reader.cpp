@@ -11,16 +11,16 @@ using base::ErrorCode;
 float FieldReader::finite(const char* what) {
   const float value = number<float>();
   if (std::isfinite(value)) return value;
-  refuse(ErrorCode::kMalformed, "{} is {}", what, value);
+  fail(ErrorCode::kMalformed, "{} is {}", what, value);
   return 0;
 }
 
 std::string_view FieldReader::text(const char* what) {
-  ++bytes_wanted_;
+  ++bytes_needed_;
   if (!ok()) return {};
   const std::optional<std::string_view> text = bytes_.text();
-  // Bytes that ended here are not too few: no number of them would be enough.
-  if (!text) refusal_ = base::malformed("{} has no end", what);
+  // Report the missing zero byte, not a missing number of bytes.
+  if (!text) error_ = base::malformed("{} has no terminating zero", what);
   return text.value_or(std::string_view{});
 }
 
@@ -30,7 +30,7 @@ std::uint16_t FieldReader::entity() {
 
 std::uint16_t FieldReader::entity(unsigned number) {
   if (number < kMaxEntities) return static_cast<std::uint16_t>(number);
-  refuse(ErrorCode::kTooLarge, "entity {} is over {}", number, kMaxEntities - 1);
+  fail(ErrorCode::kTooLarge, "entity {} exceeds {}", number, kMaxEntities - 1);
   return 0;
 }
 
@@ -47,12 +47,13 @@ float FieldReader::coord() {
     case CoordEncoding::kFloat:
       break;
   }
-  const float value = finite("a coordinate");
+  const float value = finite("coordinate");
   if (std::abs(value) <= kMaxCoord) return value;
-  refuse(ErrorCode::kTooLarge, "a coordinate is {}, beyond {}", value, static_cast<int>(kMaxCoord));
+  fail(ErrorCode::kTooLarge, "coordinate {} exceeds {}", value, static_cast<int>(kMaxCoord));
   return 0;
 }
 
+// Bytes and shorts are signed here, so these angles are in [-180, 180).
 float FieldReader::angle_deg() {
   switch (angle_encoding_) {
     case AngleEncoding::kByte:
@@ -62,13 +63,13 @@ float FieldReader::angle_deg() {
     case AngleEncoding::kFloat:
       break;
   }
-  return finite("an angle");
+  return finite("angle");
 }
 
 void FieldReader::check_flags(std::uint32_t flags, std::uint32_t known) {
   if (const std::uint32_t unknown = flags & ~known; unknown != 0)
-    refuse(ErrorCode::kUnsupported, "protocol {} has no flags {:#x}", static_cast<int>(dialect_.protocol),
-           unknown);
+    fail(ErrorCode::kUnsupported, "protocol {} does not define flags {:#x}",
+         static_cast<int>(dialect_.protocol), unknown);
 }
 
 }  // namespace temblor::net

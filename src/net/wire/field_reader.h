@@ -1,4 +1,6 @@
-// The fields of one message, read from bytes that anybody may have sent.
+// Reads the fields of one message from untrusted bytes. Every read is bounds-checked, and errors are sticky:
+// reading past the end returns zeros or empty texts, so message readers need no check after each field. Call
+// ok() once at the end of the message.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,9 +16,6 @@
 
 namespace temblor::net {
 
-// Fields are read without asking whether they are there: past the end they are zero or empty, and what is
-// wrong with the message as a whole is asked once, at its end. A field that makes no sense is refused; the
-// first refusal is kept.
 class FieldReader {
  public:
   FieldReader(base::ByteReader& io_bytes, const Dialect& dialect)
@@ -31,35 +30,39 @@ class FieldReader {
   std::int16_t i16() { return number<std::int16_t>(); }
   std::uint32_t u32() { return number<std::uint32_t>(); }
   std::int32_t i32() { return number<std::int32_t>(); }
-  // `what` names the field where it is refused, with its article: "the text".
+  // A float that is not finite is an error, and so is a text without a zero byte. `what` names the field in
+  // the error: "text".
   float finite(const char* what);
   std::string_view text(const char* what);
-  // Below kMaxEntities.
+  // An entity number below kMaxEntities; other numbers are errors.
   std::uint16_t entity();
   std::uint16_t entity(unsigned number);
+  // In the dialect's encoding.
   float coord();
   math::Vec3 coords() { return {coord(), coord(), coord()}; }
   float angle_deg();
   math::Vec3 angles_deg() { return {angle_deg(), angle_deg(), angle_deg()}; }
-  // Refuses a set of flags that holds others than `known`: nobody knows what fields they would bring.
+  // Fails if `flags` has bits other than `known`: the fields of unknown flags, and so the length of the
+  // message, are unknown.
   void check_flags(std::uint32_t flags, std::uint32_t known);
 
   const Dialect& dialect() const { return dialect_; }
-  bool ok() const { return bytes_.ok() && !refusal_; }
+  bool ok() const { return bytes_.ok() && !error_; }
 
+  // Records an error; only the first one is kept.
   template <typename... Args>
-  void refuse(base::ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
-    if (ok()) refusal_ = base::error(code, format, std::forward<Args>(args)...);
+  void fail(base::ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
+    if (ok()) error_ = base::error(code, format, std::forward<Args>(args)...);
   }
-  // Nothing when all was fine, or when the bytes ended too soon.
-  const std::optional<base::Error>& refusal() const { return refusal_; }
-  // How many bytes the fields have that were asked for, whether they were there or not.
-  std::size_t bytes_wanted() const { return bytes_wanted_; }
+  // The first error of a field; nullopt if there was none, or if the bytes just ended too early.
+  const std::optional<base::Error>& error() const { return error_; }
+  // Total size of the fields that were requested, present or not.
+  std::size_t bytes_needed() const { return bytes_needed_; }
 
  private:
   template <typename T>
   T number() {
-    bytes_wanted_ += sizeof(T);
+    bytes_needed_ += sizeof(T);
     return bytes_.read<T>();
   }
 
@@ -67,8 +70,8 @@ class FieldReader {
   Dialect dialect_;
   CoordEncoding coord_encoding_;
   AngleEncoding angle_encoding_;
-  std::optional<base::Error> refusal_;
-  std::size_t bytes_wanted_ = 0;
+  std::optional<base::Error> error_;
+  std::size_t bytes_needed_ = 0;
 };
 
 }  // namespace temblor::net

@@ -10,30 +10,32 @@ namespace temblor::net {
 
 void FieldWriter::low_byte(unsigned value, bool high_byte_follows, const char* what) {
   if (value > 255 && !high_byte_follows)
-    refuse("{} {} is over 255, the highest of protocol {}", what, value, static_cast<int>(dialect_.protocol));
+    fail("{} {} exceeds 255, the limit of protocol {}", what, value, static_cast<int>(dialect_.protocol));
   u8(static_cast<std::uint8_t>(value));
 }
 
 void FieldWriter::finite(float value, const char* what) {
-  if (!std::isfinite(value)) refuse("{} {} is not finite", what, value);
+  if (!std::isfinite(value)) fail("{} {} is not finite", what, value);
   bytes_.f32(value);
 }
 
 void FieldWriter::text(std::string_view text) {
-  if (text.find('\0') != std::string_view::npos) refuse("a text of a message holds a zero byte");
+  if (text.find('\0') != std::string_view::npos) fail("text contains a zero byte");
   bytes_.bytes(base::as_bytes(text));
   u8(0);
 }
 
 void FieldWriter::entity(std::uint16_t number) {
-  if (number >= kMaxEntities) refuse("entity {} is over {}", number, kMaxEntities - 1);
+  if (number >= kMaxEntities) fail("entity {} exceeds {}", number, kMaxEntities - 1);
   u16(number);
 }
 
+// An error is recorded for a value out of range, and 0 is written in its place: the message keeps its length,
+// so the fields after it stay in place until the caller drops the message.
 void FieldWriter::coord(float value) {
   const auto within = [&](double low, double high) {
     if (value >= low && value <= high) return static_cast<double>(value);
-    refuse("coordinate {} is outside of [{}, {}]", value, low, high);
+    fail("coordinate {} is outside of [{}, {}]", value, low, high);
     return 0.0;
   };
   switch (coord_encoding_) {
@@ -60,9 +62,9 @@ void FieldWriter::coords(const math::Vec3& value) {
 
 void FieldWriter::angle_deg(float value) {
   if (angle_encoding_ == AngleEncoding::kFloat) return finite(value, "angle");
-  if (!std::isfinite(value)) refuse("angle {} is not finite", value);
-  // Half a turn either way, so that the number of steps fits an int; half a turn itself may round to either
-  // end.
+  if (!std::isfinite(value)) fail("angle {} is not finite", value);
+  // Wrapped to half a turn either way, so that the number of steps fits. Exactly half a turn may round to
+  // either end of the range, which are the same angle.
   const double turn = std::remainder(static_cast<double>(value), 360.0) / 360;
   if (angle_encoding_ == AngleEncoding::kByte)
     u8(static_cast<std::uint8_t>(nearest_step(turn, 256, -128, 128)));

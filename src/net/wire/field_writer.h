@@ -1,4 +1,6 @@
-// The fields of one message, written.
+// Writes the fields of one message. Errors are sticky, as in FieldReader: a value that the dialect cannot
+// represent records an error, and writing continues. The caller checks error() at the end and truncates the
+// failed message.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,8 +17,6 @@
 
 namespace temblor::net {
 
-// Fields are written without asking whether they fit; what does not is refused, and the first refusal is
-// kept. What was written of a refused message is for its caller to take back.
 class FieldWriter {
  public:
   FieldWriter(base::ByteWriter& io_bytes, const Dialect& dialect)
@@ -32,34 +32,36 @@ class FieldWriter {
   void i16(std::int16_t value) { bytes_.i16(value); }
   void u32(std::uint32_t value) { bytes_.u32(value); }
   void i32(std::int32_t value) { bytes_.i32(value); }
+  // Fails if the value is not finite. `what` names the field in the error.
   void finite(float value, const char* what);
-  // The low byte of `value`; refuses one over 255 unless its high byte is going to follow.
+  // Writes the low byte of `value`. Fails for values over 255 unless the high byte follows later.
   void low_byte(unsigned value, bool high_byte_follows, const char* what);
-  // Refuses a text with a zero in it.
+  // Writes the text and a zero byte. Fails if the text contains a zero byte.
   void text(std::string_view text);
   void entity(std::uint16_t number);
-  // Refuses what lies outside of the encoding's range.
+  // Fails if the value is outside of the encoding's range.
   void coord(float value);
   void coords(const math::Vec3& value);
   void angle_deg(float value);
   void angles_deg(const math::Vec3& value);
-  // To the nearest whole number of steps of 1 / `steps` that fits.
+  // Writes value * steps as a byte, rounded and clamped.
   void steps8(float value, float steps) { u8(static_cast<std::uint8_t>(nearest_step(value, steps, 0, 255))); }
 
   const Dialect& dialect() const { return dialect_; }
 
+  // Records a kTooLarge error; only the first one is kept.
   template <typename... Args>
-  void refuse(fmt::format_string<Args...> format, Args&&... args) {
-    if (!refusal_) refusal_ = base::error(base::ErrorCode::kTooLarge, format, std::forward<Args>(args)...);
+  void fail(fmt::format_string<Args...> format, Args&&... args) {
+    if (!error_) error_ = base::error(base::ErrorCode::kTooLarge, format, std::forward<Args>(args)...);
   }
-  const std::optional<base::Error>& refusal() const { return refusal_; }
+  const std::optional<base::Error>& error() const { return error_; }
 
  private:
   base::ByteWriter& bytes_;
   Dialect dialect_;
   CoordEncoding coord_encoding_;
   AngleEncoding angle_encoding_;
-  std::optional<base::Error> refusal_;
+  std::optional<base::Error> error_;
 };
 
 }  // namespace temblor::net

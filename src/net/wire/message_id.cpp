@@ -6,6 +6,7 @@
 namespace temblor::net {
 namespace {
 
+// Index: message number. Null: no message has the number.
 constexpr std::array<const char*, 57> kNames = {
     nullptr,
     "svc_nop",
@@ -66,7 +67,7 @@ constexpr std::array<const char*, 57> kNames = {
     "svc_localsound",
 };
 
-// In the order of ServerMessage's kinds; Ignored, the last, has its own.
+// In the order of the ServerMessage variant, without its last type: Ignored stores its own number.
 constexpr std::array kIds = {
     MessageId::kNop,
     MessageId::kDisconnect,
@@ -110,13 +111,14 @@ static_assert(kIds.size() + 1 == std::variant_size_v<ServerMessage>);
 
 }  // namespace
 
-const char* name_of(MessageId id) {
+// Entity updates use half of all numbers, so they are not in the table.
+const char* message_name(MessageId id) {
   if (id >= MessageId::kEntityUpdate) return "fast update";
   const auto number = static_cast<std::size_t>(id);
   return number < kNames.size() ? kNames[number] : nullptr;
 }
 
-MessageId id_of(const ServerMessage& message) {
+MessageId message_id(const ServerMessage& message) {
   if (const auto* ignored = std::get_if<Ignored>(&message)) return MessageId{ignored->id};
   return kIds[message.index()];
 }

@@ -1,4 +1,4 @@
-// The numbers of server messages, and their names.
+// Numbers and names of server messages (svc_*). The first byte of a message is its number.
 #pragma once
 
 #include <cstdint>
@@ -41,24 +41,25 @@ enum class MessageId : std::uint8_t {
   kCdTrack = 32,
   kSellScreen = 33,
   kCutScene = 34,
-  // Of FitzQuake.
+  // FitzQuake.
   kSkybox = 37,
   kBonusFlash = 40,
   kFog = 41,
   kSpawnBaseline2 = 42,
   kSpawnStatic2 = 43,
   kSpawnStaticSound2 = 44,
-  // Of the 2021 re-release, as far as their length is known.
+  // 2021 re-release; only the messages whose length is known.
   kAchievement = 52,
   kLocalSound = 56,
-  // This and every number above: the low seven bits are an entity update's first flags.
+  // 128 to 255: an entity update, whose low seven bits are flags.
   kEntityUpdate = 128,
 };
 
-// "svc_time"; null for a number that is no message. Also knows the re-release's messages that cannot be read.
-const char* name_of(MessageId id);
+// Returns a name such as "svc_time", or null for an unknown number. Includes messages of the re-release that
+// we cannot read.
+const char* message_name(MessageId id);
 
-// The number that the message is written with; of those that have two (a longer form), the original's.
-MessageId id_of(const ServerMessage& message);
+// Returns the number of a message. For messages with an original and an extended form, the original's.
+MessageId message_id(const ServerMessage& message);
 
 }  // namespace temblor::net

@@ -7,10 +7,11 @@
 namespace temblor::net {
 namespace {
 
+// Flags and size as one big-endian word.
 constexpr std::uint32_t kData = 0x00010000, kAck = 0x00020000, kEndOfMessage = 0x00080000,
                         kUnreliable = 0x00100000, kControl = 0x80000000, kLengthMask = 0x0000ffff;
 
-std::uint32_t flags_of(PacketKind kind) {
+std::uint32_t find_kind_flags(PacketKind kind) {
   switch (kind) {
     case PacketKind::kData:
       return kData;
@@ -42,29 +43,29 @@ bool is_control_packet(base::Bytes packet) {
   return packet.size() >= 4 && (read_big_endian(packet) & kControl) != 0;
 }
 
+// Compares all flags at once, so unknown flags and combinations that no packet has are errors.
 base::Result<PacketHeader> read_packet_header(base::Bytes packet) {
   if (packet.size() < kPacketHeaderBytes)
-    return base::malformed("a packet of {} bytes has no room for its header", packet.size());
+    return base::malformed("packet of {} bytes is shorter than its header", packet.size());
   const std::uint32_t word = read_big_endian(packet);
   if ((word & kLengthMask) != packet.size())
-    return base::malformed("a packet of {} bytes says that it has {}", packet.size(), word & kLengthMask);
+    return base::malformed("packet of {} bytes declares a size of {}", packet.size(), word & kLengthMask);
   PacketHeader header{{}, read_big_endian(packet.subspan(4))};
   for (const PacketKind kind :
        {PacketKind::kData, PacketKind::kLastData, PacketKind::kAck, PacketKind::kUnreliable}) {
-    if ((word & ~kLengthMask) != flags_of(kind)) continue;
+    if ((word & ~kLengthMask) != find_kind_flags(kind)) continue;
     header.kind = kind;
     if (kind == PacketKind::kAck && packet.size() != kPacketHeaderBytes)
-      return base::malformed("an acknowledgement has {} bytes of content",
-                             packet.size() - kPacketHeaderBytes);
+      return base::malformed("acknowledgment with {} bytes of content", packet.size() - kPacketHeaderBytes);
     return header;
   }
-  return base::malformed("a packet has the flags {:#x}", word & ~kLengthMask);
+  return base::malformed("packet has invalid flags {:#x}", word & ~kLengthMask);
 }
 
 std::array<std::byte, kPacketHeaderBytes> packet_header_bytes(const PacketHeader& header,
                                                               std::size_t packet_bytes) {
   CHECK(packet_bytes >= kPacketHeaderBytes && packet_bytes <= kMaxPacketBytes);
-  const auto word = big_endian_bytes(flags_of(header.kind) | static_cast<std::uint32_t>(packet_bytes));
+  const auto word = big_endian_bytes(find_kind_flags(header.kind) | static_cast<std::uint32_t>(packet_bytes));
   const auto sequence = big_endian_bytes(header.sequence);
   std::array<std::byte, kPacketHeaderBytes> bytes{};
   std::copy(word.begin(), word.end(), bytes.begin());

@@ -5,11 +5,12 @@
 namespace temblor::net {
 namespace {
 
-constexpr std::uint8_t kExplosionCount = 255;  // a count that stands for the particles of an explosion
+constexpr std::uint8_t kExplosionCount = 255;  // on the wire; stands for kExplosionParticles
 constexpr std::uint16_t kExplosionParticles = 1024;
 
 }  // namespace
 
+// A byte cannot hold the 1024 particles of an explosion, so stock servers send 255 instead.
 Particles read_particles(FieldReader& io_fields) {
   Particles particles;
   particles.origin = io_fields.coords();
@@ -37,8 +38,8 @@ void write_particles(const Particles& message, FieldWriter& io_fields) {
     io_fields.i8(static_cast<std::int8_t>(nearest_step(message.direction[axis], kDirectionSteps, -128, 127)));
   const bool explosion = message.count == kExplosionParticles;
   if (message.count >= kExplosionCount && !explosion)
-    io_fields.refuse("{} particles are more than {}, and not {}", message.count, kExplosionCount - 1,
-                     kExplosionParticles);
+    io_fields.fail("{} particles: the count must be at most {}, or {}", message.count, kExplosionCount - 1,
+                   kExplosionParticles);
   io_fields.u8(explosion ? kExplosionCount : static_cast<std::uint8_t>(message.count));
   io_fields.u8(message.color);
 }

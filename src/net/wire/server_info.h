@@ -1,4 +1,7 @@
-// The first message of a game: which protocol is spoken, and what models and sounds there are.
+// Wire format of svc_serverinfo, the first message of a level:
+//
+//   protocol i32 | [flags u32, protocol 999 only] | max clients u8 | game type u8 | level name |
+//   model names, then "" | sound names, then ""           (texts end with a zero byte)
 #pragma once
 
 #include <string_view>
@@ -10,10 +13,10 @@
 
 namespace temblor::net {
 
-// The precache lists are read into `out_models` and `out_sounds`, to which the result refers.
+// Fills `out_models` and `out_sounds` with the precache lists; the result refers to them.
 ServerInfo read_server_info(FieldReader& io_fields, std::vector<std::string_view>& out_models,
                             std::vector<std::string_view>& out_sounds);
-// Announces the message's own dialect.
+// Writes the dialect of the message itself, not that of `io_fields`.
 void write_server_info(const ServerInfo& message, FieldWriter& io_fields);
 
 }  // namespace temblor::net

@@ -3,34 +3,35 @@
 namespace temblor::net {
 namespace {
 
-enum Flags : std::uint32_t {
+enum SoundFlags : std::uint32_t {
   kVolume = 1,
   kAttenuation = 2,
   kLargeEntity = 8,
   kLargeSound = 16,
 };
-constexpr std::uint32_t kFlagsOf15 = kVolume | kAttenuation;
-constexpr std::uint32_t kFlagsOf666 = kFlagsOf15 | kLargeEntity | kLargeSound;
-// Of the local sound only this one is known.
-constexpr std::uint32_t kFlagsOfLocalSound = kLargeSound;
+constexpr std::uint32_t kProtocol15SoundFlags = kVolume | kAttenuation;
+constexpr std::uint32_t kProtocol666SoundFlags = kProtocol15SoundFlags | kLargeEntity | kLargeSound;
+constexpr std::uint32_t kLocalSoundFlags = kLargeSound;
 
-// One word: the entity above, three bits of channel below.
+// Packed form: the entity in the upper 13 bits, the channel in the lower 3.
 constexpr unsigned kChannelBits = 3;
 constexpr unsigned kMaxPackedEntity = 0xffff >> kChannelBits;
 constexpr unsigned kMaxPackedChannel = (1u << kChannelBits) - 1;
 
-bool packs(std::uint16_t entity, std::uint8_t channel) {
+// True if the values fit the packed form.
+bool fits_packed(std::uint16_t entity, std::uint8_t channel) {
   return entity <= kMaxPackedEntity && channel <= kMaxPackedChannel;
 }
 
+// Values that do not fit are errors. The channel is masked, so that it cannot change the entity.
 void write_packed(std::uint16_t entity, std::uint8_t channel, FieldWriter& io_fields) {
-  if (!packs(entity, channel))
-    io_fields.refuse("a sound of entity {}, channel {}, is over entity {}, channel {}", entity, channel,
-                     kMaxPackedEntity, kMaxPackedChannel);
+  if (!fits_packed(entity, channel))
+    io_fields.fail("sound of entity {}, channel {} exceeds entity {}, channel {}", entity, channel,
+                   kMaxPackedEntity, kMaxPackedChannel);
   io_fields.u16(static_cast<std::uint16_t>(unsigned{entity} << kChannelBits | (channel & kMaxPackedChannel)));
 }
 
-std::uint8_t attenuation_byte(float attenuation) {
+std::uint8_t encode_attenuation(float attenuation) {
   return static_cast<std::uint8_t>(nearest_step(attenuation, kAttenuationSteps, 0, 255));
 }
 
@@ -38,7 +39,8 @@ std::uint8_t attenuation_byte(float attenuation) {
 
 Sound read_sound(FieldReader& io_fields) {
   const std::uint32_t flags = io_fields.u8();
-  io_fields.check_flags(flags, is_extended(io_fields.dialect()) ? kFlagsOf666 : kFlagsOf15);
+  io_fields.check_flags(flags,
+                        is_extended(io_fields.dialect()) ? kProtocol666SoundFlags : kProtocol15SoundFlags);
   Sound sound;
   if (flags & kVolume) sound.volume = io_fields.u8();
   if (flags & kAttenuation) sound.attenuation = static_cast<float>(io_fields.u8()) / kAttenuationSteps;
@@ -71,20 +73,22 @@ SpawnStaticSound read_static_sound(bool wide, FieldReader& io_fields) {
 
 void skip_local_sound(FieldReader& io_fields) {
   const std::uint32_t flags = io_fields.u8();
-  io_fields.check_flags(flags, kFlagsOfLocalSound);
+  io_fields.check_flags(flags, kLocalSoundFlags);
   if (flags & kLargeSound)
     io_fields.u16();
   else
     io_fields.u8();
 }
 
+// Volume and attenuation are omitted if their bytes are those of the defaults. The wide forms are used only
+// if they are needed: the others are shorter, and protocol 15 has no wide ones.
 void write_sound(const Sound& message, FieldWriter& io_fields) {
-  const std::uint8_t attenuation = attenuation_byte(message.attenuation);
+  const std::uint8_t attenuation = encode_attenuation(message.attenuation);
   std::uint32_t flags = 0;
   if (message.volume != Sound{}.volume) flags |= kVolume;
-  if (attenuation != attenuation_byte(Sound{}.attenuation)) flags |= kAttenuation;
+  if (attenuation != encode_attenuation(Sound{}.attenuation)) flags |= kAttenuation;
   if (is_extended(io_fields.dialect())) {
-    if (!packs(message.entity, message.channel)) flags |= kLargeEntity;
+    if (!fits_packed(message.entity, message.channel)) flags |= kLargeEntity;
     if (message.sound > 255) flags |= kLargeSound;
   }
   io_fields.id(MessageId::kSound);
@@ -118,7 +122,7 @@ void write_static_sound(const SpawnStaticSound& message, FieldWriter& io_fields)
   else
     io_fields.low_byte(message.sound, false, "sound");
   io_fields.u8(message.volume);
-  io_fields.u8(attenuation_byte(message.attenuation));
+  io_fields.u8(encode_attenuation(message.attenuation));
 }
 
 }  // namespace temblor::net

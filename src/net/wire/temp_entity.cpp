@@ -10,12 +10,13 @@ bool is_beam(TempEntityKind kind) {
 
 }  // namespace
 
+// An unknown kind is an error, because the length of its message is unknown.
 TempEntity read_temp_entity(FieldReader& io_fields) {
   const std::uint8_t number = io_fields.u8();
   constexpr auto kLast = static_cast<std::uint8_t>(TempEntityKind::kBeam);
   if (number > kLast)
-    io_fields.refuse(base::ErrorCode::kUnsupported, "temporary entity {} is not known; known are 0 to {}",
-                     number, kLast);
+    io_fields.fail(base::ErrorCode::kUnsupported,
+                   "temporary entity {} is not supported; supported are 0 to {}", number, kLast);
   TempEntity entity;
   entity.kind = TempEntityKind{number};
   if (is_beam(entity.kind)) {

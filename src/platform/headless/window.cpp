@@ -10,6 +10,7 @@ void HeadlessWindow::put_at(const What& what, double time_s) {
 }
 
 void HeadlessWindow::poll(std::vector<InputEvent>& io_events) {
+  // Read the clock once, so that both loops agree on which events are due.
   const double now = now_s();
   for (const InputEvent& event : events_)
     if (event.time_s <= now) io_events.push_back(event);
@@ -18,6 +19,7 @@ void HeadlessWindow::poll(std::vector<InputEvent>& io_events) {
 
 base::Status HeadlessWindow::present(const Picture& picture, base::Jobs& jobs) {
   if (!can_present_) return base::error(base::ErrorCode::kIo, "the window is lost");
+  // Copy as a window would, so that benchmarks include the cost of it.
   const std::size_t pixels = picture.pixels.size();
   shown_.resize(pixels);
   const auto slices = static_cast<std::size_t>(jobs.threads());

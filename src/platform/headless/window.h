@@ -1,4 +1,5 @@
-// A window without a display: for tests, measurements and machines that have none. Events are put in by hand.
+// A window without a display, for tests, benchmarks and machines without a screen. It keeps the last picture
+// in memory. Callers add the events.
 #pragma once
 
 #include <chrono>
@@ -15,13 +16,15 @@ class HeadlessWindow : public Window {
   explicit HeadlessWindow(const WindowSettings& settings) : settings_(settings) {}
 
   using What = decltype(InputEvent::what);
-  // For the next poll(); and for the first one at that time or later.
+  // Adds an event for the next poll().
   void put(const What& what) { put_at(what, now_s()); }
+  // Adds an event for the first poll() at `time_s` or later.
   void put_at(const What& what, double time_s);
-  // From here on the clock stands at this time; without it, it is a real one.
+  // Stops the clock at this time. Before the first call, the clock is the system's steady clock.
   void set_now(double now_s) { set_now_s_ = now_s; }
-  // Until it is set again, present() fails.
+  // False makes present() fail, like a lost display.
   void set_can_present(bool can_present) { can_present_ = can_present; }
+  // The pixels of the last picture, and the number of pictures so far.
   const std::vector<std::uint32_t>& shown() const { return shown_; }
   PixelSize shown_size() const { return shown_size_; }
   std::uint64_t pictures() const { return pictures_; }

@@ -16,10 +16,12 @@
 namespace temblor::platform::posix {
 namespace {
 
-// What waits between two ticks: 64 clients and their bursts, with room.
+// Holds all datagrams that arrive between two ticks, even if 64 clients send bursts.
 constexpr int kReceiveBufferBytes = 1 << 20;
+// UDP has a 16-bit length.
 constexpr std::size_t kMaxDatagramBytes = 65536;
 
+// An address as the socket functions take it. Only `size` bytes of the storage are valid.
 struct SystemAddress {
   sockaddr_storage storage{};
   socklen_t size = 0;
@@ -28,6 +30,8 @@ struct SystemAddress {
   const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
 };
 
+// `family` is the socket's: an IPv6 socket also sends to IPv4 hosts, in their IPv6 form. Structs are copied
+// by memcpy, because a cast would break the aliasing rules.
 SystemAddress to_system(const Address& address, int family) {
   SystemAddress system;
   if (family == AF_INET) {
@@ -66,6 +70,7 @@ Address from_system(const sockaddr_storage& storage) {
   return address;
 }
 
+// Owns a non-blocking socket and the buffer of the last received datagram.
 class UdpSocket final : public DatagramSocket {
  public:
   UdpSocket(int descriptor, int family) : descriptor_(descriptor), family_(family) {
@@ -76,6 +81,7 @@ class UdpSocket final : public DatagramSocket {
   ~UdpSocket() override { close(descriptor_); }
 
   void send(const Address& to, base::Bytes bytes) override {
+    // An IPv4 socket has no way to an IPv6 host, so the datagram is lost.
     if (family_ == AF_INET && !to.is_ip4()) return;
     const SystemAddress system = to_system(to, family_);
     while (sendto(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL, system.get(), system.size) < 0 &&
@@ -91,7 +97,7 @@ class UdpSocket final : public DatagramSocket {
       if (size >= 0)
         return Datagram{from_system(from.storage),
                         base::Bytes(buffer_).first(static_cast<std::size_t>(size))};
-      // Some systems report here that an earlier datagram found nobody: not this one's trouble.
+      // Some systems report here that nobody received an earlier datagram. That does not affect this one.
       if (errno != EINTR && errno != ECONNREFUSED) return std::nullopt;
     }
   }
@@ -113,16 +119,17 @@ base::Error system_error(const Address& address, const char* doing) {
   return base::error(base::ErrorCode::kIo, "UDP port {}: {}: {}", address.port, doing, std::strerror(errno));
 }
 
-base::Result<std::unique_ptr<DatagramSocket>> open_of_family(const Address& address, int family) {
+// Opens and binds a socket. Options that the system refuses are not fatal; only bind() can fail later.
+base::Result<std::unique_ptr<DatagramSocket>> open_with_family(const Address& address, int family) {
   const int descriptor = socket(family, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, IPPROTO_UDP);
   if (descriptor < 0) return system_error(address, "cannot be opened");
   auto opened = std::make_unique<UdpSocket>(descriptor, family);
   const int off = 0;
   if (family == AF_INET6) setsockopt(descriptor, IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof(off));
-  // Without it a search of the local network is refused.
+  // The search for servers on the local network sends broadcasts.
   const int on = 1;
   setsockopt(descriptor, SOL_SOCKET, SO_BROADCAST, &on, sizeof(on));
-  // A wish: the system may grant less.
+  // The system may grant a smaller buffer.
   setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &kReceiveBufferBytes, sizeof(kReceiveBufferBytes));
   const SystemAddress system = to_system(address, family);
   if (bind(descriptor, system.get(), system.size) != 0) {
@@ -130,7 +137,7 @@ base::Result<std::unique_ptr<DatagramSocket>> open_of_family(const Address& addr
       return base::error(base::ErrorCode::kIo, "UDP port {} is in use by another program", address.port);
     if (errno == EADDRNOTAVAIL)
       return base::error(base::ErrorCode::kUsage, "{} is not an address of this machine", host_text(address));
-    return system_error(address, "cannot be had");
+    return system_error(address, "cannot be used");
   }
   return std::unique_ptr<DatagramSocket>(std::move(opened));
 }
@@ -145,20 +152,22 @@ base::Result<std::unique_ptr<DatagramSocket>> open_udp_socket(const UdpOptions& 
   if (!options.host.empty()) {
     const std::optional<Address> address = parse_host(options.host, options.port);
     if (!address)
-      return base::error(base::ErrorCode::kUsage, "'{}' is no address in numbers, as 192.168.1.20 is",
+      return base::error(base::ErrorCode::kUsage, "'{}' is not a numeric address such as 192.168.1.20",
                          std::string(options.host));
-    return open_of_family(*address, address->is_ip4() ? AF_INET : AF_INET6);
+    return open_with_family(*address, address->is_ip4() ? AF_INET : AF_INET6);
   }
-  const Address everywhere{{}, options.port, 0};
-  auto both = open_of_family(everywhere, AF_INET6);
-  // A machine without IPv6. A port that is taken is so in both.
-  return both.ok() ? std::move(both) : open_of_family(everywhere, AF_INET);
+  const Address all_interfaces{{}, options.port, 0};
+  auto dual_stack = open_with_family(all_interfaces, AF_INET6);
+  // The second attempt is for machines without IPv6. If the port is in use, it fails too, with the same
+  // error.
+  return dual_stack.ok() ? std::move(dual_stack) : open_with_family(all_interfaces, AF_INET);
 }
 
 base::Result<Address> look_up(std::string_view host_and_port, std::uint16_t default_port) {
   TRY(const HostAndPort parts, split_host_and_port(host_and_port));
   const std::uint16_t port = parts.port.value_or(default_port);
   if (const auto address = parse_host(parts.host, port)) return *address;
+  // Takes the first IPv4 address, or else the first IPv6 address: most servers listen on IPv4 only.
   addrinfo hints{};
   hints.ai_socktype = SOCK_DGRAM;
   addrinfo* first = nullptr;
@@ -173,7 +182,7 @@ base::Result<Address> look_up(std::string_view host_and_port, std::uint16_t defa
     if (entry->ai_family == AF_INET) break;
   }
   if (!found)
-    return base::error(base::ErrorCode::kNotFound, "host '{}' is not found: {}", parts.host,
+    return base::error(base::ErrorCode::kNotFound, "host '{}' not found: {}", parts.host,
                        failure == 0 ? "it has no address" : gai_strerror(failure));
   found->port = port;
   return *found;

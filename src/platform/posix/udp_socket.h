@@ -1,4 +1,4 @@
-// Datagrams over UDP, by the sockets of POSIX.
+// UDP sockets and host names by POSIX. An IPv6 socket that also receives IPv4 is used if the system has IPv6.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@
 namespace temblor::platform::posix {
 
 struct UdpOptions {
-  std::uint16_t port = 0;  // 0: any that is free
-  // A host in numbers to receive on alone, such as "127.0.0.1"; empty: on all of the machine, IPv6 as well
-  // where it has that.
+  std::uint16_t port = 0;  // 0: any free port
+  // The numeric address of the only interface to receive on, such as "127.0.0.1". Empty: all interfaces.
   std::string_view host{};
 };
 
-// kIo with the system's reason, such as a port that is taken; kUsage for a host that is not in numbers.
+// Opens a socket. Fails with kIo and the system's reason, for example if the port is in use, and with kUsage
+// if the host is not numeric.
 base::Result<std::unique_ptr<DatagramSocket>> open_udp_socket(const UdpOptions& options);
 
-// "HOST" or "HOST:PORT", the host a name or in numbers; IPv4 is taken where a name has both. Asks the system,
-// which may wait for a name server: seconds. kNotFound for a name that nobody knows.
+// Resolves "HOST" or "HOST:PORT", where the host is a name or a numeric address. If a name has addresses of
+// both kinds, the result is IPv4. This may block for seconds while the system asks a name server. Fails with
+// kNotFound if the name is unknown.
 base::Result<Address> look_up(std::string_view host_and_port, std::uint16_t default_port);
 
 }  // namespace temblor::platform::posix

@@ -9,7 +9,7 @@
 namespace temblor::platform::sdl2 {
 namespace {
 
-// SDL counts how often a part of it was begun and ended.
+// Keeps SDL's audio subsystem running. SDL counts its users and stops it after the last one.
 class AudioSubsystem {
  public:
   AudioSubsystem() : begun_(SDL_InitSubSystem(SDL_INIT_AUDIO) == 0) {}
@@ -28,7 +28,7 @@ class SdlAudioDevice : public AudioDevice {
  public:
   SdlAudioDevice(const AudioOptions& options, AudioFill fill) : options_(options), fill_(std::move(fill)) {}
   ~SdlAudioDevice() override {
-    // Waits until the callback has returned.
+    // Waits until the callback has returned, so that `fill_` is not called on a destroyed object.
     if (device_ != 0) SDL_CloseAudioDevice(device_);
   }
   SdlAudioDevice(const SdlAudioDevice&) = delete;
@@ -37,9 +37,9 @@ class SdlAudioDevice : public AudioDevice {
   base::Status open();
 
   int frames_per_second() const override { return options_.frames_per_second; }
-  // One piece is being played while the next one is made.
+  // One block is playing while the next one is mixed.
   int latency_frames() const override { return 2 * frames_at_a_time_; }
-  // SDL stops a device that goes away, and nothing else does.
+  // We never stop the device, so a stopped device means that SDL has lost it.
   bool is_lost() const override { return SDL_GetAudioDeviceStatus(device_) == SDL_AUDIO_STOPPED; }
   std::string describe() const override {
     return fmt::format("{}, {} frames a second, {} at a time", SDL_GetCurrentAudioDriver(),
@@ -47,8 +47,10 @@ class SdlAudioDevice : public AudioDevice {
   }
 
  private:
+  // SDL's callback, on SDL's audio thread. `device` is the SdlAudioDevice.
   static void SDLCALL call_fill(void* device, Uint8* bytes, int size);
 
+  // Members are destroyed in reverse order: the subsystem outlives everything that uses it.
   AudioSubsystem subsystem_;
   AudioOptions options_;
   AudioFill fill_;
@@ -74,6 +76,7 @@ base::Status SdlAudioDevice::open() {
   wanted.samples = static_cast<Uint16>(options_.frames_at_a_time);
   wanted.callback = call_fill;
   wanted.userdata = this;
+  // Only the block size may differ from the request; SDL converts everything else.
   device_ = SDL_OpenAudioDevice(nullptr, 0, &wanted, &got, SDL_AUDIO_ALLOW_SAMPLES_CHANGE);
   if (device_ == 0) return cannot_open();
   frames_at_a_time_ = got.samples;

@@ -1,5 +1,5 @@
-// Sound through SDL2: whatever the system has (PulseAudio, PipeWire, ALSA; SDL_AUDIODRIVER names another, as
-// "dummy" or "disk").
+// Sound output through SDL2, which uses PulseAudio, PipeWire or ALSA. The environment variable
+// SDL_AUDIODRIVER chooses another driver, such as "dummy" or "disk".
 #pragma once
 
 #include <memory>
@@ -10,13 +10,14 @@
 namespace temblor::platform::sdl2 {
 
 struct AudioOptions {
-  // Of what `fill` makes, with two channels; SDL converts to what the device has.
+  // The rate of the frames that `fill` makes. SDL converts them to the device's format.
   int frames_per_second = 48000;
-  // Asked for at a time; a power of two. Less is heard sooner, more is safer on a busy machine.
+  // The number of frames in one call of `fill`, a power of two. Fewer frames lower the latency; more frames
+  // are safer on a busy machine.
   int frames_at_a_time = 512;
 };
 
-// The system's default device, playing from the start. kIo with SDL's reason where there is none.
+// Opens the system's default device, which starts to play at once. Fails with kIo and SDL's reason.
 base::Result<std::unique_ptr<AudioDevice>> open_audio(const AudioOptions& options, AudioFill fill);
 
 }  // namespace temblor::platform::sdl2

@@ -8,9 +8,11 @@
 namespace temblor::platform::sdl2 {
 namespace {
 
-// Pulled at the one, let go at the other, so that a finger that trembles does not fire.
-constexpr float kPulled = 0.5f, kLetGo = 0.4f;
+// A trigger is pressed at the first value and released at the second. The difference is a hysteresis, so that
+// a trembling finger does not press it again and again.
+constexpr float kPressValue = 0.5f, kReleaseValue = 0.4f;
 
+// Returns nothing for the triggers, which act as keys.
 std::optional<PadAxis> stick_axis(int axis) {
   switch (axis) {
     case SDL_CONTROLLER_AXIS_LEFTX:
@@ -38,7 +40,7 @@ void Gamepads::take(const SDL_Event& event, double time_s, std::vector<InputEven
       return move(event.caxis, time_s, io_events);
     case SDL_CONTROLLERBUTTONDOWN:
     case SDL_CONTROLLERBUTTONUP:
-      if (const Key key = key_of(static_cast<SDL_GameControllerButton>(event.cbutton.button));
+      if (const Key key = find_key(static_cast<SDL_GameControllerButton>(event.cbutton.button));
           key != Key::kNone)
         io_events.push_back({time_s, KeyChange{key, event.type == SDL_CONTROLLERBUTTONDOWN}});
       return;
@@ -47,6 +49,8 @@ void Gamepads::take(const SDL_Event& event, double time_s, std::vector<InputEven
   }
 }
 
+// SDL also reports devices that were connected before the start. A device may be reported twice: the second
+// one is ignored.
 void Gamepads::add(int device, double time_s, std::vector<InputEvent>& io_events) {
   Pad pad(SDL_GameControllerOpen(device));
   if (!pad) return;
@@ -62,7 +66,8 @@ void Gamepads::remove(SDL_JoystickID id, double time_s, std::vector<InputEvent>&
   const char* const name = SDL_GameControllerName(found->second.get());
   io_events.push_back({time_s, PadChanged{false, name ? name : "gamepad"}});
   pads_.erase(found);
-  // Its sticks spring back to the middle: nobody would hear of that any more.
+  // A disconnected gamepad sends no more events. Center its sticks and release its triggers here, so that the
+  // player does not keep walking.
   for (std::size_t axis = 0; axis < kPadAxes; ++axis)
     io_events.push_back({time_s, PadAxisMoved{static_cast<PadAxis>(axis), 0}});
   pull_trigger(Key::kPadLeftTrigger, left_trigger_, 0, time_s, io_events);
@@ -81,7 +86,7 @@ void Gamepads::move(const SDL_ControllerAxisEvent& event, double time_s, std::ve
 
 void Gamepads::pull_trigger(Key key, bool& io_pulled, float value, double time_s,
                             std::vector<InputEvent>& io_events) {
-  const bool pulled = value > (io_pulled ? kLetGo : kPulled);
+  const bool pulled = value > (io_pulled ? kReleaseValue : kPressValue);
   if (pulled == io_pulled) return;
   io_pulled = pulled;
   io_events.push_back({time_s, KeyChange{key, pulled}});
@@ -92,6 +97,7 @@ void Gamepads::rumble(float low, float high, double seconds) {
     return static_cast<Uint16>(std::clamp(part, 0.0f, 1.0f) * 65535.0f);
   };
   const auto duration_ms = static_cast<Uint32>(std::clamp(seconds, 0.0, 10.0) * 1000.0);
+  // All gamepads control one player. SDL ignores the call for gamepads without motors.
   for (const auto& [id, pad] : pads_)
     SDL_GameControllerRumble(pad.get(), strength(low), strength(high), duration_ms);
 }

@@ -1,4 +1,4 @@
-// Gamepads that come and go; all of them play for the one player.
+// Gamepads that are connected and disconnected at run time. All of them control the same player.
 #pragma once
 
 #include <SDL.h>
@@ -13,8 +13,9 @@ namespace temblor::platform::sdl2 {
 
 class Gamepads {
  public:
-  // Appends what an SDL event of a gamepad means; nothing for others.
+  // Translates a gamepad event of SDL and appends the result. Ignores all other events.
   void take(const SDL_Event& event, double time_s, std::vector<InputEvent>& io_events);
+  // See Window::rumble().
   void rumble(float low, float high, double seconds);
 
  private:
@@ -26,6 +27,7 @@ class Gamepads {
   void add(int device, double time_s, std::vector<InputEvent>& io_events);
   void remove(SDL_JoystickID id, double time_s, std::vector<InputEvent>& io_events);
   void move(const SDL_ControllerAxisEvent& event, double time_s, std::vector<InputEvent>& io_events);
+  // Turns an analog trigger into a key that is pressed or released; `io_pulled` is its state.
   void pull_trigger(Key key, bool& io_pulled, float value, double time_s, std::vector<InputEvent>& io_events);
 
   std::map<SDL_JoystickID, Pad> pads_;

@@ -6,6 +6,7 @@
 namespace temblor::platform::sdl2 {
 namespace {
 
+// Keys without a character. Both keys of a pair (left and right Shift) are one key for bindings.
 constexpr std::pair<SDL_Scancode, Key> kNamed[] = {
     {SDL_SCANCODE_TAB, Key::kTab},
     {SDL_SCANCODE_RETURN, Key::kEnter},
@@ -109,12 +110,12 @@ constexpr std::array<Key, SDL_NUM_SCANCODES> kKeyboard = [] {
 
 }  // namespace
 
-Key key_of(SDL_Scancode scancode) {
+Key find_key(SDL_Scancode scancode) {
   const auto index = static_cast<std::size_t>(scancode);
   return index < kKeyboard.size() ? kKeyboard[index] : Key::kNone;
 }
 
-Key key_of_mouse_button(int button) {
+Key find_mouse_key(int button) {
   switch (button) {
     case SDL_BUTTON_LEFT:
       return Key::kMouse1;
@@ -137,7 +138,7 @@ Key key_of_mouse_button(int button) {
   }
 }
 
-Key key_of(SDL_GameControllerButton button) {
+Key find_key(SDL_GameControllerButton button) {
   const auto index = static_cast<std::size_t>(button);
   return index < kPadButtons.size() ? kPadButtons[index] : Key::kNone;
 }

@@ -1,4 +1,4 @@
-// SDL's names of keys and buttons to ours.
+// Translates SDL's key and button codes to ours.
 #pragma once
 
 #include <SDL.h>
@@ -7,9 +7,9 @@
 
 namespace temblor::platform::sdl2 {
 
-// kNone for what nothing can be bound to.
-Key key_of(SDL_Scancode scancode);
-Key key_of_mouse_button(int button);
-Key key_of(SDL_GameControllerButton button);
+// All return kNone for codes that commands cannot be bound to.
+Key find_key(SDL_Scancode scancode);
+Key find_mouse_key(int button);
+Key find_key(SDL_GameControllerButton button);
 
 }  // namespace temblor::platform::sdl2

@@ -12,12 +12,13 @@ base::Error sdl_error(const char* what) {
 
 base::Result<Subsystem> Subsystem::start(std::uint32_t flags) {
   SDL_SetMainReady();
-  // Ctrl-C is the program's.
+  // The program handles Ctrl-C itself.
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   if (SDL_InitSubSystem(flags) != 0) return sdl_error("SDL");
   return Subsystem(flags);
 }
 
+// A moved-from value has no flags and stops nothing.
 Subsystem::Subsystem(Subsystem&& other) noexcept : flags_(std::exchange(other.flags_, 0)) {}
 
 Subsystem& Subsystem::operator=(Subsystem&& other) noexcept {

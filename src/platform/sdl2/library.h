@@ -1,4 +1,5 @@
-// SDL's subsystems, kept up while somebody needs them.
+// The lifetime of SDL's subsystems (video, audio, gamepads) as values. SDL counts how often each was started
+// and stops it after the last one.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +8,10 @@
 
 namespace temblor::platform::sdl2 {
 
+// Keeps the subsystems of `flags` running while it lives.
 class Subsystem {
  public:
-  // SDL_INIT_VIDEO and so on. Any number of them may be kept at a time.
+  // Starts subsystems: SDL_INIT_VIDEO and so on, combined by `|`. Fails with kIo and SDL's reason.
   static base::Result<Subsystem> start(std::uint32_t flags);
   Subsystem(Subsystem&& other) noexcept;
   Subsystem& operator=(Subsystem&& other) noexcept;
@@ -20,7 +22,7 @@ class Subsystem {
   std::uint32_t flags_;
 };
 
-// kIo, with SDL's own reason.
+// Makes a kIo error from SDL's last error. `what` is the operation that failed.
 base::Error sdl_error(const char* what);
 
 }  // namespace temblor::platform::sdl2

@@ -17,21 +17,23 @@ struct FreeSurface {
 };
 using Surface = std::unique_ptr<SDL_Surface, FreeSurface>;
 
-// SDL reads through it only.
-Surface view_of(const Picture& picture) {
+// Wraps the picture's pixels in a surface without a copy. SDL only reads from it, so the const_cast is safe.
+Surface wrap_picture(const Picture& picture) {
   return Surface(SDL_CreateRGBSurfaceWithFormatFrom(
       const_cast<std::uint32_t*>(picture.pixels.data()), picture.size.width, picture.size.height, 32,
       picture.size.width * static_cast<int>(sizeof(std::uint32_t)), SDL_PIXELFORMAT_RGB888));
 }
 
+// Copies each picture into the window's surface, and stretches it there if the sizes differ.
 class SurfacePresenter : public PicturePresenter {
  public:
   explicit SurfacePresenter(SDL_Window* window) : window_(window) {}
 
   base::Status present(const Picture& picture, base::Jobs& jobs) override {
-    // SDL keeps it, and makes a new one when the window's size has changed.
+    // SDL owns the surface and replaces it when the window's size changes, so ask for it in every frame.
     SDL_Surface* const surface = SDL_GetWindowSurface(window_);
     if (surface == nullptr) return sdl_error("the window's surface");
+    // Same size and pixel format: plain copies of rows are enough.
     const bool is_same = surface->w == picture.size.width && surface->h == picture.size.height &&
                          surface->format->BytesPerPixel == sizeof(std::uint32_t) &&
                          surface->format->Rmask == 0xff0000 && surface->format->Bmask == 0xff;
@@ -43,12 +45,14 @@ class SurfacePresenter : public PicturePresenter {
     return base::Ok{};
   }
 
-  void set_vsync(bool) override {}  // a surface is shown when the display's compositor comes to it
+  // A surface has no vsync of its own: the display's compositor shows it with its next frame.
+  void set_vsync(bool) override {}
   std::string describe() const override {
     return fmt::format("{}, shared memory", SDL_GetCurrentVideoDriver());
   }
 
  private:
+  // Copies a picture of the window's size. Each job copies a slice of rows.
   static void copy_rows(const Picture& picture, base::Jobs& jobs, SDL_Surface& io_surface) {
     const auto width = static_cast<std::size_t>(picture.size.width);
     const auto height = static_cast<std::size_t>(picture.size.height);
@@ -62,8 +66,9 @@ class SurfacePresenter : public PicturePresenter {
   }
 
   bool draw_scaled(const Picture& picture, SDL_Surface* io_surface) {
-    const Surface source = view_of(picture);
+    const Surface source = wrap_picture(picture);
     if (!source) return false;
+    // The linear filter needs equal pixel formats on both sides.
     if (io_surface->format->format == SDL_PIXELFORMAT_RGB888)
       return SDL_SoftStretchLinear(source.get(), nullptr, io_surface, nullptr) == 0;
     return SDL_BlitScaled(source.get(), nullptr, io_surface, nullptr) == 0;
@@ -79,12 +84,14 @@ struct DestroyTexture {
   void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
 };
 
+// Uploads each picture into a texture and lets SDL's renderer stretch it over the window.
 class RendererPresenter : public PicturePresenter {
  public:
   explicit RendererPresenter(std::unique_ptr<SDL_Renderer, DestroyRenderer> renderer)
       : renderer_(std::move(renderer)) {}
 
   base::Status present(const Picture& picture, base::Jobs&) override {
+    // The texture is made again only when the resolution of the pictures changes.
     if (!texture_ || size_ != picture.size) {
       SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
       texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING,
@@ -113,7 +120,8 @@ class RendererPresenter : public PicturePresenter {
   PixelSize size_;
 };
 
-// SDL calls every OpenGL accelerated, Mesa's renderers on the processor included.
+// SDL reports every OpenGL renderer as accelerated, even Mesa's renderers on the CPU, so the driver's name
+// must tell.
 bool is_software(SDL_Renderer* renderer) {
   SDL_RendererInfo info;
   if (SDL_GetRendererInfo(renderer, &info) != 0 || (info.flags & SDL_RENDERER_ACCELERATED) == 0) return true;
@@ -132,7 +140,7 @@ bool is_software(SDL_Renderer* renderer) {
 }  // namespace
 
 std::unique_ptr<PicturePresenter> make_surface_presenter(SDL_Window* window) {
-  // Otherwise SDL may put the surface on a texture of a renderer in software.
+  // Without this hint, SDL may implement the surface by a texture of a software renderer, which is slower.
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   if (SDL_GetWindowSurface(window) == nullptr) return nullptr;
   return std::make_unique<SurfacePresenter>(window);

@@ -1,4 +1,9 @@
-// The two ways from a finished picture to the screen.
+// The two ways to bring a finished picture to the screen.
+//
+//   surface:   picture --scale on the CPU--> memory shared with the window --> display
+//   renderer:  picture --copy--> texture --scale by SDL's renderer (GPU)--> display
+//
+// The surface needs no graphics driver; the renderer scales without CPU time and can wait for vsync.
 #pragma once
 
 #include <SDL.h>
@@ -18,9 +23,10 @@ class PicturePresenter {
   virtual std::string describe() const = 0;
 };
 
-// Through the window's own surface; null where the display gives none, as Wayland by SDL 2.
+// Presents through the window's surface. Returns null if the display has none: Wayland with SDL 2.
 std::unique_ptr<PicturePresenter> make_surface_presenter(SDL_Window* window);
-// Through the display's renderer; null where it is missing, or is software and `hardware_only`.
+// Presents through SDL's renderer. Returns null if there is none, or if it is a software renderer and
+// `hardware_only` is set.
 std::unique_ptr<PicturePresenter> make_renderer_presenter(SDL_Window* window, bool hardware_only);
 
 }  // namespace temblor::platform::sdl2

@@ -19,7 +19,8 @@ struct DestroyWindow {
 };
 using WindowHandle = std::unique_ptr<SDL_Window, DestroyWindow>;
 
-int known_display(int wished) {
+// Falls back to the first display: settings may come from a time when more were connected.
+int find_display(int wished) {
   return wished >= 0 && wished < SDL_GetNumVideoDisplays() ? wished : 0;
 }
 
@@ -58,10 +59,12 @@ class SdlWindow : public Window {
   std::string describe() const override { return presenter_->describe(); }
 
  private:
+  // Translates one SDL event and appends the result, if any.
   void take(const SDL_Event& event, double time_s, std::vector<InputEvent>& io_events);
   void take_pointer(int x, int y, double time_s, std::vector<InputEvent>& io_events) const;
   base::Status set_mode(const WindowSettings& settings);
 
+  // Members are destroyed in reverse order: the presenter before its window, the window before SDL.
   Subsystem subsystem_;
   WindowHandle window_;
   std::unique_ptr<PicturePresenter> presenter_;
@@ -77,7 +80,8 @@ base::Status SdlWindow::apply(const WindowSettings& settings) {
 
 base::Status SdlWindow::set_mode(const WindowSettings& settings) {
   SDL_Window* const window = window_.get();
-  const int display = known_display(settings.display);
+  const int display = find_display(settings.display);
+  // A full-screen window cannot change its size or display, so leave full screen first.
   if (settings.mode != WindowMode::kFullScreen || SDL_GetWindowDisplayIndex(window) != display) {
     if (SDL_SetWindowFullscreen(window, 0) != 0) return sdl_error("leaving full screen");
     if (SDL_GetWindowDisplayIndex(window) != display) {
@@ -92,12 +96,12 @@ base::Status SdlWindow::set_mode(const WindowSettings& settings) {
   if (settings.mode == WindowMode::kBorderless)
     return SDL_SetWindowFullscreen(window, SDL_WINDOW_FULLSCREEN_DESKTOP) == 0
                ? base::Status(base::Ok{})
-               : sdl_error("full screen without a border");
+               : sdl_error("borderless full screen");
   const SDL_DisplayMode wished{SDL_PIXELFORMAT_UNKNOWN, settings.size.width, settings.size.height, 0,
                                nullptr};
   SDL_DisplayMode mode;
   if (SDL_GetClosestDisplayMode(display, &wished, &mode) == nullptr)
-    // None so large, as on another display than the settings were made for: all of this one.
+    // The display has no mode that large, because the settings were made for another one. Use its own mode.
     return SDL_SetWindowFullscreen(window, SDL_WINDOW_FULLSCREEN_DESKTOP) == 0 ? base::Status(base::Ok{})
                                                                                : sdl_error("full screen");
   if (SDL_SetWindowDisplayMode(window, &mode) != 0 ||
@@ -116,7 +120,7 @@ void SdlWindow::take(const SDL_Event& event, double time_s, std::vector<InputEve
   switch (event.type) {
     case SDL_KEYDOWN:
     case SDL_KEYUP:
-      if (const Key key = key_of(event.key.keysym.scancode); key != Key::kNone)
+      if (const Key key = find_key(event.key.keysym.scancode); key != Key::kNone)
         add(KeyChange{key, event.type == SDL_KEYDOWN, event.key.repeat != 0});
       return;
     case SDL_TEXTINPUT:
@@ -124,10 +128,12 @@ void SdlWindow::take(const SDL_Event& event, double time_s, std::vector<InputEve
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
       if (!captured_) take_pointer(event.button.x, event.button.y, time_s, io_events);
-      if (const Key key = key_of_mouse_button(event.button.button); key != Key::kNone)
+      if (const Key key = find_mouse_key(event.button.button); key != Key::kNone)
         add(KeyChange{key, event.type == SDL_MOUSEBUTTONDOWN});
       return;
     case SDL_MOUSEWHEEL: {
+      // Each step of the wheel is a key that is pressed and released, so that commands can be bound to it. A
+      // device may report any number of steps; the limit bounds the events of one poll.
       const int up = event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -event.wheel.y : event.wheel.y;
       for (int i = 0; i < std::min(std::abs(up), 16); ++i) {
         add(KeyChange{up > 0 ? Key::kWheelUp : Key::kWheelDown, true});
@@ -170,7 +176,7 @@ void SdlWindow::capture_mouse(bool captured) {
   if (captured == captured_) return;
   captured_ = captured;
   SDL_SetRelativeMouseMode(captured ? SDL_TRUE : SDL_FALSE);
-  // What it was moved before does not count.
+  // Drop movement from before the change: it would turn the view.
   SDL_GetRelativeMouseState(nullptr, nullptr);
   SDL_FlushEvent(SDL_MOUSEMOTION);
 }
@@ -205,27 +211,31 @@ std::vector<PixelSize> SdlWindow::full_screen_sizes() const {
 
 base::Result<std::unique_ptr<Window>> open_window(const std::string& title, const WindowSettings& settings,
                                                   Presenter presenter) {
+  // In order: keep the desktop's compositor; use raw mouse counts; the click that gives the window the focus
+  // also counts; keep full screen when another window gets the focus.
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SYSTEM_SCALE, "0");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
   TRY(Subsystem subsystem, Subsystem::start(SDL_INIT_VIDEO | SDL_INIT_GAMECONTROLLER));
-  // What SDL falls back to where there is nothing to see.
+  // SDL falls back to these drivers if there is no display. They show nothing, so fail unless the user chose
+  // one.
   const std::string_view driver = SDL_GetCurrentVideoDriver();
   const bool is_wanted = std::getenv("SDL_VIDEODRIVER") != nullptr;
   if (!is_wanted && (driver == "offscreen" || driver == "dummy" || driver == "evdev"))
-    return base::error(base::ErrorCode::kNotFound, "neither X11 nor Wayland");
-  const int place = static_cast<int>(
-      SDL_WINDOWPOS_CENTERED_DISPLAY(static_cast<unsigned>(known_display(settings.display))));
+    return base::error(base::ErrorCode::kNotFound, "no X11 or Wayland display");
+  const int place =
+      static_cast<int>(SDL_WINDOWPOS_CENTERED_DISPLAY(static_cast<unsigned>(find_display(settings.display))));
   WindowHandle window(SDL_CreateWindow(title.c_str(), place, place, settings.size.width, settings.size.height,
                                        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
   if (!window) return sdl_error("opening a window");
+  // A renderer on hardware, then shared memory, then any renderer (Wayland without graphics hardware).
   std::unique_ptr<PicturePresenter> pictures;
   if (presenter != Presenter::kSharedMemory)
     pictures = make_renderer_presenter(window.get(), presenter == Presenter::kAuto);
   if (!pictures) pictures = make_surface_presenter(window.get());
   if (!pictures) pictures = make_renderer_presenter(window.get(), false);
-  if (!pictures) return sdl_error("the window takes no pictures");
+  if (!pictures) return sdl_error("showing pictures in the window");
   auto opened = std::make_unique<SdlWindow>(std::move(subsystem), std::move(window), std::move(pictures));
   TRY_STATUS(opened->apply(settings));
   return std::unique_ptr<Window>(std::move(opened));

@@ -1,4 +1,4 @@
-// A window by SDL2: X11, Wayland and what else it knows.
+// A window on a display of SDL2: X11, Wayland and others.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,12 @@
 
 namespace temblor::platform::sdl2 {
 
-// How pictures are handed over. kAuto: through the display's renderer where that is real hardware, which
-// scales for nothing and waits for the screen; else through memory that the window shares, for a renderer in
-// software would cost more than the frame.
+// How pictures reach the window (presenters.h). kAuto uses the renderer if it is hardware, because it scales
+// at no cost to us and supports vsync. Otherwise it uses shared memory: a software renderer would take more
+// time than our frame.
 enum class Presenter { kAuto, kSharedMemory, kRenderer };
 
-// Fails where there is no display.
+// Opens a window. Fails if there is no display.
 base::Result<std::unique_ptr<Window>> open_window(const std::string& title, const WindowSettings& settings,
                                                   Presenter presenter = Presenter::kAuto);
 

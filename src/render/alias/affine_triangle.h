@@ -1,12 +1,21 @@
-// One triangle, scan line by scan line. Not for kernels that are compiled for several processors: it has
-// function bodies.
+// Rasterizes one triangle, scan line by scan line: the scalar reference. Not to be included in kernels that
+// are compiled for several processors, because it has function bodies.
 //
-// Method: what is covered is found in whole numbers. Corners lie at multiples of 1/256 pixel, so the pixel at
-// which a row begins to lie right of an edge is the quotient of two whole numbers below 2^53, rounded up, and
-// a double's division finds it exactly. A pixel's center on a left or top edge is inside, on a right or
-// bottom one outside: triangles that share an edge cover each pixel along it once. Depth, texels and light
-// are linear on the screen, from gradients whose common denominator is the cross product that also tells back
-// faces and degenerate triangles.
+//             top                    Corners lie at multiples of 1/256 pixel. The first pixel right of an
+//             /|                     edge is the quotient of two integers below 2^53, rounded up, and a
+//      whole / | part                division in double finds it exactly.
+//           /  |
+//          /   middle                A pixel whose center is on a left or top edge is inside, one on a right
+//         /  _/                      or bottom edge is outside: triangles that share an edge cover each
+//        / _/  part                  pixel along it exactly once.
+//       /_/
+//      bottom
+//
+// Depth, texels, and light are linear on the screen. Their gradients share a denominator, the cross product
+// of two sides, whose sign also identifies back faces and degenerate triangles.
+//
+// Like stock Quake, small triangles map textures affinely (Abrash, "Quake's 3-D Engine: The Big Picture").
+// Unlike it, triangles for which that would show are drawn in perspective.
 #pragma once
 
 #include <array>
@@ -16,17 +25,17 @@
 
 namespace temblor::render {
 
-// The first pixel of a row that lies right of an edge, row after row.
+// Steps along an edge: for each row, the first pixel whose center is not left of the edge.
 class EdgeColumns {
  public:
-  // From the upper to the lower end, which is lower by at least one step. `row` is the first one asked for.
+  // `lower` must be at least one step below `upper`. `row` is the first row that next() is called for.
   EdgeColumns(const ScreenVertex& upper, const ScreenVertex& lower, std::int32_t row) {
     const std::int64_t dx = std::int64_t{lower.x} - upper.x, dy = std::int64_t{lower.y} - upper.y;
     numerator_ = static_cast<double>(upper.x * dy + (std::int64_t{row} * kSubpixels - upper.y) * dx);
     step_ = static_cast<double>(dx * kSubpixels);
     denominator_ = static_cast<double>(dy * kSubpixels);
   }
-  // Cut off at 0 and at `width`.
+  // Clamped to 0 and `width`.
   std::int32_t next(double width) {
     double quotient = numerator_ / denominator_;
     numerator_ += step_;
@@ -40,43 +49,44 @@ class EdgeColumns {
   double numerator_, step_, denominator_;
 };
 
-// Linear over the screen, known at one corner.
+// A linear function over the screen, given by its value at the triangle's first corner.
 struct ScreenGradient {
-  double at_corner, dx, dy;  // a pixel
+  double at_corner, dx, dy;  // dx, dy: per pixel
 };
 
-// What is interpolated over a triangle: depth, light and texels; in perspective s and t are times depth.
+// What is interpolated over a triangle. In perspective, s and t are multiplied by depth.
 struct TriangleGradients {
   ScreenGradient depth, light, s, t;
   bool perspective;
   double corner_x, corner_y;  // pixels
 };
 
-// A run of pixels in one row.
-struct TriangleRun {
+// The pixels of a triangle in one row.
+struct TriangleSpan {
   std::int32_t x, y, count;
   float depth, light, s, t;  // at its first pixel
   float depth_step, light_step, s_step, t_step;
   bool perspective;
 };
 
+// Whether affine texels would be off by more than kAffineErrorTexels.
 inline bool needs_perspective(const ScreenVertex* const corner[3], const TexelPoint* const texel[3]) {
-  const auto range = [](float a, float b, float c, float& out_least) {
+  const auto range = [](float a, float b, float c, float& out_min) {
     const float least = a < b ? (a < c ? a : c) : (b < c ? b : c);
     const float most = a > b ? (a > c ? a : c) : (b > c ? b : c);
-    out_least = least;
+    out_min = least;
     return most - least;
   };
   float farthest, unused;
   const float depth_range = range(corner[0]->depth, corner[1]->depth, corner[2]->depth, farthest);
   const float s_range = range(texel[0]->s, texel[1]->s, texel[2]->s, unused);
   const float t_range = range(texel[0]->t, texel[1]->t, texel[2]->t, unused);
-  // Halfway between two ends whose nearness has the ratio r, an affine coordinate is off by about (r - 1) / 4
-  // of its range.
+  // Halfway between two points whose 1/z has the ratio r, an affine coordinate is off by about (r - 1) / 4 of
+  // its range.
   return (s_range > t_range ? s_range : t_range) * depth_range > 4 * kAffineErrorTexels * farthest;
 }
 
-// `cross` is positive: twice the area, in steps of 1/kSubpixels squared.
+// `cross` must be positive: twice the area, in squared subpixels.
 inline TriangleGradients triangle_gradients(const ScreenVertex* const corner[3],
                                             const TexelPoint* const texel[3], double cross,
                                             bool perspective) {
@@ -101,8 +111,8 @@ inline TriangleGradients triangle_gradients(const ScreenVertex* const corner[3],
   return gradients;
 }
 
-inline TriangleRun run_at(const TriangleGradients& gradients, std::int32_t x, std::int32_t y,
-                          std::int32_t count) {
+inline TriangleSpan span_at(const TriangleGradients& gradients, std::int32_t x, std::int32_t y,
+                            std::int32_t count) {
   const double from_x = x - gradients.corner_x, from_y = y - gradients.corner_y;
   const auto at = [&](const ScreenGradient& g) {
     return static_cast<float>(g.at_corner + g.dx * from_x + g.dy * from_y);
@@ -121,13 +131,13 @@ inline TriangleRun run_at(const TriangleGradients& gradients, std::int32_t x, st
           gradients.perspective};
 }
 
-// Nearness in view is never as little; rounding may bring it there.
+// 1/z is larger on visible triangles, but rounding may bring it to 0: divisions use at least this.
 constexpr float kMinDepth = 1e-20f;
 
-// The palette index that a pixel of the run shows.
-inline std::uint8_t skin_texel(const TriangleJob& job, const TriangleRun& run, float lane, float depth) {
-  float s = run.s + lane * run.s_step, t = run.t + lane * run.t_step;
-  if (run.perspective) {
+// The palette index that a pixel of the span shows.
+inline std::uint8_t skin_texel(const TriangleJob& job, const TriangleSpan& span, float lane, float depth) {
+  float s = span.s + lane * span.s_step, t = span.t + lane * span.t_step;
+  if (span.perspective) {
     const float z = 1.0f / (depth > kMinDepth ? depth : kMinDepth);
     s *= z;
     t *= z;
@@ -140,23 +150,23 @@ inline std::uint8_t skin_texel(const TriangleJob& job, const TriangleRun& run, f
   return job.skin[inside(t, job.skin_height) * job.skin_width + inside(s, job.skin_width)];
 }
 
-inline std::int32_t run_light(const TriangleRun& run, float lane, float most) {
-  const float light = run.light + lane * run.light_step;
+inline std::int32_t span_light(const TriangleSpan& span, float lane, float most) {
+  const float light = span.light + lane * span.light_step;
   const float bounded = light < most ? light : most;
   return static_cast<std::int32_t>(bounded > 0 ? bounded : 0);
 }
 
-// What a texel shows as under light.
-inline std::uint8_t lit_texel(const TriangleJob& job, std::uint8_t texel, const TriangleRun& run, float lane,
-                              std::uint8_t) {
-  const std::int32_t light = run_light(run, lane, kDarkestRow);
+// A lit texel. The last parameter only selects the overload for the pixel format.
+inline std::uint8_t lit_texel(const TriangleJob& job, std::uint8_t texel, const TriangleSpan& span,
+                              float lane, std::uint8_t) {
+  const std::int32_t light = span_light(span, lane, kDarkestRow);
   return static_cast<const std::uint8_t*>(job.colors)[(light & ~255) + texel];
 }
-inline std::uint32_t lit_texel(const TriangleJob& job, std::uint8_t texel, const TriangleRun& run, float lane,
-                               std::uint32_t) {
+inline std::uint32_t lit_texel(const TriangleJob& job, std::uint8_t texel, const TriangleSpan& span,
+                               float lane, std::uint32_t) {
   const std::uint32_t color = static_cast<const std::uint32_t*>(job.colors)[texel];
   if (color >> 24 == 0) return color | 0xff000000u;
-  const std::int32_t light = run_light(run, lane, kBrightestLight);
+  const std::int32_t light = span_light(span, lane, kBrightestLight);
   std::uint32_t lit = 0xff000000u;
   for (int channel = 0; channel < 3; ++channel) {
     const int shift = 16 - 8 * channel;
@@ -167,11 +177,11 @@ inline std::uint32_t lit_texel(const TriangleJob& job, std::uint8_t texel, const
   return lit;
 }
 
-// Calls draw_run(run) for each row of the triangle that has pixels, from top to bottom; not at all for one
-// that shows its back or has no area.
-template <typename DrawRun>
+// Calls draw_span(span) for each row in which the triangle has pixels, from top to bottom. Never calls it for
+// back faces and triangles without area.
+template <typename DrawSpan>
 void draw_affine_triangle(const TriangleJob& job, std::size_t number, const TriangleTarget& target,
-                          DrawRun draw_run) {
+                          DrawSpan draw_span) {
   const std::uint32_t* index = job.triangles + number * 3;
   const ScreenVertex* const corner[3] = {job.vertices + index[0], job.vertices + index[1],
                                          job.vertices + index[2]};
@@ -180,7 +190,8 @@ void draw_affine_triangle(const TriangleJob& job, std::size_t number, const Tria
       (std::int64_t{corner[2]->x} - corner[0]->x) * (std::int64_t{corner[1]->y} - corner[0]->y);
   if (cross <= 0) return;
 
-  // Corners from the top; a swap turns the way they go round.
+  // Sorts the corners from top to bottom. Each swap reverses their orientation, which tells on which side of
+  // the long edge the middle corner is.
   const ScreenVertex *top = corner[0], *middle = corner[1], *bottom = corner[2];
   bool middle_is_right = true;
   const auto order = [&](const ScreenVertex*& io_upper, const ScreenVertex*& io_lower) {
@@ -217,7 +228,7 @@ void draw_affine_triangle(const TriangleJob& job, std::size_t number, const Tria
     for (std::int32_t y = begin; y < end; ++y) {
       const std::int32_t a = whole.next(width), b = part.next(width);
       const std::int32_t begin_x = middle_is_right ? a : b, end_x = middle_is_right ? b : a;
-      if (begin_x < end_x) draw_run(run_at(gradients, begin_x, y, end_x - begin_x));
+      if (begin_x < end_x) draw_span(span_at(gradients, begin_x, y, end_x - begin_x));
     }
   };
   if (first < turn) draw_rows(first, turn, EdgeColumns(*top, *middle, first));

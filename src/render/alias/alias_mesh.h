@@ -1,5 +1,9 @@
-// What an AliasModel holds: a mesh laid out for drawing. Vertices on the skin's seam that both sides use are
-// there twice, so that every vertex has one place on the skin; vertices that no triangle uses are gone.
+// The contents of an AliasModel: a mesh laid out for drawing. Vertices on the seam of the skin that are used
+// on both of its sides are stored twice, so that every vertex has one skin position. Unused vertices are
+// dropped.
+//
+//   MDL:   vertex + "on seam"; triangle + "faces front"   (back triangles add half the skin's width to s)
+//   here:  vertex = position, normal, one skin position;  triangle = three vertices
 #pragma once
 
 #include <array>
@@ -18,31 +22,34 @@ namespace temblor::render {
 // Clockwise seen from outside.
 using MeshTriangle = std::array<std::uint32_t, 3>;
 
-// A frame or a skin: `count` members from `first` on, which end at end_times_s (empty: it is no group).
+// A frame or a skin: `count` members from number `first` on. For a group, end_times_s holds the time at which
+// each member ends; otherwise it is empty.
 struct AnimatedMembers {
   std::uint32_t first = 0, count = 1;
   std::vector<float> end_times_s;
 };
 
-// Four rows of `vertices_a_row` bytes: x, y, z, and the number of the normal.
+// One pose: four rows of `vertices_per_row` bytes, with x, y, z, and the index of the normal. Rows instead of
+// records, so that kernels load a vector of each.
 struct PoseBytes {
   const std::uint8_t *x, *y, *z, *normals;
 };
 
+// The mesh with its poses and skins. A vertex's position in model space is bytes * scale + origin.
 struct AliasModel {
-  // Rows of vertices are a multiple of this long, filled up with the last vertex: kernels take that many.
+  // Row lengths are multiples of this: kernels process so many vertices at once. The last vertex is repeated.
   static constexpr std::size_t kRowMultiple = 16;
 
   std::string name;
   std::uint32_t flags = 0;  // formats::MdlFlags
   bool random_phase = false;
   math::Bounds bounds;  // of all poses, model space
-  // position = bytes * scale + origin
   math::Vec3 scale{1.0f}, origin{0.0f};
 
-  std::size_t vertex_count = 0;    // at least 1
-  std::size_t vertices_a_row = 0;  // vertex_count, rounded up to kRowMultiple
-  std::vector<TexelPoint> texels;  // by vertex: middles of texels, inside the skin
+  std::size_t vertex_count = 0;      // at least 1
+  std::size_t vertices_per_row = 0;  // vertex_count, rounded up to kRowMultiple
+  // By vertex; centers of texels, inside the skin.
+  std::vector<TexelPoint> texels;
   std::vector<MeshTriangle> triangles;
   float mean_side = 0;              // of the triangles, in units, in the first pose
   std::vector<std::uint8_t> poses;  // pose by pose, as PoseBytes has it
@@ -53,11 +60,11 @@ struct AliasModel {
   std::vector<AnimatedMembers> skins;
 
   PoseBytes pose(PoseIndex index) const {
-    const std::uint8_t* first = poses.data() + base::to_size(index) * 4 * vertices_a_row;
-    return {first, first + vertices_a_row, first + 2 * vertices_a_row, first + 3 * vertices_a_row};
+    const std::uint8_t* first = poses.data() + base::to_size(index) * 4 * vertices_per_row;
+    return {first, first + vertices_per_row, first + 2 * vertices_per_row, first + 3 * vertices_per_row};
   }
-  std::size_t pose_count() const { return poses.size() / (4 * vertices_a_row); }
-  // What skin_at() returned.
+  std::size_t pose_count() const { return poses.size() / (4 * vertices_per_row); }
+  // `number` is a result of skin_at().
   const std::uint8_t* skin_picture(std::uint32_t number) const {
     return skin_texels.data() + number * picture_bytes();
   }

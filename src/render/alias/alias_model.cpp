@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
-// Gives every vertex that a triangle uses its number in the mesh, one for each side of the skin it is used
-// on.
+// Numbers the vertices of the mesh: one for each vertex of the file and side of the skin that a triangle
+// uses.
 class VertexSplitter {
  public:
   VertexSplitter(const formats::Mdl& mdl, AliasModel& io_model)
@@ -25,17 +25,17 @@ class VertexSplitter {
     for (const formats::MdlTriangle& triangle : mdl_.triangles) {
       MeshTriangle& split = model_.triangles.emplace_back();
       for (std::size_t corner = 0; corner < 3; ++corner)
-        split[corner] = number_of(triangle.vertices[corner], triangle.faces_front);
+        split[corner] = mesh_vertex(triangle.vertices[corner], triangle.faces_front);
     }
-    // A model without triangles draws nothing; its rows still hold something.
-    if (sources_.empty()) number_of(0, true);
+    // A model without triangles draws nothing, but rows must not be empty.
+    if (sources_.empty()) mesh_vertex(0, true);
   }
 
-  // The vertex of the file that each of the mesh stands for.
+  // By vertex of the mesh: the file's vertex that it comes from.
   const std::vector<std::uint32_t>& sources() const { return sources_; }
 
  private:
-  std::uint32_t number_of(std::uint32_t vertex, bool front) {
+  std::uint32_t mesh_vertex(std::uint32_t vertex, bool front) {
     const formats::MdlTexel& texel = mdl_.texels[vertex];
     const bool shifted = texel.on_seam && !front;
     std::uint32_t& number = numbers_[vertex][shifted ? 1 : 0];
@@ -58,9 +58,10 @@ class VertexSplitter {
   std::vector<std::uint32_t> sources_;
 };
 
+// Fills the padding at the end of each row with the last vertex.
 void append_pose(const formats::MdlPose& pose, const std::vector<std::uint32_t>& sources,
                  AliasModel& io_model) {
-  const std::size_t row = io_model.vertices_a_row;
+  const std::size_t row = io_model.vertices_per_row;
   const std::size_t first = io_model.poses.size();
   io_model.poses.resize(first + 4 * row);
   std::uint8_t* out = io_model.poses.data() + first;
@@ -71,7 +72,8 @@ void append_pose(const formats::MdlPose& pose, const std::vector<std::uint32_t>&
   }
 }
 
-math::Bounds bounds_of_poses(const AliasModel& model) {
+// Of all poses, from the extremes of their bytes.
+math::Bounds compute_bounds(const AliasModel& model) {
   std::array<std::uint8_t, 3> least{255, 255, 255}, most{0, 0, 0};
   for (std::size_t number = 0; number < model.pose_count(); ++number) {
     const PoseBytes pose = model.pose(base::to_index<PoseIndex>(number));
@@ -90,7 +92,8 @@ math::Bounds bounds_of_poses(const AliasModel& model) {
   return {glm::min(a, b), glm::max(a, b)};
 }
 
-float mean_side(const AliasModel& model) {
+// Of the first pose; decides between rasterizers, so an estimate is enough.
+float compute_mean_side(const AliasModel& model) {
   const PoseBytes pose = model.pose(PoseIndex{0});
   const auto position = [&](std::uint32_t i) {
     return math::Vec3d(pose.x[i], pose.y[i], pose.z[i]) * math::Vec3d(model.scale);
@@ -103,10 +106,11 @@ float mean_side(const AliasModel& model) {
 }
 
 std::uint32_t member_at(const AnimatedMembers& members, double time_s) {
-  const std::size_t member = formats::group_member_at(members.end_times_s, time_s);
+  const std::size_t member = formats::find_group_member(members.end_times_s, time_s);
   return members.first + static_cast<std::uint32_t>(std::min<std::size_t>(member, members.count - 1));
 }
 
+// Numbers that do not exist select number 0.
 const AnimatedMembers& numbered(const std::vector<AnimatedMembers>& all, std::uint32_t number) {
   return all[number < all.size() ? number : 0];
 }
@@ -129,8 +133,8 @@ std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std:
   VertexSplitter splitter(mdl, *model);
   splitter.split();
   model->vertex_count = splitter.sources().size();
-  model->vertices_a_row = (model->vertex_count + AliasModel::kRowMultiple - 1) / AliasModel::kRowMultiple *
-                          AliasModel::kRowMultiple;
+  model->vertices_per_row = (model->vertex_count + AliasModel::kRowMultiple - 1) / AliasModel::kRowMultiple *
+                            AliasModel::kRowMultiple;
   std::uint32_t pose_count = 0;
   for (const formats::MdlFrame& frame : mdl.frames) {
     const auto count = static_cast<std::uint32_t>(frame.poses.size());
@@ -138,8 +142,8 @@ std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std:
     pose_count += count;
     for (const formats::MdlPose& pose : frame.poses) append_pose(pose, splitter.sources(), *model);
   }
-  model->bounds = bounds_of_poses(*model);
-  model->mean_side = mean_side(*model);
+  model->bounds = compute_bounds(*model);
+  model->mean_side = compute_mean_side(*model);
 
   std::uint32_t picture_count = 0;
   for (const formats::MdlSkin& skin : mdl.skins) {
@@ -160,11 +164,11 @@ std::uint32_t skin_at(const AliasModel& model, std::uint32_t skin, double time_s
   return member_at(numbered(model.skins, skin), time_s);
 }
 
-std::uint32_t flags_of(const AliasModel& model) {
+std::uint32_t find_model_flags(const AliasModel& model) {
   return model.flags;
 }
 
-bool random_phase_of(const AliasModel& model) {
+bool has_random_phase(const AliasModel& model) {
   return model.random_phase;
 }
 
@@ -176,11 +180,11 @@ std::uint32_t skin_count(const AliasModel& model) {
   return static_cast<std::uint32_t>(model.skins.size());
 }
 
-const std::string& name_of(const AliasModel& model) {
+const std::string& model_name(const AliasModel& model) {
   return model.name;
 }
 
-const math::Bounds& bounds_of(const AliasModel& model) {
+const math::Bounds& model_bounds(const AliasModel& model) {
   return model.bounds;
 }
 

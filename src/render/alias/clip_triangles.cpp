@@ -8,16 +8,18 @@ namespace temblor::render {
 
 namespace {
 
-// Sides are clipped well inside of what can be projected, and far out of the picture.
+// The sides are clipped far outside the picture, but well inside the range of coordinates that can be
+// projected.
 constexpr double kClipPixels = kGuardPixels / 2;
 constexpr std::size_t kPlanes = 5;
-// Three corners and one more for each plane.
+// A triangle has three corners, and each plane adds at most one.
 constexpr std::size_t kMaxCorners = 3 + kPlanes;
 
+// A vertex with everything that is interpolated along an edge.
 struct Corner {
   math::Vec3d view;
   double light, s, t;
-  std::uint32_t vertex;  // of the mesh, when it is one
+  std::uint32_t vertex;  // the mesh's vertex, or kNew
   static constexpr std::uint32_t kNew = 0xffffffff;
 };
 
@@ -32,14 +34,15 @@ struct Polygon {
   void add(const Corner& corner) { corners[count++] = corner; }
 };
 
+// Clips polygons against one plane at a time (Sutherland and Hodgman), in view space.
 class Clipper {
  public:
   Clipper(const ViewFrame& view, const AliasPlacement& placement, const ProjectedMesh& mesh,
-          std::int32_t steps_a_pixel, base::Arena& arena)
+          std::int32_t steps_per_pixel, base::Arena& arena)
       : view_(view),
         placement_(placement),
         mesh_(mesh),
-        steps_a_pixel_(steps_a_pixel),
+        steps_per_pixel_(steps_per_pixel),
         vertices_(arena, mesh.vertices.size() + 64),
         texels_(arena, mesh.vertices.size() + 64),
         triangles_(arena, mesh.triangles.size() + 64),
@@ -49,7 +52,7 @@ class Clipper {
     for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
       vertices_.push_back(mesh_.vertices[i]);
       texels_.push_back(mesh_.texels[i]);
-      codes_[i] = code_of(position(i));
+      codes_[i] = clip_code(position(i));
     }
     for (const MeshTriangle& triangle : mesh_.triangles) {
       const std::uint8_t a = codes_[triangle[0]], b = codes_[triangle[1]], c = codes_[triangle[2]];
@@ -65,7 +68,7 @@ class Clipper {
  private:
   math::Vec3d position(std::size_t i) const { return {mesh_.view[0][i], mesh_.view[1][i], mesh_.view[2][i]}; }
 
-  // Negative outside of a plane.
+  // The signed distance from a plane, up to a positive factor. Planes: near, left, right, bottom, top.
   double distance(std::size_t plane, const math::Vec3d& p) const {
     const double scale = placement_.pixels_per_unit;
     const double reach = placement_.perspective ? kClipPixels * p.z : kClipPixels;
@@ -83,7 +86,8 @@ class Clipper {
     }
   }
 
-  std::uint8_t code_of(const math::Vec3d& p) const {
+  // One bit for each plane that the point is outside of.
+  std::uint8_t clip_code(const math::Vec3d& p) const {
     unsigned code = 0;
     for (std::size_t plane = 0; plane < kPlanes; ++plane)
       if (distance(plane, p) < 0) code |= 1u << plane;
@@ -98,7 +102,7 @@ class Clipper {
       if ((planes >> plane & 1) != 0) polygon = cut(polygon, plane);
     if (polygon.count < 3) return;
     std::array<std::uint32_t, kMaxCorners> numbers;
-    for (std::size_t i = 0; i < polygon.count; ++i) numbers[i] = number_of(polygon.corners[i]);
+    for (std::size_t i = 0; i < polygon.count; ++i) numbers[i] = emit_vertex(polygon.corners[i]);
     for (std::size_t i = 2; i < polygon.count; ++i)
       triangles_.push_back({numbers[0], numbers[i - 1], numbers[i]});
   }
@@ -110,14 +114,15 @@ class Clipper {
       const Corner& next = polygon.corners[i + 1 < polygon.count ? i + 1 : 0];
       const double d = distance(plane, here.view), d_next = distance(plane, next.view);
       if (d >= 0) kept.add(here);
-      // Always from the inside out, whichever way the triangle goes round.
+      // Always computed from the inner corner, so that both triangles at an edge get the same point.
       if (d >= 0 && d_next < 0) kept.add(between(here, next, d / (d - d_next)));
       if (d < 0 && d_next >= 0) kept.add(between(next, here, d_next / (d_next - d)));
     }
     return kept;
   }
 
-  std::uint32_t number_of(const Corner& corner) {
+  // Projects a new corner like the vertex kernels do, but in double.
+  std::uint32_t emit_vertex(const Corner& corner) {
     if (corner.vertex != Corner::kNew) return corner.vertex;
     double scale = placement_.pixels_per_unit, depth = -corner.view.z;
     if (placement_.perspective) {
@@ -133,13 +138,14 @@ class Clipper {
   }
 
   std::int32_t to_subpixels(double pixels) const {
-    return static_cast<std::int32_t>(std::nearbyint(pixels * steps_a_pixel_)) * (kSubpixels / steps_a_pixel_);
+    return static_cast<std::int32_t>(std::nearbyint(pixels * steps_per_pixel_)) *
+           (kSubpixels / steps_per_pixel_);
   }
 
   const ViewFrame& view_;
   const AliasPlacement& placement_;
   const ProjectedMesh& mesh_;
-  const std::int32_t steps_a_pixel_;
+  const std::int32_t steps_per_pixel_;
   base::ArenaVector<ScreenVertex> vertices_;
   base::ArenaVector<TexelPoint> texels_;
   base::ArenaVector<MeshTriangle> triangles_;
@@ -149,8 +155,8 @@ class Clipper {
 }  // namespace
 
 ClippedMesh clip_triangles(const ViewFrame& view, const AliasPlacement& placement, const ProjectedMesh& mesh,
-                           std::int32_t steps_a_pixel, base::Arena& arena) {
-  return Clipper(view, placement, mesh, steps_a_pixel, arena).clip();
+                           std::int32_t steps_per_pixel, base::Arena& arena) {
+  return Clipper(view, placement, mesh, steps_per_pixel, arena).clip();
 }
 
 }  // namespace temblor::render

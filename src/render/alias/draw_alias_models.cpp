@@ -8,6 +8,7 @@ namespace temblor::render {
 
 namespace {
 
+// Placing is cheap, and it discards most invisible instances before jobs are distributed.
 std::span<const AliasPlacement> place_all(const Scene& scene, const ViewFrame& view, base::Arena& arena) {
   base::ArenaVector<AliasPlacement> placements(arena, scene.alias_models.size() + 1);
   const auto add = [&](const AliasInstance& instance, AliasRole role) {
@@ -19,38 +20,29 @@ std::span<const AliasPlacement> place_all(const Scene& scene, const ViewFrame& v
   return placements.view();
 }
 
-// In runs of instances, each with an arena of its own.
-std::span<const PreparedAlias> prepare_all(const Scene& scene, const Settings& settings,
-                                           const ViewFrame& view, std::span<const AliasPlacement> placements,
-                                           const ColorTables& tables, PixelFormat format, base::Jobs& jobs,
-                                           base::Arena& arena, std::vector<base::Arena>& io_job_arenas) {
-  constexpr std::size_t kRunsAThread = 4;
-  const std::span<PreparedAlias> prepared = arena.allocate<PreparedAlias>(placements.size());
-  const std::size_t threads = static_cast<std::size_t>(jobs.threads());
-  const std::size_t runs = std::min(placements.size(), threads > 1 ? threads * kRunsAThread : 1);
-  if (io_job_arenas.size() < runs) io_job_arenas.resize(runs);
-  jobs.parallel_for(runs, [&](std::size_t run) {
-    base::Arena& own = io_job_arenas[run];
-    own.reset();
-    const std::size_t begin = placements.size() * run / runs, end = placements.size() * (run + 1) / runs;
+}  // namespace
+
+// Each job prepares a range of the instances, in an arena that lives until the frame's end.
+std::span<const PreparedAlias> prepare_alias_models(const FrameContext& context, const ViewFrame& view) {
+  constexpr std::size_t kJobsPerThread = 4;
+  const std::span<const AliasPlacement> placements = place_all(context.scene, view, context.arena());
+  if (placements.empty()) return {};
+  const std::span<PreparedAlias> prepared = context.arena().allocate<PreparedAlias>(placements.size());
+  const std::size_t threads = static_cast<std::size_t>(context.jobs.threads());
+  const std::size_t job_count = std::min(placements.size(), threads > 1 ? threads * kJobsPerThread : 1);
+  std::vector<base::Arena>& arenas = context.arenas.models;
+  FrameArenas::grow(arenas, job_count);
+  context.jobs.parallel_for(job_count, [&](std::size_t job) {
+    arenas[job].reset();
+    const std::size_t begin = placements.size() * job / job_count;
+    const std::size_t end = placements.size() * (job + 1) / job_count;
     for (std::size_t i = begin; i < end; ++i)
-      prepared[i] = prepare_alias(scene, settings, view, placements[i], tables, format, own);
+      prepared[i] = prepare_alias(context, view, placements[i], arenas[job]);
   });
   return prepared;
 }
 
-}  // namespace
-
-std::span<const PreparedAlias> prepare_alias_models(const Scene& scene, const Settings& settings,
-                                                    const ViewFrame& view, const ColorTables& tables,
-                                                    PixelFormat format, base::Jobs& jobs, base::Arena& arena,
-                                                    std::vector<base::Arena>& io_job_arenas) {
-  const std::span<const AliasPlacement> placements = place_all(scene, view, arena);
-  if (placements.empty()) return {};
-  return prepare_all(scene, settings, view, placements, tables, format, jobs, arena, io_job_arenas);
-}
-
-void draw_alias_models(std::span<const PreparedAlias> models, bool vector_kernels, RowRange rows,
+void draw_alias_models(std::span<const PreparedAlias> models, bool simd_kernels, RowRange rows,
                        FrameBuffer& io_frame) {
   const PixelFormat format = io_frame.format();
   void* const pixels =
@@ -62,7 +54,7 @@ void draw_alias_models(std::span<const PreparedAlias> models, bool vector_kernel
                                 0,
                                 std::max(rows.first, alias.first_row),
                                 std::min(rows.end, alias.row_end)};
-    if (target.row_begin < target.row_end) fill_alias(alias, format, vector_kernels, target);
+    if (target.row_begin < target.row_end) fill_alias(alias, format, simd_kernels, target);
   }
 }
 

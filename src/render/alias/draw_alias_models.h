@@ -1,28 +1,22 @@
-// Stage 7, first part: alias models, against the depth that the world left.
+// Stage 7, first part: alias models, tested against the depth that the world's spans have written.
+//
+// Stock Quake z-buffers its models too (Abrash, "Quake's 3-D Engine: The Big Picture"); here they are also
+// drawn in bands, by all threads.
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "base/arena.h"
-#include "base/parallel_for.h"
 #include "render/alias/prepare_alias.h"
-#include "render/color/color_tables.h"
-#include "render/renderer.h"
-#include "render/view/view_frame.h"
 
 namespace temblor::render {
 
-// Those of Scene::alias_models that may be on the screen, in their order, then the view weapon. Those whose
-// alpha is below 1 are left out (draw_translucent_alias.h). Results live in the arenas.
-std::span<const PreparedAlias> prepare_alias_models(const Scene& scene, const Settings& settings,
-                                                    const ViewFrame& view, const ColorTables& tables,
-                                                    PixelFormat format, base::Jobs& jobs, base::Arena& arena,
-                                                    std::vector<base::Arena>& io_job_arenas);
+// The instances of Scene::alias_models that may be visible, in their order, then the view model. Instances
+// with alpha below 1 are left to draw_translucent_alias.h. Results live in the arenas.
+std::span<const PreparedAlias> prepare_alias_models(const FrameContext& context, const ViewFrame& view);
 
-// Draws their part of `rows`, whose depth must have been filled. A pixel sees the same triangles in the same
-// order however a picture is cut into rows.
-void draw_alias_models(std::span<const PreparedAlias> models, bool vector_kernels, RowRange rows,
+// Draws the part of the models in `rows`, whose depth must have been written. A pixel gets the same triangles
+// in the same order however the picture is divided into bands.
+void draw_alias_models(std::span<const PreparedAlias> models, bool simd_kernels, RowRange rows,
                        FrameBuffer& io_frame);
 
 }  // namespace temblor::render

@@ -1,33 +1,29 @@
-// Translucent alias models, one at a time: for the stage that draws everything translucent back to front.
+// Draws translucent alias models one at a time, for the stage that draws all translucent things back to
+// front.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 
-#include "base/arena.h"
 #include "render/alias/place_alias.h"
-#include "render/color/color_tables.h"
-#include "render/renderer.h"
+#include "render/view/frame_context.h"
 
 namespace temblor::render {
 
-// One instance by itself, whatever its alpha, as an opaque picture of its nearest parts, to be blended whole:
-// parts that lie behind one another do not shine through, as they would if each triangle were blended by
-// itself, in whatever order the mesh has them.
+// One instance alone, drawn as if opaque, to be blended into the frame as a whole. So hidden parts of the
+// model do not show through its front, as they would if triangles were blended one by one.
 struct AliasPicture {
   // The rectangle of the frame that it may touch.
   int x, y, width, height;
-  // Its first pixel, bytes or 0xffRRGGBB, and depth; rows are `stride` apart. Depth is minus infinity where
-  // the instance does not show.
+  // The first pixel of the rectangle (bytes or 0xffRRGGBB) and its depth; rows are `stride` pixels apart.
+  // Depth is minus infinity where the instance does not show.
   void* pixels;
   float* depth;
   std::size_t stride;
 };
 
-// Nothing when it is out of view. What is pointed to is the arena's.
-std::optional<AliasPicture> draw_alias_alone(const Scene& scene, const Settings& settings,
-                                             const ViewFrame& view, const AliasInstance& instance,
-                                             AliasRole role, const ColorTables& tables, PixelFormat format,
-                                             base::Arena& arena);
+// Nothing if the instance is out of view. Its alpha is ignored. Pixels live in the frame's arena.
+std::optional<AliasPicture> draw_alias_picture(const FrameContext& context, const ViewFrame& view,
+                                               const AliasInstance& instance, AliasRole role);
 
 }  // namespace temblor::render

@@ -1,12 +1,12 @@
-// A prepared instance's triangles, filled by the rasterizer and the kernels that were chosen for it.
+// Fills the triangles of a prepared instance, with the rasterizer and the kernels that were chosen for it.
 #pragma once
 
 #include "render/alias/prepare_alias.h"
 
 namespace temblor::render {
 
-// `target` has pixels of that format.
-void fill_alias(const PreparedAlias& alias, PixelFormat format, bool vector_kernels,
+// `target` must have pixels of format `format`.
+void fill_alias(const PreparedAlias& alias, PixelFormat format, bool simd_kernels,
                 const TriangleTarget& target);
 
 }  // namespace temblor::render

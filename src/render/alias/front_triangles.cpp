@@ -1,4 +1,4 @@
-// Hot loop.
+// Hot loop: removes back faces and triangles that cover no pixel center, once for all bands of a picture.
 #include "render/alias/triangle_kernels.h"
 
 namespace temblor::render {
@@ -20,13 +20,14 @@ std::int32_t most(std::int32_t a, std::int32_t b, std::int32_t c) {
 }
 
 std::int16_t to_row(std::int32_t row) {
-  constexpr std::int32_t kLast = 32767;  // pictures are not as high
+  constexpr std::int32_t kLast = 32767;  // larger than any picture
   return static_cast<std::int16_t>(row < 0 ? 0 : row < kLast ? row : kLast);
 }
 
 }  // namespace
 
-// Without a branch: which way a triangle faces cannot be foreseen.
+// Branchless: every triangle is written, and the count advances only if it is kept. Which way a triangle
+// faces is unpredictable.
 std::size_t find_front_triangles(const TriangleJob& job, FrontTriangle* out) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < job.triangle_count; ++i) {

@@ -5,36 +5,37 @@
 
 #include "formats/models/mdl_normals.h"
 #include "render/alias/triangle_kernels.h"
-#include "world/light_at.h"
+#include "world/sample_light.h"
 
 namespace temblor::render {
 
 namespace {
 
-// Observed limits of the original.
+// Stock Quake's limits, found by observation.
 constexpr float kMaxAmbient = 128, kMaxLight = 192;
-// A colormap row is 256 steps; light 0 to 255 spans its 64 rows.
-constexpr float kStepsALight = 64;
+// A colormap row is 256 steps, so a light of 0 to 255 spans its 64 rows.
+constexpr float kStepsPerLight = 64;
 constexpr float kMinSteps = 5;
-// In row kLightAsStored, and exactly 16384 for colors.
+// Full-bright models: in row kLightAsStored, and exactly 16384 for colors, which shows them as they are.
 constexpr float kStepsAsStored = 8128;
-// Where it goes to.
+// The direction that the light travels in, in world space.
 constexpr math::Vec3d kLightDirection{-1, 0, 0};
 
-// Sixteen colors each, in the palette and so in the colormap's columns.
+// Rows of sixteen palette colors, which are also columns of the colormap.
 constexpr std::size_t kShirtFirst = 16, kPantsFirst = 96, kRowColors = 16;
 
-// The color that position `i` of a player's row takes. Palette rows from 8 on run from bright to dark,
-// against the skin's.
+// The palette index for position `i` of a player's row. Palette rows from 8 on run from bright to dark,
+// opposite to the skin's rows.
 std::size_t player_color(std::uint8_t row, std::size_t i) {
   const std::size_t first = std::size_t{row & 15u} * kRowColors;
   const bool runs_backwards = row >= 8;
   return first + (runs_backwards ? kRowColors - 1 - i : i);
 }
 
-// Replaces both rows in each of the table's lines of 256.
+// A copy of the table in which the shirt and pants colors are replaced, in each of its lines of 256.
 template <typename Pixel>
-std::span<const Pixel> dress(std::span<const Pixel> table, const PlayerColors& colors, base::Arena& arena) {
+std::span<const Pixel> replace_player_rows(std::span<const Pixel> table, const PlayerColors& colors,
+                                           base::Arena& arena) {
   const std::span<Pixel> dressed = arena.allocate<Pixel>(table.size());
   std::copy(table.begin(), table.end(), dressed.begin());
   for (std::size_t line = 0; line < table.size(); line += 256)
@@ -52,7 +53,8 @@ AliasLight light_alias(const Scene& scene, const AliasInstance& instance, PixelF
   AliasLight light;
   light.full_bright = instance.full_bright;
   if (light.full_bright) return light;
-  const world::PointLight floor = world::light_at(*scene.level, scene.light_styles, instance.origin_world);
+  const world::PointLight floor =
+      world::sample_light(*scene.level, scene.light_styles, instance.origin_world);
   const bool colored = format == PixelFormat::kRgb && colored_light;
   math::Vec3 shade = glm::max(colored ? floor.rgb : math::Vec3(floor.gray), math::Vec3(instance.min_light));
   math::Vec3 ambient = shade;
@@ -60,44 +62,44 @@ AliasLight light_alias(const Scene& scene, const AliasInstance& instance, PixelF
     const float added = dynamic.radius - glm::distance(dynamic.origin_world, instance.origin_world);
     if (added > 0) ambient += format == PixelFormat::kRgb ? dynamic.color * added : math::Vec3(added);
   }
-  // Bounded by the brightest color, so that the hue stays.
+  // The brightest channel is clamped and the others follow, so that the hue stays.
   const auto brightest = [](const math::Vec3& v) { return std::max({v.x, v.y, v.z}); };
-  const float most_ambient = brightest(ambient);
-  if (most_ambient > 0) light.color = ambient / most_ambient;
-  light.ambient = std::min(most_ambient, kMaxAmbient);
+  const float max_ambient = brightest(ambient);
+  if (max_ambient > 0) light.color = ambient / max_ambient;
+  light.ambient = std::min(max_ambient, kMaxAmbient);
   light.shade = std::min(brightest(shade), kMaxLight - light.ambient);
   return light;
 }
 
-LightOfNormals light_normals(const AliasLight& light, const AliasPlacement& placement, PixelFormat format) {
+NormalLights light_normals(const AliasLight& light, const AliasPlacement& placement, PixelFormat format) {
   const math::Vec3 towards{static_cast<float>(glm::dot(kLightDirection, placement.x_axis)),
                            static_cast<float>(glm::dot(kLightDirection, placement.y_axis)),
                            static_cast<float>(glm::dot(kLightDirection, placement.z_axis))};
   const std::span<const math::Vec3> normals = formats::mdl_normals();
-  LightOfNormals of_normals;
-  const float unlit = std::max((255 - light.ambient) * kStepsALight, kMinSteps);
-  for (std::size_t i = 0; i < of_normals.size(); ++i) {
+  NormalLights by_normal;
+  const float unlit = std::max((255 - light.ambient) * kStepsPerLight, kMinSteps);
+  for (std::size_t i = 0; i < by_normal.size(); ++i) {
     float steps = kStepsAsStored;
     if (!light.full_bright) {
       const math::Vec3& normal = normals[std::min(i, normals.size() - 1)];
       const float along = normal.x * towards.x + normal.y * towards.y + normal.z * towards.z;
-      steps = unlit + light.shade * kStepsALight * std::min(along, 0.0f);
+      steps = unlit + light.shade * kStepsPerLight * std::min(along, 0.0f);
       steps = std::max(steps, 0.0f);
     }
-    // Rows count darkness, colors take light (build_surface.cpp): half of 65280 - 4 x steps.
-    of_normals[i] = format == PixelFormat::kIndexed ? steps : kBrightestLight - 2 * steps;
+    // Colormap rows count darkness; rgb takes half the light sum (build_surface.h): (65280 - 4 * steps) / 2.
+    by_normal[i] = format == PixelFormat::kIndexed ? steps : kBrightestLight - 2 * steps;
   }
-  return of_normals;
+  return by_normal;
 }
 
 const void* instance_colors(const ColorTables& tables, const AliasInstance& instance, PixelFormat format,
                             base::Arena& arena) {
   if (format == PixelFormat::kIndexed) {
     const std::span<const std::uint8_t> rows(tables.colormap.rows);
-    return instance.colors ? dress(rows, *instance.colors, arena).data() : rows.data();
+    return instance.colors ? replace_player_rows(rows, *instance.colors, arena).data() : rows.data();
   }
   const std::span<const std::uint32_t> colors(tables.surface_rgb);
-  return instance.colors ? dress(colors, *instance.colors, arena).data() : colors.data();
+  return instance.colors ? replace_player_rows(colors, *instance.colors, arena).data() : colors.data();
 }
 
 }  // namespace temblor::render

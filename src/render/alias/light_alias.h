@@ -1,5 +1,7 @@
-// How a model is lit: by the floor below it and by dynamic lights, shaded as if from one fixed direction, so
-// that it looks solid (Abrash, "Quake's Triangle Models").
+// The light on an alias model: the light of the floor below it plus dynamic lights, shaded as if from one
+// fixed direction, so that the model looks solid. Each vertex is lit by its normal and light is interpolated
+// across triangles (Gouraud shading; Abrash, "Quake's Lighting Model: Surface Caching", explains why models
+// are lit in this way and the world is not).
 #pragma once
 
 #include <array>
@@ -8,26 +10,28 @@
 #include "base/arena.h"
 #include "render/alias/place_alias.h"
 #include "render/color/color_tables.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::render {
 
+// The light at the instance's position.
 struct AliasLight {
-  // 0 to 255: everywhere, and where the light falls straight on.
+  // 0 to 255. `ambient` reaches every vertex; `shade` is added where the light falls on it perpendicularly.
   float ambient = 0, shade = 0;
   bool full_bright = false;
-  math::Vec3 color{1.0f};  // its brightest part is 1; gray but for kRgb
+  math::Vec3 color{1.0f};  // the largest component is 1; white for indexed frames
 };
 
+// Colors count only in rgb frames, and those of the floor only with `colored_light`.
 AliasLight light_alias(const Scene& scene, const AliasInstance& instance, PixelFormat format,
                        bool colored_light);
 
 // By number of the normal, in the units of TriangleJob's `colors`.
-using LightOfNormals = std::array<float, 256>;
-LightOfNormals light_normals(const AliasLight& light, const AliasPlacement& placement, PixelFormat format);
+using NormalLights = std::array<float, 256>;
+NormalLights light_normals(const AliasLight& light, const AliasPlacement& placement, PixelFormat format);
 
-// TriangleJob's `colors` for an instance: the game's, or with a player's own in place of the shirt's and
-// trousers' rows.
+// TriangleJob's `colors` for an instance: the game's table, or a copy in `arena` in which the shirt's and
+// pants' colors are replaced by the player's.
 const void* instance_colors(const ColorTables& tables, const AliasInstance& instance, PixelFormat format,
                             base::Arena& arena);
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
+// An affine transform.
 struct Affine {
   math::Vec3d columns[3], offset;
   math::Vec3d operator()(const math::Vec3d& p) const {
@@ -32,10 +33,10 @@ Affine model_to_view(const ViewFrame& view, const AliasInstance& instance, const
           view.to_view(math::Vec3d(instance.origin_world))};
 }
 
-// What is known of an instance from the eight corners of its box.
+// The projection of the eight corners of an instance's box.
 struct BoxOnScreen {
   bool finite = true;
-  double least_z = std::numeric_limits<double>::infinity(), most_z = -least_z;
+  double min_z = std::numeric_limits<double>::infinity(), max_z = -min_z;
   math::Vec2d mins{std::numeric_limits<double>::infinity()}, maxs{-std::numeric_limits<double>::infinity()};
 };
 
@@ -47,9 +48,10 @@ BoxOnScreen project_box(const ViewFrame& view, const Affine& to_view, const math
         to_view({corner & 1 ? bounds.maxs.x : bounds.mins.x, corner & 2 ? bounds.maxs.y : bounds.mins.y,
                  corner & 4 ? bounds.maxs.z : bounds.mins.z});
     for (int axis = 0; axis < 3; ++axis) box.finite &= std::abs(p[axis]) < kMaxCorner;
-    box.least_z = std::min(box.least_z, p.z);
-    box.most_z = std::max(box.most_z, p.z);
-    // Left of the near plane only what is to its sides counts; a box that crosses it may show anywhere.
+    box.min_z = std::min(box.min_z, p.z);
+    box.max_z = std::max(box.max_z, p.z);
+    // Corners behind the near plane are projected as if on it. If the box crosses the plane, place_alias
+    // ignores the rectangle, since the box may then appear anywhere.
     const double scale = placement.perspective
                              ? placement.pixels_per_unit / std::max(p.z, double{placement.near_z})
                              : placement.pixels_per_unit;
@@ -60,7 +62,7 @@ BoxOnScreen project_box(const ViewFrame& view, const Affine& to_view, const math
   return box;
 }
 
-// Whether all corners are outside of one of the view's sides.
+// Whether all corners of the box are outside the same side of the view.
 bool is_outside(const ViewFrame& view, const Affine& to_view, const math::Bounds& bounds,
                 const AliasPlacement& placement) {
   const double scale = placement.pixels_per_unit;
@@ -83,6 +85,7 @@ bool is_outside(const ViewFrame& view, const Affine& to_view, const math::Bounds
              [&](const math::Vec3d& p, double w) { return p.y * scale + (view.height - view.center_y) * w; });
 }
 
+// The view model is always drawn in perspective.
 void set_projection(const ViewFrame& view, AliasRole role, AliasPlacement& io_placement) {
   io_placement.perspective = view.perspective || role == AliasRole::kViewWeapon;
   io_placement.near_z = static_cast<float>(view.near_z);
@@ -95,6 +98,7 @@ void set_projection(const ViewFrame& view, AliasRole role, AliasPlacement& io_pl
   io_placement.depth_scale = kWeaponDepthScale;
 }
 
+// Combines the decoding of pose bytes (scale and origin) with the transform to view space.
 void set_to_view(const AliasModel& model, const Affine& to_view, AliasPlacement& io_placement) {
   const math::Vec3d scale(model.scale);
   const math::Vec3d offset = to_view(math::Vec3d(model.origin));
@@ -129,10 +133,10 @@ std::optional<AliasPlacement> place_alias(const ViewFrame& view, const AliasInst
 
   const Affine to_view = model_to_view(view, instance, placement);
   const BoxOnScreen box = project_box(view, to_view, model.bounds, placement);
-  if (!box.finite || box.most_z < placement.near_z) return std::nullopt;
+  if (!box.finite || box.max_z < placement.near_z) return std::nullopt;
   if (is_outside(view, to_view, model.bounds, placement)) return std::nullopt;
   set_to_view(model, to_view, placement);
-  const bool crosses_near = box.least_z < placement.near_z;
+  const bool crosses_near = box.min_z < placement.near_z;
   const bool beyond_guard = glm::any(glm::lessThan(box.mins, math::Vec2d(-kGuardPixels))) ||
                             glm::any(glm::greaterThan(box.maxs, math::Vec2d(kGuardPixels)));
   placement.needs_clipping = crosses_near || beyond_guard;
@@ -141,14 +145,14 @@ std::optional<AliasPlacement> place_alias(const ViewFrame& view, const AliasInst
   placement.row_end = view.height;
   placement.column_end = view.width;
   if (!crosses_near) {
-    // A vertex may be rounded out of the box by a hundredth of a pixel.
+    // Rounding may move a vertex out of the box by a hundredth of a pixel.
     placement.first_row = inside(box.mins.y - 1, view.height);
     placement.row_end = inside(box.maxs.y + 2, view.height);
     placement.first_column = inside(box.mins.x - 1, view.width);
     placement.column_end = inside(box.maxs.x + 2, view.width);
   }
   placement.largest_pixels_per_unit =
-      placement.perspective ? placement.pixels_per_unit / std::max(box.least_z, double{placement.near_z})
+      placement.perspective ? placement.pixels_per_unit / std::max(box.min_z, double{placement.near_z})
                             : placement.pixels_per_unit;
   return placement;
 }

@@ -9,13 +9,13 @@ namespace temblor::render {
 
 namespace {
 
-// Rounded to whole pixels, as the original, models jump from pixel to pixel as they move.
-std::int32_t steps_a_pixel(const Settings& settings) {
+// With vertices rounded to whole pixels, as in stock Quake, moving models wobble.
+std::int32_t steps_per_pixel(const Settings& settings) {
   return settings.alias_snap ? 1 : kSubpixels;
 }
 
 VertexJob vertex_job(const ViewFrame& view, const AliasPlacement& placement, std::int32_t steps,
-                     const LightOfNormals& lights) {
+                     const NormalLights& lights) {
   const AliasInstance& instance = *placement.instance;
   const AliasModel& model = *instance.model;
   const PoseBytes from = model.pose(instance.from_pose), to = model.pose(instance.to_pose);
@@ -29,7 +29,7 @@ VertexJob vertex_job(const ViewFrame& view, const AliasPlacement& placement, std
   set(from, job.from);
   set(to, job.to);
   job.blend = instance.blend > 0 ? std::min(instance.blend, 1.0f) : 0.0f;
-  job.count = model.vertices_a_row;
+  job.count = model.vertices_per_row;
   std::copy_n(&placement.to_view[0][0], 12, &job.to_view[0][0]);
   job.center_x = static_cast<float>(view.center_x);
   job.center_y = static_cast<float>(view.center_y);
@@ -37,12 +37,12 @@ VertexJob vertex_job(const ViewFrame& view, const AliasPlacement& placement, std
   job.perspective = placement.perspective;
   job.near_z = placement.near_z;
   job.depth_scale = placement.depth_scale;
-  job.steps_a_pixel = steps;
+  job.steps_per_pixel = steps;
   job.lights = lights.data();
   return job;
 }
 
-// Vertices have to lie within the picture; those of a model whose box does are.
+// Subdivision does not clip, so the whole box must be inside the picture.
 bool chooses_subdivision(const Settings& settings, const AliasPlacement& placement) {
   if (!placement.inside_screen || settings.alias_raster == AliasRaster::kAffine) return false;
   if (settings.alias_raster == AliasRaster::kSubdivision) return true;
@@ -52,28 +52,30 @@ bool chooses_subdivision(const Settings& settings, const AliasPlacement& placeme
 
 }  // namespace
 
-PreparedAlias prepare_alias(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                            const AliasPlacement& placement, const ColorTables& tables, PixelFormat format,
-                            base::Arena& arena) {
+PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
+                            const AliasPlacement& placement, base::Arena& arena) {
+  const Settings& settings = context.settings;
+  const PixelFormat format = context.format;
   const AliasInstance& instance = *placement.instance;
   const AliasModel& model = *instance.model;
-  const AliasLight light = light_alias(scene, instance, format, settings.colored_light);
-  const LightOfNormals lights = light_normals(light, placement, format);
+  const AliasLight light = light_alias(context.scene, instance, format, settings.colored_light);
+  const NormalLights lights = light_normals(light, placement, format);
 
-  VertexJob vertices = vertex_job(view, placement, steps_a_pixel(settings), lights);
-  const std::span<ScreenVertex> projected = arena.allocate<ScreenVertex>(model.vertices_a_row);
+  VertexJob vertices = vertex_job(view, placement, steps_per_pixel(settings), lights);
+  const std::span<ScreenVertex> projected = arena.allocate<ScreenVertex>(model.vertices_per_row);
   vertices.out = projected.data();
   ProjectedMesh mesh{projected.first(model.vertex_count), {}, model.texels, model.triangles};
   if (placement.needs_clipping)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::span<float> view_axis = arena.allocate<float>(model.vertices_a_row);
+      const std::span<float> view_axis = arena.allocate<float>(model.vertices_per_row);
       vertices.view[axis] = view_axis.data();
       mesh.view[axis] = view_axis;
     }
-  settings.vector_kernels ? project_vertices_simd(vertices) : project_vertices_scalar(vertices);
+  settings.simd_kernels ? project_vertices_simd(vertices) : project_vertices_scalar(vertices);
 
   ClippedMesh drawn{mesh.vertices, mesh.texels, mesh.triangles};
-  if (placement.needs_clipping) drawn = clip_triangles(view, placement, mesh, steps_a_pixel(settings), arena);
+  if (placement.needs_clipping)
+    drawn = clip_triangles(view, placement, mesh, steps_per_pixel(settings), arena);
 
   PreparedAlias prepared{};
   prepared.first_row = placement.first_row;
@@ -88,11 +90,11 @@ PreparedAlias prepare_alias(const Scene& scene, const Settings& settings, const 
   job.skin = model.skin_picture(instance.skin);
   job.skin_width = static_cast<std::int32_t>(model.skin_width);
   job.skin_height = static_cast<std::int32_t>(model.skin_height);
-  job.colors = instance_colors(tables, instance, format, arena);
+  job.colors = instance_colors(context.colors, instance, format, arena);
   for (int channel = 0; channel < 3; ++channel)
     job.tint[channel] = static_cast<std::int32_t>(light.color[channel] * 32768.0f + 0.5f);
   job.perspective = placement.perspective && !settings.alias_snap;
-  if (settings.vector_kernels && !prepared.by_subdivision) {
+  if (settings.simd_kernels && !prepared.by_subdivision) {
     const std::span<FrontTriangle> fronts = arena.allocate<FrontTriangle>(job.triangle_count);
     job.front_count = find_front_triangles(job, fronts.data());
     job.fronts = fronts.data();

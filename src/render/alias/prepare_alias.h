@@ -1,28 +1,29 @@
-// One instance in view, from its poses to triangles on the screen that only need to be filled.
+// Prepares one visible instance: from its poses to triangles on the screen that only need to be filled.
+//
+//   poses -> project_vertices -> clip_triangles (rarely) -> find_front_triangles -> PreparedAlias
 #pragma once
 
 #include "base/arena.h"
 #include "render/alias/place_alias.h"
 #include "render/alias/triangle_kernels.h"
-#include "render/color/color_tables.h"
-#include "render/renderer.h"
+#include "render/view/frame_context.h"
 
 namespace temblor::render {
 
-// Below so many pixels from end to end, a model's triangles are drawn by subdivision where the rasterizer is
-// chosen by size: the mean length of their sides, at the nearest point of the model's box. Up to 2 its
-// picture differs little enough from affine's, but from here on it is slower (docs/performance.md).
+// With AliasRaster::kAuto, models whose triangles have shorter sides than this (pixels; mean length at the
+// nearest point of the model's box) are drawn by subdivision. Up to 2 pixels its picture differs little from
+// the affine rasterizer's, but above this limit it is slower (docs/performance.md).
 constexpr double kSubdivisionSidePx = 1.35;
 
+// An instance that is ready to be filled.
 struct PreparedAlias {
   TriangleJob job;
   bool by_subdivision;
-  int first_row, row_end;  // that it may touch
+  int first_row, row_end;  // the rows that it may touch
 };
 
-// What is pointed to is the model's, the tables' and the arena's.
-PreparedAlias prepare_alias(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                            const AliasPlacement& placement, const ColorTables& tables, PixelFormat format,
-                            base::Arena& arena);
+// The result refers to the model, to the color tables, and to `arena`.
+PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
+                            const AliasPlacement& placement, base::Arena& arena);
 
 }  // namespace temblor::render

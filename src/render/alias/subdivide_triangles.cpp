@@ -1,11 +1,18 @@
-// Triangles by recursive subdivision, after John Carmack's method as Michael Abrash tells it ("Quake's
-// Triangle Models", 1997): all vertices are drawn as pixels, wherever they face; then a triangle that is more
-// than one pixel long in x or y is split at the middle of such a side, the new vertex drawn, and both halves
-// treated alike. What lies between is never scanned, which suits triangles of a few pixels. A new vertex is
-// drawn only by the triangle for which the split side is a leading edge: it points up, or level to the right.
-// Light is that of the triangle's first vertex.
+// Draws triangles by recursive subdivision, John Carmack's method as described by Michael Abrash ("Surface
+// Caching and Quake's Triangle Models", Graphics Programming Black Book, chapter 69).
 //
-// Unlike there, depth is 1/z as a float, as everywhere here.
+//   1. All vertices are drawn as pixels, whichever way they face.
+//   2. A triangle with a side longer than one pixel in x or y is split at the middle of that side. The new
+//      vertex is drawn, and both halves are treated in the same way.
+//
+//        a                 a
+//        |\                |\            Two triangles share each side. Only the one for which the side
+//        | \      ->       | m           is a leading edge (upward, or level to the right)
+//        |  \              |/ \          draws m.
+//        c---b             c---b
+//
+// Nothing is scanned, which suits triangles of a few pixels. Light is that of the triangle's first vertex.
+// Unlike stock Quake, depth is 1/z as a float, as in all of this renderer.
 #include <algorithm>
 
 #include "render/alias/triangle_kernels.h"
@@ -14,7 +21,7 @@ namespace temblor::render {
 
 namespace {
 
-// Whole pixels; texels in 1/65536.
+// x and y in whole pixels; s and t in 1/65536 texel.
 struct SplitVertex {
   std::int32_t x, y, s, t;
   float depth;
@@ -22,13 +29,13 @@ struct SplitVertex {
 
 constexpr float kTexelSteps = 65536.0f;
 
-// More than a pixel in x or y. Without branches: which side of a triangle is long cannot be foreseen.
+// Whether a side is longer than one pixel in x or y. Branchless, since the result is unpredictable.
 constexpr bool is_long(const SplitVertex& a, const SplitVertex& b) {
   const auto x = static_cast<std::uint32_t>(b.x - a.x + 1), y = static_cast<std::uint32_t>(b.y - a.y + 1);
   return std::max(x, y) > 2;
 }
 
-// Palette indices under one light.
+// Lights palette indices, at a constant light.
 class IndexedLight {
  public:
   IndexedLight(const TriangleJob& job, float light) {
@@ -43,6 +50,7 @@ class IndexedLight {
   const std::uint8_t* row_;
 };
 
+// Lights colors, at a constant light.
 class RgbLight {
  public:
   RgbLight(const TriangleJob& job, float light) : colors_(static_cast<const std::uint32_t*>(job.colors)) {
@@ -70,6 +78,7 @@ class RgbLight {
 };
 
 template <typename Light>
+// Draws one model into one band.
 class Subdivider {
  public:
   Subdivider(const TriangleJob& job, const TriangleTarget& target) : job_(job), target_(target) {}
@@ -106,7 +115,7 @@ class Subdivider {
         light(job_.skin[(v.t >> 16) * job_.skin_width + (v.s >> 16)]);
   }
 
-  // The side from a to b is looked at first.
+  // Splits the first long side among ab, bc, and ca, if any. The second recursive call is a loop.
   void split(SplitVertex a, SplitVertex b, SplitVertex c, const Light& light) {
     while (true) {
       if (!is_long(a, b)) {

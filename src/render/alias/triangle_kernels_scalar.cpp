@@ -1,24 +1,26 @@
+// The scalar reference: it defines the results of the triangle kernels.
 #include "render/alias/affine_triangle.h"
 
 namespace temblor::render {
 
 namespace {
 
+// At equal depth, a triangle draws over what is there, so of two triangles the later one stays.
 template <typename Pixel>
 void draw_triangles(const TriangleJob& job, const TriangleTarget& target) {
   for (std::size_t number = 0; number < job.triangle_count; ++number)
-    draw_affine_triangle(job, number, target, [&](const TriangleRun& run) {
+    draw_affine_triangle(job, number, target, [&](const TriangleSpan& span) {
       const std::size_t first =
-          static_cast<std::size_t>(run.y - target.first_row) * static_cast<std::size_t>(target.width) +
-          static_cast<std::size_t>(run.x);
+          static_cast<std::size_t>(span.y - target.first_row) * static_cast<std::size_t>(target.width) +
+          static_cast<std::size_t>(span.x);
       Pixel* const pixels = static_cast<Pixel*>(target.pixels) + first;
       float* const nearest = target.depth + first;
-      for (std::int32_t i = 0; i < run.count; ++i) {
+      for (std::int32_t i = 0; i < span.count; ++i) {
         const float lane = static_cast<float>(i);
-        const float depth = run.depth + lane * run.depth_step;
+        const float depth = span.depth + lane * span.depth_step;
         if (!(depth >= nearest[i])) continue;
         nearest[i] = depth;
-        pixels[i] = lit_texel(job, skin_texel(job, run, lane, depth), run, lane, Pixel{});
+        pixels[i] = lit_texel(job, skin_texel(job, span, lane, depth), span, lane, Pixel{});
       }
     });
 }

@@ -1,6 +1,12 @@
-// Hot loop. The vector twin of triangle_kernels_plain.cpp, compiled once for each instruction set. Lanes are
-// first triangles, while their gradients and sides are worked out; then rows of one, while it is found where
-// each begins and ends and what stands at its first pixel; then pixels, whose texels plain code looks up.
+// Hot loop. The SIMD version of triangle_kernels_scalar.cpp, compiled once for each instruction set. Three
+// phases, in which a vector's lanes are different things:
+//
+//   SetUp              lanes are triangles    gradients and sides
+//   RowList::Add       lanes are rows         first pixel, length, and start values of each row
+//   RowList::DrawRow   lanes are pixels       depth test; scalar code then looks up the texels (RowSegments)
+//
+// Each phase fills a list that the next one consumes, so that the unpredictable branches of one phase do not
+// wait for the divisions of another.
 #include "render/alias/triangle_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -25,7 +31,7 @@ void DrawTrianglesU32(const TriangleJob& job, const TriangleTarget& target) {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Rows of most triangles are shorter than eight pixels; wider vectors would work on nothing.
+// Rows of most triangles are shorter than eight pixels; wider vectors would be mostly empty.
 using DF = hn::CappedTag<float, 8>;
 using DI = hn::Rebind<int32_t, DF>;
 using DU = hn::RebindToUnsigned<DI>;
@@ -34,39 +40,40 @@ using VF = hn::Vec<DF>;
 using VI = hn::Vec<DI>;
 using VU = hn::Vec<DU>;
 using MF = hn::Mask<DF>;
-// By row.
+// Vectors of rows.
 using DD = hn::CappedTag<double, 8>;
 using DDF = hn::Rebind<float, DD>;
 using DDI = hn::Rebind<int32_t, DD>;
 using VD = hn::Vec<DD>;
 using VDF = hn::Vec<DDF>;
 
+// The distance, in rows of the list, at which the destination is prefetched.
 constexpr size_t kRowsAhead = 24;
 constexpr float kMinDepth = 1e-20f;
 
-// What is worked out once for a triangle, for several at a time, each a lane.
+// The setup of several triangles, each in its own lane.
 struct Setups {
-  static constexpr int kMost = 8;
+  static constexpr int kCapacity = 8;
 
-  HWY_ALIGN int32_t corners[3][kMost];
-  // A side seen as a line without ends: the first column right of it, row by row, is a quotient of whole
-  // numbers, numerator + row * step over denominator, rounded up. It bounds rows on the left or on the right,
-  // and the bias keeps it from bounding them on the other side; a level one bounds nothing.
-  HWY_ALIGN double numerator[3][kMost], step[3][kMost], denominator[3][kMost];
-  HWY_ALIGN double left_bias[3][kMost], right_bias[3][kMost];
-  HWY_ALIGN double corner_x[kMost], corner_y[kMost];
-  // Of depth, light, s and t.
-  HWY_ALIGN double at_corner[4][kMost], dx[4][kMost], dy[4][kMost];
-  HWY_ALIGN int32_t perspective[kMost];
+  HWY_ALIGN int32_t corners[3][kCapacity];
+  // A side as an endless line. The first column right of it in a row is ceil((numerator + row * step) /
+  // denominator), of integers. A side bounds rows either on the left or on the right; the bias moves its
+  // column out of the way for the other bound, and for both bounds if the side is level.
+  HWY_ALIGN double numerator[3][kCapacity], step[3][kCapacity], denominator[3][kCapacity];
+  HWY_ALIGN double left_bias[3][kCapacity], right_bias[3][kCapacity];
+  HWY_ALIGN double corner_x[kCapacity], corner_y[kCapacity];
+  // Of depth, light, s, and t.
+  HWY_ALIGN double at_corner[4][kCapacity], dx[4][kCapacity], dy[4][kCapacity];
+  HWY_ALIGN int32_t perspective[kCapacity];
 };
 
-// Pieces of rows, no longer than a vector, whose depth is drawn and whose texels are yet to be looked up.
-// That is done for all at once, a pixel at a time: a gather takes as long for empty lanes as for others, and
-// most would be empty.
-class Pieces {
+// Segments of rows, at most a vector long, whose depth is written and whose texels are still to be looked up.
+// The lookup is done for many segments together, pixel by pixel: a gather takes as long for unused lanes as
+// for used ones, and most lanes would be unused.
+class RowSegments {
  public:
-  bool has_room() const { return size_ < kMost; }
-  // Of `count` pixels; the bits of `shown` tell which are drawn.
+  bool has_room() const { return size_ < kCapacity; }
+  // Adds `count` pixels; the bits of `shown` say which of them passed the depth test.
   HWY_INLINE void Add(int place, int count, uint8_t shown, VI texels, VI light) {
     place_[size_] = place;
     shown_[size_] = shown;
@@ -82,21 +89,22 @@ class Pieces {
   template <typename Pixel>
   HWY_INLINE void Store(const Pixel* colors, Pixel* out);
 
-  static constexpr size_t kMost = 256, kMaxPixels = kMost * 8, kSpare = 8;  // whole vectors are written
-  int32_t place_[kMost], first_[kMost];
-  uint8_t shown_[kMost];
+  static constexpr size_t kCapacity = 256, kMaxPixels = kCapacity * 8,
+                          kSpare = 8;  // whole vectors are written
+  int32_t place_[kCapacity], first_[kCapacity];
+  uint8_t shown_[kCapacity];
   // By pixel.
   HWY_ALIGN int32_t texels_[kMaxPixels + kSpare], light_[kMaxPixels + kSpare];
   size_t size_ = 0, pixels_ = 0;
 };
 
-// Rows of triangles that have pixels, in the order in which they are drawn. They are listed before any of
-// them is drawn: how many a triangle has, and how many pixels, cannot be foreseen, and while such a branch
-// waits for its triangle's divisions the processor has nothing else to do.
+// Rows that have pixels, in drawing order. They are listed before any of them is drawn: the number of rows
+// and pixels of a triangle is unpredictable, and a branch that depends on it would stall until the triangle's
+// divisions are done.
 class RowList {
  public:
-  bool has_room() const { return size_ < kMost; }
-  // Of the rows from `row` to `end`, as many as a vector has.
+  bool has_room() const { return size_ < kCapacity; }
+  // Adds those of the next few rows, from `row` up to `end`, that have pixels: as many as a vector has lanes.
   HWY_INLINE void Add(const Setups& setups, int triangle, int row, int end, const TriangleTarget& target);
   template <typename Pixel>
   HWY_INLINE void Draw(const TriangleJob& job, const TriangleTarget& target);
@@ -104,14 +112,14 @@ class RowList {
  private:
   template <typename Pixel, bool kPerspective>
   HWY_INLINE void DrawRow(const TriangleJob& job, size_t row, const TriangleTarget& target,
-                          Pieces& io_pieces) const;
+                          RowSegments& io_segments) const;
 
-  static constexpr size_t kMost = 256, kSpare = 16;  // whole vectors are written behind the last row
-  HWY_ALIGN int32_t place_[kMost + kSpare];          // of its first pixel in the target
-  HWY_ALIGN int32_t count_[kMost + kSpare], perspective_[kMost + kSpare];
-  HWY_ALIGN float value_[4][kMost + kSpare], step_[4][kMost + kSpare];  // depth, light, s, t
+  static constexpr size_t kCapacity = 256, kSpare = 16;  // whole vectors are written behind the last row
+  HWY_ALIGN int32_t place_[kCapacity + kSpare];          // of its first pixel in the target
+  HWY_ALIGN int32_t count_[kCapacity + kSpare], perspective_[kCapacity + kSpare];
+  HWY_ALIGN float value_[4][kCapacity + kSpare], step_[4][kCapacity + kSpare];  // depth, light, s, t
   size_t size_ = 0;
-  Pieces pieces_;
+  RowSegments segments_;
 };
 
 HWY_INLINE VDF Least(VDF a, VDF b, VDF c) {
@@ -126,6 +134,7 @@ struct Corner {
   VDF depth, light, s, t;
 };
 
+// Gathers one corner of several triangles, field by field, from arrays of records.
 HWY_INLINE Corner LoadCorner(const TriangleJob& job, const int32_t* corners) {
   const DD d;
   const DDF df;
@@ -154,12 +163,12 @@ HWY_INLINE void SetUpSide(const Corner& from, const Corner& to, int side, int la
   hn::Store(hn::IfThenZeroElse(is_level, hn::Mul(numerator, sign)), d, out.numerator[side] + lane);
   hn::Store(hn::IfThenZeroElse(is_level, hn::Mul(dx, scaled)), d, out.step[side] + lane);
   hn::Store(hn::IfThenElse(is_level, hn::Set(d, 1.0), hn::Mul(dy, scaled)), d, out.denominator[side] + lane);
-  // Going up, the triangle is to the right.
+  // Corners are clockwise, so the triangle is to the right of a side that goes up.
   hn::Store(hn::IfThenElse(goes_up, zero, hn::Neg(nowhere)), d, out.left_bias[side] + lane);
   hn::Store(hn::IfThenElse(hn::Gt(dy, zero), zero, nowhere), d, out.right_bias[side] + lane);
 }
 
-// As many as a vector has, from `lane` on.
+// Computes the setup of as many triangles as a vector has lanes, from `lane` on.
 HWY_INLINE void SetUp(const TriangleJob& job, int lane, Setups& io_setups) {
   const DD d;
   const DDF df;
@@ -212,7 +221,7 @@ HWY_INLINE void RowList::Add(const Setups& setups, int triangle, int row, int en
   const VD zero = hn::Zero(d), width = hn::Set(d, static_cast<double>(target.width));
   VD left = zero, right = width;
   for (int i = 0; i < 3; ++i) {
-    const auto of = [&](const double(&values)[3][Setups::kMost])
+    const auto of = [&](const double(&values)[3][Setups::kCapacity])
                         HWY_ATTR { return hn::Set(d, values[i][triangle]); };
     const VD numerator = hn::Add(of(setups.numerator), hn::Mul(of(setups.step), y));
     const VD column = hn::Ceil(hn::Div(numerator, of(setups.denominator)));
@@ -240,7 +249,7 @@ HWY_INLINE void RowList::Add(const Setups& setups, int triangle, int row, int en
   size_ += hn::CountTrue(di, has_pixels);
 }
 
-// Towards zero. Highway's ConvertTo guards against numbers that do not fit 32 bits, which these never are.
+// Truncates. Highway's ConvertTo guards against numbers that do not fit 32 bits, which these never are.
 HWY_INLINE VI ToWhole(VF v) {
 #if HWY_TARGET <= HWY_AVX3
   return VI{_mm256_cvttps_epi32(v.raw)};
@@ -249,7 +258,7 @@ HWY_INLINE VI ToWhole(VF v) {
 #endif
 }
 
-// Where each lane's texel lies in the skin.
+// The position of each lane's texel in the skin.
 HWY_INLINE VI SkinTexels(const TriangleJob& job, VF s, VF t) {
   const DF d;
   const VF last_s = hn::Set(d, static_cast<float>(job.skin_width - 1));
@@ -269,6 +278,7 @@ HWY_INLINE VI BoundedLight(VF light, uint32_t) {
   return ToWhole(hn::Max(hn::Min(light, hn::Set(d, kBrightestLight)), hn::Zero(d)));
 }
 
+// As lit_texel in affine_triangle.h.
 HWY_INLINE VU LitColors(const TriangleJob& job, VU color, VI light) {
   const DU du;
   const DI di;
@@ -288,7 +298,7 @@ HWY_INLINE VU LitColors(const TriangleJob& job, VU color, VI light) {
   return hn::Or(opaque, hn::IfThenElse(is_lit, lit, color));
 }
 
-// Neighboring pixels may be another band's: not even what was there may be written to them.
+// Pixels outside the mask may belong to another band: not even their old value may be written back.
 #if HWY_TARGET <= HWY_AVX3
 HWY_INLINE VF LoadDepth(MF covered, const float* depth, int) {
   return hn::MaskedLoad(covered, DF(), depth);
@@ -325,18 +335,18 @@ HWY_INLINE uint8_t StoreDepth(MF shown, VF depth, float* out) {
 #endif
 
 template <typename Pixel>
-HWY_INLINE void Pieces::Store(const Pixel* colors, Pixel* out) {
+HWY_INLINE void RowSegments::Store(const Pixel* colors, Pixel* out) {
   for (size_t i = 0; i < size_; ++i) StorePixels(shown_[i], colors + first_[i], out + place_[i]);
   size_ = pixels_ = 0;
 }
 
-HWY_INLINE void Pieces::Draw(const TriangleJob& job, uint8_t* out) {
+HWY_INLINE void RowSegments::Draw(const TriangleJob& job, uint8_t* out) {
   HWY_ALIGN uint8_t colors[kMaxPixels + kSpare];
   look_up_texels_u8(job, texels_, light_, pixels_, colors);
   Store(colors, out);
 }
 
-HWY_INLINE void Pieces::Draw(const TriangleJob& job, uint32_t* out) {
+HWY_INLINE void RowSegments::Draw(const TriangleJob& job, uint32_t* out) {
   const DU d;
   HWY_ALIGN uint32_t colors[kMaxPixels + kSpare];
   look_up_texels_u32(job, texels_, pixels_, colors);
@@ -347,7 +357,7 @@ HWY_INLINE void Pieces::Draw(const TriangleJob& job, uint32_t* out) {
 
 template <typename Pixel, bool kPerspective>
 HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, const TriangleTarget& target,
-                                 Pieces& io_pieces) const {
+                                 RowSegments& io_segments) const {
   const DF d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int end = count_[row];
@@ -369,8 +379,8 @@ HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, const Trian
         t = hn::Mul(t, z);
       }
       const uint8_t shown_bits = StoreDepth(shown, depth, target.depth + place);
-      io_pieces.Add(place, count, shown_bits, SkinTexels(job, s, t), BoundedLight(at_lanes(1), Pixel{}));
-      if (!io_pieces.has_room()) io_pieces.Draw(job, static_cast<Pixel*>(target.pixels));
+      io_segments.Add(place, count, shown_bits, SkinTexels(job, s, t), BoundedLight(at_lanes(1), Pixel{}));
+      if (!io_segments.has_room()) io_segments.Draw(job, static_cast<Pixel*>(target.pixels));
     }
     x += lanes;
   } while (x < end);
@@ -379,22 +389,22 @@ HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, const Trian
 template <typename Pixel>
 HWY_INLINE void RowList::Draw(const TriangleJob& job, const TriangleTarget& target) {
   for (size_t row = 0; row < size_; ++row) {
-    // The picture is larger than the near caches, and no pattern tells where the next triangle lies.
+    // The picture is larger than the first-level cache, and the next triangle may be anywhere.
     const int ahead = place_[HWY_MIN(row + kRowsAhead, size_ - 1)];
     hwy::Prefetch(target.depth + ahead);
     hwy::Prefetch(static_cast<const Pixel*>(target.pixels) + ahead);
     if (perspective_[row] != 0)
-      DrawRow<Pixel, true>(job, row, target, pieces_);
+      DrawRow<Pixel, true>(job, row, target, segments_);
     else
-      DrawRow<Pixel, false>(job, row, target, pieces_);
+      DrawRow<Pixel, false>(job, row, target, segments_);
   }
   size_ = 0;
-  pieces_.Draw(job, static_cast<Pixel*>(target.pixels));
+  segments_.Draw(job, static_cast<Pixel*>(target.pixels));
 }
 
 template <typename Pixel>
 HWY_INLINE void DrawTriangles(const TriangleJob& job, const TriangleTarget& target) {
-  // Those of these rows are sorted out ahead, without a branch.
+  // Triangles that touch the target's rows are collected first, branchless.
   constexpr size_t kBatch = 256;
   const FrontTriangle* here[kBatch];
   const int at_once = static_cast<int>(hn::Lanes(DD()));
@@ -408,9 +418,9 @@ HWY_INLINE void DrawTriangles(const TriangleJob& job, const TriangleTarget& targ
       count += static_cast<size_t>(job.fronts[i].row_end > target.row_begin) &
                static_cast<size_t>(job.fronts[i].first_row < target.row_end);
     }
-    for (size_t first = 0; first < count; first += Setups::kMost) {
-      const int triangles = static_cast<int>(HWY_MIN(count - first, size_t{Setups::kMost}));
-      for (int i = 0; i < Setups::kMost; ++i)
+    for (size_t first = 0; first < count; first += Setups::kCapacity) {
+      const int triangles = static_cast<int>(HWY_MIN(count - first, size_t{Setups::kCapacity}));
+      for (int i = 0; i < Setups::kCapacity; ++i)
         for (int corner = 0; corner < 3; ++corner)
           setups.corners[corner][i] = static_cast<int32_t>(
               here[first + static_cast<size_t>(HWY_MIN(i, triangles - 1))]->corners[corner]);

@@ -1,6 +1,6 @@
-// The vertices of a model as one set: two poses blended, transformed, lit by their normals, projected. As
-// vector code and as plain C++ with the same results, bit for bit. Only plain types here: the vector file is
-// compiled for several processors.
+// Transforms the vertices of a model as one set: blends two poses, transforms, lights by normals, and
+// projects. As SIMD and as the scalar reference with the same results, bit for bit. This header has plain
+// types only, because the SIMD file is compiled for several processors.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,20 @@
 
 namespace temblor::render {
 
-// Screen coordinates are counted in this part of a pixel, so that what a triangle covers is exact.
+// Subpixels per pixel: screen coordinates are integers in this unit, so that coverage is exact.
 constexpr int kSubpixels = 256;
-// Vertices farther out than this many pixels are clipped before; kernels cut their coordinates off.
+// Coordinates are clamped to this many pixels. Models that reach farther are clipped (place_alias.h).
 constexpr float kGuardPixels = 65536.0f;
 
+// A projected vertex.
 struct ScreenVertex {
-  std::int32_t x, y;  // in 1/kSubpixels, centers of pixels at multiples of it, y down
-  float depth;        // larger is nearer: 1/z times the job's depth_scale; seen in parallel, -z
-  float light;        // what `lights` has for its normal
+  std::int32_t x, y;  // in subpixels; pixel centers at multiples of kSubpixels; y down
+  float depth;        // larger is nearer: 1/z times the job's depth_scale; parallel projection: -z
+  float light;        // blended from `lights`, by the normals of both poses
 };
 
 struct VertexJob {
-  // x, y, z and number of the normal, by vertex.
+  // The two poses: x, y, z, and number of the normal, each by vertex.
   const std::uint8_t* from[4];
   const std::uint8_t* to[4];
   float blend;        // 0: from, 1: to
@@ -29,12 +30,16 @@ struct VertexJob {
   float to_view[3][4];
   float center_x, center_y, pixels_per_unit;
   bool perspective;
-  float near_z;  // nearer vertices are projected as if there
+  float near_z;  // nearer vertices are projected as if at this distance
   float depth_scale;
-  std::int32_t steps_a_pixel;  // that coordinates are rounded to: a divisor of kSubpixels
-  const float* lights;         // 256, by normal
-  ScreenVertex* out;           // `count`
-  float* view[3];              // view-space x, y, z, `count` each; null: not wanted
+  // Coordinates are rounded to this; a divisor of kSubpixels.
+  std::int32_t steps_per_pixel;
+  // 256 elements, by normal.
+  const float* lights;
+  // `count` elements.
+  ScreenVertex* out;
+  // View-space x, y, z, `count` elements each; null: not needed.
+  float* view[3];
 };
 
 void project_vertices_scalar(const VertexJob& job);

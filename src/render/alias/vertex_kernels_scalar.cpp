@@ -11,16 +11,17 @@ float blended(const std::uint8_t* from, const std::uint8_t* to, std::size_t i, f
   return a + (b - a) * blend;
 }
 
-// Rounds to the nearest step, to even ones between two.
-std::int32_t to_subpixels(float pixels, std::int32_t steps_a_pixel) {
+// Rounds to the nearest step, ties to even, as SIMD conversions do.
+std::int32_t to_subpixels(float pixels, std::int32_t steps_per_pixel) {
   float inside = pixels > -kGuardPixels ? pixels : -kGuardPixels;
   inside = inside < kGuardPixels ? inside : kGuardPixels;
-  return static_cast<std::int32_t>(std::nearbyint(inside * static_cast<float>(steps_a_pixel))) *
-         (kSubpixels / steps_a_pixel);
+  return static_cast<std::int32_t>(std::nearbyint(inside * static_cast<float>(steps_per_pixel))) *
+         (kSubpixels / steps_per_pixel);
 }
 
 }  // namespace
 
+// The order of operations defines the result; the SIMD version has the same order and no fused multiply-adds.
 void project_vertices_scalar(const VertexJob& job) {
   for (std::size_t i = 0; i < job.count; ++i) {
     const float x = blended(job.from[0], job.to[0], i, job.blend);
@@ -40,8 +41,8 @@ void project_vertices_scalar(const VertexJob& job) {
       scale = job.pixels_per_unit * nearness;
       out.depth = nearness * job.depth_scale;
     }
-    out.x = to_subpixels(job.center_x + view[0] * scale, job.steps_a_pixel);
-    out.y = to_subpixels(job.center_y - view[1] * scale, job.steps_a_pixel);
+    out.x = to_subpixels(job.center_x + view[0] * scale, job.steps_per_pixel);
+    out.y = to_subpixels(job.center_y - view[1] * scale, job.steps_per_pixel);
     const float light_from = job.lights[job.from[3][i]], light_to = job.lights[job.to[3][i]];
     out.light = light_from + (light_to - light_from) * job.blend;
   }

@@ -1,4 +1,4 @@
-// Hot loop. The vector twin of vertex_kernels_plain.cpp, compiled once for each instruction set.
+// Hot loop. The SIMD version of vertex_kernels_scalar.cpp, compiled once for each instruction set.
 #include "render/alias/vertex_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -46,8 +46,8 @@ HWY_INLINE VF ToView(const float* row, VF x, VF y, VF z) {
 HWY_INLINE VI ToSubpixels(VF pixels, const VertexJob& job) {
   const VF guard = hn::Set(DF(), kGuardPixels);
   const VF inside = hn::Min(hn::Max(pixels, hn::Neg(guard)), guard);
-  const VI steps = hn::NearestInt(hn::Mul(inside, hn::Set(DF(), static_cast<float>(job.steps_a_pixel))));
-  return hn::Mul(steps, hn::Set(DI(), kSubpixels / job.steps_a_pixel));
+  const VI steps = hn::NearestInt(hn::Mul(inside, hn::Set(DF(), static_cast<float>(job.steps_per_pixel))));
+  return hn::Mul(steps, hn::Set(DI(), kSubpixels / job.steps_per_pixel));
 }
 
 void ProjectVertices(const VertexJob& job) {

@@ -12,19 +12,20 @@ constexpr std::size_t kClear = 255;
 
 }  // namespace
 
-// A palette may be full-bright throughout: then anything goes.
+// If the whole palette is full-bright, every entry except 255 may be a result.
 PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright)
     : first_fullbright_(first_fullbright),
       lit_(palette, 0,
            first_fullbright > 0 ? std::min(static_cast<std::size_t>(first_fullbright), kClear) : kClear),
       any_(palette, 0, kClear) {}
 
-BlendTables::Tables::Tables(const formats::Palette& of_palette, const PaletteMatch& of_match)
-    : palette(of_palette),
-      match(of_match),
+BlendTables::Tables::Tables(const formats::Palette& source_palette, const PaletteMatch& source_match)
+    : palette(source_palette),
+      match(source_match),
       bytes(std::make_unique_for_overwrite<std::uint8_t[]>((kSteps - 1) * kTableSize)) {}
 
-// What a lies over b at n sixteenths is what b lies over a at 16 - n: one table is the other, mirrored.
+// a over b at n sixteenths is the same as b over a at 16 - n sixteenths: one table is the transpose of the
+// other.
 void BlendTables::Tables::make_pair(int step) {
   std::uint8_t* const table = bytes.get() + static_cast<std::size_t>(step - 1) * kTableSize;
   std::uint8_t* const mirror = bytes.get() + static_cast<std::size_t>(kSteps - step - 1) * kTableSize;

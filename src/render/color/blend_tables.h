@@ -1,8 +1,9 @@
-// Translucency and fog for pixels that are palette indices: what lies over what looks like, as tables.
+// Translucency and fog for indexed pixels: tables that say which palette entry a blend of two entries looks
+// like.
 //
-// A blend of two colors is the palette entry nearest to their mean. Full-bright entries come of full-bright
-// ones only, else light would spring from two dark colors; 255, which stands for "clear" in pictures, never
-// does.
+// A blend of two colors becomes the palette entry nearest to their mean. The result is a full-bright entry
+// only if one of the two is full-bright: otherwise light would appear between two dark colors. It is never
+// entry 255, which stands for "clear" in pictures.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@
 
 namespace temblor::render {
 
-// How both formats weigh what lies over a pixel: in 256ths.
+// Both pixel formats measure opacity in 256ths.
 constexpr int kOpaque256 = 256;
 constexpr int opacity_256(float opacity) {
   const float bounded = opacity > 0 ? (opacity < 1 ? opacity : 1.0f) : 0.0f;
@@ -31,7 +32,7 @@ constexpr formats::Rgb blend_colors(formats::Rgb over, formats::Rgb under, int o
   return {blend_channel(over.r, under.r, opacity_256), blend_channel(over.g, under.g, opacity_256),
           blend_channel(over.b, under.b, opacity_256)};
 }
-// 0xffRRGGBB, the alpha of both ignored.
+// 0xffRRGGBB; the alpha of both colors is ignored.
 constexpr std::uint32_t blend_rgb(std::uint32_t over, std::uint32_t under, int opacity_256) {
   std::uint32_t out = 0xff000000u;
   for (int shift = 0; shift < 24; shift += 8)
@@ -41,12 +42,12 @@ constexpr std::uint32_t blend_rgb(std::uint32_t over, std::uint32_t under, int o
   return out;
 }
 
-// The entry that looks most like a color, under the rule above.
+// Finds the palette entry that looks most like a color, under the rule above.
 class PaletteMatch {
  public:
   PaletteMatch(const formats::Palette& palette, int first_fullbright);
 
-  // `fullbright`: whether a full-bright entry took part in the color.
+  // `fullbright`: whether a full-bright entry is part of the color.
   std::uint8_t operator()(formats::Rgb color, bool fullbright) const {
     return (fullbright ? any_ : lit_).find(color);
   }
@@ -57,38 +58,39 @@ class PaletteMatch {
   formats::NearestColor lit_, any_;
 };
 
-// A table for each sixteenth of opacity, 1 to 15: 64 KiB each, worked out when it is first asked for, since
-// that takes milliseconds and few are ever needed.
+// One table of 64 KiB for each sixteenth of opacity from 1 to 15. A table is computed when it is used for the
+// first time, since that takes milliseconds and few are ever needed.
 class BlendTables {
  public:
   static constexpr int kSteps = 16;
   BlendTables(const formats::Palette& palette, const PaletteMatch& match);
 
-  // What shows of index `over`, at that opacity, before index `under`: table[over * 256 + under]. The
-  // nearest of the steps; never wholly clear or opaque, which callers need no table for. Several threads may
-  // ask at once; no heap is used. Tables stay where they are, also when this is moved.
+  // The table for the step nearest to `opacity`: index `over` in front of index `under` is table[over * 256 +
+  // under]. Never the step for clear or opaque, which callers need no table for. Thread-safe; allocates
+  // nothing. Tables keep their address when this object is moved.
   const std::uint8_t* table_for(float opacity) const;
 
  private:
   struct Tables {
-    Tables(const formats::Palette& of_palette, const PaletteMatch& of_match);
+    Tables(const formats::Palette& source_palette, const PaletteMatch& source_match);
     void make_pair(int step);
 
     formats::Palette palette;
     PaletteMatch match;
-    std::unique_ptr<std::uint8_t[]> bytes;                // one after another
-    std::array<std::once_flag, kSteps / 2> pair_is_made;  // of a step, from 1, and its mirror
+    std::unique_ptr<std::uint8_t[]> bytes;  // table after table, for steps 1 to 15
+    // By step - 1: whether the tables of a step and of its mirror, kSteps - step, exist.
+    std::array<std::once_flag, kSteps / 2> pair_is_made;
   };
   std::unique_ptr<Tables> tables_;
 };
 
-// What fog leaves of each color, by its share of the pixel: `kRows` rows of 256, row r for r / (kRows - 1).
-// 255 stays: it may stand for "clear".
+// What fog makes of each palette index, by fog's share of the pixel: `kRows` rows of 256, row r for a share
+// of r / (kRows - 1). Index 255 stays, since it may stand for "clear".
 class FogTables {
  public:
   static constexpr int kRows = kFogSteps + 1;
 
-  // `color`: 0 to 1. Worked out when it is not that of the last call.
+  // `color`: 0 to 1. Recomputed only if it differs from the last call's; that takes milliseconds.
   const std::uint8_t* rows_for(const math::Vec3& color, const formats::Palette& palette,
                                const PaletteMatch& match);
   const FogCurve& curve() const { return curve_; }
@@ -99,7 +101,7 @@ class FogTables {
   std::array<std::uint8_t, kRows * 256> rows_{};
 };
 
-// A color from 0 to 1 as one of 0 to 255.
+// Converts a color from 0 to 1 to 0 to 255; clamps.
 formats::Rgb to_bytes(const math::Vec3& color);
 
 }  // namespace temblor::render

@@ -1,6 +1,6 @@
 #include "render/color/color_tables.h"
 
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::render {
 

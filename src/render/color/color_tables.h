@@ -1,4 +1,4 @@
-// The look of a game, as everything that writes pixels reads it: worked out once from palette and colormap.
+// The palette and colormap of a game, in the forms that drawing code reads; computed once.
 #pragma once
 
 #include <array>
@@ -9,15 +9,16 @@
 
 namespace temblor::render {
 
-// Rows of the colormap.
+// Rows of the colormap, which has 64, from brightest to darkest: the row that shows the palette as it is, and
+// the row without light. Rows below 31 are brighter than the palette.
 constexpr std::uint8_t kLightAsStored = 31, kLightNone = 63;
 
 struct ColorTables {
   formats::Palette palette;
   formats::Colormap colormap;
   std::array<std::uint32_t, 256> rgb;          // 0xffRRGGBB
-  std::array<std::uint32_t, 256> surface_rgb;  // the same, with alpha 0 where light changes nothing
-  int first_fullbright = 224;
+  std::array<std::uint32_t, 256> surface_rgb;  // the same, with alpha 0 for full-bright entries
+  int first_fullbright = 224;                  // entries from this index on are full-bright
   PaletteMatch match;
   BlendTables blends;
 };

@@ -4,14 +4,14 @@ namespace temblor::render {
 
 namespace {
 
-// Density is given for this many units.
+// Densities are per this many units.
 constexpr float kDensityUnits = 64;
 
 }  // namespace
 
 FrameFog::FrameFog(const Fog& fog, bool perspective, PixelFormat format, const ColorTables& tables,
-                   FogTables& io_tables, bool vector_kernels)
-    : row_{}, is_on_(fog.density > 0), format_(format), vector_kernels_(vector_kernels) {
+                   FogTables& io_tables, bool simd_kernels)
+    : row_{}, is_on_(fog.density > 0), format_(format), simd_kernels_(simd_kernels) {
   if (!is_on_) return;
   const float rate = fog.density / kDensityUnits;
   row_.perspective = perspective;
@@ -23,7 +23,8 @@ FrameFog::FrameFog(const Fog& fog, bool perspective, PixelFormat format, const C
     const float nearness = row_.curve->step_ends[i];
     step_end_depths_[i] = perspective ? nearness * rate : -row_.inverse_rate / nearness;
   }
-  // Minus a distance of nothing, and of 1 / minus infinity: as the ends of nearness, beyond all depths.
+  // The outermost limits must lie beyond all depths; in parallel projection the formula above gives 0 for
+  // them.
   step_end_depths_.front() = row_.curve->step_ends[0];
   step_end_depths_.back() = row_.curve->step_ends[kFogSteps + 1];
   if (format == PixelFormat::kIndexed)
@@ -31,18 +32,18 @@ FrameFog::FrameFog(const Fog& fog, bool perspective, PixelFormat format, const C
 }
 
 void FrameFog::apply(void* io_pixels, std::span<const float> depth) const {
-  run(row_of(io_pixels, depth));
+  run(make_row(io_pixels, depth));
 }
 
 void FrameFog::apply_sky(void* io_pixels, std::span<const float> depth, float sky, float sky_step) const {
-  FogRow row = row_of(io_pixels, depth);
+  FogRow row = make_row(io_pixels, depth);
   row.has_sky = true;
   row.sky = sky;
   row.sky_step = sky_step;
   run(row);
 }
 
-FogRow FrameFog::row_of(void* io_pixels, std::span<const float> depth) const {
+FogRow FrameFog::make_row(void* io_pixels, std::span<const float> depth) const {
   FogRow row = row_;
   row.pixels = io_pixels;
   row.depth = depth.data();
@@ -53,9 +54,9 @@ FogRow FrameFog::row_of(void* io_pixels, std::span<const float> depth) const {
 
 void FrameFog::run(const FogRow& row) const {
   if (format_ == PixelFormat::kIndexed)
-    vector_kernels_ ? fog_row_u8_simd(row) : fog_row_u8_scalar(row);
+    simd_kernels_ ? fog_row_u8_simd(row) : fog_row_u8_scalar(row);
   else
-    vector_kernels_ ? fog_row_u32_simd(row) : fog_row_u32_scalar(row);
+    simd_kernels_ ? fog_row_u32_simd(row) : fog_row_u32_scalar(row);
 }
 
 }  // namespace temblor::render

@@ -1,5 +1,7 @@
-// A frame's fog, ready for the pixels: of the finished opaque picture, and of each translucent thing before
-// it is blended in.
+// A frame's fog, prepared for pixels: it is applied to the finished opaque picture, and to every translucent
+// thing before that is blended in. Stock Quake has no fog.
+//
+//   share of fog = 1 - exp(-(density * z / 64)^2)
 #pragma once
 
 #include <array>
@@ -8,38 +10,38 @@
 
 #include "render/color/color_tables.h"
 #include "render/color/fog_kernels.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/scene.h"
 
 namespace temblor::render {
 
-// Sky is fogged as if it were at one distance, in 256ths: half of it shows, as mappers have come to expect.
+// Sky has no distance of its own: it gets this share of fog, in 256ths. Half of it shows, as mappers expect.
 constexpr std::int32_t kSkyFogShare = 128;
 
 class FrameFog {
  public:
-  // `io_tables` follow the fog's color (indexed only).
+  // `io_tables` are recomputed if the fog's color has changed (indexed only).
   FrameFog(const Fog& fog, bool perspective, PixelFormat format, const ColorTables& tables,
-           FogTables& io_tables, bool vector_kernels);
+           FogTables& io_tables, bool simd_kernels);
 
-  // Without density nothing changes, and nothing need be called.
+  // False without density: then nothing has to be called.
   bool is_on() const { return is_on_; }
 
-  // Fogs pixels of the frame's format that lie at those depths (ViewFrame::depth). In rgb their alpha stays;
-  // indexed, 255 does.
+  // Fogs pixels of the frame's format, which have these depths (ViewFrame::depth). In rgb, alpha stays;
+  // indexed, 255 stays.
   void apply(void* io_pixels, std::span<const float> depth) const;
-  // The same where pixel i is sky if its depth is still exactly sky + i * sky_step.
+  // The same, but pixel i is sky if its depth is exactly sky + i * sky_step: nothing was drawn over it.
   void apply_sky(void* io_pixels, std::span<const float> depth, float sky, float sky_step) const;
 
  private:
-  FogRow row_of(void* io_pixels, std::span<const float> depth) const;
+  FogRow make_row(void* io_pixels, std::span<const float> depth) const;
   void run(const FogRow& row) const;
 
-  FogRow row_;
+  FogRow row_;  // everything that is the same for all rows of the frame
   std::array<float, kFogSteps + 2> step_end_depths_{};
   bool is_on_;
   PixelFormat format_;
-  bool vector_kernels_;
+  bool simd_kernels_;
 };
 
 }  // namespace temblor::render

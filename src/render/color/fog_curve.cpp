@@ -12,13 +12,15 @@ namespace temblor::render {
 namespace {
 
 constexpr std::size_t kTerms = 4;
-using Polynomial = std::array<double, kTerms>;  // coefficients, that of x^0 first
+using Polynomial = std::array<double, kTerms>;  // coefficients, beginning with that of x^0
 
+// The exact curve. expm1 keeps precision where fog is thin.
 double rounded_share_256(double nearness) {
   return 256 * -std::expm1(-1 / (nearness * nearness)) + 0.5;
 }
 
-// Through the curve at the Chebyshev nodes of the interval (Newton's divided differences).
+// Interpolates the curve at the Chebyshev nodes of the interval, which nearly minimizes the largest error, by
+// Newton's divided differences.
 Polynomial cubic_between(double low, double high) {
   std::array<double, kTerms> x{}, difference{};
   for (std::size_t i = 0; i < kTerms; ++i) {

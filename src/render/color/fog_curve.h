@@ -1,6 +1,6 @@
-// How much of a pixel's color fog takes, by the pixel's distance z: 1 - exp(-(rate * z)^2), the shape of
-// GL's EXP2 fog, in the two forms that the kernels want. Both go by nearness, x = 1 / (rate * z), so that no
-// pixel needs a division or an exponential.
+// The fog curve: the share of a pixel's color that fog takes, by the distance z. The curve is 1 - exp(-(rate
+// * z)^2), the shape of OpenGL's EXP2 fog. It is stored in the two forms that the kernels need, both as
+// functions of the nearness x = 1 / (rate * z), so that no pixel needs a division or an exponential.
 #pragma once
 
 namespace temblor::render {
@@ -8,17 +8,18 @@ namespace temblor::render {
 constexpr int kFogSteps = 64;
 constexpr int kFogPieces = 16;
 
-// Between these the pieces of the curve lie; outside them fog takes everything or (nearer) nothing.
+// The range of the polynomial pieces. Farther away fog takes everything, nearer it takes nothing.
 constexpr float kMinNearness = 0.25f;
 constexpr float kMaxNearness = 31.9f;
 
 struct FogCurve {
-  // In 64ths, rounded: step k, 0 to 64, covers x from step_ends[k + 1] up to, and without, step_ends[k].
+  // For indexed frames, in 64ths: step k, 0 to 64, covers x from step_ends[k + 1] (inclusive) to step_ends[k]
+  // (exclusive).
   float step_ends[kFogSteps + 2];
 
-  // In 256ths, plus a half that makes cutting off round: a cubic in x for each half octave, from 2^n to
-  // 1.5 * 2^n and on to 2^(n+1): bits 22 to 25 of x as a float say which. Coefficients of x^power are
-  // cubic[power]. Off by less than a tenth of a step.
+  // For rgb frames, in 256ths plus one half, so that truncation rounds: a cubic polynomial in x for each half
+  // octave, from 2^n to 1.5 * 2^n and from there to 2^(n+1). Bits 22 to 25 of x as a float select the
+  // polynomial; cubic[power] holds the coefficients of x^power. The error is below a tenth of a step.
   float cubic[4][kFogPieces];
 };
 

@@ -1,5 +1,5 @@
-// Inner loops of fog, as vector code and as plain C++ with the same results, bit for bit. Only plain types
-// here: the vector file is compiled for several processors.
+// Inner loops of fog, as SIMD and as the scalar reference with the same results, bit for bit. This header has
+// plain types only, because the SIMD file is compiled for several processors.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace temblor::render {
 
-// Without perspective what lies beside or behind the eye is drawn too.
+// In parallel projection, pixels beside or behind the eye are drawn too: their distance is clamped to this.
 constexpr float kMinDistance = 1e-12f;
 
 // `count` pixels of one row.
@@ -18,8 +18,8 @@ struct FogRow {
   std::int32_t count;
   bool perspective;    // depth is 1/z; else -z
   float inverse_rate;  // units
-  // Where pixel i has exactly the depth sky + i * sky_step, sky is seen: it gets `sky_share` 256ths. Without
-  // `has_sky` there is none.
+  // Pixel i is sky if `has_sky` and its depth is exactly sky + i * sky_step: it gets `sky_share` 256ths of
+  // fog.
   bool has_sky;
   float sky, sky_step;
   std::int32_t sky_share;
@@ -29,7 +29,7 @@ struct FogRow {
   const float* step_end_depths;  // indexed: FogCurve::step_ends, but of depths
 };
 
-// How many 64ths of fog lie before a depth.
+// The share of fog at a depth, in 64ths.
 int fog_step_at(const float* step_end_depths, float depth);
 
 void fog_row_u8_scalar(const FogRow& row);

@@ -1,4 +1,4 @@
-// Hot loop.
+// Hot loop. The scalar reference of the fog kernels.
 #include <bit>
 
 #include "render/color/fog_kernels.h"
@@ -24,13 +24,14 @@ std::uint32_t share_256(const FogRow& row, float depth) {
 
 }  // namespace
 
+// A binary search without branches; step_end_depths is in descending order.
 int fog_step_at(const float* step_end_depths, float depth) {
   int step = 0;
   for (int half = kFogSteps / 2; half > 0; half /= 2) step += depth < step_end_depths[step + half] ? half : 0;
   return step + (depth < step_end_depths[step + 1] ? 1 : 0);
 }
 
-// Neighbors mostly share a step: while they do, all that a pixel costs is its look-up.
+// Neighboring pixels usually share a step: then a pixel costs only its table lookup.
 void fog_row_u8_scalar(const FogRow& row) {
   auto* const pixels = static_cast<std::uint8_t*>(row.pixels);
   int step = 0;

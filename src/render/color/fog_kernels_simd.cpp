@@ -1,7 +1,7 @@
-// Hot loop. The vector twins of fog_kernels_plain.cpp, compiled once for each instruction set.
+// Hot loop. The SIMD versions of fog_kernels_scalar.cpp, compiled once for each instruction set.
 #include "render/color/fog_kernels.h"
 
-// Processors that look bytes up in tables of 128 (AVX-512 VBMI) are worth a target of their own here.
+// Processors with lookups in tables of 128 bytes (AVX-512 VBMI) deserve a target of their own here.
 #define HWY_WANT_AVX3_DL 1
 
 #undef HWY_TARGET_INCLUDE
@@ -16,7 +16,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_AVX3_DL
 
-// The depths of 64 pixels; those beyond the row's end are left out of every mask.
+// The depths of 64 pixels. Pixels beyond the end of the row are excluded from every mask.
 struct Depths {
   __m512 quarter[4];
 
@@ -35,7 +35,7 @@ struct Depths {
   HWY_INLINE __mmask64 Within(float end, float next_end) const {
     return Compare<_CMP_LT_OQ>(end) & Compare<_CMP_NLT_UQ>(next_end);
   }
-  // Those that lie exactly on sky + i * step, pixel 0 being number `first` of the row.
+  // The pixels whose depth is exactly sky + i * step; pixel 0 is number `first` of the row.
   HWY_INLINE __mmask64 OnPlane(float sky, float step, int first) const {
     __mmask16 equal[4];
     for (int i = 0; i < 4; ++i) {
@@ -48,7 +48,7 @@ struct Depths {
     }
     return Joined(equal[0], equal[1], equal[2], equal[3]);
   }
-  // The largest of those in the mask.
+  // The largest depth among the pixels in the mask.
   HWY_INLINE float Nearest(__mmask64 among) const {
     const __m512 none = _mm512_set1_ps(-__builtin_inff());
     __m512 most = none;
@@ -64,6 +64,7 @@ struct Depths {
   }
 };
 
+// Looks 64 indices up in a table of 256 bytes, as two tables of 128.
 HWY_INLINE __m512i LookUp(const uint8_t* table, __m512i indices) {
   const __m512i lower =
       _mm512_permutex2var_epi8(_mm512_loadu_si512(table), indices, _mm512_loadu_si512(table + 64));
@@ -72,8 +73,8 @@ HWY_INLINE __m512i LookUp(const uint8_t* table, __m512i indices) {
   return _mm512_mask_blend_epi8(_mm512_movepi8_mask(indices), lower, upper);
 }
 
-// 64 pixels at a time. As a rule they share one step of fog, that of the pixels before them; where they do
-// not, each step that is among them has its turn.
+// 64 pixels at a time. They usually share one step of fog, that of the previous pixels. If not, one lookup is
+// made for each step that occurs among them.
 void FogRowU8(const FogRow& row) {
   auto* const pixels = static_cast<uint8_t*>(row.pixels);
   const float* const ends = row.step_end_depths;
@@ -90,18 +91,18 @@ void FogRowU8(const FogRow& row) {
       fogged = LookUp(row.rows + row.sky_share * kFogSteps / 256 * 256, under);
       remaining &= ~sky;
     }
-    __mmask64 of_step = remaining & depths.Within(ends[step], ends[step + 1]);
+    __mmask64 in_step = remaining & depths.Within(ends[step], ends[step + 1]);
     for (;;) {
-      fogged = _mm512_mask_mov_epi8(fogged, of_step, LookUp(row.rows + step * 256, under));
-      remaining &= ~of_step;
+      fogged = _mm512_mask_mov_epi8(fogged, in_step, LookUp(row.rows + step * 256, under));
+      remaining &= ~in_step;
       if (remaining == 0) break;
-      // Mostly its neighbor.
+      // The next step is usually a neighbor of this one.
       const bool is_farther = (remaining & depths.Compare<_CMP_LT_OQ>(ends[step + 1])) != 0;
       step = is_farther ? step + 1 : HWY_MAX(step - 1, 0);
-      of_step = remaining & depths.Within(ends[step], ends[step + 1]);
-      if (of_step != 0) continue;
+      in_step = remaining & depths.Within(ends[step], ends[step + 1]);
+      if (in_step != 0) continue;
       step = fog_step_at(ends, depths.Nearest(remaining));
-      of_step = remaining & depths.Compare<_CMP_NLT_UQ>(ends[step + 1]);
+      in_step = remaining & depths.Compare<_CMP_NLT_UQ>(ends[step + 1]);
     }
     _mm512_mask_storeu_epi8(pixels + first, inside, fogged);
   }
@@ -109,7 +110,7 @@ void FogRowU8(const FogRow& row) {
 
 #else
 
-// Without such look-ups there is nothing to gain over one pixel after another.
+// Without such lookups SIMD gains nothing over scalar code.
 void FogRowU8(const FogRow& row) {
   fog_row_u8_scalar(row);
 }
@@ -129,7 +130,7 @@ using DI = hn::Rebind<int32_t, DF>;
 using DU = hn::RebindToUnsigned<DI>;
 using D16 = hn::Repartition<uint16_t, DU>;
 
-// table[pieces], of 16 entries.
+// table[pieces], for a table of 16 entries.
 HWY_INLINE hn::Vec<DF> PieceOf(const float* table, hn::Vec<DI> pieces) {
   const DF d;
 #if HWY_TARGET <= HWY_AVX3
@@ -144,8 +145,8 @@ HWY_INLINE hn::Vec<DF> PieceOf(const float* table, hn::Vec<DI> pieces) {
 #endif
 }
 
-// The curve's polynomial at x. Neighbors nearly always lie on one piece of it, whose coefficients are the
-// same for all lanes.
+// The curve at x. Neighboring pixels nearly always use the same polynomial, whose coefficients are then the
+// same in all lanes.
 HWY_INLINE hn::Vec<DF> CurveAt(const FogCurve& curve, hn::Vec<DF> x) {
   const DF d;
   const DI di;
@@ -163,7 +164,7 @@ HWY_INLINE hn::Vec<DF> CurveAt(const FogCurve& curve, hn::Vec<DF> x) {
   return share;
 }
 
-// In 256ths, of the depths from pixel i of the row on.
+// The share of fog in 256ths, for the pixels from number i of the row on.
 template <bool kPerspective, bool kHasSky>
 HWY_INLINE hn::Vec<DI> Share256(const FogRow& row, int i, const float* depths) {
   const DF d;
@@ -180,8 +181,8 @@ HWY_INLINE hn::Vec<DI> Share256(const FogRow& row, int i, const float* depths) {
   return hn::IfThenElse(hn::RebindMask(di, hn::Eq(depth, sky)), hn::Set(di, row.sky_share), whole);
 }
 
-// One vector of pixels. Two channels at a time, in the halves of a lane: under * 256 + (color - under) *
-// fog, where the sum is right however its parts wrap. Alpha's fog is 0.
+// Fogs one vector of pixels. Two channels at a time, in the halves of a lane: under * 256 + (color - under) *
+// fog, a sum that is right modulo 2^16 although its parts wrap. Alpha gets no fog.
 template <bool kPerspective, bool kHasSky>
 HWY_INLINE void FogPixels(const FogRow& row, int i, const float* depths, uint32_t* pixels) {
   const DU du;
@@ -210,7 +211,7 @@ HWY_INLINE void FogWholeRow(const FogRow& row) {
   for (; i + kLanes <= row.count; i += kLanes)
     FogPixels<kPerspective, kHasSky>(row, i, row.depth + i, pixels + i);
   if (i == row.count) return;
-  // The last ones beside the row: there may be nothing to read behind them.
+  // The last pixels are copied to a buffer: memory after the row may be unreadable or another thread's.
   HWY_ALIGN float last_depths[16] = {};
   HWY_ALIGN uint32_t last[16] = {};
   for (int j = i; j < row.count; ++j) {

@@ -8,12 +8,12 @@ namespace temblor::render {
 
 namespace {
 
-// Whether a line from start to end runs down the screen. Level ones cross no row.
+// Whether a side runs down the screen. Level sides cross no row, so their direction does not matter.
 bool runs_down(const math::Vec2d& start, const math::Vec2d& end) {
   return start.y < end.y;
 }
 
-// y >= 0. (std::ceil is a call on processors without SSE 4.1.)
+// y is at least 0. (std::ceil would be a function call on processors without SSE 4.1.)
 std::int32_t ceil_to_row(double y) {
   const std::int32_t whole = static_cast<std::int32_t>(y);
   return whole + (y > whole ? 1 : 0);
@@ -28,7 +28,7 @@ EdgeEmitter::EdgeEmitter(const ViewFrame& view, base::Arena& arena)
       screen_corners_(arena, 2048),
       corner_end_(arena, 512),
       surfaces_(arena, 512),
-      pieces_(arena, 64) {}
+      fragments_(arena, 64) {}
 
 EdgeEmitter::Corner EdgeEmitter::project(const math::Vec3d& world, world::FaceIndex neighbor) const {
   Corner corner{view_.to_view(world), math::Vec2d(0.0), kClipNear, neighbor};
@@ -40,8 +40,8 @@ EdgeEmitter::Corner EdgeEmitter::project(const math::Vec3d& world, world::FaceIn
   return corner;
 }
 
-// Worked out from the end behind the plane, so that neighbors, who walk the side in opposite directions,
-// meet in one point.
+// Always computed from the end behind the plane: neighbors have the side in opposite directions and must get
+// exactly the same point.
 math::Vec2d EdgeEmitter::cross_near(const Corner& a, const Corner& b) const {
   const auto& [behind, before] =
       (a.beyond & kClipNear) != 0 ? std::pair(a.view, b.view) : std::pair(b.view, a.view);
@@ -56,7 +56,8 @@ void EdgeEmitter::add_outline(Beyond beyond) {
     const Corner& here = corners_[i];
     if ((here.beyond & kClipNear) == 0) screen_corners_.push_back({here.screen, here.neighbor});
     if ((beyond.any & kClipNear) == 0) continue;
-    // Where the outline goes behind the near plane it is closed along that plane, to where it comes back.
+    // Where the outline passes behind the near plane, it is closed along that plane, up to the point where it
+    // comes back. The closing side has no neighbor.
     const Corner& next = corners_[i + 1 < corners_.size() ? i + 1 : 0];
     if (((here.beyond ^ next.beyond) & kClipNear) == 0) continue;
     const bool comes_back = (here.beyond & kClipNear) != 0;
@@ -66,9 +67,9 @@ void EdgeEmitter::add_outline(Beyond beyond) {
 }
 
 void EdgeEmitter::add_surface(SortKey key, std::uint32_t instance, world::FaceIndex face, TileGrid tiles,
-                              std::uint32_t piece, float nearest_z) {
-  surfaces_.push_back({key, instance, face, item_count_, tiles, piece, nearest_z});
-  item_count_ += static_cast<std::uint32_t>(tiles.s) * tiles.t;
+                              std::uint32_t fragment, float nearest_z) {
+  surfaces_.push_back({key, instance, face, draw_count_, tiles, fragment, nearest_z});
+  draw_count_ += static_cast<std::uint32_t>(tiles.s) * tiles.t;
 }
 
 void EdgeEmitter::add_world_face(const VisibleFace& visible, const FaceOutlines& outlines) {
@@ -88,8 +89,8 @@ void EdgeEmitter::add_world_face(const VisibleFace& visible, const FaceOutlines&
   add_outline(beyond);
 }
 
-void EdgeEmitter::add_piece(std::span<const math::Vec3d> corners_world, std::uint32_t instance,
-                            world::FaceIndex face, TileGrid tiles, SortKey key, const ScreenPlane& depth) {
+void EdgeEmitter::add_fragment(std::span<const math::Vec3d> corners_world, std::uint32_t instance,
+                               world::FaceIndex face, TileGrid tiles, SortKey key, const ScreenPlane& depth) {
   Beyond beyond;
   corners_.clear();
   for (const math::Vec3d& corner : corners_world) {
@@ -97,15 +98,17 @@ void EdgeEmitter::add_piece(std::span<const math::Vec3d> corners_world, std::uin
     beyond.add(corners_.back().beyond);
   }
   if (beyond.all != 0) return;
-  add_surface(key, instance, face, tiles, static_cast<std::uint32_t>(pieces_.size()), 0);
-  pieces_.push_back({depth});
+  add_surface(key, instance, face, tiles, static_cast<std::uint32_t>(fragments_.size()), 0);
+  fragments_.push_back({depth});
   add_outline(beyond);
 }
 
+// Only the near plane is clipped to as a polygon. Rows outside the screen are cut off here; x needs no
+// clipping, because `crossing` clamps it to the left border and the scan stops at the right one.
 void EdgeEmitter::make_edge(const math::Vec2d& start, const math::Vec2d& end, SurfaceIndex inside,
                             SurfaceIndex across) {
   const bool down = runs_down(start, end);
-  // Upper end first, so that the same line gives the same numbers whichever way it is walked.
+  // From the upper end, so that a line yields the same numbers in either direction.
   const math::Vec2d &top = down ? start : end, &bottom = down ? end : start;
   const std::int32_t last_screen_row = view_.height - 1;
   if (!(top.y <= last_screen_row && bottom.y > 0)) return;
@@ -114,10 +117,11 @@ void EdgeEmitter::make_edge(const math::Vec2d& start, const math::Vec2d& end, Su
   edge.last_row = bottom.y > last_screen_row ? last_screen_row : ceil_to_row(bottom.y) - 1;
   if (edge.first_row > edge.last_row) return;
   edge.step = (bottom.x - top.x) / (bottom.y - top.y);
-  // An edge that is all but level has a step beyond all measure: rounding must not carry it past its ends.
+  // A nearly level edge has a huge step: rounding must not carry x past the ends of the side.
   const auto [left, right] = std::minmax(top.x, bottom.x);
   edge.x_first = std::clamp(top.x + (edge.first_row - top.y) * edge.step, left, right);
   const double x_last = edge.x_first + edge.step * (edge.last_row - edge.first_row);
+  // Edges right of the screen change nothing. Edges left of it do: their surface begins at x = 0.
   if (edge.x_first > view_.width - 1 && x_last > view_.width - 1) return;
   if (edge.x_first <= 0 && x_last <= 0) edge.x_first = edge.step = 0;
   edge.leading = down ? across : inside;
@@ -132,7 +136,8 @@ void EdgeEmitter::make_edges(SurfaceIndex first, std::span<const SurfaceIndex> s
   std::size_t begin = 0;
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const SurfaceIndex surface = base::to_index<SurfaceIndex>(base::to_size(first) + i);
-    // Late faces share no edges; and a file may have a face twice in its tree: only the last one's are.
+    // Deferred faces share no edges. A file may also list a face twice in its tree: then only the last of its
+    // surfaces shares edges.
     const bool shares = surface_of_face[base::to_size(surfaces_[i].face)] == surface;
     const std::size_t end = corner_end_[i];
     for (std::size_t corner = begin; corner < end; ++corner) {
@@ -140,6 +145,7 @@ void EdgeEmitter::make_edges(SurfaceIndex first, std::span<const SurfaceIndex> s
       SurfaceIndex across = kBackground;
       if (shares && here.neighbor != kNoNeighbor) {
         across = surface_of_face[base::to_size(here.neighbor)];
+        // The neighbor made this edge already.
         if (across != kBackground && across < surface) continue;
       }
       make_edge(here.at, screen_corners_[corner + 1 < end ? corner + 1 : begin].at, surface, across);

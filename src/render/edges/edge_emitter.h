@@ -1,4 +1,10 @@
-// One job's share of the edge table: the outlines of some faces on the screen, and then their edges.
+// One job's share of the edge table. Work is divided by faces, in two passes with a barrier between them:
+//
+//   add_world_face, add_fragment   project, reject, clip to the near plane -> outlines, surfaces
+//   (all jobs done)                surfaces get their final numbers (emit_edges.cpp)
+//   make_edges                     outlines -> edges; of two neighbors, the one with the smaller number makes
+//                                  the shared edge
+//
 #pragma once
 
 #include <cstdint>
@@ -9,45 +15,45 @@
 
 namespace temblor::render {
 
-// First outlines are added. When every job is done with that, all surfaces get their numbers, and only then
-// can edges be made: which of two neighbors makes their common edge depends on both numbers.
-// Emitters lie beside one another and each is used by another thread: none shares a cache line.
+// Emitters are stored side by side and used by different threads, so each gets its own cache lines.
 class alignas(64) EdgeEmitter {
  public:
   EdgeEmitter(const ViewFrame& view, base::Arena& arena);
 
-  // A face of the world.
+  // Nothing is added if all corners are beyond one side of the screen.
   void add_world_face(const VisibleFace& visible, const FaceOutlines& outlines);
-  // A piece of a brush model's face: its corners in the world, clockwise seen from its front.
-  void add_piece(std::span<const math::Vec3d> corners_world, std::uint32_t instance, world::FaceIndex face,
-                 TileGrid tiles, SortKey key, const ScreenPlane& depth);
+  // A fragment of a brush model's face; its corners in world space, clockwise seen from the front.
+  void add_fragment(std::span<const math::Vec3d> corners_world, std::uint32_t instance, world::FaceIndex face,
+                    TileGrid tiles, SortKey key, const ScreenPlane& depth);
 
-  // What is on the screen, in the order in which it was added; first_item and piece count from 0.
+  // Surfaces on the screen, in the order of the add calls; first_draw and fragment count from 0 within this
+  // job.
   std::span<const ScreenSurface> surfaces() const { return surfaces_.view(); }
-  std::span<const Piece> pieces() const { return pieces_.view(); }
-  std::uint32_t item_count() const { return item_count_; }
+  std::span<const BrushFragment> fragments() const { return fragments_.view(); }
+  std::uint32_t draw_count() const { return draw_count_; }
 
-  // The surfaces are those from `first` on. `surface_of_face` has the number of each face of the world, or
-  // kBackground. Each edge is made by the first surface at it. A surface that does not have its face's number
-  // there shares none.
+  // This job's surfaces are numbered from `first` on. `surface_of_face` holds the surface number of each face
+  // of the world, or kBackground. A surface that is not its face's entry there shares no edges.
   void make_edges(SurfaceIndex first, std::span<const SurfaceIndex> surface_of_face);
   std::span<const Edge> edges() const { return edges_.view(); }
-  // By row: how many edges begin there.
+  // By row: the number of edges that begin there. The caller turns the counts into positions, in place.
   std::span<std::uint32_t> edges_by_row() { return edges_by_row_; }
 
  private:
-  // Where a corner is, and which sides of the screen it lies beyond (bits as ClipFlags).
+  // A projected corner, and the sides of the screen that it lies beyond (ClipFlags).
   struct Corner {
     math::Vec3d view;
-    math::Vec2d screen;  // unless beyond the near plane
+    // Undefined if the corner is beyond the near plane.
+    math::Vec2d screen;
     int beyond;
     world::FaceIndex neighbor;
   };
-  // A corner of what is before the near plane, and who is across the side from there to the next one.
+  // A corner in front of the near plane, and the face across the side from it to the next corner.
   struct ScreenCorner {
     math::Vec2d at;
     world::FaceIndex neighbor;
   };
+  // Accumulates the flags of an outline: `all` not 0 rejects it, `any` without kClipNear needs no near clip.
   struct Beyond {
     int all = kClipAll, any = 0;
     void add(int beyond) {
@@ -57,12 +63,13 @@ class alignas(64) EdgeEmitter {
   };
 
   Corner project(const math::Vec3d& world, world::FaceIndex neighbor) const;
-  // The corners of corners_ as an outline on the screen.
+  // Appends the outline in corners_, clipped to the near plane.
   void add_outline(Beyond beyond);
   math::Vec2d cross_near(const Corner& a, const Corner& b) const;
   void add_surface(SortKey key, std::uint32_t instance, world::FaceIndex face, TileGrid tiles,
-                   std::uint32_t piece, float nearest_z);
-  // Of the side from `start` to `end`, walked with `inside` on the right hand.
+                   std::uint32_t fragment, float nearest_z);
+  // Makes the edge of the side from `start` to `end`, which has surface `inside` on its right and `across` on
+  // its left. Makes nothing if the side crosses no row of the screen.
   void make_edge(const math::Vec2d& start, const math::Vec2d& end, SurfaceIndex inside, SurfaceIndex across);
 
   const ViewFrame& view_;
@@ -71,10 +78,10 @@ class alignas(64) EdgeEmitter {
   base::ArenaVector<ScreenCorner> screen_corners_;
   base::ArenaVector<std::uint32_t> corner_end_;  // by surface, into screen_corners_
   base::ArenaVector<ScreenSurface> surfaces_;
-  base::ArenaVector<Piece> pieces_;
+  base::ArenaVector<BrushFragment> fragments_;
   base::ArenaVector<Edge> edges_;
   std::span<std::uint32_t> edges_by_row_;
-  std::uint32_t item_count_ = 0;
+  std::uint32_t draw_count_ = 0;
 };
 
 }  // namespace temblor::render

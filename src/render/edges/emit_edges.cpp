@@ -1,13 +1,13 @@
-// Two passes over the faces, each in parallel, with what they must agree on between them: outlines on the
-// screen, then the surfaces' numbers, then edges. Each job has a run of the faces; as runs are put together
-// in order, it does not matter where they were cut.
+// Two parallel passes over the faces: first outlines on the screen, then, when all surfaces have their
+// numbers, edges. Each job has a range of the sequence of faces (the world's, then those of visible brush
+// models). Ranges are concatenated in order, so it does not matter where they were cut.
 #include <algorithm>
 #include <limits>
 #include <memory>
 #include <utility>
 
 #include "base/check.h"
-#include "render/edges/brush_pieces.h"
+#include "render/edges/brush_fragments.h"
 #include "render/edges/edge_emitter.h"
 #include "render/edges/edge_table.h"
 
@@ -15,10 +15,10 @@ namespace temblor::render {
 
 namespace {
 
-// More than one, as faces are not equally much work; not many, as each counts edges row by row.
-constexpr std::size_t kJobsAThread = 4;
+// More than one, because faces take unequal time; few, because each job counts its edges row by row.
+constexpr std::size_t kJobsPerThread = 4;
 
-// Whether the model may be on the screen: a sphere round it against the frustum.
+// Tests a sphere around the model's box against the frustum; conservative.
 bool in_frustum(const ViewFrame& view, const ModelView& model_view, const math::Bounds& bounds) {
   const math::Vec3d mins(bounds.mins), maxs(bounds.maxs);
   const math::Vec3d center = model_view.to_world((mins + maxs) * 0.5);
@@ -28,17 +28,17 @@ bool in_frustum(const ViewFrame& view, const ModelView& model_view, const math::
   });
 }
 
-// A brush model that may be on the screen, and where its faces stand in the sequence of all faces: those of
-// the world are first.
-struct ShownModel {
+// A brush model that may be on the screen, and the range of its faces in the sequence of all faces, in which
+// the world's faces come first.
+struct VisibleModel {
   std::uint32_t instance;
-  std::size_t first_face;  // of the level
-  std::size_t begin, end;  // of the sequence
+  std::size_t first_face;  // in the level
+  std::size_t begin, end;  // in the sequence
 };
 
 struct FaceSequence {
   std::span<const ModelView> model_views;
-  std::span<const ShownModel> models;
+  std::span<const VisibleModel> models;
   std::size_t face_count;
 };
 
@@ -46,7 +46,7 @@ FaceSequence order_faces(const Scene& scene, const ViewFrame& view, std::size_t 
                          base::Arena& arena) {
   const world::Level& level = *scene.level;
   std::span<ModelView> model_views = arena.allocate<ModelView>(scene.brush_models.size() + 1);
-  base::ArenaVector<ShownModel> shown(arena, scene.brush_models.size());
+  base::ArenaVector<VisibleModel> shown(arena, scene.brush_models.size());
   model_views[0] = ModelView{};
   std::size_t end = world_faces;
   for (std::uint32_t instance = 1; instance < model_views.size(); ++instance) {
@@ -61,57 +61,58 @@ FaceSequence order_faces(const Scene& scene, const ViewFrame& view, std::size_t 
   return {model_views, shown.view(), end};
 }
 
-// Surfaces of all jobs, one job's after another's.
+// The surfaces of all jobs, concatenated.
 struct NumberedSurfaces {
   std::span<ScreenSurface> surfaces;
-  std::span<Piece> pieces;
+  std::span<BrushFragment> fragments;
   std::span<SurfaceIndex> first_of_job;
-  std::span<SurfaceIndex> of_face;  // of the world; kBackground: not on the screen
-  std::uint32_t item_count = 1;     // item 0 is the background
+  std::span<SurfaceIndex> by_face;  // the world's faces; kBackground: not on the screen
+  std::uint32_t draw_count = 1;     // draw 0 is the background
 };
 
-// The last job's faces are late, and nobody's neighbors.
+// The last job holds the deferred faces. They get no entry in by_face, so no edge is shared with them.
 NumberedSurfaces number_surfaces(std::span<const EdgeEmitter> emitters, std::size_t level_faces,
                                  base::Arena& arena) {
-  std::size_t surface_count = 1, piece_count = 0;
+  std::size_t surface_count = 1, fragment_count = 0;
   for (const EdgeEmitter& emitter : emitters) {
     surface_count += emitter.surfaces().size();
-    piece_count += emitter.pieces().size();
+    fragment_count += emitter.fragments().size();
   }
-  NumberedSurfaces numbered{arena.allocate<ScreenSurface>(surface_count), arena.allocate<Piece>(piece_count),
+  NumberedSurfaces numbered{arena.allocate<ScreenSurface>(surface_count),
+                            arena.allocate<BrushFragment>(fragment_count),
                             arena.allocate<SurfaceIndex>(emitters.size()),
                             arena.allocate_filled<SurfaceIndex>(level_faces, kBackground)};
   numbered.surfaces[0] = {std::numeric_limits<SortKey>::max(), 0, world::FaceIndex{0}, 0, {}, 0, 0};
   std::size_t number = 1;
-  std::uint32_t pieces_before = 0;
+  std::uint32_t fragments_before = 0;
   for (std::size_t job = 0; job < emitters.size(); ++job) {
-    const bool late = job + 1 == emitters.size();
+    const bool deferred = job + 1 == emitters.size();
     numbered.first_of_job[job] = base::to_index<SurfaceIndex>(number);
     for (ScreenSurface surface : emitters[job].surfaces()) {
-      surface.first_item += numbered.item_count;
+      surface.first_draw += numbered.draw_count;
       if (surface.instance != 0)
-        surface.piece += pieces_before;
-      else if (!late)
-        numbered.of_face[base::to_size(surface.face)] = base::to_index<SurfaceIndex>(number);
+        surface.fragment += fragments_before;
+      else if (!deferred)
+        numbered.by_face[base::to_size(surface.face)] = base::to_index<SurfaceIndex>(number);
       numbered.surfaces[number++] = surface;
     }
-    std::copy(emitters[job].pieces().begin(), emitters[job].pieces().end(),
-              numbered.pieces.begin() + pieces_before);
-    pieces_before += static_cast<std::uint32_t>(emitters[job].pieces().size());
-    numbered.item_count += emitters[job].item_count();
+    std::copy(emitters[job].fragments().begin(), emitters[job].fragments().end(),
+              numbered.fragments.begin() + fragments_before);
+    fragments_before += static_cast<std::uint32_t>(emitters[job].fragments().size());
+    numbered.draw_count += emitters[job].draw_count();
   }
   return numbered;
 }
 
-// Where the edges of each job go: in `order`, after those of the rows above and those of the same row from
-// the jobs before it.
+// Where each job's edges go in `order`: after the edges of the rows above, and after those of the same row
+// from earlier jobs.
 struct EdgePlaces {
   std::span<std::uint32_t> row_begin;
   std::span<std::size_t> first_of_job;
   std::size_t edge_count;
 };
 
-// Counting sort by first row. Each emitter's counts become the places of its edges.
+// A counting sort by first row, across jobs. Turns each emitter's counts into positions.
 EdgePlaces place_edges(std::span<EdgeEmitter> io_emitters, std::size_t rows, base::Arena& arena) {
   EdgePlaces places{arena.allocate<std::uint32_t>(rows + 1), arena.allocate<std::size_t>(io_emitters.size()),
                     0};
@@ -128,7 +129,7 @@ EdgePlaces place_edges(std::span<EdgeEmitter> io_emitters, std::size_t rows, bas
   return places;
 }
 
-// One job's edges to their places.
+// Copies one job's edges to their places.
 void gather_edges(EdgeEmitter& io_emitter, std::size_t first, std::span<Edge> out_edges,
                   std::span<std::uint32_t> out_order) {
   const std::span<std::uint32_t> place_in_row = io_emitter.edges_by_row();
@@ -139,68 +140,73 @@ void gather_edges(EdgeEmitter& io_emitter, std::size_t first, std::span<Edge> ou
   }
 }
 
-// Where each late surface's edges begin: they were made surface by surface.
-std::span<const std::uint32_t> find_deferred_edges(const EdgeEmitter& late, SurfaceIndex first,
+// The first edge of each deferred surface, and one more at the end: edges were made surface by surface.
+std::span<const std::uint32_t> find_deferred_edges(const EdgeEmitter& deferred, SurfaceIndex first,
                                                    base::Arena& arena) {
-  const std::span<std::uint32_t> begin = arena.allocate<std::uint32_t>(late.surfaces().size() + 1);
+  const std::span<std::uint32_t> begin = arena.allocate<std::uint32_t>(deferred.surfaces().size() + 1);
   std::size_t surface = 0;
-  for (std::uint32_t i = 0; i < late.edges().size(); ++i) {
-    const Edge& edge = late.edges()[i];
-    const SurfaceIndex whose = edge.leading != kBackground ? edge.leading : edge.trailing;
-    for (; base::to_size(first) + surface <= base::to_size(whose); ++surface) begin[surface] = i;
+  for (std::uint32_t i = 0; i < deferred.edges().size(); ++i) {
+    const Edge& edge = deferred.edges()[i];
+    const SurfaceIndex owner = edge.leading != kBackground ? edge.leading : edge.trailing;
+    for (; base::to_size(first) + surface <= base::to_size(owner); ++surface) begin[surface] = i;
   }
-  for (; surface < begin.size(); ++surface) begin[surface] = static_cast<std::uint32_t>(late.edges().size());
+  for (; surface < begin.size(); ++surface)
+    begin[surface] = static_cast<std::uint32_t>(deferred.edges().size());
   return begin;
 }
 
-std::size_t choose_job_count(std::size_t faces, std::size_t faces_a_job, int threads) {
+std::size_t choose_job_count(std::size_t faces, std::size_t faces_per_job, int threads) {
   if (threads == 1) return 1;
-  return std::clamp<std::size_t>(faces / faces_a_job, 1, static_cast<std::size_t>(threads) * kJobsAThread);
+  return std::clamp<std::size_t>(faces / faces_per_job, 1,
+                                 static_cast<std::size_t>(threads) * kJobsPerThread);
 }
 
 }  // namespace
 
-EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFaces& visible,
-                     const FaceOutlines& outlines, base::Jobs& jobs, base::Arena& arena,
-                     std::vector<EdgeJobArenas>& io_job_arenas, std::size_t faces_a_job) {
+EdgeTable emit_edges(const FrameContext& context, const ViewFrame& view, const VisibleFaces& visible,
+                     const FaceOutlines& outlines, std::size_t faces_per_job) {
+  const Scene& scene = context.scene;
+  FrameArenas& arenas = context.arenas;
+  base::Arena& arena = context.arena();
+  base::Jobs& jobs = context.jobs;
   const std::size_t world_faces = visible.faces.size();
   const FaceSequence sequence = order_faces(scene, view, world_faces, arena);
-  const std::size_t job_count = choose_job_count(sequence.face_count, faces_a_job, jobs.threads());
-  if (io_job_arenas.size() <= job_count) io_job_arenas.resize(job_count + 1);
-  // One more, for late faces.
+  const std::size_t job_count = choose_job_count(sequence.face_count, faces_per_job, jobs.threads());
+  FrameArenas::grow(arenas.edges, job_count + 1);
+  FrameArenas::grow(arenas.scratch, job_count + 1);
+  // One more than jobs: the last emitter collects the deferred faces.
   std::span<EdgeEmitter> emitters = arena.allocate<EdgeEmitter>(job_count + 1);
-  const auto add_brush_faces = [&](std::size_t begin, std::size_t end, bool late, base::Arena& pieces,
+  const auto add_brush_faces = [&](std::size_t begin, std::size_t end, bool deferred, base::Arena& scratch,
                                    EdgeEmitter& emitter) {
-    for (const ShownModel& model : sequence.models)
+    for (const VisibleModel& model : sequence.models)
       for (std::size_t i = std::max(begin, model.begin); i < std::min(end, model.end); ++i) {
         const auto face = base::to_index<world::FaceIndex>(model.first_face + (i - model.begin));
         const FaceOpacity opacity =
-            opacity_on(visible.opacities, *scene.level, scene.level->face(face).texture,
-                       scene.brush_models[model.instance - 1]);
-        if (opacity.opacity <= 0 || opacity.is_late() != late) continue;
-        add_brush_face(scene, view, visible, outlines, sequence.model_views[model.instance], model.instance,
-                       face, pieces, emitter);
+            brush_face_opacity(visible.opacities, *scene.level, scene.level->face(face).texture,
+                               scene.brush_models[model.instance - 1]);
+        if (opacity.opacity <= 0 || opacity.is_deferred() != deferred) continue;
+        const BrushFace brush_face{model.instance, face, sequence.model_views[model.instance]};
+        add_brush_face(*scene.level, view, visible, outlines, brush_face, scratch, emitter);
       }
   };
 
   jobs.parallel_for(job_count + 1, [&](std::size_t job) {
-    EdgeJobArenas& arenas = io_job_arenas[job];
-    arenas.faces.reset();
-    EdgeEmitter& emitter = *std::construct_at(&emitters[job], view, arenas.faces);
+    arenas.edges[job].reset();
+    EdgeEmitter& emitter = *std::construct_at(&emitters[job], view, arenas.edges[job]);
     if (job == job_count) {
       for (const VisibleFace& face : visible.deferred_faces) emitter.add_world_face(face, outlines);
-      add_brush_faces(0, sequence.face_count, true, arenas.pieces, emitter);
+      add_brush_faces(0, sequence.face_count, true, arenas.scratch[job], emitter);
       return;
     }
     const std::size_t begin = sequence.face_count * job / job_count;
     const std::size_t end = sequence.face_count * (job + 1) / job_count;
     for (std::size_t i = begin; i < std::min(end, world_faces); ++i)
       emitter.add_world_face(visible.faces[i], outlines);
-    add_brush_faces(begin, end, false, arenas.pieces, emitter);
+    add_brush_faces(begin, end, false, arenas.scratch[job], emitter);
   });
   const NumberedSurfaces numbered = number_surfaces(emitters, scene.level->faces.size(), arena);
   jobs.parallel_for(job_count + 1, [&](std::size_t job) {
-    emitters[job].make_edges(numbered.first_of_job[job], numbered.of_face);
+    emitters[job].make_edges(numbered.first_of_job[job], numbered.by_face);
   });
 
   const EdgePlaces places =
@@ -210,16 +216,16 @@ EdgeTable emit_edges(const Scene& scene, const ViewFrame& view, const VisibleFac
   jobs.parallel_for(job_count, [&](std::size_t job) {
     gather_edges(emitters[job], places.first_of_job[job], edges, order);
   });
-  const std::span<const Edge> made_late = emitters[job_count].edges();
-  const std::span<Edge> deferred_edges = arena.allocate<Edge>(made_late.size());
-  std::copy(made_late.begin(), made_late.end(), deferred_edges.begin());
+  const std::span<const Edge> deferred_made = emitters[job_count].edges();
+  const std::span<Edge> deferred_edges = arena.allocate<Edge>(deferred_made.size());
+  std::copy(deferred_made.begin(), deferred_made.end(), deferred_edges.begin());
   return {edges,
           order,
           places.row_begin,
           numbered.surfaces,
-          numbered.pieces,
+          numbered.fragments,
           sequence.model_views,
-          numbered.item_count,
+          numbered.draw_count,
           deferred_edges,
           find_deferred_edges(emitters[job_count], numbered.first_of_job[job_count], arena)};
 }

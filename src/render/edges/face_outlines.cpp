@@ -7,25 +7,26 @@ namespace temblor::render {
 
 namespace {
 
-// Who uses an edge of the level: faces that walk it from start to end, and those that walk it back.
+// The faces that use an edge of the level: those that run along it from start to end, and those that run
+// back.
 struct EdgeUsers {
   std::uint32_t forward_count = 0, backward_count = 0;
   world::FaceIndex forward{}, backward{};  // the last ones
 };
 
-std::span<const std::int32_t> surfedges_of(const world::Level& level, const world::Face& face) {
+std::span<const std::int32_t> face_surfedges(const world::Level& level, const world::Face& face) {
   return std::span(level.surfedges).subspan(face.first_surfedge, face.surfedge_count);
 }
 
-std::size_t edge_of(std::int32_t surfedge) {
+std::size_t edge_index(std::int32_t surfedge) {
   return static_cast<std::size_t>(surfedge < 0 ? -surfedge : surfedge);
 }
 
 std::vector<EdgeUsers> find_users(const world::Level& level) {
   std::vector<EdgeUsers> users(level.edges.size());
   for (std::size_t i = 0; i < level.faces.size(); ++i)
-    for (const std::int32_t surfedge : surfedges_of(level, level.faces[i])) {
-      EdgeUsers& edge = users[edge_of(surfedge)];
+    for (const std::int32_t surfedge : face_surfedges(level, level.faces[i])) {
+      EdgeUsers& edge = users[edge_index(surfedge)];
       ++(surfedge < 0 ? edge.backward_count : edge.forward_count);
       (surfedge < 0 ? edge.backward : edge.forward) = base::to_index<world::FaceIndex>(i);
     }
@@ -42,7 +43,8 @@ world::FaceIndex neighbor_at(const EdgeUsers& users, bool backward) {
 }  // namespace
 
 bool has_surface(const world::Face& face) {
-  // What has samples is bounded by their number; of faces without, a file may hold many of any extent.
+  // Light samples bound the extent of a lit face by the size of the file. Faces without samples have no such
+  // bound, and a hostile file may hold many huge ones, each of which would take a block.
   constexpr std::int32_t kMaxExtentInTheDark = 512;
   return face.kind == world::FaceKind::kLit &&
          (face.light != world::kNoLight ||
@@ -66,8 +68,9 @@ FaceOutlines make_face_outlines(const world::Level& level) {
     outlines.faces.push_back(
         {static_cast<std::uint32_t>(outlines.corners.size()), face.surfedge_count, tile_grid(face)});
     for (std::uint32_t i = face.first_surfedge; i < face.first_surfedge + face.surfedge_count; ++i)
-      outlines.corners.push_back({level.vertices[level.surfedge_start(i)],
-                                  neighbor_at(users[edge_of(level.surfedges[i])], level.surfedges[i] < 0)});
+      outlines.corners.push_back(
+          {level.vertices[level.surfedge_start(i)],
+           neighbor_at(users[edge_index(level.surfedges[i])], level.surfedges[i] < 0)});
   }
   return outlines;
 }

@@ -1,12 +1,11 @@
-// Hot loop. Abrash, "Sorted Spans in Action": on each scan line the active edges are walked from left to
-// right, and a stack of surfaces, sorted by key, tells which is in front; when that changes, a span ends.
+// Hot loop. On each scan line the active edges are passed from left to right, and the surface stack says
+// which surface is in front; where that changes, a span ends (Abrash, "Sorted Spans in Action").
 //
-// Which edges those are where it changes, and what is in front from there on, is the same on every row that
-// the same edges cross in the same order; only the pixels differ. Such rows are not walked again.
+// On consecutive rows that are crossed by the same edges in the same order, the same edges change the front
+// surface and only their pixels differ. Such rows reuse the previous walk; most rows do.
 //
-// Edges at one pixel may be met in any order: a surface counts the edges that it is inside of, and a span
-// that would be empty is not made. Their order is total all the same, for the sake of brush models that
-// touch.
+// Edges at the same pixel may be passed in any order: a surface counts the edges that it is inside of, and
+// empty spans are dropped. The order is total anyway, because brush models that touch depend on it.
 #include "render/edges/scan_band.h"
 
 #include "render/edges/active_edges.h"
@@ -32,10 +31,10 @@ class BandScan {
       walk(row, on_screen);
     add_spans(static_cast<std::uint16_t>(row));
   }
-  std::span<const ItemSpan> spans() const { return spans_.view(); }
+  std::span<const DrawSpan> spans() const { return spans_.view(); }
 
  private:
-  // Edges not right of the screen.
+  // The number of edges that are not right of the screen; later ones are not walked.
   std::size_t count_on_screen() const {
     const std::span<const double> x = edges_.x();
     std::size_t count = x.size();
@@ -44,23 +43,24 @@ class BandScan {
   }
 
   void walk(int row, std::size_t on_screen) {
-    stack_.walk(row, edges_.x().first(on_screen), edges_.marks().first(on_screen), switches_);
+    stack_.walk(row, edges_.x().first(on_screen), edges_.records().first(on_screen), switches_);
     walked_ = on_screen;
   }
 
+  // Turns the switches into spans. The span before the first switch shows the background (draw 0).
   void add_spans(std::uint16_t row) {
     const std::span<const double> x = edges_.x();
-    ItemSpan* next = spans_.extend(switches_.size() + 1);
-    std::uint32_t item = 0;
+    DrawSpan* next = spans_.extend(switches_.size() + 1);
+    std::uint32_t draw = 0;
     int begin = 0;
     const auto add = [&](int end) {
-      *next = {item, {static_cast<std::uint16_t>(begin), row, static_cast<std::uint16_t>(end - begin)}};
+      *next = {draw, {static_cast<std::uint16_t>(begin), row, static_cast<std::uint16_t>(end - begin)}};
       next += end > begin;  // empty ones are written over
       begin = end;
     };
     for (const SurfaceStack::Switch& change : switches_) {
       add(first_pixel(x[change.place]));
-      item = change.item;
+      draw = change.draw;
     }
     add(width_);
     spans_.shrink(static_cast<std::size_t>(next - spans_.data()));
@@ -71,15 +71,15 @@ class BandScan {
   SurfaceStack stack_;
   base::ArenaVector<SurfaceStack::Switch> switches_;  // of the last walk
   std::size_t walked_ = 0;                            // edges that it passed
-  base::ArenaVector<ItemSpan> spans_;
+  base::ArenaVector<DrawSpan> spans_;
 };
 
 }  // namespace
 
-std::span<const ItemSpan> scan_band(const EdgeTable& table, const SurfaceRanks& ranks, int first_row,
-                                    int row_count, int width, base::Arena& arena) {
-  BandScan scan(table, ranks, first_row, width, arena);
-  for (int row = first_row; row < first_row + row_count; ++row) scan.scan_row(row);
+std::span<const DrawSpan> scan_band(const EdgeTable& table, const SurfaceRanks& ranks, RowRange rows,
+                                    int width, base::Arena& arena) {
+  BandScan scan(table, ranks, rows.first, width, arena);
+  for (int row = rows.first; row < rows.end; ++row) scan.scan_row(row);
   return scan.spans();
 }
 

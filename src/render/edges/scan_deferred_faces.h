@@ -1,5 +1,5 @@
-// Late faces are scanned one at a time, each as if nothing else were on the screen: the pixels that the edge
-// list would give it.
+// Scans deferred faces one at a time, each as if nothing else were on the screen. A face covers exactly the
+// pixels that the edge scan would give it.
 #pragma once
 
 #include <span>
@@ -8,8 +8,9 @@
 
 namespace temblor::render {
 
-// `spans` of a band, and behind them those of each late surface, from the top, each row's from left to right.
-std::span<const ItemSpan> with_deferred_faces(std::span<const ItemSpan> spans, const EdgeTable& table,
-                                              int first_row, int row_count, int width, base::Arena& arena);
+// Returns `spans`, the opaque spans of a band, followed by the spans of each deferred surface from top to
+// bottom and left to right.
+std::span<const DrawSpan> add_deferred_faces(std::span<const DrawSpan> spans, const EdgeTable& table,
+                                             RowRange rows, int width, base::Arena& arena);
 
 }  // namespace temblor::render

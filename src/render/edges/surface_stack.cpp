@@ -8,6 +8,8 @@
 
 namespace temblor::render {
 
+// Ranks are dense, so the stack's bits fit a few words. by_rank keeps one surface per rank, which is the only
+// one unless the rank is shared.
 SurfaceRanks rank_surfaces(std::span<const ScreenSurface> surfaces, base::Arena& arena) {
   struct Keyed {
     SortKey key;
@@ -18,38 +20,38 @@ SurfaceRanks rank_surfaces(std::span<const ScreenSurface> surfaces, base::Arena&
   for (std::uint32_t i = 0; i < count; ++i) keyed[i] = {surfaces[i].key, i};
   std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
   std::span<SurfaceRanks::Rank> ranks = arena.allocate<SurfaceRanks::Rank>(count);
-  std::span<SurfaceIndex> whose = arena.allocate<SurfaceIndex>(count);
+  std::span<SurfaceIndex> by_rank = arena.allocate<SurfaceIndex>(count);
   std::uint32_t rank = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const bool as_before = i > 0 && keyed[i].key == keyed[i - 1].key;
     const bool as_next = i + 1 < count && keyed[i].key == keyed[i + 1].key;
     if (i > 0 && !as_before) ++rank;
     ranks[keyed[i].surface] = {std::uint64_t{1} << rank % 64, rank, as_before || as_next};
-    whose[rank] = SurfaceIndex{keyed[i].surface};
+    by_rank[rank] = SurfaceIndex{keyed[i].surface};
   }
   CHECK(ranks[0].rank == rank && !ranks[0].is_shared, "a surface behind the background");
-  return {ranks, whose.first(rank + 1)};
+  return {ranks, by_rank.first(rank + 1)};
 }
 
 SurfaceStack::SurfaceStack(const EdgeTable& table, const SurfaceRanks& ranks, base::Arena& arena)
     : table_(table),
-      ranks_(ranks.of),
-      passed_(arena.allocate_filled<Passed>(ranks.of.size(), {-1, 0})),
-      covering_(arena.allocate<std::uint64_t>(ranks.whose.size() / 64 + 1)),
-      first_(arena.allocate<SurfaceIndex>(ranks.whose.size())),
-      next_(arena.allocate<SurfaceIndex>(ranks.of.size())),
+      ranks_(ranks.by_surface),
+      passed_(arena.allocate_filled<Passed>(ranks.by_surface.size(), {-1, 0})),
+      covering_(arena.allocate<std::uint64_t>(ranks.surfaces.size() / 64 + 1)),
+      first_(arena.allocate<SurfaceIndex>(ranks.surfaces.size())),
+      next_(arena.allocate<SurfaceIndex>(ranks.by_surface.size())),
       comparisons_(arena) {
-  std::copy(ranks.whose.begin(), ranks.whose.end(), first_.begin());
+  std::copy(ranks.surfaces.begin(), ranks.surfaces.end(), first_.begin());
 }
 
-void SurfaceStack::walk(int row, std::span<const double> x, std::span<const EdgeMarks> marks,
+void SurfaceStack::walk(int row, std::span<const double> x, std::span<const EdgeRecord> records,
                         base::ArenaVector<Switch>& out_switches) {
   comparisons_.clear();
   std::fill(covering_.begin(), covering_.end(), std::uint64_t{0});
   const SurfaceRanks::Rank& background = ranks_[base::to_size(kBackground)];
   covering_[background.rank / 64] = background.bit;
 
-  // All that the loop needs, where the compiler sees that nothing else changes it.
+  // Local copies of the pointers, so that the compiler knows that stores do not change them.
   const SurfaceRanks::Rank* const ranks = ranks_.data();
   Passed* const passed = passed_.data();
   std::uint64_t* const covering = covering_.data();
@@ -62,9 +64,9 @@ void SurfaceStack::walk(int row, std::span<const double> x, std::span<const Edge
   };
   std::uint32_t front = background.rank;  // the lowest rank in the stack
   out_switches.clear();
-  Switch* next_switch = out_switches.extend(marks.size());
-  for (std::size_t place = 0; place < marks.size(); ++place) {
-    const SurfaceIndex trailing = marks[place].trailing, leading = marks[place].leading;
+  Switch* next_switch = out_switches.extend(records.size());
+  for (std::size_t place = 0; place < records.size(); ++place) {
+    const SurfaceIndex trailing = records[place].trailing, leading = records[place].leading;
     bool switched = false;
     if (trailing != kBackground && --inside(trailing) == 0) {
       const SurfaceRanks::Rank& left = ranks[base::to_size(trailing)];
@@ -88,16 +90,16 @@ void SurfaceStack::walk(int row, std::span<const double> x, std::span<const Edge
       }
     }
     if (!switched) continue;
-    // The front that left was the lowest; the background never leaves.
+    // The old front was the lowest rank, so the new one is found upward from it; the background always stays.
     std::uint32_t word = front / 64;
     while (covering[word] == 0) ++word;
     front = word * 64 + static_cast<std::uint32_t>(std::countr_zero(covering[word]));
-    *next_switch++ = {static_cast<std::uint32_t>(place), surfaces[base::to_size(first[front])].first_item};
+    *next_switch++ = {static_cast<std::uint32_t>(place), surfaces[base::to_size(first[front])].first_draw};
   }
   out_switches.shrink(static_cast<std::size_t>(next_switch - out_switches.data()));
 }
 
-// Returns whether it was the nearest of its rank.
+// Removes the surface from the list of its rank. Returns whether it was the nearest of its rank.
 bool SurfaceStack::leave_shared(SurfaceIndex surface) {
   const SurfaceRanks::Rank& left = ranks_[base::to_size(surface)];
   SurfaceIndex* nearer = &first_[left.rank];
@@ -108,7 +110,7 @@ bool SurfaceStack::leave_shared(SurfaceIndex surface) {
   return was_first;
 }
 
-// Returns whether it is the nearest of its rank.
+// Inserts the surface into the list of its rank, by depth at the edge. Returns whether it is the nearest.
 bool SurfaceStack::begin_shared(SurfaceIndex surface, int row, std::uint32_t place, double x) {
   const SurfaceRanks::Rank& begun = ranks_[base::to_size(surface)];
   std::uint64_t& covering = covering_[begun.rank / 64];
@@ -133,15 +135,16 @@ bool SurfaceStack::comparisons_hold(int row, std::span<const double> x) const {
   });
 }
 
-// Brush models in one leaf have the same key: the nearer one is in front, and where two touch at the edge
-// that begins, the one that comes nearer towards the right, or was entered first.
+// Abrash calls this abutting span sorting. The surface with the larger 1/z is in front. If the two touch at
+// the edge, the one whose 1/z grows faster to the right is in front; with equal gradients, the smaller
+// number.
 bool SurfaceStack::is_nearer(SurfaceIndex begun, SurfaceIndex other, double x, int row) const {
-  // Relative. The original allows one part in a hundred, and takes faces for touching that stand well apart.
+  // Relative. Stock Quake allows one part in a hundred, which treats faces as touching that are well apart.
   constexpr double kTouching = 1e-5;
-  const ScreenPlane& plane = table_.pieces[table_.surfaces[base::to_size(begun)].piece].depth;
-  const ScreenPlane& other_plane = table_.pieces[table_.surfaces[base::to_size(other)].piece].depth;
+  const ScreenPlane& plane = table_.fragments[table_.surfaces[base::to_size(begun)].fragment].depth;
+  const ScreenPlane& other_plane = table_.fragments[table_.surfaces[base::to_size(other)].fragment].depth;
   const double depth = plane.at(x, row), other_depth = other_plane.at(x, row);
-  // Orthographic depths are negative, so the tolerance goes by the size of the number.
+  // Orthographic depths are negative, so the tolerance is relative to the absolute value.
   const double tolerance = kTouching * std::abs(depth);
   if (depth - tolerance >= other_depth) return true;
   if (depth + tolerance < other_depth) return false;

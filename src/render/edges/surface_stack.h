@@ -1,8 +1,10 @@
-// The surfaces that cover one place on a row, nearest first.
+// The surface stack: the surfaces that cover the current position on a row, nearest first.
 //
-// A set of bits, one for each sort key in use: the lowest bit set is the nearest. Where several surfaces have
-// one key (pieces of brush models in one leaf) a list of those in the stack hangs at its bit, and depths
-// decide their order.
+// It is a set of bits, one for each sort key in use, and the lowest set bit is the nearest surface. (Stock
+// Quake keeps a sorted linked list and searches it for each edge.) Several surfaces have the same key if they
+// are fragments of brush models in one leaf: those in the stack form a list at their bit, ordered by 1/z.
+//
+// Method: Michael Abrash, "Sorted Spans in Action" (Graphics Programming Black Book, chapter 67).
 #pragma once
 
 #include <cstdint>
@@ -14,42 +16,47 @@
 
 namespace temblor::render {
 
-// The order of keys in use; the nearest has rank 0.
+// The sort keys in use, replaced by consecutive ranks; the nearest has rank 0 and the background the highest.
 struct SurfaceRanks {
   struct Rank {
     std::uint64_t bit;  // 1 << rank % 64
     std::uint32_t rank;
-    bool is_shared;  // other surfaces have the same
+    bool is_shared;  // other surfaces have the same rank
   };
-  std::span<const Rank> of;             // by SurfaceIndex
-  std::span<const SurfaceIndex> whose;  // by rank; one of them when it is shared
+  std::span<const Rank> by_surface;        // by SurfaceIndex
+  std::span<const SurfaceIndex> surfaces;  // by rank; one of them when it is shared
 };
 SurfaceRanks rank_surfaces(std::span<const ScreenSurface> surfaces, base::Arena& arena);
 
 class SurfaceStack {
  public:
-  // From the edge in `place` on, another surface is in front, or the same one anew.
+  // A change of the front surface: from the edge at `place` on, another surface is in front, or the same one
+  // again after it was left.
   struct Switch {
     std::uint32_t place;
-    std::uint32_t item;  // the surface's first
+    // The first draw of the surface.
+    std::uint32_t draw;
   };
 
   SurfaceStack(const EdgeTable& table, const SurfaceRanks& ranks, base::Arena& arena);
 
-  // Passes all edges of a row, given by their places from the left, beginning with the background alone. A
-  // surface is in the stack while more of its leading edges were passed than of its trailing ones.
-  void walk(int row, std::span<const double> x, std::span<const EdgeMarks> marks,
+  // Passes all edges of a row from left to right, beginning with only the background in the stack. A surface
+  // is in the stack while more of its leading edges than of its trailing edges were passed; like the counter
+  // in Abrash's article, this tolerates edges that rounding has swapped.
+  void walk(int row, std::span<const double> x, std::span<const EdgeRecord> records,
             base::ArenaVector<Switch>& out_switches);
 
-  // Whether the depths that the last walk compared compare alike on another row, which the same edges cross
-  // in the same order.
+  // Whether every depth comparison of the last walk has the same result on another row that is crossed by the
+  // same edges in the same order. If so, that row has the same switches.
   bool comparisons_hold(int row, std::span<const double> x) const;
 
  private:
+  // Per-surface state, reset lazily: it is valid only for `row`.
   struct Passed {
-    std::int32_t row;     // that the rest is about
-    std::int32_t inside;  // leading edges, less trailing ones
+    std::int32_t row;
+    std::int32_t inside;  // leading edges passed minus trailing edges passed
   };
+  // A depth comparison that the last walk made, at the edge where surface `begun` began.
   struct Comparison {
     std::uint32_t place;
     SurfaceIndex begun, other;
@@ -65,7 +72,8 @@ class SurfaceStack {
   std::span<Passed> passed_;                   // by surface
   std::span<std::uint64_t> covering_;          // a bit by rank
   std::span<SurfaceIndex> first_;              // by rank: the nearest of its surfaces in the stack
-  std::span<SurfaceIndex> next_;  // by surface: the one behind it of the same rank, or kBackground
+  // By surface: the next one behind it with the same rank, or kBackground.
+  std::span<SurfaceIndex> next_;
   base::ArenaVector<Comparison> comparisons_;
 };
 

@@ -8,48 +8,71 @@ namespace temblor::render {
 
 namespace {
 
-StageTimes draw_band(const BandedPicture& picture, const Settings& settings, std::size_t number,
-                     base::Arena& arena, FrameBuffer& io_frame) {
-  const LateTarget& world = picture.world;
+// The order matters. Deferred faces with holes write depth, so models behind a fence's wire stay hidden. Fog
+// covers everything opaque; translucent faces are fogged one by one before they are blended.
+StageTimes draw_band(const FrameContext& context, const BandedPicture& picture, std::size_t number,
+                     base::Arena& scratch, FrameBuffer& io_frame) {
+  const WorldPicture& world = picture.world;
   const Band& band = world.spans.bands[number];
   const RowRange rows{band.first_row, band.first_row + band.row_count};
-  const bool vectors = settings.vector_kernels;
+  const bool simd = context.settings.simd_kernels;
   StageTimes times;
   StageClock clock(times);
-  draw_spans(settings, world.view, band, world.sources, world.tables, io_frame);
+  draw_band_spans(context, world.view, band, world.sources, io_frame);
   clock.end(Stage::kSpans);
-  if (settings.fill_depth) {  // what follows is tested against it
-    draw_deferred_faces(picture.opaque_faces, world, band, arena, io_frame);
+  if (world.sources.fill_depth) {  // all of these are tested against depth
+    draw_deferred_faces(picture.opaque_faces, world, band, scratch, io_frame);
     clock.end(Stage::kTranslucent);
-    draw_alias_models(picture.alias_models, vectors, rows, io_frame);
+    draw_alias_models(picture.alias_models, simd, rows, io_frame);
     clock.end(Stage::kModels);
-    draw_sprites(picture.sprites, world.tables, vectors, rows, io_frame);
+    draw_sprites(picture.sprites, world.colors, simd, rows, io_frame);
     clock.end(Stage::kSprites);
-    draw_particles(picture.particles, number, vectors, io_frame);
+    draw_particles(picture.particles, number, simd, io_frame);
     clock.end(Stage::kParticles);
   }
-  fog_band(world.fog, band, world.sources.items, arena, io_frame);
+  fog_band(world.fog, band, world.sources.draws, scratch, io_frame);
   clock.end(Stage::kScreen);
-  draw_deferred_faces(picture.translucent_faces, world, band, arena, io_frame);
+  draw_deferred_faces(picture.translucent_faces, world, band, scratch, io_frame);
   clock.end(Stage::kTranslucent);
-  if (picture.tint.changes_pixels()) picture.tint.apply_to_rows(rows, io_frame);
+  if (picture.tints_bands && picture.tint.changes_pixels()) picture.tint.apply_to_rows(rows, io_frame);
   clock.end(Stage::kScreen);
   return times;
 }
 
 }  // namespace
 
-void draw_banded_picture(const BandedPicture& picture, const Settings& settings, base::Jobs& jobs,
-                         base::Arena& arena, std::vector<base::Arena>& io_band_arenas, FrameBuffer& io_frame,
-                         StageTimes& out_times) {
+BandedPicture make_banded_picture(const FrameContext& context, const WorldPicture& world,
+                                  const TranslucentOrder& order) {
+  const Scene& scene = context.scene;
+  return {.world = world,
+          .opaque_faces = order.faces.opaque,
+          .translucent_faces = order.faces.translucent.first(order.banded),
+          .tint = PictureTint(scene.tint, context.colors, context.format, context.settings.simd_kernels),
+          .tints_bands = order.banded == order.layers.size() && !scene.underwater};
+}
+
+StageTimes draw_banded_picture(const FrameContext& context, const BandedPicture& picture,
+                               FrameBuffer& io_frame) {
   const std::size_t bands = picture.world.spans.bands.size();
-  if (io_band_arenas.size() < bands) io_band_arenas.resize(bands);
-  const std::span<StageTimes> times = arena.allocate<StageTimes>(bands);
-  jobs.parallel_for(bands, [&](std::size_t number) {
-    io_band_arenas[number].reset();
-    times[number] = draw_band(picture, settings, number, io_band_arenas[number], io_frame);
+  std::vector<base::Arena>& scratch = context.arenas.scratch;
+  FrameArenas::grow(scratch, bands);
+  const std::span<StageTimes> times = context.arena().allocate<StageTimes>(bands);
+  context.jobs.parallel_for(bands, [&](std::size_t number) {
+    scratch[number].reset();
+    times[number] = draw_band(context, picture, number, scratch[number], io_frame);
   });
-  for (const StageTimes& band : times) out_times += band;
+  // One StageTimes per band, so that threads do not share a counter.
+  StageTimes sum;
+  for (const StageTimes& band : times) sum += band;
+  return sum;
+}
+
+void finish_picture(const FrameContext& context, const BandedPicture& picture, Warp& io_warp,
+                    FrameBuffer& io_frame) {
+  if (context.scene.underwater)
+    io_warp.apply(context.scene.time_s, picture.tint, context.jobs, io_frame);
+  else if (!picture.tints_bands)
+    tint_picture(picture.tint, context.jobs, io_frame);
 }
 
 }  // namespace temblor::render

@@ -1,35 +1,53 @@
-// Stages 6 to 9, as far as they can be drawn by bands: everything that is opaque, its fog, the translucent
-// faces that lie behind all other translucent things (mostly there are no others), and the tint. A band of
-// rows goes through all of them before the next one begins, while its pixels and depth are in a core's own
-// cache: each of them by itself would wait for memory, for twelve bytes a pixel where it computes little.
+// Stages 6 to 9, as far as they can be drawn band by band:
+//
+//   world spans -> opaque deferred faces -> alias models -> sprites -> particles -> fog
+//               -> the farthest translucent faces -> tint
+//
+// A band of rows passes through all of these before the next band begins, while its pixels and depth are in
+// the core's own cache. As separate passes over the frame each would wait for memory: up to twelve bytes per
+// pixel for little computation.
+//
+// Translucent faces belong here only if they are behind all other translucent layers, which is the usual
+// case. The other layers are drawn afterwards (translucent/draw_translucent.h).
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "base/arena.h"
-#include "base/parallel_for.h"
 #include "render/alias/draw_alias_models.h"
+#include "render/frame_stats.h"
 #include "render/particles/draw_particles.h"
 #include "render/screen/tint_picture.h"
+#include "render/screen/warp.h"
 #include "render/sprites/draw_sprites.h"
-#include "render/translucent/deferred_faces.h"
+#include "render/translucent/translucent_layers.h"
 
 namespace temblor::render {
 
+// The input of all bands. Spans refer to the frame's arena.
 struct BandedPicture {
-  LateTarget world;
+  WorldPicture world;
   std::span<const DeferredFace> opaque_faces{};
   std::span<const PreparedAlias> alias_models{};
   std::span<const SpriteQuad> sprites{};
-  ParticleBands particles{};  // in the world's bands
+  // By band of `world.spans`.
+  ParticleBands particles{};
   std::span<const DeferredFace> translucent_faces{};
-  PictureTint tint{};  // changes nothing where something is still to come
+  PictureTint tint{};
+  // False: something is drawn after the bands (translucent layers, the warp), so the tint has to wait.
+  bool tints_bands = false;
 };
 
-// `io_band_arenas` grows as needed. `out_times` are sums over all bands, whoever drew them.
-void draw_banded_picture(const BandedPicture& picture, const Settings& settings, base::Jobs& jobs,
-                         base::Arena& arena, std::vector<base::Arena>& io_band_arenas, FrameBuffer& io_frame,
-                         StageTimes& out_times);
+// Fills in everything except models, sprites, and particles.
+BandedPicture make_banded_picture(const FrameContext& context, const WorldPicture& world,
+                                  const TranslucentOrder& order);
+
+// Draws all bands in parallel. Returns the time of each stage, summed over all bands and threads.
+StageTimes draw_banded_picture(const FrameContext& context, const BandedPicture& picture,
+                               FrameBuffer& io_frame);
+
+// To be called when everything is drawn: applies the underwater warp, and the tint unless the bands applied
+// it.
+void finish_picture(const FrameContext& context, const BandedPicture& picture, Warp& io_warp,
+                    FrameBuffer& io_frame);
 
 }  // namespace temblor::render

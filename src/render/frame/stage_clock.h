@@ -1,15 +1,15 @@
-// How long each stage of a frame takes.
+// Measures how long each stage of a frame takes.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <numeric>
 
-#include "render/frame.h"
+#include "render/frame_stats.h"
 
 namespace temblor::render {
 
-// Ticks of the processor's clock where it has one that user programs may read; else 0.
+// Ticks of the time-stamp counter on x86-64; 0 on other processors.
 inline std::uint64_t read_cycles() {
 #if defined(__x86_64__)
   return __builtin_ia32_rdtsc();
@@ -18,14 +18,23 @@ inline std::uint64_t read_cycles() {
 #endif
 }
 
-// Books what passed since the last stage's end.
+// Attributes the time since the previous call (or the construction) to a stage. One thread per clock.
 class StageClock {
  public:
   explicit StageClock(StageTimes& io_times) : times_(io_times) {}
 
   void end(Stage stage) { book(stage, next_lap(), 1); }
 
-  // Stages that took turns: each gets its part of the time, as `parts` have it.
+  // Passes the stage's result through: `x = clock.end(Stage::kView, make_view(...))`. Arguments are evaluated
+  // before the call, so the stage has run when the time is taken.
+  template <typename Result>
+  Result end(Stage stage, Result result) {
+    end(stage);
+    return result;
+  }
+
+  // For stages that took turns, perhaps on several threads: divides the elapsed time among the stages in
+  // proportion to `parts`.
   void end_in_parts(const StageTimes& parts) {
     const Lap lap = next_lap();
     const double all_ms = std::accumulate(parts.ms.begin(), parts.ms.end(), 0.0);

@@ -1,35 +1,32 @@
-// Particles: squares that face the eye, sized by distance, tested against depth.
+// Particles: squares that face the eye, sized by distance and tested against depth.
 //
-// At 320 x 240 with a field of view of 90 degrees a particle's side is 128 / z pixels, from 1 to 4: the
-// original's rule. That is 0.8 units as the projection shows them; the limits grow with the picture. Pixels
-// whose centers lie in the square are drawn where it is as near as what is there, or nearer; among particles
-// equally near the later one stays.
+// At 320 x 240 with a field of view of 90 degrees, a particle's side is 128 / z pixels, clamped to 1 to 4, as
+// in stock Quake. That is 0.8 units in world space; the limits grow with the picture. A pixel whose center is
+// in the square is drawn if the square is at least as near as what is there; among particles of equal depth
+// the later one stays. (Abrash, "Quake's 3-D Engine: The Big Picture", describes them as clouds of z-buffered
+// squares.)
 #pragma once
 
 #include <cstddef>
 #include <span>
 
-#include "base/arena.h"
-#include "base/parallel_for.h"
-#include "render/color/color_tables.h"
-#include "render/frame.h"
 #include "render/particles/particle_kernels.h"
-#include "render/renderer.h"
+#include "render/view/frame_context.h"
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
 
-// Those in view, dealt out to bands of rows in the scene's order; what lies in two is cut.
+// The visible particles, distributed to bands of rows in the scene's order. A square in two bands is cut.
 struct ParticleBands {
+  // By band; empty if there are no particles.
   std::span<const std::span<ParticleRect>> rects;
 };
 
-ParticleBands place_particles(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                              int band_rows, const ColorTables& tables, PixelFormat format, base::Jobs& jobs,
-                              base::Arena& arena);
+// Bands have Settings::band_rows rows. The result lives in the frame's arena.
+ParticleBands place_particles(const FrameContext& context, const ViewFrame& view);
 
-// Needs the depth of everything opaque, and leaves its own there.
-void draw_particles(const ParticleBands& particles, std::size_t band, bool vector_kernels,
+// Requires the depth of everything opaque, and writes the particles' own depth.
+void draw_particles(const ParticleBands& particles, std::size_t band, bool simd_kernels,
                     FrameBuffer& io_frame);
 
 }  // namespace temblor::render

@@ -1,4 +1,4 @@
-// The definition of what the vector kernels do.
+// The scalar reference: it defines the results of the particle kernels.
 #include <algorithm>
 #include <cmath>
 
@@ -42,11 +42,11 @@ void project_particles_scalar(const ParticleProjection& projection, const Partic
     const float center_x = p.center_x + along(p.right, dx, dy, dz) * scale;
     const float center_y = p.center_y - along(p.up, dx, dy, dz) * scale;
     const float side =
-        std::floor(std::min(std::max(p.side_at_one_unit * nearness, p.least_side), p.most_side) + 0.5f);
+        std::floor(std::min(std::max(p.side_at_one_unit * nearness, p.min_side), p.max_side) + 0.5f);
     const float left = std::ceil(center_x - side * 0.5f), top = std::ceil(center_y - side * 0.5f);
-    // Of numbers that are none, no comparison holds.
+    // No comparison with NaN is true, so particles with bad positions are not visible.
     const bool in_view =
-        distance >= kParticleNearest && left > -side && left < p.width && top > -side && top < p.height;
+        distance >= kMinParticleDistance && left > -side && left < p.width && top > -side && top < p.height;
     batch.left[i] = in_view ? static_cast<std::int32_t>(left) : 0;
     batch.top[i] = in_view ? static_cast<std::int32_t>(top) : 0;
     batch.side[i] = in_view ? static_cast<std::int32_t>(side) : 0;

@@ -1,4 +1,4 @@
-// Hot loop. The vector twins of particle_kernels_plain.cpp, compiled once for each instruction set.
+// Hot loop. The SIMD versions of particle_kernels_scalar.cpp, compiled once for each instruction set.
 #include "render/particles/particle_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -37,7 +37,8 @@ HWY_INLINE VF Along(const float (&axis)[3], VF x, VF y, VF z) {
                  hn::Mul(z, hn::Set(d, axis[2])));
 }
 
-// A vector's width of particles from `first` on.
+// Projects a vector of particles, from number `first` on. Comparisons and rounding as in the scalar
+// reference.
 template <bool kPerspective>
 HWY_INLINE void ProjectVector(const ParticleProjection& p, const ParticleBatch& batch, size_t first) {
   const DF d;
@@ -50,15 +51,16 @@ HWY_INLINE void ProjectVector(const ParticleProjection& p, const ParticleBatch& 
   const VF scale = hn::Mul(hn::Set(d, p.pixels_per_unit), nearness);
   const VF center_x = hn::Add(hn::Set(d, p.center_x), hn::Mul(Along(p.right, dx, dy, dz), scale));
   const VF center_y = hn::Sub(hn::Set(d, p.center_y), hn::Mul(Along(p.up, dx, dy, dz), scale));
-  const VF wished_side = hn::Mul(hn::Set(d, p.side_at_one_unit), nearness);
-  const VF bounded_side = hn::Min(hn::Max(wished_side, hn::Set(d, p.least_side)), hn::Set(d, p.most_side));
+  const VF raw_side = hn::Mul(hn::Set(d, p.side_at_one_unit), nearness);
+  const VF bounded_side = hn::Min(hn::Max(raw_side, hn::Set(d, p.min_side)), hn::Set(d, p.max_side));
   const VF side = hn::Floor(hn::Add(bounded_side, hn::Set(d, 0.5f)));
   const VF half = hn::Mul(side, hn::Set(d, 0.5f));
   const VF left = hn::Ceil(hn::Sub(center_x, half)), top = hn::Ceil(hn::Sub(center_y, half));
   const VF outside = hn::Neg(side);
   const auto in_columns = hn::And(hn::Gt(left, outside), hn::Lt(left, hn::Set(d, p.width)));
   const auto in_rows = hn::And(hn::Gt(top, outside), hn::Lt(top, hn::Set(d, p.height)));
-  const auto in_view = hn::And(hn::Ge(distance, hn::Set(d, kParticleNearest)), hn::And(in_columns, in_rows));
+  const auto in_view =
+      hn::And(hn::Ge(distance, hn::Set(d, kMinParticleDistance)), hn::And(in_columns, in_rows));
   hn::StoreU(hn::ConvertTo(di, hn::IfThenElseZero(in_view, left)), di, batch.left + first);
   hn::StoreU(hn::ConvertTo(di, hn::IfThenElseZero(in_view, top)), di, batch.top + first);
   hn::StoreU(hn::ConvertTo(di, hn::IfThenElseZero(in_view, side)), di, batch.side + first);
@@ -92,7 +94,8 @@ HWY_INLINE void StoreWhere(hn::Mask<DU> mask, uint32_t color, uint8_t* pixels) {
 #endif
 }
 
-// Nothing right of the rectangle is read or written: it may belong to another band, drawn at the same time.
+// Pixels right of the rectangle are neither read nor written: they may belong to another band that is drawn
+// at the same time.
 template <typename Pixel>
 HWY_INLINE void DrawRow(const ParticleRect& rect, size_t first, const ParticleTarget& target) {
   const DF d;

@@ -1,4 +1,4 @@
-// Row by row: a picture's pixel is a run of `scale` pixels of one color, cut off at the frame's sides.
+// Draws row by row: a pixel of a picture becomes a run of `scale` pixels, clipped at the sides of the frame.
 #include "render/screen/draw_overlay.h"
 
 #include <algorithm>
@@ -13,13 +13,12 @@ namespace {
 
 constexpr std::uint8_t kClear = 255;
 
-// Rows of the frame, drawn by one job.
+// The rows [first, end) of the frame, drawn by one job.
 struct Rows {
   std::int64_t first, end;
 };
 
-// The part of a command's area that lies in those rows. 64 bits: corner plus size may be more than an int
-// holds.
+// The part of a command's area in the job's rows. 64 bits, because corner plus size may overflow an int.
 struct Clip {
   std::int64_t x_first, x_end, y_first, y_end;
   bool is_empty() const { return x_first >= x_end || y_first >= y_end; }
@@ -32,7 +31,7 @@ Clip clip_to_rows(const ScreenRect& area, const FrameBuffer& frame, const Rows& 
           std::min<std::int64_t>(std::int64_t{area.y} + area.height, rows.end)};
 }
 
-// How runs of a palette index join what is there: as they are, or blended.
+// Writes runs of a palette index to the frame, opaque or blended.
 class IndexedPaint {
  public:
   IndexedPaint(float opacity, const ColorTables& tables)
@@ -89,6 +88,7 @@ void draw_picture(const DrawCommand& command, const Clip& clip, const Paint& pai
                                  (command.part_y + (y - top) / scale) * std::int64_t{picture.width} +
                                  command.part_x + (clip.x_first - left) / scale;
     auto* const row = Paint::row(io_frame, y);
+    // The first run may begin left of the frame, so it may be shorter than `scale`.
     std::int64_t run_end = left + ((clip.x_first - left) / scale + 1) * scale;
     for (std::int64_t x = clip.x_first; x < clip.x_end; x = run_end, run_end += scale, ++source) {
       if (*source == kClear) continue;
@@ -98,6 +98,7 @@ void draw_picture(const DrawCommand& command, const Clip& clip, const Paint& pai
   }
 }
 
+// Whole numbers of scaled pixels only, and parts inside their pictures.
 void check_command(const DrawCommand& command) {
   CHECK(command.area.width >= 0 && command.area.height >= 0, "{}x{}", command.area.width,
         command.area.height);
@@ -135,7 +136,7 @@ void draw_overlay(const DrawList& list, const ColorTables& tables, base::Jobs* j
       io_frame.format() == PixelFormat::kIndexed ? draw_rows<IndexedPaint> : draw_rows<RgbPaint>;
   const std::int64_t height = io_frame.height();
   if (jobs == nullptr) return draw(list, tables, {0, height}, io_frame);
-  // Many, as most of it lies in a few rows, the status bar's.
+  // Many bands, because most of an overlay lies in a few rows: the status bar's.
   const auto bands = std::min<std::int64_t>(height, std::int64_t{jobs->threads()} * 16);
   jobs->parallel_for(static_cast<std::size_t>(bands), [&](std::size_t i) {
     const auto band = static_cast<std::int64_t>(i);

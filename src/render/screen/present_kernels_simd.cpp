@@ -1,7 +1,7 @@
-// The vector twin of present_kernels_plain.cpp, compiled once for each instruction set.
+// The SIMD version of present_kernels_scalar.cpp, compiled once for each instruction set.
 #include "render/screen/present_kernels.h"
 
-// Processors that look bytes up in tables of 128 (AVX-512 VBMI) are worth a target of their own here.
+// Processors with lookups in tables of 128 bytes (AVX-512 VBMI) deserve a target of their own here.
 #define HWY_WANT_AVX3_DL 1
 
 #undef HWY_TARGET_INCLUDE
@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_AVX3_DL
 
-// One color channel of the palette, in four registers.
+// One color channel of the palette, 256 bytes in four registers.
 struct ChannelTable {
   __m512i quarter[4];
 
@@ -37,7 +37,8 @@ HWY_INLINE void Stream(__m512i pixels, uint32_t* out) {
   _mm512_stream_si512(reinterpret_cast<__m512i*>(out), pixels);
 }
 
-// 64 pixels at a time: their channels are looked up apart, then woven together.
+// Expands 64 pixels at a time: looks up each channel separately, then interleaves the channels. Returns the
+// number of pixels expanded.
 HWY_INLINE size_t ExpandVectors(const uint8_t* HWY_RESTRICT indices, size_t count,
                                 const uint32_t* HWY_RESTRICT colors, uint32_t* HWY_RESTRICT out) {
   ChannelTable blue, green, red, alpha;
@@ -45,7 +46,8 @@ HWY_INLINE size_t ExpandVectors(const uint8_t* HWY_RESTRICT indices, size_t coun
   green.Load(colors, 8);
   red.Load(colors, 16);
   alpha.Load(colors, 24);
-  // Interleaving works within 128-bit blocks: each gets the pixels whose turn it will be.
+  // Interleaving works within 128-bit blocks, so pixels are first distributed to the block that will output
+  // them.
   const __m512i dealt = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
   size_t i = 0;
   for (; i + 64 <= count; i += 64) {
@@ -81,8 +83,8 @@ HWY_INLINE size_t ExpandVectors(const uint8_t* HWY_RESTRICT indices, size_t coun
 
 #endif
 
-// Whole cache lines of `out` are written past the caches: nothing of ours reads a window, and what the next
-// frame needs stays.
+// Whole cache lines of `out` are written with streaming stores, which bypass the caches: this program never
+// reads the window's pixels, and the caches keep what the next frame needs.
 void ExpandPalette(const uint8_t* HWY_RESTRICT indices, size_t count, const uint32_t* HWY_RESTRICT colors,
                    uint32_t* HWY_RESTRICT out) {
   constexpr size_t kLinePixels = 64 / sizeof(uint32_t);

@@ -1,5 +1,5 @@
-// The inner loop of tint_picture, as vector code and as plain C++ with the same results. Only plain types
-// here: the vector file is compiled for several processors.
+// The inner loop of PictureTint for rgb frames, as SIMD and as the scalar reference with the same results,
+// bit for bit. Plain types only, because the SIMD file is compiled for several processors.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct TintJob {
   std::int32_t opacity_256;
 };
 
-// From pixel `first` on.
+// The scalar version begins at pixel `first`, so that it can finish what SIMD leaves.
 void tint_rgb_scalar(const TintJob& job, std::size_t first = 0);
 void tint_rgb_simd(const TintJob& job);
 

@@ -1,4 +1,4 @@
-// Hot loop.
+// Hot loop. The scalar reference of the tint kernel.
 #include "render/screen/tint_kernels.h"
 
 namespace temblor::render {

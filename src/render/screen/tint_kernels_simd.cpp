@@ -1,4 +1,4 @@
-// Hot loop. The vector twin of tint_kernels_plain.cpp, compiled once for each instruction set.
+// Hot loop. The SIMD version of tint_kernels_scalar.cpp, compiled once for each instruction set.
 #include "render/screen/tint_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -24,7 +24,7 @@ void TintRgb(const TintJob& job) {
   const hn::Repartition<uint16_t, decltype(du)> d16;
   const size_t lanes = hn::Lanes(du);
   const auto under = hn::Set(d16, static_cast<uint16_t>(256 - job.opacity_256));
-  // Two channels at a time, in the halves of a lane. What the tint adds is the same everywhere.
+  // Two channels at a time, in the halves of a lane. The tint's contribution is the same for all pixels.
   const auto over = hn::Set(d16, static_cast<uint16_t>(job.opacity_256));
   const auto round = hn::Set(d16, 128);
   const auto added = [&](uint32_t channels) HWY_ATTR {

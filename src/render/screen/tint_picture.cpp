@@ -7,8 +7,8 @@
 
 namespace temblor::render {
 
-PictureTint::PictureTint(const Tint& tint, const ColorTables& tables, PixelFormat format, bool vector_kernels)
-    : opacity_256_(opacity_256(tint.opacity)), vector_kernels_(vector_kernels) {
+PictureTint::PictureTint(const Tint& tint, const ColorTables& tables, PixelFormat format, bool simd_kernels)
+    : opacity_256_(opacity_256(tint.opacity)), simd_kernels_(simd_kernels) {
   if (!changes_pixels()) return;
   const formats::Rgb color = to_bytes(tint.color / 255.0f);
   rgb_ = to_rgb(color);
@@ -18,8 +18,8 @@ PictureTint::PictureTint(const Tint& tint, const ColorTables& tables, PixelForma
         tables.match(blend_colors(color, tables.palette[i], opacity_256_), tables.match.is_fullbright(i));
 }
 
-// Hot loop. Eight pixels are read before any is written: the compiler must take bytes for neighbors of the
-// table's.
+// Hot loop. Eight pixels are read before any is written: byte stores may alias the table, so the compiler
+// would otherwise reload after each one.
 void PictureTint::apply(std::span<std::uint8_t> io_indexed) const {
   constexpr std::size_t kTogether = 8;
   std::size_t i = 0;
@@ -33,7 +33,7 @@ void PictureTint::apply(std::span<std::uint8_t> io_indexed) const {
 
 void PictureTint::apply(std::span<std::uint32_t> io_rgb) const {
   const TintJob job{io_rgb.data(), io_rgb.size(), rgb_, opacity_256_};
-  vector_kernels_ ? tint_rgb_simd(job) : tint_rgb_scalar(job);
+  simd_kernels_ ? tint_rgb_simd(job) : tint_rgb_scalar(job);
 }
 
 void PictureTint::apply_to_rows(RowRange rows, FrameBuffer& io_frame) const {
@@ -47,12 +47,12 @@ void PictureTint::apply_to_rows(RowRange rows, FrameBuffer& io_frame) const {
 }
 
 void tint_picture(const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame) {
-  constexpr int kRowsAJob = 16;
+  constexpr int kRowsPerJob = 16;
   if (!tint.changes_pixels()) return;
   const int height = io_frame.height();
-  jobs.parallel_for(static_cast<std::size_t>((height + kRowsAJob - 1) / kRowsAJob), [&](std::size_t job) {
-    const int first = static_cast<int>(job) * kRowsAJob;
-    tint.apply_to_rows({first, std::min(first + kRowsAJob, height)}, io_frame);
+  jobs.parallel_for(static_cast<std::size_t>((height + kRowsPerJob - 1) / kRowsPerJob), [&](std::size_t job) {
+    const int first = static_cast<int>(job) * kRowsPerJob;
+    tint.apply_to_rows({first, std::min(first + kRowsPerJob, height)}, io_frame);
   });
 }
 

@@ -1,4 +1,5 @@
-// Color laid over the finished view.
+// A color blended over the finished view. Stock Quake changes the display's palette instead, which costs
+// nothing but also tints the status bar and menus.
 #pragma once
 
 #include <array>
@@ -7,16 +8,17 @@
 
 #include "base/parallel_for.h"
 #include "render/color/color_tables.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/scene.h"
 
 namespace temblor::render {
 
-// rgb: blend_rgb. Indexed: every entry becomes the one nearest to its blend; full-bright ones may stay so.
+// Rgb: blend_rgb. Indexed: a table that maps every palette entry to the one nearest to its blend; only
+// full-bright entries may map to full-bright ones.
 class PictureTint {
  public:
-  PictureTint() = default;  // changes nothing, as one whose opacity is not positive
-  PictureTint(const Tint& tint, const ColorTables& tables, PixelFormat format, bool vector_kernels);
+  PictureTint() = default;  // changes nothing, like a tint whose opacity is not positive
+  PictureTint(const Tint& tint, const ColorTables& tables, PixelFormat format, bool simd_kernels);
 
   bool changes_pixels() const { return opacity_256_ > 0; }
   void apply(std::span<std::uint8_t> io_indexed) const;
@@ -27,9 +29,10 @@ class PictureTint {
   int opacity_256_ = 0;
   std::uint32_t rgb_ = 0;
   std::array<std::uint8_t, 256> remap_{};
-  bool vector_kernels_ = false;
+  bool simd_kernels_ = false;
 };
 
+// Tints all rows in parallel.
 void tint_picture(const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame);
 
 }  // namespace temblor::render

@@ -10,17 +10,17 @@ namespace temblor::render {
 
 namespace {
 
-// The original's: of a picture 200 pixels high, 3 pixels either way, a turn every 128, 20 of which pass each
-// second.
+// Stock Quake's values, for a picture 200 pixels high: an amplitude of 3 pixels and a period of 128 pixels,
+// moving by 20 pixels per second.
 constexpr double kPictureSize = 200, kAmplitude = 3, kTurn = 128, kPhase_s = 20;
 
-// Along one axis: where pixels are taken from while nothing sways, and by how many they do at most.
+// One axis: where pixels are taken from without displacement, and the largest displacement.
 struct Axis {
   std::int32_t size, margin;
 
   Axis(int pixels, double amplitude)
       : size(pixels), margin(std::min((pixels - 1) / 2, static_cast<int>(std::ceil(amplitude)))) {}
-  // `margin` pixels are cut off at either end.
+  // Scales the picture so that `margin` pixels are cut off at either end.
   std::int32_t place(std::int32_t i) const {
     if (size == 1) return 0;
     return margin + (2 * i * (size - 1 - 2 * margin) + size - 1) / (2 * (size - 1));
@@ -30,14 +30,14 @@ struct Axis {
   }
 };
 
-// Pixels. Each comes from one of 33 rows around its own (at 1080 rows), in an order that no processor
-// foresees: 250 KB of whole rows, of a tile 50 KB, most of which the first-level cache keeps.
+// The size of a tile in pixels. At 1080 rows, a pixel comes from one of 33 rows around its own. Whole rows
+// would need 250 KB in an unpredictable order; a tile needs 50 KB, most of which fits the first-level cache.
 constexpr std::size_t kTileColumns = 128, kTileRows = 64;
 
 }  // namespace
 
-// How far a pixel sways along its row depends on its row alone, and down its column on the column alone: a
-// number for each row and one for each column add up to where a pixel comes from.
+// A pixel's horizontal displacement depends only on its row and the vertical one only on its column, so the
+// source of a pixel is the sum of a number per row and a number per column.
 void Warp::apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame) {
   const int width = io_frame.width(), height = io_frame.height();
   const double pixels = std::min(width, height) / kPictureSize;

@@ -1,5 +1,8 @@
-// The view under water: every pixel is taken from beside its place, by sines of the other coordinate, as the
-// original does at 320x200; here at the picture's own size, scaled so that it looks alike at every size.
+// The underwater warp: every pixel is taken from a place displaced by sines of the other coordinate. Stock
+// Quake draws a view of 320x200 and warps that; here the view is warped at its own size, scaled so that it
+// looks the same at every size.
+//
+//   x' = place(x) + amplitude * sin(2 pi * (y / period + phase)), and y' likewise with x
 #pragma once
 
 #include <cstdint>
@@ -8,23 +11,24 @@
 
 #include "base/large_memory.h"
 #include "base/parallel_for.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/screen/tint_picture.h"
 
 namespace temblor::render {
 
 class Warp {
  public:
-  // Pixels only: depth stays as it was. The picture is shown slightly enlarged, so that nothing is taken
-  // from beyond its borders. What has been moved is tinted while it is in the caches.
+  // Changes pixels only; depth stays. The picture is slightly enlarged, so that nothing is taken from beyond
+  // its borders. The tint is applied while pixels are in the caches.
   void apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame);
 
-  // Has the memory ready that apply() needs for such frames: the first one would wait for it. Costs nothing
-  // where it is.
+  // Allocates the memory that apply() needs for frames of this size and format, so that the first frame under
+  // water is not late. Does nothing if the memory exists.
   void prepare(const FrameBuffer& frame);
 
  private:
   template <typename Pixel>
+  // The second buffer, which is exchanged with the frame's pixels after each warp.
   struct Spare {
     base::LargeMemory<Pixel> pixels;
     std::size_t count = 0;
@@ -36,7 +40,7 @@ class Warp {
   void move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, const PictureTint& tint,
                    base::Jobs& jobs, FrameBuffer& io_frame);
 
-  // Pixel (x, y) shows pixel number column_[x] + row_[y] of the picture as it was.
+  // Pixel (x, y) shows pixel number column_[x] + row_[y] of the unwarped picture.
   std::vector<std::int32_t> column_, row_;
   Spare<std::uint8_t> indexed_spare_;
   Spare<std::uint32_t> rgb_spare_;

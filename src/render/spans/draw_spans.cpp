@@ -9,37 +9,38 @@ namespace temblor::render {
 
 namespace {
 
-// Where nothing is: palette entry 0, infinitely far.
-void draw_background(std::span<const SpanRun> runs, const ColorTables& tables, bool fill_depth,
+// Where no face is: palette entry 0, infinitely far away.
+void draw_background(std::span<const Span> spans, const ColorTables& tables, bool fill_depth,
                      FrameBuffer& io_frame) {
-  for (const SpanRun& run : runs) {
-    const std::size_t first = std::size_t{run.y} * static_cast<std::size_t>(io_frame.width()) + run.x;
+  for (const Span& span : spans) {
+    const std::size_t first = std::size_t{span.y} * static_cast<std::size_t>(io_frame.width()) + span.x;
     if (io_frame.format() == PixelFormat::kIndexed)
-      std::fill_n(io_frame.indexed().data() + first, run.count, std::uint8_t{0});
+      std::fill_n(io_frame.indexed().data() + first, span.count, std::uint8_t{0});
     else
-      std::fill_n(io_frame.rgb().data() + first, run.count, tables.rgb[0]);
+      std::fill_n(io_frame.rgb().data() + first, span.count, tables.rgb[0]);
     if (fill_depth)
-      std::fill_n(io_frame.depth().data() + first, run.count, std::numeric_limits<float>::lowest());
+      std::fill_n(io_frame.depth().data() + first, span.count, std::numeric_limits<float>::lowest());
   }
 }
 
 }  // namespace
 
-void draw_spans(const Settings& settings, const ViewFrame& view, const Band& band, const SpanSources& sources,
-                const ColorTables& tables, FrameBuffer& io_frame) {
+void draw_band_spans(const FrameContext& context, const ViewFrame& view, const Band& band,
+                     const SpanSources& sources, FrameBuffer& io_frame) {
   const bool indexed = io_frame.format() == PixelFormat::kIndexed;
   const KernelTarget target{indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data(),
-                            settings.fill_depth ? io_frame.depth().data() : nullptr,
+                            sources.fill_depth ? io_frame.depth().data() : nullptr,
                             static_cast<std::size_t>(io_frame.width())};
-  for (std::size_t position = 0; position < band.items.size(); ++position) {
-    const std::uint32_t item_number = band.items[position];
-    if (item_number >= sources.items.first_late) break;
-    const SurfaceDraw& item = sources.items.items[item_number];
-    const std::span<const SpanRun> runs = band.runs_at(position);
-    if (item.kind == ItemKind::kNothing) draw_background(runs, tables, settings.fill_depth, io_frame);
-    if (item.kind == ItemKind::kSurface && settings.prefetch)
-      prefetch_texels(item, runs, view.perspective, indexed ? 1 : 4);
-    draw_runs(sources, item_number, runs, target);
+  for (std::size_t position = 0; position < band.draws.size(); ++position) {
+    const std::uint32_t draw_number = band.draws[position];
+    if (draw_number >= sources.draws.first_deferred) break;
+    const SurfaceDraw& draw = sources.draws.all[draw_number];
+    const std::span<const Span> spans = band.spans_at(position);
+    if (draw.kind == SurfaceKind::kNothing)
+      draw_background(spans, context.colors, sources.fill_depth, io_frame);
+    if (draw.kind == SurfaceKind::kBlock && context.settings.prefetch)
+      prefetch_texels(draw, spans, view.perspective, indexed ? 1 : 4);
+    draw_spans(sources, draw_number, spans, target);
   }
 }
 

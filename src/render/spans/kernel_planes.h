@@ -1,4 +1,4 @@
-// Between the stages' types and the kernels' plain ones.
+// Converts the planes of the stages to the plain type of the kernels.
 #pragma once
 
 #include "render/spans/span_kernels.h"

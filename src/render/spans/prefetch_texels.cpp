@@ -10,18 +10,18 @@ namespace temblor::render {
 
 namespace {
 
-// Pixels, all inclusive.
+// In pixels, all four inclusive.
 struct PixelBox {
   int left, right, top, bottom;
 };
 
-PixelBox box_of(std::span<const SpanRun> runs) {
-  PixelBox box{runs.front().x, 0, runs.front().y, runs.front().y};
-  for (const SpanRun& run : runs) {
-    box.left = std::min<int>(box.left, run.x);
-    box.right = std::max(box.right, run.x + run.count - 1);
-    box.top = std::min<int>(box.top, run.y);
-    box.bottom = std::max<int>(box.bottom, run.y);
+PixelBox bounding_box(std::span<const Span> spans) {
+  PixelBox box{spans.front().x, 0, spans.front().y, spans.front().y};
+  for (const Span& span : spans) {
+    box.left = std::min<int>(box.left, span.x);
+    box.right = std::max(box.right, span.x + span.count - 1);
+    box.top = std::min<int>(box.top, span.y);
+    box.bottom = std::max<int>(box.bottom, span.y);
   }
   return box;
 }
@@ -30,14 +30,14 @@ struct TexelPoint {
   double s, t;
 };
 
-// Nothing where the face's plane is not in front of the eye.
-std::optional<TexelPoint> texel_at(const SurfaceDraw& item, int x, int y, bool perspective) {
-  const double depth = perspective ? item.depth.at(x, y) : 1.0;
+// Nothing if the face's plane is not in front of the eye at this pixel.
+std::optional<TexelPoint> texel_at(const SurfaceDraw& draw, int x, int y, bool perspective) {
+  const double depth = perspective ? draw.depth.at(x, y) : 1.0;
   if (depth <= 0) return std::nullopt;
-  return TexelPoint{item.s.at(x, y) / depth, item.t.at(x, y) / depth};
+  return TexelPoint{draw.s.at(x, y) / depth, draw.t.at(x, y) / depth};
 }
 
-// A row of pixels, as a line through the texture: s by t.
+// A row of pixels is a line in the texture: s as a function of the texel row t.
 struct TexelLine {
   double s_at_zero, s_per_row;
   TexelLine(TexelPoint from, TexelPoint to) {
@@ -48,26 +48,27 @@ struct TexelLine {
   double at(double row) const { return s_at_zero + row * s_per_row; }
 };
 
-// Also of what is not a number, which faces without measure and corners far off the face can make.
+// Clamps; NaN, which huge faces and box corners far off the face can produce, becomes `least`.
 double bounded(double value, double least, double most) {
   return value > least ? std::min(value, most) : least;
 }
 
 }  // namespace
 
-void prefetch_texels(const SurfaceDraw& item, std::span<const SpanRun> runs, bool perspective,
+void prefetch_texels(const SurfaceDraw& draw, std::span<const Span> spans, bool perspective,
                      std::size_t bytes_per_texel) {
-  const PixelBox box = box_of(runs);
-  const auto top_left = texel_at(item, box.left, box.top, perspective);
-  const auto top_right = texel_at(item, box.right, box.top, perspective);
-  const auto bottom_left = texel_at(item, box.left, box.bottom, perspective);
-  const auto bottom_right = texel_at(item, box.right, box.bottom, perspective);
+  const PixelBox box = bounding_box(spans);
+  const auto top_left = texel_at(draw, box.left, box.top, perspective);
+  const auto top_right = texel_at(draw, box.right, box.top, perspective);
+  const auto bottom_left = texel_at(draw, box.left, box.bottom, perspective);
+  const auto bottom_right = texel_at(draw, box.right, box.bottom, perspective);
   if (!top_left || !top_right || !bottom_left || !bottom_right) return;
 
-  // What lies between the first and the last row of pixels, and in the corners' box.
+  // In each row of texels: the columns between the lines of the first and the last row of pixels, limited to
+  // the box of the four corners.
   const auto [s_min, s_max] = std::minmax({top_left->s, top_right->s, bottom_left->s, bottom_right->s});
   const auto [t_min, t_max] = std::minmax({top_left->t, top_right->t, bottom_left->t, bottom_right->t});
-  const SurfaceShape& shape = item.block.shape;
+  const SurfaceShape& shape = draw.block.shape;
   const double last_s = shape.width - 1, last_t = shape.height - 1;
   const double first_column = bounded(s_min, 0, last_s), last_column = bounded(s_max, 0, last_s);
   const int first_row = static_cast<int>(bounded(t_min, 0, last_t));
@@ -75,7 +76,7 @@ void prefetch_texels(const SurfaceDraw& item, std::span<const SpanRun> runs, boo
   const TexelLine top(*top_left, *top_right), bottom(*bottom_left, *bottom_right);
   const auto texel_bytes = static_cast<std::ptrdiff_t>(bytes_per_texel);
   const std::ptrdiff_t row_bytes = shape.width * texel_bytes;
-  const std::byte* row_texels = item.block.texels + first_row * row_bytes;
+  const std::byte* row_texels = draw.block.texels + first_row * row_bytes;
   for (int row = first_row; row <= last_row; ++row, row_texels += row_bytes) {
     const double here = row + 0.5;
     const auto [left, right] = std::minmax({top.at(here), bottom.at(here)});

@@ -1,17 +1,17 @@
-// Texels are asked for before they are drawn from. The spans of a slanted face walk across the rows of its
-// surface, and the processor foresees such walks badly: waiting for one cache line after another takes longer
-// than drawing. Here a band's whole share of a surface is asked for at once, row by row.
+// Prefetches texels before spans are drawn. The spans of a slanted face cross the rows of its block at an
+// angle, a pattern that hardware prefetchers predict badly, and waiting for one cache line after another
+// takes longer than drawing. So a band's whole share of a block is requested at once, row by row.
 #pragma once
 
 #include <span>
 
-#include "render/edges/span_run.h"
+#include "render/edges/span.h"
 #include "render/surfaces/surface_draws.h"
 
 namespace temblor::render {
 
-// For an item of kind kSurface, and its runs in one band. A hint: draws nothing, changes nothing.
-void prefetch_texels(const SurfaceDraw& item, std::span<const SpanRun> runs, bool perspective,
+// For a draw of kind kBlock and its spans in one band. A hint to the processor: changes no results.
+void prefetch_texels(const SurfaceDraw& draw, std::span<const Span> spans, bool perspective,
                      std::size_t bytes_per_texel);
 
 }  // namespace temblor::render

@@ -1,5 +1,5 @@
-// Textures made ready for the kernels that let them repeat: sizes rounded up to powers of two, texels in the
-// frame's pixel format, padding behind the last one.
+// Textures in the form that repeating kernels need: sizes rounded up to powers of two, so that coordinates
+// wrap with a bit mask; texels in the frame's pixel format; padding after the last texel.
 #pragma once
 
 #include <algorithm>
@@ -20,15 +20,16 @@ struct TexturePart {
   std::uint32_t left, width;
 };
 
+// The texels belong to the arena that they were allocated in. Null: not made yet.
 struct RepeatingTexture {
   const void* texels = nullptr;
   std::int32_t width = 0, height = 0;
 };
 
-// A texture of another size is stretched to the next power of two; none is made larger than this.
+// A texture of another size is stretched to the next power of two, but never beyond this width or height.
 constexpr std::uint32_t kMaxRepeatingTexels = 1024;
 
-// `convert`: palette index -> Texel as it is drawn.
+// `convert` maps a palette index to a Texel as it is drawn.
 template <typename Texel, typename Convert>
 RepeatingTexture copy_repeating(const TexturePart& part, Convert convert, base::Arena& arena) {
   const auto size = [](std::uint32_t texels) {
@@ -42,7 +43,7 @@ RepeatingTexture copy_repeating(const TexturePart& part, Convert convert, base::
   for (std::uint32_t y = 0; y < height; ++y) {
     const std::uint8_t* row = part.texture.mips[static_cast<std::size_t>(part.mip)].data() +
                               std::uint64_t{y} * full_height / height * full_width + part.left;
-    if (width == part.width) {  // nearly always, and a division a texel would show in the frame's time
+    if (width == part.width) {  // nearly always; a division per texel would be noticeable in the frame's time
       for (std::uint32_t x = 0; x < width; ++x) *out++ = convert(row[x]);
       continue;
     }

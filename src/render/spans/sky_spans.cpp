@@ -9,12 +9,13 @@ namespace temblor::render {
 
 namespace {
 
-// As the original has them, for layers of 128 texels.
+// Stock Quake's scroll speeds and the size of its dome, for layers of 128 texels; larger layers scale them.
 constexpr double kBackScroll_texels_s = 8, kCloudScroll_texels_s = 16, kSkyTexels = 378, kStockLayer = 128;
 
-SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double time_s,
-                    const ColorTables& tables, PixelFormat format, base::Arena& arena) {
-  SkyRuns sky{};
+// Clouds are clear where the index is 0. In rgb, 0 also stands for clear, and no opaque color is 0.
+SkySpans make_layers(const world::Texture& texture, const ViewFrame& view, double time_s,
+                     const ColorTables& tables, PixelFormat format, base::Arena& arena) {
+  SkySpans sky{};
   const std::uint32_t clouds = std::max(1u, texture.width / 2), back_left = texture.width - clouds;
   const TexturePart front{texture, 0, 0, clouds}, behind{texture, 0, back_left, clouds};
   RepeatingTexture front_layer, back_layer;
@@ -35,7 +36,7 @@ SkyRuns make_layers(const world::Texture& texture, const ViewFrame& view, double
 
   const double texels = sky.width / kStockLayer;
   sky.scale = static_cast<float>(kSkyTexels * texels);
-  // The rest of a division in double: as exact after a day as after a second.
+  // fmod in double: as precise after a day as after a second.
   const auto scrolled = [&](double speed, std::int32_t size) {
     const double offset = std::fmod(time_s * speed * texels, size);
     return static_cast<float>(offset < 0 ? offset + size : offset);
@@ -58,25 +59,26 @@ SkyRays sky_rays(const ViewFrame& view) {
           down};
 }
 
-std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view,
-                                           const SurfaceDraws& items, const ColorTables& tables,
-                                           PixelFormat format, base::Arena& arena) {
-  const std::span<const SkyRuns*> by_item =
-      arena.allocate_filled<const SkyRuns*>(items.items.size(), nullptr);
-  const std::span<const SkyRuns*> by_texture =
-      arena.allocate_filled<const SkyRuns*>(scene.level->textures.size(), nullptr);
-  for (std::size_t i = 0; i < items.items.size(); ++i) {
-    const SurfaceDraw& item = items.items[i];
-    if (item.kind != ItemKind::kSky) continue;
-    const SkyRuns*& made = by_texture[base::to_size(item.texture_index)];
+std::span<const SkySpans*> prepare_sky_spans(const FrameContext& context, const ViewFrame& view,
+                                             const SurfaceDraws& draws) {
+  base::Arena& arena = context.arena();
+  const std::span<const SkySpans*> by_draw =
+      arena.allocate_filled<const SkySpans*>(draws.all.size(), nullptr);
+  const std::span<const SkySpans*> by_texture =
+      arena.allocate_filled<const SkySpans*>(context.level().textures.size(), nullptr);
+  for (std::size_t i = 0; i < draws.all.size(); ++i) {
+    const SurfaceDraw& draw = draws.all[i];
+    if (draw.kind != SurfaceKind::kSky) continue;
+    const SkySpans*& made = by_texture[base::to_size(draw.texture_index)];
     if (made == nullptr) {
-      const std::span<SkyRuns> room = arena.allocate<SkyRuns>(1);
-      room[0] = make_layers(*item.texture, view, scene.time_s, tables, format, arena);
-      made = room.data();
+      const std::span<SkySpans> prepared = arena.allocate<SkySpans>(1);
+      prepared[0] =
+          make_layers(*draw.texture, view, context.scene.time_s, context.colors, context.format, arena);
+      made = prepared.data();
     }
-    by_item[i] = made;
+    by_draw[i] = made;
   }
-  return by_item;
+  return by_draw;
 }
 
 }  // namespace temblor::render

@@ -1,34 +1,38 @@
-// Spans of sky: two layers that scroll over one another (the texture's left half, clouds, and behind its
-// clear texels its right half), seen along the ray of each pixel.
+// Spans of sky: two layers that scroll over each other. The left half of the texture is the cloud layer; the
+// right half is the background, which shows through the clear texels of the clouds.
+//
+// As in stock Quake, the direction of each pixel's ray, with z stretched threefold, selects the texel: a
+// flattened dome that moves with the eye.
 #pragma once
 
 #include "base/arena.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/spans/span_kernels.h"
 #include "render/surfaces/surface_draws.h"
 
 namespace temblor::render {
 
-// The ray of pixel (x, y) is forward + x * right + y * down, in the world; seen in parallel, all are forward.
+// The ray of pixel (x, y) is forward + x * right + y * down, in world space, of any length. In parallel
+// projection all rays are `forward`.
 struct SkyRays {
   math::Vec3d forward, right, down;
 };
+// Rays for the skies of this frame; also used by skyboxes.
 SkyRays sky_rays(const ViewFrame& view);
 
-// For what kernels read of them: SkyRuns or SkyboxRuns.
-template <typename Runs>
-void set_rays(const SkyRays& rays, Runs& io_runs) {
+// Copies the rays to a kernel's input: SkySpans or SkyboxSpans.
+template <typename Spans>
+void set_rays(const SkyRays& rays, Spans& io_spans) {
   for (int axis = 0; axis < 3; ++axis) {
-    io_runs.forward[axis] = rays.forward[axis];
-    io_runs.right[axis] = rays.right[axis];
-    io_runs.down[axis] = rays.down[axis];
+    io_spans.forward[axis] = rays.forward[axis];
+    io_spans.right[axis] = rays.right[axis];
+    io_spans.down[axis] = rays.down[axis];
   }
 }
 
-// For every sky item, all that its spans need but the spans and their depth; by item number, null for others.
-// Memory comes from `arena`.
-std::span<const SkyRuns*> prepare_sky_runs(const Scene& scene, const ViewFrame& view,
-                                           const SurfaceDraws& items, const ColorTables& tables,
-                                           PixelFormat format, base::Arena& arena);
+// For every draw of kind kSky: everything that its kernel needs except the spans and their depth. By draw
+// number, null for other draws. Lives in the frame's arena.
+std::span<const SkySpans*> prepare_sky_spans(const FrameContext& context, const ViewFrame& view,
+                                             const SurfaceDraws& draws);
 
 }  // namespace temblor::render

@@ -13,8 +13,7 @@ namespace {
 
 using Sides = std::array<formats::Image, 6>;
 
-// Which way each side looks, and where its right and upper edges are. In the order of SkyboxRuns, which is
-// that of Skybox.
+// The direction of each side's center, right edge, and upper edge, in the order of Skybox and SkyboxSpans.
 struct SideAxes {
   math::Vec3d forward, right, up;
 };
@@ -32,7 +31,7 @@ std::uint32_t mean_of_two(std::uint32_t a, std::uint32_t b, double share_of_b) {
   return blend_rgb(b, a, static_cast<int>(std::lround(share_of_b * kOpaque256)));
 }
 
-// At (u, v), from 0 to 1 over the picture, rows from the top.
+// The picture at (u, v), 0 to 1 across it from the upper left corner, interpolated.
 std::uint32_t sample(const formats::Image& image, double u, double v) {
   const auto along = [](double place, std::uint32_t size) {
     return std::clamp(place * size - 0.5, 0.0, static_cast<double>(size - 1));
@@ -48,7 +47,7 @@ std::uint32_t sample(const formats::Image& image, double u, double v) {
                      mean_of_two(texel(left, bottom), texel(right, bottom), x - left), y - top);
 }
 
-// What is seen along a ray that does not belong to `side` but to a neighbor of it.
+// The color along a ray just beyond a side's edge: it belongs to the side whose axis is nearest to the ray.
 std::uint32_t sample_beyond(const Sides& sides, const math::Vec3d& ray, std::uint32_t empty_rgb) {
   std::size_t nearest = 0;
   for (std::size_t side = 1; side < sides.size(); ++side)
@@ -74,7 +73,7 @@ std::uint32_t mean_of_three(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return out;
 }
 
-// Three sides meet at a corner of the cube, and agree when each has the mean of all there.
+// Three sides meet at a corner of the cube. Each gets the mean of the three, so that they agree.
 void fill_corners(std::int32_t size, std::uint32_t* io_side) {
   const std::int32_t row = size + 2;
   for (const std::int32_t y : {0, size + 1})
@@ -85,8 +84,8 @@ void fill_corners(std::int32_t size, std::uint32_t* io_side) {
     }
 }
 
-// One side with its border, row by row. The border has the neighbor's texels across the edge: from either
-// side, the edge itself is the mean of the same two.
+// Makes one side with its border, row by row. The border has the neighbor's texels across the edge: from
+// either side, the color exactly on the edge is the mean of the same two texels.
 void make_side(const Sides& sides, std::size_t side, std::int32_t size, std::uint32_t empty_rgb,
                std::uint32_t* out_side) {
   constexpr double kJustBeyond = 1 + 1e-9;
@@ -109,7 +108,7 @@ void make_side(const Sides& sides, std::size_t side, std::int32_t size, std::uin
 
 }  // namespace
 
-void PreparedSkybox::follow(const Skybox& skybox, const Fog& fog, const ColorTables& tables,
+void PreparedSkybox::update(const Skybox& skybox, const Fog& fog, const ColorTables& tables,
                             PixelFormat format) {
   CHECK(skybox.identity != nullptr, "a skybox without an identity");
   const Made made{skybox.identity, format, fog.density > 0 ? to_rgb(to_bytes(fog.color)) : 0xff000000u};
@@ -124,7 +123,7 @@ void PreparedSkybox::follow(const Skybox& skybox, const Fog& fog, const ColorTab
   indexed_.clear();
   if (format == PixelFormat::kRgb) return;
   indexed_.resize(rgb_.size() + kTexelPadding);
-  // Sky shines by itself: full-bright entries may stand for it.
+  // Sky is not lit, so full-bright palette entries are allowed.
   for (std::size_t i = 0; i < rgb_.size(); ++i)
     indexed_[i] = tables.match({static_cast<std::uint8_t>(rgb_[i] >> 16),
                                 static_cast<std::uint8_t>(rgb_[i] >> 8), static_cast<std::uint8_t>(rgb_[i])},
@@ -132,12 +131,12 @@ void PreparedSkybox::follow(const Skybox& skybox, const Fog& fog, const ColorTab
   rgb_.clear();
 }
 
-SkyboxRuns PreparedSkybox::runs(const ViewFrame& view) const {
-  SkyboxRuns runs{};
-  set_rays(sky_rays(view), runs);
-  runs.texels = indexed_.empty() ? static_cast<const void*>(rgb_.data()) : indexed_.data();
-  runs.size = size_;
-  return runs;
+SkyboxSpans PreparedSkybox::spans(const ViewFrame& view) const {
+  SkyboxSpans spans{};
+  set_rays(sky_rays(view), spans);
+  spans.texels = indexed_.empty() ? static_cast<const void*>(rgb_.data()) : indexed_.data();
+  spans.size = size_;
+  return spans;
 }
 
 }  // namespace temblor::render

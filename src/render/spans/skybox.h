@@ -1,5 +1,6 @@
-// A skybox ready to be drawn: six squares of one size in the frame's pixel format, each with a border of its
-// neighbors' texels, so that nothing shows where sides meet.
+// A skybox prepared for drawing: six squares of the same size in the frame's pixel format, each (size + 2) x
+// (size + 2) texels. The border of one texel holds the neighbors' texels, so that interpolation shows no
+// seams. Stock Quake has no skyboxes.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +8,24 @@
 #include <vector>
 
 #include "render/color/color_tables.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/scene.h"
 #include "render/spans/skybox_kernels.h"
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
 
-// Larger pictures are made smaller; ones of other shapes and sizes than the largest are stretched to it.
+// Larger pictures are scaled down to this. Pictures of other sizes than the largest are scaled to its size.
 constexpr std::int32_t kMaxSkyboxTexels = 2048;
 
 class PreparedSkybox {
  public:
-  // Makes it ready, unless it was the last one. `fog` colors sides without a picture.
-  void follow(const Skybox& skybox, const Fog& fog, const ColorTables& tables, PixelFormat format);
+  // Prepares the skybox unless it is the one that was prepared last, in the same format and with the same
+  // color for empty sides. `fog` colors sides without a picture.
+  void update(const Skybox& skybox, const Fog& fog, const ColorTables& tables, PixelFormat format);
 
-  // Of the last one; depth and runs are to be filled in.
-  SkyboxRuns runs(const ViewFrame& view) const;
+  // The kernel input for the prepared skybox; the caller fills in depth and spans.
+  SkyboxSpans spans(const ViewFrame& view) const;
 
  private:
   struct Made {

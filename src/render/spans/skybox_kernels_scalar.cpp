@@ -1,4 +1,4 @@
-// Hot loop.
+// Hot loop. The scalar reference of the skybox kernels.
 #include <cmath>
 
 #include "render/spans/skybox_kernels.h"
@@ -7,13 +7,14 @@ namespace temblor::render {
 
 namespace {
 
-// A place on one of the sides, in texels of all of them.
+// A position on one of the sides, in texels.
 struct Place {
   float u, v;
   std::int32_t side;
 };
 
-Place place_of(float x, float y, float z, std::int32_t size) {
+// Divides by the largest component, which projects the ray onto the cube.
+Place find_place(float x, float y, float z, std::int32_t size) {
   const float ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
   const float half = static_cast<float>(size) * 0.5f, center = half + 0.5f;
   float s, t, largest;
@@ -44,6 +45,7 @@ std::uint8_t texel_at(const std::uint8_t* texels, const Place& place, std::int32
   return texels[(place.side * row + line) * row + column];
 }
 
+// Bilinear, in 256ths; the border makes the right and lower neighbor available everywhere.
 std::uint32_t texel_at(const std::uint32_t* texels, const Place& place, std::int32_t size) {
   const std::int32_t row = size + 2;
   const auto column = static_cast<std::int32_t>(place.u), line = static_cast<std::int32_t>(place.v);
@@ -61,21 +63,21 @@ std::uint32_t texel_at(const std::uint32_t* texels, const Place& place, std::int
 }
 
 template <typename Texel>
-void draw_run(const SkyboxRuns& sky, const SpanRun& run, std::int32_t first, const KernelTarget& target) {
-  const std::size_t start = run.y * target.width + run.x;
-  const auto depth = static_cast<float>(sky.depth.at_origin + sky.depth.dx * run.x + sky.depth.dy * run.y);
+void draw_span(const SkyboxSpans& sky, const Span& span, std::int32_t first, const KernelTarget& target) {
+  const std::size_t start = span.y * target.width + span.x;
+  const auto depth = static_cast<float>(sky.depth.at_origin + sky.depth.dx * span.x + sky.depth.dy * span.y);
   const auto depth_step = static_cast<float>(sky.depth.dx);
   float ray[3], step[3];
   for (int axis = 0; axis < 3; ++axis) {
-    ray[axis] = static_cast<float>(sky.forward[axis] + sky.right[axis] * run.x + sky.down[axis] * run.y);
+    ray[axis] = static_cast<float>(sky.forward[axis] + sky.right[axis] * span.x + sky.down[axis] * span.y);
     step[axis] = static_cast<float>(sky.right[axis]);
   }
-  for (std::int32_t i = first; i < run.count; ++i) {
+  for (std::int32_t i = first; i < span.count; ++i) {
     const float lane = static_cast<float>(i);
     const std::size_t pixel = start + static_cast<std::size_t>(i);
     if (target.depth != nullptr) target.depth[pixel] = depth + lane * depth_step;
     const Place place =
-        place_of(ray[0] + lane * step[0], ray[1] + lane * step[1], ray[2] + lane * step[2], sky.size);
+        find_place(ray[0] + lane * step[0], ray[1] + lane * step[1], ray[2] + lane * step[2], sky.size);
     static_cast<Texel*>(target.pixels)[pixel] =
         texel_at(static_cast<const Texel*>(sky.texels), place, sky.size);
   }
@@ -83,20 +85,22 @@ void draw_run(const SkyboxRuns& sky, const SpanRun& run, std::int32_t first, con
 
 }  // namespace
 
-void draw_skybox_run_u8_scalar(const SkyboxRuns& runs, const SpanRun& run, std::int32_t first,
-                               const KernelTarget& target) {
-  draw_run<std::uint8_t>(runs, run, first, target);
-}
-void draw_skybox_run_u32_scalar(const SkyboxRuns& runs, const SpanRun& run, std::int32_t first,
+void draw_skybox_span_u8_scalar(const SkyboxSpans& spans, const Span& span, std::int32_t first,
                                 const KernelTarget& target) {
-  draw_run<std::uint32_t>(runs, run, first, target);
+  draw_span<std::uint8_t>(spans, span, first, target);
+}
+void draw_skybox_span_u32_scalar(const SkyboxSpans& spans, const Span& span, std::int32_t first,
+                                 const KernelTarget& target) {
+  draw_span<std::uint32_t>(spans, span, first, target);
 }
 
-void draw_skybox_runs_u8_scalar(const SkyboxRuns& runs, const KernelTarget& target) {
-  for (std::size_t i = 0; i < runs.run_count; ++i) draw_run<std::uint8_t>(runs, runs.runs[i], 0, target);
+void draw_skybox_spans_u8_scalar(const SkyboxSpans& spans, const KernelTarget& target) {
+  for (std::size_t i = 0; i < spans.span_count; ++i)
+    draw_span<std::uint8_t>(spans, spans.spans[i], 0, target);
 }
-void draw_skybox_runs_u32_scalar(const SkyboxRuns& runs, const KernelTarget& target) {
-  for (std::size_t i = 0; i < runs.run_count; ++i) draw_run<std::uint32_t>(runs, runs.runs[i], 0, target);
+void draw_skybox_spans_u32_scalar(const SkyboxSpans& spans, const KernelTarget& target) {
+  for (std::size_t i = 0; i < spans.span_count; ++i)
+    draw_span<std::uint32_t>(spans, spans.spans[i], 0, target);
 }
 
 }  // namespace temblor::render

@@ -1,4 +1,4 @@
-// Hot loop. The vector twins of skybox_kernels_plain.cpp, compiled once for each instruction set.
+// Hot loop. The SIMD versions of skybox_kernels_scalar.cpp, compiled once for each instruction set.
 #include "render/spans/skybox_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -11,11 +11,11 @@ namespace temblor::render::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
-void DrawSkyboxRunsU8(const SkyboxRuns& runs, const KernelTarget& target) {
-  draw_skybox_runs_u8_scalar(runs, target);
+void DrawSkyboxSpansU8(const SkyboxSpans& spans, const KernelTarget& target) {
+  draw_skybox_spans_u8_scalar(spans, target);
 }
-void DrawSkyboxRunsU32(const SkyboxRuns& runs, const KernelTarget& target) {
-  draw_skybox_runs_u32_scalar(runs, target);
+void DrawSkyboxSpansU32(const SkyboxSpans& spans, const KernelTarget& target) {
+  draw_skybox_spans_u32_scalar(spans, target);
 }
 
 #else
@@ -38,13 +38,14 @@ struct Ray {
   }
 };
 
-// On one of the sides, in texels of all of them.
+// Positions on the sides, in texels.
 struct Places {
   VF u, v;
   VI side;
 };
 
-HWY_INLINE Places PlacesOf(VF x, VF y, VF z, int size) {
+// Computes all three cases and selects, since neighboring pixels may be on different sides.
+HWY_INLINE Places FindPlaces(VF x, VF y, VF z, int size) {
   const DF d;
   const DI di;
   const VF ax = hn::Abs(x), ay = hn::Abs(y), az = hn::Abs(z), zero = hn::Zero(d);
@@ -73,7 +74,7 @@ HWY_INLINE VI Positions(VI side, VI line, VI column, int row) {
   return hn::Add(hn::Mul(rows, hn::Set(di, row)), column);
 }
 
-HWY_INLINE void PutTexels(const Places& places, const SkyboxRuns& sky, uint8_t* out) {
+HWY_INLINE void StoreTexels(const Places& places, const SkyboxSpans& sky, uint8_t* out) {
   const DI di;
   const DU du;
   const VF round = hn::Set(DF(), 0.5f);
@@ -89,7 +90,7 @@ HWY_INLINE VU Channel(VU texels) {
   return hn::And(hn::ShiftRight<kShift>(texels), hn::Set(DU(), 255));
 }
 
-// Of four texels, how much of them is right and below in 256ths.
+// Four texels, and how far right and below the position is between them, in 256ths.
 struct Four {
   VU above_left, above_right, below_left, below_right, right, below;
   template <int kShift>
@@ -105,13 +106,14 @@ struct Four {
   }
 };
 
+// The fraction of a coordinate, in 256ths.
 HWY_INLINE VU Share(VF place, VI whole) {
   const DF d;
   const VF part = hn::Sub(place, hn::ConvertTo(d, whole));
   return hn::BitCast(DU(), hn::ConvertTo(DI(), hn::Mul(part, hn::Set(d, 256.0f))));
 }
 
-HWY_INLINE void PutTexels(const Places& places, const SkyboxRuns& sky, uint32_t* out) {
+HWY_INLINE void StoreTexels(const Places& places, const SkyboxSpans& sky, uint32_t* out) {
   const DI di;
   const DU du;
   const VI column = hn::ConvertTo(di, places.u), line = hn::ConvertTo(di, places.v);
@@ -128,38 +130,41 @@ HWY_INLINE void PutTexels(const Places& places, const SkyboxRuns& sky, uint32_t*
   hn::StoreU(hn::Or(color, hn::Set(du, 0xff000000u)), du, out);
 }
 
-// Returns how many pixels were drawn: whole vectors.
+// Draws whole vectors. Returns the number of pixels drawn; the scalar kernel draws the rest.
 template <typename Texel>
-HWY_INLINE int DrawRun(const SkyboxRuns& sky, const SpanRun& run, const KernelTarget& target) {
+HWY_INLINE int DrawSpan(const SkyboxSpans& sky, const Span& span, const KernelTarget& target) {
   const DF d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const size_t first = run.y * target.width + run.x;
-  const float depth = static_cast<float>(sky.depth.at_origin + sky.depth.dx * run.x + sky.depth.dy * run.y);
+  const size_t first = span.y * target.width + span.x;
+  const float depth = static_cast<float>(sky.depth.at_origin + sky.depth.dx * span.x + sky.depth.dy * span.y);
   const float depth_step = static_cast<float>(sky.depth.dx);
   Ray ray;
   for (int axis = 0; axis < 3; ++axis) {
-    ray.base[axis] = static_cast<float>(sky.forward[axis] + sky.right[axis] * run.x + sky.down[axis] * run.y);
+    ray.base[axis] =
+        static_cast<float>(sky.forward[axis] + sky.right[axis] * span.x + sky.down[axis] * span.y);
     ray.step[axis] = static_cast<float>(sky.right[axis]);
   }
   int i = 0;
-  for (; i + lanes <= run.count; i += lanes) {
+  for (; i + lanes <= span.count; i += lanes) {
     const VF lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(i)));
     if (target.depth != nullptr)
       hn::StoreU(hn::Add(hn::Set(d, depth), hn::Mul(lane, hn::Set(d, depth_step))), d,
                  target.depth + first + static_cast<size_t>(i));
-    const Places places = PlacesOf(ray.Axis(0, lane), ray.Axis(1, lane), ray.Axis(2, lane), sky.size);
-    PutTexels(places, sky, static_cast<Texel*>(target.pixels) + first + static_cast<size_t>(i));
+    const Places places = FindPlaces(ray.Axis(0, lane), ray.Axis(1, lane), ray.Axis(2, lane), sky.size);
+    StoreTexels(places, sky, static_cast<Texel*>(target.pixels) + first + static_cast<size_t>(i));
   }
   return i;
 }
 
-void DrawSkyboxRunsU8(const SkyboxRuns& runs, const KernelTarget& target) {
-  for (size_t i = 0; i < runs.run_count; ++i)
-    draw_skybox_run_u8_scalar(runs, runs.runs[i], DrawRun<uint8_t>(runs, runs.runs[i], target), target);
+void DrawSkyboxSpansU8(const SkyboxSpans& spans, const KernelTarget& target) {
+  for (size_t i = 0; i < spans.span_count; ++i)
+    draw_skybox_span_u8_scalar(spans, spans.spans[i], DrawSpan<uint8_t>(spans, spans.spans[i], target),
+                               target);
 }
-void DrawSkyboxRunsU32(const SkyboxRuns& runs, const KernelTarget& target) {
-  for (size_t i = 0; i < runs.run_count; ++i)
-    draw_skybox_run_u32_scalar(runs, runs.runs[i], DrawRun<uint32_t>(runs, runs.runs[i], target), target);
+void DrawSkyboxSpansU32(const SkyboxSpans& spans, const KernelTarget& target) {
+  for (size_t i = 0; i < spans.span_count; ++i)
+    draw_skybox_span_u32_scalar(spans, spans.spans[i], DrawSpan<uint32_t>(spans, spans.spans[i], target),
+                                target);
 }
 
 #endif
@@ -170,14 +175,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace temblor::render {
 
-HWY_EXPORT(DrawSkyboxRunsU8);
-HWY_EXPORT(DrawSkyboxRunsU32);
+HWY_EXPORT(DrawSkyboxSpansU8);
+HWY_EXPORT(DrawSkyboxSpansU32);
 
-void draw_skybox_runs_u8_simd(const SkyboxRuns& runs, const KernelTarget& target) {
-  HWY_DYNAMIC_DISPATCH(DrawSkyboxRunsU8)(runs, target);
+void draw_skybox_spans_u8_simd(const SkyboxSpans& spans, const KernelTarget& target) {
+  HWY_DYNAMIC_DISPATCH(DrawSkyboxSpansU8)(spans, target);
 }
-void draw_skybox_runs_u32_simd(const SkyboxRuns& runs, const KernelTarget& target) {
-  HWY_DYNAMIC_DISPATCH(DrawSkyboxRunsU32)(runs, target);
+void draw_skybox_spans_u32_simd(const SkyboxSpans& spans, const KernelTarget& target) {
+  HWY_DYNAMIC_DISPATCH(DrawSkyboxSpansU32)(spans, target);
 }
 
 }  // namespace temblor::render

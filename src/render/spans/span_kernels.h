@@ -1,68 +1,79 @@
-// Inner loops over spans, as vector code and as plain C++ with the same results, bit for bit. Only plain
-// types here: the vector file is compiled for several processors.
+// Inner loops over spans, as SIMD and as the scalar reference with the same results, bit for bit. This header
+// has plain types only, because the SIMD file is compiled for several processors.
+//
+// A coordinate of pixel i of a span is always base + i * step in float, where base is computed in double at
+// the span's first pixel. So results do not depend on the vector's width, and no error accumulates.
+//
+// 1/z, s/z, and t/z are linear on the screen, so a pixel needs one division. Stock Quake divides only every
+// 16 pixels (KernelDivide::kEvery16; Michael Abrash, "Quake's 3-D Engine: The Big Picture").
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-#include "render/edges/span_run.h"
+#include "render/edges/span.h"
 
 namespace temblor::render {
 
-// f(x, y) = at_origin + dx x + dy y.
+// f(x, y) = at_origin + dx * x + dy * y.
 struct KernelPlane {
   double at_origin, dx, dy;
 };
 
-// Nearness never reaches zero on a face in view; rounding may bring it there.
-constexpr float kFarthest = 1e-20f;
+// 1/z is positive on visible faces, but rounding may bring it to 0: divisions use at least this.
+constexpr float kMinSpanDepth = 1e-20f;
+// Pixels between two divisions with kEvery16.
 constexpr int kAffinePixels = 16;
-// Repeating coordinates beyond this are not told apart: far out on faces that seem to stretch for ever.
+// Repeating coordinates are clamped to this range, so that they fit an integer; only far parts of enormous
+// faces exceed it.
 constexpr float kFarTexel = 4e6f;
-constexpr float kTurnsATexel = 1.0f / 128.0f;
+// Liquids: one period of the sine per 128 texels.
+constexpr float kTurnsPerTexel = 1.0f / 128.0f;
 
+// How often s and t are divided by depth. kNone: parallel projection, where they are linear.
 enum class KernelDivide : std::uint8_t { kEveryPixel, kEvery16, kNone };
 
-// Where pixels go. Rows are `width` apart. `depth` null: not filled.
+// The destination. Rows are `width` pixels apart. If `depth` is null, no depth is written.
 struct KernelTarget {
   void* pixels;
   float* depth;
   std::size_t width;
 };
 
-// Whatever texels are read may be followed by this many bytes that are read and not used.
+// Kernels may read this many bytes past the last texel, and ignore them.
 constexpr std::size_t kTexelPadding = 64;
 
-// Spans of one surface. Coordinates are s / depth and t / depth (kNone: s and t), cut off at 0 and at the
-// largest ones.
-struct SurfaceRuns {
+// Spans of one surface block. Texel coordinates are s / depth and t / depth (kNone: s and t), clamped to 0
+// and to last_s and last_t.
+struct SurfaceSpans {
   KernelPlane depth, s, t;
   KernelDivide divide;
-  const void* texels;  // bytes or 32-bit colors; rows are `texels_a_row` apart
-  std::int32_t texels_a_row;
+  const void* texels;  // bytes or 32-bit colors; rows are `texels_per_row` apart
+  std::int32_t texels_per_row;
   std::int32_t last_s, last_t;
-  const SpanRun* runs;
-  std::size_t run_count;
+  const Span* spans;
+  std::size_t span_count;
 };
 
-// Spans of a texture that repeats without end, as it is or swaying: s moves by amplitude * (1 + sin of t), a
-// full turn every 128 texels, and t by s alike. Coordinates are s / depth and t / depth (without `divide`: s
-// and t). Sizes are powers of two, at most 2^15.
-struct RepeatRuns {
+// Spans of a texture that repeats endlessly, still or warped: s is displaced by amplitude * (1 + sin of t),
+// with a period of 128 texels, and t by s in the same way. Coordinates are s / depth and t / depth (without
+// `divide`: s and t). Sizes are powers of two, at most 2^15.
+struct RepeatSpans {
   KernelPlane depth, s, t;
   bool divide;
   float amplitude;  // texels; 0: still
-  float phase;      // texels, added to the coordinate that the sine is taken of
+  // In texels; added to the argument of the sine.
+  float phase;
   const void* texels;
   std::int32_t width, height;  // rows follow one another
-  const SpanRun* runs;
-  std::size_t run_count;
+  const Span* spans;
+  std::size_t span_count;
 };
 
-// Spans of sky. The ray of pixel (x, y) is forward + x * right + y * down (world space); its direction, with
-// z stretched threefold, is scaled to texels of two layers that repeat: clouds, and behind texels that are 0,
-// the background. Layer sizes are powers of two, at most 2^15.
-struct SkyRuns {
+// Spans of sky. The ray of pixel (x, y) is forward + x * right + y * down (world space). Its direction, with
+// z stretched threefold, is scaled to texels of two repeating layers: clouds, and the background behind cloud
+// texels that are 0. Layer sizes are powers of two, at most 2^15.
+struct SkySpans {
   KernelPlane depth;
   double forward[3], right[3], down[3];
   float scale;                               // texels
@@ -70,22 +81,22 @@ struct SkyRuns {
   const void* clouds;                        // texels as drawn: bytes or 32-bit colors
   const void* back;
   std::int32_t width, height;  // of either layer; rows follow one another
-  const SpanRun* runs;
-  std::size_t run_count;
+  const Span* spans;
+  std::size_t span_count;
 };
 
-void draw_surface_runs_u8_scalar(const SurfaceRuns& runs, const KernelTarget& target);
-void draw_surface_runs_u32_scalar(const SurfaceRuns& runs, const KernelTarget& target);
-void draw_repeat_runs_u8_scalar(const RepeatRuns& runs, const KernelTarget& target);
-void draw_repeat_runs_u32_scalar(const RepeatRuns& runs, const KernelTarget& target);
-void draw_sky_runs_u8_scalar(const SkyRuns& runs, const KernelTarget& target);
-void draw_sky_runs_u32_scalar(const SkyRuns& runs, const KernelTarget& target);
+void draw_surface_spans_u8_scalar(const SurfaceSpans& spans, const KernelTarget& target);
+void draw_surface_spans_u32_scalar(const SurfaceSpans& spans, const KernelTarget& target);
+void draw_repeat_spans_u8_scalar(const RepeatSpans& spans, const KernelTarget& target);
+void draw_repeat_spans_u32_scalar(const RepeatSpans& spans, const KernelTarget& target);
+void draw_sky_spans_u8_scalar(const SkySpans& spans, const KernelTarget& target);
+void draw_sky_spans_u32_scalar(const SkySpans& spans, const KernelTarget& target);
 
-void draw_surface_runs_u8_simd(const SurfaceRuns& runs, const KernelTarget& target);
-void draw_surface_runs_u32_simd(const SurfaceRuns& runs, const KernelTarget& target);
-void draw_repeat_runs_u8_simd(const RepeatRuns& runs, const KernelTarget& target);
-void draw_repeat_runs_u32_simd(const RepeatRuns& runs, const KernelTarget& target);
-void draw_sky_runs_u8_simd(const SkyRuns& runs, const KernelTarget& target);
-void draw_sky_runs_u32_simd(const SkyRuns& runs, const KernelTarget& target);
+void draw_surface_spans_u8_simd(const SurfaceSpans& spans, const KernelTarget& target);
+void draw_surface_spans_u32_simd(const SurfaceSpans& spans, const KernelTarget& target);
+void draw_repeat_spans_u8_simd(const RepeatSpans& spans, const KernelTarget& target);
+void draw_repeat_spans_u32_simd(const RepeatSpans& spans, const KernelTarget& target);
+void draw_sky_spans_u8_simd(const SkySpans& spans, const KernelTarget& target);
+void draw_sky_spans_u32_simd(const SkySpans& spans, const KernelTarget& target);
 
 }  // namespace temblor::render

@@ -1,4 +1,4 @@
-// Hot loop.
+// Hot loop. The scalar reference: it defines the results of the span kernels.
 #include <cmath>
 
 #include "render/spans/span_kernels.h"
@@ -7,8 +7,8 @@ namespace temblor::render {
 
 namespace {
 
-float at(const KernelPlane& plane, const SpanRun& run) {
-  return static_cast<float>(plane.at_origin + plane.dx * run.x + plane.dy * run.y);
+float at(const KernelPlane& plane, const Span& span) {
+  return static_cast<float>(plane.at_origin + plane.dx * span.x + plane.dy * span.y);
 }
 
 float larger(float a, float b) {
@@ -18,89 +18,98 @@ float smaller(float a, float b) {
   return a < b ? a : b;
 }
 
+// Written so that NaN becomes 0.
 std::int32_t clamped(float texel, std::int32_t last) {
   return static_cast<std::int32_t>(smaller(larger(texel, 0.0f), static_cast<float>(last)));
 }
 
 template <typename Texel>
-class RunDrawer {
+// Draws spans of one surface block.
+class SpanDrawer {
  public:
-  RunDrawer(const SurfaceRuns& runs, const KernelTarget& target) : runs_(runs), target_(target) {}
+  SpanDrawer(const SurfaceSpans& spans, const KernelTarget& target) : spans_(spans), target_(target) {}
 
-  void draw(const SpanRun& run) {
-    const std::size_t first = run.y * target_.width + run.x;
+  void draw(const Span& span) {
+    const std::size_t first = span.y * target_.width + span.x;
     out_ = static_cast<Texel*>(target_.pixels) + first;
-    const float depth = at(runs_.depth, run), s = at(runs_.s, run), t = at(runs_.t, run);
-    const float depth_step = static_cast<float>(runs_.depth.dx);
-    const float s_step = static_cast<float>(runs_.s.dx), t_step = static_cast<float>(runs_.t.dx);
-    if (target_.depth != nullptr) fill_depth(target_.depth + first, depth, depth_step, run.count);
-    for (int i = 0; i < run.count; ++i) {
+    const Line depth = line(spans_.depth, span), s = line(spans_.s, span), t = line(spans_.t, span);
+    if (target_.depth != nullptr) fill_depth(target_.depth + first, depth, span.count);
+    for (int i = 0; i < span.count; ++i) {
       const float lane = static_cast<float>(i);
-      if (runs_.divide == KernelDivide::kNone) {
-        put(i, s + lane * s_step, t + lane * t_step);
-      } else if (runs_.divide == KernelDivide::kEveryPixel) {
-        const float z = 1.0f / larger(depth + lane * depth_step, kFarthest);
-        put(i, (s + lane * s_step) * z, (t + lane * t_step) * z);
+      if (spans_.divide == KernelDivide::kNone) {
+        put(i, s.at(lane), t.at(lane));
+      } else if (spans_.divide == KernelDivide::kEveryPixel) {
+        const float z = 1.0f / larger(depth.at(lane), kMinSpanDepth);
+        put(i, s.at(lane) * z, t.at(lane) * z);
       } else {
-        const int last = run.count - i < kAffinePixels ? run.count - i : kAffinePixels;
-        draw_affine(i, last, depth, depth_step, s, s_step, t, t_step);
+        const int last = span.count - i < kAffinePixels ? span.count - i : kAffinePixels;
+        draw_affine(i, last, depth, s, t);
         i += last - 1;
       }
     }
   }
 
  private:
-  static void fill_depth(float* out, float depth, float step, int count) {
-    for (int i = 0; i < count; ++i) out[i] = depth + static_cast<float>(i) * step;
+  // A linear function along the span.
+  struct Line {
+    float base, step;
+    float at(float lane) const { return base + lane * step; }
+  };
+  static Line line(const KernelPlane& plane, const Span& span) {
+    return {render::at(plane, span), static_cast<float>(plane.dx)};
+  }
+
+  static void fill_depth(float* out, const Line& depth, int count) {
+    for (int i = 0; i < count; ++i) out[i] = depth.at(static_cast<float>(i));
   }
 
   void put(int i, float s, float t) {
-    const std::int32_t texel = clamped(t, runs_.last_t) * runs_.texels_a_row + clamped(s, runs_.last_s);
-    out_[i] = static_cast<const Texel*>(runs_.texels)[texel];
+    const std::int32_t texel = clamped(t, spans_.last_t) * spans_.texels_per_row + clamped(s, spans_.last_s);
+    out_[i] = static_cast<const Texel*>(spans_.texels)[texel];
   }
 
-  // Up to sixteen pixels between two exact points.
-  void draw_affine(int first, int count, float depth, float depth_step, float s, float s_step, float t,
-                   float t_step) {
+  // Up to sixteen pixels, interpolated between two exact points.
+  void draw_affine(int first, int count, const Line& depth, const Line& s, const Line& t) {
     const float lane = static_cast<float>(first), end = static_cast<float>(first + count - 1);
-    const float z_first = 1.0f / larger(depth + lane * depth_step, kFarthest);
-    const float z_end = 1.0f / larger(depth + end * depth_step, kFarthest);
-    const float s_first = (s + lane * s_step) * z_first, t_first = (t + lane * t_step) * z_first;
+    const float z_first = 1.0f / larger(depth.at(lane), kMinSpanDepth);
+    const float z_end = 1.0f / larger(depth.at(end), kMinSpanDepth);
+    const float s_first = s.at(lane) * z_first, t_first = t.at(lane) * z_first;
     const float pixels = static_cast<float>(count > 1 ? count - 1 : 1);
-    const float s_pixel = ((s + end * s_step) * z_end - s_first) / pixels;
-    const float t_pixel = ((t + end * t_step) * z_end - t_first) / pixels;
+    const float s_pixel = (s.at(end) * z_end - s_first) / pixels;
+    const float t_pixel = (t.at(end) * z_end - t_first) / pixels;
     for (int i = 0; i < count; ++i)
       put(first + i, s_first + static_cast<float>(i) * s_pixel, t_first + static_cast<float>(i) * t_pixel);
   }
 
-  const SurfaceRuns& runs_;
+  const SurfaceSpans& spans_;
   const KernelTarget& target_;
   Texel* out_ = nullptr;
 };
 
 template <typename Texel>
-void draw_surface_runs(const SurfaceRuns& runs, const KernelTarget& target) {
-  RunDrawer<Texel> drawer(runs, target);
-  for (std::size_t i = 0; i < runs.run_count; ++i) drawer.draw(runs.runs[i]);
+void draw_surface_spans(const SurfaceSpans& spans, const KernelTarget& target) {
+  SpanDrawer<Texel> drawer(spans, target);
+  for (std::size_t i = 0; i < spans.span_count; ++i) drawer.draw(spans.spans[i]);
 }
 
+// `size` is a power of two.
 std::int32_t wrapped(float texel, std::int32_t size) {
   return static_cast<std::int32_t>(std::floor(texel)) & (size - 1);
 }
 
 template <typename Texel>
-void draw_sky_run(const SkyRuns& sky, const SpanRun& run, const KernelTarget& target) {
-  const std::size_t first = run.y * target.width + run.x;
-  const float depth = at(sky.depth, run), depth_step = static_cast<float>(sky.depth.dx);
+void draw_sky_span(const SkySpans& sky, const Span& span, const KernelTarget& target) {
+  const std::size_t first = span.y * target.width + span.x;
+  const float depth = at(sky.depth, span), depth_step = static_cast<float>(sky.depth.dx);
   float ray[3], step[3];
   for (int axis = 0; axis < 3; ++axis) {
-    ray[axis] = static_cast<float>(sky.forward[axis] + sky.right[axis] * run.x + sky.down[axis] * run.y);
+    ray[axis] = static_cast<float>(sky.forward[axis] + sky.right[axis] * span.x + sky.down[axis] * span.y);
     step[axis] = static_cast<float>(sky.right[axis]);
   }
   const auto texel = [&](const void* layer, float s, float t) {
     return static_cast<const Texel*>(layer)[wrapped(t, sky.height) * sky.width + wrapped(s, sky.width)];
   };
-  for (int i = 0; i < run.count; ++i) {
+  for (int i = 0; i < span.count; ++i) {
     const float lane = static_cast<float>(i);
     if (target.depth != nullptr)
       target.depth[first + static_cast<std::size_t>(i)] = depth + lane * depth_step;
@@ -114,8 +123,7 @@ void draw_sky_run(const SkyRuns& sky, const SpanRun& run, const KernelTarget& ta
   }
 }
 
-// 1 + sin(2 pi turns), by two parabolas joined and bent once more: within 0.0012, and the same in vector
-// code.
+// 1 + sin(2 pi turns), approximated by two parabolas and a correction: within 0.0012, and identical in SIMD.
 float swing(float turns) {
   const float r = turns - std::nearbyint(turns);
   const float parabola = r * 8.0f - r * std::abs(r) * 16.0f;
@@ -127,20 +135,20 @@ float bounded(float texel) {
 }
 
 template <typename Texel>
-void draw_repeat_run(const RepeatRuns& repeat, const SpanRun& run, const KernelTarget& target) {
-  const std::size_t first = run.y * target.width + run.x;
-  const float depth = at(repeat.depth, run), s_base = at(repeat.s, run), t_base = at(repeat.t, run);
+void draw_repeat_span(const RepeatSpans& repeat, const Span& span, const KernelTarget& target) {
+  const std::size_t first = span.y * target.width + span.x;
+  const float depth = at(repeat.depth, span), s_base = at(repeat.s, span), t_base = at(repeat.t, span);
   const float depth_step = static_cast<float>(repeat.depth.dx);
   const float s_step = static_cast<float>(repeat.s.dx), t_step = static_cast<float>(repeat.t.dx);
-  for (int i = 0; i < run.count; ++i) {
+  for (int i = 0; i < span.count; ++i) {
     const float lane = static_cast<float>(i);
     const float near = depth + lane * depth_step;
     if (target.depth != nullptr) target.depth[first + static_cast<std::size_t>(i)] = near;
-    const float z = repeat.divide ? 1.0f / larger(near, kFarthest) : 1.0f;
+    const float z = repeat.divide ? 1.0f / larger(near, kMinSpanDepth) : 1.0f;
     float s = bounded((s_base + lane * s_step) * z), t = bounded((t_base + lane * t_step) * z);
     if (repeat.amplitude != 0.0f) {
-      const float s_swing = swing((t + repeat.phase) * kTurnsATexel);
-      t = t + swing((s + repeat.phase) * kTurnsATexel) * repeat.amplitude;
+      const float s_swing = swing((t + repeat.phase) * kTurnsPerTexel);
+      t = t + swing((s + repeat.phase) * kTurnsPerTexel) * repeat.amplitude;
       s = s + s_swing * repeat.amplitude;
     }
     static_cast<Texel*>(target.pixels)[first + static_cast<std::size_t>(i)] = static_cast<const Texel*>(
@@ -150,25 +158,29 @@ void draw_repeat_run(const RepeatRuns& repeat, const SpanRun& run, const KernelT
 
 }  // namespace
 
-void draw_surface_runs_u8_scalar(const SurfaceRuns& runs, const KernelTarget& target) {
-  draw_surface_runs<std::uint8_t>(runs, target);
+void draw_surface_spans_u8_scalar(const SurfaceSpans& spans, const KernelTarget& target) {
+  draw_surface_spans<std::uint8_t>(spans, target);
 }
-void draw_surface_runs_u32_scalar(const SurfaceRuns& runs, const KernelTarget& target) {
-  draw_surface_runs<std::uint32_t>(runs, target);
-}
-
-void draw_repeat_runs_u8_scalar(const RepeatRuns& runs, const KernelTarget& target) {
-  for (std::size_t i = 0; i < runs.run_count; ++i) draw_repeat_run<std::uint8_t>(runs, runs.runs[i], target);
-}
-void draw_repeat_runs_u32_scalar(const RepeatRuns& runs, const KernelTarget& target) {
-  for (std::size_t i = 0; i < runs.run_count; ++i) draw_repeat_run<std::uint32_t>(runs, runs.runs[i], target);
+void draw_surface_spans_u32_scalar(const SurfaceSpans& spans, const KernelTarget& target) {
+  draw_surface_spans<std::uint32_t>(spans, target);
 }
 
-void draw_sky_runs_u8_scalar(const SkyRuns& runs, const KernelTarget& target) {
-  for (std::size_t i = 0; i < runs.run_count; ++i) draw_sky_run<std::uint8_t>(runs, runs.runs[i], target);
+void draw_repeat_spans_u8_scalar(const RepeatSpans& spans, const KernelTarget& target) {
+  for (std::size_t i = 0; i < spans.span_count; ++i)
+    draw_repeat_span<std::uint8_t>(spans, spans.spans[i], target);
 }
-void draw_sky_runs_u32_scalar(const SkyRuns& runs, const KernelTarget& target) {
-  for (std::size_t i = 0; i < runs.run_count; ++i) draw_sky_run<std::uint32_t>(runs, runs.runs[i], target);
+void draw_repeat_spans_u32_scalar(const RepeatSpans& spans, const KernelTarget& target) {
+  for (std::size_t i = 0; i < spans.span_count; ++i)
+    draw_repeat_span<std::uint32_t>(spans, spans.spans[i], target);
+}
+
+void draw_sky_spans_u8_scalar(const SkySpans& spans, const KernelTarget& target) {
+  for (std::size_t i = 0; i < spans.span_count; ++i)
+    draw_sky_span<std::uint8_t>(spans, spans.spans[i], target);
+}
+void draw_sky_spans_u32_scalar(const SkySpans& spans, const KernelTarget& target) {
+  for (std::size_t i = 0; i < spans.span_count; ++i)
+    draw_sky_span<std::uint32_t>(spans, spans.spans[i], target);
 }
 
 }  // namespace temblor::render

@@ -8,106 +8,106 @@ namespace temblor::render {
 
 namespace {
 
-KernelDivide divide_of(const Settings& settings, const ViewFrame& view) {
+KernelDivide choose_divide(const Settings& settings, const ViewFrame& view) {
   if (!view.perspective) return KernelDivide::kNone;
   return settings.perspective == Perspective::kExact ? KernelDivide::kEveryPixel : KernelDivide::kEvery16;
 }
 
-void draw_surface(const SpanSources& sources, const SurfaceDraw& item, std::span<const SpanRun> runs,
+void draw_surface(const SpanSources& sources, const SurfaceDraw& draw, std::span<const Span> spans,
                   const KernelTarget& target) {
-  const SurfaceRuns job{kernel_plane(item.depth),
-                        kernel_plane(item.s),
-                        kernel_plane(item.t),
-                        sources.divide,
-                        item.block.texels,
-                        item.block.shape.width,
-                        item.block.shape.width - 1,
-                        item.block.shape.height - 1,
-                        runs.data(),
-                        runs.size()};
+  const SurfaceSpans job{kernel_plane(draw.depth),
+                         kernel_plane(draw.s),
+                         kernel_plane(draw.t),
+                         sources.divide,
+                         draw.block.texels,
+                         draw.block.shape.width,
+                         draw.block.shape.width - 1,
+                         draw.block.shape.height - 1,
+                         spans.data(),
+                         spans.size()};
   if (sources.format == PixelFormat::kIndexed)
-    sources.vector_kernels ? draw_surface_runs_u8_simd(job, target)
-                           : draw_surface_runs_u8_scalar(job, target);
+    sources.simd_kernels ? draw_surface_spans_u8_simd(job, target)
+                         : draw_surface_spans_u8_scalar(job, target);
   else
-    sources.vector_kernels ? draw_surface_runs_u32_simd(job, target)
-                           : draw_surface_runs_u32_scalar(job, target);
+    sources.simd_kernels ? draw_surface_spans_u32_simd(job, target)
+                         : draw_surface_spans_u32_scalar(job, target);
 }
 
-void draw_sky(const SpanSources& sources, SkyRuns job, const SurfaceDraw& item, std::span<const SpanRun> runs,
+void draw_sky(const SpanSources& sources, SkySpans job, const SurfaceDraw& draw, std::span<const Span> spans,
               const KernelTarget& target) {
-  job.depth = kernel_plane(item.depth);
-  job.runs = runs.data();
-  job.run_count = runs.size();
+  job.depth = kernel_plane(draw.depth);
+  job.spans = spans.data();
+  job.span_count = spans.size();
   if (sources.format == PixelFormat::kIndexed)
-    sources.vector_kernels ? draw_sky_runs_u8_simd(job, target) : draw_sky_runs_u8_scalar(job, target);
+    sources.simd_kernels ? draw_sky_spans_u8_simd(job, target) : draw_sky_spans_u8_scalar(job, target);
   else
-    sources.vector_kernels ? draw_sky_runs_u32_simd(job, target) : draw_sky_runs_u32_scalar(job, target);
+    sources.simd_kernels ? draw_sky_spans_u32_simd(job, target) : draw_sky_spans_u32_scalar(job, target);
 }
 
-void draw_skybox(const SpanSources& sources, SkyboxRuns job, const SurfaceDraw& item,
-                 std::span<const SpanRun> runs, const KernelTarget& target) {
-  job.depth = kernel_plane(item.depth);
-  job.runs = runs.data();
-  job.run_count = runs.size();
+void draw_skybox(const SpanSources& sources, SkyboxSpans job, const SurfaceDraw& draw,
+                 std::span<const Span> spans, const KernelTarget& target) {
+  job.depth = kernel_plane(draw.depth);
+  job.spans = spans.data();
+  job.span_count = spans.size();
   if (sources.format == PixelFormat::kIndexed)
-    sources.vector_kernels ? draw_skybox_runs_u8_simd(job, target) : draw_skybox_runs_u8_scalar(job, target);
+    sources.simd_kernels ? draw_skybox_spans_u8_simd(job, target) : draw_skybox_spans_u8_scalar(job, target);
   else
-    sources.vector_kernels ? draw_skybox_runs_u32_simd(job, target)
-                           : draw_skybox_runs_u32_scalar(job, target);
+    sources.simd_kernels ? draw_skybox_spans_u32_simd(job, target)
+                         : draw_skybox_spans_u32_scalar(job, target);
 }
 
-void draw_repeating(const SpanSources& sources, RepeatRuns job, std::span<const SpanRun> runs,
+void draw_repeating(const SpanSources& sources, RepeatSpans job, std::span<const Span> spans,
                     const KernelTarget& target) {
-  job.runs = runs.data();
-  job.run_count = runs.size();
+  job.spans = spans.data();
+  job.span_count = spans.size();
   if (sources.format == PixelFormat::kIndexed)
-    sources.vector_kernels ? draw_repeat_runs_u8_simd(job, target) : draw_repeat_runs_u8_scalar(job, target);
+    sources.simd_kernels ? draw_repeat_spans_u8_simd(job, target) : draw_repeat_spans_u8_scalar(job, target);
   else
-    sources.vector_kernels ? draw_repeat_runs_u32_simd(job, target)
-                           : draw_repeat_runs_u32_scalar(job, target);
+    sources.simd_kernels ? draw_repeat_spans_u32_simd(job, target)
+                         : draw_repeat_spans_u32_scalar(job, target);
 }
 
 }  // namespace
 
-SpanSources prepare_span_sources(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                                 const SurfaceDraws& items, const ColorTables& tables, PixelFormat format,
-                                 PreparedSkybox& io_skybox, base::Arena& arena) {
-  std::optional<SkyboxRuns> skybox;
-  std::span<const SkyRuns*> skies;
+SpanSources prepare_span_sources(const FrameContext& context, const ViewFrame& view,
+                                 const SurfaceDraws& draws, PreparedSkybox& io_skybox) {
+  const Scene& scene = context.scene;
+  SpanSources sources{.draws = draws,
+                      .skies = {},
+                      .repeating = prepare_repeat_spans(context, view, draws),
+                      .skybox = {},
+                      .format = context.format,
+                      .divide = choose_divide(context.settings, view),
+                      .simd_kernels = context.settings.simd_kernels,
+                      .fill_depth = context.settings.fill_depth || draws.has_deferred()};
   if (scene.skybox != nullptr) {
-    io_skybox.follow(*scene.skybox, scene.fog, tables, format);
-    skybox = io_skybox.runs(view);
+    io_skybox.update(*scene.skybox, scene.fog, context.colors, context.format);
+    sources.skybox = io_skybox.spans(view);
   } else {
-    skies = prepare_sky_runs(scene, view, items, tables, format, arena);
+    sources.skies = prepare_sky_spans(context, view, draws);
   }
-  return {items,
-          skies,
-          prepare_repeat_runs(scene, view, items, tables, format, arena),
-          skybox,
-          format,
-          divide_of(settings, view),
-          settings.vector_kernels};
+  return sources;
 }
 
-void draw_runs(const SpanSources& sources, std::uint32_t number, std::span<const SpanRun> runs,
-               const KernelTarget& target) {
-  const SurfaceDraw& item = sources.items.items[number];
-  switch (item.kind) {
-    case ItemKind::kUnused:
-    case ItemKind::kNothing:
+void draw_spans(const SpanSources& sources, std::uint32_t number, std::span<const Span> spans,
+                const KernelTarget& target) {
+  const SurfaceDraw& draw = sources.draws.all[number];
+  switch (draw.kind) {
+    case SurfaceKind::kHidden:
+    case SurfaceKind::kNothing:
       break;
-    case ItemKind::kSurface:
-      draw_surface(sources, item, runs, target);
+    case SurfaceKind::kBlock:
+      draw_surface(sources, draw, spans, target);
       break;
-    case ItemKind::kSky:
+    case SurfaceKind::kSky:
       if (sources.skybox)
-        draw_skybox(sources, *sources.skybox, item, runs, target);
+        draw_skybox(sources, *sources.skybox, draw, spans, target);
       else
-        draw_sky(sources, *sources.skies[number], item, runs, target);
+        draw_sky(sources, *sources.skies[number], draw, spans, target);
       break;
-    case ItemKind::kTexture:
-    case ItemKind::kLiquid:
-      draw_repeating(sources, *sources.repeating[number], runs, target);
+    case SurfaceKind::kTexture:
+    case SurfaceKind::kLiquid:
+      draw_repeating(sources, *sources.repeating[number], spans, target);
       break;
   }
 }

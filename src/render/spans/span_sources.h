@@ -1,11 +1,12 @@
-// What the items of a frame are drawn from, ready for the kernels: for draw_spans, and for late faces.
+// The sources that spans are drawn from in a frame, prepared for the kernels: used by draw_spans.h and for
+// deferred faces.
 #pragma once
 
 #include <optional>
 #include <span>
 
 #include "base/arena.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/spans/skybox.h"
 #include "render/spans/skybox_kernels.h"
 #include "render/spans/span_kernels.h"
@@ -13,23 +14,26 @@
 
 namespace temblor::render {
 
+// Refers to the frame's arena and to the prepared skybox.
 struct SpanSources {
-  SurfaceDraws items;
-  // By item number; null for items of other kinds.
-  std::span<const SkyRuns*> skies;  // without a skybox
-  std::span<const RepeatRuns*> repeating;
-  std::optional<SkyboxRuns> skybox;  // all but depth and runs
+  SurfaceDraws draws;
+  // By draw number; null for draws of other kinds.
+  std::span<const SkySpans*> skies;  // empty if there is a skybox
+  std::span<const RepeatSpans*> repeating;
+  std::optional<SkyboxSpans> skybox;  // without depth and spans
   PixelFormat format;
   KernelDivide divide;
-  bool vector_kernels;
+  bool simd_kernels;
+  bool fill_depth;  // false: nothing in this frame needs depth (Settings::fill_depth)
 };
 
-SpanSources prepare_span_sources(const Scene& scene, const Settings& settings, const ViewFrame& view,
-                                 const SurfaceDraws& items, const ColorTables& tables, PixelFormat format,
-                                 PreparedSkybox& io_skybox, base::Arena& arena);
+// `io_skybox` is updated to the scene's skybox.
+SpanSources prepare_span_sources(const FrameContext& context, const ViewFrame& view,
+                                 const SurfaceDraws& draws, PreparedSkybox& io_skybox);
 
-// Pixels and depth of some of an item's runs; untested. Draws nothing for items that show nothing.
-void draw_runs(const SpanSources& sources, std::uint32_t item, std::span<const SpanRun> runs,
-               const KernelTarget& target);
+// Writes pixels and depth of some spans of draw number `draw`, without a depth test. Writes nothing for
+// kHidden and kNothing.
+void draw_spans(const SpanSources& sources, std::uint32_t draw, std::span<const Span> spans,
+                const KernelTarget& target);
 
 }  // namespace temblor::render

@@ -16,8 +16,8 @@ struct PixelRange {
   int first, end;
 };
 
-// Pixels of a row whose centers the outline covers.
-PixelRange pixels_of_row(const SpriteOutline& outline, int row, int width) {
+// The pixels of a row whose centers the outline covers.
+PixelRange find_row_pixels(const SpriteOutline& outline, int row, int width) {
   double left = width, right = 0;
   for (std::size_t i = 0; i < outline.count; ++i) {
     const math::Vec2d &from = outline.corners[i], &to = outline.corners[(i + 1) % outline.count];
@@ -34,7 +34,7 @@ SpriteLine line_along(const ScreenPlane& plane, int x, int y) {
   return {static_cast<float>(plane.at(x, y)), static_cast<float>(plane.dx)};
 }
 
-// Lacks where to draw to.
+// Everything about a row except its destination.
 SpriteRow make_row(const SpriteQuad& quad, const ColorTables& tables, int y, PixelRange range) {
   const formats::SprPicture& picture = *quad.picture;
   SpriteRow row{};
@@ -50,79 +50,80 @@ SpriteRow make_row(const SpriteQuad& quad, const ColorTables& tables, int y, Pix
   return row;
 }
 
-void draw_opaque(SpriteRow row, std::size_t first_pixel, bool vector_kernels, FrameBuffer& io_frame) {
+void draw_opaque(SpriteRow row, std::size_t first_pixel, bool simd_kernels, FrameBuffer& io_frame) {
   row.frame_depth = io_frame.depth().data() + first_pixel;
   if (io_frame.format() == PixelFormat::kIndexed) {
     row.pixels = io_frame.indexed().data() + first_pixel;
-    vector_kernels ? draw_sprite_row_u8_simd(row) : draw_sprite_row_u8_scalar(row);
+    simd_kernels ? draw_sprite_row_u8_simd(row) : draw_sprite_row_u8_scalar(row);
   } else {
     row.pixels = io_frame.rgb().data() + first_pixel;
-    vector_kernels ? draw_sprite_row_u32_simd(row) : draw_sprite_row_u32_scalar(row);
+    simd_kernels ? draw_sprite_row_u32_simd(row) : draw_sprite_row_u32_scalar(row);
   }
 }
 
-// A piece of a sprite's row, drawn beside the picture: which texels show, and how far away.
-constexpr int kPiece = 256;
-struct SpritePiece {
-  std::array<std::uint8_t, kPiece> texels;
-  std::array<float, kPiece> depth;
+// A segment of a sprite's row, drawn into a buffer: the texels that pass the depth test, and their depth.
+constexpr int kSegmentPixels = 256;
+struct SpriteSegment {
+  std::array<std::uint8_t, kSegmentPixels> texels;
+  std::array<float, kSegmentPixels> depth;
   std::size_t count;
 
   std::span<const float> depths() const { return std::span(depth).first(count); }
 };
 
-void blend_indexed(SpritePiece& io_piece, const SpriteBlend& blend, std::uint8_t* io_pixels) {
-  if (blend.fog != nullptr) blend.fog->apply(io_piece.texels.data(), io_piece.depths());
-  for (std::size_t i = 0; i < io_piece.count; ++i)
-    if (io_piece.texels[i] != kClearTexel)
-      io_pixels[i] = blend.table[io_piece.texels[i] * 256 + io_pixels[i]];
+void blend_indexed(SpriteSegment& io_segment, const SpriteBlend& blend, std::uint8_t* io_pixels) {
+  if (blend.fog != nullptr) blend.fog->apply(io_segment.texels.data(), io_segment.depths());
+  for (std::size_t i = 0; i < io_segment.count; ++i)
+    if (io_segment.texels[i] != kClearTexel)
+      io_pixels[i] = blend.table[io_segment.texels[i] * 256 + io_pixels[i]];
 }
 
-void blend_rgb_piece(const SpritePiece& piece, const SpriteBlend& blend, const ColorTables& tables,
-                     std::uint32_t* io_pixels) {
-  std::array<std::uint32_t, kPiece> colors;
-  for (std::size_t i = 0; i < piece.count; ++i) colors[i] = tables.rgb[piece.texels[i]];
-  if (blend.fog != nullptr) blend.fog->apply(colors.data(), piece.depths());
-  for (std::size_t i = 0; i < piece.count; ++i)
-    if (piece.texels[i] != kClearTexel) io_pixels[i] = blend_rgb(colors[i], io_pixels[i], blend.opacity_256);
+void blend_rgb_segment(const SpriteSegment& segment, const SpriteBlend& blend, const ColorTables& tables,
+                       std::uint32_t* io_pixels) {
+  std::array<std::uint32_t, kSegmentPixels> colors;
+  for (std::size_t i = 0; i < segment.count; ++i) colors[i] = tables.rgb[segment.texels[i]];
+  if (blend.fog != nullptr) blend.fog->apply(colors.data(), segment.depths());
+  for (std::size_t i = 0; i < segment.count; ++i)
+    if (segment.texels[i] != kClearTexel)
+      io_pixels[i] = blend_rgb(colors[i], io_pixels[i], blend.opacity_256);
 }
 
 void draw_blended(SpriteRow row, const SpriteBlend& blend, const ColorTables& tables, std::size_t first_pixel,
-                  bool vector_kernels, FrameBuffer& io_frame) {
-  SpritePiece piece;
-  row.pixels = piece.texels.data();
-  row.frame_depth = piece.depth.data();
+                  bool simd_kernels, FrameBuffer& io_frame) {
+  SpriteSegment segment;
+  row.pixels = segment.texels.data();
+  row.frame_depth = segment.depth.data();
   const int count = row.count;
-  for (row.first = 0; row.first < count; row.first += kPiece) {
-    row.count = std::min(kPiece, count - row.first);
-    piece.count = static_cast<std::size_t>(row.count);
+  for (row.first = 0; row.first < count; row.first += kSegmentPixels) {
+    row.count = std::min(kSegmentPixels, count - row.first);
+    segment.count = static_cast<std::size_t>(row.count);
     const std::size_t pixel = first_pixel + static_cast<std::size_t>(row.first);
-    std::copy_n(io_frame.depth().data() + pixel, piece.count, piece.depth.data());
-    std::fill_n(piece.texels.data(), piece.count, kClearTexel);
-    vector_kernels ? draw_sprite_row_u8_simd(row) : draw_sprite_row_u8_scalar(row);
+    std::copy_n(io_frame.depth().data() + pixel, segment.count, segment.depth.data());
+    std::fill_n(segment.texels.data(), segment.count, kClearTexel);
+    simd_kernels ? draw_sprite_row_u8_simd(row) : draw_sprite_row_u8_scalar(row);
     if (io_frame.format() == PixelFormat::kIndexed)
-      blend_indexed(piece, blend, io_frame.indexed().data() + pixel);
+      blend_indexed(segment, blend, io_frame.indexed().data() + pixel);
     else
-      blend_rgb_piece(piece, blend, tables, io_frame.rgb().data() + pixel);
+      blend_rgb_segment(segment, blend, tables, io_frame.rgb().data() + pixel);
   }
 }
 
 }  // namespace
 
 void draw_sprite_instance(const SpriteQuad& quad, const SpriteBlend& blend, const ColorTables& tables,
-                          bool vector_kernels, RowRange rows, FrameBuffer& io_frame) {
+                          bool simd_kernels, RowRange rows, FrameBuffer& io_frame) {
   const bool opaque = blend.is_opaque(io_frame.format());
   const int end = std::min(quad.end_row, rows.end);
   for (int y = std::max(quad.first_row, rows.first); y < end; ++y) {
-    const PixelRange range = pixels_of_row(quad.outline, y, io_frame.width());
+    const PixelRange range = find_row_pixels(quad.outline, y, io_frame.width());
     if (range.first >= range.end) continue;
     const SpriteRow row = make_row(quad, tables, y, range);
     const std::size_t first_pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(io_frame.width()) +
                                     static_cast<std::size_t>(range.first);
     if (opaque)
-      draw_opaque(row, first_pixel, vector_kernels, io_frame);
+      draw_opaque(row, first_pixel, simd_kernels, io_frame);
     else
-      draw_blended(row, blend, tables, first_pixel, vector_kernels, io_frame);
+      draw_blended(row, blend, tables, first_pixel, simd_kernels, io_frame);
   }
 }
 
@@ -135,9 +136,9 @@ std::span<const SpriteQuad> place_sprites(const Scene& scene, const ViewFrame& v
   return quads.view();
 }
 
-void draw_sprites(std::span<const SpriteQuad> quads, const ColorTables& tables, bool vector_kernels,
+void draw_sprites(std::span<const SpriteQuad> quads, const ColorTables& tables, bool simd_kernels,
                   RowRange rows, FrameBuffer& io_frame) {
-  for (const SpriteQuad& quad : quads) draw_sprite_instance(quad, {}, tables, vector_kernels, rows, io_frame);
+  for (const SpriteQuad& quad : quads) draw_sprite_instance(quad, {}, tables, simd_kernels, rows, io_frame);
 }
 
 }  // namespace temblor::render

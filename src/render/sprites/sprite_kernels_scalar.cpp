@@ -1,4 +1,4 @@
-// The definition of what the vector kernels do.
+// The scalar reference: it defines the results of the sprite kernels.
 #include <algorithm>
 #include <cstddef>
 
@@ -30,7 +30,7 @@ void draw_row(const SpriteRow& row) {
     const int place = row.first + i;
     const float depth = at(row.depth, place);
     if (!(depth >= row.frame_depth[i])) continue;
-    const float distance = row.affine ? 1.0f : 1.0f / std::max(depth, kSpriteFarthest);
+    const float distance = row.affine ? 1.0f : 1.0f / std::max(depth, kMinSpriteDepth);
     const std::int32_t column = texel_number(at(row.s, place) * distance, row.width);
     const std::int32_t line = texel_number(at(row.t, place) * distance, row.height);
     const std::uint8_t texel = row.texels[line * row.width + column];

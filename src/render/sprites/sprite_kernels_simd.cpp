@@ -1,4 +1,4 @@
-// Hot loop. The vector twins of sprite_kernels_plain.cpp, compiled once for each instruction set.
+// Hot loop. The SIMD versions of sprite_kernels_scalar.cpp, compiled once for each instruction set.
 #include <cstring>
 
 #include "render/sprites/sprite_kernels.h"
@@ -33,9 +33,11 @@ using VI = hn::Vec<DI>;
 using VU = hn::Vec<DU>;
 
 constexpr int kMaxLanes = 16;
-// Texels are gathered four at a time, from where four are left; a picture of fewer is for the plain twin.
+// A gather reads four texels, so it must begin at least four texels before the end of the picture. Pictures
+// of fewer texels are left to the scalar version.
 constexpr int kGatheredTexels = 4;
 
+// A SpriteLine for a vector of pixels.
 struct LanesOfLine {
   VF base, step;
   HWY_INLINE explicit LanesOfLine(const SpriteLine& line)
@@ -43,8 +45,8 @@ struct LanesOfLine {
   HWY_INLINE VF At(VF i) const { return hn::Add(base, hn::Mul(i, step)); }
 };
 
-// A row's constants, each in every lane. Writing pixels may change anything in memory; these stay in
-// registers.
+// The constants of a row, each in every lane. They stay in registers, although stores of pixels may alias
+// memory.
 struct Row {
   LanesOfLine depth, s, t;
   VF last_s, last_t;
@@ -63,6 +65,7 @@ struct Row {
         texels(reinterpret_cast<const int32_t*>(row.texels)),
         colors(row.colors) {}
 
+  // Gathers four bytes that contain the texel, then shifts it down.
   HWY_INLINE VU GatherTexels(VI number) const {
     const DU du;
     const VI from = hn::Min(number, last_gathered);
@@ -87,7 +90,7 @@ HWY_INLINE void StoreWhere(hn::Mask<DU> mask, VU texels, const uint32_t*, uint8_
   hn::StoreU(hn::TruncateTo(d8, hn::IfThenElse(mask, texels, old)), d8, pixels);
 }
 
-// A vector's width of pixels; `place` is that of each in the sprite's row.
+// Draws a vector of pixels; `place` is each pixel's position in the sprite's row.
 template <bool kAffine, typename Pixel>
 HWY_INLINE void DrawVector(const Row& row, VF place, Pixel* HWY_RESTRICT pixels,
                            float* HWY_RESTRICT frame_depth) {
@@ -98,7 +101,7 @@ HWY_INLINE void DrawVector(const Row& row, VF place, Pixel* HWY_RESTRICT pixels,
   if (hn::AllFalse(d, nearer)) return;
   VF s = row.s.At(place), t = row.t.At(place);
   if constexpr (!kAffine) {
-    const VF distance = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kSpriteFarthest)));
+    const VF distance = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kMinSpriteDepth)));
     s = hn::Mul(s, distance);
     t = hn::Mul(t, distance);
   }
@@ -109,7 +112,7 @@ HWY_INLINE void DrawVector(const Row& row, VF place, Pixel* HWY_RESTRICT pixels,
   hn::BlendedStore(depth, hn::RebindMask(d, shows), d, frame_depth);
 }
 
-// What is left at a row's end is drawn beside the picture: past it others may be drawing.
+// The remainder of a row is drawn in a copy: pixels after it may belong to another thread.
 template <bool kAffine, typename Pixel>
 HWY_INLINE void DrawRow(const SpriteRow& sprite_row) {
   const DF d;

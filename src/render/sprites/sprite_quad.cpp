@@ -12,20 +12,21 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Upright and across `direction`, which need not be level.
+// The axes of an upright picture that faces `direction`, which need not be level.
 std::optional<SpriteAxes> upright_across(const math::Vec3d& direction) {
   if (std::abs(direction.z) > std::cos(kDegree) * glm::length(direction)) return std::nullopt;
   const double level = std::hypot(direction.x, direction.y);
-  if (!(level > 0)) return std::nullopt;  // the eye is where the sprite is
+  if (!(level > 0)) return std::nullopt;  // the eye is at the sprite's origin
   return SpriteAxes{{direction.y / level, -direction.x / level, 0}, {0, 0, 1}};
 }
 
-// Positive roll turns the picture counter-clockwise.
+// Positive roll turns the picture counterclockwise.
 SpriteAxes rolled(const math::Basis& axes, double roll_deg) {
   const double sine = std::sin(roll_deg * kDegree), cosine = std::cos(roll_deg * kDegree);
   return {axes.right * cosine + axes.up * sine, axes.up * cosine - axes.right * sine};
 }
 
+// The five orientation types of SPR files.
 std::optional<SpriteAxes> unit_axes(const ViewFrame& view, const SpriteInstance& sprite) {
   switch (sprite.sprite->orientation) {
     case formats::SprOrientation::kParallelUpright:
@@ -45,7 +46,7 @@ std::optional<SpriteAxes> unit_axes(const ViewFrame& view, const SpriteInstance&
   return std::nullopt;
 }
 
-// The part of the quad that is not nearer than the near plane.
+// Clips the quad to the near plane and projects it.
 SpriteOutline clip_and_project(const ViewFrame& view, const std::array<math::Vec3d, 4>& corners_view) {
   SpriteOutline outline;
   for (std::size_t i = 0; i < corners_view.size(); ++i) {
@@ -60,7 +61,7 @@ SpriteOutline clip_and_project(const ViewFrame& view, const std::array<math::Vec
   return outline;
 }
 
-// Rows whose centers lie between the outline's top and bottom.
+// Sets the range of rows whose centers are between the outline's top and bottom.
 void find_rows(const ViewFrame& view, SpriteQuad& io_quad) {
   double top = view.height, bottom = 0;
   for (std::size_t i = 0; i < io_quad.outline.count; ++i) {
@@ -127,12 +128,12 @@ std::optional<SpriteQuad> make_sprite_quad(const ViewFrame& view, const SpriteIn
   find_rows(view, quad);
   if (quad.first_row >= quad.end_row) return std::nullopt;
 
-  // A unit's length is `scale`, so that this takes world to texels.
+  // A texel is `scale` units long; dividing the axes by its square maps world units to texels.
   const double units = 1.0 / (static_cast<double>(sprite.scale) * static_cast<double>(sprite.scale));
   const math::Vec3d s_axis = axes->right * units, t_axis = axes->up * -units;
   const bool parallel = std::abs(glm::dot(normal, view.axes.forward)) > 1.0 - 1e-12;
   quad.depth = depth_plane(view, normal, distance);
-  if (parallel) {  // or rounding would tilt it
+  if (parallel) {  // set exactly: rounding would tilt the plane
     quad.depth = {view.depth(view.to_view(origin).z), 0, 0};
   }
   quad.s = coordinate_plane(view, quad.depth, s_axis, -glm::dot(s_axis, origin) - left);

@@ -1,7 +1,7 @@
 #include "render/surfaces/block_pool.h"
 
-// What no room covers is poisoned, so that the address sanitizer sees reads of it. In other builds its macros
-// do nothing.
+// Memory outside allocations is poisoned, so that the address sanitizer reports reads of it. In other builds
+// the macros do nothing.
 #include <sanitizer/asan_interface.h>
 
 #include <algorithm>
@@ -14,30 +14,31 @@ void BlockPool::set_capacity(std::size_t bytes) {
   capacity_bytes_ = bytes;
   for (Slab& slab : slabs_) {
     if (bytes_reserved_ <= capacity_bytes_) return;
-    if (slab.memory == nullptr || slab.largest_hole < slab.bytes) continue;
+    if (slab.memory == nullptr || slab.largest_free < slab.bytes) continue;
     bytes_reserved_ -= slab.bytes;
     slab = Slab{};
   }
 }
 
-BlockPool::Room BlockPool::allocate(std::size_t bytes) {
+BlockPool::Allocation BlockPool::allocate(std::size_t bytes) {
   bytes = rounded_up(bytes);
   if (bytes_in_use_ + bytes > capacity_bytes_) return {};
   for (std::size_t slab = 0; slab < slabs_.size(); ++slab)
-    if (slabs_[slab].largest_hole >= bytes) return take(slab, bytes);
-  return add_slab(bytes, base::FirstTouch::kInSmallPages) != nullptr ? allocate(bytes) : Room{};
+    if (slabs_[slab].largest_free >= bytes) return take(slab, bytes);
+  return add_slab(bytes, base::FirstTouch::kInSmallPages) != nullptr ? allocate(bytes) : Allocation{};
 }
 
-// Whole large pages where the capacity leaves one, as a part of one would cost as much.
-BlockPool::Slab* BlockPool::add_slab(std::size_t least_bytes, base::FirstTouch first_touch) {
+// Whole large pages if the capacity leaves one, since a part of a page would cost as much memory. A slot of
+// slabs_ that was given back is reused, so that Allocation::slab stays valid for the others.
+BlockPool::Slab* BlockPool::add_slab(std::size_t min_bytes, base::FirstTouch first_touch) {
   if (bytes_reserved_ >= capacity_bytes_) return nullptr;
   std::size_t bytes = std::min(kSlabBytes, capacity_bytes_ - bytes_reserved_);
   bytes -= bytes % (bytes >= base::kLargePageBytes ? base::kLargePageBytes : kUnitBytes);
-  if (bytes < least_bytes) return nullptr;
+  if (bytes < min_bytes) return nullptr;
   Slab slab{base::allocate_large<std::byte>(bytes, first_touch), bytes, bytes, {{0, bytes}}};
   if (slab.memory == nullptr) return nullptr;
-  constexpr std::size_t kUsualHoles = 256;
-  slab.holes.reserve(kUsualHoles);
+  constexpr std::size_t kTypicalFreeRanges = 256;
+  slab.free_ranges.reserve(kTypicalFreeRanges);
   ASAN_POISON_MEMORY_REGION(slab.memory.get(), bytes);
   bytes_reserved_ += bytes;
   const auto given_back =
@@ -57,51 +58,54 @@ void BlockPool::prepare(std::size_t bytes) {
   }
 }
 
-// From a slab that has a hole for it.
-BlockPool::Room BlockPool::take(std::size_t number, std::size_t bytes) {
+// Takes the first free range of slab `number` that is large enough; there must be one.
+BlockPool::Allocation BlockPool::take(std::size_t number, std::size_t bytes) {
   Slab& slab = slabs_[number];
-  const auto hole = std::find_if(slab.holes.begin(), slab.holes.end(),
-                                 [&](const Hole& candidate) { return candidate.bytes >= bytes; });
-  const Room room{slab.memory.get() + hole->begin, bytes, number};
-  const bool was_largest = hole->bytes == slab.largest_hole;
-  hole->begin += bytes;
-  hole->bytes -= bytes;
-  if (hole->bytes == 0) slab.holes.erase(hole);
+  const auto free_range = std::find_if(slab.free_ranges.begin(), slab.free_ranges.end(),
+                                       [&](const FreeRange& candidate) { return candidate.bytes >= bytes; });
+  const Allocation allocation{slab.memory.get() + free_range->begin, bytes, number};
+  const bool was_largest = free_range->bytes == slab.largest_free;
+  free_range->begin += bytes;
+  free_range->bytes -= bytes;
+  if (free_range->bytes == 0) slab.free_ranges.erase(free_range);
   if (was_largest) {
-    slab.largest_hole = 0;
-    for (const Hole& other : slab.holes) slab.largest_hole = std::max(slab.largest_hole, other.bytes);
+    slab.largest_free = 0;
+    for (const FreeRange& other : slab.free_ranges)
+      slab.largest_free = std::max(slab.largest_free, other.bytes);
   }
   bytes_in_use_ += bytes;
-  ASAN_UNPOISON_MEMORY_REGION(room.begin, bytes);
-  return room;
+  ASAN_UNPOISON_MEMORY_REGION(allocation.begin, bytes);
+  return allocation;
 }
 
-void BlockPool::free(const Room& room) {
-  Slab& slab = slabs_[room.slab];
-  Hole freed{static_cast<std::size_t>(room.begin - slab.memory.get()), room.bytes};
-  auto next = std::lower_bound(slab.holes.begin(), slab.holes.end(), freed.begin,
-                               [](const Hole& hole, std::size_t begin) { return hole.begin < begin; });
-  DCHECK(next == slab.holes.end() || freed.begin + freed.bytes <= next->begin);
-  if (next != slab.holes.end() && next->begin == freed.begin + freed.bytes) {
+// Merges the freed range with the free range after it and the one before it, if they touch.
+void BlockPool::free(const Allocation& allocation) {
+  Slab& slab = slabs_[allocation.slab];
+  FreeRange freed{static_cast<std::size_t>(allocation.begin - slab.memory.get()), allocation.bytes};
+  auto next = std::lower_bound(
+      slab.free_ranges.begin(), slab.free_ranges.end(), freed.begin,
+      [](const FreeRange& free_range, std::size_t begin) { return free_range.begin < begin; });
+  DCHECK(next == slab.free_ranges.end() || freed.begin + freed.bytes <= next->begin);
+  if (next != slab.free_ranges.end() && next->begin == freed.begin + freed.bytes) {
     freed.bytes += next->bytes;
-    next = slab.holes.erase(next);
+    next = slab.free_ranges.erase(next);
   }
-  if (next != slab.holes.begin() && std::prev(next)->begin + std::prev(next)->bytes == freed.begin) {
+  if (next != slab.free_ranges.begin() && std::prev(next)->begin + std::prev(next)->bytes == freed.begin) {
     freed = {std::prev(next)->begin, std::prev(next)->bytes + freed.bytes};
     *std::prev(next) = freed;
   } else {
-    slab.holes.insert(next, freed);
+    slab.free_ranges.insert(next, freed);
   }
-  slab.largest_hole = std::max(slab.largest_hole, freed.bytes);
-  bytes_in_use_ -= room.bytes;
-  ASAN_POISON_MEMORY_REGION(room.begin, room.bytes);
+  slab.largest_free = std::max(slab.largest_free, freed.bytes);
+  bytes_in_use_ -= allocation.bytes;
+  ASAN_POISON_MEMORY_REGION(allocation.begin, allocation.bytes);
 }
 
 void BlockPool::clear() {
   for (Slab& slab : slabs_) {
-    slab.holes.clear();
-    if (slab.bytes > 0) slab.holes.push_back({0, slab.bytes});
-    slab.largest_hole = slab.bytes;
+    slab.free_ranges.clear();
+    if (slab.bytes > 0) slab.free_ranges.push_back({0, slab.bytes});
+    slab.largest_free = slab.bytes;
     ASAN_POISON_MEMORY_REGION(slab.memory.get(), slab.bytes);
   }
   bytes_in_use_ = 0;

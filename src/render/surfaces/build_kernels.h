@@ -1,5 +1,14 @@
-// Rows of a lit surface: the inner loops of build_surface, as vector code and as plain C++ with the same
-// results. Only plain types here: the vector file is compiled for several processors.
+// Inner loops of build_surface: one row of a surface block, as SIMD and as the scalar reference with the same
+// results, bit for bit. This header has plain types only, because the SIMD file is compiled for several
+// processors.
+//
+// Along a row, light is interpolated between sample columns that are `texels_per_sample` (16, 8, 4, or 2 for
+// mip 0 to 3) texels apart:
+//
+//   light     L0              L1              L2
+//   texels    t t t t t t t t t t t t t t t t t
+//
+// The SIMD kernels may read 32 texels past the end of the row.
 #pragma once
 
 #include <cstddef>
@@ -7,22 +16,18 @@
 
 namespace temblor::render {
 
-// The vector kernels may read 32 texels past a row's end.
-//
-// Along one row, light is interpolated between sample columns, `texels_a_sample` (16, 8, 4 or 2) texels
-// apart.
 struct IndexedRow {
   const std::uint8_t* texels;    // `count` palette indices
   const std::int16_t* light;     // (65280 - sum) >> 2 by sample column: one more than begin within the row
   const std::uint8_t* colormap;  // 64 rows of 256
   std::uint8_t* out;
-  std::int32_t count, texels_a_sample;
+  std::int32_t count, texels_per_sample;
 };
 struct RgbRow {
   const std::uint32_t* texels;  // `count` colors, 0xffRRGGBB; alpha 0: full-bright, not lit
   const std::int16_t* light;    // blue, green, red, 0 by sample column: half the sum
   std::uint32_t* out;
-  std::int32_t count, texels_a_sample;
+  std::int32_t count, texels_per_sample;
 };
 
 void build_indexed_row_scalar(const IndexedRow& row);

@@ -12,10 +12,10 @@ namespace temblor::render {
 
 namespace {
 
-// Where a texture that repeats without end is read, row by row.
+// Reads a texture that repeats endlessly, row by row.
 class TextureRows {
  public:
-  // From texel (s, t) on, of any sign.
+  // Starts at texel (s, t); both may be negative.
   TextureRows(const world::Texture& texture, int mip, std::int64_t s, std::int64_t t)
       : texels_(texture.mips[static_cast<std::size_t>(mip)].data()),
         width_(std::max<std::size_t>(1, texture.width >> mip)),
@@ -23,8 +23,8 @@ class TextureRows {
         column_(wrapped(s, width_)),
         row_(wrapped(t, height_)) {}
 
-  // Hands the next row's first `count` texels to `each_run(position, texels, texel_count)`, in runs that do
-  // not cross the texture's edge.
+  // Passes the next row's first `count` texels to `each_run(position, texels, texel_count)`, in runs that do
+  // not cross the edge of the texture.
   template <typename EachRun>
   void next_row(std::size_t count, EachRun each_run) {
     const std::uint8_t* row = texels_ + row_ * width_;
@@ -49,26 +49,28 @@ std::int32_t interpolate(std::int32_t from, std::int32_t to, std::int32_t fracti
   return from + (((to - from) * fraction_q15 + 16384) >> 15);
 }
 
+// Builds one block. Members are computed in the order of declaration and depend on earlier ones.
 class Builder {
  public:
-  Builder(const world::Level& level, const ColorTables& tables, const MarkLook* mark_look,
-          const BlockRequest& request, bool vector_kernels, base::Arena& scratch)
+  Builder(const world::Level& level, const ColorTables& tables, const MarkTables* mark_tables,
+          const BlockRequest& request, bool simd_kernels, base::Arena& scratch)
       : level_(level),
         tables_(tables),
-        mark_look_(mark_look),
+        mark_tables_(mark_tables),
         request_(request),
-        vector_(vector_kernels),
+        simd_(simd_kernels),
         scratch_(scratch),
         face_(level.face(request.face)),
         grid_(sample_grid(face_, request.tile_s, request.tile_t)),
         drawn_(request.texture != nullptr ? *request.texture : level.texture(request.contents.texture)),
-        // Faces start at multiples of 16 texels, so every mip level starts at a whole one.
+        // Faces start at multiples of 16 texels, so every mip level starts at a whole texel.
         texture_(drawn_, request.mip,
                  (std::int64_t{face_.texture_mins[0]} + request.tile_s * kTileTexels) >> request.mip,
                  (std::int64_t{face_.texture_mins[1]} + request.tile_t * kTileTexels) >> request.mip),
-        marks_(place_marks(level, face_, request.marks, request.tile_s, request.tile_t, request.mip,
-                           request.block.shape, scratch)) {}
+        marks_(place_marks(level, face_, request.marks,
+                           {request.tile_s, request.tile_t, request.mip, request.block.shape}, scratch)) {}
 
+  // Row by row: texels, marks on them, light for the row, then the kernel.
   void build_indexed() {
     const std::span<const std::int16_t> samples = sum_samples(1, [](std::uint32_t sum) {
       return static_cast<std::int16_t>(std::max((65280 - static_cast<std::int32_t>(sum)) >> 2, 64));
@@ -80,11 +82,11 @@ class Builder {
       texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
         std::memcpy(&texels[x], run, count);
       });
-      if (!marks_.empty()) paint_marks(*mark_look_, marks_, y, texels);
+      if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, texels);
       interpolate_down(samples, 1, y, row_light);
       const IndexedRow row{texels.data(), row_light.data(),           tables_.colormap.rows.data(),
-                           out,           request_.block.shape.width, texels_a_sample()};
-      vector_ ? build_indexed_row_simd(row) : build_indexed_row_scalar(row);
+                           out,           request_.block.shape.width, texels_per_sample()};
+      simd_ ? build_indexed_row_simd(row) : build_indexed_row_scalar(row);
       if (has_holes())
         for (std::size_t x = 0; x < width(); ++x)
           if (texels[x] == kClearIndex) out[x] = kClearIndex;
@@ -104,10 +106,10 @@ class Builder {
         for (std::size_t i = 0; i < count; ++i) colors[x + i] = tables_.surface_rgb[run[i]];
         if (has_holes()) std::memcpy(&indices[x], run, count);
       });
-      if (!marks_.empty()) paint_marks(*mark_look_, marks_, y, colors);
+      if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, colors);
       interpolate_down(samples, 4, y, row_light);
-      const RgbRow row{colors.data(), row_light.data(), out, request_.block.shape.width, texels_a_sample()};
-      vector_ ? build_rgb_row_simd(row) : build_rgb_row_scalar(row);
+      const RgbRow row{colors.data(), row_light.data(), out, request_.block.shape.width, texels_per_sample()};
+      simd_ ? build_rgb_row_simd(row) : build_rgb_row_scalar(row);
       if (has_holes())
         for (std::size_t x = 0; x < width(); ++x)
           if (indices[x] == kClearIndex) out[x] = 0;
@@ -115,19 +117,19 @@ class Builder {
   }
 
  private:
-  std::int32_t texels_a_sample() const { return kTexelsASample >> request_.mip; }
+  std::int32_t texels_per_sample() const { return kTexelsASample >> request_.mip; }
   bool has_holes() const { return drawn_.kind == world::TextureKind::kCutout; }
 
   std::size_t width() const { return static_cast<std::size_t>(request_.block.shape.width); }
-  // Longer than a row, as kernels may read past its end.
+  // Longer than a row, since kernels may read past its end.
   template <typename Texel>
   std::span<Texel> row_of_texels() {
     return scratch_.allocate<Texel>(width() + kBlockPadding);
   }
 
-  // What `convert` makes of the light sum, for every sample of the tile, row by row. Of four channels, three
-  // are blue, green, red and the last is 0; of one, the gray light.
-  // One row more than there is, so that every row of texels has a sample above and below.
+  // The light of the tile's samples, row by row, each sum passed through `convert`. With one channel it is
+  // the gray light; with four they are blue, green, red, and 0. There is one extra row, so that every row of
+  // texels has samples above and below it.
   template <typename Convert>
   std::span<const std::int16_t> sum_samples(std::size_t channels, Convert convert) {
     const LightSums sums =
@@ -153,20 +155,22 @@ class Builder {
   std::span<std::int16_t> row_samples(std::size_t channels) {
     return scratch_.allocate_filled<std::int16_t>((columns() + 1) * channels, 0);
   }
+  // The light of the sample columns at row y of the block.
   void interpolate_down(std::span<const std::int16_t> samples, std::size_t channels, std::int32_t y,
                         std::span<std::int16_t> out) {
     const std::size_t row_values = columns() * channels;
-    const std::int16_t* above = samples.data() + static_cast<std::size_t>(y / texels_a_sample()) * row_values;
-    const std::int32_t fraction = y % texels_a_sample() * (32768 / texels_a_sample());
+    const std::int16_t* above =
+        samples.data() + static_cast<std::size_t>(y / texels_per_sample()) * row_values;
+    const std::int32_t fraction = y % texels_per_sample() * (32768 / texels_per_sample());
     for (std::size_t i = 0; i < row_values; ++i)
       out[i] = static_cast<std::int16_t>(interpolate(above[i], above[i + row_values], fraction));
   }
 
   const world::Level& level_;
   const ColorTables& tables_;
-  const MarkLook* const mark_look_;
+  const MarkTables* const mark_tables_;
   const BlockRequest& request_;
-  const bool vector_;
+  const bool simd_;
   base::Arena& scratch_;
   const world::Face& face_;
   const SampleGrid grid_;
@@ -184,11 +188,10 @@ SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int 
   return {size(face.texture_extents[0], tile_s), size(face.texture_extents[1], tile_t)};
 }
 
-void build_surface(const world::Level& level, const ColorTables& tables, const MarkLook* mark_look,
-                   const BlockRequest& request, PixelFormat format, bool vector_kernels,
-                   base::Arena& scratch) {
+void build_surface(const world::Level& level, const ColorTables& tables, const MarkTables* mark_tables,
+                   const BlockRequest& request, PixelFormat format, bool simd_kernels, base::Arena& scratch) {
   scratch.reset();
-  Builder builder(level, tables, mark_look, request, vector_kernels, scratch);
+  Builder builder(level, tables, mark_tables, request, simd_kernels, scratch);
   format == PixelFormat::kIndexed ? builder.build_indexed() : builder.build_rgb();
 }
 

@@ -1,14 +1,21 @@
-// One block: texture, with marks on it, x light. Abrash, "Surface Caching".
+// Builds one surface block: texture, with marks on it, times light.
 //
-// Light is worked out at the light map's samples (one every 16 texels), all styles summed, then interpolated:
-// down the sample columns first, then along each row. Numbers per sample:
-//   indexed: t = (65280 - sum) >> 2, at least 64; colormap row = t >> 8 (the original's arithmetic)
-//   rgb, for red, green, blue: h = min(sum, 65280) >> 1, so that 16384 shows a color as it is, and
-//        channel = min(255, (2 * color * h + 16384) >> 15)
-// where sum is LightSums' (256: a light of 1). Between two samples a
-// and b, i of n texels along: a + (((b - a) * i * (2048 * 16 / n) + 16384) >> 15), n = 16 >> mip.
-// Full-bright palette entries keep their color. Clear texels of textures with holes stay clear: 255 in
-// indexed, 0 in rgb, where all others have an alpha of 255.
+// Light is computed at the samples of the light map (16 texels apart at mip 0) for all styles together. It is
+// interpolated down the sample columns first and then along each row. Numbers per sample, where `sum` is that
+// of LightSums (256: the light as stored):
+//
+//   indexed: t = max(64, (65280 - sum) >> 2); colormap row = t >> 8, stock Quake's arithmetic
+//   rgb:     h = min(sum, 65280) >> 1, so that 16384 shows a color as it is;
+//            channel = min(255, (2 * color * h + 16384) >> 15), for red, green, and blue
+//
+// Between samples a and b, i of n texels along (n = 16 >> mip):
+//   a + (((b - a) * i * (2048 * 16 / n) + 16384) >> 15)
+//
+// Full-bright palette entries keep their color. Clear texels of alpha-tested textures stay clear: 255 in
+// indexed blocks, and 0 in rgb blocks, in which all other texels have alpha 255.
+//
+// Method: Michael Abrash, "Quake's Lighting Model: Surface Caching" (Graphics Programming Black Book, chapter
+// 68).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +23,7 @@
 
 #include "base/arena.h"
 #include "render/color/color_tables.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/surfaces/face_lights.h"
 #include "render/surfaces/paint_marks.h"
 #include "render/surfaces/surface_block.h"
@@ -24,22 +31,26 @@
 
 namespace temblor::render {
 
+// Everything that determines a block's texels, and where they go.
 struct BlockRequest {
   world::FaceIndex face;
   std::uint16_t tile_s, tile_t;
   int mip;
   BlockContents contents;
-  std::span<const FaceLight> lights;  // those that contents.lights is the hash of
-  std::span<const Mark> marks;        // those of contents.marks
-  SurfaceBlock block;
-  const world::Texture* texture = nullptr;  // drawn in place of the level's own; null: that
+  std::span<const FaceLight> lights;  // contents.lights is their hash
+  std::span<const Mark> marks;        // contents.marks is their revision
+  SurfaceBlock block;                 // set when memory is reserved; build_surface writes its texels
+  // Replaces the level's texture of the same index (CutoutTextures). Null: the level's.
+  const world::Texture* texture = nullptr;
+  std::uint32_t draw = 0;  // the number of the SurfaceDraw that needs the block
 };
 
+// The size of a tile's block at a mip level; at least 1 x 1.
 SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int mip);
 
-// `mark_look` is needed for requests with marks only.
-void build_surface(const world::Level& level, const ColorTables& tables, const MarkLook* mark_look,
-                   const BlockRequest& request, PixelFormat format, bool vector_kernels,
-                   base::Arena& scratch);
+// Writes the texels of request.block. `mark_tables` may be null for requests without marks. `scratch` is
+// reset.
+void build_surface(const world::Level& level, const ColorTables& tables, const MarkTables* mark_tables,
+                   const BlockRequest& request, PixelFormat format, bool simd_kernels, base::Arena& scratch);
 
 }  // namespace temblor::render

@@ -5,30 +5,32 @@
 
 namespace temblor::render {
 
-// Pixels that a texel of mip 0 is wide, as the original estimates it, and its thresholds.
+// The width in pixels of a texel of mip 0, as stock Quake estimates it, and stock Quake's thresholds.
 int stock_mip(const ViewFrame& view, double nearest, double axes_length) {
   const double bias = axes_length < 0.32 ? 4 : axes_length < 0.49 ? 3 : axes_length < 0.99 ? 2 : 1;
   const double scale = view.pixels_per_unit * (view.perspective ? nearest : 1.0) * bias;
   return scale >= 1.0 ? 0 : scale >= 0.4 ? 1 : scale >= 0.2 ? 2 : 3;
 }
 
-// The area that the map from screen to texture stretches a pixel to. Each mip level has a quarter of the
-// texels; the one nearest to one texel a pixel is taken.
+// The area in the texture that one pixel maps to is the determinant of the Jacobian. Each mip level has a
+// quarter of the texels; the level whose texels are closest to one per pixel is chosen, so the thresholds are
+// 2, 8, 32.
 int footprint_mip(const ViewFrame& view, const ScreenPlane& depth, const ScreenPlane& s, const ScreenPlane& t,
                   double x, double y) {
   double texels = std::abs(s.dx * t.dy - s.dy * t.dx);
   if (view.perspective) {
-    // Jacobian of (s, t) / depth: the determinant of the three planes over depth cubed.
+    // The Jacobian of (s, t) / depth is the determinant of the three planes divided by depth cubed.
     const double determinant = s.at_origin * (t.dx * depth.dy - t.dy * depth.dx) -
                                s.dx * (t.at_origin * depth.dy - t.dy * depth.at_origin) +
                                s.dy * (t.at_origin * depth.dx - t.dx * depth.at_origin);
     const double here = depth.at(x, y);
-    if (!(here > 0)) return 0;  // a face that strays from its plane
+    if (!(here > 0)) return 0;  // the face's corners are off its plane
     texels = std::abs(determinant) / (here * here * here);
   }
   return texels < 2 ? 0 : texels < 8 ? 1 : texels < 32 ? 2 : 3;
 }
 
+// Clips the polygon to the frustum (Sutherland and Hodgman) and takes the nearest of the remaining corners.
 double nearest_depth(const ViewFrame& view, std::span<const math::Vec3d> corners_world, base::Arena& arena) {
   base::ArenaVector<math::Vec3d> inside(arena, corners_world.size() + 8),
       clipped(arena, corners_world.size() + 8);

@@ -7,13 +7,13 @@ namespace temblor::render {
 
 namespace {
 
-// The texels of mip 0 under one of a mip level.
+// The texels of mip 0 under one texel of a mip level.
 struct Block {
   int texels = 0, opaque = 0;
-  std::uint8_t mean = kClearIndex;  // of the opaque ones
+  std::uint8_t mean = kClearIndex;  // of the opaque texels
 };
 
-// Shining texels and others do not mix: the mean is that of the more numerous.
+// The mean color of opaque texels. Full-bright texels are not mixed with others: the more numerous kind wins.
 class OpaqueMean {
  public:
   void add(formats::Rgb color, bool fullbright) {
@@ -57,13 +57,13 @@ Block block_at(const world::Texture& texture, std::uint32_t x, std::uint32_t y, 
   return block;
 }
 
-// Error diffusion (Floyd and Steinberg, 1976): what a texel's being opaque or not is off its block's share is
-// passed on to those that come after it. Nothing appears where all is clear.
+// Error diffusion (Floyd and Steinberg, 1976): the difference between a texel's opacity (0 or 1) and its
+// block's opaque share is passed on to the texels after it. A block that is completely clear stays clear.
 std::vector<std::uint8_t> make_mip(const world::Texture& texture, unsigned mip, const ColorTables& tables) {
   const std::uint32_t width = std::max(1u, texture.width >> mip);
   const std::uint32_t height = std::max(1u, texture.height >> mip);
   std::vector<std::uint8_t> texels(std::size_t{width} * height, kClearIndex);
-  // One more at either side, for what falls beside the texture.
+  // One more at either end, for error that falls beside the texture.
   std::vector<float> carried(width + 2, 0.0f), carried_down(width + 2, 0.0f);
   for (std::uint32_t y = 0; y < height; ++y) {
     for (std::uint32_t x = 0; x < width; ++x) {
@@ -87,10 +87,10 @@ std::vector<std::uint8_t> make_mip(const world::Texture& texture, unsigned mip, 
 }  // namespace
 
 CutoutTextures::CutoutTextures(const world::Level& level, const ColorTables& tables)
-    : remade_of_(level.textures.size(), kAsItIs) {
+    : remade_index_(level.textures.size(), kAsItIs) {
   for (std::size_t i = 0; i < level.textures.size(); ++i) {
     if (level.textures[i].kind != world::TextureKind::kCutout) continue;
-    remade_of_[i] = static_cast<std::uint32_t>(remade_.size());
+    remade_index_[i] = static_cast<std::uint32_t>(remade_.size());
     world::Texture& texture = remade_.emplace_back(level.textures[i]);
     for (unsigned mip = 1; mip < texture.mips.size(); ++mip)
       texture.mips[mip] = make_mip(texture, mip, tables);
@@ -98,7 +98,7 @@ CutoutTextures::CutoutTextures(const world::Level& level, const ColorTables& tab
 }
 
 const world::Texture& CutoutTextures::drawn(const world::Level& level, world::TextureIndex texture) const {
-  const std::uint32_t remade = remade_of_[base::to_size(texture)];
+  const std::uint32_t remade = remade_index_[base::to_size(texture)];
   return remade == kAsItIs ? level.texture(texture) : remade_[remade];
 }
 

@@ -1,9 +1,13 @@
-// Textures with holes (fences: texels of index 255 are clear), with mip levels made for being seen through.
+// Alpha-tested textures (fences: texels of index 255 are clear) with mip levels made for being looked
+// through.
 //
-// Compilers average the clear texels' color in, and edges come out in its tint; or they keep few texels of a
-// thin wire, and fences vanish far away. Here a texel of a mip level is the mean of the opaque texels of mip
-// 0 under it, and whether it is opaque itself is dithered, so that as much of every part of the texture is
-// opaque as in mip 0.
+// Level compilers average the clear texels' color into the mip levels, so edges are tinted; or few texels of
+// a thin wire survive, so fences vanish in the distance. Here a texel of a mip level is the mean of the
+// opaque texels of mip 0 under it, and its own opacity is dithered so that every part of the texture stays as
+// opaque as in mip 0. Stock Quake has no such textures.
+//
+// Method of the dithering: error diffusion (Floyd and Steinberg, 1976). Abrash reports box filtering with
+// error diffusion for stock Quake's mip levels too ("Quake's Lighting Model: Surface Caching").
 #pragma once
 
 #include <cstdint>
@@ -14,6 +18,7 @@
 
 namespace temblor::render {
 
+// The palette index of clear texels.
 constexpr std::uint8_t kClearIndex = 255;
 
 class CutoutTextures {
@@ -21,13 +26,13 @@ class CutoutTextures {
   CutoutTextures() = default;
   CutoutTextures(const world::Level& level, const ColorTables& tables);
 
-  // As it is drawn; the level's own when it has no holes. `level` is that of the constructor.
+  // The texture to draw; the level's own if it has no holes. `level` must be the constructor's.
   const world::Texture& drawn(const world::Level& level, world::TextureIndex texture) const;
 
  private:
   static constexpr std::uint32_t kAsItIs = 0xffffffff;
   std::vector<world::Texture> remade_;
-  std::vector<std::uint32_t> remade_of_;  // by texture
+  std::vector<std::uint32_t> remade_index_;  // by texture: index into remade_, or kAsItIs
 };
 
 }  // namespace temblor::render

@@ -9,12 +9,12 @@ namespace temblor::render {
 
 namespace {
 
-// Of a texel in the face's plane, along one texture axis. An axis that stands upright on the plane does not
-// move along it.
-float units_a_texel(const math::Vec3d& axis, const math::Vec3d& normal) {
-  constexpr double kShortest = 1e-6;  // texels a unit
-  const double texels_a_unit = glm::length(axis - normal * glm::dot(axis, normal));
-  return texels_a_unit > kShortest ? static_cast<float>(1 / texels_a_unit) : 0.0f;
+// The length on the face's plane of one texel along `axis`. Zero for an axis perpendicular to the plane: it
+// does not change along the plane.
+float units_per_texel(const math::Vec3d& axis, const math::Vec3d& normal) {
+  constexpr double kShortest = 1e-6;  // texels per unit
+  const double texels_per_unit = glm::length(axis - normal * glm::dot(axis, normal));
+  return texels_per_unit > kShortest ? static_cast<float>(1 / texels_per_unit) : 0.0f;
 }
 
 }  // namespace
@@ -29,8 +29,8 @@ std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlac
   FaceLight out;
   out.s = static_cast<float>(glm::dot(placed.s_axis, nearest) + placed.s_offset);
   out.t = static_cast<float>(glm::dot(placed.t_axis, nearest) + placed.t_offset);
-  out.units_a_s = units_a_texel(placed.s_axis, placed.normal);
-  out.units_a_t = units_a_texel(placed.t_axis, placed.normal);
+  out.units_per_s = units_per_texel(placed.s_axis, placed.normal);
+  out.units_per_t = units_per_texel(placed.t_axis, placed.normal);
   out.at_nearest = static_cast<float>(at_nearest);
   out.reach = static_cast<float>(reach);
   for (int channel = 0; channel < 3; ++channel) {
@@ -40,7 +40,7 @@ std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlac
   return out;
 }
 
-// The light falls off with each of the two ways, so the sample that is nearest along both decides.
+// The light decreases along both axes, so the sample that is nearest along both axes decides.
 bool reaches(const FaceLight& light, const SampleGrid& grid) {
   const auto nearest = [](float at, std::int32_t first, std::int32_t count) {
     const auto begin = static_cast<float>(first * kTexelsASample);
@@ -52,15 +52,15 @@ bool reaches(const FaceLight& light, const SampleGrid& grid) {
   return distance_on_face(light, s, t) < light.reach;
 }
 
-std::uint64_t hash_of(std::span<const FaceLight> lights) {
+std::uint64_t hash_lights(std::span<const FaceLight> lights) {
   if (lights.empty()) return 0;
   std::uint64_t hash = lights.size();
   const auto add = [&](float a, float b) {
-    hash = base::hash_with(hash, base::bits_of(a) << 32 | base::bits_of(b));
+    hash = base::hash_with(hash, base::float_bits(a) << 32 | base::float_bits(b));
   };
   for (const FaceLight& light : lights) {
     add(light.s, light.t);
-    add(light.units_a_s, light.units_a_t);
+    add(light.units_per_s, light.units_per_t);
     add(light.at_nearest, light.reach);
     add(light.color[0], light.color[1]);
     add(light.color[2], 0);

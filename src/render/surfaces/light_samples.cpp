@@ -8,15 +8,17 @@ namespace temblor::render {
 
 namespace {
 
-// Far beyond what shows brightest, and as far below what overflows.
+// Far above the brightest sum that shows, and far enough below 2^32 that adding one more light cannot
+// overflow.
 constexpr std::uint32_t kMaxSum = 1u << 28;
 
-// `channels` are those of the samples: 1 or 3.
+// `channels` must be the number of channels of the stored samples: 1 or 3. Each style of a face has a full
+// grid of samples; the grids follow one another.
 std::span<std::uint32_t> sum_styles(const world::Level& level, const world::Face& face,
                                     const SampleGrid& grid, const TileLight& light, std::size_t channels,
                                     base::Arena& arena) {
   const std::vector<std::uint8_t>& stored = channels == 3 ? level.light_rgb : level.light;
-  const auto samples_a_row = static_cast<std::size_t>(face.light_width());
+  const auto samples_per_row = static_cast<std::size_t>(face.light_width());
   const std::size_t row_values = static_cast<std::size_t>(grid.columns) * channels;
   const std::span<std::uint32_t> sums =
       arena.allocate_filled<std::uint32_t>(static_cast<std::size_t>(grid.rows) * row_values, 0);
@@ -24,9 +26,9 @@ std::span<std::uint32_t> sum_styles(const world::Level& level, const world::Face
     for (std::size_t row = 0; row < static_cast<std::size_t>(grid.rows); ++row) {
       const std::size_t sample_row = style * static_cast<std::size_t>(face.light_height()) +
                                      static_cast<std::size_t>(grid.first_row) + row;
-      const std::uint8_t* samples =
-          stored.data() +
-          (face.light + sample_row * samples_a_row + static_cast<std::size_t>(grid.first_column)) * channels;
+      const std::uint8_t* samples = stored.data() + (face.light + sample_row * samples_per_row +
+                                                     static_cast<std::size_t>(grid.first_column)) *
+                                                        channels;
       for (std::size_t i = 0; i < row_values; ++i)
         sums[row * row_values + i] += std::uint32_t{samples[i]} * light.style_values[style];
     }

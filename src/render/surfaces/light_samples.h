@@ -1,4 +1,4 @@
-// The light of one tile of a face at its samples: the light map's styles, and dynamic lights on top.
+// The light at the samples of one tile of a face: the light map's styles, plus dynamic lights.
 #pragma once
 
 #include <array>
@@ -11,23 +11,29 @@
 
 namespace temblor::render {
 
-// The samples that a tile needs: up to the one after its last texel.
+// The samples that a tile needs, including the one after its last texel.
 SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t);
 
+// The light that falls on the tile.
 struct TileLight {
   std::array<std::uint16_t, 4> style_values{};  // by the face's styles; 256: the light as stored
-  bool colored = false;                         // from the level's colored samples, which it has
+  bool colored = false;                         // uses the level's colored samples, which must exist
   std::span<const FaceLight> lights;
 };
 
-// 256 is a light of 1. Row by row, `channels` values a sample: one, or red, green and blue.
+// Row by row, `channels` values per sample: one (gray), or red, green, and blue. 65280 is full light, a
+// sample of 255 with a style value of 256.
 struct LightSums {
   std::span<const std::uint32_t> values;
   std::size_t channels = 1;
 };
 
-// sample x style value over the face's styles, and 256 x (light at the nearest point - distance on the face)
-// x color over the lights that reach that far. Gray where nothing has a color. Lives as long as `arena`.
+// The sum of
+//
+//   sample * style value                                            over the face's styles, and
+//   256 * (light at the nearest point - distance on face) * color   over the lights that reach the sample.
+//
+// Has one channel if neither samples nor lights are colored. Lives in `arena`.
 LightSums sum_light(const world::Level& level, const world::Face& face, const SampleGrid& grid,
                     const TileLight& light, base::Arena& arena);
 

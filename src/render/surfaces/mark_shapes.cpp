@@ -10,7 +10,7 @@ namespace temblor::render {
 
 namespace {
 
-// 0 to 1, from a hash.
+// Maps a hash to 0 to 1; 24 bits, exact in a float.
 float fraction(std::uint64_t hash) {
   return static_cast<float>(hash >> 40) * 0x1p-24f;
 }
@@ -20,7 +20,8 @@ float smooth_step(float from, float to, float x) {
   return t * t * (3 - 2 * t);
 }
 
-// Smooth noise from 0 to 1, about as fine as whole numbers (Perlin's "value noise").
+// Smooth value noise from 0 to 1, with features about one unit in size: random values at whole coordinates,
+// interpolated in between.
 class Noise {
  public:
   explicit Noise(std::uint64_t seed) : seed_(seed) {}
@@ -33,7 +34,7 @@ class Noise {
     const float below = std::lerp(value(column, row + 1), value(column + 1, row + 1), s);
     return std::lerp(above, below, t);
   }
-  // Coarse and fine together.
+  // The sum of three octaves.
   float rough_at(float x, float y) const {
     return 0.6f * at(x, y) + 0.3f * at(x * 2.1f + 7, y * 2.1f) + 0.1f * at(x * 4.3f, y * 4.3f + 3);
   }
@@ -47,8 +48,9 @@ class Noise {
   std::uint64_t seed_;
 };
 
+// A point of a shape, relative to its center.
 struct ShapePoint {
-  float x, y, radius;              // from the middle
+  float x, y, radius;              // -1 to 1; distance from the center
   float x_direction, y_direction;  // of length 1
 };
 
@@ -58,7 +60,8 @@ ShapePoint shape_point(float x, float y) {
   return {x, y, radius, x / radius, y / radius};
 }
 
-// A dark hole with a torn edge, in a ring of dust and splinters.
+// A dark hole with a torn edge, in a ring of dust and splinters. Noise that depends only on the direction
+// makes the outline ragged but closed.
 MarkTexel bullet_hole(const ShapePoint& p, const Noise& noise) {
   const float torn = noise.rough_at(p.x_direction * 2, p.y_direction * 2);
   const float hole_radius = 0.30f + 0.22f * torn;
@@ -69,7 +72,7 @@ MarkTexel bullet_hole(const ShapePoint& p, const Noise& noise) {
   return {std::max(0.95f * hole, ring), 1 - hole};
 }
 
-// Soot: dense in the middle, streaks outwards.
+// Soot: dense in the center, with streaks outward.
 MarkTexel scorch(const ShapePoint& p, const Noise& noise) {
   const float streaks = noise.rough_at(p.x_direction * 4 + p.x * 0.7f, p.y_direction * 4 + p.y * 0.7f);
   const float edge = 0.45f + 0.55f * streaks;
@@ -78,7 +81,7 @@ MarkTexel scorch(const ShapePoint& p, const Noise& noise) {
   return {0.88f * density * grain, smooth_step(0.25f, 0.9f, p.radius)};
 }
 
-// A blot, and drops that flew away from it.
+// A blot, and drops that flew away from it, stretched along their way.
 MarkTexel splatter(const ShapePoint& p, const Noise& noise, std::uint64_t seed) {
   const float ragged = noise.rough_at(p.x_direction * 2.5f, p.y_direction * 2.5f);
   const float blot_radius = 0.12f + 0.5f * ragged * ragged;
@@ -91,7 +94,7 @@ MarkTexel splatter(const ShapePoint& p, const Noise& noise, std::uint64_t seed) 
     const ShapePoint towards = shape_point(number(0) * 2 - 1, number(1) * 2 - 1);
     const float distance = 0.2f + 0.7f * number(2);
     const float size = (0.03f + 0.09f * number(3)) * (1.15f - distance);
-    // Twice as long as wide, along its way.
+    // Twice as long as wide, in the direction of flight.
     const float along = p.x * towards.x_direction + p.y * towards.y_direction - distance;
     const float across = p.y * towards.x_direction - p.x * towards.y_direction;
     const float away = std::sqrt(along * along / 4 + across * across);
@@ -130,6 +133,7 @@ MarkShapes::Picture MarkShapes::make_picture(MarkKind kind, int variant) {
   return picture;
 }
 
+// Box filter of 2 x 2 texels. Shades are premultiplied by opacity, so plain means are right.
 MarkShapes::Picture MarkShapes::make_smaller(const Picture& picture) {
   const int side = picture.side / 2;
   Picture smaller{side,
@@ -151,7 +155,7 @@ MarkShapes::Picture MarkShapes::make_smaller(const Picture& picture) {
 
 MarkTexel MarkShapes::at(MarkKind kind, int variant, int level, float u, float v) const {
   const Picture& picture = pictures_[number(kind, variant, level)];
-  // From the middle of the border's texel before the first.
+  // In texels, from the center of the border texel before the first one.
   const auto side = static_cast<float>(picture.side);
   const float x = (u + 1) * 0.5f * side + 0.5f, y = (v + 1) * 0.5f * side + 0.5f;
   if (!(x >= 0 && y >= 0 && x < side + 1 && y < side + 1)) return {0, 0};

@@ -1,7 +1,7 @@
-// What marks look like, apart from their color: small pictures made by code once, at several sizes, so that
-// a mark looks alike on every mip level of what it is painted on.
+// The shapes of marks, without their color: small pictures that are generated once, in several sizes (like
+// mip levels), so that a mark looks the same on every mip level of the surface that it is painted on.
 //
-// Arithmetic is +, -, * and / and square roots only: the same shapes on every machine.
+// Shapes use only +, -, *, /, and square roots, so they are identical on every machine.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +12,30 @@
 
 namespace temblor::render {
 
+// What a mark does to one point.
 struct MarkTexel {
   float opacity;  // 0 to 1
-  float shade;    // 0 to 1: from the first to the last color of the mark's ink
+  float shade;    // 0 to 1: from the first color of the mark's ink to the last
 };
 
+// All shapes in all sizes; immutable.
 class MarkShapes {
  public:
   static constexpr int kKinds = 3;
-  static constexpr int kVariants = 4;  // shapes of a kind
-  static constexpr int kSide = 64;     // texels of the largest size
-  static constexpr int kLevels = 7;    // each half the size of the one before: the last is one texel
+  // Different shapes of one kind.
+  static constexpr int kVariants = 4;
+  static constexpr int kSide = 64;  // texels of the largest size
+  // Each level has half the size of the one before; the last is a single texel.
+  static constexpr int kLevels = 7;
 
   MarkShapes();
 
-  // At (u, v), -1 to 1 across the shape, interpolated between the texels of size `level`; clear outside.
+  // The shape at (u, v), -1 to 1 across it, interpolated between the texels of size `level`; clear outside.
   MarkTexel at(MarkKind kind, int variant, int level, float u, float v) const;
 
  private:
-  // Of opacity 0 where clear; rows of side + 2, with a clear border.
+  // A square of side x side texels with a clear border of one texel, so that interpolation needs no bounds
+  // check.
   struct Picture {
     int side = 0;
     std::vector<MarkTexel> texels;  // shade is multiplied by opacity, so that means are right

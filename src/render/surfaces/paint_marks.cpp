@@ -7,14 +7,14 @@
 #include "base/hash.h"
 #include "render/color/blend_tables.h"
 #include "render/edges/face_outlines.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/view/model_view.h"
 
 namespace temblor::render {
 
 namespace {
 
-// From the first shade to the last.
+// Colors from shade 0 to shade 1.
 struct Ink {
   formats::Rgb first, last;
 };
@@ -29,13 +29,13 @@ formats::Rgb ink_color(MarkKind kind, float shade) {
   return blend_colors(ink.last, ink.first, opacity_256(shade));
 }
 
-// Over half of it is mark: it glows no more.
+// A full-bright texel stops glowing when a mark covers at least half of it.
 bool glows_through(int opacity_256) {
   return opacity_256 < kOpaque256 / 2;
 }
 
-// Ways along the plane of a face, in units, that move by one texel along one axis and by none along the
-// other.
+// Steps along the plane of a face, in units, that move by one texel along one axis and by none along the
+// other: the inverse of the texture axes. Nothing if the axes are parallel on the plane.
 struct TexelSteps {
   math::Vec3d s, t;
 };
@@ -49,15 +49,15 @@ std::optional<TexelSteps> texel_steps(const FacePlacement& placed) {
   return TexelSteps{(s * tt - t * st) / determinant, (t * ss - s * st) / determinant};
 }
 
-// Any turn, of length 1.
-math::Vec2d turn_of(std::uint64_t hash) {
+// A unit vector in a random direction, without trigonometry: the same on every machine.
+math::Vec2d random_turn(std::uint64_t hash) {
   const double t = static_cast<double>(hash >> 40) * 0x1p-23 - 1;  // tangent of a quarter of the turn
   const double cosine = (1 - t * t) / (1 + t * t), sine = 2 * t / (1 + t * t);
   const double sign = (hash & 1) != 0 ? 1 : -1;
   return {cosine * sign, sine * sign};
 }
 
-// The smallest picture of the shape of which interpolation between texels misses none.
+// The smallest size of the shape at which a step of one texel of the block skips no texel of the shape.
 int shape_level(double texel_size) {
   constexpr double kLargest = 2;
   double shape_texels = texel_size * MarkShapes::kSide / 2;
@@ -70,7 +70,7 @@ std::int32_t to_texel(double position, std::int32_t size) {
   return static_cast<std::int32_t>(std::clamp(position, 0.0, static_cast<double>(size)));
 }
 
-// The placement of one mark on a face, for a block whose first texel is (first_s, first_t) of the face.
+// Places marks on a face, for a block whose first texel is texel (first_s, first_t) of the face at mip 0.
 class MarkPlacer {
  public:
   MarkPlacer(const FacePlacement& placed, const TexelSteps& steps, math::Vec2d first, int mip,
@@ -88,8 +88,8 @@ class MarkPlacer {
 
     const math::Vec3d across = glm::normalize(steps_.s);
     const math::Vec3d along = glm::cross(placed_.normal, across);
-    const std::uint64_t hash = base::mixed_bits(mark.seed + std::uint64_t{1});
-    const math::Vec2d turn = turn_of(hash) / radius;
+    const std::uint64_t hash = base::mix_bits(mark.seed + std::uint64_t{1});
+    const math::Vec2d turn = random_turn(hash) / radius;
     const math::Vec3d u_axis = across * turn.x - along * turn.y, v_axis = across * turn.y + along * turn.x;
 
     PlacedMark out;
@@ -98,15 +98,15 @@ class MarkPlacer {
     const math::Vec2d u(glm::dot(u_axis, steps_.s) * texel_, glm::dot(u_axis, steps_.t) * texel_);
     const math::Vec2d v(glm::dot(v_axis, steps_.s) * texel_, glm::dot(v_axis, steps_.t) * texel_);
     out.level = shape_level(std::max(glm::length(math::Vec2d(u.x, v.x)), glm::length(math::Vec2d(u.y, v.y))));
-    // From the mark to the middle of the block's first texel, in texels of the block.
+    // From the mark to the center of the block's first texel, in texels of the block.
     const math::Vec2d offset((first_.x - s) / texel_ + 0.5, (first_.y - t) / texel_ + 0.5);
     out.u_first = static_cast<float>(glm::dot(u, offset));
     out.v_first = static_cast<float>(glm::dot(v, offset));
-    out.u_a_column = static_cast<float>(u.x);
-    out.u_a_row = static_cast<float>(u.y);
-    out.v_a_column = static_cast<float>(v.x);
-    out.v_a_row = static_cast<float>(v.y);
-    // What the largest of a shape's texels may add at its border.
+    out.u_per_column = static_cast<float>(u.x);
+    out.u_per_row = static_cast<float>(u.y);
+    out.v_per_column = static_cast<float>(v.x);
+    out.v_per_row = static_cast<float>(v.y);
+    // Interpolation extends the shape by up to one texel of its size beyond the radius.
     const double reach = radius * (1 + std::ldexp(1.0, out.level + 1) / MarkShapes::kSide);
     const double reach_s = reach * glm::length(placed_.s_axis) / texel_,
                  reach_t = reach * glm::length(placed_.t_axis) / texel_;
@@ -122,13 +122,14 @@ class MarkPlacer {
   const FacePlacement& placed_;
   const TexelSteps& steps_;
   const math::Vec2d first_;
-  const double texel_;  // of the block, in texels of mip 0
+  const double texel_;  // the size of a texel of the block, in texels of mip 0
   const SurfaceShape shape_;
 };
 
 }  // namespace
 
-MarkLook::MarkLook(const ColorTables& tables)
+// For every ink color and opacity step, the palette entry nearest to the blend with each palette entry.
+MarkTables::MarkTables(const ColorTables& tables)
     : indices_(std::size_t{MarkShapes::kKinds} * kShades * kOpacities * 256) {
   const PaletteMatch& match = tables.match;
   std::uint8_t* out = indices_.data();
@@ -146,14 +147,14 @@ MarkLook::MarkLook(const ColorTables& tables)
     }
 }
 
-std::uint8_t MarkLook::over(MarkKind kind, MarkTexel texel, std::uint8_t index) const {
+std::uint8_t MarkTables::over(MarkKind kind, MarkTexel texel, std::uint8_t index) const {
   const int shade = static_cast<int>(texel.shade * (kShades - 1) + 0.5f);
   const int step = static_cast<int>(texel.opacity * (kOpacities - 1) + 0.5f);
   const int row = (static_cast<int>(kind) * kShades + shade) * kOpacities + step;
   return indices_[static_cast<std::size_t>(row) * 256 + index];
 }
 
-std::uint32_t MarkLook::over(MarkKind kind, MarkTexel texel, std::uint32_t under) const {
+std::uint32_t MarkTables::over(MarkKind kind, MarkTexel texel, std::uint32_t under) const {
   const int opacity = opacity_256(texel.opacity);
   if (opacity == 0) return under;
   const bool glows = under >> 24 == 0 && glows_through(opacity);
@@ -162,13 +163,14 @@ std::uint32_t MarkLook::over(MarkKind kind, MarkTexel texel, std::uint32_t under
 }
 
 std::span<const PlacedMark> place_marks(const world::Level& level, const world::Face& face,
-                                        std::span<const Mark> marks, int tile_s, int tile_t, int mip,
-                                        SurfaceShape shape, base::Arena& arena) {
+                                        std::span<const Mark> marks, const BlockPlace& place,
+                                        base::Arena& arena) {
   if (marks.empty()) return {};
   const FacePlacement placed = place_face(level, face, ModelView{});
   const std::optional<TexelSteps> steps = texel_steps(placed);
   if (!steps) return {};
-  const MarkPlacer placer(placed, *steps, {tile_s * kTileTexels, tile_t * kTileTexels}, mip, shape);
+  const MarkPlacer placer(placed, *steps, {place.tile_s * kTileTexels, place.tile_t * kTileTexels}, place.mip,
+                          place.shape);
   base::ArenaVector<PlacedMark> out(arena, marks.size());
   for (const Mark& mark : marks)
     if (const std::optional<PlacedMark> there = placer.place(mark)) out.push_back(*there);
@@ -176,16 +178,17 @@ std::span<const PlacedMark> place_marks(const world::Level& level, const world::
 }
 
 template <typename Texel>
-void paint_marks(const MarkLook& look, std::span<const PlacedMark> marks, std::int32_t y,
+void paint_marks(const MarkTables& look, std::span<const PlacedMark> marks, std::int32_t y,
                  std::span<Texel> io_row) {
   for (const PlacedMark& mark : marks) {
     if (y < mark.top || y >= mark.bottom) continue;
     const auto row = static_cast<float>(y);
     for (std::int32_t x = mark.left; x < mark.right; ++x) {
       const auto column = static_cast<float>(x);
-      const MarkTexel texel = look.shapes().at(mark.kind, mark.variant, mark.level,
-                                               mark.u_first + column * mark.u_a_column + row * mark.u_a_row,
-                                               mark.v_first + column * mark.v_a_column + row * mark.v_a_row);
+      const MarkTexel texel =
+          look.shapes().at(mark.kind, mark.variant, mark.level,
+                           mark.u_first + column * mark.u_per_column + row * mark.u_per_row,
+                           mark.v_first + column * mark.v_per_column + row * mark.v_per_row);
       if (!(texel.opacity > 0)) continue;
       Texel& under = io_row[static_cast<std::size_t>(x)];
       under = look.over(mark.kind, texel, under);
@@ -193,9 +196,9 @@ void paint_marks(const MarkLook& look, std::span<const PlacedMark> marks, std::i
   }
 }
 
-template void paint_marks(const MarkLook&, std::span<const PlacedMark>, std::int32_t,
+template void paint_marks(const MarkTables&, std::span<const PlacedMark>, std::int32_t,
                           std::span<std::uint8_t>);
-template void paint_marks(const MarkLook&, std::span<const PlacedMark>, std::int32_t,
+template void paint_marks(const MarkTables&, std::span<const PlacedMark>, std::int32_t,
                           std::span<std::uint32_t>);
 
 }  // namespace temblor::render

@@ -1,4 +1,7 @@
-// Marks on the texels of a surface, before light falls on them.
+// Paints marks onto the texels of a surface block, before light is applied.
+//
+// Marks are placed in the plane of the face, not in texels, so that they stay round on stretched textures and
+// continue across the borders of tiles.
 #pragma once
 
 #include <array>
@@ -16,17 +19,17 @@
 
 namespace temblor::render {
 
-// Shapes and inks. Made once for a palette; takes some milliseconds.
-class MarkLook {
+// Shapes and inks as lookup tables. Made once per palette; takes some milliseconds.
+class MarkTables {
  public:
   static constexpr int kShades = 4, kOpacities = 17;
 
-  explicit MarkLook(const ColorTables& tables);
+  explicit MarkTables(const ColorTables& tables);
 
   const MarkShapes& shapes() const { return shapes_; }
-  // What shows of a palette index under a mark. A full-bright texel glows on until half of it is covered.
+  // Blends a mark over a palette index. A full-bright texel keeps glowing until half of it is covered.
   std::uint8_t over(MarkKind kind, MarkTexel texel, std::uint8_t index) const;
-  // Of a color; it and the result are as in ColorTables::surface_rgb.
+  // Blends a mark over a color. Both colors are in the format of ColorTables::surface_rgb.
   std::uint32_t over(MarkKind kind, MarkTexel texel, std::uint32_t under) const;
 
  private:
@@ -34,26 +37,27 @@ class MarkLook {
   std::vector<std::uint8_t> indices_;  // by kind, shade, opacity, index
 };
 
-// One mark on the texels of a block: a shape that was moved, turned and stretched.
+// A mark on the texels of one block: a shape that is moved, turned, and stretched.
 struct PlacedMark {
   MarkKind kind{};
   int variant = 0, level = 0;
-  std::int32_t left = 0, right = 0, top = 0,
-               bottom = 0;  // texels of the block that it may cover; ends excluded
-  // Position in the shape, -1 to 1, at the middle of texel (x, y): u = u_first + x * u_a_column + y *
-  // u_a_row.
-  float u_first = 0, u_a_column = 0, u_a_row = 0;
-  float v_first = 0, v_a_column = 0, v_a_row = 0;
+  // The texels of the block that it may cover; right and bottom are exclusive.
+  std::int32_t left = 0, right = 0, top = 0, bottom = 0;
+  // The position in the shape, -1 to 1, at the center of texel (x, y):
+  //   u = u_first + x * u_per_column + y * u_per_row, and v likewise.
+  float u_first = 0, u_per_column = 0, u_per_row = 0;
+  float v_first = 0, v_per_column = 0, v_per_row = 0;
 };
 
-// Those of a face's marks that touch one tile at a mip level, in their order.
+// The marks of a face that touch one tile at a mip level, in their order. Lives in `arena`.
 std::span<const PlacedMark> place_marks(const world::Level& level, const world::Face& face,
-                                        std::span<const Mark> marks, int tile_s, int tile_t, int mip,
-                                        SurfaceShape shape, base::Arena& arena);
+                                        std::span<const Mark> marks, const BlockPlace& place,
+                                        base::Arena& arena);
 
-// Paints row `y` of the block. Texels are palette indices, or as ColorTables::surface_rgb.
+// Paints row `y` of the block. Texels are palette indices, or colors in the format of
+// ColorTables::surface_rgb.
 template <typename Texel>
-void paint_marks(const MarkLook& look, std::span<const PlacedMark> marks, std::int32_t y,
+void paint_marks(const MarkTables& look, std::span<const PlacedMark> marks, std::int32_t y,
                  std::span<Texel> io_row);
 
 }  // namespace temblor::render

@@ -1,4 +1,5 @@
-// A surface: the part of a face's texture that it shows, lit, as plain rows of pixels.
+// A surface block: the part of a face's texture that one tile shows, already lit, as plain rows of texels at
+// one mip level. Abrash calls it a surface ("Quake's Lighting Model: Surface Caching").
 #pragma once
 
 #include <cstddef>
@@ -8,16 +9,23 @@
 
 namespace temblor::render {
 
-// Texels of one tile at one mip level; rows follow one another without gaps.
+// The size of one tile at one mip level, in texels. Rows follow one another without gaps.
 struct SurfaceShape {
   std::int32_t width = 0, height = 0;
   std::size_t texels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
-// Bytes that may be read past the last texel, so that a wide load there stays inside.
+// One tile of a face at one mip level.
+struct BlockPlace {
+  int tile_s, tile_t, mip;
+  SurfaceShape shape;
+};
+
+// Kernels may read this many bytes past the last texel, so every block is followed by as many readable bytes.
 constexpr std::size_t kBlockPadding = 64;
 
-// Not owned; starts at a cache line. kIndexed: one byte a texel; kRgb: four, 0xffRRGGBB.
+// A view of a block's texels; not owned. Texels start at a cache line. kIndexed: one byte per texel; kRgb:
+// four bytes, 0xffRRGGBB.
 struct SurfaceBlock {
   std::byte* texels = nullptr;
   SurfaceShape shape;

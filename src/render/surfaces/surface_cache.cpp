@@ -9,8 +9,8 @@ namespace temblor::render {
 
 namespace {
 
-// Views of wide places at 1920x1080 read from blocks of up to two million texels.
-constexpr std::size_t kTexelsOfALargeView = std::size_t{4} << 20;
+// Views of large rooms at 1920x1080 read from blocks of up to two million texels; this is twice that.
+constexpr std::size_t kLargeViewTexels = std::size_t{4} << 20;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void SurfaceCache::begin_frame(const world::Level& level, std::size_t bytes_per_
                                std::size_t budget_bytes, bool enabled) {
   frame_blocks_.reset();
   const bool is_level_new = level_ != level.identity;
-  if (is_level_new || bytes_per_texel_ != bytes_per_texel) forget();
+  if (is_level_new || bytes_per_texel_ != bytes_per_texel) clear();
   if (is_level_new) index_level(level);
   bytes_per_texel_ = bytes_per_texel;
   enabled_ = enabled;
@@ -27,11 +27,11 @@ void SurfaceCache::begin_frame(const world::Level& level, std::size_t bytes_per_
   ++frame_;
   while (bytes_in_use() > budget_bytes_) evict_oldest();
   pool_.set_capacity(budget_bytes_);
-  // A level's first frame is part of loading it, and may take the time that later ones should not.
-  if (is_level_new && enabled_) pool_.prepare(kTexelsOfALargeView * bytes_per_texel_);
+  // The first frame of a level is part of loading it, so it may spend time that later frames should not.
+  if (is_level_new && enabled_) pool_.prepare(kLargeViewTexels * bytes_per_texel_);
 }
 
-void SurfaceCache::forget() {
+void SurfaceCache::clear() {
   std::fill(first_of_slot_.begin(), first_of_slot_.end(), kNone);
   entries_.clear();
   free_entries_.clear();
@@ -39,6 +39,7 @@ void SurfaceCache::forget() {
   pool_.clear();
 }
 
+// Four slots per tile, one for each mip level.
 void SurfaceCache::index_level(const world::Level& level) {
   level_ = level.identity;
   first_slot_.clear();
@@ -53,18 +54,19 @@ void SurfaceCache::index_level(const world::Level& level) {
 
 std::uint32_t SurfaceCache::entry_with(std::size_t slot, const BlockContents& contents) const {
   std::uint32_t number = first_of_slot_[slot];
-  while (number != kNone && entries_[number].contents != contents) number = entries_[number].next_of_slot;
+  while (number != kNone && entries_[number].contents != contents) number = entries_[number].next_in_slot;
   return number;
 }
 
-// One that may be built anew: not of this frame, and most likely out of date for good.
+// An entry that may be rebuilt with new contents: not used in this frame, and probably out of date forever,
+// because its texture is the same and it also has (or also lacks) dynamic light.
 std::uint32_t SurfaceCache::stale_entry(std::size_t slot, const BlockContents& contents) const {
   const auto is_stale = [&](const Entry& entry) {
     return entry.used_in_frame != frame_ && entry.contents.texture == contents.texture &&
            (entry.contents.lights == 0) == (contents.lights == 0);
   };
   std::uint32_t number = first_of_slot_[slot];
-  while (number != kNone && !is_stale(entries_[number])) number = entries_[number].next_of_slot;
+  while (number != kNone && !is_stale(entries_[number])) number = entries_[number].next_in_slot;
   return number;
 }
 
@@ -75,7 +77,7 @@ bool SurfaceCache::find(std::size_t slot, const BlockContents& contents, Lookup&
   const bool first_use = entries_[number].used_in_frame != frame_;
   entries_[number].used_in_frame = frame_;
   make_newest(number);
-  out_lookup = {block_of(entries_[number]), false, first_use};
+  out_lookup = {entry_block(entries_[number]), false, first_use};
   counts_.hits += first_use;
   return true;
 }
@@ -86,35 +88,36 @@ SurfaceCache::Lookup SurfaceCache::reserve(std::size_t slot, const BlockContents
   std::uint32_t number = entry_with(slot, contents);
   if (number != kNone) {
     DCHECK(entries_[number].used_in_frame == frame_);
-    return {block_of(entries_[number]), false, false};
+    return {entry_block(entries_[number]), false, false};
   }
   number = stale_entry(slot, contents);
   if (number == kNone) {
-    const BlockPool::Room room = make_room(bytes_of(shape));
-    if (room.begin == nullptr) {
+    const BlockPool::Allocation allocation = allocate_or_evict(block_bytes(shape));
+    if (allocation.begin == nullptr) {
       ++counts_.over_budget;
       return build_for_frame(shape);
     }
     number = new_entry(slot);
-    entries_[number].room = room;
+    entries_[number].allocation = allocation;
     entries_[number].shape = shape;
   }
   entries_[number].contents = contents;
   entries_[number].used_in_frame = frame_;
   make_newest(number);
   ++counts_.misses;
-  return {block_of(entries_[number]), true, true};
+  return {entry_block(entries_[number]), true, true};
 }
 
-// None when the blocks of this frame leave none.
-BlockPool::Room SurfaceCache::make_room(std::size_t bytes) {
-  BlockPool::Room room = pool_.allocate(bytes);
-  if (BlockPool::rounded_up(bytes) > budget_bytes_) return room;
-  while (room.begin == nullptr && oldest_ != kNone && entries_[oldest_].used_in_frame != frame_) {
+// Evicts the least recently used blocks until the allocation succeeds. Fails when only blocks of this frame
+// are left, or at once if the block exceeds the whole budget.
+BlockPool::Allocation SurfaceCache::allocate_or_evict(std::size_t bytes) {
+  BlockPool::Allocation allocation = pool_.allocate(bytes);
+  if (BlockPool::rounded_up(bytes) > budget_bytes_) return allocation;
+  while (allocation.begin == nullptr && oldest_ != kNone && entries_[oldest_].used_in_frame != frame_) {
     evict_oldest();
-    room = pool_.allocate(bytes);
+    allocation = pool_.allocate(bytes);
   }
-  return room;
+  return allocation;
 }
 
 void SurfaceCache::unlink(std::uint32_t number) {
@@ -140,9 +143,9 @@ void SurfaceCache::evict_oldest() {
   unlink(number);
   Entry& entry = entries_[number];
   std::uint32_t* link = &first_of_slot_[entry.slot];
-  while (*link != number) link = &entries_[*link].next_of_slot;
-  *link = entry.next_of_slot;
-  pool_.free(entry.room);
+  while (*link != number) link = &entries_[*link].next_in_slot;
+  *link = entry.next_in_slot;
+  pool_.free(entry.allocation);
   entry = Entry{};
   free_entries_.push_back(number);
   ++counts_.evictions;
@@ -157,14 +160,15 @@ std::uint32_t SurfaceCache::new_entry(std::size_t slot) {
     free_entries_.pop_back();
   }
   entries_[number].slot = slot;
-  entries_[number].next_of_slot = first_of_slot_[slot];
+  entries_[number].next_in_slot = first_of_slot_[slot];
   first_of_slot_[slot] = number;
   return number;
 }
 
+// A block outside the cache, in an arena that is reset when the next frame begins.
 SurfaceCache::Lookup SurfaceCache::build_for_frame(SurfaceShape shape) {
   ++counts_.misses;
-  return {{frame_blocks_.allocate<std::byte>(bytes_of(shape)).data(), shape}, true, true};
+  return {{frame_blocks_.allocate<std::byte>(block_bytes(shape)).data(), shape}, true, true};
 }
 
 }  // namespace temblor::render

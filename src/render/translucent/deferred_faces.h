@@ -1,53 +1,53 @@
-// Stage 9. Late faces (view/face_opacity.h) -> pixels, one face at a time, tested against depth: first
-// those that are opaque but for their holes, before models; then, when all that is opaque is there, the
-// translucent ones from back to front.
+// Stage 9. Deferred faces (view/face_opacity.h) -> pixels, one face at a time, tested against depth. Faces
+// that are opaque except for their holes come first, before models. Translucent faces come when everything
+// opaque is drawn, from back to front. Stock Quake has neither.
 #pragma once
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/arena.h"
-#include "base/parallel_for.h"
 #include "render/color/fog.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 #include "render/spans/span_sources.h"
 
 namespace temblor::render {
 
+// A deferred face on the screen.
 struct DeferredFace {
   SurfaceIndex surface;
   FaceOpacity opacity;
   SortKey key;
-  double depth;  // ViewFrame::depth, in the middle of what it covers
+  double depth;  // ViewFrame::depth at the center of the pixels that it covers
 };
 
-// Only what has spans.
+// Only faces that have spans.
 struct DeferredFaces {
   std::span<const DeferredFace> opaque;
   std::span<const DeferredFace> translucent;  // back to front
 };
 
-// Back to front is by key; brush models in one leaf, which share it, go by where they are seen.
-DeferredFaces sort_deferred_faces(const Scene& scene, const VisibleFaces& visible, const EdgeTable& edges,
-                                  const SpanTable& spans, const SurfaceDraws& items, base::Arena& arena);
-
-struct LateTarget {
+// Everything that the world's pixels are made from: references to the results of earlier stages.
+struct WorldPicture {
   const SpanTable& spans;
   const EdgeTable& edges;
   const SpanSources& sources;
-  const ColorTables& tables;
+  const ColorTables& colors;
   const FrameFog& fog;
   const ViewFrame& view;
 };
 
-// Draws what lies in one band of all of them, in their order. Opaque ones write pixels and depth, and are
-// fogged with the rest of the picture; translucent ones are fogged, then blended, and leave depth alone.
-void draw_deferred_faces(std::span<const DeferredFace> faces, const LateTarget& target, const Band& band,
+// Sorts by key. Brush models in one leaf share a key, so they are sorted by depth.
+DeferredFaces sort_deferred_faces(const FrameContext& context, const WorldPicture& world,
+                                  const VisibleFaces& visible);
+
+// Draws the part of the faces in one band, in their order. Opaque faces write pixels and depth, and are
+// fogged later with the whole picture. Translucent faces are fogged, then blended, and do not write depth.
+void draw_deferred_faces(std::span<const DeferredFace> faces, const WorldPicture& world, const Band& band,
                          base::Arena& arena, FrameBuffer& io_frame);
 
-// The same in all bands. `io_arenas` grows as needed: one a band.
-void draw_deferred_faces(std::span<const DeferredFace> faces, const LateTarget& target, base::Jobs& jobs,
-                         std::vector<base::Arena>& io_arenas, FrameBuffer& io_frame);
+// Draws the faces in all bands, in parallel.
+void draw_deferred_faces(std::span<const DeferredFace> faces, const FrameContext& context,
+                         const WorldPicture& world, FrameBuffer& io_frame);
 
 }  // namespace temblor::render

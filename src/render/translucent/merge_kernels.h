@@ -1,30 +1,31 @@
-// Part of a row of a late face, drawn by itself, goes into the picture where it is in front. Vector code and
-// plain C++ with the same results, bit for bit. Only plain types here: the vector file is compiled for
-// several processors.
+// Merges a row of a deferred face or translucent model, which was drawn into a buffer, into the picture where
+// it is in front. As SIMD and as the scalar reference with the same results, bit for bit. Plain types only,
+// because the SIMD file is compiled for several processors.
 #pragma once
 
 #include <cstdint>
 
 namespace temblor::render {
 
-// `count` pixels. A pixel of the face shows where depth * nearer >= its z, and its texel is not clear.
+// `count` pixels of a row. A pixel is drawn if depth * nearer >= z and its texel is not clear.
 struct MergeRow {
-  const void* texels;  // bytes (255: clear, if anything is), or 0xffRRGGBB (0: clear)
-  const float* depth;
-  void* pixels;
-  float* z;
+  const void* texels;  // bytes (255: clear) or 0xffRRGGBB (0: clear)
+  const float* depth;  // of the texels
+  void* pixels;        // of the frame, which are changed
+  float* z;            // the depth of those pixels
   std::int32_t count;
-  float nearer;
-  bool has_holes;
+  float nearer;    // a factor near 1, by which a face at equal depth wins
+  bool has_holes;  // false: no texel is clear
   // Blending only.
   const std::uint8_t* table;  // bytes: BlendTables
   std::int32_t opacity_256;   // 0xffRRGGBB: 0 to 256, as blend_rgb has it
 };
 
-// From pixel `first` on. Writes pixels and z.
+// Opaque: write pixels and z. The scalar versions begin at pixel `first`, so that they can finish what SIMD
+// leaves.
 void merge_opaque_u8_scalar(const MergeRow& row, std::int32_t first = 0);
 void merge_opaque_u32_scalar(const MergeRow& row, std::int32_t first = 0);
-// Writes pixels: what is translucent hides nothing.
+// Blending: write only pixels, since translucent things hide nothing.
 void merge_blend_u8_scalar(const MergeRow& row, std::int32_t first = 0);
 void merge_blend_u32_scalar(const MergeRow& row, std::int32_t first = 0);
 

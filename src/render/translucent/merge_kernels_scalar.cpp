@@ -1,4 +1,4 @@
-// Hot loop.
+// Hot loop. The scalar reference of the merge kernels.
 #include "render/translucent/merge_kernels.h"
 
 namespace temblor::render {

@@ -1,4 +1,4 @@
-// Hot loop. The vector twins of merge_kernels_plain.cpp, compiled once for each instruction set.
+// Hot loop. The SIMD versions of merge_kernels_scalar.cpp, compiled once for each instruction set.
 #include "render/translucent/merge_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -35,12 +35,14 @@ using D16 = hn::Repartition<uint16_t, DU>;
 using D8 = hn::Rebind<uint8_t, DU>;
 using Mask = hn::Mask<DU>;
 
+// The pixels that pass the depth test.
 HWY_INLINE Mask InFront(const MergeRow& row, int i) {
   const DF d;
   const auto depth = hn::Mul(hn::LoadU(d, row.depth + i), hn::Set(d, row.nearer));
   return hn::RebindMask(DU(), hn::Ge(depth, hn::LoadU(d, row.z + i)));
 }
 
+// Removes clear texels from `shown`.
 HWY_INLINE Mask NotClear(const MergeRow& row, hn::Vec<DU> texels, uint32_t clear, Mask shown) {
   const DU du;
   return row.has_holes ? hn::And(shown, hn::Ne(texels, hn::Set(du, clear))) : shown;
@@ -99,7 +101,7 @@ void MergeBlendU8(const MergeRow& row) {
     const auto shown = NotClear(row, texels, 255, InFront(row, i));
     if (hn::AllFalse(du, shown)) continue;
     const auto under = LoadBytes(row.pixels, i);
-    // One by one: a gather of bytes is slower.
+    // The table is looked up one pixel at a time: a gather of bytes is slower.
     hn::Store(hn::Add(hn::ShiftLeft<8>(texels), under), du, index);
     for (int lane = 0; lane < lanes; ++lane) blended[lane] = row.table[index[lane]];
     StoreBytes(hn::IfThenElse(shown, LoadBytes(blended, 0), under), row.pixels, i);

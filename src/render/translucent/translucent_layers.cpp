@@ -12,6 +12,7 @@ bool is_translucent(float alpha) {
   return alpha > 0 && alpha < 1;
 }
 
+// A total order, so that pixels do not depend on the sorting algorithm.
 bool is_behind(const TranslucentLayer& a, const TranslucentLayer& b) {
   if (a.key != b.key) return a.key > b.key;
   if (a.depth != b.depth) return a.depth < b.depth;
@@ -21,11 +22,14 @@ bool is_behind(const TranslucentLayer& a, const TranslucentLayer& b) {
 
 }  // namespace
 
-std::span<const TranslucentLayer> sort_translucent(const Scene& scene, const ViewFrame& view,
-                                                   const VisibleFaces& visible,
-                                                   std::span<const DeferredFace> faces, base::Arena& arena) {
+TranslucentOrder sort_translucent(const FrameContext& context, const WorldPicture& world,
+                                  const VisibleFaces& visible) {
   using Kind = TranslucentLayer::Kind;
-  base::ArenaVector<TranslucentLayer> layers(arena, faces.size() + 16);
+  const Scene& scene = context.scene;
+  const ViewFrame& view = world.view;
+  const DeferredFaces sorted = sort_deferred_faces(context, world, visible);
+  const std::span<const DeferredFace> faces = sorted.translucent;
+  base::ArenaVector<TranslucentLayer> layers(context.arena(), faces.size() + 16);
   for (std::uint32_t i = 0; i < faces.size(); ++i)
     layers.push_back({faces[i].key, faces[i].depth, Kind::kFace, i});
   const auto add = [&](Kind kind, std::uint32_t number, const math::Vec3& origin) {
@@ -40,10 +44,10 @@ std::span<const TranslucentLayer> sort_translucent(const Scene& scene, const Vie
   std::sort(layers.begin(), layers.end(), is_behind);
   if (scene.view_weapon != nullptr && is_translucent(scene.view_weapon->alpha))
     layers.push_back({kNotVisited, 0, Kind::kViewWeapon, 0});
-  return layers.view();
+  return {sorted, layers.view(), count_leading_faces(layers.view())};
 }
 
-std::size_t leading_faces(std::span<const TranslucentLayer> layers) {
+std::size_t count_leading_faces(std::span<const TranslucentLayer> layers) {
   const auto other = std::ranges::find_if(
       layers, [](const TranslucentLayer& layer) { return layer.kind != TranslucentLayer::Kind::kFace; });
   return static_cast<std::size_t>(other - layers.begin());

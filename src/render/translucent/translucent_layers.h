@@ -1,32 +1,38 @@
-// Stage 9. Everything that is translucent, in the order in which it is drawn.
+// Stage 9, first part. Sorts everything translucent into drawing order, back to front.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
-#include "base/arena.h"
-#include "render/scene.h"
 #include "render/translucent/deferred_faces.h"
 
 namespace temblor::render {
 
-// One of the scene's translucent things, or a late face; faces are numbered as given.
+// A translucent model, sprite, or deferred face.
 struct TranslucentLayer {
   enum class Kind : std::uint8_t { kFace, kAlias, kSprite, kViewWeapon };
   SortKey key;
-  double depth;  // ViewFrame::depth, among equal keys
+  double depth;  // ViewFrame::depth; decides between equal keys
   Kind kind;
-  std::uint32_t number;
+  std::uint32_t number;  // in faces.translucent, Scene::alias_models, or Scene::sprites
 };
 
-// Back to front. A model or sprite takes the place of the leaf that its origin lies in, as brush models do;
-// in a leaf that was not visited it is taken for nearest, and the view weapon is nearer than all. `faces` are
-// back to front, and come in this order.
-std::span<const TranslucentLayer> sort_translucent(const Scene& scene, const ViewFrame& view,
-                                                   const VisibleFaces& visible,
-                                                   std::span<const DeferredFace> faces, base::Arena& arena);
+struct TranslucentOrder {
+  DeferredFaces faces;
+  // Back to front. Layers of kind kFace number faces.translucent, which is in the same order.
+  std::span<const TranslucentLayer> layers;
+  // The first `banded` layers are faces: nothing else translucent is behind them, so they are drawn with the
+  // opaque picture, band by band.
+  std::size_t banded = 0;
+};
 
-// So many faces lie behind everything else that is translucent.
-std::size_t leading_faces(std::span<const TranslucentLayer> layers);
+// A model or sprite has the sort key of the leaf that contains its origin, like brush models. In a leaf that
+// is not visible it counts as nearest. The view model is nearer than everything. Faces keep the order of
+// sort_deferred_faces.
+TranslucentOrder sort_translucent(const FrameContext& context, const WorldPicture& world,
+                                  const VisibleFaces& visible);
+
+// The number of layers before the first one that is not a face.
+std::size_t count_leading_faces(std::span<const TranslucentLayer> layers);
 
 }  // namespace temblor::render

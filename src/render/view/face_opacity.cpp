@@ -8,11 +8,12 @@ namespace temblor::render {
 
 namespace {
 
+// Clamps to 0 to 1; NaN becomes 0.
 float bounded(float opacity) {
   return opacity > 0 ? (opacity < 1 ? opacity : 1.0f) : 0.0f;
 }
 
-// Levels name liquids by kind; what is none of the others is water.
+// Texture names tell the kinds apart. Every liquid that is not lava, slime, or a teleporter counts as water.
 float liquid_opacity(const LiquidAlpha& alpha, std::string_view texture_name) {
   const auto is = [&](std::string_view kind) {
     return base::equal_ignoring_case(texture_name.substr(0, kind.size()), kind);
@@ -33,8 +34,8 @@ std::span<const FaceOpacity> world_opacities(const Scene& scene, base::Arena& ar
   return opacities;
 }
 
-FaceOpacity opacity_on(std::span<const FaceOpacity> world_opacities, const world::Level& level,
-                       world::TextureIndex texture, const BrushModelInstance& instance) {
+FaceOpacity brush_face_opacity(std::span<const FaceOpacity> world_opacities, const world::Level& level,
+                               world::TextureIndex texture, const BrushModelInstance& instance) {
   FaceOpacity opacity = world_opacities[base::to_size(texture)];
   if (instance.alpha < 1 && level.texture(texture).kind != world::TextureKind::kSky)
     opacity.opacity = bounded(instance.alpha);

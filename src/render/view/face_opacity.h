@@ -1,5 +1,8 @@
-// How solid faces are. What something shows through is left out of the edge list and drawn afterwards, one
-// face at a time: a *late* face.
+// How opaque faces are.
+//
+// Faces that something shows through (liquids with alpha, brush models with alpha, fences) are left out of
+// the edge table: it finds only the front surface of each pixel. They are drawn afterwards, one face at a
+// time, and are called *deferred* faces (translucent/deferred_faces.h). Stock Quake draws all faces opaque.
 #pragma once
 
 #include <span>
@@ -9,18 +12,20 @@
 
 namespace temblor::render {
 
+// The default is an ordinary opaque face.
 struct FaceOpacity {
   float opacity = 1;       // 0 to 1; 0: the face is not drawn
-  bool has_holes = false;  // texels of index 255 are clear
-  bool is_late() const { return opacity < 1 || has_holes; }
+  bool has_holes = false;  // alpha-tested: texels of index 255 are clear
+  bool is_deferred() const { return opacity < 1 || has_holes; }
 };
 
-// Of the world's faces, by texture: fences, and liquids that the scene makes translucent.
+// Opacities of the world's faces, by texture index. Only fences and liquids that the scene makes translucent
+// differ from the default. Lives in `arena`.
 std::span<const FaceOpacity> world_opacities(const Scene& scene, base::Arena& arena);
 
-// Of a face with that texture on a brush model. A model's own translucency is instead of its liquids', not
-// on top of it. Sky is sky.
-FaceOpacity opacity_on(std::span<const FaceOpacity> world_opacities, const world::Level& level,
-                       world::TextureIndex texture, const BrushModelInstance& instance);
+// The opacity of a face with texture `texture` on a brush model. An instance's alpha below 1 replaces the
+// texture's opacity; the two are not multiplied. Sky is always opaque.
+FaceOpacity brush_face_opacity(std::span<const FaceOpacity> world_opacities, const world::Level& level,
+                               world::TextureIndex texture, const BrushModelInstance& instance);
 
 }  // namespace temblor::render

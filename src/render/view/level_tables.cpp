@@ -6,7 +6,8 @@ LevelTables make_level_tables(const world::Level& level) {
   LevelTables tables;
   tables.node_parent.assign(level.nodes.size(), LevelTables::kNoParent);
   tables.leaf_parent.assign(level.leaves.size(), LevelTables::kNoParent);
-  // Only the world's own tree: those of brush models are drawn face by face. Trees are acyclic (read_bsp).
+  // Only the world's tree is linked: brush models are drawn face by face. Iterative, because trees from files
+  // may be deep; read_bsp guarantees that they have no cycles.
   std::vector<std::uint32_t> open;
   if (!level.world().head.is_leaf()) open.push_back(static_cast<std::uint32_t>(level.world().head.value));
   while (!open.empty()) {

@@ -7,6 +7,7 @@ ModelView make_model_view(const BrushModelInstance& instance) {
   return {math::Vec3d(instance.origin_world), basis.forward, -basis.right, basis.up};
 }
 
+// A rotation keeps lengths, so the distance only changes by the model's origin along the normal.
 FacePlane place_plane(const world::Level& level, const world::Face& face, const ModelView& model_view) {
   const world::Plane& plane = level.planes[face.plane];
   const double sign = face.back_side ? -1.0 : 1.0;
@@ -20,6 +21,7 @@ FacePlacement place_face(const world::Level& level, const world::Face& face, con
   static_cast<FacePlane&>(placed) = place_plane(level, face, model_view);
   placed.s_axis = model_view.direction_to_world(math::Vec3d(axes.s_axis));
   placed.t_axis = model_view.direction_to_world(math::Vec3d(axes.t_axis));
+  // Moves the origin of both coordinates to the first texel of the face, in model space.
   placed.s_offset = static_cast<double>(axes.s_offset) - glm::dot(placed.s_axis, model_view.origin_world) -
                     face.texture_mins[0];
   placed.t_offset = static_cast<double>(axes.t_offset) - glm::dot(placed.t_axis, model_view.origin_world) -

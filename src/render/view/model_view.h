@@ -1,13 +1,16 @@
-// One brush model where it stands now: model space <-> world space, asked once a frame.
+// The placement of a brush model: transforms from model space to world space, and the planes of its faces in
+// world space. Computed once per instance and frame; the identity for the world itself.
 #pragma once
 
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
 
+// Rigid: a rotation and a translation, without scale.
 struct ModelView {
   math::Vec3d origin_world{0.0};
-  math::Vec3d x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};  // the model's own axes, in the world
+  // The model's axes in world space, orthonormal.
+  math::Vec3d x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 
   math::Vec3d direction_to_world(const math::Vec3d& v) const {
     return x_axis * v.x + y_axis * v.y + z_axis * v.z;
@@ -17,7 +20,8 @@ struct ModelView {
 
 ModelView make_model_view(const BrushModelInstance& instance);
 
-// A face's plane in the world, wherever its model stands. It looks where the face does.
+// A face's plane in world space: normal . p = distance. The normal points to the face's front, even where the
+// file stores the face on the back side of its plane.
 struct FacePlane {
   math::Vec3d normal;
   double distance;
@@ -25,16 +29,16 @@ struct FacePlane {
 
 FacePlane place_plane(const world::Level& level, const world::Face& face, const ModelView& model_view);
 
-// And its texture axes.
+// A FacePlane with texture axes: s = s_axis . p + s_offset, and t likewise, in texels of mip 0.
 struct FacePlacement : FacePlane {
-  math::Vec3d s_axis, t_axis;  // texels a unit
-  double s_offset, t_offset;   // from the surface's first texel (Face::texture_mins)
+  math::Vec3d s_axis, t_axis;  // texels per unit
+  double s_offset, t_offset;   // so that 0 is the face's first texel (Face::texture_mins)
 };
 
 FacePlacement place_face(const world::Level& level, const world::Face& face, const ModelView& model_view);
 
-// How far the eye stands in front of the face's plane; seen in parallel, the cosine towards the eye. Not
-// positive: its back is seen.
+// Perspective: the eye's distance in front of the plane, in units. Orthographic: the cosine between the
+// plane's normal and the direction to the eye. Not positive: the back is visible.
 double facing(const ViewFrame& view, const math::Vec3d& normal, double distance);
 
 }  // namespace temblor::render

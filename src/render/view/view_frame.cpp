@@ -10,14 +10,15 @@ namespace temblor::render {
 
 namespace {
 
-// A picture of 4:3 has the field of view asked for; a wider one keeps its height, a narrower one its width.
+// The focal length in pixels. A 4:3 picture has the requested field of view. A wider picture keeps its
+// vertical angle and a narrower one its horizontal angle.
 double perspective_scale(double fov_deg, int width, int height) {
   const double half_angle = std::clamp(fov_deg, 10.0, 170.0) * std::numbers::pi / 360.0;
   const double reference_width = std::min<double>(width, height * 4.0 / 3.0);
   return reference_width / 2 / std::tan(half_angle);
 }
 
-// Pixels a unit, such that the world's bounds fit with a margin of one twentieth.
+// Pixels per unit at which the world's bounds fit the picture with a margin of one twentieth.
 double fitting_scale(const world::Level& level, const math::Basis& axes, int width, int height) {
   const math::Bounds& bounds = level.world().bounds;
   const math::Vec3d size = math::Vec3d(bounds.maxs) - math::Vec3d(bounds.mins);
@@ -44,7 +45,9 @@ ViewFrame make_view_frame(const Scene& scene, int width, int height) {
                                                       : fitting_scale(*scene.level, view.axes, width, height);
   view.eye_leaf = world::find_leaf(*scene.level, camera.origin_world);
 
-  // One pixel of slack around the picture: a node is left out only when no pixel's center can lie in it.
+  // One pixel of slack around the picture: a node is culled only when it cannot cover the center of any
+  // pixel. In perspective a side plane contains the eye, and its slack grows with distance; in parallel
+  // projection the slack is a constant offset.
   const auto side = [&](const math::Vec3d& inward, double slack_px) {
     const math::Vec3d normal =
         inward * view.pixels_per_unit + (view.perspective ? view.axes.forward * slack_px : math::Vec3d(0.0));

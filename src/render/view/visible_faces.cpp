@@ -10,8 +10,9 @@ namespace temblor::render {
 
 namespace {
 
-// Which frustum planes a box may cross, given those that its parent's box may; kOutside when it lies wholly
-// behind one of them.
+// The frustum planes that a box may cross, given those that its parent's box may cross (ClipFlags); kOutside
+// if the box is completely behind one of them. A node inside a plane spares all nodes below it that test
+// (Abrash, "Sorted Spans in Action").
 constexpr int kOutside = -1;
 int clip_box(const std::array<FrustumPlane, 5>& frustum, const math::Bounds& bounds, int flags) {
   for (int i = 0; i < 5; ++i) {
@@ -30,16 +31,18 @@ int clip_box(const std::array<FrustumPlane, 5>& frustum, const math::Bounds& bou
   return flags;
 }
 
-// Whether the level says what can be seen from there.
+// False in solid space, outside the level, and in levels without visibility data: then everything is visible.
 bool has_pvs(const world::Level& level, world::LeafIndex eye) {
   return eye != world::LeafIndex{0} && base::to_size(eye) <= level.visible_leaf_count &&
          level.leaf(eye).visibility_offset >= 0 && !level.visibility.empty();
 }
 
-class Walk {
+// The marking pass and the front-to-back walk. The walk keeps its own stack, since trees from files may be
+// deep.
+class TreeWalk {
  public:
-  Walk(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
-       std::span<const FaceOpacity> opacities, base::Arena& arena)
+  TreeWalk(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
+           std::span<const FaceOpacity> opacities, base::Arena& arena)
       : level_(level),
         tables_(tables),
         view_(view),
@@ -52,6 +55,7 @@ class Walk {
         deferred_faces_(arena, 64),
         open_(arena, 256) {}
 
+  // Marks a leaf, its faces, and its ancestors, up to the first ancestor that is already marked.
   void mark_leaf(std::size_t leaf) {
     leaf_visible_[leaf] = 1;
     const world::Leaf& marked = level_.leaves[leaf];
@@ -65,9 +69,11 @@ class Walk {
       node_marked_[node] = 1;
   }
 
+  // Leaf 0 is the solid outside and has no faces.
   void mark_everything() {
     for (std::size_t leaf = 1; leaf < level_.leaves.size(); ++leaf) mark_leaf(leaf);
   }
+  // Bit i of a PVS row stands for leaf i + 1.
   void mark_row(std::span<const std::uint8_t> row) {
     for (std::size_t byte = 0; byte < row.size(); ++byte)
       for (unsigned bits = row[byte]; bits != 0; bits &= bits - 1) {
@@ -76,7 +82,7 @@ class Walk {
       }
   }
 
-  VisibleFaces run() {
+  VisibleFaces find_faces() {
     const world::Child head = level_.world().head;
     open_.push_back({head, -1, kClipAll});
     while (!open_.empty()) {
@@ -93,7 +99,8 @@ class Walk {
   }
 
  private:
-  // A subtree to walk, or (side 0 or 1) the faces in a node's plane that look to that side.
+  // An entry of the stack: a subtree to walk (side < 0), or the faces in a node's plane that face side 0 or
+  // 1.
   struct Step {
     world::Child child;
     int side;
@@ -106,17 +113,20 @@ class Walk {
     const int flags = clip_box(view_.frustum, node.bounds, step.flags);
     if (flags == kOutside) return;
     const world::Plane& plane = level_.planes[node.plane];
-    // The side that the eye is on; seen in parallel, the side that the view comes from.
+    // The side that the eye is on; in parallel projection, the side that the view comes from.
     const double towards = view_.perspective ? glm::dot(math::Vec3d(plane.normal), view_.eye_world) -
                                                    static_cast<double>(plane.distance)
                                              : -glm::dot(math::Vec3d(plane.normal), view_.axes.forward);
     const int side = towards >= 0 ? 0 : 1;
+    // The stack is last in, first out: the far subtree, then the node's faces, then the near subtree are
+    // pushed, so that they are visited in the opposite order.
     open_.push_back({node.children[static_cast<std::size_t>(1 - side)], -1, flags});
     if (node.face_count > 0 && std::abs(towards) >= kEdgeOn) open_.push_back({step.child, side, 0});
     open_.push_back({node.children[static_cast<std::size_t>(side)], -1, flags});
   }
 
-  // Only faces of leaves that were reached: those in front of a node's plane are walked before its faces.
+  // Promotes the leaf's faces from "in the PVS" to "reached". Leaves in front of a node's plane are entered
+  // before its faces are emitted, so a face is emitted only if a leaf that it borders was reached.
   void enter_leaf(std::size_t leaf) {
     if (leaf_visible_[leaf] == 0) return;
     leaf_keys_[leaf] = next_key_++;
@@ -129,16 +139,16 @@ class Walk {
     for (std::uint32_t number = node.first_face; number < node.first_face + node.face_count; ++number) {
       const world::Face& face = level_.faces[number];
       if (face_marked_[number] != kReached || face.back_side != (side == 1)) continue;
-      // Compilers put faces in their node's plane; files need not.
-      if (face.plane != node.plane && facing_of(face) < kEdgeOn) continue;
+      // Compilers store faces with the node whose plane they lie in, but a file may violate that.
+      if (face.plane != node.plane && compute_facing(face) < kEdgeOn) continue;
       const FaceOpacity& opacity = opacities_[base::to_size(face.texture)];
       if (opacity.opacity <= 0) continue;
-      (opacity.is_late() ? deferred_faces_ : faces_)
+      (opacity.is_deferred() ? deferred_faces_ : faces_)
           .push_back({base::to_index<world::FaceIndex>(number), next_key_++});
     }
   }
 
-  double facing_of(const world::Face& face) const {
+  double compute_facing(const world::Face& face) const {
     const FacePlane plane = place_plane(level_, face, ModelView{});
     return facing(view_, plane.normal, plane.distance);
   }
@@ -158,18 +168,18 @@ class Walk {
 
 }  // namespace
 
-VisibleFaces find_visible_faces(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
-                                std::span<const FaceOpacity> opacities, bool use_pvs, base::Arena& arena,
-                                std::vector<std::uint8_t>& io_pvs_row) {
-  Walk walk(level, tables, view, opacities, arena);
-  if (use_pvs && view.perspective && has_pvs(level, view.eye_leaf)) {
-    world::decompress_pvs(level, view.eye_leaf, io_pvs_row);
-    walk.mark_row(io_pvs_row);
+VisibleFaces find_visible_faces(const FrameContext& context, const ViewFrame& view,
+                                const LevelTables& tables) {
+  const world::Level& level = context.level();
+  TreeWalk walk(level, tables, view, world_opacities(context.scene, context.arena()), context.arena());
+  if (context.settings.use_pvs && view.perspective && has_pvs(level, view.eye_leaf)) {
+    world::decompress_pvs(level, view.eye_leaf, context.arenas.pvs_row);
+    walk.mark_row(context.arenas.pvs_row);
     walk.mark_leaf(base::to_size(view.eye_leaf));
   } else {
     walk.mark_everything();
   }
-  return walk.run();
+  return walk.find_faces();
 }
 
 }  // namespace temblor::render

@@ -1,20 +1,26 @@
-// Stage 2. ViewFrame -> VisibleFaces: the world's faces that the eye may see, front to back.
-// Abrash, "Quake's Visible-Surface Determination" and "The Big Picture": leaves of the potentially visible
-// set are marked, then the tree is walked front to back, whole subtrees outside the frustum left out.
+// Stage 2. ViewFrame -> VisibleFaces: the world's faces that may be visible, front to back.
+//
+//   1. The PVS of the eye's leaf marks leaves, their faces, and the nodes above them.
+//   2. The marked part of the tree is walked front to back. Subtrees outside the frustum are skipped.
+//   3. A leaf that is reached marks its faces; a node's faces are emitted after everything in front of it.
+//
+// Every face and leaf gets the next number of one sequence as its sort key, so keys increase front to back.
+//
+// Method: Michael Abrash, "Quake's Visible-Surface Determination" (Graphics Programming Black Book, chapter
+// 64); faces stored on nodes and BSP order as the sort key: "Sorted Spans in Action" (chapter 67).
 #pragma once
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "base/arena.h"
 #include "render/view/face_opacity.h"
+#include "render/view/frame_context.h"
 #include "render/view/level_tables.h"
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
 
-// Smaller is nearer. World faces and leaves share one sequence, each number used once.
+// Smaller is nearer. Faces and leaves of the world share one sequence; each number is used once.
 using SortKey = std::int32_t;
 constexpr SortKey kNotVisited = 0;
 
@@ -24,17 +30,20 @@ struct VisibleFace {
 };
 
 struct VisibleFaces {
-  std::span<const VisibleFace> faces;           // in key order, all turned towards the eye
-  std::span<const VisibleFace> deferred_faces;  // alike: those that something shows through
-  std::span<const FaceOpacity> opacities;       // as given
-  std::span<const SortKey> leaf_keys;         // by leaf: where its brush models belong; kNotVisited: not seen
-  std::span<const std::uint8_t> node_marked;  // by node: not 0 when a leaf below it may be seen
+  // In key order; only faces whose front is visible. Opaque faces, and faces that something shows through.
+  std::span<const VisibleFace> faces;
+  std::span<const VisibleFace> deferred_faces;
+  // By texture index, for faces of the world.
+  std::span<const FaceOpacity> opacities;
+  // By leaf: the key for brush models in this leaf; kNotVisited if the leaf is not visible.
+  std::span<const SortKey> leaf_keys;
+  // By node: not 0 if a leaf below the node is potentially visible.
+  std::span<const std::uint8_t> node_marked;
   std::uint32_t faces_in_pvs = 0;
 };
 
-// `opacities` are the world's. `io_pvs_row` is scratch that keeps its capacity between frames.
-VisibleFaces find_visible_faces(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
-                                std::span<const FaceOpacity> opacities, bool use_pvs, base::Arena& arena,
-                                std::vector<std::uint8_t>& io_pvs_row);
+// `tables` must be those of the scene's level. Results live in the frame's arena.
+VisibleFaces find_visible_faces(const FrameContext& context, const ViewFrame& view,
+                                const LevelTables& tables);
 
 }  // namespace temblor::render

@@ -12,26 +12,39 @@ namespace {
 
 namespace field = server::field;
 
-constexpr float kFarthest_units = 900, kMaxAsleep_units = 500;
+// Enemies farther away are ignored. Monsters that have not noticed the player are left alone unless they are
+// near.
+constexpr float kMaxEnemy_units = 900, kMaxUnawareEnemy_units = 500;
 constexpr double kChooseEvery_s = 0.15;
-constexpr double kVain_s = 7, kIgnore_s = 12;
+// An enemy that loses no health for kMaxWithoutHit_s is ignored for kIgnore_s.
+constexpr double kMaxWithoutHit_s = 7, kIgnore_s = 12;
 constexpr float kStrafeSpeed = 320, kAxeFight_units = 110;
+// The floor is checked this far ahead before the player strafes there.
 constexpr float kProbe_units = 56;
+// Distances at which the player backs off, and at which it closes in.
 constexpr float kTooClose_units = 190, kFarForShot_units = 480;
 constexpr double kWeaponPause_s = 0.5, kMotion_s = 0.2;
-constexpr float kLevelWithUs_units = 48;
+// The shock wave needs an enemy whose feet are at most this far above or below the player's.
+constexpr float kShockWaveHeight_units = 48;
 
 struct Weapon {
+  // Bit of the `items` and `weapon` fields, and the impulse that selects it.
   int bit = 0, impulse = 0;
   float Self::*ammunition = nullptr;
   float needs = 0;
-  float nearest = 0, farthest = 0;  // units
-  float missile_speed = 0;          // 0: at once
+  // Range in units.
+  float nearest = 0, farthest = 0;
+  // In units/s; 0: hits at once.
+  float missile_speed = 0;
+  // Explodes, so it hurts the player at close range.
   bool bursts = false;
-  bool rolls = false;  // along the floor
+  // Its shots roll along the floor.
+  bool rolls = false;
 };
 
-// The best first.
+// In order of preference: tremor, lightning, super nailgun, rocket launcher, super shotgun, nailgun, shotgun,
+// grenade launcher, axe. Columns: item bit, impulse, ammunition, rounds needed, range, missile speed, bursts,
+// rolls.
 constexpr std::array<Weapon, 9> kWeapons = {{
     {128, 13, &Self::cells, 5, 90, 420, 640, false, true},
     {64, 8, &Self::cells, 4, 0, 560, 0, false},
@@ -44,16 +57,19 @@ constexpr std::array<Weapon, 9> kWeapons = {{
     {4096, 1, nullptr, 0, 0, 1200, 0, false},
 }};
 
-// For what does not fight back, in this order.
-constexpr std::array<int, 5> kPlain = {1, 4, 8, 2, 64};
+// Item bits of weapons for targets that do not fight back, in order of preference: shotgun, nailgun, super
+// nailgun, super shotgun, lightning. Explosives are not used, because such targets may be close.
+constexpr std::array<int, 5> kTargetWeapons = {1, 4, 8, 2, 64};
 constexpr float kAxeReach_units = 52;
 
 bool can_use(const Self& self, const Weapon& weapon) {
   if ((self.items & weapon.bit) == 0) return false;
+  // Lightning discharges in water and kills the player.
   if (weapon.bit == 64 && self.water_level > 1) return false;
   return weapon.ammunition == nullptr || self.*weapon.ammunition >= weapon.needs;
 }
 
+// Returns the best weapon for the distance; if there is none, the best one that is safe at any distance.
 const Weapon& choose_weapon(const Self& self, float distance, bool only_bursts, bool can_roll) {
   for (const Weapon& weapon : kWeapons)
     if (can_use(self, weapon) && distance >= weapon.nearest && distance <= weapon.farthest &&
@@ -85,28 +101,30 @@ math::Vec3 middle(const server::Edict& edict) {
   return edict[field::kOrigin] + (edict[field::kMins] + edict[field::kMaxs]) * 0.5f;
 }
 
+// Monsters that attack only at close range: keep away from them.
 bool is_melee_class(std::string_view name) {
   static constexpr std::array<std::string_view, 5> kNames = {
       "monster_dog", "monster_knight", "monster_demon1", "monster_fish", "monster_tarbaby"};
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
+// Explosive boxes nearer than this would hurt the player.
 constexpr float kBlast_units = 190;
 
 bool is_explosive(server::Game& io_game, const server::Edict& edict) {
   return edict[field::kTakeDamage] != 0 && class_name(io_game, edict.index()).starts_with("misc_explobox");
 }
 
-// Away from boxes that may burst; 0: there are none near.
+// Sums up the directions away from explosive boxes nearby; 0 if there are none.
 math::Vec3 away_from_explosives(server::Game& io_game, const Self& self) {
   server::GameWorld& world = io_game.world();
   math::Vec3 away(0.0f);
   for (std::uint32_t i = 1 + world.edicts.client_count(); i < world.edicts.count(); ++i) {
     if (world.edicts.is_free(vm::EntityIndex{i})) continue;
     const server::Edict edict = world.edicts[vm::EntityIndex{i}];
-    const math::Vec3 way = self.origin - middle(edict);
-    if (glm::length(way) < kBlast_units && is_explosive(io_game, edict))
-      away += math::Vec3(way.x, way.y, 0) / std::max(glm::length(math::Vec2(way)), 1.0f);
+    const math::Vec3 offset = self.origin - middle(edict);
+    if (glm::length(offset) < kBlast_units && is_explosive(io_game, edict))
+      away += math::Vec3(offset.x, offset.y, 0) / std::max(glm::length(math::Vec2(offset)), 1.0f);
   }
   return away;
 }
@@ -118,7 +136,7 @@ math::Vec3 turned(const math::Vec3& v, float radians) {
 
 }  // namespace
 
-int weapon_bit_of(std::string_view classname) {
+int find_weapon_bit(std::string_view classname) {
   static constexpr std::array<std::pair<std::string_view, int>, 7> kBits = {{{"weapon_supershotgun", 2},
                                                                              {"weapon_nailgun", 4},
                                                                              {"weapon_supernailgun", 8},
@@ -131,7 +149,7 @@ int weapon_bit_of(std::string_view classname) {
   return 0;
 }
 
-// Neither fellow players nor what would burst beside him are to be hit.
+// Returns whether a shot hits neither a fellow player nor an explosive box near the player.
 bool Fighter::is_shot_safe(server::Game& io_game, const Self& self, const math::Vec3& to) const {
   const server::EntityTrace trace = server::trace_move(io_game.world(), self.eye(), {0, 0, 0}, {0, 0, 0}, to,
                                                        server::MoveKind::kNormal, self.entity);
@@ -147,19 +165,21 @@ bool Fighter::is_foe(server::Game& io_game, const Self& self, const server::Edic
   return edict.has_flag(server::flag::kMonster);
 }
 
-// A shock wave gets to whoever stands on the same floor. Now and then, not always, he likes it.
+// A shock wave reaches enemies that stand on the same floor. The player uses it only half of the time, for
+// variety.
 bool Fighter::can_roll(const Self& self, const server::Edict& enemy, double now_s) {
-  if (now_s > minded_until_s_) {
-    minded_until_s_ = now_s + dice_->between(2, 4);
+  if (now_s > rolls_until_s_) {
+    rolls_until_s_ = now_s + dice_->between(2, 4);
     rolls_ = dice_->unit() < 0.5f;
   }
   return rolls_ && self.on_ground && enemy.has_flag(server::flag::kOnGround) &&
-         std::abs(enemy[field::kOrigin].z + enemy[field::kMins].z - self.origin.z + 24) < kLevelWithUs_units;
+         std::abs(enemy[field::kOrigin].z + enemy[field::kMins].z - self.origin.z + 24) <
+             kShockWaveHeight_units;
 }
 
 float Fighter::reach_for_target(const Self& self) {
   float reach = kAxeReach_units;
-  for (const int bit : kPlain)
+  for (const int bit : kTargetWeapons)
     for (const Weapon& weapon : kWeapons)
       if (weapon.bit == bit && can_use(self, weapon)) reach = std::max(reach, weapon.farthest);
   return reach;
@@ -167,12 +187,14 @@ float Fighter::reach_for_target(const Self& self) {
 
 int Fighter::impulse_for_target(const Self& self, float distance) {
   if (distance < 60 && (self.items & 4096) != 0) return self.weapon == 4096 ? 0 : 1;
-  for (const int bit : kPlain)
+  for (const int bit : kTargetWeapons)
     for (const Weapon& weapon : kWeapons)
       if (weapon.bit == bit && can_use(self, weapon)) return self.weapon == bit ? 0 : weapon.impulse;
   return self.weapon == 4096 ? 0 : 1;
 }
 
+// Returns the enemy with the least value: its distance, plus or minus some units for what makes it less or
+// more urgent. A bonus for the current enemy keeps the player from switching back and forth.
 std::optional<vm::EntityIndex> Fighter::choose(server::Game& io_game, const Self& self, double now_s) {
   server::GameWorld& world = io_game.world();
   std::optional<vm::EntityIndex> best;
@@ -182,14 +204,14 @@ std::optional<vm::EntityIndex> Fighter::choose(server::Game& io_game, const Self
     if (world.edicts.is_free(entity)) continue;
     const server::Edict edict = world.edicts[entity];
     if (!is_foe(io_game, self, edict)) continue;
-    if (const auto grudge = grudges_.find(i);
-        grudge != grudges_.end() && grudge->second.ignored_until_s > now_s)
+    if (const auto record = enemies_.find(i);
+        record != enemies_.end() && record->second.ignored_until_s > now_s)
       continue;
     const math::Vec3 at = middle(edict);
     float value = glm::distance(at, self.eye());
     const bool is_awake = world.edicts.is_client(edict[field::kEnemy]) || world.edicts.is_client(entity);
-    if (value > (is_awake ? kFarthest_units : kMaxAsleep_units)) continue;
-    if (!sees(world, self.entity, self.eye(), at)) continue;
+    if (value > (is_awake ? kMaxEnemy_units : kMaxUnawareEnemy_units)) continue;
+    if (!can_see(world, self.entity, self.eye(), at)) continue;
     if (edict.has_flag(server::flag::kSwim) && self.water_level == 0) continue;  // stays in its water
     if (!is_awake) value += 300;
     if (enemy_ == entity) value -= 120;
@@ -200,23 +222,26 @@ std::optional<vm::EntityIndex> Fighter::choose(server::Game& io_game, const Self
   return best;
 }
 
-math::Vec3 Fighter::choose_way(server::Game& io_game, const Self& self, const math::Vec3& enemy,
-                               bool is_melee, double now_s) {
+// Away from explosive boxes if there are any, otherwise around the enemy. Changes sides at random and at
+// obstacles. Each direction is probed first, so that the player does not step off an edge; 0 if no direction
+// is safe.
+math::Vec3 Fighter::choose_velocity(server::Game& io_game, const Self& self, const math::Vec3& enemy,
+                                    bool is_melee, double now_s) {
   if (now_s > side_until_s_) {
     side_ = dice_->unit() < 0.5f ? -1.0f : 1.0f;
     side_until_s_ = now_s + dice_->between(0.5f, 1.4f);
   }
-  const math::Vec3 way = enemy - self.origin;
-  const float distance = glm::length(math::Vec2(way));
+  const math::Vec3 offset = enemy - self.origin;
+  const float distance = glm::length(math::Vec2(offset));
   const math::Vec3 ahead =
-      distance > 1 ? math::Vec3(way.x / distance, way.y / distance, 0) : math::Vec3(1, 0, 0);
+      distance > 1 ? math::Vec3(offset.x / distance, offset.y / distance, 0) : math::Vec3(1, 0, 0);
   if (const math::Vec3 away = away_from_explosives(io_game, self); away != math::Vec3(0.0f))
     for (const float angle : {0.0f, 0.7f, -0.7f, 1.4f, -1.4f}) {
       const math::Vec3 direction = turned(glm::normalize(away), angle);
       if (can_walk(io_game.world(), self.entity, self.origin, self.origin + direction * kProbe_units))
         return direction * kStrafeSpeed;
     }
-  // Across, leaning away from what bites and towards what is far.
+  // Strafe: an angle of 1.5 (radians) circles the enemy, more moves away from it, less moves closer.
   float lean = 1.5f;
   if (distance < (is_melee ? 260 : kTooClose_units)) lean = 2.4f;
   if (distance > kFarForShot_units) lean = 0.9f;
@@ -234,14 +259,14 @@ math::Vec3 Fighter::choose_way(server::Game& io_game, const Self& self, const ma
   return math::Vec3(0.0f);
 }
 
-// Over a fifth of a second: monsters go by steps.
-void Fighter::note_motion(const math::Vec3& at, double now_s, Grudge& io_grudge) {
-  const double passed_s = now_s - io_grudge.seen_s;
+// Measures the velocity over a fifth of a second, because monsters move in steps of a tenth.
+void Fighter::update_velocity(const math::Vec3& at, double now_s, EnemyRecord& io_record) {
+  const double passed_s = now_s - io_record.seen_s;
   if (passed_s < kMotion_s) return;
-  io_grudge.velocity =
-      passed_s < 3 * kMotion_s ? (at - io_grudge.seen_at) / static_cast<float>(passed_s) : math::Vec3(0.0f);
-  io_grudge.seen_at = at;
-  io_grudge.seen_s = now_s;
+  io_record.velocity =
+      passed_s < 3 * kMotion_s ? (at - io_record.seen_at) / static_cast<float>(passed_s) : math::Vec3(0.0f);
+  io_record.seen_at = at;
+  io_record.seen_s = now_s;
 }
 
 std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self, double now_s) {
@@ -256,28 +281,31 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
     enemy_.reset();
     return std::nullopt;
   }
-  Grudge& grudge = grudges_[static_cast<std::uint32_t>(*enemy_)];
-  if (now_s - grudge.hit_s > kVain_s && now_s - grudge.since_s > kVain_s && grudge.since_s > 0) {
-    if (grudge.health <= edict[field::kHealth] && now_s - grudge.since_s < 3 * kVain_s) {
-      grudge = Grudge();
-      grudge.ignored_until_s = now_s + kIgnore_s;
+  // After a while without a hit: ignore an enemy that has not lost health, or start over with one that has. A
+  // fight that began long ago belongs to an earlier meeting, so it starts over, too.
+  EnemyRecord& record = enemies_[static_cast<std::uint32_t>(*enemy_)];
+  if (now_s - record.hit_s > kMaxWithoutHit_s && now_s - record.since_s > kMaxWithoutHit_s &&
+      record.since_s > 0) {
+    if (record.health <= edict[field::kHealth] && now_s - record.since_s < 3 * kMaxWithoutHit_s) {
+      record = EnemyRecord();
+      record.ignored_until_s = now_s + kIgnore_s;
       enemy_.reset();
       return std::nullopt;
     }
-    grudge.since_s = 0;
+    record.since_s = 0;
   }
-  if (grudge.since_s == 0) grudge.since_s = grudge.hit_s = now_s;
-  if (edict[field::kHealth] < grudge.health) grudge.hit_s = now_s;
-  grudge.health = edict[field::kHealth];
-  note_motion(edict[field::kOrigin], now_s, grudge);
+  if (record.since_s == 0) record.since_s = record.hit_s = now_s;
+  if (edict[field::kHealth] < record.health) record.hit_s = now_s;
+  record.health = edict[field::kHealth];
+  update_velocity(edict[field::kOrigin], now_s, record);
 
   const std::string name = class_name(io_game, *enemy_);
   FightPlan plan{.enemy = *enemy_};
   plan.aim_at = middle(edict);
   const float distance = glm::distance(plan.aim_at, self.eye());
-  // What cannot be burst is only knocked down on the way.
-  plan.stands_and_fights = (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0 &&
-                           (has_gun(self) || distance < kAxeFight_units);
+  // Zombies die only in explosions; without an explosive weapon, shoot them down and walk past.
+  plan.stands_ground = (name != "monster_zombie" || has_bursting_weapon(self)) && self.water_level == 0 &&
+                       (has_gun(self) || distance < kAxeFight_units);
   const Weapon& wanted =
       choose_weapon(self, distance, name == "monster_zombie", can_roll(self, edict, now_s));
   if (wanted.bit != self.weapon && now_s - changed_weapon_s_ > kWeaponPause_s) {
@@ -286,24 +314,29 @@ std::optional<FightPlan> Fighter::fight(server::Game& io_game, const Self& self,
   }
   const Weapon& weapon = in_hand(self);
   if (weapon.missile_speed > 0) {
+    // Lead the target. Grenades (16) drop, so aim higher; rockets (32) explode on the floor beside a missed
+    // enemy, so aim at its feet.
     const float flight_s = distance / weapon.missile_speed;
-    plan.aim_at += math::Vec3(grudge.velocity.x, grudge.velocity.y, 0) * flight_s;
+    plan.aim_at += math::Vec3(record.velocity.x, record.velocity.y, 0) * flight_s;
     if (weapon.bit == 16) plan.aim_at.z += distance * 0.12f;
-    if (weapon.bit == 32 && distance > 250) plan.aim_at.z -= 16;  // its feet
+    if (weapon.bit == 32 && distance > 250) plan.aim_at.z -= 16;
   }
+  // The target's half width, about 14 units, as an angle.
   plan.tolerance_deg = std::max(1.5f, std::atan2(14.0f, distance) * 57.3f);
   const bool is_axe = weapon.bit == 4096;
   plan.fires = distance < (is_axe ? 80.0f : weapon.farthest + 60) && !(weapon.bursts && distance < 120) &&
-               sees(world, self.entity, self.eye(), plan.aim_at) && is_shot_safe(io_game, self, plan.aim_at);
+               can_see(world, self.entity, self.eye(), plan.aim_at) &&
+               is_shot_safe(io_game, self, plan.aim_at);
+  // With the axe, run straight at the enemy, unless the way there is not safe.
   if (is_axe) {
-    const math::Vec3 way = plan.aim_at - self.origin;
-    const float level = std::max(glm::length(math::Vec2(way)), 1.0f);
-    plan.velocity = distance > 60 ? math::Vec3(way.x, way.y, 0) * (400 / level) : math::Vec3(0.0f);
+    const math::Vec3 offset = plan.aim_at - self.origin;
+    const float level = std::max(glm::length(math::Vec2(offset)), 1.0f);
+    plan.velocity = distance > 60 ? math::Vec3(offset.x, offset.y, 0) * (400 / level) : math::Vec3(0.0f);
     if (!can_walk(world, self.entity, self.origin,
-                  self.origin + math::Vec3(way.x, way.y, 0) * (std::min(level, 48.0f) / level)))
+                  self.origin + math::Vec3(offset.x, offset.y, 0) * (std::min(level, 48.0f) / level)))
       plan.velocity = math::Vec3(0.0f);
   } else {
-    plan.velocity = choose_way(io_game, self, plan.aim_at, is_melee_class(name), now_s);
+    plan.velocity = choose_velocity(io_game, self, plan.aim_at, is_melee_class(name), now_s);
   }
   return plan;
 }

@@ -1,65 +1,81 @@
-// Whom a player fights, with what, and how he moves meanwhile.
+// Combat: chooses an enemy, a weapon, where to aim, and how to move meanwhile.
+//
+// The enemy is the nearest visible one, with a bonus for the current one and a penalty for monsters that have
+// not noticed the player. An enemy that loses no health for a while is ignored for some seconds. Aim leads
+// moving targets by the flight time of the missile.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <string_view>
 
-#include "scripted_player/decisions/dice.h"
+#include "scripted_player/decisions/random.h"
 #include "scripted_player/decisions/senses.h"
 #include "scripted_player/navigation/level_facts.h"
 
 namespace temblor::player {
 
+// What to do in this tick.
 struct FightPlan {
   vm::EntityIndex enemy{};
   math::Vec3 aim_at{0.0f};
-  math::Vec3 velocity{0.0f};  // wished
-  bool fires = false;         // if the view is on the target by then
+  // Wanted velocity in units/s.
+  math::Vec3 velocity{0.0f};
+  // Fires once the view is within tolerance_deg of aim_at.
+  bool fires = false;
   float tolerance_deg = 3;
-  int impulse = 0;                // changes the weapon
-  bool stands_and_fights = true;  // false: goes on, and shoots on the way
+  // Changes the weapon; 0: keeps it.
+  int impulse = 0;
+  // Stays and fights; otherwise the player continues on its way and shoots meanwhile.
+  bool stands_ground = true;
 };
 
-// Of the item bits the one of that class; 0: it is no weapon that he knows.
-int weapon_bit_of(std::string_view classname);
+// Returns the bit in `items` of a weapon's class name; 0 if it is not a known weapon.
+int find_weapon_bit(std::string_view classname);
 
 class Fighter {
  public:
-  Fighter(Dice& io_dice, bool fights_players) : dice_(&io_dice), fights_players_(fights_players) {}
+  // `io_dice` must outlive it.
+  Fighter(Random& io_dice, bool fights_players) : dice_(&io_dice), fights_players_(fights_players) {}
 
-  // One tick; nothing: there is nobody to fight.
+  // Plans one tick; nothing if there is no enemy.
   std::optional<FightPlan> fight(server::Game& io_game, const Self& self, double now_s);
-  // As of the last tick in which he fought.
+  // Returns whether the last call of fight() had an enemy.
   bool has_enemy() const { return enemy_.has_value(); }
-  // A weapon for something that does not fight back; 0: the one in hand will do.
+  // Returns the impulse for a weapon against a target that does not fight back, such as a button; 0 if the
+  // current one is right.
   static int impulse_for_target(const Self& self, float distance);
-  // How far that gets, with what he has left.
+  // Returns the range of the farthest such weapon that the player has ammunition for.
   static float reach_for_target(const Self& self);
 
  private:
-  struct Grudge {
+  struct EnemyRecord {
+    // When the fight began, when the enemy last lost health, and until when it is ignored.
     double since_s = 0, hit_s = 0, ignored_until_s = 0;
     float health = 0;
-    math::Vec3 seen_at{0.0f}, velocity{0.0f};  // monsters walk without having a velocity
+    // The velocity is measured, because the velocity field of walking monsters is 0.
+    math::Vec3 seen_at{0.0f}, velocity{0.0f};
     double seen_s = 0;
   };
-  static void note_motion(const math::Vec3& at, double now_s, Grudge& io_grudge);
+  static void update_velocity(const math::Vec3& at, double now_s, EnemyRecord& io_record);
   std::optional<vm::EntityIndex> choose(server::Game& io_game, const Self& self, double now_s);
-  math::Vec3 choose_way(server::Game& io_game, const Self& self, const math::Vec3& enemy, bool is_melee,
-                        double now_s);
+  math::Vec3 choose_velocity(server::Game& io_game, const Self& self, const math::Vec3& enemy, bool is_melee,
+                             double now_s);
 
   bool is_foe(server::Game& io_game, const Self& self, const server::Edict& edict) const;
   bool can_roll(const Self& self, const server::Edict& enemy, double now_s);
   bool is_shot_safe(server::Game& io_game, const Self& self, const math::Vec3& to) const;
 
-  Dice* dice_;
+  Random* dice_;
   bool fights_players_;
-  bool rolls_ = false;  // has a mind to use the weapon whose shots roll along the floor
-  double minded_until_s_ = 0;
-  std::map<std::uint32_t, Grudge> grudges_;
+  // Currently willing to use the weapon whose shots roll along the floor (weapon_tremor).
+  bool rolls_ = false;
+  double rolls_until_s_ = 0;
+  // By entity.
+  std::map<std::uint32_t, EnemyRecord> enemies_;
   std::optional<vm::EntityIndex> enemy_;
   double chosen_s_ = 0;
+  // Direction in which it circles the enemy: 1 or -1.
   float side_ = 1;
   double side_until_s_ = 0;
   double changed_weapon_s_ = 0;

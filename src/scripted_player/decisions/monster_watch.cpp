@@ -11,7 +11,9 @@ namespace {
 namespace field = server::field;
 
 constexpr double kIdle_s = 5;
-constexpr float kMoved_units = 10;  // along the floor: hops in a pen lead nowhere
+// Horizontal distance that counts as movement. Height does not count, because a monster may hop in place.
+constexpr float kMoved_units = 10;
+// At four checks per second, two seconds.
 constexpr int kStuckLooks = 8;
 
 bool is_in_wall(server::GameWorld& io_world, const server::Edict& edict) {
@@ -31,20 +33,22 @@ std::vector<std::string> MonsterWatch::idle() const {
   return lines;
 }
 
+// Returns whether the monster sees its enemy, a living player.
 bool MonsterWatch::fights(server::Game& io_game, const server::Edict& monster) const {
   server::GameWorld& world = io_game.world();
   const vm::EntityIndex enemy = monster[field::kEnemy];
   if (!world.edicts.is_client(enemy)) return false;
   const server::Edict player = world.edicts[enemy];
   if (player[field::kHealth] <= 0) return false;
-  return sees(world, monster.index(), monster[field::kOrigin] + monster[field::kViewOffset],
-              player[field::kOrigin] + player[field::kViewOffset]);
+  return can_see(world, monster.index(), monster[field::kOrigin] + monster[field::kViewOffset],
+                 player[field::kOrigin] + player[field::kViewOffset]);
 }
 
-// Standing, walking and running go on and on; blows, shots and pain come to their end.
-bool MonsterWatch::is_about_something(server::Game& io_game, const server::Edict& monster) const {
+// Returns whether its animation plays only once, such as an attack or pain. Those of standing and running
+// repeat. Reads fields of the shipped game code; with other game code, this is always false.
+bool MonsterWatch::plays_action(server::Game& io_game, const server::Edict& monster) const {
   const vm::FunctionIndex end = fields_.function(monster, "seq_end");
-  return end != vm::kNoFunction && io_game.machine().program().name_of(end) != "play_again";
+  return end != vm::kNoFunction && io_game.machine().program().function_name(end) != "play_again";
 }
 
 void MonsterWatch::look(server::Game& io_game, double now_s) {
@@ -58,7 +62,7 @@ void MonsterWatch::look(server::Game& io_game, double now_s) {
     Watched& watched = found->second;
     const math::Vec3 at = edict[field::kOrigin];
     if (is_new) watched = {.name = describe(io_game, entity), .at = at, .since_s = now_s};
-    // Lies, and will stand up again.
+    // A zombie that was knocked down is not solid until it stands up again.
     if (edict.solid() == server::Solid::kNot) {
       watched.since_s = now_s;
       continue;
@@ -67,24 +71,25 @@ void MonsterWatch::look(server::Game& io_game, double now_s) {
     if (watched.stuck_looks == kStuckLooks)
       stuck_.insert(fmt::format("{}, now at {:.0f} {:.0f} {:.0f}", watched.name, at.x, at.y, at.z));
 
-    // Whoever goes from one thing that it does to another, or attacks, is not idle.
-    watched.doings.insert(fields_.number(edict, "seq_first"));
-    watched.finishes.insert(fields_.number(edict, "attack_finished"));
-    if (glm::distance(math::Vec2(at), math::Vec2(watched.at)) > kMoved_units || watched.doings.size() > 1 ||
-        watched.finishes.size() > 1 || edict[field::kHealth] != watched.health ||
-        is_about_something(io_game, edict) || !fights(io_game, edict)) {
+    // A monster that changes its animation or attacks is not idle.
+    watched.animations.insert(fields_.number(edict, "seq_first"));
+    watched.attack_times.insert(fields_.number(edict, "attack_finished"));
+    if (glm::distance(math::Vec2(at), math::Vec2(watched.at)) > kMoved_units ||
+        watched.animations.size() > 1 || watched.attack_times.size() > 1 ||
+        edict[field::kHealth] != watched.health || plays_action(io_game, edict) || !fights(io_game, edict)) {
       watched.at = at;
       watched.health = edict[field::kHealth];
       watched.since_s = now_s;
-      watched.doings = {fields_.number(edict, "seq_first")};
-      watched.finishes = {fields_.number(edict, "attack_finished")};
+      watched.animations = {fields_.number(edict, "seq_first")};
+      watched.attack_times = {fields_.number(edict, "attack_finished")};
     } else if (now_s - watched.since_s > kIdle_s) {
       const math::Vec3 enemy = world.edicts.at(edict[field::kEnemy])[field::kOrigin];
       idle_.try_emplace(
           watched.name,
           fmt::format("{}: stands at {:.0f} {:.0f} {:.0f} and sees its enemy at {:.0f} {:.0f} {:.0f}",
                       watched.name, at.x, at.y, at.z, enemy.x, enemy.y, enemy.z));
-      watched.since_s = now_s + 1e6;  // once
+      // Report each monster once.
+      watched.since_s = now_s + 1e6;
     }
   }
 }

@@ -1,4 +1,7 @@
-// Monsters that do not work: in walls, or idle before their enemy's eyes.
+// Finds monsters that do not work: inside walls, or idle in sight of their enemy.
+//
+// A monster is idle if for five seconds it sees its enemy but neither moves, attacks, is hurt, nor changes
+// its animation.
 #pragma once
 
 #include <map>
@@ -15,28 +18,34 @@ class MonsterWatch {
  public:
   explicit MonsterWatch(server::Game& io_game);
 
-  // A few times a second.
+  // Checks all monsters. Call four times per second.
   void look(server::Game& io_game, double now_s);
+  // Both return messages: the monster and its position.
   std::vector<std::string> stuck() const { return {stuck_.begin(), stuck_.end()}; }
   std::vector<std::string> idle() const;
 
  private:
   struct Watched {
     std::string name;
-    math::Vec3 at{0.0f};  // where it was when it last did something
-    double since_s = 0;   // when that was
+    // Position, time, and health when it last did something.
+    math::Vec3 at{0.0f};
+    double since_s = 0;
     float health = 0;
-    int stuck_looks = 0;         // in a row
-    std::set<float> doings{};    // sequences of frames that it was in since then
-    std::set<float> finishes{};  // of attacks
+    // Consecutive checks inside a wall.
+    int stuck_looks = 0;
+    // First frames of the animations that it has played since then, and values of attack_finished. More than
+    // one value means that it did something.
+    std::set<float> animations{};
+    std::set<float> attack_times{};
   };
   bool fights(server::Game& io_game, const server::Edict& monster) const;
-  bool is_about_something(server::Game& io_game, const server::Edict& monster) const;
+  bool plays_action(server::Game& io_game, const server::Edict& monster) const;
 
   GameFields fields_;
   std::map<std::uint32_t, Watched> watched_;
   std::set<std::string> stuck_;
-  std::map<std::string, std::string> idle_;  // by monster
+  // Messages by monster.
+  std::map<std::string, std::string> idle_;
 };
 
 }  // namespace temblor::player

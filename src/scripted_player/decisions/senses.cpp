@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "movement/player.h"
+#include "movement/walk.h"
 #include "server/move_trace.h"
 
 namespace temblor::player {
@@ -21,14 +22,16 @@ server::EntityTrace trace(server::GameWorld& io_world, vm::EntityIndex player, c
                             server::MoveKind::kNoMonsters, player);
 }
 
-// Who stands there.
-bool burns_at(server::GameWorld& io_world, const math::Vec3& origin) {
+// Returns whether a player with that origin stands in lava or slime.
+bool is_in_lava_or_slime(server::GameWorld& io_world, const math::Vec3& origin) {
   const world::Contents feet =
       server::point_contents(io_world, origin + math::Vec3(0, 0, movement::kPlayerMins.z + 1));
   return feet == world::Contents::kLava || feet == world::Contents::kSlime;
 }
 
-// One step; false: there is none.
+// Moves `io_at` by one step to `to`, up or down stairs. Returns false if that is not possible.
+// Tries the straight line first, then a step up, as movement/walk.h does; then puts the player down on the
+// floor.
 bool step(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& to, math::Vec3& io_at) {
   math::Vec3 over = to;
   const auto across = trace(io_world, player, io_at, to);
@@ -42,12 +45,12 @@ bool step(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3&
   const auto down = trace(io_world, player, over, {over.x, over.y, io_at.z - movement::kStepHeight - 0.1f});
   if (down.trace.fraction == 1 || down.trace.plane_normal.z < movement::kFloorNormal) return false;
   io_at = down.trace.end;
-  return !burns_at(io_world, io_at);
+  return !is_in_lava_or_slime(io_world, io_at);
 }
 
 }  // namespace
 
-Self feel_self(server::Game& io_game, std::size_t slot) {
+Self read_self(server::Game& io_game, std::size_t slot) {
   const server::Edict edict = io_game.player(slot);
   Self self;
   self.entity = edict.index();
@@ -67,14 +70,16 @@ Self feel_self(server::Game& io_game, std::size_t slot) {
   return self;
 }
 
+// Follows the floor in steps of 16 units. The end may be up to two steps higher or lower than `to`, which is
+// often just above the floor.
 bool can_walk(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
               const math::Vec3& to) {
-  const math::Vec3 way(to.x - from.x, to.y - from.y, 0);
-  const float length = glm::length(way);
+  const math::Vec3 offset(to.x - from.x, to.y - from.y, 0);
+  const float length = glm::length(offset);
   math::Vec3 at = from;
   for (float done = 0; done < length;) {
     done = std::min(done + kStep_units, length);
-    const math::Vec3 next = from + way * (done / length);
+    const math::Vec3 next = from + offset * (done / length);
     if (!step(io_world, player, {next.x, next.y, at.z}, at)) return false;
   }
   return std::abs(at.z - to.z) < 2 * movement::kStepHeight;
@@ -85,25 +90,28 @@ bool can_swim(server::GameWorld& io_world, vm::EntityIndex player, const math::V
   return trace(io_world, player, from, to).trace.fraction == 1;
 }
 
-bool ends_in_fire(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
-                  const math::Vec3& to) {
+// Walks in a straight line as far as possible, then falls.
+bool leads_into_lava(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
+                     const math::Vec3& to) {
   constexpr float kDeepest_units = 4096;
   const math::Vec3 over = trace(io_world, player, from, to).trace.end;
-  return burns_at(io_world, trace(io_world, player, over, over - math::Vec3(0, 0, kDeepest_units)).trace.end);
+  return is_in_lava_or_slime(
+      io_world, trace(io_world, player, over, over - math::Vec3(0, 0, kDeepest_units)).trace.end);
 }
 
-bool sees(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from, const math::Vec3& to) {
+bool can_see(server::GameWorld& io_world, vm::EntityIndex player, const math::Vec3& from,
+             const math::Vec3& to) {
   return server::trace_move(io_world, from, {0, 0, 0}, {0, 0, 0}, to, server::MoveKind::kNoMonsters, player)
              .trace.fraction == 1;
 }
 
-math::Vec3 angles_towards(const math::Vec3& from, const math::Vec3& to) {
-  const math::Vec3 way = to - from;
-  const float level = glm::length(math::Vec2(way));
-  return {-std::atan2(way.z, level) * kDegrees, std::atan2(way.y, way.x) * kDegrees, 0};
+math::Vec3 angles_toward(const math::Vec3& from, const math::Vec3& to) {
+  const math::Vec3 offset = to - from;
+  const float level = glm::length(math::Vec2(offset));
+  return {-std::atan2(offset.z, level) * kDegrees, std::atan2(offset.y, offset.x) * kDegrees, 0};
 }
 
-float turn_between_deg(float from_deg, float to_deg) {
+float angle_difference_deg(float from_deg, float to_deg) {
   return std::remainder(to_deg - from_deg, 360.0f);
 }
 

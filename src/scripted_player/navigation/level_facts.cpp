@@ -12,11 +12,14 @@ using server::Edict;
 using server::Solid;
 namespace field = server::field;
 
+// Spawnflags of func_door and of triggers, as in stock Quake.
 constexpr int kDoorToggles = 32;
 constexpr int kGoldKeyDoor = 8, kSilverKeyDoor = 16;
 constexpr int kTriggerNoTouch = 1;
-constexpr std::size_t kMaxCorners = 31;  // states are bits of Demand::states
+// A train's states are bits of MoverCondition::states; 31 leaves room to compute (1 << states) - 1.
+constexpr std::size_t kMaxCorners = 31;
 
+// Reads each edict once, by its classname, and joins linked doors at the end.
 class Reader {
  public:
   explicit Reader(server::Game& io_game)
@@ -65,8 +68,9 @@ class Reader {
       read_obstacle(edict);
   }
 
-  std::optional<MoverPart> part_of(const Edict& edict) const {
-    const server::ServerModel* model = world_.model_of(edict);
+  // Returns the entity's brush model as a part without places; nothing if it has no brush model.
+  std::optional<MoverPart> find_part(const Edict& edict) const {
+    const server::ServerModel* model = world_.find_model(edict);
     if (model == nullptr || !model->brush_model) return std::nullopt;
     return MoverPart{edict.index(),
                      *model->brush_model,
@@ -74,17 +78,19 @@ class Reader {
                      {}};
   }
 
+  // Adds a mover with one part. `places` are the origins of its states; without any, it is no mover.
   void add_mover(const Edict& edict, Mover mover, std::vector<math::Vec3> places) {
-    std::optional<MoverPart> part = part_of(edict);
+    std::optional<MoverPart> part = find_part(edict);
     if (!part || places.empty()) return;
     mover.states = static_cast<int>(places.size());
     part->places = std::move(places);
     mover.parts.push_back(std::move(*part));
     mover.target_name = text(edict, field::kTargetName);
-    mover.describe = describe(game_, edict.index());
+    mover.description = describe(game_, edict.index());
     facts_.movers.push_back(std::move(mover));
   }
 
+  // A door opens automatically if it has no targetname, is not shot, and needs no key.
   void read_door(const Edict& edict) {
     const int flags = edict.whole(field::kSpawnFlags);
     Mover door{.kind = MoverKind::kDoor};
@@ -93,7 +99,7 @@ class Reader {
     door.toggles = (flags & kDoorToggles) != 0;
     if ((flags & kSilverKeyDoor) != 0) door.key = kSilverKey;
     if ((flags & kGoldKeyDoor) != 0) door.key = kGoldKey;
-    door.opens_by_itself = text(edict, field::kTargetName).empty() && !door.is_shot && door.key == 0;
+    door.opens_automatically = text(edict, field::kTargetName).empty() && !door.is_shot && door.key == 0;
     add_mover(edict, door, {fields_.vector(edict, "place_closed"), fields_.vector(edict, "place_open")});
     add_activator(edict, ActivatorKind::kOpen);
   }
@@ -110,10 +116,11 @@ class Reader {
 
   void read_lift(const Edict& edict) {
     Mover lift{.kind = MoverKind::kLift};
-    lift.opens_by_itself = text(edict, field::kTargetName).empty();
+    lift.opens_automatically = text(edict, field::kTargetName).empty();
     add_mover(edict, lift, {fields_.vector(edict, "place_closed"), fields_.vector(edict, "place_open")});
   }
 
+  // Returns the first entity with that targetname.
   std::optional<vm::EntityIndex> find_named(std::string_view target_name) const {
     if (target_name.empty()) return std::nullopt;
     for (std::uint32_t i = 1; i < world_.edicts.count(); ++i) {
@@ -126,9 +133,10 @@ class Reader {
 
   void read_train(const Edict& edict) {
     Mover train{.kind = MoverKind::kTrain};
-    train.opens_by_itself = text(edict, field::kTargetName).empty();
+    train.opens_automatically = text(edict, field::kTargetName).empty();
     std::vector<math::Vec3> places;
-    // It has been put onto its first corner, or is under way there, and aims at the next.
+    // Follow the targets from corner to corner until one repeats. A train's origin is at a corner minus its
+    // mins.
     std::vector<vm::EntityIndex> corners;
     for (std::optional<vm::EntityIndex> corner = first_corner(edict);
          corner && corners.size() < kMaxCorners &&
@@ -140,10 +148,11 @@ class Reader {
     add_mover(edict, train, places);
   }
 
+  // The train's target is its next corner. Returns the corner before it if the train stands there, so that
+  // the first corner of a path that is no loop is a state, too.
   std::optional<vm::EntityIndex> first_corner(const Edict& edict) const {
     const std::optional<vm::EntityIndex> next = find_named(text(edict, field::kTarget));
     if (!next) return std::nullopt;
-    // The corner before the next, where it stands, so that a line's beginning is not left out.
     const std::string name = text(world_.edicts[*next], field::kTargetName);
     for (std::uint32_t i = 1; i < world_.edicts.count(); ++i) {
       const vm::EntityIndex index{i};
@@ -156,15 +165,18 @@ class Reader {
     return next;
   }
 
+  // Both states have the same position; NavSpace ignores a wall in state 1.
   void read_breakable(const Edict& edict) {
     Mover wall{.kind = MoverKind::kWall};
     wall.is_shot = edict[field::kTakeDamage] != 0;
     add_mover(edict, wall, {edict[field::kOrigin], edict[field::kOrigin]});
   }
 
+  // A button is an obstacle. Its motion is so small that it counts as static.
   void read_button(const Edict& edict) {
     add_activator(edict, edict[field::kHealth] > 0 ? ActivatorKind::kShoot : ActivatorKind::kPress);
-    if (const auto part = part_of(edict)) facts_.still_models.push_back({part->model, edict[field::kOrigin]});
+    if (const auto part = find_part(edict))
+      facts_.static_models.push_back({part->model, edict[field::kOrigin]});
   }
 
   void read_trigger(const Edict& edict, const std::string& name) {
@@ -173,7 +185,7 @@ class Reader {
       facts_.relays.push_back({target, text(edict, "killtarget"), text(edict, field::kTargetName)});
       return;
     }
-    Trigger trigger{.entity = edict.index(), .box = box_of(edict), .look = edict[field::kMoveDirection]};
+    Trigger trigger{.entity = edict.index(), .box = entity_box(edict), .look = edict[field::kMoveDirection]};
     if (name == "trigger_teleport") {
       trigger.kind = TriggerKind::kTeleport;
       trigger.needs_use = !text(edict, field::kTargetName).empty();
@@ -188,6 +200,7 @@ class Reader {
       trigger.damage = fields_.number(edict, "dmg");
     } else if (name == "trigger_push") {
       trigger.kind = TriggerKind::kPush;
+      // trigger_push multiplies its speed by 10, as in stock Quake.
       trigger.velocity = edict[field::kMoveDirection] * fields_.number(edict, "speed") * 10.0f;
     } else if (name == "trigger_multiple" || name == "trigger_once" || name == "trigger_secret" ||
                name == "trigger_onlyregistered") {
@@ -198,6 +211,7 @@ class Reader {
     facts_.triggers.push_back(trigger);
   }
 
+  // A trigger that fires its targets: shot, touched, or fired by another entity, or several of these.
   void read_firing_trigger(const Edict& edict, const std::string& name, Trigger& io_trigger) {
     if (name == "trigger_secret") {
       io_trigger.kind = TriggerKind::kSecret;
@@ -207,7 +221,6 @@ class Reader {
       add_activator(edict, ActivatorKind::kShoot);
     else if ((edict.whole(field::kSpawnFlags) & kTriggerNoTouch) == 0)
       add_activator(edict, ActivatorKind::kTouch);
-    // Fired by others, it hands on.
     if (!text(edict, field::kTargetName).empty())
       facts_.relays.push_back(
           {text(edict, field::kTarget), text(edict, "killtarget"), text(edict, field::kTargetName)});
@@ -219,14 +232,17 @@ class Reader {
                         .target = text(edict, field::kTarget),
                         .kill_target = text(edict, "killtarget"),
                         .target_name = text(edict, field::kTargetName),
-                        .box = box_of(edict),
+                        .box = entity_box(edict),
                         .look = edict[field::kMoveDirection],
-                        .describe = describe(game_, edict.index())};
+                        .description = describe(game_, edict.index())};
+    // Only triggers check the player's view direction; for buttons and doors the field is their own direction
+    // of motion.
     if (kind != ActivatorKind::kTouch) activator.look = math::Vec3(0.0f);
     if (activator.target.empty() && activator.kill_target.empty()) return;
     facts_.activators.push_back(std::move(activator));
   }
 
+  // Any info_notnull whose targetname is not "stop" and a number is something else.
   void read_stop(const Edict& edict) {
     static constexpr std::string_view kName = "stop";
     const std::string name = text(edict, field::kTargetName);
@@ -243,22 +259,25 @@ class Reader {
     facts_.stops.push_back(std::move(stop));
   }
 
+  // Everything else that is solid: brush models, which a targetname lets game code remove, and boxes that
+  // cannot be shot.
   void read_obstacle(const Edict& edict) {
     if (edict.solid() == Solid::kBsp) {
-      const std::optional<MoverPart> part = part_of(edict);
+      const std::optional<MoverPart> part = find_part(edict);
       if (part && !text(edict, field::kTargetName).empty()) {
         add_mover(edict, Mover{.kind = MoverKind::kWall}, {edict[field::kOrigin], edict[field::kOrigin]});
       } else if (part) {
-        facts_.still_models.push_back({part->model, edict[field::kOrigin]});
+        facts_.static_models.push_back({part->model, edict[field::kOrigin]});
       } else {
-        facts_.still_boxes.push_back(box_of(edict));
+        facts_.static_boxes.push_back(entity_box(edict));
       }
     } else if (edict.solid() == Solid::kBox && edict[field::kTakeDamage] == 0) {
-      facts_.still_boxes.push_back(box_of(edict));
+      facts_.static_boxes.push_back(entity_box(edict));
     }
   }
 
-  // Linked doors become one mover, led by their leader.
+  // Merges doors with the same leader into one mover. It opens automatically only if each door does, and
+  // takes its targetname and key from the first door that has one.
   void join_doors() {
     std::vector<Mover> joined;
     std::vector<vm::EntityIndex> leaders;
@@ -274,7 +293,7 @@ class Reader {
       }
       Mover& first = joined[static_cast<std::size_t>(at - leaders.begin())];
       first.parts.push_back(std::move(mover.parts[0]));
-      first.opens_by_itself = first.opens_by_itself && mover.opens_by_itself;
+      first.opens_automatically = first.opens_automatically && mover.opens_automatically;
       first.is_shot |= mover.is_shot;
       if (first.target_name.empty()) first.target_name = mover.target_name;
       if (first.key == 0) first.key = mover.key;
@@ -319,7 +338,7 @@ vm::FunctionIndex GameFields::function(const Edict& edict, std::string_view name
   return at ? edict[server::Field<vm::FunctionIndex>{*at}] : vm::kNoFunction;
 }
 
-int LevelFacts::mover_of(vm::EntityIndex entity) const {
+int LevelFacts::find_mover(vm::EntityIndex entity) const {
   for (std::size_t i = 0; i < movers.size(); ++i)
     for (const MoverPart& part : movers[i].parts)
       if (part.entity == entity) return static_cast<int>(i);
@@ -335,19 +354,19 @@ std::string class_name(server::Game& io_game, vm::EntityIndex entity) {
 }
 
 std::string describe(server::Game& io_game, vm::EntityIndex entity) {
-  const math::Vec3 at = middle_of(box_of(io_game.world().edicts.at(entity)));
+  const math::Vec3 at = box_center(entity_box(io_game.world().edicts.at(entity)));
   return fmt::format("{} at {:.0f} {:.0f} {:.0f}", class_name(io_game, entity), at.x, at.y, at.z);
 }
 
-math::Vec3 middle_of(const math::Bounds& box) {
+math::Vec3 box_center(const math::Bounds& box) {
   return (box.mins + box.maxs) * 0.5f;
 }
 
-math::Bounds box_of(const Edict& edict) {
+math::Bounds entity_box(const Edict& edict) {
   return {edict[field::kOrigin] + edict[field::kMins], edict[field::kOrigin] + edict[field::kMaxs]};
 }
 
-bool boxes_meet(const math::Bounds& a, const math::Bounds& b) {
+bool boxes_overlap(const math::Bounds& a, const math::Bounds& b) {
   for (int axis = 0; axis < 3; ++axis)
     if (a.mins[axis] > b.maxs[axis] || b.mins[axis] > a.maxs[axis]) return false;
   return true;

@@ -7,6 +7,7 @@ namespace {
 
 namespace field = server::field;
 
+// A mover this near to the position of a state is in it.
 constexpr float kThere_units = 2, kTrainThere_units = 12;
 
 }  // namespace
@@ -16,7 +17,7 @@ void MoverWatch::look(server::Game& io_game, int items) {
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     const Mover& mover = facts_->movers[i];
     const MoverPart& part = mover.parts[0];
-    Seen& seen = seen_[i];
+    MoverStatus& seen = seen_[i];
     server::GameWorld& world = io_game.world();
     if (!server::is_there(world, part.entity) || world.edicts[part.entity].solid() != server::Solid::kBsp) {
       seen.is_gone = true;
@@ -28,49 +29,57 @@ void MoverWatch::look(server::Game& io_game, int items) {
     seen.origin = edict[field::kOrigin];
     seen.velocity = edict[field::kVelocity];
     seen.is_moving = seen.velocity != math::Vec3(0.0f);
-    seen.waits = edict[field::kNextThink] <= edict[field::kLocalTime];
-    if (seen.is_there && seen.origin != before) seen.has_moved = true;
-    seen.is_there = true;
+    seen.is_idle = edict[field::kNextThink] <= edict[field::kLocalTime];
+    if (seen.is_known && seen.origin != before) seen.has_moved = true;
+    seen.is_known = true;
+    // Backward, so that the lowest state wins where two share a position.
     seen.state = seen.heads_for = -1;
     const float near = mover.kind == MoverKind::kTrain ? kTrainThere_units : kThere_units;
     for (int state = mover.states - 1; state >= 0; --state) {
-      const math::Vec3 way = part.places[static_cast<std::size_t>(state)] - seen.origin;
-      if (glm::length(way) < near) seen.state = state;
-      if (seen.is_moving && glm::length(way) > 0 &&
-          glm::dot(way, seen.velocity) > 0.99f * glm::length(way) * glm::length(seen.velocity))
+      const math::Vec3 offset = part.places[static_cast<std::size_t>(state)] - seen.origin;
+      if (glm::length(offset) < near) seen.state = state;
+      // Within 8 degrees of the direction to that state.
+      if (seen.is_moving && glm::length(offset) > 0 &&
+          glm::dot(offset, seen.velocity) > 0.99f * glm::length(offset) * glm::length(seen.velocity))
         seen.heads_for = state;
     }
     if (seen.state == mover.states - 1) seen.was_opened = true;
   }
 }
 
+// Removed movers are no obstacle in any state. A lift that has moved once is in service, even if it had to be
+// activated.
 Access MoverWatch::access(int mover, int state) const {
   const Mover& m = facts_->movers[static_cast<std::size_t>(mover)];
-  const Seen& seen = seen_[static_cast<std::size_t>(mover)];
+  const MoverStatus& seen = seen_[static_cast<std::size_t>(mover)];
   if (seen.is_gone) return Access::kNow;
   if (m.kind == MoverKind::kWall) return state == 0 ? Access::kNow : Access::kLocked;
   if (seen.state == state || seen.heads_for == state) return Access::kNow;
   if (m.kind == MoverKind::kTrain) return access_train(m, seen);
   if (m.kind == MoverKind::kLift)
-    return m.opens_by_itself || seen.has_moved ? Access::kSelf : Access::kLocked;
+    return m.opens_automatically || seen.has_moved ? Access::kAutomatic : Access::kLocked;
   return access_door(m, seen, state);
 }
 
-Access MoverWatch::access_door(const Mover& mover, const Seen& seen, int state) const {
+// Opening (state > 0) takes a touch, a key, or an activation. Closing (state 0) happens without help, unless
+// the door toggles or stays open; key doors always stay open.
+Access MoverWatch::access_door(const Mover& mover, const MoverStatus& seen, int state) const {
   if (state == 0) {
     if (mover.toggles) return Access::kLocked;
-    return mover.stays_open || mover.key != 0 ? Access::kNever : Access::kSelf;
+    return mover.stays_open || mover.key != 0 ? Access::kNever : Access::kAutomatic;
   }
-  // A secret door on its way out, or back to come again.
-  if (mover.kind == MoverKind::kSecretDoor && seen.state != 0) return Access::kSelf;
-  if (mover.key != 0) return (items_ & mover.key) != 0 ? Access::kSelf : Access::kLocked;
-  return mover.opens_by_itself ? Access::kSelf : Access::kLocked;
+  // A secret door that is not closed passes its other states without help.
+  if (mover.kind == MoverKind::kSecretDoor && seen.state != 0) return Access::kAutomatic;
+  if (mover.key != 0) return (items_ & mover.key) != 0 ? Access::kAutomatic : Access::kLocked;
+  return mover.opens_automatically ? Access::kAutomatic : Access::kLocked;
 }
 
-Access MoverWatch::access_train(const Mover& mover, const Seen& seen) const {
-  if (!seen.is_moving && seen.waits)
-    return seen.has_moved || mover.opens_by_itself ? Access::kNever : Access::kLocked;
-  return Access::kSelf;
+// A moving train passes all its corners. One that has stopped for good, after it has moved, never starts
+// again.
+Access MoverWatch::access_train(const Mover& mover, const MoverStatus& seen) const {
+  if (!seen.is_moving && seen.is_idle)
+    return seen.has_moved || mover.opens_automatically ? Access::kNever : Access::kLocked;
+  return Access::kAutomatic;
 }
 
 Access MoverWatch::access_any(int mover, std::uint32_t states) const {
@@ -81,7 +90,7 @@ Access MoverWatch::access_any(int mover, std::uint32_t states) const {
 }
 
 bool MoverWatch::is_in(int mover, std::uint32_t states) const {
-  const Seen& seen = seen_[static_cast<std::size_t>(mover)];
+  const MoverStatus& seen = seen_[static_cast<std::size_t>(mover)];
   if (seen.is_gone) return true;
   return seen.state >= 0 && (states >> seen.state & 1) != 0;
 }

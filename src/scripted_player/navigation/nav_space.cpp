@@ -4,32 +4,40 @@
 #include <limits>
 
 #include "movement/player.h"
-#include "movement/settings.h"
+#include "movement/walk.h"
 #include "server/move_trace.h"
 
 namespace temblor::player {
 namespace {
 
+// Deeper than any drop in a level.
 constexpr float kDeepest_units = 4096;
 constexpr math::Bounds kPlayerBox{movement::kPlayerMins, movement::kPlayerMaxs};
+// Slack for bounding box tests, so that rounding never hides a contact.
 constexpr float kNear_units = 2;
 constexpr float kFlightStep_s = 1.0f / 72;
+// A flight with a push on the way, such as wind in a shaft, lasts longer.
 constexpr float kMaxFlight_s = 4, kMaxThrow_s = 12;
+// Defaults of sv_gravity, sv_maxspeed, and sv_maxvelocity.
 constexpr float kGravity = 800, kMaxSpeed = 320, kMaxVelocity = 2000;
+// Air acceleration works only up to this speed along the wish direction, as in stock Quake.
 constexpr float kSteerSpeed = 30;
 
-bool box_may_meet(const math::Bounds& box, const math::Vec3& start, const math::Vec3& end) {
+// Returns whether the box of the line touches `box`. A cheap test before a trace through the box's model.
+bool may_touch(const math::Bounds& box, const math::Vec3& start, const math::Vec3& end) {
   const math::Vec3 low = glm::min(start, end), high = glm::max(start, end);
   for (int axis = 0; axis < 3; ++axis)
     if (low[axis] > box.maxs[axis] || high[axis] < box.mins[axis]) return false;
   return true;
 }
 
-math::Bounds grown_by_player(const math::Bounds& box) {
+math::Bounds grow_by_player(const math::Bounds& box) {
   return {box.mins - kPlayerBox.maxs - kNear_units, box.maxs - kPlayerBox.mins + kNear_units};
 }
 
-void meet(const world::Trace& trace, int mover, Meeting& io_nearest) {
+// Replaces the nearest hit if this trace ends earlier. A trace that starts in something solid marks the
+// result, too.
+void keep_nearer(const world::Trace& trace, int mover, NavTrace& io_nearest) {
   const bool is_nearer = trace.fraction < io_nearest.trace.fraction;
   if (trace.start_solid || trace.all_solid) {
     io_nearest.trace.start_solid = true;
@@ -42,15 +50,16 @@ void meet(const world::Trace& trace, int mover, Meeting& io_nearest) {
   io_nearest.mover = mover;
 }
 
-// Falls among movers that stand still.
-class Faller : public movement::Environment {
+// Connects the movement code to a NavSpace: the obstacle's number is the mover's index + 1, so 0 is the
+// world. There is no game code, so touch functions do nothing.
+class FlightEnvironment : public movement::Environment {
  public:
-  Faller(const NavSpace& space, std::span<const MoverPlace> movers) : space_(space), movers_(movers) {}
+  FlightEnvironment(const NavSpace& space, std::span<const MoverPlace> movers)
+      : space_(space), movers_(movers) {}
   movement::Contact trace(const math::Vec3& start, const math::Vec3& end) override {
-    const Meeting meeting = space_.trace(start, end, movers_);
-    last_mover_ = meeting.mover;
-    return {meeting.trace, static_cast<std::uint32_t>(meeting.mover + 1),
-            meeting.trace.fraction < 1 || meeting.trace.start_solid, true};
+    const NavTrace hit = space_.trace(start, end, movers_);
+    return {hit.trace, static_cast<std::uint32_t>(hit.mover + 1),
+            hit.trace.fraction < 1 || hit.trace.start_solid, true};
   }
   movement::Contact trace_push(const math::Vec3& start, const math::Vec3& end) override {
     return trace(start, end);
@@ -61,7 +70,6 @@ class Faller : public movement::Environment {
  private:
   const NavSpace& space_;
   std::span<const MoverPlace> movers_;
-  int last_mover_ = -1;
 };
 
 }  // namespace
@@ -74,7 +82,7 @@ NavSpace::NavSpace(std::shared_ptr<const world::Level> level, const LevelFacts& 
       const math::Bounds box = mover_box(static_cast<int>(i), state);
       reach = {glm::min(reach.mins, box.mins), glm::max(reach.maxs, box.maxs)};
     }
-    reach_.push_back(grown_by_player(reach));
+    reach_.push_back(grow_by_player(reach));
   }
 }
 
@@ -93,29 +101,33 @@ math::Bounds NavSpace::mover_box(int mover, int state) const {
   return box;
 }
 
-Meeting NavSpace::trace(const math::Vec3& start, const math::Vec3& end,
-                        std::span<const MoverPlace> movers) const {
-  Meeting nearest{world::trace_box_through(*level_, world::ModelIndex{0}, {0, 0, 0}, kPlayerBox, start, end),
-                  -1};
-  for (const StillModel& still : facts_->still_models) {
+// Keeps the nearest hit of: the world, static models, static boxes, and the parts of the movers in their
+// states.
+NavTrace NavSpace::trace(const math::Vec3& start, const math::Vec3& end,
+                         std::span<const MoverPlace> movers) const {
+  NavTrace nearest{
+      world::trace_box_through_model(*level_, world::ModelIndex{0}, {0, 0, 0}, kPlayerBox, start, end), -1};
+  for (const StaticModel& still : facts_->static_models) {
     const math::Bounds& box = level_->models[base::to_size(still.model)].bounds;
-    if (!box_may_meet(grown_by_player({box.mins + still.origin, box.maxs + still.origin}), start, end))
-      continue;
-    meet(world::trace_box_through(*level_, still.model, still.origin, kPlayerBox, start, end), -1, nearest);
+    if (!may_touch(grow_by_player({box.mins + still.origin, box.maxs + still.origin}), start, end)) continue;
+    keep_nearer(world::trace_box_through_model(*level_, still.model, still.origin, kPlayerBox, start, end),
+                -1, nearest);
   }
-  for (const math::Bounds& box : facts_->still_boxes) {
+  for (const math::Bounds& box : facts_->static_boxes) {
+    // A box against a box is a line against the sum of both.
     const math::Bounds grown{box.mins - kPlayerBox.maxs, box.maxs - kPlayerBox.mins};
-    if (box_may_meet(grown_by_player(box), start, end))
-      meet(server::trace_box(grown, start, end), -1, nearest);
+    if (may_touch(grow_by_player(box), start, end))
+      keep_nearer(server::trace_box(grown, start, end), -1, nearest);
   }
   for (const MoverPlace& place : movers) {
     const Mover& mover = facts_->movers[static_cast<std::size_t>(place.mover)];
     if (mover.kind == MoverKind::kWall && place.state != 0) continue;
     for (const MoverPart& part : mover.parts) {
-      if (!box_may_meet(grown_by_player(part_box(part, place.state)), start, end)) continue;
-      meet(world::trace_box_through(*level_, part.model, part.places[static_cast<std::size_t>(place.state)],
-                                    kPlayerBox, start, end),
-           place.mover, nearest);
+      if (!may_touch(grow_by_player(part_box(part, place.state)), start, end)) continue;
+      keep_nearer(world::trace_box_through_model(*level_, part.model,
+                                                 part.places[static_cast<std::size_t>(place.state)],
+                                                 kPlayerBox, start, end),
+                  place.mover, nearest);
     }
   }
   return nearest;
@@ -128,27 +140,28 @@ bool NavSpace::is_free(const math::Vec3& place, std::span<const MoverPlace> move
 bool NavSpace::is_line_free(const math::Vec3& from, const math::Vec3& to) const {
   if (world::trace_line(*level_, world::ModelIndex{0}, world::Hull::kPoint, from, to).fraction < 1)
     return false;
-  for (const StillModel& still : facts_->still_models)
+  for (const StaticModel& still : facts_->static_models)
     if (world::trace_line(*level_, still.model, world::Hull::kPoint, from - still.origin, to - still.origin)
             .fraction < 1)
       return false;
   return true;
 }
 
+// A hit is allowed if it is on the target's box.
 bool NavSpace::is_line_free_of_movers(const math::Vec3& from, const math::Vec3& to,
                                       const math::Bounds& target) const {
-  const auto is_free_of = [&](world::ModelIndex model, const math::Vec3& origin) {
+  const auto is_free_from = [&](world::ModelIndex model, const math::Vec3& origin) {
     const world::Trace trace =
         world::trace_line(*level_, model, world::Hull::kPoint, from - origin, to - origin);
     if (trace.fraction == 1) return true;
     const math::Vec3 at = trace.end + origin;
-    return boxes_meet({at - kNear_units, at + kNear_units}, target);
+    return boxes_overlap({at - kNear_units, at + kNear_units}, target);
   };
-  for (const StillModel& still : facts_->still_models)
-    if (!is_free_of(still.model, still.origin)) return false;
+  for (const StaticModel& still : facts_->static_models)
+    if (!is_free_from(still.model, still.origin)) return false;
   for (const Mover& mover : facts_->movers)
     for (const MoverPart& part : mover.parts)
-      if (!is_free_of(part.model, part.places[0])) return false;
+      if (!is_free_from(part.model, part.places[0])) return false;
   return true;
 }
 
@@ -159,9 +172,10 @@ world::Contents NavSpace::contents(const math::Vec3& point) const {
 }
 
 int NavSpace::water_level(const math::Vec3& place) const {
-  return movement::water_around(place, {}, [&](const math::Vec3& point) { return contents(point); }).level;
+  return movement::find_water(place, {}, [&](const math::Vec3& point) { return contents(point); }).level;
 }
 
+// Tests the point 1 unit above the feet, where movement::find_water() tests for liquids.
 bool NavSpace::is_in_lava(const math::Vec3& place) const {
   return contents(place + math::Vec3(0, 0, kPlayerBox.mins.z + 1)) == world::Contents::kLava;
 }
@@ -181,16 +195,16 @@ bool NavSpace::is_in_slime(const math::Vec3& place) const {
 void NavSpace::movers_near(const math::Bounds& origins, std::vector<int>& out_movers) const {
   out_movers.clear();
   for (std::size_t i = 0; i < reach_.size(); ++i)
-    if (boxes_meet(reach_[i], origins)) out_movers.push_back(static_cast<int>(i));
+    if (boxes_overlap(reach_[i], origins)) out_movers.push_back(static_cast<int>(i));
 }
 
 namespace {
 
-// Wind, and whatever else throws: it sets the velocity of whoever is in it.
-const Trigger* push_at(const NavSpace& space, const math::Vec3& at) {
+// Returns the first trigger_push that a player there touches; null if there is none.
+const Trigger* find_push(const NavSpace& space, const math::Vec3& at) {
   const math::Bounds box{at + kPlayerBox.mins, at + kPlayerBox.maxs};
   for (const Trigger& trigger : space.facts().triggers)
-    if (trigger.kind == TriggerKind::kPush && boxes_meet(box, trigger.box)) return &trigger;
+    if (trigger.kind == TriggerKind::kPush && boxes_overlap(box, trigger.box)) return &trigger;
   return nullptr;
 }
 
@@ -198,11 +212,11 @@ const Trigger* push_at(const NavSpace& space, const math::Vec3& at) {
 
 FlightEnd fly(const NavSpace& space, const math::Vec3& from, const Flight& flight,
               std::span<const MoverPlace> movers) {
-  Faller environment(space, movers);
+  FlightEnvironment environment(space, movers);
   movement::Body body{.origin = from, .velocity = flight.velocity};
   float longest_s = kMaxFlight_s;
   for (float time_s = 0; time_s < longest_s; time_s += kFlightStep_s) {
-    if (const Trigger* push = push_at(space, body.origin)) {
+    if (const Trigger* push = find_push(space, body.origin)) {
       body.velocity = push->velocity;
       longest_s = kMaxThrow_s;
     }
@@ -211,7 +225,7 @@ FlightEnd fly(const NavSpace& space, const math::Vec3& from, const Flight& fligh
       body.velocity += flight.direction * std::min(kSteerSpeed - along, 10 * kMaxSpeed * kFlightStep_s);
     body.velocity.z = std::max(body.velocity.z - kGravity * kFlightStep_s, -kMaxVelocity);
     body.on_ground = false;
-    // Nothing here can fail: nobody is called.
+    // Only touch functions fail, and there are none.
     if (!movement::slide(body, kFlightStep_s, environment).ok()) return {};
     const world::Contents feet = space.contents(body.origin + math::Vec3(0, 0, kPlayerBox.mins.z + 1));
     if (feet == world::Contents::kLava) return {};

@@ -1,5 +1,8 @@
-// What a player's box meets in a level, with its moving parts in states of one's choice. Other players,
-// monsters and items are not in it.
+// The space that a player can occupy in a level, for any combination of states of its movers.
+//
+// Traces use the player's clip hull, as real movement does, against the world, brush models that never move,
+// and the movers that the caller places. Other players, monsters, and items are ignored, because they are
+// elsewhere by the time a player gets there. A "place" below is a player's origin, 24 units above its feet.
 #pragma once
 
 #include <memory>
@@ -14,15 +17,16 @@
 
 namespace temblor::player {
 
-// Where a moving part is: in a state, or somewhere (`offset` of each part from its first place).
+// A mover in one of its states.
 struct MoverPlace {
   int mover = -1;
   int state = 0;
 };
 
-struct Meeting {
+struct NavTrace {
   world::Trace trace;
-  int mover = -1;  // what stopped it; -1: nothing, or what never moves
+  // The mover that stopped the trace; -1: nothing did, or something that never moves.
+  int mover = -1;
 };
 
 class NavSpace {
@@ -33,44 +37,58 @@ class NavSpace {
   const LevelFacts& facts() const { return *facts_; }
   const world::Level& level() const { return *level_; }
 
-  // The player's box, among what never moves and these.
-  Meeting trace(const math::Vec3& start, const math::Vec3& end, std::span<const MoverPlace> movers) const;
+  // Traces the player's box through everything that never moves and through `movers`. Movers that are not
+  // listed are ignored.
+  NavTrace trace(const math::Vec3& start, const math::Vec3& end, std::span<const MoverPlace> movers) const;
+  // Returns whether a player at that place is not inside something solid.
   bool is_free(const math::Vec3& place, std::span<const MoverPlace> movers) const;
-  // A line as shots go, among what never moves.
+  // Returns whether a shot passes between two points. Movers do not block it.
   bool is_line_free(const math::Vec3& from, const math::Vec3& to) const;
-  // Nor is a door or the like, as it stands at first, before that box, which may be one's own.
+  // Returns whether no brush model outside `target` blocks a shot, with all movers in their first state. The
+  // target may be a brush model itself.
   bool is_line_free_of_movers(const math::Vec3& from, const math::Vec3& to, const math::Bounds& target) const;
+  // Contents of the world; currents count as water.
   world::Contents contents(const math::Vec3& point) const;
-  // 0 to 3, as movement has it.
+  // Depth of a player at that place: 0 dry, 1 feet, 2 waist, 3 eyes (movement::Water).
   int water_level(const math::Vec3& place) const;
+  // Returns whether the feet of a player at that place are in lava.
   bool is_in_lava(const math::Vec3& place) const;
-  // The point, and whatever falls from it.
+  // Returns whether a point that falls straight down from there ends in lava.
   bool is_above_lava(const math::Vec3& point) const;
   bool is_in_slime(const math::Vec3& place) const;
-  // Movers that a player may meet within that box (of his origin), in any of their states.
+  // Sets `out_movers` to the movers that a player with its origin in that box may touch, in any of their
+  // states.
   void movers_near(const math::Bounds& origins, std::vector<int>& out_movers) const;
-  // A part's box, in a state.
+  // Returns a part's box in that state.
   static math::Bounds part_box(const MoverPart& part, int state);
+  // Returns the box around all parts in that state.
   math::Bounds mover_box(int mover, int state) const;
 
  private:
   std::shared_ptr<const world::Level> level_;
   const LevelFacts* facts_;
-  std::vector<math::Bounds> reach_;  // by mover: all its states, grown by a player
+  // By mover: the origins at which a player may touch it in any of its states.
+  std::vector<math::Bounds> reach_;
 };
 
-// How a player falls or flies, until he stands, swims or is dead.
+// A jump, fall, or push.
 struct Flight {
   enum class End { kStands, kSwims, kLost };
-  math::Vec3 velocity{0.0f};   // at the start
-  math::Vec3 direction{0.0f};  // of the wish on the way, level, of length 1 or 0
+  // Initial velocity in units/s.
+  math::Vec3 velocity{0.0f};
+  // Direction in which the player steers in the air: horizontal, of length 1, or 0 for none.
+  math::Vec3 direction{0.0f};
 };
 struct FlightEnd {
+  // kLost: in lava, or still in the air after a few seconds.
   Flight::End end = Flight::End::kLost;
   math::Vec3 place{0.0f};
-  int mover = -1;  // stands on that
+  // The mover that the player stands on; -1: none.
+  int mover = -1;
   float time_s = 0;
 };
+// Simulates a flight with the real movement code (movement::slide) at 72 ticks per second, until the player
+// stands or swims. Pushes on the way (trigger_push) set the velocity.
 FlightEnd fly(const NavSpace& space, const math::Vec3& from, const Flight& flight,
               std::span<const MoverPlace> movers);
 

@@ -1,4 +1,3 @@
-// Method: Dijkstra's (1959), with a binary heap.
 #include "scripted_player/navigation/router.h"
 
 #include <algorithm>
@@ -8,6 +7,8 @@ namespace temblor::player {
 namespace {
 
 constexpr float kUnreached = 1e9f;
+// All in units of walking. A locked mover costs more than nearly any way around it. Waiting for a mover takes
+// about as long as walking 120 units.
 constexpr float kLockedCost = 6000, kWaitCost = 120, kDeadEndCost = 3000;
 
 }  // namespace
@@ -15,45 +16,49 @@ constexpr float kLockedCost = 6000, kWaitCost = 120, kDeadEndCost = 3000;
 Router::Router(const NavGraph& graph, const MoverWatch& movers)
     : graph_(&graph), movers_(&movers), is_goal_(graph.places().size()) {}
 
-void Router::blame(std::uint32_t from, std::uint32_t to, float cost) {
-  last_blamed_ = {from, to};
-  blamed_[*last_blamed_] += cost;
+void Router::penalize_link(std::uint32_t from, std::uint32_t to, float cost) {
+  last_penalized_ = {from, to};
+  penalties_[*last_penalized_] += cost;
 }
 
-void Router::keep_last_blame() {
-  if (!last_blamed_) return;
-  kept_[*last_blamed_] += kDeadEndCost;
-  blamed_[*last_blamed_] += kDeadEndCost;
-  last_blamed_.reset();
+void Router::keep_last_penalty() {
+  if (!last_penalized_) return;
+  permanent_penalties_[*last_penalized_] += kDeadEndCost;
+  penalties_[*last_penalized_] += kDeadEndCost;
+  last_penalized_.reset();
 }
 
-float Router::cost_of(std::uint32_t from, const Way& way, const RouteRules& rules, bool& out_locked) const {
-  float cost = way.cost;
-  if (way.demands[0].mover < 0 && blamed_.empty()) return cost;
-  for (const Demand& demand : way.demands) {
-    if (demand.mover < 0) continue;
+// Returns the cost of a link as the movers are now; kUnreached if it cannot be used.
+float Router::compute_cost(std::uint32_t from, const Link& link, const RouteRules& rules) const {
+  float cost = link.cost;
+  // Most links have no conditions. Those that do fill the first one first.
+  if (link.conditions[0].mover < 0 && penalties_.empty()) return cost;
+  for (const MoverCondition& condition : link.conditions) {
+    if (condition.mover < 0) continue;
     const auto& banned = rules.banned_movers;
-    switch (movers_->access_any(demand.mover, demand.states)) {
+    switch (movers_->access_any(condition.mover, condition.states)) {
       case Access::kNow:
         break;
-      case Access::kSelf:
+      case Access::kAutomatic:
         cost += kWaitCost;
         break;
       case Access::kLocked:
-        if (!rules.passes_locked || std::find(banned.begin(), banned.end(), demand.mover) != banned.end())
+        if (!rules.passes_locked || std::find(banned.begin(), banned.end(), condition.mover) != banned.end())
           return kUnreached;
-        out_locked = true;
         cost += kLockedCost;
         break;
       case Access::kNever:
         return kUnreached;
     }
   }
-  if (!blamed_.empty())
-    if (const auto blamed = blamed_.find({from, way.to}); blamed != blamed_.end()) cost += blamed->second;
+  if (!penalties_.empty())
+    if (const auto blamed = penalties_.find({from, link.to}); blamed != penalties_.end())
+      cost += blamed->second;
   return cost;
 }
 
+// Fills costs_, came_from_, and came_by_. The heap may hold outdated entries of a place that was reached more
+// cheaply later; they are skipped when they come up, which is simpler than decreasing keys in place.
 void Router::search(std::uint32_t from, const RouteRules& rules) {
   const std::size_t count = graph_->places().size();
   costs_.assign(count, kUnreached);
@@ -67,21 +72,20 @@ void Router::search(std::uint32_t from, const RouteRules& rules) {
   while (!open.empty()) {
     const auto [cost, at] = open.top();
     open.pop();
-    if (cost > costs_[at] || cost > rules.most_cost) continue;
+    if (cost > costs_[at] || cost > rules.max_cost) continue;
     if (stops_at_goal_ && is_goal_[at]) {
       reached_goal_ = at;
       has_reached_ = true;
       return;
     }
-    const std::vector<Way>& ways = graph_->place(at).ways;
-    for (std::uint32_t i = 0; i < ways.size(); ++i) {
-      bool locked = false;
-      const float way_cost = cost_of(at, ways[i], rules, locked);
-      if (way_cost >= kUnreached || cost + way_cost >= costs_[ways[i].to]) continue;
-      costs_[ways[i].to] = cost + way_cost;
-      came_from_[ways[i].to] = at;
-      came_by_[ways[i].to] = i;
-      open.push({cost + way_cost, ways[i].to});
+    const std::vector<Link>& links = graph_->place(at).links;
+    for (std::uint32_t i = 0; i < links.size(); ++i) {
+      const float link_cost = compute_cost(at, links[i], rules);
+      if (link_cost >= kUnreached || cost + link_cost >= costs_[links[i].to]) continue;
+      costs_[links[i].to] = cost + link_cost;
+      came_from_[links[i].to] = at;
+      came_by_[links[i].to] = i;
+      open.push({cost + link_cost, links[i].to});
     }
   }
 }
@@ -106,6 +110,7 @@ std::optional<Route> Router::find_surveyed(std::span<const std::uint32_t> goals)
   return trace_back(surveyed_start_, best, surveyed_costs_, surveyed_from_, surveyed_by_);
 }
 
+// Follows the previous places from the goal back to the start, then reverses the result.
 Route Router::trace_back(std::uint32_t from, std::uint32_t to, std::span<const float> costs,
                          std::span<const std::uint32_t> came_from,
                          std::span<const std::uint32_t> came_by) const {
@@ -113,11 +118,11 @@ Route Router::trace_back(std::uint32_t from, std::uint32_t to, std::span<const f
   route.cost = costs[to];
   for (std::uint32_t at = to; at != from; at = came_from[at]) {
     route.places.push_back(at);
-    route.ways.push_back(graph_->place(came_from[at]).ways[came_by[at]]);
+    route.links.push_back(graph_->place(came_from[at]).links[came_by[at]]);
   }
   route.places.push_back(from);
   std::reverse(route.places.begin(), route.places.end());
-  std::reverse(route.ways.begin(), route.ways.end());
+  std::reverse(route.links.begin(), route.links.end());
   return route;
 }
 
@@ -131,15 +136,17 @@ std::optional<Route> Router::find(std::uint32_t from, std::span<const std::uint3
   for (const std::uint32_t goal : goals) is_goal_[goal] = false;
   if (!has_reached_) return std::nullopt;
   Route route = trace_back(from, reached_goal_, costs_, came_from_, came_by_);
-  for (const Way& way : route.ways)
-    for (const Demand& demand : way.demands)
-      if (route.locked_mover < 0 && demand.mover >= 0 &&
-          movers_->access_any(demand.mover, demand.states) == Access::kLocked)
-        route.locked_mover = demand.mover;
+  // The planner opens the first locked mover, because the player meets it first.
+  for (const Link& link : route.links)
+    for (const MoverCondition& condition : link.conditions)
+      if (route.locked_mover < 0 && condition.mover >= 0 &&
+          movers_->access_any(condition.mover, condition.states) == Access::kLocked)
+        route.locked_mover = condition.mover;
   return route;
 }
 
-std::optional<math::Vec3> Router::nearest_reached(const math::Bounds& box) const {
+// Scans all places. This is only for messages about a goal that cannot be reached.
+std::optional<math::Vec3> Router::find_nearest_reached(const math::Bounds& box) const {
   std::optional<math::Vec3> best;
   float best_distance = kUnreached;
   for (std::size_t i = 0; i < costs_.size(); ++i) {
@@ -153,7 +160,7 @@ std::optional<math::Vec3> Router::nearest_reached(const math::Bounds& box) const
   return best;
 }
 
-std::span<const float> Router::costs_from(std::uint32_t from, const RouteRules& rules) {
+std::span<const float> Router::compute_costs(std::uint32_t from, const RouteRules& rules) {
   search(from, rules);
   return costs_;
 }

@@ -1,4 +1,8 @@
-// The cheapest way through a level's places, as its moving parts are now.
+// Finds the cheapest route through the graph of a level, for the current states of its movers.
+//
+// Method: Dijkstra's algorithm (Numerische Mathematik 1, 1959) with a binary heap. A link whose mover
+// conditions are not met costs more, if the mover will get there without help, or cannot be used. Links that
+// have failed in the game carry penalties, so that the next route avoids them.
 #pragma once
 
 #include <cstdint>
@@ -12,55 +16,67 @@
 
 namespace temblor::player {
 
+// links[i] leads from places[i] to places[i + 1], so there is one more place than links.
 struct Route {
-  std::vector<std::uint32_t> places;  // from the start on; at least one
-  std::vector<Way> ways;              // ways[i] leads from places[i] to places[i + 1]
+  std::vector<std::uint32_t> places;
+  std::vector<Link> links;
   float cost = 0;
-  int locked_mover = -1;  // the first on it that is locked
+  // The first mover on it that is locked; -1: none.
+  int locked_mover = -1;
 };
 
 struct RouteRules {
-  bool passes_locked = false;        // at a price
-  std::vector<int> banned_movers{};  // as if they could never be had
-  float most_cost = 1e9f;
+  // Locked movers can be passed, at a high cost.
+  bool passes_locked = false;
+  // Exceptions from passes_locked.
+  std::vector<int> banned_movers{};
+  // Places that cost more are not explored further.
+  float max_cost = 1e9f;
 };
 
 class Router {
  public:
+  // Both must outlive it.
   Router(const NavGraph& graph, const MoverWatch& movers);
 
-  // To the cheapest of the goals; nothing where none can be reached.
+  // Returns the route to the cheapest goal; nothing if no goal can be reached.
   std::optional<Route> find(std::uint32_t from, std::span<const std::uint32_t> goals,
                             const RouteRules& rules = {});
-  // Looks for all ways from there as things are, once, for many calls of find_surveyed().
+  // Computes the costs to all places, so that each call of find_surveyed() only looks them up. Locked movers
+  // are not passed.
   void survey(std::uint32_t from);
   std::optional<Route> find_surveyed(std::span<const std::uint32_t> goals) const;
-  // Costs to all places, 1e9f where there is no way; valid until the next search.
-  std::span<const float> costs_from(std::uint32_t from, const RouteRules& rules = {});
-  // Of the places that the last search has reached the one nearest to that box, in space.
-  std::optional<math::Vec3> nearest_reached(const math::Bounds& box) const;
-  // A way that did not work costs more from now on.
-  void blame(std::uint32_t from, std::uint32_t to, float cost);
-  // What was blamed last has led to where no way leads on: that is never forgiven.
-  void keep_last_blame();
-  void forgive() { blamed_ = kept_; }
+  // Returns the costs to all places, by place; 1e9 if there is no route. The span is valid until the next
+  // search.
+  std::span<const float> compute_costs(std::uint32_t from, const RouteRules& rules = {});
+  // Returns the position nearest to that box among the places that the last search has reached.
+  std::optional<math::Vec3> find_nearest_reached(const math::Bounds& box) const;
+  // Raises the cost of a link that did not work.
+  void penalize_link(std::uint32_t from, std::uint32_t to, float cost);
+  // Keeps the penalty of the last penalized link through clear_penalties(): it has led into a dead end.
+  void keep_last_penalty();
+  void clear_penalties() { penalties_ = permanent_penalties_; }
 
  private:
   Route trace_back(std::uint32_t from, std::uint32_t to, std::span<const float> costs,
                    std::span<const std::uint32_t> came_from, std::span<const std::uint32_t> came_by) const;
   void search(std::uint32_t from, const RouteRules& rules);
-  float cost_of(std::uint32_t from, const Way& way, const RouteRules& rules, bool& out_locked) const;
+  float compute_cost(std::uint32_t from, const Link& link, const RouteRules& rules) const;
 
   const NavGraph* graph_;
   const MoverWatch* movers_;
-  using Blames = std::map<std::pair<std::uint32_t, std::uint32_t>, float>;  // cost by places from and to
-  Blames blamed_, kept_;
-  std::optional<std::pair<std::uint32_t, std::uint32_t>> last_blamed_;
+  // Costs by the places that a link leads from and to.
+  using Penalties = std::map<std::pair<std::uint32_t, std::uint32_t>, float>;
+  Penalties penalties_, permanent_penalties_;
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> last_penalized_;
+  // Results of the last search, by place: cost, previous place, and index of the link there.
   std::vector<float> costs_;
-  std::vector<std::uint32_t> came_from_, came_by_;  // place, and number of its way
+  std::vector<std::uint32_t> came_from_, came_by_;
+  // The same for the last survey.
   std::vector<float> surveyed_costs_;
   std::vector<std::uint32_t> surveyed_from_, surveyed_by_;
   std::uint32_t surveyed_start_ = 0;
+  // By place: goals of the current search, which ends at the first of them if stops_at_goal_.
   std::vector<bool> is_goal_;
   std::uint32_t reached_goal_ = 0;
   bool stops_at_goal_ = false, has_reached_ = false;

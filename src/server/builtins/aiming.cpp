@@ -1,4 +1,4 @@
-// Who sees a player, and at whom a player shoots.
+// Built-in functions for monsters that look for players, and for players' aim.
 #include "server/builtins/families.h"
 #include "server/move_trace.h"
 #include "world/visibility.h"
@@ -7,16 +7,16 @@ namespace temblor::server {
 namespace {
 
 constexpr double kCheckSeconds = 0.1;
-constexpr int kDamageAim = 2;      // takedamage of what helps a player to hit it
-constexpr float kShotHeight = 20;  // of a shot's start over the origin
+constexpr int kDamageAim = 2;      // the takedamage of entities that attract shots
+constexpr float kShotHeight = 20;  // of a shot's start above the origin
 constexpr float kStraightReach = 2048;
 
-math::Vec3 eye_of(const Edict& edict) {
+math::Vec3 eye_position(const Edict& edict) {
   return edict[field::kOrigin] + edict[field::kViewOffset];
 }
 
-// Whose turn it is next: the one behind `last` who is there, lives and may be noticed; `last` himself where
-// there is no other, whatever he is.
+// The next player that monsters may notice: the first one after `last` that is alive and not hidden by
+// notarget. If there is none, `last` itself, in whatever state.
 vm::EntityIndex next_client(const GameWorld& world, Edicts& edicts, vm::EntityIndex last) {
   const std::size_t count = world.edicts.client_count();
   std::size_t number = base::to_size(last);
@@ -32,30 +32,30 @@ vm::EntityIndex next_client(const GameWorld& world, Edicts& edicts, vm::EntityIn
   return base::to_index<vm::EntityIndex>(number);
 }
 
-// One player every 0.1 s is there to be seen, so that a room of monsters costs no more than one of them.
-// Returns him where the caller's eye is in his PVS, else the world.
+// checkclient(): each player in turn can be noticed for 0.1 s, so that a room full of monsters costs no more
+// than one PVS. Returns that player if the caller's eye is in the player's PVS, else the world.
 base::Status checkclient(Call& io_call) {
   GameWorld& world = io_call.world;
   BuiltinContext& game = io_call.game;
   io_call.machine.return_entity(vm::kWorld);
   if (world.edicts.client_count() == 0) return base::Ok{};
-  // A clock that was set back (a new level) begins anew.
+  // The clock starts again in a new level.
   const double waited_s = world.time_s - game.check_client_since_s;
   if (waited_s >= kCheckSeconds || waited_s < 0 || game.check_client_pvs.empty()) {
     game.check_client = next_client(world, world.edicts, game.check_client);
     game.check_client_since_s = world.time_s;
-    const math::Vec3 eye = eye_of(world.edicts[game.check_client]);
+    const math::Vec3 eye = eye_position(world.edicts[game.check_client]);
     world::decompress_pvs(*world.level, world::find_leaf(*world.level, eye), game.check_client_pvs);
   }
   const Edict player = world.edicts.at(game.check_client);
   if (world.edicts.is_free(player.index()) || !(player[field::kHealth] > 0)) return base::Ok{};
   const Edict viewer = world.edicts.at(io_call.self());
-  if (world::pvs_has(game.check_client_pvs, world::find_leaf(*world.level, eye_of(viewer))))
+  if (world::is_in_pvs(game.check_client_pvs, world::find_leaf(*world.level, eye_position(viewer))))
     io_call.machine.return_entity(player.index());
   return base::Ok{};
 }
 
-// Whether `shooter` wants to hit it: what takes aimed damage, and in team play is of another team.
+// Whether `shooter` wants to hit `target`: it takes aimed damage, and in team play it is in another team.
 bool is_target(Call& io_call, const Edict& shooter, const Edict& target) {
   if (target.index() == shooter.index() || target.whole(field::kTakeDamage) != kDamageAim) return false;
   return io_call.variable("teamplay") == 0 || !(shooter[field::kTeam] > 0) ||
@@ -73,11 +73,13 @@ math::Vec3 unit(const math::Vec3& vector) {
   return length == 0 ? math::Vec3(0.0f) : vector / length;
 }
 
+// The original's default where the variable does not exist (in tests, for example).
 float aim_limit(Call& io_call) {
   return io_call.game.variables.find("sv_aim") == nullptr ? 0.93f : io_call.variable("sv_aim");
 }
 
-// Whom the view points at best, within sv_aim (a cosine), and can hit; the world where there is nobody.
+// The target that is closest to the direction of view, within sv_aim (a cosine), and that a shot can reach.
+// The world: there is none.
 vm::EntityIndex best_target(Call& io_call, const Edict& shooter, const math::Vec3& start) {
   const math::Vec3 forward = io_call.forward();
   float best_cosine = aim_limit(io_call);
@@ -97,8 +99,8 @@ vm::EntityIndex best_target(Call& io_call, const Edict& shooter, const math::Vec
   return best;
 }
 
-// aim(shooter, speed): where to shoot: straight ahead, but up or down as it takes to hit whom the view points
-// at. The speed does nothing.
+// aim(shooter, speed): the direction to shoot in. It is straight ahead, turned up or down as needed to hit
+// the best target. The speed is not used.
 base::Status aim(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   const Edict shooter = io_call.world.edicts[entity];

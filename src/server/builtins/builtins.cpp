@@ -1,3 +1,4 @@
+// The list of all built-in functions and extensions.
 #include "server/builtins/builtins.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr std::span<const BuiltinEntry> (*kFamilies[])() = {
     debugging_builtins, rerelease_builtins, bot_builtins,
 };
 
-// Those that always work.
+// Extensions that every server has. has_extension() knows those that depend on its settings.
 constexpr std::string_view kExtensions[] = {
     "DP_QC_SINCOSSQRTPOW", "DP_QC_MINMAXBOUND", "DP_QC_RANDOMVEC",  "DP_QC_TRACEBOX",  "DP_QC_ETOS",
     "DP_REGISTERCVAR",     "DP_QC_FINDFLOAT",   "DP_QC_COPYENTITY", "DP_QC_FINDCHAIN", "DP_QC_FINDCHAINFLOAT",
@@ -34,9 +35,9 @@ void add_builtins(vm::Machine& io_machine, BuiltinContext& io_context) {
         Call call(io_context, entry.name);
         return entry.function(call);
       };
-      // As errors name it.
+      // Error messages contain this name.
       if (entry.number > 0) io_machine.add_builtin(entry.number, fmt::format("builtin {}", entry.name), run);
-      // Newer programs declare what they want by name alone.
+      // Newer programs declare functions by name alone.
       io_machine.add_named_builtin(entry.name, run);
     }
 }
@@ -47,8 +48,8 @@ bool has_extension(const BuiltinContext& context, std::string_view name) {
     return static_cast<bool>(context.client_command);
   if (base::equal_ignoring_case(name, "DP_SV_BOTCLIENT") ||
       base::equal_ignoring_case(name, "DP_SV_DROPCLIENT"))
-    return static_cast<bool>(context.places.spawn_bot);
-  if (base::equal_ignoring_case(name, "DP_QC_WHICHPACK")) return static_cast<bool>(context.pack_of);
+    return static_cast<bool>(context.bot_services.spawn_bot);
+  if (base::equal_ignoring_case(name, "DP_QC_WHICHPACK")) return static_cast<bool>(context.find_pack);
   return std::any_of(std::begin(kExtensions), std::end(kExtensions),
                      [&](std::string_view known) { return base::equal_ignoring_case(name, known); });
 }

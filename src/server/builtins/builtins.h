@@ -1,6 +1,10 @@
 // The functions that QuakeC calls by number: stock Quake's and the extensions of quake-facts.md section 18.
+// docs/builtins.md lists them, and where we differ from the original.
 // Each is a few lines over GameWorld, Outbox and the rest of BuiltinContext; none knows a network or a clock.
-// docs/builtins.md has the list, and where we differ from the original.
+// What a function cannot do while QuakeC runs (a change of level, a dropped player) it leaves in Requests:
+//    QuakeC: sound(self, ...) --> vm::Machine --> Call (checked parameters, call.h) --> function in a family
+//                                                                                        |
+//                               GameWorld, Outbox, Requests, variables, files  <---------+
 #pragma once
 
 #include <array>
@@ -12,48 +16,50 @@
 
 #include "command/variables.h"
 #include "server/game/game_random.h"
-#include "server/game_world.h"
+#include "server/game/game_world.h"
+#include "server/game/outbox.h"
 #include "server/save/script_files.h"
-#include "server/session/outbox.h"
 #include "vm/machine.h"
 #include "world/animation.h"
 
 namespace temblor::server {
 
-// Names that clients are told before the level begins; their numbers are their places.
+// Names that clients are sent before the level begins; a name's number is its index.
 struct Precache {
-  std::vector<std::string> sounds{""};  // [0] is none; models are GameWorld::models
-  bool is_open = true;  // while the level is set up: precache_* later is an error, as in stock
+  std::vector<std::string> sounds{""};  // [0] stands for no sound; models are in GameWorld::models
+  bool is_open = true;  // only while the level is set up; a later precache_* is an error, as in stock Quake
 };
 
-// What the program wants of the server, to be done when it has returned.
+// What QuakeC asks the server to do when it has returned.
 struct Requests {
-  // localcmd: text for the console. More than this at once is an error.
+  // localcmd: text for the console. Waiting for more than this is an error.
   static constexpr std::size_t kMaxCommandBytes = std::size_t{1} << 16;
   std::string commands;
-  std::optional<std::string> change_level;  // the first of a level wins
-  // clientcommand: to be done as if the program had not seen it, when it has returned.
+  std::optional<std::string> change_level;  // only the first request of a level counts
+  // clientcommand: to be run as if QuakeC had not seen it. More than this many are ignored.
   static constexpr std::size_t kMaxPlayerCommands = 64;
   struct PlayerCommand {
     vm::EntityIndex player{};
     std::string line;
   };
   std::vector<PlayerCommand> player_commands{};
-  std::vector<std::size_t> dropped_players{};  // dropclient of people: their places
+  std::vector<std::size_t> dropped_players{};  // people whom dropclient dropped, by slot
 };
 
-// Who plays in a client's place, as clienttype() numbers it.
-enum class PlayerType { kNobody = 0, kHuman = 1, kBot = 2, kNoPlace = 3 };
+// Who plays in a client slot, with the numbers that clienttype() returns.
+enum class PlayerType { kNobody = 0, kHuman = 1, kBot = 2, kNotASlot = 3 };
 
-// DP_SV_BOTCLIENT, DP_SV_DROPCLIENT: clients whose hands are the program itself. Places are counted from 0.
-struct PlayerPlaces {
-  // A bot in a free place, put into the game; kWorld: no place is free.
+// DP_SV_BOTCLIENT and DP_SV_DROPCLIENT: clients that QuakeC itself plays. Slots are counted from 0.
+struct BotServices {
+  // Puts a bot into a free slot and into the game. Returns kWorld if no slot is free.
   std::function<base::Result<vm::EntityIndex>()> spawn_bot{};
-  // Bots at once, people when the program has returned.
+  // Drops a bot at once, and a person when QuakeC has returned.
   std::function<base::Status(std::size_t slot)> drop{};
-  std::function<PlayerType(std::size_t slot)> type_of{};
+  std::function<PlayerType(std::size_t slot)> player_type{};
 };
 
+// Everything that built-in functions act on. References must outlive the machine's calls. Functions that are
+// not set mean that the server lacks that feature.
 struct BuiltinContext {
   GameWorld& world;
   vm::Machine& machine;
@@ -64,34 +70,37 @@ struct BuiltinContext {
   command::Variables& variables;
   ScriptFiles files{};  // FRIK_FILE
   world::LightStylePatterns light_styles{};
-  // Of each client slot, for the next level: setspawnparms reads them into parm1 to parm16. A slot that is
-  // not there has zeros.
+  // By client slot, for the next level: setspawnparms() copies them into parm1 to parm16. Zeros for slots
+  // that do not exist.
   std::vector<std::array<float, 16>> spawn_parameters{};
-  // Loads a model for its box and number: "progs/ogre.mdl", "maps/b_bh25.bsp". An error ends the level. None:
-  // there are no files, and every one that is not in GameWorld::models yet is an error.
+  // Loads a model for its box and number: "progs/ogre.mdl", "maps/b_bh25.bsp". After an error the level
+  // continues with a placeholder. Not set: there are no files, and every model that is not in
+  // GameWorld::models is an error.
   std::function<base::Result<ServerModel>(std::string_view name)> load_model{};
-  // Text for the server's own console, as QuakeC made it (its newlines are in it). None: it is not shown.
+  // Prints text on the server's own console, exactly as QuakeC made it (including newlines). Not set: it is
+  // not shown.
   std::function<void(std::string_view text)> print{};
-  // Whose turn it is to be found by checkclient, and what it sees from there (renewed every 0.1 s).
+  // The player that checkclient() may return now, since when, and what can be seen from there.
   vm::EntityIndex check_client{};
   double check_client_since_s = 0;
   std::vector<std::uint8_t> check_client_pvs{};
-  // KRIMZON_SV_PARSECLIENTCOMMAND: does a player's command as if the program had not seen it. None: the
-  // program is told that there is no such extension.
+  // KRIMZON_SV_PARSECLIENTCOMMAND: runs a player's command as if QuakeC had not seen it. Not set:
+  // checkextension() says that there is no such extension.
   std::function<void(vm::EntityIndex player, std::string_view command)> client_command{};
-  // None: the program is told that there are no bots.
-  PlayerPlaces places{};
-  // DP_QC_WHICHPACK: the name of the archive or folder that a file of the game is in; empty: it is in none.
-  std::function<std::string(std::string_view file)> pack_of{};
+  // Empty functions: checkextension() says that there are no bots.
+  BotServices bot_services{};
+  // DP_QC_WHICHPACK: the name of the archive or folder that contains a file of the game; empty if none does.
+  std::function<std::string(std::string_view file)> find_pack{};
   std::vector<std::string> tokens{};  // of the last tokenize()
-  // What was said once and need not be said again.
+  // Warnings that were printed and are not repeated (see Call::warn_once()).
   std::set<std::string, std::less<>> warned{};
 };
 
-// `io_context` must outlive the machine's calls. CHECKs check_system_definitions() (system_globals.h).
+// Makes all built-in functions known to the machine. `io_context` must outlive the machine's calls. CHECKs
+// check_system_definitions() (system_globals.h).
 void add_builtins(vm::Machine& io_machine, BuiltinContext& io_context);
 
-// What checkextension says.
+// The answer of checkextension(). Names are compared without regard to case.
 bool has_extension(const BuiltinContext& context, std::string_view name);
 
 }  // namespace temblor::server

@@ -9,20 +9,20 @@ namespace temblor::server {
 
 base::Result<vm::EntityIndex> Call::entity(int i) const {
   const base::Result<vm::EntityIndex> value = machine.parameter_entity(i);
-  if (!value.ok()) return error("parameter {} is no entity", i + 1);
+  if (!value.ok()) return error("parameter {} is not an entity", i + 1);
   return *value;
 }
 
 base::Result<vm::EntityIndex> Call::player(int i) const {
   TRY(const vm::EntityIndex value, entity(i));
   if (!is_player(value))
-    return error("parameter {} is entity {}, which is no player's", i + 1, base::to_size(value));
+    return error("parameter {} is entity {}, which is not a player", i + 1, base::to_size(value));
   return value;
 }
 
 base::Result<vm::FieldIndex> Call::field(int i) const {
   const base::Result<vm::FieldIndex> value = machine.parameter_field(i);
-  if (!value.ok()) return error("parameter {} is no field", i + 1);
+  if (!value.ok()) return error("parameter {} is not a field", i + 1);
   return *value;
 }
 
@@ -32,6 +32,7 @@ std::string Call::joined_text(int first) const {
   return joined;
 }
 
+// Text variables count, too, because registercvar() makes all of a program's variables text.
 float Call::variable(std::string_view variable_name) const {
   const command::Variable* found = game.variables.find(variable_name);
   if (found == nullptr) return 0;
@@ -39,6 +40,7 @@ float Call::variable(std::string_view variable_name) const {
   return is_text ? number_from(found->text) : static_cast<float>(found->number);
 }
 
+// The search is linear: levels have at most a few hundred sounds, most of them found early.
 std::optional<std::uint16_t> Call::sound_number(std::string_view sample) const {
   const std::vector<std::string>& sounds = game.precache.sounds;
   const auto found = std::find(sounds.begin() + 1, sounds.end(), sample);
@@ -47,7 +49,8 @@ std::optional<std::uint16_t> Call::sound_number(std::string_view sample) const {
   return std::nullopt;
 }
 
-std::string Call::place() const {
+// The built-in function itself is on the trace with statement 0.
+std::string Call::call_site() const {
   const std::vector<vm::TraceEntry> trace = machine.current_trace();
   const auto caller = std::find_if(trace.begin(), trace.end(),
                                    [](const vm::TraceEntry& entry) { return entry.statement != 0; });
@@ -56,7 +59,7 @@ std::string Call::place() const {
 }
 
 void Call::warn_once(const std::string& text) const {
-  // A program that makes up ever new things to be warned of is not listened to for ever.
+  // Bounds the memory for programs whose warnings differ each time.
   constexpr std::size_t kMaxWarnings = 256;
   if (game.warned.size() < kMaxWarnings && game.warned.insert(text).second)
     print(fmt::format("builtin {}: {}\n", name_, text));

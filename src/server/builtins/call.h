@@ -1,4 +1,6 @@
-// What a built-in function sees while it runs: its parameters, checked, and what it acts upon.
+// What a built-in function sees while it runs: its parameters, checked, and what it acts on.
+// QuakeC passes parameters without types, so a wrong one is normal input. Accessors that can fail return an
+// error, which stops the program and names the function, the parameter, and the caller's line.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +18,7 @@
 
 namespace temblor::server {
 
-// Towards 0, into the range of int; 0 for what is no number.
+// Truncates toward 0, and clamps to the range of int. NaN gives 0.
 inline int to_whole(float value) {
   if (std::isnan(value)) return 0;
   if (value >= 2147483648.0f) return 2147483647;
@@ -38,12 +40,13 @@ class Call {
   int whole(int i) const { return to_whole(number(i)); }
   math::Vec3 vector(int i) const { return machine.parameter_vector(i); }
   std::string_view text(int i) const { return machine.parameter_text(i); }
+  // An entity that exists, free or not.
   base::Result<vm::EntityIndex> entity(int i) const;
-  // One of the entities that are players' places, whether somebody plays there or not.
+  // An entity that belongs to a client slot, even if nobody plays there.
   base::Result<vm::EntityIndex> player(int i) const;
-  // A field of one word; of three for vectors.
+  // A field of one word, or the first of a vector's three.
   base::Result<vm::FieldIndex> field(int i) const;
-  // All texts from there on, one behind the other: the original's way to print several things.
+  // All texts from this parameter on, joined: QuakeC's way to print several things.
   std::string joined_text(int first) const;
 
   // --- Globals of the program.
@@ -54,22 +57,23 @@ class Call {
     const std::size_t number = base::to_size(entity);
     return number >= 1 && number <= world.edicts.client_count();
   }
-  // 0 for a variable that there is not, and for one that holds no number.
+  // The value of a console variable. 0 if there is no such variable, or if it does not hold a number.
   float variable(std::string_view variable_name) const;
-  // Of a precached sound; nothing, and a warning, for another.
+  // The number of a precached sound. Prints a warning and returns nothing for another one.
   std::optional<std::uint16_t> sound_number(std::string_view sample) const;
   void print(std::string_view text) const {
     if (game.print) game.print(text);
   }
-  // ", in FUNCTION (FILE:LINE), statement N": who called this function; empty where nobody did.
-  std::string place() const;
-  // The same words only once a game.
+  // ", in FUNCTION (FILE:LINE), statement N": where QuakeC called this function; empty if it was not called
+  // by QuakeC.
+  std::string call_site() const;
+  // Prints the warning on the server's console, unless the same text was printed in this game before.
   void warn_once(const std::string& text) const;
 
-  // Makes the text a string and returns it.
+  // Returns a new string to QuakeC.
   base::Status return_text(std::string_view text) const;
 
-  // What is wrong, with parameters counted from 1; the machine says in which function.
+  // An error of QuakeC. Messages count parameters from 1; the machine adds the function.
   template <typename... Args>
   base::Error error(fmt::format_string<Args...> format, Args&&... args) const {
     return base::malformed(format, std::forward<Args>(args)...);
@@ -79,7 +83,7 @@ class Call {
   std::string_view name_;
 };
 
-// Number 0: known by its name only.
+// One row of a family's table. Number 0: QuakeC can declare it by name only.
 struct BuiltinEntry {
   int number;
   const char* name;

@@ -1,4 +1,4 @@
-// For who writes the program: what it is and does, and its own ways to stop.
+// Built-in functions for debugging of game code: print state, trace statements, and stop on purpose.
 #include "base/text.h"
 #include "server/builtins/families.h"
 #include "server/builtins/text/entity_text.h"
@@ -6,36 +6,39 @@
 namespace temblor::server {
 namespace {
 
+// Of an error's text; longer ones are cut.
 constexpr std::size_t kMaxErrorChars = 200;
 
 std::string describe(Call& io_call, vm::EntityIndex entity) {
   return describe_entity(io_call.world.edicts, io_call.machine, entity);
 }
 
-// Who called, for a line that says so.
+// The caller's name, for a line of output.
 std::string caller(Call& io_call) {
   const std::vector<vm::TraceEntry> trace = io_call.machine.current_trace();
-  return trace.empty() ? "?" : std::string(io_call.machine.program().name_of(trace[0].function));
+  return trace.empty() ? "?" : std::string(io_call.machine.program().function_name(trace[0].function));
 }
 
-// For the one line of an error.
+// The text of an error, as one line.
 std::string one_line(std::string_view text) {
   while (text.ends_with('\n') || text.ends_with(' ')) text.remove_suffix(1);
   return base::quotable(text, kMaxErrorChars);
 }
 
-// The original falls into its debugger there.
+// The original enters its debugger here.
 base::Status break_here(Call& io_call) {
   return io_call.error("the program stops here");
 }
 
+// error(text, ...): prints the text and `self`, and ends the game.
 base::Status error(Call& io_call) {
   const std::string text = io_call.joined_text(0);
   io_call.print(fmt::format("{}: {}\n{}", caller(io_call), text, describe(io_call, io_call.self())));
   return io_call.error("{}", one_line(text));
 }
 
-// Removes `self`; the level goes on without it. (The original's documents say so; its program ends there.)
+// objerror(): removes `self`, and the level continues. The original's documentation says so, but its code
+// ends the game.
 base::Status objerror(Call& io_call) {
   const std::string text = io_call.joined_text(0);
   const vm::EntityIndex self = io_call.self();
@@ -46,6 +49,7 @@ base::Status objerror(Call& io_call) {
   return base::Ok{};
 }
 
+// coredump(): prints all entities.
 base::Status coredump(Call& io_call) {
   for (std::size_t i = 0; i < io_call.world.edicts.count(); ++i)
     io_call.print(describe(io_call, base::to_index<vm::EntityIndex>(i)));
@@ -58,6 +62,7 @@ base::Status eprint(Call& io_call) {
   return base::Ok{};
 }
 
+// traceon(): prints each statement that runs from now on, until traceoff().
 base::Status traceon(Call& io_call) {
   if (!io_call.game.print) return base::Ok{};
   io_call.machine.set_tracer([&game = io_call.game](std::string_view line) {

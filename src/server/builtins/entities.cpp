@@ -1,4 +1,4 @@
-// Entities as such: made, placed, given a shape, taken away.
+// Built-in functions that make, place, shape and remove entities.
 #include <algorithm>
 
 #include "base/text.h"
@@ -7,7 +7,7 @@
 namespace temblor::server {
 namespace {
 
-// All that gives an entity a shape links it, and touches nothing by that: physics does.
+// Links an entity whose shape or place was set. Triggers are not touched; physics does that later.
 base::Status linked(Call& io_call, vm::EntityIndex entity) {
   return link(io_call.world, entity, TouchTriggers::kNo);
 }
@@ -18,12 +18,14 @@ void set_size(const Edict& edict, const math::Bounds& box) {
   edict.set(field::kSize, box.maxs - box.mins);
 }
 
+// setorigin(entity, place)
 base::Status setorigin(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   io_call.world.edicts[entity].set(field::kOrigin, io_call.vector(1));
   return linked(io_call, entity);
 }
 
+// setmodel(entity, name): also sets modelindex, and the size to the model's box. The model must be precached.
 base::Status setmodel(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   const std::string_view name = io_call.text(1);
@@ -38,17 +40,19 @@ base::Status setmodel(Call& io_call) {
   return linked(io_call, entity);
 }
 
+// setsize(entity, mins, maxs)
 base::Status setsize(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   const math::Bounds box{io_call.vector(1), io_call.vector(2)};
   for (int axis = 0; axis < 3; ++axis)
     if (box.mins[axis] > box.maxs[axis])
-      return io_call.error("the box from ({} {} {}) to ({} {} {}) is upside down in {}", box.mins.x,
+      return io_call.error("the box from ({} {} {}) to ({} {} {}) has mins above maxs in {}", box.mins.x,
                            box.mins.y, box.mins.z, box.maxs.x, box.maxs.y, box.maxs.z, "xyz"[axis]);
   set_size(io_call.world.edicts[entity], box);
   return linked(io_call, entity);
 }
 
+// spawn(): returns a new entity with all fields 0.
 base::Status spawn(Call& io_call) {
   const base::Result<vm::EntityIndex> made = io_call.world.edicts.spawn(io_call.world.time_s);
   if (!made.ok()) return io_call.error("{}", made.error().message());
@@ -56,8 +60,8 @@ base::Status spawn(Call& io_call) {
   return base::Ok{};
 }
 
-// Without the world or a player's place the level cannot go on: the original lets a program have its way
-// there, and dies of it later.
+// The level cannot continue without the world or a player's entity. The original lets game code remove them,
+// and crashes later.
 base::Status check_removable(Call& io_call, vm::EntityIndex entity) {
   if (entity == vm::kWorld) return io_call.error("the world cannot be removed");
   if (io_call.is_player(entity))
@@ -65,6 +69,7 @@ base::Status check_removable(Call& io_call, vm::EntityIndex entity) {
   return base::Ok{};
 }
 
+// remove(entity): a second call for the same entity does nothing.
 base::Status remove_entity(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   TRY_STATUS(check_removable(io_call, entity));
@@ -76,7 +81,8 @@ std::uint8_t low_byte(float value) {
   return static_cast<std::uint8_t>(to_whole(value) & 0xff);
 }
 
-// From now on the clients' business alone: those who join are told of it once.
+// makestatic(entity): hands the entity over to the clients, which get it once, when they join. It no longer
+// exists on the server.
 base::Status makestatic(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   TRY_STATUS(check_removable(io_call, entity));
@@ -98,7 +104,7 @@ base::Status makestatic(Call& io_call) {
   return base::Ok{};
 }
 
-// copyentity(from, to): all that QuakeC sees of it.
+// copyentity(from, to): copies all fields.
 base::Status copyentity(Call& io_call) {
   TRY(const vm::EntityIndex from, io_call.entity(0));
   TRY(const vm::EntityIndex to, io_call.entity(1));

@@ -1,4 +1,5 @@
-// All built-in functions, by what they are about; builtins.cpp joins them.
+// All built-in functions, by topic; builtins.cpp joins them. Each family is the table at the end of its
+// source file.
 #pragma once
 
 #include <span>
@@ -15,16 +16,15 @@ std::span<const BuiltinEntry> tracing_builtins();
 std::span<const BuiltinEntry> aiming_builtins();
 std::span<const BuiltinEntry> movement_builtins();
 std::span<const BuiltinEntry> precache_builtins();
-std::span<const BuiltinEntry>
-effect_builtins();  // sounds, particles, light styles: what clients see and hear
+std::span<const BuiltinEntry> effect_builtins();  // sounds, particles, light styles
 std::span<const BuiltinEntry> printing_builtins();
-std::span<const BuiltinEntry> writing_builtins();  // messages, number by number
+std::span<const BuiltinEntry> writing_builtins();  // messages, value by value
 std::span<const BuiltinEntry> text_builtins();
 std::span<const BuiltinEntry> file_builtins();
 std::span<const BuiltinEntry> variable_builtins();
 std::span<const BuiltinEntry> level_builtins();
 std::span<const BuiltinEntry> debugging_builtins();
-std::span<const BuiltinEntry> rerelease_builtins();  // by name only
-std::span<const BuiltinEntry> bot_builtins();        // clients that the program plays
+std::span<const BuiltinEntry> rerelease_builtins();  // called by name only
+std::span<const BuiltinEntry> bot_builtins();        // clients that QuakeC plays
 
 }  // namespace temblor::server

@@ -1,27 +1,30 @@
-// FRIK_FILE: text files of the program's own.
+// FRIK_FILE: built-in functions for text files of game code (save/script_files.h). A mistake in a call ends
+// the game; a failure of the disk prints a warning.
 #include "server/builtins/families.h"
 
 namespace temblor::server {
 namespace {
 
-// A file that is not open, or not open that way, is the program's mistake.
+// For a file that is not open, or open the other way.
 base::Error misuse(Call& io_call, const base::Error& error) {
   return io_call.error("{}", error.message());
 }
 
-// fopen(name, mode): a handle, or -1.
+// fopen(name, mode): opens a file and returns its handle, or -1.
 base::Status fopen(Call& io_call) {
   const float mode = io_call.number(1);
-  if (mode != 0 && mode != 1 && mode != 2) return io_call.error("mode {} is none of 0, 1 and 2", mode);
+  if (mode != 0 && mode != 1 && mode != 2)
+    return io_call.error("mode {} is not 0 (read), 1 (append) or 2 (write)", mode);
   const base::Result<int> handle =
       io_call.game.files.open(io_call.text(0), static_cast<ScriptFileMode>(to_whole(mode)));
-  // A file to read may well not be there; everything else is worth a word.
+  // It is normal that a file to read does not exist. Print every other error.
   if (!handle.ok() && handle.error().code != base::ErrorCode::kNotFound)
     io_call.warn_once(handle.error().message());
   io_call.machine.return_float(handle.ok() ? static_cast<float>(*handle) : -1);
   return base::Ok{};
 }
 
+// fclose(handle)
 base::Status fclose(Call& io_call) {
   const base::Status closed = io_call.game.files.close(io_call.whole(0));
   if (closed.ok()) return closed;
@@ -30,7 +33,8 @@ base::Status fclose(Call& io_call) {
   return base::Ok{};
 }
 
-// The empty string at the end of the file, as for an empty line.
+// fgets(handle): the next line without its newline. At the end of the file it returns the empty string, as
+// for an empty line.
 base::Status fgets(Call& io_call) {
   const auto line = io_call.game.files.read_line(io_call.whole(0));
   if (!line.ok()) return misuse(io_call, line.error());
@@ -39,6 +43,7 @@ base::Status fgets(Call& io_call) {
   return base::Ok{};
 }
 
+// fputs(handle, text, ...)
 base::Status fputs(Call& io_call) {
   const base::Status written = io_call.game.files.write(io_call.whole(0), io_call.joined_text(1));
   if (written.ok()) return written;
@@ -47,9 +52,10 @@ base::Status fputs(Call& io_call) {
   return base::Ok{};
 }
 
-// whichpack(name): where a file of the game lies; empty where there is none.
+// whichpack(name): the archive or folder that a file of the game is in; empty if there is no such file.
 base::Status whichpack(Call& io_call) {
-  return io_call.return_text(io_call.game.pack_of ? io_call.game.pack_of(io_call.text(0)) : std::string());
+  return io_call.return_text(io_call.game.find_pack ? io_call.game.find_pack(io_call.text(0))
+                                                    : std::string());
 }
 
 }  // namespace

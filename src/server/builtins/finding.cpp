@@ -1,4 +1,4 @@
-// Looking for entities. Those that were removed are never found.
+// Built-in functions that search for entities. They never find free ones.
 #include "server/builtins/families.h"
 
 namespace temblor::server {
@@ -14,7 +14,7 @@ std::string_view text_at(Call& io_call, std::size_t entity, vm::FieldIndex field
   return io_call.machine.text(vm::StringIndex{word_at(io_call, entity, field)});
 }
 
-// The first entity behind `start` that is wanted, or the world.
+// The first wanted entity after `start`, or the world.
 template <typename IsWanted>
 vm::EntityIndex next_entity(Call& io_call, vm::EntityIndex start, IsWanted is_wanted) {
   for (std::size_t i = base::to_size(start) + 1; i < io_call.world.edicts.count(); ++i) {
@@ -24,8 +24,8 @@ vm::EntityIndex next_entity(Call& io_call, vm::EntityIndex start, IsWanted is_wa
   return vm::kWorld;
 }
 
-// All that are wanted, joined by `chain`: each refers to the one found before it, and the last one found is
-// returned.
+// Links all wanted entities through their `chain` field: each refers to the one found before it. Returns the
+// last one.
 template <typename IsWanted>
 base::Status return_chain(Call& io_call, IsWanted is_wanted) {
   vm::EntityIndex chain = vm::kWorld;
@@ -38,7 +38,7 @@ base::Status return_chain(Call& io_call, IsWanted is_wanted) {
   return base::Ok{};
 }
 
-// The functions below take a field behind the parameter `start` (or as their first) and a value behind that.
+// These functions take a field after the parameter `start` (or first), and a value after that.
 template <typename IsWanted>
 base::Status return_next(Call& io_call, IsWanted is_wanted) {
   TRY(const vm::EntityIndex start, io_call.entity(0));
@@ -58,7 +58,7 @@ base::Status findfloat(Call& io_call) {
     return float_at(io_call, i, field) == wanted;
   });
 }
-// Any of the bits.
+// findflags(): any of the bits counts.
 base::Status findflags(Call& io_call) {
   return return_next(io_call, [&, wanted = io_call.whole(2)](std::size_t i, vm::FieldIndex field) {
     return (to_whole(float_at(io_call, i, field)) & wanted) != 0;
@@ -76,7 +76,7 @@ base::Status findchainfloat(Call& io_call) {
   return return_chain(io_call, [&](std::size_t i) { return float_at(io_call, i, field) == wanted; });
 }
 
-// Measured to the middle of the box; what is not solid is passed over, as triggers are not.
+// findradius(): measures the distance to the middle of each box. Entities that are not solid are skipped.
 base::Status findradius(Call& io_call) {
   const math::Vec3 center = io_call.vector(0);
   const float radius = io_call.number(1);

@@ -1,17 +1,18 @@
-// From one level to the next.
+// Built-in functions for changes of the level, and for queries of extensions.
 #include "server/builtins/families.h"
 
 namespace temblor::server {
 namespace {
 
-// Only the first of a level counts: several players may reach the exit in one tick.
+// changelevel(map): only the first call in a level counts, because several players may reach the exit in one
+// tick.
 base::Status changelevel(Call& io_call) {
   std::optional<std::string>& next = io_call.game.requests.change_level;
   if (!next) next = std::string(io_call.text(0));
   return base::Ok{};
 }
 
-// What a player brought from the level before, into parm1 to parm16.
+// setspawnparms(player): copies what a player brought from the last level into parm1 to parm16.
 base::Status setspawnparms(Call& io_call) {
   TRY(const vm::EntityIndex player, io_call.player(0));
   const std::size_t slot = base::to_size(player) - 1;
@@ -22,6 +23,7 @@ base::Status setspawnparms(Call& io_call) {
   return base::Ok{};
 }
 
+// checkextension(name): 1 if has_extension().
 base::Status checkextension(Call& io_call) {
   io_call.machine.return_float(has_extension(io_call.game, io_call.text(0)) ? 1 : 0);
   return base::Ok{};

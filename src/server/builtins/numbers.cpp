@@ -1,4 +1,4 @@
-// Numbers and chance.
+// Built-in functions for numbers and random numbers.
 #include <cmath>
 
 #include "server/builtins/families.h"
@@ -11,12 +11,12 @@ base::Status returned(Call& io_call, double value) {
   return base::Ok{};
 }
 
-// 0 and 1 included.
+// random(): 0 to 1, both included.
 base::Status random(Call& io_call) {
   return returned(io_call, io_call.game.random.next_fraction());
 }
 
-// Halves away from 0.
+// rint(): rounds halves away from 0.
 base::Status rint(Call& io_call) {
   return returned(io_call, std::round(io_call.number(0)));
 }
@@ -30,7 +30,7 @@ base::Status fabs(Call& io_call) {
   return returned(io_call, std::fabs(io_call.number(0)));
 }
 
-// Angles in radians.
+// sin() and cos() take radians.
 base::Status sin(Call& io_call) {
   return returned(io_call, std::sin(double{io_call.number(0)}));
 }
@@ -44,24 +44,24 @@ base::Status pow(Call& io_call) {
   return returned(io_call, std::pow(io_call.number(0), io_call.number(1)));
 }
 
-// The one that is in front of all others of those given.
-template <typename IsInFront>
-base::Status foremost(Call& io_call, IsInFront is_in_front) {
+// Returns the parameter that wins against all others; the first of equal ones.
+template <typename Wins>
+base::Status return_winner(Call& io_call, Wins wins) {
   const int count = io_call.machine.parameter_count();
   if (count < 2) return io_call.error("takes 2 to 8 numbers, not {}", count);
   float value = io_call.number(0);
   for (int i = 1; i < count; ++i)
-    if (is_in_front(io_call.number(i), value)) value = io_call.number(i);
+    if (wins(io_call.number(i), value)) value = io_call.number(i);
   return returned(io_call, value);
 }
 base::Status min(Call& io_call) {
-  return foremost(io_call, [](float a, float b) { return a < b; });
+  return return_winner(io_call, [](float a, float b) { return a < b; });
 }
 base::Status max(Call& io_call) {
-  return foremost(io_call, [](float a, float b) { return a > b; });
+  return return_winner(io_call, [](float a, float b) { return a > b; });
 }
 
-// bound(low, value, high); where low is over high, low wins.
+// bound(low, value, high): if low is greater than high, the result is low.
 base::Status bound(Call& io_call) {
   const float low = io_call.number(0), value = io_call.number(1), high = io_call.number(2);
   return returned(io_call, std::fmax(low, std::fmin(value, high)));

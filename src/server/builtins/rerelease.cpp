@@ -1,5 +1,5 @@
-// Functions that programs of the 2021 re-release declare with number 0 and a name. What they ask for and this
-// server does not have is answered so that their programs do without it.
+// Built-in functions of the 2021 re-release. Its programs declare them with number 0 and a name. Functions
+// that this server cannot provide return an answer with which programs can go on.
 #include <algorithm>
 #include <charconv>
 
@@ -9,8 +9,8 @@
 namespace temblor::server {
 namespace {
 
-// The text of parameter `first`, in which {0} stands for the text behind it, {1} for the next and so on. One
-// without such places is followed by the others, as stock functions have it.
+// Replaces {0} in the text of parameter `first` by the text after it, {1} by the next one, and so on. If the
+// text has no such marks, the other texts are appended, as in stock functions.
 std::string filled_text(const Call& call, int first) {
   if (first >= call.machine.parameter_count()) return "";
   std::string_view text = call.text(first);
@@ -33,27 +33,30 @@ std::string filled_text(const Call& call, int first) {
   return filled;
 }
 
+// ex_bprint(text, ...): prints to all players.
 base::Status ex_bprint(Call& io_call) {
   Outbox& outbox = io_call.game.outbox;
   write_text<net::Print>(filled_text(io_call, 0), outbox, outbox.reliable());
   return base::Ok{};
 }
 
+// ex_sprint(player, text, ...)
 base::Status ex_sprint(Call& io_call) {
-  TRY(base::ByteWriter* const writer, listener(io_call));
+  TRY(base::ByteWriter* const writer, player_buffer(io_call));
   if (writer != nullptr) write_text<net::Print>(filled_text(io_call, 1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 
+// ex_centerprint(player, text, ...)
 base::Status ex_centerprint(Call& io_call) {
-  TRY(base::ByteWriter* const writer, listener(io_call));
+  TRY(base::ByteWriter* const writer, player_buffer(io_call));
   if (writer != nullptr) write_center_text(filled_text(io_call, 1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 
-// ex_localsound(player, sample): at full volume, wherever he is, and for him alone.
+// ex_localsound(player, sample): plays a sound at full volume, for this player alone.
 base::Status ex_localsound(Call& io_call) {
-  TRY(base::ByteWriter* const writer, listener(io_call));
+  TRY(base::ByteWriter* const writer, player_buffer(io_call));
   const std::optional<std::uint16_t> number = io_call.sound_number(io_call.text(1));
   if (writer == nullptr || !number) return base::Ok{};
   TRY(const vm::EntityIndex player, io_call.player(0));
@@ -66,8 +69,8 @@ base::Status ex_localsound(Call& io_call) {
   return base::Ok{};
 }
 
-// Whether a closing text was read to its end (nobody tells the server), a player's special flags (there are
-// none), a step on a map of ways (there is none; the program then walks by itself).
+// The answers are constant: the server does not know whether a player has read a closing text, has no special
+// flags for players, and no map of paths for bots (game code then finds its own way).
 base::Status none(Call& io_call) {
   io_call.machine.return_float(0);
   return base::Ok{};

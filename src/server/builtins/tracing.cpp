@@ -1,10 +1,11 @@
-// Lines and boxes through the level, and what is at a point.
+// Built-in functions that trace lines and boxes, and look up what is at a point.
 #include "server/builtins/families.h"
 #include "server/move_trace.h"
 
 namespace temblor::server {
 namespace {
 
+// Any other number means kNormal, as in the original, where programs pass TRUE and FALSE.
 MoveKind move_kind(int number) {
   switch (number) {
     case 1:
@@ -16,7 +17,7 @@ MoveKind move_kind(int number) {
   }
 }
 
-// What the program reads of the last trace.
+// Stores the result in the trace_* globals, in which QuakeC looks for it.
 void set_trace_globals(vm::Machine& io_machine, const EntityTrace& found) {
   const auto flag = [&](vm::GlobalIndex index, bool value) {
     io_machine.set_global_float(index, value ? 1 : 0);
@@ -33,7 +34,7 @@ void set_trace_globals(vm::Machine& io_machine, const EntityTrace& found) {
   io_machine.set_global_entity(global::kTraceEntity, found.hit ? found.entity : vm::kWorld);
 }
 
-// traceline(from, to, kind, passing)
+// traceline(from, to, kind, passing): traces a point.
 base::Status traceline(Call& io_call) {
   TRY(const vm::EntityIndex passing, io_call.entity(3));
   const math::Vec3 point(0.0f);
@@ -42,7 +43,7 @@ base::Status traceline(Call& io_call) {
   return base::Ok{};
 }
 
-// tracebox(from, mins, maxs, to, kind, passing)
+// tracebox(from, mins, maxs, to, kind, passing): traces a box.
 base::Status tracebox(Call& io_call) {
   TRY(const vm::EntityIndex passing, io_call.entity(5));
   set_trace_globals(io_call.machine,
@@ -51,6 +52,7 @@ base::Status tracebox(Call& io_call) {
   return base::Ok{};
 }
 
+// pointcontents(place): a number such as CONTENT_WATER (-3).
 base::Status pointcontents(Call& io_call) {
   io_call.machine.return_float(static_cast<float>(point_contents(io_call.world, io_call.vector(0))));
   return base::Ok{};

@@ -1,4 +1,4 @@
-// Directions and lengths.
+// Built-in functions for directions and lengths.
 #include <cmath>
 #include <numbers>
 
@@ -8,14 +8,15 @@
 namespace temblor::server {
 namespace {
 
-// Of (x, y) counter-clockwise from +x, cut to whole degrees, 0 to 359. The cut is towards 0, so that what is
-// just under 360 is 0.
+// The yaw of (x, y): counterclockwise from +x, in whole degrees from 0 to 359. It is cut toward 0, so that an
+// angle just below 360 gives 359, and one just below 0 gives 0.
 float whole_degrees(float x, float y) {
   const double degrees = std::atan2(double{y}, double{x}) * (180 / std::numbers::pi);
   const int whole = to_whole(static_cast<float>(std::trunc(degrees)));
   return static_cast<float>(whole < 0 ? whole + 360 : whole);
 }
 
+// makevectors(angles): sets v_forward, v_right and v_up.
 base::Status makevectors(Call& io_call) {
   const math::Basis basis = math::basis_from_angles(io_call.vector(0));
   io_call.machine.set_global_vector(global::kForward, math::Vec3(basis.forward));
@@ -24,6 +25,7 @@ base::Status makevectors(Call& io_call) {
   return base::Ok{};
 }
 
+// normalize(vector): the zero vector stays as it is.
 base::Status normalize(Call& io_call) {
   const math::Vec3 vector = io_call.vector(0);
   const float length = std::sqrt(glm::dot(vector, vector));
@@ -37,13 +39,15 @@ base::Status vlen(Call& io_call) {
   return base::Ok{};
 }
 
+// vectoyaw(vector): its direction in the horizontal plane.
 base::Status vectoyaw(Call& io_call) {
   const math::Vec3 vector = io_call.vector(0);
   io_call.machine.return_float(whole_degrees(vector.x, vector.y));
   return base::Ok{};
 }
 
-// Pitch is positive upwards here, as models' angles are, and not as eyes'.
+// vectoangles(vector): pitch is positive upward here, as in the angles of models. Angles of views are the
+// reverse.
 base::Status vectoangles(Call& io_call) {
   const math::Vec3 vector = io_call.vector(0);
   math::Vec3 angles(vector.z > 0 ? 90.0f : 270.0f, 0, 0);
@@ -55,7 +59,7 @@ base::Status vectoangles(Call& io_call) {
   return base::Ok{};
 }
 
-// Anywhere within one unit of the origin, evenly.
+// randomvec(): a point within one unit of the origin, uniformly distributed (by rejection).
 base::Status randomvec(Call& io_call) {
   math::Vec3 vector;
   do {

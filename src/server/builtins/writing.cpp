@@ -1,12 +1,14 @@
-// Messages that the program puts together itself: Write(destination, value). Of whole numbers the low bytes
-// are written, as in the original.
-#include "net/protocol/loose_fields.h"
+// Built-in functions that write messages piece by piece: WriteByte(destination, value) and so on. As in the
+// original, whole numbers lose their upper bits if they do not fit. Nothing checks that the pieces form a
+// message that clients understand: that is up to game code.
+#include "net/protocol/clamped_fields.h"
 #include "server/builtins/families.h"
 
 namespace temblor::server {
 namespace {
 
-// Where parameter 0 says, with room for `bytes`.
+// The buffer that parameter 0 selects (Destination), which must have room for `bytes`. Destination kOne means
+// the player in the global msg_entity.
 base::Result<base::ByteWriter*> destination(Call& io_call, std::size_t bytes) {
   Outbox& outbox = io_call.game.outbox;
   const float number = io_call.number(0);
@@ -18,11 +20,11 @@ base::Result<base::ByteWriter*> destination(Call& io_call, std::size_t bytes) {
     const vm::EntityIndex player = io_call.machine.global_entity(global::kMessageEntity);
     writer = outbox.reliable_to(player);
     if (writer == nullptr)
-      return io_call.error("msg_entity is entity {}, which is no player's", base::to_size(player));
+      return io_call.error("msg_entity is entity {}, which is not a player", base::to_size(player));
   }
-  if (writer == nullptr) return io_call.error("destination {} is none of 0 to 3", number);
+  if (writer == nullptr) return io_call.error("destination {} is not between 0 and 3", number);
   if (!Outbox::has_room(*writer, bytes))
-    return io_call.error("over {} bytes for destination {} at once", Outbox::kMaxBytes, number);
+    return io_call.error("more than {} bytes in one tick for destination {}", Outbox::kMaxBytes, number);
   return writer;
 }
 
@@ -33,6 +35,7 @@ base::Status write_whole(Call& io_call) {
   return base::Ok{};
 }
 
+// Coordinates and angles are as long as the protocol's; sizeof(float) is the longest.
 base::Status write_coord(Call& io_call) {
   TRY(base::ByteWriter* const writer, destination(io_call, sizeof(float)));
   net::write_coord(io_call.number(1), io_call.game.outbox.dialect(), *writer);

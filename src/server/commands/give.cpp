@@ -1,3 +1,5 @@
+// The items are those of stock game code, by their bits and fields, so that this works with any program that
+// keeps them.
 #include "server/commands/give.h"
 
 #include <fmt/format.h>
@@ -17,32 +19,34 @@ constexpr std::string_view kHelp =
     "give all; give weapons, ammo, keys; give 2 to 8: a weapon;\n"
     "give h, a, s, n, r, c NUMBER: health, armor, shells, nails, rockets, cells\n";
 
-// Bits of `items`, as every program's status bar shows them.
+// Bits of `items`, as the status bar of every program shows them.
 constexpr int kStockWeapons = 127, kAxe = 4096, kKeys = 131072 | 262144;
 constexpr int kAnyArmor = 8192 | 16384 | 32768;
-constexpr int kEighthWeapon = 128;  // of programs that have one besides the stock ones
+constexpr int kEighthWeapon = 128;  // only in programs that have one more than the stock ones
 
 constexpr std::array<std::string_view, 7> kWeaponNames = {
-    "shotgun",          "double shotgun",  "nailgun",      "super nailgun",
-    "grenade launcher", "rocket launcher", "lightning gun"};
+    "shotgun",          "double-barreled shotgun", "nailgun",    "super nailgun",
+    "grenade launcher", "rocket launcher",         "Thunderbolt"};
 
+// A kind of ammunition, and the letter that players type for it.
 struct Ammunition {
   char letter;
   std::string_view name;
   Field<float> field;
-  float full;   // where no number is told
-  int weapons;  // that fire it
+  float full;   // the amount without a number
+  int weapons;  // bits of the weapons that fire it
 };
 constexpr std::array<Ammunition, 4> kAmmunition = {
     Ammunition{'s', "shells", field::kAmmoShells, 100, 1 | 2},
     Ammunition{'n', "nails", field::kAmmoNails, 200, 4 | 8},
     Ammunition{'r', "rockets", field::kAmmoRockets, 100, 16 | 32},
     Ammunition{'c', "cells", field::kAmmoCells, 100, 64 | kEighthWeapon}};
-constexpr float kFullHealth = 100, kFullArmor = 200, kMost = 999;
+constexpr float kFullHealth = 100, kFullArmor = 200;
+constexpr float kMaxAmount = 999;  // the status bar has three digits
 
-// What kind of armor it is that has so many points, when new.
+// The kinds of armor, strongest first, with the lowest number of points that counts as each.
 struct Armor {
-  float least, absorbed;
+  float min_points, absorbed;  // `absorbed`: share of damage
   int item;
 };
 constexpr std::array<Armor, 3> kArmors = {Armor{151, 0.8f, 32768}, Armor{101, 0.6f, 16384},
@@ -52,12 +56,13 @@ void add_items(const Edict& player, int items) {
   player.set(field::kItems, static_cast<float>(player.whole(field::kItems) | items));
 }
 
-// How many of `items` the program knows: the eighth weapon of ours has a class of its own.
+// The weapons that the program knows. Our eighth weapon has a class of its own.
 int known_weapons(const Game& game) {
   const bool has_eighth = game.machine().program().find_function("weapon_tremor") != vm::kNoFunction;
   return kStockWeapons | kAxe | (has_eighth ? kEighthWeapon : 0);
 }
 
+// The status bar shows currentammo, a copy of the count for the weapon in hand.
 void give_ammunition(const Edict& player, const Ammunition& kind, float count) {
   player.set(kind.field, count);
   if ((player.whole(field::kWeapon) & kind.weapons) != 0) player.set(field::kCurrentAmmo, count);
@@ -69,8 +74,8 @@ void give_all_ammunition(const Edict& player) {
 
 void give_armor(const Edict& player, float points) {
   player.set(field::kArmorValue, points);
-  const auto kind =
-      std::find_if(kArmors.begin(), kArmors.end(), [&](const Armor& armor) { return points >= armor.least; });
+  const auto kind = std::find_if(kArmors.begin(), kArmors.end(),
+                                 [&](const Armor& armor) { return points >= armor.min_points; });
   const bool has_any = points > 0;
   player.set(field::kArmorType, has_any ? kind->absorbed : 0.0f);
   const int others = player.whole(field::kItems) & ~kAnyArmor;
@@ -85,19 +90,19 @@ std::string give_everything(const Game& game, const Edict& player) {
   return "You have everything\n";
 }
 
-// Of something counted, by its first letter. Nothing: there is no such thing.
-std::optional<std::string> give_some(const Edict& player, char letter, std::optional<float> told) {
+// Gives something that is counted, by its first letter. Empty: there is no such letter.
+std::optional<std::string> give_some(const Edict& player, char letter, std::optional<float> count) {
   if (letter == 'h') {
-    player.set(field::kHealth, std::max(told.value_or(kFullHealth), 1.0f));
+    player.set(field::kHealth, std::max(count.value_or(kFullHealth), 1.0f));
     return fmt::format("You have {} health\n", player[field::kHealth]);
   }
   if (letter == 'a') {
-    give_armor(player, told.value_or(kFullArmor));
+    give_armor(player, count.value_or(kFullArmor));
     return fmt::format("You have {} armor\n", player[field::kArmorValue]);
   }
   for (const Ammunition& kind : kAmmunition) {
     if (kind.letter != letter) continue;
-    give_ammunition(player, kind, told.value_or(kind.full));
+    give_ammunition(player, kind, count.value_or(kind.full));
     return fmt::format("You have {} {}\n", player[kind.field], kind.name);
   }
   return std::nullopt;
@@ -108,7 +113,7 @@ std::optional<std::string> give_some(const Edict& player, char letter, std::opti
 std::string give(Game& io_game, std::size_t slot, std::span<const std::string> words) {
   if (words.size() < 2 || words[1].empty()) return std::string(kHelp);
   const Edict player = io_game.player(slot);
-  if (!(player[field::kHealth] > 0)) return "The dead are given nothing\n";
+  if (!(player[field::kHealth] > 0)) return "You are dead\n";
   const std::string what = base::to_lower(words[1]);
   if (what == "all") return give_everything(io_game, player);
   if (what == "weapons") {
@@ -117,7 +122,7 @@ std::string give(Game& io_game, std::size_t slot, std::span<const std::string> w
   }
   if (what == "ammo") {
     give_all_ammunition(player);
-    return "You have all the ammunition that you can carry\n";
+    return "You have full ammunition\n";
   }
   if (what == "keys") {
     add_items(player, kKeys);
@@ -134,10 +139,10 @@ std::string give(Game& io_game, std::size_t slot, std::span<const std::string> w
     if (!number)
       return fmt::format("give {} NUMBER: \"{}\" is not a whole number\n", base::quotable(words[1]),
                          base::quotable(words[2]));
-    count = static_cast<float>(std::clamp<std::int64_t>(*number, 0, static_cast<std::int64_t>(kMost)));
+    count = static_cast<float>(std::clamp<std::int64_t>(*number, 0, static_cast<std::int64_t>(kMaxAmount)));
   }
   if (std::optional<std::string> given = give_some(player, what[0], count)) return *given;
-  return fmt::format("there is nothing \"{}\" to give:\n{}", base::quotable(words[1]), kHelp);
+  return fmt::format("Cannot give \"{}\".\n{}", base::quotable(words[1]), kHelp);
 }
 
 }  // namespace temblor::server

@@ -1,5 +1,5 @@
-// What a player asks for by `give`: weapons, ammunition, health, armor, keys. A cheat; whether it may be
-// used is decided before.
+// The `give` command: weapons, ammunition, health, armor, keys. A cheat; the caller has checked that it is
+// allowed.
 #pragma once
 
 #include <span>
@@ -9,8 +9,9 @@
 
 namespace temblor::server {
 
-// Does what `words` say ("give" first) for the player of that slot, who is in the game. The answer is for his
-// eyes, one line or more; what is wrong with the words is told there, and nothing is given then.
+// Runs the command that `words` contain ("give" first) for the player of this slot, who is in the game.
+// Returns the answer for the player, one or more lines. If the words make no sense, the answer says why, and
+// nothing is given.
 std::string give(Game& io_game, std::size_t slot, std::span<const std::string> words);
 
 }  // namespace temblor::server

@@ -11,26 +11,30 @@
 #include "base/text.h"
 #include "command/text.h"
 #include "server/commands/give.h"
+#include "server/server.h"
+#include "server/session/stages.h"
 
 namespace temblor::server {
 namespace {
 
+// Limits of stock clients: score boards, and colors of shirts and pants.
 constexpr std::size_t kMaxNameChars = 15;
 constexpr std::size_t kMaxSayChars = 200;
 constexpr int kMaxColor = 13;
 
 using Words = std::span<const std::string>;
 
+// The player who gave the command, and its words.
 struct Caller {
   Server& server;
   std::size_t slot;
-  std::string_view line;  // the whole command
-  Words words;            // its name first
+  std::string_view line;  // the whole command, without a newline
+  Words words;            // the command's name first
 
-  Client& client() const { return server.clients()[slot]; }
-  Edict edict() const { return server.game()->player(slot); }
-  void print(std::string_view text) const { server.clients().print(slot, text); }
-  // Everything behind the command's name, without quotes around it.
+  Client& client() const { return server.clients[slot]; }
+  Edict edict() const { return server.game->player(slot); }
+  void print(std::string_view text) const { server.clients.print(slot, text); }
+  // Everything after the command's name, without quotes around it.
   std::string_view rest() const {
     std::string_view text = line.substr(std::min(words[0].size(), line.size()));
     while (text.starts_with(' ')) text.remove_prefix(1);
@@ -40,15 +44,15 @@ struct Caller {
   }
 };
 
-// Without characters that would begin another line, or color this one as the server's.
-std::string one_line(std::string_view text) {
+// Removes characters that would begin another line, or color this one like the server's.
+std::string to_one_line(std::string_view text) {
   std::string line(text);
   std::erase_if(line, [](char c) { return static_cast<unsigned char>(c) < 32; });
   return line;
 }
 
-// `wanted`, with a number behind it where somebody else is called so already: "player (2)".
-std::string free_name(std::span<const Client> clients, std::size_t slot, const std::string& wanted) {
+// `wanted`, followed by a number if another player already has this name: "player (2)".
+std::string make_unique_name(std::span<const Client> clients, std::size_t slot, const std::string& wanted) {
   const auto is_taken = [&](const std::string& name) {
     for (std::size_t other = 0; other < clients.size(); ++other)
       if (other != slot && !clients[other].is_free() && base::equal_ignoring_case(clients[other].name, name))
@@ -64,75 +68,78 @@ std::string free_name(std::span<const Client> clients, std::size_t slot, const s
   return name;
 }
 
+// Without a name, shows the current one, like a console variable.
 void name_command(const Caller& caller) {
   if (caller.words.size() < 2) return caller.print(fmt::format("\"name\" is \"{}\"\n", caller.client().name));
   Client& client = caller.client();
   const std::string name =
-      free_name(caller.server.clients().all(), caller.slot, presentable_name(caller.rest()));
+      make_unique_name(caller.server.clients.all(), caller.slot, presentable_name(caller.rest()));
   if (name == client.name) return;
   if (client.is_in_game() && client.name != Client::kNoName)
-    caller.server.print(fmt::format("{} is now {}\n", client.name, name));
+    print(caller.server, fmt::format("{} is now {}\n", client.name, name));
   client.name = name;
-  if (client.is_in_game() && !caller.server.game()->set_player_look(caller.slot, name, client.colors).ok())
+  if (client.is_in_game() && !caller.server.game->set_player_look(caller.slot, name, client.colors).ok())
     client.drop_reason = "there is no memory for its name";
-  caller.server.clients().tell_everyone(net::UpdateName{static_cast<std::uint8_t>(caller.slot), name});
+  caller.server.clients.send_to_all(net::UpdateName{static_cast<std::uint8_t>(caller.slot), name});
 }
 
+// One number sets both colors.
 void color_command(const Caller& caller) {
-  const auto color_of = [&](std::size_t i) {
+  const auto parse_color = [&](std::size_t i) {
     const std::optional<std::int64_t> number = command::parse_whole_number(caller.words[i]);
     return number ? std::optional(std::clamp<std::int64_t>(*number, 0, kMaxColor)) : std::nullopt;
   };
   const std::size_t words = caller.words.size();
-  const auto shirt = words > 1 ? color_of(1) : std::nullopt, pants = words > 2 ? color_of(2) : shirt;
-  if (!shirt || !pants) return caller.print(fmt::format("color SHIRT [TROUSERS]: 0 to {}\n", kMaxColor));
+  const auto shirt = words > 1 ? parse_color(1) : std::nullopt, pants = words > 2 ? parse_color(2) : shirt;
+  if (!shirt || !pants) return caller.print(fmt::format("Usage: color SHIRT [PANTS], 0 to {}\n", kMaxColor));
   Client& client = caller.client();
   client.colors = static_cast<std::uint8_t>(*shirt << 4 | *pants);
   if (client.is_in_game() &&
-      !caller.server.game()->set_player_look(caller.slot, client.name, client.colors).ok())
+      !caller.server.game->set_player_look(caller.slot, client.name, client.colors).ok())
     client.drop_reason = "there is no memory for its name";
-  caller.server.clients().tell_everyone(
-      net::UpdateColors{static_cast<std::uint8_t>(caller.slot), client.colors});
+  caller.server.clients.send_to_all(net::UpdateColors{static_cast<std::uint8_t>(caller.slot), client.colors});
 }
 
+// Talk to the team reaches those whose `team` is the same, as game code set it.
 void say(const Caller& caller, bool to_team) {
-  const std::string said = one_line(caller.rest().substr(0, kMaxSayChars));
+  const std::string said = to_one_line(caller.rest().substr(0, kMaxSayChars));
   if (said.empty()) return;
-  // A first character of 1 makes clients show the line as something that was said.
+  // A first character of 1 makes clients show the line as chat.
   const std::string text = to_team ? fmt::format("\1({}): {}\n", caller.client().name, said)
                                    : fmt::format("\1{}: {}\n", caller.client().name, said);
   const float team = caller.edict()[field::kTeam];
-  for (std::size_t slot = 0; slot < caller.server.clients().size(); ++slot) {
-    if (!caller.server.clients()[slot].is_in_game()) continue;
-    if (to_team && caller.server.game()->player(slot)[field::kTeam] != team) continue;
-    caller.server.clients().print(slot, text);
+  for (std::size_t slot = 0; slot < caller.server.clients.size(); ++slot) {
+    if (!caller.server.clients[slot].is_in_game()) continue;
+    if (to_team && caller.server.game->player(slot)[field::kTeam] != team) continue;
+    caller.server.clients.print(slot, text);
   }
-  caller.server.print_event(text.substr(1));
+  print_event(caller.server, text.substr(1));
 }
 
 void tell_command(const Caller& caller) {
-  if (caller.words.size() < 3) return caller.print("tell NAME TEXT\n");
-  for (std::size_t slot = 0; slot < caller.server.clients().size(); ++slot) {
-    if (caller.server.clients()[slot].is_free() || caller.server.clients()[slot].name != caller.words[1])
+  if (caller.words.size() < 3) return caller.print("Usage: tell NAME TEXT\n");
+  for (std::size_t slot = 0; slot < caller.server.clients.size(); ++slot) {
+    if (caller.server.clients[slot].is_free() || caller.server.clients[slot].name != caller.words[1])
       continue;
     const std::string_view said =
         caller.rest().substr(std::min(caller.words[1].size(), caller.rest().size()));
-    caller.server.clients().print(
-        slot, fmt::format("{}:{}\n", caller.client().name, one_line(said.substr(0, kMaxSayChars))));
+    caller.server.clients.print(
+        slot, fmt::format("{}:{}\n", caller.client().name, to_one_line(said.substr(0, kMaxSayChars))));
     return;
   }
-  caller.print(fmt::format("there is no player \"{}\"\n", caller.words[1]));
+  caller.print(fmt::format("No player is named \"{}\"\n", caller.words[1]));
 }
 
+// In the format of stock servers, because players' tools parse it. Addresses are left out.
 void status_command(const Caller& caller) {
   const Server& server = caller.server;
   caller.print(fmt::format("host:    {}\nmap:     {}\nplayers: {} active ({} max)\n\n",
-                           server.settings().host_name(), caller.server.game()->setup().map_name,
-                           caller.server.clients().connected(), caller.server.clients().size()));
-  for (std::size_t slot = 0; slot < caller.server.clients().size(); ++slot) {
-    const Client& client = caller.server.clients()[slot];
+                           server.settings().host_name(), caller.server.game->setup().map_name,
+                           caller.server.clients.connected_count(), caller.server.clients.size()));
+  for (std::size_t slot = 0; slot < caller.server.clients.size(); ++slot) {
+    const Client& client = caller.server.clients[slot];
     if (client.is_free()) continue;
-    const int seconds = static_cast<int>(server.now_s() - client.joined_at_s);
+    const int seconds = static_cast<int>(server.clock.now_s - client.joined_at_s);
     caller.print(fmt::format("#{:<2} {:<16}  {:3}  {:2}:{:02}:{:02}\n", slot + 1, client.name,
                              client.sent_frags, seconds / 3600, seconds / 60 % 60, seconds % 60));
   }
@@ -140,23 +147,23 @@ void status_command(const Caller& caller) {
 
 void ping_command(const Caller& caller) {
   caller.print("Client ping times:\n");
-  for (const Client& client : caller.server.clients().all())
+  for (const Client& client : caller.server.clients.all())
     if (!client.is_free())
       caller.print(
-          fmt::format("{:4} {}\n", static_cast<int>(std::lround(client.ping() * 1000)), client.name));
+          fmt::format("{:4} {}\n", static_cast<int>(std::lround(client.mean_ping_s() * 1000)), client.name));
 }
 
 void pause_command(const Caller& caller) {
-  if (!caller.server.settings().is_pausable()) return caller.print("Pause is not allowed here.\n");
-  caller.server.set_paused(!caller.server.is_paused());
-  caller.server.clients().print_everyone(fmt::format("{} {} the game\n", caller.client().name,
-                                                     caller.server.is_paused() ? "paused" : "unpaused"));
+  if (!caller.server.settings().is_pausable()) return caller.print("This server does not allow pausing.\n");
+  set_paused(caller.server, !caller.server.clock.is_paused);
+  caller.server.clients.print_to_all(fmt::format("{} {} the game\n", caller.client().name,
+                                                 caller.server.clock.is_paused ? "paused" : "unpaused"));
 }
 
 void kill_command(const Caller& caller) {
-  if (!(caller.edict()[field::kHealth] > 0)) return caller.print("You are dead already\n");
-  if (const base::Status killed = caller.server.game()->kill(caller.slot); !killed.ok())
-    caller.server.fail(killed.error());
+  if (!(caller.edict()[field::kHealth] > 0)) return caller.print("You are already dead\n");
+  if (const base::Status killed = caller.server.game->kill(caller.slot); !killed.ok())
+    handle_game_failure(caller.server, killed.error());
 }
 
 void toggle_flag(const Caller& caller, int flag, std::string_view name) {
@@ -168,6 +175,7 @@ void toggle_flag(const Caller& caller, int flag, std::string_view name) {
   caller.print(fmt::format("{} {}\n", name, edict.has_flag(flag) ? "ON" : "OFF"));
 }
 
+// A move type that game code has set in the meantime is not restored: off always means walking.
 void toggle_move_type(const Caller& caller, MoveType type, std::string_view name) {
   const Edict edict = caller.edict();
   const bool is_on = edict.move_type() != type;
@@ -176,11 +184,11 @@ void toggle_move_type(const Caller& caller, MoveType type, std::string_view name
 }
 
 void give_command(const Caller& caller) {
-  caller.print(give(*caller.server.game(), caller.slot, caller.words));
+  caller.print(give(*caller.server.game, caller.slot, caller.words));
 }
 
-// What is behind the first word of it, which may stand in quotes.
-std::string_view behind_first_word(std::string_view text) {
+// The text after its first word, which may be in quotes.
+std::string_view skip_first_word(std::string_view text) {
   const bool is_quoted = text.starts_with('"');
   const std::size_t end = text.find(is_quoted ? '"' : ' ', 1);
   text.remove_prefix(std::min(end, text.size() - 1) + 1);
@@ -188,27 +196,29 @@ std::string_view behind_first_word(std::string_view text) {
   return text;
 }
 
-// "rcon PASSWORD COMMAND": the host's console from afar.
+// "rcon PASSWORD COMMAND": runs a command on the host's console. The endpoint limits how often an address may
+// try.
 void rcon_command(const Caller& caller) {
   Server& server = caller.server;
-  const std::optional<platform::Address> from = server.endpoint().address_of(caller.client().connection);
+  const std::optional<platform::Address> from = server.endpoint.peer_address(caller.client().connection);
   const bool is_right = from && caller.words.size() > 2 &&
-                        server.endpoint().admits_remote_command(*from, caller.words[1], server.now_s());
+                        server.endpoint.admit_remote_command(*from, caller.words[1], server.clock.now_s);
   if (!is_right) {
-    server.print(
-        fmt::format("{} ({}) gave a wrong rcon password\n", caller.client().name, caller.client().address));
-    return caller.print("wrong rcon password\n");
+    print(server,
+          fmt::format("{} ({}) gave a wrong rcon password\n", caller.client().name, caller.client().address));
+    return caller.print("Wrong rcon password\n");
   }
-  const std::string line(behind_first_word(behind_first_word(caller.line)));
-  server.print(fmt::format("rcon from {}: {}\n", caller.client().name, line));
-  caller.print(server.run_and_capture(line));
+  const std::string line(skip_first_word(skip_first_word(caller.line)));
+  print(server, fmt::format("rcon from {}: {}\n", caller.client().name, line));
+  caller.print(run_and_capture(server, line));
 }
 
+// A row of the table of commands.
 struct PlayerCommandEntry {
   std::string_view name;
   void (*run)(const Caller& caller);
   bool is_cheat = false;
-  bool needs_game = true;  // the player is in the game
+  bool needs_game = true;  // only for players who are in the game
 };
 
 constexpr std::array kCommands = {
@@ -239,7 +249,7 @@ std::string presentable_name(std::string_view wanted) {
   std::string name;
   for (const char c : wanted) {
     const auto value = static_cast<unsigned char>(c);
-    // 128 and up are letters of the game's own font.
+    // 128 and above are characters of the game's own font.
     if (name.size() < kMaxNameChars && value >= 32 && value != 127 && c != '"' && c != ';') name += c;
   }
   while (name.ends_with(' ')) name.pop_back();
@@ -251,14 +261,14 @@ void run_player_command(Server& io_server, std::size_t slot, std::string_view li
   while (line.starts_with(' ')) line.remove_prefix(1);
   while (line.ends_with('\n') || line.ends_with(' ')) line.remove_suffix(1);
   const std::vector<std::string> words = command::split_words(line);
-  if (words.empty() || !io_server.game()) return;
+  if (words.empty() || !io_server.game) return;
   const Caller caller{io_server, slot, line, words};
   const std::string name = base::to_lower(words[0]);
   const auto found = std::find_if(kCommands.begin(), kCommands.end(),
                                   [&](const PlayerCommandEntry& entry) { return entry.name == name; });
-  if (found == kCommands.end()) return caller.print(fmt::format("there is no command \"{}\"\n", words[0]));
+  if (found == kCommands.end()) return caller.print(fmt::format("Unknown command \"{}\"\n", words[0]));
   if (found->needs_game && !caller.client().is_in_game()) return;
-  const bool is_alone = io_server.clients().size() == 1;
+  const bool is_alone = io_server.clients.size() == 1;
   if (found->is_cheat && !is_alone && !io_server.settings().cheats_allowed())
     return caller.print(fmt::format("{} needs sv_cheats 1\n", name));
   found->run(caller);

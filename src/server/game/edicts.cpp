@@ -5,7 +5,7 @@
 namespace temblor::server {
 namespace {
 
-constexpr double kReuseAtOnceBefore_s = 2;  // while a level is set up nobody has seen anything yet
+constexpr double kReuseAtOnceBefore_s = 2;  // game time; no client has seen anything of the level yet
 constexpr double kReuseAfter_s = 0.5;
 
 }  // namespace
@@ -20,12 +20,14 @@ Edicts::Edicts(vm::Machine& io_machine, std::uint32_t client_count)
   follow_count();
 }
 
+// Reserves all that an entity may need, so that link() never allocates during a tick.
 void Edicts::follow_count() {
   const std::size_t before = states_.size();
   states_.resize(count());
   for (std::size_t i = before; i < states_.size(); ++i) states_[i].leaves.reserve(EdictState::kMaxLeaves);
 }
 
+// Takes the lowest free number, as the original does: numbers decide the order of physics.
 base::Result<vm::EntityIndex> Edicts::spawn(double time_s) {
   if (free_count_ > 0) {
     for (std::size_t i = client_count_ + 1; i < states_.size(); ++i) {
@@ -55,7 +57,7 @@ void Edicts::free(vm::EntityIndex index, double time_s) {
   state.leaves.clear();
   state.is_in_too_many_leaves = false;
   ++free_count_;
-  // Whoever holds it still may look at it; nothing of it is seen, stands in the way or thinks.
+  // QuakeC may still read its fields, but it is not drawn, blocks nothing, and does not think.
   const Edict edict = (*this)[index];
   edict.set(field::kModel, vm::kEmptyString);
   edict.set(field::kTakeDamage, 0);
@@ -69,6 +71,7 @@ void Edicts::free(vm::EntityIndex index, double time_s) {
   edict.set(field::kSolid, 0);
 }
 
+// Everything counts as used afterward; the caller frees what a saved game has as free.
 base::Status Edicts::set_count(std::uint32_t count) {
   if (count <= client_count_)
     return base::error(base::ErrorCode::kUsage, "{} entities, but {} players", count, client_count_);

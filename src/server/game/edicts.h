@@ -1,5 +1,10 @@
-// The entities of a game: their words are the machine's; which are in use, and what the server keeps about
-// each, is here.
+// The entities of a game ("edicts", as the original calls their records).
+// An entity's fields are words in the QuakeC machine. This part knows which entities are in use, and what the
+// server stores for each one besides its fields:
+//    number:   0        1 .. client_count        client_count + 1 ..
+//              world    players                  monsters, items, doors, missiles, ...
+//              always   always there, even       freed and used again
+//              there    if nobody plays
 #pragma once
 
 #include <cstdint>
@@ -13,23 +18,25 @@
 
 namespace temblor::server {
 
-// What QuakeC does not see of an entity.
+// What the server stores for an entity besides its fields. QuakeC does not see it.
 struct EdictState {
-  // Of its box, by link(): leaves of the world that it touches, for the PVS. With more than kMaxLeaves it
-  // counts as seen from everywhere, and the list is empty.
+  // The level's leaves that its box touches, for the PVS; link() finds them. An entity in more than
+  // kMaxLeaves counts as visible from everywhere, and its list is empty.
   static constexpr std::size_t kMaxLeaves = 32;
 
   bool is_free = false;
+  // The game time at which it was freed last.
   double freed_at_s = 0;
   std::vector<world::LeafIndex> leaves;
   bool is_in_too_many_leaves = false;
+  // What snapshots are compared with; see baselines.h.
   net::Baseline baseline;
 };
 
 class Edicts {
  public:
-  // `client_count`: entities 1 to client_count are the players', and never given out by spawn(); the machine
-  // gets as many as that. It must outlive this object. CHECKs that it has room for them.
+  // Entities 1 to `client_count` are for players; spawn() never returns them. `io_machine` must outlive this
+  // object, and CHECKs that it has room for them.
   Edicts(vm::Machine& io_machine, std::uint32_t client_count);
 
   std::uint32_t count() const { return machine_->entity_count(); }
@@ -37,24 +44,24 @@ class Edicts {
   bool is_client(vm::EntityIndex index) const {
     return index != vm::kWorld && base::to_size(index) <= client_count_;
   }
-  // CHECKs that there is such an entity.
+  // CHECKs that the entity exists.
   Edict operator[](vm::EntityIndex index) { return {index, machine_->entity(index)}; }
   Edict world() { return (*this)[vm::kWorld]; }
-  // A value from QuakeC: the world for one that is no entity.
+  // An entity number from QuakeC. If there is no such entity, the world.
   Edict at(vm::EntityIndex value) { return (*this)[base::to_size(value) < count() ? value : vm::kWorld]; }
   EdictState& state(vm::EntityIndex index) { return states_[base::to_size(index)]; }
   const EdictState& state(vm::EntityIndex index) const { return states_[base::to_size(index)]; }
   bool is_free(vm::EntityIndex index) const { return states_[base::to_size(index)].is_free; }
 
-  // A new entity, its words all 0. A place that was freed before time 2, or more than 0.5 s ago, is used
-  // again (clients still blend what they saw there with what they see next). kTooLarge when there is no
-  // place.
+  // Makes an entity with all fields 0. It reuses a number that was freed before time 2 or more than 0.5 s
+  // ago: clients blend what they last saw under a number with what they see next. kTooLarge past the
+  // machine's limit.
   base::Result<vm::EntityIndex> spawn(double time_s);
-  // Frees a place; whoever still refers to it sees an entity that is nowhere. The caller unlinks it first.
-  // The world and players' places stay, and nothing happens to one that is free.
+  // Frees an entity, which the caller has unlinked. QuakeC that still refers to it sees an entity without
+  // model at 0 0 0. The world, players and free entities stay as they are.
   void free(vm::EntityIndex index, double time_s);
-  // For loading: exactly that many, all in use. kTooLarge past the machine's limit; kUsage where there would
-  // be fewer than the players need.
+  // For saved games: sets the number of entities, all in use. kTooLarge past the machine's limit; kUsage if
+  // there would be fewer than the world and the players.
   base::Status set_count(std::uint32_t count);
 
  private:

@@ -1,5 +1,6 @@
-// The fields that every Quake program gives its entities, at the places that header CRC 5927 stands for
-// (quake-facts.md, section 15), and the numbers that they hold.
+// The fields that every Quake program gives its entities, and the numbers that they hold. Their offsets are
+// fixed for programs with header CRC 5927 (quake-facts.md, section 15). A program's own fields follow from
+// word 105 on; parts that need one (gravity, alpha, items2) look it up by name.
 #pragma once
 
 #include <bit>
@@ -11,7 +12,7 @@
 
 namespace temblor::server {
 
-// Where a field's value of type T is in an entity.
+// A field of type T: the offset of its first word in an entity.
 template <typename T>
 struct Field {
   std::uint32_t word;
@@ -58,6 +59,7 @@ constexpr Field<vm::StringIndex> kNoise{101}, kNoise1{102}, kNoise2{103}, kNoise
 
 constexpr std::uint32_t kSystemFieldWords = 105;
 
+// The values of `movetype`, as physics (physics/physics.cpp) tells them apart.
 enum class MoveType : int {
   kNone = 0,
   kWalk = 3,
@@ -71,14 +73,16 @@ enum class MoveType : int {
   kFollow = 12,
 };
 
+// The values of `solid`: what an entity does to others that move into it.
 enum class Solid : int { kNot = 0, kTrigger = 1, kBox = 2, kSlideBox = 3, kBsp = 4 };
 
+// Bits of `flags`.
 namespace flag {
 constexpr int kFly = 1, kSwim = 2, kClient = 8, kInWater = 16, kMonster = 32, kGodMode = 64, kNoTarget = 128,
               kItem = 256, kOnGround = 512, kPartialGround = 1024, kWaterJump = 2048, kJumpReleased = 4096;
 }  // namespace flag
 
-// One entity: a view of its words, valid until the number of entities changes.
+// One entity: a view of its words in the machine. Cheap to copy; valid until the number of entities changes.
 class Edict {
  public:
   Edict(vm::EntityIndex index, std::span<std::uint32_t> words) : index_(index), words_(words) {}
@@ -91,7 +95,7 @@ class Edict {
     return {std::bit_cast<float>(words_[f.word]), std::bit_cast<float>(words_[f.word + 1]),
             std::bit_cast<float>(words_[f.word + 2])};
   }
-  // As it lies: a program may put a value there that is no entity; Edicts::at() checks.
+  // Unchecked: QuakeC may have stored a number that is not an entity. Edicts::at() checks it.
   vm::EntityIndex operator[](Field<vm::EntityIndex> f) const { return vm::EntityIndex{words_[f.word]}; }
   vm::StringIndex operator[](Field<vm::StringIndex> f) const { return vm::StringIndex{words_[f.word]}; }
   vm::FunctionIndex operator[](Field<vm::FunctionIndex> f) const { return vm::FunctionIndex{words_[f.word]}; }
@@ -106,7 +110,8 @@ class Edict {
     words_[f.word] = static_cast<std::uint32_t>(value);
   }
 
-  // Numbers that stand for something; what is out of range or no number counts as 0.
+  // A number that stands for something else, such as flags, truncated to an integer. Values out of range and
+  // NaN count as 0.
   int whole(Field<float> f) const {
     const float value = (*this)[f];
     return value > -2e9f && value < 2e9f ? static_cast<int>(value) : 0;

@@ -13,15 +13,17 @@ namespace {
 
 using formats::ProgsType;
 
-// As far as it is a number; `io_text` is left behind it.
+// Reads a number as far as possible, and removes it from the text. The C library's rules are part of the map
+// format: hexadecimal numbers and exponents are allowed.
 float take_number(std::string_view& io_text) {
-  const std::string text(io_text);  // strtof wants a zero behind it
+  const std::string text(io_text);  // strtof() needs a final zero
   char* end = nullptr;
   const float value = std::strtof(text.c_str(), &end);
   io_text.remove_prefix(static_cast<std::size_t>(end - text.c_str()));
   return std::isfinite(value) ? value : 0.0f;
 }
 
+// "\n" is the only escape of the map format.
 std::string unescaped(std::string_view text) {
   std::string result;
   result.reserve(text.size());
@@ -33,6 +35,7 @@ std::string unescaped(std::string_view text) {
   return result;
 }
 
+// The reverse, without quotes: the formats have no way to escape them.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -44,6 +47,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+// Everything except a vector fits into one word.
 base::Result<std::uint32_t> single_word(vm::Machine& io_machine, ProgsType type, std::string_view text) {
   const vm::Program& program = io_machine.program();
   switch (type) {
@@ -75,7 +79,7 @@ base::Result<std::uint32_t> single_word(vm::Machine& io_machine, ProgsType type,
   }
 }
 
-std::string_view name_of_field(const vm::Program& program, std::uint32_t offset) {
+std::string_view find_field_name(const vm::Program& program, std::uint32_t offset) {
   for (const formats::ProgsDefinition& field : program.progs().fields)
     if (field.offset == offset) return program.progs().string_at(field.name);
   return "";
@@ -98,6 +102,7 @@ base::Status set_value(vm::Machine& io_machine, const formats::ProgsDefinition& 
   return base::Ok{};
 }
 
+// Nine significant digits are enough to restore any float exactly.
 std::string value_text(const vm::Machine& machine, const formats::ProgsDefinition& definition,
                        std::span<const std::uint32_t> words) {
   const vm::Program& program = machine.program();
@@ -112,10 +117,10 @@ std::string value_text(const vm::Machine& machine, const formats::ProgsDefinitio
     case ProgsType::kEntity:
       return fmt::format("{}", words[0]);
     case ProgsType::kField:
-      return std::string(name_of_field(program, words[0]));
+      return std::string(find_field_name(program, words[0]));
     case ProgsType::kFunction: {
       const bool is_known = words[0] > 0 && words[0] < program.progs().functions.size();
-      return is_known ? std::string(program.name_of(vm::FunctionIndex{words[0]})) : "";
+      return is_known ? std::string(program.function_name(vm::FunctionIndex{words[0]})) : "";
     }
     default:
       return "";

@@ -1,5 +1,5 @@
-// The door into QuakeC: every call of a game function goes through here, with self, other and time set as the
-// original has them. Physics and the rest of the server know no machine.
+// Calls of QuakeC functions. All of them go through this interface, which sets self, other and time as the
+// original does. So physics needs no machine, and tests can replace QuakeC.
 #pragma once
 
 #include "base/result.h"
@@ -10,8 +10,8 @@ namespace temblor::server {
 class GameCalls {
  public:
   virtual ~GameCalls() = default;
-  // Calls `function` of the program with these; kNoFunction does nothing. The old self and other come back
-  // afterwards. An error is the program's: the game has to end.
+  // Calls `function`, and restores the old self and other afterward. kNoFunction does nothing. After a QuakeC
+  // error the game must end. `time_s` is what QuakeC reads as `time`; a think function gets its own due time.
   virtual base::Status call(vm::FunctionIndex function, vm::EntityIndex self, vm::EntityIndex other,
                             double time_s) = 0;
 };

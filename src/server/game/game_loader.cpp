@@ -16,14 +16,16 @@ namespace {
 
 constexpr const char* kProgramName = "progs.dat";
 
-// What servers of today announce with 999.
+// The flags that other current servers send with protocol 999: positions as whole 32-bit numbers, and angles
+// with 16 bits.
 constexpr std::uint32_t kRmqFlags = net::kInt32Coord | net::kShortAngle;
 
-net::Dialect dialect_of(net::Protocol protocol) {
+net::Dialect make_dialect(net::Protocol protocol) {
   return {protocol, protocol == net::Protocol::kRmq ? kRmqFlags : 0};
 }
 
-// `lines`: what fteqcc wrote beside the program, if it did; one that is another program's is left out.
+// `lines`: the line numbers that fteqcc wrote with the program, if any. Those of another program are ignored:
+// they only improve error messages.
 base::Result<std::shared_ptr<const vm::Program>> make_program(base::Bytes bytes, const std::string& name,
                                                               const base::Result<base::ByteVector>& lines) {
   TRY(formats::Progs progs, formats::read_progs(bytes).with_file(name));
@@ -34,6 +36,7 @@ base::Result<std::shared_ptr<const vm::Program>> make_program(base::Bytes bytes,
   return vm::Program::load(std::move(progs), std::move(line_numbers)).with_file(name);
 }
 
+// From `file`, or else from the game folders.
 base::Result<std::shared_ptr<const vm::Program>> load_program(const vfs::FileSystem& files,
                                                               const std::filesystem::path& file) {
   if (!file.empty()) {
@@ -50,21 +53,23 @@ base::Result<std::shared_ptr<const vm::Program>> load_program(const vfs::FileSys
   return make_program(bytes, files.describe(kProgramName), files.read("progs.lno"));
 }
 
-// What this dialect cannot say of the game; nothing when it can say all.
-std::optional<std::string> reason_against(Game& io_game, std::size_t entities_to_come) {
+// Why this dialect has no room for the game. Empty: it has room.
+std::optional<std::string> find_dialect_limit(Game& io_game, std::size_t min_entities) {
   const net::Dialect& dialect = io_game.setup().dialect;
   if (io_game.outbox().dropped() > 0)
     return fmt::format("{} messages of the level's beginning cannot be said", io_game.outbox().dropped());
-  const std::size_t entities = std::max<std::size_t>(io_game.world().edicts.count(), entities_to_come);
+  const std::size_t entities = std::max<std::size_t>(io_game.world().edicts.count(), min_entities);
   if (dialect.protocol == net::Protocol::kNetQuake && entities > kMaxEntitiesOfProtocol15)
     return fmt::format("{} entities are more than {}", entities, kMaxEntitiesOfProtocol15);
-  const base::Result<base::ByteVector> message = level_message(io_game, 0);
+  const base::Result<base::ByteVector> message = make_level_message(io_game, 0);
   if (!message.ok()) return message.error().what;
   return std::nullopt;
 }
 
 }  // namespace
 
+// A game is set up again for each protocol that is tried, because what it has written into its outbox is in
+// one protocol's format. Most levels fit the first.
 base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVariables& settings,
                                    const GameServices& services) {
   TRY(const std::shared_ptr<const vm::Program> program,
@@ -82,9 +87,9 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
     const bool is_last = wanted || protocol == kOldestFirst.back();
     base::Result<std::unique_ptr<Game>> game = Game::start({.program = program,
                                                             .level = loaded.level,
-                                                            .level_hash = base::hash_of_bytes(level_bytes),
+                                                            .level_hash = base::hash_bytes(level_bytes),
                                                             .map_name = request.map,
-                                                            .dialect = dialect_of(protocol),
+                                                            .dialect = make_dialect(protocol),
                                                             .max_clients = request.max_clients,
                                                             .kind = request.kind,
                                                             .skill = request.skill,
@@ -93,11 +98,11 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
                                                             .tick_s = settings.tick_s(),
                                                             .settings = settings.physics()},
                                                            services);
-    // More models or sounds than it has numbers for, perhaps.
+    // It may have failed because the protocol has too few numbers for models or sounds.
     if (!game.ok() && !is_last) continue;
     if (!game.ok()) return game.error();
     result.game = std::move(game).value();
-    const std::optional<std::string> reason = reason_against(*result.game, request.entities_to_come);
+    const std::optional<std::string> reason = find_dialect_limit(*result.game, request.min_entities);
     if (!reason) break;
     if (is_last)
       result.notes.push_back(

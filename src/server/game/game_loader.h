@@ -1,4 +1,7 @@
-// From a level's name to a game that runs: files, program, protocol.
+// Starts a game from a level's name: reads the files, loads the program, and chooses the protocol.
+//    maps/NAME.bsp, progs.dat (+ progs.lno) --> Game in protocol 15 --> room for everything? --> LoadedGame
+//                                                    ^                      | no
+//                                                    +--- 666, then 999 <---+
 #pragma once
 
 #include <filesystem>
@@ -21,17 +24,18 @@ struct GameRequest {
   std::filesystem::path program_file{};  // empty: the game folders' progs.dat
   std::uint32_t max_clients = 1;
   std::uint64_t seed = 1;
-  // Numbers of entities that a saved game will bring along; the protocol must have so many at least.
-  std::size_t entities_to_come = 0;
+  // How many entities a saved game contains. The protocol must have room for them.
+  std::size_t min_entities = 0;
 };
 
 struct LoadedGame {
   std::unique_ptr<Game> game;
-  std::vector<std::string> notes;  // for the host's eyes, a line each
+  std::vector<std::string> notes;  // for the host, one line each
 };
 
-// maps/MAP.bsp with progs.dat, set up. The protocol is the one that `settings` ask for, or the oldest that
-// can say everything: number of models, sounds and entities, places past +-4096 units. Errors name the file.
+// Loads maps/MAP.bsp and progs.dat, and sets the game up. The protocol is the one in `settings`, or the
+// oldest that has room for all models, sounds and entities, and for places past +-4096 units. Errors name the
+// file.
 base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVariables& settings,
                                    const GameServices& services);
 

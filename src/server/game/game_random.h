@@ -1,4 +1,5 @@
-// The game's dice: the same seed, the same game.
+// The game's random numbers: splitmix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
+// Generators", 2014). The same seed gives the same game on every platform, unlike the C library's rand().
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@ class GameRandom {
  public:
   explicit GameRandom(std::uint64_t seed = 0x9e3779b97f4a7c15) : state_(seed) {}
 
-  // 15 bits, as QuakeC's random() is made of: 0 to 32767 (splitmix64; Steele, Lea, Flood 2014).
+  // 0 to 32767: the 15 bits of which QuakeC's random() is made.
   int next_15_bits() {
     state_ += 0x9e3779b97f4a7c15;
     std::uint64_t z = state_;

@@ -10,12 +10,13 @@ namespace temblor::server {
 namespace {
 
 constexpr std::size_t kProbes = 6;
+// Ahead of the player's eye; and how far down a probe looks for the floor.
 constexpr float kFirstProbe_units = 36, kProbeStep_units = 12;
 constexpr float kReachDown_units = 160;
-constexpr float kSameHeight_units = 10;  // two steps that differ by less are of one stair
-constexpr int kStepsOfAStair = 2;
+constexpr float kSameHeight_units = 10;  // steps that differ by less belong to one staircase
+constexpr int kMinStairSteps = 2;
 
-// The floor's height at each probe, from far above it; nothing where there is a wall or an abyss.
+// The floor's height at each probe. Empty: there is a wall or a deep drop.
 std::optional<std::array<float, kProbes>> floor_ahead(GameWorld& io_world, const Edict& player) {
   const float yaw = player[field::kAngles].y * std::numbers::pi_v<float> / 180;
   const math::Vec3 forward{std::cos(yaw), std::sin(yaw), 0};
@@ -44,13 +45,13 @@ void set_ideal_pitch(GameWorld& io_world, vm::EntityIndex index) {
   for (std::size_t i = 1; i < kProbes; ++i) {
     const float rise = (*heights)[i] - (*heights)[i - 1];
     if (std::abs(rise) < 1.0f / 32) continue;
-    if (step != 0 && std::abs(rise - step) > kSameHeight_units) return;  // not one stair
+    if (step != 0 && std::abs(rise - step) > kSameHeight_units) return;  // not one staircase
     step = rise;
     ++steps;
   }
   if (step == 0)
     player.set(field::kIdealPitch, 0.0f);
-  else if (steps >= kStepsOfAStair)
+  else if (steps >= kMinStairSteps)
     player.set(field::kIdealPitch, -step * io_world.ideal_pitch_scale);
 }
 

@@ -11,16 +11,17 @@
 namespace temblor::server {
 namespace {
 
+// Bits of spawnflags that exclude an entity from a skill or from deathmatch.
 constexpr int kNotEasy = 256, kNotMedium = 512, kNotHard = 1024, kNotDeathmatch = 2048;
 
-bool is_left_out(int spawn_flags, const SpawnRules& rules) {
+bool is_excluded(int spawn_flags, const SpawnRules& rules) {
   if (rules.deathmatch) return (spawn_flags & kNotDeathmatch) != 0;
   const int flag = rules.skill <= 0 ? kNotEasy : rules.skill == 1 ? kNotMedium : kNotHard;
   return (spawn_flags & flag) != 0;
 }
 
-// Keys of the world that are for the map's compiler or for clients: a program without them lacks nothing.
-bool is_of_others(std::string_view key) {
+// Keys for map compilers or clients. Game code does not need a field for them.
+bool is_for_others(std::string_view key) {
   constexpr std::array<std::string_view, 10> kKeys = {"wad",        "mapversion", "fog",        "sky",
                                                       "skyname",    "skybox",     "wateralpha", "lavaalpha",
                                                       "slimealpha", "telealpha"};
@@ -28,12 +29,13 @@ bool is_of_others(std::string_view key) {
          std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 
+// Some editors write blanks after a key.
 std::string_view without_trailing_blanks(std::string_view text) {
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
 }
 
-// Notes, each once, however many entities give reason for it.
+// Collects notes, each text once.
 class Notes {
  public:
   void add(std::string note) {
@@ -46,6 +48,8 @@ class Notes {
   std::vector<std::string> notes_;
 };
 
+// Two keys are not fields, as in the original: "angle" is the yaw of "angles", and "light" is "light_lev".
+// Values that the program does not understand are noted, so that one bad key does not stop the level.
 base::Status set_key(vm::Machine& io_machine, const Edict& edict, std::string_view key, std::string value,
                      Notes& io_notes) {
   key = without_trailing_blanks(key);
@@ -57,7 +61,7 @@ base::Status set_key(vm::Machine& io_machine, const Edict& edict, std::string_vi
   }
   const formats::ProgsDefinition* field = io_machine.program().find_field(key);
   if (!field) {
-    if (is_of_others(key)) return base::Ok{};
+    if (is_for_others(key)) return base::Ok{};
     io_notes.add(fmt::format("\"{}\" is not a field of this program", key));
     return base::Ok{};
   }
@@ -73,7 +77,8 @@ base::Status set_keys(vm::Machine& io_machine, const Edict& edict, const formats
   return base::Ok{};
 }
 
-std::string fault_of(std::string_view class_name, std::size_t number, const math::Vec3& origin) {
+std::string describe_unknown_class(std::string_view class_name, std::size_t number,
+                                   const math::Vec3& origin) {
   const std::string what =
       class_name.empty() ? "it has no classname, and is left out"
                          : fmt::format("there is no function \"{}\" to spawn such entities", class_name);
@@ -82,12 +87,13 @@ std::string fault_of(std::string_view class_name, std::size_t number, const math
 
 }  // namespace
 
+// The first entity is the world, which is never excluded, and is spawned like the others.
 base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_machine,
                                          std::span<const formats::Entity> entities, const SpawnRules& rules,
                                          base::FunctionRef<void()> after_each) {
   SpawnReport report;
   Notes notes;
-  std::set<std::string, std::less<>> known_to_be_unknown;
+  std::set<std::string, std::less<>> reported_classes;
   for (std::size_t i = 0; i < entities.size(); ++i) {
     vm::EntityIndex index = vm::kWorld;
     if (i > 0) {
@@ -95,7 +101,7 @@ base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_ma
     }
     TRY_STATUS(set_keys(io_machine, io_world.edicts[index], entities[i], notes));
     const Edict edict = io_world.edicts[index];
-    if (i > 0 && is_left_out(edict.whole(field::kSpawnFlags), rules)) {
+    if (i > 0 && is_excluded(edict.whole(field::kSpawnFlags), rules)) {
       remove(io_world, index);
       ++report.filtered;
       continue;
@@ -103,8 +109,8 @@ base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_ma
     const std::string class_name(io_machine.text(edict[field::kClassName]));
     const vm::FunctionIndex spawn = io_machine.program().find_function(class_name);
     if (spawn == vm::kNoFunction) {
-      if (known_to_be_unknown.insert(class_name).second)
-        report.unknown_classes.push_back(fault_of(class_name, i, edict[field::kOrigin]));
+      if (reported_classes.insert(class_name).second)
+        report.unknown_classes.push_back(describe_unknown_class(class_name, i, edict[field::kOrigin]));
       if (i > 0) remove(io_world, index);
       continue;
     }

@@ -1,4 +1,6 @@
-// A level's entities, brought to life: keys into fields, then the function named like the class.
+// Spawns a level's entities: stores their keys in fields, then calls the QuakeC function with the name of
+// their class.
+//    { "classname" "light"  "origin" "0 64 32" }  -->  fields classname, origin  -->  light()
 #pragma once
 
 #include <span>
@@ -8,7 +10,7 @@
 #include "base/function_ref.h"
 #include "base/result.h"
 #include "formats/levels/entities.h"
-#include "server/game_world.h"
+#include "server/game/game_world.h"
 #include "vm/machine.h"
 
 namespace temblor::server {
@@ -20,15 +22,16 @@ struct SpawnRules {
 
 struct SpawnReport {
   std::size_t spawned = 0;
-  std::size_t filtered = 0;        // not for this skill or kind of game
+  std::size_t filtered = 0;        // left out, because of this skill or kind of game
   std::vector<std::string> notes;  // keys that the program does not know, each once
-  // Classes that it does not know, each with its first entity, as the level's text counts them, from 0.
+  // Classes without a spawn function, each with its first entity. Entities are counted from 0, as in the
+  // level's text.
   std::vector<std::string> unknown_classes;
 };
 
-// The first entity becomes the world, entity 0; those whose spawnflags leave them out are passed over, and
-// those without a spawn function are left out with a note. `after_each` is called when a spawn function has
-// returned. Fails where QuakeC does, or where there is no room for all of them.
+// The first entity becomes the world, entity 0. Entities that their spawnflags exclude from this game, and
+// those without a spawn function, are removed. `after_each` runs after each spawn function. Fails if QuakeC
+// does, or if there are too many entities.
 base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_machine,
                                          std::span<const formats::Entity> entities, const SpawnRules& rules,
                                          base::FunctionRef<void()> after_each);

@@ -1,20 +1,22 @@
-// What all ways of moving share: an entity as a body among others, its thinking, its water.
+// What all move types share: an entity as a body that meets others, its think function, gravity, and water.
 #pragma once
 
 #include "movement/walk.h"
-#include "server/game_world.h"
+#include "server/game/game_world.h"
 #include "server/move_trace.h"
 
 namespace temblor::server {
 
-movement::Body body_of(const Edict& edict);
+movement::Body make_body(const Edict& edict);
 
-// An entity and what it moves among: what it touches is told to the program, which may do anything with it.
+// An entity and everything that it moves among. What it touches is reported to QuakeC, whose touch functions
+// may change or remove any entity, including this one. So the body is stored in the entity before each such
+// call, and read again after it.
 class EntityEnvironment : public movement::WalkEnvironment {
  public:
   EntityEnvironment(GameWorld& io_world, vm::EntityIndex entity) : world_(io_world), entity_(entity) {}
 
-  movement::Body body() const { return body_of(edict()); }
+  movement::Body body() const { return make_body(edict()); }
   void store(const movement::Body& body);
 
   movement::Contact trace(const math::Vec3& start, const math::Vec3& end) override;
@@ -25,28 +27,30 @@ class EntityEnvironment : public movement::WalkEnvironment {
 
  private:
   Edict edict() const { return world_.edicts[entity_]; }
-  movement::Contact contact_of(const math::Vec3& start, const math::Vec3& end, MoveKind kind) const;
+  movement::Contact find_contact(const math::Vec3& start, const math::Vec3& end, MoveKind kind) const;
 
   GameWorld& world_;
   vm::EntityIndex entity_;
 };
 
-// Moves an entity as far as it gets, links it there, and lets it and what it met touch each other.
+// Moves an entity in a straight line as far as it gets, links it there, and calls the touch functions of it
+// and of what it met.
 base::Result<movement::Push> push_entity(GameWorld& io_world, vm::EntityIndex entity, const math::Vec3& way);
 
-// Calls think if its time comes before the tick's end. false: the entity is gone.
+// Calls `think` if its time comes before the end of this tick. false: the entity was removed.
 base::Result<bool> run_think(GameWorld& io_world, vm::EntityIndex entity);
 
-// Makes numbers of an origin and a velocity that are none, and bounds the velocity.
+// Replaces NaN and infinities in an entity's origin and velocity by 0, and limits the velocity.
 void check_velocity(GameWorld& io_world, vm::EntityIndex entity);
-// A tick's gravity, all of it before the move.
+// Adds a tick's gravity to the velocity, all of it before the move.
 void add_gravity(GameWorld& io_world, vm::EntityIndex entity);
-// Sets a player's waterlevel (1 feet, 2 middle, 3 eyes) and watertype; true: it swims.
+// Sets a player's waterlevel (1 feet, 2 waist, 3 eyes) and watertype. true: the player swims.
 bool check_water(GameWorld& io_world, vm::EntityIndex player);
-// Of what falls: a splash on the way in and out.
+// For entities that fall: plays a splash on the way in and out, and sets watertype and waterlevel.
 void check_water_transition(GameWorld& io_world, vm::EntityIndex entity);
 
-inline float tick_of(const GameWorld& world) {
+// The length of this tick in seconds, in the precision in which the original computes moves.
+inline float tick_seconds(const GameWorld& world) {
   return static_cast<float>(world.tick_s);
 }
 

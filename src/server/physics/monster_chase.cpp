@@ -1,4 +1,8 @@
-// A monster's way to its goal: straight on, and around what is in the way by trying compass directions.
+// The path of a monster to its goal: straight on, and around what is in the way by trying compass directions.
+// There is no search and no memory besides ideal_yaw:
+//    1. diagonally toward the goal        4. a full turn of all eight directions, either way round
+//    2. along x or y toward the goal      5. back where it came from
+//    3. on as before                      6. none: it stays
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -9,25 +13,28 @@
 namespace temblor::server {
 namespace {
 
-// Nearer than this along an axis: no need to go that way.
+// Nearer than this along an axis: there is no need to move along it.
 constexpr float kLevelWith = 10;
 constexpr float kEighth_deg = 45;
-// The original's number for south-west is a slip for 225; kept, for monsters walk as they always did.
+// The original's number for south-west is a slip for 225. It is kept, so that monsters walk as they always
+// did.
 constexpr float kSouthWest_deg = 215;
 
+// Whether the boxes are at most a step apart along every axis.
 bool is_within_reach(const Edict& monster, const Edict& goal, float distance) {
   const math::Vec3 mins = monster[field::kAbsMin] - distance, maxs = monster[field::kAbsMax] + distance;
   return !glm::any(glm::greaterThan(goal[field::kAbsMin], maxs)) &&
          !glm::any(glm::lessThan(goal[field::kAbsMax], mins));
 }
 
-// One monster that looks for a way.
+// One monster that looks for a path.
 struct Chase {
   GameWorld& world;
   vm::EntityIndex monster;
   float distance;
 
-  // Turns there, and steps. true: the way is free; the step is undone while it still looks elsewhere.
+  // Turns toward this direction, and takes a step in it. true: the path is free. The step is undone while the
+  // monster still faces elsewhere, because it needs several ticks for a turn.
   base::Result<bool> step(float yaw_deg) const {
     const Edict edict = world.edicts[monster];
     edict.set(field::kIdealYaw, yaw_deg);
@@ -43,10 +50,10 @@ struct Chase {
     return is_free;
   }
 
-  // Tries the directions in turn, but for none and the one to leave out.
+  // Tries the directions in order, except missing ones and the one to leave out.
   template <std::size_t count>
-  base::Result<bool> step_one_of(const std::array<std::optional<float>, count>& yaws_deg,
-                                 std::optional<float> left_out_deg) const {
+  base::Result<bool> step_toward_any(const std::array<std::optional<float>, count>& yaws_deg,
+                                     std::optional<float> left_out_deg) const {
     for (const std::optional<float>& yaw_deg : yaws_deg) {
       if (!yaw_deg || yaw_deg == left_out_deg) continue;
       TRY(const bool is_free, step(*yaw_deg));
@@ -56,13 +63,14 @@ struct Chase {
   }
 };
 
+// Needs a direction along both axes.
 std::optional<float> diagonal_deg(std::optional<float> x_deg, std::optional<float> y_deg) {
   if (!x_deg || !y_deg) return std::nullopt;
   if (*x_deg == 0) return *y_deg == 90 ? 45.0f : 315.0f;
   return *y_deg == 90 ? 135.0f : kSouthWest_deg;
 }
 
-// All eight, round one way or the other.
+// All eight directions, in ascending or descending order.
 std::array<std::optional<float>, 8> compass_deg(bool upwards) {
   std::array<std::optional<float>, 8> yaws;
   for (std::size_t i = 0; i < yaws.size(); ++i)
@@ -70,6 +78,7 @@ std::array<std::optional<float>, 8> compass_deg(bool upwards) {
   return yaws;
 }
 
+// The order of attempts, including the order in which random numbers are drawn, is the original's.
 base::Status choose_direction(const Chase& chase, const Edict& monster, const Edict& goal,
                               GameRandom& io_random) {
   const auto eighths = std::trunc(monster[field::kIdealYaw] / kEighth_deg);
@@ -83,17 +92,17 @@ base::Status choose_direction(const Chase& chase, const Edict& monster, const Ed
   };
   std::optional<float> first = along(to_goal.x, 0, 180), second = along(to_goal.y, 90, 270);
 
-  TRY(bool found, chase.step_one_of(std::array{diagonal_deg(first, second)}, back_deg));
+  TRY(bool found, chase.step_toward_any(std::array{diagonal_deg(first, second)}, back_deg));
   if (found) return base::Ok{};
   const bool swaps = (io_random.next_15_bits() & 1) != 0;
   if (swaps || std::abs(to_goal.y) > std::abs(to_goal.x)) std::swap(first, second);
-  TRY(found, chase.step_one_of(std::array{first, second}, back_deg));
+  TRY(found, chase.step_toward_any(std::array{first, second}, back_deg));
   if (found) return base::Ok{};
-  TRY(found, chase.step_one_of(std::array{std::optional(old_deg)}, std::nullopt));
+  TRY(found, chase.step_toward_any(std::array{std::optional(old_deg)}, std::nullopt));
   if (found) return base::Ok{};
-  TRY(found, chase.step_one_of(compass_deg((io_random.next_15_bits() & 1) != 0), back_deg));
+  TRY(found, chase.step_toward_any(compass_deg((io_random.next_15_bits() & 1) != 0), back_deg));
   if (found) return base::Ok{};
-  TRY(found, chase.step_one_of(std::array{std::optional(back_deg)}, std::nullopt));
+  TRY(found, chase.step_toward_any(std::array{std::optional(back_deg)}, std::nullopt));
   if (found) return base::Ok{};
 
   // No way at all. Perhaps a lift has moved its floor away: then it may walk over the edge.

@@ -1,9 +1,14 @@
-// A monster's single steps: whether it can stand where one would lead, and turning.
+// Single steps of monsters: whether a monster can stand where a step leads, and turning.
+//    step_on_floor():   above +         1. from a step's height above the new place
+//                             |         2. down by two step heights
+//      monster --> [ ]        v         3. floor found: all four corners of the box must have floor, too
+//      ______________|____ below +
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "movement/walk.h"
 #include "server/move_trace.h"
 #include "server/physics/monster_angles.h"
 #include "server/physics/physics.h"
@@ -12,7 +17,7 @@ namespace temblor::server {
 namespace {
 
 constexpr float kStep = movement::kStepHeight;
-// Fliers keep between these heights above their enemy, by this much a step.
+// Units. Fliers keep between these heights above their enemy, and rise or sink by the last one in each step.
 constexpr float kTooHigh = 40, kTooLow = 30, kHeightStep = 8;
 
 EntityTrace trace_monster(GameWorld& io_world, const Edict& monster, const math::Vec3& start,
@@ -28,7 +33,8 @@ base::Result<bool> move_to(GameWorld& io_world, const Edict& monster, const math
   return true;
 }
 
-// First nearer to the enemy's height, then level.
+// Tries a step that also comes nearer to the enemy's height, then a level one. A swimmer never leaves the
+// water.
 base::Result<bool> step_through_space(GameWorld& io_world, const Edict& monster, const math::Vec3& step,
                                       TouchTriggers touch) {
   const math::Vec3 origin = monster[field::kOrigin];
@@ -51,6 +57,8 @@ base::Result<bool> step_through_space(GameWorld& io_world, const Edict& monster,
   return false;
 }
 
+// A monster never walks over an edge, unless it hangs over one already (kPartialGround): else it would stand
+// there for good.
 base::Result<bool> step_on_floor(GameWorld& io_world, const Edict& monster, const math::Vec3& step,
                                  TouchTriggers touch) {
   const math::Vec3 origin = monster[field::kOrigin];
@@ -63,7 +71,7 @@ base::Result<bool> step_on_floor(GameWorld& io_world, const Edict& monster, cons
     down = trace_monster(io_world, monster, above, below);
     if (down.trace.start_solid) return false;
   }
-  // Whoever hangs over an edge already may go on over it.
+  // A monster that hangs over an edge already may move on over it.
   const bool hangs = monster.has_flag(flag::kPartialGround);
   if (down.trace.fraction == 1) {
     if (!hangs) return false;
@@ -81,6 +89,7 @@ base::Result<bool> step_on_floor(GameWorld& io_world, const Edict& monster, cons
   return move_to(io_world, monster, down.trace.end, touch);
 }
 
+// The first and the last are opposite corners.
 std::array<math::Vec3, 4> bottom_corners(const Edict& edict) {
   const math::Vec3 mins = edict[field::kOrigin] + edict[field::kMins];
   const math::Vec3 maxs = edict[field::kOrigin] + edict[field::kMaxs];
@@ -110,10 +119,12 @@ base::Result<bool> walk_move(GameWorld& io_world, vm::EntityIndex monster, float
   return step_monster(io_world, monster, step_towards(yaw_deg, distance), TouchTriggers::kYes);
 }
 
+// Two tests, as in the original: a cheap one that succeeds on the level's own floor, then traces for the rest
+// (brush models, stairs, slopes).
 bool check_bottom(GameWorld& io_world, vm::EntityIndex monster) {
   const Edict edict = io_world.edicts[monster];
   const auto corners = bottom_corners(edict);
-  // Mostly it stands on the level's floor with all four.
+  // In most cases all four are on the level's floor.
   bool is_on_level = true;
   for (const math::Vec3& corner : corners)
     is_on_level =
@@ -138,7 +149,7 @@ bool check_bottom(GameWorld& io_world, vm::EntityIndex monster) {
 float whole_turn_deg(float angle_deg) {
   constexpr double kParts = 65536;
   const double parts = std::fmod(std::trunc(double{angle_deg} * kParts / 360), kParts);
-  // Not of a number that is none.
+  // NaN and infinities.
   if (!std::isfinite(parts)) return 0;
   return static_cast<float>((parts < 0 ? parts + kParts : parts) * 360 / kParts);
 }
@@ -157,6 +168,7 @@ void change_yaw(GameWorld& io_world, vm::EntityIndex monster) {
   edict.set(field::kAngles, angles);
 }
 
+// Unlike a fall, this needs no ticks: items do it when the level starts.
 base::Result<bool> drop_to_floor(GameWorld& io_world, vm::EntityIndex entity) {
   constexpr float kDepth = 256;
   const Edict edict = io_world.edicts[entity];

@@ -1,12 +1,13 @@
-// The ways of moving, one function each: a tick of one entity.
+// One tick of one entity, for each way of moving. Players who are in the game have run_player() instead. All
+// of these fail only if QuakeC does.
 #pragma once
 
-#include "server/game_world.h"
+#include "server/game/game_world.h"
 #include "server/physics/physics.h"
 
 namespace temblor::server {
 
-base::Status run_walker(GameWorld& io_world, vm::EntityIndex entity);    // who walks and is no player
+base::Status run_walker(GameWorld& io_world, vm::EntityIndex entity);    // kWalk, but not a player
 base::Status run_still(GameWorld& io_world, vm::EntityIndex entity);     // MoveType::kNone
 base::Status run_ghost(GameWorld& io_world, vm::EntityIndex entity);     // kNoClip
 base::Status run_follower(GameWorld& io_world, vm::EntityIndex entity);  // kFollow

@@ -7,6 +7,7 @@
 namespace temblor::server {
 namespace {
 
+// Players are not handled here: whatever their move type, run_player() moves them.
 base::Status run_entity(GameWorld& io_world, vm::EntityIndex entity) {
   switch (io_world.edicts[entity].move_type()) {
     case MoveType::kWalk:
@@ -27,10 +28,11 @@ base::Status run_entity(GameWorld& io_world, vm::EntityIndex entity) {
     case MoveType::kNone:
       break;
   }
-  // A number that is none of these stands still, too: the original ended the game.
+  // An unknown number stands still, too. The original ended the game.
   return run_still(io_world, entity);
 }
 
+// The global is a QuakeC float that is passed around as its word.
 bool is_above_zero(std::uint32_t float_word) {
   return std::bit_cast<float>(float_word) > 0;
 }

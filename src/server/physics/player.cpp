@@ -1,5 +1,5 @@
-// Players: their wishes become velocity when their commands arrive, their velocity a way in the tick. Others
-// who walk go the same way without the program's functions for players.
+// Players: commands become velocity when they arrive (move_player), and velocity becomes motion in the tick
+// (run_player). Other entities that walk move the same way, without QuakeC's functions for players.
 #include "movement/player.h"
 
 #include "math/angles.h"
@@ -9,7 +9,7 @@
 namespace temblor::server {
 namespace {
 
-movement::MoveMode gait_of(MoveType type) {
+movement::MoveMode to_move_mode(MoveType type) {
   switch (type) {
     case MoveType::kNone:
       return movement::MoveMode::kStill;
@@ -24,14 +24,15 @@ movement::MoveMode gait_of(MoveType type) {
   }
 }
 
-// Nothing of the level between the two.
+// Whether nothing of the level is between the ends of the probe.
 bool is_free(GameWorld& io_world, vm::EntityIndex player, const movement::EdgeProbe& probe) {
   constexpr math::Vec3 kPoint(0.0f);
   return trace_move(io_world, probe.start, kPoint, kPoint, probe.end, MoveKind::kNoMonsters, player)
              .trace.fraction == 1;
 }
 
-// In something solid: back to where it last was not, or to a free place close by.
+// Gets a player out of something solid: back to where it last was free, or to a free place close by. If there
+// is none, it stays where it is.
 base::Status get_unstuck(GameWorld& io_world, vm::EntityIndex entity) {
   constexpr int kHeights = 18;
   const Edict edict = io_world.edicts[entity];
@@ -53,7 +54,7 @@ base::Status get_unstuck(GameWorld& io_world, vm::EntityIndex entity) {
   return base::Ok{};
 }
 
-// false: it is gone.
+// Walks, climbs steps, or swims for one tick. false: the entity was removed.
 base::Result<bool> walk(GameWorld& io_world, vm::EntityIndex entity) {
   if (!check_water(io_world, entity) && !io_world.edicts[entity].has_flag(flag::kWaterJump))
     add_gravity(io_world, entity);
@@ -62,7 +63,8 @@ base::Result<bool> walk(GameWorld& io_world, vm::EntityIndex entity) {
   EntityEnvironment environment(io_world, entity);
   movement::Body body = environment.body();
   const math::Basis view = math::basis_from_angles(io_world.edicts[entity][field::kViewAngles]);
-  TRY(const bool is_left, movement::walk(body, tick_of(io_world), math::Vec3(view.forward), environment));
+  TRY(const bool is_left,
+      movement::walk(body, tick_seconds(io_world), math::Vec3(view.forward), environment));
   if (is_left) environment.store(body);
   return is_left;
 }
@@ -70,12 +72,12 @@ base::Result<bool> walk(GameWorld& io_world, vm::EntityIndex entity) {
 base::Result<bool> fly(GameWorld& io_world, vm::EntityIndex entity) {
   EntityEnvironment environment(io_world, entity);
   movement::Body body = environment.body();
-  TRY(const movement::Slide slide, movement::slide(body, tick_of(io_world), environment));
+  TRY(const movement::Slide slide, movement::slide(body, tick_seconds(io_world), environment));
   if (!slide.is_gone) environment.store(body);
   return !slide.is_gone;
 }
 
-// A tick by the entity's move type; false: it is gone, or was removed by its own think.
+// Thinks and moves as the entity's move type says. false: it was removed on the way.
 base::Result<bool> think_and_move(GameWorld& io_world, vm::EntityIndex entity) {
   const MoveType type = io_world.edicts[entity].move_type();
   if (type == MoveType::kToss || type == MoveType::kBounce || type == MoveType::kFlyMissile) {
@@ -88,17 +90,17 @@ base::Result<bool> think_and_move(GameWorld& io_world, vm::EntityIndex entity) {
   if (type == MoveType::kFly) return fly(io_world, entity);
   if (type == MoveType::kNoClip) {
     const Edict edict = io_world.edicts[entity];
-    edict.set(field::kOrigin, edict[field::kOrigin] + edict[field::kVelocity] * tick_of(io_world));
+    edict.set(field::kOrigin, edict[field::kOrigin] + edict[field::kVelocity] * tick_seconds(io_world));
   }
   return true;
 }
 
 }  // namespace
 
-movement::Player player_of(const GameWorld& world, const Edict& edict) {
-  return {.body = body_of(edict),
+movement::Player make_player(const GameWorld& world, const Edict& edict) {
+  return {.body = make_body(edict),
           .mins_z = edict[field::kMins].z,
-          .move_mode = gait_of(edict.move_type()),
+          .move_mode = to_move_mode(edict.move_type()),
           .is_alive = !(edict[field::kHealth] <= 0),
           .is_turned_by_game = edict[field::kFixAngle] != 0,
           .angles_deg = edict[field::kAngles],
@@ -112,11 +114,11 @@ movement::Player player_of(const GameWorld& world, const Edict& edict) {
 void move_player(GameWorld& io_world, vm::EntityIndex player, const PlayerCommand& command) {
   const Edict edict = io_world.edicts[player];
   edict.set(field::kViewAngles, command.view_angles_deg);
-  movement::Player state = player_of(io_world, edict);
+  movement::Player state = make_player(io_world, edict);
   if (state.move_mode == movement::MoveMode::kStill) return;
   const bool jumped_out_of_water = state.is_jumping_out_of_water;
   movement::apply_wishes(state, {command.view_angles_deg, {command.forward, command.side, command.up}},
-                         io_world.settings, tick_of(io_world),
+                         io_world.settings, tick_seconds(io_world),
                          [&](const movement::EdgeProbe& probe) { return is_free(io_world, player, probe); });
   edict.set(field::kPunchAngle, state.punch_deg);
   edict.set(field::kAngles, state.angles_deg);

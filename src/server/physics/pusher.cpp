@@ -1,4 +1,8 @@
-// Doors, lifts and trains: they move whatever stands on them or in their way, or are blocked and stay.
+// Doors, lifts and trains ("pushers"). They move whatever stands on them or is in their way; if something
+// does not fit where it is pushed, everything goes back to where it was, and QuakeC learns what blocked the
+// pusher.
+// A pusher has a clock of its own, ltime, which stops while it is blocked. Its nextthink is relative to that
+// clock, so that a blocked door still stops at the right place.
 #include <algorithm>
 
 #include "server/physics/entity_moves.h"
@@ -7,11 +11,11 @@
 namespace temblor::server {
 namespace {
 
-// What a push has done so far; Scratch::moved from `first_moved` on is its own.
+// One push. The entries of Scratch::moved from `first_moved` on belong to it.
 struct PushMove {
   vm::EntityIndex pusher;
-  math::Vec3 way, origin;  // where the pusher began
-  math::Bounds box;        // of the pusher where it goes
+  math::Vec3 way, origin;  // the pusher's path, and where it started
+  math::Bounds box;        // the pusher's, at the end of its path
   float duration_s;
   std::size_t first_moved;
 };
@@ -22,6 +26,7 @@ bool can_be_pushed(const Edict& edict) {
          type != MoveType::kFollow;
 }
 
+// An entity that rides the pusher moves along even if their boxes no longer touch.
 bool is_in_the_way(GameWorld& io_world, const PushMove& move, const Edict& edict) {
   if (edict.has_flag(flag::kOnGround) && edict[field::kGroundEntity] == move.pusher) return true;
   const math::Vec3 mins = edict[field::kAbsMin], maxs = edict[field::kAbsMax];
@@ -29,8 +34,8 @@ bool is_in_the_way(GameWorld& io_world, const PushMove& move, const Edict& edict
          is_stuck(io_world, edict.index());
 }
 
-// Something dead in the way is flattened: it stops nobody any more.
-bool gives_way(const Edict& edict) {
+// Flattens something dead in the way, so that it stops nobody any more.
+bool try_flatten(const Edict& edict) {
   math::Vec3 mins = edict[field::kMins];
   if (mins.x == edict[field::kMaxs].x) return true;
   if (edict.solid() != Solid::kNot && edict.solid() != Solid::kTrigger) return false;
@@ -40,7 +45,8 @@ bool gives_way(const Edict& edict) {
   return true;
 }
 
-// Moves one along. false: it neither fits where it came nor gives way.
+// Moves one entity along. false: it neither fits where it was pushed nor can be flattened. While it moves,
+// the pusher is not solid, or it would stop everything in it.
 base::Result<bool> carry(GameWorld& io_world, const PushMove& move, vm::EntityIndex entity) {
   Edict edict = io_world.edicts[entity];
   if (edict.move_type() != MoveType::kWalk) edict.clear_flag(flag::kOnGround);
@@ -50,9 +56,10 @@ base::Result<bool> carry(GameWorld& io_world, const PushMove& move, vm::EntityIn
   TRY(const movement::Push pushed, push_entity(io_world, entity, move.way));
   if (!is_there(io_world, move.pusher)) return true;
   io_world.edicts[move.pusher].set(field::kSolid, solid);
-  return pushed.is_gone || !is_stuck(io_world, entity) || gives_way(io_world.edicts[entity]);
+  return pushed.is_gone || !is_stuck(io_world, entity) || try_flatten(io_world.edicts[entity]);
 }
 
+// Does nothing for an entity that QuakeC has removed in the meantime.
 base::Status put_back(GameWorld& io_world, vm::EntityIndex entity, const math::Vec3& origin,
                       TouchTriggers touch) {
   if (!is_there(io_world, entity)) return base::Ok{};
@@ -60,6 +67,8 @@ base::Status put_back(GameWorld& io_world, vm::EntityIndex entity, const math::V
   return link(io_world, entity, touch);
 }
 
+// The order is the original's: the blocker goes back first and touches triggers, then `blocked` is called,
+// and the others follow after it.
 base::Status undo(GameWorld& io_world, const PushMove& move, vm::EntityIndex blocker) {
   TRY_STATUS(put_back(io_world, blocker, io_world.scratch.moved.back().from, TouchTriggers::kYes));
   TRY_STATUS(put_back(io_world, move.pusher, move.origin, TouchTriggers::kNo));
@@ -76,6 +85,7 @@ base::Status undo(GameWorld& io_world, const PushMove& move, vm::EntityIndex blo
   return base::Ok{};
 }
 
+// Stops early if a touch function removes the pusher.
 base::Status push_everything(GameWorld& io_world, const PushMove& move) {
   for (std::uint32_t i = 1; i < io_world.edicts.count(); ++i) {
     const vm::EntityIndex entity{i};
@@ -93,8 +103,9 @@ base::Status move_pusher(GameWorld& io_world, vm::EntityIndex entity, float aske
   const Edict edict = io_world.edicts[entity];
   const float before_s = edict[field::kLocalTime];
   edict.set(field::kLocalTime, before_s + asked_s);
-  // By as much as its clock has gone on, which is rounded: five minutes into a game the durations asked for
-  // would add up to 0.1 units more on a long way, and what rides on it would sink in and fall through.
+  // The path follows from how far the clock has advanced, which is a rounded float. Five minutes into a game
+  // the requested durations would add up to 0.1 units more on a long path, and a rider would sink into the
+  // floor and fall through.
   const float duration_s = edict[field::kLocalTime] - before_s;
   const math::Vec3 way = edict[field::kVelocity] * duration_s;
   if (edict[field::kVelocity] == math::Vec3(0.0f)) return base::Ok{};
@@ -117,7 +128,7 @@ base::Status move_pusher(GameWorld& io_world, vm::EntityIndex entity, float aske
 base::Status run_pusher(GameWorld& io_world, vm::EntityIndex entity) {
   const float before_s = io_world.edicts[entity][field::kLocalTime];
   const float think_s = io_world.edicts[entity][field::kNextThink];
-  // No further than to its next thought, which so comes at the right place.
+  // It moves no farther than to its next think, which thus comes at the right place.
   const double until_s = std::min(double{think_s} - before_s, io_world.tick_s);
   if (until_s > 0) TRY_STATUS(move_pusher(io_world, entity, static_cast<float>(until_s)));
 

@@ -1,4 +1,5 @@
-// What flies or falls by itself: missiles, grenades, gibs, items, and monsters without ground.
+// Entities that fly or fall on their own: missiles, grenades, gibs, items, and monsters in the air. Also
+// those that only think, pass through walls, or follow another entity.
 #include "math/angles.h"
 #include "server/physics/entity_moves.h"
 #include "server/physics/moves.h"
@@ -6,10 +7,11 @@
 namespace temblor::server {
 namespace {
 
+// For clip_velocity(): 1 would stop at the surface, 2 would keep all of the speed.
 constexpr float kBounce = 1.5f;
-// A bounce slower than this comes to rest.
+// Units per second. A bounce that rises more slowly than this comes to rest.
 constexpr float kRestSpeed = 60;
-// Monsters that fall faster than this part of gravity land with a sound.
+// A monster that falls faster than this part of gravity lands with a sound.
 constexpr float kHardLanding = -0.1f;
 constexpr std::string_view kLanding = "demon/dland2.wav";
 
@@ -21,6 +23,7 @@ void turn(const Edict& edict, float tick_s) {
   edict.set(field::kAngles, edict[field::kAngles] + edict[field::kAngularVelocity] * tick_s);
 }
 
+// Only a floor ends a flight: the entity then lies on it, at rest.
 void bounce(const Edict& edict, const movement::Contact& contact) {
   const bool bounces = edict.move_type() == MoveType::kBounce;
   const math::Vec3 normal = contact.trace.plane_normal;
@@ -35,22 +38,25 @@ void bounce(const Edict& edict, const movement::Contact& contact) {
 
 }  // namespace
 
+// An entity at rest only thinks, until something clears its kOnGround flag.
 base::Status run_thrown(GameWorld& io_world, vm::EntityIndex entity) {
   TRY(const bool is_left, run_think(io_world, entity));
   if (!is_left) return base::Ok{};
   if (io_world.edicts[entity].has_flag(flag::kOnGround)) return base::Ok{};
   check_velocity(io_world, entity);
   if (!is_weightless(io_world.edicts[entity].move_type())) add_gravity(io_world, entity);
-  turn(io_world.edicts[entity], tick_of(io_world));
-  const math::Vec3 way = io_world.edicts[entity][field::kVelocity] * tick_of(io_world);
+  turn(io_world.edicts[entity], tick_seconds(io_world));
+  const math::Vec3 way = io_world.edicts[entity][field::kVelocity] * tick_seconds(io_world);
   TRY(const movement::Push push, push_entity(io_world, entity, way));
-  // As in the original nothing splashes before it meets something.
+  // As in the original, an entity splashes only in a tick in which it meets something.
   if (push.is_gone || push.contact.trace.fraction == 1) return base::Ok{};
   bounce(io_world.edicts[entity], push.contact);
   check_water_transition(io_world, entity);
   return base::Ok{};
 }
 
+// A monster falls like a player, without climbing steps. On the ground it moves only by its think function,
+// in single steps, which is why monsters jerk in stock clients.
 base::Status run_monster(GameWorld& io_world, vm::EntityIndex entity) {
   if (!io_world.edicts[entity].has_flag(flag::kOnGround | flag::kFly | flag::kSwim)) {
     const bool falls_hard =
@@ -59,7 +65,7 @@ base::Status run_monster(GameWorld& io_world, vm::EntityIndex entity) {
     check_velocity(io_world, entity);
     EntityEnvironment environment(io_world, entity);
     movement::Body body = environment.body();
-    TRY(const movement::Slide slide, movement::slide(body, tick_of(io_world), environment));
+    TRY(const movement::Slide slide, movement::slide(body, tick_seconds(io_world), environment));
     if (slide.is_gone) return base::Ok{};
     TRY(const bool is_left, environment.moved(body));
     if (!is_left) return base::Ok{};
@@ -75,17 +81,18 @@ base::Status run_still(GameWorld& io_world, vm::EntityIndex entity) {
   return base::Ok{};
 }
 
+// kNoClip: moves without looking.
 base::Status run_ghost(GameWorld& io_world, vm::EntityIndex entity) {
   TRY(const bool is_left, run_think(io_world, entity));
   if (!is_left) return base::Ok{};
   const Edict edict = io_world.edicts[entity];
-  turn(edict, tick_of(io_world));
-  edict.set(field::kOrigin, edict[field::kOrigin] + edict[field::kVelocity] * tick_of(io_world));
+  turn(edict, tick_seconds(io_world));
+  edict.set(field::kOrigin, edict[field::kOrigin] + edict[field::kVelocity] * tick_seconds(io_world));
   return link(io_world, entity, TouchTriggers::kNo);
 }
 
-// Fields as mods use them: aiment is whom it follows, view_ofs where from it (as seen when that one's angles
-// were punchangle), v_angle how it is turned against it.
+// Fields as mods use them: aiment is the entity to follow, view_ofs the offset from it (as it was when that
+// entity's angles were punchangle), and v_angle the rotation relative to it.
 base::Status run_follower(GameWorld& io_world, vm::EntityIndex entity) {
   TRY(const bool is_left, run_think(io_world, entity));
   if (!is_left) return base::Ok{};

@@ -6,16 +6,16 @@
 namespace temblor::server {
 namespace {
 
-constexpr double kWorthSaving_s = 5;  // of a level; the menus ask before they leave one after as long
+constexpr double kWorthSaving_s = 5;  // in the level; the menus ask for confirmation after as long
 constexpr double kUnhurt_s = 3;
-constexpr float kRotted = 1;  // of health above the usual: no blow
+constexpr float kHealthDecay = 1;  // health above the maximum decays by 1: that is no damage
 
 }  // namespace
 
 void Autosave::begin_loaded(std::string_view name) {
   const bool is_own = std::find(kAutosaveNames.begin(), kAutosaveNames.end(), name) != kAutosaveNames.end();
   name_ = is_own ? name : std::string_view();
-  was_saved_ = true;  // it lies there
+  was_saved_ = true;  // the save that was loaded
 }
 
 void Autosave::begin_level() {
@@ -32,7 +32,7 @@ void Autosave::note_save(double now_s) {
 
 void Autosave::watch(const Player& player, double now_s) {
   if (!began_s_) began_s_ = saved_s_ = hurt_s_ = now_s;
-  if (player.health < health_ - kRotted) hurt_s_ = now_s;
+  if (player.health < health_ - kHealthDecay) hurt_s_ = now_s;
   health_ = player.health;
   stands_ = player.stands;
 }
@@ -46,6 +46,7 @@ bool Autosave::is_worth_saving(double now_s) const {
   return began_s_ && now_s - *began_s_ >= kWorthSaving_s;
 }
 
+// A file without a readable time counts as missing.
 std::string Autosave::choose_name(const std::filesystem::path& folder) {
   if (!name_.empty()) return name_;
   std::optional<std::filesystem::file_time_type> oldest;

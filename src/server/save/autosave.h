@@ -1,5 +1,7 @@
-// When a single player's game is saved without his asking, and by which name. Knows no clock and no game: it
-// is told of both.
+// Decides when a single player's game is saved automatically, and under which name. It knows neither a clock
+// nor a game: callers pass in what it needs.
+//    level begins --5 s--> first save --every_s--> next save ...       postponed while the player falls or
+//    was hurt
 #pragma once
 
 #include <array>
@@ -10,33 +12,35 @@
 
 namespace temblor::server {
 
-// In turn: a new game does not write over those before it at once.
+// Used in turn, so that a new game does not overwrite the last one's autosave at once.
 constexpr std::array<std::string_view, 3> kAutosaveNames = {"autosave", "autosave2", "autosave3"};
 
 class Autosave {
  public:
-  // A new game: its saves get another name than those of the one before.
+  // A new game: its saves get another name than those of the previous game.
   void begin_game() { name_.clear(); }
-  // A game that goes on from a save of this name.
+  // A game that continues from the save of this name.
   void begin_loaded(std::string_view name);
-  // Before each of them, and when a level follows another. It begins with the first watch(): who still loads
-  // it does not play.
+  // Called when any level starts, before begin_game() or begin_loaded(). Its time starts with the first
+  // watch(), because a player who still loads the level does not play yet.
   void begin_level();
+  // The game was saved, automatically or on request.
   void note_save(double now_s);
 
   struct Player {
     float health = 0;
     bool stands = true;  // on ground or in water: does not fall
   };
-  // How the player does; each step.
+  // The player's state in this step.
   void watch(const Player& player, double now_s);
 
-  // Once where a level has begun, then after every `every_s` since the last save; put off while the player
-  // falls, and until he has been unhurt for a while: who goes on from there should live on.
+  // Due soon after the start of a level, and `every_s` after the last save. Postponed while the player falls,
+  // and until it has not been hurt for a while: a player who resumes from there should survive.
   bool is_due(double every_s, double now_s) const;
-  // Whether the level was played for long enough that it would be missed.
+  // Whether the level was played for long enough that the player would miss it.
   bool is_worth_saving(double now_s) const;
-  // Of this game's saves: where it has none yet, the one that is not in `folder`, or is oldest there.
+  // The name of this game's saves. The first call chooses one: a name without a file in `folder`, or else the
+  // one with the oldest file.
   std::string choose_name(const std::filesystem::path& folder);
 
  private:

@@ -12,18 +12,19 @@ namespace {
 using formats::ProgsDefinition;
 using formats::ProgsType;
 
+// As in the original, vectors and functions are not saved.
 bool is_saved_global(const ProgsDefinition& definition) {
   return definition.is_saved &&
          (definition.type == ProgsType::kString || definition.type == ProgsType::kFloat ||
           definition.type == ProgsType::kEntity);
 }
 
-// "origin_x" is a part of "origin".
-bool is_component(std::string_view name) {
+// "origin_x" is a component of "origin", which is saved as a whole.
+bool is_vector_component(std::string_view name) {
   return name.size() > 2 && name[name.size() - 2] == '_' && name.back() >= 'x' && name.back() <= 'z';
 }
 
-formats::SavPairs globals_of(const vm::Machine& machine) {
+formats::SavPairs saved_globals(const vm::Machine& machine) {
   formats::SavPairs pairs;
   const formats::Progs& progs = machine.program().progs();
   for (const ProgsDefinition& definition : progs.globals)
@@ -33,17 +34,17 @@ formats::SavPairs globals_of(const vm::Machine& machine) {
   return pairs;
 }
 
-// A value that this program cannot have is noted and left out; other errors are passed on.
+// Stores a value. One that this program cannot have is noted and skipped; other errors are passed on.
 base::Status set_or_note(vm::Machine& io_machine, const ProgsDefinition* definition, const std::string& name,
                          const std::string& value, std::span<std::uint32_t> words,
                          std::vector<std::string>& io_notes) {
   if (!definition) {
-    io_notes.push_back(fmt::format("\"{}\" is not known to this program", name));
+    io_notes.push_back(fmt::format("the saved game sets \"{}\", which this game code does not have", name));
     return base::Ok{};
   }
   const base::Status status = set_value(io_machine, *definition, value, words.subspan(definition->offset));
   if (status.ok() || status.error().code != base::ErrorCode::kUsage) return status;
-  io_notes.push_back(fmt::format("\"{}\": {}", name, status.error().what));
+  io_notes.push_back(fmt::format("the saved game sets \"{}\": {}", name, status.error().what));
   return base::Ok{};
 }
 
@@ -59,7 +60,7 @@ base::Status restore_entity(const formats::SavPairs& pairs, vm::EntityIndex inde
 
 }  // namespace
 
-formats::SavPairs entity_as_text(const Game& game, vm::EntityIndex index) {
+formats::SavPairs nonzero_fields(const Game& game, vm::EntityIndex index) {
   const vm::Machine& machine = game.machine();
   formats::SavPairs pairs;
   const formats::Progs& progs = machine.program().progs();
@@ -69,14 +70,15 @@ formats::SavPairs entity_as_text(const Game& game, vm::EntityIndex index) {
     const auto value = words.subspan(field.offset, word_count(field.type));
     const bool is_zero =
         std::all_of(value.begin(), value.end(), [](std::uint32_t word) { return word == 0; });
-    if (is_zero || is_component(name)) continue;
+    if (is_zero || is_vector_component(name)) continue;
     std::string text = value_text(machine, field, value);
     if (!text.empty()) pairs.emplace_back(name, std::move(text));
   }
   return pairs;
 }
 
-formats::Sav save_of(const Game& game, std::string comment) {
+// A free entity is an empty list of fields, so that the others keep their numbers.
+formats::Sav make_save(const Game& game, std::string comment) {
   formats::Sav sav;
   comment.resize(std::min(comment.size(), formats::kSavCommentChars));
   std::replace(comment.begin(), comment.end(), '\n', ' ');
@@ -86,21 +88,23 @@ formats::Sav save_of(const Game& game, std::string comment) {
   sav.map = game.setup().map_name;
   sav.time_s = static_cast<float>(game.time_s());
   sav.light_styles = game.light_styles();
-  sav.globals = globals_of(game.machine());
+  sav.globals = saved_globals(game.machine());
   const Edicts& edicts = game.world().edicts;
   for (std::uint32_t number = 0; number < edicts.count(); ++number) {
     const vm::EntityIndex index{number};
-    sav.entities.push_back(edicts.is_free(index) ? formats::SavPairs{} : entity_as_text(game, index));
+    sav.entities.push_back(edicts.is_free(index) ? formats::SavPairs{} : nonzero_fields(game, index));
   }
   return sav;
 }
 
-std::size_t entities_of(const formats::Sav& sav) {
+std::size_t count_used_entities(const formats::Sav& sav) {
   std::size_t count = sav.entities.size();
   while (count > 0 && sav.entities[count - 1].empty()) --count;
   return count;
 }
 
+// All entities are unlinked first, and linked again when their fields are set, so that areas and leaves
+// match. Triggers are not touched: a save must not change by being loaded.
 base::Result<std::vector<std::string>> restore(const formats::Sav& sav, Game& io_game) {
   if (sav.entities.size() < 2) return base::malformed("has no entity for the player");
   std::vector<std::string> notes;

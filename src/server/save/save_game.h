@@ -1,4 +1,6 @@
-// A game to a saved game and back.
+// Converts a running game to a saved game (formats/game/sav.h) and back. The format is stock Quake's: text,
+// with the name and value of every saved global and field, so that saves survive small changes of the
+// program.
 #pragma once
 
 #include <string>
@@ -10,19 +12,19 @@
 
 namespace temblor::server {
 
-// `comment` is cut to what a file has room for.
-formats::Sav save_of(const Game& game, std::string comment);
+// The game's whole state. `comment` is cut to what a file has room for.
+formats::Sav make_save(const Game& game, std::string comment);
 
-// Fields of an entity that are not 0, as a save has them.
-formats::SavPairs entity_as_text(const Game& game, vm::EntityIndex index);
+// Names and values of an entity's fields that are not 0, as saves contain them.
+formats::SavPairs nonzero_fields(const Game& game, vm::EntityIndex index);
 
-// Numbers of entities that it needs: up to the last one that is in use.
-std::size_t entities_of(const formats::Sav& sav);
+// How many entity numbers a save needs: up to the last one that is in use.
+std::size_t count_used_entities(const formats::Sav& sav);
 
-// Puts everything that was saved into a game that was just started on the same level: globals, entities,
-// light styles and the clock; player 1 is then as he was, and must not be put in anew. Returns what of the
-// save this program does not know, a line each. Fails where the save has more entities than there may be, or
-// none for the player.
+// Puts a saved state into a game that was just started on the same level: globals, entities, light styles and
+// the clock. Player 1 is then as it was, and must not be spawned again. Returns what this program does not
+// know of the save, one line each. Fails if the save has more entities than the machine allows, or none for
+// the player.
 base::Result<std::vector<std::string>> restore(const formats::Sav& sav, Game& io_game);
 
 }  // namespace temblor::server

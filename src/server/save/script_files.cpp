@@ -13,19 +13,23 @@ namespace {
 using base::ErrorCode;
 
 constexpr std::string_view kFolder = "data/";
+// Text is collected, and written when there is this much, so that game code may write a byte at a time.
 constexpr std::size_t kFlushBytes = std::size_t{1} << 16;
 
+// Characters that are safe in file names on all platforms, without the backslash and the colon.
 bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
          std::string_view("_-+=. /()[]!#$@,~").find(c) != std::string_view::npos;
 }
 
+// The name of a folder or file. Leading dots would allow ".." and hidden files; Windows drops trailing dots
+// and blanks.
 bool is_part_of_a_name(std::string_view part) {
   return !part.empty() && part.front() != '.' && part.front() != ' ' && part.back() != ' ' &&
          part.back() != '.' && std::all_of(part.begin(), part.end(), is_name_character);
 }
 
-// The name inside data/.
+// The name relative to data/, if it is allowed.
 base::Result<std::string> checked_name(std::string_view name) {
   const auto refuse = [&](const char* why) {
     return base::error(ErrorCode::kUsage, "the file name \"{}\" {}", base::quotable(name), why);
@@ -36,13 +40,13 @@ base::Result<std::string> checked_name(std::string_view name) {
   for (std::size_t begin = 0; begin <= rest.size();) {
     const std::size_t end = std::min(rest.find('/', begin), rest.size());
     if (!is_part_of_a_name(rest.substr(begin, end - begin)))
-      return refuse("is none below the data folder, in plain characters");
+      return refuse("is not a plain name below the data folder");
     begin = end + 1;
   }
   return std::string(rest);
 }
 
-// Nothing when it is not there or cannot be read.
+// Empty if the file does not exist, cannot be read, or is too large.
 std::optional<std::string> read_disk(const std::filesystem::path& path) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
@@ -63,13 +67,14 @@ base::Result<ScriptFiles::File*> ScriptFiles::find(int handle) {
   return &*files_[static_cast<std::size_t>(handle)];
 }
 
+// What game code has written takes precedence over a file that came with the game.
 base::Result<std::string> ScriptFiles::read_all(const std::string& name) const {
   if (!data_folder_.empty())
     if (std::optional<std::string> text = read_disk(data_folder_ / name)) return *std::move(text);
   if (!reader_) return base::error(ErrorCode::kNotFound, "there is no file data/{}", name);
   TRY(const base::ByteVector bytes, reader_(std::string(kFolder) + name));
   if (bytes.size() > kMaxFileBytes)
-    return base::error(ErrorCode::kTooLarge, "data/{} has {} bytes, over {}", name, bytes.size(),
+    return base::error(ErrorCode::kTooLarge, "data/{} has {} bytes; the limit is {}", name, bytes.size(),
                        kMaxFileBytes);
   return std::string(base::as_text(bytes));
 }
@@ -96,6 +101,7 @@ base::Result<int> ScriptFiles::open(std::string_view name, ScriptFileMode mode) 
   return static_cast<int>(place - files_.begin());
 }
 
+// The file is opened for each flush only, so that it can be read from outside while the game runs.
 base::Status ScriptFiles::flush(File& io_file) {
   if (io_file.mode == ScriptFileMode::kRead || io_file.text.empty()) return base::Ok{};
   std::ofstream stream(io_file.path, std::ios::binary | std::ios::app);
@@ -114,6 +120,7 @@ base::Status ScriptFiles::close(int handle) {
   return status;
 }
 
+// Accepts both kinds of line ends. A line ends at a zero byte, too, because QuakeC's strings do.
 base::Result<std::optional<std::string_view>> ScriptFiles::read_line(int handle) {
   TRY(File* const file, find(handle));
   if (file->mode != ScriptFileMode::kRead)
@@ -133,9 +140,10 @@ base::Status ScriptFiles::write(int handle, std::string_view text) {
     return base::error(ErrorCode::kUsage, "file {} is open for reading", handle);
   const std::size_t size = file->at + file->text.size();
   if (size > kMaxFileBytes || text.size() > kMaxFileBytes - size)
-    return base::error(ErrorCode::kTooLarge, "a file of over {} bytes", kMaxFileBytes);
+    return base::error(ErrorCode::kTooLarge, "the file would exceed {} bytes", kMaxFileBytes);
   if (text.size() > kMaxWrittenBytes - written_bytes_)
-    return base::error(ErrorCode::kTooLarge, "{} bytes were written already", written_bytes_);
+    return base::error(ErrorCode::kTooLarge, "this game has written {} bytes; no more is allowed",
+                       written_bytes_);
   written_bytes_ += text.size();
   file->text += text;
   if (file->text.size() < kFlushBytes) return base::Ok{};

@@ -1,5 +1,6 @@
-// Files that a program reads and writes itself (FRIK_FILE): all of them below data/ of the game folder, a few
-// open at once, bounded in size.
+// Files that game code reads and writes (FRIK_FILE). All of them are below data/ of the game folder; few may
+// be open at once, and their sizes are bounded, so that a hostile program can neither read other files nor
+// fill a disk.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@ class ScriptFiles {
  public:
   static constexpr int kMaxOpen = 16;
   static constexpr std::size_t kMaxFileBytes = std::size_t{16} << 20;
-  // Of all that is written, as long as the object lives: no program fills a disk.
+  // The sum of all that is written while the object lives.
   static constexpr std::size_t kMaxWrittenBytes = std::size_t{256} << 20;
   static constexpr std::size_t kMaxNameChars = 128;
 
@@ -28,32 +29,32 @@ class ScriptFiles {
   using Reader = std::function<base::Result<base::ByteVector>(std::string_view name)>;
 
   ScriptFiles() = default;
-  // `data_folder`: where files are written, and looked for first; made when the first one is. Empty: nothing
-  // is written. `reader`: may be none.
+  // `data_folder`: where files are written, and searched for first; it is created with the first file. Empty:
+  // nothing can be written. `reader` may be empty: then only the data folder is read.
   ScriptFiles(std::filesystem::path data_folder, Reader reader)
       : data_folder_(std::move(data_folder)), reader_(std::move(reader)) {}
 
   bool can_write() const { return !data_folder_.empty(); }
 
-  // A handle; kNotFound for a file to read that is not there. `name` is relative to data/, may begin with
-  // "data/", and is refused (kUsage) when it is absolute, has a part that begins with a dot (so none is
-  // ".."), or holds other characters than letters, digits and "_-+=. /()[]!#$@,~".
+  // Opens a file and returns its handle. kNotFound: there is no such file to read. `name` is relative to
+  // data/, and may begin with "data/". It is refused (kUsage) if it is absolute, has a part that begins with
+  // a dot (as ".." does), or contains other characters than letters, digits and "_-+=. /()[]!#$@,~".
   base::Result<int> open(std::string_view name, ScriptFileMode mode);
-  // The other calls: kUsage for a handle that is not open, or open the other way.
+  // The other functions return kUsage for a handle that is not open, or is open the other way.
   base::Status close(int handle);
-  // The next line without its end; nothing at the end of the file. Valid until the file is closed.
+  // The next line without its newline; empty at the end of the file. Valid until the file is closed.
   base::Result<std::optional<std::string_view>> read_line(int handle);
-  // kTooLarge past the limits above; the file then stays as it was.
+  // kTooLarge if this exceeds the limits above; the file then stays as it was.
   base::Status write(int handle, std::string_view text);
-  // All that are open; the first thing that went wrong.
+  // Closes all open files, and returns the first error.
   base::Status close_all();
 
  private:
   struct File {
     ScriptFileMode mode = ScriptFileMode::kRead;
     std::filesystem::path path{};
-    std::string text{};  // all that is read; or what is still to be written
-    std::size_t at = 0;  // read up to here; or bytes that the file has already
+    std::string text{};  // the whole file, if it is read; else what is still to be written
+    std::size_t at = 0;  // read up to here; else the number of bytes that the file already has
   };
 
   base::Result<File*> find(int handle);

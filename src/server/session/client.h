@@ -1,4 +1,5 @@
-// What a server knows of one player's client.
+// What a server stores for one client slot: its progress into the level, its moves, and the messages that
+// wait for its connection.
 #pragma once
 
 #include <array>
@@ -16,20 +17,37 @@
 
 namespace temblor::server {
 
+// How far a client is on its way into the level; see session/joining.cpp. The order matters: a client is in
+// the game from kSpawned on.
+//    kFree -> kLoading -> kPrespawned -> kSpawned -> kPlaying        (a new level: back to kLoading)
+//    kFree -> kBot
 enum class ClientStage {
-  kFree,
-  kTold,     // was told which level it is, and what files it needs; loads them
-  kLoaded,   // was told how the level begins
-  kSpawned,  // is in the game; was told of players and lights
-  kPlaying,  // sends moves, gets updates
-  kBot,      // is in the game, without a connection: the program plays it
+  kFree,        // nobody uses this slot
+  kLoading,     // was sent the level info, and loads the files
+  kPrespawned,  // was sent the signon
+  kSpawned,     // is in the game, and was sent names, frags and lights
+  kPlaying,     // sends moves and gets snapshots
+  kBot,         // is in the game without a connection: QuakeC plays it
 };
 
-// A reliable message that waits for its turn.
-struct WaitingMessage {
+// A reliable message that waits until the connection takes it.
+struct QueuedMessage {
   base::ByteVector bytes;
-  bool may_grow = false;   // what comes next may be put behind it
-  bool is_update = false;  // of the game's state (sv_reliableupdates)
+  bool can_grow = false;     // the next message may be appended
+  bool is_snapshot = false;  // sent reliably because of sv_reliableupdates
+};
+
+// Limits how many lines of text a client may send (a token bucket): `kBurst` at once, and `kPerSecond` in the
+// long run, which is more than anybody types.
+struct CommandLimit {
+  static constexpr double kBurst = 60, kPerSecond = 20;
+  double credit = 0;   // lines that it may still send at once
+  double since_s = 0;  // when `credit` was computed
+
+  // Grants a full burst.
+  void refill(double now_s);
+  // Counts one line. false: it is one too many.
+  bool take(double now_s);
 };
 
 struct Client {
@@ -37,39 +55,43 @@ struct Client {
 
   ClientStage stage = ClientStage::kFree;
   net::ConnectionId connection{};
-  std::string address;
+  std::string address;  // as text, for the host; "bot" for bots
   std::string name = kNoName;
-  std::uint8_t colors = 0;  // shirt << 4 | pants
-  SpawnParameters parameters{};
-  PlayerInput input{};
-  MoveQueue moves;                                            // in place of `input`, once they are numbered
-  std::optional<net::MoveParameters> sent_move_parameters{};  // of this level
-  // It was told that updates may be told as differences, and has said that it takes them.
+  std::uint8_t colors = 0;       // shirt << 4 | pants
+  SpawnParameters parameters{};  // with which the player enters the next level
+  double joined_at_s = 0;        // by the server's clock
+  std::int16_t sent_frags = 0;   // what the score boards show
+  bool loads_old_level = false;  // the level changed again before the client had loaded it
+  // If not empty, drop_failed_clients() drops the client at the end of the step. Functions set it instead of
+  // dropping the client, because their callers may still use the slot.
+  std::string drop_reason;
+
+  // Input.
+  MoveQueue moves;
+  std::optional<net::MoveParameters> sent_move_parameters{};  // in this level
+  CommandLimit commands;
+  std::array<float, 16> pings_s{};  // a ring buffer
+  std::size_t ping_count = 0;       // since the client joined
+
+  // Reliable output. While the client loads a level, `held` collects what must follow the signon: stock
+  // clients that read anything else before it give up.
+  std::deque<QueuedMessage> queued, held;
+  std::size_t queued_bytes = 0;        // in both; limited by Clients::kMaxQueuedBytes
+  bool is_last_sent_snapshot = false;  // the last reliable message that was sent is a snapshot
+
+  // Snapshots.
+  PendingUpdates pending{};
   bool was_offered_deltas = false, accepts_deltas = false;
-  std::optional<net::SentSnapshots> sent_snapshots{};  // once it has taken them
-  std::int16_t sent_frags = 0;                         // what clients know
-  double joined_at_s = 0;                              // of the server's clock
-  std::deque<WaitingMessage> waiting;
-  // While it loads: stock clients that read anything then give up. Sent behind the level's beginning.
-  std::deque<WaitingMessage> held;
-  std::size_t waiting_bytes = 0;
-  bool loads_old_level = false;  // was told of one that is over before it had loaded it
-  bool sent_update = false;      // what was sent last of them is one
-  PendingUpdates untold{};
-  double rate_credit_bytes = 0;     // of sv_maxrate; an update is sent when it is above 0
-  std::array<float, 16> pings_s{};  // the last ones, in turn
-  std::size_t ping_count = 0;
-  double command_credit = 0;  // text commands that it may still give at once
-  double credit_since_s = 0;
-  std::string drop_reason;  // why it is to be dropped at the next chance; empty: it is not
+  std::optional<net::SentSnapshots> sent_snapshots{};  // if it accepts deltas
+  double rate_credit_bytes = 0;  // left of sv_maxrate; the client gets a snapshot while this is above 0
 
   bool is_free() const { return stage == ClientStage::kFree; }
   bool is_bot() const { return stage == ClientStage::kBot; }
   bool is_in_game() const { return stage >= ClientStage::kSpawned; }
 
   void add_ping(float ping_s) { pings_s[ping_count++ % pings_s.size()] = ping_s; }
-  // Mean of the last ones; 0 before the first.
-  float ping() const;
+  // The mean of the last pings, in seconds; 0 before the first.
+  float mean_ping_s() const;
 };
 
 }  // namespace temblor::server

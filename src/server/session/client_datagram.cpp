@@ -8,11 +8,14 @@
 namespace temblor::server {
 namespace {
 
+// The same as movement::kSwimmingLevel; here it only sets a bit for the client.
 constexpr int kSwimmingLevel = 2;
-constexpr double kTurnTold_s = 0.03;  // three datagrams at 72 a second
+constexpr double kSetAngleSent_s = 0.03;  // three datagrams at 72 per second
 
-// Upper bits of items: what the mission packs added, or the runes of finished episodes.
-std::uint32_t items_of(Game& io_game, const Edict& edict) {
+// The status bar's items. The upper bits hold items2 of the mission packs, or else the runes of finished
+// episodes:
+//    bit 0 .. 22: items     23 .. 31: items2, if the program has it; else 28 .. 31: runes
+std::uint32_t sent_items(Game& io_game, const Edict& edict) {
   const auto items = static_cast<std::uint32_t>(edict.whole(field::kItems));
   const float flags = io_game.server_flags();
   const auto runes = static_cast<std::uint32_t>(flags >= 0 && flags < 16 ? flags : 0.0f);
@@ -21,7 +24,8 @@ std::uint32_t items_of(Game& io_game, const Edict& edict) {
   return items | runes << 28;
 }
 
-std::uint16_t number_of_model(Game& io_game, const Edict& edict) {
+// The model's number; 0 if there is no such model. Game code sets only its name.
+std::uint16_t find_weapon_model(Game& io_game, const Edict& edict) {
   const std::string_view name = io_game.machine().text(edict[field::kWeaponModel]);
   if (name.empty()) return 0;
   const std::vector<ServerModel>& models = io_game.world().models;
@@ -34,9 +38,10 @@ std::int16_t sent_i16(float value) {
   return static_cast<std::int16_t>(std::isfinite(value) ? std::clamp(value, -32768.0f, 32767.0f) : 0.0f);
 }
 
-// Entities that this player sees, those that fit: all, or the nearest.
-void choose_seen(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
-                 DatagramScratch& io_scratch, DatagramCounts& io_counts) {
+// Chooses the entities that this player sees, in order of number. If there is not room for all, the nearest
+// ones, in order of distance.
+void choose_entities(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
+                     DatagramScratch& io_scratch, DatagramCounts& io_counts) {
   const vm::EntityIndex own = Game::player_index(slot);
   const math::Vec3 eye = io_game.player(slot)[field::kOrigin];
   std::vector<std::uint32_t>& seen = io_scratch.seen;
@@ -46,13 +51,13 @@ void choose_seen(Game& io_game, std::size_t slot, const Snapshot& snapshot, std:
     const Snapshot::Entity& entity = snapshot.entities[i];
     const bool is_seen =
         entity.index == own ||
-        (entity.shows_something && io_scratch.sight.sees(io_game.world().edicts.state(entity.index)));
+        (entity.is_visible && io_scratch.sight.sees(io_game.world().edicts.state(entity.index)));
     if (!is_seen) continue;
     seen.push_back(i);
     bytes += entity.end - entity.begin;
   }
   if (bytes <= room) return;
-  // The player himself is nearest of all.
+  // The player's own entity always counts as the nearest.
   const auto distance_to_eye = [&](std::uint32_t i) {
     const math::Vec3 away = snapshot.entities[i].origin - eye;
     return snapshot.entities[i].index == own ? -1.0f : glm::dot(away, away);
@@ -70,11 +75,12 @@ void choose_seen(Game& io_game, std::size_t slot, const Snapshot& snapshot, std:
   seen.resize(kept);
 }
 
-void look_around(Game& io_game, const Edict& player, DatagramScratch& io_scratch) {
-  io_scratch.sight.look(*io_game.world().level, player[field::kOrigin] + player[field::kViewOffset]);
+// Visibility starts at the player's eye, not at its origin.
+void update_sight(Game& io_game, const Edict& player, DatagramScratch& io_scratch) {
+  io_scratch.sight.update(*io_game.world().level, player[field::kOrigin] + player[field::kViewOffset]);
 }
 
-// Each event within sight, then what everyone is told.
+// Calls `write` with each event that the player can see or hear, then with the messages to everyone.
 template <typename Write>
 void for_each_event(Game& io_game, const Sight& sight, Write write) {
   Outbox& outbox = io_game.outbox();
@@ -84,7 +90,7 @@ void for_each_event(Game& io_game, const Sight& sight, Write write) {
   if (outbox.broadcast().size() > 0) write(outbox.broadcast().view());
 }
 
-// What was kept, then what happened this tick, as far as it fits.
+// Writes the kept events, then those of this tick, as far as there is room.
 void write_events(Game& io_game, std::size_t max_size, const Sight& sight, PendingUpdates& io_pending,
                   DatagramCounts& io_counts, base::ByteWriter& io_writer) {
   const auto write = [&](base::Bytes event) {
@@ -103,6 +109,7 @@ void write_events(Game& io_game, std::size_t max_size, const Sight& sight, Pendi
   for_each_event(io_game, sight, write);
 }
 
+// The direction of damage comes from the middle of what inflicted it.
 void write_damage(Game& io_game, const Edict& edict, base::ByteWriter& io_writer) {
   if (edict[field::kDamageTaken] == 0 && edict[field::kDamageSaved] == 0) return;
   const Edict inflictor = io_game.world().edicts.at(edict[field::kDamageInflictor]);
@@ -116,22 +123,24 @@ void write_damage(Game& io_game, const Edict& edict, base::ByteWriter& io_writer
   edict.set(field::kDamageSaved, 0.0f);
 }
 
-void write_turn(Game& io_game, const Edict& edict, TurnToTell& io_turn, base::ByteWriter& io_writer) {
+// For a short time after the turn, each tick repeats the angle.
+void write_set_angle(Game& io_game, const Edict& edict, PendingSetAngle& io_set_angle,
+                     base::ByteWriter& io_writer) {
   if (edict[field::kFixAngle] != 0) {
-    io_turn = {finite(edict[field::kAngles]), io_game.time_s() + kTurnTold_s, -1};
+    io_set_angle = {finite(edict[field::kAngles]), io_game.time_s() + kSetAngleSent_s, -1};
     edict.set(field::kFixAngle, 0.0f);
   }
-  // Once where time stands still.
-  if (io_game.time_s() > io_turn.until_s || io_game.time_s() == io_turn.told_at_s) return;
-  io_turn.told_at_s = io_game.time_s();
-  io_game.outbox().write(net::SetAngle{io_turn.angles_deg}, io_writer);
+  // Only once while the game is paused.
+  if (io_game.time_s() > io_set_angle.until_s || io_game.time_s() == io_set_angle.sent_at_s) return;
+  io_set_angle.sent_at_s = io_game.time_s();
+  io_game.outbox().write(net::SetAngle{io_set_angle.angles_deg}, io_writer);
 }
 
 }  // namespace
 
-net::ClientData client_data_of(Game& io_game, std::size_t slot) {
+net::ClientData make_client_data(Game& io_game, std::size_t slot) {
   const Edict edict = io_game.player(slot);
-  // Protocol 15 has a byte for each; what is above it loses its upper bits, as stock servers have it.
+  // Protocol 15 has one byte for each. As on stock servers, larger numbers lose their upper bits.
   const bool is_stock = io_game.setup().dialect.protocol == net::Protocol::kNetQuake;
   const auto number = [&](Field<float> f) {
     return is_stock ? std::uint16_t{sent_u8(edict[f])} : sent_u16(edict[f]);
@@ -140,12 +149,12 @@ net::ClientData client_data_of(Game& io_game, std::size_t slot) {
           .ideal_pitch_deg = finite(math::Vec3{edict[field::kIdealPitch]}).x,
           .punch_deg = finite(edict[field::kPunchAngle]),
           .velocity = finite(edict[field::kVelocity]),
-          .items = items_of(io_game, edict),
+          .items = sent_items(io_game, edict),
           .on_ground = edict.has_flag(flag::kOnGround),
           .in_water = edict[field::kWaterLevel] >= kSwimmingLevel,
           .weapon_frame = number(field::kWeaponFrame),
           .armor = number(field::kArmorValue),
-          .weapon_model = number_of_model(io_game, edict),
+          .weapon_model = find_weapon_model(io_game, edict),
           .health = sent_i16(edict[field::kHealth]),
           .ammo = number(field::kCurrentAmmo),
           .shells = number(field::kAmmoShells),
@@ -155,48 +164,51 @@ net::ClientData client_data_of(Game& io_game, std::size_t slot) {
           .active_weapon = sent_u8(edict[field::kWeapon])};
 }
 
-DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& snapshot,
-                              std::size_t max_bytes, PendingUpdates& io_pending, DatagramScratch& io_scratch,
-                              base::ByteWriter& io_writer) {
-  const std::size_t max_size = io_writer.size() + max_bytes;
+// Notes in io_scratch where each part begins, because split_datagram() needs the parts later.
+DatagramCounts write_datagram(const DatagramRequest& request, PendingUpdates& io_pending,
+                              DatagramScratch& io_scratch, base::ByteWriter& io_writer) {
+  Game& io_game = request.game;
+  const std::size_t slot = request.slot;
+  const Snapshot& snapshot = request.snapshot;
+  const std::size_t max_size = io_writer.size() + request.max_bytes;
   const Edict edict = io_game.player(slot);
   set_ideal_pitch(io_game.world(), edict.index());
-  look_around(io_game, edict, io_scratch);
+  update_sight(io_game, edict, io_scratch);
 
   DatagramCounts counts;
   io_scratch.time = io_writer.size();
   io_game.outbox().write(net::Time{static_cast<float>(io_game.time_s())}, io_writer);
   io_scratch.once = io_writer.size();
   write_damage(io_game, edict, io_writer);
-  write_turn(io_game, edict, io_pending.turn, io_writer);
+  write_set_angle(io_game, edict, io_pending.set_angle, io_writer);
   io_scratch.client_data = io_writer.size();
-  io_game.outbox().write(client_data_of(io_game, slot), io_writer);
-  io_scratch.acknowledgement = io_writer.size();
-  if (!io_pending.acknowledgement.empty()) {
-    io_game.outbox().write(net::StuffText{io_pending.acknowledgement}, io_writer);
-    io_pending.acknowledgement.clear();
+  io_game.outbox().write(make_client_data(io_game, slot), io_writer);
+  io_scratch.acknowledgment = io_writer.size();
+  if (!io_pending.acknowledgment.empty()) {
+    io_game.outbox().write(net::StuffText{io_pending.acknowledgment}, io_writer);
+    io_pending.acknowledgment.clear();
   }
   io_scratch.entities = io_writer.size();
   const std::size_t room = max_size > io_writer.size() ? max_size - io_writer.size() : 0;
-  choose_seen(io_game, slot, snapshot, room, io_scratch, counts);
-  for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.update_of(snapshot.entities[i]));
+  choose_entities(io_game, slot, snapshot, room, io_scratch, counts);
+  for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.entity_bytes(snapshot.entities[i]));
   io_scratch.events = io_writer.size();
   write_events(io_game, max_size, io_scratch.sight, io_pending, counts, io_writer);
   return counts;
 }
 
-bool take_datagram_apart(base::Bytes datagram, const Snapshot& snapshot, const net::Dialect& dialect,
-                         const DatagramScratch& scratch, net::SnapshotState& out_state) {
+bool split_datagram(base::Bytes datagram, const Snapshot& snapshot, const net::Dialect& dialect,
+                    const DatagramScratch& scratch, net::SnapshotState& out_state) {
   const auto part = [&](std::size_t begin, std::size_t end) { return datagram.subspan(begin, end - begin); };
   if (scratch.seen.size() > net::SnapshotState::kMaxEntities) return false;
-  const net::UpdateParts parts{.time = part(scratch.time, scratch.once),
-                               .once = part(scratch.once, scratch.client_data),
-                               .client_data = part(scratch.client_data, scratch.acknowledgement),
-                               .acknowledgement = part(scratch.acknowledgement, scratch.entities),
-                               .events = part(scratch.events, datagram.size())};
-  if (!net::take_apart(parts, dialect, out_state)) return false;
+  const net::SnapshotParts parts{.time = part(scratch.time, scratch.once),
+                                 .once = part(scratch.once, scratch.client_data),
+                                 .client_data = part(scratch.client_data, scratch.acknowledgment),
+                                 .acknowledgment = part(scratch.acknowledgment, scratch.entities),
+                                 .events = part(scratch.events, datagram.size())};
+  if (!net::parse_snapshot(parts, dialect, out_state)) return false;
   for (const std::uint32_t i : scratch.seen) out_state.entities.push_back(snapshot.words[i]);
-  // Where not all had room they are in order of distance.
+  // They are sorted by distance if there was not room for all.
   const auto by_number = [](const net::SnapshotState::Entity& a, const net::SnapshotState::Entity& b) {
     return a.number < b.number;
   };
@@ -207,7 +219,7 @@ bool take_datagram_apart(base::Bytes datagram, const Snapshot& snapshot, const n
 
 DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_bytes,
                            DatagramScratch& io_scratch, PendingUpdates& io_pending) {
-  look_around(io_game, io_game.player(slot), io_scratch);
+  update_sight(io_game, io_game.player(slot), io_scratch);
   DatagramCounts counts;
   for_each_event(io_game, io_scratch.sight, [&](base::Bytes event) {
     if (io_pending.events.size() + event.size() > max_bytes) {

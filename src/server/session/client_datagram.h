@@ -1,5 +1,8 @@
-// What one player is told of one tick: the time, himself, what he sees, what he hears. Told whole each time,
-// so that a datagram that gets lost costs one tick and nothing more.
+// The datagram of one player in one tick. Each datagram is complete, so that a lost one costs one tick and
+// nothing more:
+//    time | damage, set angle | client data | acknowledged move | entities | events
+//           (sent once)         (own state)                       (seen)     (sounds, particles; as far as
+//                                                                             there is room)
 #pragma once
 
 #include <cstdint>
@@ -14,53 +17,60 @@
 
 namespace temblor::server {
 
+// Buffers of write_datagram(), shared by all players, and the layout of the last datagram.
 struct DatagramScratch {
   Sight sight;
   std::vector<std::uint32_t> seen;  // into Snapshot::entities
-  // Of the datagram that was written last: where each part begins in the writer's bytes, in this order.
-  std::size_t time = 0, once = 0, client_data = 0, acknowledgement = 0, entities = 0, events = 0;
+  // Where each part of the last written datagram begins in the writer's bytes.
+  std::size_t time = 0, once = 0, client_data = 0, acknowledgment = 0, entities = 0, events = 0;
 };
 
 struct DatagramCounts {
-  std::size_t entities_left_out = 0;  // seen, but no room
-  bool events_left_out = false;       // sounds, particles and the like, alike
+  std::size_t entities_left_out = 0;  // visible, but there was no room
+  bool events_left_out = false;       // there was no room for a sound, particles or the like
 };
 
-// Where a player is turned to by the game (fixangle). Told in several datagrams: nothing else of a datagram
-// is missed for long when it is lost, but who went through a teleporter would go on looking at its wall.
-struct TurnToTell {
+// The angle to which the game turns a player (fixangle). It is sent in several datagrams: other parts of a
+// lost datagram are replaced by the next one, but a player whose turn got lost in a teleporter would keep
+// looking the wrong way.
+struct PendingSetAngle {
   math::Vec3 angles_deg{0.0f};
-  double until_s = -1;  // of the game's time; soon over, or who turns meanwhile would be turned back
-  double told_at_s = 0;
+  double until_s = -1;   // game time; short, because it undoes the player's own turns
+  double sent_at_s = 0;  // game time, so that it is sent once while the game is paused
 };
 
-// What a player has still to be told in the next datagrams.
+// What the next datagrams must still bring to a player.
 struct PendingUpdates {
-  TurnToTell turn{};
-  // Of ticks of which he got no datagram, see keep_events(): bytes, and where each event ends.
+  PendingSetAngle set_angle{};
+  // Events of ticks in which the player got no datagram (see keep_events()): their bytes, and where each
+  // ends.
   base::ByteWriter events{};
   std::vector<std::size_t> event_ends{};
-  // Of the player's moves: a line for his console that is comment to stock ones; empty: none. Told once.
-  std::string acknowledgement{};
+  // Acknowledges the player's moves: a console command that is a comment to stock clients. Sent once. Empty:
+  // none.
+  std::string acknowledgment{};
 };
 
-// Status bar, weapon and view.
-net::ClientData client_data_of(Game& io_game, std::size_t slot);
+// The player's own state: status bar, weapon and view.
+net::ClientData make_client_data(Game& io_game, std::size_t slot);
 
-// Appends at most `max_bytes`. Told once is what hurt the player (dmg_take and dmg_save, which are then 0
-// again), and a turn in the datagrams of the next moment: it is set from fixangle, which is then 0 again.
-// Where not everything that is seen fits, the farthest is left out; what happened (kept events,
-// Outbox::placed and broadcast) comes last and only as far as it fits, as in the original.
-DatagramCounts write_datagram(Game& io_game, std::size_t slot, const Snapshot& snapshot,
-                              std::size_t max_bytes, PendingUpdates& io_pending, DatagramScratch& io_scratch,
-                              base::ByteWriter& io_writer);
+struct DatagramRequest {
+  Game& game;
+  std::size_t slot;
+  const Snapshot& snapshot;
+  std::size_t max_bytes;
+};
+// Appends a datagram. Clears dmg_take, dmg_save and fixangle of the player's entity, because it sends them.
+// If there is not enough room for all visible entities, the farthest are left out. Events (kept ones,
+// Outbox::placed() and broadcast()) come last, as far as there is room, as in the original.
+DatagramCounts write_datagram(const DatagramRequest& request, PendingUpdates& io_pending,
+                              DatagramScratch& io_scratch, base::ByteWriter& io_writer);
 
-// The datagram that was just written to `datagram`, and nothing else, taken apart. False: it holds what
-// cannot be.
-bool take_datagram_apart(base::Bytes datagram, const Snapshot& snapshot, const net::Dialect& dialect,
-                         const DatagramScratch& scratch, net::SnapshotState& out_state);
+// Splits the last written datagram into the form that deltas compare. False: its values cannot be compared.
+bool split_datagram(base::Bytes datagram, const Snapshot& snapshot, const net::Dialect& dialect,
+                    const DatagramScratch& scratch, net::SnapshotState& out_state);
 
-// Instead of a datagram: what happened this tick, for the next one. At most `max_bytes` are kept.
+// Instead of a datagram: keeps this tick's events for the next one, at most `max_bytes`.
 DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_bytes,
                            DatagramScratch& io_scratch, PendingUpdates& io_pending);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/session/baselines.h"
+#include "server/game/baselines.h"
 
 namespace temblor::server {
 namespace {
@@ -12,39 +12,32 @@ float finite_or_zero(float value) {
   return std::isfinite(value) ? value : 0;
 }
 
-// What he stands on, if it is a brush model that moves by its own clock.
-std::optional<net::MoveAcknowledgement::Ride> ride_on(const Edict& ground) {
+// What the player stands on, if it is a brush model that moves: a client predicts that the player rides
+// along.
+std::optional<net::MoveAcknowledgment::Ride> find_ride(const Edict& ground) {
   if (ground.solid() != Solid::kBsp || ground.move_type() != MoveType::kPush) return std::nullopt;
   const float left_s = ground[field::kNextThink] - ground[field::kLocalTime];
-  return net::MoveAcknowledgement::Ride{.origin = finite(ground[field::kOrigin]),
-                                        .velocity = finite(ground[field::kVelocity]),
-                                        .left_s = std::max(finite_or_zero(left_s), 0.0f)};
+  return net::MoveAcknowledgment::Ride{.origin = finite(ground[field::kOrigin]),
+                                       .velocity = finite(ground[field::kVelocity]),
+                                       .left_s = std::max(finite_or_zero(left_s), 0.0f)};
 }
 
 }  // namespace
 
-net::MoveParameters move_parameters(const GameWorld& world, std::size_t slot, double clock_tick_s) {
-  const PhysicsSettings& settings = world.settings;
+net::MoveParameters make_move_parameters(const GameWorld& world, std::size_t slot, double clock_tick_s) {
   return {.entity = static_cast<std::uint16_t>(slot + 1),
           .tick_s = clock_tick_s,
           .world_tick_s = world.tick_s,
-          .gravity = settings.gravity,
-          .max_velocity = settings.max_velocity,
-          .friction = settings.friction,
-          .edge_friction = settings.edge_friction,
-          .stop_speed = settings.stop_speed,
-          .accelerate = settings.accelerate,
-          .max_speed = settings.max_speed,
-          .no_step = settings.no_step};
+          .physics = world.settings};
 }
 
-net::MoveAcknowledgement acknowledgement(Game& io_game, std::size_t slot, std::uint32_t number) {
+net::MoveAcknowledgment make_acknowledgment(Game& io_game, std::size_t slot, std::uint32_t number) {
   const Edict edict = io_game.player(slot);
   const GameWorld& world = io_game.world();
-  const movement::Player player = player_of(world, edict);
+  const movement::Player player = make_player(world, edict);
   const auto water_type = static_cast<world::Contents>(edict.whole(field::kWaterType));
   const float own_gravity = world.gravity_field ? edict[*world.gravity_field] : 1;
-  net::MoveAcknowledgement told{
+  net::MoveAcknowledgment acknowledgment{
       .number = number,
       .origin = finite(player.body.origin),
       .velocity = finite(player.body.velocity),
@@ -64,10 +57,10 @@ net::MoveAcknowledgement acknowledgement(Game& io_game, std::size_t slot, std::u
       .own_gravity = own_gravity != 0 && std::isfinite(own_gravity) ? own_gravity : 1};
   if (player.body.ground > 0 && player.body.ground < world.edicts.count() &&
       !world.edicts.is_free(vm::EntityIndex{player.body.ground})) {
-    told.ground = static_cast<std::uint16_t>(player.body.ground);
-    told.ride = ride_on(io_game.world().edicts[vm::EntityIndex{player.body.ground}]);
+    acknowledgment.ground = static_cast<std::uint16_t>(player.body.ground);
+    acknowledgment.ride = find_ride(io_game.world().edicts[vm::EntityIndex{player.body.ground}]);
   }
-  return told;
+  return acknowledgment;
 }
 
 }  // namespace temblor::server

@@ -6,7 +6,8 @@
 
 namespace temblor::server {
 
-void Sight::look(const world::Level& level, const math::Vec3& eye) {
+// Walks the BSP tree, into both sides of planes that are nearer than the margin.
+void Sight::update(const world::Level& level, const math::Vec3& eye) {
   row_.assign((level.visible_leaf_count + 7) / 8, 0);
   to_visit_.assign(1, level.world().head);
   bool is_outside = true;
@@ -31,14 +32,14 @@ void Sight::look(const world::Level& level, const math::Vec3& eye) {
 bool Sight::sees(const EdictState& state) const {
   if (state.is_in_too_many_leaves) return true;
   for (const world::LeafIndex leaf : state.leaves)
-    if (world::pvs_has(row_, leaf)) return true;
+    if (world::is_in_pvs(row_, leaf)) return true;
   return false;
 }
 
 bool Sight::sees(const world::Level& level, const math::Vec3& place) const {
-  // What is set into a wall (a button, a door) has its middle there.
+  // The middle of a button or door may be inside the wall that it is set into.
   const world::LeafIndex leaf = world::find_leaf(level, place);
-  return leaf == world::LeafIndex{0} || world::pvs_has(row_, leaf);
+  return leaf == world::LeafIndex{0} || world::is_in_pvs(row_, leaf);
 }
 
 }  // namespace temblor::server

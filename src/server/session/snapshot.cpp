@@ -8,17 +8,20 @@
 namespace temblor::server {
 namespace {
 
-constexpr float kMovedBy_units = 0.1f;  // less is not worth a word
-constexpr float kStockThink_s = 0.1f;   // what a client expects between two frames of an animation
+constexpr float kMovedBy_units = 0.1f;  // smaller moves are not sent
+constexpr float kStockThink_s = 0.1f;   // the time between two animation frames that clients assume
 
 template <typename T>
+// Empty: the client already knows the value from the baseline.
 std::optional<T> if_changed(T now, T before) {
   return now == before ? std::nullopt : std::optional<T>(now);
 }
 
-net::EntityUpdate update_of(const Edict& edict, const EdictState& state, const LookFields& fields,
-                            double time_s) {
-  const net::Baseline now = look_of(edict, fields);
+// A `step` entity is interpolated by clients from one think to the next. The time of the next think is sent
+// only if it is not the usual one.
+net::EntityUpdate make_update(const Edict& edict, const EdictState& state, const LookFields& fields,
+                              double time_s) {
+  const net::Baseline now = make_baseline(edict, fields);
   const net::Baseline& before = state.baseline;
   net::EntityUpdate update;
   update.number = static_cast<std::uint16_t>(base::to_size(edict.index()));
@@ -45,6 +48,7 @@ net::EntityUpdate update_of(const Edict& edict, const EdictState& state, const L
 
 }  // namespace
 
+// Players without a model are included, because their own client needs them (for the origin of its view).
 void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFields& fields,
                    const net::Dialect& dialect, Snapshot& io_snapshot) {
   io_snapshot.entities.clear();
@@ -57,20 +61,20 @@ void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFi
     const EdictState& state = io_world.edicts.state(index);
     if (state.is_free) continue;
     const Edict edict = io_world.edicts[index];
-    const bool shows_something = edict[field::kModelIndex] > 0 && !machine.text(edict[field::kModel]).empty();
-    if (!shows_something && number > io_world.edicts.client_count()) continue;
+    const bool is_visible = edict[field::kModelIndex] > 0 && !machine.text(edict[field::kModel]).empty();
+    if (!is_visible && number > io_world.edicts.client_count()) continue;
     if (is_stock && number >= kMaxEntitiesOfProtocol15) {
       ++io_snapshot.unnumbered;
       continue;
     }
     const std::size_t begin = io_snapshot.bytes.size();
-    const net::EntityUpdate update = update_of(edict, state, fields, io_world.time_s);
+    const net::EntityUpdate update = make_update(edict, state, fields, io_world.time_s);
     if (!net::write_message(update, dialect, io_snapshot.bytes).ok()) continue;
-    const bool has_words = net::take_apart(base::Bytes(io_snapshot.bytes.view()).subspan(begin), dialect,
-                                           io_snapshot.words.emplace_back());
-    CHECK(has_words, "what was written is an update");
+    const bool has_words = net::parse_entity_update(base::Bytes(io_snapshot.bytes.view()).subspan(begin),
+                                                    dialect, io_snapshot.words.emplace_back());
+    CHECK(has_words, "a written entity can be read back");
     io_snapshot.entities.push_back(
-        {index, shows_something, edict[field::kOrigin], begin, io_snapshot.bytes.size()});
+        {index, is_visible, edict[field::kOrigin], begin, io_snapshot.bytes.size()});
   }
 }
 

@@ -1,5 +1,6 @@
-// All entities as they stand at a tick's end, each already in the bytes that any client may be told: who is
-// told what is only a choice among them.
+// The state of all entities at the end of a tick, each already encoded as the bytes that clients are sent.
+// Each client's datagram is then only a selection of them, so the cost of encoding does not grow with the
+// number of players.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +9,9 @@
 
 #include "base/bytes.h"
 #include "net/delta/snapshot_state.h"
-#include "server/game_world.h"
-#include "server/session/baselines.h"
-#include "server/session/outbox.h"
+#include "server/game/baselines.h"
+#include "server/game/game_world.h"
+#include "server/game/outbox.h"
 #include "vm/machine.h"
 
 namespace temblor::server {
@@ -18,21 +19,21 @@ namespace temblor::server {
 struct Snapshot {
   struct Entity {
     vm::EntityIndex index{};
-    bool shows_something = false;  // has a model; else only its own player is told of it
+    bool is_visible = false;  // has a model; without one, only the entity's own player gets it
     math::Vec3 origin{0.0f};
-    std::size_t begin = 0, end = 0;  // of its update, in `bytes`
+    std::size_t begin = 0, end = 0;  // of its bytes in `bytes`
   };
   std::vector<Entity> entities;                   // in order of number
-  std::vector<net::SnapshotState::Entity> words;  // of the same ones: their updates, to be compared
+  std::vector<net::SnapshotState::Entity> words;  // the same entities in the form that deltas compare
   base::ByteWriter bytes;
-  std::size_t unnumbered = 0;  // entities that the dialect has no number for
+  std::size_t unnumbered = 0;  // visible entities for which the dialect has no number
 
-  base::Bytes update_of(const Entity& entity) const {
+  base::Bytes entity_bytes(const Entity& entity) const {
     return base::Bytes(bytes.view()).subspan(entity.begin, entity.end - entity.begin);
   }
 };
 
-// `fields`: of the program that runs. Keeps io_snapshot's memory.
+// `fields` are those of the running program. Reuses io_snapshot's memory.
 void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFields& fields,
                    const net::Dialect& dialect, Snapshot& io_snapshot);
 

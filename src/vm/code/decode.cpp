@@ -7,7 +7,8 @@
 namespace temblor::vm {
 namespace {
 
-Operation operation_of(Opcode opcode) {
+// Maps operations that treat words alike, such as STORE_F and STORE_ENT, to one.
+Operation translate_opcode(Opcode opcode) {
   switch (opcode) {
     case Opcode::kMulF:
       return Operation::kMulF;
@@ -118,11 +119,11 @@ Operation operation_of(Opcode opcode) {
     case Opcode::kBitOr:
       return Operation::kBitOr;
   }
-  return Operation::kPastEnd;  // not reached: the caller has looked that it is one of these
+  return Operation::kPastEnd;  // unreachable: the caller has checked the operation
 }
 
-// What `first` and the branch that tests its result are together.
-std::optional<Operation> with_branch(Operation first, Operation branch) {
+// Returns the fused operation of `first` and the branch that tests its result, or nullopt if there is none.
+std::optional<Operation> fuse_with_branch(Operation first, Operation branch) {
   const bool is_not = branch == Operation::kIfNot;
   switch (first) {
     case Operation::kEqF:
@@ -158,9 +159,11 @@ std::optional<Operation> with_branch(Operation first, Operation branch) {
   }
 }
 
-std::optional<Operation> joined(const Instruction& first, const Instruction& second) {
+// The result of `first` must be the operand that `second` tests or stores through; the fused operation still
+// writes it to its global, because later statements may read it.
+std::optional<Operation> fuse(const Instruction& first, const Instruction& second) {
   const bool is_branch = second.alone == Operation::kIf || second.alone == Operation::kIfNot;
-  if (is_branch && second.a == first.c) return with_branch(first.alone, second.alone);
+  if (is_branch && second.a == first.c) return fuse_with_branch(first.alone, second.alone);
   if (first.alone == Operation::kAddress && second.b == first.c) {
     if (second.alone == Operation::kStorePWord) return Operation::kAddressStorePWord;
     if (second.alone == Operation::kStorePVector) return Operation::kAddressStorePVector;
@@ -168,6 +171,7 @@ std::optional<Operation> joined(const Instruction& first, const Instruction& sec
   return std::nullopt;
 }
 
+// Returns the operand as the interpreter needs it: the number of a word, or a jump distance with its sign.
 base::Result<std::int32_t> check_operand(std::uint16_t operand, OperandKind kind, const formats::Progs& progs,
                                          std::size_t statement, StatementRange function) {
   if (kind == OperandKind::kJump) {
@@ -175,13 +179,14 @@ base::Result<std::int32_t> check_operand(std::uint16_t operand, OperandKind kind
     const auto target = static_cast<std::int64_t>(statement) + distance;
     if (target < static_cast<std::int64_t>(function.begin) ||
         target >= static_cast<std::int64_t>(function.end))
-      return base::malformed("it jumps {} statements, to {}: the function's are {} to {}", distance, target,
-                             function.begin, function.end - 1);
+      return base::malformed("it jumps by {} statements to {}, but the function has statements {} to {}",
+                             distance, target, function.begin, function.end - 1);
     return std::int32_t{distance};
   }
   const std::size_t words = kind == OperandKind::kNone ? 0 : kind == OperandKind::kVector ? 3 : 1;
   if (words > 0 && operand + words > progs.global_words.size())
-    return base::malformed("it names global word {} of {}", operand + words - 1, progs.global_words.size());
+    return base::malformed("it uses global word {}, but there are only {}", operand + words - 1,
+                           progs.global_words.size());
   return std::int32_t{operand};
 }
 
@@ -191,13 +196,14 @@ base::Result<Instruction> decode(const formats::Progs& progs, std::size_t statem
                                  StatementRange function) {
   const formats::ProgsStatement& source = progs.statements[statement];
   if (source.op >= kOpcodes)
-    return base::error(base::ErrorCode::kUnsupported,
-                       "operation {} is none of version 6 (0 to {}): compile it for stock Quake", source.op,
-                       kOpcodes - 1);
+    return base::error(
+        base::ErrorCode::kUnsupported,
+        "operation {} does not exist in version 6 (0 to {}); compile the program for stock Quake", source.op,
+        kOpcodes - 1);
   const auto opcode = static_cast<Opcode>(source.op);
   const OpcodeInfo& info = opcode_info(opcode);
   Instruction instruction;
-  instruction.operation = instruction.alone = operation_of(opcode);
+  instruction.operation = instruction.alone = translate_opcode(opcode);
   TRY(instruction.a, check_operand(source.operands[0], info.operands[0], progs, statement, function));
   TRY(instruction.b, check_operand(source.operands[1], info.operands[1], progs, statement, function));
   TRY(instruction.c, check_operand(source.operands[2], info.operands[2], progs, statement, function));
@@ -206,10 +212,10 @@ base::Result<Instruction> decode(const formats::Progs& progs, std::size_t statem
   return instruction;
 }
 
-void join_pairs(std::vector<Instruction>& io_instructions) {
+void fuse_pairs(std::vector<Instruction>& io_instructions) {
   for (std::size_t i = 0; i + 1 < io_instructions.size(); ++i)
     io_instructions[i].operation =
-        joined(io_instructions[i], io_instructions[i + 1]).value_or(io_instructions[i].alone);
+        fuse(io_instructions[i], io_instructions[i + 1]).value_or(io_instructions[i].alone);
 }
 
 }  // namespace temblor::vm

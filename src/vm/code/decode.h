@@ -1,4 +1,5 @@
-// Statements of a file -> instructions.
+// Translates the statements of a file to instructions. This is the only check of opcodes and operands: the
+// interpreter trusts the result.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +12,17 @@
 
 namespace temblor::vm {
 
-// The statements that belong to one function: jumps may go to these.
+// The statements of one function, [begin, end). Jumps must stay inside.
 struct StatementRange {
   std::size_t begin = 0, end = 0;
 };
 
-// One statement by itself. An error says what is wrong with it, not where it is.
+// Translates one statement. Returns kUnsupported for an unknown operation, kMalformed for an operand past the
+// globals or a jump out of the function. The error describes the problem without the location.
 base::Result<Instruction> decode(const formats::Progs& progs, std::size_t statement, StatementRange function);
 
-// Lets instructions do the next one's work as well, where there is an operation for both.
-void join_pairs(std::vector<Instruction>& io_instructions);
+// Fuses pairs of instructions for which there is a combined operation. The first one then does the work of
+// both; the second one stays in the list, because a jump may lead to it.
+void fuse_pairs(std::vector<Instruction>& io_instructions);
 
 }  // namespace temblor::vm

@@ -1,15 +1,21 @@
-// A statement as the machine runs it. Statements of different types that do the same to words are one
-// operation; and a statement whose result the next one tests or stores through does the work of both (the
-// next one is still there, for whoever jumps to it). So there is one instruction for each statement, and a
-// place among the instructions is a place among the statements.
+// Instructions: statements in the form that the machine runs.
+//
+// Statements of different types that do the same to words share one operation. A statement whose result the
+// next one tests or stores through is fused with it; it does the work of both, and the next one stays in the
+// list for jumps to it. There is exactly one instruction for each statement, so their numbers are the same:
+//
+//   statement   7: LE      a, b, c         instruction 7: LeIfNot  a, b, c   (alone: Le)
+//               8: IFNOT   c, +5                       8: IfNot    c, +5     (run only after a jump to it)
+//
+// Fusing saves one dispatch, the most expensive part of a cheap operation.
 #pragma once
 
 #include <cstdint>
 
 namespace temblor::vm {
 
-// A list for the machine's table of jumps, which has to be in the same order: hence the macro. After
-// kPastEnd, which stands behind the last statement, come the pairs.
+// A macro, because the interpreter's jump table must have the same order. PastEnd comes after the last
+// statement of a program; the fused pairs follow it in this list.
 // clang-format off
 #define TEMBLOR_VM_OPERATIONS(X) \
   X(MulF) X(MulV) X(MulFV) X(MulVF) X(DivF) X(AddF) X(AddV) X(SubF) X(SubV) X(EqF) X(EqV) X(EqS) \
@@ -28,11 +34,12 @@ enum class Operation : std::uint16_t {
 #undef TEMBLOR_VM_NAME
 };
 
+// 16 bytes: four in a cache line.
 struct Instruction {
-  Operation operation = Operation::kPastEnd;  // perhaps with the next statement's
-  Operation alone = Operation::kPastEnd;      // of this statement only
-  // Global words. Of a call: a; b is how many parameters. Of a jump: `b` of If and IfNot, `a` of Goto are
-  // instructions to go on.
+  Operation operation = Operation::kPastEnd;  // possibly fused with the next statement
+  Operation alone = Operation::kPastEnd;      // this statement without fusion
+  // Indices of global words, with these exceptions: Call has the global with the function in `a`, and the
+  // number of parameters itself in `b`; If and IfNot have their jump distance in `b`, Goto in `a`.
   std::int32_t a = 0, b = 0, c = 0;
 };
 

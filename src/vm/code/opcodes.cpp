@@ -10,8 +10,8 @@ constexpr OperandKind kNone = OperandKind::kNone, kF = OperandKind::kFloat, kV =
                       kFnc = OperandKind::kFunction, kPtr = OperandKind::kPointer, kAny = OperandKind::kAny,
                       kJump = OperandKind::kJump;
 
-// In order of their numbers. What comes back from a function is read as three words, but the compiler names a
-// place that may have only one: kAny.
+// In the order of their numbers. RETURN reads three words, but compilers name globals that have only one, so
+// it is kAny; the machine has spare words after the last global.
 constexpr std::array<OpcodeInfo, kOpcodes> kTable = {{
     {"DONE", {kAny, kNone, kNone}},
     {"MUL_F", {kF, kF, kF}},

@@ -1,4 +1,12 @@
-// The 66 operations of version 6, and what their operands are.
+// The 66 operations of version 6 programs, with the types of their operands. A statement is an operation and
+// three operands, each the number of a global word:
+//
+//   ADD_F  a, b, c      c = a + b                    LOAD_F   e, f, c     c = entity e . field f
+//   STORE_F a, b        b = a                        ADDRESS  e, f, c     c = pointer to entity e . field f
+//   IFNOT  a, distance  if (!a) jump                 STOREP_F a, p        *p = a
+//   CALL2  f            calls f with parm0, parm1    RETURN   a           result = a
+//
+// Suffixes: F float, V vector (three words), S string, E or ENT entity, FLD field, FNC function.
 #pragma once
 
 #include <array>
@@ -7,6 +15,7 @@
 
 namespace temblor::vm {
 
+// The numbers in the file, in order from 0.
 enum class Opcode : std::uint16_t {
   kDone,
   kMulF,
@@ -78,6 +87,7 @@ enum class Opcode : std::uint16_t {
 
 constexpr std::uint16_t kOpcodes = 66;
 
+// What an operand refers to. The size that must fit into the globals: three words for kVector, one otherwise.
 enum class OperandKind : std::uint8_t {
   kNone,
   kFloat,
@@ -88,15 +98,15 @@ enum class OperandKind : std::uint8_t {
   kFunction,
   kPointer,
   kAny,   // one word of any type
-  kJump,  // not a global: statements to go on from this one, signed
+  kJump,  // not a global: signed distance in statements
 };
 
 struct OpcodeInfo {
-  std::string_view name;  // as the manuals write it: "MUL_F"
+  std::string_view name;  // as in disassemblies: "MUL_F"
   std::array<OperandKind, 3> operands{};
 };
 
-// `number` below kOpcodes.
+// `number` must be below kOpcodes.
 const OpcodeInfo& opcode_info(std::uint16_t number);
 inline const OpcodeInfo& opcode_info(Opcode opcode) {
   return opcode_info(static_cast<std::uint16_t>(opcode));

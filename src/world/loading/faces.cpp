@@ -11,17 +11,18 @@ namespace {
 
 constexpr std::int32_t kLightGridTexels = 16;
 constexpr double kMaxExtentTexels = 1 << 20;
-// Above this a float no longer tells neighboring texels apart.
+// Above this, a float cannot distinguish neighboring texels.
 constexpr double kMaxTexelCoordinate = 1 << 24;
 constexpr std::int32_t kFlagNoLight = 1;
 
+// The range of a face's texture coordinates along one axis, in texels.
 struct Interval {
   double min = std::numeric_limits<double>::infinity();
   double max = -std::numeric_limits<double>::infinity();
 };
 
-// The sum is exact to double and then rounded to float once. Light compilers place their samples by the same
-// rule: any other rounding gives some faces of real levels a column of light too many or too few.
+// The sum is computed in double and rounded to float once. Light compilers use the same rule; any other
+// rounding gives some faces of real levels one column of light samples too many or too few.
 double texel_coordinate(const math::Vec3& position, const math::Vec3& axis, float offset) {
   constexpr double kLargest = std::numeric_limits<float>::max();
   const double texel = glm::dot(math::Vec3d(position), math::Vec3d(axis)) + double{offset};
@@ -39,6 +40,8 @@ Interval texel_interval(const Level& level, const Face& face, const math::Vec3& 
   return interval;
 }
 
+// Rounds the texture rectangle outward to multiples of 16, the grid of light samples: [17, 50] becomes [16,
+// 64].
 base::Status set_extents(const Level& level, std::size_t number, Face& io_face) {
   const TextureAxes& axes = level.texture_axes[io_face.axes];
   const Interval intervals[2] = {texel_interval(level, io_face, axes.s_axis, axes.s_offset),
@@ -48,8 +51,9 @@ base::Status set_extents(const Level& level, std::size_t number, Face& io_face) 
     const bool sane = interval.min >= -kMaxTexelCoordinate && interval.max <= kMaxTexelCoordinate &&
                       interval.max - interval.min <= kMaxExtentTexels;
     if (!sane)
-      return base::malformed("face {}: its texture runs from texel {} to {}, wider than any level's", number,
-                             interval.min, interval.max);
+      return base::malformed(
+          "face {}: its texture coordinates range from {} to {} texels, more than in any real level", number,
+          interval.min, interval.max);
     const auto first = static_cast<std::int32_t>(std::floor(interval.min / kLightGridTexels));
     const auto last = static_cast<std::int32_t>(std::ceil(interval.max / kLightGridTexels));
     io_face.texture_mins[i] = first * kLightGridTexels;
@@ -58,14 +62,16 @@ base::Status set_extents(const Level& level, std::size_t number, Face& io_face) 
   return base::Ok{};
 }
 
-FaceKind kind_of(const Level& level, TextureKind texture, const formats::BspTexinfo& texinfo,
-                 const formats::BspFace& face) {
+FaceKind choose_face_kind(const Level& level, TextureKind texture, const formats::BspTexinfo& texinfo,
+                          const formats::BspFace& face) {
   if (texture == TextureKind::kSky) return FaceKind::kSky;
   if (texture == TextureKind::kLiquid) return FaceKind::kLiquid;
   const bool never_lit = (texinfo.flags & kFlagNoLight) != 0 && face.light_offset < 0;
   return level.has_light && !never_lit ? FaceKind::kLit : FaceKind::kUnlit;
 }
 
+// Finds the face's samples. The file stores only their offset; their number follows from the size of the face
+// and the number of its styles. A file made for a face of another size must not read past the samples.
 base::Status set_light(const Level& level, const formats::BspFace& bsp_face, std::size_t number,
                        Face& io_face) {
   io_face.styles = {kNoStyle, kNoStyle, kNoStyle, kNoStyle};
@@ -74,7 +80,8 @@ base::Status set_light(const Level& level, const formats::BspFace& bsp_face, std
   for (const std::uint8_t style : bsp_face.styles) {
     if (style == kNoStyle) break;
     if (style >= kLightStyles)
-      return base::malformed("face {}: light style {}; the last one is {}", number, style, kLightStyles - 1);
+      return base::malformed("face {}: light style {}, but the highest is {}", number, style,
+                             kLightStyles - 1);
     io_face.styles[io_face.style_count++] = style;
   }
   if (io_face.style_count == 0) return base::Ok{};
@@ -82,20 +89,20 @@ base::Status set_light(const Level& level, const formats::BspFace& bsp_face, std
   const std::uint64_t samples = static_cast<std::uint64_t>(io_face.light_width()) *
                                 static_cast<std::uint64_t>(io_face.light_height()) * io_face.style_count;
   if (first + samples > level.light.size())
-    return base::malformed("face {}: its {} light samples at {} lie outside the level's {}", number, samples,
-                           first, level.light.size());
+    return base::malformed("face {}: its {} light samples at {} are outside of the level's {}", number,
+                           samples, first, level.light.size());
   io_face.light = static_cast<std::uint32_t>(first);
   return base::Ok{};
 }
 
 }  // namespace
 
-// Compilers let few faces share light samples, or none. A file may let all of them share the same large light
-// map, and then stand for far more surfaces than it has bytes.
+// Compilers let few faces share light samples, if any. A malicious file could let all faces share one large
+// light map, and so ask for far more surface memory than the file has bytes.
 constexpr std::uint64_t kMaxSharing = 64;
 
 base::Status make_faces(const formats::Bsp& bsp, Level& io_level) {
-  // make_textures puts the missing texture last.
+  // make_textures() puts the placeholder for missing textures last.
   const std::size_t missing = io_level.textures.size() - 1;
   io_level.faces.reserve(bsp.faces.size());
   std::uint64_t samples = 0;
@@ -110,15 +117,16 @@ base::Status make_faces(const formats::Bsp& bsp, Level& io_level) {
     face.surfedge_count = bsp_face.surfedge_count;
     face.axes = bsp_face.texinfo;
     face.texture = base::to_index<TextureIndex>(std::min(texture, missing));
-    face.kind = kind_of(io_level, io_level.texture(face.texture).kind, texinfo, bsp_face);
+    face.kind = choose_face_kind(io_level, io_level.texture(face.texture).kind, texinfo, bsp_face);
     TRY_STATUS(set_extents(io_level, i, face));
     TRY_STATUS(set_light(io_level, bsp_face, i, face));
     if (face.light != kNoLight)
       samples +=
           static_cast<std::uint64_t>(face.light_width()) * static_cast<std::uint64_t>(face.light_height());
     if (samples > io_level.light.size() * kMaxSharing)
-      return base::malformed("face {}: the faces up to it share {} light samples more than {} times over", i,
-                             io_level.light.size(), kMaxSharing);
+      return base::malformed(
+          "face {}: the faces up to this one use the level's {} light samples more than {} times", i,
+          io_level.light.size(), kMaxSharing);
     io_level.faces.push_back(face);
   }
   return base::Ok{};

@@ -1,5 +1,5 @@
-// A level's faces as the renderer wants them: their kind, the rectangle of texels that covers them, their
-// light.
+// Computes a level's faces: kind, texture rectangle, and light samples. The file stores none of them
+// directly: the kind follows from the texture's name, and the rectangle from the vertices.
 #pragma once
 
 #include "base/result.h"
@@ -8,7 +8,8 @@
 
 namespace temblor::world {
 
-// Fills io_level.faces. The level has its edges, vertices, axes, textures and light already.
+// Fills io_level.faces. The level's edges, vertices, axes, textures and light must be complete. Fails as
+// make_level() does.
 base::Status make_faces(const formats::Bsp& bsp, Level& io_level);
 
 }  // namespace temblor::world

@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::uint32_t kCheckerSize = 64;
 constexpr std::uint32_t kCheckerSquare = 8;
-// Black and the brightest red of the stock palette, which nothing else in a level looks like.
+// Black and the brightest red of the stock palette, which nobody mistakes for a real texture.
 constexpr std::uint8_t kCheckerColors[2] = {0, 251};
 
-TextureKind kind_of(std::string_view name) {
+TextureKind parse_texture_kind(std::string_view name) {
   if (base::equal_ignoring_case(name.substr(0, 3), "sky")) return TextureKind::kSky;
   if (name.starts_with('*')) return TextureKind::kLiquid;
   if (name.starts_with('{')) return TextureKind::kCutout;
@@ -27,7 +27,7 @@ std::uint32_t mip_size(std::uint32_t size, unsigned mip) {
   return std::max(1u, size >> mip);
 }
 
-// A level has no palette, so a mip level that it lacks is picked from mip 0, not averaged.
+// A level has no palette, so a missing mip level is sampled from mip 0, not averaged.
 std::vector<std::uint8_t> sample_mip(const Texture& texture, unsigned mip) {
   const std::uint32_t width = mip_size(texture.width, mip);
   const std::uint32_t height = mip_size(texture.height, mip);
@@ -40,6 +40,7 @@ std::vector<std::uint8_t> sample_mip(const Texture& texture, unsigned mip) {
   return texels;
 }
 
+// Adds mip levels that are missing or have the wrong size.
 void complete_mips(Texture& io_texture) {
   for (unsigned mip = 1; mip < io_texture.mips.size(); ++mip) {
     const std::size_t texels =
@@ -50,7 +51,7 @@ void complete_mips(Texture& io_texture) {
 
 Texture make_missing_texture(std::string name) {
   Texture texture{};
-  texture.kind = kind_of(name);
+  texture.kind = parse_texture_kind(name);
   texture.name = std::move(name);
   texture.missing = true;
   texture.width = texture.height = kCheckerSize;
@@ -66,7 +67,7 @@ Texture make_texture(formats::BspMiptex& io_miptex) {
   if (!io_miptex.present || texels == 0 || io_miptex.mips[0].size() != texels)
     return make_missing_texture(std::move(io_miptex.name));
   Texture texture{};
-  texture.kind = kind_of(io_miptex.name);
+  texture.kind = parse_texture_kind(io_miptex.name);
   texture.name = std::move(io_miptex.name);
   texture.width = io_miptex.width;
   texture.height = io_miptex.height;
@@ -77,12 +78,13 @@ Texture make_texture(formats::BspMiptex& io_miptex) {
 
 constexpr std::size_t kMaxFrames = 10;
 
+// The place of "+3name" or "+cname" in its sequence.
 struct AnimationFrame {
-  bool alternate;  // of +a..+j, not +0..+9
+  bool alternate;  // part of +a..+j, not +0..+9
   std::size_t position;
 };
 
-std::optional<AnimationFrame> animation_frame_of(std::string_view name) {
+std::optional<AnimationFrame> parse_animation_frame(std::string_view name) {
   if (name.size() < 2 || name[0] != '+') return std::nullopt;
   const char letter = base::to_lower(name[1]);
   if (letter >= '0' && letter <= '9') return AnimationFrame{false, static_cast<std::size_t>(letter - '0')};
@@ -92,12 +94,14 @@ std::optional<AnimationFrame> animation_frame_of(std::string_view name) {
 
 using Slots = std::array<std::optional<TextureIndex>, kMaxFrames>;
 
+// The two sequences of one name, by position.
 struct Sequences {
   Slots main, alternate;
 };
 
-// The frames up to the last one; empty when one before it is missing, which leaves nothing right to play.
-std::vector<TextureIndex> frames_without_gap(const Slots& slots) {
+// Returns the frames up to the last one. Empty if a frame before it is missing, because the sequence cannot
+// play then.
+std::vector<TextureIndex> list_frames(const Slots& slots) {
   std::vector<TextureIndex> frames;
   bool ended = false;
   for (const std::optional<TextureIndex>& slot : slots) {
@@ -110,22 +114,24 @@ std::vector<TextureIndex> frames_without_gap(const Slots& slots) {
   return frames;
 }
 
-void join_animations(std::vector<Texture>& io_textures) {
+// Links the textures that share a name after "+0" or "+a". If a level has the same frame twice, the first one
+// counts.
+void link_animations(std::vector<Texture>& io_textures) {
   std::map<std::string, Sequences> sequences_by_name;
   for (std::size_t i = 0; i < io_textures.size(); ++i) {
     const std::string& name = io_textures[i].name;
-    const auto frame = animation_frame_of(name);
+    const auto frame = parse_animation_frame(name);
     if (!frame) continue;
     Sequences& sequences = sequences_by_name[base::to_lower(name.substr(2))];
     auto& slot = (frame->alternate ? sequences.alternate : sequences.main)[frame->position];
     if (!slot) slot = base::to_index<TextureIndex>(i);
   }
   for (Texture& texture : io_textures) {
-    const auto frame = animation_frame_of(texture.name);
+    const auto frame = parse_animation_frame(texture.name);
     if (!frame) continue;
     const Sequences& sequences = sequences_by_name[base::to_lower(texture.name.substr(2))];
-    texture.frames = frames_without_gap(frame->alternate ? sequences.alternate : sequences.main);
-    texture.alternate_frames = frames_without_gap(frame->alternate ? sequences.main : sequences.alternate);
+    texture.frames = list_frames(frame->alternate ? sequences.alternate : sequences.main);
+    texture.alternate_frames = list_frames(frame->alternate ? sequences.main : sequences.alternate);
   }
 }
 
@@ -136,7 +142,7 @@ std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes)
   textures.reserve(io_miptexes.size() + 1);
   for (formats::BspMiptex& miptex : io_miptexes) textures.push_back(make_texture(miptex));
   textures.push_back(make_missing_texture(""));
-  join_animations(textures);
+  link_animations(textures);
   return textures;
 }
 

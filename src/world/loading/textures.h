@@ -1,4 +1,5 @@
-// A level's textures made drawable: kinds from names, all four mip levels there, animations joined.
+// Makes a level's textures drawable: kinds from their names, four mip levels each, animation sequences, and
+// placeholders for missing ones.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace temblor::world {
 
-// One texture for each of the level's, in the same order, and a missing one behind them, for faces whose
-// texture number is out of range. Takes the texels out of `io_miptexes`.
+// Returns one texture for each miptex, in the same order, and after them the placeholder for faces whose
+// texture index is out of range. Moves the texels out of `io_miptexes`.
 std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes);
 
 }  // namespace temblor::world

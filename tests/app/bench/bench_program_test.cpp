@@ -1,11 +1,12 @@
-// `temblor bench`: what it prints is complete and consistent in itself.
+// The output of `temblor bench` is complete and consistent.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
-#include "render/frame.h"
+#include "render/frame_buffer.h"
+#include "render/frame_stats.h"
 #include "support/programs/small_game.h"
 
 namespace temblor::test {
@@ -25,7 +26,7 @@ json bench(const std::filesystem::path& folder, const Words& more) {
   return json::parse(run.out);
 }
 
-TEST(BenchProgram, ReportsWhatItMeasured) {
+TEST(BenchProgram, ReportsAllMeasurements) {
   const TemporaryFolder folder;
   const json result = bench(folder.path(), {"--color", "indexed", "--threads", "2"});
   EXPECT_EQ(result.at("size"), "64x48");
@@ -70,7 +71,7 @@ TEST(BenchProgram, ColdViewsOnRequest) {
   const json result = bench(folder.path(), {"--cold"});
   EXPECT_GT(result.at("cold_ms").at("p50"), 0.0);
   EXPECT_LE(result.at("circle_cache_bytes").at("max"), result.at("cache_bytes"))
-      << "all places together need at least what one needs";
+      << "all places together need at least as much as one";
 }
 
 TEST(BenchProgram, SeveralLevelsGiveAList) {
@@ -80,12 +81,12 @@ TEST(BenchProgram, SeveralLevelsGiveAList) {
   EXPECT_EQ(results[0].at("map"), "small");
 }
 
-TEST(BenchProgram, TextForAPerson) {
+TEST(BenchProgram, PrintsText) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program(folder.path(), {"bench", "--size", "64x48", "--step", "180", "--cold"});
   EXPECT_EQ(run.exit_status, 0) << run.err;
-  for (const char* word :
-       {"fps", "median", "floors", "cold", "spans", "cycles/pixel", "overlay", "frames allocate"})
+  for (const char* word : {"fps", "median", "fill baselines", "cold cache", "spans", "cycles/pixel",
+                           "overlay", "frames allocate"})
     EXPECT_THAT(run.out, HasSubstr(word));
 }
 

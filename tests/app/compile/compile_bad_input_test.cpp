@@ -34,7 +34,7 @@ class CompileBadInput : public ::testing::Test {
     EXPECT_TRUE(is_one_error_line(last_line(run.err))) << run.err;
     for (const std::string& part : parts) EXPECT_THAT(last_line(run.err), HasSubstr(part));
   }
-  // A level all the same, with a note.
+  // A note, but also a level.
   void expect_note(const std::vector<std::string>& words, const std::string& part) {
     const ProgramRun run = run_program(folder_.path(), words);
     EXPECT_EQ(run.exit_status, 0) << run.err;
@@ -44,7 +44,7 @@ class CompileBadInput : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(CompileBadInput, MapsThatAreNoMaps) {
+TEST_F(CompileBadInput, InvalidMaps) {
   fs::create_directory(folder_.path() / "folder.map");
   folder_.write("bytes.map", std::string("\x01\x02{\xff\xfe", 5));
   folder_.write("unbalanced.map", room() + "}");
@@ -63,12 +63,12 @@ TEST_F(CompileBadInput, MapsThatAreNoMaps) {
   expect_error({"compile", "noworld.map"}, {"noworld.map", "worldspawn"});
 }
 
-TEST_F(CompileBadInput, WadsThatAreNoWads) {
+TEST_F(CompileBadInput, InvalidWads) {
   folder_.write("room.map", room());
   folder_.write("named.map", room("\"wad\" \"header.wad;nowhere/else.wad\""));
   folder_.write("header.wad", "WAD2");
   folder_.write("table.wad", base::Bytes(to_bytes(std::string("WAD2\x05\0\0\0\xff\xff\xff\x7f", 12))));
-  // One entry, whose texture lies beyond the file.
+  // One entry, whose texture is beyond the end of the file.
   std::string lying("WAD2\x01\0\0\0\x0c\0\0\0", 12);
   lying += std::string("\xff\xff\xff\x7f\x10\0\0\0\x10\0\0\0\x44\0\0\0wall\0\0\0\0\0\0\0\0\0\0\0\0", 32);
   folder_.write("lying.wad", base::Bytes(to_bytes(lying)));
@@ -81,8 +81,8 @@ TEST_F(CompileBadInput, WadsThatAreNoWads) {
   expect_note({"compile", "named.map"}, "nowhere/else.wad");
 }
 
-// The map's `wad` key means the file that --wad gives, wherever that lies.
-TEST_F(CompileBadInput, WadsThatAreGivenByNameAreNotMissed) {
+// A WAD in the map's `wad` key is not missing if --wad names a file with the same name elsewhere.
+TEST_F(CompileBadInput, WadsOfTheCommandLineAreNotMissing) {
   fs::create_directory(folder_.path() / "else");
   folder_.write("room.map", room("\"wad\" \"C:\\quake\\Walls.wad\""));
   folder_.write("else/walls.wad", std::string("WAD2\0\0\0\0\x0c\0\0\0", 12));
@@ -92,14 +92,14 @@ TEST_F(CompileBadInput, WadsThatAreGivenByNameAreNotMissed) {
   EXPECT_THAT(run.err, ::testing::Not(HasSubstr("WAD not found")));
 }
 
-TEST_F(CompileBadInput, FullDiskAndBadPlacesLeaveNothingBehind) {
+TEST_F(CompileBadInput, FullDisksAndBadOutputsLeaveNoFiles) {
   folder_.write("room.map", room());
   ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map"}).exit_status, 0);
   const std::string before = read_text(folder_.path() / "room.bsp");
   fs::create_directory(folder_.path() / "taken.bsp");
-  if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   expect_error({"compile", "room.map", "-o", "/dev/full"}, {"/dev/full", "No space left", "-o"});
-  EXPECT_TRUE(fs::is_character_file("/dev/full")) << "and not a level";
+  EXPECT_TRUE(fs::is_character_file("/dev/full")) << "not replaced by a level";
   EXPECT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "/dev/null"}).exit_status, 0);
   EXPECT_FALSE(fs::exists("/dev/null.build"));
   expect_error({"compile", "room.map", "-o", "taken.bsp"}, {"taken.bsp", "-o"});

@@ -1,4 +1,4 @@
-// Maps for `temblor compile`, and a folder to run it in.
+// Maps for `temblor compile`, and a temporary folder to run it in.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,14 +10,14 @@
 
 namespace temblor::test {
 
-// A room with one wall texture, a player's start and a colored light.
+// A room with one wall texture, a player start, and a colored light.
 std::string lit_room();
-// Rows of side * side pillars, each a little out of line: slow to work out what is seen between them.
+// Rows of side * side pillars, each slightly displaced, so that visibility takes long to compute.
 std::string hall_of_pillars(int side);
 
 class CompileProgram : public ::testing::Test {
  protected:
-  // CHECKs that it is there and whole.
+  // CHECKs that it exists and is valid.
   formats::Bsp read_level(const std::string& name);
   TemporaryFolder folder_;
 };

@@ -1,4 +1,4 @@
-// `temblor compile`, as a mapper uses it.
+// `temblor compile` as mappers use it.
 #include "app/compile/compile_program.h"
 
 #include <gmock/gmock.h>
@@ -23,11 +23,11 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using Words = std::vector<std::string>;
 
-TEST_F(CompileProgram, MapBecomesALevelThatIsDrawn) {
+TEST_F(CompileProgram, CompiledMapCanBeRendered) {
   folder_.write("room.map", lit_room());
   const ProgramRun run = run_program(folder_.path(), {"compile", "room.map"});
   ASSERT_EQ(run.exit_status, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("texture")) << "the wall's texture is nowhere";
+  EXPECT_THAT(run.err, HasSubstr("texture")) << "the wall's texture is missing";
   EXPECT_THAT(run.out, HasSubstr("room.bsp"));
   const formats::Bsp bsp = read_level("room.bsp");
   EXPECT_EQ(bsp.version, formats::BspVersion::k29);
@@ -49,7 +49,7 @@ TEST_F(CompileProgram, SameInputGivesTheSameBytes) {
   EXPECT_EQ(read_text(folder_.path() / "a.lit"), read_text(folder_.path() / "b.lit"));
 }
 
-TEST_F(CompileProgram, StagesCanBeLeftOut) {
+TEST_F(CompileProgram, StagesCanBeSkipped) {
   folder_.write("room.map", lit_room());
   const ProgramRun run = run_program(
       folder_.path(), {"compile", "room.map", "--no-light", "--no-vis", "--bsp2", "-o", "bare.bsp"});
@@ -60,7 +60,7 @@ TEST_F(CompileProgram, StagesCanBeLeftOut) {
   EXPECT_THAT(bsp.visibility, IsEmpty());
 }
 
-TEST_F(CompileProgram, WithoutTheLibraryOfLightItSaysSoAtOnce) {
+TEST_F(CompileProgram, ReportsAMissingLightLibraryAtOnce) {
   folder_.write("room.map", lit_room());
   for (const char* name : {"libembree3.so.3", "libembree4.so.4"})
     folder_.write(name, std::string_view("no library"));
@@ -75,7 +75,7 @@ TEST_F(CompileProgram, WithoutTheLibraryOfLightItSaysSoAtOnce) {
   EXPECT_EQ(bare.exit_status, 0) << bare.err;
 }
 
-TEST_F(CompileProgram, LeakIsToldAndItsWayIsWritten) {
+TEST_F(CompileProgram, ReportsALeakAndWritesItsPath) {
   const std::string walls = walls_text({-128, -128, 0}, {128, 128, 128}, "wall");
   const std::string world = entity_text("worldspawn", "", walls.substr(walls.find("}\n") + 2));
   folder_.write("leak.map", world + point_text("info_player_start", {0, 0, 32}));
@@ -92,16 +92,16 @@ TEST_F(CompileProgram, LeakIsToldAndItsWayIsWritten) {
       if (picture.rgb[i] == red && picture.rgb[i + 1] == green && picture.rgb[i + 2] == blue) return true;
     return false;
   };
-  EXPECT_TRUE(has_pixel(64, 230, 89)) << "where the way begins";
-  EXPECT_TRUE(has_pixel(255, 51, 51)) << "where it ends";
-  // Gone once the hole is mended.
+  EXPECT_TRUE(has_pixel(64, 230, 89)) << "the start of the path";
+  EXPECT_TRUE(has_pixel(255, 51, 51)) << "the end of the path";
+  // Removed when the leak is fixed.
   folder_.write("leak.map", lit_room());
   EXPECT_EQ(run_program(folder_.path(), {"compile", "leak.map"}).exit_status, 0);
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "leak.pts"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "leak.leak.png"));
 }
 
-TEST_F(CompileProgram, KeepsWhatDidNotChange) {
+TEST_F(CompileProgram, ReusesWhatDidNotChange) {
   folder_.write("room.map", lit_room());
   const Words compile{"compile", "room.map"};
   ASSERT_EQ(run_program(folder_.path(), compile).exit_status, 0);
@@ -113,7 +113,7 @@ TEST_F(CompileProgram, KeepsWhatDidNotChange) {
   EXPECT_THAT(again.out, ContainsRegex("light +unchanged"));
   EXPECT_EQ(read_text(folder_.path() / "room.bsp"), level);
   EXPECT_EQ(read_text(folder_.path() / "room.lit"), lit);
-  // Nothing is kept of what somebody else wrote, or of a file that is damaged.
+  // A level that another program wrote and a damaged build file are not reused.
   folder_.write("room.lit", std::string(lit.size(), 'x'));
   EXPECT_THAT(run_program(folder_.path(), compile).out, Not(HasSubstr("unchanged")));
   folder_.write("room.build", "no build file");
@@ -126,7 +126,7 @@ TEST_F(CompileProgram, KeepsWhatDidNotChange) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "room.build"));
 }
 
-TEST_F(CompileProgram, OneStageAlone) {
+TEST_F(CompileProgram, OnlyOneStage) {
   folder_.write("room.map", lit_room());
   ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "-o", "whole.bsp"}).exit_status, 0);
   for (const char* stage : {"bsp", "vis", "light"}) {
@@ -154,7 +154,7 @@ TEST_F(CompileProgram, LevelWithoutItsMapGetsVisibilityAndLight) {
   EXPECT_EQ(read_text(folder_.path() / "again.lit"), read_text(folder_.path() / "room.lit"));
 }
 
-TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
+TEST_F(CompileProgram, ErrorsAreOneLine) {
   folder_.write("broken.map", "{\n\"classname\" \"worldspawn\"\n{\n( 0 0 x )\n");
   folder_.write("empty.map", "");
   folder_.write("broken.bsp", "no level");
@@ -174,7 +174,7 @@ TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
       {{"compile", "room.map", "--wad", "none.wad"}, 1, {"none.wad", "--wad"}},
       {{"compile", "room.map", "--extra", "3"}, 2, {"--extra"}},
       {{"compile", "room.map", "-o", "nowhere/room.bsp"}, 1, {"nowhere/room.bsp", "-o"}},
-      {{"compile", "room.map", "--only", "qbsp"}, 2, {"qbsp", "bsp, vis and light"}},
+      {{"compile", "room.map", "--only", "qbsp"}, 2, {"qbsp", "bsp, vis, and light"}},
       {{"compile", "room.map", "--only", "vis", "--no-light"}, 2, {"--only", "--no-light"}},
       {{"compile", "room.map", "--shard", "1/2"}, 2, {"--only"}},
       {{"compile", "room.map", "--only", "bsp", "--merge"}, 2, {"--merge"}},
@@ -199,7 +199,7 @@ TEST_F(CompileProgram, WhatIsWrongIsOneLine) {
   }
 }
 
-TEST_F(CompileProgram, PicturesOfAFolderAreTextures) {
+TEST_F(CompileProgram, PicturesInAFolderBecomeTextures) {
   folder_.write("room.map", lit_room());
   const formats::Palette palette = artgen::make_palette();
   std::filesystem::create_directory(folder_.path() / "art");
@@ -214,7 +214,7 @@ TEST_F(CompileProgram, PicturesOfAFolderAreTextures) {
   EXPECT_EQ(bsp.miptexes[0].name, "wall");
   EXPECT_EQ(bsp.miptexes[0].width, 32u);
   EXPECT_EQ(bsp.miptexes[0].mips[0], gray);
-  // The same as a WAD, for editors.
+  // The same textures in a WAD, for editors.
   const ProgramRun wad = run_program(folder_.path(), {"compile", "--textures", "art", "-o", "art.wad"});
   ASSERT_EQ(wad.exit_status, 0) << wad.err;
   ASSERT_EQ(
@@ -226,8 +226,8 @@ TEST_F(CompileProgram, PicturesOfAFolderAreTextures) {
   EXPECT_THAT(without.err, HasSubstr("nowhere"));
 }
 
-// A level that is there stays until the new one is whole.
-TEST_F(CompileProgram, FailureLeavesTheOldLevel) {
+// An existing level is replaced only by a complete one.
+TEST_F(CompileProgram, FailureKeepsTheOldLevel) {
   folder_.write("room.map", lit_room());
   ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map"}).exit_status, 0);
   const std::string before = read_text(folder_.path() / "room.bsp");

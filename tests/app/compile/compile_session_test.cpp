@@ -1,4 +1,4 @@
-// Runs of `temblor compile` that go wrong, or are ended, on their way.
+// Runs of `temblor compile` that fail or are interrupted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -30,7 +30,7 @@ std::string room(const char* keys = "") {
          point_text("info_player_start", {0, 0, 32}) + entity_text("light", "\"origin\" \"64 64 96\"");
 }
 
-// Stops visibility once some of it is done.
+// Stops visibility when part of it is done.
 class Stopper : public compiler::CompileWatcher {
  public:
   bool progress(std::size_t done, std::size_t total) override { return done * 2 < total; }
@@ -48,7 +48,7 @@ class CompileSessionTest : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(CompileSessionTest, NothingOfItsOwnIsWrittenOver) {
+TEST_F(CompileSessionTest, OverwritesNeitherTheMapNorItsOwnFiles) {
   folder_.write("room.map", room());
   fs::create_symlink("room.map", path("link.bsp"));
   for (const char* out : {"room.map", "./room.map", "link.bsp", "room.lit", "room.pts", "room.build"}) {
@@ -59,7 +59,7 @@ TEST_F(CompileSessionTest, NothingOfItsOwnIsWrittenOver) {
   }
 }
 
-TEST_F(CompileSessionTest, LevelInCapitalsIsLitInItsPlace) {
+TEST_F(CompileSessionTest, LightsALevelWithAnUppercaseNameInPlace) {
   folder_.write("room.map", room());
   ASSERT_EQ(compile({"room.map", "--only", "bsp", "--clean"}).exit_status, 0);
   fs::rename(path("room.bsp"), path("ROOM.BSP"));
@@ -70,7 +70,7 @@ TEST_F(CompileSessionTest, LevelInCapitalsIsLitInItsPlace) {
   EXPECT_EQ(compile({"ROOM.BSP", "--only", "bsp"}).exit_status, 2) << "it has no brushes";
 }
 
-TEST_F(CompileSessionTest, SharesOfALevelThatLeaks) {
+TEST_F(CompileSessionTest, ShardsOfALevelThatLeaks) {
   const std::string walls = walls_text({-128, -128, 0}, {128, 128, 128}, "wall");
   folder_.write("leak.map", entity_text("worldspawn", "", walls.substr(walls.find("}\n") + 2)) +
                                 point_text("info_player_start", {0, 0, 32}) +
@@ -99,8 +99,8 @@ TEST_F(CompileSessionTest, ShardsStayUntilTheLevelIsWritten) {
   EXPECT_FALSE(exists("room.light-1-of-1"));
 }
 
-// What is saved of a .bsp's visibility is what the next run begins with.
-TEST_F(CompileSessionTest, StoppedVisibilityOfALevelGoesOn) {
+// The next run resumes from the saved visibility of a .bsp.
+TEST_F(CompileSessionTest, ResumesInterruptedVisibilityOfALevel) {
   std::string brushes = walls_text({0, 0, 0}, {512, 512, 128}, "wall");
   for (const int x : {96, 224, 352})
     for (const int y : {80, 208, 336}) brushes += box_text({x, y, 0}, {x + 32, y + 32, 128}, "pillar");
@@ -109,22 +109,22 @@ TEST_F(CompileSessionTest, StoppedVisibilityOfALevelGoesOn) {
   ASSERT_EQ(compile({"hall.map", "--only", "bsp", "--clean"}).exit_status, 0);
   const std::vector<std::string> next_share = {"hall.bsp", "--only", "vis", "--shard", "1/9999"};
   ASSERT_EQ(compile(next_share).exit_status, 0);
-  const std::size_t anew_bytes = read_text(path("hall.vis-1-of-9999")).size();
+  const std::size_t rebuilt_bytes = read_text(path("hall.vis-1-of-9999")).size();
 
   const std::string level = read_text(path("hall.bsp"));
   compiler::Build build =
-      compiler::build_of_level(formats::read_bsp(base::as_bytes(level)).value(), {}, true).value();
+      compiler::make_build_from_level(formats::read_bsp(base::as_bytes(level)).value(), {}, true).value();
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   Stopper stopper;
   ASSERT_FALSE(compiler::make_visibility(compiler::VisibilityKind::kFull, jobs, stopper, build).ok());
-  ASSERT_GT(build.visibility_state.size(), anew_bytes);
+  ASSERT_GT(build.visibility_state.size(), rebuilt_bytes);
   folder_.write("hall.visibility", build.visibility_state);
   ASSERT_EQ(compile(next_share).exit_status, 0);
   EXPECT_GE(read_text(path("hall.vis-1-of-9999")).size(), build.visibility_state.size());
 }
 
-// The level is a pipe, so that the first run is not over before somebody takes it.
-TEST_F(CompileSessionTest, WatchSeesWhatIsSavedDuringTheFirstRun) {
+// The level is a pipe, so the first run does not end before the pipe is read.
+TEST_F(CompileSessionTest, WatchNoticesASaveDuringTheFirstRun) {
   const auto part = [](const char* texture) {
     return entity_text("worldspawn", "", box_text({32, 32, 0}, {64, 64, 64}, texture));
   };
@@ -134,7 +134,7 @@ TEST_F(CompileSessionTest, WatchSeesWhatIsSavedDuringTheFirstRun) {
   const auto program =
       app::ChildProcess::start({TEMBLOR_PROGRAM, "compile", path("room.map").string(), "--watch", "--fast"});
   ASSERT_TRUE(program.ok()) << program.error().message();
-  std::this_thread::sleep_for(std::chrono::milliseconds(1000));  // it has read by now
+  std::this_thread::sleep_for(std::chrono::milliseconds(1000));  // it has read the map by now
   folder_.write("part.map", part("later"));
   const auto next_level = [&]() -> std::string {
     const std::string command =

@@ -34,7 +34,7 @@ TEST_F(CompileProgram, ShardsMakeTheSameLevel) {
     run({"vis", "--shard", "1/2"});
     run({"vis", "--merge"});
   }
-  EXPECT_THAT(run({"vis", "--merge"}).out, HasSubstr("visibility is finished"));
+  EXPECT_THAT(run({"vis", "--merge"}).out, HasSubstr("visibility is complete"));
   for (const char* shard : {"1/3", "2/3", "3/3"}) run({"light", "--shard", shard});
   run({"light", "--merge"});
   EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "whole.bsp"));
@@ -43,7 +43,7 @@ TEST_F(CompileProgram, ShardsMakeTheSameLevel) {
     EXPECT_THAT(file.path().filename().string(), Not(HasSubstr("-of-")));
 }
 
-TEST_F(CompileProgram, MergeTakesFilesOfSharesAlone) {
+TEST_F(CompileProgram, MergeReadsOnlyFilesOfShards) {
   folder_.write("room.map", lit_room());
   const std::vector<std::string> others = {"room.light-copy",    "room.light-1-of-2.old", "room.light-0-of-2",
                                            "room.light-3-of-2",  "room.light-01-of-1",    "room.light-1-of-",
@@ -62,8 +62,8 @@ TEST_F(CompileProgram, MergeTakesFilesOfSharesAlone) {
     EXPECT_EQ(read_text(folder_.path() / name), "no share of light") << name;
 }
 
-// What is wrong is not the command line.
-TEST_F(CompileProgram, SharesThatDoNotBelongTogetherAreAFaultOfTheirFiles) {
+// The command line is valid; the files are wrong.
+TEST_F(CompileProgram, MismatchedShardsAreAFileError) {
   folder_.write("room.map", lit_room());
   const auto run = [&](const char* stage, const Words& words) {
     Words all{"compile", "room.map", "--only", stage};
@@ -82,7 +82,7 @@ TEST_F(CompileProgram, SharesThatDoNotBelongTogetherAreAFaultOfTheirFiles) {
   }
 }
 
-// The script in docs/, with processes in place of machines.
+// The script in docs/, with processes instead of machines.
 TEST_F(CompileProgram, ScriptForGnuParallelMakesTheSameLevel) {
   if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "GNU parallel is not installed";
   folder_.write("room.map", lit_room());

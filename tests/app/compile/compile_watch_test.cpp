@@ -1,4 +1,4 @@
-// `temblor compile` that goes on: --watch, and visibility that was stopped.
+// `temblor compile` that continues: --watch, and interrupted visibility.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST_F(CompileProgram, WatchCompilesWhatIsSaved) {
+TEST_F(CompileProgram, WatchCompilesAfterASave) {
   folder_.write("room.map", lit_room());
   auto program = app::ChildProcess::start(
       {TEMBLOR_PROGRAM, "compile", (folder_.path() / "room.map").string(), "--watch", "--fast"});
@@ -38,13 +38,13 @@ TEST_F(CompileProgram, WatchCompilesWhatIsSaved) {
            read_level("room.bsp").entities.find(text) != std::string::npos;
   };
   ASSERT_TRUE(wait_for([&] { return has("A room"); }));
-  folder_.write("room.map", lit_room() + "{");  // told, and not the end
+  folder_.write("room.map", lit_room() + "{");  // an error, but not the end
   std::this_thread::sleep_for(std::chrono::milliseconds(400));
   folder_.write("room.map", lit_room() + point_text("monster_ogre", {50, 0, 30}));
   EXPECT_TRUE(wait_for([&] { return has("monster_ogre"); }));
 }
 
-TEST_F(CompileProgram, WatchMakesEverythingAnewWhenAsked) {
+TEST_F(CompileProgram, WatchRebuildsEverythingWithClean) {
   folder_.write("room.map", lit_room());
   const std::string wait_for_runs =
       "for i in $(seq 300); do [ $(grep -c room.bsp: log) -ge {} ] && break; sleep 0.1; done; ";
@@ -58,14 +58,14 @@ TEST_F(CompileProgram, WatchMakesEverythingAnewWhenAsked) {
   EXPECT_THAT(log, Not(HasSubstr("unchanged")));
 }
 
-TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
+TEST_F(CompileProgram, ResumesInterruptedVisibility) {
   folder_.write("hall.map", lit_room());
   ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map"}).exit_status, 0);
   const std::string old_level = read_text(folder_.path() / "hall.bsp");
   folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
   const std::string map = (folder_.path() / "hall.map").string();
   const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
-  // Stopped before visibility begins nothing is saved: then later.
+  // If it is interrupted before visibility begins, nothing is saved, so try again later.
   for (int wait_ms = 100; wait_ms < 10'000 && !exists("hall.visibility"); wait_ms += wait_ms / 2) {
     auto program =
         app::ChildProcess::start({TEMBLOR_PROGRAM, "compile", map, "--no-light", "--threads", "1"});
@@ -74,8 +74,8 @@ TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
   }
   ASSERT_TRUE(exists("hall.visibility"));
   ASSERT_EQ(read_text(folder_.path() / "hall.bsp"), old_level)
-      << "it was finished before it could be stopped";
-  // The old level has lost nothing.
+      << "it finished before it could be interrupted";
+  // The old level is unchanged.
   folder_.write("room.map", lit_room());
   const ProgramRun back = run_program(folder_.path(), {"compile", "room.map", "-o", "hall.bsp"});
   EXPECT_THAT(back.out, ContainsRegex("light +unchanged"));
@@ -88,7 +88,7 @@ TEST_F(CompileProgram, StoppedVisibilityGoesOn) {
   EXPECT_EQ(read_text(folder_.path() / "hall.bsp"), read_text(folder_.path() / "whole.bsp"));
 }
 
-TEST_F(CompileProgram, WatchEndsWhenVisibilityIsStopped) {
+TEST_F(CompileProgram, WatchEndsWhenVisibilityIsInterrupted) {
   folder_.write("hall.map", hall_of_pillars(effort(14, 10)));
   const std::string map = (folder_.path() / "hall.map").string();
   const auto exists = [&](const char* name) { return std::filesystem::exists(folder_.path() / name); };
@@ -99,7 +99,7 @@ TEST_F(CompileProgram, WatchEndsWhenVisibilityIsStopped) {
     std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
   }  // its destructor waits for the end
   EXPECT_TRUE(exists("hall.visibility"));
-  EXPECT_FALSE(exists("hall.bsp")) << "it was finished before it could be stopped";
+  EXPECT_FALSE(exists("hall.bsp")) << "it finished before it could be interrupted";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What docs/mapping.md tells a newcomer to do, done word for word in an empty folder.
+// Follows the tutorial of docs/mapping.md word for word in an empty folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,14 +30,12 @@ std::string docs_section() {
   return text.substr(begin, end - begin);
 }
 
-// Between "```map" and the next "```".
-std::string map_in(const std::string& section) {
-  constexpr std::string_view kFence = "```map\n";
-  const std::size_t begin = section.find(kFence) + kFence.size();
-  return section.substr(begin, section.find("```", begin) - begin);
+// Returns the map that the section asks the reader to copy.
+std::string first_room() {
+  return read_text(std::filesystem::path(TEMBLOR_DOCS) / "examples/first_room.map");
 }
 
-// Lines that are commands, in order, without the program's name.
+// Returns the lines that are commands, in order, without the program's name.
 std::vector<std::vector<std::string>> commands_in(const std::string& section) {
   std::vector<std::vector<std::string>> commands;
   std::istringstream lines(section);
@@ -50,8 +48,8 @@ std::vector<std::vector<std::string>> commands_in(const std::string& section) {
   return commands;
 }
 
-// Not gray, and mostly this channel: 0 red, 1 green, 2 blue.
-double share_of(const Png& picture, std::size_t channel) {
+// Returns the share of pixels that are not gray and mostly this channel: 0 red, 1 green, 2 blue.
+double measure_share(const Png& picture, std::size_t channel) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
     const std::array<int, 3> rgb = {picture.rgb[i], picture.rgb[i + 1], picture.rgb[i + 2]};
@@ -62,10 +60,10 @@ double share_of(const Png& picture, std::size_t channel) {
   return static_cast<double>(count) * 3 / static_cast<double>(picture.rgb.size());
 }
 
-TEST(FirstRoom, IsWhatTheDocsSay) {
+TEST(FirstRoom, IsAsTheDocsSay) {
   const std::string section = docs_section();
   const TemporaryFolder folder;
-  folder.write("room.map", map_in(section));
+  folder.write("room.map", first_room());
   const auto commands = commands_in(section);
   ASSERT_EQ(commands.size(), 3u);
   for (const std::vector<std::string>& command : commands) {
@@ -87,15 +85,15 @@ TEST(FirstRoom, IsWhatTheDocsSay) {
   EXPECT_EQ(world::point_contents(*level, {128, -48, 48}), world::Contents::kEmpty) << "the closet";
 
   const Png room = read_png(folder.path() / "room.png");
-  EXPECT_GT(share_of(room, 0), 0.3) << "bricks and slabs";
-  EXPECT_GT(share_of(room, 2), 0.03) << "sky and water";
+  EXPECT_GT(measure_share(room, 0), 0.3) << "bricks and slabs";
+  EXPECT_GT(measure_share(room, 2), 0.03) << "sky and water";
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "door.png"));
 }
 
-// The two things that the docs invite to try.
+// The two experiments that the docs suggest.
 TEST(FirstRoom, LeaksWithoutItsSky) {
-  std::string text = map_in(docs_section());
-  const std::size_t sky = text.find("{ // what the window looks out on");
+  std::string text = first_room();
+  const std::size_t sky = text.find("{ // the sky outside the window");
   ASSERT_NE(sky, std::string::npos);
   text.erase(sky, text.find("}\n", sky) + 2 - sky);
   const TemporaryFolder folder;
@@ -105,10 +103,10 @@ TEST(FirstRoom, LeaksWithoutItsSky) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "room.pts"));
 }
 
-// A game folder's own WAD, without the map or the command line naming it, also when the game is played.
-TEST(FirstRoom, TakesTexturesOfTheGameFolder) {
+// A game directory's own textures.wad is used without being named, also by `play --watch`.
+TEST(FirstRoom, UsesTexturesOfTheGameDirectory) {
   const TemporaryFolder folder;
-  std::string text = map_in(docs_section());
+  std::string text = first_room();
   for (std::size_t at = text.find(" slabs "); at != std::string::npos; at = text.find(" slabs "))
     text.replace(at, 7, " our_own ");
   folder.write("room.map", text);

@@ -1,4 +1,4 @@
-// What lies on disk while a level takes another's place.
+// The files on disk while a level replaces another one.
 #include "app/compile/level_output.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Lit in one color; all of these have as much light, so that colors of one could be shown on another.
+// A room lit in one color. All have the same number of light samples, so the .lit of one would fit another.
 std::string room(const char* color) {
   return entity_text("worldspawn", "", walls_text({-128, -128, 0}, {128, 128, 128}, "wall")) +
          point_text("info_player_start", {0, 0, 32}) +
@@ -30,7 +30,7 @@ std::string text_or_none(const fs::path& file) {
   return fs::exists(file) ? read_text(file) : std::string();
 }
 
-// A level's bytes, and those of its colors.
+// The bytes of a level and of its .lit.
 using Pair = std::pair<std::string, std::string>;
 
 class LevelOutput : public ::testing::Test {
@@ -43,7 +43,7 @@ class LevelOutput : public ::testing::Test {
   }
   Pair on_disk() const { return {text_or_none(paths_.bsp), text_or_none(paths_.lit)}; }
 
-  // Every state that a run which is killed may leave while `before` becomes `after`.
+  // Returns every state that a killed run may leave while it replaces `before` with `after`.
   std::set<Pair> states_between(const char* before, const char* after) {
     compiled(after);
     const compiler::Build build = app::read_build_file(paths_);
@@ -53,7 +53,7 @@ class LevelOutput : public ::testing::Test {
       base::Result<app::PreparedLevel> level = app::prepare_level(build, std::nullopt, paths_);
       EXPECT_TRUE(level.ok());
       if (cut > level->steps.size()) return states;
-      for (std::size_t i = 0; i < cut; ++i) EXPECT_TRUE(level->steps[i].put_in_place().ok());
+      for (std::size_t i = 0; i < cut; ++i) EXPECT_TRUE(level->steps[i].commit().ok());
       states.insert(on_disk());
     }
   }
@@ -64,10 +64,10 @@ class LevelOutput : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
-  app::LevelPaths paths_ = app::level_paths(folder_.path() / "room.bsp");
+  app::LevelPaths paths_ = app::make_level_paths(folder_.path() / "room.bsp");
 };
 
-TEST_F(LevelOutput, ColorsNeverLieBesideAnotherLevel) {
+TEST_F(LevelOutput, ColorsNeverBelongToAnotherLevel) {
   const Pair red = compiled(kRed), blue = compiled(kBlue), white = compiled(kWhite);
   ASSERT_EQ(red.second.size(), blue.second.size());
   ASSERT_NE(red.second, blue.second);
@@ -79,11 +79,11 @@ TEST_F(LevelOutput, ColorsNeverLieBesideAnotherLevel) {
   const std::set<Pair> white_to_blue{white, {blue.first, ""}, blue};
   EXPECT_EQ(states_between(kWhite, kBlue), white_to_blue);
   const std::set<Pair> as_it_was{blue};
-  EXPECT_EQ(states_between(kBlue, kBlue), as_it_was) << "colors that fit stay where they are";
+  EXPECT_EQ(states_between(kBlue, kBlue), as_it_was) << "unchanged colors are not replaced";
   EXPECT_FALSE(has_new_files());
 }
 
-TEST_F(LevelOutput, LevelStaysWhereItsColorsCannotBeReplaced) {
+TEST_F(LevelOutput, KeepsTheLevelIfItsColorsCannotBeReplaced) {
   const Pair white = compiled(kWhite);
   fs::create_directories(paths_.lit / "in the way");
   folder_.write("room.map", room(kRed));
@@ -92,7 +92,7 @@ TEST_F(LevelOutput, LevelStaysWhereItsColorsCannotBeReplaced) {
   EXPECT_FALSE(has_new_files());
 }
 
-TEST_F(LevelOutput, LinksToColorsStay) {
+TEST_F(LevelOutput, KeepsLinksToColors) {
   compiled(kRed);
   fs::create_directory(folder_.path() / "elsewhere");
   fs::rename(paths_.lit, folder_.path() / "elsewhere/room.lit");

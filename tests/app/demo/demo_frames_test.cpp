@@ -1,5 +1,5 @@
-// Whole frames of real recordings: the same pixels for any number of threads, any run, and the recording said
-// again in another protocol.
+// Frames of stock demos have the same pixels for any number of threads, in every run, and when the demo is
+// transcoded to another protocol.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -20,28 +20,28 @@ LoadedDemo load_stock(const std::filesystem::path& data, const std::string& name
   return load_demo({.base_folder = data.string(), .games = {}}, name).value();
 }
 
-// Hashes of every 50th frame, played packet by packet.
+// Returns hashes of every 50th frame, played packet by packet.
 std::vector<std::uint64_t> frame_hashes(const LoadedDemo& demo, render::PixelFormat format, int threads) {
   render::Settings settings;
   settings.threads = threads;
-  settings.job_backend = base::JobBackend::kStdThread;  // starts as many as asked
+  settings.job_backend = base::JobBackend::kStdThread;  // uses exactly this many threads
   const FrameOptions frame{.size = {320, 200}, .format = format, .threads = {}};
   DemoRun run = DemoRun::start(demo, frame, {}, settings).value();
   std::vector<std::uint64_t> hashes;
   for (int number = 0;; ++number) {
     if (number % kEvery == 0) {
       run.draw();
-      hashes.push_back(test::hash_of(run.frame()));
+      hashes.push_back(test::compute_hash(run.frame()));
     }
-    const base::Result<bool> goes_on = run.advance_by_packet();
-    EXPECT_TRUE(goes_on.ok()) << goes_on.error().message();
-    if (!goes_on.ok() || !*goes_on) return hashes;
+    const base::Result<bool> has_more = run.advance_by_packet();
+    EXPECT_TRUE(has_more.ok()) << has_more.error().message();
+    if (!has_more.ok() || !*has_more) return hashes;
   }
 }
 
 class StockDemoFrames : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(StockDemoFrames, AreTheSameForAnyNumberOfThreadsAndInEveryRun) {
+TEST_P(StockDemoFrames, DoNotDependOnThreadsOrRuns) {
   DATA_FOLDER_OR_SKIP(data);
   const LoadedDemo demo = load_stock(data, GetParam());
   const bool under_sanitizer = test::effort(0, 1) == 1;
@@ -57,8 +57,8 @@ TEST_P(StockDemoFrames, AreTheSameForAnyNumberOfThreadsAndInEveryRun) {
   }
 }
 
-// Protocol 666 says places and angles as 15 does, so the frames are the same.
-TEST(DemoFrames, AreThoseOfTheRecordingSaidAgainInProtocol666) {
+// Protocol 666 encodes positions and angles like protocol 15, so the frames are the same.
+TEST(DemoFrames, DoNotChangeInProtocol666) {
   DATA_FOLDER_OR_SKIP(data);
   const LoadedDemo demo = load_stock(data, "demo1_lite");
   LoadedDemo again{demo.name, test::transcode(demo.bytes, {net::Protocol::kFitzQuake, 0}).value(),

@@ -1,4 +1,4 @@
-// `render --demo`, `bench --demo` and `inspect` of recordings, as a person runs them.
+// `render --demo`, `bench --demo`, and `inspect` of demos.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Where the first packet that begins past `offset` has its first message: a recording is a line of text, then
-// packets, each behind its length and three angles.
-std::size_t first_message_after(const std::string& recording, std::size_t offset) {
-  std::size_t packet = recording.find('\n') + 1;
+// Returns the offset of the first message of the first packet after `offset`. A demo is a line of text, then
+// packets; each packet starts with its length and three angles.
+std::size_t first_message_after(const std::string& demo, std::size_t offset) {
+  std::size_t packet = demo.find('\n') + 1;
   while (packet <= offset) {
     std::int32_t length = 0;
-    std::memcpy(&length, recording.data() + packet, sizeof length);
+    std::memcpy(&length, demo.data() + packet, sizeof length);
     packet += 16 + static_cast<std::size_t>(length);
   }
   return packet + 16;
@@ -37,8 +37,8 @@ class DemoProgram : public ::testing::Test {
     words.insert(words.begin(), {"--basedir", data_.string()});
     return run_program(folder_.path(), words);
   }
-  // A stock recording's first `bytes` bytes, all for 0.
-  std::string recording(const std::string& name, std::size_t bytes = 0) const {
+  // The first `bytes` bytes of a stock demo; all of them for 0.
+  std::string stock_demo(const std::string& name, std::size_t bytes = 0) const {
     const std::string whole = read_text(data_ / "id1" / (name + ".dem"));
     return bytes == 0 ? whole : whole.substr(0, bytes);
   }
@@ -47,7 +47,7 @@ class DemoProgram : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(DemoProgram, RendersTheFramesAskedFor) {
+TEST_F(DemoProgram, RendersTheRequestedFrames) {
   const ProgramRun ran =
       run({"render", "--demo", "demo1_lite", "--frames", "30:33", "--size", "160x100", "-o", "x-%03d.png"});
   ASSERT_EQ(ran.exit_status, 0) << ran.err;
@@ -59,7 +59,7 @@ TEST_F(DemoProgram, RendersTheFramesAskedFor) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "x-033.png"));
 }
 
-TEST_F(DemoProgram, FrameIsTheSameWhereverTheFilmBegan) {
+TEST_F(DemoProgram, FramesDoNotDependOnTheStartOfTheFilm) {
   const std::vector<std::string> common = {"render", "--demo", "demo1_lite", "--size", "160x100", "-o"};
   const auto film = [&](const std::string& frames, const std::string& name) {
     std::vector<std::string> words = common;
@@ -71,11 +71,11 @@ TEST_F(DemoProgram, FrameIsTheSameWhereverTheFilmBegan) {
   EXPECT_EQ(read_text(folder_.path() / "a-60.png"), read_text(folder_.path() / "b-60.png"));
 }
 
-TEST_F(DemoProgram, RecordingOnDiskThatIsCutOffGivesAWholeFilmOfWhatIsThere) {
-  folder_.write("cut.dem", recording("demo1_lite", 60000));
+TEST_F(DemoProgram, TruncatedDemoOnDiskGivesAShorterFilm) {
+  folder_.write("cut.dem", stock_demo("demo1_lite", 60000));
   const ProgramRun ran = run({"render", "--demo", "cut.dem", "--size", "64x48", "--fps", "5", "-o", "x.y4m"});
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
-  EXPECT_THAT(ran.err, HasSubstr("cut off"));
+  EXPECT_THAT(ran.err, HasSubstr("truncated"));
   const std::size_t size = std::filesystem::file_size(folder_.path() / "x.y4m");
   const std::size_t header = std::string("YUV4MPEG2 W64 H48 F5:1 Ip A1:1 C444\n").size(),
                     frame = 6 + 64 * 48 * 3;
@@ -83,8 +83,8 @@ TEST_F(DemoProgram, RecordingOnDiskThatIsCutOffGivesAWholeFilmOfWhatIsThere) {
   EXPECT_EQ((size - header) % frame, 0u);
 }
 
-TEST_F(DemoProgram, DamageIsAnErrorThatSaysWhereAndWhatCameBeforeIsKept) {
-  std::string bytes = recording("demo1_lite");
+TEST_F(DemoProgram, DamageIsAnErrorAndKeepsTheFramesBeforeIt) {
+  std::string bytes = stock_demo("demo1_lite");
   bytes[first_message_after(bytes, 100000)] = '\x7e';  // no message has that number
   folder_.write("bad.dem", bytes);
   const ProgramRun ran = run({"render", "--demo", "bad.dem", "--size", "64x48", "--fps", "5", "-o", "x.y4m"});
@@ -93,7 +93,7 @@ TEST_F(DemoProgram, DamageIsAnErrorThatSaysWhereAndWhatCameBeforeIsKept) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "x.y4m"));
 }
 
-TEST_F(DemoProgram, UnknownRecordingIsAnErrorThatNamesOthers) {
+TEST_F(DemoProgram, UnknownDemoListsSimilarNames) {
   const ProgramRun ran = run({"render", "--demo", "demo9", "-o", "x.y4m"});
   EXPECT_EQ(ran.exit_status, 1);
   EXPECT_TRUE(is_one_error_line(ran.err)) << ran.err;
@@ -101,8 +101,8 @@ TEST_F(DemoProgram, UnknownRecordingIsAnErrorThatNamesOthers) {
   EXPECT_THAT(ran.err, HasSubstr("demo1_lite"));
 }
 
-TEST_F(DemoProgram, LevelThatIsNotThereIsNamed) {
-  std::string bytes = recording("demo1_lite");
+TEST_F(DemoProgram, NamesAMissingLevel) {
+  std::string bytes = stock_demo("demo1_lite");
   const std::size_t name = bytes.find("maps/");
   ASSERT_NE(name, std::string::npos);
   bytes.replace(name, 7, "maps/zz");

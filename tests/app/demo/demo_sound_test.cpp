@@ -1,4 +1,4 @@
-// The sound of the recording made in code (support/generated_demo.h), as `temblor render --demo` writes it.
+// The sound of the generated demo (support/generated_demo.h), as `temblor render --demo` writes it.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using ::testing::Not;
 constexpr std::size_t kSecond = 48000;
 constexpr double kShot_hz = 600, kExplosion_hz = 900;
 
-Stereo channels_of(const formats::Wav& wav) {
+Stereo split_channels(const formats::Wav& wav) {
   Stereo stereo;
   for (std::size_t i = 0; i + 1 < wav.samples.size(); i += 2) {
     stereo.left.push_back(static_cast<float>(wav.samples[i]) / 32767);
@@ -31,10 +31,10 @@ Stereo channels_of(const formats::Wav& wav) {
   return stereo;
 }
 
-// What is heard from `first_s` on, for a tenth of a second.
+// A tenth of a second of sound from `first_s` on.
 double tone_at(const std::vector<float>& samples, double first_s, double frequency_hz) {
-  return amplitude_of(std::span(samples).subspan(static_cast<std::size_t>(first_s * kSecond), kSecond / 10),
-                      frequency_hz);
+  return measure_amplitude(
+      std::span(samples).subspan(static_cast<std::size_t>(first_s * kSecond), kSecond / 10), frequency_hz);
 }
 
 bool have_ffmpeg() {
@@ -70,23 +70,24 @@ class DemoSound : public ::testing::Test {
   TemporaryFolder out_;
 };
 
-TEST_F(DemoSound, WhatHappensIsHeardThen) {
+TEST_F(DemoSound, EventsAreHeardAtTheirTime) {
   const formats::Wav wav = sound();
   EXPECT_EQ(wav.frames_per_second, kSecond);
   EXPECT_EQ(wav.channels, 2);
-  EXPECT_EQ(wav.frame_count() % (kSecond / 30), 0u) << "as long as so many frames of film";
+  EXPECT_EQ(wav.frame_count() % (kSecond / 30), 0u) << "a whole number of film frames";
   EXPECT_NEAR(static_cast<double>(wav.frame_count()) / kSecond, made_recording::kLength_s, 0.1);
-  const Stereo heard = channels_of(wav);
-  // What comes with a packet is there from the time of the one before.
+  const Stereo heard = split_channels(wav);
+  // Events of a packet happen at the time of the packet before it.
   const double early_s = made_recording::kPacket_s;
   const auto shot = static_cast<std::size_t>((1 - early_s) * kSecond);
   EXPECT_EQ(peak(std::span(heard.left).first(shot)), 0);
   EXPECT_GT(peak(std::span(heard.left).subspan(shot, 480)), 0.05) << "at once";
-  EXPECT_NEAR(tone_at(heard.left, 1.1, kShot_hz), 0.5 * 0.7, 0.01) << "one's own: in full";
+  EXPECT_NEAR(tone_at(heard.left, 1.1, kShot_hz), 0.5 * 0.7, 0.01)
+      << "the player's own sounds have full volume";
   EXPECT_NEAR(tone_at(heard.right, 1.1, kShot_hz), 0.5 * 0.7, 0.01);
   EXPECT_LT(tone_at(heard.left, 1.5, kShot_hz), 1e-3) << "stopped";
   EXPECT_LT(tone_at(heard.left, 2.5, kExplosion_hz), 1e-3);
-  // The rocket's explosion is ahead and to the right; the eye is 22 units above the player's middle.
+  // The rocket explodes ahead and to the right; the eye is 22 units above the player's origin.
   const math::Vec3 away = made_recording::kRocketTo - made_recording::kPlayer - math::Vec3(0, 0, 22);
   const double distance = static_cast<double>(glm::length(away)),
                side = static_cast<double>(-away.y) / distance;
@@ -96,11 +97,11 @@ TEST_F(DemoSound, WhatHappensIsHeardThen) {
 }
 
 TEST_F(DemoSound, VolumeIsAVariable) {
-  const Stereo heard = channels_of(sound({"--set", "volume=0.25"}));
+  const Stereo heard = split_channels(sound({"--set", "volume=0.25"}));
   EXPECT_NEAR(tone_at(heard.left, 1.1, kShot_hz), 0.5 * 0.25, 0.01);
 }
 
-TEST_F(DemoSound, PartOfItIsCutFromTheWhole) {
+TEST_F(DemoSound, PartEqualsThatPartOfTheWhole) {
   const formats::Wav whole = sound(), part = sound({"--frames", "30:105"});
   ASSERT_EQ(part.frame_count(), 75 * kSecond / 30);
   const std::span<const std::int16_t> cut =
@@ -108,22 +109,22 @@ TEST_F(DemoSound, PartOfItIsCutFromTheWhole) {
   EXPECT_TRUE(std::equal(part.samples.begin(), part.samples.end(), cut.begin()));
 }
 
-TEST_F(DemoSound, DoesNotDependOnTheFilmsFrames) {
+TEST_F(DemoSound, DoesNotDependOnTheFrameRate) {
   const formats::Wav slow = sound({"--fps", "5"}), fast = sound({"--fps", "200"});
   const std::size_t count = std::min(slow.samples.size(), fast.samples.size());
   EXPECT_TRUE(std::equal(slow.samples.begin(), slow.samples.begin() + static_cast<std::ptrdiff_t>(count),
                          fast.samples.begin()));
 }
 
-TEST_F(DemoSound, MissingSoundsAreNotedOnceEach) {
+TEST_F(DemoSound, ReportsEachMissingSoundOnce) {
   const ProgramRun ran = run({"-o", "x.wav"});
   const std::size_t first = ran.err.find("sound/wizard/hit.wav");
   ASSERT_NE(first, std::string::npos) << ran.err;
   EXPECT_EQ(ran.err.find("sound/wizard/hit.wav", first + 1), std::string::npos);
-  EXPECT_THAT(ran.err, HasSubstr("it stays silent"));
+  EXPECT_THAT(ran.err, HasSubstr("silent"));
 }
 
-TEST_F(DemoSound, FilmHasIt) {
+TEST_F(DemoSound, IsPartOfAFilm) {
   if (!have_ffmpeg()) GTEST_SKIP() << "no ffmpeg program";
   const ProgramRun ran = run({"--size", "64x48", "--fps", "10", "--frames", "0:40", "-o", "x.mp4"});
   ASSERT_EQ(ran.exit_status, 0) << ran.err;
@@ -132,13 +133,13 @@ TEST_F(DemoSound, FilmHasIt) {
   const formats::Wav wav = read("decoded.wav");
   EXPECT_EQ(wav.frames_per_second, kSecond);
   EXPECT_NEAR(static_cast<double>(wav.frame_count()) / kSecond, 4, 0.05);
-  const Stereo heard = channels_of(wav);
+  const Stereo heard = split_channels(wav);
   EXPECT_LT(tone_at(heard.left, 0.5, kShot_hz), 1e-3);
   EXPECT_NEAR(tone_at(heard.left, 1.1, kShot_hz), 0.35, 0.03);
   EXPECT_LT(tone_at(heard.left, 1.6, kShot_hz), 1e-2);
 }
 
-TEST_F(DemoSound, NoSoundLeavesItOut) {
+TEST_F(DemoSound, NosoundMakesASilentFilm) {
   if (!have_ffmpeg()) GTEST_SKIP() << "no ffmpeg program";
   const ProgramRun ran =
       run({"--nosound", "--size", "64x48", "--fps", "10", "--frames", "0:5", "-o", "x.mp4"});
@@ -153,7 +154,7 @@ TEST_F(DemoSound, NoSoundLeavesItOut) {
   EXPECT_EQ(read_text(list), "video\n");
 }
 
-TEST_F(DemoSound, WhatMakesNoSenseIsSaid) {
+TEST_F(DemoSound, InvalidOptionsAreErrors) {
   const ProgramRun silent = run({"--nosound", "-o", "x.wav"});
   EXPECT_EQ(silent.exit_status, 2);
   EXPECT_TRUE(is_one_error_line(silent.err)) << silent.err;

@@ -1,4 +1,4 @@
-// Films against the definition of their format, and against another program's reading of them.
+// Films against the definition of their format, and as ffmpeg reads them.
 #include "app/demo/film.h"
 
 #include <gtest/gtest.h>
@@ -27,13 +27,13 @@ bool have_program(const std::string& name) {
 }
 
 TEST(OutputKind, FollowsTheName) {
-  EXPECT_EQ(output_kind("a.png").value(), OutputKind::kPicture);
-  EXPECT_EQ(output_kind("a-%05d.PNG").value(), OutputKind::kNumberedPictures);
-  EXPECT_EQ(output_kind("a.mp4").value(), OutputKind::kMp4);
-  EXPECT_EQ(output_kind("dir.png/a.Y4M").value(), OutputKind::kY4m);
+  EXPECT_EQ(find_output_kind("a.png").value(), OutputKind::kPicture);
+  EXPECT_EQ(find_output_kind("a-%05d.PNG").value(), OutputKind::kNumberedPictures);
+  EXPECT_EQ(find_output_kind("a.mp4").value(), OutputKind::kMp4);
+  EXPECT_EQ(find_output_kind("dir.png/a.Y4M").value(), OutputKind::kY4m);
   for (const char* wrong : {"", "a", "a.avi", "a-%s.png", "a-%d-%d.png"}) {
-    ASSERT_FALSE(output_kind(wrong).ok()) << wrong;
-    EXPECT_EQ(output_kind(wrong).error().code, base::ErrorCode::kUsage);
+    ASSERT_FALSE(find_output_kind(wrong).ok()) << wrong;
+    EXPECT_EQ(find_output_kind(wrong).error().code, base::ErrorCode::kUsage);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(Film, Y4mColorsFollowTheStandard) {
   }
 }
 
-TEST(Film, NumberedPicturesCountOnFromTheFirst) {
+TEST(Film, NumbersPicturesFromTheFirstNumber) {
   const test::TemporaryFolder folder;
   const FrameSize size{4, 4};
   Film film =
@@ -87,7 +87,7 @@ TEST(Film, NumberedPicturesCountOnFromTheFirst) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "x-043.png"));
 }
 
-// The frames that ffmpeg finds in a film, by what it prints of each: its size.
+// ffprobe prints a line with the size of each frame.
 TEST(Film, Mp4IsReadByFfmpegWithEveryFrame) {
   if (!have_program("ffmpeg") || !have_program("ffprobe")) GTEST_SKIP() << "no ffmpeg program";
   const test::TemporaryFolder folder;
@@ -105,7 +105,7 @@ TEST(Film, Mp4IsReadByFfmpegWithEveryFrame) {
   EXPECT_EQ(test::read_text(report), "102,76,24/1,7\n");
 }
 
-TEST(Film, FolderThatIsNotThereIsAnError) {
+TEST(Film, MissingFolderIsAnError) {
   const test::TemporaryFolder folder;
   const std::string name = (folder.path() / "none" / "x.y4m").string();
   const base::Result<Film> film = Film::open(name, {{4, 4}, 30}, artgen::make_palette());
@@ -120,14 +120,14 @@ TEST(Film, FolderThatIsNotThereIsAnError) {
   EXPECT_NE(finished.error().what.find("No such file"), std::string::npos) << finished.error().what;
 }
 
-TEST(ChildProcess, ProgramThatIsNotThereIsNotFound) {
+TEST(ChildProcess, ReportsAMissingProgram) {
   const base::Result<ChildProcess> process = ChildProcess::start({"no-such-program-anywhere"});
   ASSERT_FALSE(process.ok());
   EXPECT_EQ(process.error().code, base::ErrorCode::kNotFound);
   EXPECT_NE(process.error().what.find("no-such-program-anywhere"), std::string::npos);
 }
 
-TEST(ChildProcess, FailureSaysWhatTheProgramSaidLast) {
+TEST(ChildProcess, FailureContainsTheLastMessage) {
   ChildProcess process =
       ChildProcess::start({"sh", "-c", "echo first >&2; printf 'the \\033 reason\\n' >&2; exit 3"}).value();
   const base::Status finished = process.finish();
@@ -135,16 +135,16 @@ TEST(ChildProcess, FailureSaysWhatTheProgramSaidLast) {
   EXPECT_EQ(finished.error().what, "sh failed: the ? reason");
 }
 
-TEST(ChildProcess, ProgramThatEndsEarlyIsAnErrorAndNotTheEndOfUs) {
+TEST(ChildProcess, SurvivesAProgramThatEndsEarly) {
   ChildProcess process = ChildProcess::start({"sh", "-c", "echo enough >&2; exit 1"}).value();
   const std::vector<std::byte> much(std::size_t{1} << 22);
   const base::Status written = process.write(much);
   ASSERT_FALSE(written.ok());
   EXPECT_EQ(written.error().what, "sh failed: enough");
-  EXPECT_TRUE(process.finish().ok()) << "its failure has been told, and no other process is waited for";
+  EXPECT_TRUE(process.finish().ok()) << "the failure was already reported";
 }
 
-TEST(ChildProcess, WhatIsWrittenArrives) {
+TEST(ChildProcess, ReceivesItsInput) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "copy";
   ChildProcess process = ChildProcess::start({"sh", "-c", "cat > \"$0\"", path.string()}).value();

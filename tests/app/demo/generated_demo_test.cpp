@@ -1,6 +1,6 @@
-// The recording made in code, whose script says what is to be seen when (support/generated_demo.h): what
-// stock recordings do not show. A packet is drawn from the time of the one before it on, so what happens at a
-// second begins kPacket_s earlier.
+// The generated demo, whose script lists what is visible at which time (support/generated_demo.h). It
+// contains what stock demos lack. A packet is drawn from the time of the packet before it on, so an event
+// begins kPacket_s earlier.
 #include "support/generated_demo.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ constexpr DialectCase kDialects[] = {{"made15", {net::Protocol::kNetQuake, 0}},
                                      {"made666", {net::Protocol::kFitzQuake, 0}},
                                      {"made999", {net::Protocol::kRmq, net::kShortAngle | net::kInt32Coord}}};
 
-// The game, with all three recordings in it.
+// The game directory with all three demos.
 struct GameWithRecordings {
   test::MadeGame game;
   GameWithRecordings() {
@@ -45,7 +45,7 @@ LoadedDemo load(const char* name) {
   return load_demo({.base_folder = with_recordings.game.path().string(), .games = {}}, name).value();
 }
 
-// A recording on its way, shown every 1/40 s.
+// A demo that is played in steps of 1/40 s.
 class Playback {
  public:
   explicit Playback(const char* name, const render::Settings& settings = {},
@@ -80,25 +80,25 @@ std::size_t count_colors(const render::ParticleCloud& cloud, int first, int coun
                     [&](std::uint8_t color) { return color >= first && color < first + count; }));
 }
 
-// The only one there is.
+// Returns the only light; fails the test if there is not exactly one.
 render::DynamicLight one_light(const render::Scene& scene) {
   EXPECT_EQ(scene.lights.size(), 1u);
   return scene.lights.empty() ? render::DynamicLight{} : scene.lights.front();
 }
 
-// The first model on its feet within 2 units.
+// Returns the first model whose origin is within 2 units of a point; null if there is none.
 const render::AliasInstance* model_at(const render::Scene& scene, const math::Vec3& place) {
   for (const render::AliasInstance& model : scene.alias_models)
     if (glm::distance(model.origin_world, place) < 2) return &model;
   return nullptr;
 }
 
-class MadeRecording : public ::testing::TestWithParam<DialectCase> {
+class GeneratedDemo : public ::testing::TestWithParam<DialectCase> {
  protected:
   const char* name() const { return GetParam().name; }
 };
 
-TEST_P(MadeRecording, IsReadToItsLastMessage) {
+TEST_P(GeneratedDemo, IsReadToItsLastMessage) {
   const test::MadeRecording made = test::make_recording(GetParam().dialect);
   formats::DemReader records = formats::DemReader::open(made.bytes).value();
   net::MessageReader reader;
@@ -108,7 +108,7 @@ TEST_P(MadeRecording, IsReadToItsLastMessage) {
     reader.begin(record->message, record->offset);
     while (reader.next().value()) ++message_count;
   }
-  EXPECT_FALSE(records.cut_short());
+  EXPECT_FALSE(records.is_truncated());
   EXPECT_EQ(record_count, made.records);
   EXPECT_EQ(message_count, made.messages);
 
@@ -117,7 +117,7 @@ TEST_P(MadeRecording, IsReadToItsLastMessage) {
   EXPECT_NEAR(length.last_time_s - length.first_time_s, kLength_s, 1e-4);
 }
 
-TEST_P(MadeRecording, ShowsThingsWhereTheyAre) {
+TEST_P(GeneratedDemo, ShowsThingsWhereTheyAre) {
   Playback playback(name());
   for (const double second : {0.4, 0.925, 1.6, 2.325, 3.5}) {
     const render::Scene& scene = playback.scene_at(second);
@@ -144,14 +144,14 @@ TEST_P(MadeRecording, ShowsThingsWhereTheyAre) {
   EXPECT_EQ(playback.scene_at(10.3).sprites.size(), 1u);
 }
 
-TEST_P(MadeRecording, ShowsShotsAndARocket) {
+TEST_P(GeneratedDemo, ShowsShotsAndARocket) {
   Playback playback(name());
   const render::DynamicLight flash = one_light(playback.scene_at(1));
   EXPECT_LT(glm::distance(flash.origin_world, kPlayer + math::Vec3(18, 0, 16)), 0.5f);
   EXPECT_GE(flash.radius, 200);
   EXPECT_LT(flash.radius, 232);
   EXPECT_GT(count_colors(playback.run().scene().particles, 0, 8), 20u)
-      << "two gunshots: 40, some short-lived";
+      << "two gunshots with 20 particles each, some short-lived";
   EXPECT_TRUE(playback.scene_at(1.12).lights.empty()) << "0.1 s after the update with the flash was left";
   EXPECT_GT(count_colors(playback.run().scene().particles, 72, 8), 30u) << "blood: 60";
 
@@ -160,7 +160,7 @@ TEST_P(MadeRecording, ShowsShotsAndARocket) {
   const math::Vec3 way = kRocketTo - kRocketFrom, rocket = kRocketFrom + 0.6f * way;
   EXPECT_LT(glm::distance(one_light(flight).origin_world, rocket), 2);
   EXPECT_FLOAT_EQ(one_light(flight).radius, 200);
-  // Every 3 units one; the oldest have burnt out after 0.6 s.
+  // One particle every 3 units; the oldest have burnt out after 0.6 s.
   EXPECT_NEAR(static_cast<double>(flight.particles.size()), glm::length(0.6f * way) / 3, 15);
   for (std::size_t i = 0; i < flight.particles.size(); ++i) {
     const math::Vec3 place{flight.particles.x[i], flight.particles.y[i], flight.particles.z[i]};
@@ -168,11 +168,11 @@ TEST_P(MadeRecording, ShowsShotsAndARocket) {
     EXPECT_GT(along, -0.03f);
     EXPECT_LT(along, 0.63f);
     const math::Vec3 beside = place - kRocketFrom - along * way;
-    EXPECT_LT(std::hypot(beside.x, beside.y), 6) << "smoke rises, and does no more";
+    EXPECT_LT(std::hypot(beside.x, beside.y), 6) << "smoke only rises";
   }
 }
 
-TEST_P(MadeRecording, ShowsExplosionsOfAllKinds) {
+TEST_P(GeneratedDemo, ShowsExplosionsOfAllKinds) {
   Playback playback(name());
   const auto expect_flash = [&](double second, double age_s, const math::Vec3& place) {
     const render::DynamicLight light = one_light(playback.scene_at(second));
@@ -181,7 +181,8 @@ TEST_P(MadeRecording, ShowsExplosionsOfAllKinds) {
   };
   expect_flash(3, 0.05, kRocketTo);
   EXPECT_GE(playback.run().scene().particles.size(), 1024u);
-  EXPECT_LT(playback.run().scene().particles.size(), 1024u + 110) << "and what the rocket left";
+  EXPECT_LT(playback.run().scene().particles.size(), 1024u + 110)
+      << "including what is left of the rocket's trail";
   expect_flash(3.3, 0.35, kRocketTo);
   EXPECT_TRUE(playback.scene_at(3.5).lights.empty());
 
@@ -204,10 +205,10 @@ TEST_P(MadeRecording, ShowsExplosionsOfAllKinds) {
   EXPECT_EQ(count_colors(lava.particles, 224, 8), 1024u);
 }
 
-TEST_P(MadeRecording, ShowsSpikes) {
+TEST_P(GeneratedDemo, ShowsSpikes) {
   Playback playback(name());
-  // The second in which each hits, the colors of its chips, how many they are. Those whose life is 0 have
-  // been seen by then.
+  // The time at which each spike hits, and colors and number of its particles. Those without lifetime have
+  // disappeared by then.
   const struct {
     double second;
     int color;
@@ -221,7 +222,7 @@ TEST_P(MadeRecording, ShowsSpikes) {
   }
 }
 
-TEST_P(MadeRecording, ShowsEntitiesThatShine) {
+TEST_P(GeneratedDemo, ShowsEntitiesThatShine) {
   Playback playback(name());
   const math::Vec3 star{200, 300, 70};
   EXPECT_EQ(count_colors(playback.scene_at(10.4).particles, 0x6f, 1), 162u);
@@ -236,7 +237,7 @@ TEST_P(MadeRecording, ShowsEntitiesThatShine) {
   EXPECT_TRUE(playback.scene_at(11.45).lights.empty());
 }
 
-TEST_P(MadeRecording, ShowsLightning) {
+TEST_P(GeneratedDemo, ShowsLightning) {
   Playback playback(name());
   const struct {
     double second;
@@ -256,22 +257,22 @@ TEST_P(MadeRecording, ShowsLightning) {
   }
 }
 
-TEST_P(MadeRecording, ColorsTheView) {
+TEST_P(GeneratedDemo, ColorsTheView) {
   Playback playback(name());
   EXPECT_EQ(playback.scene_at(13.4).tint.opacity, 0);
   EXPECT_EQ(playback.run().scene().camera.angles_deg.z, 0);
-  // Half of 58 counts three times, and fades by 150 a second, of 256.
+  // Half of the damage of 58 counts three times, and fades by 150/256 per second.
   const render::Tint pain = playback.scene_at(13.5).tint;
   EXPECT_EQ(pain.color, math::Vec3(255, 0, 0));
   EXPECT_NEAR(pain.opacity, (87 - 0.05 * 150) / 256, 1e-3);
-  EXPECT_NE(playback.run().scene().camera.angles_deg.x, 0) << "the head is thrown back";
+  EXPECT_NE(playback.run().scene().camera.angles_deg.x, 0) << "the view is kicked";
   EXPECT_GT(playback.scene_at(14.05).tint.color.r, 100) << "gold over blue";
   const render::Tint quad = playback.scene_at(14.48).tint;
   EXPECT_EQ(quad.color, math::Vec3(0, 0, 255));
   EXPECT_NEAR(quad.opacity, 30.0 / 256, 1e-6);
 }
 
-TEST_P(MadeRecording, GoesDarkAndEndsAboveTheCourt) {
+TEST_P(GeneratedDemo, GoesDarkAndEndsAboveTheCourt) {
   Playback playback(name());
   EXPECT_EQ(playback.scene_at(14.4).light_styles[0], 264) << "12 steps of 22";
   EXPECT_EQ(playback.scene_at(14.7).light_styles[0], 0);
@@ -283,10 +284,10 @@ TEST_P(MadeRecording, GoesDarkAndEndsAboveTheCourt) {
   EXPECT_NEAR(ending.camera.angles_deg.y, 45, 1.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Dialects, MadeRecording, ::testing::ValuesIn(kDialects),
+INSTANTIATE_TEST_SUITE_P(Dialects, GeneratedDemo, ::testing::ValuesIn(kDialects),
                          [](const auto& dialect) { return std::string(dialect.param.name); });
 
-// Of every `draw_every`-th frame.
+// Returns hashes of every `draw_every`-th frame.
 std::vector<std::uint64_t> frame_hashes(int frames_per_second, int draw_every,
                                         const render::Settings& settings, render::PixelFormat format) {
   Playback playback("made15", settings, format);
@@ -297,12 +298,12 @@ std::vector<std::uint64_t> frame_hashes(int frames_per_second, int draw_every,
     EXPECT_TRUE(playback.run().advance_to(kFirstTime_s + second).ok());
     if (number % draw_every != 0) continue;
     playback.run().draw();
-    hashes.push_back(test::hash_of(playback.run().frame()));
+    hashes.push_back(test::compute_hash(playback.run().frame()));
   }
   return hashes;
 }
 
-TEST(MadeRecordingFrames, AreTheSameForAnyNumberOfThreads) {
+TEST(GeneratedDemoFrames, DoNotDependOnThreads) {
   const auto hashes = [](int threads, render::PixelFormat format) {
     const render::Settings settings = {.threads = threads, .job_backend = base::JobBackend::kStdThread};
     return frame_hashes(20, test::effort(5, 20), settings, format);
@@ -315,7 +316,7 @@ TEST(MadeRecordingFrames, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
-// What a scene has of effects.
+// The effects of a scene.
 struct SeenEffects {
   std::vector<math::Vec3> particles;
   std::vector<float> radii;  // of lights
@@ -337,9 +338,9 @@ std::vector<SeenEffects> twice_a_second(int frames_per_second) {
   return seen;
 }
 
-// What happens begins at its own time, not at the next frame's, and chance is the same. A film of two frames
-// a second may begin with a trail's rounding: its particles are the same to a hundredth of a unit.
-TEST(MadeRecordingFrames, HaveTheSameEffectsAtAnyRate) {
+// Effects begin at their own time, not at that of the next frame, and with the same random numbers. At two
+// frames per second, trails may be rounded differently: particles are equal to a hundredth of a unit.
+TEST(GeneratedDemoFrames, HaveTheSameEffectsAtAnyFrameRate) {
   const std::vector<SeenEffects> few = twice_a_second(2);
   for (const int frames_per_second : {10, 30, 72}) {
     const std::vector<SeenEffects> many = twice_a_second(frames_per_second);
@@ -358,7 +359,7 @@ TEST(MadeRecordingFrames, HaveTheSameEffectsAtAnyRate) {
   }
 }
 
-TEST(MadeRecordingBytes, AreTheSameSaidAgainInProtocol15) {
+TEST(GeneratedDemoBytes, SurviveTranscodingToProtocol15) {
   const base::ByteVector original = test::make_recording({}).bytes;
   for (const DialectCase& dialect : kDialects)
     EXPECT_EQ(test::transcode(test::make_recording(dialect.dialect).bytes, {}).value(), original)

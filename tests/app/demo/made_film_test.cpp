@@ -1,5 +1,5 @@
-// The film of the recording made in code, as `temblor render --demo` draws it (support/generated_demo.h says
-// what is to be seen when).
+// The film of the generated demo, as `temblor render --demo` draws it (support/generated_demo.h lists what is
+// visible at which time).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ double brightness(const Png& frame, const Part& part) {
   return sum / (3.0 * part.width * part.height);
 }
 
-// Whether every opaque pixel of that part of a picture stands in the frame, its corner at (x, y).
+// Returns whether the frame shows every opaque pixel of that part of a picture, with its corner at (x, y).
 bool shows(const Png& frame, const formats::Picture& picture, const Part& part, int x, int y) {
   const formats::Palette palette = artgen::make_palette();
   for (int row = 0; row < part.height; ++row)
@@ -79,7 +79,8 @@ bool shows(const Png& frame, const formats::Picture& picture, const Part& part, 
   return true;
 }
 
-// A number of up to three digits, right-justified in 72 pixels from `x` on, at the frame's bottom.
+// Returns whether the frame shows a number of up to three digits, right-aligned in 72 pixels from `x` on, at
+// the bottom of the frame.
 bool shows_number(const Png& frame, const assets::Pictures& pictures, const std::string& digits, int x) {
   constexpr int kDigit = 24;
   int at = x + kDigit * (3 - static_cast<int>(digits.size()));
@@ -102,11 +103,11 @@ bool shows_text(const Png& frame, const assets::Pictures& pictures, const std::s
   return true;
 }
 
-// Where the original has them, on a screen of 320 x 200: armor 24 from the left, health 136, ammunition 248;
-// texts in the middle, a third of the way down.
+// Positions of the original on a screen of 320 x 200: armor 24 from the left, health 136, ammunition 248;
+// texts are centered, a third of the way down.
 constexpr int kArmorX = 24, kHealthX = 136, kAmmoX = 248;
 
-TEST_F(MadeFilm, HasTheNumbersOfTheStatusBar) {
+TEST_F(MadeFilm, ShowsTheNumbersOfTheStatusBar) {
   const Png healthy = frame_at(0.5), shot = frame_at(2), hurt = frame_at(13.75), armored = frame_at(14.25);
   EXPECT_TRUE(shows_number(healthy, pictures(), "100", kHealthX));
   EXPECT_TRUE(shows_number(healthy, pictures(), "25", kAmmoX));
@@ -117,14 +118,14 @@ TEST_F(MadeFilm, HasTheNumbersOfTheStatusBar) {
   EXPECT_TRUE(shows_number(armored, pictures(), "150", kArmorX));
 }
 
-TEST_F(MadeFilm, HasItsTextForTwoSeconds) {
+TEST_F(MadeFilm, ShowsCenterTextForTwoSeconds) {
   constexpr int kX = (kWidth - 12 * 8) / 2, kY = kHeight * 35 / 100;
   EXPECT_TRUE(shows_text(frame_at(0), pictures(), "Made in code", kX, kY));
   EXPECT_TRUE(shows_text(frame_at(1.75), pictures(), "Made in code", kX, kY));
   EXPECT_FALSE(shows_text(frame_at(2.25), pictures(), "Made in code", kX, kY));
 }
 
-TEST_F(MadeFilm, IsBrightWhereSomethingExplodesOrShines) {
+TEST_F(MadeFilm, IsBrightNearExplosionsAndLights) {
   const double calm = brightness(frame_at(4.75), kView);
   EXPECT_GT(brightness(frame_at(3), kView), 1.1 * calm) << "a rocket";
   EXPECT_GT(brightness(frame_at(3), {160, 70, 60, 60}), 1.3 * brightness(frame_at(4), {160, 70, 60, 60}));

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(ReplaceFile, IsWholeAndAlone) {
+TEST(ReplaceFile, WritesAllBytesAndLeavesNoOtherFile) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("level.bsp", "the level that was there before");
   ASSERT_TRUE(app::replace_file(file, base::as_bytes("new")).ok());
@@ -19,8 +19,8 @@ TEST(ReplaceFile, IsWholeAndAlone) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
-// What another program is about to put in its place is not written into.
-TEST(ReplaceFile, LeavesFilesOfOthersAlone) {
+// Another program's temporary file is not overwritten.
+TEST(ReplaceFile, KeepsTemporaryFilesOfOtherPrograms) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "level.bsp";
   const fs::path others = folder.write("level.bsp.new", "half of a level");
@@ -39,7 +39,7 @@ TEST(ReplaceFile, FollowsLinks) {
   EXPECT_EQ(read_text(file), "new");
 }
 
-TEST(ReplaceFile, FailsWhereNoFileCanBe) {
+TEST(ReplaceFile, FailsForAnInvalidPath) {
   const TemporaryFolder folder;
   const base::Status status = app::replace_file(folder.path() / "none" / "level.bsp", base::as_bytes("new"));
   ASSERT_FALSE(status.ok());

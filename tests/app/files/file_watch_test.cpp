@@ -12,7 +12,7 @@ namespace {
 
 class FileWatchTest : public ::testing::Test {
  protected:
-  // As if somebody saved it at another time, whatever the file system's clock can tell apart.
+  // Sets another modification time, because two saves may have the same one on a coarse clock.
   void save(const std::string& name, int seconds) {
     const auto path = folder_.write(name, name);
     std::filesystem::last_write_time(path, start_ + std::chrono::seconds(seconds));
@@ -20,7 +20,7 @@ class FileWatchTest : public ::testing::Test {
   std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
   template <typename... Paths>
   void watch(const Paths&... files) {
-    watch_.add({app::stamp_of(files)...});
+    watch_.add({app::read_file_stamp(files)...});
   }
 
   TemporaryFolder folder_;
@@ -28,7 +28,7 @@ class FileWatchTest : public ::testing::Test {
   app::FileWatch watch_;
 };
 
-TEST_F(FileWatchTest, ChangeIsToldOnceWhenItStandsStill) {
+TEST_F(FileWatchTest, ReportsAChangeOnceWhenItIsStable) {
   save("a", 0);
   watch(path("a"));
   EXPECT_FALSE(watch_.has_changed());
@@ -40,7 +40,7 @@ TEST_F(FileWatchTest, ChangeIsToldOnceWhenItStandsStill) {
   EXPECT_FALSE(watch_.has_changed());
 }
 
-TEST_F(FileWatchTest, ReplacedFileIsAChangeAndALostOneIsNot) {
+TEST_F(FileWatchTest, ReplacementIsAChangeButRemovalIsNot) {
   save("a", 0);
   save("b", 0);
   watch(path("a"), path("b"));
@@ -53,10 +53,10 @@ TEST_F(FileWatchTest, ReplacedFileIsAChangeAndALostOneIsNot) {
   std::filesystem::remove(path("a"));
   save("b", 10);
   EXPECT_FALSE(watch_.has_changed());
-  EXPECT_TRUE(watch_.has_changed()) << "the other file's change is not held up";
+  EXPECT_TRUE(watch_.has_changed()) << "the change of the other file is reported";
 }
 
-TEST_F(FileWatchTest, AddingAgainForgetsNothing) {
+TEST_F(FileWatchTest, AddingAgainKeepsTheOlderStamp) {
   save("a", 0);
   watch(path("a"), path("later"));
   save("a", 10);
@@ -68,9 +68,10 @@ TEST_F(FileWatchTest, AddingAgainForgetsNothing) {
   EXPECT_TRUE(watch_.has_changed());
 }
 
-TEST_F(FileWatchTest, ChangeBetweenTheStampAndTheWatchIsTold) {
+TEST_F(FileWatchTest, ReportsAChangeBetweenStampAndWatch) {
   save("a", 0);
-  const std::vector<app::FileStamp> before{app::stamp_of(path("a")), app::stamp_of(path("later"))};
+  const std::vector<app::FileStamp> before{app::read_file_stamp(path("a")),
+                                           app::read_file_stamp(path("later"))};
   save("a", 10);
   watch_.add(before);
   EXPECT_FALSE(watch_.has_changed());
@@ -81,7 +82,7 @@ TEST_F(FileWatchTest, ChangeBetweenTheStampAndTheWatchIsTold) {
   EXPECT_FALSE(watch_.has_changed());
 }
 
-TEST_F(FileWatchTest, FolderChangesWhenAFileComes) {
+TEST_F(FileWatchTest, NewFileChangesItsFolder) {
   std::filesystem::create_directory(path("art"));
   std::filesystem::last_write_time(path("art"), start_ - std::chrono::seconds(10));
   watch(path("art"));

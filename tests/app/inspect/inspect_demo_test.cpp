@@ -1,4 +1,4 @@
-// What `inspect` says of recordings, held against recordings made here.
+// `inspect` of demos that are generated here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ base::ByteVector packet(const std::vector<net::ServerMessage>& messages, const n
   return std::move(writer).take();
 }
 
-// Two levels, the first in protocol 999: 2.5 s of one, 1 s of the other.
+// A demo of two levels: 2.5 s in protocol 999, then 1 s.
 base::ByteVector two_levels(int forced_track = 4) {
   const std::array<std::string_view, 2> models = {"maps/a.bsp", "*1"};
   const std::array<std::string_view, 1> other_models = {"maps/b.bsp"};
@@ -39,7 +39,7 @@ base::ByteVector two_levels(int forced_track = 4) {
   return std::move(writer).take();
 }
 
-TEST(InspectDemo, SaysWhatIsInARecording) {
+TEST(InspectDemo, ListsTheContents) {
   const auto result = inspect_dem(two_levels());
   ASSERT_TRUE(result.ok()) << result.error().message();
   const Inspection expected = {
@@ -62,18 +62,18 @@ TEST(InspectDemo, SaysWhatIsInARecording) {
   EXPECT_EQ(result->dump(2), expected.dump(2));
 }
 
-TEST(InspectDemo, ARecordingThatIsCutShort) {
+TEST(InspectDemo, TruncatedDemo) {
   const base::ByteVector whole = two_levels();
   const auto result = inspect_dem(base::Bytes(whole).first(whole.size() - 1));
   ASSERT_TRUE(result.ok()) << result.error().message();
   EXPECT_EQ(result->at("packets"), 6);
   EXPECT_EQ(result->at("seconds"), 3.5);
-  // The last packet is a length, three angles and one byte.
-  EXPECT_EQ(result->at("problems").dump(), "[\"cut short: the last packet, at offset " +
-                                               std::to_string(whole.size() - 17) + ", is not all there\"]");
+  // The last packet is a length, three angles, and one byte.
+  EXPECT_EQ(result->at("problems").dump(), "[\"truncated: the last packet, at offset " +
+                                               std::to_string(whole.size() - 17) + ", is incomplete\"]");
 }
 
-TEST(InspectDemo, AMessageThatCannotBeRead) {
+TEST(InspectDemo, UnreadableMessage) {
   formats::DemWriter writer;
   writer.add({}, packet({net::ServerInfo{.level_name = "x"}, net::Time{1}}));
   writer.add({}, base::as_bytes("\x07"));
@@ -86,12 +86,12 @@ TEST(InspectDemo, AMessageThatCannotBeRead) {
   EXPECT_EQ(result->at("messages").at("svc_time"), 2);
   const std::string problems = result->at("problems").dump();
   const std::size_t offset = bytes.size() - 17 - 21 - 1;
-  EXPECT_THAT(problems, HasSubstr("2 of 4 packets cannot be read to their end; the first: offset " +
-                                  std::to_string(offset) + ": svc_time: message ends after 1 of 5 bytes"));
+  EXPECT_THAT(problems, HasSubstr("2 of 4 packets damaged; the first: offset " + std::to_string(offset) +
+                                  ": svc_time: message ends after 1 of 5 bytes"));
   EXPECT_THAT(problems, HasSubstr("ends without svc_disconnect"));
 }
 
-TEST(InspectDemo, APacketOfAnImpossibleLength) {
+TEST(InspectDemo, PacketOfInvalidLength) {
   base::ByteVector bytes = two_levels();
   const base::Bytes more = base::as_bytes("\xff\xff\xff\x7f and so on");
   bytes.insert(bytes.end(), more.begin(), more.end());
@@ -99,9 +99,9 @@ TEST(InspectDemo, APacketOfAnImpossibleLength) {
   ASSERT_TRUE(result.ok()) << result.error().message();
   EXPECT_EQ(result->at("packets"), 7);
   EXPECT_THAT(result->at("problems").dump(), HasSubstr("the rest cannot be read: message at offset"));
-  // With nothing before it there is nothing to tell.
+  // Without any packet before it, the file is an error.
   EXPECT_FALSE(inspect_dem(base::as_bytes("-1\n\xff\xff\xff\x7f and so on")).ok());
-  EXPECT_FALSE(inspect_dem(base::as_bytes("this is no recording\n")).ok());
+  EXPECT_FALSE(inspect_dem(base::as_bytes("this is not a demo\n")).ok());
 }
 
 TEST(InspectDemo, NoLevel) {
@@ -111,7 +111,7 @@ TEST(InspectDemo, NoLevel) {
   EXPECT_THAT(result->at("problems").dump(), HasSubstr("no svc_serverinfo"));
 }
 
-TEST(InspectDemo, FlippedBitsAreToldOf) {
+TEST(InspectDemo, FlippedBitsAreReported) {
   const base::ByteVector whole = two_levels();
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     test::Random random(seed);
@@ -121,11 +121,11 @@ TEST(InspectDemo, FlippedBitsAreToldOf) {
   }
 }
 
-TEST(InspectDemo, StockRecordings) {
+TEST(InspectDemo, StockDemos) {
   DATA_FOLDER_OR_SKIP(folder);
   const auto lite = inspect_file(folder / "id1/demo1_lite.dem");
   ASSERT_TRUE(lite.ok()) << lite.error().message();
-  EXPECT_EQ(lite->at("format"), "recording");
+  EXPECT_EQ(lite->at("format"), "demo");
   EXPECT_EQ(lite->at("protocol"), 15);
   EXPECT_EQ(lite->at("level"), "Baseless Base Banter");
   EXPECT_EQ(lite->at("level file"), "maps/lq_e0m1.bsp");

@@ -1,4 +1,4 @@
-// `temblor inspect`: every format, held against what was written.
+// `temblor inspect`: every format, compared with what was written.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST_F(InspectProgram, LevelsOfAllVersions) {
        {formats::BspVersion::k29, formats::BspVersion::k2Psb, formats::BspVersion::kBsp2}) {
     const json object = inspect("x.bsp", game.level_bytes(version));
     EXPECT_EQ(object.at("format"), "level");
-    EXPECT_EQ(object.at("version"), formats::name_of(version));
+    EXPECT_EQ(object.at("version"), formats::version_name(version));
     EXPECT_EQ(object.at("counts").at("faces"), level.faces.size());
     EXPECT_EQ(object.at("counts").at("leaves"), level.leaves.size());
     EXPECT_EQ(object.at("counts").at("light samples"), level.lighting.size());
@@ -73,8 +73,7 @@ TEST_F(InspectProgram, Sounds) {
   EXPECT_EQ(object.at("seconds"), 1.0);
   EXPECT_EQ(object.at("loop").at("from frame"), 100);
   EXPECT_EQ(object.at("loop").at("to frame"), 200);
-  EXPECT_EQ(object.at("problems"),
-            json::array({"it is silent", "several channels: the game folds them into one"}));
+  EXPECT_EQ(object.at("problems"), json::array({"silent", "several channels: the game mixes them to mono"}));
 }
 
 TEST_F(InspectProgram, ProblemsOfALevelThatCanBeDrawn) {
@@ -86,7 +85,7 @@ TEST_F(InspectProgram, ProblemsOfALevelThatCanBeDrawn) {
   EXPECT_THAT(problems, HasSubstr("checker"));
 }
 
-TEST_F(InspectProgram, ContentSaysMoreThanTheName) {
+TEST_F(InspectProgram, ContentOverridesTheName) {
   const SmallGame game;
   EXPECT_EQ(inspect("level.wad", game.level_bytes(formats::BspVersion::k29)).at("format"), "level");
 }
@@ -204,14 +203,14 @@ TEST_F(InspectProgram, Models) {
   EXPECT_EQ(object.at("skins").at(1), (json{{"pictures", 2}, {"seconds", 1.0}}));
   EXPECT_EQ(object.at("frames").at(0), (json{{"name", "stand"}, {"poses", 1}}));
   EXPECT_EQ(object.at("frames").at(1), (json{{"name", "run1"}, {"poses", 3}, {"seconds", 0.5}}));
-  // Seven texels are not a multiple of four: all else is as it should be.
+  // A width of seven texels is not a multiple of four; everything else is valid.
   EXPECT_EQ(object.at("problems").size(), 1u) << object.at("problems");
   EXPECT_THAT(object.at("problems").dump(), HasSubstr("7 texels wide"));
 }
 
 TEST_F(InspectProgram, ProblemsOfAModelThatCanBeDrawn) {
   formats::Mdl mdl = small_mdl();
-  const auto problems_of = [&](const formats::Mdl& model, std::size_t tail_bytes = 0) {
+  const auto inspect_problems = [&](const formats::Mdl& model, std::size_t tail_bytes = 0) {
     base::ByteVector bytes = formats::write_mdl(model);
     bytes.resize(bytes.size() + tail_bytes);
     return inspect("x.mdl", bytes).at("problems").dump();
@@ -219,32 +218,33 @@ TEST_F(InspectProgram, ProblemsOfAModelThatCanBeDrawn) {
   mdl.skin_width = 4;
   mdl.skins = {{{std::vector<std::uint8_t>(4 * 3)}, {}}};
   mdl.texels = {{false, 0, 0}, {true, 1, 0}, {true, 1, 2}, {false, 3, 2}};
-  EXPECT_EQ(problems_of(mdl), "[]");
-  EXPECT_THAT(problems_of(mdl, 5), HasSubstr("5 bytes follow the last frame"));
+  EXPECT_EQ(inspect_problems(mdl), "[]");
+  EXPECT_THAT(inspect_problems(mdl, 5), HasSubstr("5 trailing bytes after the last frame"));
 
   formats::Mdl lying = mdl;
   lying.frames[1].poses[2].maxs.position[1] = 254;
   lying.frames[1].maxs.position[2] = 254;
-  EXPECT_THAT(problems_of(lying), HasSubstr("outside their own box: 1 (the first is frame 1)"));
-  EXPECT_THAT(problems_of(lying), HasSubstr("outside the group's box: 1 (the first is frame 1)"));
+  EXPECT_THAT(inspect_problems(lying), HasSubstr("outside their bounding box: 1 (the first is frame 1)"));
+  EXPECT_THAT(inspect_problems(lying),
+              HasSubstr("outside the group's bounding box: 1 (the first is frame 1)"));
 
   formats::Mdl idle = mdl;
   idle.triangles = {{true, {0, 1, 1}}};
-  EXPECT_THAT(problems_of(idle), HasSubstr("vertices that no triangle uses: 2"));
-  EXPECT_THAT(problems_of(idle), HasSubstr("triangles that use a vertex twice: 1"));
+  EXPECT_THAT(inspect_problems(idle), HasSubstr("vertices not used by any triangle: 2"));
+  EXPECT_THAT(inspect_problems(idle), HasSubstr("triangles with a repeated vertex: 1"));
 
   // Vertex 1 is on the seam, and 2 of the 4 triangles face the back: one of those uses it.
   formats::Mdl off_skin = mdl;
   off_skin.texels[1].s = 2;
-  EXPECT_THAT(problems_of(off_skin), HasSubstr("off the skin: 1\""));
+  EXPECT_THAT(inspect_problems(off_skin), HasSubstr("outside the skin: 1\""));
 
   formats::Mdl large = mdl;
   large.texels.resize(2001);
   for (formats::MdlFrame& frame : large.frames)
     for (formats::MdlPose& pose : frame.poses) pose.vertices.resize(2001);
   large.flags |= 1u << 14;
-  EXPECT_THAT(problems_of(large), HasSubstr("2001 vertices: the original engine allows 2000"));
-  EXPECT_THAT(problems_of(large), HasSubstr("unknown bits"));
+  EXPECT_THAT(inspect_problems(large), HasSubstr("2001 vertices: the original engine allows 2000"));
+  EXPECT_THAT(inspect_problems(large), HasSubstr("unknown bits"));
 }
 
 TEST_F(InspectProgram, Sprites) {
@@ -263,9 +263,9 @@ TEST_F(InspectProgram, Sprites) {
   base::ByteVector bytes = formats::write_spr(spr);
   bytes.push_back(std::byte{1});
   const std::string problems = inspect("x.spr", bytes).at("problems").dump();
-  EXPECT_THAT(problems, HasSubstr("larger than the header's largest: 1 (the first is frame 0)"));
-  EXPECT_THAT(problems, HasSubstr("without a visible texel: 1 (the first is frame 1)"));
-  EXPECT_THAT(problems, HasSubstr("1 bytes follow"));
+  EXPECT_THAT(problems, HasSubstr("larger than the header's maximum: 1 (the first is frame 0)"));
+  EXPECT_THAT(problems, HasSubstr("transparent pictures: 1 (the first is frame 1)"));
+  EXPECT_THAT(problems, HasSubstr("1 trailing byte after"));
 }
 
 TEST_F(InspectProgram, Maps) {
@@ -281,7 +281,7 @@ TEST_F(InspectProgram, Maps) {
   EXPECT_THAT(problems, HasSubstr("entity 2, brush 0, line"));
 }
 
-TEST_F(InspectProgram, TextHasTheSameFacts) {
+TEST_F(InspectProgram, TextHasTheSameContents) {
   const SmallGame game;
   const ProgramRun run = run_program(game.path(), {"inspect", "id1/maps/small.bsp"});
   EXPECT_EQ(run.exit_status, 0);
@@ -291,7 +291,7 @@ TEST_F(InspectProgram, TextHasTheSameFacts) {
   EXPECT_THAT(run.out, HasSubstr("problems: none\n"));
 }
 
-TEST_F(InspectProgram, ARefusedFileIsAnErrorInBothForms) {
+TEST_F(InspectProgram, RejectedFileIsAnErrorInBothForms) {
   folder_.write("x.bsp", "BSP2 and nothing else");
   const ProgramRun run = run_program(folder_.path(), {"inspect", "--json", "x.bsp"});
   EXPECT_EQ(run.exit_status, 1);

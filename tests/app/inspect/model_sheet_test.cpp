@@ -1,4 +1,4 @@
-// Sheets of a model's pictures: of a plate that is wide from ahead and narrow from the side, and grows.
+// Sheets of a plate that is wide from the front, narrow from the side, and grows.
 #include "app/inspect/model_sheet.h"
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ class ModelSheet : public ::testing::Test {
     return *image;
   }
 
-  // Columns and rows of a cell that show the plate, which alone is of bright orange.
+  // Columns and rows of a cell that show the plate, the only thing that is bright orange.
   std::pair<int, int> size_in(const formats::Image& image, int column, int row) const {
     std::set<int> columns, rows;
     for (int y = 0; y < 100; ++y) {
@@ -86,7 +86,7 @@ TEST_F(ModelSheet, HasAColumnForEachFrameAndARowForEachView) {
   EXPECT_NEAR(side_height, height, 8);  // its front is nearer to the camera
 }
 
-TEST_F(ModelSheet, LightsModelsThatAreAboveTheirOrigin) {
+TEST_F(ModelSheet, LightsModelsAboveTheirOrigin) {
   const auto script = artgen::read_script(
       "model progs/high.mdl\n  paint pale sand bright=0.7..0.9\n  bone a 0,0,20\n  box a 0,0,0 8,8,8\n");
   ASSERT_TRUE(script.ok());
@@ -103,21 +103,24 @@ TEST_F(ModelSheet, LightsModelsThatAreAboveTheirOrigin) {
   EXPECT_LT(red(20), red(200) / 2);
 }
 
-TEST_F(ModelSheet, ShowsAModelAsTheWeaponInView) {
+TEST_F(ModelSheet, ShowsAModelAsTheViewWeapon) {
   options_.views = "hand";
   EXPECT_EQ(drawn().width, 300u);
 }
 
-TEST_F(ModelSheet, WrongNamesAreToldWithTheRightOnes) {
+TEST_F(ModelSheet, UnknownNamesListTheKnownOnes) {
   const auto message = [&] {
     const base::Status drawn = draw_model_sheet(model_, options_);
     return drawn.ok() ? "" : drawn.error().message();
   };
   options_.frames = "walk1";
-  EXPECT_THAT(message(), HasSubstr("--frames: there is no frame \"walk1\"; they are 0 to 2, grow1 to grow3"));
+  EXPECT_THAT(
+      message(),
+      HasSubstr("--frames: unknown frame \"walk1\"; the model has frames 0 to 2, named grow1 to grow3"));
   options_.frames = "";
   options_.views = "below";
-  EXPECT_THAT(message(), HasSubstr("\"below\" is none of front, side, back, above, quarter, hand"));
+  EXPECT_THAT(message(),
+              HasSubstr("unknown view \"below\"; choose from front, side, back, above, quarter, hand"));
   options_.views = "front,side";
   options_.cell_px = 1024;
   for (int i = 0; i < 20; ++i) options_.frames += "0,";

@@ -1,4 +1,4 @@
-// What of the console is to be seen, read back from what it draws; and pictures of it to look at.
+// What the console shows, read back from its draw commands; and pictures of it for people to look at.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class ConsoleDrawing : public ::testing::Test, protected test::ConsoleScreen {
   void print_numbers(int count) {
     for (int i = 0; i < count; ++i) ui.print(fmt::format("line {}\n", i), view.time_s);
   }
-  // Where the background ends.
+  // The lower edge of the background.
   int bottom() {
     int bottom = 0;
     for (const render::DrawCommand& command : draw().commands)
@@ -38,28 +38,28 @@ class ConsoleDrawing : public ::testing::Test, protected test::ConsoleScreen {
   }
 };
 
-TEST_F(ConsoleDrawing, ClosedThereIsNothing) {
+TEST_F(ConsoleDrawing, DrawsNothingWhileClosed) {
   EXPECT_TRUE(draw().commands.empty());
   EXPECT_FALSE(ui.covers_frame());
 }
 
-TEST_F(ConsoleDrawing, SlidesAsFastAsAsked) {
+TEST_F(ConsoleDrawing, SlidesAtItsSpeed) {
   draw();
   ui.open();
   const auto bottom_after = [&](double seconds) {
     view.time_s += seconds;
     return bottom();
   };
-  EXPECT_EQ(bottom_after(0.1), 30) << "300 rows a second";
+  EXPECT_EQ(bottom_after(0.1), 30) << "300 rows per second";
   EXPECT_EQ(bottom_after(0.2), 90);
   EXPECT_EQ(bottom_after(0.2), 100) << "half of the frame";
   ui.close();
   EXPECT_EQ(bottom_after(0.25), 25);
-  EXPECT_EQ(bottom_after(-5), 25) << "no time passes backwards";
+  EXPECT_EQ(bottom_after(-5), 25) << "time running backward counts as no time";
   EXPECT_EQ(bottom_after(1), 0);
 }
 
-TEST_F(ConsoleDrawing, WithoutAGameItIsAllThereIs) {
+TEST_F(ConsoleDrawing, CoversTheFrameWithoutAGame) {
   view.game_runs = false;
   EXPECT_EQ(bottom(), 200);
   EXPECT_TRUE(ui.covers_frame());
@@ -69,7 +69,7 @@ TEST_F(ConsoleDrawing, WithoutAGameItIsAllThereIs) {
   EXPECT_FALSE(ui.covers_frame());
 }
 
-TEST_F(ConsoleDrawing, NewestLinesStandAboveTheOneThatIsTyped) {
+TEST_F(ConsoleDrawing, NewestLinesAreAboveTheInputLine) {
   view.version = "Temblor 1";
   print_numbers(20);
   open();
@@ -77,14 +77,14 @@ TEST_F(ConsoleDrawing, NewestLinesStandAboveTheOneThatIsTyped) {
   view.time_s = 100.1;
   const auto shown = rows();
   EXPECT_EQ(shown.at(100 - 8), std::string(30, ' ') + "Temblor 1");
-  // Above the edge of the picture behind, 12 of its 200 rows.
+  // Above the lower edge of the background picture, 12 of its 200 rows.
   EXPECT_EQ(shown.at(100 - 12 - 8), " ]god@");
   EXPECT_EQ(shown.at(100 - 12 - 16), " line 19");
   EXPECT_EQ(shown.at(0), " line 10");
   EXPECT_EQ(shown.size(), 12u);
 }
 
-TEST_F(ConsoleDrawing, TheCursorBlinksWhereItIs) {
+TEST_F(ConsoleDrawing, TheCursorBlinks) {
   open();
   type("god");
   press(Key::kLeftArrow);
@@ -101,7 +101,7 @@ TEST_F(ConsoleDrawing, TheCursorBlinksWhereItIs) {
   EXPECT_NEAR(cursors, 50, 10);
 }
 
-TEST_F(ConsoleDrawing, ScrollingShowsThatThereIsMore) {
+TEST_F(ConsoleDrawing, ScrollingShowsArrowsForNewerText) {
   print_numbers(50);
   open();
   press(Key::kWheelUp);
@@ -109,7 +109,7 @@ TEST_F(ConsoleDrawing, ScrollingShowsThatThereIsMore) {
   EXPECT_EQ(shown.at(100 - 28), " ^   ^   ^   ^   ^   ^   ^   ^   ^   ^");
   EXPECT_EQ(shown.at(100 - 36), " line 46");
   ui.print("new\n", view.time_s);
-  EXPECT_EQ(rows().at(100 - 36), " line 46") << "it stays where it is";
+  EXPECT_EQ(rows().at(100 - 36), " line 46") << "the view stays";
   press(Key::kHome);
   shown = rows();
   EXPECT_EQ(shown.begin()->second, " line 0");
@@ -118,7 +118,7 @@ TEST_F(ConsoleDrawing, ScrollingShowsThatThereIsMore) {
   EXPECT_EQ(rows().at(100 - 28), " new");
 }
 
-TEST_F(ConsoleDrawing, LongLinesMoveWithTheirCursor) {
+TEST_F(ConsoleDrawing, LongInputLinesScrollWithTheCursor) {
   open();
   type(std::string(50, 'a') + "xyz");
   view.time_s = 100.75;
@@ -128,7 +128,7 @@ TEST_F(ConsoleDrawing, LongLinesMoveWithTheirCursor) {
   EXPECT_EQ(lines().back(), " ]" + std::string(37, 'a'));
 }
 
-TEST_F(ConsoleDrawing, LastLinesAreShownOverTheGameForAWhile) {
+TEST_F(ConsoleDrawing, RecentLinesAppearOverTheGame) {
   view.time_s = 10;
   print_numbers(6);
   EXPECT_THAT(lines(), ElementsAre(" line 2", " line 3", " line 4", " line 5"));
@@ -151,7 +151,7 @@ TEST_F(ConsoleDrawing, NotifyLinesWrap) {
   EXPECT_THAT(lines(), ElementsAre(" one", " " + std::string(30, 'x'), " " + std::string(30, 'y')));
 }
 
-TEST_F(ConsoleDrawing, WhatWasReadInTheConsoleIsNotShownAgain) {
+TEST_F(ConsoleDrawing, LinesSeenInTheConsoleAreNotShownAgain) {
   view.time_s = 10;
   open();
   ui.print("read\n", view.time_s);
@@ -160,7 +160,7 @@ TEST_F(ConsoleDrawing, WhatWasReadInTheConsoleIsNotShownAgain) {
   EXPECT_THAT(lines(), IsEmpty());
 }
 
-TEST_F(ConsoleDrawing, ChatStandsBelowTheNotifyLines) {
+TEST_F(ConsoleDrawing, ChatIsBelowTheMessages) {
   view.time_s = 10.1;
   ui.print("hello\n", view.time_s);
   ui.begin_chat(false);
@@ -178,7 +178,7 @@ TEST_F(ConsoleDrawing, HighContrastIsWhiteOnBlack) {
       "bronze\n",
       view.time_s);
   ASSERT_THAT(lines(), ElementsAre(" bronze"));
-  EXPECT_EQ(list.commands[0].picture, nullptr) << "something behind it";
+  EXPECT_EQ(list.commands[0].picture, nullptr) << "the background";
   view.settings.opacity = 0.25f;
   open();
   for (const render::DrawCommand& command : draw().commands) {
@@ -194,13 +194,13 @@ TEST_F(ConsoleDrawing, HighContrastIsWhiteOnBlack) {
   }
 }
 
-TEST(ShowInput, KeepsTheCursorInSight) {
+TEST(LayoutInputLine, KeepsTheCursorVisible) {
   for (int columns = 1; columns < 12; ++columns)
     for (std::size_t length = 0; length < 30; ++length)
       for (std::size_t cursor = 0; cursor <= length; ++cursor) {
         std::string glyphs;
         for (std::size_t i = 0; i < length; ++i) glyphs += static_cast<char>('a' + i);
-        const ShownInput shown = show_input("]", glyphs, cursor, columns);
+        const InputLineView shown = layout_input_line("]", glyphs, cursor, columns);
         ASSERT_LE(shown.glyphs.size(), static_cast<std::size_t>(columns));
         ASSERT_GE(shown.cursor_column, 0);
         ASSERT_LT(shown.cursor_column, columns);
@@ -214,8 +214,8 @@ TEST(ShowInput, KeepsTheCursorInSight) {
       }
 }
 
-// Any size, any text; everything that is drawn is checked by the renderer.
-TEST_F(ConsoleDrawing, AnySizeIsBorne) {
+// Any size, any text; the renderer checks all draw commands.
+TEST_F(ConsoleDrawing, SurvivesAnySize) {
   const render::Renderer renderer({}, {});
   std::string hostile;
   for (int c = 1; c < 256; ++c) hostile += static_cast<char>(c);

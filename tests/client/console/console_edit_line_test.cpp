@@ -1,5 +1,5 @@
-// The line that is typed, against a list of characters and a number; and what characters are, against the
-// arithmetic of UTF-8.
+// The input line, compared with a list of characters and a cursor number; and UTF-8, compared with its
+// arithmetic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace temblor::client {
 namespace {
 
 struct Typed {
-  const char *bytes, *character;  // what comes in, and what it should be in the line
+  const char *bytes, *character;  // the input, and its form in the line
 };
 constexpr std::array<Typed, 12> kAlphabet = {{{"a", "a"},
                                               {"Z", "Z"},
@@ -34,7 +34,7 @@ constexpr std::array<Typed, 12> kAlphabet = {{{"a", "a"},
                                               {"\x01", ""},
                                               {"\xc2\x85", ""}}};
 
-// One string a character.
+// One string per character.
 class ReferenceLine {
  public:
   void insert(const std::vector<std::string>& characters) {
@@ -112,13 +112,13 @@ void apply(std::size_t action, EditLine& io_line) {
   using Member = void (EditLine::*)();
   constexpr std::array<Member, kActions> kMembers = {
       &EditLine::erase_left,       &EditLine::erase_right,    &EditLine::erase_word_left,
-      &EditLine::erase_word_right, &EditLine::erase_to_begin, &EditLine::erase_to_end,
+      &EditLine::erase_word_right, &EditLine::erase_to_start, &EditLine::erase_to_end,
       &EditLine::move_left,        &EditLine::move_right,     &EditLine::move_word_left,
-      &EditLine::move_word_right,  &EditLine::move_to_begin,  &EditLine::move_to_end};
+      &EditLine::move_word_right,  &EditLine::move_to_start,  &EditLine::move_to_end};
   (io_line.*kMembers[action])();
 }
 
-TEST(EditLine, DoesAsAListOfCharactersDoes) {
+TEST(EditLine, MatchesAListOfCharacters) {
   const int seeds = test::effort(400, 60);
   for (int seed = 0; seed < seeds; ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
@@ -147,8 +147,8 @@ TEST(EditLine, DoesAsAListOfCharactersDoes) {
   }
 }
 
-// However it comes: as many whole characters as there is room for.
-TEST(EditLine, HoldsOnlySoMuch) {
+// In any portions, as many whole characters are inserted as fit.
+TEST(EditLine, HasALimit) {
   for (const std::string character : {"x", "\xc3\xa9", "\xe6\xbc\xa2", "\xf0\x9f\x98\x80"}) {
     std::string megabyte;
     while (megabyte.size() < 1'000'000) megabyte += character;
@@ -165,7 +165,7 @@ TEST(EditLine, HoldsOnlySoMuch) {
   }
 }
 
-TEST(EditLine, ReplacesWhatStandsBeforeTheCursor) {
+TEST(EditLine, ReplacesTextBeforeTheCursor) {
   EditLine line;
   line.set("toggle cross; x");
   for (int i = 0; i < 3; ++i) line.move_left();
@@ -184,7 +184,7 @@ std::string encode(std::uint32_t code) {
           byte(0x80 | (code & 63))};
 }
 
-TEST(Utf8, EveryCharacterIsOne) {
+TEST(Utf8, EveryCharacterIsValid) {
   for (std::uint32_t code = 0; code < 0x110000; ++code) {
     if (code >= 0xd800 && code < 0xe000) continue;
     const std::string bytes = encode(code);
@@ -195,7 +195,7 @@ TEST(Utf8, EveryCharacterIsOne) {
   }
 }
 
-TEST(Utf8, NothingElseIs) {
+TEST(Utf8, NothingElseIsValid) {
   for (std::uint32_t code = 0xd800; code < 0xe000; ++code) EXPECT_EQ(character_length(encode(code), 0), 0u);
   for (std::uint32_t code = 0x110000; code < 0x200000; ++code)
     EXPECT_EQ(character_length(encode(code), 0), 0u);
@@ -204,7 +204,7 @@ TEST(Utf8, NothingElseIs) {
       const std::string bytes = {static_cast<char>(first), static_cast<char>(second), '\x80', '\x80'};
       const std::size_t length = character_length(bytes, 0);
       if (length == 0) continue;
-      // It is some character's only way to be written.
+      // These bytes are the only encoding of some character.
       bool found = first < 0x80;
       const std::uint32_t lead = static_cast<std::uint8_t>(first),
                           next = static_cast<std::uint8_t>(second) & 63u;
@@ -215,13 +215,13 @@ TEST(Utf8, NothingElseIs) {
     }
 }
 
-TEST(Utf8, GlyphsAreOneForACharacter) {
+TEST(Utf8, EachCharacterBecomesOneGlyph) {
   EXPECT_EQ(to_glyphs("a\xc3\xa9z\xe6\xbc\xa2!\xff\xc3"), "a?z?!??");
   EXPECT_EQ(to_bronze_glyphs("A\xc3\xa9"), "\xc1\xbf");
-  EXPECT_EQ(typed_text("a\tb\r\nc\x7f"), "a b c");
+  EXPECT_EQ(sanitize_typed_text("a\tb\r\nc\x7f"), "a b c");
 }
 
-TEST(InputHistory, GoesBackAndForthAndKeepsWhatWasTyped) {
+TEST(InputHistory, StepsBackAndForthAndKeepsTheTypedLine) {
   InputHistory history;
   EXPECT_EQ(history.older("x"), std::nullopt);
   EXPECT_EQ(history.newer(), std::nullopt);
@@ -240,7 +240,7 @@ TEST(InputHistory, GoesBackAndForthAndKeepsWhatWasTyped) {
   EXPECT_EQ(history.older(""), "four");
 }
 
-TEST(InputHistory, IsSearchedBackwards) {
+TEST(InputHistory, IsSearchedBackward) {
   InputHistory history;
   for (const char* line : {"map e1m1", "god", "MAP e1m2", "noclip"}) history.add(line);
   EXPECT_EQ(history.find_before(history.size(), "Map"), 2u);
@@ -249,7 +249,7 @@ TEST(InputHistory, IsSearchedBackwards) {
   EXPECT_EQ(history.find_before(99, "zebra"), std::nullopt);
 }
 
-TEST(InputHistory, IsBoundedAndReadAsItWasWritten) {
+TEST(InputHistory, IsLimitedAndSavesExactly) {
   InputHistory history;
   for (int i = 0; i < 2000; ++i) history.add("line " + std::to_string(i));
   EXPECT_EQ(history.size(), InputHistory::kMaxLines);
@@ -259,7 +259,7 @@ TEST(InputHistory, IsBoundedAndReadAsItWasWritten) {
   EXPECT_EQ(other.text(), history.text());
 }
 
-TEST(InputHistory, WhatIsNotAHistoryDoesNoHarm) {
+TEST(InputHistory, LoadsAnyTextSafely) {
   test::Random random(1);
   std::string garbage;
   for (int i = 0; i < 200'000; ++i) garbage += static_cast<char>(random.bits());
@@ -268,7 +268,7 @@ TEST(InputHistory, WhatIsNotAHistoryDoesNoHarm) {
   EXPECT_LE(history.size(), InputHistory::kMaxLines);
   EXPECT_EQ(history.line(history.size() - 1), "last");
   for (std::size_t i = 0; i < history.size(); ++i) {
-    EXPECT_EQ(typed_text(history.line(i)), history.line(i));
+    EXPECT_EQ(sanitize_typed_text(history.line(i)), history.line(i));
     EXPECT_LE(history.line(i).size(), EditLine::kMaxBytes);
   }
 }

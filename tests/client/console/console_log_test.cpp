@@ -1,4 +1,4 @@
-// What was printed, how it is wrapped, and what of it is seen: against a list of all rows.
+// Printed text, wrapping, and the visible rows, compared with a list of all rows.
 #include "client/console/console_log.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ std::vector<std::string> lines(const ConsoleLog& log) {
   return lines;
 }
 
-TEST(ConsoleLog, JoinsWhatBelongsToALine) {
+TEST(ConsoleLog, JoinsPartsOfALine) {
   ConsoleLog log;
   log.print("one\ntw", 1);
   log.print("o", 2);
@@ -38,7 +38,7 @@ TEST(ConsoleLog, JoinsWhatBelongsToALine) {
   EXPECT_EQ(log.line(2).time_s, 3);
 }
 
-TEST(ConsoleLog, ReturnsPutTheNextTextInTheLinesPlace) {
+TEST(ConsoleLog, CarriageReturnsReplaceTheLine) {
   ConsoleLog log;
   log.print("10 %\r", 1);
   EXPECT_THAT(lines(log), ElementsAre("10 %"));
@@ -48,7 +48,7 @@ TEST(ConsoleLog, ReturnsPutTheNextTextInTheLinesPlace) {
   EXPECT_THAT(lines(log), ElementsAre("30", "next"));
 }
 
-TEST(ConsoleLog, ColorsAreOfTheWholeText) {
+TEST(ConsoleLog, ColorsApplyToTheWholeText) {
   ConsoleLog log;
   log.print(
       "\x02"
@@ -78,7 +78,7 @@ TEST(ConsoleLog, PlainTextIsAscii) {
   for (const char c : log.text()) EXPECT_TRUE((c >= ' ' && c <= '~') || c == '\n') << int{c};
 }
 
-TEST(ConsoleLog, OldLinesGo) {
+TEST(ConsoleLog, OldLinesAreDropped) {
   ConsoleLog log;
   for (int i = 0; i < 100'000; ++i) log.print(fmt::format("line {}\n", i), i);
   EXPECT_EQ(log.end_line(), 100'000u);
@@ -88,7 +88,7 @@ TEST(ConsoleLog, OldLinesGo) {
   EXPECT_EQ(log.line(log.begin_line()).text, fmt::format("line {}", log.begin_line()));
 }
 
-TEST(ConsoleLog, BearsAnything) {
+TEST(ConsoleLog, SurvivesAnyText) {
   for (int seed = 0; seed < test::effort(20, 4); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
     ConsoleLog log;
@@ -111,7 +111,7 @@ TEST(ConsoleLog, BearsAnything) {
   }
 }
 
-TEST(ConsoleLog, AMegabyteInOneTextIsBounded) {
+TEST(ConsoleLog, AMegabyteInOneTextIsLimited) {
   for (const char c : {'x', '\n', '\r', ' '}) {
     ConsoleLog log;
     log.print(std::string(std::size_t{1} << 22, c), 1);
@@ -144,7 +144,7 @@ TEST(WrapText, BreaksAtSpaces) {
   EXPECT_THAT(wrapped("abc", 1), ElementsAre("a", "b", "c"));
 }
 
-// The definition: of all places at which the row could end, the last.
+// The definition: the last of all places at which the row could end.
 std::vector<std::string> slowly_wrapped(const std::string& line, std::size_t columns) {
   std::vector<std::string> rows;
   std::size_t begin = 0;
@@ -159,7 +159,7 @@ std::vector<std::string> slowly_wrapped(const std::string& line, std::size_t col
   return rows;
 }
 
-TEST(WrapText, EveryWidthIsAsDefined) {
+TEST(WrapText, MatchesTheDefinitionAtEveryWidth) {
   for (int seed = 0; seed < test::effort(2000, 200); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
     std::string line(random.below(60), ' ');
@@ -171,7 +171,7 @@ TEST(WrapText, EveryWidthIsAsDefined) {
   }
 }
 
-// All rows in a list, and which of them is lowest on the page.
+// A reference: all rows in a list, and the lowest row on the page.
 class ReferencePage {
  public:
   void set_log(const ConsoleLog& log, int columns) {
@@ -179,15 +179,15 @@ class ReferencePage {
     rows_.clear();
     for (const std::string& line : lines(log))
       for (std::string& row : slowly_wrapped(line, static_cast<std::size_t>(columns))) rows_.push_back(row);
-    if (was_at_end) to_end();
+    if (was_at_end) scroll_to_end();
   }
   void set_page(int rows) { page_ = static_cast<std::size_t>(rows); }
-  void up(std::size_t rows) {
+  void scroll_up(std::size_t rows) {
     lowest_ = std::max(lowest_ - std::min(rows, lowest_), std::min(page_, rows_.size()) - 1);
   }
-  void down(std::size_t rows) { lowest_ = std::min(lowest_ + rows, rows_.size() - 1); }
-  void to_begin() { up(rows_.size()); }
-  void to_end() { lowest_ = rows_.size() - 1; }
+  void scroll_down(std::size_t rows) { lowest_ = std::min(lowest_ + rows, rows_.size() - 1); }
+  void scroll_to_start() { scroll_up(rows_.size()); }
+  void scroll_to_end() { lowest_ = rows_.size() - 1; }
   bool is_at_end() const { return lowest_ + 1 == rows_.size(); }
   std::size_t page_step() const { return page_ > 3 ? page_ - 2 : 1; }
   std::vector<std::string> upwards(std::size_t count) const {
@@ -201,7 +201,7 @@ class ReferencePage {
   std::size_t lowest_ = 0, page_ = 1;
 };
 
-TEST(Scrollback, ShowsTheRowsOfTheList) {
+TEST(Scrollback, ShowsTheRowsOfTheReference) {
   for (int seed = 0; seed < test::effort(300, 40); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
     ConsoleLog log;
@@ -218,20 +218,20 @@ TEST(Scrollback, ShowsTheRowsOfTheList) {
           log.print(std::string(random.below(30), 'x') + " end\n", step);
         reference.set_log(log, columns);
       } else if (action == 1) {
-        scrollback.up(log, static_cast<int>(rows)), reference.up(rows);
+        scrollback.scroll_up(log, static_cast<int>(rows)), reference.scroll_up(rows);
       } else if (action == 2) {
-        scrollback.down(log, static_cast<int>(rows)), reference.down(rows);
+        scrollback.scroll_down(log, static_cast<int>(rows)), reference.scroll_down(rows);
       } else if (action == 3) {
-        scrollback.page_up(log), reference.up(reference.page_step());
+        scrollback.page_up(log), reference.scroll_up(reference.page_step());
       } else if (action == 4) {
-        scrollback.page_down(log), reference.down(reference.page_step());
+        scrollback.page_down(log), reference.scroll_down(reference.page_step());
       } else if (action == 5) {
-        scrollback.to_begin(log), reference.to_begin();
+        scrollback.scroll_to_start(log), reference.scroll_to_start();
       } else {
-        scrollback.to_end(), reference.to_end();
+        scrollback.scroll_to_end(), reference.scroll_to_end();
       }
       std::vector<std::string_view> shown;
-      scrollback.rows_upwards(log, 12, shown);
+      scrollback.collect_rows_upwards(log, 12, shown);
       ASSERT_EQ(std::vector<std::string>(shown.begin(), shown.end()), reference.upwards(12))
           << "seed " << seed << ", step " << step << ", action " << action;
       ASSERT_EQ(scrollback.is_at_end(), reference.is_at_end()) << "seed " << seed << ", step " << step;
@@ -239,26 +239,26 @@ TEST(Scrollback, ShowsTheRowsOfTheList) {
   }
 }
 
-TEST(Scrollback, OutlivesItsLines) {
+TEST(Scrollback, SurvivesTheLossOfItsLines) {
   ConsoleLog log;
   Scrollback scrollback;
   std::vector<std::string_view> shown;
   scrollback.set_page(10, 3);
-  scrollback.up(log, 5);
-  scrollback.rows_upwards(log, 9, shown);
+  scrollback.scroll_up(log, 5);
+  scrollback.collect_rows_upwards(log, 9, shown);
   EXPECT_THAT(shown, IsEmpty());
   for (int i = 0; i < 10; ++i) log.print(fmt::format("{}\n", i), 0);
-  scrollback.to_begin(log);
-  scrollback.rows_upwards(log, 9, shown);
+  scrollback.scroll_to_start(log);
+  scrollback.collect_rows_upwards(log, 9, shown);
   EXPECT_THAT(shown, ElementsAre("2", "1", "0"));
   for (std::size_t i = 0; i < 2 * ConsoleLog::kMaxLines; ++i) log.print("new\n", 0);
-  scrollback.rows_upwards(log, 9, shown);
+  scrollback.collect_rows_upwards(log, 9, shown);
   EXPECT_THAT(shown, ElementsAre("new", "new", "new"));
   scrollback.set_page(1, 2);
-  scrollback.rows_upwards(log, 9, shown);
+  scrollback.collect_rows_upwards(log, 9, shown);
   EXPECT_FALSE(shown.empty());
   log.clear();
-  scrollback.rows_upwards(log, 9, shown);
+  scrollback.collect_rows_upwards(log, 9, shown);
   EXPECT_THAT(shown, IsEmpty());
   EXPECT_TRUE(scrollback.is_at_end());
 }

@@ -1,4 +1,4 @@
-// A console with what it needs around it, and what it draws read back as text.
+// A console with everything that it needs, and its drawing read back as text.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace temblor::test {
 
-// Stand-ins only.
+// Placeholder pictures only.
 inline const assets::Pictures& no_pictures() {
   static const assets::Pictures pictures = [] {
     const TemporaryFolder folder;
@@ -30,7 +30,7 @@ struct ConsoleScreen {
     console.add_command("map", "map NAME starts a level.", [](command::Console::Arguments) {});
   }
 
-  // Pressed and let go. Whether it was taken.
+  // Presses and releases the key. Returns whether the press was used.
   bool press(platform::Key key) {
     const bool taken = ui.handle({0, platform::KeyChange{key, true, false}});
     EXPECT_FALSE(ui.handle({0, platform::KeyChange{key, false, false}}));
@@ -44,7 +44,7 @@ struct ConsoleScreen {
     return taken;
   }
   bool ctrl(char key) { return with(platform::Key::kCtrl, platform::Key{static_cast<std::uint16_t>(key)}); }
-  // As a keyboard does: the key, then its text.
+  // Types like a keyboard: the key, then its text.
   void type(const std::string& text) {
     for (const char c : text) {
       press(c);
@@ -56,13 +56,13 @@ struct ConsoleScreen {
     press(platform::Key::kEnter);
   }
 
-  // At the view's time.
+  // Draws at the view's time.
   const render::DrawList& draw(int width = 320, int height = 200) {
     list.clear();
     ui.draw(view, width, height, list);
     return list;
   }
-  // The same as rows of text from the top, without colors, by the frame's row of pixels; '@' is the cursor.
+  // The drawing as rows of text from the top, without colors, by pixel row of the frame; '@' is the cursor.
   std::map<int, std::string> rows(int width = 320, int height = 200) {
     std::map<int, std::string> rows;
     for (const render::DrawCommand& command : draw(width, height).commands) {
@@ -80,16 +80,16 @@ struct ConsoleScreen {
     for (const auto& [y, row] : rows(width, height)) lines.push_back(row);
     return lines;
   }
-  // Open and slid down all the way.
+  // Opens the console and waits until it is fully open.
   void open() {
     ui.open();
     draw();
     view.time_s += 10;
     draw();
   }
-  // What stands in the line that is typed, the cursor a '|'.
+  // The input line, with '|' for the cursor.
   std::string typed_line() {
-    view.time_s = 0.75;  // the cursor is not to be seen
+    view.time_s = 0.75;  // the cursor is not visible
     const std::map<int, std::string> shown = rows(8192, 200);
     return shown.empty() ? "" : std::prev(shown.end())->second;
   }

@@ -24,7 +24,7 @@ using ::testing::Not;
 
 class ConsoleUiTest : public ::testing::Test, protected test::ConsoleScreen {};
 
-TEST_F(ConsoleUiTest, ClosedItTakesNothing) {
+TEST_F(ConsoleUiTest, UsesNothingWhileClosed) {
   EXPECT_FALSE(press('a') || press(Key::kEnter) || press(Key::kTab) || press(Key::kEscape) ||
                press(Key::kMouse1));
   EXPECT_FALSE(ui.handle({0, platform::TextTyped{"a"}}));
@@ -47,7 +47,7 @@ TEST_F(ConsoleUiTest, LinesAreEnteredAndShown) {
 
 TEST_F(ConsoleUiTest, TheKeyThatOpensItTypesNothing) {
   EXPECT_FALSE(press('`'));
-  ui.toggle();  // the host, on that key
+  ui.toggle();  // the host does this on that key
   ui.handle({0, platform::TextTyped{"`"}});
   type("god");
   EXPECT_TRUE(press('`')) << "and closes it again";
@@ -55,7 +55,7 @@ TEST_F(ConsoleUiTest, TheKeyThatOpensItTypesNothing) {
   EXPECT_FALSE(ui.handle({0, platform::TextTyped{"`"}}));
   ui.toggle();
   press(Key::kEnter);
-  EXPECT_THAT(ui.take_commands(), ElementsAre("god")) << "what was typed stays";
+  EXPECT_THAT(ui.take_commands(), ElementsAre("god")) << "the typed text stays";
 }
 
 TEST_F(ConsoleUiTest, EscapeClosesItOnlyOverAGame) {
@@ -72,7 +72,7 @@ TEST_F(ConsoleUiTest, EscapeClosesItOnlyOverAGame) {
   EXPECT_THAT(ui.take_commands(), IsEmpty());
 }
 
-TEST_F(ConsoleUiTest, TakesWhatIsForItAndLeavesTheRest) {
+TEST_F(ConsoleUiTest, UsesItsEventsAndLeavesOthers) {
   open();
   for (const Key key : {Key{'w'}, Key::kSpace, Key::kShift, Key::kCtrl, Key::kUpArrow, Key::kPageUp,
                         Key::kWheelUp, Key::kMouse1, Key::kBackspace, Key::kKeypad5, Key::kHome})
@@ -101,7 +101,7 @@ TEST_F(ConsoleUiTest, KeysEditTheLine) {
   EXPECT_THAT(typed_line(), EndsWith("]"));
 }
 
-TEST_F(ConsoleUiTest, KeysStayHeldOnlyWithTheFocus) {
+TEST_F(ConsoleUiTest, HeldKeysAreForgottenWithoutFocus) {
   open();
   type("a bc");
   ui.handle({0, platform::KeyChange{Key::kCtrl, true, false}});
@@ -126,11 +126,11 @@ TEST_F(ConsoleUiTest, CopiesAndPastes) {
   EXPECT_THAT(ui.take_commands(), ElementsAre("x"));
 }
 
-TEST_F(ConsoleUiTest, AMegabyteOnTheClipboardIsBounded) {
+TEST_F(ConsoleUiTest, AMegabyteOnTheClipboardIsLimited) {
   open();
   clipboard = std::string(1'000'000, 'x');
   ctrl('v');
-  EXPECT_THAT(ui.text(), AllOf(HasSubstr("left out"), HasSubstr("1000000")));
+  EXPECT_THAT(ui.text(), AllOf(HasSubstr("dropped"), HasSubstr("1000000")));
   press(Key::kEnter);
   EXPECT_EQ(ui.take_commands().at(0), std::string(EditLine::kMaxBytes, 'x'));
 }
@@ -145,7 +145,7 @@ TEST_F(ConsoleUiTest, WithoutAClipboardNothingHappens) {
   EXPECT_TRUE(bare.handle({0, platform::KeyChange{Key::kTab, true, false}}));
 }
 
-TEST_F(ConsoleUiTest, ArrowsGoThroughTheHistory) {
+TEST_F(ConsoleUiTest, ArrowsStepThroughTheHistory) {
   open();
   enter("one");
   enter("two");
@@ -161,7 +161,7 @@ TEST_F(ConsoleUiTest, ArrowsGoThroughTheHistory) {
   EXPECT_EQ(ui.history_text(), "one\ntwo\n");
 }
 
-TEST_F(ConsoleUiTest, HistoryIsKeptBetweenRuns) {
+TEST_F(ConsoleUiTest, HistoryIsSavedBetweenRuns) {
   ui.load_history("map start\ngod\n");
   open();
   press(Key::kUpArrow);
@@ -174,13 +174,13 @@ TEST_F(ConsoleUiTest, CtrlRSearchesTheHistory) {
   type("draft");
   ctrl('r');
   type("map");
-  EXPECT_THAT(typed_line(), EndsWith("find \"map\": map e1m2"));
+  EXPECT_THAT(typed_line(), EndsWith("search \"map\": map e1m2"));
   ctrl('r');
-  EXPECT_THAT(typed_line(), EndsWith("find \"map\": map e1m1"));
+  EXPECT_THAT(typed_line(), EndsWith("search \"map\": map e1m1"));
   ctrl('r');
-  EXPECT_THAT(typed_line(), EndsWith("find \"map\": map e1m1")) << "there is no older one";
+  EXPECT_THAT(typed_line(), EndsWith("search \"map\": map e1m1")) << "there is no older match";
   press(Key::kBackspace);
-  EXPECT_THAT(typed_line(), EndsWith("find \"ma\": map e1m2"));
+  EXPECT_THAT(typed_line(), EndsWith("search \"ma\": map e1m2"));
   press(Key::kEscape);
   EXPECT_TRUE(ui.is_open());
   EXPECT_THAT(typed_line(), EndsWith("]draft"));
@@ -192,10 +192,10 @@ TEST_F(ConsoleUiTest, CtrlRSearchesTheHistory) {
   type("no");
   press(Key::kLeftArrow);
   type("X");
-  EXPECT_THAT(typed_line(), EndsWith("]nocliXp")) << "any other key goes on with what was found";
+  EXPECT_THAT(typed_line(), EndsWith("]nocliXp")) << "any other key continues with the match";
 }
 
-TEST_F(ConsoleUiTest, TabGoesOnAsFarAsAllAgree) {
+TEST_F(ConsoleUiTest, TabCompletesAsFarAsAllCandidatesAgree) {
   open();
   type("M");
   press(Key::kTab);
@@ -210,12 +210,13 @@ TEST_F(ConsoleUiTest, TabGoesOnAsFarAsAllAgree) {
   EXPECT_THAT(typed_line(), EndsWith("]m_speed"));
   ui.clear();
   press(Key::kTab);
-  EXPECT_THAT(ui.text(), AllOf(HasSubstr("m_speed is \"3\""), HasSubstr("0 to 20"))) << "what it takes";
+  EXPECT_THAT(ui.text(), AllOf(HasSubstr("m_speed is \"3\""), HasSubstr("0 to 20")))
+      << "the values it accepts";
   press(Key::kEnter);
   EXPECT_THAT(ui.take_commands(), ElementsAre("m_speed "));
 }
 
-TEST_F(ConsoleUiTest, TabCompletesBeforeTheCursorAndBehindASlash) {
+TEST_F(ConsoleUiTest, TabCompletesBeforeTheCursorAndAfterASlash) {
   open();
   type("/togg m_f");
   for (int i = 0; i < 4; ++i) press(Key::kLeftArrow);
@@ -228,7 +229,7 @@ TEST_F(ConsoleUiTest, TabCompletesBeforeTheCursorAndBehindASlash) {
   EXPECT_THAT(ui.take_commands(), ElementsAre("toggle m_filter "));
 }
 
-TEST_F(ConsoleUiTest, TabOnNothingListsAllAsFarAsItIsBearable) {
+TEST_F(ConsoleUiTest, TabOnAnEmptyLineListsTheFirstCandidates) {
   for (int i = 0; i < 500; ++i) variables.add_bool("z_" + std::to_string(i), false, "One of many.");
   open();
   press(Key::kTab);
@@ -241,9 +242,9 @@ TEST_F(ConsoleUiTest, TabOnNothingListsAllAsFarAsItIsBearable) {
   EXPECT_THAT(typed_line(), EndsWith("]zebra"));
 }
 
-TEST_F(ConsoleUiTest, ChatIsSaid) {
+TEST_F(ConsoleUiTest, ChatBecomesASayCommand) {
   ui.begin_chat(false);
-  ui.handle({0, platform::TextTyped{"t"}});  // of the key that began it
+  ui.handle({0, platform::TextTyped{"t"}});  // from the key that opened it
   type("he said \"no\"; quit");
   EXPECT_TRUE(press(Key::kEnter));
   EXPECT_FALSE(ui.takes_text());
@@ -267,8 +268,8 @@ TEST_F(ConsoleUiTest, ChatLeavesOtherKeysToTheGame) {
   EXPECT_FALSE(press(Key::kMouse1) || press(Key::kF5) || press(Key::kWheelUp) || press(Key::kUpArrow));
 }
 
-// Whatever comes in whatever order: it goes on working, and what comes out is a line.
-TEST_F(ConsoleUiTest, AnyKeysAreBorne) {
+// Any events in any order: the console keeps working and returns single lines.
+TEST_F(ConsoleUiTest, SurvivesAnyKeys) {
   for (int seed = 0; seed < test::effort(60, 10); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
     for (int step = 0; step < 300; ++step) {

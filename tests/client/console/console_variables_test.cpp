@@ -5,7 +5,7 @@
 namespace temblor::client {
 namespace {
 
-TEST(ConsoleVariables, SayWhatTheyAreSetTo) {
+TEST(ConsoleVariables, SetTheirFields) {
   command::Variables variables;
   const ConsoleVariables console(variables);
   const ConsoleSettings defaults = console.read(variables);

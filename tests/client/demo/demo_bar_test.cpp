@@ -14,7 +14,7 @@ struct DemoBar : ::testing::Test {
         presentation(library),
         session(client::DemoSession::open(make_recording({}).bytes, "made.dem", presentation).value()) {}
 
-  // Its texts, one after the other, and how much of the bar is filled.
+  // The texts in order, and how much of the bar is filled.
   std::string text(int width = 320, int height = 200) {
     list.clear();
     client::draw_demo_bar(session, no_pictures(), width, height, 0, list);
@@ -33,7 +33,7 @@ struct DemoBar : ::testing::Test {
   render::DrawList list;
 };
 
-TEST_F(DemoBar, ShowsWhereTheRecordingIs) {
+TEST_F(DemoBar, ShowsThePositionInTheDemo) {
   EXPECT_EQ(text(), "0:00/0:17");
   EXPECT_EQ(filled(), 0);
   ASSERT_TRUE(session.seek(session.begin_s() + 8.5, {}).value());
@@ -47,11 +47,11 @@ TEST_F(DemoBar, ShowsWhereTheRecordingIs) {
   EXPECT_EQ(filled(), length());
 }
 
-TEST_F(DemoBar, KnowsTheTimeOfAPlace) {
+TEST_F(DemoBar, FindsTheTimeOfAPixel) {
   for (const int width : {320, 1280, 1919}) {
     text(width, 720);
     const render::ScreenRect bar = list.commands[list.commands.size() - 2].area;
-    const auto time_at = [&](int x_px) { return client::demo_time_at(session, x_px, width, 720, 0); };
+    const auto time_at = [&](int x_px) { return client::find_demo_time(session, x_px, width, 720, 0); };
     EXPECT_EQ(time_at(-5), session.begin_s());
     EXPECT_EQ(time_at(width + 5), session.end_s());
     EXPECT_NEAR(time_at(bar.x + bar.width / 2), (session.begin_s() + session.end_s()) / 2, 0.1);

@@ -25,7 +25,9 @@ struct DemoControlsTest : ::testing::Test {
     return taken;
   }
   bool press(char key) { return press(Key{static_cast<std::uint16_t>(key)}); }
-  bool advance(double passed_s) { return controls.advance(passed_s, {}, {}, presentation, session).value(); }
+  bool advance(double elapsed_s) {
+    return controls.advance(elapsed_s, {}, {}, presentation, session).value();
+  }
   double second() const { return session.time_s() - session.begin_s(); }
 
   const MadeGame game;
@@ -35,7 +37,7 @@ struct DemoControlsTest : ::testing::Test {
   client::DemoControls controls;
 };
 
-TEST_F(DemoControlsTest, PausesAndGoesOn) {
+TEST_F(DemoControlsTest, PausesAndResumes) {
   EXPECT_TRUE(press(Key::kSpace));
   advance(1);
   EXPECT_NEAR(second(), 8, 1e-9);
@@ -60,7 +62,7 @@ TEST_F(DemoControlsTest, Seeks) {
   EXPECT_EQ(second(), 0);
   press(Key::kRightArrow);
   hold(Key::kShift, false);
-  EXPECT_TRUE(advance(0.1)) << "the end is to be seen";
+  EXPECT_TRUE(advance(0.1)) << "the end is visible";
   EXPECT_EQ(session.time_s(), session.end_s());
   press(Key::kHome);
   advance(0.1);
@@ -97,12 +99,12 @@ TEST_F(DemoControlsTest, ChangesSpeed) {
   }
 }
 
-TEST_F(DemoControlsTest, AsksForOtherRecordings) {
+TEST_F(DemoControlsTest, RequestsOtherDemos) {
   press(Key::kPageDown);
   press(Key::kPageDown);
   press(Key::kPageUp);
-  EXPECT_EQ(controls.take_recordings(), 1);
-  EXPECT_EQ(controls.take_recordings(), 0);
+  EXPECT_EQ(controls.take_demo_steps(), 1);
+  EXPECT_EQ(controls.take_demo_steps(), 0);
 }
 
 TEST_F(DemoControlsTest, FliesACamera) {
@@ -127,7 +129,7 @@ TEST_F(DemoControlsTest, FliesACamera) {
   EXPECT_EQ(presentation.scene().camera.origin_world, eyes);
 }
 
-TEST_F(DemoControlsTest, LeavesTheRestAndKnowsWhenItIsIdle) {
+TEST_F(DemoControlsTest, IgnoresOtherKeysAndKnowsWhenItIsIdle) {
   EXPECT_FALSE(press(Key::kEscape) || press(Key::kF12) || press(Key::kMouse1) || press('`'));
   advance(2);
   EXPECT_NEAR(controls.idle_s(), 2, 1e-9);

@@ -1,4 +1,4 @@
-// Recordings made by hand, played back.
+// Demos built message by message, played back.
 #include "client/demo/demo_player.h"
 
 #include <gmock/gmock.h>
@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-#include "client/demo/demo_by_hand.h"
+#include "client/demo/demo_builder.h"
 #include "client/session/messages.h"
 #include "support/mutations.h"
 
@@ -23,9 +23,9 @@ DemoPlayer play(base::ByteVector demo) {
   return DemoPlayer::open(std::move(demo), "test.dem").value();
 }
 
-// Signon, then a packet every 1/16 s from 1 s on; the player is at 8 units for each packet before.
-DemoByHand walk(int packets) {
-  DemoByHand demo;
+// Signon, then a packet every 1/16 s from 1 s on; the player moves by 8 units with each packet.
+DemoBuilder walk(int packets) {
+  DemoBuilder demo;
   demo.signon(server_info());
   for (int i = 0; i < packets; ++i)
     demo.packet(1 + static_cast<float>(i) / 16, {update_at(1, kPlayerModel, {8 * i, 0, 0})},
@@ -34,7 +34,7 @@ DemoByHand walk(int packets) {
 }
 
 float player_x(DemoPlayer& io_player) {
-  return io_player.state().entities_at(io_player.server_time_s(), {}).front().origin_world.x;
+  return io_player.state().interpolate_entities(io_player.server_time_s(), {}).front().origin_world.x;
 }
 float yaw_deg(const DemoPlayer& player, const ClientSettings& settings = {}) {
   return player.view_angles_at(player.server_time_s(), settings).y;
@@ -53,16 +53,16 @@ TEST(DemoPlayer, ReadsUntilTheTimeIsNotPastTheLastPacket) {
   EXPECT_EQ(player_x(player), 10);
   EXPECT_EQ(yaw_deg(player), 12.5f);
   EXPECT_EQ(yaw_deg(player, {.interpolate = false, .no_lerp_models = {}}), 20);
-  ASSERT_TRUE(player.advance_to(1.25).value()) << "several packets at once";
+  ASSERT_TRUE(player.advance_to(1.25).value()) << "several packets in one call";
   EXPECT_EQ(player_x(player), 32);
   EXPECT_FALSE(player.advance_to(1.3).value());
-  EXPECT_EQ(player.server_time_s(), 1.25) << "what came last stays";
+  EXPECT_EQ(player.server_time_s(), 1.25) << "the last state stays";
   EXPECT_EQ(player_x(player), 32);
   EXPECT_FALSE(player.advance_to(1.4).value());
-  EXPECT_FALSE(player.cut_short());
+  EXPECT_FALSE(player.is_truncated());
 }
 
-TEST(DemoPlayer, OrOneRecordAtATime) {
+TEST(DemoPlayer, ReadsOneRecordAtATime) {
   DemoPlayer player = play(walk(3).bytes());
   for (const double time_s : {1.0, 1.0625, 1.125}) {
     ASSERT_TRUE(player.read_packet().value());
@@ -73,7 +73,7 @@ TEST(DemoPlayer, OrOneRecordAtATime) {
   EXPECT_FALSE(player.read_packet().value());
 }
 
-TEST(DemoPlayer, MovedIsTheSamePlayer) {
+TEST(DemoPlayer, WorksAfterAMove) {
   DemoPlayer first = play(walk(3).bytes());
   ASSERT_TRUE(first.read_packet().value());
   DemoPlayer second = std::move(first);
@@ -81,8 +81,8 @@ TEST(DemoPlayer, MovedIsTheSamePlayer) {
   EXPECT_EQ(player_x(second), 8);
 }
 
-TEST(DemoPlayer, TurnsTheShortWay) {
-  DemoByHand demo;
+TEST(DemoPlayer, TurnsTheShorterWay) {
+  DemoBuilder demo;
   demo.signon(server_info());
   demo.packet(1, {update_at(1, kPlayerModel, {})}, {0, 350, 0});
   demo.packet(1.0625f, {update_at(1, kPlayerModel, {})}, {0, 10, 0});
@@ -92,8 +92,8 @@ TEST(DemoPlayer, TurnsTheShortWay) {
 }
 
 TEST(DemoPlayer, TurnsAtOnceWhereTheServerTurnsOrMovesThePlayer) {
-  DemoByHand demo = walk(2);
-  // The record holds where the player looked when it came.
+  DemoBuilder demo = walk(2);
+  // The record has the angles from when the packet arrived.
   demo.packet(1.125f, {net::SetAngle{{0, 90, 0}}, update_at(1, kPlayerModel, {16, 0, 0})}, {0, 20, 0});
   demo.packet(1.1875f, {update_at(1, kPlayerModel, {24, 0, 0})}, {0, 110, 0});
   demo.packet(1.25f, {update_at(1, kPlayerModel, {1000, 0, 0})}, {0, 270, 0});
@@ -108,7 +108,7 @@ TEST(DemoPlayer, TurnsAtOnceWhereTheServerTurnsOrMovesThePlayer) {
 }
 
 TEST(DemoPlayer, RecordsWithoutATimeDoNotStopIt) {
-  DemoByHand demo = walk(2);
+  DemoBuilder demo = walk(2);
   demo.record({net::Print{"one\n"}}, {0, 77, 0});
   demo.record({net::Print{"two\n"}}, {0, 77, 0});
   demo.packet(1.125f, {update_at(1, kPlayerModel, {16, 0, 0})}, {0, 20, 0});
@@ -116,11 +116,11 @@ TEST(DemoPlayer, RecordsWithoutATimeDoNotStopIt) {
   ASSERT_TRUE(player.advance_to(1.09375).value());
   EXPECT_THAT(player.state().events().prints, ElementsAre("one\n", "two\n"));
   EXPECT_EQ(player_x(player), 12);
-  EXPECT_EQ(yaw_deg(player), 15) << "from packet to packet";
+  EXPECT_EQ(yaw_deg(player), 15) << "interpolated from packet to packet";
 }
 
-TEST(DemoPlayer, TheClockGoesOnThroughChangesOfLevel) {
-  DemoByHand demo = walk(3);
+TEST(DemoPlayer, TheClockContinuesThroughLevelChanges) {
+  DemoBuilder demo = walk(3);
   net::ServerInfo second = server_info();
   const std::array<std::string_view, 1> models = {"maps/e1m1.bsp"};
   second.models = models;
@@ -145,9 +145,9 @@ TEST(DemoPlayer, TheClockGoesOnThroughChangesOfLevel) {
   EXPECT_EQ(player.server_time_s(), 101.03125);
 }
 
-// Lag, a pause and a clock that was set back: as long as the packets are, 0.1 s each at most.
+// Lag, a pause and a clock set back: each packet takes 0.1 s at most.
 TEST(DemoPlayer, TheClockDoesNotWaitOutGaps) {
-  DemoByHand demo = walk(1);
+  DemoBuilder demo = walk(1);
   for (const float time_s : {3.0f, 3.0f, 16777216.0f, 2.0f, 2.0625f})
     demo.packet(time_s, {update_at(1, kPlayerModel, {})});
   const auto length = DemoPlayer::scan(demo.bytes(), "test.dem").value();
@@ -159,30 +159,30 @@ TEST(DemoPlayer, TheClockDoesNotWaitOutGaps) {
   EXPECT_NEAR(player.packet_time_s(), 1.1, 1e-9);
 }
 
-TEST(DemoPlayer, ADisconnectIsTheEnd) {
-  DemoByHand demo = walk(2);
+TEST(DemoPlayer, ADisconnectEndsTheDemo) {
+  DemoBuilder demo = walk(2);
   demo.record({net::Disconnect{}});
   demo.packet(1.125f, {update_at(1, kPlayerModel, {})});
   const auto length = DemoPlayer::scan(demo.bytes(), "test.dem").value();
   EXPECT_EQ(length.packets, 2u);
 }
 
-TEST(DemoPlayer, WhatIsCutShortPlaysAsFarAsItIsWhole) {
+TEST(DemoPlayer, ATruncatedFilePlaysItsWholeRecords) {
   base::ByteVector bytes = walk(4).bytes();
   bytes.pop_back();
   const auto length = DemoPlayer::scan(bytes, "test.dem").value();
   EXPECT_EQ(length.packets, 3u);
-  EXPECT_TRUE(length.cut_short);
+  EXPECT_TRUE(length.is_truncated);
   DemoPlayer player = play(bytes);
   EXPECT_TRUE(player.advance_to(1.125).value());
   EXPECT_FALSE(player.advance_to(1.13).value());
-  EXPECT_TRUE(player.cut_short());
+  EXPECT_TRUE(player.is_truncated());
   EXPECT_EQ(player_x(player), 16);
 }
 
-// A text, then the name of a player in slot 99.
-TEST(DemoPlayer, DamageIsToldOnceAndWhatCameBeforeItHolds) {
-  DemoByHand demo = walk(2);
+// A text, then the name of a player in slot 99, which does not exist.
+TEST(DemoPlayer, DamageIsReportedOnceAndEarlierMessagesCount) {
+  DemoBuilder demo = walk(2);
   constexpr std::size_t kLengthAndAngles = 16, kText = 4;
   const std::string offset = std::to_string(demo.bytes().size() + kLengthAndAngles + kText);
   demo.record({net::Print{"a\n"}, net::UpdateName{99, "Ranger"}});
@@ -203,9 +203,9 @@ TEST(DemoPlayer, DamageIsToldOnceAndWhatCameBeforeItHolds) {
   EXPECT_EQ(length.damage->message(), damaged.error().message());
 }
 
-// The packet that is damaged half-way does not take away the entities that it had no time to name.
-TEST(DemoPlayer, DamageInAPacketLeavesTheEntitiesOfTheOneBefore) {
-  DemoByHand demo;
+// A damaged packet does not remove the entities that it had not named yet.
+TEST(DemoPlayer, DamageInAPacketKeepsTheEntitiesOfTheLastOne) {
+  DemoBuilder demo;
   demo.signon(server_info());
   const auto first = update_at(1, kPlayerModel, {}), second = update_at(2, kOgreModel, {});
   demo.packet(1, {first, second});
@@ -213,7 +213,7 @@ TEST(DemoPlayer, DamageInAPacketLeavesTheEntitiesOfTheOneBefore) {
   DemoPlayer player = play(demo.bytes());
   ASSERT_TRUE(player.read_packet().value());
   ASSERT_FALSE(player.read_packet().ok());
-  EXPECT_EQ(player.state().entities_at(player.server_time_s(), {}).size(), 2u);
+  EXPECT_EQ(player.state().interpolate_entities(player.server_time_s(), {}).size(), 2u);
 }
 
 TEST(DemoPlayer, NothingToShowIsAnError) {
@@ -223,13 +223,13 @@ TEST(DemoPlayer, NothingToShowIsAnError) {
   EXPECT_FALSE(DemoPlayer::scan(to_bytes("PACK"), "x.dem").ok());
   const auto empty = DemoPlayer::scan(walk(0).bytes(), "x.dem");
   ASSERT_FALSE(empty.ok());
-  EXPECT_THAT(empty.error().message(), HasSubstr("x.dem: the recording ends before the game in it begins"));
+  EXPECT_THAT(empty.error().message(), HasSubstr("x.dem: the demo ends before its game begins"));
   DemoPlayer player = play(walk(0).bytes());
   EXPECT_FALSE(player.advance_to(0).value());
-  EXPECT_TRUE(player.state().entities_at(0, {}).empty());
+  EXPECT_TRUE(player.state().interpolate_entities(0, {}).empty());
 }
 
-// Whatever is cut off: all packets that are whole are played, and nothing else happens.
+// At any truncation all complete packets are played, and nothing else happens.
 TEST(DemoPlayer, EveryTruncationPlaysToItsEnd) {
   const base::ByteVector whole = walk(3).bytes();
   std::size_t most = 0;

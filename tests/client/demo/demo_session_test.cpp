@@ -1,4 +1,4 @@
-// Recordings that are sought in, against the same recordings played from the beginning.
+// Compares seeking in demos with playing the same demos from the start.
 #include "client/demo/demo_session.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "client/demo/demo_by_hand.h"
+#include "client/demo/demo_builder.h"
 #include "client/view/free_camera.h"
 #include "support/effort.h"
 #include "support/game_data.h"
@@ -26,14 +26,14 @@ namespace temblor::test {
 namespace {
 
 using client::DemoSession;
+using client::InterpolatedEntity;
 using client::Presentation;
 using client::PresentationSettings;
-using client::SeenEntity;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// A recording with what it is played in.
+// A demo and the presentation that plays it.
 struct Played {
   Played(const std::filesystem::path& folder, base::ByteVector bytes)
       : library(vfs::FileSystem::open(folder).value()),
@@ -53,7 +53,7 @@ base::ByteVector made_bytes() {
   return make_recording({}).bytes;
 }
 
-// The same recording three times in a row, without the disconnect that ends it.
+// The same demo three times in a row, without its final disconnect.
 base::ByteVector made_three_times() {
   const base::ByteVector once = made_bytes();
   formats::DemWriter thrice;
@@ -65,15 +65,15 @@ base::ByteVector made_three_times() {
   return std::move(thrice).take();
 }
 
-auto values_of(const SeenEntity& entity) {
+auto comparable_values(const InterpolatedEntity& entity) {
   return std::tuple(entity.number, entity.model, entity.origin_world, entity.angles_deg, entity.from_frame,
                     entity.to_frame, entity.blend, entity.skin, entity.colormap, entity.effects, entity.alpha,
                     entity.scale);
 }
-auto values_of(const render::DynamicLight& light) {
+auto comparable_values(const render::DynamicLight& light) {
   return std::tuple(light.origin_world.x, light.origin_world.y, light.origin_world.z, light.radius);
 }
-auto values_of(const render::AliasInstance& model) {
+auto comparable_values(const render::AliasInstance& model) {
   return std::tuple(model.origin_world, model.angles_deg, model.blend, model.skin, model.alpha);
 }
 
@@ -103,14 +103,14 @@ void expect_same_game(const client::Game& a, const client::Game& b) {
 
 template <typename Item>
 auto all_values(std::span<const Item> items) {
-  std::vector<decltype(values_of(items[0]))> values;
-  for (const Item& item : items) values.push_back(values_of(item));
+  std::vector<decltype(comparable_values(items[0]))> values;
+  for (const Item& item : items) values.push_back(comparable_values(item));
   return values;
 }
 
-// Where each particle is and its color, in order.
+// Places and colors of all particles, sorted.
 using PlacedParticles = std::vector<std::tuple<float, float, float, int>>;
-PlacedParticles particles_of(const render::Scene& scene) {
+PlacedParticles list_particles(const render::Scene& scene) {
   PlacedParticles particles;
   for (std::size_t i = 0; i < scene.particles.x.size(); ++i)
     particles.emplace_back(scene.particles.x[i], scene.particles.y[i], scene.particles.z[i],
@@ -119,7 +119,7 @@ PlacedParticles particles_of(const render::Scene& scene) {
   return particles;
 }
 
-// How many of them have none like themselves among the others.
+// How many have no equal among the others.
 std::size_t without_a_twin(const PlacedParticles& particles, const PlacedParticles& others) {
   constexpr float kNear = 0.01f;
   std::size_t alone = 0;
@@ -140,7 +140,7 @@ void expect_same_scene(const render::Scene& a, const render::Scene& b) {
   EXPECT_EQ(a.time_s, b.time_s);
   EXPECT_EQ(a.camera.origin_world, b.camera.origin_world);
   EXPECT_EQ(a.camera.angles_deg, b.camera.angles_deg);
-  // Fading adds up steps of time.
+  // Fading adds up time steps.
   EXPECT_LT(glm::distance(a.tint.color, b.tint.color), 0.01f);
   EXPECT_NEAR(a.tint.opacity, b.tint.opacity, 1e-4);
   EXPECT_EQ(a.underwater, b.underwater);
@@ -153,12 +153,12 @@ void expect_same_scene(const render::Scene& a, const render::Scene& b) {
   EXPECT_EQ(a.brush_models.size(), b.brush_models.size());
   EXPECT_EQ(a.sprites.size(), b.sprites.size());
   EXPECT_EQ(a.view_weapon == nullptr, b.view_weapon == nullptr);
-  // By how often they were looked at, trails may differ in their last particle, and places by what rounds.
-  EXPECT_LE(without_a_twin(particles_of(a), particles_of(b)), 2u);
-  EXPECT_LE(without_a_twin(particles_of(b), particles_of(a)), 2u);
+  // Other frames may change a trail's last particle, and places by rounding.
+  EXPECT_LE(without_a_twin(list_particles(a), list_particles(b)), 2u);
+  EXPECT_LE(without_a_twin(list_particles(b), list_particles(a)), 2u);
 }
 
-// At random times, in random order: as played.
+// At random times, in random order, a seek shows what playing shows.
 void expect_seeks_as_played(const std::filesystem::path& folder, const base::ByteVector& bytes, int times,
                             std::uint64_t seed) {
   Random random(seed);
@@ -174,24 +174,24 @@ void expect_seeks_as_played(const std::filesystem::path& folder, const base::Byt
     ASSERT_TRUE(sought.session.seek(random.uniform(begin_s, end_s), settings).value());
     ASSERT_TRUE(sought.session.seek(time_s, settings).value());
     EXPECT_NEAR(sought.session.time_s(), played.session.time_s(), 1e-9);
-    // Not to the last bit: playing adds up times.
+    // Not exact to the last bit, as playing adds up times.
     EXPECT_NEAR(sought.session.server_time_s(), played.session.server_time_s(), 1e-9);
     ASSERT_TRUE(sought.session.seek(played.session.time_s(), settings).value());
     EXPECT_EQ(sought.session.server_time_s(), played.session.server_time_s());
     expect_same_game(sought.session.state().game(), played.session.state().game());
     expect_same_scene(sought.presentation.scene(), played.presentation.scene());
     const double server_s = played.session.server_time_s();
-    EXPECT_EQ(all_values(sought.session.state().entities_at(server_s, {})),
-              all_values(played.session.state().entities_at(server_s, {})));
+    EXPECT_EQ(all_values(sought.session.state().interpolate_entities(server_s, {})),
+              all_values(played.session.state().interpolate_entities(server_s, {})));
     if (testing::Test::HasFailure()) FAIL() << "at " << time_s << ", seed " << seed;
   }
 }
 
-TEST(DemoSession, SeekingIsAsPlayingThroughEveryEffect) {
+TEST(DemoSession, SeekingEqualsPlayingWithAllEffects) {
   expect_seeks_as_played(made_game().path(), made_bytes(), effort(60, 10), 1);
 }
 
-// With marks, which stay: all of the level is lived through, and every particle is where it was.
+// Marks stay, so the whole level is replayed, and every particle is where it was.
 TEST(DemoSession, SeekingWithMarksIsExact) {
   Played played(made_game().path(), made_bytes()), sought(made_game().path(), made_bytes());
   PresentationSettings settings;
@@ -202,13 +202,14 @@ TEST(DemoSession, SeekingWithMarksIsExact) {
     ASSERT_TRUE(played.session.advance(1, settings).value());
     ASSERT_TRUE(sought.session.seek(random.uniform(0, 20), settings).ok());
     ASSERT_TRUE(sought.session.seek(played.session.time_s(), settings).value());
-    EXPECT_EQ(particles_of(sought.presentation.scene()), particles_of(played.presentation.scene())) << second;
+    EXPECT_EQ(list_particles(sought.presentation.scene()), list_particles(played.presentation.scene()))
+        << second;
     EXPECT_EQ(sought.presentation.scene().marks->size(), played.presentation.scene().marks->size()) << second;
   }
   EXPECT_GT(played.presentation.scene().marks->size(), 0u);
 }
 
-// Bit for bit, where no trail is drawn.
+// Exact where no trail is drawn.
 TEST(DemoSession, BurstsAreTheSameAfterSeeking) {
   Played played(made_game().path(), made_bytes()), sought(made_game().path(), made_bytes());
   const PresentationSettings settings;
@@ -217,7 +218,8 @@ TEST(DemoSession, BurstsAreTheSameAfterSeeking) {
   for (int step = 0; step < 12; ++step) {
     ASSERT_TRUE(played.session.advance(step == 0 ? 5.3 : 0.7, settings).value());
     ASSERT_TRUE(sought.session.seek(played.session.time_s(), settings).value());
-    EXPECT_EQ(particles_of(sought.presentation.scene()), particles_of(played.presentation.scene())) << step;
+    EXPECT_EQ(list_particles(sought.presentation.scene()), list_particles(played.presentation.scene()))
+        << step;
     most = std::max(most, played.presentation.scene().particles.x.size());
   }
   EXPECT_GT(most, 100u);
@@ -225,7 +227,7 @@ TEST(DemoSession, BurstsAreTheSameAfterSeeking) {
 
 class StockSeeks : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(StockSeeks, AreAsPlaying) {
+TEST_P(StockSeeks, EqualPlaying) {
   DATA_FOLDER_OR_SKIP(folder);
   expect_seeks_as_played(folder, read_file(folder / "id1" / GetParam()), effort(24, 3), 3);
 }
@@ -243,7 +245,7 @@ TEST(DemoSession, PlaysAtItsSpeed) {
   const PresentationSettings settings;
   EXPECT_EQ(session.time_s(), session.begin_s());
   ASSERT_TRUE(session.advance(9, settings).value());
-  EXPECT_EQ(session.time_s(), session.begin_s()) << "the first one only begins";
+  EXPECT_EQ(session.time_s(), session.begin_s()) << "the first call only begins";
   ASSERT_TRUE(session.advance(0.5, settings).value());
   EXPECT_DOUBLE_EQ(session.time_s(), session.begin_s() + 0.5);
   session.set_speed(0.1);
@@ -262,7 +264,7 @@ TEST(DemoSession, PlaysAtItsSpeed) {
   }
 }
 
-TEST(DemoSession, EndsAndComesBack) {
+TEST(DemoSession, EndsAndCanBeRewound) {
   Played played(made_game().path(), made_bytes());
   DemoSession& session = played.session;
   const PresentationSettings settings;
@@ -278,7 +280,7 @@ TEST(DemoSession, EndsAndComesBack) {
   EXPECT_EQ(session.time_s(), session.end_s());
   ASSERT_TRUE(session.seek(std::numeric_limits<double>::quiet_NaN(), settings).value());
   EXPECT_EQ(session.time_s(), session.begin_s());
-  ASSERT_TRUE(session.seek(session.end_s(), settings).value()) << "its last moment is not past it";
+  ASSERT_TRUE(session.seek(session.end_s(), settings).value()) << "the last moment is not past the end";
 }
 
 TEST(DemoSession, StepsFromPacketToPacket) {
@@ -296,14 +298,14 @@ TEST(DemoSession, StepsFromPacketToPacket) {
   EXPECT_FALSE(session.step(1'000'000, settings).value());
   ASSERT_TRUE(session.step(0, settings).value()) << "the last packet";
   EXPECT_EQ(session.time_s(), session.end_s());
-  ASSERT_TRUE(session.step(0, settings).value()) << "and it stays there";
+  ASSERT_TRUE(session.step(0, settings).value()) << "and there it stays";
   EXPECT_EQ(session.time_s(), session.end_s());
   ASSERT_TRUE(session.step(-1, settings).value());
   ASSERT_TRUE(session.step(1, settings).value()) << "the last packet";
   EXPECT_FALSE(session.step(1, settings).value());
 }
 
-// As for measuring: every moment of the recording once, and then it is over. Some packets come at one time.
+// As benchmarks do: each time of the demo once, then the end. Some packets have equal times.
 TEST(DemoSession, StepsToItsEnd) {
   Played played(made_game().path(), made_three_times());
   const PresentationSettings settings;
@@ -317,8 +319,8 @@ TEST(DemoSession, StepsToItsEnd) {
   EXPECT_LE(steps, played.session.length().packets);
 }
 
-// Playing tells of every event once; seeking of none, but of the level.
-TEST(DemoSession, ListenersHearWhatIsPlayed) {
+// Playing reports every event once; seeking reports only the level.
+TEST(DemoSession, ListenersGetPlayedEventsOnly) {
   Played played(made_game().path(), made_bytes());
   DemoSession& session = played.session;
   const PresentationSettings settings;
@@ -343,8 +345,8 @@ TEST(DemoSession, ListenersHearWhatIsPlayed) {
   EXPECT_EQ(temp_entities, 2 * all);
 }
 
-// The made game has no sounds; that they were asked for is told by the entities and places they start at.
-TEST(DemoSession, SoundsOfWhatIsSkippedAreNotHeard) {
+// The test's game has no sounds; their entities and places show that they were requested.
+TEST(DemoSession, SkippedSoundsAreNotPlayed) {
   Played played(made_game().path(), made_bytes());
   DemoSession& session = played.session;
   PresentationSettings settings;
@@ -356,7 +358,7 @@ TEST(DemoSession, SoundsOfWhatIsSkippedAreNotHeard) {
   EXPECT_FALSE(events.started.empty()) << "the shot";
   events.clear();
   ASSERT_TRUE(session.seek(session.begin_s() + 5.5, settings).value());
-  EXPECT_TRUE(events.begins_anew);
+  EXPECT_TRUE(events.stops_all);
   EXPECT_TRUE(events.started.empty()) << "the explosion on the way";
 }
 
@@ -369,12 +371,12 @@ TEST(DemoSession, SeeksAcrossLevels) {
 
 base::ByteVector damaged_bytes() {
   base::ByteVector bytes = made_bytes();
-  // In the middle, the length of no record.
+  // In the middle of the file: an impossible record length.
   std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2), bytes.end(), std::byte{0xfe});
   return bytes;
 }
 
-TEST(DemoSession, DamageIsToldOnceAndSeekingGoesOn) {
+TEST(DemoSession, DamageIsReportedOnceAndSeekingContinues) {
   for (const bool by_seeking : {false, true}) {
     Played played(made_game().path(), damaged_bytes());
     DemoSession& session = played.session;
@@ -382,7 +384,8 @@ TEST(DemoSession, DamageIsToldOnceAndSeekingGoesOn) {
     ASSERT_TRUE(session.length().damage);
     EXPECT_LT(session.end_s(), session.begin_s() + made_recording::kLength_s);
     ASSERT_TRUE(session.advance(0, settings).value());
-    ASSERT_TRUE(session.seek(session.end_s(), settings).value()) << "what is whole is there";
+    ASSERT_TRUE(session.seek(session.end_s(), settings).value())
+        << "everything before the damage can be shown";
     const auto end = by_seeking ? session.seek(1e6, settings) : session.advance(1e6, settings);
     ASSERT_FALSE(end.ok());
     EXPECT_EQ(end.error().message(), session.length().damage->message());
@@ -395,8 +398,8 @@ TEST(DemoSession, DamageIsToldOnceAndSeekingGoesOn) {
   }
 }
 
-// Any bytes changed: opened or not, every seek ends somewhere.
-TEST(DemoSession, ChangedBytesAreBorne) {
+// With any bytes changed: if the demo opens, every seek ends.
+TEST(DemoSession, SurvivesChangedBytes) {
   const base::ByteVector whole = made_bytes();
   const assets::Library library(vfs::FileSystem::open(made_game().path()).value());
   const PresentationSettings settings;
@@ -411,7 +414,7 @@ TEST(DemoSession, ChangedBytesAreBorne) {
     for (int i = 0; i < 6; ++i) {
       const double time_s = random.uniform(session->begin_s() - 1, session->end_s() + 1);
       const auto sought = session->seek(time_s, settings);
-      if (!sought.ok() && !session->length().damage) break;  // its level is none of ours
+      if (!sought.ok() && !session->length().damage) break;  // its level is not in the test's game
       (void)session->advance(random.uniform(0, 1), settings);
     }
   }
@@ -421,10 +424,10 @@ TEST(DemoSession, NothingToShowIsAnError) {
   const assets::Library library(vfs::FileSystem::open(made_game().path()).value());
   Presentation presentation(library);
   EXPECT_FALSE(DemoSession::open(to_bytes("PACK"), "x.dem", presentation).ok());
-  EXPECT_FALSE(DemoSession::open(DemoByHand().bytes(), "x.dem", presentation).ok());
+  EXPECT_FALSE(DemoSession::open(DemoBuilder().bytes(), "x.dem", presentation).ok());
 }
 
-TEST(DemoSession, ACameraOfOnesOwnSeesThePlayer) {
+TEST(DemoSession, AFreeCameraSeesThePlayer) {
   Played played(made_game().path(), made_bytes());
   PresentationSettings settings;
   ASSERT_TRUE(played.session.seek(played.session.begin_s() + 2.5, settings).value());
@@ -445,7 +448,7 @@ TEST(DemoSession, ACameraOfOnesOwnSeesThePlayer) {
   EXPECT_NE(played.presentation.scene().view_weapon, nullptr);
 }
 
-// The index is made in one reading; a seek lives through seconds, not minutes.
+// The index is made in one pass; a seek replays seconds, not minutes.
 TEST(DemoSession, SeeksAreQuick) {
   DATA_FOLDER_OR_SKIP(folder);
   using Clock = std::chrono::steady_clock;
@@ -468,7 +471,7 @@ TEST(DemoSession, SeeksAreQuick) {
     worst_s = std::max(worst_s, seconds_since(before));
   }
   RecordProperty("worst_seek_ms", std::to_string(1000 * worst_s));
-  EXPECT_LT(worst_s, kQuick ? 60 : 3) << "far more than it takes";
+  EXPECT_LT(worst_s, kQuick ? 60 : 3) << "far more than needed";
 }
 
 }  // namespace

@@ -11,14 +11,14 @@
 namespace temblor::client {
 namespace {
 
-// Where a model points: pitch positive upwards.
+// The direction in which a model points; positive pitch is upward.
 math::Vec3 forward(const math::Vec3& angles_deg) {
   const float to_radians = std::numbers::pi_v<float> / 180;
   const float pitch = angles_deg.x * to_radians, yaw = angles_deg.y * to_radians;
   return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
 }
 
-TEST(Beams, ArePiecesEvery30UnitsAlongTheirWay) {
+TEST(Beams, HaveAPieceEvery30Units) {
   test::Random random(1);
   for (int i = 0; i < 200; ++i) {
     const math::Vec3 start = random.in_cube(1000), end = random.in_cube(1000);
@@ -38,7 +38,7 @@ TEST(Beams, ArePiecesEvery30UnitsAlongTheirWay) {
   }
 }
 
-TEST(Beams, StraightUpAndDown) {
+TEST(Beams, PointStraightUpAndDown) {
   Beams beams;
   beams.add({1, BeamModel::kBolt, {0, 0, 0}, {0, 0, 60}, 0});
   beams.add({2, BeamModel::kBolt, {0, 0, 0}, {0, 0, -60}, 0});
@@ -49,7 +49,7 @@ TEST(Beams, StraightUpAndDown) {
   EXPECT_EQ(beams.pieces()[0].angles_deg.y, 0);
 }
 
-TEST(Beams, LiveAFifthOfASecondAndOneForAnEntity) {
+TEST(Beams, LiveAFifthOfASecondAndAreOnePerEntity) {
   Beams beams;
   beams.add({1, BeamModel::kBolt, {0, 0, 0}, {25, 0, 0}, 0});
   beams.add({2, BeamModel::kBolt, {0, 0, 0}, {55, 0, 0}, 0});
@@ -62,16 +62,16 @@ TEST(Beams, LiveAFifthOfASecondAndOneForAnEntity) {
   EXPECT_TRUE(beams.pieces().empty());
 }
 
-TEST(Beams, TheHeldOneStartsWhereItsEntityIs) {
+TEST(Beams, TheViewersBeamStartsAtItsEntity) {
   Beams beams;
   beams.add({1, BeamModel::kBolt, {0, 0, 0}, {25, 0, 0}, 0});
   beams.add({2, BeamModel::kBolt, {0, 0, 0}, {25, 0, 0}, 0});
-  beams.advance(0, Beams::Held{2, {10, 10, 10}});
+  beams.advance(0, Beams::Anchor{2, {10, 10, 10}});
   EXPECT_EQ(beams.pieces()[0].origin_world, math::Vec3(0, 0, 0));
   EXPECT_EQ(beams.pieces()[1].origin_world, math::Vec3(10, 10, 10));
 }
 
-TEST(Beams, PiecesKeepTheirTurnForATwentiethOfASecond) {
+TEST(Beams, PiecesKeepTheirRollForATwentiethOfASecond) {
   const auto rolls_at = [](double time_s) {
     Beams beams;
     beams.add({1, BeamModel::kBolt, {0, 0, 0}, {900, 0, 0}, 1.0});
@@ -88,15 +88,15 @@ TEST(Beams, PiecesKeepTheirTurnForATwentiethOfASecond) {
   EXPECT_LE(same, 2);
 }
 
-TEST(Beams, ManyAndLongOnes) {
+TEST(Beams, NumberAndLengthAreLimited) {
   Beams beams;
-  for (std::uint32_t i = 0; i < Beams::kMost + 10; ++i)
+  for (std::uint32_t i = 0; i < Beams::kMaxBeams + 10; ++i)
     beams.add({i + 1, BeamModel::kBolt, {0, 0, 0}, {10, 0, static_cast<float>(i)}, 0.001 * i});
   beams.advance(0.1, std::nullopt);
-  EXPECT_GE(beams.pieces().size(), Beams::kMost);
+  EXPECT_GE(beams.pieces().size(), Beams::kMaxBeams);
   for (const BeamPiece& piece : beams.pieces()) EXPECT_GT(piece.angles_deg.x, 40);  // the first ten are gone
   beams.clear();
-  // As far as coordinates of messages go.
+  // The largest coordinates of messages.
   beams.add({1, BeamModel::kBolt, {0, 0, 0}, {0x1p27f, 0, 0}, 0});
   beams.advance(0, std::nullopt);
   EXPECT_EQ(beams.pieces().size(), static_cast<std::size_t>(Beams::kMaxPieces));

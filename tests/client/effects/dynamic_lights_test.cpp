@@ -7,7 +7,7 @@
 namespace temblor::client {
 namespace {
 
-LightBirth explosion(double born_s) {
+TimedLight explosion(double born_s) {
   return {
       .origin_world = {1, 2, 3}, .radius = 350, .shrinks_per_second = 300, .born_s = born_s, .life_s = 0.5};
 }
@@ -25,7 +25,7 @@ TEST(DynamicLights, ShrinkByTime) {
   EXPECT_TRUE(lights.lights().empty());
 }
 
-TEST(DynamicLights, GoOutWhenNothingIsLeft) {
+TEST(DynamicLights, EndWhenTheirRadiusIsZero) {
   DynamicLights lights;
   lights.add({.radius = 30, .shrinks_per_second = 100, .born_s = 0, .life_s = 5});
   lights.advance(0.29);
@@ -46,12 +46,12 @@ TEST(DynamicLights, AnEntityHasOne) {
   EXPECT_EQ(lights.lights()[1].radius, 110);
 }
 
-TEST(DynamicLights, TheOneThatEndsFirstGivesWay) {
+TEST(DynamicLights, TheOneThatEndsFirstIsReplaced) {
   DynamicLights lights;
-  for (std::size_t i = 0; i < DynamicLights::kMost; ++i)
+  for (std::size_t i = 0; i < DynamicLights::kMaxLights; ++i)
     lights.add({.radius = static_cast<float>(i + 1), .life_s = i == 40 ? 0.5 : 1.0});
   lights.add({.radius = 1000, .life_s = 2});
-  ASSERT_EQ(lights.lights().size(), DynamicLights::kMost);
+  ASSERT_EQ(lights.lights().size(), DynamicLights::kMaxLights);
   EXPECT_EQ(lights.lights()[40].radius, 1000);
   EXPECT_EQ(lights.lights()[41].radius, 42);
 }
@@ -70,7 +70,7 @@ TEST(DynamicLights, FlickerTenTimesASecond) {
   int same = 0;
   for (int tenth = 0; tenth < 320; ++tenth)
     same += light_flicker(3, tenth * 0.1 + 0.05) == light_flicker(4, tenth * 0.1 + 0.05);
-  EXPECT_LT(same, 30);  // 10 by chance
+  EXPECT_LT(same, 30);  // 10 would be random
 }
 
 }  // namespace

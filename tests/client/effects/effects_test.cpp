@@ -42,13 +42,13 @@ Events event(const net::Particles& what) {
 }
 
 void advance(Effects& io_effects, double time_s, const Events& events = {},
-             std::span<const SeenEntity> entities = {}, const EffectsSettings& settings = {}) {
+             std::span<const InterpolatedEntity> entities = {}, const EffectsSettings& settings = {}) {
   io_effects.advance(events, {level(), time_s, entities, kFlags, kPlayer}, settings);
 }
 
-SeenEntity entity(std::uint32_t number, std::uint16_t model, const math::Vec3& origin,
-                  std::uint8_t effects = 0) {
-  SeenEntity seen;
+InterpolatedEntity entity(std::uint32_t number, std::uint16_t model, const math::Vec3& origin,
+                          std::uint8_t effects = 0) {
+  InterpolatedEntity seen;
   seen.number = number;
   seen.model = model;
   seen.origin_world = seen.previous_origin_world = origin;
@@ -56,7 +56,7 @@ SeenEntity entity(std::uint32_t number, std::uint16_t model, const math::Vec3& o
   return seen;
 }
 
-std::vector<std::tuple<float, float, float, int>> particles_of(const Effects& effects) {
+std::vector<std::tuple<float, float, float, int>> list_particles(const Effects& effects) {
   const render::ParticleCloud cloud = effects.particles();
   std::vector<std::tuple<float, float, float, int>> result;
   for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -64,7 +64,7 @@ std::vector<std::tuple<float, float, float, int>> particles_of(const Effects& ef
   return result;
 }
 
-TEST(Effects, TempEntitiesMakeTheirParticlesAndLights) {
+TEST(Effects, TempEntitiesStartParticlesAndLights) {
   struct Case {
     TempEntityKind kind;
     std::size_t particles, lights, pieces;
@@ -100,7 +100,7 @@ TEST(Effects, ColorsOfSpikes) {
   EXPECT_EQ(row(TempEntityKind::kKnightSpike), 224);
 }
 
-TEST(Effects, BurstsOfTheServer) {
+TEST(Effects, ServerParticleMessagesStartBursts) {
   Effects effects;
   advance(effects, 1, event(net::Particles{{0, 0, 0}, {0, 0, 1}, 35, 73}));
   EXPECT_EQ(effects.particles().size(), 35u);
@@ -111,7 +111,7 @@ TEST(Effects, BurstsOfTheServer) {
 
 TEST(Effects, BeamsOfThePlayerStartAtThePlayer) {
   Effects effects;
-  const std::vector<SeenEntity> entities = {entity(kPlayer, kPlain, {50, 0, 0})};
+  const std::vector<InterpolatedEntity> entities = {entity(kPlayer, kPlain, {50, 0, 0})};
   advance(effects, 1, event(TempEntity{TempEntityKind::kLightning2, {0, 0, 0}, {100, 0, 0}, kPlayer, 0, 0}),
           entities);
   ASSERT_EQ(effects.beams().size(), 2u);
@@ -119,13 +119,13 @@ TEST(Effects, BeamsOfThePlayerStartAtThePlayer) {
   EXPECT_EQ(effects.beams()[0].origin_world, math::Vec3(50, 0, 0));
 }
 
-// Everything that can go on at once, for a second: a rocket flies, lava splashes, blobs burst.
+// Everything at once, for a second: a rocket flies, lava splashes, blobs burst.
 struct BusySecond {
   explicit BusySecond(int frames_per_second, std::uint32_t seed = 1) : effects(seed) {
     math::Vec3 previous(0.0f);
     for (int frame = 0; frame <= frames_per_second; ++frame) {
       const double time_s = static_cast<double>(frame) / frames_per_second;
-      SeenEntity rocket = entity(9, kRocketModel, {1000 * static_cast<float>(time_s), 0, 64});
+      InterpolatedEntity rocket = entity(9, kRocketModel, {1000 * static_cast<float>(time_s), 0, 64});
       rocket.previous_origin_world = previous;
       if (frame == 0) rocket.previous_origin_world = rocket.origin_world;
       previous = rocket.origin_world;
@@ -140,13 +140,13 @@ struct BusySecond {
   Effects effects;
 };
 
-// Bursts are bit for bit the same; trails may differ by what coordinates round, 1/1000 unit here, and by
-// one particle at their end.
+// Bursts are the same bit for bit; trails may differ by rounding, 1/1000 unit here, and by one particle
+// at their end.
 TEST(Effects, AreTheSameAtAnyFrameRate) {
   const BusySecond slow(10), usual(72), fast(1000);
-  const auto expected = particles_of(usual.effects);
+  const auto expected = list_particles(usual.effects);
   for (const Effects* effects : {&slow.effects, &fast.effects}) {
-    const auto found = particles_of(*effects);
+    const auto found = list_particles(*effects);
     ASSERT_NEAR(static_cast<double>(found.size()), static_cast<double>(expected.size()), 2);
     // Oldest first: the bursts' 2048, then the trail.
     ASSERT_GT(found.size(), 2048u + 200);
@@ -163,43 +163,43 @@ TEST(Effects, AreTheSameAtAnyFrameRate) {
 }
 
 TEST(Effects, TheSameSeedMakesTheSameEffects) {
-  EXPECT_EQ(particles_of(BusySecond(72, 5).effects), particles_of(BusySecond(72, 5).effects));
-  EXPECT_NE(particles_of(BusySecond(72, 5).effects), particles_of(BusySecond(72, 6).effects));
+  EXPECT_EQ(list_particles(BusySecond(72, 5).effects), list_particles(BusySecond(72, 5).effects));
+  EXPECT_NE(list_particles(BusySecond(72, 5).effects), list_particles(BusySecond(72, 6).effects));
 }
 
-TEST(Effects, EntitiesShine) {
+TEST(Effects, EntitiesGlow) {
   Effects effects;
-  const auto lights_of = [&](SeenEntity seen, double time_s) {
+  const auto make_lights = [&](InterpolatedEntity seen, double time_s) {
     advance(effects, time_s, {}, std::vector{seen});
     return std::vector<render::DynamicLight>(effects.lights().begin(), effects.lights().end());
   };
   const double time_s = 3.14;
   const float flicker = light_flicker(4, time_s);
 
-  const auto bright = lights_of(entity(4, kPlain, {1, 2, 3}, kEffectBrightLight), time_s);
+  const auto bright = make_lights(entity(4, kPlain, {1, 2, 3}, kEffectBrightLight), time_s);
   ASSERT_EQ(bright.size(), 1u);
   EXPECT_EQ(bright[0].origin_world, math::Vec3(1, 2, 19));
   EXPECT_EQ(bright[0].radius, 400 + flicker);
 
-  const auto dim = lights_of(entity(4, kPlain, {1, 2, 3}, kEffectDimLight), time_s + 0.01);
+  const auto dim = make_lights(entity(4, kPlain, {1, 2, 3}, kEffectDimLight), time_s + 0.01);
   ASSERT_EQ(dim.size(), 1u);
   EXPECT_EQ(dim[0].origin_world, math::Vec3(1, 2, 3));
   EXPECT_EQ(dim[0].radius, 200 + flicker);
 
-  const auto rocket = lights_of(entity(4, kRocketModel, {1, 2, 3}), time_s + 0.02);
+  const auto rocket = make_lights(entity(4, kRocketModel, {1, 2, 3}), time_s + 0.02);
   ASSERT_EQ(rocket.size(), 1u);
   EXPECT_EQ(rocket[0].radius, 200);
 
-  EXPECT_TRUE(lights_of(entity(4, kGibModel, {1, 2, 3}), time_s + 0.03).empty());
+  EXPECT_TRUE(make_lights(entity(4, kGibModel, {1, 2, 3}), time_s + 0.03).empty());
 }
 
-// He is shown where he has walked to by now; the server's word is a way there and back old.
-TEST(Effects, WhatIsThePlayersOwnGoesWithHimWhereHeIsShown) {
-  const math::Vec3 told(0, 0, 0), shown(0, 60, 8);
+// The player is drawn at the predicted place; the server's place is a round trip old.
+TEST(Effects, ThePlayersEffectsFollowThePrediction) {
+  const math::Vec3 sent(0, 0, 0), shown(0, 60, 8);
   Effects effects;
-  const std::vector<SeenEntity> seen = {entity(kPlayer, kPlain, told, kEffectDimLight),
-                                        entity(2, kPlain, {200, 0, 0}, kEffectDimLight)};
-  TempEntity bolt{TempEntityKind::kLightning2, told, {120, 60, 8}};
+  const std::vector<InterpolatedEntity> seen = {entity(kPlayer, kPlain, sent, kEffectDimLight),
+                                                entity(2, kPlain, {200, 0, 0}, kEffectDimLight)};
+  TempEntity bolt{TempEntityKind::kLightning2, sent, {120, 60, 8}};
   bolt.entity = kPlayer;
   effects.advance(event(bolt), {level(), 1, seen, kFlags, kPlayer, shown}, {});
   ASSERT_EQ(effects.lights().size(), 2u);
@@ -211,46 +211,46 @@ TEST(Effects, WhatIsThePlayersOwnGoesWithHimWhereHeIsShown) {
 
 TEST(Effects, MuzzlesFlashForATenthOfASecond) {
   Effects effects;
-  SeenEntity seen = entity(4, kPlain, {100, 0, 0});
+  InterpolatedEntity seen = entity(4, kPlain, {100, 0, 0});
   seen.angles_deg = {0, 90, 0};
-  seen.muzzle_flash_now = true;
+  seen.has_muzzle_flash = true;
   advance(effects, 5, {}, std::vector{seen});
   ASSERT_EQ(effects.lights().size(), 1u);
   const render::DynamicLight light = effects.lights()[0];
   EXPECT_LT(glm::distance(light.origin_world, math::Vec3(100, 18, 16)), 0.001f);
   EXPECT_EQ(light.radius, 200 + light_flicker(4, 5));
   EXPECT_EQ(light.least, 32);
-  seen.muzzle_flash_now = false;
+  seen.has_muzzle_flash = false;
   advance(effects, 5.099, {}, std::vector{seen});
   EXPECT_EQ(effects.lights().size(), 1u);
   advance(effects, 5.101, {}, std::vector{seen});
   EXPECT_TRUE(effects.lights().empty());
 }
 
-TEST(Effects, BrightFieldsAreDrawnOnceAMoment) {
+TEST(Effects, BrightFieldsAreDrawnOncePerTime) {
   Effects effects;
-  const std::vector<SeenEntity> seen = {entity(4, kPlain, {0, 0, 0}, kEffectBrightField)};
+  const std::vector<InterpolatedEntity> seen = {entity(4, kPlain, {0, 0, 0}, kEffectBrightField)};
   for (const double time_s : {1.0, 1.0, 1.001, 1.5, 1.5}) {
     advance(effects, time_s, {}, seen);
     EXPECT_EQ(effects.particles().size(), 162u) << time_s;
   }
 }
 
-TEST(Effects, FullOfParticles) {
+TEST(Effects, ParticlesAreLimited) {
   Effects effects;
   EffectsSettings settings;
   settings.max_particles = 1500;
   for (int i = 0; i < 3; ++i)
     advance(effects, 1, event(TempEntity{.kind = TempEntityKind::kTarExplosion}), {}, settings);
   EXPECT_EQ(effects.particles().size(), 1500u);
-  EXPECT_EQ(effects.particles_left_out(), 3u * 1024 - 1500);
-  // What has died makes room in the very frame that needs it.
+  EXPECT_EQ(effects.dropped_particles(), 3u * 1024 - 1500);
+  // Dead particles make room within the same frame.
   advance(effects, 3, event(TempEntity{.kind = TempEntityKind::kTarExplosion}), {}, settings);
   EXPECT_EQ(effects.particles().size(), 1024u);
-  EXPECT_EQ(effects.particles_left_out(), 3u * 1024 - 1500);
+  EXPECT_EQ(effects.dropped_particles(), 3u * 1024 - 1500);
 }
 
-TEST(Effects, RewoundTimeAndANewLevelEndAll) {
+TEST(Effects, RewindingAndNewLevelsEndAllEffects) {
   for (const bool rewind : {false, true}) {
     Effects effects;
     Events events = event(TempEntity{.kind = TempEntityKind::kExplosion});
@@ -263,8 +263,8 @@ TEST(Effects, RewoundTimeAndANewLevelEndAll) {
   }
 }
 
-TEST(Effects, MarksAreLeftWhenAskedFor) {
-  // A floor of the world; the first of them.
+TEST(Effects, MarksAppearOnlyIfEnabled) {
+  // The first floor of the world.
   const world::Face* floor = nullptr;
   for (const world::Face& face : level().faces)
     if (floor == nullptr && face.kind == world::FaceKind::kLit && !face.back_side &&
@@ -290,17 +290,17 @@ TEST(Effects, MarksAreLeftWhenAskedFor) {
     settings.marks = true;
     advance(with, 1, events, {}, settings);
     EXPECT_EQ(with.marks().size() > 0, least > 0);
-    EXPECT_EQ(particles_of(with), particles_of(without));
+    EXPECT_EQ(list_particles(with), list_particles(without));
     advance(with, 2, {}, {}, {});
     EXPECT_EQ(with.marks().size(), 0u);
   }
 }
 
-TEST(Effects, AskTheHeapForNothingOnceWarm) {
+TEST(Effects, AllocateNothingInTheSteadyState) {
   Effects effects;
   Events events = event(TempEntity{.kind = TempEntityKind::kExplosion});
   events.temp_entities.push_back({TempEntityKind::kBeam, {0, 0, 0}, {600, 0, 0}, 1, 0, 0});
-  std::vector<SeenEntity> seen = {entity(4, kRocketModel, {0, 0, 0}, kEffectBrightField)};
+  std::vector<InterpolatedEntity> seen = {entity(4, kRocketModel, {0, 0, 0}, kEffectBrightField)};
   seen[0].origin_world = {50, 0, 0};
   const auto run = [&](double from_s) {
     for (int i = 0; i < 100; ++i) advance(effects, from_s + 0.01 * i, events, seen);
@@ -312,11 +312,11 @@ TEST(Effects, AskTheHeapForNothingOnceWarm) {
 }
 
 TEST(Effects, ModelsTurnAHundredDegreesASecond) {
-  EXPECT_FLOAT_EQ(rotated_yaw_deg(0), 0);
-  EXPECT_FLOAT_EQ(rotated_yaw_deg(1.5), 150);
-  EXPECT_FLOAT_EQ(rotated_yaw_deg(3.6), 0);
-  EXPECT_NEAR(rotated_yaw_deg(36000.25), 25, 0.001);
-  EXPECT_FLOAT_EQ(rotated_yaw_deg(-0.1), 350);
+  EXPECT_FLOAT_EQ(compute_rotated_yaw_deg(0), 0);
+  EXPECT_FLOAT_EQ(compute_rotated_yaw_deg(1.5), 150);
+  EXPECT_FLOAT_EQ(compute_rotated_yaw_deg(3.6), 0);
+  EXPECT_NEAR(compute_rotated_yaw_deg(36000.25), 25, 0.001);
+  EXPECT_FLOAT_EQ(compute_rotated_yaw_deg(-0.1), 350);
 }
 
 }  // namespace

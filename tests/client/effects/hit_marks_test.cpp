@@ -1,4 +1,4 @@
-// Marks in the level made in code, whose walls are known from its plan, and in a stock level.
+// Marks in a level built in code, whose walls are known, and in a stock level.
 #include "client/effects/hit_marks.h"
 
 #include <gtest/gtest.h>
@@ -27,18 +27,18 @@ std::vector<MarkedFace> marked_faces(const world::Level& level, const MarkSet& s
   std::vector<MarkedFace> result;
   for (std::size_t i = 0; i < level.faces.size(); ++i) {
     const auto face = base::to_index<world::FaceIndex>(i);
-    const auto marks = set.of_face(face);
+    const auto marks = set.marks_on_face(face);
     if (!marks.empty()) result.push_back({face, {marks.begin(), marks.end()}});
   }
   return result;
 }
 
 double in_front(const world::Level& level, world::FaceIndex face, const math::Vec3& point) {
-  const world::FacePlane plane = world::plane_of(level, level.face(face));
+  const world::FacePlane plane = world::compute_face_plane(level, level.face(face));
   return glm::dot(plane.normal, math::Vec3d(point)) - plane.distance;
 }
 
-// The middle of a large lit face that takes marks, and the way off it.
+// The center of a large lit face, and its normal.
 struct Wall {
   world::FaceIndex face{};
   math::Vec3 middle{0.0f}, normal{0.0f};
@@ -53,23 +53,23 @@ std::vector<Wall> walls(const world::Level& level) {
       sum += level.vertices[level.surfedge_start(face.first_surfedge + corner)];
     result.push_back({base::to_index<world::FaceIndex>(level.world().first_face + i),
                       sum / static_cast<float>(face.surfedge_count),
-                      math::Vec3(world::plane_of(level, face).normal)});
+                      math::Vec3(world::compute_face_plane(level, face).normal)});
   }
   return result;
 }
 
-TEST(HitMarks, AShotBeforeAWallMarksItWhereItIsNearest) {
+TEST(HitMarks, AShotMarksTheNearestPointOfAWall) {
   const auto level = test::small_level().level;
   HitMarks hit_marks;
   int marked = 0;
   for (const Wall& wall : walls(*level)) {
-    // Half of the way that messages round by, and 4 units, as shots have it.
+    // Half the rounding of coordinates in messages, and 4 units, as for shots.
     for (const float before : {-0.06f, 0.1f, 4.0f}) {
       if (world::point_contents(*level, wall.middle + wall.normal * std::max(before, 0.1f)) !=
           world::Contents::kEmpty)
         continue;
       MarkSet set;
-      hit_marks.leave(*level, {MarkKind::kBulletHole, wall.middle + wall.normal * before, 6, 2.5f, 77}, set);
+      hit_marks.add(*level, {MarkKind::kBulletHole, wall.middle + wall.normal * before, 6, 2.5f, 77}, set);
       bool on_wall = false;
       for (const MarkedFace& face : marked_faces(*level, set))
         for (const Mark& mark : face.marks) {
@@ -80,7 +80,7 @@ TEST(HitMarks, AShotBeforeAWallMarksItWhereItIsNearest) {
               on_wall || (face.face == wall.face && glm::distance(mark.position_model, wall.middle) < 0.1f &&
                           mark.radius == 2.5f);
         }
-      // A corner of a narrow face may be nearer than its middle is to another face.
+      // A corner of a narrow face may be nearer than another face's center.
       EXPECT_TRUE(on_wall || set.size() > 0);
       marked += on_wall;
     }
@@ -88,19 +88,19 @@ TEST(HitMarks, AShotBeforeAWallMarksItWhereItIsNearest) {
   EXPECT_GT(marked, 50);
 }
 
-TEST(HitMarks, ABallCutsAPlaneInADisc) {
+TEST(HitMarks, ABallCutsAPlaneInACircle) {
   const auto level = test::small_level().level;
   HitMarks hit_marks;
   int deep = 0;
   for (const Wall& wall : walls(*level)) {
     MarkSet set;
     const math::Vec3 center = wall.middle + wall.normal;
-    hit_marks.leave(*level, {MarkKind::kScorch, center, 2, 32, 1}, set);
+    hit_marks.add(*level, {MarkKind::kScorch, center, 2, 32, 1}, set);
     for (const MarkedFace& face : marked_faces(*level, set)) {
       ASSERT_EQ(face.marks.size(), 1u);
       const Mark& mark = face.marks[0];
       EXPECT_EQ(mark.kind, MarkKind::kScorch);
-      // The ball's middle lies on the wall that was hit: foot, disc and middle make a right angle.
+      // The ball's center is on the wall that was hit: foot, circle and center form a right angle.
       double least = 1e9;
       for (const Wall& hit : walls(*level))
         if (std::abs(in_front(*level, hit.face, center)) <= 1.01)
@@ -113,19 +113,20 @@ TEST(HitMarks, ABallCutsAPlaneInADisc) {
   EXPECT_GT(deep, 10);
 }
 
-// A scorch across the border of two faces of one wall is one scorch.
+// A scorch across the border of two faces of a wall looks like one.
 TEST(HitMarks, FacesInOnePlaneShareAMark) {
   const auto level = test::small_level().level;
   HitMarks hit_marks;
   int shared = 0;
   for (const Wall& wall : walls(*level)) {
     MarkSet set;
-    hit_marks.leave(*level, {MarkKind::kScorch, wall.middle + wall.normal, 2, 64, 5}, set);
-    const auto own = set.of_face(wall.face);
+    hit_marks.add(*level, {MarkKind::kScorch, wall.middle + wall.normal, 2, 64, 5}, set);
+    const auto own = set.marks_on_face(wall.face);
     if (own.empty()) continue;
     for (const MarkedFace& other : marked_faces(*level, set)) {
       if (std::abs(in_front(*level, other.face, wall.middle)) > 0.001 ||
-          glm::dot(math::Vec3(world::plane_of(*level, level->face(other.face)).normal), wall.normal) < 0.999f)
+          glm::dot(math::Vec3(world::compute_face_plane(*level, level->face(other.face)).normal),
+                   wall.normal) < 0.999f)
         continue;
       EXPECT_LT(glm::distance(other.marks[0].position_model, own[0].position_model), 0.01f);
       EXPECT_NEAR(other.marks[0].radius, own[0].radius, 0.01f);
@@ -140,12 +141,12 @@ TEST(HitMarks, NothingWithinReachMarksNothing) {
   HitMarks hit_marks;
   for (const Wall& wall : walls(*level)) {
     MarkSet set;
-    hit_marks.leave(*level, {MarkKind::kBulletHole, wall.middle - wall.normal * 0.5f, 0.4f, 2.5f, 1}, set);
-    EXPECT_EQ(set.of_face(wall.face).size(), 0u);
+    hit_marks.add(*level, {MarkKind::kBulletHole, wall.middle - wall.normal * 0.5f, 0.4f, 2.5f, 1}, set);
+    EXPECT_EQ(set.marks_on_face(wall.face).size(), 0u);
   }
 }
 
-TEST(HitMarks, SkyAndLiquidsTakeNone) {
+TEST(HitMarks, SkyAndLiquidsTakeNoMarks) {
   const auto level = test::small_level().level;
   HitMarks hit_marks;
   test::Random random(1);
@@ -153,14 +154,14 @@ TEST(HitMarks, SkyAndLiquidsTakeNone) {
   for (std::size_t i = 0; i < level->faces.size(); ++i) {
     const world::Face& face = level->faces[i];
     if (face.kind != world::FaceKind::kSky && face.kind != world::FaceKind::kLiquid) continue;
-    const math::Vec3 normal(world::plane_of(*level, face).normal);
+    const math::Vec3 normal(world::compute_face_plane(*level, face).normal);
     math::Vec3 sum(0.0f);
     for (std::uint32_t corner = 0; corner < face.surfedge_count; ++corner)
       sum += level->vertices[level->surfedge_start(face.first_surfedge + corner)];
     MarkSet set;
-    hit_marks.leave(
+    hit_marks.add(
         *level, {MarkKind::kScorch, sum / static_cast<float>(face.surfedge_count) + normal, 4, 100, 1}, set);
-    EXPECT_TRUE(set.of_face(base::to_index<world::FaceIndex>(i)).empty());
+    EXPECT_TRUE(set.marks_on_face(base::to_index<world::FaceIndex>(i)).empty());
     (face.kind == world::FaceKind::kSky ? sky : liquid) += 1;
   }
   EXPECT_GT(sky, 0);

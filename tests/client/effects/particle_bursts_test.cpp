@@ -1,4 +1,4 @@
-// Bursts against the numbers that the original's have: how many, where, how fast, which colors, how long.
+// Compares bursts with the original's numbers: count, place, speed, colors, lifetime.
 #include "client/effects/particle_bursts.h"
 
 #include <gmock/gmock.h>
@@ -47,7 +47,7 @@ std::set<int> from_to(int first, int last) {
   return all;
 }
 
-// All within the box, and reaching each of its sides to `margin`.
+// All are within the box, and reach each of its sides to within `margin`.
 void expect_fills(const std::vector<math::Vec3>& places, const math::Bounds& box, float margin) {
   math::Vec3 mins = places.at(0), maxs = mins;
   for (const math::Vec3& place : places) {
@@ -62,7 +62,7 @@ void expect_fills(const std::vector<math::Vec3>& places, const math::Bounds& box
   }
 }
 
-// Velocities, from the places at two times so close that they do not change between them.
+// Velocities from the places at two close times.
 std::vector<math::Vec3> velocities(Burst burst) {
   constexpr float kMoment_s = 1.0f / 1024;
   const std::vector<math::Vec3> before = burst.places();
@@ -74,14 +74,14 @@ std::vector<math::Vec3> velocities(Burst burst) {
 }
 
 TEST(ParticleBursts, Explosion) {
-  Burst burst([](const BurstContext& context) { burst_explosion(context, kOrigin); });
+  Burst burst([](const BurstContext& context) { spawn_explosion(context, kOrigin); });
   EXPECT_EQ(burst.pool.size(), 1024u);
   expect_fills(burst.places(), {math::Vec3(-16), math::Vec3(16)}, 0.5f);
   expect_fills(velocities(burst), {math::Vec3(-258), math::Vec3(258)}, 8);
-  // Ramps begin at steps 0 to 3 of either kind.
+  // Both kinds start at steps 0 to 3 of their ramp.
   EXPECT_THAT(burst.colors(), testing::ElementsAre(0x69, 0x6b, 0x6c, 0x6d, 0x6e, 0x6f));
-  // From step 0, 1, 2 or 3 of eight, by chance: half at 15 steps a second, half at 10. 5 standard deviations
-  // of a quarter of 512 are 49.
+  // A random start at step 0 to 3 of eight; half run at 15 steps a second, half at 10. Five standard
+  // deviations of a quarter of 512 are 49.
   EXPECT_EQ(burst.alive_at(0.333), 1024u);
   EXPECT_NEAR(static_cast<double>(burst.alive_at(0.34)), 512 + 384, 49);
   EXPECT_NEAR(static_cast<double>(burst.alive_at(0.49)), 512 + 128, 49);
@@ -90,7 +90,7 @@ TEST(ParticleBursts, Explosion) {
 }
 
 TEST(ParticleBursts, BlobExplosion) {
-  Burst burst([](const BurstContext& context) { burst_blob_explosion(context, kOrigin); });
+  Burst burst([](const BurstContext& context) { spawn_blob_explosion(context, kOrigin); });
   EXPECT_EQ(burst.pool.size(), 1024u);
   std::set<int> colors = from_to(66, 71);
   colors.merge(from_to(150, 155));
@@ -100,27 +100,27 @@ TEST(ParticleBursts, BlobExplosion) {
   const auto color = burst.pool.cloud().color;
   EXPECT_EQ(std::count_if(color.begin(), color.end(), [](int c) { return c < 100; }), 512);
   EXPECT_EQ(burst.alive_at(1.0), 1024u);
-  // Half of them by chance: 512 +- 5 standard deviations of 16.
+  // A random half: 512 +- 5 standard deviations of 16.
   EXPECT_NEAR(static_cast<double>(burst.alive_at(1.2)), 512, 80);
   EXPECT_EQ(burst.alive_at(1.401), 0u);
 }
 
 TEST(ParticleBursts, ColoredExplosion) {
-  Burst burst([](const BurstContext& context) { burst_colored_explosion(context, kOrigin, 250, 8); });
+  Burst burst([](const BurstContext& context) { spawn_colored_explosion(context, kOrigin, 250, 8); });
   EXPECT_EQ(burst.pool.size(), 512u);
   EXPECT_THAT(burst.colors(), testing::ElementsAre(0, 1, 250, 251, 252, 253, 254, 255));
   EXPECT_EQ(burst.alive_at(0.3), 512u);
   EXPECT_EQ(burst.alive_at(0.301), 0u);
-  Burst of_none([](const BurstContext& context) { burst_colored_explosion(context, kOrigin, 7, 0); });
+  Burst of_none([](const BurstContext& context) { spawn_colored_explosion(context, kOrigin, 7, 0); });
   EXPECT_THAT(of_none.colors(), testing::ElementsAre(7));
 }
 
 TEST(ParticleBursts, Chips) {
-  Burst burst([](const BurstContext& context) { burst_chips(context, kOrigin, {1, 0, -2}, 77, 500); });
+  Burst burst([](const BurstContext& context) { spawn_chips(context, kOrigin, {1, 0, -2}, 77, 500); });
   EXPECT_EQ(burst.pool.size(), 500u);
   EXPECT_EQ(burst.colors(), from_to(72, 79));
   expect_fills(burst.places(), {math::Vec3(-8), math::Vec3(8)}, 0.5f);
-  // A fifth each lives 0, 0.1, ... 0.4 s: 5 standard deviations are 45.
+  // A fifth of them lives 0, a fifth 0.1, ... 0.4 s: 5 standard deviations are 45.
   double expected = 500;
   for (int tenths = 0; tenths < 4; ++tenths) {
     expected -= 100;
@@ -130,7 +130,7 @@ TEST(ParticleBursts, Chips) {
 }
 
 TEST(ParticleBursts, ChipsFlyFifteenTimesTheDirection) {
-  Burst burst([](const BurstContext& context) { burst_chips(context, kOrigin, {1, 0, -2}, 0, 200); });
+  Burst burst([](const BurstContext& context) { spawn_chips(context, kOrigin, {1, 0, -2}, 0, 200); });
   burst.pool.advance(1.0 / 64);
   const std::vector<math::Vec3> before = burst.places();
   burst.pool.advance(2.0 / 64);
@@ -145,13 +145,13 @@ TEST(ParticleBursts, ChipsFlyFifteenTimesTheDirection) {
 }
 
 TEST(ParticleBursts, Teleport) {
-  Burst burst([](const BurstContext& context) { burst_teleport(context, kOrigin); });
+  Burst burst([](const BurstContext& context) { spawn_teleport_splash(context, kOrigin); });
   EXPECT_EQ(burst.pool.size(), 8u * 8 * 14);
   EXPECT_EQ(burst.colors(), from_to(7, 14));
   expect_fills(burst.places(), {{-16, -16, -24}, {16, 16, 32}}, 1);
   for (const math::Vec3& velocity : velocities(burst)) {
     const float speed = glm::length(velocity);
-    if (speed < 0.1f) continue;  // from the middle there is no way out
+    if (speed < 0.1f) continue;  // the center has no direction
     EXPECT_GT(speed, 49);
     EXPECT_LT(speed, 115);
   }
@@ -160,7 +160,7 @@ TEST(ParticleBursts, Teleport) {
 }
 
 TEST(ParticleBursts, LavaSplash) {
-  Burst burst([](const BurstContext& context) { burst_lava_splash(context, kOrigin); });
+  Burst burst([](const BurstContext& context) { spawn_lava_splash(context, kOrigin); });
   EXPECT_EQ(burst.pool.size(), 1024u);
   EXPECT_EQ(burst.colors(), from_to(224, 231));
   expect_fills(burst.places(), {{-128, -128, 0}, {128, 128, 64}}, 4);
@@ -169,7 +169,7 @@ TEST(ParticleBursts, LavaSplash) {
   EXPECT_EQ(burst.alive_at(2.621), 0u);
 }
 
-TEST(ParticleBursts, BrightFieldIsAroundABallForOneMoment) {
+TEST(ParticleBursts, BrightFieldIsAroundABallForOneFrame) {
   Burst burst([](const BurstContext& context) { show_bright_field(context.pool, context.time_s, kOrigin); });
   EXPECT_EQ(burst.pool.size(), 162u);
   EXPECT_THAT(burst.colors(), testing::ElementsAre(0x6f));
@@ -177,14 +177,14 @@ TEST(ParticleBursts, BrightFieldIsAroundABallForOneMoment) {
   for (const math::Vec3& place : burst.places()) {
     EXPECT_GE(glm::length(place), 47.99f);
     EXPECT_LE(glm::length(place), 80.01f);
-    sum += place - math::Vec3(16, 0, 0);  // where all of them wander to at time 0
+    sum += place - math::Vec3(16, 0, 0);  // where all of them are shifted at time 0
   }
   EXPECT_LT(glm::length(sum) / 162, 0.5f);
   EXPECT_EQ(burst.alive_at(0.001), 0u);
 }
 
 TEST(ParticleBursts, TheSameSeedMakesTheSameBurst) {
-  const auto make = [](const BurstContext& context) { burst_explosion(context, kOrigin); };
+  const auto make = [](const BurstContext& context) { spawn_explosion(context, kOrigin); };
   EXPECT_EQ(Burst(make, 7).places(), Burst(make, 7).places());
   EXPECT_NE(Burst(make, 7).places(), Burst(make, 8).places());
 }

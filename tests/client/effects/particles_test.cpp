@@ -1,4 +1,4 @@
-// Particles against their laws, integrated in small steps.
+// Compares particles with their laws of motion, integrated in small steps.
 #include "client/effects/particles.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using math::Vec3d;
 
 constexpr double kGravity = 40;
 
-// Changes of velocity a second, as the table of the original's behavior has them.
+// Changes of velocity per second, from a table of the original's behavior.
 Vec3d change(ParticleMotion motion, const Vec3d& v) {
   switch (motion) {
     case ParticleMotion::kStill:
@@ -50,7 +50,7 @@ math::Vec3 at(const render::ParticleCloud& cloud, std::size_t i) {
   return {cloud.x[i], cloud.y[i], cloud.z[i]};
 }
 
-ParticlePool pool_of(std::size_t capacity) {
+ParticlePool make_pool(std::size_t capacity) {
   ParticlePool pool;
   pool.set_capacity(capacity);
   return pool;
@@ -63,7 +63,7 @@ TEST(Particles, FollowTheirLaws) {
     for (int i = 0; i < 8; ++i) {
       const math::Vec3 origin = random.in_cube(2000), velocity = random.in_cube(256);
       const double born_s = random.uniform(0, 100), age_s = random.uniform(0.01, 0.5);
-      ParticlePool pool = pool_of(1);
+      ParticlePool pool = make_pool(1);
       ASSERT_TRUE(pool.add({origin, velocity, born_s, 1, motion}));
       pool.advance(born_s + age_s);
       ASSERT_EQ(pool.cloud().size(), 1u);
@@ -73,8 +73,8 @@ TEST(Particles, FollowTheirLaws) {
   }
 }
 
-TEST(Particles, LiveAsLongAsTheyWereGiven) {
-  ParticlePool pool = pool_of(10);
+TEST(Particles, LiveForTheirLifetime) {
+  ParticlePool pool = make_pool(10);
   pool.add({.born_s = 5, .life_s = 0.5f});
   pool.add({.born_s = 5, .life_s = 0});
   pool.advance(5);
@@ -87,7 +87,7 @@ TEST(Particles, LiveAsLongAsTheyWereGiven) {
   EXPECT_EQ(pool.size(), 0u);
 }
 
-TEST(Particles, WalkAlongTheirRampAndDieAtItsEnd) {
+TEST(Particles, RunThroughTheirRampAndDieAtItsEnd) {
   struct Case {
     ParticleMotion motion;
     double steps_per_second;
@@ -99,7 +99,7 @@ TEST(Particles, WalkAlongTheirRampAndDieAtItsEnd) {
       {ParticleMotion::kExplode2, 15, {0x6f, 0x6e, 0x6d, 0x6c, 0x6b, 0x6a, 0x68, 0x66}}};
   for (const Case& c : cases)
     for (int start = 0; start < 4; ++start) {
-      ParticlePool pool = pool_of(1);
+      ParticlePool pool = make_pool(1);
       pool.add({.life_s = 5, .motion = c.motion, .ramp = static_cast<float>(start)});
       for (std::size_t step = static_cast<std::size_t>(start); step < c.ramp.size(); ++step) {
         pool.advance((static_cast<double>(step) - start + 0.5) / c.steps_per_second);
@@ -111,10 +111,10 @@ TEST(Particles, WalkAlongTheirRampAndDieAtItsEnd) {
     }
 }
 
-TEST(Particles, AreWhereTheyAreHoweverOftenOneAsks) {
+TEST(Particles, DoNotDependOnHowOftenTheyAdvance) {
   std::vector<std::vector<math::Vec3>> ends;
   for (const int frames_per_second : {10, 72, 1000}) {
-    ParticlePool pool = pool_of(1000);
+    ParticlePool pool = make_pool(1000);
     test::Random random(3);
     for (int i = 0; i < 700; ++i)
       pool.add({random.in_cube(100), random.in_cube(256), 0, static_cast<float>(random.uniform(0.5, 1.5)),
@@ -129,13 +129,13 @@ TEST(Particles, AreWhereTheyAreHoweverOftenOneAsks) {
   EXPECT_EQ(ends[0], ends[2]);
 }
 
-TEST(Particles, ThoseWithoutRoomAreLeftOutAndCounted) {
-  ParticlePool pool = pool_of(5);
+TEST(Particles, ThoseWithoutRoomAreDroppedAndCounted) {
+  ParticlePool pool = make_pool(5);
   for (int i = 0; i < 8; ++i)
     EXPECT_EQ(pool.add({.life_s = 1, .color = static_cast<std::uint8_t>(i)}), i < 5);
   pool.advance(0);
   EXPECT_EQ(pool.cloud().size(), 5u);
-  EXPECT_EQ(pool.left_out(), 3u);
+  EXPECT_EQ(pool.dropped(), 3u);
   for (std::uint8_t i = 0; i < 5; ++i) EXPECT_EQ(pool.cloud().color[i], i);
   pool.set_capacity(2);
   EXPECT_EQ(pool.cloud().size(), 5u);
@@ -145,11 +145,11 @@ TEST(Particles, ThoseWithoutRoomAreLeftOutAndCounted) {
 }
 
 TEST(Particles, NewOnesJoinTheCloudWhenPlaced) {
-  ParticlePool pool = pool_of(5);
+  ParticlePool pool = make_pool(5);
   pool.add({.life_s = 1});
   pool.advance(0);
   pool.add({.velocity = {8, 0, 0}, .born_s = -0.5, .life_s = 1});
-  pool.add({.born_s = -0.5, .life_s = 0.25f});  // over before it is ever seen
+  pool.add({.born_s = -0.5, .life_s = 0.25f});  // dead before it is ever visible
   EXPECT_EQ(pool.cloud().size(), 1u);
   pool.place_new(0);
   ASSERT_EQ(pool.cloud().size(), 2u);

@@ -20,7 +20,7 @@ constexpr std::uint32_t kRocket = 12;
 struct Left {
   Left() { pool.set_capacity(100000); }
   void leave(TrailKind kind, const math::Vec3& from, const math::Vec3& to, double from_s, double to_s) {
-    trails.leave({kRocket, kind, from, to, from_s, to_s}, pool);
+    trails.emit({kRocket, kind, from, to, from_s, to_s}, pool);
   }
   Trails trails{1};
   ParticlePool pool;
@@ -28,19 +28,19 @@ struct Left {
 
 TEST(Trails, KindsByModelFlags) {
   using enum formats::MdlFlags;
-  EXPECT_EQ(trail_kind(0), std::nullopt);
-  EXPECT_EQ(trail_kind(kMdlRotate), std::nullopt);
-  EXPECT_EQ(trail_kind(kMdlRocketTrail), TrailKind::kRocket);
-  EXPECT_EQ(trail_kind(kMdlGrenadeSmoke), TrailKind::kGrenade);
-  EXPECT_EQ(trail_kind(kMdlGibBlood), TrailKind::kBlood);
-  EXPECT_EQ(trail_kind(kMdlZombieBlood), TrailKind::kThinBlood);
-  EXPECT_EQ(trail_kind(kMdlTracer), TrailKind::kTracer);
-  EXPECT_EQ(trail_kind(kMdlTracer2), TrailKind::kTracer2);
-  EXPECT_EQ(trail_kind(kMdlTracer3 | kMdlRotate), TrailKind::kVoor);
+  EXPECT_EQ(find_trail_kind(0), std::nullopt);
+  EXPECT_EQ(find_trail_kind(kMdlRotate), std::nullopt);
+  EXPECT_EQ(find_trail_kind(kMdlRocketTrail), TrailKind::kRocket);
+  EXPECT_EQ(find_trail_kind(kMdlGrenadeSmoke), TrailKind::kGrenade);
+  EXPECT_EQ(find_trail_kind(kMdlGibBlood), TrailKind::kBlood);
+  EXPECT_EQ(find_trail_kind(kMdlZombieBlood), TrailKind::kThinBlood);
+  EXPECT_EQ(find_trail_kind(kMdlTracer), TrailKind::kTracer);
+  EXPECT_EQ(find_trail_kind(kMdlTracer2), TrailKind::kTracer2);
+  EXPECT_EQ(find_trail_kind(kMdlTracer3 | kMdlRotate), TrailKind::kVoor);
 }
 
-// A particle for every 3 units of way, from its beginning to its end, in whatever pieces it comes.
-TEST(Trails, CoverTheWayWhateverItsPieces) {
+// One particle per 3 units of path, however the path is divided.
+TEST(Trails, CoverThePathHoweverItIsDivided) {
   const math::Vec3 start(10, 20, 30), direction(0.6f, 0, 0.8f);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     test::Random random(seed);
@@ -49,7 +49,7 @@ TEST(Trails, CoverTheWayWhateverItsPieces) {
     double passed = 0;
     while (passed < 3000) {
       const double next = std::min(3000.0, passed + random.uniform(0.01, longest));
-      // Voor's scatter says nothing of where along the way they are; tracers have none.
+      // The vore's scatter hides where along the path particles are; tracers have no scatter.
       left.leave(TrailKind::kTracer, start + direction * static_cast<float>(passed),
                  start + direction * static_cast<float>(next), 0, 0);
       passed = next;
@@ -65,14 +65,14 @@ TEST(Trails, CoverTheWayWhateverItsPieces) {
   }
 }
 
-// What one entity leaves does not depend on what others do meanwhile.
-TEST(Trails, HaveAChanceOfTheirOwn) {
+// An entity's trail does not depend on other entities.
+TEST(Trails, HaveTheirOwnRandomNumbers) {
   Left alone, beside_another;
   for (int i = 0; i < 10; ++i) {
     const math::Vec3 from(10 * i, 0, 0), to(10 * i + 10, 0, 0);
     alone.leave(TrailKind::kRocket, from, to, 0, 0);
-    beside_another.trails.leave({kRocket - 1, TrailKind::kRocket, {0, 50, 0}, {7, 50, 0}, 0, 0},
-                                beside_another.pool);
+    beside_another.trails.emit({kRocket - 1, TrailKind::kRocket, {0, 50, 0}, {7, 50, 0}, 0, 0},
+                               beside_another.pool);
     beside_another.leave(TrailKind::kRocket, from, to, 0, 0);
   }
   const auto places = [](Left& io_left) {
@@ -95,8 +95,8 @@ TEST(Trails, ZombiesBleedHalfAsMuch) {
   EXPECT_EQ(thin.pool.size(), 100u);
 }
 
-TEST(Trails, AreAsOldAsTheirPlaceIsPassed) {
-  // 2000 units in 1 s: a spark of fire rises by 20 t^2.
+TEST(Trails, ParticlesAgeFromWhenTheirPlaceWasPassed) {
+  // 2000 units in 1 s: a spark rises by 20 t^2.
   Left left;
   left.leave(TrailKind::kRocket, {0, 0, 0}, {2000, 0, 0}, 10, 11);
   left.pool.advance(11);
@@ -106,12 +106,12 @@ TEST(Trails, AreAsOldAsTheirPlaceIsPassed) {
     const double age_s = 1 - double{cloud.x[i]} / 2000;
     EXPECT_NEAR(double{cloud.z[i]}, 20 * age_s * age_s, 3.2);
   }
-  // Fire lives 0.6 s at least and 1.2 s at most: all of it on the last 1200 units.
+  // Fire lives 0.6 to 1.2 s, so all of it is on the last 1200 units.
   const auto near = std::count_if(cloud.x.begin(), cloud.x.end(), [](float x) { return x > 804; });
   EXPECT_NEAR(static_cast<double>(near), 1196.0 / 3, 3);
 }
 
-TEST(Trails, TracersPartToBothSides) {
+TEST(Trails, TracersSpreadToBothSides) {
   Left left;
   left.leave(TrailKind::kTracer2, {0, 0, 0}, {0, 120, 0}, 0, 0);
   left.pool.advance(0.25);
@@ -143,25 +143,25 @@ TEST(Trails, HaveTheirColors) {
   EXPECT_THAT(colors(TrailKind::kVoor), testing::ElementsAre(152, 153, 154, 155));
 }
 
-TEST(Trails, StandingStillLeavesNothing) {
+TEST(Trails, StandingStillLeavesNoTrail) {
   Left left;
   for (int i = 0; i < 100; ++i) left.leave(TrailKind::kRocket, {5, 5, 5}, {5, 5, 5}, i, i + 1);
   EXPECT_EQ(left.pool.size(), 0u);
-  EXPECT_EQ(left.pool.left_out(), 0u);
+  EXPECT_EQ(left.pool.dropped(), 0u);
 }
 
-TEST(Trails, LongWaysTakeNoLongerThanThereIsRoom) {
+TEST(Trails, LongPathsAreLimitedByRoom) {
   Left left;
   left.pool.set_capacity(50);
-  // As far as coordinates of messages go.
+  // The largest coordinates of messages.
   left.leave(TrailKind::kRocket, {0, 0, 0}, {0x1p27f, 0, 0}, 0, 1);
   EXPECT_EQ(left.pool.size(), 50u);
-  EXPECT_EQ(left.pool.left_out(), (std::size_t{1} << 27) / 3 + 1 - 50);
+  EXPECT_EQ(left.pool.dropped(), (std::size_t{1} << 27) / 3 + 1 - 50);
 }
 
-// What another one left in the same slot before it changes nothing.
-TEST(Trails, BeginAnew) {
-  const auto last_of = [](bool something_before) {
+// An earlier entity in the same slot has no influence.
+TEST(Trails, StartFreshInAReusedSlot) {
+  const auto find_last = [](bool something_before) {
     Left left;
     if (something_before) left.leave(TrailKind::kRocket, {0, 0, 0}, {500, 0, 1}, 1, 1);
     const std::size_t before = left.pool.size();
@@ -173,8 +173,8 @@ TEST(Trails, BeginAnew) {
     places.insert(places.end(), cloud.z.begin() + static_cast<std::ptrdiff_t>(before), cloud.z.end());
     return places;
   };
-  EXPECT_GT(last_of(false).size(), 100u);
-  EXPECT_EQ(last_of(true), last_of(false));
+  EXPECT_GT(find_last(false).size(), 100u);
+  EXPECT_EQ(find_last(true), find_last(false));
 }
 
 }  // namespace

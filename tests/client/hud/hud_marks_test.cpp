@@ -1,4 +1,4 @@
-// Marks on the head-up display: the crosshair, and what is told by shapes beside colors.
+// Marks on the heads-up display: the crosshair, and shapes that repeat what colors say.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace temblor::client {
 namespace {
 
-// Without a file, nothing but fills is seen of it.
+// Without a picture file, only fills are visible.
 const assets::Pictures& no_pictures() {
   static const assets::Pictures pictures = [] {
     const test::TemporaryFolder folder;
@@ -51,7 +51,7 @@ HudSettings with_crosshair(Crosshair shape) {
   return settings;
 }
 
-TEST(HudMarks, CrosshairLiesAboutTheMiddleOfEveryFrame) {
+TEST(HudMarks, CrosshairIsCenteredInEveryFrame) {
   for (const auto& [width, height] : {std::pair(320, 200), {641, 480}, {1920, 1080}, {3840, 2160}})
     for (const Crosshair shape : {Crosshair::kDot, Crosshair::kLines}) {
       SCOPED_TRACE(testing::Message() << width << "x" << height);
@@ -66,17 +66,17 @@ TEST(HudMarks, CrosshairLiesAboutTheMiddleOfEveryFrame) {
       EXPECT_NEAR(left + right, width, 2 * line_px + 1);
       EXPECT_NEAR(top + bottom, height, 2 * line_px + 1);
       EXPECT_EQ(right - left, bottom - top);
-      EXPECT_LE(right - left, 22 * line_px) << "no more than what is shot at";
+      EXPECT_LE(right - left, 22 * line_px) << "no larger than a target";
       EXPECT_TRUE(std::ranges::any_of(found, [](const Fill& fill) { return fill.index == 251; }));
     }
 }
 
-TEST(HudMarks, LinesLeaveTheMiddleFree) {
+TEST(HudMarks, LinesLeaveTheCenterFree) {
   for (const Fill& fill : fills(game_with(100, 0, 0), 640, 480, with_crosshair(Crosshair::kLines)))
     EXPECT_FALSE(fill.left <= 320 && fill.right > 320 && fill.top <= 240 && fill.bottom > 240);
 }
 
-TEST(HudMarks, NoCrosshairUnlessWantedAndAlive) {
+TEST(HudMarks, NoCrosshairWhenOffOrDead) {
   EXPECT_TRUE(fills(game_with(100, 100, 100), 640, 480, {}).empty());
   HudSettings settings = with_crosshair(Crosshair::kDot);
   settings.status_bar = StatusBar::kNone;
@@ -87,7 +87,7 @@ TEST(HudMarks, NoCrosshairUnlessWantedAndAlive) {
   EXPECT_TRUE(fills(over, 640, 480, settings).empty());
 }
 
-// Strokes over the well that begins at `x` of the bar, whose upper edge is at 200 - 24.
+// Strokes over the part of the bar that begins at `x`; the bar's upper edge is at 200 - 24.
 std::ptrdiff_t strokes_in_well(const std::vector<Fill>& found, int x) {
   return std::ranges::count_if(found, [x](const Fill& fill) {
     return fill.index == 15 && fill.left >= x && fill.right <= x + 24 && fill.top >= 200 - 24;
@@ -107,7 +107,7 @@ TEST(HudMarks, SafeColorsMarkLowNumbers) {
   EXPECT_TRUE(fills(game_with(25, 25, 10), 320, 200, {}).empty());
 }
 
-TEST(HudMarks, SafeColorsCountTheKindOfArmor) {
+TEST(HudMarks, SafeColorsMarkTheKindOfArmor) {
   HudSettings settings;
   settings.safe_colors = true;
   constexpr std::uint32_t kFirstArmorItem = 1u << 13;
@@ -118,7 +118,7 @@ TEST(HudMarks, SafeColorsCountTheKindOfArmor) {
   }
 }
 
-TEST(HudMarks, SafeColorsNameTheKeys) {
+TEST(HudMarks, SafeColorsLabelTheKeys) {
   HudSettings settings;
   settings.safe_colors = true;
   Game game = game_with(100, 100, 100);

@@ -1,5 +1,5 @@
-// The head-up display, drawn to indexed frames with pictures of one color each: which picture is where can
-// be read off the frame.
+// The heads-up display, drawn to indexed frames. Each picture has a color of its own, so the frame shows
+// which picture is where.
 #include "client/hud/hud.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <map>
 #include <optional>
 
-#include "assets/stock_pictures.h"
+#include "assets/stock/stock_pictures.h"
 #include "formats/archives/wad.h"
 #include "render/renderer.h"
 #include "support/allocation_counter.h"
@@ -28,7 +28,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 constexpr std::uint8_t kNothing = 0, kFirstPicture = 1, kInk = 254;
-// Bits of ClientData::items, as published: docs of QuakeC's `items` field.
+// Bits of ClientData::items, from the documentation of QuakeC's `items` field.
 constexpr std::uint32_t kAllItems = 0xffffffffu;
 
 struct HudSize {
@@ -37,13 +37,13 @@ struct HudSize {
 constexpr HudSize kHudSizes[] = {
     {320, 200, 1}, {640, 480, 1}, {1920, 1080, 3}, {3840, 2160, 7}, {1000, 1600, 2}};
 
-// Stock pictures, each of an index of its own; characters are solid squares of kInk.
+// Stock pictures, each filled with its own color; characters are solid squares of kInk.
 class Art {
  public:
   Art() : pictures_(load()) {}
   const assets::Pictures& pictures() const { return pictures_; }
-  std::uint8_t index_of(const std::string& name) const { return indices_.at(name); }
-  math::Vec2d size_of(const std::string& name) const {
+  std::uint8_t pick_index(const std::string& name) const { return indices_.at(name); }
+  math::Vec2d picture_size(const std::string& name) const {
     const formats::Picture* picture = pictures_.find(name);
     return {picture->width, picture->height};
   }
@@ -90,7 +90,7 @@ void set(Game& io_game, Stat stat, int value) {
   io_game.stats[static_cast<std::size_t>(stat)] = value;
 }
 
-// Healthy, with everything that there is, long since.
+// A healthy player who has had everything for a long time.
 Game rich_game() {
   Game game;
   game.level_name = "Level";
@@ -111,12 +111,12 @@ struct Drawn {
   std::vector<std::uint8_t> pixels;
 
   std::size_t count(const std::string& picture) const {
-    return static_cast<std::size_t>(std::count(pixels.begin(), pixels.end(), art().index_of(picture)));
+    return static_cast<std::size_t>(std::count(pixels.begin(), pixels.end(), art().pick_index(picture)));
   }
   bool shows(const std::string& picture) const { return count(picture) > 0; }
-  // The upper left corner, in the original's pixels from the bar's middle and the frame's bottom.
+  // The upper left corner, in the original's pixels from the bar's center and the frame's bottom.
   std::optional<math::Vec2d> corner(const std::string& picture) const {
-    const auto index = art().index_of(picture);
+    const auto index = art().pick_index(picture);
     std::optional<math::Vec2d> corner;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
@@ -125,7 +125,7 @@ struct Drawn {
     if (!corner) return corner;
     return math::Vec2d((corner->x - width / 2.0) / scale + 160, (corner->y - height) / scale);
   }
-  // The characters that were drawn, row by row from the top, a space for each gap.
+  // The characters drawn, row by row from the top, with a space for each gap.
   std::vector<std::string> lines() const {
     std::map<int, std::map<int, char>> rows;
     for (const render::DrawCommand& command : list.commands)
@@ -158,7 +158,7 @@ Drawn draw(const Hud& hud, const Game& game, double time_s, const HudSize& size 
   return drawn;
 }
 
-// Long after whatever flashes.
+// A time at which nothing flashes anymore.
 Drawn draw_calm(const Game& game, const HudSize& size = kHudSizes[0], const HudSettings& settings = {}) {
   return draw(Hud(art().pictures()), game, 1000, size, settings);
 }
@@ -173,7 +173,7 @@ void expect_inside(const Drawn& drawn) {
   }
 }
 
-TEST(Hud, LiesInsideFramesOfEverySize) {
+TEST(Hud, FitsFramesOfEverySize) {
   for (const HudSize& size : kHudSizes) {
     SCOPED_TRACE(testing::Message() << size.width << "x" << size.height);
     Game game = rich_game();
@@ -197,12 +197,12 @@ TEST(Hud, LiesInsideFramesOfEverySize) {
   }
 }
 
-TEST(Hud, StandsInTheMiddleOfTheBottom) {
+TEST(Hud, IsCenteredAtTheBottom) {
   struct Place {
     const char* picture;
     double x, y;
   };
-  // The bar's wells are 24 wide at 0, 112 and 224, the inventory's slots 24 and then 16 apart.
+  // The bar's icons are 24 wide, at 0, 112 and 224; the inventory's slots are 24 and then 16 apart.
   constexpr Place kPlaces[] = {{"disc", 0, -24},        {"face_inv2", 112, -24},    {"sb_shells", 224, -24},
                                {"inv_shotgun", 0, -40}, {"inv_srlaunch", 120, -40}, {"inv_lightng", 144, -40},
                                {"sb_key1", 192, -40},   {"sb_key2", 208, -40},      {"sb_invis", 224, -40},
@@ -216,13 +216,13 @@ TEST(Hud, StandsInTheMiddleOfTheBottom) {
       ASSERT_TRUE(corner);
       EXPECT_EQ(corner->x, place.x);
       EXPECT_EQ(corner->y, place.y);
-      const math::Vec2d picture = art().size_of(place.picture);
+      const math::Vec2d picture = art().picture_size(place.picture);
       EXPECT_EQ(drawn.count(place.picture), picture.x * picture.y * size.scale * size.scale);
     }
   }
 }
 
-TEST(Hud, ShowsWhatThePlayerHas) {
+TEST(Hud, ShowsThePlayersItems) {
   struct Part {
     std::uint32_t item;
     const char* picture;
@@ -250,7 +250,7 @@ TEST(Hud, ShowsWhatThePlayerHas) {
   }
 }
 
-TEST(Hud, BrightensTheWeaponInHand) {
+TEST(Hud, HighlightsTheActiveWeapon) {
   Game game = rich_game();
   set(game, Stat::kActiveWeapon, 4);
   const Drawn drawn = draw_calm(game);
@@ -260,7 +260,7 @@ TEST(Hud, BrightensTheWeaponInHand) {
   EXPECT_FALSE(drawn.shows("inv2_shotgun"));
 }
 
-TEST(Hud, FlashesAWeaponForASecondAfterItWasFound) {
+TEST(Hud, FlashesANewWeaponForASecond) {
   Hud hud(art().pictures());
   Game game = rich_game();
   game.data.items = 1;
@@ -272,12 +272,12 @@ TEST(Hud, FlashesAWeaponForASecondAfterItWasFound) {
   EXPECT_TRUE(draw(hud, game, 10.45).shows("inva5_srlaunch"));
   EXPECT_TRUE(draw(hud, game, 10.55).shows("inva1_srlaunch"));
   EXPECT_TRUE(draw(hud, game, 11.05).shows("inv_srlaunch"));
-  EXPECT_TRUE(draw(hud, game, 10.05).shows("inv_shotgun")) << "held since long before";
+  EXPECT_TRUE(draw(hud, game, 10.05).shows("inv_shotgun")) << "held for a long time";
   hud.advance(game, {}, 11);
-  EXPECT_TRUE(draw(hud, game, 11.05).shows("inv_srlaunch")) << "held is not found again";
+  EXPECT_TRUE(draw(hud, game, 11.05).shows("inv_srlaunch")) << "a held weapon is not new";
 }
 
-TEST(Hud, HasAFaceForEachFifthOfHealth) {
+TEST(Hud, ShowsAFaceForEachFifthOfHealth) {
   const auto face_at = [](int health) {
     Game game = rich_game();
     game.data.items = 0;
@@ -298,24 +298,24 @@ TEST(Hud, HasAFaceForEachFifthOfHealth) {
   EXPECT_EQ(face_at(1), "face5");
 }
 
-TEST(Hud, WincesForAFifthOfASecond) {
+TEST(Hud, ShowsPainForAFifthOfASecond) {
   Hud hud(art().pictures());
   Game game = rich_game();
   game.data.items = 0;
   Events events;
   events.damages.push_back({.armor = 0, .blood = 0});
   hud.advance(game, events, 9);
-  EXPECT_TRUE(draw(hud, game, 9.1).shows("face1")) << "nothing was lost";
+  EXPECT_TRUE(draw(hud, game, 9.1).shows("face1")) << "no damage";
   events.damages = {{.armor = 0, .blood = 7}};
   hud.advance(game, events, 10);
   EXPECT_TRUE(draw(hud, game, 10.1).shows("face_p1"));
   EXPECT_FALSE(draw(hud, game, 10.1).shows("face1"));
   EXPECT_TRUE(draw(hud, game, 10.3).shows("face1"));
   hud.advance(game, {}, 2);
-  EXPECT_TRUE(draw(hud, game, 2).shows("face1")) << "a recording was wound back";
+  EXPECT_TRUE(draw(hud, game, 2).shows("face1")) << "a demo was rewound";
 }
 
-// The three digits from `first_x` on of a bar at scale 1: "a" before one that warns.
+// The three digits of a bar at scale 1 from `first_x` on; "a" before digits in the warning color.
 std::string digits_at(const Drawn& drawn, int first_x) {
   std::array<std::string, 3> digits{" ", " ", " "};
   for (const char* kind : {"num", "anum"})
@@ -328,7 +328,7 @@ std::string digits_at(const Drawn& drawn, int first_x) {
   return digits[0] + digits[1] + digits[2];
 }
 
-TEST(Hud, ShowsNumbersAndWarnsOfLowOnes) {
+TEST(Hud, WarnsOfLowNumbers) {
   constexpr int kArmorX = 24, kHealthX = 136, kAmmoX = 248;
   Game game;
   const auto show = [&](int armor, int health, int ammo) {
@@ -344,7 +344,7 @@ TEST(Hud, ShowsNumbersAndWarnsOfLowOnes) {
   EXPECT_EQ(digits_at(show(26, 333, 111), kArmorX), " 26");
   EXPECT_EQ(digits_at(show(333, 222, 10), kAmmoX), " a1a0");
   EXPECT_EQ(digits_at(show(333, 222, 14), kAmmoX), " 14");
-  EXPECT_EQ(digits_at(show(222, 333, 5000), kAmmoX), "999") << "as much as there is room for";
+  EXPECT_EQ(digits_at(show(222, 333, 5000), kAmmoX), "999") << "limited to three digits";
   EXPECT_EQ(digits_at(show(-7, 333, 222), kArmorX), " aminusa7");
   game.data.items = 1u << 20;
   const Drawn invulnerable = show(50, 333, 222);
@@ -352,7 +352,7 @@ TEST(Hud, ShowsNumbersAndWarnsOfLowOnes) {
   EXPECT_TRUE(invulnerable.shows("disc"));
 }
 
-TEST(Hud, CountsAmmunition) {
+TEST(Hud, ShowsAmmoCounts) {
   Game game = rich_game();
   set(game, Stat::kNails, 7);
   const std::vector<std::string> lines = draw_calm(game).lines();
@@ -361,7 +361,7 @@ TEST(Hud, CountsAmmunition) {
   EXPECT_EQ(plain, "100 7 100 100");
 }
 
-TEST(Hud, ComesInTwoSizesOrNotAtAll) {
+TEST(Hud, StatusBarHasTwoSizesAndOff) {
   const Game game = rich_game();
   const Drawn full = draw_calm(game);
   EXPECT_TRUE(full.shows("sbar") && full.shows("ibar"));
@@ -371,7 +371,7 @@ TEST(Hud, ComesInTwoSizesOrNotAtAll) {
   EXPECT_THAT(draw_calm(game, kHudSizes[0], {.status_bar = StatusBar::kNone}).list.commands, IsEmpty());
 }
 
-TEST(Hud, ScalesByWholeNumbersThatLeaveRoomForTheScreen) {
+TEST(Hud, ScalesByWholeNumbersThatFit) {
   const auto width_of_bar = [](int width, int height, int wished) {
     const Drawn drawn = draw_calm(rich_game(), {width, height, 1}, {.scale = wished});
     for (const render::DrawCommand& command : drawn.list.commands)
@@ -387,7 +387,7 @@ TEST(Hud, ScalesByWholeNumbersThatLeaveRoomForTheScreen) {
   EXPECT_EQ(width_of_bar(1920, 1080, 6), 5 * 320) << "200 x 6 rows do not fit";
 }
 
-TEST(Hud, LetsTheViewShowThroughWhatItStandsOn) {
+TEST(Hud, BackgroundCanBeTranslucent) {
   const Drawn drawn = draw_calm(rich_game(), kHudSizes[0], {.opacity = 0.5f});
   for (const render::DrawCommand& command : drawn.list.commands) {
     const bool is_ground =
@@ -396,7 +396,7 @@ TEST(Hud, LetsTheViewShowThroughWhatItStandsOn) {
   }
 }
 
-TEST(Hud, ShowsTheLevelsScoresToTheDead) {
+TEST(Hud, ShowsTheLevelsScoresWhenDead) {
   Game game = rich_game();
   set(game, Stat::kHealth, -10);
   set(game, Stat::kMonsters, 7);
@@ -410,7 +410,7 @@ TEST(Hud, ShowsTheLevelsScoresToTheDead) {
   EXPECT_THAT(lines, Contains("Secrets : 0 / 3 Level"));
 }
 
-TEST(Hud, ShortensLongNamesOfLevels) {
+TEST(Hud, ShortensLongLevelNames) {
   Game game = rich_game();
   set(game, Stat::kHealth, -10);
   game.level_name = "Exactly twenty chars";
@@ -419,8 +419,8 @@ TEST(Hud, ShortensLongNamesOfLevels) {
   EXPECT_THAT(draw_calm(game).lines(), Contains(testing::EndsWith("0 / 0 The long way down...")));
 }
 
-// Those who are dead are told after a second what they can do, above whatever else stands there.
-TEST(Hud, TellsTheDeadHowToGoOn) {
+// A second after death a hint says what the player can do, above everything else at the bottom.
+TEST(Hud, ShowsAHintAfterDeath) {
   Hud hud(art().pictures());
   Game game = rich_game();
   const HudSettings settings{.death_hint = "Fire: this\nJump: that"};
@@ -441,7 +441,7 @@ TEST(Hud, TellsTheDeadHowToGoOn) {
   set(game, Stat::kHealth, -1);
   hud.advance(game, {}, 23);
   EXPECT_THAT(draw(hud, game, 23.5, kHudSizes[0], settings).lines(), Not(Contains("Fire: this")))
-      << "dead anew";
+      << "dead again";
 }
 
 Game deathmatch() {
@@ -455,20 +455,20 @@ Game deathmatch() {
 
 TEST(Hud, ShowsTheLeadersOfADeathmatch) {
   const Drawn drawn = draw_calm(deathmatch());
-  EXPECT_THAT(drawn.lines().at(0), testing::EndsWith("12 3 \x10 3\x11 0")) << "his own between brackets";
+  EXPECT_THAT(drawn.lines().at(0), testing::EndsWith("12 3 \x10 3\x11 0")) << "the viewer's own in brackets";
   const auto has_fill = [&](int index) {
     return std::any_of(drawn.list.commands.begin(), drawn.list.commands.end(), [&](const auto& command) {
       return command.picture == nullptr && command.fill == index;
     });
   };
-  EXPECT_TRUE(has_fill(15 * 16 + 8)) << "the pants of the first";
-  EXPECT_FALSE(has_fill(9 * 16 + 8)) << "the fifth is left out";
+  EXPECT_TRUE(has_fill(15 * 16 + 8)) << "the leader's pants";
+  EXPECT_FALSE(has_fill(9 * 16 + 8)) << "the fifth player is not shown";
   Game alone = deathmatch();
   alone.deathmatch = false;
   EXPECT_THAT(draw_calm(alone).lines().at(0), Not(testing::HasSubstr("12")));
 }
 
-TEST(Hud, ShowsWhatCountsInTheGameThatIsPlayed) {
+TEST(Hud, ShowsTheScoresOfTheGameMode) {
   Game game = deathmatch();
   set(game, Stat::kTotalMonsters, 9);
   const HudSettings settings{.shows_scores = true};
@@ -478,14 +478,14 @@ TEST(Hud, ShowsWhatCountsInTheGameThatIsPlayed) {
   EXPECT_THAT(lines, Not(Contains(testing::HasSubstr("Monsters"))));
   EXPECT_THAT(lines, Not(Contains(testing::HasSubstr("Secrets"))));
   EXPECT_THAT(lines, Contains("12 Bob"));
-  // Together both count.
+  // In co-op the monsters and secrets count.
   game.deathmatch = false;
   lines = draw_calm(game, kHudSizes[1], settings).lines();
   EXPECT_THAT(lines, Contains(testing::StartsWith("Monsters: 0 / 9 Time")));
   EXPECT_THAT(lines, Contains("12 Bob"));
 }
 
-TEST(Hud, RanksAllPlayersForTheDead) {
+TEST(Hud, ShowsTheRankingWhenDead) {
   Game game = deathmatch();
   EXPECT_FALSE(draw_calm(game).shows("gfx/ranking.lmp"));
   set(game, Stat::kHealth, 0);
@@ -545,7 +545,7 @@ TEST(Hud, WritesTheFinaleLetterByLetter) {
   };
   EXPECT_EQ(letters_at(100), "");
   EXPECT_EQ(letters_at(100.5), "abcd");
-  EXPECT_EQ(letters_at(101.13), "abcdefghi") << "a line's end takes no time";
+  EXPECT_EQ(letters_at(101.13), "abcdefghi") << "line ends take no time";
   EXPECT_EQ(letters_at(200), "abcdefghijkl");
   const Drawn drawn = draw(hud, game, 101);
   EXPECT_TRUE(drawn.shows("gfx/finale.lmp"));
@@ -555,7 +555,7 @@ TEST(Hud, WritesTheFinaleLetterByLetter) {
   EXPECT_EQ(letters_at(200), "abcdefghijkl");
 }
 
-TEST(Hud, SumsUpAFinishedLevel) {
+TEST(Hud, ShowsTheIntermission) {
   Game game = rich_game();
   game.ending = Ending::kIntermission;
   game.ending_since_s = 754;  // 12:34
@@ -567,7 +567,7 @@ TEST(Hud, SumsUpAFinishedLevel) {
     const Drawn drawn = draw(Hud(art().pictures()), game, time_s);
     EXPECT_TRUE(drawn.shows("gfx/complete.lmp") && drawn.shows("gfx/inter.lmp"));
     EXPECT_FALSE(drawn.shows("sbar"));
-    // 12 : 34, 5 / 6, 78 / 90: each digit once, in the rows of the original's screen.
+    // 12 : 34, 5 / 6, 78 / 90: each digit once, at the rows of the original's screen.
     const auto place = [&](const char* picture) { return *drawn.corner(picture) + math::Vec2d(0, 200); };
     EXPECT_EQ(place("num_1"), math::Vec2d(184, 64));
     EXPECT_EQ(place("num_2"), math::Vec2d(208, 64));
@@ -580,15 +580,15 @@ TEST(Hud, SumsUpAFinishedLevel) {
   }
 }
 
-TEST(Hud, SaysThatTheGameIsPaused) {
+TEST(Hud, ShowsThatTheGameIsPaused) {
   Game game = rich_game();
   EXPECT_FALSE(draw_calm(game).shows("gfx/pause.lmp"));
   game.paused = true;
   EXPECT_TRUE(draw_calm(game).shows("gfx/pause.lmp"));
 }
 
-// Whatever a server says, at any size: drawing it must not end the program.
-TEST(Hud, AllocatesNothingOnceWarm) {
+// Drawing must not allocate in the steady state.
+TEST(Hud, AllocatesNothingInTheSteadyState) {
   Game game;
   game.data.items = kAllItems;
   game.level_name = "a name that is longer than a string has room for in itself";
@@ -615,7 +615,7 @@ TEST(Hud, AllocatesNothingOnceWarm) {
   EXPECT_EQ(test::allocation_count() - before, 0u);
 }
 
-TEST(Hud, WithstandsAnyGame) {
+TEST(Hud, SurvivesAnyGame) {
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::effort(500, 60)); ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);

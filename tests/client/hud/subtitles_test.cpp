@@ -8,28 +8,28 @@
 namespace temblor::client {
 namespace {
 
-TEST(Subtitles, CaptionsAreTheWordsOfTheFile) {
-  EXPECT_EQ(caption_of("soldier/sight1.wav"), "soldier sight");
-  EXPECT_EQ(caption_of("doors/drclos4.wav"), "doors drclos");
-  EXPECT_EQ(caption_of("misc/r_tele3.wav"), "misc r tele");
-  EXPECT_EQ(caption_of("123.wav"), "");
-  EXPECT_EQ(caption_of(""), "");
-  EXPECT_LE(caption_of(std::string(5000, 'a')).size(), 32u);
+TEST(Subtitles, CaptionsAreMadeFromFileNames) {
+  EXPECT_EQ(make_caption("soldier/sight1.wav"), "soldier sight");
+  EXPECT_EQ(make_caption("doors/drclos4.wav"), "doors drclos");
+  EXPECT_EQ(make_caption("misc/r_tele3.wav"), "misc r tele");
+  EXPECT_EQ(make_caption("123.wav"), "");
+  EXPECT_EQ(make_caption(""), "");
+  EXPECT_LE(make_caption(std::string(5000, 'a')).size(), 32u);
 }
 
-// Looking along +x: left of it is +y.
-TEST(Subtitles, SidesAreWhereToTurn) {
+// The camera looks along +x; +y is to the left.
+TEST(Subtitles, SidesSayWhereToTurn) {
   render::Camera camera;
-  EXPECT_EQ(side_of({100, 0, 0}, camera), SoundSide::kSeen);
-  EXPECT_EQ(side_of({100, 99, 0}, camera), SoundSide::kSeen);
-  EXPECT_EQ(side_of({100, 101, 0}, camera), SoundSide::kLeft);
-  EXPECT_EQ(side_of({0, -50, 0}, camera), SoundSide::kRight);
-  EXPECT_EQ(side_of({-100, 10, 0}, camera), SoundSide::kBehind);
+  EXPECT_EQ(find_sound_side({100, 0, 0}, camera), SoundSide::kSeen);
+  EXPECT_EQ(find_sound_side({100, 99, 0}, camera), SoundSide::kSeen);
+  EXPECT_EQ(find_sound_side({100, 101, 0}, camera), SoundSide::kLeft);
+  EXPECT_EQ(find_sound_side({0, -50, 0}, camera), SoundSide::kRight);
+  EXPECT_EQ(find_sound_side({-100, 10, 0}, camera), SoundSide::kBehind);
   camera.angles_deg.y = 180;
-  EXPECT_EQ(side_of({100, 0, 0}, camera), SoundSide::kBehind);
+  EXPECT_EQ(find_sound_side({100, 0, 0}, camera), SoundSide::kBehind);
 }
 
-TEST(Subtitles, ShowWhatIsHeardAndNotSeenForTwoSeconds) {
+TEST(Subtitles, ShowUnseenSoundsForTwoSeconds) {
   const test::SmallGame data;
   std::vector<std::string> notes;
   const auto pictures = assets::Pictures::load(vfs::FileSystem::open(data.path()).value(), notes);
@@ -50,15 +50,15 @@ TEST(Subtitles, ShowWhatIsHeardAndNotSeenForTwoSeconds) {
     what.origin = place;
     events.sounds.push_back(what);
   };
-  sound(5, 1, {200, 0, 0});    // seen
-  sound(1, 2, {-10, 0, 0});    // his own
+  sound(5, 1, {200, 0, 0});    // in view
+  sound(1, 2, {-10, 0, 0});    // the player's own
   sound(6, 1, {-2000, 0, 0});  // too far
-  sound(7, 99, {-10, 0, 0});   // nothing of the list
+  sound(7, 99, {-10, 0, 0});   // not in the list
   subtitles.advance(game, events, {}, 10);
   EXPECT_EQ(commands(), 0u);
   events.sounds.clear();
   sound(5, 1, {-200, 0, 0});
-  sound(8, 1, {-200, 5, 0});  // the same words once
+  sound(8, 1, {-200, 5, 0});  // the same caption is shown once
   subtitles.advance(game, events, {}, 10);
   EXPECT_EQ(commands(), 1 + std::string("vdogdsightv").size());
   events.sounds.clear();

@@ -1,4 +1,4 @@
-// Keys: their names, what they run, and that nothing stays pressed.
+// Key names, bindings, and keys that must not stay pressed.
 #include "client/input/bindings.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ using platform::Key;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Of the names that stock configuration files use.
+// Some names that stock configuration files use.
 TEST(KeyNames, AreTheStockOnes) {
   EXPECT_EQ(key_name(Key::kUpArrow), "UPARROW");
   EXPECT_EQ(key_name(Key{'w'}), "w");
@@ -33,7 +33,7 @@ TEST(KeyNames, EveryKeyIsFoundByItsName) {
     const Key key{i};
     const std::string name = key_name(key);
     if (name.starts_with("KEY")) continue;
-    // Of a layout's own capitals the small letter is the key.
+    // A capital letter means the key of the small letter.
     if (i >= 'A' && i <= 'Z') continue;
     EXPECT_EQ(find_key(name), key) << name;
   }
@@ -59,7 +59,7 @@ class BoundConsole {
   }
 };
 
-TEST(Bindings, AreKeptAsTextThatMakesThemAgain) {
+TEST(Bindings, AreSavedAsTextThatRestoresThem) {
   BoundConsole bound;
   bound.run("bind w +forward; bind SEMICOLON \"echo a; echo b\"; bind MOUSE1 \"+attack\"; bind x impulse 9");
   EXPECT_EQ(bound.bindings.commands(Key{';'}), "echo a; echo b");
@@ -71,7 +71,7 @@ TEST(Bindings, AreKeptAsTextThatMakesThemAgain) {
     EXPECT_EQ(again.bindings.commands(Key{i}), bound.bindings.commands(Key{i})) << key_name(Key{i});
 }
 
-TEST(Bindings, ImpulsesAreNumbersOfAByte) {
+TEST(Bindings, ImpulsesMustFitAByte) {
   BoundConsole bound;
   bound.run("impulse; impulse abc; impulse 256; impulse -1; impulse 1 2");
   EXPECT_THAT(bound.lines, ::testing::AllOf(::testing::SizeIs(5), ::testing::Each(HasSubstr("0 to 255"))));
@@ -79,14 +79,15 @@ TEST(Bindings, ImpulsesAreNumbersOfAByte) {
   EXPECT_EQ(bound.lines.size(), 5u);
 }
 
-TEST(Bindings, ErrorsInAFileAreToldWithItsLine) {
+TEST(Bindings, ErrorsInAFileNameItsLine) {
   BoundConsole bound;
   bound.console.set_loader([](std::string_view) -> base::Result<std::string> {
     return std::string("bind w +forward\nbind NOSUCHKEY quit\nimpulse ten\nunbind\n");
   });
   bound.run("exec autoexec.cfg");
-  EXPECT_THAT(bound.lines, ElementsAre("exec autoexec.cfg", "autoexec.cfg:2: there is no key \"NOSUCHKEY\"",
-                                       HasSubstr("autoexec.cfg:3: impulse"), HasSubstr("autoexec.cfg:4: ")));
+  EXPECT_THAT(bound.lines,
+              ElementsAre("exec autoexec.cfg", HasSubstr("autoexec.cfg:2: Unknown key \"NOSUCHKEY\""),
+                          HasSubstr("autoexec.cfg:3: Usage: impulse"), HasSubstr("autoexec.cfg:4: ")));
 }
 
 TEST(Bindings, DefaultsLeaveOtherKeysAlone) {
@@ -95,14 +96,14 @@ TEST(Bindings, DefaultsLeaveOtherKeysAlone) {
   bound.bindings.add_defaults();
   EXPECT_EQ(bound.bindings.commands(Key::kF11), "echo mod");
   EXPECT_EQ(bound.bindings.commands(Key{'w'}), "+forward");
-  EXPECT_THAT(bound.bindings.keys_of("+FORWARD"), ElementsAre(Key{'w'}, Key::kUpArrow));
+  EXPECT_THAT(bound.bindings.find_keys("+FORWARD"), ElementsAre(Key{'w'}, Key::kUpArrow));
 }
 
 TEST(Bindings, WrongKeysAreNamed) {
   BoundConsole bound;
   bound.run("bind nokey quit\nbind\nbind w\nunbind nokey");
   EXPECT_THAT(bound.lines, ElementsAre(HasSubstr("\"nokey\""), HasSubstr("bind KEY"),
-                                       HasSubstr("does nothing"), HasSubstr("\"nokey\"")));
+                                       HasSubstr("is not bound"), HasSubstr("\"nokey\"")));
 }
 
 TEST(HeldKeys, TwoKeysHoldOneAction) {
@@ -128,8 +129,8 @@ TEST(HeldKeys, OneKeyMayHoldSeveralActions) {
   EXPECT_FALSE(bound.input.buttons()[Button::kJump].is_down());
 }
 
-// A key that is bound to something else while it is held still ends what it began.
-TEST(HeldKeys, EndWhatTheyBegan) {
+// A key that is bound to something else while it is held still ends its action.
+TEST(HeldKeys, EndTheActionThatTheyStarted) {
   BoundConsole bound;
   HeldKeys held;
   bound.run(held.press(Key{'w'}, "+forward"));
@@ -139,7 +140,7 @@ TEST(HeldKeys, EndWhatTheyBegan) {
   EXPECT_FALSE(bound.input.buttons()[Button::kForward].is_down());
 }
 
-TEST(HeldKeys, NothingSticksWhenTheFocusGoes) {
+TEST(HeldKeys, NothingSticksWhenTheWindowLosesFocus) {
   BoundConsole bound;
   bound.bindings.add_defaults();
   HeldKeys held;

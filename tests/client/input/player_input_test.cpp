@@ -1,4 +1,4 @@
-// From mouse, keys and sticks to view angles and moves; expectations are the stock rates and formulas.
+// From mouse, keys and sticks to view angles and moves, compared with the stock rates and formulas.
 #include "client/input/player_input.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kKey = 'w', kOtherKey = 'd';
 
-TEST(ButtonState, CountsTheTimeItIsHeldWheneverItIsAsked) {
+TEST(ButtonState, CountsHeldTimeHoweverOftenItIsRead) {
   ButtonState asked_once, asked_often;
   asked_once.press(kKey, 1.0);
   asked_once.release(kKey, 1.25);
@@ -34,7 +34,7 @@ TEST(ButtonState, APressBetweenTwoMovesIsNotLost) {
   EXPECT_FALSE(button.take_was_down());
 }
 
-TEST(ButtonState, ATypedReleaseLetsAllKeysGo) {
+TEST(ButtonState, ATypedReleaseReleasesAllKeys) {
   ButtonState button;
   button.press(kKey, 0);
   button.press(kOtherKey, 0);
@@ -46,7 +46,7 @@ TEST(PlayerInput, MouseTurnsByTheStockRate) {
   PlayerInput input;
   input.add_mouse(100, 50);
   input.look({.time_s = 1}, {});
-  // 0.022 degrees a count, times sensitivity 3.
+  // 0.022 degrees per count, times sensitivity 3.
   EXPECT_FLOAT_EQ(input.view_angles_deg().y, -6.6f);
   EXPECT_FLOAT_EQ(input.view_angles_deg().x, 3.3f);
   InputSettings inverted;
@@ -64,7 +64,7 @@ TEST(PlayerInput, ZoomSlowsTurning) {
   EXPECT_FLOAT_EQ(input.view_angles_deg().y, -1.65f);
 }
 
-TEST(PlayerInput, PitchStopsAtItsBounds) {
+TEST(PlayerInput, PitchStopsAtItsLimits) {
   PlayerInput input;
   input.add_mouse(0, 1e6f);
   input.look({.time_s = 1}, {});
@@ -74,7 +74,7 @@ TEST(PlayerInput, PitchStopsAtItsBounds) {
   EXPECT_FLOAT_EQ(input.view_angles_deg().x, -70);
 }
 
-// Whatever the frame rate, a key held for half a second turns by half of cl_yawspeed.
+// At any frame rate, a key held for half a second turns by half of cl_yawspeed.
 TEST(PlayerInput, KeysTurnAlikeAtAnyFrameRate) {
   for (const int rate : {30, 72, 1000}) {
     PlayerInput input;
@@ -103,7 +103,7 @@ TEST(PlayerInput, WalksAndRunsAtTheStockSpeeds) {
   const net::Move run = input.take_move(0.02, {});
   EXPECT_EQ(run.forward, 400);
   EXPECT_EQ(run.side, 700);
-  // The run key walks where one always runs.
+  // With cl_alwaysrun the run key walks.
   input.buttons()[Button::kSpeed].press('s', 0.02);
   EXPECT_EQ(input.take_move(0.03, {}).forward, 200);
 }
@@ -115,7 +115,7 @@ TEST(PlayerInput, AKeyHeldForHalfOfAMoveGivesHalfTheSpeed) {
   EXPECT_NEAR(input.take_move(1.01, {}).forward, 200, 1);
 }
 
-TEST(PlayerInput, ImpulsesAndButtonsAreSaidOnce) {
+TEST(PlayerInput, ImpulsesAndButtonsAreSentOnce) {
   PlayerInput input;
   input.set_impulse(7);
   input.buttons()[Button::kAttack].press(kKey, 0);
@@ -127,7 +127,7 @@ TEST(PlayerInput, ImpulsesAndButtonsAreSaidOnce) {
   EXPECT_EQ(second.buttons, 0);
 }
 
-TEST(PlayerInput, StrafeTurnsMouseIntoSteps) {
+TEST(PlayerInput, StrafeMakesTheMouseMoveSideways) {
   PlayerInput input;
   input.take_move(0, {});
   input.buttons()[Button::kStrafe].press(kKey, 0);
@@ -137,7 +137,7 @@ TEST(PlayerInput, StrafeTurnsMouseIntoSteps) {
   EXPECT_EQ(input.take_move(0.01, {}).side, 240);  // 100 counts * sensitivity 3 * m_side 0.8
 }
 
-TEST(PlayerInput, CenterviewLooksAheadAgain) {
+TEST(PlayerInput, CenterviewLevelsTheView) {
   PlayerInput input;
   input.set_view_angles({40, 10, 0});
   input.center_view();
@@ -147,11 +147,11 @@ TEST(PlayerInput, CenterviewLooksAheadAgain) {
 }
 
 TEST(PlayerInput, SticksHaveADeadZoneAndACurve) {
-  EXPECT_EQ(shaped_stick({0.1f, 0.1f}, 0.2f, 1), math::Vec2(0.0f));
-  EXPECT_NEAR(shaped_stick({1, 0}, 0.2f, 3).x, 1, 1e-6);
-  EXPECT_NEAR(shaped_stick({0.6f, 0}, 0.2f, 2).x, 0.25, 1e-6);
-  // A stick's corner reaches further than its sides; nobody runs faster for that.
-  EXPECT_NEAR(glm::length(shaped_stick({1, 1}, 0.2f, 1)), 1, 1e-6);
+  EXPECT_EQ(shape_stick({0.1f, 0.1f}, 0.2f, 1), math::Vec2(0.0f));
+  EXPECT_NEAR(shape_stick({1, 0}, 0.2f, 3).x, 1, 1e-6);
+  EXPECT_NEAR(shape_stick({0.6f, 0}, 0.2f, 2).x, 0.25, 1e-6);
+  // A stick's corner reaches farther than its sides; that must not make the player faster.
+  EXPECT_NEAR(glm::length(shape_stick({1, 1}, 0.2f, 1)), 1, 1e-6);
 }
 
 TEST(PlayerInput, StickTurnsWhileItIsPushed) {
@@ -162,7 +162,7 @@ TEST(PlayerInput, StickTurnsWhileItIsPushed) {
   EXPECT_NEAR(input.view_angles_deg().y, -120, 0.1);  // half a second of 240
 }
 
-TEST(PlayerInput, AnythingGivesNumbersThatCanBeSent) {
+TEST(PlayerInput, AnyInputGivesNumbersThatCanBeSent) {
   test::Random random(7);
   PlayerInput input;
   for (int i = 0; i < 2000; ++i) {

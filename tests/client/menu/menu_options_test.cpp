@@ -1,16 +1,16 @@
-// Options: rows and the variables behind them, and keys.
+// The pages of settings: rows and their variables, and key bindings.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "client/menu/menu_by_hand.h"
+#include "client/menu/menu_driver.h"
 
 namespace temblor::client {
 namespace {
 
 using platform::Key;
-using test::MenuByHand;
+using test::MenuDriver;
 using test::WrittenRow;
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -27,10 +27,10 @@ class MenuOptions : public testing::Test {
     hand_.menu().open(page);
     ASSERT_TRUE(hand_.go_to(row)) << row << '\n' << hand_.all_text();
   }
-  MenuByHand hand_;
+  MenuDriver hand_;
 };
 
-TEST_F(MenuOptions, SwitchSlideAndChoose) {
+TEST_F(MenuOptions, SwitchesSlidersAndChoicesSetTheirVariable) {
   expect_at(MenuPage::kVideo, "Vertical sync");
   EXPECT_THAT(hand_.selected(), HasSubstr("off"));
   hand_.press(Key::kEnter);
@@ -39,41 +39,42 @@ TEST_F(MenuOptions, SwitchSlideAndChoose) {
   hand_.press(Key::kLeftArrow);
   EXPECT_EQ(value("vid_vsync"), "0");
 
-  expect_at(MenuPage::kVideo, "Colors");
+  expect_at(MenuPage::kVideo, "Color mode");
   hand_.press(Key::kPadRight);
   EXPECT_EQ(value("vid_color"), "indexed");
   hand_.press(Key::kPadRight);
-  EXPECT_EQ(value("vid_color"), "rgb") << "round the end";
+  EXPECT_EQ(value("vid_color"), "rgb") << "wraps around";
+  EXPECT_THAT(hand_.selected(), HasSubstr("true color")) << "shown by a name for players";
 
   expect_at(MenuPage::kVideo, "Field of view");
   hand_.press(Key::kRightArrow);
   EXPECT_EQ(value("fov"), "95");
   for (int i = 0; i < 40; ++i) hand_.press(Key::kRightArrow);
-  EXPECT_EQ(value("fov"), "130") << "the slider's end, not the variable's";
+  EXPECT_EQ(value("fov"), "130") << "the slider's end, not the variable's limit";
   ASSERT_TRUE(hand_.variables().set("fov", "92.5").ok());
   hand_.press(Key::kLeftArrow);
-  EXPECT_EQ(value("fov"), "90") << "onto the next step";
+  EXPECT_EQ(value("fov"), "90") << "moves to the next step down";
   ASSERT_TRUE(hand_.variables().set("fov", "92.5").ok());
   hand_.press(Key::kRightArrow);
-  EXPECT_EQ(value("fov"), "95") << "alike";
+  EXPECT_EQ(value("fov"), "95") << "moves to the next step up";
   ASSERT_TRUE(hand_.variables().set("fov", "170").ok());
-  EXPECT_THAT(hand_.selected(), HasSubstr("170")) << "what lies outside is told as it is";
+  EXPECT_THAT(hand_.selected(), HasSubstr("170")) << "values outside the slider are shown as they are";
 
-  expect_at(MenuPage::kVideo, "Frame limit");
+  expect_at(MenuPage::kVideo, "Frame rate limit");
   EXPECT_THAT(hand_.selected(), HasSubstr("none"));
   ASSERT_TRUE(hand_.variables().set("bgmvolume", "0.5").ok());
-  expect_at(MenuPage::kSound, "Music");
+  expect_at(MenuPage::kSound, "Music volume");
   EXPECT_THAT(hand_.selected(), HasSubstr("50%"));
   hand_.press(Key::kRightArrow);
   EXPECT_EQ(value("bgmvolume"), "0.55");
 }
 
-TEST_F(MenuOptions, TellTheHelpAndNameOfTheirVariable) {
+TEST_F(MenuOptions, ShowHelpAndNameOfTheirVariable) {
   expect_at(MenuPage::kVideo, "Gamma");
   EXPECT_THAT(hand_.all_text(), HasSubstr("Below 1: brighter. (gamma)"));
 }
 
-TEST_F(MenuOptions, LeaveOutWhatIsNotRegistered) {
+TEST_F(MenuOptions, LeaveOutUnregisteredVariables) {
   command::Variables variables;
   variables.add_float("gamma", 1, 0.5, 2, "Gamma.");
   Menu menu(variables, test::no_pictures(), {});
@@ -85,22 +86,22 @@ TEST_F(MenuOptions, LeaveOutWhatIsNotRegistered) {
     }
     render::DrawList list;
     menu.draw(320, 200, 0, list);
-    EXPECT_EQ(list.commands.empty(), page == MenuPage::kNewGame) << "a new game begins at once";
+    EXPECT_EQ(list.commands.empty(), page == MenuPage::kNewGame) << "a new game starts at once";
     menu.close();
   }
-  EXPECT_NE(variables.find("gamma")->number, 1) << "the one that there is can be changed";
+  EXPECT_NE(variables.find("gamma")->number, 1) << "the registered one can be changed";
 }
 
 TEST_F(MenuOptions, SlidersFollowThePointer) {
-  expect_at(MenuPage::kSound, "Sounds");
+  expect_at(MenuPage::kSound, "Effects volume");
   const auto line = [&] {
     for (const WrittenRow& row : hand_.read())
-      if (row.text.starts_with("Sounds")) return row;
+      if (row.text.starts_with("Effects volume")) return row;
     return WrittenRow{};
   };
   const WrittenRow row = line();
   const double y = (row.y_px + row.bottom_px) / 2.0;
-  // Where the slider is may be found out by pressing from left to right: the value rises from 0 to 1.
+  // Finds the slider by pressing from left to right: the value rises from 0 to 1.
   double first = -1, last = -1, before = -1;
   for (int x = row.x_px + 100; x < row.right_px; x += 2) {
     ASSERT_TRUE(hand_.variables().set("volume", "0.5").ok());
@@ -120,21 +121,21 @@ TEST_F(MenuOptions, SlidersFollowThePointer) {
   hand_.hold(Key::kMouse1, true);
   EXPECT_NEAR(hand_.variables().find("volume")->number, 0.5, 0.06);
   hand_.point(last + 300, y + 100);
-  EXPECT_EQ(value("volume"), "1") << "beyond the end, and off the row";
+  EXPECT_EQ(value("volume"), "1") << "past the end and off the row";
   hand_.point(0, 0);
   EXPECT_EQ(value("volume"), "0");
   hand_.hold(Key::kMouse1, false);
   hand_.point(last, y);
-  EXPECT_EQ(value("volume"), "0") << "let go";
-  EXPECT_THAT(hand_.selected(), StartsWith("Sounds"));
+  EXPECT_EQ(value("volume"), "0") << "released";
+  EXPECT_THAT(hand_.selected(), StartsWith("Effects volume"));
 }
 
-TEST_F(MenuOptions, DisplayIsChangedWhenApplied) {
-  expect_at(MenuPage::kVideo, "Size");
+TEST_F(MenuOptions, DisplaySettingsTakeEffectOnApply) {
+  expect_at(MenuPage::kVideo, "Resolution");
   EXPECT_THAT(hand_.selected(), HasSubstr("1280 x 720"));
   hand_.press(Key::kLeftArrow);
   EXPECT_THAT(hand_.selected(), HasSubstr("1920 x 1080"));
-  ASSERT_TRUE(hand_.go_to("Shown in"));
+  ASSERT_TRUE(hand_.go_to("Display mode"));
   EXPECT_THAT(hand_.selected(), HasSubstr("window"));
   hand_.press(Key::kLeftArrow);
   EXPECT_THAT(hand_.selected(), HasSubstr("fullscreen"));
@@ -145,18 +146,18 @@ TEST_F(MenuOptions, DisplayIsChangedWhenApplied) {
   EXPECT_EQ(value("vid_width"), "1920");
   EXPECT_EQ(value("vid_height"), "1080");
   EXPECT_THAT(hand_.commands(), IsEmpty());
-  ASSERT_TRUE(hand_.go_to("Display"));
+  ASSERT_TRUE(hand_.go_to("Monitor"));
   hand_.press(Key::kRightArrow);
-  ASSERT_TRUE(hand_.go_to("Size"));
+  ASSERT_TRUE(hand_.go_to("Resolution <")) << "not the resolution scale";
   hand_.press(Key::kRightArrow);
-  EXPECT_THAT(hand_.selected(), HasSubstr("2560 x 1440")) << "of the other display";
+  EXPECT_THAT(hand_.selected(), HasSubstr("2560 x 1440")) << "a resolution of the other monitor";
   hand_.press(Key::kEscape);
-  expect_at(MenuPage::kVideo, "Size");
-  EXPECT_THAT(hand_.selected(), HasSubstr("1920 x 1080")) << "not applied, forgotten";
+  expect_at(MenuPage::kVideo, "Resolution");
+  EXPECT_THAT(hand_.selected(), HasSubstr("1920 x 1080")) << "choices that were not applied are forgotten";
 }
 
-TEST_F(MenuOptions, DisplayRowsFollowAWindowThatIsResized) {
-  expect_at(MenuPage::kVideo, "Size");
+TEST_F(MenuOptions, DisplayRowsFollowAResizedWindow) {
+  expect_at(MenuPage::kVideo, "Resolution");
   const auto resize = [&] {
     ASSERT_TRUE(hand_.variables().set("vid_width", "1000").ok());
     ASSERT_TRUE(hand_.variables().set("vid_height", "700").ok());
@@ -168,11 +169,11 @@ TEST_F(MenuOptions, DisplayRowsFollowAWindowThatIsResized) {
   hand_.press(Key::kRightArrow);
   const std::string chosen = hand_.selected();
   resize();
-  EXPECT_EQ(hand_.selected(), chosen) << "what was chosen stays so";
+  EXPECT_EQ(hand_.selected(), chosen) << "a choice that the player made stays";
 }
 
-TEST_F(MenuOptions, GoBackToDefaults) {
-  expect_at(MenuPage::kSound, "Back to defaults");
+TEST_F(MenuOptions, ResetToDefaults) {
+  expect_at(MenuPage::kSound, "Reset to defaults");
   hand_.press(Key::kEnter);
   EXPECT_THAT(hand_.commands(), IsEmpty());
   ASSERT_TRUE(hand_.choose("Yes"));
@@ -180,14 +181,14 @@ TEST_F(MenuOptions, GoBackToDefaults) {
   EXPECT_TRUE(hand_.menu().is_open());
 }
 
-TEST_F(MenuOptions, ColorsOfClothes) {
+TEST_F(MenuOptions, ShirtAndPantsColorsWrapAround) {
   expect_at(MenuPage::kPlayer, "Shirt");
   hand_.press(Key::kRightArrow);
   EXPECT_EQ(value("topcolor"), "5");
   EXPECT_EQ(value("bottomcolor"), "13");
   ASSERT_TRUE(hand_.go_to("Pants"));
   hand_.press(Key::kRightArrow);
-  EXPECT_EQ(value("bottomcolor"), "0") << "there are 14";
+  EXPECT_EQ(value("bottomcolor"), "0") << "there are 14 colors";
   EXPECT_EQ(value("topcolor"), "5");
 }
 
@@ -219,8 +220,8 @@ TEST_F(MenuOptions, HighContrastIsOneColorOnBlack) {
   EXPECT_EQ(hand_.draw().commands.front().opacity, 1);
 }
 
-TEST_F(MenuOptions, KeysAreBound) {
-  expect_at(MenuPage::kKeys, "Forward");
+TEST_F(MenuOptions, BindAndUnbindKeys) {
+  expect_at(MenuPage::kKeys, "Move forward");
   EXPECT_THAT(hand_.selected(), HasSubstr("w or UPARROW"));
   hand_.press(Key::kEnter);
   EXPECT_FALSE(hand_.menu().wants_text());
@@ -229,7 +230,7 @@ TEST_F(MenuOptions, KeysAreBound) {
   hand_.menu().handle({0, platform::TextTyped{"m"}});
   hand_.hold(Key{'m'}, false);
   EXPECT_THAT(hand_.commands(), ElementsAre("bind m +forward"));
-  EXPECT_THAT(hand_.all_text(), Not(HasSubstr("Find:"))) << "the key's letter is no search";
+  EXPECT_THAT(hand_.all_text(), Not(HasSubstr("Filter:"))) << "the bound key's letter does not filter";
   hand_.press(Key::kBackspace);
   EXPECT_THAT(hand_.commands(), ElementsAre("unbind w", "unbind UPARROW"));
   ASSERT_TRUE(hand_.go_to("Next weapon"));
@@ -239,7 +240,7 @@ TEST_F(MenuOptions, KeysAreBound) {
                                "UPARROW",    "ENTER",  "SEMICOLON", "QUOTE",   "BACKSPACE"};
   for (std::size_t i = 0; i < std::size(keys); ++i) {
     hand_.press(Key::kPadA);
-    hand_.push_stick(0, 1);  // no button
+    hand_.push_stick(0, 1);  // a stick is not a button
     hand_.push_stick(0, 0);
     hand_.press(keys[i]);
     EXPECT_THAT(hand_.commands(), ElementsAre(std::string("bind ") + names[i] + " \"impulse 10\""));
@@ -252,7 +253,7 @@ TEST_F(MenuOptions, KeysAreBound) {
 }
 
 TEST_F(MenuOptions, EveryStockActionCanBeBound) {
-  // The actions of the original's own page, and what a player binds besides.
+  // The actions on the original's page, and others that players bind.
   for (const char* action :
        {"+attack",   "impulse 10", "impulse 12",    "+jump",       "+forward",    "+back",
         "+left",     "+right",     "+speed",        "+moveleft",   "+moveright",  "+strafe",
@@ -261,10 +262,10 @@ TEST_F(MenuOptions, EveryStockActionCanBeBound) {
         "pause",     "screenshot", "toggleconsole", "save quick",  "load quick",  "+zoom"}) {
     std::string asked_for;
     MenuContent content;
-    content.keys_of = [&](std::string_view commands) {
+    content.find_keys = [&](std::string_view commands) {
       return commands == action ? std::vector<Key>{Key::kF12} : std::vector<Key>{};
     };
-    MenuByHand hand(content);
+    MenuDriver hand(content);
     hand.menu().open(MenuPage::kKeys);
     bool found = false;
     for (int i = 0; i < 60 && !found; ++i) {

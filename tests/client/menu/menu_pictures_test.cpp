@@ -1,10 +1,10 @@
-// Every page over a bright scene, with stock pictures: for people to look at
-// (support/pictures/picture_file.h). What is held here is that a page draws the pictures of its game, and
-// stays in the frame.
+// Draws every page over a bright scene with stock pictures, for people to look at
+// (support/pictures/picture_file.h). The test checks that a page uses the game's pictures and stays in the
+// frame.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "client/menu/menu_by_hand.h"
+#include "client/menu/menu_driver.h"
 #include "formats/images/palette.h"
 #include "render/renderer.h"
 #include "support/game_data.h"
@@ -13,7 +13,7 @@
 namespace temblor::client {
 namespace {
 
-using test::MenuByHand;
+using test::MenuDriver;
 
 // Stripes of all colors, brightest in the middle.
 void paint_scene(render::FrameBuffer& io_frame) {
@@ -23,7 +23,7 @@ void paint_scene(render::FrameBuffer& io_frame) {
           static_cast<std::uint8_t>((x * 24 / io_frame.width()) % 16 * 16 + 8 + (y / 16 + x / 16) % 8);
 }
 
-// As if seen from above: some rectangles.
+// A placeholder for a level's overview: rectangles.
 formats::Picture some_overview() {
   formats::Picture picture{320, 200, std::vector<std::uint8_t>(320 * 200, 0)};
   for (std::size_t y = 0; y < 200; ++y)
@@ -33,7 +33,7 @@ formats::Picture some_overview() {
   return picture;
 }
 
-TEST(MenuPictures, EveryPage) {
+TEST(MenuPictures, EveryPageStaysInTheFrame) {
   DATA_FOLDER_OR_SKIP(base);
   std::vector<std::string> notes;
   const auto files = vfs::FileSystem::open(base).value();
@@ -43,7 +43,7 @@ TEST(MenuPictures, EveryPage) {
   command::Variables variables;
   test::register_menu_variables(variables);
   const formats::Picture overview = some_overview();
-  MenuContent content = MenuByHand::some_content();
+  MenuContent content = MenuDriver::some_content();
   content.level_picture = content.save_picture = [&](std::string_view) { return &overview; };
   content.unsaved = [] { return std::string("The game since the last save would be lost."); };
   Menu menu(variables, pictures, content);

@@ -1,4 +1,4 @@
-// Walks through the menus: what is to be read there, what is chosen, and what comes of it.
+// Walks through the menus: what the pages show, what the player chooses, and which commands result.
 #include "client/menu/menu.h"
 
 #include <gmock/gmock.h>
@@ -6,14 +6,14 @@
 
 #include <set>
 
-#include "client/menu/menu_by_hand.h"
+#include "client/menu/menu_driver.h"
 
 namespace temblor::client {
 namespace {
 
 using platform::Key;
 using test::Device;
-using test::MenuByHand;
+using test::MenuDriver;
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -24,50 +24,50 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr Device kDevices[] = {Device::kKeyboard, Device::kGamepad, Device::kStick, Device::kMouse};
-constexpr MenuByHand::Size kSmallest{320, 200};
+constexpr MenuDriver::Size kSmallest{320, 200};
 
-struct Way {
+struct Path {
   std::vector<const char*> rows;  // chosen one after the other from the main page
-  const char* there;              // to be read on the page that they lead to
+  const char* target;             // a text on the page that they lead to
 };
-const std::vector<Way>& ways() {
-  static const std::vector<Way> the_ways = {
+const std::vector<Path>& all_paths() {
+  static const std::vector<Path> paths = {
       {{"Single player"}, "New game"},
       {{"Single player", "New game"}, "First Episode"},
-      {{"Single player", "Load"}, "quick"},
-      {{"Single player", "Save"}, "A new save"},
+      {{"Single player", "Load game"}, "quick"},
+      {{"Single player", "Save game"}, "New save"},
       {{"Single player", "Levels"}, "e1m1"},
       {{"Multiplayer"}, "Join"},
       {{"Multiplayer", "Join"}, "Attic"},
-      {{"Multiplayer", "Host"}, "Begin"},
+      {{"Multiplayer", "Host"}, "Start game"},
       {{"Multiplayer", "Host", "Level"}, "e1m2"},
       {{"Multiplayer", "Player"}, "Shirt"},
       {{"Options"}, "Accessibility"},
       {{"Options", "Video"}, "Gamma"},
       {{"Options", "Screen"}, "Crosshair"},
-      {{"Options", "Sound"}, "Music"},
+      {{"Options", "Sound"}, "Music volume"},
       {{"Options", "Controls"}, "Invert mouse"},
-      {{"Options", "Keys"}, "Forward"},
+      {{"Options", "Keys"}, "Move forward"},
       {{"Options", "Accessibility"}, "Text size"},
       {{"Levels"}, "start"},
-      {{"Game folders"}, "mymod"},
+      {{"Mods"}, "mymod"},
       {{"Demos"}, "demo2"},
       {{"Help"}, "WASD"},
   };
-  return the_ways;
+  return paths;
 }
 
-TEST(Menu, EveryDeviceFindsEveryPageAndTheWayBack) {
+TEST(Menu, EveryDeviceReachesEveryPageAndReturns) {
   for (const Device device : kDevices)
-    for (const MenuByHand::Size size : {kSmallest, MenuByHand::Size{1920, 1080}}) {
-      MenuByHand hand(MenuByHand::some_content(), size);
+    for (const MenuDriver::Size size : {kSmallest, MenuDriver::Size{1920, 1080}}) {
+      MenuDriver hand(MenuDriver::some_content(), size);
       hand.menu().open();
-      for (const Way& way : ways()) {
+      for (const Path& path : all_paths()) {
         SCOPED_TRACE(testing::Message()
-                     << way.there << ", device " << static_cast<int>(device) << ", " << size.width);
-        for (const char* row : way.rows) ASSERT_TRUE(hand.choose(row, device)) << row << hand.all_text();
-        EXPECT_THAT(hand.all_text(), HasSubstr(way.there));
-        for (std::size_t i = 0; i < way.rows.size(); ++i) hand.go_back(device);
+                     << path.target << ", device " << static_cast<int>(device) << ", " << size.width);
+        for (const char* row : path.rows) ASSERT_TRUE(hand.choose(row, device)) << row << hand.all_text();
+        EXPECT_THAT(hand.all_text(), HasSubstr(path.target));
+        for (std::size_t i = 0; i < path.rows.size(); ++i) hand.go_back(device);
         EXPECT_THAT(hand.all_text(), HasSubstr("Single player"));
         EXPECT_THAT(hand.commands(), IsEmpty());
       }
@@ -76,8 +76,8 @@ TEST(Menu, EveryDeviceFindsEveryPageAndTheWayBack) {
     }
 }
 
-// The rows that the cursor comes to, by their first word or two: what stands there before values.
-std::set<std::string> rows_that(MenuByHand& hand, const std::function<void()>& step) {
+// The rows that the cursor reaches, by the start of their label.
+std::set<std::string> collect_rows(MenuDriver& hand, const std::function<void()>& step) {
   std::set<std::string> rows;
   for (int i = 0; i < 120; ++i) {
     rows.insert(hand.selected().substr(0, 12));
@@ -87,15 +87,15 @@ std::set<std::string> rows_that(MenuByHand& hand, const std::function<void()>& s
   return rows;
 }
 
-TEST(Menu, EveryRowIsReachedByEveryDevice) {
+TEST(Menu, EveryDeviceReachesEveryRow) {
   for (const MenuPage page : test::all_pages()) {
     SCOPED_TRACE(static_cast<int>(page));
-    MenuByHand hand(MenuByHand::some_content(), kSmallest);
+    MenuDriver hand(MenuDriver::some_content(), kSmallest);
     hand.menu().open(page);
-    const std::set<std::string> down = rows_that(hand, [&] { hand.press(Key::kDownArrow); });
-    const std::set<std::string> up = rows_that(hand, [&] { hand.press(Key::kPadUp); });
+    const std::set<std::string> down = collect_rows(hand, [&] { hand.press(Key::kDownArrow); });
+    const std::set<std::string> up = collect_rows(hand, [&] { hand.press(Key::kPadUp); });
     EXPECT_EQ(down, up);
-    // With the mouse: whatever stands anywhere on the frame, page after page of the wheel.
+    // The mouse points everywhere on the frame, and the wheel scrolls to the end.
     std::set<std::string> pointed;
     hand.press(Key::kHome);
     for (int turn = 0; turn < 40; ++turn) {
@@ -111,8 +111,8 @@ TEST(Menu, EveryRowIsReachedByEveryDevice) {
   }
 }
 
-TEST(Menu, BeginsAGameWithEpisodeAndSkill) {
-  MenuByHand hand;
+TEST(Menu, StartsAGameWithEpisodeAndSkill) {
+  MenuDriver hand;
   hand.menu().open();
   ASSERT_TRUE(hand.choose("Single player") && hand.choose("New game"));
   ASSERT_TRUE(hand.go_to("Skill"));
@@ -125,10 +125,10 @@ TEST(Menu, BeginsAGameWithEpisodeAndSkill) {
   EXPECT_FALSE(hand.menu().is_open());
 }
 
-TEST(Menu, BeginsInStartWhereTheGameHasNoEpisodes) {
-  MenuContent content = MenuByHand::some_content();
+TEST(Menu, StartsInTheLevelStartWithoutEpisodes) {
+  MenuContent content = MenuDriver::some_content();
   content.episodes = {};
-  MenuByHand hand(content);
+  MenuDriver hand(content);
   hand.menu().open();
   ASSERT_TRUE(hand.choose("Single player") && hand.choose("New game"));
   EXPECT_THAT(hand.commands(), Contains("map start"));
@@ -137,42 +137,42 @@ TEST(Menu, BeginsInStartWhereTheGameHasNoEpisodes) {
   EXPECT_THAT(hand.commands(), Contains("map start"));
   EXPECT_FALSE(hand.menu().is_open());
   content.levels = [] { return std::vector<MenuLevel>{{"dm1", ""}}; };
-  MenuByHand without(content);
+  MenuDriver without(content);
   without.menu().open(MenuPage::kNewGame);
-  EXPECT_THAT(without.all_text(), HasSubstr("dm1")) << "a mod without a start: its levels";
+  EXPECT_THAT(without.all_text(), HasSubstr("dm1")) << "a mod without a level \"start\" shows its levels";
 }
 
 TEST(Menu, LoadsAndSaves) {
-  MenuByHand hand;
+  MenuDriver hand;
   hand.menu().open(MenuPage::kLoad);
   EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("12:34"), HasSubstr("12 of 30")));
   ASSERT_TRUE(hand.choose("quick"));
   EXPECT_THAT(hand.commands(), ElementsAre("load quick"));
   hand.menu().open(MenuPage::kSave);
-  ASSERT_TRUE(hand.choose("A new save"));
+  ASSERT_TRUE(hand.choose("New save"));
   EXPECT_THAT(hand.commands(), ElementsAre("save s1")) << "s0 is taken";
   hand.menu().open(MenuPage::kSave);
   ASSERT_TRUE(hand.choose("s0"));
-  EXPECT_THAT(hand.all_text(), HasSubstr("Save over s0"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("Overwrite s0"));
   EXPECT_THAT(hand.commands(), IsEmpty());
   hand.press(Key::kEnter);
-  EXPECT_THAT(hand.commands(), IsEmpty()) << "No is what Enter says first";
+  EXPECT_THAT(hand.commands(), IsEmpty()) << "No is selected first";
   ASSERT_TRUE(hand.choose("s0") && hand.choose("Yes"));
   EXPECT_THAT(hand.commands(), ElementsAre("save s0"));
 }
 
-TEST(Menu, SavesOnlyWhatCanBeSaved) {
-  MenuContent content = MenuByHand::some_content();
+TEST(Menu, OffersSavingOnlyIfTheGameCanBeSaved) {
+  MenuContent content = MenuDriver::some_content();
   content.can_save = [] { return false; };
-  MenuByHand hand(content);
+  MenuDriver hand(content);
   hand.menu().open(MenuPage::kSinglePlayer);
   EXPECT_FALSE(hand.go_to("Save"));
   hand.menu().open(MenuPage::kSave);
-  EXPECT_THAT(hand.all_text(), HasSubstr("no game that could be saved"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("can't save right now"));
 }
 
-TEST(Menu, QuitsAtOnceWhereNothingWouldBeLost) {
-  MenuByHand hand;
+TEST(Menu, QuitsWithoutAQuestionIfNothingWouldBeLost) {
+  MenuDriver hand;
   hand.menu().open();
   ASSERT_TRUE(hand.choose("Quit"));
   EXPECT_THAT(hand.commands(), ElementsAre("quit"));
@@ -181,12 +181,12 @@ TEST(Menu, QuitsAtOnceWhereNothingWouldBeLost) {
   EXPECT_THAT(hand.commands(), ElementsAre("quit"));
 }
 
-TEST(Menu, LeavesTheGameThatRuns) {
-  MenuContent content = MenuByHand::some_content();
+TEST(Menu, LeavesTheRunningGame) {
+  MenuContent content = MenuDriver::some_content();
   bool runs = true;
   content.game_runs = [&] { return runs; };
   content.unsaved = [&] { return runs ? std::string("It would end.") : std::string(); };
-  MenuByHand hand(content, kSmallest);
+  MenuDriver hand(content, kSmallest);
   hand.menu().open();
   ASSERT_TRUE(hand.choose("Leave game") && hand.choose("Yes"));
   EXPECT_THAT(hand.commands(), ElementsAre("disconnect"));
@@ -195,10 +195,10 @@ TEST(Menu, LeavesTheGameThatRuns) {
   EXPECT_FALSE(hand.go_to("Leave game"));
 }
 
-TEST(Menu, AsksBeforeSomethingIsLost) {
-  MenuContent content = MenuByHand::some_content();
+TEST(Menu, AsksBeforeProgressIsLost) {
+  MenuContent content = MenuDriver::some_content();
   content.unsaved = [] { return std::string("Ten minutes of play are not saved."); };
-  MenuByHand hand(content);
+  MenuDriver hand(content);
   hand.menu().open(MenuPage::kQuit);
   EXPECT_THAT(hand.all_text(), HasSubstr("Ten minutes of play"));
   hand.type("n");
@@ -212,27 +212,27 @@ TEST(Menu, AsksBeforeSomethingIsLost) {
     ASSERT_TRUE(hand.choose(level));
     EXPECT_THAT(hand.commands(), IsEmpty());
     hand.press(Key::kEscape);
-    EXPECT_THAT(hand.selected(), StartsWith(level)) << "back where one was";
+    EXPECT_THAT(hand.selected(), StartsWith(level)) << "back on the same row";
     hand.press(Key::kEnter);
     ASSERT_TRUE(hand.choose("Yes"));
     EXPECT_THAT(hand.commands(), Contains("map e1m1"));
   }
   hand.menu().open(MenuPage::kLoad);
   ASSERT_TRUE(hand.choose("s0"));
-  EXPECT_THAT(hand.commands(), ElementsAre("load s0")) << "as the original: who loads means it";
+  EXPECT_THAT(hand.commands(), ElementsAre("load s0")) << "loading needs no confirmation, as in the original";
 }
 
-TEST(Menu, TheKeyThatOpenedItTypesNothing) {
-  MenuByHand hand;
+TEST(Menu, IgnoresTheTextOfTheKeyThatOpenedIt) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kLevels);
   hand.menu().handle({0, platform::TextTyped{"m"}});
-  EXPECT_THAT(hand.all_text(), HasSubstr("Type to find"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("Type to filter"));
   hand.type("m");
-  EXPECT_THAT(hand.all_text(), HasSubstr("Find: m"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("Filter: m"));
 }
 
-TEST(Menu, FindsInLongListsByTyping) {
-  MenuByHand hand;
+TEST(Menu, TypingFiltersLongLists) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kLevels);
   hand.type("number 17");
   EXPECT_THAT(hand.selected(), StartsWith("e1m17"));
@@ -244,20 +244,20 @@ TEST(Menu, FindsInLongListsByTyping) {
   hand.press(Key::kEnter);
   EXPECT_THAT(hand.commands(), IsEmpty());
   hand.press(Key::kEscape);
-  EXPECT_THAT(hand.all_text(), HasSubstr("start")) << "Escape ends the search first";
+  EXPECT_THAT(hand.all_text(), HasSubstr("start")) << "Escape clears the filter first";
   EXPECT_TRUE(hand.menu().is_open());
   hand.press(Key::kBackspace);
-  EXPECT_FALSE(hand.menu().is_open()) << "with nothing to erase it goes back";
+  EXPECT_FALSE(hand.menu().is_open()) << "with nothing to erase, Backspace goes back";
 }
 
-TEST(Menu, JumpsThroughLists) {
-  MenuByHand hand(MenuByHand::some_content(), kSmallest);
+TEST(Menu, PageAndEndKeysMoveThroughLists) {
+  MenuDriver hand(MenuDriver::some_content(), kSmallest);
   hand.menu().open(MenuPage::kLevels);
   hand.draw();
   hand.press(Key::kEnd);
   EXPECT_THAT(hand.selected(), StartsWith("e1m30"));
   hand.press(Key::kDownArrow);
-  EXPECT_THAT(hand.selected(), StartsWith("Skill")) << "round the end";
+  EXPECT_THAT(hand.selected(), StartsWith("Skill")) << "wraps around";
   hand.press(Key::kUpArrow);
   EXPECT_THAT(hand.selected(), StartsWith("e1m30"));
   hand.press(Key::kHome);
@@ -265,11 +265,11 @@ TEST(Menu, JumpsThroughLists) {
   hand.press(Key::kPageDown);
   EXPECT_THAT(hand.selected(), AllOf(StartsWith("e1m"), Not(StartsWith("e1m1 "))));
   for (int i = 0; i < 10; ++i) hand.press(Key::kPadRightShoulder);
-  EXPECT_THAT(hand.selected(), StartsWith("e1m30")) << "pages end at the end";
+  EXPECT_THAT(hand.selected(), StartsWith("e1m30")) << "paging stops at the end";
 }
 
-TEST(Menu, RepeatsWhatAGamepadHolds) {
-  MenuByHand hand;
+TEST(Menu, RepeatsHeldGamepadButtonsAndSticks) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kLevels);
   hand.press(Key::kHome);
   const auto is_at = [&](const char* row) { return hand.selected().starts_with(row); };
@@ -285,7 +285,7 @@ TEST(Menu, RepeatsWhatAGamepadHolds) {
   EXPECT_TRUE(is_at("e1m2"));
   hand.wait(1000);
   hand.draw();
-  EXPECT_TRUE(is_at("e1m3")) << "one step a frame, however long it took";
+  EXPECT_TRUE(is_at("e1m3")) << "one step a frame, however long the frame took";
   hand.hold(Key::kPadDown, false);
   hand.wait(10);
   hand.draw();
@@ -294,7 +294,7 @@ TEST(Menu, RepeatsWhatAGamepadHolds) {
   EXPECT_TRUE(is_at("e1m2"));
   hand.push_stick(0.2f, -0.5f);
   hand.push_stick(0, -1);
-  EXPECT_TRUE(is_at("e1m2")) << "it was never let go";
+  EXPECT_TRUE(is_at("e1m2")) << "the stick was not released in between";
   hand.wait(0.41);
   hand.draw();
   EXPECT_TRUE(is_at("e1m1"));
@@ -306,14 +306,14 @@ TEST(Menu, RepeatsWhatAGamepadHolds) {
 
 TEST(Menu, JoinsByAddressAndByList) {
   int searches = 0;
-  MenuContent content = MenuByHand::some_content();
+  MenuContent content = MenuDriver::some_content();
   content.search_servers = [&] { ++searches; };
   content.clipboard = [] { return std::string("192.168.1.5\n"); };
-  MenuByHand hand(content);
+  MenuDriver hand(content);
   hand.menu().open(MenuPage::kMultiplayer);
   ASSERT_TRUE(hand.choose("Join"));
   EXPECT_EQ(searches, 1);
-  ASSERT_TRUE(hand.choose("Search again"));
+  ASSERT_TRUE(hand.choose("Refresh"));
   EXPECT_EQ(searches, 2);
   EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("Attic"), HasSubstr("3/8"), HasSubstr("21ms")));
   ASSERT_TRUE(hand.choose("Attic"));
@@ -337,13 +337,13 @@ TEST(Menu, JoinsByAddressAndByList) {
   hand.press(Key{'v'});
   hand.hold(Key::kCtrl, false);
   hand.press(Key::kDownArrow);
-  EXPECT_THAT(hand.commands(), IsEmpty()) << "going away keeps the text, and no more";
+  EXPECT_THAT(hand.commands(), IsEmpty()) << "leaving the row keeps the text but does not connect";
   ASSERT_TRUE(hand.choose("Connect"));
   EXPECT_THAT(hand.commands(), ElementsAre("connect 192.168.1.5"));
 }
 
-TEST(Menu, EscapeLeavesATextAsItWas) {
-  MenuByHand hand;
+TEST(Menu, EscapeCancelsTextEditing) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kPlayer);
   ASSERT_TRUE(hand.choose("Name"));
   hand.type("xyz");
@@ -352,11 +352,11 @@ TEST(Menu, EscapeLeavesATextAsItWas) {
   EXPECT_EQ(hand.variables().find("name")->text, "player");
   hand.type("s");
   hand.press(Key::kEnter);
-  EXPECT_EQ(hand.variables().find("name")->text, "players") << "typing alone begins to edit";
+  EXPECT_EQ(hand.variables().find("name")->text, "players") << "typing starts editing";
 }
 
-TEST(Menu, TextsHoldWhatCanBeShown) {
-  MenuByHand hand;
+TEST(Menu, TextRowsAcceptPrintableAsciiUpToTheirLimit) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kPlayer);
   ASSERT_TRUE(hand.choose("Name"));
   for (const std::string& typed : {std::string("\n"), std::string("\xc3\xa9\x01"), std::string(10000, 'x')})
@@ -365,8 +365,8 @@ TEST(Menu, TextsHoldWhatCanBeShown) {
   EXPECT_EQ(hand.variables().find("name")->text, "player" + std::string(194, 'x'));
 }
 
-TEST(Menu, WritesNamesByGamepad) {
-  MenuByHand hand;
+TEST(Menu, GamepadEditsText) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kPlayer);
   ASSERT_TRUE(hand.choose("Name", Device::kGamepad));
   for (int i = 0; i < 6; ++i) hand.press(Key::kPadX);  // "player"
@@ -374,16 +374,16 @@ TEST(Menu, WritesNamesByGamepad) {
                         Key::kPadRight, Key::kPadDown, Key::kPadRight, Key::kPadLeft})
     hand.press(key);
   hand.press(Key::kPadA);
-  EXPECT_EQ(hand.variables().find("name")->text, "bhZ") << "b; a and eight on, one back; before a";
+  EXPECT_EQ(hand.variables().find("name")->text, "bhZ") << "b; a plus eight minus one; the letter before a";
 }
 
-TEST(Menu, Hosts) {
-  MenuByHand hand;
+TEST(Menu, HostsAGame) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kHost);
   EXPECT_TRUE(hand.go_to("Frag limit"));
   ASSERT_TRUE(hand.choose("Level") && hand.choose("e1m7"));
   EXPECT_THAT(hand.all_text(), HasSubstr("The Level of Number 7"));
-  ASSERT_TRUE(hand.go_to("Players"));
+  ASSERT_TRUE(hand.go_to("Max players"));
   hand.press(Key::kRightArrow);
   ASSERT_TRUE(hand.choose("Port"));
   for (int i = 0; i < 3; ++i) hand.press(Key::kBackspace);
@@ -392,72 +392,72 @@ TEST(Menu, Hosts) {
   EXPECT_EQ(hand.variables().find("port")->text, "26001");
   hand.type("x");
   hand.press(Key::kEnter);
-  EXPECT_EQ(hand.variables().find("port")->text, "26001") << "no number";
-  ASSERT_TRUE(hand.choose("Begin"));
+  EXPECT_EQ(hand.variables().find("port")->text, "26001") << "not a number";
+  ASSERT_TRUE(hand.choose("Start game"));
   EXPECT_THAT(hand.commands(),
               ElementsAre("disconnect", "maxplayers 9", "deathmatch 1", "coop 0", "map e1m7"));
   hand.menu().open(MenuPage::kHost);
-  ASSERT_TRUE(hand.choose("Game"));
+  ASSERT_TRUE(hand.choose("Game mode"));
   EXPECT_FALSE(hand.go_to("Frag limit"));
   EXPECT_TRUE(hand.go_to("Skill"));
-  ASSERT_TRUE(hand.choose("Begin"));
+  ASSERT_TRUE(hand.choose("Start game"));
   EXPECT_THAT(hand.commands(), IsSupersetOf({"deathmatch 0", "coop 1", "map e1m7"}));
 }
 
-TEST(Menu, HostsArenasMadeUpWithBots) {
-  MenuContent content = MenuByHand::some_content();
+TEST(Menu, HostsAnArenaWithBots) {
+  MenuContent content = MenuDriver::some_content();
   content.levels = [] {
     return std::vector<client::MenuLevel>{
         {"gallery", "The Gallery"}, {"tdm1", "The Anvil"}, {"tdm2", "The Cistern"}};
   };
-  MenuByHand hand(content);
+  MenuDriver hand(content);
   hand.menu().open(MenuPage::kHost);
-  ASSERT_TRUE(hand.go_to("Bots fill up to"));
-  EXPECT_THAT(hand.all_text(), HasSubstr("Bots fill up to"));
+  ASSERT_TRUE(hand.go_to("Fill with bots"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("Fill with bots"));
   for (int i = 0; i < 4; ++i) hand.press(Key::kRightArrow);
   EXPECT_EQ(hand.variables().find("bot_fill")->text, "4");
-  ASSERT_TRUE(hand.go_to("Bots' skill"));
+  ASSERT_TRUE(hand.go_to("Bot skill"));
   hand.press(Key::kRightArrow);
   EXPECT_EQ(hand.variables().find("bot_skill")->text, "2");
-  ASSERT_TRUE(hand.choose("Begin"));
+  ASSERT_TRUE(hand.choose("Start game"));
   EXPECT_THAT(hand.commands(), Contains("map tdm1"));
 }
 
-TEST(Menu, TellsTheSavesApartThatItMadeItself) {
-  MenuContent content = MenuByHand::some_content();
+TEST(Menu, ShowsNamesOfAutosavesInFull) {
+  MenuContent content = MenuDriver::some_content();
   content.saves = [] {
     return std::vector<client::MenuSave>{{"autosave2", "The Toll House", 3, 0, 0},
                                          {"autosave3", "The Fault", 5, 0, 0}};
   };
-  MenuByHand hand(content);
+  MenuDriver hand(content);
   hand.menu().open(MenuPage::kLoad);
   EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("autosave2"), HasSubstr("autosave3")));
 }
 
-TEST(Menu, PlaysDemosAndSwitchesFolders) {
-  MenuByHand hand;
+TEST(Menu, PlaysDemosAndSwitchesMods) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kDemos);
   ASSERT_TRUE(hand.choose("demo2"));
   EXPECT_THAT(hand.commands(), ElementsAre("playdemo demo2"));
   hand.menu().open(MenuPage::kGameFolders);
-  EXPECT_THAT(hand.selected(), AllOf(StartsWith("id1"), HasSubstr("in use")));
+  EXPECT_THAT(hand.selected(), AllOf(StartsWith("id1"), HasSubstr("active")));
   ASSERT_TRUE(hand.choose("mymod"));
   EXPECT_THAT(hand.commands(), ElementsAre("game mymod"));
 }
 
-TEST(Menu, FollowsListsThatChange) {
+TEST(Menu, RefreshKeepsTheSelectionAndTheEditedText) {
   std::vector<MenuServer> servers;
-  MenuContent content = MenuByHand::some_content();
+  MenuContent content = MenuDriver::some_content();
   content.servers = [&] { return servers; };
-  MenuByHand hand(content);
+  MenuDriver hand(content);
   hand.menu().open(MenuPage::kJoin);
-  EXPECT_THAT(hand.all_text(), HasSubstr("None has answered yet"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("No servers found yet"));
   servers = {{"10.0.0.2", "Cellar", "e1m1", 0, 8, 5}};
   hand.menu().refresh();
   ASSERT_TRUE(hand.go_to("Cellar"));
   servers.insert(servers.begin(), {"10.0.0.1", "Attic", "e1m1", 0, 8, 5});
   hand.menu().refresh();
-  EXPECT_THAT(hand.selected(), StartsWith("Cellar")) << "what is selected stays so";
+  EXPECT_THAT(hand.selected(), StartsWith("Cellar")) << "the selection stays on its server";
   servers.clear();
   hand.menu().refresh();
   EXPECT_TRUE(hand.menu().is_open());
@@ -465,21 +465,22 @@ TEST(Menu, FollowsListsThatChange) {
   hand.type("abc");
   servers = {{"10.0.0.1", "Attic", "e1m1", 0, 8, 5}};
   hand.menu().refresh();
-  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("abc"), Not(HasSubstr("Attic")))) << "not while one types";
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("abc"), Not(HasSubstr("Attic"))))
+      << "the list waits until editing ends";
   hand.press(Key::kDownArrow);
   EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("abc"), HasSubstr("Attic")));
 }
 
-TEST(Menu, ShowsPicturesOfWhatIsSelected) {
+TEST(Menu, ShowsAPictureOfTheSelectedLevel) {
   const formats::Picture picture{4, 2, {1, 2, 3, 4, 5, 6, 7, 8}};
   std::string asked_for;
   bool is_there = false;
-  MenuContent content = MenuByHand::some_content();
+  MenuContent content = MenuDriver::some_content();
   content.level_picture = [&](std::string_view level) {
     asked_for = level;
     return is_there ? &picture : nullptr;
   };
-  MenuByHand hand(content, {320, 200});
+  MenuDriver hand(content, {320, 200});
   hand.menu().open(MenuPage::kLevels);
   const auto drawn = [&]() -> const render::DrawCommand* {
     for (const render::DrawCommand& command : hand.draw().commands)
@@ -500,8 +501,8 @@ TEST(Menu, ShowsPicturesOfWhatIsSelected) {
   EXPECT_EQ(shown.pixels.back(), 8);
 }
 
-TEST(Menu, Sounds) {
-  MenuByHand hand;
+TEST(Menu, MakesSounds) {
+  MenuDriver hand;
   hand.menu().open();
   EXPECT_EQ(hand.sounds(), "misc/menu2.wav ");
   hand.press(Key::kDownArrow);
@@ -514,58 +515,58 @@ TEST(Menu, Sounds) {
   EXPECT_EQ(hand.sounds(), "misc/menu3.wav ");
 }
 
-TEST(Menu, TakesWhatIsForItAndLeavesTheRest) {
-  MenuByHand hand;
-  const auto taken = [&](auto what) { return hand.menu().handle({0, what}); };
-  EXPECT_FALSE(taken(platform::KeyChange{Key{'w'}, true, false})) << "closed";
+TEST(Menu, ConsumesPressesAndLeavesReleasesToOthers) {
+  MenuDriver hand;
+  const auto is_consumed = [&](auto event) { return hand.menu().handle({0, event}); };
+  EXPECT_FALSE(is_consumed(platform::KeyChange{Key{'w'}, true, false})) << "closed";
   hand.menu().open();
   EXPECT_TRUE(hand.menu().wants_text());
-  EXPECT_TRUE(taken(platform::KeyChange{Key{'w'}, true, false}));
-  EXPECT_FALSE(taken(platform::KeyChange{Key{'w'}, false, false})) << "what was held is let go";
-  EXPECT_TRUE(taken(platform::TextTyped{"w"}));
-  EXPECT_TRUE(taken(platform::PointerMoved{0.5f, 0.5f}));
-  EXPECT_TRUE(taken(platform::MouseMoved{5, 5}));
-  EXPECT_TRUE(taken(platform::PadAxisMoved{platform::PadAxis::kRightX, 1}));
-  EXPECT_FALSE(taken(platform::PadAxisMoved{platform::PadAxis::kRightX, 0}));
-  EXPECT_FALSE(taken(platform::FocusChanged{false}));
-  EXPECT_FALSE(taken(platform::WindowChanged{}));
-  EXPECT_FALSE(taken(platform::CloseRequested{}));
+  EXPECT_TRUE(is_consumed(platform::KeyChange{Key{'w'}, true, false}));
+  EXPECT_FALSE(is_consumed(platform::KeyChange{Key{'w'}, false, false})) << "a release reaches the game";
+  EXPECT_TRUE(is_consumed(platform::TextTyped{"w"}));
+  EXPECT_TRUE(is_consumed(platform::PointerMoved{0.5f, 0.5f}));
+  EXPECT_TRUE(is_consumed(platform::MouseMoved{5, 5}));
+  EXPECT_TRUE(is_consumed(platform::PadAxisMoved{platform::PadAxis::kRightX, 1}));
+  EXPECT_FALSE(is_consumed(platform::PadAxisMoved{platform::PadAxis::kRightX, 0}));
+  EXPECT_FALSE(is_consumed(platform::FocusChanged{false}));
+  EXPECT_FALSE(is_consumed(platform::WindowChanged{}));
+  EXPECT_FALSE(is_consumed(platform::CloseRequested{}));
   hand.menu().close();
   EXPECT_FALSE(hand.menu().is_open());
   EXPECT_FALSE(hand.menu().wants_text());
 }
 
-TEST(Menu, TellsWhatHasHappenedAndLeadsToWhatHelps) {
+TEST(Menu, NoticesLinkToHelpfulPages) {
   for (const Device device : kDevices)
-    for (const MenuByHand::Size& size : {kSmallest, MenuByHand::Size{1280, 720}}) {
-      MenuByHand hand(MenuByHand::some_content(), size);
-      hand.menu().tell(
+    for (const MenuDriver::Size& size : {kSmallest, MenuDriver::Size{1280, 720}}) {
+      MenuDriver hand(MenuDriver::some_content(), size);
+      hand.menu().show_notice(
           {.title = "Gone",
            .text = "The first line.\n\nAnother one that is by far too long for a single line of it.",
            .pages = {{"Other servers", MenuPage::kJoin}}});
       EXPECT_THAT(hand.all_text(),
                   AllOf(HasSubstr("Gone"), HasSubstr("The first line."), HasSubstr("of it.")));
       EXPECT_THAT(hand.selected(), HasSubstr("OK"));
-      hand.point(1, 1);  // a pointer that has not moved since the menu opened points at nothing
+      hand.point(1, 1);  // a pointer that has not moved since the menu opened selects nothing
       ASSERT_TRUE(hand.choose("Other servers", device));
       EXPECT_THAT(hand.all_text(), HasSubstr("Attic"));
       hand.go_back(device);
       ASSERT_TRUE(hand.choose("OK", device));
-      EXPECT_THAT(hand.all_text(), HasSubstr("Single player")) << "the main page lies under it";
+      EXPECT_THAT(hand.all_text(), HasSubstr("Single player")) << "the main page is below the notice";
     }
-  // Two in a row are read one after the other.
-  MenuByHand hand;
-  hand.menu().tell({.title = "One", .text = "first"});
-  hand.menu().tell({.title = "Two", .text = "second"});
+  // The newer of two notices is on top.
+  MenuDriver hand;
+  hand.menu().show_notice({.title = "One", .text = "first"});
+  hand.menu().show_notice({.title = "Two", .text = "second"});
   ASSERT_TRUE(hand.choose("OK"));
   EXPECT_THAT(hand.all_text(), HasSubstr("first"));
 }
 
-TEST(Menu, CommandsOpenPages) {
+TEST(Menu, EveryCommandOpensItsPage) {
   std::set<std::string_view> names;
   for (const MenuCommand& command : menu_commands()) {
     EXPECT_TRUE(names.insert(command.name).second) << command.name;
-    MenuByHand hand;
+    MenuDriver hand;
     hand.menu().open(command.page);
     EXPECT_NE(hand.menu().is_open(), command.page == MenuPage::kQuit) << command.name;
   }

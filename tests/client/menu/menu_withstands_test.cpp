@@ -1,4 +1,4 @@
-// Menus with anything in them, at any size, whatever the player does.
+// Robustness: menus with hostile content, at any size, with any input.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "client/menu/lettering.h"
-#include "client/menu/menu_by_hand.h"
+#include "client/menu/menu_driver.h"
 #include "command/text.h"
 #include "render/renderer.h"
 #include "support/effort.h"
@@ -16,19 +16,19 @@ namespace temblor::client {
 namespace {
 
 using platform::Key;
-using test::MenuByHand;
+using test::MenuDriver;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr MenuByHand::Size kSizes[] = {{1, 1},     {39, 500},   {64, 9},     {100, 50},    {320, 200},
+constexpr MenuDriver::Size kSizes[] = {{1, 1},     {39, 500},   {64, 9},     {100, 50},    {320, 200},
                                        {640, 480}, {400, 1600}, {1600, 240}, {1920, 1080}, {3840, 2160}};
 
 MenuContent hostile_content() {
   const std::string long_title(1000, 'x');
   const std::string words = "a title of many words, " + std::string(500, ' ') + "and spaces";
   const std::string control = "\n\t\x01\x0b\x0d\x7f\x80\xff;\"quit\"\r//$";
-  MenuContent content = MenuByHand::some_content();
+  MenuContent content = MenuDriver::some_content();
   content.levels = [=] {
     std::vector<MenuLevel> levels = {
         {"", ""}, {"", long_title}, {long_title, ""}, {control, control}, {"words", words}};
@@ -53,7 +53,7 @@ MenuContent hostile_content() {
   };
   content.displays = [] { return 1000; };
   content.unsaved = [=] { return words + '\n' + long_title; };
-  content.keys_of = [](std::string_view) {
+  content.find_keys = [](std::string_view) {
     std::vector<Key> keys;
     for (int i = 0; i < 300; ++i) keys.push_back(Key{static_cast<std::uint16_t>(i)});
     return keys;
@@ -62,8 +62,8 @@ MenuContent hostile_content() {
   return content;
 }
 
-// Draws for real: the renderer CHECKs that parts lie in their pictures. Nothing of a text may be missing.
-void expect_drawable(MenuByHand& hand, const MenuByHand::Size& size) {
+// Draws with the renderer, which CHECKs that parts are inside their pictures. No text may leave the frame.
+void expect_drawable(MenuDriver& hand, const MenuDriver::Size& size) {
   static const render::Renderer painter({}, {});
   hand.resize(size);
   render::FrameBuffer frame(size.width, size.height, render::PixelFormat::kIndexed);
@@ -78,7 +78,7 @@ void expect_drawable(MenuByHand& hand, const MenuByHand::Size& size) {
     }
 }
 
-// Letters do not stand on one another, but for knobs and carets.
+// Whether letters overlap; knobs and carets may.
 bool letters_overlap(const render::DrawList& list) {
   std::vector<const render::DrawCommand*> letters;
   for (const render::DrawCommand& command : list.commands) {
@@ -98,9 +98,9 @@ bool letters_overlap(const render::DrawList& list) {
 TEST(MenuWithstands, AnyPageFitsAnyFrame) {
   for (const bool hostile : {false, true})
     for (const MenuPage page : test::all_pages()) {
-      MenuByHand hand(hostile ? hostile_content() : MenuByHand::some_content());
+      MenuDriver hand(hostile ? hostile_content() : MenuDriver::some_content());
       hand.menu().open(page);
-      for (const MenuByHand::Size& size : kSizes) {
+      for (const MenuDriver::Size& size : kSizes) {
         SCOPED_TRACE(testing::Message()
                      << "page " << static_cast<int>(page) << ", " << size.width << 'x' << size.height);
         for (const char* text_size : {"0.5", "1", "4"}) {
@@ -112,8 +112,8 @@ TEST(MenuWithstands, AnyPageFitsAnyFrame) {
     }
 }
 
-TEST(MenuWithstands, FramesOfAPixel) {
-  MenuByHand hand(MenuByHand::some_content(), {1, 1});
+TEST(MenuWithstands, WorksInAFrameOfOnePixel) {
+  MenuDriver hand(MenuDriver::some_content(), {1, 1});
   hand.menu().open();
   EXPECT_THAT(hand.draw().commands, IsEmpty());
   hand.point(0, 0);
@@ -121,11 +121,11 @@ TEST(MenuWithstands, FramesOfAPixel) {
   hand.press(Key::kDownArrow);
   hand.press(Key::kEnter);
   hand.resize({640, 480});
-  EXPECT_THAT(hand.all_text(), ::testing::HasSubstr("Join")) << "it works on all the same";
+  EXPECT_THAT(hand.all_text(), ::testing::HasSubstr("Join")) << "it still works in a larger frame";
 }
 
-TEST(MenuWithstands, NamesAreOneWordOfOneCommand) {
-  MenuByHand hand(hostile_content());
+TEST(MenuWithstands, HostileNamesStayOneWordOfOneCommand) {
+  MenuDriver hand(hostile_content());
   const auto expect_one = [&](const char* command) {
     for (const std::string& line : hand.commands())
       if (line.starts_with(command)) {
@@ -142,15 +142,15 @@ TEST(MenuWithstands, NamesAreOneWordOfOneCommand) {
   expect_one("load");
 }
 
-TEST(MenuWithstands, TenThousandLevelsAreFoundAndScrolled) {
-  MenuByHand hand(hostile_content(), {320, 200});
+TEST(MenuWithstands, FiltersAndScrollsTenThousandLevels) {
+  MenuDriver hand(hostile_content(), {320, 200});
   hand.menu().open(MenuPage::kLevels);
   hand.type("level9876");
   EXPECT_THAT(hand.selected(), ::testing::StartsWith("level9876"));
   hand.press(Key::kEscape);
   hand.press(Key::kEnd);
   EXPECT_THAT(hand.selected(), ::testing::StartsWith("level9999"));
-  // The scroll bar is at the list's right: pressed half way down, the list is half way through.
+  // The scroll bar is right of the list: pressed halfway down, it scrolls halfway.
   hand.draw();
   bool found = false;
   for (int x = 100; x < 320 && !found; ++x) {
@@ -198,14 +198,14 @@ platform::InputEvent random_event(test::Random& random, double time_s) {
   }
 }
 
-TEST(MenuWithstands, AnyInput) {
+TEST(MenuWithstands, SurvivesAnyInput) {
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::effort(40, 6)); ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
-    MenuContent content = random.chance(0.3) ? hostile_content() : MenuByHand::some_content();
+    MenuContent content = random.chance(0.3) ? hostile_content() : MenuDriver::some_content();
     if (random.chance(0.1)) content = {};
     content.clipboard = [] { return std::string("\n\x7f pasted \"text\""); };
-    MenuByHand hand(content, {320, 200});
+    MenuDriver hand(content, {320, 200});
     for (int i = 0; i < 1500; ++i) {
       if (!hand.menu().is_open())
         hand.menu().open(static_cast<MenuPage>(random.below(static_cast<std::size_t>(MenuPage::kCount))));
@@ -219,12 +219,12 @@ TEST(MenuWithstands, AnyInput) {
       hand.sounds();
     }
     for (int i = 0; i < 60 && hand.menu().is_open(); ++i) hand.press(Key::kEscape);
-    EXPECT_FALSE(hand.menu().is_open()) << "Escape often enough closes it";
+    EXPECT_FALSE(hand.menu().is_open()) << "enough Escapes close the menu";
   }
 }
 
-TEST(MenuWithstands, WhatIsNoNumber) {
-  MenuByHand hand;
+TEST(MenuWithstands, SurvivesNanAndInfinityFromThePointer) {
+  MenuDriver hand;
   hand.menu().open(MenuPage::kSound);
   hand.draw();
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
@@ -248,13 +248,13 @@ TEST(Lettering, BreaksLinesBetweenWords) {
   EXPECT_THAT(wrap("", 7), IsEmpty());
 }
 
-TEST(Lettering, ShowsTextOnly) {
-  EXPECT_EQ(shown("a\nb\x01\x12\x8d\xe1"), "a b \x12 \xe1");
-  EXPECT_EQ(cut("abcdef", 6), "abcdef");
-  EXPECT_EQ(cut("abcdefg", 6), "abcd..");
-  EXPECT_EQ(cut("abc", 2), "ab");
-  EXPECT_TRUE(holds("The Slipgate", "slip") && holds(in_second_color("Slip"), "SLIP"));
-  EXPECT_FALSE(holds("Slip", "gate"));
+TEST(Lettering, ReplacesSymbolsAndTruncates) {
+  EXPECT_EQ(to_printable("a\nb\x01\x12\x8d\xe1"), "a b \x12 \xe1");
+  EXPECT_EQ(truncate("abcdef", 6), "abcdef");
+  EXPECT_EQ(truncate("abcdefg", 6), "abcd..");
+  EXPECT_EQ(truncate("abc", 2), "ab");
+  EXPECT_TRUE(contains_text("The Slipgate", "slip") && contains_text(to_second_color("Slip"), "SLIP"));
+  EXPECT_FALSE(contains_text("Slip", "gate"));
 }
 
 }  // namespace

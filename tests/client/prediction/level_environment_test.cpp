@@ -8,7 +8,7 @@ namespace {
 LevelEnvironment environment_with(std::vector<std::pair<std::string, std::string>> pairs) {
   world::Level level;
   level.entities.push_back({std::move(pairs)});
-  return environment_of(level);
+  return parse_environment(level);
 }
 
 TEST(LevelEnvironment, KeysAreFoundWithAndWithoutUnderscore) {
@@ -26,14 +26,14 @@ TEST(LevelEnvironment, FogIsDensityAndColor) {
   EXPECT_FLOAT_EQ(environment_with({{"fog", "0.1"}}).fog.density, 0.1f);
 }
 
-TEST(LevelEnvironment, WhatDoesNotParseIsLeftOut) {
+TEST(LevelEnvironment, IgnoresWhatDoesNotParse) {
   for (const char* text : {"", "thick", "nan", "-0.5", "-1 1 1 1"})
     EXPECT_EQ(environment_with({{"fog", text}}).fog.density, 0) << text;
   EXPECT_FALSE(environment_with({{"wateralpha", "clear"}}).water_alpha);
-  EXPECT_EQ(environment_of(world::Level{}).skybox, "");
+  EXPECT_EQ(parse_environment(world::Level{}).skybox, "");
 }
 
-TEST(LevelEnvironment, SettingsSpeakWhereTheLevelIsSilent) {
+TEST(LevelEnvironment, SettingsFillInForTheLevel) {
   const LevelEnvironment environment = environment_with({{"wateralpha", "0.5"}});
   const render::LiquidAlpha alpha = environment.liquid_alpha({.water = 0.1f, .slime = 0.2f});
   EXPECT_EQ(alpha.water, 0.5f);

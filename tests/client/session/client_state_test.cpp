@@ -1,4 +1,4 @@
-// What each message does, but for the entities' movement.
+// What each message does, except for the movement of entities.
 #include "client/session/client_state.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 void expect_error(ClientState& io_state, const net::ServerMessage& message, const char* what) {
   const base::Status status = io_state.apply(message);
-  ASSERT_FALSE(status.ok()) << net::name_of(message);
+  ASSERT_FALSE(status.ok()) << net::message_name(message);
   EXPECT_THAT(status.error().message(), HasSubstr(what));
 }
 
@@ -34,19 +34,19 @@ TEST(ClientState, ServerInfoBeginsALevelWithItsListsFromOne) {
   EXPECT_FALSE(state.game().deathmatch);
   EXPECT_TRUE(state.events().new_level);
   EXPECT_THAT(state.events().prints, ElementsAre("VERSION 1\n"));
-  EXPECT_THAT(state.events().sounds, IsEmpty()) << "a sound of the level before";
+  EXPECT_THAT(state.events().sounds, IsEmpty()) << "a sound of the last level";
 }
 
-TEST(ClientState, AnotherServerInfoForgetsTheLevelBefore) {
+TEST(ClientState, AnotherServerInfoForgetsTheLastLevel) {
   ClientState state = state_in_level();
   packet(
       state, 50,
       {net::UpdateStat{12, 30}, net::LightStyle{3, "az"}, net::Skybox{"dusk"}, net::SetPause{true},
        net::Intermission{}, net::SpawnStatic{{.model = kFlameModel}}, update_at(7, kOgreModel, {1, 2, 3})});
-  ASSERT_EQ(state.entities_at(50, {}).size(), 2u);
+  ASSERT_EQ(state.interpolate_entities(50, {}).size(), 2u);
   apply(state, {server_info()});
   state.end_packet();
-  EXPECT_TRUE(state.entities_at(50, {}).empty());
+  EXPECT_TRUE(state.interpolate_entities(50, {}).empty());
   EXPECT_EQ(state.game().stat(Stat::kTotalMonsters), 0);
   EXPECT_EQ(state.game().light_styles[3], "");
   EXPECT_FALSE(state.game().skybox);
@@ -63,7 +63,7 @@ TEST(ClientState, SignonEndsWithTheFirstUpdateAfterItsThirdStage) {
   EXPECT_EQ(state.game().signon, client::kPlaying);
 }
 
-TEST(ClientState, ClientDataIsMirroredInTheStats) {
+TEST(ClientState, ClientDataSetsTheStats) {
   ClientState state = state_in_level();
   net::ClientData data;
   data.health = -12;
@@ -106,7 +106,7 @@ TEST(ClientState, PlayersHaveNamesFragsAndColors) {
   EXPECT_EQ(player.pants, 4);
 }
 
-TEST(ClientState, StuffedLinesArePutTogetherAndFlashesTakenOut) {
+TEST(ClientState, StuffedLinesAreJoinedAndFlashesExtracted) {
   ClientState state = state_in_level();
   apply(state, {net::StuffText{"bf\n"}});
   EXPECT_EQ(state.events().bonus_flashes, 1);
@@ -118,7 +118,7 @@ TEST(ClientState, StuffedLinesArePutTogetherAndFlashesTakenOut) {
   EXPECT_EQ(state.events().bonus_flashes, 4);
 }
 
-TEST(ClientState, WhatHappensOnceIsKeptUntilCleared) {
+TEST(ClientState, EventsAreKeptUntilCleared) {
   ClientState state = state_in_level();
   net::TempEntity explosion;
   explosion.kind = net::TempEntityKind::kExplosion;
@@ -155,7 +155,7 @@ TEST(ClientState, EndingsSayWhenTheyBegan) {
   EXPECT_THAT(state.events().commands, ElementsAre("help"));
 }
 
-TEST(ClientState, TheRestIsKeptAsItCame) {
+TEST(ClientState, OtherMessagesAreStoredUnchanged) {
   ClientState state = state_in_level();
   apply(state,
         {net::SetAngle{{-10, 90, 0}}, net::CdTrack{6, 6}, net::LightStyle{63, "a"}, net::Nop{},
@@ -171,34 +171,34 @@ net::Fog fog(float density, float fade_s) {
   return {.density = density, .color = {density, 0, 1 - density}, .fade_s = fade_s};
 }
 
-TEST(ClientFog, ComesInOverTheLevelsOwn) {
+TEST(ClientFog, FadesInOverTheLevelsOwn) {
   ClientState state = state_in_level();
   const net::Fog of_level = fog(0.5f, 0);
-  EXPECT_EQ(client::fog_at(state.game(), of_level, 3).density, 0.5f);
+  EXPECT_EQ(client::compute_fog(state.game(), of_level, 3).density, 0.5f);
   packet(state, 10, {fog(0.25f, 2)});
   packet(state, 10.5f, {});
-  EXPECT_EQ(client::fog_at(state.game(), of_level, 10).density, 0.5f);
-  const net::Fog half = client::fog_at(state.game(), of_level, 11);
+  EXPECT_EQ(client::compute_fog(state.game(), of_level, 10).density, 0.5f);
+  const net::Fog half = client::compute_fog(state.game(), of_level, 11);
   EXPECT_EQ(half.density, 0.375f);
   EXPECT_EQ(half.color, math::Vec3(0.375f, 0, 0.625f));
   EXPECT_EQ(half.fade_s, 0);
-  EXPECT_EQ(client::fog_at(state.game(), of_level, 13).density, 0.25f);
+  EXPECT_EQ(client::compute_fog(state.game(), of_level, 13).density, 0.25f);
 }
 
-TEST(ClientFog, AFadeThatIsCutShortGoesOnFromWhereItIs) {
+TEST(ClientFog, AnInterruptedFadeContinuesFromItsMixture) {
   ClientState state = state_in_level();
   const net::Fog of_level = fog(0.5f, 0);
   packet(state, 20, {fog(1, 4)});
   packet(state, 22, {fog(0, 3)});
-  EXPECT_EQ(client::fog_at(state.game(), of_level, 22).density, 0.75f);
-  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 23).density, 0.5f);
+  EXPECT_EQ(client::compute_fog(state.game(), of_level, 22).density, 0.75f);
+  EXPECT_FLOAT_EQ(client::compute_fog(state.game(), of_level, 23).density, 0.5f);
   packet(state, 23.5f, {fog(0.875f, 1)});
-  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 23.5f).density, 0.375f);
-  EXPECT_FLOAT_EQ(client::fog_at(state.game(), of_level, 24).density, 0.625f);
-  EXPECT_EQ(client::fog_at(state.game(), of_level, 30).density, 0.875f);
+  EXPECT_FLOAT_EQ(client::compute_fog(state.game(), of_level, 23.5f).density, 0.375f);
+  EXPECT_FLOAT_EQ(client::compute_fog(state.game(), of_level, 24).density, 0.625f);
+  EXPECT_EQ(client::compute_fog(state.game(), of_level, 30).density, 0.875f);
 }
 
-TEST(ClientState, ThereIsNothingBeforeServerInfo) {
+TEST(ClientState, MessagesBeforeServerInfoAreErrors) {
   ClientState state;
   expect_error(state, update_at(1, kPlayerModel, {}), "serverinfo");
   expect_error(state, net::SpawnBaseline{}, "serverinfo");
@@ -206,10 +206,10 @@ TEST(ClientState, ThereIsNothingBeforeServerInfo) {
   expect_error(state, net::ClientData{}, "serverinfo");
   expect_error(state, net::UpdateName{0, "x"}, "player slot 0");
   state.end_packet();
-  EXPECT_TRUE(state.entities_at(0, {}).empty());
+  EXPECT_TRUE(state.interpolate_entities(0, {}).empty());
 }
 
-TEST(ClientState, NumbersOutOfRangeAreErrorsThatLeaveItAsItWas) {
+TEST(ClientState, NumbersOutOfRangeAreErrorsWithoutEffect) {
   ClientState state = state_in_level();
   constexpr auto kPast = static_cast<std::uint16_t>(net::kMaxEntities);
   expect_error(state, update_at(kPast, kOgreModel, {}), "entity 32000, expected 0 to 31999");
@@ -233,7 +233,7 @@ TEST(ClientState, NumbersOutOfRangeAreErrorsThatLeaveItAsItWas) {
   EXPECT_EQ(state.game().level_name, "Entrance");
   EXPECT_EQ(state.game().view_entity, 1);
   state.end_packet();
-  EXPECT_TRUE(state.entities_at(0, {}).empty());
+  EXPECT_TRUE(state.interpolate_entities(0, {}).empty());
 }
 
 }  // namespace

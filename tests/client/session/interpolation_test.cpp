@@ -1,4 +1,4 @@
-// Cases worked out by hand. Times are sums of powers of two, so that they are exact.
+// Cases computed by hand. Times are sums of powers of two, so that they are exact.
 #include "client/session/interpolation.h"
 
 #include <gtest/gtest.h>
@@ -13,19 +13,19 @@ using client::FrameChanges;
 using client::Motion;
 using client::Place;
 
-TEST(PacketWindow, IsTheGapButNoMoreThanATenthOfASecond) {
-  EXPECT_EQ(client::packet_window(2, 2.0625).begin_s, 2);
-  EXPECT_EQ(client::packet_window(2, 2.0625).end_s, 2.0625);
-  EXPECT_EQ(client::packet_window(2, 9).begin_s, 9 - 0.1);
-  EXPECT_EQ(client::packet_window(2, 2).begin_s, 2);
+TEST(PacketWindow, IsTheGapLimitedToATenthOfASecond) {
+  EXPECT_EQ(client::make_packet_window(2, 2.0625).begin_s, 2);
+  EXPECT_EQ(client::make_packet_window(2, 2.0625).end_s, 2.0625);
+  EXPECT_EQ(client::make_packet_window(2, 9).begin_s, 9 - 0.1);
+  EXPECT_EQ(client::make_packet_window(2, 2).begin_s, 2);
 }
 
-TEST(FractionPassed, IsClamped) {
-  EXPECT_EQ(client::fraction_passed(2, 4, 1), 0);
-  EXPECT_EQ(client::fraction_passed(2, 4, 2.5), 0.25);
-  EXPECT_EQ(client::fraction_passed(2, 4, 5), 1);
-  EXPECT_EQ(client::fraction_passed(2, 2, 1), 1) << "no way to go";
-  EXPECT_EQ(client::fraction_passed(4, 2, 1), 1) << "time that ran backwards";
+TEST(ElapsedFraction, IsClamped) {
+  EXPECT_EQ(client::compute_elapsed_fraction(2, 4, 1), 0);
+  EXPECT_EQ(client::compute_elapsed_fraction(2, 4, 2.5), 0.25);
+  EXPECT_EQ(client::compute_elapsed_fraction(2, 4, 5), 1);
+  EXPECT_EQ(client::compute_elapsed_fraction(2, 2, 1), 1) << "an empty interval";
+  EXPECT_EQ(client::compute_elapsed_fraction(4, 2, 1), 1) << "a reversed interval";
 }
 
 TEST(BlendAngles, TakesTheShortWay) {
@@ -40,7 +40,7 @@ TEST(BlendAngles, TakesTheShortWay) {
   EXPECT_EQ(yaw(0, 725, 1), 725) << "exact at the end";
 }
 
-// However far apart: never more than half a turn, and a turn more or less makes no difference.
+// At any distance: never more than half a turn, and whole turns make no difference.
 TEST(BlendAngles, NeverTurnsMoreThanHalfATurn) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     Random random(seed);
@@ -66,17 +66,17 @@ TEST(Motion, FliesDuringThePacketsWindow) {
   EXPECT_EQ(motion.at(9), (Place{{20, 20, 26}, {0, 10, 0}}));
 }
 
-// Packets 1/64 s apart, of which one in four brings a step.
+// Packets 1/64 s apart; one in four contains a step.
 TEST(Motion, StepsTakeTheTimeBetweenThem) {
   Motion motion;
   motion.put({});
   motion.step_to({{8, 0, 0}, {}}, {.begin_s = 1, .end_s = 1.015625}, {});
-  EXPECT_FLOAT_EQ(motion.at(1.05).origin_world.x, 4) << "the first one: 0.1 s";
+  EXPECT_FLOAT_EQ(motion.at(1.05).origin_world.x, 4) << "the first step takes 0.1 s";
   EXPECT_EQ(motion.at(1.2).origin_world.x, 8);
 
   motion.step_to({{16, 0, 0}, {}}, {.begin_s = 1.0625, .end_s = 1.078125}, {});
   const float reached = motion.at(1.0625).origin_world.x;
-  EXPECT_FLOAT_EQ(reached, 8 * 0.625f) << "from where the first had got to";
+  EXPECT_FLOAT_EQ(reached, 8 * 0.625f) << "from where the first step was interrupted";
   EXPECT_FLOAT_EQ(motion.at(1.0625 + 0.03125).origin_world.x, (reached + 16) / 2)
       << "a sixteenth of a second";
   const Place between = motion.at(1.1);
@@ -84,7 +84,7 @@ TEST(Motion, StepsTakeTheTimeBetweenThem) {
   EXPECT_EQ(motion.at(1.1), between) << "a packet without a step changes nothing";
 
   motion.step_to({{24, 0, 0}, {}}, {.begin_s = 3, .end_s = 3.015625}, 0.5f);
-  EXPECT_EQ(motion.at(3.25).origin_world.x, 20) << "as long as the server says";
+  EXPECT_EQ(motion.at(3.25).origin_world.x, 20) << "the duration that the server sent";
 }
 
 TEST(Teleport, IsMoreThan100UnitsAlongAnAxis) {
@@ -108,7 +108,7 @@ TEST(FrameChanges, AreBlended) {
   EXPECT_EQ(frames.at(3.375), (FrameBlend{5, 6, 0.25f}));
 }
 
-TEST(FrameChanges, OfMuzzleFlashesAreShownAndLeftAtOnce) {
+TEST(FrameChanges, MuzzleFlashesAppearAndVanishAtOnce) {
   FrameChanges frames;
   frames.show(3);
   frames.update(4, 2, 0.5);
@@ -118,7 +118,7 @@ TEST(FrameChanges, OfMuzzleFlashesAreShownAndLeftAtOnce) {
   frames.update(5, 2.5, 0.5);
   EXPECT_EQ(frames.at(2.625), (FrameBlend{5, 5, 0}));
   frames.update(6, 3, 0.5);
-  EXPECT_EQ(frames.at(3.125), (FrameBlend{5, 6, 0.25f})) << "from then on as ever";
+  EXPECT_EQ(frames.at(3.125), (FrameBlend{5, 6, 0.25f})) << "blended again afterward";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Messages by hand: a level with a few names, and packets as a server sends them.
+// Helpers to build messages: a level with a few names, and packets as a server sends them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,11 +28,11 @@ inline net::ServerInfo server_info() {
 inline void apply(client::ClientState& io_state, std::initializer_list<net::ServerMessage> messages) {
   for (const net::ServerMessage& message : messages) {
     const base::Status status = io_state.apply(message);
-    ASSERT_TRUE(status.ok()) << net::name_of(message) << ": " << status.error().message();
+    ASSERT_TRUE(status.ok()) << net::message_name(message) << ": " << status.error().message();
   }
 }
 
-// One packet: its time, then the messages.
+// Applies one packet: its time, then the messages.
 inline void packet(client::ClientState& io_state, float time_s,
                    std::initializer_list<net::ServerMessage> messages) {
   apply(io_state, {net::Time{time_s}});
@@ -48,7 +48,7 @@ inline client::ClientState state_in_level() {
   return state;
 }
 
-// An entity of that model at that place, everything else as in an empty baseline.
+// A baseline with this model and place, and defaults for everything else.
 inline net::EntityUpdate update_at(std::uint16_t number, std::uint16_t model, const math::Vec3& origin,
                                    const math::Vec3& angles_deg = math::Vec3(0.0f)) {
   net::EntityUpdate update;

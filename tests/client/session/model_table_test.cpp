@@ -1,4 +1,4 @@
-// Precache lists against game folders made for the test: what is there, what is missing, what is damaged.
+// Precache lists with game directories made for the test: files present, missing and damaged.
 #include "client/session/model_table.h"
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ TEST_F(ModelTableTest, EachKindIsLoaded) {
   EXPECT_THAT(notes_, IsEmpty());
   EXPECT_EQ(std::get<world::ModelIndex>(table.model(1)), world::ModelIndex{0});
   EXPECT_EQ(std::get<world::ModelIndex>(table.model(2)), world::ModelIndex{1});
-  EXPECT_EQ(render::name_of(*std::get<AliasModelPtr>(table.model(3))), "progs/cube.mdl");
+  EXPECT_EQ(render::model_name(*std::get<AliasModelPtr>(table.model(3))), "progs/cube.mdl");
   EXPECT_EQ(*std::get<SpritePtr>(table.model(4)), one_texel_sprite());
   const auto own_models = static_cast<std::uint32_t>(game_.level().models.size());
   EXPECT_EQ(std::get<world::ModelIndex>(table.model(5)), world::ModelIndex{own_models});
@@ -56,24 +56,24 @@ TEST_F(ModelTableTest, EachKindIsLoaded) {
   EXPECT_THAT(table.flags(), ElementsAre(0, 0, 0, formats::kMdlRotate, 0, 0));
 }
 
-TEST_F(ModelTableTest, WhatIsMissingOrDamagedIsACubeAndNamed) {
+TEST_F(ModelTableTest, MissingAndDamagedModelsBecomeNotedCubes) {
   const ModelTable table = load({"", "maps/small.bsp", "progs/none.mdl", "progs/damaged.mdl", "*99", "*x",
                                  "maps/b_none.bsp", "progs/none.spr", ""})
                                .value();
   EXPECT_THAT(notes_, ElementsAre(HasSubstr("progs/none.mdl"), HasSubstr("damaged.mdl"), HasSubstr("*99"),
                                   HasSubstr("*x"), HasSubstr("maps/b_none.bsp"), HasSubstr("progs/none.spr"),
-                                  HasSubstr("drawn as a cube")));
+                                  HasSubstr("placeholder is drawn")));
   for (std::size_t number = 2; number <= 8; ++number)
-    EXPECT_EQ(render::name_of(*std::get<AliasModelPtr>(table.model(number))), "missing model") << number;
+    EXPECT_EQ(render::model_name(*std::get<AliasModelPtr>(table.model(number))), "missing model") << number;
 }
 
-TEST_F(ModelTableTest, NumbersPastTheListAreACube) {
+TEST_F(ModelTableTest, NumbersPastTheListGetACube) {
   const ModelTable table = load({"", "maps/small.bsp"}).value();
-  EXPECT_FALSE(table.has(2));
-  EXPECT_EQ(render::name_of(*std::get<AliasModelPtr>(table.model(2))), "missing model");
+  EXPECT_FALSE(table.contains(2));
+  EXPECT_EQ(render::model_name(*std::get<AliasModelPtr>(table.model(2))), "missing model");
 }
 
-TEST_F(ModelTableTest, WithoutItsLevelThereIsNone) {
+TEST_F(ModelTableTest, FailsWithoutItsLevel) {
   for (const char* level : {"maps/none.bsp", "progs/cube.mdl", ""}) {
     const base::Result<ModelTable> table = load({"", level});
     ASSERT_FALSE(table.ok());
@@ -83,8 +83,8 @@ TEST_F(ModelTableTest, WithoutItsLevelThereIsNone) {
   EXPECT_FALSE(load({}).ok());
 }
 
-// Every side of the cube looks outwards: clockwise seen from outside.
-TEST(StandInModel, IsAClosedCube) {
+// Every side of the cube faces outward: it is clockwise seen from outside.
+TEST(PlaceholderModel, IsAClosedCube) {
   const formats::Mdl mdl = make_placeholder_model();
   const formats::Mdl again = formats::read_mdl(formats::write_mdl(mdl)).value();
   EXPECT_EQ(mdl, again);

@@ -1,4 +1,4 @@
-// The stock recordings, played from the first message to the last.
+// The stock demos, played from the first message to the last.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,10 +15,10 @@ namespace {
 
 using client::ClientSettings;
 using client::DemoPlayer;
-using client::SeenEntity;
+using client::InterpolatedEntity;
 
-// Read off a listing of the recording's messages: of the first and the last packet, and how the last of each
-// kind leaves the 15 stats that games use.
+// From a listing of the demo's messages: the times of the first and last packet, and how the last message of
+// each kind leaves the 15 stats that games use.
 struct StockDemo {
   const char* name;
   const char* level;
@@ -39,14 +39,14 @@ class StockDemos : public ::testing::TestWithParam<StockDemo> {
   }
 };
 
-TEST_P(StockDemos, AreAsLongAsTheirMessagesSay) {
+TEST_P(StockDemos, HaveTheLengthOfTheirMessages) {
   DATA_FOLDER_OR_SKIP(folder);
   const auto length = DemoPlayer::scan(read(folder), GetParam().name).value();
   EXPECT_EQ(length.packets, GetParam().packets);
   EXPECT_EQ(length.first_time_s, static_cast<double>(GetParam().first_time_s));
   EXPECT_EQ(length.last_time_s, static_cast<double>(GetParam().last_time_s));
   EXPECT_EQ(length.levels, std::vector<std::string>{GetParam().level});
-  EXPECT_FALSE(length.cut_short);
+  EXPECT_FALSE(length.is_truncated);
   EXPECT_FALSE(length.damage) << length.damage->message();
 }
 
@@ -56,13 +56,13 @@ void expect_end(const client::Game& game, const StockDemo& demo) {
   EXPECT_EQ(game.level_name, demo.title);
   ASSERT_EQ(game.players.size(), 1u);
   EXPECT_EQ(game.players[0].name, "player");
-  // A message that holds from a second after the start on: these recordings are made of views of the level.
+  // A message that holds from a second after the start on, as these demos show views of the level.
   EXPECT_EQ(game.ending, client::Ending::kCutScene);
   EXPECT_EQ(game.ending_text, "");
 }
 
-// However often it is looked at on the way.
-TEST_P(StockDemos, EndInOneWay) {
+// Frames in between must not change the end.
+TEST_P(StockDemos, EndInTheSameState) {
   DATA_FOLDER_OR_SKIP(folder);
   const base::ByteVector bytes = read(folder);
   for (const double frames_a_second : {5.0, 72.0, 250.0}) {
@@ -75,7 +75,7 @@ TEST_P(StockDemos, EndInOneWay) {
     while (player.advance_to(next_time_s()).value()) {
       EXPECT_GE(player.server_time_s(), before_s);
       before_s = player.server_time_s();
-      const auto entities = player.state().entities_at(player.server_time_s(), {});
+      const auto entities = player.state().interpolate_entities(player.server_time_s(), {});
       EXPECT_FALSE(entities.empty());
       player.state().events().clear();
     }
@@ -84,8 +84,8 @@ TEST_P(StockDemos, EndInOneWay) {
   }
 }
 
-// Baselines, and updates laid over them, as the description of the protocol has it. Entities without a model
-// are not shown, but for the view's (1).
+// Baselines, and updates relative to them, as the protocol's description says. Entities without a model are
+// not shown, except for the view entity (1).
 class NaiveEntities {
  public:
   struct Entity {
@@ -120,7 +120,7 @@ class NaiveEntities {
   std::map<std::uint16_t, Entity> shown_;
 };
 
-void expect_same(const SeenEntity& seen, const NaiveEntities::Entity& expected) {
+void expect_same(const InterpolatedEntity& seen, const NaiveEntities::Entity& expected) {
   EXPECT_EQ(seen.model, expected.now.model);
   EXPECT_EQ(seen.from_frame, expected.now.frame);
   EXPECT_EQ(seen.to_frame, expected.now.frame);
@@ -148,8 +148,8 @@ TEST_P(StockDemos, ShowTheEntitiesOfTheirPackets) {
     state.end_packet();
     state.events().clear();
     auto expected = naive.shown().begin();
-    for (const SeenEntity& seen : state.entities_at(state.time_s(), snap)) {
-      if (seen.number >= SeenEntity::kFirstStatic) break;
+    for (const InterpolatedEntity& seen : state.interpolate_entities(state.time_s(), snap)) {
+      if (seen.number >= InterpolatedEntity::kFirstStatic) break;
       ASSERT_NE(expected, naive.shown().end());
       ASSERT_EQ(seen.number, expected->first);
       expect_same(seen, expected->second);
@@ -158,7 +158,7 @@ TEST_P(StockDemos, ShowTheEntitiesOfTheirPackets) {
     ASSERT_EQ(expected, naive.shown().end());
     if (HasFailure()) return;
   }
-  EXPECT_GT(compared, GetParam().packets) << "the player and others";
+  EXPECT_GT(compared, GetParam().packets) << "the player and other entities";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StockDemos,

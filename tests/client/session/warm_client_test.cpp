@@ -1,8 +1,8 @@
-// Once warm, playing a recording asks the heap for nothing: every operator new of the program is counted.
+// In the steady state, playing a demo allocates nothing: every operator new of the program is counted.
 #include <gtest/gtest.h>
 
 #include "client/console/console_screen.h"
-#include "client/demo/demo_by_hand.h"
+#include "client/demo/demo_builder.h"
 #include "client/demo/demo_player.h"
 #include "client/session/messages.h"
 #include "support/allocation_counter.h"
@@ -12,7 +12,7 @@ namespace temblor::test {
 namespace {
 
 base::ByteVector busy_demo(int packets) {
-  DemoByHand demo;
+  DemoBuilder demo;
   demo.signon(server_info());
   Random random(1);
   for (int i = 0; i < packets; ++i) {
@@ -35,17 +35,17 @@ TEST(WarmClient, AllocatesNothing) {
     const std::size_t before = allocation_count();
     for (double time_s = player.packet_time_s(); time_s < end_s; time_s += 1.0 / 72) {
       EXPECT_TRUE(player.advance_to(time_s).value());
-      entities += player.state().entities_at(player.server_time_s(), settings).size();
+      entities += player.state().interpolate_entities(player.server_time_s(), settings).size();
       player.state().events().clear();
     }
     return allocation_count() - before;
   };
-  EXPECT_GT(play_until(2), 0u) << "the beginning must allocate, or nothing is counted";
+  EXPECT_GT(play_until(2), 0u) << "the start must allocate, or the counter is broken";
   EXPECT_EQ(play_until(1 + kPackets / 32.0 - 0.5), 0u);
   EXPECT_GT(entities, 1000u);
 }
 
-// Closed, with messages over the game; they are only drawn.
+// The console is closed, with messages over the game.
 TEST(WarmConsole, AllocatesNothingOverAGame) {
   ConsoleScreen screen;
   screen.view.settings.notify_time_s = 100;

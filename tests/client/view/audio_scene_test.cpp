@@ -1,4 +1,4 @@
-// From the server's messages to what the mixer is told; sounds from a folder made for it.
+// From the server's messages to the mixer's events; sounds come from a directory made for the test.
 #include "client/view/audio_scene.h"
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ class AudioSceneTest : public ::testing::Test {
     }
     return *audio;
   }
-  // What these events come to, alone.
+  // The mixer events that these events alone lead to.
   audio::SoundEvents heard(const Events& events) {
     scene().events().clear();
     scene().advance(game, events, *level, view, {});
@@ -63,16 +63,16 @@ class AudioSceneTest : public ::testing::Test {
   std::optional<AudioScene> audio;
 };
 
-TEST_F(AudioSceneTest, LevelBeginsInSilenceWithItsAmbientSounds) {
+TEST_F(AudioSceneTest, LevelsStartWithAmbientSoundsOnly) {
   const audio::SoundEvents& events = scene().events();
-  EXPECT_TRUE(events.begins_anew);
+  EXPECT_TRUE(events.stops_all);
   EXPECT_TRUE(events.new_ambients);
-  EXPECT_EQ(events.ambients[0], nullptr) << "there is no ambience/water1.wav";
+  EXPECT_EQ(events.ambients[0], nullptr) << "the game has no ambience/water1.wav";
   ASSERT_NE(events.ambients[1], nullptr);
-  EXPECT_TRUE(events.ambients[1]->loop) << "though the file has none";
+  EXPECT_TRUE(events.ambients[1]->loop) << "although the file has no loop";
 }
 
-TEST_F(AudioSceneTest, WhatIsMissingOrDamagedIsNotedOnceALineEachWhenItWouldBeHeard) {
+TEST_F(AudioSceneTest, MissingAndDamagedSoundsAreReportedOnceWhenFirstHeard) {
   EXPECT_THAT(scene().take_notes(), ElementsAre(HasSubstr("sound/ambience/water1.wav")));
   Events events;
   for (int i = 0; i < 3; ++i) {
@@ -83,14 +83,14 @@ TEST_F(AudioSceneTest, WhatIsMissingOrDamagedIsNotedOnceALineEachWhenItWouldBeHe
   const std::vector<std::string> notes = scene().take_notes();
   ASSERT_THAT(notes, SizeIs(2));
   EXPECT_THAT(notes[0], HasSubstr("sound/misc/none.wav: not in"));
-  EXPECT_THAT(notes[1], HasSubstr("misc/bad.wav: not a WAV sound"));
-  for (const std::string& note : notes) EXPECT_THAT(note, HasSubstr("it stays silent"));
+  EXPECT_THAT(notes[1], HasSubstr("misc/bad.wav: not a WAV file"));
+  for (const std::string& note : notes) EXPECT_THAT(note, HasSubstr("silent"));
   scene().begin_level(game);
   heard(events);
   EXPECT_THAT(scene().take_notes(), IsEmpty());
 }
 
-TEST_F(AudioSceneTest, SoundsOfMessages) {
+TEST_F(AudioSceneTest, SoundMessagesBecomeMixerEvents) {
   Events events;
   events.sounds.push_back(
       {.volume = 51, .attenuation = 2, .entity = 9, .channel = 3, .sound = 1, .origin = {1, 2, 3}});
@@ -122,23 +122,24 @@ TEST_F(AudioSceneTest, StaticSoundsMustLoop) {
   EXPECT_EQ(got.statics[0].sound->name, "ambience/hum.wav");
   EXPECT_EQ(got.statics[0].origin_world, math::Vec3(5, 6, 7));
   EXPECT_EQ(got.statics[0].attenuation, 3);
-  EXPECT_THAT(scene().take_notes(), ElementsAre(HasSubstr("guncock.wav: has no loop")));
+  EXPECT_THAT(scene().take_notes(),
+              ElementsAre(HasSubstr("guncock.wav: cannot be used as an ambient sound")));
 }
 
-TEST_F(AudioSceneTest, AtAnotherMomentOnlyTheLevelsStaticSoundsGoOn) {
+TEST_F(AudioSceneTest, AfterASeekOnlyStaticSoundsContinue) {
   Events events;
   for (int i = 0; i < 3; ++i) events.static_sounds.push_back({.sound = 2});
   events.sounds.push_back({.sound = 1});
   heard(events);
   scene().resume(std::vector<net::SpawnStaticSound>{{.origin = {1, 2, 3}, .sound = 2}});
   const audio::SoundEvents& got = scene().events();
-  EXPECT_TRUE(got.begins_anew);
+  EXPECT_TRUE(got.stops_all);
   ASSERT_THAT(got.statics, SizeIs(1));
   EXPECT_EQ(got.statics[0].origin_world, math::Vec3(1, 2, 3));
   EXPECT_THAT(got.started, IsEmpty());
 }
 
-// How often each sound was heard of so many events of that kind.
+// Counts each sound among so many events of one kind.
 TEST_F(AudioSceneTest, TempEntitiesSoundAsInTheOriginal) {
   using Kind = net::TempEntityKind;
   const auto count = [&](Kind kind, int times) {
@@ -195,7 +196,7 @@ TEST_F(AudioSceneTest, AmbientLevelsAreThoseOfTheLeaf) {
   EXPECT_THAT(scene().scene().ambient_levels, ElementsAre(1, 2, 3, 4));
 }
 
-TEST_F(AudioSceneTest, LocalSoundsAreOnesOwn) {
+TEST_F(AudioSceneTest, LocalSoundsBelongToTheListener) {
   scene().advance(game, {}, *level, view, {});
   scene().events().clear();
   scene().play_local("misc/menu1.wav");

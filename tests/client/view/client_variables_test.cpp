@@ -1,4 +1,4 @@
-// Each variable of the client sets its own field, and no other.
+// Each variable of the client sets its own field and no other.
 #include "client/view/client_variables.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(ClientVariables, EachSetsItsOwnField) {
   }
 }
 
-TEST(ClientVariables, WeaponStandsClearOfTheStatusBar) {
+TEST(ClientVariables, TheWeaponIsRaisedAboveTheStatusBar) {
   const auto rise = [](const char* assignment) {
     command::Variables variables;
     const ClientVariables client_variables(variables);

@@ -32,13 +32,13 @@ TEST(FreeCamera, FliesWhereItLooks) {
   expect_near(camera.camera().origin_world, {11, 52, -102});
 }
 
-TEST(FreeCamera, IsNotFasterInTwoDirections) {
+TEST(FreeCamera, IsNotFasterDiagonally) {
   FreeCamera camera = at({0, 0, 0}, {0, 0, 0});
   camera.fly({.forward = 1, .right = 1, .up = 1}, 60, 1);
   EXPECT_NEAR(glm::length(camera.camera().origin_world), 60, 1e-3);
 }
 
-TEST(FreeCamera, TurnsAllTheWayRoundButNotOver) {
+TEST(FreeCamera, TurnsAroundFreelyButPitchIsLimited) {
   FreeCamera camera = at({0, 0, 0}, {350, 0, 0});
   EXPECT_EQ(camera.camera().angles_deg.x, -10);
   camera.turn(1000, 0);
@@ -49,7 +49,7 @@ TEST(FreeCamera, TurnsAllTheWayRoundButNotOver) {
   EXPECT_NEAR(std::remainder(camera.camera().angles_deg.y - 10000, 360.0f), 0, 1e-3);
 }
 
-TEST(FreeCamera, StaysWhereNumbersAreExactEnough) {
+TEST(FreeCamera, StaysWhereFloatsArePrecise) {
   FreeCamera camera = at({0, 0, 0}, {-30, 45, 0});
   for (int i = 0; i < 100; ++i) camera.fly({.forward = 1}, 1e6f, 1);
   const math::Vec3 far_world = camera.camera().origin_world;

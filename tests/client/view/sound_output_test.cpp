@@ -1,4 +1,4 @@
-// Devices that come and go, and music that is there or not, with a device made for it.
+// Devices that appear and disappear, and music that exists or not, with a fake device.
 #include "client/view/sound_output.h"
 
 #include <gmock/gmock.h>
@@ -19,11 +19,11 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// What the devices of a test have in common.
+// State that all devices of a test share.
 struct Room {
   bool has_device = true, is_lost = false;
   int opened = 0;
-  platform::AudioFill fill;  // of the one that is open
+  platform::AudioFill fill;  // of the open device
 };
 
 class RoomDevice : public platform::AudioDevice {
@@ -75,20 +75,20 @@ TEST_F(SoundOutputTest, PlaysThroughTheDevice) {
   EXPECT_THAT(output.take_notes(), IsEmpty());
 }
 
-TEST_F(SoundOutputTest, WithoutADeviceItSaysSoOnceAndTriesAgain) {
+TEST_F(SoundOutputTest, ReportsAMissingDeviceOnceAndRetries) {
   room.has_device = false;
   for (int i = 0; i < 100; ++i) output.advance(i * 0.1, scene, {});
   EXPECT_FALSE(output.has_device());
   EXPECT_EQ(output.describe(), "no sound device");
-  EXPECT_THAT(output.take_notes(), ElementsAre(HasSubstr("gone; going on without sound")));
+  EXPECT_THAT(output.take_notes(), ElementsAre(HasSubstr("gone. Continuing without sound")));
   room.has_device = true;
   for (int i = 100; i < 130; ++i) output.advance(i * 0.1, scene, {});
   EXPECT_TRUE(output.has_device());
   EXPECT_EQ(room.opened, 1);
-  EXPECT_THAT(output.take_notes(), ElementsAre("sound again: a loudspeaker"));
+  EXPECT_THAT(output.take_notes(), ElementsAre("Sound restored: a loudspeaker"));
 }
 
-TEST_F(SoundOutputTest, LostDeviceIsReplacedAndWhatWentOnGoesOn) {
+TEST_F(SoundOutputTest, ReplacesALostDeviceAndSoundsContinue) {
   output.advance(0, scene, hum());
   loudness();
   room.is_lost = true;
@@ -100,15 +100,15 @@ TEST_F(SoundOutputTest, LostDeviceIsReplacedAndWhatWentOnGoesOn) {
   ASSERT_TRUE(output.has_device());
   EXPECT_NEAR(loudness(), 0.5 * 0.7, 1e-3);
   EXPECT_THAT(output.take_notes(),
-              ElementsAre("the sound device has gone (a loudspeaker)", "sound again: a loudspeaker"));
+              ElementsAre("Sound device lost (a loudspeaker)", "Sound restored: a loudspeaker"));
 }
 
-TEST_F(SoundOutputTest, MusicThatIsMissingIsNothingToSpeakOfButDamageIs) {
+TEST_F(SoundOutputTest, ReportsDamagedMusicButNotMissingMusic) {
   const test::SmallGame game;
   game.folder().write("id1/music/track03.ogg", "this is no music at all");
   const assets::Library library(vfs::FileSystem::open(game.path()).value());
   double time_s = 0;
-  // What is noted while music is opened elsewhere: a second long, or until it is.
+  // The notes while another thread opens the music: waits for a second at most.
   const auto notes = [&] {
     std::vector<std::string> all;
     for (int i = 0; i < 1000 && all.empty(); ++i) {
@@ -119,7 +119,7 @@ TEST_F(SoundOutputTest, MusicThatIsMissingIsNothingToSpeakOfButDamageIs) {
     return all;
   };
   output.play_music(library, 3);
-  EXPECT_THAT(notes(), ElementsAre(HasSubstr("track03.ogg: not music")));
+  EXPECT_THAT(notes(), ElementsAre(HasSubstr("track03.ogg: not a playable music file")));
   output.play_music(library, 3);
   output.play_music(library, 2);
   output.play_music(library, 0);

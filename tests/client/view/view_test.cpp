@@ -17,7 +17,7 @@ const world::Level& level() {
   return *small;
 }
 
-// A place of the level with those contents all around.
+// A place of the level surrounded by these contents.
 math::Vec3 place_in(world::Contents contents) {
   for (const artgen::SmallLevelBox& box : artgen::small_level_boxes())
     if (box.contents == static_cast<std::int32_t>(contents)) {
@@ -42,20 +42,20 @@ struct Viewer {
   View view;
   Game game;
   Events events;
-  SeenEntity entity;
+  InterpolatedEntity entity;
   ViewSettings settings;
   math::Vec3 view_angles_deg{10, 20, 0};
   bool is_there = true;
-  std::optional<OwnMotion> own;
+  std::optional<PredictedMotion> own;
 };
 
 const math::Vec3 kOffGrid(1.0f / 32);
 
-TEST(View, EyesAreWhereThePlayersOwnPlaceIsKnownBetter) {
+TEST(View, EyesFollowThePrediction) {
   Viewer viewer;
-  viewer.own = OwnMotion{viewer.entity.origin_world + math::Vec3(3, 4, 0), math::Vec3(0.0f), true};
+  viewer.own = PredictedMotion{viewer.entity.origin_world + math::Vec3(3, 4, 0), math::Vec3(0.0f), true};
   EXPECT_EQ(viewer.at(1).camera.origin_world, viewer.own->origin_world + math::Vec3(0, 0, 22) + kOffGrid);
-  // The head leans with the velocity that is known better, too.
+  // The head leans with the predicted velocity too.
   viewer.view_angles_deg = {0, 0, 0};
   viewer.own->velocity = {0, 200, 0};
   EXPECT_NE(viewer.at(1.01).camera.angles_deg.z, 0);
@@ -63,7 +63,7 @@ TEST(View, EyesAreWhereThePlayersOwnPlaceIsKnownBetter) {
   EXPECT_EQ(viewer.at(1.02).camera.origin_world.x, viewer.entity.origin_world.x + kOffGrid.x);
 }
 
-TEST(View, EyesOfOneWhoStands) {
+TEST(View, EyesOfAStandingPlayer) {
   Viewer viewer;
   const PlayerView seen = viewer.at(1);
   EXPECT_EQ(seen.camera.origin_world, viewer.entity.origin_world + math::Vec3(0, 0, 22) + kOffGrid);
@@ -77,13 +77,13 @@ TEST(View, EyesOfOneWhoStands) {
   EXPECT_EQ(seen.weapon_angles_deg, math::Vec3(-10, 20, 0));
 }
 
-TEST(View, EyesOfOneWhoRuns) {
+TEST(View, EyesOfARunningPlayer) {
   Viewer viewer;
   viewer.view_angles_deg = {0, 90, 0};
   viewer.game.data.velocity = {100, 300, 0};  // ahead, and 100 to the right
-  const double time_s = 0.15;                 // the highest of the bob
+  const double time_s = 0.15;                 // the top of the bob
   const PlayerView seen = viewer.at(time_s);
-  const float bob = bob_units(time_s, viewer.game.data.velocity);
+  const float bob = compute_bob(time_s, viewer.game.data.velocity);
   EXPECT_GT(bob, 3);
   EXPECT_LT(glm::distance(seen.camera.origin_world,
                           viewer.entity.origin_world + math::Vec3(0, 0, 22 + bob) + kOffGrid),
@@ -116,9 +116,9 @@ TEST(View, Kicks) {
   viewer.game.data.punch_deg = {-4, 0, 0};
   const PlayerView hit = viewer.at(2);
   EXPECT_NEAR(hit.camera.angles_deg.x, 12 - 4, 1e-3);
-  EXPECT_NEAR(hit.weapon_angles_deg.x, -12, 1e-3);  // punches are the head's alone
+  EXPECT_NEAR(hit.weapon_angles_deg.x, -12, 1e-3);  // punches move only the head
   EXPECT_NEAR(hit.tint.opacity, 60.0 / 256, 1e-5);
-  // The punch's next value is reached evenly.
+  // The punch moves evenly to its next value.
   viewer.game.data.punch_deg = {-3, 0, 0};
   EXPECT_NEAR(viewer.at(2.5).camera.angles_deg.x, -4, 1e-3);
   EXPECT_NEAR(viewer.at(2.55).camera.angles_deg.x, -3.5, 1e-3);
@@ -127,7 +127,7 @@ TEST(View, Kicks) {
   EXPECT_EQ(viewer.at(2.7).camera.angles_deg.x, 0);
 }
 
-TEST(View, TheDeadLieOnTheirSide) {
+TEST(View, DeadPlayersLieOnTheirSide) {
   Viewer viewer;
   viewer.game.data.health = 0;
   viewer.game.data.velocity = {0, 300, 0};
@@ -136,7 +136,7 @@ TEST(View, TheDeadLieOnTheirSide) {
   EXPECT_FALSE(seen.show_weapon);
 }
 
-TEST(View, TheInvisibleSeeNoWeapon) {
+TEST(View, InvisiblePlayersSeeNoWeapon) {
   Viewer viewer;
   viewer.game.data.items = kItemInvisibility;
   const PlayerView seen = viewer.at(1);
@@ -156,14 +156,14 @@ TEST(View, Stairs) {
   EXPECT_NEAR(stepped.weapon_origin_world.z, before.weapon_origin_world.z, 1e-3);
   EXPECT_NEAR(viewer.at(1.05).camera.origin_world.z, before.camera.origin_world.z + 4, 1e-3);
   EXPECT_NEAR(viewer.at(1.2).camera.origin_world.z, before.camera.origin_world.z + 8, 1e-3);
-  // A teleporter is no stair.
+  // A teleport is not a stair.
   viewer.entity.origin_world += math::Vec3(300, 0, 50);
   EXPECT_NEAR(viewer.at(1.2).camera.origin_world.z, before.camera.origin_world.z + 58, 1e-3);
 }
 
 TEST(View, UnderWater) {
   Viewer viewer;
-  // The eye in it, whatever the feet are in.
+  // The eye counts, not the feet.
   viewer.entity.origin_world = place_in(world::Contents::kWater) - math::Vec3(0, 0, 22);
   const PlayerView seen = viewer.at(1);
   EXPECT_EQ(seen.contents, world::Contents::kWater);
@@ -175,9 +175,9 @@ TEST(View, UnderWater) {
   viewer.events.bonus_flashes = 1;
   viewer.game.data.items = kItemQuad;
   const render::Tint all = viewer.at(1).tint;
-  render::Tint expected = tint_over({{130, 80, 50}, 0.5f}, {{255, 0, 0}, 60.0f / 256});
-  expected = tint_over(expected, {{215, 186, 69}, 50.0f / 256});
-  expected = tint_over(expected, {{0, 0, 255}, 30.0f / 256});
+  render::Tint expected = blend_tints({{130, 80, 50}, 0.5f}, {{255, 0, 0}, 60.0f / 256});
+  expected = blend_tints(expected, {{215, 186, 69}, 50.0f / 256});
+  expected = blend_tints(expected, {{0, 0, 255}, 30.0f / 256});
   EXPECT_LT(glm::distance(all.color, expected.color), 1e-3f);
   EXPECT_FLOAT_EQ(all.opacity, expected.opacity);
   viewer.settings.contents_tint = viewer.settings.damage_tint = viewer.settings.bonus_tint = 0;
@@ -193,12 +193,12 @@ TEST(View, Intermission) {
   viewer.events.damages.push_back({0, 40, {0, 0, 0}});
   const PlayerView seen = viewer.at(1);
   EXPECT_EQ(seen.camera.origin_world, viewer.entity.origin_world);
-  EXPECT_EQ(seen.camera.angles_deg, math::Vec3(5, 130, 0) + idle_sway_deg(1));
+  EXPECT_EQ(seen.camera.angles_deg, math::Vec3(5, 130, 0) + compute_idle_sway_deg(1));
   EXPECT_FALSE(seen.show_weapon);
   EXPECT_EQ(seen.tint.opacity, 0);
 }
 
-TEST(View, StaysWhereItWasWithoutItsEntity) {
+TEST(View, StaysInPlaceWithoutItsEntity) {
   Viewer viewer;
   const math::Vec3 eye = viewer.at(1).camera.origin_world;
   viewer.is_there = false;
@@ -206,7 +206,7 @@ TEST(View, StaysWhereItWasWithoutItsEntity) {
   EXPECT_EQ(viewer.at(1.1).camera.origin_world, eye);
 }
 
-TEST(View, RewoundTimeEndsWhatFaded) {
+TEST(View, RewindingEndsFadingEffects) {
   Viewer viewer;
   viewer.at(10);
   viewer.events.damages.push_back({0, 100, {0, 0, 0}});

@@ -18,12 +18,12 @@ math::Vec3 laid(const math::Vec3& picture, const Tint& tint) {
   return picture * (1 - tint.opacity) + tint.color * tint.opacity;
 }
 
-TEST(ViewTint, OneTintDoesWhatAllDoInOrder) {
+TEST(ViewTint, OneTintEqualsAllTintsInOrder) {
   test::Random random(1);
   for (int i = 0; i < 1000; ++i) {
     std::vector<Tint> tints;
     for (std::size_t n = random.below(5); n > 0; --n) {
-      // Now and then none at all, or all of it.
+      // Sometimes fully clear or fully opaque.
       const auto opacity = static_cast<float>(std::clamp(random.uniform(-0.2, 1.2), 0.0, 1.0));
       tints.push_back({random.in_cube(127) + 127.0f, opacity});
     }
@@ -32,7 +32,7 @@ TEST(ViewTint, OneTintDoesWhatAllDoInOrder) {
     Tint all;
     for (const Tint& tint : tints) {
       expected = laid(expected, tint);
-      all = tint_over(all, tint);
+      all = blend_tints(all, tint);
     }
     EXPECT_LT(glm::distance(laid(picture, all), expected), 0.01f);
     EXPECT_GE(all.opacity, 0);
@@ -56,7 +56,7 @@ TEST(ViewTint, Contents) {
 
 TEST(ViewTint, Powerups) {
   EXPECT_EQ(powerup_tint(0).opacity, 0);
-  EXPECT_EQ(powerup_tint(0xff80ffffu).opacity, 0);  // every item but the four
+  EXPECT_EQ(powerup_tint(0xff80ffffu).opacity, 0);  // every item except the four power-ups
   const std::uint32_t ring = kItemInvisibility | kItemInvulnerability;
   expect_tint(powerup_tint(kItemInvulnerability), {255, 255, 0}, 30);
   expect_tint(powerup_tint(ring), {100, 100, 100}, 100);
@@ -73,13 +73,13 @@ TEST(ViewTint, Damage) {
   tints.advance(0, damage(0, 40), 0);
   expect_tint(tints.damage(), {255, 0, 0}, 60);  // 3 x 20
   tints.advance(0.2, {}, 0);
-  expect_tint(tints.damage(), {255, 0, 0}, 30);  // 150 a second
+  expect_tint(tints.damage(), {255, 0, 0}, 30);  // 150 per second
   tints.advance(0, damage(1, 2), 0);
   expect_tint(tints.damage(), {220, 50, 50}, 60);  // counts as 10
   tints.advance(0, damage(20, 10), 0);
   expect_tint(tints.damage(), {200, 100, 100}, 105);
   tints.advance(0, damage(0, 200), 0);
-  expect_tint(tints.damage(), {255, 0, 0}, 150);  // no more
+  expect_tint(tints.damage(), {255, 0, 0}, 150);  // the maximum
   tints.advance(1.01, {}, 0);
   EXPECT_EQ(tints.damage().opacity, 0);
 }

@@ -1,4 +1,4 @@
-// Boxes on their way through compiled maps, held against the same boxes and the brushes themselves.
+// Boxes that move through compiled maps, compared with the same boxes and the brushes themselves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,10 +30,10 @@ constexpr std::array<HullAndBox, 3> kHulls = {{{world::Hull::kPoint, {{0, 0, 0},
 
 // A trace stops this far before what it meets (world/trace.h).
 constexpr double kGap = 1.0 / 32;
-// By so much more, or less, compiled hulls may be off: slivers of brushes this thin are not worth a node.
+// The tolerance of compiled hulls: slivers of brushes this thin are not worth a node.
 constexpr double kEpsilon = 0.1;  // units
 
-// All solids at once, those far from the box's way left out.
+// All solids at once, except those far from the box's path.
 class Brushes {
  public:
   explicit Brushes(const formats::Map& map) : solids_(solids_of_world(map)) {}
@@ -67,10 +67,10 @@ Vec3 random_start(const Solid& near, const HullBox& box, Random& io_random) {
 
 class BoxSweeps : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(BoxSweeps, EndWhereTheBrushesSay) {
+TEST_P(BoxSweeps, EndAtTheBrushes) {
   DATA_FOLDER_OR_SKIP(data);
-  const formats::Map map = stock_map(data, GetParam());
-  const auto level = level_of_brushes(map);
+  const formats::Map map = read_stock_map(data, GetParam());
+  const auto level = make_level_of_brushes(map);
 
   const Brushes brushes(map);
   Random random(17);
@@ -80,7 +80,7 @@ TEST_P(BoxSweeps, EndWhereTheBrushesSay) {
     const HullAndBox& hull = kHulls[random.below(kHulls.size())];
     const Vec3 start = random_start(brushes.any(random), hull.box, random);
     const Vec3 end = start + random.in_cube(random.log_uniform(1, 512));
-    if (brushes.time_of_contact(hull, start, start, kEpsilon) <= 1) continue;  // begins in, or at, a brush
+    if (brushes.time_of_contact(hull, start, start, kEpsilon) <= 1) continue;  // begins in or at a brush
     ++done;
     const world::Trace trace = world::trace_line(*level, world::ModelIndex{0}, hull.hull, start, end);
     const double near = brushes.time_of_contact(hull, start, end, kGap + kEpsilon),
@@ -102,8 +102,8 @@ TEST_P(BoxSweeps, EndWhereTheBrushesSay) {
   EXPECT_LT(stopped, sweeps * 9 / 10);
 }
 
-// From info_player_start through courtyard, halls and shafts to the level's far end, where a player's box is
-// free in the finished level from each point to the next.
+// A path from info_player_start through courtyard, halls and shafts to the far end of the level. In the
+// finished level, a player's box moves freely from each point to the next.
 constexpr std::array<Vec3, 21> kPathThroughE0m1 = {{
     {512, 2048, 304},  {1184, 1984, 16},  {1184, 1632, 16},  {640, 1312, 16},   {640, 1216, 48},
     {640, 1152, 48},   {608, 672, 48},    {-32, 480, 48},    {-32, 160, 48},    {-352, -32, 16},
@@ -112,7 +112,7 @@ constexpr std::array<Vec3, 21> kPathThroughE0m1 = {{
     {704, 352, -144},
 }};
 
-TEST(FastCompile, LetsAPlayerThroughWhereTheFinishedLevelDoes) {
+TEST(FastCompile, LetsPlayersThroughLikeTheFinishedLevel) {
   DATA_FOLDER_OR_SKIP(data);
   compiler::CompileOptions options;
   options.fast_visibility = options.light.fast = true;
@@ -138,7 +138,7 @@ TEST(FastCompile, LetsAPlayerThroughWhereTheFinishedLevelDoes) {
   EXPECT_GT(blocked, 100) << "what is not the path leads through walls";
 }
 
-// Sanitizer builds take most of a minute to compile the larger ones.
+// Sanitizer builds take most of a minute to compile the larger maps.
 std::vector<const char*> swept_maps() {
   if (kQuick) return {"start", "lqdm11"};
   return {"start", "lq_e0m1", "lq_e0m3", "lqdm5", "lqdm11"};

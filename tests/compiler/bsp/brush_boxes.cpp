@@ -12,7 +12,7 @@ namespace {
 
 using math::Vec3d;
 
-// The interval that something covers along an axis.
+// The interval that something covers on an axis.
 struct Extent {
   double low = 1e30, high = -1e30;
 };
@@ -36,7 +36,7 @@ Extent along(const HullBox& box, const Vec3d& at, const Vec3d& axis) {
   return extent;
 }
 
-// What stops boxes: the texture of a brush decides.
+// What stops boxes is decided by the brush's texture.
 bool stops_boxes(const formats::MapBrush& brush) {
   return std::none_of(brush.sides.begin(), brush.sides.end(), [](const formats::MapSide& side) {
     return side.texture.starts_with("*") || base::to_lower(side.texture) == "origin" ||
@@ -46,8 +46,8 @@ bool stops_boxes(const formats::MapBrush& brush) {
 
 }  // namespace
 
-// Every triple of planes meets in a point; those behind all planes are the corners.
-Solid solid_of(const formats::MapBrush& brush) {
+// Every three planes meet in a point; the points behind all planes are the corners.
+Solid make_brush_solid(const formats::MapBrush& brush) {
   Solid solid;
   for (const formats::MapSide& side : brush.sides) {
     const auto& p = side.points_world;
@@ -56,7 +56,7 @@ Solid solid_of(const formats::MapBrush& brush) {
     solid.distances.push_back(glm::dot(normal, p[1]));
   }
   const std::size_t sides = solid.normals.size();
-  std::vector<std::array<std::size_t, 3>> planes_of;
+  std::vector<std::array<std::size_t, 3>> vertex_planes;
   for (std::size_t i = 0; i < sides; ++i)
     for (std::size_t j = i + 1; j < sides; ++j)
       for (std::size_t k = j + 1; k < sides; ++k) {
@@ -111,7 +111,7 @@ double time_of_contact(const Solid& solid, const HullBox& box, const Vec3d& star
   for (const Vec3d& axis : separating_axes(solid)) {
     const Extent of_solid = along(solid, axis), of_box = along(box, start, axis);
     const double speed = glm::dot(axis, end - start);
-    // By how far the box must move along the axis to come so near, and to be past again.
+    // How far the box must move along the axis to come this near, and to be past again.
     const double until = of_solid.low - gap - of_box.high, past = of_solid.high + gap - of_box.low;
     if (std::abs(speed) < 1e-12) {
       if (until > 0 || past < 0) return kNever;
@@ -133,7 +133,7 @@ std::vector<Solid> solids_of_world(const formats::Map& map) {
       continue;
     for (const formats::MapBrush& brush : entity.brushes)
       if (stops_boxes(brush)) {
-        solids.push_back(solid_of(brush));
+        solids.push_back(make_brush_solid(brush));
         const std::string texture = base::to_lower(brush.sides.front().texture);
         solids.back().stops_points = texture != "clip" && !texture.starts_with("sky");
       }

@@ -1,4 +1,4 @@
-// Boxes against the clip hulls of compiled maps, held against boxes against the brushes themselves.
+// Boxes against the clip hulls of compiled maps, compared with boxes against the brushes themselves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,12 +24,12 @@ constexpr std::array<std::pair<world::Hull, HullBox>, 2> kHulls = {
     {{world::Hull::kPlayer, {{-16, -16, -24}, {16, 16, 32}}},
      {world::Hull::kLarge, {{-32, -32, -24}, {32, 32, 64}}}}};
 
-// Compares at random points near the map's brushes. What is deeper in, or farther from, brushes than this
-// must agree; nearer, rounding decides.
+// Compares at random points near the map's brushes. Points deeper inside or farther away than this must
+// agree; nearer, rounding decides.
 constexpr double kUnsure = 0.1;  // units
 
 void expect_hulls_agree(const formats::Map& map, int points, Random& io_random) {
-  const auto level = level_of_brushes(map);
+  const auto level = make_level_of_brushes(map);
   const std::vector<Solid> solids = solids_of_world(map);
   int wrong = 0, solid_points = 0, sure = 0;
   for (int i = 0; i < points; ++i) {
@@ -74,8 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Stock, ClipHulls,
                          ::testing::Values("start", "lq_e0m1", "lq_e0m3", "lqdm5", "lqdm11"),
                          [](const auto& map) { return std::string(map.param); });
 
-// A tetrahedron has edges that no box has.
-TEST(ClipHulls, AgreeForSlantingBrushes) {
+// A tetrahedron has edges in directions that no box has.
+TEST(ClipHulls, AgreeForSlantedBrushes) {
   Random random(5);
   for (int i = 0; i < effort(30, 5); ++i) {
     std::string text = "{\n";
@@ -87,13 +87,13 @@ TEST(ClipHulls, AgreeForSlantingBrushes) {
       text += fmt::format("( {} {} {} ) ( {} {} {} ) ( {} {} {} ) stone 0 0 0 1 1\n", a.x, a.y, a.z, b.x, b.y,
                           b.z, c.x, c.y, c.z);
     };
-    // Outwards: away from the fourth corner.
+    // Outward is away from the fourth corner.
     side(p[0], p[1], p[2]);
     side(p[0], p[3], p[1]);
     side(p[1], p[3], p[2]);
     side(p[0], p[2], p[3]);
     SCOPED_TRACE(text);
-    expect_hulls_agree(map_of(entity_text("worldspawn", "", text + "}\n")), effort(2000, 200), random);
+    expect_hulls_agree(parse_map(entity_text("worldspawn", "", text + "}\n")), effort(2000, 200), random);
     if (HasFailure()) return;
   }
 }

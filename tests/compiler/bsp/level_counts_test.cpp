@@ -1,4 +1,4 @@
-// What is in a compiled level, held against a second, plain reading of the map's text.
+// The contents of compiled levels, compared with a second, simple reading of the map's text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,13 +29,13 @@ struct PlainPlane {
   double distance = 0;
 };
 
-// By lines alone, as TrenchBroom writes them: "{" and "}", `"key" "value"`, "( x y z ) ( ... ) ( ... )
-// texture ...".
+// Reads the text line by line, as TrenchBroom writes it: "{" and "}", `"key" "value"`, "( x y z ) ( ... ) (
+// ... ) texture ...".
 struct PlainMap {
-  std::size_t entities = 0;        // that a level lists
-  std::size_t brush_entities = 0;  // of these, with brushes
-  std::set<std::string> textures;  // in small letters
-  std::vector<PlainPlane> planes;  // of brushes that are part of the world
+  std::size_t entities = 0;        // in the level
+  std::size_t brush_entities = 0;  // those with brushes
+  std::set<std::string> textures;  // in lower case
+  std::vector<PlainPlane> planes;  // of the world's brushes
 };
 
 bool is_merged_into_world(const std::string& classname) {
@@ -72,7 +72,7 @@ PlainMap read_plainly(const std::string& text) {
   return map;
 }
 
-// Either way round: liquids are seen from inside too.
+// In either direction: liquids are also seen from inside.
 bool has_plane(const PlainMap& map, const formats::BspPlane& plane) {
   return std::any_of(map.planes.begin(), map.planes.end(), [&](const PlainPlane& known) {
     const math::Vec3d normal(plane.normal);
@@ -82,33 +82,33 @@ bool has_plane(const PlainMap& map, const formats::BspPlane& plane) {
   });
 }
 
-// An animation's first frame stands for all of them in a map.
+// In a map, the first frame of an animation stands for all of them.
 std::string without_frame(std::string texture) {
   if (texture.size() > 1 && texture.front() == '+') texture[1] = '#';
   return texture;
 }
 
-std::set<std::string> texture_names(const formats::Bsp& bsp) {
+std::set<std::string> find_texture_names(const formats::Bsp& bsp) {
   std::set<std::string> names;
   for (const formats::BspMiptex& texture : bsp.miptexes)
     names.insert(without_frame(base::to_lower(texture.name)));
   return names;
 }
 
-// Of supplies: nobody starts in it.
+// Item boxes: no player starts in them.
 bool is_box(const std::string& name) {
   return name.starts_with("b_");
 }
 
 class LevelCounts : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(LevelCounts, AreWhatTheTextSays) {
+TEST_P(LevelCounts, MatchTheMapText) {
   DATA_FOLDER_OR_SKIP(data);
   const std::string name = GetParam();
   const base::ByteVector text = read_file(data / "mapsrc" / (name + ".map"));
   const PlainMap plain = read_plainly(std::string(base::as_text(text)));
   compiler::CompileOptions options;
-  options.visibility_wish = options.light_wish = compiler::StagePolicy::kSkip;
+  options.visibility_policy = options.light_policy = compiler::StagePolicy::kSkip;
   const CompiledMap compiled = compile_stock_map(data, name, options);
   const formats::Bsp& bsp = compiled.level.bsp;
 
@@ -116,7 +116,7 @@ TEST_P(LevelCounts, AreWhatTheTextSays) {
   EXPECT_EQ(bsp.models.size(), plain.brush_entities + 1);
   std::set<std::string> in_map;
   for (const std::string& texture : plain.textures) in_map.insert(without_frame(texture));
-  EXPECT_THAT(texture_names(bsp), IsSubsetOf(in_map));
+  EXPECT_THAT(find_texture_names(bsp), IsSubsetOf(in_map));
   std::set<std::uint32_t> planes_of_faces;
   for (std::uint32_t i = 0; i < bsp.models.front().face_count; ++i)
     planes_of_faces.insert(bsp.faces[bsp.models.front().first_face + i].plane);
@@ -124,15 +124,15 @@ TEST_P(LevelCounts, AreWhatTheTextSays) {
     EXPECT_TRUE(has_plane(plain, bsp.planes[plane])) << "plane " << plane << " is no brush's";
 }
 
-TEST_P(LevelCounts, AreTexturesOfTheFinishedLevelToo) {
+TEST_P(LevelCounts, TexturesMatchTheFinishedLevel) {
   DATA_FOLDER_OR_SKIP(data);
   const std::string name = GetParam();
   compiler::CompileOptions options;
-  options.visibility_wish = options.light_wish = compiler::StagePolicy::kSkip;
+  options.visibility_policy = options.light_policy = compiler::StagePolicy::kSkip;
   const base::ByteVector finished = read_file(data / "id1/maps" / (name + ".bsp"));
-  const std::set<std::string> ours = texture_names(compile_stock_map(data, name, options).level.bsp);
-  // The finished level also lists what is drawn nowhere.
-  EXPECT_THAT(ours, IsSubsetOf(texture_names(formats::read_bsp(finished).value())));
+  const std::set<std::string> ours = find_texture_names(compile_stock_map(data, name, options).level.bsp);
+  // The finished level also lists textures that no face shows.
+  EXPECT_THAT(ours, IsSubsetOf(find_texture_names(formats::read_bsp(finished).value())));
 }
 
 TEST_P(LevelCounts, LevelLoadsWithoutAWarning) {
@@ -140,12 +140,12 @@ TEST_P(LevelCounts, LevelLoadsWithoutAWarning) {
   compiler::CompileOptions options;
   options.fast_visibility = true;
   options.light.fast = true;
-  // Seconds for its thousands of lights.
-  if (std::string(GetParam()) == "lqdm5") options.light_wish = compiler::StagePolicy::kSkip;
+  // Its thousands of lights would take seconds.
+  if (std::string(GetParam()) == "lqdm5") options.light_policy = compiler::StagePolicy::kSkip;
   const CompiledMap compiled = compile_stock_map(data, GetParam(), options);
   for (const compiler::Warning& warning : compiled.warnings)
     EXPECT_TRUE(is_box(GetParam()) &&
-                (warning.kind == "no info_player_start" || warning.kind == "no entity has a place"))
+                (warning.kind == "no info_player_start" || warning.kind == "no entity has an origin"))
         << warning.kind;
   const base::ByteVector bytes = formats::write_bsp(compiled.level.bsp, formats::BspVersion::k29).value();
   TemporaryFolder folder;
@@ -157,22 +157,22 @@ TEST_P(LevelCounts, LevelLoadsWithoutAWarning) {
 INSTANTIATE_TEST_SUITE_P(All, LevelCounts, ::testing::ValuesIn(stock_maps()),
                          [](const auto& map) { return std::string(map.param); });
 
-// From text to bytes: BSP, visibility and light, colored and bounced.
+// From text to bytes: BSP, visibility, and colored light with bounces.
 TEST(Determinism, SameBytesForAnyNumberOfThreads) {
   DATA_FOLDER_OR_SKIP(data);
   const std::string name = kQuick ? "lq_e0m9" : "start";
   compiler::CompileOptions options;
   options.light.bounces = 1;
   options.light.dirt = true;
-  const auto bytes_of = [&](int threads) {
+  const auto count_bytes = [&](int threads) {
     const compiler::Build level = compile_stock_map(data, name, options, threads).level;
     EXPECT_TRUE(level.lit);
     return std::pair(formats::write_bsp(level.bsp, formats::BspVersion::k29).value(),
                      level.lit ? formats::write_lit(*level.lit) : base::ByteVector{});
   };
-  const auto one = bytes_of(1);
+  const auto one = count_bytes(1);
   EXPECT_GT(one.first.size(), 10000u);
-  for (const int threads : {2, 3}) EXPECT_TRUE(bytes_of(threads) == one) << threads << " threads";
+  for (const int threads : {2, 3}) EXPECT_TRUE(count_bytes(threads) == one) << threads << " threads";
 }
 
 }  // namespace

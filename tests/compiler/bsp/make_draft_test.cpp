@@ -1,4 +1,4 @@
-#include "compiler/make_draft.h"
+#include "compiler/bsp/make_draft.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ using compiler::DraftResult;
 using math::Vec3d;
 
 TEST(MakeDraft, RoomIsOneLeafAndSixFaces) {
-  const DraftResult result = draft_of(room_text());
+  const DraftResult result = compile_draft(room_text());
   EXPECT_FALSE(result.leak);
   const formats::Bsp& bsp = result.draft.bsp;
-  EXPECT_EQ(fault_of(result), "");
+  EXPECT_EQ(find_level_fault(result), "");
   EXPECT_EQ(bsp.leaves.size(), 2u);
   EXPECT_EQ(bsp.leaves[1].marksurface_count, 4u * 2 + 2u * 4) << "what is 256 wide is cut at 240 texels";
   EXPECT_EQ(bsp.models[0].visible_leaves, 1);
@@ -28,9 +28,9 @@ TEST(MakeDraft, RoomIsOneLeafAndSixFaces) {
   EXPECT_THAT(result.draft.portals.portals, ::testing::IsEmpty());
 }
 
-// Hull 1 is 32 wide and 24 below, 32 above its origin: so much nearer it comes to each wall.
+// Hull 1 is 32 wide and reaches from 24 below its origin to 32 above, so its walls are that much nearer.
 TEST(MakeDraft, ClipHullsKeepBoxesOffTheWalls) {
-  const DraftResult result = draft_of(room_text());
+  const DraftResult result = compile_draft(room_text());
   for (const auto& [hull, side, below, above] :
        {std::tuple(world::Hull::kPlayer, 16.0f, 24.0f, 32.0f), {world::Hull::kLarge, 32.0f, 24.0f, 64.0f}}) {
     const math::Vec3 middle(0, 0, 40);
@@ -45,7 +45,7 @@ TEST(MakeDraft, ClipHullsKeepBoxesOffTheWalls) {
   }
 }
 
-TEST(MakeDraft, WhatFillsALeafGoesByItsBrushes) {
+TEST(MakeDraft, BrushesDecideTheContentsOfLeaves) {
   const Vec3d mins(-64, -64, 0), maxs(64, 64, 48);
   struct Case {
     std::string texture;
@@ -55,7 +55,7 @@ TEST(MakeDraft, WhatFillsALeafGoesByItsBrushes) {
                         Case{"*lava1", world::Contents::kLava}, Case{"sky1", world::Contents::kSky},
                         Case{"stone", world::Contents::kSolid}, Case{"clip", world::Contents::kEmpty},
                         Case{"hint", world::Contents::kEmpty}}) {
-    const DraftResult result = draft_of(room_text(box_text(mins, maxs, c.texture)));
+    const DraftResult result = compile_draft(room_text(box_text(mins, maxs, c.texture)));
     EXPECT_EQ(contents_at(result, {0, 0, 24}), c.contents) << c.texture;
     EXPECT_EQ(contents_at(result, {0, 0, 100}), world::Contents::kEmpty) << c.texture;
     const bool blocks = c.texture == "stone" || c.texture == "clip" || c.texture == "sky1";
@@ -65,15 +65,15 @@ TEST(MakeDraft, WhatFillsALeafGoesByItsBrushes) {
 }
 
 TEST(MakeDraft, SolidWinsOverWaterWhereTheyOverlap) {
-  const DraftResult result = draft_of(room_text(box_text({-64, -64, 0}, {64, 64, 48}, "*water1") +
-                                                box_text({-16, -16, 0}, {16, 16, 64}, "stone")));
+  const DraftResult result = compile_draft(room_text(box_text({-64, -64, 0}, {64, 64, 48}, "*water1") +
+                                                     box_text({-16, -16, 0}, {16, 16, 64}, "stone")));
   EXPECT_EQ(contents_at(result, {0, 0, 24}), world::Contents::kSolid);
   EXPECT_EQ(contents_at(result, {40, 0, 24}), world::Contents::kWater);
 }
 
-// A liquid's surface is drawn for those above and for those below.
+// The surface of a liquid is drawn for viewers above and below.
 TEST(MakeDraft, WaterHasFacesBothWays) {
-  const DraftResult result = draft_of(room_text(box_text({-128, -128, 0}, {128, 128, 48}, "*water1")));
+  const DraftResult result = compile_draft(room_text(box_text({-128, -128, 0}, {128, 128, 48}, "*water1")));
   int up = 0, down = 0;
   for (const formats::BspFace& face : result.draft.bsp.faces) {
     const auto& texinfo = result.draft.bsp.texinfos[face.texinfo];
@@ -85,12 +85,12 @@ TEST(MakeDraft, WaterHasFacesBothWays) {
   EXPECT_EQ(down, 1);
 }
 
-TEST(MakeDraft, HoleInTheWallIsALeakWithAWay) {
+TEST(MakeDraft, HoleInTheWallIsALeakWithAPath) {
   std::string walls = walls_text(kRoomMins, kRoomMaxs, "wall");
   const std::size_t first_end = walls.find("}\n") + 2;
   const std::string text =
       entity_text("worldspawn", "", walls.substr(first_end)) + point_text("info_player_start", {0, 0, 32});
-  const DraftResult result = draft_of(text);
+  const DraftResult result = compile_draft(text);
   ASSERT_TRUE(result.leak);
   EXPECT_EQ(result.leak->classname, "info_player_start");
   EXPECT_EQ(result.leak->entity, 1u);
@@ -99,28 +99,28 @@ TEST(MakeDraft, HoleInTheWallIsALeakWithAWay) {
   EXPECT_EQ(result.leak->line, 1 + std::count(text.begin(), text.begin() + before_it, '\n'));
   EXPECT_EQ(result.leak->points_world.front(), Vec3d(0, 0, 32));
   EXPECT_LE(result.leak->points_world.back().x, -128) << "the wall of the least x is missing";
-  EXPECT_EQ(fault_of(result), "");
+  EXPECT_EQ(find_level_fault(result), "");
 }
 
-TEST(MakeDraft, WithoutEntitiesTheOutsideIsDrawnAndThatIsSaid) {
-  const auto warnings_of = [](const std::string& text) {
+TEST(MakeDraft, WithoutEntitiesTheOutsideIsDrawnWithAWarning) {
+  const auto draft_warnings = [](const std::string& text) {
     compiler::Warnings warnings;
-    EXPECT_TRUE(try_draft_of(text, warnings).ok());
+    EXPECT_TRUE(try_compile_draft(text, warnings).ok());
     return warnings;
   };
   const auto is_about_places = [](const compiler::Warning& warning) {
-    return warning.kind == "no entity has a place";
+    return warning.kind == "no entity has an origin";
   };
   const std::string bare = entity_text("worldspawn", "", walls_text(kRoomMins, kRoomMaxs, "wall"));
-  EXPECT_EQ(std::ranges::count_if(warnings_of(bare), is_about_places), 1);
-  EXPECT_EQ(std::ranges::count_if(warnings_of(room_text()), is_about_places), 0);
+  EXPECT_EQ(std::ranges::count_if(draft_warnings(bare), is_about_places), 1);
+  EXPECT_EQ(std::ranges::count_if(draft_warnings(room_text()), is_about_places), 0);
 }
 
 TEST(MakeDraft, BrushEntitiesAreModels) {
   const std::string text =
       room_text() + entity_text("func_door", "\"angle\" \"90\"", box_text({0, 0, 0}, {32, 8, 64}, "door")) +
       entity_text("func_wall", "", box_text({64, 0, 0}, {96, 8, 64}, "wall"));
-  const DraftResult result = draft_of(text);
+  const DraftResult result = compile_draft(text);
   ASSERT_EQ(result.draft.bsp.models.size(), 3u);
   EXPECT_EQ(result.draft.bsp.models[1].face_count, 6u);
   const auto entities = formats::read_entities(result.draft.bsp.entities).value();
@@ -130,11 +130,11 @@ TEST(MakeDraft, BrushEntitiesAreModels) {
   EXPECT_FALSE(entities[0].find("wad")) << "only compilers read it";
 }
 
-TEST(MakeDraft, OriginBrushIsWhatAnEntityTurnsAbout) {
+TEST(MakeDraft, OriginBrushIsTheCenterOfRotation) {
   const DraftResult result =
-      draft_of(room_text() + entity_text("func_rotate_door", "",
-                                         box_text({32, 0, 0}, {64, 8, 64}, "door") +
-                                             box_text({28, 0, 28}, {36, 8, 36}, "origin")));
+      compile_draft(room_text() + entity_text("func_rotate_door", "",
+                                              box_text({32, 0, 0}, {64, 8, 64}, "door") +
+                                                  box_text({28, 0, 28}, {36, 8, 36}, "origin")));
   const formats::BspModel& door = result.draft.bsp.models[1];
   EXPECT_EQ(door.mins, math::Vec3(0, -4, -32));
   EXPECT_EQ(door.maxs, math::Vec3(32, 4, 32));
@@ -142,10 +142,10 @@ TEST(MakeDraft, OriginBrushIsWhatAnEntityTurnsAbout) {
             math::Vec3(32, 4, 32));
 }
 
-TEST(MakeDraft, DetailDividesNoClusters) {
+TEST(MakeDraft, DetailDoesNotDivideClusters) {
   const std::string pillar = box_text({-16, -16, 0}, {16, 16, 128}, "stone");
-  const DraftResult structural = draft_of(room_text(pillar));
-  const DraftResult detail = draft_of(room_text() + entity_text("func_detail", "", pillar));
+  const DraftResult structural = compile_draft(room_text(pillar));
+  const DraftResult detail = compile_draft(room_text() + entity_text("func_detail", "", pillar));
   EXPECT_EQ(structural.draft.bsp.leaves.size(), detail.draft.bsp.leaves.size());
   EXPECT_GT(structural.draft.portals.cluster_count, 1u);
   EXPECT_EQ(detail.draft.portals.cluster_count, 1u);
@@ -154,60 +154,60 @@ TEST(MakeDraft, DetailDividesNoClusters) {
 
 TEST(MakeDraft, WaterMayBeOpaqueToVisibility) {
   const std::string text = room_text(box_text({-128, -128, 0}, {128, 128, 48}, "*water1"));
-  EXPECT_EQ(draft_of(text).draft.portals.portals.size(), 1u);
-  EXPECT_EQ(draft_of(text, {.water_is_transparent = false}).draft.portals.portals.size(), 0u);
+  EXPECT_EQ(compile_draft(text).draft.portals.portals.size(), 1u);
+  EXPECT_EQ(compile_draft(text, {.water_is_transparent = false}).draft.portals.portals.size(), 0u);
 }
 
-// Its holes show the floor that it stands on.
-TEST(MakeDraft, FenceIsSolidAndHidesNothing) {
+// One sees the floor below it through its holes.
+TEST(MakeDraft, FenceIsSolidButHidesNothing) {
   const std::string block = box_text({-32, -32, 0}, {32, 32, 64}, "{grate");
-  const DraftResult result = draft_of(room_text() + entity_text("func_detail_fence", "", block));
+  const DraftResult result = compile_draft(room_text() + entity_text("func_detail_fence", "", block));
   EXPECT_EQ(contents_at(result, {0, 0, 32}), world::Contents::kSolid);
   EXPECT_EQ(contents_at(result, {0, 0, 80}, world::Hull::kPlayer), world::Contents::kSolid);
-  EXPECT_DOUBLE_EQ(area_looking_up(result, "{grate", 64), 64 * 64);
-  EXPECT_DOUBLE_EQ(area_looking_up(result, "wall", 0), kFloorArea);
-  const DraftResult solid = draft_of(room_text() + entity_text("func_detail", "", block));
-  EXPECT_DOUBLE_EQ(area_looking_up(solid, "wall", 0), kFloorArea - 64 * 64)
+  EXPECT_DOUBLE_EQ(measure_area_looking_up(result, "{grate", 64), 64 * 64);
+  EXPECT_DOUBLE_EQ(measure_area_looking_up(result, "wall", 0), kFloorArea);
+  const DraftResult solid = compile_draft(room_text() + entity_text("func_detail", "", block));
+  EXPECT_DOUBLE_EQ(measure_area_looking_up(solid, "wall", 0), kFloorArea - 64 * 64)
       << "what nobody can see is left out";
 }
 
-TEST(MakeDraft, IllusionaryIsDrawnButNotThere) {
+TEST(MakeDraft, IllusionaryIsDrawnButNotSolid) {
   const DraftResult result =
-      draft_of(room_text() +
-               entity_text("func_detail_illusionary", "", box_text({-32, -32, 0}, {32, 32, 64}, "bush")));
+      compile_draft(room_text() + entity_text("func_detail_illusionary", "",
+                                              box_text({-32, -32, 0}, {32, 32, 64}, "bush")));
   EXPECT_EQ(contents_at(result, {0, 0, 32}), world::Contents::kEmpty);
   EXPECT_EQ(contents_at(result, {0, 0, 32}, world::Hull::kPlayer), world::Contents::kEmpty);
-  EXPECT_DOUBLE_EQ(area_looking_up(result, "bush", 64), 64 * 64);
-  EXPECT_DOUBLE_EQ(area_looking_up(result, "wall", 0), kFloorArea);
+  EXPECT_DOUBLE_EQ(measure_area_looking_up(result, "bush", 64), 64 * 64);
+  EXPECT_DOUBLE_EQ(measure_area_looking_up(result, "wall", 0), kFloorArea);
 }
 
 TEST(MakeDraft, LaterBrushShowsWhereTwoOverlap) {
   const std::string early = box_text({-64, -64, 0}, {64, 64, 32}, "early");
   const std::string late = box_text({0, -64, 0}, {96, 64, 32}, "late");
-  const DraftResult result = draft_of(room_text(early + late));
-  EXPECT_DOUBLE_EQ(area_looking_up(result, "early", 32), 64 * 128);
-  EXPECT_DOUBLE_EQ(area_looking_up(result, "late", 32), 96 * 128);
+  const DraftResult result = compile_draft(room_text(early + late));
+  EXPECT_DOUBLE_EQ(measure_area_looking_up(result, "early", 32), 64 * 128);
+  EXPECT_DOUBLE_EQ(measure_area_looking_up(result, "late", 32), 96 * 128);
 }
 
-// A hint brush's sides cut the room and leave nothing else behind; its hintskip sides do not even cut.
-TEST(MakeDraft, HintsCutAndNothingElse) {
+// The sides of a hint brush cut the room and leave nothing else behind; its hintskip sides do not even cut.
+TEST(MakeDraft, HintsOnlyCut) {
   std::string hint = box_text({-128, -128, 64}, {128, 128, 128}, "hintskip");
-  const DraftResult without = draft_of(room_text());
-  const DraftResult skipped = draft_of(room_text(hint));
+  const DraftResult without = compile_draft(room_text());
+  const DraftResult skipped = compile_draft(room_text(hint));
   EXPECT_EQ(skipped.draft.bsp.leaves.size(), without.draft.bsp.leaves.size());
-  hint.replace(hint.find("hintskip"), 8, "hint");  // the side of the least x, along the wall
+  hint.replace(hint.find("hintskip"), 8, "hint");  // the side at the minimum x, along the wall
   for (std::size_t at = hint.rfind("hintskip"); at != std::string::npos; at = hint.rfind("hintskip"))
     hint.replace(at, 8, "hint");
-  const DraftResult cut = draft_of(room_text(hint));
+  const DraftResult cut = compile_draft(room_text(hint));
   EXPECT_EQ(cut.draft.bsp.leaves.size(), without.draft.bsp.leaves.size() + 1);
   EXPECT_EQ(cut.draft.portals.cluster_count, 2u);
   ASSERT_EQ(cut.draft.portals.portals.size(), 1u);
   EXPECT_EQ(cut.draft.portals.portals[0].normal, Vec3d(0, 0, 1));
   EXPECT_EQ(cut.draft.portals.portals[0].distance, 64);
-  EXPECT_DOUBLE_EQ(area_looking_up(cut, "wall", 0), kFloorArea);
+  EXPECT_DOUBLE_EQ(measure_area_looking_up(cut, "wall", 0), kFloorArea);
 }
 
-TEST(MakeDraft, IsTheSameForAnyThreads) {
+TEST(MakeDraft, DoesNotDependOnThreads) {
   std::string text = room_text();
   Random random(3);
   for (int i = 0; i < 12; ++i) {
@@ -217,12 +217,12 @@ TEST(MakeDraft, IsTheSameForAnyThreads) {
                                      : "func_group",
                         "", box_text(at, at + Vec3d(30, 25, 20), "stone"));
   }
-  const DraftResult one = draft_of(text, {}, 1);
+  const DraftResult one = compile_draft(text, {}, 1);
   for (const int threads : {2, 8})
-    EXPECT_TRUE(draft_of(text, {}, threads).draft.bsp == one.draft.bsp) << threads;
+    EXPECT_TRUE(compile_draft(text, {}, threads).draft.bsp == one.draft.bsp) << threads;
 }
 
-TEST(MakeDraft, BadBrushesAreWarnedOfAndLeftOut) {
+TEST(MakeDraft, BadBrushesAreLeftOutWithAWarning) {
   const std::string good = walls_text(kRoomMins, kRoomMaxs, "wall");
   struct Case {
     const char* brush;
@@ -232,15 +232,15 @@ TEST(MakeDraft, BadBrushesAreWarnedOfAndLeftOut) {
       {"{\n}\n", "brush without volume"},
       {"{\n( 0 0 0 ) ( 0 1 0 ) ( 0 0 1 ) a 0 0 0 1 1\n( 4 0 0 ) ( 4 0 1 ) ( 4 1 0 ) a 0 0 0 1 1\n}\n",
        "brush without volume"},
-      {"{\n( 0 0 0 ) ( 0 0 0 ) ( 0 0 1 ) a 0 0 0 1 1\n}\n", "side without area"},
+      {"{\n( 0 0 0 ) ( 0 0 0 ) ( 0 0 1 ) a 0 0 0 1 1\n}\n", "side without area, ignored"},
   };
   for (const Case& c : cases) {
     compiler::Warnings warnings;
-    const auto result = try_draft_of(
+    const auto result = try_compile_draft(
         entity_text("worldspawn", "", good + c.brush) + point_text("info_player_start", {0, 0, 32}),
         warnings);
     ASSERT_TRUE(result.ok());
-    EXPECT_EQ(result.value().draft.bsp.faces.size(), draft_of(room_text()).draft.bsp.faces.size());
+    EXPECT_EQ(result.value().draft.bsp.faces.size(), compile_draft(room_text()).draft.bsp.faces.size());
     ASSERT_FALSE(warnings.empty());
     EXPECT_THAT(warnings.back().kind, ::testing::HasSubstr("brush without volume"));
     EXPECT_THAT(warnings.front().kind, ::testing::HasSubstr(c.kind));
@@ -252,17 +252,17 @@ TEST(MakeDraft, MapsWithoutAWorldAreErrors) {
   for (const std::string& text :
        {std::string{}, point_text("light", {0, 0, 0}), entity_text("worldspawn", "")}) {
     compiler::Warnings warnings;
-    EXPECT_FALSE(try_draft_of(text, warnings).ok());
+    EXPECT_FALSE(try_compile_draft(text, warnings).ok());
   }
 }
 
-TEST(MakeDraft, TellsHowFarItIs) {
+TEST(MakeDraft, ReportsProgress) {
   std::vector<std::size_t> steps;
   std::size_t of = 0;
   base::Jobs jobs(2, base::JobBackend::kStdThread);
   compiler::Warnings warnings;
   const auto size = [](std::string_view) { return math::Vec2d(64); };
-  ASSERT_TRUE(compiler::make_draft(map_of(room_text(box_text({0, 0, 0}, {16, 16, 16}, "block"))), size, {},
+  ASSERT_TRUE(compiler::make_draft(parse_map(room_text(box_text({0, 0, 0}, {16, 16, 16}, "block"))), size, {},
                                    jobs, warnings,
                                    [&](std::size_t done, std::size_t total) {
                                      steps.push_back(done);
@@ -272,7 +272,7 @@ TEST(MakeDraft, TellsHowFarItIs) {
                   .ok());
   ASSERT_GT(steps.size(), 10u);
   EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
-  EXPECT_GE(steps.back() + 1, of) << "but for rounding";
+  EXPECT_GE(steps.back() + 1, of) << "except for rounding";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Cuts, hulls and separating planes of random polygons, against points and lines at random.
+// Cuts, hulls and separators of random polygons, checked with random points and lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ HalfSpace random_plane(test::Random& random) {
   return {random_unit(random), random.uniform(-1000, 1000)};
 }
 
-Vec3d random_point_of(const Winding& winding, test::Random& random) {
+Vec3d pick_random_point(const Winding& winding, test::Random& random) {
   Vec3d sum{0.0};
   double weights = 0;
   for (const Vec3d& corner : winding.corners()) {
@@ -56,13 +56,13 @@ Vec3d random_point_of(const Winding& winding, test::Random& random) {
   return sum / weights;
 }
 
-TEST(Windings, CutKeepsWhatIsInsideAndNothingElse) {
+TEST(Windings, CutKeepsOnlyTheInside) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     test::Random random(seed);
     const HalfSpace plane = random_plane(random);
     const Winding whole = random_polygon(plane, Vec3d(random.in_cube(300)), random);
     HalfSpace keep{random_unit(random), 0};
-    keep.distance = glm::dot(keep.normal, random_point_of(whole, random));
+    keep.distance = glm::dot(keep.normal, pick_random_point(whole, random));
     Winding left = whole;
     if (!cut(left, keep)) left.count = 0;
     for (const Vec3d& corner : left.corners()) {
@@ -72,7 +72,7 @@ TEST(Windings, CutKeepsWhatIsInsideAndNothingElse) {
     for (int i = 0; i < 20; ++i) {
       Winding point;
       point.count = 1;
-      point.points[0] = random_point_of(whole, random);
+      point.points[0] = pick_random_point(whole, random);
       if (keep.above(point.points[0]) > 3 * kEpsilon) {
         EXPECT_TRUE(left.count >= 3 && contains(left, point, plane.normal)) << seed;
       }
@@ -80,7 +80,7 @@ TEST(Windings, CutKeepsWhatIsInsideAndNothingElse) {
   }
 }
 
-TEST(Windings, NoSeparatorHidesWhereALineThroughBothArrives) {
+TEST(Windings, SeparatorsHideNothingThatALineReaches) {
   std::size_t with_planes = 0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     test::Random random(seed);
@@ -93,7 +93,7 @@ TEST(Windings, NoSeparatorHidesWhereALineThroughBothArrives) {
     EXPECT_LE(separators.count, source.count + pass.count);
     with_planes += separators.count >= 3;
     for (int i = 0; i < 50; ++i) {
-      const Vec3d from = random_point_of(source, random), through = random_point_of(pass, random);
+      const Vec3d from = pick_random_point(source, random), through = pick_random_point(pass, random);
       if (glm::length(through - from) < 1) continue;
       const double further = random.uniform(1, 10);
       const Vec3d arrives_at = from + (through - from) * further;
@@ -104,8 +104,9 @@ TEST(Windings, NoSeparatorHidesWhereALineThroughBothArrives) {
   EXPECT_GT(with_planes, kSeeds / 8u);
 }
 
-TEST(Windings, SeparatorsOfFacingSquaresAreTheirFourCrossedPlanes) {
-  // Squares of side 20 at x 0 and x 100: beyond, the view opens by 20 to each side for every 100 units.
+TEST(Windings, FacingSquaresHaveFourCrossedSeparators) {
+  // Squares with sides of 20 at x 0 and x 100: beyond, the view widens by 20 on each side for every 100
+  // units.
   const HalfSpace source_plane{{1, 0, 0}, 0}, pass_plane{{1, 0, 0}, 100};
   Winding source, pass;
   source.count = pass.count = 4;
@@ -125,7 +126,7 @@ TEST(Windings, SeparatorsOfFacingSquaresAreTheirFourCrossedPlanes) {
   }
 }
 
-TEST(Windings, AHullHoldsBothAndIsNoLargerThanItsCorners) {
+TEST(Windings, HullContainsBothAndNoMore) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     test::Random random(seed);
     const HalfSpace plane = random_plane(random);

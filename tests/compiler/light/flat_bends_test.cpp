@@ -1,10 +1,10 @@
-// Brushes with sides that are nearly in one plane: what is drawn of them has no gaps.
+// Brushes with sides that are nearly in one plane: their faces have no gaps.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "compiler/make_draft.h"
+#include "compiler/bsp/make_draft.h"
 #include "support/effort.h"
 #include "support/levels/bsp_faces.h"
 #include "support/levels/room_map.h"
@@ -15,15 +15,15 @@ namespace {
 
 using math::Vec3d;
 
-constexpr double kHalf = 48;  // of the pedestal's width and depth
+constexpr double kHalf = 48;  // half of the pedestal's width and depth
 
 std::string side_text(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return fmt::format("( {} {} {} ) ( {} {} {} ) ( {} {} {} ) stone 0 0 0 1 1\n", a.x, a.y, a.z, b.x, b.y, b.z,
                      c.x, c.y, c.z);
 }
 
-// A pedestal in the middle of a room, from its floor up to two planes that meet above a line through a random
-// place and bend by so little over half of its width.
+// A pedestal in the middle of a room. Two planes on its top meet above a line through a random point, and
+// bend by only this little over half of the pedestal's width.
 std::string pedestal_text(double bend, Random& io_random) {
   const double turn = io_random.uniform(0, 2 * M_PI), tilt = io_random.uniform(-0.5, 0.5);
   const Vec3d along(std::cos(turn), std::sin(turn), 0), across(-along.y, along.x, 0);
@@ -37,11 +37,11 @@ std::string pedestal_text(double bend, Random& io_random) {
   return text + top(tilt) + top(tilt - bend / kHalf) + "}\n";
 }
 
-// The area that the world's faces cover of the pedestal, seen from above.
+// The area of the pedestal that the world's faces cover, seen from above.
 double area_from_above(const formats::Bsp& bsp) {
   double sum = 0;
   for (const formats::BspFace& face : bsp.faces) {
-    const std::vector<math::Vec3> corners = vertices_of(bsp, face);
+    const std::vector<math::Vec3> corners = list_vertices(bsp, face);
     if (corners[0].z < -200 || corners[0].z > 200) continue;  // floor and ceiling
     double twice = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -64,14 +64,14 @@ TEST(FlatBends, LeaveNoGaps) {
     base::Jobs jobs(1);
     compiler::Warnings warnings;
     const auto made = compiler::make_draft(
-        map_of(text), [](std::string_view) { return math::Vec2d(64, 64); }, {}, jobs, warnings);
+        parse_map(text), [](std::string_view) { return math::Vec2d(64, 64); }, {}, jobs, warnings);
     ASSERT_TRUE(made.ok());
     EXPECT_NEAR(area_from_above(made.value().draft.bsp), 4 * kHalf * kHalf, 2)
         << "seed " << seed << ", bend " << bend;
   }
 }
 
-// The ceiling of a cave: prisms side by side, whose lower ends are as high as this where they meet. Some of
+// The ceiling of a cave: prisms side by side, whose lower ends have these heights at their corners. Some of
 // their planes cross at a thousandth of a degree.
 constexpr int kColumns = 5, kRows = 8, kTop = 208;
 constexpr std::array<std::array<int, kColumns + 1>, kRows + 1> kRock = {{{173, 173, 173, 175, 182, 185},
@@ -115,11 +115,11 @@ std::string rock_text() {
   return text;
 }
 
-// The area that the world's faces show of the rock, seen from below.
+// The area of the rock that the world's faces cover, seen from below.
 double area_from_below(const formats::Bsp& bsp) {
   double sum = 0;
   for (const formats::BspFace& face : bsp.faces) {
-    const std::vector<math::Vec3> corners = vertices_of(bsp, face);
+    const std::vector<math::Vec3> corners = list_vertices(bsp, face);
     if (corners[0].z < 100) continue;  // floor and walls
     double twice = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -131,17 +131,17 @@ double area_from_below(const formats::Bsp& bsp) {
   return sum;
 }
 
-TEST(FlatBends, ACaveHasNoHolesInItsCeiling) {
+TEST(FlatBends, LeaveNoHolesInACavesCeiling) {
   const std::string text = entity_text("worldspawn", "", walls_text(kRoomLow, kRoomHigh, "wall")) +
                            entity_text("func_detail", "", rock_text()) +
                            point_text("info_player_start", {448, -400, 60});
   base::Jobs jobs(1);
   compiler::Warnings warnings;
   const auto made = compiler::make_draft(
-      map_of(text), [](std::string_view) { return math::Vec2d(64, 64); }, {}, jobs, warnings);
+      parse_map(text), [](std::string_view) { return math::Vec2d(64, 64); }, {}, jobs, warnings);
   ASSERT_TRUE(made.ok());
   const Vec3d size = kRoomHigh - kRoomLow;
-  // But for slivers where planes cross.
+  // Slivers where planes cross may be missing.
   EXPECT_NEAR(area_from_below(made.value().draft.bsp) / (size.x * size.y), 1, 0.002);
 }
 

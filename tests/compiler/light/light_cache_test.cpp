@@ -1,4 +1,4 @@
-// Light that remembers: after any edit of the lights it is what it would be without a memory.
+// The light cache: after any edit of the lights, the light equals that without a cache.
 #include "compiler/light/light_cache.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 using compiler::LightCache;
 using formats::Entity;
 
-// A hall with pillars, a door, a court under the sky: with a few lamps of every kind.
+// A hall with pillars, a door and a court under the sky, with lamps of every kind.
 class EditedLevel {
  public:
   explicit EditedLevel(std::uint64_t seed) : bsp_(artgen::make_small_level({.light = false})), random_(seed) {
@@ -39,7 +39,7 @@ class EditedLevel {
     return copy;
   }
 
-  // Says what it did.
+  // Makes a random edit and describes it.
   std::string edit() {
     Entity& lamp = entities_[first_lamp() + random_.below(entities_.size() - first_lamp())];
     switch (random_.below(10)) {
@@ -74,7 +74,7 @@ class EditedLevel {
                                    [](const Entity& entity) { return entity.classname() == "light"; });
     return static_cast<std::size_t>(lamp - entities_.begin());
   }
-  // In one of the level's rooms, or at times in its walls.
+  // A point in one of the level's rooms, sometimes in a wall.
   std::string place() {
     const auto boxes = artgen::small_level_boxes();
     const math::Bounds& box = boxes[random_.below(boxes.size())].bounds;
@@ -119,16 +119,16 @@ TEST(LightCache, GivesTheSameBytesAfterAnyEdits) {
       const LitResult fresh = light(level.bsp()), cached = light(level.bsp(), {}, 2, &cache);
       ASSERT_EQ(cached.bsp, fresh.bsp) << "seed " << seed << edits;
       ASSERT_EQ(cached.summary.lit, fresh.summary.lit) << "seed " << seed << edits;
-      // What is left is what a first run would have kept.
-      LightCache anew;
-      light(level.bsp(), {}, 1, &anew);
-      ASSERT_EQ(cache, anew) << "seed " << seed << edits;
+      // The new cache equals that of a first run.
+      LightCache clean_cache;
+      light(level.bsp(), {}, 1, &clean_cache);
+      ASSERT_EQ(cache, clean_cache) << "seed " << seed << edits;
       edits += "; " + level.edit();
     }
   }
 }
 
-// The light with a part of the cache changed by hand: what is used shows.
+// The light with a part of the cache changed by hand, so that its use shows.
 template <typename Change>
 bool is_used(const formats::Bsp& bsp, const LightCache& cache, Change change) {
   LightCache changed = cache;
@@ -136,11 +136,11 @@ bool is_used(const formats::Bsp& bsp, const LightCache& cache, Change change) {
   return light(bsp, {}, 1, &changed).bsp != light(bsp).bsp;
 }
 
-std::size_t luxels_of(const world::Face& face) {
+std::size_t count_luxels(const world::Face& face) {
   return static_cast<std::size_t>(face.light_width()) * static_cast<std::size_t>(face.light_height());
 }
 
-// Of a record of shadows what is known of all luxels, with no light at all.
+// Changes the answers of a shadow record that cover all luxels to no light at all.
 base::ByteVector darkened(const base::ByteVector& shadows, std::size_t luxels, std::size_t lights) {
   std::vector<std::uint32_t> all(luxels);
   std::iota(all.begin(), all.end(), 0u);
@@ -175,11 +175,11 @@ TEST(LightCache, IsUsed) {
     const auto level_read = world::make_level(bsp, "edited").value();
     for (std::size_t face = 0; face < level_read->faces.size(); ++face)
       io_cache.maps[face].shadows =
-          darkened(io_cache.maps[face].shadows, luxels_of(level_read->faces[face]), cache.lights.size());
+          darkened(io_cache.maps[face].shadows, count_luxels(level_read->faces[face]), cache.lights.size());
   }));
 }
 
-TEST(LightCache, OfAnotherLevelOrOtherSamplingIsForgotten) {
+TEST(LightCache, IgnoresAnotherLevelAndOtherSampling) {
   EditedLevel level(2);
   formats::Bsp moved = level.bsp();
   for (math::Vec3& vertex : moved.vertices) vertex.z = vertex.z * 0.5f;
@@ -191,7 +191,7 @@ TEST(LightCache, OfAnotherLevelOrOtherSamplingIsForgotten) {
   EXPECT_EQ(light(level.bsp(), finer, 1, &cache).bsp, light(level.bsp(), finer).bsp);
 }
 
-TEST(LightCache, IsAsItWasWhenLightWasStopped) {
+TEST(LightCache, StoppingLeavesItUnchanged) {
   EditedLevel level(3);
   LightCache cache;
   light(level.bsp(), {}, 1, &cache);
@@ -200,7 +200,7 @@ TEST(LightCache, IsAsItWasWhenLightWasStopped) {
   formats::Bsp bsp = level.bsp();
   base::Jobs jobs(2, base::JobBackend::kStdThread);
   compiler::Warnings warnings;
-  const auto keys = compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
+  const auto keys = compiler::find_face_keys(bsp, formats::read_entities(bsp.entities).value());
   const auto stop_midway = [](std::size_t done, std::size_t total) { return done * 2 < total; };
   EXPECT_FALSE(compiler::light_level(bsp, keys, {}, jobs, stop_midway, warnings, &cache).ok());
   EXPECT_EQ(cache, before);
@@ -224,7 +224,7 @@ TEST(LightCacheFile, ReadsBackEqual) {
   }
 }
 
-TEST(LightCacheFile, CutShortOrDamagedIsRefused) {
+TEST(LightCacheFile, RejectsTruncationAndDamage) {
   const base::ByteVector bytes = compiler::write_light_cache(small_cache());
   for (std::size_t size = 0; size < bytes.size(); size += 1 + size / static_cast<std::size_t>(effort(60, 6)))
     ASSERT_FALSE(compiler::read_light_cache(base::Bytes(bytes).first(size)).ok()) << size;
@@ -236,7 +236,7 @@ TEST(LightCacheFile, CutShortOrDamagedIsRefused) {
   }
 }
 
-TEST(LightCacheFile, OfAnotherVersionSaysSo) {
+TEST(LightCacheFile, RejectsAnotherVersion) {
   base::ByteVector bytes = compiler::write_light_cache({});
   bytes[4] = std::byte{200};
   const auto read = compiler::read_light_cache(bytes);

@@ -1,5 +1,5 @@
-// A map made to show what light does wrong at seams, in corners and beside thin walls, held against light
-// worked out from its brushes alone.
+// A map made to show the usual faults of light at seams, in corners and beside thin walls, compared with
+// light that is computed from its brushes alone.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace {
 using math::Vec3d;
 
 struct HalfSpace {
-  Vec3d normal{0.0};  // outwards
+  Vec3d normal{0.0};  // outward
   double distance = 0;
 };
 struct Solid {
@@ -68,7 +68,7 @@ std::string brush_text(const Solid& solid) {
   return text + "}\n";
 }
 
-// Where a segment enters a solid, as a share of its length; nothing when it passes.
+// The share of a segment at which it enters a solid; nothing if it does not.
 bool is_blocked(const Solid& solid, const Vec3d& from, const Vec3d& to) {
   double enter = 0, leave = 1;
   for (const HalfSpace& side : solid.sides) {
@@ -94,8 +94,8 @@ struct TestMap {
     double value = 0;    // in steps of the light map
     unsigned lamps = 0;  // a bit for each that shines there
   };
-  // By the formula of linear lights.
-  Light light_at(const Vec3d& point, const Vec3d& normal) const {
+  // The formula of linear lights.
+  Light sample_light(const Vec3d& point, const Vec3d& normal) const {
     Light light;
     for (std::size_t i = 0; i < lamps.size(); ++i) {
       const Lamp& lamp = lamps[i];
@@ -111,7 +111,7 @@ struct TestMap {
   }
 };
 
-// Floor of tiles that share one plane and nothing else.
+// A floor of tiles that have nothing in common but their plane.
 void add_floor(std::vector<Solid>& io_world) {
   constexpr std::array<const char*, 5> kAlignments{"0 0 0 1 1", "5 11 0 1 1", "0 0 30 1 1", "3 3 45 1 1",
                                                    "0 0 0 0.5 1.5"};
@@ -152,7 +152,7 @@ TestMap make_test_map() {
   return map;
 }
 
-std::string text_of(const TestMap& map) {
+std::string get_text(const TestMap& map) {
   std::string brushes, detail;
   for (const Solid& solid : map.world) brushes += brush_text(solid);
   for (const Solid& solid : map.detail) detail += brush_text(solid);
@@ -172,7 +172,7 @@ struct Range {
   bool has_shadow_edge() const { return some != all; }
 };
 
-// The least and the most light within so many units of a point in its plane, as far as one can go there.
+// The least and the most light within a distance of a point in its plane, as far as one can go there.
 Range light_around(const TestMap& map, const Vec3d& place, const Vec3d& normal, double radius) {
   const Vec3d beside = std::abs(normal.z) > 0.9 ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
   const Vec3d u = glm::normalize(glm::cross(beside, normal)), w = glm::cross(u, normal);
@@ -183,19 +183,19 @@ Range light_around(const TestMap& map, const Vec3d& place, const Vec3d& normal, 
     for (double y = -radius; y <= radius; y += kStep) {
       const Vec3d point = lifted + u * x + w * y;
       if (x * x + y * y > radius * radius || !map.is_clear(lifted, point)) continue;
-      const TestMap::Light light = map.light_at(point, normal);
+      const TestMap::Light light = map.sample_light(point, normal);
       range = {std::min(range.low, light.value), std::max(range.high, light.value), range.some | light.lamps,
                range.all & light.lamps};
     }
   return range;
 }
 
-// Points of a face on a grid, some way inside its edges.
+// Points of a face on a grid, at some distance from its edges.
 std::vector<Vec3d> points_on(const world::Level& level, const world::Face& face, double step, double inside) {
   std::vector<Vec3d> corners;
   for (std::uint32_t i = 0; i < face.surfedge_count; ++i)
     corners.emplace_back(level.vertices[level.surfedge_start(std::size_t{face.first_surfedge} + i)]);
-  const Vec3d normal = world::plane_of(level, face).normal;
+  const Vec3d normal = world::compute_face_plane(level, face).normal;
   Vec3d mins = corners[0], maxs = corners[0];
   for (const Vec3d& corner : corners) {
     mins = glm::min(mins, corner);
@@ -213,7 +213,7 @@ std::vector<Vec3d> points_on(const world::Level& level, const world::Face& face,
       bool is_inside = true;
       for (std::size_t i = 0; i < corners.size() && is_inside; ++i) {
         const Vec3d way = corners[(i + 1) % corners.size()] - corners[i];
-        // Clockwise from the front.
+        // Clockwise, seen from the front.
         is_inside = glm::dot(glm::cross(glm::normalize(way), point - corners[i]), normal) < -inside;
       }
       if (is_inside) points.push_back(point);
@@ -221,8 +221,8 @@ std::vector<Vec3d> points_on(const world::Level& level, const world::Face& face,
   return points;
 }
 
-// The light map is measured every 16 units (24 where the texture is stretched), each luxel being the mean of
-// the square around it: what is shown comes from within that far, and half a step, each way.
+// A luxel stands for every 16 units (24 if the texture is stretched) and is the mean of the square around it.
+// So the light that is shown comes from within that distance, and half a step, along each axis.
 constexpr double kFootprint = 1.5 * 16 * 1.42, kStretchedFootprint = kFootprint * 1.5;
 constexpr double kSteps = 2.5;  // of 255
 
@@ -230,18 +230,18 @@ bool is_stretched(const world::Level& level, const world::Face& face) {
   return glm::length(level.texture_axes[face.axes].t_axis) < 0.9f;
 }
 
-TEST(LightCorners, WhatIsShownIsTheLightThatIsThere) {
+TEST(LightCorners, ShownLightIsWithinTheComputedLight) {
   const TestMap map = make_test_map();
   for (const int extra : {1, effort(4, 2)}) {
-    const auto level = lit_map(text_of(map), {{.extra = extra}, {}});
+    const auto level = lit_map(get_text(map), {{.extra = extra}, {}});
     int dark = 0, lit = 0, edges = 0;
     for (const world::Face& face : level->faces) {
-      const Vec3d normal = world::plane_of(*level, face).normal;
+      const Vec3d normal = world::compute_face_plane(*level, face).normal;
       const double radius = is_stretched(*level, face) ? kStretchedFootprint : kFootprint;
       for (const Vec3d& place : points_on(*level, face, effort(14, 40), 1.5)) {
         const Range range = light_around(map, place, normal, radius);
         const double shown = shown_light(*level, face, place).x;
-        // Where no line leads to a lamp there is none at all.
+        // Where no line reaches a lamp, there is no light at all.
         const double more = range.high == 0 ? 0 : kSteps;
         ASSERT_TRUE(shown >= range.low - kSteps && shown <= range.high + more)
             << fmt::format("extra {}: {} where it is {} to {}, at {} {} {}, facing {} {} {}", extra, shown,
@@ -257,20 +257,20 @@ TEST(LightCorners, WhatIsShownIsTheLightThatIsThere) {
 
 constexpr double kSeamSteps = 4;
 
-// Faces of one plane that meet, whatever cut them and however their textures lie, show the same light on both
-// sides of their seam: within kSeamSteps; and where a shadow ends, which two grids see in two ways, within
-// half of what it takes.
-TEST(LightCorners, NoStripesWhereFacesOfOnePlaneMeet) {
+// Faces of one plane that meet show the same light on both sides of their seam, whatever cut them and however
+// their textures are aligned: within kSeamSteps, and at the edge of a shadow, which two grids sample
+// differently, within half of its height.
+TEST(LightCorners, NoStripesBetweenFacesOfOnePlane) {
   const TestMap map = make_test_map();
-  const auto level = lit_map(text_of(map));
+  const auto level = lit_map(get_text(map));
   int seams = 0, at_shadows = 0;
   for (std::size_t a = 0; a < level->faces.size(); ++a)
     for (std::size_t b = a + 1; b < level->faces.size(); ++b) {
       const world::Face &one = level->faces[a], &other = level->faces[b];
       if (one.plane != other.plane || one.back_side != other.back_side) continue;
-      const Vec3d normal = world::plane_of(*level, one).normal;
+      const Vec3d normal = world::compute_face_plane(*level, one).normal;
       for (const Vec3d& place : points_on(*level, one, 1.5, 0.5)) {
-        if (glm::length(world::nearest_point(*level, other, place) - place) > 2) continue;
+        if (glm::length(world::find_nearest_point(*level, other, place) - place) > 2) continue;
         const Range range = light_around(map, place, normal, kStretchedFootprint);
         const double step = std::abs(shown_light(*level, one, place).x - shown_light(*level, other, place).x);
         ++(range.has_shadow_edge() ? at_shadows : seams);

@@ -1,4 +1,4 @@
-// Keys of brush entities that say what light does with them, in rooms where one can tell the answer.
+// Keys of brush entities that control light, in rooms where the result is known.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using math::Vec3d;
 
 constexpr Vec3d kUp(0, 0, 1);
 
-// A room, 256 units high, with a lamp below its ceiling and whatever else stands in it.
+// A room, 256 units high, with a lamp below its ceiling and other brushes in it.
 std::string room_text(std::string_view entities, std::string_view world_keys = "") {
   return entity_text("worldspawn", world_keys, walls_text({-128, -128, 0}, {128, 128, 256}, "stone")) +
          point_text("info_player_start", {-100, -100, 40}) +
@@ -28,8 +28,8 @@ double light_on(const world::Level& level, const Vec3d& place) {
   return shown_light(level, face_under(level, place, kUp), place).x;
 }
 
-// Two plates of one entity, the lower one and the floor's middle in the shadow of the upper; between them and
-// the floor a plate of another entity.
+// Two plates of one entity, the lower plate and the center of the floor in the shadow of the upper one.
+// Between them and the floor is a plate of another entity.
 struct Shadows {
   bool on_itself = false, on_others = false, on_world = false;
   bool operator==(const Shadows&) const = default;
@@ -51,16 +51,16 @@ Shadows shadows_with(std::string_view keys) {
   return {is_dark({0, 0, 128}), is_dark({0, 0, 68}), is_dark({0, 0, 0})};
 }
 
-TEST(LightKeys, ShadowsFallOnWhatTheyAreAskedToFallOn) {
+TEST(LightKeys, ShadowsFallOnTheChosenReceivers) {
   EXPECT_EQ(shadows_with(""), (Shadows{false, false, false}));
   EXPECT_EQ(shadows_with("\"_shadow\" \"1\""), (Shadows{true, true, true}));
   EXPECT_EQ(shadows_with("\"_shadowself\" \"1\""), (Shadows{true, false, false}));
   EXPECT_EQ(shadows_with("\"_shadowworldonly\" \"1\""), (Shadows{false, false, true}));
-  // The more general key counts.
+  // The more general key wins.
   EXPECT_EQ(shadows_with("\"_shadow\" \"1\"\n\"_shadowself\" \"1\""), (Shadows{true, true, true}));
 }
 
-TEST(LightKeys, GlassTintsTheMoreTheLessTransparentItIs) {
+TEST(LightKeys, OpaqueGlassTintsMore) {
   formats::Palette red{};
   red.fill({255, 51, 0});
   const auto floor_light = [&](const std::string& keys) {
@@ -81,9 +81,9 @@ TEST(LightKeys, GlassTintsTheMoreTheLessTransparentItIs) {
   EXPECT_EQ(floor_light("\"_shadow\" \"1\"\n\"alpha\" \"1\""), Vec3d(0.0));
 }
 
-// A block that stands half in the floor of a dark corner: what of its side is below the floor shows nothing,
-// but is drawn when it rises.
-TEST(LightKeys, AutoMinLightIsThatOfTheMiddle) {
+// A block that is half inside the floor of a dark corner: the buried part of its side is hidden, but shows
+// when the block rises.
+TEST(LightKeys, AutoMinLightIsTheLightAtTheCenter) {
   const auto side_light = [](const char* value, double z) {
     const auto level =
         lit_map(room_text(entity_text("func_wall", fmt::format("\"_autominlight\" \"{}\"", value),
@@ -91,12 +91,12 @@ TEST(LightKeys, AutoMinLightIsThatOfTheMiddle) {
     const Vec3d place(64, 0, z);
     return shown_light(*level, face_under(*level, place, {-1, 0, 0}), place).x;
   };
-  // In the open nothing changes.
+  // In the open, nothing changes.
   const double open = side_light("0", 40);
   EXPECT_GT(open, 20);
   EXPECT_EQ(side_light("1", 40), open);
   EXPECT_EQ(side_light("-1", 40), open);
-  // Far below the floor: with 1 the middle counts, which is within the floor too, and dark.
+  // Deep below the floor: with 1 the center counts, which is inside the floor too, and dark.
   EXPECT_GT(side_light("0", -150), 20);
   EXPECT_EQ(side_light("1", -150), 0);
 }
@@ -113,7 +113,7 @@ TEST(LightKeys, AutoMinLightOfHiddenFacesCanBeTurnedOff) {
   EXPECT_EQ(shown_light(*off, face_under(*off, hidden, {1, 0, 0}), hidden).x, 0);
 }
 
-TEST(LightKeys, OtherStylesBounceWhenAsked) {
+TEST(LightKeys, OtherStylesBounceOnRequest) {
   const auto spot = [](const char* style, const char* keys) {
     return light(
         room_with({std::string("{ 'classname' 'light' 'origin' '0 0 40' 'light' '300' 'delay' '3' 'mangle' "
@@ -135,8 +135,8 @@ TEST(LightKeys, OtherStylesBounceWhenAsked) {
   EXPECT_GT(bounced, 10);
 }
 
-// Looked at as bytes: our own reader has no use for a liquid's light.
-TEST(LightKeys, LiquidsHaveLightMapsWhenAsked) {
+// Checks bytes, since our own reader does not use the light of liquids.
+TEST(LightKeys, LiquidsHaveLightMapsOnRequest) {
   const auto brightest_water = [](const std::string& world_keys, const std::string& group_keys) {
     const LitResult lit = light(room_with(
         {"{ 'classname' 'light' 'origin' '0 0 50' }" +

@@ -1,4 +1,4 @@
-// Whole levels: the same bytes however they are made, styles, seams, and what stands in the result.
+// Whole levels: the same bytes however they are made, styles, seams, and the contents of the result.
 #include "compiler/light/light_level.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 namespace temblor::test {
 namespace {
 
-// All kinds of light at once over the level made in code, which has a court under the sky.
+// All kinds of light at once, in the level made in code, which has a court under the sky.
 formats::Bsp small_level_with_all() {
   artgen::SmallLevelOptions options;
   options.light = false;
@@ -38,8 +38,8 @@ formats::Bsp small_level_with_all() {
   return bsp;
 }
 
-// Not named for the thread sanitizer, which takes Embree's own workers, not instrumented, for races.
-TEST(LightLevel, SameBytesWithAnyNumberOfWorkers) {
+// Not in the thread sanitizer's list: it reports Embree's own workers, which are not instrumented, as races.
+TEST(LightLevel, DoesNotDependOnThreads) {
   const formats::Bsp unlit = small_level_with_all();
   const LitResult one = light(unlit);
   EXPECT_TRUE(one.summary.colored);
@@ -50,7 +50,7 @@ TEST(LightLevel, SameBytesWithAnyNumberOfWorkers) {
   }
 }
 
-TEST(LightLevel, ResultIsAValidLevelAndIsLitAnewFromItself) {
+TEST(LightLevel, ResultIsValidAndCanBeRelit) {
   const LitResult once = light(small_level_with_all());
   EXPECT_FALSE(formats::find_fault(once.bsp).has_value());
   ASSERT_TRUE(world::make_level(once.bsp, "lit").ok());
@@ -85,10 +85,10 @@ TEST(LightLevel, ExtraSamplesOnlyRefineShadows) {
   }
 }
 
-TEST(LightLevel, StopsWhenAskedAndLeavesTheLevelAlone) {
+TEST(LightLevel, StoppingLeavesTheLevelUnchanged) {
   formats::Bsp bsp = small_level_with_all();
   const formats::Bsp before = bsp;
-  const auto keys = compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
+  const auto keys = compiler::find_face_keys(bsp, formats::read_entities(bsp.entities).value());
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   compiler::Warnings warnings;
   const auto result = compiler::light_level(
@@ -97,7 +97,7 @@ TEST(LightLevel, StopsWhenAskedAndLeavesTheLevelAlone) {
   EXPECT_EQ(bsp, before);
 }
 
-TEST(LightLevel, SwitchableLightsHaveStylesInOrderOfTheirNames) {
+TEST(LightLevel, SwitchableLightsGetStylesInTheOrderOfTheirNames) {
   const LitResult lit =
       light(room_with({"{ 'classname' 'light' 'origin' '0 0 0' 'targetname' 'b' }"
                        "{ 'classname' 'light' 'origin' '9 0 0' 'targetname' 'a' }"
@@ -109,7 +109,7 @@ TEST(LightLevel, SwitchableLightsHaveStylesInOrderOfTheirNames) {
   EXPECT_EQ(lit.bsp.faces[0].styles, (std::array<std::uint8_t, 4>{32, 33, 255, 255}));
 }
 
-TEST(LightLevel, TheFourBrightestStylesStay) {
+TEST(LightLevel, KeepsTheFourBrightestStyles) {
   std::string entities;
   for (int style = 1; style <= 6; ++style)
     entities += "{ 'classname' 'light' 'origin' '0 0 0' 'delay' '3' 'style' '" + std::to_string(style) +
@@ -121,11 +121,11 @@ TEST(LightLevel, TheFourBrightestStylesStay) {
   EXPECT_NE(lit.warnings[0].what.find("12 styles"), std::string::npos);
 }
 
-TEST(LightLevel, TemplatesMakeFacesShine) {
-  // Every wall carries "wall": the room's middle is as far from all of them.
+TEST(LightLevel, SurfaceLightsMakeFacesShine) {
+  // Every wall has the texture "wall"; the center of the room is equally far from all of them.
   const LitResult lit = light(
       room_with({"{ 'classname' 'light' '_surface' 'WALL' 'light' '40' 'delay' '2' '_color' '0 1 0' }"}));
-  // Six walls of 128 units are one piece each.
+  // Each of the six walls, 128 units wide, is one piece.
   EXPECT_EQ(lit.summary.lights, 6u);
   for (const RoomLuxel& luxel : room_luxels(lit)) {
     EXPECT_EQ(luxel.rgb[0], 0);
@@ -133,27 +133,27 @@ TEST(LightLevel, TemplatesMakeFacesShine) {
   }
 }
 
-TEST(LightLevel, HiddenFacesOfDoorsHaveTheLightOfTheirMiddle) {
-  // From below the floor to above the ceiling, where its ends are in the dark.
+TEST(LightLevel, HiddenFacesOfDoorsHaveTheLightAtTheirCenter) {
+  // It reaches from below the floor to above the ceiling, so its ends are dark.
   const LitResult lit =
       light(room_with({"{ 'classname' 'func_door' " + box_text({-8, -8, -72}, {8, 8, 72}, "door") + "}" +
                        "{ 'classname' 'light' 'origin' '0 0 30' 'delay' '3' '_anglescale' '1' }"}));
   int of_ends = 0;
   for (const RoomLuxel& luxel : room_luxels(lit)) {
     if (luxel.of_world || luxel.normal.z == 0) continue;
-    // Of six sides that look up, down and around, one sees a light of 300 straight above it.
+    // Of six directions, one faces a light of 300 straight above.
     EXPECT_NEAR(luxel.gray, 300.0 / 6 / 2, 1) << luxel;
     ++of_ends;
   }
   EXPECT_EQ(of_ends, 2);
 }
 
-// In a corner of the room's floor.
+// In a corner of the room, on the floor.
 std::string block_text(const std::string& keys) {
   return "{ 'classname' 'func_wall' " + keys + box_text({16, 16, -64}, {64, 64, -16}, "wall") + "}";
 }
 
-TEST(LightLevel, BrushModelsHaveTheirOwnLeastLight) {
+TEST(LightLevel, BrushModelsHaveTheirOwnMinimumLight) {
   const LitResult lit =
       light(room_with({block_text("'_minlight' '120' '_minlight_color' '1 0.5 0'"), "'light' '40'"}));
   int of_block = 0;
@@ -167,7 +167,7 @@ TEST(LightLevel, BrushModelsHaveTheirOwnLeastLight) {
   EXPECT_GT(of_block, 0);
 }
 
-TEST(LightLevel, FacesThatIgnoreLightKeepTheirLeast) {
+TEST(LightLevel, FacesThatIgnoreLightKeepTheirMinimum) {
   const LitResult lit = light(room_with(
       {block_text("'_lightignore' '1' '_minlight' '50'") + "{ 'classname' 'light' 'origin' '0 0 0' }"}));
   int of_block = 0;
@@ -178,7 +178,7 @@ TEST(LightLevel, FacesThatIgnoreLightKeepTheirLeast) {
   EXPECT_GT(of_block, 0);
 }
 
-TEST(LightLevel, BouncedLightReachesWhatNoLightSees) {
+TEST(LightLevel, BouncedLightReachesFacesThatSeeNoLight) {
   const RoomSetup spot{
       "{ 'classname' 'light' 'origin' '0 0 40' 'light' '300' 'delay' '3' 'mangle' '0 -90 0' 'angle' '60' }",
       ""};
@@ -205,7 +205,7 @@ TEST(LightLevel, DirtDarkensCorners) {
              after = room_luxels(light(room_with(dirty)), 0, 1);
   int corners = 0, middles = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    // How far the nearest other wall is: the middle one of the three distances, as the least is the unit to
+    // The distance to the nearest other wall: the middle one of the three, since the least is the one unit to
     // the luxel's own wall.
     std::array<double, 3> from_walls{};
     for (int axis = 0; axis < 3; ++axis)
@@ -223,8 +223,8 @@ TEST(LightLevel, DirtDarkensCorners) {
   EXPECT_GT(corners, 20);
 }
 
-// Nothing solid within three units but what lies behind one plane: at the foot of a pillar's edge light
-// differs from side to side.
+// Whether nothing solid but what is behind one plane is within three units: at the foot of a pillar's edge,
+// light differs from side to side.
 bool is_open_around(const world::Level& level, const math::Vec3d& place) {
   int solid = 0;
   for (const int x : {-3, 3})
@@ -235,9 +235,8 @@ bool is_open_around(const world::Level& level, const math::Vec3d& place) {
   return solid == 4;
 }
 
-// Luxels of different faces that lie at the same place of one plane, on the edge of both, measure the same
-// light.
-TEST(LightLevel, NoStripesAtSeamsBetweenCoplanarFaces) {
+// Luxels of different faces at the same place of one plane, on the edge of both, measure the same light.
+TEST(LightLevel, NoStripesBetweenCoplanarFaces) {
   for (const int extra : {1, 2, effort(4, 2)}) {
     const LitResult lit = light(small_level_with_all(), {.extra = extra, .bounces = 0});
     const auto level = world::make_level(lit.bsp, "lit").value();
@@ -247,7 +246,7 @@ TEST(LightLevel, NoStripesAtSeamsBetweenCoplanarFaces) {
       for (int row = 0; row < face.light_height(); ++row)
         for (int column = 0; column < face.light_width(); ++column) {
           const math::Vec3d place = luxel_place(*level, face, column, row);
-          if (glm::length(world::nearest_point(*level, face, place) - place) > 0.01) continue;
+          if (glm::length(world::find_nearest_point(*level, face, place) - place) > 0.01) continue;
           if (!is_open_around(*level, place)) continue;
           at[{face.plane, face.back_side, face.axes, face.texture_mins[0] / 16 + column,
               face.texture_mins[1] / 16 + row}]

@@ -1,4 +1,4 @@
-// _lmscale: light maps of another scale beside those that every game reads.
+// _lmscale: light maps of another scale besides those that every engine reads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ base::ByteReader lump(const formats::Bsp& bsp, const char* name) {
   return base::ByteReader(found->data);
 }
 
-TEST(LightScale, GamesThatDoNotKnowItSeeTheUsualLight) {
+TEST(LightScale, OldEnginesSeeTheUsualLight) {
   const LitResult usual = lit_room("1"), scaled = lit_room("0.25");
   EXPECT_EQ(usual.bsp.find_bspx("LMSHIFT"), nullptr);
   EXPECT_EQ(scaled.bsp.faces, usual.bsp.faces);
@@ -54,8 +54,8 @@ TEST(LightScale, IsRoundedToAPowerOfTwo) {
   }
 }
 
-// Every luxel of every scaled map, found as a game finds it, is what the formula of linear lights gives.
-TEST(LightScale, ScaledLuxelsHaveTheLightOfTheirPlaces) {
+// Every luxel of every scaled map, found as an engine finds it, has the light that the formula gives.
+TEST(LightScale, ScaledLuxelsHaveTheRightLight) {
   for (const auto& [scale, texels] : {std::pair{"0.25", 4}, {"0.5", 8}, {"2", 32}}) {
     const LitResult lit = lit_room(scale);
     const auto level = world::make_level(lit.bsp, "scaled").value();
@@ -68,8 +68,8 @@ TEST(LightScale, ScaledLuxelsHaveTheLightOfTheirPlaces) {
       ASSERT_EQ(styles.u8(), 255);
       ASSERT_EQ(styles.u8(), 255);
       const world::TextureAxes& axes = level->texture_axes[face.axes];
-      const world::FacePlane plane = world::plane_of(*level, face);
-      // The room is a cube of 128 units whose texture axes lie along axes of the world: texels are units.
+      const world::FacePlane plane = world::compute_face_plane(*level, face);
+      // The room is a cube of 128 units whose texture axes are along the world's axes, so texels are units.
       const double low_s = std::floor((-64.0 + double{axes.s_offset}) / texels) * texels;
       const double low_t = std::floor((-64.0 + double{axes.t_offset}) / texels) * texels;
       const int width =
@@ -99,8 +99,8 @@ TEST(LightScale, ScaledLuxelsHaveTheLightOfTheirPlaces) {
   }
 }
 
-// The whole of it: shards, bounces, colors, a cache, any number of threads.
-TEST(LightScale, IsTheSameHoweverItIsMade) {
+// Everything at once: shards, bounces, colors, a cache, any number of threads.
+TEST(LightScale, DoesNotDependOnHowItIsMade) {
   formats::Bsp bsp = artgen::make_small_level({.light = false});
   bsp.entities.insert(bsp.entities.find('}'),
                       "\"_lmscale\" \"0.5\" \"_bounce\" \"1\" \"_dirt\" \"1\" \"_sunlight\" \"100\"");
@@ -114,24 +114,24 @@ TEST(LightScale, IsTheSameHoweverItIsMade) {
   compiler::LightCache cache;
   EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
   EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
-  // Lit again from itself, there are no lumps twice.
+  // Lighting the result again does not duplicate the lumps.
   EXPECT_EQ(light(once.bsp, options).bsp, once.bsp);
 
-  const auto keys = compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
+  const auto keys = compiler::find_face_keys(bsp, formats::read_entities(bsp.entities).value());
   base::Jobs jobs(1);
   compiler::Warnings warnings;
   std::vector<base::ByteVector> shards;
   for (std::uint32_t i = 0; i < 3; ++i)
     shards.push_back(
-        compiler::light_shard(bsp, keys, options, {i, 3}, {}, jobs, compiler::kNobodyWatches).value().bytes);
+        compiler::light_shard(bsp, keys, options, {i, 3}, {}, jobs, compiler::kIgnoreProgress).value().bytes);
   formats::Bsp merged = bsp;
   ASSERT_TRUE(
       compiler::merge_light(merged, keys, options, {{shards[0], shards[1], shards[2]}}, jobs, warnings).ok());
   EXPECT_EQ(merged, once.bsp);
 }
 
-// Where both measure the same place, bounced light is the same.
-TEST(LightScale, BouncedLightIsThatOfTheUsualMap) {
+// Where both maps measure the same place, bounced light is the same.
+TEST(LightScale, BouncedLightEqualsThatOfTheUsualMap) {
   formats::Bsp bsp = room_with({"{ 'classname' 'light' 'origin' '50 50 50' 'light' '90' }",
                                 "'_lmscale' '0.5' '_bounce' '3' '_bouncescale' '4'"});
   const LitResult lit = light(bsp);

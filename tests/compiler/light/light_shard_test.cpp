@@ -1,4 +1,4 @@
-// Light shared out among processes.
+// Light that several processes share.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -17,16 +17,16 @@ const RoomSetup kRoom{
     "{ 'classname' 'light' 'origin' '0 30 0' 'light' '-50' }",
     "'_sunlight' '100' '_dirt' '1' '_bounce' '2'", true};
 
-compiler::FaceKeys keys_of(const formats::Bsp& bsp) {
-  return compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
+compiler::FaceKeys list_keys(const formats::Bsp& bsp) {
+  return compiler::find_face_keys(bsp, formats::read_entities(bsp.entities).value());
 }
 
-// Goes on from `begun`, and stops after `steps`.
+// Continues from `begun`, and stops after `steps`.
 compiler::LightShardBytes work_on_shard(const formats::Bsp& bsp, const compiler::LightShard& shard,
                                         const compiler::LightOptions& options, base::Bytes begun, int steps,
                                         int threads = 1) {
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
-  return compiler::light_shard(bsp, keys_of(bsp), options, shard, begun, jobs,
+  return compiler::light_shard(bsp, list_keys(bsp), options, shard, begun, jobs,
                                [&](std::size_t, std::size_t) { return --steps > 0; })
       .value();
 }
@@ -43,7 +43,7 @@ base::Result<compiler::LightSummary> merge(formats::Bsp& io_bsp, std::vector<bas
                                            const compiler::LightOptions& options = {}) {
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   compiler::Warnings warnings;
-  return compiler::merge_light(io_bsp, keys_of(io_bsp), options, shards, jobs, warnings);
+  return compiler::merge_light(io_bsp, list_keys(io_bsp), options, shards, jobs, warnings);
 }
 
 TEST(LightShards, MergeToTheSameBytes) {
@@ -51,7 +51,7 @@ TEST(LightShards, MergeToTheSameBytes) {
   const LitResult whole = light(unlit);
   for (const std::uint32_t count : {1u, 2u, 5u, 9u}) {
     std::vector<base::ByteVector> shards;
-    // The last first.
+    // In reverse order.
     for (std::uint32_t i = count; i-- > 0;) shards.push_back(make_shard(unlit, i, count));
     formats::Bsp merged = unlit;
     const auto summary = merge(merged, {shards.begin(), shards.end()});
@@ -61,7 +61,7 @@ TEST(LightShards, MergeToTheSameBytes) {
   }
 }
 
-TEST(LightShards, MustBeAllOfOneLevelAndOneSetOfOptions) {
+TEST(LightShards, RejectMixedLevelsAndOptions) {
   const formats::Bsp unlit = room_with(kRoom);
   const base::ByteVector first = make_shard(unlit, 0, 2), second = make_shard(unlit, 1, 2);
   const base::ByteVector finer = make_shard(unlit, 1, 2, {.extra = 4});
@@ -79,7 +79,7 @@ TEST(LightShards, MustBeAllOfOneLevelAndOneSetOfOptions) {
   EXPECT_TRUE(merge(bsp, {first, second}).ok());
 }
 
-TEST(LightShards, StoppedTheyGoOnToTheSameBytes) {
+TEST(LightShards, ResumeToTheSameBytes) {
   const formats::Bsp unlit = room_with(kRoom);
   std::mt19937 random(3);
   for (int seed = 0; seed < effort(12, 3); ++seed) {
@@ -96,12 +96,12 @@ TEST(LightShards, StoppedTheyGoOnToTheSameBytes) {
     }
     EXPECT_GE(stops, 1);
     EXPECT_EQ(made.bytes, make_shard(unlit, shard.index, 2)) << stops << " stops";
-    // What is finished takes no step more.
+    // A finished shard takes no further step.
     EXPECT_TRUE(work_on_shard(unlit, shard, {}, made.bytes, 0).is_finished);
   }
 }
 
-TEST(LightShards, WhatWasSavedOfSomethingElseIsNotUsed) {
+TEST(LightShards, IgnoreSavedBytesOfAnotherShard) {
   const formats::Bsp unlit = room_with(kRoom);
   formats::Bsp other = unlit;
   other.entities += "{ \"classname\" \"light\" \"origin\" \"20 20 20\" }";
@@ -113,7 +113,7 @@ TEST(LightShards, WhatWasSavedOfSomethingElseIsNotUsed) {
     EXPECT_EQ(work_on_shard(unlit, {0, 2}, {}, begun, kAllSteps).bytes, whole);
 }
 
-TEST(LightShards, CutShortTheyAreRefused) {
+TEST(LightShards, RejectTruncation) {
   const formats::Bsp unlit = room_with(kRoom);
   const base::ByteVector shard = make_shard(unlit, 0, 1);
   formats::Bsp bsp = unlit;

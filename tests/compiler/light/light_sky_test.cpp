@@ -1,4 +1,4 @@
-// Light from the sky: a room whose ceiling is sky.
+// Light from the sky in a room whose ceiling is sky.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,29 +9,30 @@
 namespace temblor::test {
 namespace {
 
-// Where a ray from a place to the sky leaves the room: through the ceiling, and how far from its edges.
+// Where a ray from a place to the sky leaves the room: whether through the ceiling, and how far from its
+// edges.
 struct WayOut {
   bool ceiling = false;
   double from_edge = 0;
 };
-WayOut way_out(const math::Vec3d& place, const math::Vec3d& towards) {
-  if (towards.z <= 0) return {};
-  const math::Vec3d at = place + towards * ((kHalfRoom - place.z) / towards.z);
+WayOut way_out(const math::Vec3d& place, const math::Vec3d& toward) {
+  if (toward.z <= 0) return {};
+  const math::Vec3d at = place + toward * ((kHalfRoom - place.z) / toward.z);
   const double inside = kHalfRoom - std::max(std::abs(at.x), std::abs(at.y));
   return {inside > 0, std::abs(inside)};
 }
 
-TEST(LightSky, SunReachesWhatSeesTheSkyItsWay) {
-  // It shines the way that yaw 30, pitch -50 points.
+TEST(LightSky, SunReachesFacesThatSeeTheSkyInItsDirection) {
+  // It shines in the direction of yaw 30, pitch -50.
   constexpr double kYaw = 30 * std::numbers::pi / 180, kPitch = -50 * std::numbers::pi / 180;
-  const math::Vec3d towards =
+  const math::Vec3d toward =
       -math::Vec3d(std::cos(kYaw) * std::cos(kPitch), std::sin(kYaw) * std::cos(kPitch), std::sin(kPitch));
   const LitResult lit = light(room_with({"", "'_sunlight' '220' '_sun_mangle' '30 -50 0'", true}));
   int bright = 0, dark = 0;
   for (const RoomLuxel& luxel : room_luxels(lit)) {
-    const WayOut way = way_out(luxel.place_world, towards);
-    const double cosine = glm::dot(towards, luxel.normal);
-    // Within a luxel of the shadow's edge it is a matter of the filter.
+    const WayOut way = way_out(luxel.place_world, toward);
+    const double cosine = glm::dot(toward, luxel.normal);
+    // Within a luxel of the shadow's edge, the filter decides.
     if (way.from_edge < 24) continue;
     const double expected = way.ceiling && cosine > 0 ? 110 * (0.5 + 0.5 * cosine) : 0;
     ++(expected > 0 ? bright : dark);
@@ -41,7 +42,7 @@ TEST(LightSky, SunReachesWhatSeesTheSkyItsWay) {
   EXPECT_GT(dark, 20);
 }
 
-TEST(LightSky, SunShinesStraightDownUnlessSaid) {
+TEST(LightSky, SunShinesStraightDownByDefault) {
   const LitResult lit = light(room_with({"", "'_sunlight' '100' '_sunlight_color' '255 0 255'", true}));
   for (const RoomLuxel& luxel : room_luxels(lit)) {
     if (luxel.normal.z < 1) continue;
@@ -49,21 +50,21 @@ TEST(LightSky, SunShinesStraightDownUnlessSaid) {
   }
 }
 
-TEST(LightSky, DomeComesFromTheWholeHemisphere) {
+TEST(LightSky, DomeLightsFromTheWholeHemisphere) {
   const LitResult lit = light(room_with({"", "'_sunlight2' '200'", true}));
   int looked_at = 0;
   double difference = 0;
   for (const RoomLuxel& luxel : room_luxels(lit)) {
-    // The mean over the hemisphere of what arrives, by a grid of equal areas.
+    // The mean of the arriving light over the hemisphere, by a grid of equal areas.
     constexpr int kRings = 60, kTurns = 120;
     double sum = 0;
     for (int ring = 0; ring < kRings; ++ring)
       for (int turn = 0; turn < kTurns; ++turn) {
         const double z = (ring + 0.5) / kRings, radius = std::sqrt(1 - z * z);
         const double angle = (turn + 0.5) / kTurns * 2 * std::numbers::pi;
-        const math::Vec3d towards(radius * std::cos(angle), radius * std::sin(angle), z);
-        const double cosine = glm::dot(towards, luxel.normal);
-        if (cosine > 0 && way_out(luxel.place_world, towards).ceiling) sum += 0.5 + 0.5 * cosine;
+        const math::Vec3d toward(radius * std::cos(angle), radius * std::sin(angle), z);
+        const double cosine = glm::dot(toward, luxel.normal);
+        if (cosine > 0 && way_out(luxel.place_world, toward).ceiling) sum += 0.5 + 0.5 * cosine;
       }
     const double expected = 100 * sum / (kRings * kTurns);
     ASSERT_NEAR(luxel.gray, expected, 4) << luxel;
@@ -74,7 +75,7 @@ TEST(LightSky, DomeComesFromTheWholeHemisphere) {
   EXPECT_NEAR(difference / looked_at, 0, 0.5);
 }
 
-TEST(LightSky, PenumbraBlursTheEdgeAndKeepsTheMiddle) {
+TEST(LightSky, PenumbraBlursEdgesAndKeepsTheCenter) {
   const std::string keys = "'_sunlight' '200' '_sun_mangle' '0 -45 0'";
   const LitResult sharp = light(room_with({"", keys, true}));
   const LitResult soft = light(room_with({"", keys + "'_sunlight_penumbra' '20'", true}));
@@ -100,7 +101,7 @@ TEST(LightSky, SunsAndDomesMayBeEntities) {
   EXPECT_EQ(world.bsp.lighting, entities.bsp.lighting);
 }
 
-TEST(LightSky, WithoutSkyThereIsNone) {
+TEST(LightSky, NoSkyNoSkyLight) {
   EXPECT_EQ(light(room_with({"", "'_sunlight' '220' '_sunlight2' '100'"})).summary.lit_faces, 0u);
 }
 

@@ -1,5 +1,5 @@
-// Single lights in an empty room, where nothing casts a shadow, against the formulas that mappers know,
-// written down here once more.
+// Single lights in an empty room without shadows, compared with the formulas that mappers know, which are
+// repeated here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ double angle_factor(double scale, double cosine) {
   return cosine <= 0 ? 0 : 1 - scale + scale * cosine;
 }
 
-// What is stored for light of this value: half of it, in 0..255.
+// The byte that light of this value is stored as: half of it, in 0..255.
 double stored(double value) {
   return std::clamp(value / 2, 0.0, 255.0);
 }
@@ -74,7 +74,7 @@ TEST(LightSources, InverseAndInverseSquare) {
                   {.value = [](double d) { return 200 * 128.0 * 128 / ((2 * d + 128) * (2 * d + 128)); }});
 }
 
-TEST(LightSources, WithoutAttenuationOnlyTheAngleCounts) {
+TEST(LightSources, WithoutAttenuationOnlyTheAngleMatters) {
   expect_room_lit("'light' '180' 'delay' '3'", {.value = [](double) { return 180.0; }});
   expect_room_lit("'light' '180' 'delay' '3' '_anglescale' '1'",
                   {.value = [](double) { return 180.0; }, .angle_scale = 1});
@@ -82,7 +82,7 @@ TEST(LightSources, WithoutAttenuationOnlyTheAngleCounts) {
                   {.value = [](double) { return 180.0; }, .angle_scale = 0});
 }
 
-TEST(LightSources, SettingsOfTheLevelScaleThem) {
+TEST(LightSources, LevelSettingsScaleLights) {
   expect_room_lit("'light' '300'", {.value = [](double d) { return std::max(0.0, 300 - 3 * d); }},
                   "'_dist' '3'");
   expect_room_lit("'light' '100'", {.value = [](double d) { return 2 * std::max(0.0, 100 - d); }},
@@ -91,7 +91,7 @@ TEST(LightSources, SettingsOfTheLevelScaleThem) {
                   "'_anglescale' '0'");
 }
 
-TEST(LightSources, LocalMinlightRaisesAndDoesNotAdd) {
+TEST(LightSources, LocalMinlightRaisesInsteadOfAdding) {
   const auto least = [](double) { return 150.0; };
   expect_room_lit("'light' '150' 'delay' '4' '_anglescale' '0'", {.value = least, .angle_scale = 0});
   const LitResult lit = test::light(
@@ -108,7 +108,7 @@ TEST(LightSources, LocalMinlightRaisesAndDoesNotAdd) {
   EXPECT_GT(brighter, 20);
 }
 
-TEST(LightSources, NegativeOnesTakeAwayWhatMinlightGave) {
+TEST(LightSources, NegativeLightsAlsoReduceMinimumLight) {
   const LitResult lit = test::light(
       room_with({"{ 'classname' 'light' 'origin' '10 -20 5' 'light' '-150' }", "'_minlight' '200'"}));
   const Expected taken{.value = [](double d) { return std::min(0.0, -150 + d); }};
@@ -128,10 +128,10 @@ double ramp(double cosine, double inner_deg, double outer_deg) {
   return cosine >= inner ? 1 : (cosine - outer) / (inner - outer);
 }
 
-TEST(LightSources, SpotsShineInACone) {
+TEST(LightSources, SpotlightsShineInACone) {
   const auto even = [](double) { return 200.0; };
   const math::Vec3d down(0, 0, -1), along_y(0, 1, 0);
-  // Yaw 90, pitch 0: along y. The full angle counts.
+  // Yaw 90, pitch 0 is along y. The angle is that of the full cone.
   expect_room_lit("'light' '200' 'delay' '3' 'mangle' '90 0 0' 'angle' '70'",
                   {.value = even, .cone = [](double c) { return ramp(c, 70, 70); }, .beam = along_y});
   expect_room_lit("'light' '200' 'delay' '3' 'mangle' '0 -90 0'",
@@ -140,7 +140,7 @@ TEST(LightSources, SpotsShineInACone) {
                   {.value = even, .cone = [](double c) { return ramp(c, 50, 120); }, .beam = down});
 }
 
-TEST(LightSources, SpotsShineAtTheirTarget) {
+TEST(LightSources, SpotlightsAimAtTheirTarget) {
   const LitResult lit = test::light(room_with(
       {"{ 'classname' 'light' 'origin' '10 -20 5' 'light' '200' 'delay' '3' 'target' 'there' 'angle' '80' }"
        "{ 'classname' 'info_null' 'targetname' 'there' 'origin' '30 20 -40' }"}));
@@ -167,7 +167,7 @@ TEST(LightSources, ColorsAreFractionsOrBytes) {
   }
 }
 
-TEST(LightSources, BrightnessMayComeWithItsColor) {
+TEST(LightSources, BrightnessMayIncludeTheColor) {
   const LitResult lit =
       test::light(room_with({"{ 'classname' 'light' 'origin' '10 -20 5' '_light' '255 127.5 0 200' }"}));
   ASSERT_TRUE(lit.summary.colored);
@@ -185,23 +185,24 @@ TEST(LightSources, DevianceSpreadsOneLightOverSeveral) {
       test::light(room_with({"{ 'classname' 'light' 'origin' '0 0 0' 'light' '50' 'delay' '3' '_deviance' "
                              "'20' '_samples' '64' }"}));
   EXPECT_EQ(lit.summary.lights, 64u);
-  // From far enough away they look like one.
+  // From far enough away, they look like one light.
   const Expected light{.origin = math::Vec3d(0.0), .value = [](double) { return 50.0; }};
   for (const RoomLuxel& luxel : room_luxels(lit))
     ASSERT_NEAR(luxel.gray, stored(expected_at(light, luxel)), 2);
 }
 
-TEST(LightSources, WhatIsUnknownIsSaid) {
+TEST(LightSources, WarnsAboutUnknownValues) {
   const LitResult lit =
       test::light(room_with({"{ 'classname' 'light' 'origin' '8 0 0' 'delay' '7' }"
                              "{ 'classname' 'light' 'origin' '0 0 0' 'target' 'nobody' }"}));
   ASSERT_EQ(lit.warnings.size(), 2u);
-  EXPECT_EQ(lit.warnings[0].kind, "light with an unknown delay");
-  EXPECT_EQ(lit.warnings[0].what, "light at \"8 0 0\"") << "numbers of a level's entities are not its map's";
+  EXPECT_EQ(lit.warnings[0].kind, "light with an unknown delay, ignored");
+  EXPECT_EQ(lit.warnings[0].what, "light at \"8 0 0\": delay must be 0 to 5")
+      << "numbers of a level's entities are not its map's";
   EXPECT_NE(lit.warnings[1].what.find("nobody"), std::string::npos);
 }
 
-TEST(LightSources, OnesThatTheGameDrivesLightNothing) {
+TEST(LightSources, LightsOfTheGameLightNothing) {
   const LitResult lit =
       test::light(room_with({"{ 'classname' 'light' 'origin' '0 0 0' '_nostaticlight' '1' }"}));
   EXPECT_EQ(lit.summary.lit_faces, 0u);

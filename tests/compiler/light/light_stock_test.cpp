@@ -1,4 +1,4 @@
-// Real levels lit anew, against the light that their makers computed with the usual tool.
+// Finished levels, lit again and compared with the light that their makers computed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace temblor::test {
 namespace {
 
-// Sum over styles of a face's luxel, as when all of them are on.
-double luxel_of(const formats::Bsp& bsp, std::size_t face, std::size_t luxels, std::size_t luxel) {
+// The light of a luxel with all styles on.
+double read_luxel(const formats::Bsp& bsp, std::size_t face, std::size_t luxels, std::size_t luxel) {
   const formats::BspFace& shape = bsp.faces[face];
   double sum = 0;
   for (std::size_t style = 0; style < 4 && shape.light_offset >= 0 && shape.styles[style] != 255; ++style)
@@ -24,7 +24,7 @@ double luxel_of(const formats::Bsp& bsp, std::size_t face, std::size_t luxels, s
 struct MeanLight {
   double makers = 0, ours = 0, difference = 0;
 };
-// Over the faces that either of the two lights.
+// Over the faces that are lit in either level.
 MeanLight compare(const formats::Bsp& makers, const formats::Bsp& ours) {
   const auto level = world::make_level(ours, "ours").value();
   MeanLight mean;
@@ -34,7 +34,7 @@ MeanLight compare(const formats::Bsp& makers, const formats::Bsp& ours) {
     const auto luxels = static_cast<std::size_t>(level->faces[face].light_width()) *
                         static_cast<std::size_t>(level->faces[face].light_height());
     for (std::size_t luxel = 0; luxel < luxels; ++luxel, ++count) {
-      const double a = luxel_of(makers, face, luxels, luxel), b = luxel_of(ours, face, luxels, luxel);
+      const double a = read_luxel(makers, face, luxels, luxel), b = read_luxel(ours, face, luxels, luxel);
       mean.makers += a;
       mean.ours += b;
       mean.difference += std::abs(a - b);
@@ -45,10 +45,10 @@ MeanLight compare(const formats::Bsp& makers, const formats::Bsp& ours) {
 
 struct StockLevel {
   const char* name;
-  compiler::LightOptions options;  // what the makers gave their tool, as far as it is known
+  compiler::LightOptions options;  // the makers' options, as far as they are known
 };
 
-TEST(LightStock, MeanLightIsThatOfTheMakers) {
+TEST(LightStock, MeanLightMatchesFinishedLevels) {
   DATA_FOLDER_OR_SKIP(base_folder);
   const compiler::LightOptions bounce_and_dirt{.bounces = 1, .dirt = true};
   std::vector<StockLevel> levels{{"lqdm1", bounce_and_dirt}};

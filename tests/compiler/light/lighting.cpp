@@ -22,7 +22,7 @@ std::string with_double_quotes(std::string text) {
   return text;
 }
 
-// How far a place lies inside the corners' bounding box, but for the axis that `normal` points along.
+// How far a place is inside the corners' bounding box, ignoring the axis along `normal`.
 double depth_inside(const std::vector<math::Vec3>& corners, const Vec3d& normal, const Vec3d& place) {
   math::Vec3 mins = corners[0], maxs = corners[0];
   for (const math::Vec3& corner : corners) mins = glm::min(mins, corner), maxs = glm::max(maxs, corner);
@@ -39,7 +39,7 @@ LitResult light(formats::Bsp bsp, const compiler::LightOptions& options, int thr
                 compiler::LightCache* io_cache) {
   LitResult result;
   const auto entities = formats::read_entities(bsp.entities);
-  const compiler::FaceKeys keys = compiler::face_keys_of(bsp, entities.value());
+  const compiler::FaceKeys keys = compiler::find_face_keys(bsp, entities.value());
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
   result.bsp = std::move(bsp);
   result.summary = compiler::light_level(
@@ -60,14 +60,14 @@ formats::Bsp room_with(const RoomSetup& setup) {
   }
   brushes += walls_text(Vec3d(-kHalfRoom), maxs, "wall");
   const std::string world = entity_text("worldspawn", setup.world_keys, brushes);
-  // Outside is filled only where somebody is inside.
+  // The outside is filled only if there is an entity inside.
   const std::string start = point_text("info_player_start", Vec3d(0.0));
-  return draft_of(with_double_quotes(world + setup.entities + start)).draft.bsp;
+  return compile_draft(with_double_quotes(world + setup.entities + start)).draft.bsp;
 }
 
 Vec3d luxel_place(const world::Level& level, const world::Face& face, int column, int row) {
   const world::TextureAxes& axes = level.texture_axes[face.axes];
-  const world::FacePlane plane = world::plane_of(level, face);
+  const world::FacePlane plane = world::compute_face_plane(level, face);
   const glm::dmat3 rows = glm::transpose(glm::dmat3(Vec3d(axes.s_axis), Vec3d(axes.t_axis), plane.normal));
   return glm::inverse(rows) * Vec3d(face.texture_mins[0] + 16.0 * column - double{axes.s_offset},
                                     face.texture_mins[1] + 16.0 * row - double{axes.t_offset},
@@ -80,8 +80,8 @@ std::vector<RoomLuxel> room_luxels(const LitResult& lit, std::uint8_t style, dou
   for (std::size_t i = 0; i < level->faces.size(); ++i) {
     const world::Face& face = level->faces[i];
     if (face.kind == world::FaceKind::kSky) continue;
-    const auto corners = vertices_of(lit.bsp, lit.bsp.faces[i]);
-    const Vec3d normal = world::plane_of(*level, face).normal;
+    const auto corners = list_vertices(lit.bsp, lit.bsp.faces[i]);
+    const Vec3d normal = world::compute_face_plane(*level, face).normal;
     const auto found = std::ranges::find(face.styles, style);
     const bool has_light = face.light != world::kNoLight && found != face.styles.end();
     const int luxels_of_style = face.light_width() * face.light_height();
@@ -107,9 +107,9 @@ std::vector<RoomLuxel> room_luxels(const LitResult& lit, std::uint8_t style, dou
 }
 
 std::ostream& operator<<(std::ostream& io_stream, const RoomLuxel& luxel) {
-  const Vec3d &at = luxel.place_world, &towards = luxel.normal;
-  return io_stream << fmt::format("at {} {} {}, facing {} {} {}", at.x, at.y, at.z, towards.x, towards.y,
-                                  towards.z);
+  const Vec3d &at = luxel.place_world, &toward = luxel.normal;
+  return io_stream << fmt::format("at {} {} {}, facing {} {} {}", at.x, at.y, at.z, toward.x, toward.y,
+                                  toward.z);
 }
 
 }  // namespace temblor::test

@@ -1,4 +1,4 @@
-// Levels lit for a test, and what light lies where.
+// Levels that are lit for a test, and the light of their luxels.
 #pragma once
 
 #include <array>
@@ -24,29 +24,30 @@ struct LitResult {
 LitResult light(formats::Bsp bsp, const compiler::LightOptions& options = {}, int threads = 1,
                 compiler::LightCache* io_cache = nullptr);
 
-// A closed cube around the origin, all of it textured "wall" at a texel a unit: kHalfRoom units to each side.
+// A closed cube around the origin, kHalfRoom units to each side. All of it has the texture "wall" at a texel
+// per unit.
 constexpr double kHalfRoom = 64;
-// Map text of entities behind worldspawn, and keys of worldspawn; single quotes stand for double.
+// Entities behind worldspawn, and keys of worldspawn, as map text with single quotes for double ones.
 struct RoomSetup {
   std::string entities{};
   std::string world_keys{};
   bool sky = false;  // for a ceiling
 };
-// Compiled as far as the BSP stage; CHECKs that it can be.
+// Compiles the BSP stage only; CHECKs that it works.
 formats::Bsp room_with(const RoomSetup& setup);
 
-// Where a luxel lies in its face's plane: the point that has its texture coordinates.
+// The point in the face's plane that has a luxel's texture coordinates.
 math::Vec3d luxel_place(const world::Level& level, const world::Face& face, int column, int row);
 
-// Of a face along axes of the world that is not sky.
+// A luxel of an axial face that is not sky.
 struct RoomLuxel {
   bool of_world = true;          // not of a brush entity
-  math::Vec3d place_world{0.0};  // a unit before the face, where light is measured
+  math::Vec3d place_world{0.0};  // a unit in front of the face, where light is measured
   math::Vec3d normal{0.0};
-  std::array<std::uint8_t, 3> rgb{};  // of the style asked for; without it dark
+  std::array<std::uint8_t, 3> rgb{};  // of the requested style; black without it
   std::uint8_t gray = 0;
 };
-// Those at least `margin` from their face's edges.
+// All luxels at least `margin` units from their face's edges.
 std::vector<RoomLuxel> room_luxels(const LitResult& lit, std::uint8_t style = 0, double margin = 8);
 std::ostream& operator<<(std::ostream& io_stream, const RoomLuxel& luxel);
 

@@ -17,7 +17,8 @@ std::shared_ptr<const world::Level> lit_map(const std::string& text, const LitMa
   compiler::Warnings warnings;
   compiler::Build build;
   const compiler::CompileReport report =
-      compiler::compile_level(map_of(text), {}, options.palette, how, jobs, nobody, build, warnings).value();
+      compiler::compile_level({parse_map(text), {}, options.palette}, how, {jobs, nobody, warnings}, build)
+          .value();
   CHECK(!report.leak);
   return world::make_level(std::move(build.bsp), "test map").value();
 }
@@ -57,8 +58,8 @@ math::Vec3d shown_light(const world::Level& level, const world::Face& face, cons
 const world::Face& face_under(const world::Level& level, const math::Vec3d& place,
                               const math::Vec3d& normal) {
   const auto found = std::find_if(level.faces.begin(), level.faces.end(), [&](const world::Face& face) {
-    return glm::dot(world::plane_of(level, face).normal, normal) > 0.99 &&
-           glm::length(world::nearest_point(level, face, place) - place) < 0.01;
+    return glm::dot(world::compute_face_plane(level, face).normal, normal) > 0.99 &&
+           glm::length(world::find_nearest_point(level, face, place) - place) < 0.01;
   });
   CHECK(found != level.faces.end(), "no face at {} {} {}", place.x, place.y, place.z);
   return *found;

@@ -1,4 +1,4 @@
-// Map text compiled and lit for a test, and what a game shows of it.
+// Map text that is compiled and lit for a test, and the light that a game shows.
 #pragma once
 
 #include <memory>
@@ -15,15 +15,15 @@ struct LitMapOptions {
   compiler::LightOptions light{};
   formats::Palette palette{};
 };
-// Every texture is a checker. CHECKs that the map compiles, and does not leak.
+// Every texture is a checkerboard. CHECKs that the map compiles and does not leak.
 std::shared_ptr<const world::Level> lit_map(const std::string& text, const LitMapOptions& options = {});
 
-// The light of a style at a point of a face, between luxels going from one to the next linearly: by channel,
-// 0 to 255; 0 where the face has no such style.
+// The light of a style at a point of a face, interpolated between luxels: by channel, 0 to 255; 0 if the face
+// lacks the style.
 math::Vec3d shown_light(const world::Level& level, const world::Face& face, const math::Vec3d& place,
                         std::uint8_t style = 0);
 
-// The face that a point lies on, facing that way; CHECKs that there is one.
+// The face at a point that faces in a direction; CHECKs that there is one.
 const world::Face& face_under(const world::Level& level, const math::Vec3d& place, const math::Vec3d& normal);
 
 }  // namespace temblor::test

@@ -14,17 +14,18 @@ namespace {
 // The normals of the walls at x, y and z 64.
 constexpr math::Vec3d kWallX(-1, 0, 0), kWallY(0, -1, 0), kWallZ(0, 0, -1);
 
-// The room's walls, which meet at 90 degrees, concave, with these keys of worldspawn.
+// The room's walls, which meet at concave right angles, with these keys of worldspawn.
 compiler::LitLevel smooth_room(const std::string& keys) {
   formats::Bsp bsp = room_with({"", keys});
-  compiler::FaceKeys face_keys = compiler::face_keys_of(bsp, formats::read_entities(bsp.entities).value());
+  compiler::FaceKeys face_keys = compiler::find_face_keys(bsp, formats::read_entities(bsp.entities).value());
   return compiler::make_lit_level(std::move(bsp), std::move(face_keys)).value();
 }
 
 std::size_t face_with(const compiler::LitLevel& lit, const math::Vec3d& normal) {
   const auto& faces = lit.level->faces;
-  const auto found = std::ranges::find_if(
-      faces, [&](const world::Face& face) { return world::plane_of(*lit.level, face).normal == normal; });
+  const auto found = std::ranges::find_if(faces, [&](const world::Face& face) {
+    return world::compute_face_plane(*lit.level, face).normal == normal;
+  });
   CHECK(found != faces.end());
   return static_cast<std::size_t>(found - faces.begin());
 }
@@ -40,9 +41,9 @@ void expect_near(const math::Vec3& a, const math::Vec3& b) {
 
 TEST(Phong, CornersPointBetweenTheirFaces) {
   const compiler::LitLevel lit = smooth_room("'_phong_angle' '90'");
-  const math::Vec3 inwards = glm::normalize(math::Vec3(-1, -1, -1));
+  const math::Vec3 inward = glm::normalize(math::Vec3(-1, -1, -1));
   for (const math::Vec3d& wall : {kWallX, kWallY, kWallZ})
-    expect_near(normal_at(lit, wall, {64, 64, 64}), inwards);
+    expect_near(normal_at(lit, wall, {64, 64, 64}), inward);
 }
 
 TEST(Phong, NeighborsAgreeAlongTheirEdge) {
@@ -56,7 +57,7 @@ TEST(Phong, NeighborsAgreeAlongTheirEdge) {
   expect_near(normal_at(lit, kWallX, {64, 0, 0}), {-1, 0, 0});
 }
 
-TEST(Phong, SharperAnglesStayEdges) {
+TEST(Phong, SharpAnglesStayEdges) {
   for (const compiler::LitLevel& lit : {smooth_room("'_phong_angle' '89'"),
                                         smooth_room("'_phong_angle' '120' '_phong_angle_concave' '60'")}) {
     EXPECT_TRUE(compiler::PhongNormals(lit).is_curved(face_with(lit, kWallX)));

@@ -1,4 +1,4 @@
-// Rays against single squares, where one can tell by eye what they meet.
+// Rays against single squares, where the result is obvious.
 #include "compiler/light/rays/ray_scene.h"
 
 #include <gtest/gtest.h>
@@ -27,11 +27,11 @@ void add_square(float z, std::uint32_t surface, Occluders& io_occluders,
 
 Vec3 share_towards(const RayScene& scene, const Vec3& from, const Vec3& to) {
   Vec3 share;
-  scene.towards_point({&from, 1}, to, {&share, 1});
+  scene.trace_to_point({&from, 1}, to, {&share, 1});
   return share;
 }
 
-TEST(RayScene, OpaqueStopsAllAndBesideItNothing) {
+TEST(RayScene, OpaqueSurfacesStopOnlyWhatIsBehindThem) {
   Occluders occluders;
   add_square(0, 5, occluders, occluders.opaque);
   const RayScene scene = RayScene::make(occluders).value();
@@ -46,20 +46,20 @@ TEST(RayScene, OpaqueStopsAllAndBesideItNothing) {
   }
 }
 
-TEST(RayScene, HolesOfATextureLetLightThrough) {
-  // Texels 8 units wide: every second one a hole.
+TEST(RayScene, TextureHolesLetLightThrough) {
+  // Texels are 8 units wide, and every second one is a hole.
   const std::array<std::uint8_t, 4> texels{255, 7, 7, 255};
   Occluders occluders;
-  add_square(0, 0, occluders, occluders.sieves);
+  add_square(0, 0, occluders, occluders.masked);
   compiler::AlphaMask fence;
   fence.normal = Vec3(0, 0, 1);
   fence.s_axis = Vec3(0.125f, 0, 0);
   fence.t_axis = Vec3(0, 0.125f, 0);
   fence.width = fence.height = 2;
   fence.texels = texels;
-  fence.passes_by_texel.assign(256, Vec3(0));
-  fence.passes_by_texel[255] = Vec3(1);
-  occluders.sieve_surfaces = {fence};
+  fence.transmission_by_texel.assign(256, Vec3(0));
+  fence.transmission_by_texel[255] = Vec3(1);
+  occluders.alpha_masks = {fence};
   const RayScene scene = RayScene::make(occluders).value();
   for (int x = -60; x < 60; x += 8)
     for (int y = -60; y < 60; y += 8) {
@@ -70,28 +70,28 @@ TEST(RayScene, HolesOfATextureLetLightThrough) {
     }
 }
 
-TEST(RayScene, PanesTakeTheirShareOnceEach) {
+TEST(RayScene, PanesDimLightOnceEach) {
   Occluders occluders;
   for (int i = 0; i < 3; ++i) {
     compiler::AlphaMask pane;
     pane.normal = Vec3(0, 0, i < 2 ? 1 : -1);
-    pane.passes = Vec3(0.5f, 0.25f, 1);
-    occluders.sieve_surfaces.push_back(pane);
-    add_square(static_cast<float>(i), static_cast<std::uint32_t>(i), occluders, occluders.sieves);
+    pane.transmission = Vec3(0.5f, 0.25f, 1);
+    occluders.alpha_masks.push_back(pane);
+    add_square(static_cast<float>(i), static_cast<std::uint32_t>(i), occluders, occluders.masked);
   }
   const RayScene scene = RayScene::make(occluders).value();
   const Vec3 above(3, 4, 20), below(3, 4, -20);
   const Vec3 down = share_towards(scene, above, below), up = share_towards(scene, below, above);
   for (int channel = 0; channel < 3; ++channel) {
-    const float one = occluders.sieve_surfaces[0].passes[channel];
+    const float one = occluders.alpha_masks[0].transmission[channel];
     EXPECT_NEAR(down[channel], one * one, 1e-3f);
     EXPECT_NEAR(up[channel], one, 1e-3f);
   }
 }
 
-TEST(RayScene, SkyIsSeenFromItsFrontAlone) {
+TEST(RayScene, SkyIsVisibleOnlyFromItsFront) {
   Occluders occluders;
-  // As where a brush of sky ends: two faces in one plane, back to back; and something behind them.
+  // As at the end of a sky brush: two faces in one plane, back to back, with something behind them.
   add_square(50, 0, occluders, occluders.skies);
   add_square(50, 1, occluders, occluders.skies);
   occluders.sky_normals = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
@@ -99,16 +99,16 @@ TEST(RayScene, SkyIsSeenFromItsFrontAlone) {
   const RayScene scene = RayScene::make(occluders).value();
   const std::array<Vec3, 3> points{Vec3(1, 2, 0), Vec3(1, 2, 60), Vec3(70, 2, 0)};
   std::array<Vec3, 3> shares;
-  scene.towards_sky(points, Vec3(0, 0, 1), shares);
+  scene.trace_to_sky(points, Vec3(0, 0, 1), shares);
   EXPECT_EQ(shares[0], Vec3(1));
   EXPECT_EQ(shares[1], Vec3(0));
   EXPECT_EQ(shares[2], Vec3(0));
-  scene.towards_void(points, Vec3(0, 0, 1), shares);
+  scene.trace_to_void(points, Vec3(0, 0, 1), shares);
   EXPECT_EQ(shares[0], Vec3(0));
   EXPECT_EQ(shares[2], Vec3(1));
 }
 
-TEST(RayScene, OfSurfacesInOnePlaneTheLowestIsHit) {
+TEST(RayScene, HitsTheLowestSurfaceInOnePlane) {
   for (const bool lowest_first : {true, false}) {
     Occluders occluders;
     for (std::uint32_t i = 0; i < 9; ++i)
@@ -120,12 +120,12 @@ TEST(RayScene, OfSurfacesInOnePlaneTheLowestIsHit) {
       directions.emplace_back(0, 0, -1);
     }
     std::vector<RayHit> hits(points.size());
-    scene.nearest(points, directions, 100, hits);
+    scene.find_nearest(points, directions, 100, hits);
     for (const RayHit& hit : hits) {
       EXPECT_EQ(hit.surface, 3u);
       EXPECT_NEAR(hit.distance, 25, 1e-4f);
     }
-    scene.nearest(points, directions, 24, hits);
+    scene.find_nearest(points, directions, 24, hits);
     for (const RayHit& hit : hits) {
       EXPECT_EQ(hit.surface, RayHit::kNone);
       EXPECT_EQ(hit.distance, 24);

@@ -21,7 +21,7 @@ struct Asked {
   std::vector<Share> shares;
 };
 
-// Shares of every kind that is written in its own way: none, whole, both, steps, colors.
+// Shares of each kind that is written in its own way: none, all, both, grays, colors.
 Share random_share(Random& random, std::size_t kind) {
   const auto step = [&] { return static_cast<std::uint8_t>(random.below(kWholeShare + 1)); };
   if (kind == 0) return {};
@@ -56,7 +56,7 @@ base::ByteVector written(const std::vector<Asked>& asked, std::size_t luxels_of_
   return std::move(writer).take();
 }
 
-TEST(ShadowRecord, AnswersWhatWasAskedAndNothingElse) {
+TEST(ShadowRecord, AnswersOnlyTheSameQuestion) {
   for (std::uint64_t seed = 0; seed < effort(400, 60); ++seed) {
     Random random(seed);
     const std::size_t luxels = 1 + random.below(70);
@@ -78,7 +78,7 @@ TEST(ShadowRecord, AnswersWhatWasAskedAndNothingElse) {
   }
 }
 
-TEST(ShadowRecord, SameNumberOfOtherLuxelsIsAnotherQuestion) {
+TEST(ShadowRecord, DistinguishesEqualNumbersOfLuxels) {
   const std::vector<Asked> asked{{3, {0, 1, 5}, false, std::vector<Share>(3)}};
   const base::ByteVector record = written(asked, 9);
   ShadowReader reader(record, 9);
@@ -87,13 +87,13 @@ TEST(ShadowRecord, SameNumberOfOtherLuxelsIsAnotherQuestion) {
   EXPECT_TRUE(reader.find({3, asked[0].luxels, false}));
 }
 
-TEST(ShadowRecord, AllLightOrNoneCostsAByte) {
+TEST(ShadowRecord, AllLightOrNoneTakesOneByte) {
   const std::vector<std::uint32_t> luxels{0, 1, 2, 3};
   for (const std::uint8_t share : {std::uint8_t{0}, kWholeShare})
     EXPECT_EQ(written({{2, luxels, false, std::vector<Share>(4, Share{share, share, share})}}, 4).size(), 1u);
 }
 
-TEST(ShadowRecord, OfDamagedBytesTheStartIsRead) {
+TEST(ShadowRecord, ReadsTheStartOfDamagedBytes) {
   for (std::uint64_t seed = 0; seed < effort(60, 10); ++seed) {
     Random random(seed);
     const std::size_t luxels = 1 + random.below(30);
@@ -113,7 +113,7 @@ TEST(ShadowRecord, OfDamagedBytesTheStartIsRead) {
       before = answers;
     });
     if (record.empty()) continue;
-    // Anything may be answered, but nothing is read that is not there: the address sanitizer sees to it.
+    // Any answer will do, as long as nothing beyond the bytes is read: the address sanitizer checks that.
     for (int i = 0; i < 20; ++i) EXPECT_LE(ask_all(test::with_flipped_bits(record, random)), asked.size());
   }
 }

@@ -32,18 +32,18 @@ base::ByteVector plain_png(std::uint8_t index, int width = 16, int height = 16) 
   return make_png(std::vector<std::uint8_t>(static_cast<std::size_t>(width * height), index), width, height);
 }
 
-std::string error_of(const std::vector<PngFile>& files) {
+std::string error_text(const std::vector<PngFile>& files) {
   const auto wad = make_wad(files, palette());
   return wad.ok() ? "no error" : wad.error().message();
 }
 
 TEST(MakeWad, NamesComeFromFiles) {
-  EXPECT_EQ(texture_name_of_file("textures/Wall_1.png"), "Wall_1");
-  EXPECT_EQ(texture_name_of_file("#water1.png"), "*water1");
-  EXPECT_EQ(texture_name_of_file("+0slip#.png"), "+0slip#");
+  EXPECT_EQ(texture_name_from_file("textures/Wall_1.png"), "Wall_1");
+  EXPECT_EQ(texture_name_from_file("#water1.png"), "*water1");
+  EXPECT_EQ(texture_name_from_file("+0slip#.png"), "+0slip#");
 }
 
-TEST(MakeWad, PicturesInTheGamesColorsStayAsTheyAre) {
+TEST(MakeWad, PaletteColorsStayUnchanged) {
   test::Random random(1);
   std::vector<std::uint8_t> indices(32 * 16);
   for (std::uint8_t& index : indices) index = static_cast<std::uint8_t>(random.below(255));
@@ -64,8 +64,8 @@ TEST(MakeWad, PicturesInTheGamesColorsStayAsTheyAre) {
     EXPECT_EQ(palette()[wall->mips[0][i]], palette()[indices[i]]) << i;
 }
 
-TEST(MakeWad, FullBrightOnlyWhereTheColorIsExactlyThat) {
-  // A full-bright color, and one next to it, that no dull color of the palette is near to.
+TEST(MakeWad, FullBrightOnlyForExactColors) {
+  // A full-bright color and one next to it, both far from all other colors of the palette.
   formats::Palette made{};
   made[224] = {250, 120, 10};
   const formats::MipColors colors(made);
@@ -77,7 +77,7 @@ TEST(MakeWad, FullBrightOnlyWhereTheColorIsExactlyThat) {
   EXPECT_LT(texture->mips[0][1], 224);
 }
 
-TEST(MakeWad, HolesWhereThePictureIsTransparent) {
+TEST(MakeWad, HolesWhereTheImageIsTransparent) {
   const formats::MipColors colors(palette());
   formats::Image image{16, 16, std::vector<std::uint32_t>(256, argb(palette()[40]))};
   image.pixels[0] = argb(palette()[40], 127);
@@ -92,15 +92,15 @@ TEST(MakeWad, HolesWhereThePictureIsTransparent) {
 
 TEST(MakeWad, ErrorsNameTheFile) {
   const base::ByteVector png = plain_png(1), odd = plain_png(1, 24, 16);
-  EXPECT_EQ(error_of({{"a/odd.png", odd}}),
-            "a/odd.png: 24 x 16 pixels: a texture's sides are multiples of 16");
-  EXPECT_THAT(error_of({{"a/text.png", base::as_bytes("no picture")}}), HasSubstr("a/text.png: "));
-  EXPECT_EQ(error_of({{"wall.png", png}, {"b/Wall.png", png}}),
-            "b/Wall.png: makes the same texture as wall.png");
-  EXPECT_EQ(error_of({{"sixteen_letters_.png", png}}),
-            "sixteen_letters_.png: \"sixteen_letters_\": a texture's name has 1 to 15 characters");
-  EXPECT_EQ(error_of({{"fifteen_letters.png", png}}), "no error");
-  EXPECT_EQ(error_of({}), "no error");
+  EXPECT_EQ(error_text({{"a/odd.png", odd}}),
+            "a/odd.png: 24 x 16 pixels: width and height must be multiples of 16");
+  EXPECT_THAT(error_text({{"a/text.png", base::as_bytes("no picture")}}), HasSubstr("a/text.png: "));
+  EXPECT_EQ(error_text({{"wall.png", png}, {"b/Wall.png", png}}),
+            "b/Wall.png: has the same texture name as wall.png");
+  EXPECT_EQ(error_text({{"sixteen_letters_.png", png}}),
+            "sixteen_letters_.png: \"sixteen_letters_\": texture names have 1 to 15 characters");
+  EXPECT_EQ(error_text({{"fifteen_letters.png", png}}), "no error");
+  EXPECT_EQ(error_text({}), "no error");
 }
 
 }  // namespace

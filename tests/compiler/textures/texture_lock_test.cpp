@@ -19,14 +19,14 @@ Vec3d random_vector(test::Random& random, double size) {
   return Vec3d(random.in_cube(size));
 }
 
-Vec3d normal_of(const formats::MapSide& side) {
+Vec3d compute_normal(const formats::MapSide& side) {
   const auto& p = side.points_world;
   return glm::normalize(glm::cross(p[0] - p[1], p[2] - p[1]));
 }
 
 formats::MapSide random_side(test::Random& random) {
   formats::MapSide side;
-  // Sometimes along an axis, where the alignments' special cases are.
+  // Sometimes along an axis, where the alignments have special cases.
   do {
     for (Vec3d& point : side.points_world) {
       point = random_vector(random, 256);
@@ -58,15 +58,15 @@ Placement random_placement(test::Random& random) {
   return placement;
 }
 
-TEST(TextureLock, EveryPointKeepsItsTexel) {
+TEST(TextureLock, PointsKeepTheirTexels) {
   for (int seed = 0; seed < test::effort(5000, 500); ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(static_cast<std::uint64_t>(seed));
     const formats::MapSide before = random_side(random);
     const Placement placement = random_placement(random);
-    const formats::MapSide after = placed(before, placement);
-    const TextureAxes axes_before = text_axes(before.texturing, normal_of(before), kTextureSize);
-    const TextureAxes axes_after = text_axes(after.texturing, normal_of(after), kTextureSize);
+    const formats::MapSide after = place_side(before, placement);
+    const TextureAxes axes_before = make_text_axes(before.texturing, compute_normal(before), kTextureSize);
+    const TextureAxes axes_after = make_text_axes(after.texturing, compute_normal(after), kTextureSize);
     const auto& p = before.points_world;
     for (int i = 0; i < 4; ++i) {
       const Vec3d point =
@@ -77,14 +77,14 @@ TEST(TextureLock, EveryPointKeepsItsTexel) {
   }
 }
 
-TEST(TextureLock, WhatWasBehindStaysBehind) {
+TEST(TextureLock, SidesKeepFacingOutward) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     test::Random random(seed);
     const formats::MapSide before = random_side(random);
     const Placement placement = random_placement(random);
-    const formats::MapSide after = placed(before, placement);
-    const Vec3d behind = before.points_world[1] - normal_of(before);
-    EXPECT_LT(glm::dot(placement.apply(behind) - after.points_world[1], normal_of(after)), 0)
+    const formats::MapSide after = place_side(before, placement);
+    const Vec3d behind = before.points_world[1] - compute_normal(before);
+    EXPECT_LT(glm::dot(placement.apply(behind) - after.points_world[1], compute_normal(after)), 0)
         << "seed " << seed;
   }
 }
@@ -94,17 +94,17 @@ TEST(TextureLock, SidesWithoutAPlaneKeepTheirAlignment) {
   side.points_world = {Vec3d(1, 2, 3), Vec3d(1, 2, 3), Vec3d(4, 5, 6)};
   Placement placement;
   placement.offset = {10, 0, 0};
-  const formats::MapSide after = placed(side, placement);
+  const formats::MapSide after = place_side(side, placement);
   EXPECT_EQ(after.texturing, side.texturing);
   EXPECT_EQ(after.points_world[2], Vec3d(14, 5, 6));
 }
 
-TEST(TextureLock, CombinedPlacementsAreOneAfterTheOther) {
+TEST(TextureLock, CombinedPlacementsApplyOneAfterTheOther) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
     const Placement outer = random_placement(random), inner = random_placement(random);
     const Vec3d point = random_vector(random, 100);
-    EXPECT_LT(glm::length(combined(outer, inner).apply(point) - outer.apply(inner.apply(point))), 1e-9);
+    EXPECT_LT(glm::length(combine(outer, inner).apply(point) - outer.apply(inner.apply(point))), 1e-9);
   }
 }
 

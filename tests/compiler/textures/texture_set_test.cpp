@@ -25,7 +25,7 @@ formats::WadTexture plain_texture(const std::string& name, std::uint8_t index, s
   return texture;
 }
 
-// A WAD2 with a texture of one index (one more in each smaller mip level) for each name.
+// A WAD2 with a texture of a single index (one more in each smaller mip level) for each name.
 base::ByteVector make_wad2(const std::vector<std::pair<std::string, std::uint8_t>>& names_and_indices) {
   std::vector<base::ByteVector> contents;
   for (const auto& [name, index] : names_and_indices)
@@ -61,7 +61,7 @@ auto warning(const char* kind, const char* what) {
   return AllOf(Field(&Warning::kind, kind), Field(&Warning::what, HasSubstr(what)));
 }
 
-TEST(TextureSet, EachNameOnceInTheSourcesCaseFromTheFirstSource) {
+TEST(TextureSet, FindsEachNameOnceInTheFirstSource) {
   const base::ByteVector first = make_wad2({{"Wall", 1}, {"floor", 2}});
   const base::ByteVector second = make_wad2({{"WALL", 3}, {"*Water", 4}});
   const Made made = make({"wall", "*water", "WALL", "Floor"}, {{"a.wad", first}, {"b.wad", second}});
@@ -82,7 +82,7 @@ TEST(TextureSet, BuiltMipLevelsComeFromTheLargest) {
             std::vector<std::uint8_t>(4, 20));
 }
 
-TEST(TextureSet, AnimationsComeWhole) {
+TEST(TextureSet, IncludesWholeAnimations) {
   const base::ByteVector wad =
       make_wad2({{"+2slip", 3}, {"+0slip", 1}, {"+1slip", 2}, {"+Aslip", 4}, {"+x", 5}});
   const Made made = make({"+1slip", "+x"}, {{"a.wad", wad}});
@@ -96,24 +96,24 @@ TEST(TextureSet, FramesMayComeFromSeveralSources) {
               ElementsAre("+0slip", "+1slip"));
 }
 
-TEST(TextureSet, FramesWithLongNamesAreCutAlike) {
+TEST(TextureSet, CutsLongNamesOfFrames) {
   const base::ByteVector wad = make_wad2({{"+0cdefghijklmnop", 1}, {"+1cdefghijklmnop", 2}});
   const Made made = make({"+0cdefghijklmnop"}, {{"a.wad", wad}});
   EXPECT_THAT(made.warnings, IsEmpty());
   EXPECT_THAT(made.names(), ElementsAre("+0cdefghijklmno", "+1cdefghijklmno"));
 }
 
-TEST(TextureSet, AGapInAnAnimationIsAWarning) {
+TEST(TextureSet, WarnsAboutGapsInAnimations) {
   const base::ByteVector wad = make_wad2({{"+0slip", 1}, {"+2slip", 2}, {"+bslip", 2}});
   EXPECT_THAT(
       make({"+0slip", "+2slip"}, {{"a.wad", wad}}).warnings,
       ElementsAre(warning("animation has gaps", "\"+1slip\""), warning("animation has gaps", "\"+aslip\"")));
 }
 
-TEST(TextureSet, AMissingTextureIsAChecker) {
+TEST(TextureSet, MissingTexturesAreCheckerboards) {
   const Made made = make({"wall", std::string(500, 'n'), ""}, {});
   EXPECT_THAT(made.warnings,
-              ElementsAre(warning("texture not found", "\"wall\" is in none of the 0"),
+              ElementsAre(warning("texture not found", "\"wall\" (searched 0 sources)"),
                           warning("texture not found", "nnn..."), warning("texture not found", "\"\"")));
   const formats::BspMiptex& wall = made.at("wall");
   EXPECT_EQ(wall.name, "wall");
@@ -125,7 +125,7 @@ TEST(TextureSet, AMissingTextureIsAChecker) {
   EXPECT_EQ(made.set.miptexes[1].name, std::string(15, 'n'));
 }
 
-TEST(TextureSet, NamesAreCutAtFifteenCharacters) {
+TEST(TextureSet, CutsNamesAtFifteenCharacters) {
   const base::ByteVector wad = make_wad2({{"abcdefghijklmnop", 1}});
   const Made one = make({"ABCDEFGHIJKLMNOP", "abcdefghijklmnop"}, {{"a.wad", wad}});
   EXPECT_THAT(one.names(), ElementsAre("abcdefghijklmno"));
@@ -133,10 +133,10 @@ TEST(TextureSet, NamesAreCutAtFifteenCharacters) {
   EXPECT_EQ(one.set.find("abcdefghijklmnop"), 0u);
   const Made two = make({"abcdefghijklmnop", "abcdefghijklmnoq", "abcdefghijklmnoq"}, {{"a.wad", wad}});
   EXPECT_THAT(two.names(), ElementsAre("abcdefghijklmno"));
-  EXPECT_THAT(two.warnings, ElementsAre(warning("texture names collide", "\"abcdefghijklmnoq\"")));
+  EXPECT_THAT(two.warnings, ElementsAre(warning("texture names too long", "\"abcdefghijklmnoq\"")));
 }
 
-TEST(TextureSet, WhatCannotBeReadIsPassedOver) {
+TEST(TextureSet, SkipsUnreadableSources) {
   const base::ByteVector sound = make_wad2({{"wall", 1}});
   const auto broken = formats::write_wad(
       std::vector<formats::WadLump>{{"floor", formats::kWadTexture, base::as_bytes("no texture")}});
@@ -151,16 +151,16 @@ TEST(TextureSet, WhatCannotBeReadIsPassedOver) {
   EXPECT_EQ(made.at("floor").width, 64u);
 }
 
-TEST(TextureSet, OddSidesAreAWarning) {
+TEST(TextureSet, WarnsAboutOddSides) {
   const base::ByteVector texture = formats::write_wad_texture(plain_texture("wall", 1, 24)).value();
   const auto wad = formats::write_wad(std::vector<formats::WadLump>{{"wall", formats::kWadTexture, texture}});
   EXPECT_THAT(make({"wall"}, {{"a.wad", *wad}}).warnings,
-              ElementsAre(warning("texture sides", "\"wall\" has 24 x 24 texels")));
+              ElementsAre(warning("texture size", "\"wall\" has 24 x 24 texels")));
 }
 
-TEST(TextureSet, Wad3TexturesTakeTheGamesColors) {
+TEST(TextureSet, ConvertsWad3TexturesToThePalette) {
   formats::Wad3Texture texture;
-  texture.texture = plain_texture("{crate", 252);  // mip 3 is of index 255
+  texture.texture = plain_texture("{crate", 252);  // mip level 3 has index 255
   const formats::Palette game = artgen::make_palette();
   texture.palette[252] = game[33];
   const base::ByteVector bytes = formats::write_wad3_texture(texture).value();
@@ -172,7 +172,7 @@ TEST(TextureSet, Wad3TexturesTakeTheGamesColors) {
   EXPECT_EQ(made.at("{crate").mips[3][0], 255);
 }
 
-TEST(TextureSet, ALevelIsASource) {
+TEST(TextureSet, LevelsAreSources) {
   formats::Bsp level = artgen::make_small_level();
   ASSERT_FALSE(level.miptexes.empty());
   const base::ByteVector bytes = formats::write_bsp(level, formats::BspVersion::k29).value();
@@ -188,7 +188,7 @@ std::vector<base::ByteVector> read_stock_wads(const std::filesystem::path& data)
   return files;
 }
 
-TEST(TextureSet, StockMapsFindAllThatIsDrawn) {
+TEST(TextureSet, FindsAllTexturesOfStockMaps) {
   DATA_FOLDER_OR_SKIP(data);
   const std::vector<base::ByteVector> files = read_stock_wads(data);
   std::vector<TextureSource> sources;
@@ -208,7 +208,7 @@ TEST(TextureSet, StockMapsFindAllThatIsDrawn) {
 }
 
 // The finished levels were made from an earlier edition of the WADs: names and sizes are the same, and most
-// texels.
+// texels are.
 TEST(TextureSet, StockWadsHaveTheTexturesOfAFinishedLevel) {
   DATA_FOLDER_OR_SKIP(data);
   const std::vector<base::ByteVector> files = read_stock_wads(data);
@@ -220,7 +220,7 @@ TEST(TextureSet, StockWadsHaveTheTexturesOfAFinishedLevel) {
     if (miptex.present) names.push_back(miptex.name);
   const Made made = make(names, sources);
   EXPECT_THAT(made.warnings, IsEmpty());
-  EXPECT_EQ(made.set.miptexes.size(), names.size());  // the level's animations are whole
+  EXPECT_EQ(made.set.miptexes.size(), names.size());  // the level's animations are complete
   std::size_t equal = 0;
   for (const formats::BspMiptex& miptex : bsp.miptexes) {
     if (!miptex.present) continue;

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 namespace fs = std::filesystem;
 
-TEST(WadPaths, TheKeyIsSplitAtSemicolons) {
+TEST(WadPaths, SplitsTheKeyAtSemicolons) {
   EXPECT_THAT(split_wad_key("a.wad;../b c.wad"), ElementsAre("a.wad", "../b c.wad"));
   EXPECT_THAT(split_wad_key(" a.wad ; 'b.wad';;\t;\"C:\\x\\c.wad\";"),
               ElementsAre("a.wad", "b.wad", "C:\\x\\c.wad"));
@@ -32,7 +32,7 @@ TEST(WadPaths, RelativeEntries) {
                           "/w/a.wad", "x/a.wad"));
 }
 
-TEST(WadPaths, EachPathOnce) {
+TEST(WadPaths, ListsEachPathOnce) {
   const fs::path folders[] = {"/m", "/m/./"};
   EXPECT_THAT(wad_candidates("a.wad", "/m", folders), ElementsAre("/m/a.wad", "a.wad"));
 }
@@ -43,7 +43,7 @@ TEST(WadPaths, AbsoluteEntries) {
               ElementsAre("/quake/a.wad", "/m/a.wad", "/w/a.wad"));
 }
 
-TEST(WadPaths, ForeignAbsoluteEntriesByNameAlone) {
+TEST(WadPaths, ForeignPathsOnlyByName) {
   const fs::path folders[] = {"/w"};
   for (const char* entry :
        {"C:\\quake\\id1\\Base.WAD", "\\quake\\Base.WAD", "\\\\server\\Base.WAD", "c:/x/Base.WAD"})
@@ -57,13 +57,12 @@ TEST(WadPaths, NamesWithoutAnExtension) {
               ElementsAre("/m/gfx/base.wad", "gfx/base.wad", "/m/base.wad"));
 }
 
-TEST(WadPaths, AFolderIsNoWad) {
+TEST(WadPaths, IgnoresFolders) {
   EXPECT_THAT(wad_candidates("wads/", "/m", {}), IsEmpty());
   EXPECT_THAT(wad_candidates("", "/m", {}), IsEmpty());
 }
 
-// The stock maps name WADs by paths of the tree that they were drawn in; with one folder given, all are
-// found.
+// The stock maps name WADs by paths on their makers' machines; with one folder given, all are found.
 TEST(WadPaths, StockWadsAreFound) {
   DATA_FOLDER_OR_SKIP(data);
   const fs::path folders[] = {data / "wads"};

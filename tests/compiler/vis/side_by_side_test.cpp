@@ -1,6 +1,6 @@
-// Every map of the data, compiled, drawn beside the finished level that its makers ship: the same views of
-// both, pixel by pixel. Rays (stock_maps_test.cpp) show what the faces are; pictures show besides that the
-// tree's order, the visibility in force and the rounded corners of the file let all of them be seen.
+// Every map of the game data, compiled and drawn next to the finished level that its makers ship: the same
+// views of both, pixel by pixel. Rays (stock_maps_test.cpp) compare the faces; pictures show, in addition,
+// that the tree's order, the visibility and the rounded corners in the file let all of them be seen.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ using math::Vec3d;
 
 constexpr int kWidth = 320, kHeight = 240;
 
-// Of one texel value whose color is as bright as the light on it: 128 is where light of 128 leaves it.
+// All texels have one value whose color is as bright as the light on it: light 128 leaves it at 128.
 constexpr std::uint8_t kPaint = 1;
 formats::Palette paint_palette() {
   formats::Palette palette{};
@@ -70,14 +70,14 @@ class Painter {
   // Over all pictures.
   std::uint64_t faces_seen() const { return faces_seen_; }
 
-  // Of the last picture. Null: background.
+  // In the last picture. Null: background.
   const world::Face* face(std::size_t pixel) const {
     const render::PixelFace& seen = faces_[pixel];
     if (seen.instance == render::PixelFace::kNothing) return nullptr;
     return &level_->faces[seen.face];
   }
   world::FacePlane plane(std::size_t pixel) const {
-    world::FacePlane plane = world::plane_of(*level_, *face(pixel));
+    world::FacePlane plane = world::compute_face_plane(*level_, *face(pixel));
     const std::uint32_t instance = faces_[pixel].instance;
     if (instance > 0)
       plane.distance += glm::dot(Vec3d(plane.normal), Vec3d(brush_models_[instance - 1].origin_world));
@@ -98,15 +98,15 @@ class Painter {
   std::uint64_t faces_seen_ = 0;
 };
 
-// Boxes of supplies have no inside: they are looked at from around them.
+// Item boxes have no inside, so they are viewed from outside.
 render::Camera camera_around(const world::Level& level, Random& io_random) {
   const math::Bounds& bounds = level.world().bounds;
   const Vec3d middle = Vec3d(bounds.mins + bounds.maxs) / 2.0;
-  const Vec3d towards = glm::normalize(Vec3d(io_random.in_cube(1)));
+  const Vec3d toward = glm::normalize(Vec3d(io_random.in_cube(1)));
   const double away = glm::length(bounds.maxs - bounds.mins) * io_random.uniform(0.8, 3);
   render::Camera camera;
-  camera.origin_world = Vec3(middle - towards * away);
-  camera.angles_deg = Vec3(Vec3d(-std::asin(towards.z), std::atan2(towards.y, towards.x), 0) * 180.0 / M_PI);
+  camera.origin_world = Vec3(middle - toward * away);
+  camera.angles_deg = Vec3(Vec3d(-std::asin(toward.z), std::atan2(toward.y, toward.x), 0) * 180.0 / M_PI);
   return camera;
 }
 
@@ -115,7 +115,7 @@ bool is_open(const world::Level& level, const Vec3& point) {
   return contents != world::Contents::kSolid && contents != world::Contents::kSky;
 }
 
-// By volume, where random_camera has every leaf as likely.
+// Weights leaves by volume, while random_camera gives all leaves the same chance.
 Vec3 random_open_point(const world::Level& level, Random& io_random) {
   const math::Bounds& bounds = level.world().bounds;
   Vec3 point;
@@ -126,8 +126,8 @@ Vec3 random_open_point(const world::Level& level, Random& io_random) {
   return point;
 }
 
-// The eye of a player who stands under a place in any open leaf. Nearer to walls than a player comes, the
-// near plane cuts them.
+// The eye of a player who stands below a point in any open leaf. Nearer to walls than a player gets, the near
+// plane would cut them.
 render::Camera camera_within(const world::Level& level, Random& io_random) {
   constexpr float kFarDown = 1024, kOriginOverFloor = 24.25F, kEyeOverOrigin = 22;
   render::Camera camera;
@@ -149,7 +149,7 @@ render::Camera camera_within(const world::Level& level, Random& io_random) {
 
 struct Comparison {
   int pixels = 0, agree = 0, holes = 0;
-  int lit = 0;  // that agree, and whose face is lit in both
+  int lit = 0;  // agreeing pixels whose face is lit in both
   std::int64_t our_light = 0, their_light = 0;
 
   double agreement() const { return agree * 1.0 / pixels; }
@@ -177,9 +177,9 @@ Comparison compare(const Painter& ours, const Painter& theirs) {
   return result;
 }
 
-// What the makers gave their tool on its command line is not known. Dirt and eight bounces, where the map
-// does not say itself, are what all of these levels agree with.
-compiler::LightOptions light_options_of(const formats::Map& map) {
+// The makers' command-line options are unknown. Dirt and eight bounces, unless the map says otherwise, are
+// what all of these levels agree with.
+compiler::LightOptions read_light_options(const formats::Map& map) {
   if (map.entities.front().fields.find("_bounce")) return {};
   return {.bounces = 8, .dirt = true};
 }
@@ -212,15 +212,15 @@ std::string describe(const render::Camera& camera) {
 
 class SideBySide : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(SideBySide, ShowsWhatTheFinishedLevelShows) {
+TEST_P(SideBySide, ShowsTheSameAsTheFinishedLevel) {
   DATA_FOLDER_OR_SKIP(data);
   const std::string name = GetParam();
   compiler::CompileOptions options;
-  options.light = light_options_of(stock_map(data, name));
+  options.light = read_light_options(read_stock_map(data, name));
   CompiledMap compiled = compile_stock_map(data, name, options);
   Painter ours(std::move(compiled.level.bsp), "compiled");
   Painter theirs(compiler::finished_level(data, name), "finished");
-  const bool is_box = name.starts_with("b_");  // with nothing around it, and nowhere to start
+  const bool is_box = name.starts_with("b_");  // an item box: nothing around it, and nowhere to start
   EXPECT_TRUE(is_box || (compiled.warnings.empty() && !compiled.leak));
 
   Random random(41);

@@ -1,4 +1,4 @@
-// What a straight line passes through, told from the file's tree and nothing else.
+// What a straight line passes through, found by the tree in the file and nothing else.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,19 @@ formats::Bsp finished_level(const std::filesystem::path& base_folder, const std:
 
 struct LeafCrossing {
   std::size_t leaf;
-  math::Vec3d enters_at;  // where the line comes into it
+  math::Vec3d enters_at;  // where the line enters it
 };
 
-// In order from start to end. Every other crossing's point lies on a plane of the tree.
+// In order from start to end. The point of every crossing but the first is on a plane of the tree.
 std::vector<LeafCrossing> leaves_along(const formats::Bsp& bsp, const math::Vec3d& start,
                                        const math::Vec3d& end);
 
 std::size_t leaf_at(const formats::Bsp& bsp, const math::Vec3d& point);
 
-// In the box of the world.
+// A random point in the box of the world.
 math::Vec3d random_point(const formats::Bsp& bsp, test::Random& random);
 
-// In a leaf that is neither solid nor sky; nothing when 1,000 points were not.
+// A random point in a leaf that is neither solid nor sky; nothing if 1,000 points are not.
 std::optional<math::Vec3d> random_open_point(const formats::Bsp& bsp, test::Random& random);
 
 }  // namespace temblor::compiler

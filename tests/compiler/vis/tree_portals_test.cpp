@@ -1,4 +1,4 @@
-// Portals of a tree against straight lines through it, which cross from leaf to leaf where a portal is.
+// Portals of a tree compared with straight lines, which cross from leaf to leaf where a portal is.
 #include "compiler/bsp/tree_portals.h"
 
 #include <gtest/gtest.h>
@@ -18,19 +18,19 @@ namespace {
 
 using math::Vec3d;
 
-// By how much the point lies inside the winding, in its plane; negative outside. Clockwise corners.
+// The distance by which a point is inside a clockwise winding, in its plane; negative outside.
 double depth_inside(const Portal& portal, const Vec3d& point) {
   double depth = 1e9;
   const std::vector<Vec3d>& corners = portal.winding_world;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3d edge = corners[(i + 1) % corners.size()] - corners[i];
-    const Vec3d inwards = glm::normalize(glm::cross(edge, portal.normal));
-    depth = std::min(depth, glm::dot(inwards, point - corners[i]));
+    const Vec3d inward = glm::normalize(glm::cross(edge, portal.normal));
+    depth = std::min(depth, glm::dot(inward, point - corners[i]));
   }
   return depth;
 }
 
-// How many portals between the two clusters hold the point.
+// The number of portals between two clusters that contain a point.
 std::size_t portals_at(const PortalSet& set, std::uint32_t a, std::uint32_t b, const Vec3d& point) {
   return static_cast<std::size_t>(std::ranges::count_if(set.portals, [&](const Portal& portal) {
     const bool joins = (portal.clusters[0] == a && portal.clusters[1] == b) ||
@@ -48,7 +48,7 @@ void expect_portals_where_lines_cross(const std::string& name, const formats::Bs
     const auto along = leaves_along(bsp, random_point(bsp, random), random_point(bsp, random));
     for (std::size_t k = 1; k < along.size(); ++k) {
       const std::size_t from = along[k - 1].leaf, to = along[k].leaf;
-      if (!contents_see_through(bsp.leaves[from].contents, bsp.leaves[to].contents, true)) continue;
+      if (!can_see_through(bsp.leaves[from].contents, bsp.leaves[to].contents, true)) continue;
       ++crossings;
       ASSERT_GE(portals_at(set, set.cluster_of_leaf[from], set.cluster_of_leaf[to], along[k].enters_at), 1u)
           << name << ": from leaf " << from << " to " << to;
@@ -57,7 +57,7 @@ void expect_portals_where_lines_cross(const std::string& name, const formats::Bs
   EXPECT_GT(crossings, static_cast<std::size_t>(lines) / 4) << name;
 }
 
-// A little to each side of a portal's middle lie the leaves that it joins.
+// The leaves that a portal joins are a little to each side of its center.
 void expect_portals_between_their_leaves(const std::string& name, const formats::Bsp& bsp) {
   const PortalSet set = make_tree_portals(bsp).value();
   ASSERT_FALSE(set.portals.empty());
@@ -76,25 +76,25 @@ void expect_portals_between_their_leaves(const std::string& name, const formats:
       wrong += set.cluster_of_leaf[leaf_at(bsp, beside)] != portal.clusters[side];
     }
   }
-  // Where a leaf is thinner than the step aside.
+  // Some leaves are thinner than that distance.
   EXPECT_LE(wrong, set.portals.size() / 200) << name;
 }
 
-TEST(TreePortals, StandWhereLinesCrossFromLeafToLeaf) {
+TEST(TreePortals, AreWhereLinesCrossFromLeafToLeaf) {
   expect_portals_where_lines_cross("small level", artgen::make_small_level(), 2000);
   DATA_FOLDER_OR_SKIP(folder);
   for (const char* name : {"start", "lq_e0m1"})
     expect_portals_where_lines_cross(name, finished_level(folder, name), test::effort(2000, 100));
 }
 
-TEST(TreePortals, JoinTheLeavesOnTheirSides) {
+TEST(TreePortals, JoinTheLeavesOnBothSides) {
   expect_portals_between_their_leaves("small level", artgen::make_small_level());
   DATA_FOLDER_OR_SKIP(folder);
   for (const char* name : {"start", "lq_e0m1", "lqdm5"})
     expect_portals_between_their_leaves(name, finished_level(folder, name));
 }
 
-TEST(TreePortals, EveryOpenLeafIsAClusterInTheirOrder) {
+TEST(TreePortals, NumberOpenLeavesAsClusters) {
   const formats::Bsp bsp = artgen::make_small_level();
   const PortalSet set = make_tree_portals(bsp).value();
   ASSERT_EQ(set.cluster_of_leaf.size(), bsp.leaves.size());
@@ -116,31 +116,31 @@ std::size_t portals_at_surfaces(const formats::Bsp& bsp, bool see_through) {
   }));
 }
 
-TEST(TreePortals, LiquidsAreSeenThroughOnlyWhenAsked) {
+TEST(TreePortals, SeeThroughLiquidsOnlyOnRequest) {
   const std::string pool = test::box_text({-128, -128, 0}, {128, 128, 32}, "*water");
-  const formats::Bsp bsp = test::draft_of(test::room_text(pool)).draft.bsp;
+  const formats::Bsp bsp = test::compile_draft(test::room_text(pool)).draft.bsp;
   EXPECT_EQ(portals_at_surfaces(bsp, true), 1u);
   EXPECT_EQ(portals_at_surfaces(bsp, false), 0u);
 }
 
-TEST(TreePortals, ContentsLetThroughWhatTheirSurfacesShow) {
+TEST(TreePortals, SeeThroughTheRightContents) {
   constexpr std::int32_t kEmpty = -1, kSolid = -2, kWater = -3, kLava = -5, kSky = -6, kCurrent = -9;
-  EXPECT_FALSE(contents_see_through(kEmpty, kSolid, true));
-  EXPECT_FALSE(contents_see_through(kSolid, kWater, true));
-  EXPECT_FALSE(contents_see_through(kEmpty, kSky, true));
-  EXPECT_FALSE(contents_see_through(kSky, kWater, true));
-  EXPECT_TRUE(contents_see_through(kSky, kSky, false));
-  EXPECT_TRUE(contents_see_through(kEmpty, kLava, true));
-  EXPECT_FALSE(contents_see_through(kEmpty, kLava, false));
-  EXPECT_TRUE(contents_see_through(kWater, kCurrent, false));
+  EXPECT_FALSE(can_see_through(kEmpty, kSolid, true));
+  EXPECT_FALSE(can_see_through(kSolid, kWater, true));
+  EXPECT_FALSE(can_see_through(kEmpty, kSky, true));
+  EXPECT_FALSE(can_see_through(kSky, kWater, true));
+  EXPECT_TRUE(can_see_through(kSky, kSky, false));
+  EXPECT_TRUE(can_see_through(kEmpty, kLava, true));
+  EXPECT_FALSE(can_see_through(kEmpty, kLava, false));
+  EXPECT_TRUE(can_see_through(kWater, kCurrent, false));
 }
 
-TEST(TreePortals, LeavesWithOneVisibilityAreOneClusterWhenAsked) {
+TEST(TreePortals, JoinLeavesThatShareVisibilityOnRequest) {
   formats::Bsp bsp = artgen::make_small_level();
   for (std::size_t leaf = 1; leaf < bsp.leaves.size(); ++leaf) bsp.leaves[leaf].visibility_offset = 0;
   const PortalSet apart = make_tree_portals(bsp).value();
   const PortalSet shared = make_tree_portals(bsp, {.clusters = Clusters::kSharedVisibility}).value();
-  // Sky is no neighbor of what lies below it.
+  // Sky is not a neighbor of what is below it.
   EXPECT_LT(shared.cluster_count, apart.cluster_count);
   for (const Portal& portal : apart.portals) {
     const auto cluster_after = [&](std::uint32_t cluster) {

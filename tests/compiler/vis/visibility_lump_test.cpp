@@ -1,4 +1,4 @@
-// Rows and sounds as a level stores them, read back by the game's own reader and held against finished
+// Rows and sounds as a level stores them, read back by the game's own reader and compared with finished
 // levels.
 #include "compiler/vis/visibility_lump.h"
 
@@ -24,8 +24,8 @@ formats::Bsp read_back(const formats::Bsp& bsp) {
   return std::move(formats::read_bsp(formats::write_bsp(bsp, bsp.version).value())).value();
 }
 
-// By leaf, what the game reads from the level, of the leaves that have a cluster.
-BitMatrix matrix_of(const formats::Bsp& bsp, const PortalSet& portals) {
+// By leaf with a cluster: what the game reads from the level.
+BitMatrix make_matrix(const formats::Bsp& bsp, const PortalSet& portals) {
   const auto level = world::make_level(bsp, "level").value();
   BitMatrix matrix(bsp.leaves.size(), bsp.leaves.size());
   std::vector<std::uint8_t> row;
@@ -33,7 +33,7 @@ BitMatrix matrix_of(const formats::Bsp& bsp, const PortalSet& portals) {
     if (portals.cluster_of_leaf[from] == kNoCluster) continue;
     world::decompress_pvs(*level, base::to_index<world::LeafIndex>(from), row);
     for (std::size_t to = 0; to < bsp.leaves.size(); ++to)
-      if (world::pvs_has(row, base::to_index<world::LeafIndex>(to))) matrix.set(from, to);
+      if (world::is_in_pvs(row, base::to_index<world::LeafIndex>(to))) matrix.set(from, to);
   }
   return matrix;
 }
@@ -47,14 +47,14 @@ BitMatrix random_matrix(std::size_t size, test::Random& random) {
   return matrix;
 }
 
-TEST(VisibilityLump, ReadsBackAsTheMatrix) {
+TEST(VisibilityLump, ReadsBackEqualToTheMatrix) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     test::Random random(seed);
     formats::Bsp bsp = artgen::make_small_level({.tiny = seed % 2 == 0});
     const PortalSet portals = make_tree_portals(bsp).value();
     const BitMatrix visible = random_matrix(portals.cluster_count, random);
     ASSERT_TRUE(write_visibility(portals, visible, {}, bsp).ok());
-    const BitMatrix read = matrix_of(read_back(bsp), portals);
+    const BitMatrix read = make_matrix(read_back(bsp), portals);
     for (std::size_t a = 0; a < bsp.leaves.size(); ++a) {
       for (std::size_t b = 0; b < bsp.leaves.size(); ++b) {
         const std::uint32_t from = portals.cluster_of_leaf[a], to = portals.cluster_of_leaf[b];
@@ -78,8 +78,8 @@ TEST(VisibilityLump, EqualRowsAreStoredOnce) {
   EXPECT_EQ(bsp.leaves[0].visibility_offset, -1);
 }
 
-TEST(VisibilityLump, LongRunsOfNothingTakeTwoBytesEach255) {
-  // 5,000 leaves that see only themselves: what the row of leaf 4,097 is by the format's definition.
+TEST(VisibilityLump, LongRunsOfZerosTakeTwoBytesPer255) {
+  // 5,000 leaves that see only themselves: the row of leaf 4,097 by the format's definition.
   formats::Bsp bsp = artgen::make_small_level({.tiny = true});
   bsp.leaves.resize(5001, {.contents = -1});
   PortalSet portals;
@@ -92,14 +92,14 @@ TEST(VisibilityLump, LongRunsOfNothingTakeTwoBytesEach255) {
   }
   ASSERT_TRUE(write_visibility(portals, visible, {}, bsp).ok());
   EXPECT_EQ(bsp.models[0].visible_leaves, 5000);
-  // Bit 4096 is in byte 512 of 625: 255 + 255 + 2 empty ones before it, 112 after.
+  // Bit 4096 is in byte 512 of 625: 255 + 255 + 2 zero bytes come before it, 112 after.
   const std::vector<std::uint8_t> expected{0, 255, 0, 255, 0, 2, 1, 0, 112};
   const auto start = bsp.visibility.begin() + bsp.leaves[4097].visibility_offset;
   EXPECT_EQ(std::vector<std::uint8_t>(start, start + 9), expected);
 }
 
-// A finished level's own visibility, written by us, gives its own ambient levels.
-TEST(VisibilityLump, SoundsAreThoseOfFinishedLevels) {
+// Writing a finished level's own visibility again gives its own ambient levels.
+TEST(VisibilityLump, SoundsMatchFinishedLevels) {
   DATA_FOLDER_OR_SKIP(folder);
   const std::vector<std::string> names =
       test::kQuick
@@ -108,7 +108,7 @@ TEST(VisibilityLump, SoundsAreThoseOfFinishedLevels) {
   for (const std::string& name : names) {
     const formats::Bsp theirs = finished_level(folder, name);
     const PortalSet portals = make_tree_portals(theirs).value();
-    const BitMatrix by_leaf = matrix_of(theirs, portals);
+    const BitMatrix by_leaf = make_matrix(theirs, portals);
     BitMatrix visible(portals.cluster_count, portals.cluster_count);
     for (std::size_t a = 0; a < theirs.leaves.size(); ++a)
       for (std::size_t b = 0; b < theirs.leaves.size(); ++b)
@@ -122,11 +122,12 @@ TEST(VisibilityLump, SoundsAreThoseOfFinishedLevels) {
 }
 
 TEST(VisibilityLump, UnwantedSoundsAreSilent) {
-  // One room, in which everything is seen.
-  Draft draft = test::draft_of(test::room_text(test::box_text({-128, -128, 0}, {-64, 128, 32}, "*water") +
-                                               test::box_text({64, -128, 0}, {128, 128, 32}, "*lava") +
-                                               test::box_text({-128, -128, 112}, {128, 128, 128}, "sky")))
-                    .draft;
+  // A single room, in which everything is visible.
+  Draft draft =
+      test::compile_draft(test::room_text(test::box_text({-128, -128, 0}, {-64, 128, 32}, "*water") +
+                                          test::box_text({64, -128, 0}, {128, 128, 32}, "*lava") +
+                                          test::box_text({-128, -128, 112}, {128, 128, 128}, "sky")))
+          .draft;
   const std::uint32_t clusters = draft.portals.cluster_count;
   BitMatrix visible(clusters, clusters);
   for (std::uint32_t from = 0; from < clusters; ++from)

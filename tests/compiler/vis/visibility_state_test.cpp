@@ -1,4 +1,4 @@
-// Saved visibility: round trips, damage, and work shared between processes that know of each other by bytes.
+// Saved visibility: round trips, damage, and work shared between processes that exchange only bytes.
 #include "compiler/vis/visibility_state.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ VisibilityState finished_state(const PortalSet& portals) {
   return state;
 }
 
-// Some portals finished, some not.
+// A state in which some portals are finished.
 VisibilityState stopped_state(const PortalSet& portals) {
   base::Jobs jobs(1);
   VisibilityState state = begin_visibility(portals);
@@ -47,7 +47,7 @@ TEST(VisibilityState, ReadsBackEqual) {
   }
 }
 
-TEST(VisibilityState, OfAnotherLevelIsRefused) {
+TEST(VisibilityState, RejectsAnotherLevel) {
   PortalSet portals = small_portals();
   const base::ByteVector bytes = write_visibility_state(finished_state(portals));
   portals.portals[0].winding_world[0].x += 1;
@@ -65,8 +65,8 @@ TEST(VisibilityState, OfAnotherLevelIsRefused) {
   EXPECT_EQ(state, begun);
 }
 
-TEST(VisibilityState, DamagedIsRefused) {
-  // Four windows in line between five of 70 clusters: two words a row.
+TEST(VisibilityState, RejectsDamage) {
+  // Four windows in line between five of 70 clusters, so rows have two words.
   PortalSet portals;
   portals.cluster_count = 70;
   for (std::uint32_t i = 0; i < 4; ++i) {
@@ -89,7 +89,7 @@ TEST(VisibilityState, DamagedIsRefused) {
   EXPECT_EQ(newer.error().code, ErrorCode::kUnsupported);
 }
 
-TEST(VisibilityState, TwoResultsForOnePortalAreRefused) {
+TEST(VisibilityState, RejectsTwoResultsForOnePortal) {
   const PortalSet portals = small_portals();
   const VisibilityState state = finished_state(portals);
   VisibilityState wrong = state, merged = state;
@@ -100,7 +100,7 @@ TEST(VisibilityState, TwoResultsForOnePortalAreRefused) {
   EXPECT_EQ(merged, state);
 }
 
-// As separate processes do it: each begins with the bytes of what all have, and leaves bytes.
+// Works as separate processes do: each begins with the bytes that all have, and returns bytes.
 base::ByteVector work_in_shares(const PortalSet& portals, std::uint32_t share_count, int& out_rounds) {
   const VisibilityState begun = begin_visibility(portals);
   base::ByteVector all = write_visibility_state(begun);
@@ -121,7 +121,7 @@ base::ByteVector work_in_shares(const PortalSet& portals, std::uint32_t share_co
   return all;
 }
 
-TEST(VisibilityState, SharesMergedAreTheSameBytesAsOneRun) {
+TEST(VisibilityState, MergedSharesEqualASingleRun) {
   const PortalSet portals = small_portals();
   const base::ByteVector whole = write_visibility_state(finished_state(portals));
   for (const std::uint32_t share_count : {1u, 2u, 3u, 16u}) {

@@ -1,4 +1,4 @@
-// Visibility against straight lines that arrive, against hand-made rooms, and against finished levels.
+// Visibility compared with straight lines, with hand-made rooms and with finished levels.
 #include "compiler/vis/visibility.h"
 
 #include <gtest/gtest.h>
@@ -29,17 +29,17 @@ VisibilityState finished_state(const PortalSet& portals, int threads = 1) {
   return state;
 }
 
-BitMatrix visibility_of(const PortalSet& portals) {
-  return visible_clusters(portals, finished_state(portals));
+BitMatrix compute_visibility(const PortalSet& portals) {
+  return find_visible_clusters(portals, finished_state(portals));
 }
 
-// A rectangle at x, facing +x: from (y0, z0) to (y1, z1); clockwise seen from +x.
+// A rectangle at x that faces +x, from (y0, z0) to (y1, z1); clockwise seen from +x.
 Portal window_at_x(double x, double y0, double y1, double z0, double z1, std::uint32_t front,
                    std::uint32_t back) {
   return {{{x, y0, z0}, {x, y0, z1}, {x, y1, z1}, {x, y1, z0}}, {1, 0, 0}, x, {front, back}};
 }
 
-// Five cells one after another along x, each 100 deep.
+// Five cells in a row along x, each 100 units deep.
 PortalSet row_of_cells(const std::array<std::array<double, 2>, 4>& windows_y) {
   PortalSet set;
   set.cluster_count = 5;
@@ -48,16 +48,16 @@ PortalSet row_of_cells(const std::array<std::array<double, 2>, 4>& windows_y) {
   return set;
 }
 
-TEST(Visibility, GoesThroughWindowsInLine) {
-  const BitMatrix visible = visibility_of(row_of_cells({{{0, 10}, {0, 10}, {0, 10}, {0, 10}}}));
+TEST(Visibility, PassesAlignedWindows) {
+  const BitMatrix visible = compute_visibility(row_of_cells({{{0, 10}, {0, 10}, {0, 10}, {0, 10}}}));
   for (std::size_t a = 0; a < 5; ++a)
     for (std::size_t b = 0; b < 5; ++b) EXPECT_TRUE(visible.at(a, b)) << a << " " << b;
 }
 
-TEST(Visibility, EndsWhereNoStraightLineGoesOn) {
-  // From the first cell, lines through the first two windows reach y 50 at most at the third window, and the
-  // last cell is behind a window that starts at 100.
-  const BitMatrix visible = visibility_of(row_of_cells({{{0, 10}, {20, 30}, {40, 60}, {100, 110}}}));
+TEST(Visibility, EndsWhereNoStraightLinePasses) {
+  // Lines from the first cell through the first two windows are at y 50 at most at the third window, and the
+  // last cell is behind a window that begins at 100.
+  const BitMatrix visible = compute_visibility(row_of_cells({{{0, 10}, {20, 30}, {40, 60}, {100, 110}}}));
   EXPECT_TRUE(visible.at(0, 2));
   EXPECT_TRUE(visible.at(0, 3));
   EXPECT_FALSE(visible.at(0, 4));
@@ -66,11 +66,11 @@ TEST(Visibility, EndsWhereNoStraightLineGoesOn) {
   EXPECT_TRUE(visible.at(2, 4));
 }
 
-TEST(Visibility, BoundsAreSharpToAHundredthOfAUnit) {
-  // From y 0 through 10 at the second window, the steepest line is at 20 at the third and at 30 at the
+TEST(Visibility, IsExactToAHundredthOfAUnit) {
+  // From y 0 through 10 at the second window, the steepest line is at 20 at the third window and at 30 at the
   // fourth.
   const auto last_seen = [](double from_y) {
-    return visibility_of(row_of_cells({{{0, 10}, {0, 10}, {0, 50}, {from_y, 60}}})).at(0, 4);
+    return compute_visibility(row_of_cells({{{0, 10}, {0, 10}, {0, 50}, {from_y, 60}}})).at(0, 4);
   };
   EXPECT_TRUE(last_seen(29.9));
   EXPECT_FALSE(last_seen(30.0));
@@ -79,12 +79,12 @@ TEST(Visibility, BoundsAreSharpToAHundredthOfAUnit) {
 TEST(Visibility, AClusterWithoutPortalsSeesItself) {
   PortalSet set;
   set.cluster_count = 70;
-  const BitMatrix visible = visibility_of(set);
+  const BitMatrix visible = compute_visibility(set);
   for (std::size_t a = 0; a < 70; ++a) EXPECT_EQ(count_bits(visible.row(a)), 1u) << a;
 }
 
-TEST(Visibility, WindowsOfManyCornersAreSeenThroughWhole) {
-  // A round window of 60 corners; from its lowest piece and from its highest a small hole each is in line.
+TEST(Visibility, PassesWindowsWithManyCorners) {
+  // A round window with 60 corners; a small hole each is in line with its lowest and its highest piece.
   PortalSet set;
   set.cluster_count = 4;
   Portal round{{}, {1, 0, 0}, 100, {1, 0}};
@@ -93,12 +93,12 @@ TEST(Visibility, WindowsOfManyCornersAreSeenThroughWhole) {
     round.winding_world.push_back({100, 50 * std::cos(angle), 50 * std::sin(angle)});
   }
   set.portals = {round, window_at_x(200, -1, 1, 47, 49, 2, 1), window_at_x(200, -1, 1, -49, -47, 3, 1)};
-  const BitMatrix visible = visibility_of(set);
+  const BitMatrix visible = compute_visibility(set);
   EXPECT_TRUE(visible.at(0, 2));
   EXPECT_TRUE(visible.at(0, 3));
 }
 
-// Every leaf along a line between open points sees every other one up to the first wall or sky.
+// Every leaf along a line between open points sees every other one, up to the first wall or sky.
 void expect_lines_arrive(const std::string& name, const formats::Bsp& bsp, const PortalSet& portals,
                          const BitMatrix& visible, int lines) {
   test::Random random(11);
@@ -110,10 +110,9 @@ void expect_lines_arrive(const std::string& name, const formats::Bsp& bsp, const
     const auto along = leaves_along(bsp, *start, end);
     const auto first = portals.cluster_of_leaf[along[0].leaf];
     for (std::size_t k = 1; k < along.size(); ++k) {
-      if (!contents_see_through(bsp.leaves[along[k - 1].leaf].contents, bsp.leaves[along[k].leaf].contents,
-                                true))
+      if (!can_see_through(bsp.leaves[along[k - 1].leaf].contents, bsp.leaves[along[k].leaf].contents, true))
         break;
-      // Leaves are as thin as this where planes that should meet in a point do not.
+      // Leaves are this thin where planes that should meet in a point do not.
       const math::Vec3d& leaves_at = k + 1 < along.size() ? along[k + 1].enters_at : end;
       if (glm::length(leaves_at - along[k].enters_at) < 0.1) continue;
       ++pairs;
@@ -124,16 +123,16 @@ void expect_lines_arrive(const std::string& name, const formats::Bsp& bsp, const
   EXPECT_GT(pairs, static_cast<std::size_t>(lines / 4)) << name;
 }
 
-TEST(Visibility, NeverHidesWhatALineReachesInASmallLevel) {
+TEST(Visibility, HidesNothingVisibleInASmallLevel) {
   const formats::Bsp bsp = artgen::make_small_level();
   const PortalSet portals = make_tree_portals(bsp).value();
   const int lines = test::effort(100'000, 3000);
-  expect_lines_arrive("small level", bsp, portals, visibility_of(portals), lines);
+  expect_lines_arrive("small level", bsp, portals, compute_visibility(portals), lines);
   base::Jobs jobs(1);
-  expect_lines_arrive("small level, fast", bsp, portals, roughly_visible_clusters(portals, jobs), lines);
+  expect_lines_arrive("small level, fast", bsp, portals, find_roughly_visible_clusters(portals, jobs), lines);
 }
 
-TEST(Visibility, NeverHidesWhatALineReachesInFinishedLevels) {
+TEST(Visibility, HidesNothingVisibleInFinishedLevels) {
   DATA_FOLDER_OR_SKIP(folder);
   const std::vector<std::string> names =
       test::kQuick ? std::vector<std::string>{"lqdm12", "start"}
@@ -141,12 +140,12 @@ TEST(Visibility, NeverHidesWhatALineReachesInFinishedLevels) {
   for (const std::string& name : names) {
     const formats::Bsp bsp = finished_level(folder, name);
     const PortalSet portals = make_tree_portals(bsp, {.clusters = Clusters::kSharedVisibility}).value();
-    expect_lines_arrive(name, bsp, portals, visibility_of(portals), test::effort(200'000, 3000));
+    expect_lines_arrive(name, bsp, portals, compute_visibility(portals), test::effort(200'000, 3000));
   }
 }
 
-// The bound that ends long searches, used for every portal and by itself.
-TEST(Visibility, TheBoundOfLongSearchesHidesNothingEither) {
+// The bound that ends long searches, used for every portal on its own.
+TEST(Visibility, BoundOfLongSearchesHidesNothingVisible) {
   const formats::Bsp bsp = artgen::make_small_level();
   const PortalSet portals = make_tree_portals(bsp).value();
   const vis::PortalGraph graph = vis::make_portal_graph(portals);
@@ -169,10 +168,10 @@ TEST(Visibility, TheBoundOfLongSearchesHidesNothingEither) {
   expect_lines_arrive("small level, bound", bsp, portals, visible, test::effort(100'000, 3000));
 }
 
-TEST(Visibility, IsMutualAndWithinTheRoughOne) {
+TEST(Visibility, IsSymmetricAndWithinTheRoughBound) {
   const PortalSet portals = make_tree_portals(artgen::make_small_level()).value();
   base::Jobs jobs(1);
-  const BitMatrix visible = visibility_of(portals), rough = roughly_visible_clusters(portals, jobs);
+  const BitMatrix visible = compute_visibility(portals), rough = find_roughly_visible_clusters(portals, jobs);
   for (std::size_t a = 0; a < visible.rows(); ++a) {
     for (std::size_t b = 0; b < visible.columns(); ++b) {
       EXPECT_EQ(visible.at(a, b), visible.at(b, a));
@@ -181,7 +180,7 @@ TEST(Visibility, IsMutualAndWithinTheRoughOne) {
   }
 }
 
-TEST(Visibility, IsTheSameOnAnyNumberOfThreads) {
+TEST(Visibility, DoesNotDependOnThreads) {
   const PortalSet portals = make_tree_portals(artgen::make_small_level()).value();
   const VisibilityState one = finished_state(portals, 1);
   EXPECT_EQ(finished_state(portals, 2), one);
@@ -195,7 +194,7 @@ TEST(Visibility, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(finished_state(real, 8), real_one);
 }
 
-TEST(Visibility, StopsWhenToldAndGoesOnToTheSameResult) {
+TEST(Visibility, ResumesToTheSameResult) {
   const PortalSet portals = make_tree_portals(artgen::make_small_level()).value();
   const VisibilityState whole = finished_state(portals);
   base::Jobs jobs(2, base::JobBackend::kStdThread);

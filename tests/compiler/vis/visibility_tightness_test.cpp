@@ -1,5 +1,4 @@
-// How much is drawn for nothing: the area of faces that our visibility lets through, beside the finished
-// level's.
+// Overdraw: the area of faces that our visibility lets through, compared with the finished level's.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,10 +19,10 @@
 namespace temblor::compiler {
 namespace {
 
-using test::areas_of_faces;
+using test::compute_face_areaskTexelsASample;
 using test::visible_area;
 
-TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevelsDo) {
+TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevels) {
   DATA_FOLDER_OR_SKIP(folder);
   const std::vector<std::string> names =
       test::kQuick ? std::vector<std::string>{"start"}
@@ -36,11 +35,11 @@ TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevelsDo) {
     continue_visibility(
         portals, jobs, [](std::size_t, std::size_t) { return true; }, state);
     formats::Bsp ours = theirs;
-    ASSERT_TRUE(write_visibility(portals, visible_clusters(portals, state), {}, ours).ok());
+    ASSERT_TRUE(write_visibility(portals, find_visible_clusters(portals, state), {}, ours).ok());
 
     const auto our_level = world::make_level(ours, name).value();
     const auto their_level = world::make_level(theirs, name).value();
-    const std::vector<double> areas = areas_of_faces(*our_level);
+    const std::vector<double> areas = compute_face_areaskTexelsASample(*our_level);
     test::Random random(1);
     double our_area = 0, their_area = 0;
     for (int i = 0; i < test::effort(1000, 30); ++i) {
@@ -60,14 +59,15 @@ TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevelsDo) {
 TEST(VisibilityTightness, CompiledLevelsDrawNoMoreThanFinishedOnes) {
   DATA_FOLDER_OR_SKIP(folder);
   CompileOptions options;
-  options.light_wish = StagePolicy::kSkip;
+  options.light_policy = StagePolicy::kSkip;
   for (const std::string name : test::stock_maps()) {
     if (name.starts_with("b_")) continue;  // nothing is inside
     const formats::Bsp finished = finished_level(folder, name);
     const auto ours =
         world::make_level(test::compile_stock_map(folder, name, options).level.bsp, name).value();
     const auto theirs = world::make_level(finished, name).value();
-    const std::vector<double> our_areas = areas_of_faces(*ours), their_areas = areas_of_faces(*theirs);
+    const std::vector<double> our_areas = compute_face_areaskTexelsASample(*ours),
+                              their_areas = compute_face_areaskTexelsASample(*theirs);
     test::Random random(1);
     double our_area = 0, their_area = 0;
     for (int i = 0; i < test::effort(1000, 30); ++i) {
@@ -83,11 +83,11 @@ TEST(VisibilityTightness, CompiledLevelsDrawNoMoreThanFinishedOnes) {
   }
 }
 
-// A leaf's row by the full search and by --fast: in the same tree, as light and time do not come into it.
-TEST(VisibilityTightness, FullVisibilityIsPartOfFastOne) {
+// A leaf's row by the full search and by --fast, in the same tree (light does not change it).
+TEST(VisibilityTightness, FullVisibilityIsWithinFastVisibility) {
   DATA_FOLDER_OR_SKIP(folder);
   CompileOptions full, fast;
-  full.light_wish = fast.light_wish = StagePolicy::kSkip;
+  full.light_policy = fast.light_policy = StagePolicy::kSkip;
   fast.fast_visibility = true;
   for (const std::string name : test::stock_maps()) {
     const auto narrow =

@@ -10,7 +10,7 @@ TEST(ContainedName, AcceptsNamesOfGameData) {
     EXPECT_TRUE(is_contained_name(name)) << name;
 }
 
-TEST(ContainedName, RefusesWhatLeadsOutside) {
+TEST(ContainedName, RejectsNamesThatLeaveFolder) {
   for (const char* name : {"", "/", "/etc/passwd", "..", "../x", "a/..", "a/../b", "a/./b", "./a", "a//b",
                            "a/", "a\\b", "..\\b", "c:", "c:/x", "a\nb", "a\tb"})
     EXPECT_FALSE(is_contained_name(name)) << name;

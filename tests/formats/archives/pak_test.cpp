@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Written out by hand from the format's description: two files, "ab" and "c", of 3 and 2 bytes.
+// Written field by field from the description of the format: two files, "ab" and "c", of 3 and 2 bytes.
 base::ByteVector hand_made_pak() {
   base::ByteWriter writer;
   writer.bytes(base::as_bytes("PACK"));
@@ -30,7 +30,7 @@ constexpr std::size_t kFirstRecord = 17;
 constexpr std::size_t kOffsetField = 56;
 constexpr std::size_t kSizeField = 60;
 
-TEST(Pak, ReadsAHandMadeArchive) {
+TEST(Pak, ReadsHandMadeArchive) {
   const base::ByteVector bytes = hand_made_pak();
   const auto entries = read_pak(bytes);
   ASSERT_TRUE(entries.ok()) << entries.error().message();
@@ -44,7 +44,7 @@ TEST(Pak, WritesTheSameBytes) {
   EXPECT_EQ(*bytes, hand_made_pak());
 }
 
-TEST(Pak, ReadsBackWhatItWrites) {
+TEST(Pak, RoundTrips) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
     std::vector<base::ByteVector> contents(random.below(20));
@@ -70,13 +70,13 @@ TEST(Pak, ReadsBackWhatItWrites) {
   }
 }
 
-TEST(Pak, EveryTruncationIsAnError) {
+TEST(Pak, RejectsEveryTruncation) {
   test::for_each_truncation(hand_made_pak(), [](const base::ByteVector& bytes) {
     EXPECT_FALSE(read_pak(bytes).ok()) << bytes.size() << " bytes";
   });
 }
 
-TEST(Pak, FlippedBitsNeverLeadOutside) {
+TEST(Pak, FlippedBitsStayInBounds) {
   const base::ByteVector valid = hand_made_pak();
   test::Random random(1);
   for (int i = 0; i < 5000; ++i) {
@@ -100,7 +100,7 @@ struct HostilePak {
 
 class HostilePakTest : public ::testing::TestWithParam<HostilePak> {};
 
-TEST_P(HostilePakTest, IsRefused) {
+TEST_P(HostilePakTest, IsRejected) {
   const auto entries = read_pak(test::with_number(hand_made_pak(), GetParam().offset, GetParam().value));
   ASSERT_FALSE(entries.ok());
   EXPECT_THAT(entries.error().message(), HasSubstr(GetParam().message));
@@ -110,27 +110,27 @@ INSTANTIATE_TEST_SUITE_P(
     Pak, HostilePakTest,
     ::testing::Values(
         HostilePak{"Magic", 0, 0x4b434151, "PACK"},
-        HostilePak{"DirectoryOffsetNegative", 4, -1, "outside the file"},
-        HostilePak{"DirectoryOffsetPastEnd", 4, 18, "outside the file"},
-        HostilePak{"DirectorySizeNegative", 8, -64, "outside the file"},
-        HostilePak{"DirectorySizeHuge", 8, 0x7fffffc0, "outside the file"},
-        HostilePak{"DirectorySizeUneven", 8, 65, "whole entries"},
+        HostilePak{"DirectoryOffsetNegative", 4, -1, "outside of the file"},
+        HostilePak{"DirectoryOffsetPastEnd", 4, 18, "outside of the file"},
+        HostilePak{"DirectorySizeNegative", 8, -64, "outside of the file"},
+        HostilePak{"DirectorySizeHuge", 8, 0x7fffffc0, "outside of the file"},
+        HostilePak{"DirectorySizeUneven", 8, 65, "not a multiple of the entry size"},
         HostilePak{"EntryOffsetNegative", kFirstRecord + kOffsetField, -2, "entry 0 \"maps/ab\""},
         HostilePak{"EntryOffsetPastEnd", kFirstRecord + kOffsetField, 146, "entry 0 \"maps/ab\""},
         HostilePak{"EntrySizeNegative", kFirstRecord + kSizeField, -1, "entry 0 \"maps/ab\""},
-        HostilePak{"EntrySizeHuge", kFirstRecord + kSizeField, 0x7fffffff, "outside the file"},
+        HostilePak{"EntrySizeHuge", kFirstRecord + kSizeField, 0x7fffffff, "outside of the file"},
         HostilePak{"SecondEntry", kFirstRecord + 64 + kSizeField, 200, "entry 1 \"c\""}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST(Pak, ANameWithoutAnEndIsRefused) {
+TEST(Pak, RejectsUnterminatedName) {
   base::ByteVector bytes = hand_made_pak();
   for (std::size_t i = 0; i < 56; ++i) bytes[kFirstRecord + i] = std::byte{'n'};
   const auto entries = read_pak(bytes);
   ASSERT_FALSE(entries.ok());
-  EXPECT_THAT(entries.error().what, HasSubstr("name has no end"));
+  EXPECT_THAT(entries.error().what, HasSubstr("name is not terminated"));
 }
 
-TEST(Pak, AnErrorIsOneLineWhateverTheName) {
+TEST(Pak, ErrorsAreOneLine) {
   const auto bytes = write_pak(std::vector<ArchiveFile>{{"a\nb\x1b[31m\xff", base::as_bytes("1234")}});
   ASSERT_TRUE(bytes.ok());
   const auto entries = read_pak(test::with_number(*bytes, 16 + kSizeField, std::int32_t{1000}));
@@ -138,7 +138,7 @@ TEST(Pak, AnErrorIsOneLineWhateverTheName) {
   EXPECT_THAT(entries.error().what, HasSubstr("\"a?b?[31m?\""));
 }
 
-TEST(Pak, TooManyEntriesAreRefusedBeforeTheyAreRead) {
+TEST(Pak, RejectsTooManyEntriesBeforeReading) {
   const std::uint64_t directory_bytes = (kMaxPakEntries + 1) * kPakRecordBytes;
   base::ByteWriter header;
   header.bytes(base::as_bytes("PACK"));
@@ -149,7 +149,7 @@ TEST(Pak, TooManyEntriesAreRefusedBeforeTheyAreRead) {
   EXPECT_EQ(read.error().code, base::ErrorCode::kTooLarge);
 }
 
-TEST(Pak, WritingRefusesWhatDoesNotFit) {
+TEST(Pak, WriteRejectsWhatDoesNotFit) {
   const std::string longest(kPakNameChars, 'n');
   EXPECT_TRUE(write_pak(std::vector<ArchiveFile>{{longest, {}}}).ok());
   EXPECT_FALSE(write_pak(std::vector<ArchiveFile>{{longest + 'n', {}}}).ok());

@@ -20,7 +20,7 @@ base::ByteVector make_zip_of_one(const ZipByHand& entry) {
   return make_zip(std::vector<ZipByHand>{entry});
 }
 
-TEST(Pk3, ReadsAHandMadeArchive) {
+TEST(Pk3, ReadsHandMadeArchive) {
   const auto pk3 = read_pk3(make_zip(std::vector<ZipByHand>{
       {.name = "maps/", .data = ""}, {.name = "maps/a.bsp", .data = "level"}, {.name = "b", .data = ""}}));
   ASSERT_TRUE(pk3.ok()) << pk3.error().message();
@@ -33,7 +33,7 @@ TEST(Pk3, ReadsAHandMadeArchive) {
 }
 
 TEST(Pk3, UnpacksADeflatedEntry) {
-  // Deflate by hand (RFC 1951): one final stored block of 3 bytes.
+  // Deflated data (RFC 1951): one final stored block of 3 bytes.
   const std::string deflated(
       "\x01\x03\x00\xfc\xff"
       "abc",
@@ -46,7 +46,7 @@ TEST(Pk3, UnpacksADeflatedEntry) {
   EXPECT_EQ(*data, test::to_bytes("abc"));
 }
 
-TEST(Pk3, ReadsBackWhatItWrites) {
+TEST(Pk3, RoundTrips) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     test::Random random(seed);
     std::vector<base::ByteVector> contents(1 + random.below(12));
@@ -81,7 +81,7 @@ TEST(Pk3, StaysReadableWhenMoved) {
   EXPECT_EQ(*pk3.read(0), test::to_bytes("two"));
 }
 
-TEST(Pk3, MayBeReadFromSeveralThreads) {
+TEST(Pk3, IsThreadSafe) {
   std::vector<ZipByHand> entries;
   for (int i = 0; i < 50; ++i)
     entries.push_back({.name = std::to_string(i), .data = std::string(1000, char('0' + i))});
@@ -106,24 +106,24 @@ void expect_refused(base::ByteVector bytes, base::ErrorCode code, const char* me
   EXPECT_THAT(pk3.error().what, HasSubstr(message));
 }
 
-TEST(Pk3, NamesThatLeadOutsideAreRefused) {
+TEST(Pk3, RejectsNamesThatLeaveFolder) {
   for (const char* name : {"../x", "/etc/passwd", "a/../../x", "..\\x", "c:\\x", "a//b", "./a", "a\nb"})
     expect_refused(make_zip_of_one({.name = name, .data = "x"}), base::ErrorCode::kMalformed,
                    "leads outside");
 }
 
-TEST(Pk3, EncryptedEntriesAreRefused) {
+TEST(Pk3, RejectsEncryptedEntries) {
   expect_refused(
       make_zip_of_one({.name = "secret", .data = std::string(20, 'x'), .flags = 1, .claimed_size = 8}),
       base::ErrorCode::kUnsupported, "\"secret\" is encrypted");
 }
 
-TEST(Pk3, OtherPackingMethodsAreRefused) {
+TEST(Pk3, RejectsOtherCompressionMethods) {
   expect_refused(make_zip_of_one({.name = "f", .data = "BZh91", .method = 12, .claimed_size = 5}),
-                 base::ErrorCode::kUnsupported, "packing method 12");
+                 base::ErrorCode::kUnsupported, "compression method 12");
 }
 
-TEST(Pk3, SizesThatCannotBeAreRefused) {
+TEST(Pk3, RejectsImpossibleSizes) {
   expect_refused(
       make_zip_of_one({.name = "f", .data = "12345678", .method = 8, .claimed_size = 8 * 1032 + 1}),
       base::ErrorCode::kMalformed, "cannot come out");
@@ -133,8 +133,8 @@ TEST(Pk3, SizesThatCannotBeAreRefused) {
                  base::ErrorCode::kMalformed, "cannot come out");
 }
 
-TEST(Pk3, AZipBombIsRefusedByItsTotal) {
-  // Sixteen entries that each claim the most that their 64 KiB could give, 67 MB: just over 1 GiB.
+TEST(Pk3, RejectsZipBombByTotalSize) {
+  // Sixteen entries that each claim the maximum that 64 KiB can unpack to, 67 MB: just over 1 GiB.
   const std::string packed(1 << 16, 'x');
   std::vector<ZipByHand> entries;
   for (int i = 0; i < 16; ++i)
@@ -144,28 +144,27 @@ TEST(Pk3, AZipBombIsRefusedByItsTotal) {
   EXPECT_TRUE(read_pk3(make_zip(entries)).ok());
 }
 
-TEST(Pk3, TheCapCanBeSet) {
+TEST(Pk3, LimitIsConfigurable) {
   const base::ByteVector bytes =
       make_zip(std::vector<ZipByHand>{{.name = "a", .data = "12345"}, {.name = "b", .data = "678"}});
   EXPECT_TRUE(read_pk3(bytes, {.unpacked_bytes = 8}).ok());
   EXPECT_FALSE(read_pk3(bytes, {.unpacked_bytes = 7}).ok());
 }
 
-TEST(Pk3, AnEntryThatUnpacksToMoreThanItSaysIsAnError) {
+TEST(Pk3, RejectsEntryLargerThanDeclared) {
   const base::ByteVector zeros(100000);
   const auto bytes = write_pk3(std::vector<ArchiveFile>{{"zeros", zeros}});
   ASSERT_TRUE(bytes.ok());
-  // The size stands 24 bytes into the directory's record, which begins at the offset that the end record
-  // tells.
+  // The size is 24 bytes after the start of the directory record, whose offset is in the end record.
   base::ByteReader reader(*bytes);
   reader.seek(bytes->size() - 6);
   const std::size_t directory = reader.u32();
   const auto pk3 = read_pk3(test::with_number(*bytes, directory + 24, std::uint32_t{50000}));
-  if (!pk3.ok()) return;  // refusing it at once is as good
+  if (!pk3.ok()) return;  // an error at once is fine too
   EXPECT_FALSE(pk3->read(0).ok());
 }
 
-TEST(Pk3, AWrongChecksumIsAnError) {
+TEST(Pk3, RejectsWrongChecksum) {
   const auto pk3 = read_pk3(make_zip_of_one({.name = "f", .data = "abc", .claimed_crc = 1}));
   ASSERT_TRUE(pk3.ok());
   const auto data = pk3->read(0);
@@ -173,20 +172,20 @@ TEST(Pk3, AWrongChecksumIsAnError) {
   EXPECT_THAT(data.error().what, HasSubstr("\"f\""));
 }
 
-TEST(Pk3, AHugeDirectoryIsRefusedBeforeItIsParsed) {
+TEST(Pk3, RejectsHugeDirectoryBeforeParsing) {
   const base::ByteVector valid = make_zip_of_one({.name = "f", .data = "abc"});
   const std::size_t field = valid.size() - test::kZipEndRecordBytes + test::kZipEndDirectorySizeField;
   expect_refused(test::with_number(valid, field, 0x7fffffffu), base::ErrorCode::kTooLarge, "directory of");
 }
 
-TEST(Pk3, Zip64IsRefused) {
+TEST(Pk3, Zip64IsRejected) {
   base::ByteVector bytes = make_zip_of_one({.name = "f", .data = "abc"});
   const base::ByteVector locator = test::to_bytes(std::string("PK\6\7") + std::string(16, '\0'));
   bytes.insert(bytes.end() - test::kZipEndRecordBytes, locator.begin(), locator.end());
   expect_refused(bytes, base::ErrorCode::kUnsupported, "zip64");
 }
 
-TEST(Pk3, EveryTruncationIsAnError) {
+TEST(Pk3, RejectsEveryTruncation) {
   const base::ByteVector valid =
       make_zip(std::vector<ZipByHand>{{.name = "maps/a.bsp", .data = "level"}, {.name = "b", .data = "xyz"}});
   test::for_each_truncation(valid, [](const base::ByteVector& bytes) {
@@ -194,7 +193,7 @@ TEST(Pk3, EveryTruncationIsAnError) {
   });
 }
 
-TEST(Pk3, FlippedBitsGiveTheRightBytesOrAnError) {
+TEST(Pk3, FlippedBitsFailOrKeepBytes) {
   const base::ByteVector content(2000, std::byte{'q'});
   const auto valid = write_pk3(std::vector<ArchiveFile>{{"a", content}, {"b", base::as_bytes("xyz")}});
   ASSERT_TRUE(valid.ok());
@@ -205,13 +204,13 @@ TEST(Pk3, FlippedBitsGiveTheRightBytesOrAnError) {
     for (std::size_t k = 0; k < pk3->entries().size(); ++k) {
       const auto data = pk3->read(k);
       if (!data.ok() || data->empty()) continue;
-      // Damage that the checksum lets pass can only be in names, dates and the like.
+      // The checksum does not protect names, dates, and similar fields.
       EXPECT_TRUE(*data == content || *data == test::to_bytes("xyz")) << "damage " << i;
     }
   }
 }
 
-TEST(Pk3, WritingRefusesWhatItCannotHold) {
+TEST(Pk3, WriteRejectsInvalidFiles) {
   EXPECT_FALSE(write_pk3({}).ok());
   EXPECT_FALSE(write_pk3(std::vector<ArchiveFile>{{"../a", {}}}).ok());
   EXPECT_FALSE(write_pk3(std::vector<ArchiveFile>{{"a", {}}, {"a", {}}}).ok());

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 constexpr std::size_t kRecord = 17;  // of hand_made_wad()
 
-// Written out by hand from the format's description: one lump "Logo" of 5 bytes, type 66.
+// Written field by field from the description of the format: one lump "Logo" of 5 bytes, type 66.
 base::ByteVector hand_made_wad() {
   base::ByteWriter writer;
   writer.bytes(base::as_bytes("WAD2"));
@@ -33,7 +33,7 @@ base::ByteVector hand_made_wad() {
   return std::move(writer).take();
 }
 
-TEST(Wad, ReadsAHandMadeFile) {
+TEST(Wad, ReadsHandMadeFile) {
   const base::ByteVector bytes = hand_made_wad();
   const auto lumps = read_wad(bytes);
   ASSERT_TRUE(lumps.ok()) << lumps.error().message();
@@ -49,7 +49,7 @@ TEST(Wad, WritesTheSameBytes) {
   EXPECT_EQ(*bytes, hand_made_wad());
 }
 
-TEST(Wad, ReadsWad3Alike) {
+TEST(Wad, ReadsWad3) {
   const base::ByteVector bytes = test::with_number(hand_made_wad(), 0, std::uint32_t{0x33444157});
   EXPECT_TRUE(is_wad3(bytes));
   EXPECT_FALSE(is_wad3(hand_made_wad()));
@@ -58,14 +58,14 @@ TEST(Wad, ReadsWad3Alike) {
   EXPECT_EQ(base::as_text(lumps->at(0).data), "hello");
 }
 
-TEST(Wad, FindsTheFirstOfANameWithoutRegardToCase) {
+TEST(Wad, FindsFirstLumpIgnoringCase) {
   const std::vector<WadLump> lumps{{"A", 1, {}}, {"b", 2, {}}, {"B", 3, {}}};
   EXPECT_EQ(find_lump(lumps, "B"), &lumps[1]);
   EXPECT_EQ(find_lump(lumps, "a"), &lumps[0]);
   EXPECT_EQ(find_lump(lumps, "c"), nullptr);
 }
 
-TEST(Wad, ReadsBackWhatItWrites) {
+TEST(Wad, RoundTrips) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
     std::vector<base::ByteVector> contents(random.below(20));
@@ -89,13 +89,13 @@ TEST(Wad, ReadsBackWhatItWrites) {
   }
 }
 
-TEST(Wad, EveryTruncationIsAnError) {
+TEST(Wad, RejectsEveryTruncation) {
   test::for_each_truncation(hand_made_wad(), [](const base::ByteVector& bytes) {
     EXPECT_FALSE(read_wad(bytes).ok()) << bytes.size() << " bytes";
   });
 }
 
-TEST(Wad, FlippedBitsNeverLeadOutside) {
+TEST(Wad, FlippedBitsStayInBounds) {
   const base::ByteVector valid = hand_made_wad();
   test::Random random(2);
   for (int i = 0; i < 5000; ++i) {
@@ -119,32 +119,32 @@ void expect_refused(std::size_t offset, T value, const char* message) {
   EXPECT_THAT(lumps.error().message(), HasSubstr(message));
 }
 
-TEST(Wad, HostileNumbersAreRefused) {
+TEST(Wad, RejectsHostileNumbers) {
   expect_refused(0, std::uint32_t{0x34444157}, "WAD2");  // "WAD4"
   expect_refused(4, std::int32_t{-1}, "-1 lumps");
   expect_refused(4, std::int32_t{2}, "2 lumps");
-  expect_refused(4, std::int32_t{0x7fffffff}, "outside the file");
+  expect_refused(4, std::int32_t{0x7fffffff}, "outside of the file");
   expect_refused(8, std::int32_t{-1}, "offset -1");
-  expect_refused(8, std::int32_t{18}, "outside the file");
+  expect_refused(8, std::int32_t{18}, "outside of the file");
   expect_refused(kRecord, std::int32_t{-1}, "lump 0 \"Logo\"");
-  expect_refused(kRecord, std::int32_t{45}, "outside the file");
+  expect_refused(kRecord, std::int32_t{45}, "outside of the file");
   expect_refused(kRecord + 4, std::int32_t{4}, "not compressed");
   expect_refused(kRecord + 13, std::uint8_t{1}, "compression 1");
 }
 
-TEST(Wad, ANegativeSizeIsRefused) {
+TEST(Wad, RejectsNegativeSize) {
   const base::ByteVector bytes = test::with_number(hand_made_wad(), kRecord + 4, std::int32_t{-5});
   EXPECT_FALSE(read_wad(test::with_number(bytes, kRecord + 8, std::int32_t{-5})).ok());
 }
 
-TEST(Wad, WritingRefusesWhatDoesNotFit) {
+TEST(Wad, WriteRejectsWhatDoesNotFit) {
   EXPECT_TRUE(write_wad(std::vector<WadLump>{{std::string(16, 'n'), 0, {}}}).ok());
   EXPECT_FALSE(write_wad(std::vector<WadLump>{{std::string(17, 'n'), 0, {}}}).ok());
   const base::ByteVector block(std::size_t{1} << 20);
   EXPECT_FALSE(write_wad(std::vector<WadLump>(2048, {"f", 0, block})).ok());  // 2^31 bytes
 }
 
-// Every lump of the stock WADs: pictures and textures decode, and come out as they went in.
+// Every lump of the stock WADs: pictures and textures decode, and encode to the same bytes.
 void check_stock_wad(const std::filesystem::path& path) {
   SCOPED_TRACE(path.string());
   const base::ByteVector bytes = test::read_file(path);

@@ -23,11 +23,11 @@ struct Record {
 struct Recording {
   int forced_track = 0;
   std::vector<Record> records;
-  bool cut_short = false;
+  bool is_truncated = false;
   std::string error;  // empty: none
 };
 
-// All of a recording, until its end or an error.
+// Reads a recording to its end or to an error.
 Recording play(base::Bytes bytes) {
   Recording recording;
   auto reader = DemReader::open(bytes);
@@ -37,7 +37,7 @@ Recording play(base::Bytes bytes) {
     const auto message = reader->next();
     if (!message.ok()) {
       recording.error = message.error().what;
-      EXPECT_EQ(reader->next().error().what, recording.error);  // an error stays
+      EXPECT_EQ(reader->next().error().what, recording.error);  // the error persists
       break;
     }
     if (!*message) break;
@@ -46,13 +46,13 @@ Recording play(base::Bytes bytes) {
         {found.view_angles_deg, {found.message.begin(), found.message.end()}, found.offset});
     EXPECT_EQ(reader->offset(), found.offset + found.message.size());
   }
-  recording.cut_short = reader->cut_short();
+  recording.is_truncated = reader->is_truncated();
   EXPECT_EQ(reader->size(), bytes.size());
-  EXPECT_EQ(reader->offset() == bytes.size(), !recording.cut_short && recording.error.empty());
+  EXPECT_EQ(reader->offset() == bytes.size(), !recording.is_truncated && recording.error.empty());
   return recording;
 }
 
-// Track 2; messages "ab" and "".
+// A demo with track 2 and the messages "ab" and "".
 base::ByteVector hand_made_recording() {
   base::ByteWriter writer;
   writer.bytes(base::as_bytes("2\n"));
@@ -65,10 +65,10 @@ base::ByteVector hand_made_recording() {
 }
 constexpr std::size_t kFirstAt = 2, kSecondAt = 2 + 16 + 2;
 
-TEST(Dem, ReadsAHandMadeOne) {
+TEST(Dem, ReadsHandMadeFile) {
   const Recording recording = play(hand_made_recording());
   EXPECT_EQ(recording.error, "");
-  EXPECT_FALSE(recording.cut_short);
+  EXPECT_FALSE(recording.is_truncated);
   EXPECT_EQ(recording.forced_track, 2);
   ASSERT_EQ(recording.records.size(), 2u);
   EXPECT_EQ(recording.records[0].angles_deg, math::Vec3(10, -20, 30.5));
@@ -78,14 +78,14 @@ TEST(Dem, ReadsAHandMadeOne) {
   EXPECT_TRUE(recording.records[1].message.empty());
 }
 
-TEST(Dem, IsWrittenAsItWasRead) {
+TEST(Dem, RoundTrips) {
   const Recording recording = play(hand_made_recording());
   DemWriter writer(recording.forced_track);
   for (const Record& record : recording.records) writer.add(record.angles_deg, record.message);
   EXPECT_EQ(std::move(writer).take(), hand_made_recording());
 }
 
-TEST(Dem, MessagesUpToTheLimit) {
+TEST(Dem, AcceptsMessagesUpToLimit) {
   DemWriter writer;
   const base::ByteVector longest(kMaxDemMessage, std::byte{7});
   writer.add({0, 0, 0}, longest);
@@ -95,52 +95,52 @@ TEST(Dem, MessagesUpToTheLimit) {
   EXPECT_EQ(recording.records[0].message, longest);
 }
 
-TEST(Dem, TheFirstLine) {
+TEST(Dem, ReadsFirstLine) {
   EXPECT_EQ(play(base::as_bytes("-1\n")).forced_track, -1);
   EXPECT_EQ(play(base::as_bytes("12\r\n")).forced_track, 12);
   for (const char* line : {"", "\n", "-\n", "x\n", "2 \n", "2", "99999999999\n", "0000000000000000000002\n"})
-    EXPECT_THAT(play(base::as_bytes(line)).error, HasSubstr("not a recording")) << line;
+    EXPECT_THAT(play(base::as_bytes(line)).error, HasSubstr("not a demo")) << line;
 }
 
-TEST(Dem, ACutRecordingKeepsWhatIsWhole) {
+TEST(Dem, TruncatedDemoKeepsWholeRecords) {
   test::for_each_truncation(hand_made_recording(), [](const base::ByteVector& bytes) {
     const Recording recording = play(bytes);
     if (bytes.size() < kFirstAt) {
-      EXPECT_THAT(recording.error, HasSubstr("not a recording"));
+      EXPECT_THAT(recording.error, HasSubstr("not a demo"));
       return;
     }
     EXPECT_EQ(recording.error, "") << bytes.size();
     EXPECT_EQ(recording.records.size(), bytes.size() >= kSecondAt ? 1u : 0u) << bytes.size();
-    EXPECT_EQ(recording.cut_short, bytes.size() != kFirstAt && bytes.size() != kSecondAt) << bytes.size();
+    EXPECT_EQ(recording.is_truncated, bytes.size() != kFirstAt && bytes.size() != kSecondAt) << bytes.size();
   });
 }
 
-TEST(Dem, LengthsOutOfRange) {
+TEST(Dem, RejectsLengthsOutOfRange) {
   for (const std::int32_t length :
        {-1, static_cast<std::int32_t>(kMaxDemMessage) + 1, std::numeric_limits<std::int32_t>::min()}) {
     const Recording recording = play(test::with_number(hand_made_recording(), kSecondAt, length));
     EXPECT_EQ(recording.records.size(), 1u);
-    EXPECT_FALSE(recording.cut_short);
+    EXPECT_FALSE(recording.is_truncated);
     EXPECT_EQ(recording.error,
-              fmt::format("message at offset 20: a length of {} bytes, the limit is 64000", length));
+              fmt::format("message at offset 20: size of {} bytes exceeds the limit of 64000", length));
   }
 }
 
-TEST(Dem, AnglesThatAreNoNumbers) {
+TEST(Dem, RejectsNonFiniteAngles) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Recording recording = play(test::with_number(hand_made_recording(), kSecondAt + 8, nan));
   EXPECT_EQ(recording.records.size(), 1u);
   EXPECT_THAT(recording.error, HasSubstr("message at offset 20: view angle 1 is"));
 }
 
-TEST(Dem, StockRecordingsComeOutAsTheyWentIn) {
+TEST(Dem, StockDemosRoundTrip) {
   DATA_FOLDER_OR_SKIP(data);
   for (const char* name : {"demo1_lite.dem", "demo2_lite.dem", "demo3_lite.dem", "demo3.dem"}) {
     SCOPED_TRACE(name);
     const base::ByteVector bytes = test::read_file(data / "id1" / name);
     const Recording recording = play(bytes);
     EXPECT_EQ(recording.error, "");
-    EXPECT_FALSE(recording.cut_short);
+    EXPECT_FALSE(recording.is_truncated);
     EXPECT_GT(recording.records.size(), 100u);
     ASSERT_FALSE(recording.records.empty());
     EXPECT_EQ(recording.records.back().message, test::to_bytes("\x02"));  // disconnect

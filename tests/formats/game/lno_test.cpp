@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Progs small_program() {
+Progs program_with_lines() {
   test::ProgsBuilder builder;
   builder.named("time", ProgsType::kFloat);
   builder.function("main");
@@ -20,7 +20,7 @@ Progs small_program() {
   return builder.progs();
 }
 
-base::ByteVector lines_of(const Progs& progs) {
+base::ByteVector list_lines(const Progs& progs) {
   std::vector<std::size_t> numbers = {
       1, progs.globals.size(), progs.global_words.size(), progs.fields.size(), progs.statements.size(), 0,
       12};
@@ -30,27 +30,27 @@ base::ByteVector lines_of(const Progs& progs) {
   return std::move(writer).take();
 }
 
-TEST(Lno, ReadsALineForEachStatement) {
-  const Progs progs = small_program();
-  const auto lines = read_lno(lines_of(progs), progs);
+TEST(Lno, ReadsLineOfEachStatement) {
+  const Progs progs = program_with_lines();
+  const auto lines = read_lno(list_lines(progs), progs);
   ASSERT_TRUE(lines.ok()) << lines.error().message();
   EXPECT_THAT(*lines, ElementsAre(0, 12));
 }
 
-TEST(Lno, EveryTruncationIsAnError) {
-  const Progs progs = small_program();
-  test::for_each_truncation(lines_of(progs), [&](const base::ByteVector& bytes) {
+TEST(Lno, RejectsEveryTruncation) {
+  const Progs progs = program_with_lines();
+  test::for_each_truncation(list_lines(progs), [&](const base::ByteVector& bytes) {
     EXPECT_FALSE(read_lno(bytes, progs).ok()) << bytes.size();
   });
 }
 
-TEST(Lno, AnotherProgramsIsRefused) {
-  const Progs progs = small_program();
-  const base::ByteVector valid = lines_of(progs);
+TEST(Lno, RejectsOtherProgram) {
+  const Progs progs = program_with_lines();
+  const base::ByteVector valid = list_lines(progs);
   for (const std::size_t at : {8u, 12u, 16u, 20u})
     for (const std::uint32_t count : {77u, 0xffffffffu})
       EXPECT_THAT(read_lno(test::with_number(valid, at, count), progs).error().what,
-                  HasSubstr("of another program"));
+                  HasSubstr("belong to another program"));
   EXPECT_THAT(read_lno(test::with_number(valid, 4, 2), progs).error().what, HasSubstr("version 2"));
   EXPECT_THAT(read_lno(test::with_number(valid, 0, 0), progs).error().what, HasSubstr("LNOF"));
 }

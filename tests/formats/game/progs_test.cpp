@@ -32,14 +32,14 @@ Progs small_program() {
   return builder.progs();
 }
 
-// Where the file's first function with statements is, and where its first global is.
+// The offsets of the first function with statements and of the first global.
 std::size_t section(base::Bytes bytes, std::size_t header_at) {
   base::ByteReader reader(bytes);
   reader.seek(header_at);
   return reader.u32();
 }
 
-// Byte by byte: one statement, one global, no field, two functions.
+// A file, byte by byte: one statement, one global, no field, two functions.
 base::ByteVector smallest_program() {
   base::ByteWriter writer;
   for (const std::uint32_t number : {6u, 5927u, 60u, 2u, 76u, 1u, 84u, 0u, 84u, 2u, 156u, 7u, 163u, 29u, 0u})
@@ -56,7 +56,7 @@ base::ByteVector smallest_program() {
   return std::move(writer).take();
 }
 
-TEST(Progs, ReadsAHandMadeOne) {
+TEST(Progs, ReadsHandMadeFile) {
   const auto progs = read_progs(smallest_program());
   ASSERT_TRUE(progs.ok()) << progs.error().message();
   EXPECT_EQ(progs->crc, kQuakeProgsCrc);
@@ -70,23 +70,23 @@ TEST(Progs, ReadsAHandMadeOne) {
   EXPECT_EQ(progs->global_words[28], 128u);
 }
 
-TEST(Progs, WhatIsWrittenReadsBackTheSame) {
+TEST(Progs, RoundTrips) {
   const Progs progs = small_program();
   const auto back = read_progs(write_progs(progs));
   ASSERT_TRUE(back.ok()) << back.error().message();
   EXPECT_EQ(*back, progs);
 }
 
-TEST(Progs, EveryTruncationIsAnError) {
+TEST(Progs, RejectsEveryTruncation) {
   for (const base::ByteVector& file : {smallest_program(), write_progs(small_program())}) {
     test::for_each_truncation(file, [](const base::ByteVector& bytes) {
       EXPECT_THAT(error_of_progs(bytes),
-                  HasSubstr(bytes.size() < kProgsHeaderBytes ? "header has 60 bytes" : "past the end"));
+                  HasSubstr(bytes.size() < kProgsHeaderBytes ? "header of 60 bytes" : "past the end"));
     });
   }
 }
 
-TEST(Progs, FlippedBitsAreAnErrorOrReadBackTheSame) {
+TEST(Progs, FlippedBitsFailOrRoundTrip) {
   const base::ByteVector file = write_progs(small_program());
   for (std::uint64_t seed = 0; seed < 5000; ++seed) {
     test::Random random(seed);
@@ -98,13 +98,13 @@ TEST(Progs, FlippedBitsAreAnErrorOrReadBackTheSame) {
   }
 }
 
-TEST(Progs, OtherVersionsAreRefused) {
+TEST(Progs, RejectsOtherVersions) {
   for (const std::int32_t version : {0, 3, 5, 7, -1})
     EXPECT_THAT(error_of_progs(test::with_number(smallest_program(), 0, version)),
-                HasSubstr("only version 6 is known"));
+                HasSubstr("only version 6"));
 }
 
-TEST(Progs, CountsThatTheFileCannotHold) {
+TEST(Progs, RejectsCountsBeyondFile) {
   const base::ByteVector file = write_progs(small_program());
   for (const std::size_t at : {kStatementsAt, kGlobalsAt, kFieldsAt, kFunctionsAt, kStringsAt, kWordsAt}) {
     for (const std::uint32_t count : {1u << 31, 0xffffffffu, 1u << 20})
@@ -117,10 +117,10 @@ TEST(Progs, CountsThatTheFileCannotHold) {
   EXPECT_EQ(error_of_progs(test::with_number(file, kFunctionsAt + 4, 0)), "no functions");
   EXPECT_THAT(error_of_progs(test::with_number(file, kWordsAt + 4, 27)), HasSubstr("27 global words"));
   EXPECT_THAT(error_of_progs(test::with_number(file, kEntityWordsAt, 1u << 31)),
-              HasSubstr("2147483648 words an entity"));
+              HasSubstr("2147483648 words per entity"));
 }
 
-TEST(Progs, StringsBeginAndEndWithAZero) {
+TEST(Progs, RejectsStringsWithoutZeros) {
   base::ByteVector file = smallest_program();
   const std::size_t at = section(file, kStringsAt);
   for (const std::size_t place : {at, at + 6})
@@ -129,60 +129,60 @@ TEST(Progs, StringsBeginAndEndWithAZero) {
               HasSubstr("begin and end with a zero"));
 }
 
-TEST(Progs, DefinitionsOutOfPlace) {
+TEST(Progs, RejectsDefinitionsOutOfRange) {
   const base::ByteVector file = write_progs(small_program());
   const std::size_t global = section(file, kGlobalsAt), field = section(file, kFieldsAt);
   EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, global, 8)),
               HasSubstr("global 0 (\"time\"): type 8"));
   EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, global + 2, 0xffff)),
-              HasSubstr("global 0 (\"time\"): it lies at word 65535"));
+              HasSubstr("global 0 (\"time\"): the offset is word 65535"));
   EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, field + 2, 4)),
               HasSubstr("field 0 (\"health\")"));
-  // A vector whose third word is one too far.
+  // The third word of a vector is past the end.
   EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, field + 10, 2)),
               HasSubstr("field 1 (\"origin\")"));
   EXPECT_THAT(error_of_progs(test::with_number(file, global + 4, 0x7fffffff)),
-              HasSubstr("global 0: its name or file lies at"));
+              HasSubstr("global 0: the name or file is at"));
 }
 
-TEST(Progs, FunctionsOutOfPlace) {
+TEST(Progs, RejectsFunctionsOutOfRange) {
   const base::ByteVector file = write_progs(small_program());
   const std::size_t main = section(file, kFunctionsAt) + 2 * 36;
-  EXPECT_THAT(error_of_progs(test::with_number(file, main, 2)), HasSubstr("begins at statement 2 of 2"));
-  EXPECT_THAT(error_of_progs(test::with_number(file, main, 0x7fffffff)), HasSubstr("begins at statement"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main, 2)), HasSubstr("starts at statement 2 of 2"));
+  EXPECT_THAT(error_of_progs(test::with_number(file, main, 0x7fffffff)), HasSubstr("starts at statement"));
   for (const std::uint32_t first_local : {1000u, 0xffffffffu})
     EXPECT_THAT(error_of_progs(test::with_number(file, main + 4, first_local)),
-                HasSubstr("its 6 locals lie at"));
+                HasSubstr("its 6 locals are at"));
   EXPECT_THAT(error_of_progs(test::with_number(file, main + 8, 0xffffffffu)),
-              HasSubstr("4294967295 locals lie at"));
+              HasSubstr("4294967295 locals are at"));
   EXPECT_THAT(error_of_progs(test::with_number(file, main + 16, 0xffffffffu)),
-              HasSubstr("function 2: its name or file lies at"));
+              HasSubstr("function 2: the name or file is at"));
   EXPECT_THAT(error_of_progs(test::with_number(file, main + 20, 0xffffffffu)),
-              HasSubstr("function 2: its name or file lies at"));
+              HasSubstr("function 2: the name or file is at"));
   EXPECT_THAT(error_of_progs(test::with_number(file, main + 24, 9)), HasSubstr("9 parameters"));
   EXPECT_THAT(error_of_progs(test::with_number<std::uint8_t>(file, main + 28, 4)),
               HasSubstr("parameter 0 has 4 words"));
-  // Parameters alone do not fit.
+  // The parameters alone do not fit.
   base::ByteVector tight = test::with_number(
       file, main + 4, static_cast<std::uint32_t>(read_progs(file)->global_words.size() - 3));
   tight = test::with_number(tight, main + 8, 0);
-  EXPECT_THAT(error_of_progs(tight), HasSubstr("its 4 locals lie at"));
+  EXPECT_THAT(error_of_progs(tight), HasSubstr("its 4 locals are at"));
 }
 
-TEST(Progs, NamesThatDoNotEnd) {
+TEST(Progs, RejectsEndlessNames) {
   for (const std::size_t chars : {1024u, 1025u, 100'000u}) {
     Progs progs = small_program();
     progs.globals[0].name = static_cast<std::uint32_t>(progs.strings.size());
     progs.strings += std::string(chars, 'x') + '\0';
     EXPECT_THAT(error_of_progs(write_progs(progs)),
-                HasSubstr(chars > 1024 ? "global 0: its name or file has more than" : "no error"));
+                HasSubstr(chars > 1024 ? "global 0: the name or file has more than" : "no error"));
     std::swap(progs.globals[0].name, progs.functions[1].file);
     EXPECT_THAT(error_of_progs(write_progs(progs)),
-                HasSubstr(chars > 1024 ? "function 1: its name or file has more than" : "no error"));
+                HasSubstr(chars > 1024 ? "function 1: the name or file has more than" : "no error"));
   }
 }
 
-TEST(Progs, BuiltInFunctionsMayTakeAnyNumberOfParameters) {
+TEST(Progs, BuiltinsMayBeVariadic) {
   const base::ByteVector file = write_progs(small_program());
   const std::size_t dprint = section(file, kFunctionsAt) + 36;
   const auto progs = read_progs(test::with_number(file, dprint + 24, -2));

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// As a stock engine writes one: the comment filled up to 39 characters, numbers with six places.
+// In the style of a stock engine: the comment padded to 39 characters, numbers with six decimals.
 std::string stock_text() {
   std::string text = "5\nthe_Slipgate_Complex___kills:__3/_34____\n";
   for (int i = 0; i < 16; ++i) text += fmt::format("{:f}\n", i == 1 ? 100.0 : 0.0);
@@ -52,7 +52,7 @@ formats::Sav random_sav(std::uint64_t seed) {
   return sav;
 }
 
-TEST(Sav, ReadsWhatStockEnginesWrite) {
+TEST(Sav, ReadsStockFile) {
   const auto sav = formats::read_sav(stock_text());
   ASSERT_TRUE(sav.ok()) << sav.error().message();
   EXPECT_EQ(sav->comment, "the Slipgate Complex   kills:  3/ 34");
@@ -67,7 +67,7 @@ TEST(Sav, ReadsWhatStockEnginesWrite) {
   EXPECT_TRUE(sav->entities[2].empty());
 }
 
-TEST(Sav, OtherLineEndsAndWhatFollowsAreRead) {
+TEST(Sav, AcceptsOtherLineEndsAndTrailingText) {
   std::string text;
   for (const char c : stock_text()) text += c == '\n' ? "\r\n" : std::string(1, c);
   text += "// what another engine adds\n/* but not this */";
@@ -80,7 +80,7 @@ TEST(Sav, OtherLineEndsAndWhatFollowsAreRead) {
   EXPECT_EQ(sav->entities.size(), 3u);
 }
 
-TEST(Sav, WrittenAndReadIsTheSame) {
+TEST(Sav, RoundTrips) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const formats::Sav sav = random_sav(seed);
     const auto text = formats::write_sav(sav);
@@ -91,7 +91,7 @@ TEST(Sav, WrittenAndReadIsTheSame) {
   }
 }
 
-TEST(Sav, OtherVersionsAreRefused) {
+TEST(Sav, RejectsOtherVersions) {
   const auto sav = formats::read_sav("6\n" + stock_text().substr(2));
   ASSERT_FALSE(sav.ok());
   EXPECT_EQ(sav.error().code, base::ErrorCode::kUnsupported);
@@ -102,10 +102,10 @@ TEST(Sav, ErrorsNameTheLine) {
   text.replace(text.find("2\ne1m1"), 1, "hard");
   const auto sav = formats::read_sav(text);
   ASSERT_FALSE(sav.ok());
-  EXPECT_THAT(sav.error().what, HasSubstr("line 19: the skill should be a number, not \"hard\""));
+  EXPECT_THAT(sav.error().what, HasSubstr("line 19: the skill must be a number, not \"hard\""));
 }
 
-TEST(Sav, EveryTruncationIsAnErrorOrLosesWholeEntities) {
+TEST(Sav, TruncationFailsOrLosesWholeEntities) {
   const std::string text = stock_text();
   const auto whole = formats::read_sav(text);
   for_each_truncation(base::as_bytes(text), [&](const base::ByteVector& bytes) {
@@ -116,7 +116,7 @@ TEST(Sav, EveryTruncationIsAnErrorOrLosesWholeEntities) {
   });
 }
 
-TEST(Sav, WhatCannotBeWrittenIsAnError) {
+TEST(Sav, WriteRejectsInvalidValues) {
   formats::Sav sav;
   sav.comment = "two\nlines";
   EXPECT_FALSE(formats::write_sav(sav).ok());

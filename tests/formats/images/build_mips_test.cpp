@@ -26,7 +26,7 @@ const MipColors& made_colors() {
   return colors;
 }
 
-// The mean of each channel's square, over what is no hole.
+// The mean square of each channel, over all texels that are not holes.
 std::array<double, 3> mean_light(const std::vector<std::uint8_t>& mip, bool has_holes,
                                  const Palette& palette) {
   std::array<double, 3> sum{};
@@ -43,11 +43,11 @@ std::array<double, 3> mean_light(const std::vector<std::uint8_t>& mip, bool has_
   return sum;
 }
 
-std::size_t count_of(const std::vector<std::uint8_t>& mip, bool (*is_one)(std::uint8_t)) {
+std::size_t count_matching(const std::vector<std::uint8_t>& mip, bool (*is_one)(std::uint8_t)) {
   return static_cast<std::size_t>(std::count_if(mip.begin(), mip.end(), is_one));
 }
 
-// What must hold of every texel, given the four above it.
+// Checks the rules for every texel, given the four above it.
 void check_texels(const Mips& mips, std::uint32_t width, std::uint32_t height, bool has_holes) {
   for (unsigned k = 1; k < 4; ++k) {
     const std::uint32_t w = width >> k, h = height >> k;
@@ -72,7 +72,7 @@ void check_texels(const Mips& mips, std::uint32_t width, std::uint32_t height, b
   }
 }
 
-TEST(BuildMips, OneColorStaysItself) {
+TEST(BuildMips, KeepsSingleColor) {
   for (const std::uint8_t index : std::initializer_list<std::uint8_t>{0, 15, 100, 223, 224, 254}) {
     const Mips mips = build_mips(std::vector<std::uint8_t>(32 * 16, index), 32, 16, false, made_colors());
     for (unsigned k = 0; k < 4; ++k) {
@@ -83,8 +83,8 @@ TEST(BuildMips, OneColorStaysItself) {
   }
 }
 
-TEST(BuildMips, AMeanBetweenTwoColorsIsDithered) {
-  // A board of black and the brightest gray: half the light, which a gray of 255 / sqrt(2) has.
+TEST(BuildMips, DithersMeanOfTwoColors) {
+  // A checkerboard of black and white has half the light of white, like a gray of 255 / sqrt(2).
   Palette palette{};
   for (std::size_t i = 0; i < 3; ++i) palette[i] = Rgb{255, 255, 255};
   palette[0] = {0, 0, 0};
@@ -94,13 +94,13 @@ TEST(BuildMips, AMeanBetweenTwoColorsIsDithered) {
   for (std::size_t i = 0; i < board.size(); ++i) board[i] = (i + i / 64) % 2 == 0 ? 0 : 2;
   const Mips mips = build_mips(board, 64, 64, false, colors);
   EXPECT_GT(std::count(mips[1].begin(), mips[1].end(), 1), 1000);  // of 1024: almost everywhere
-  // Without that gray, half of the texels are white.
+  // If the palette lacks that gray, half of the texels are white.
   palette[1] = {0, 0, 0};
   const Mips dithered = build_mips(board, 64, 64, false, MipColors(palette));
   EXPECT_NEAR(static_cast<double>(std::count(dithered[1].begin(), dithered[1].end(), 2)), 512, 20);
 }
 
-TEST(BuildMips, OddSidesLoseTheirLastTexels) {
+TEST(BuildMips, OddSizesDropLastTexels) {
   const Mips mips = build_mips(std::vector<std::uint8_t>(5 * 3, 7), 5, 3, false, made_colors());
   EXPECT_EQ(mips[1].size(), 2u);
   EXPECT_EQ(mips[2].size(), 0u);
@@ -143,8 +143,8 @@ TEST(BuildMips, StockTexturesKeepTheirMeanColor) {
       const Mips mips = build_mips(texture.mips[0], texture.width, texture.height, has_holes, colors);
       check_texels(mips, texture.width, texture.height, has_holes);
       ++textures;
-      // Thin lines on a hole's rim and full-bright specks weigh differently in smaller levels.
-      if (has_holes || count_of(mips[0], is_bright) != 0) continue;
+      // Thin lines at the edge of a hole and fullbright specks have another weight in smaller levels.
+      if (has_holes || count_matching(mips[0], is_bright) != 0) continue;
       const auto whole = mean_light(mips[0], false, *palette);
       for (unsigned k = 1; k < 4; ++k) {
         const auto mean = mean_light(mips[k], false, *palette);

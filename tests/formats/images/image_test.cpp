@@ -29,7 +29,7 @@ struct TgaFile {
   std::string id = {};
 };
 
-base::ByteVector bytes_of(const TgaFile& file) {
+base::ByteVector pack_bytes(const TgaFile& file) {
   base::ByteWriter writer;
   writer.u8(static_cast<std::uint8_t>(file.id.size()));
   writer.u8(file.map_bits > 0 ? 1 : 0);
@@ -37,7 +37,7 @@ base::ByteVector bytes_of(const TgaFile& file) {
   writer.u16(file.map_first);
   writer.u16(file.map_entries);
   writer.u8(file.map_bits);
-  writer.u32(0x12345678);  // the screen's corner, which says nothing
+  writer.u32(0x12345678);  // position on a screen, ignored
   writer.u16(file.width);
   writer.u16(file.height);
   writer.u8(file.pixel_bits);
@@ -48,8 +48,8 @@ base::ByteVector bytes_of(const TgaFile& file) {
   return std::move(writer).take();
 }
 
-std::vector<std::uint32_t> pixels_of(const TgaFile& file) {
-  const auto image = read_tga(bytes_of(file));
+std::vector<std::uint32_t> list_pixels(const TgaFile& file) {
+  const auto image = read_tga(pack_bytes(file));
   EXPECT_TRUE(image.ok()) << image.error().message();
   if (!image.ok()) return {};
   EXPECT_EQ(image->width, file.width);
@@ -58,7 +58,7 @@ std::vector<std::uint32_t> pixels_of(const TgaFile& file) {
 }
 
 std::string error_of_tga(const TgaFile& file) {
-  const auto image = read_tga(bytes_of(file));
+  const auto image = read_tga(pack_bytes(file));
   return image.ok() ? "no error" : image.error().what;
 }
 
@@ -69,7 +69,7 @@ Image random_image(std::uint32_t width, std::uint32_t height, std::uint64_t seed
   return image;
 }
 
-TEST(Tga, WhatIsWrittenReadsBackTheSame) {
+TEST(Tga, RoundTrips) {
   for (const auto& [width, height] : {std::pair{1u, 1u}, {7u, 3u}, {64u, 64u}, {1u, kMaxImageSide}}) {
     const Image image = random_image(width, height, width);
     const auto back = read_tga(write_tga(image));
@@ -78,51 +78,52 @@ TEST(Tga, WhatIsWrittenReadsBackTheSame) {
   }
 }
 
-TEST(Tga, PixelsOfEveryKind) {
-  EXPECT_THAT(pixels_of({.width = 2, .height = 1, .pixel_bytes = {1, 2, 3, 4, 5, 6}}),
+TEST(Tga, ReadsAllPixelFormats) {
+  EXPECT_THAT(list_pixels({.width = 2, .height = 1, .pixel_bytes = {1, 2, 3, 4, 5, 6}}),
               ElementsAre(0xff030201u, 0xff060504u));
-  EXPECT_THAT(pixels_of({.pixel_bits = 32, .width = 1, .height = 1, .pixel_bytes = {1, 2, 3, 4}, .id = "me"}),
-              ElementsAre(0x04030201u));
-  // 5 bits a channel: red, green, blue, half gray; the top bit only counts where there is alpha.
+  EXPECT_THAT(
+      list_pixels({.pixel_bits = 32, .width = 1, .height = 1, .pixel_bytes = {1, 2, 3, 4}, .id = "me"}),
+      ElementsAre(0x04030201u));
+  // 5 bits for each channel: red, green, blue, half gray. The top bit only counts if the file has alpha.
   const std::vector<int> sixteen = {0x00, 0x7c, 0xe0, 0x03, 0x1f, 0x80, 0x10, 0x42};
-  EXPECT_THAT(pixels_of({.pixel_bits = 15, .pixel_bytes = sixteen}),
+  EXPECT_THAT(list_pixels({.pixel_bits = 15, .pixel_bytes = sixteen}),
               ElementsAre(0xffff0000u, 0xff00ff00u, 0xff0000ffu, 0xff848484u));
-  EXPECT_THAT(pixels_of({.pixel_bits = 16, .descriptor = kTopLeft | 1, .pixel_bytes = sixteen}),
+  EXPECT_THAT(list_pixels({.pixel_bits = 16, .descriptor = kTopLeft | 1, .pixel_bytes = sixteen}),
               ElementsAre(0x00ff0000u, 0x0000ff00u, 0xff0000ffu, 0x00848484u));
-  EXPECT_THAT(pixels_of({.type = 3, .pixel_bits = 8, .width = 2, .height = 1, .pixel_bytes = {0, 200}}),
+  EXPECT_THAT(list_pixels({.type = 3, .pixel_bits = 8, .width = 2, .height = 1, .pixel_bytes = {0, 200}}),
               ElementsAre(0xff000000u, 0xffc8c8c8u));
-  EXPECT_THAT(pixels_of({.type = 3, .pixel_bits = 16, .width = 1, .height = 1, .pixel_bytes = {200, 9}}),
+  EXPECT_THAT(list_pixels({.type = 3, .pixel_bits = 16, .width = 1, .height = 1, .pixel_bytes = {200, 9}}),
               ElementsAre(0x09c8c8c8u));
 }
 
 TEST(Tga, ColorMaps) {
-  EXPECT_THAT(pixels_of({.type = 1,
-                         .pixel_bits = 8,
-                         .width = 2,
-                         .height = 1,
-                         .pixel_bytes = {4, 3},
-                         .map_first = 3,
-                         .map_entries = 2,
-                         .map_bits = 24,
-                         .map_bytes = {1, 2, 3, 4, 5, 6}}),
+  EXPECT_THAT(list_pixels({.type = 1,
+                           .pixel_bits = 8,
+                           .width = 2,
+                           .height = 1,
+                           .pixel_bytes = {4, 3},
+                           .map_first = 3,
+                           .map_entries = 2,
+                           .map_bits = 24,
+                           .map_bytes = {1, 2, 3, 4, 5, 6}}),
               ElementsAre(0xff060504u, 0xff030201u));
-  EXPECT_THAT(pixels_of({.type = 1,
-                         .pixel_bits = 16,
-                         .width = 1,
-                         .height = 1,
-                         .pixel_bytes = {0, 1},
-                         .map_first = 256,
-                         .map_entries = 1,
-                         .map_bits = 32,
-                         .map_bytes = {1, 2, 3, 4}}),
+  EXPECT_THAT(list_pixels({.type = 1,
+                           .pixel_bits = 16,
+                           .width = 1,
+                           .height = 1,
+                           .pixel_bytes = {0, 1},
+                           .map_first = 256,
+                           .map_entries = 1,
+                           .map_bits = 32,
+                           .map_bytes = {1, 2, 3, 4}}),
               ElementsAre(0x04030201u));
-  // A true-color picture may carry a map that it does not use.
-  EXPECT_THAT(pixels_of({.width = 1,
-                         .height = 1,
-                         .pixel_bytes = {7, 8, 9},
-                         .map_entries = 1,
-                         .map_bits = 15,
-                         .map_bytes = {1, 2}}),
+  // A true-color picture may have a map that it does not use.
+  EXPECT_THAT(list_pixels({.width = 1,
+                           .height = 1,
+                           .pixel_bytes = {7, 8, 9},
+                           .map_entries = 1,
+                           .map_bits = 15,
+                           .map_bytes = {1, 2}}),
               ElementsAre(0xff090807u));
 }
 
@@ -130,7 +131,7 @@ TEST(Tga, EveryCorner) {
   const std::vector<int> gray = {1, 2, 3, 4, 5, 6};
   const auto levels = [&](std::uint8_t corner) {
     std::vector<int> found;
-    for (const std::uint32_t pixel : pixels_of({.type = 3,
+    for (const std::uint32_t pixel : list_pixels({.type = 3,
                                      .pixel_bits = 8,
                                      .descriptor = corner,
                                      .width = 3,
@@ -145,7 +146,7 @@ TEST(Tga, EveryCorner) {
   EXPECT_THAT(levels(kBottomRight), ElementsAre(6, 5, 4, 3, 2, 1));
 }
 
-// Runs and single pixels, one of them across the end of a row.
+// Runs and single pixels; one run crosses the end of a row.
 TgaFile run_length_coded() {
   return {.type = 10,
           .width = 3,
@@ -154,13 +155,13 @@ TgaFile run_length_coded() {
 }
 
 TEST(Tga, RunLengthCoded) {
-  EXPECT_THAT(pixels_of(run_length_coded()),
+  EXPECT_THAT(list_pixels(run_length_coded()),
               ElementsAre(0xff030201u, 0xff060504u, 0xff060504u, 0xff060504u, 0xff090807u, 0xff0c0b0au));
 }
 
-TEST(Tga, EveryTruncationIsAnError) {
-  for (const base::ByteVector& file : {write_tga(random_image(3, 2, 1)), bytes_of(run_length_coded()),
-                                       bytes_of({.type = 9,
+TEST(Tga, RejectsEveryTruncation) {
+  for (const base::ByteVector& file : {write_tga(random_image(3, 2, 1)), pack_bytes(run_length_coded()),
+                                       pack_bytes({.type = 9,
                                        .pixel_bits = 8,
                                        .width = 1,
                                        .height = 1,
@@ -174,25 +175,26 @@ TEST(Tga, EveryTruncationIsAnError) {
     });
 }
 
-TEST(Tga, FaultsAndTheirMessages) {
+TEST(Tga, RejectsFaultsWithReason) {
   EXPECT_THAT(error_of_tga({.type = 4}), HasSubstr("type 4"));
   EXPECT_THAT(error_of_tga({.type = 0}), HasSubstr("type 0"));
-  EXPECT_THAT(error_of_tga({.pixel_bits = 12}), HasSubstr("12 bits a pixel"));
+  EXPECT_THAT(error_of_tga({.pixel_bits = 12}), HasSubstr("12 bits per pixel"));
   EXPECT_THAT(error_of_tga({.descriptor = 0x40}), HasSubstr("interleaved"));
   EXPECT_THAT(error_of_tga({.width = 0}), HasSubstr("0 x 2"));
   EXPECT_THAT(error_of_tga({.height = kMaxImageSide + 1}), HasSubstr("2 x 8193"));
-  EXPECT_THAT(error_of_tga({.width = kMaxImageSide, .height = kMaxImageSide}), HasSubstr("0 bytes left"));
-  // The most that a run can stand for needs a byte or two for 128 pixels.
+  EXPECT_THAT(error_of_tga({.width = kMaxImageSide, .height = kMaxImageSide}),
+              HasSubstr("remaining 0 bytes"));
+  // The longest run stores 128 pixels in two bytes or a few more.
   EXPECT_THAT(
       error_of_tga({.type = 10, .width = 256, .height = 2, .pixel_bytes = {0xff, 1, 2, 3, 0xff, 1, 2, 3}}),
-      HasSubstr("8 bytes left"));
+      HasSubstr("remaining 8 bytes"));
   EXPECT_THAT(error_of_tga({.type = 10, .pixel_bytes = {0x83, 1, 2, 3, 0}}), HasSubstr("no error"));
   EXPECT_THAT(error_of_tga({.type = 10, .pixel_bytes = {0x84, 1, 2, 3}}),
               HasSubstr("packet at offset 0x12 has 5 pixels, 4 are missing"));
   EXPECT_THAT(error_of_tga({.type = 1, .pixel_bits = 8}), HasSubstr("without a color map"));
   EXPECT_THAT(error_of_tga({.map_entries = 9, .map_bits = 24}),
               HasSubstr("color map at offset 0x12 needs 27"));
-  EXPECT_THAT(error_of_tga({.map_entries = 9, .map_bits = 9}), HasSubstr("9 bits an entry"));
+  EXPECT_THAT(error_of_tga({.map_entries = 9, .map_bits = 9}), HasSubstr("9 bits per entry"));
   for (const int index : {0, 2})
     EXPECT_THAT(error_of_tga({.type = 1,
                               .pixel_bits = 8,
@@ -210,7 +212,7 @@ struct FreeMemory {
   void operator()(void* memory) const { std::free(memory); }
 };
 
-// libspng's encoder, for kinds of PNG that write_png() does not write.
+// Encodes with libspng, for kinds of PNG that write_png() does not write.
 base::ByteVector encode(std::uint32_t width, std::uint32_t height, int color_type, int bits,
                         const std::vector<std::uint8_t>& raw, bool interlaced = false) {
   const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
@@ -248,7 +250,7 @@ std::vector<std::uint32_t> png_pixels(const base::ByteVector& png) {
   return image.ok() ? image->pixels : std::vector<std::uint32_t>{};
 }
 
-TEST(PngReading, PixelsOfEveryKind) {
+TEST(PngReading, ReadsAllPixelFormats) {
   EXPECT_THAT(png_pixels(encode(2, 1, SPNG_COLOR_TYPE_TRUECOLOR, 8, {1, 2, 3, 4, 5, 6})),
               ElementsAre(0xff010203u, 0xff040506u));
   EXPECT_THAT(png_pixels(encode(1, 1, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA, 8, {1, 2, 3, 4})),
@@ -263,7 +265,7 @@ TEST(PngReading, PixelsOfEveryKind) {
               ElementsAre(0x08070707u, 0x0a090909u));
 }
 
-TEST(PngReading, WhatIsWrittenReadsBackTheSame) {
+TEST(PngReading, RoundTrips) {
   Image image = random_image(37, 21, 5);
   for (std::uint32_t& pixel : image.pixels) pixel |= 0xff000000u;
   const auto png = write_png(image.pixels, 37, 21);
@@ -273,8 +275,8 @@ TEST(PngReading, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(*back, image);
 }
 
-TEST(PngReading, EveryTruncationThatLosesPixelsIsAnError) {
-  constexpr std::size_t kTailBytes = 4 + 12;  // the pixels' checksum, and the end
+TEST(PngReading, RejectsTruncatedPixels) {
+  constexpr std::size_t kTailBytes = 4 + 12;  // checksum of the pixels, and the end chunk
   const base::ByteVector png = write_png(random_image(5, 4, 6).pixels, 5, 4).value();
   test::for_each_truncation(base::Bytes(png).first(png.size() - kTailBytes),
                             [](const base::ByteVector& bytes) {
@@ -284,7 +286,7 @@ TEST(PngReading, EveryTruncationThatLosesPixelsIsAnError) {
                             });
 }
 
-TEST(PngReading, DamagedFilesNeverCrash) {
+TEST(PngReading, SurvivesDamagedFiles) {
   const base::ByteVector png = write_png(random_image(5, 4, 6).pixels, 5, 4).value();
   int refused = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
@@ -294,7 +296,7 @@ TEST(PngReading, DamagedFilesNeverCrash) {
     if (!image.ok()) continue;
     EXPECT_EQ(image->pixels.size(), std::size_t{image->width} * image->height) << "seed " << seed;
   }
-  EXPECT_GT(refused, 400);  // there are checksums
+  EXPECT_GT(refused, 400);  // checksums detect most damage
 }
 
 }  // namespace

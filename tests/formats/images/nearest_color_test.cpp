@@ -12,7 +12,7 @@
 namespace temblor::formats {
 namespace {
 
-// By the definition.
+// Searches by the definition.
 std::uint8_t nearest(const Palette& palette, std::size_t first, std::size_t count, Rgb color) {
   std::pair<int, std::size_t> best{1 << 30, 0};
   for (std::size_t i = first; i < first + count; ++i) {
@@ -28,7 +28,7 @@ Rgb random_color(test::Random& random) {
           static_cast<std::uint8_t>(bits >> 16)};
 }
 
-TEST(NearestColor, IsTheDefinitions) {
+TEST(NearestColor, MatchesBruteForce) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     test::Random random(seed);
     Palette palette = artgen::make_palette();

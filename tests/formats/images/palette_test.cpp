@@ -19,7 +19,7 @@ Palette random_palette(test::Random& random) {
   return palette;
 }
 
-// Squared: exact, so that ties are ties.
+// Squared distances are exact, so ties are real ties.
 double distance(const Rgb& color, const std::array<double, 3>& target) {
   const double r = color.r - target[0], g = color.g - target[1], b = color.b - target[2];
   return r * r + g * g + b * b;
@@ -32,7 +32,7 @@ std::array<double, 3> lit(const Rgb& color, int row) {
   return {channel(color.r), channel(color.g), channel(color.b)};
 }
 
-TEST(Palette, IsRedGreenBlueForEachIndex) {
+TEST(Palette, ReadsRgbTriples) {
   base::ByteVector bytes(768);
   bytes[3 * 7] = std::byte{1};
   bytes[3 * 7 + 1] = std::byte{2};
@@ -44,12 +44,12 @@ TEST(Palette, IsRedGreenBlueForEachIndex) {
   EXPECT_EQ(write_palette(*palette), bytes);
 }
 
-TEST(Palette, OtherSizesAreErrors) {
+TEST(Palette, RejectsOtherSizes) {
   for (const std::size_t size : {0, 1, 767, 769, 16384})
     EXPECT_FALSE(read_palette(base::ByteVector(size)).ok()) << size;
 }
 
-TEST(Colormap, ComesWithOrWithoutTheNumberOfFullbrights) {
+TEST(Colormap, ReadsWithAndWithoutFullbrightCount) {
   test::Random random(3);
   base::ByteVector bytes = test::random_bytes(random, 16384);
   const auto without = read_colormap(bytes);
@@ -63,12 +63,12 @@ TEST(Colormap, ComesWithOrWithoutTheNumberOfFullbrights) {
   EXPECT_EQ(write_colormap(*with), bytes);
 }
 
-TEST(Colormap, OtherSizesAreErrors) {
+TEST(Colormap, RejectsOtherSizes) {
   for (const std::size_t size : {0, 768, 16383, 16386})
     EXPECT_FALSE(read_colormap(base::ByteVector(size)).ok()) << size;
 }
 
-TEST(Colormap, MadeFromAPaletteTakesTheNearestColor) {
+TEST(Colormap, ComputedColormapUsesNearestColors) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     test::Random random(seed);
     const Palette palette = random_palette(random);
@@ -94,7 +94,7 @@ TEST(Colormap, MadeFromAPaletteTakesTheNearestColor) {
   }
 }
 
-TEST(Colormap, MadeFromTheStockPaletteIsTheStockOne) {
+TEST(Colormap, ComputedColormapEqualsStock) {
   DATA_FOLDER_OR_SKIP(data);
   const auto palette = read_palette(test::read_file(data / "id1" / "gfx" / "palette.lmp"));
   const auto stock = read_colormap(test::read_file(data / "id1" / "gfx" / "colormap.lmp"));

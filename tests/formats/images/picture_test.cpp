@@ -22,7 +22,7 @@ base::ByteVector hand_made_picture() {
   return std::move(writer).take();
 }
 
-TEST(Picture, ReadsAHandMadeOne) {
+TEST(Picture, ReadsHandMadeFile) {
   const auto picture = read_picture(hand_made_picture());
   ASSERT_TRUE(picture.ok()) << picture.error().message();
   EXPECT_EQ(picture->width, 3u);
@@ -31,7 +31,7 @@ TEST(Picture, ReadsAHandMadeOne) {
   EXPECT_EQ(write_picture(*picture), hand_made_picture());
 }
 
-TEST(Picture, IgnoresWhatFollowsThePixels) {
+TEST(Picture, IgnoresTrailingBytes) {
   base::ByteVector bytes = hand_made_picture();
   bytes.push_back(std::byte{9});
   const auto picture = read_picture(bytes);
@@ -39,13 +39,13 @@ TEST(Picture, IgnoresWhatFollowsThePixels) {
   EXPECT_EQ(picture->pixels.size(), 6u);
 }
 
-TEST(Picture, EveryTruncationIsAnError) {
+TEST(Picture, RejectsEveryTruncation) {
   test::for_each_truncation(hand_made_picture(), [](const base::ByteVector& bytes) {
     EXPECT_FALSE(read_picture(bytes).ok()) << bytes.size() << " bytes";
   });
 }
 
-TEST(Picture, HostileSidesAreRefused) {
+TEST(Picture, RejectsHostileSizes) {
   const base::ByteVector valid = hand_made_picture();
   for (const std::uint32_t side : {0u, kMaxPictureSide + 1, 1u << 20, 0x80000000u, 0xffffffffu}) {
     for (const std::size_t field : {0, 4}) {
@@ -71,12 +71,12 @@ TEST(Conchars, ZeroIsTransparent) {
   EXPECT_EQ(picture->pixels.back(), 255);
 }
 
-TEST(Conchars, AnotherSizeIsAnError) {
+TEST(Conchars, RejectsOtherSize) {
   EXPECT_FALSE(read_conchars(base::ByteVector(128 * 128 - 1)).ok());
   EXPECT_FALSE(read_conchars(base::ByteVector(128 * 128 + 1)).ok());
 }
 
-TEST(Picture, StockPicturesComeOutAsTheyWentIn) {
+TEST(Picture, StockPicturesRoundTrip) {
   DATA_FOLDER_OR_SKIP(data);
   int pictures = 0;
   for (const auto& entry : std::filesystem::directory_iterator(data / "id1" / "gfx")) {

@@ -20,7 +20,7 @@ struct DecodedPng {
   std::vector<std::uint8_t> image;
 };
 
-// libspng's decoder; `format`: SPNG_FMT_PNG for the pixels as stored.
+// Decodes with libspng. `format`: SPNG_FMT_PNG returns the pixels as stored.
 DecodedPng decode(const base::ByteVector& png, int format) {
   DecodedPng decoded;
   const std::unique_ptr<spng_ctx, ContextDeleter> context(spng_ctx_new(0));
@@ -44,7 +44,7 @@ std::size_t pixel_count(Size size) {
   return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
 
-TEST(Png, AnIndexedPictureKeepsItsIndicesAndItsPalette) {
+TEST(Png, KeepsIndicesAndPalette) {
   for (const Size size : kSizes) {
     test::Random random(static_cast<std::uint64_t>(size.width));
     Palette palette;
@@ -70,7 +70,7 @@ TEST(Png, AnIndexedPictureKeepsItsIndicesAndItsPalette) {
   }
 }
 
-TEST(Png, AnRgbPictureKeepsItsColors) {
+TEST(Png, KeepsRgbColors) {
   for (const Size size : kSizes) {
     test::Random random(static_cast<std::uint64_t>(size.height));
     std::vector<std::uint32_t> pixels(pixel_count(size));
@@ -92,7 +92,7 @@ TEST(Png, AnRgbPictureKeepsItsColors) {
   }
 }
 
-TEST(Png, TheSamePictureGivesTheSameBytes) {
+TEST(Png, IsReproducible) {
   const std::vector<std::uint32_t> pixels(300 * 200, 0xff336699u);
   EXPECT_EQ(*write_png(pixels, 300, 200), *write_png(pixels, 300, 200));
 }

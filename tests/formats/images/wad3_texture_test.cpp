@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kMipsEnd = 40 + 256 + 64 + 16 + 4;  // of a texture of 16 x 16
 
-// By hand from the format's description: 16 x 16 texels, all of index `index`, and a palette whose color i
-// is (i, 255 - i, 7).
+// Written field by field from the description of the format: 16 x 16 texels, all with index `index`, and a
+// palette whose color i is (i, 255 - i, 7).
 base::ByteVector hand_made_texture(std::string_view name, std::uint8_t index, std::uint16_t colors) {
   base::ByteWriter writer;
   writer.fixed_text(name, 16);
@@ -48,37 +48,39 @@ TEST(Wad3Texture, WritesTheSameBytes) {
   EXPECT_EQ(*written, bytes);
 }
 
-TEST(Wad3Texture, EveryTruncationIsAnError) {
+TEST(Wad3Texture, RejectsEveryTruncation) {
   test::for_each_truncation(hand_made_texture("crate", 3, 256), [](const base::ByteVector& bytes) {
     EXPECT_FALSE(read_wad3_texture(bytes).ok()) << bytes.size() << " bytes";
   });
   EXPECT_FALSE(read_wad3_texture(hand_made_texture("crate", 3, 257)).ok());
 }
 
-TEST(Wad3Texture, ColorsBecomeTheNearestThatAreNotFullBright) {
+TEST(Wad3Texture, ConvertsToNearestDullColors) {
   const Palette game = artgen::make_palette();
   Wad3Texture texture = read_wad3_texture(hand_made_texture("crate", 255, 256)).value();
-  // The very color of a full-bright entry, by accident.
+  // The color happens to be that of a fullbright entry.
   texture.palette[255] = game[240];
-  EXPECT_LT(recolored(texture, game, dull(game)).mips[0][0], 224);
+  EXPECT_LT(convert_to_palette(texture, game, dull(game)).mips[0][0], 224);
   texture.palette[255] = game[37];
-  EXPECT_EQ(game[recolored(texture, game, dull(game)).mips[0][0]], game[37]);
+  EXPECT_EQ(game[convert_to_palette(texture, game, dull(game)).mips[0][0]], game[37]);
 }
 
-TEST(Wad3Texture, FullBrightsOfTheGamesOwnPaletteStay) {
+TEST(Wad3Texture, KeepsFullbrightsOfGamePalette) {
   const Palette game = artgen::make_palette();
   Wad3Texture texture = read_wad3_texture(hand_made_texture("crate", 240, 256)).value();
   texture.palette = game;
-  EXPECT_EQ(recolored(texture, game, dull(game)).mips[2][0], 240);
+  EXPECT_EQ(convert_to_palette(texture, game, dull(game)).mips[2][0], 240);
 }
 
-TEST(Wad3Texture, HolesStayHoles) {
+TEST(Wad3Texture, KeepsHoles) {
   const Palette game = artgen::make_palette();
-  EXPECT_EQ(recolored(read_wad3_texture(hand_made_texture("{fence", 255, 256)).value(), game, dull(game))
-                .mips[0][0],
-            255);
+  EXPECT_EQ(
+      convert_to_palette(read_wad3_texture(hand_made_texture("{fence", 255, 256)).value(), game, dull(game))
+          .mips[0][0],
+      255);
   EXPECT_NE(
-      recolored(read_wad3_texture(hand_made_texture("fence", 255, 256)).value(), game, dull(game)).mips[0][0],
+      convert_to_palette(read_wad3_texture(hand_made_texture("fence", 255, 256)).value(), game, dull(game))
+          .mips[0][0],
       255);
 }
 

@@ -15,7 +15,7 @@ constexpr std::size_t kWidthField = 16;
 constexpr std::size_t kHeightField = 20;
 constexpr std::size_t kMipField = 24;
 
-// 16 x 8 texels, every texel of mip k the value 10 + k; laid out by hand, the mips in reverse order.
+// 16 x 8 texels; every texel of mip k is 10 + k. The mips are stored in reverse order.
 base::ByteVector hand_made_texture() {
   base::ByteWriter writer;
   writer.fixed_text("*lava1", 16);
@@ -29,7 +29,7 @@ base::ByteVector hand_made_texture() {
   return std::move(writer).take();
 }
 
-TEST(WadTexture, ReadsAHandMadeOne) {
+TEST(WadTexture, ReadsHandMadeFile) {
   const auto texture = read_wad_texture(hand_made_texture());
   ASSERT_TRUE(texture.ok()) << texture.error().message();
   EXPECT_EQ(texture->name, "*lava1");
@@ -41,12 +41,13 @@ TEST(WadTexture, ReadsAHandMadeOne) {
   EXPECT_THAT(texture->mips[3], ElementsAre(13, 13));
 }
 
-TEST(WadTexture, ReadsBackWhatItWrites) {
+TEST(WadTexture, RoundTrips) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     test::Random random(seed);
     WadTexture texture;
     texture.name = std::string(random.below(17), 't');
-    texture.width = static_cast<std::uint32_t>(1 + random.below(40));  // also sides that a mip shifts to 0
+    texture.width =
+        static_cast<std::uint32_t>(1 + random.below(40));  // includes sides that become 0 in a mip
     texture.height = static_cast<std::uint32_t>(1 + random.below(40));
     for (std::uint32_t k = 0; k < 4; ++k) {
       texture.mips[k].resize(std::size_t{texture.width >> k} * (texture.height >> k));
@@ -60,13 +61,13 @@ TEST(WadTexture, ReadsBackWhatItWrites) {
   }
 }
 
-TEST(WadTexture, EveryTruncationIsAnError) {
+TEST(WadTexture, RejectsEveryTruncation) {
   test::for_each_truncation(hand_made_texture(), [](const base::ByteVector& bytes) {
     EXPECT_FALSE(read_wad_texture(bytes).ok()) << bytes.size() << " bytes";
   });
 }
 
-TEST(WadTexture, HostileSidesAndOffsetsAreRefused) {
+TEST(WadTexture, RejectsHostileSizesAndOffsets) {
   const base::ByteVector valid = hand_made_texture();
   for (const std::uint32_t side : {0u, kMaxTextureSide + 1, 1u << 20, 0x80000000u, 0xffffffffu}) {
     for (const std::size_t field : {kWidthField, kHeightField}) {
@@ -84,7 +85,7 @@ TEST(WadTexture, HostileSidesAndOffsetsAreRefused) {
   }
 }
 
-TEST(WadTexture, WritingRefusesWhatDoesNotFit) {
+TEST(WadTexture, WriteRejectsWhatDoesNotFit) {
   EXPECT_FALSE(write_wad_texture({"empty", 0, 16, {}}).ok());
   EXPECT_FALSE(write_wad_texture({"wide", kMaxTextureSide + 1, 1, {}}).ok());
   WadTexture texture{std::string(17, 'n'), 1, 1, {}};

@@ -1,5 +1,5 @@
-// Level files that are cut off, flipped or made to do harm: an error, and never more work or memory than the
-// file's size justifies.
+// Level files that are truncated, damaged, or hostile give an error, and never take more time or memory than
+// their size justifies.
 #include <gtest/gtest.h>
 
 #include "formats/levels/bsp.h"
@@ -18,12 +18,12 @@ void poke(base::ByteVector& io_file, std::size_t offset, T value) {
   std::memcpy(io_file.data() + offset, &value, sizeof(T));
 }
 
-std::size_t entry_of(BspLump lump) {
+std::size_t lump_entry(BspLump lump) {
   return 4 + 8 * static_cast<std::size_t>(lump);
 }
-std::uint32_t offset_of(base::Bytes file, BspLump lump) {
+std::uint32_t read_lump_offset(base::Bytes file, BspLump lump) {
   base::ByteReader reader(file);
-  reader.seek(entry_of(lump));
+  reader.seek(lump_entry(lump));
   return reader.u32();
 }
 
@@ -32,13 +32,13 @@ std::string error_of_bsp(base::Bytes file) {
   return bsp.ok() ? "no error" : bsp.error().what;
 }
 
-TEST(BspBadBytes, EveryTruncationIsAnError) {
+TEST(BspBadBytes, RejectsEveryTruncation) {
   for (const BspVersion version : kBadVersions) {
     const auto file = test::make_cube_room_file(version);
     for (std::size_t size = 0; size < file.size(); ++size) {
-      // A block of exactly this size, so that the address sanitizer sees a read past the end.
+      // A block of exactly this size, so that the address sanitizer detects a read past the end.
       const base::ByteVector cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
-      EXPECT_FALSE(read_bsp(cut).ok()) << name_of(version) << " cut to " << size;
+      EXPECT_FALSE(read_bsp(cut).ok()) << version_name(version) << " cut to " << size;
     }
   }
 }
@@ -54,7 +54,7 @@ TEST(BspBadBytes, TruncatedBspxIsAnErrorOnceItIsMarked) {
   }
 }
 
-TEST(BspBadBytes, FlippedBitsGiveAnErrorOrASoundLevel) {
+TEST(BspBadBytes, FlippedBitsFailOrLeaveValidLevel) {
   Bsp room = test::make_cube_room();
   room.bspx = {{"RGBLIGHTING", base::ByteVector(30)}};
   constexpr int kRuns = test::effort(20000, 3000);
@@ -75,7 +75,7 @@ TEST(BspBadBytes, FlippedBitsGiveAnErrorOrASoundLevel) {
     ASSERT_TRUE(back.ok()) << "seed " << run << ": " << back.error().message();
     ASSERT_TRUE(*back == *bsp) << "seed " << run;
   }
-  // Texels, light and text take any value, so that some files must have survived.
+  // Texels, light, and text may have any value, so some files must still be valid.
   EXPECT_GT(sound, kRuns / 10);
   EXPECT_LT(sound, kRuns);
 }
@@ -88,8 +88,8 @@ TEST(BspBadBytes, UnknownVersions) {
     return error_of_bsp(file);
   };
   EXPECT_EQ(message(28), "not a Quake level: unknown version 28 (known: 29, 2PSB, BSP2)");
-  EXPECT_EQ(message(30), "version 30: Half-Life's levels are not supported");
-  EXPECT_EQ(message(0x20343651), "version \"Q64 \": Quake 64's levels are not supported");
+  EXPECT_EQ(message(30), "version 30: Half-Life levels are not supported");
+  EXPECT_EQ(message(0x20343651), "version \"Q64 \": Quake 64 levels are not supported");
 }
 
 TEST(BspBadBytes, LumpsOutsideTheFile) {
@@ -97,29 +97,29 @@ TEST(BspBadBytes, LumpsOutsideTheFile) {
     const auto lump = static_cast<BspLump>(i);
     for (const std::uint32_t number : {0x7fffffffu, 0x80000000u, 0xffffffffu}) {
       auto file = test::make_cube_room_file(BspVersion::k29);
-      poke(file, entry_of(lump), number);
+      poke(file, lump_entry(lump), number);
       EXPECT_NE(error_of_bsp(file).find("past the end of the file"), std::string::npos) << error_of_bsp(file);
       file = test::make_cube_room_file(BspVersion::k29);
-      poke(file, entry_of(lump) + 4, number);
+      poke(file, lump_entry(lump) + 4, number);
       EXPECT_NE(error_of_bsp(file).find("past the end of the file"), std::string::npos) << error_of_bsp(file);
     }
   }
 }
 
-TEST(BspBadBytes, LumpsThatAreNoWholeNumberOfRecords) {
+TEST(BspBadBytes, RejectsPartialRecords) {
   auto file = test::make_cube_room_file(BspVersion::k29);
-  poke(file, entry_of(BspLump::kFaces) + 4, std::uint32_t{119});
+  poke(file, lump_entry(BspLump::kFaces) + 4, std::uint32_t{119});
   EXPECT_EQ(error_of_bsp(file),
             fmt::format("lump faces: 119 bytes at offset {:#x} are not a whole number of 20-byte records",
-                        offset_of(file, BspLump::kFaces)));
+                        read_lump_offset(file, BspLump::kFaces)));
 }
 
 TEST(BspBadBytes, LumpsMadeOfTheSameBytes) {
   auto file = test::make_cube_room_file(BspVersion::k29);
   const auto size = static_cast<std::uint32_t>(file.size());
   for (const BspLump lump : {BspLump::kLighting, BspLump::kVisibility}) {
-    poke(file, entry_of(lump), std::uint32_t{0});
-    poke(file, entry_of(lump) + 4, size);
+    poke(file, lump_entry(lump), std::uint32_t{0});
+    poke(file, lump_entry(lump) + 4, size);
   }
   EXPECT_EQ(error_of_bsp(file).substr(0, 13), "lumps overlap");
 }
@@ -127,7 +127,7 @@ TEST(BspBadBytes, LumpsMadeOfTheSameBytes) {
 TEST(BspBadBytes, TextureCounts) {
   for (const std::uint32_t count : {0x80000000u, 0xffffffffu, 0x1000u}) {
     auto file = test::make_cube_room_file(BspVersion::k29);
-    poke(file, offset_of(file, BspLump::kTextures), count);
+    poke(file, read_lump_offset(file, BspLump::kTextures), count);
     EXPECT_NE(error_of_bsp(file).find(fmt::format("lump textures: {} textures do not fit", count)),
               std::string::npos)
         << error_of_bsp(file);
@@ -136,8 +136,8 @@ TEST(BspBadBytes, TextureCounts) {
 
 TEST(BspBadBytes, TextureSizesOffsetsAndMips) {
   const auto clean = test::make_cube_room_file(BspVersion::k29);
-  const std::uint32_t lump = offset_of(clean, BspLump::kTextures);
-  const std::uint32_t texture = 16;  // the first, behind a count and three offsets
+  const std::uint32_t lump = read_lump_offset(clean, BspLump::kTextures);
+  const std::uint32_t texture = 16;  // the first, after the count and three offsets
   const auto error_with = [&](std::size_t offset_in_lump, std::uint32_t value) {
     auto file = clean;
     poke(file, lump + offset_in_lump, value);
@@ -160,7 +160,7 @@ TEST(BspBadBytes, TextureSizesOffsetsAndMips) {
   EXPECT_EQ(error_with(4, 0xfffffffe), "its header reaches past the end of the lump");
 }
 
-// A table of 100,000 entries for one texture of 1 MB would unpack to 130 GB.
+// A table of 100,000 entries that all refer to one texture of 1 MB would need 130 GB.
 TEST(BspBadBytes, ManyTexturesOfTheSameBytes) {
   constexpr std::uint32_t kTextures = 100000;
   constexpr std::uint32_t kTexture = 4 + 4 * kTextures;
@@ -172,8 +172,8 @@ TEST(BspBadBytes, ManyTexturesOfTheSameBytes) {
   lump.fixed_text("", 1024 * 1024);
 
   auto file = test::make_cube_room_file(BspVersion::k29);
-  poke(file, entry_of(BspLump::kTextures), static_cast<std::uint32_t>(file.size()));
-  poke(file, entry_of(BspLump::kTextures) + 4, static_cast<std::uint32_t>(lump.size()));
+  poke(file, lump_entry(BspLump::kTextures), static_cast<std::uint32_t>(file.size()));
+  poke(file, lump_entry(BspLump::kTextures) + 4, static_cast<std::uint32_t>(lump.size()));
   file.insert(file.end(), lump.view().begin(), lump.view().end());
   EXPECT_NE(error_of_bsp(file).find("textures overlap"), std::string::npos) << error_of_bsp(file);
 }
@@ -198,8 +198,8 @@ TEST(BspBadBytes, Bspx) {
   EXPECT_EQ(error_with(3, 0, 10), "BSPX: 3 lumps do not fit before the end of the file");
   EXPECT_EQ(error_with(0x80000000u, 0, 10), "BSPX: 2147483648 lumps do not fit before the end of the file");
   EXPECT_EQ(error_with(2, 0xffffffffu, 10),
-            "BSPX: lump 0 \"LUMP\": 10 bytes at offset 0xffffffff reach past the end of the file");
-  EXPECT_EQ(error_with(2, 0, all), "BSPX: lumps overlap: together they are larger than the file");
+            "BSPX: lump 0 \"LUMP\": 10 bytes at offset 0xffffffff extend past the end of the file");
+  EXPECT_EQ(error_with(2, 0, all), "BSPX: lumps overlap: their total size exceeds the file");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Levels that contradict themselves: each is refused by name, whichever version it is written in.
+// Levels that contradict themselves are rejected with an exact error, in every version.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,9 +27,9 @@ std::string without_offset(std::string text) {
   return text;
 }
 
-class RefusedBsp : public testing::TestWithParam<Case> {};
+class RejectedBsp : public testing::TestWithParam<Case> {};
 
-TEST_P(RefusedBsp, NamesTheFault) {
+TEST_P(RejectedBsp, NamesTheFault) {
   Bsp bsp = test::make_cube_room();
   GetParam().damage(bsp);
   const auto file = write_bsp(bsp, BspVersion::kBsp2);
@@ -44,26 +44,27 @@ TEST_P(RefusedBsp, NamesTheFault) {
 
 const Case kNumbers[] = {
     {"PlaneNan", DAMAGE(b.planes[2].normal.y = kNan),
-     "lump planes: plane 2: a number is not finite, or out of all proportion"},
+     "lump planes: plane 2: a number is not finite or too large"},
     {"PlaneFar", DAMAGE(b.planes[2].distance = 1e9f),
-     "lump planes: plane 2: a number is not finite, or out of all proportion"},
+     "lump planes: plane 2: a number is not finite or too large"},
     {"PlaneLength", DAMAGE(b.planes[2] = (BspPlane{{0, 0, 2}, 0, 5})),
-     "lump planes: plane 2: the normal's length is 2, not 1"},
-    {"PlaneNull", DAMAGE(b.planes[0] = BspPlane{}), "lump planes: plane 0: the normal's length is 0, not 1"},
+     "lump planes: plane 2: the length of the normal is 2, not 1"},
+    {"PlaneNull", DAMAGE(b.planes[0] = BspPlane{}),
+     "lump planes: plane 0: the length of the normal is 0, not 1"},
     {"PlaneType", DAMAGE(b.planes[1].type = 6), "lump planes: plane 1: type 6 is not 0 to 5"},
     {"PlaneTypeLow", DAMAGE(b.planes[1].type = -1), "lump planes: plane 1: type -1 is not 0 to 5"},
     {"Vertex", DAMAGE(b.vertices[7].z = kInfinity),
-     "lump vertices: vertex 7: a coordinate is not finite, or out of all proportion"},
+     "lump vertices: vertex 7: a coordinate is not finite or too large"},
     {"TexinfoAxis", DAMAGE(b.texinfos[1].s_axis.x = -kInfinity),
-     "lump texinfo: texinfo 1: a number is not finite, or out of all proportion"},
+     "lump texinfo: texinfo 1: a number is not finite or too large"},
     {"TexinfoOffset", DAMAGE(b.texinfos[1].t_offset = kNan),
-     "lump texinfo: texinfo 1: a number is not finite, or out of all proportion"},
-    {"LeafBound", DAMAGE(b.leaves[1].mins.x = kNan), "lump leaves: leaf 1: a bound is not a number"},
-    {"NodeBound", DAMAGE(b.nodes[1].maxs.z = kNan), "lump nodes: node 1: a bound is not a number"},
+     "lump texinfo: texinfo 1: a number is not finite or too large"},
+    {"LeafBound", DAMAGE(b.leaves[1].mins.x = kNan), "lump leaves: leaf 1: a bound is not finite"},
+    {"NodeBound", DAMAGE(b.nodes[1].maxs.z = kNan), "lump nodes: node 1: a bound is not finite"},
     {"ModelBound", DAMAGE(b.models[1].maxs.z = kNan),
-     "lump models: model 1: a coordinate is not finite, or out of all proportion"},
+     "lump models: model 1: a coordinate is not finite or too large"},
     {"ModelOrigin", DAMAGE(b.models[1].origin.z = kInfinity),
-     "lump models: model 1: a coordinate is not finite, or out of all proportion"},
+     "lump models: model 1: a coordinate is not finite or too large"},
 };
 
 const Case kIndices[] = {
@@ -137,17 +138,19 @@ const Case kShapes[] = {
     {"ManyEdges", DAMAGE(b.surfedges.resize(100000, 1); b.faces[2].surfedge_count = 100000),
      "lump faces: face 2: 100000 edges are not within 3 to 512"},
     {"OpenLoop", DAMAGE(b.surfedges[1] = -b.surfedges[1]),
-     "lump faces: face 0: its loop is open: edge 1 starts at vertex 7, the one before ends at 3"},
+     "lump faces: face 0: the edges do not form a loop: edge 1 starts at vertex 7, the previous one ends at "
+     "3"},
     {"UnclosedLoop", DAMAGE(b.faces[0].surfedge_count = 3),
-     "lump faces: face 0: its loop is open: edge 0 starts at vertex 1, the one before ends at 5"},
+     "lump faces: face 0: the edges do not form a loop: edge 0 starts at vertex 1, the previous one ends at "
+     "5"},
     {"FacesShareEdges", DAMAGE(b.faces.push_back(b.faces[0])),
-     "lump faces: face 6: up to here surfedges are named 28 times, but there are only 24"},
+     "lump faces: face 6: surfedges are referenced 28 times up to here, but there are only 24"},
     {"LeavesShareMarks", DAMAGE(b.leaves.push_back(b.leaves[1])),
-     "lump leaves: leaf 2: up to here marksurfaces are named 12 times, but there are only 6"},
+     "lump leaves: leaf 2: marksurfaces are referenced 12 times up to here, but there are only 6"},
     {"NodesShareFaces", DAMAGE(b.nodes[6].face_count = 1),
-     "lump nodes: node 6: up to here faces are named 7 times, but there are only 6"},
+     "lump nodes: node 6: faces are referenced 7 times up to here, but there are only 6"},
     {"ModelsShareFaces", DAMAGE(b.models[1].first_face = 2; b.models[1].face_count = 2),
-     "lump models: model 1: up to here faces are named 8 times, but there are only 6"},
+     "lump models: model 1: faces are referenced 8 times up to here, but there are only 6"},
     {"NodeCycle", DAMAGE(b.nodes[4].children[0] = 0), "lump nodes: node 0: it is reached twice"},
     {"NodeItsOwnChild", DAMAGE(b.nodes[6].children[1] = 6), "lump nodes: node 6: it is reached twice"},
     {"NodeShared", DAMAGE(b.nodes[2].children[0] = 4), "lump nodes: node 4: it is reached twice"},
@@ -161,11 +164,11 @@ const Case kShapes[] = {
 std::string case_name(const testing::TestParamInfo<Case>& info) {
   return info.param.name;
 }
-INSTANTIATE_TEST_SUITE_P(Numbers, RefusedBsp, testing::ValuesIn(kNumbers), case_name);
-INSTANTIATE_TEST_SUITE_P(Indices, RefusedBsp, testing::ValuesIn(kIndices), case_name);
-INSTANTIATE_TEST_SUITE_P(Shapes, RefusedBsp, testing::ValuesIn(kShapes), case_name);
+INSTANTIATE_TEST_SUITE_P(Numbers, RejectedBsp, testing::ValuesIn(kNumbers), case_name);
+INSTANTIATE_TEST_SUITE_P(Indices, RejectedBsp, testing::ValuesIn(kIndices), case_name);
+INSTANTIATE_TEST_SUITE_P(Shapes, RejectedBsp, testing::ValuesIn(kShapes), case_name);
 
-TEST(RefusedBspPlace, NamesTheRecordsOffsetInTheFile) {
+TEST(RejectedBspOffset, NamesTheRecordsOffsetInTheFile) {
   Bsp bsp = test::make_cube_room();
   bsp.faces[2].texinfo = 9;
   for (const auto& [version, face_bytes] : {std::pair(BspVersion::k29, 20u), {BspVersion::kBsp2, 28u}}) {
@@ -178,7 +181,7 @@ TEST(RefusedBspPlace, NamesTheRecordsOffsetInTheFile) {
   }
 }
 
-// A chain: node i leads to node i + 1.
+// Makes a chain: node i leads to node i + 1.
 template <typename Node>
 void make_chain(std::vector<Node>& out_nodes, std::uint32_t length) {
   out_nodes.assign(length, Node{});
@@ -205,7 +208,7 @@ TEST(BspTrees, AsDeepAsAllowedAndNoDeeper) {
   EXPECT_EQ(fault->lump, BspLump::kClipnodes);
 }
 
-// The long path is met only after its parts have been walked from other heads, deepest first.
+// The long path is reached only after its parts were walked from other heads, the deepest first.
 TEST(BspTrees, DepthOfSharedClipnodesAddsUp) {
   Bsp bsp = test::make_cube_room();
   make_chain(bsp.clipnodes, kBspMaxTreeDepth + 1);
@@ -218,7 +221,7 @@ TEST(BspTrees, DepthOfSharedClipnodesAddsUp) {
 
 TEST(BspTrees, ClipnodesMayBeShared) {
   Bsp bsp = test::make_cube_room();
-  // Every clipnode's two children are the next one: 2^60 paths, which checking must not walk one by one.
+  // Both children of every clipnode are the next one: 2^60 paths, which the check must not walk one by one.
   bsp.clipnodes.assign(60, {});
   for (std::size_t i = 0; i < 60; ++i) {
     const std::int32_t next = i + 1 < 60 ? static_cast<std::int32_t>(i + 1) : -1;
@@ -256,7 +259,7 @@ TEST(BspTextures, BuiltInCodeAreCheckedToo) {
   EXPECT_EQ(find_fault(bsp)->reason, "mip level 2 has 15 texels");
   bsp = test::make_cube_room();
   bsp.miptexes[1].width = 16;
-  EXPECT_EQ(find_fault(bsp)->reason, "it is not present, but not empty either");
+  EXPECT_EQ(find_fault(bsp)->reason, "the texture is marked absent but not empty");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The layout of level files, held against the published table of offsets and widths, and against stock files.
+// Compares the layout of level files with the published table of offsets and widths, and with stock files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array kAllVersions{BspVersion::k29, BspVersion::k2Psb, BspVersion::kBsp2};
 
-// A lump of a file, found as the header's description says, without our reader.
-base::Bytes lump_of(base::Bytes file, BspLump lump) {
+// A lump of a file, found from the description of the header, without our reader.
+base::Bytes slice_lump(base::Bytes file, BspLump lump) {
   base::ByteReader header(file);
   header.seek(4 + 8 * static_cast<std::size_t>(lump));
   const std::uint32_t offset = header.u32(), size = header.u32();
@@ -46,8 +46,8 @@ TEST(BspLayout, RecordsHaveThePublishedSizes) {
   for (std::size_t version = 0; version < kAllVersions.size(); ++version) {
     const auto file = test::make_cube_room_file(kAllVersions[version]);
     for (const LumpSize& size : sizes)
-      EXPECT_EQ(lump_of(file, size.lump).size(), size.records * size.record_bytes[version])
-          << name_of(size.lump) << " in " << name_of(kAllVersions[version]);
+      EXPECT_EQ(slice_lump(file, size.lump).size(), size.records * size.record_bytes[version])
+          << lump_name(size.lump) << " in " << version_name(kAllVersions[version]);
   }
 }
 
@@ -61,13 +61,13 @@ TEST(BspLayout, VersionWords) {
   EXPECT_EQ(word(BspVersion::kBsp2), "BSP2");
 }
 
-// Each field of a record gets its own value, and is looked for at its published place.
+// Each field of a record gets a unique value, and must be at its published offset.
 TEST(BspLayout, NodeFieldsInEachVersion) {
   Bsp bsp = test::make_cube_room();
   bsp.nodes[5] = {3, {-2, 4}, {-10.5f, 2, 3}, {4, 5, 6.25f}, 1, 2};
 
   const auto file_29 = write_bsp(bsp, BspVersion::k29).value();
-  base::ByteReader small(lump_of(file_29, BspLump::kNodes).subspan(5 * 24));
+  base::ByteReader small(slice_lump(file_29, BspLump::kNodes).subspan(5 * 24));
   EXPECT_EQ(small.i32(), 3);
   EXPECT_EQ(small.i16(), -2);
   EXPECT_EQ(small.i16(), 4);
@@ -76,13 +76,13 @@ TEST(BspLayout, NodeFieldsInEachVersion) {
   EXPECT_EQ(small.u16(), 2);
 
   const auto file_2psb = write_bsp(bsp, BspVersion::k2Psb).value();
-  base::ByteReader middle(lump_of(file_2psb, BspLump::kNodes).subspan(5 * 32));
+  base::ByteReader middle(slice_lump(file_2psb, BspLump::kNodes).subspan(5 * 32));
   for (const int number : {3, -2, 4}) EXPECT_EQ(middle.i32(), number);
   for (const int bound : {-11, 2, 3, 4, 5, 7}) EXPECT_EQ(middle.i16(), bound);
   for (const std::uint32_t number : {1u, 2u}) EXPECT_EQ(middle.u32(), number);
 
   const auto file_bsp2 = write_bsp(bsp, BspVersion::kBsp2).value();
-  base::ByteReader large(lump_of(file_bsp2, BspLump::kNodes).subspan(5 * 44));
+  base::ByteReader large(slice_lump(file_bsp2, BspLump::kNodes).subspan(5 * 44));
   for (const int number : {3, -2, 4}) EXPECT_EQ(large.i32(), number);
   for (const float bound : {-10.5f, 2.0f, 3.0f, 4.0f, 5.0f, 6.25f}) EXPECT_EQ(large.f32(), bound);
   for (const std::uint32_t number : {1u, 2u}) EXPECT_EQ(large.u32(), number);
@@ -93,7 +93,7 @@ TEST(BspLayout, FaceFieldsInEachVersion) {
   bsp.faces[1] = {4, 1, 70000, 5, 2, {6, 7, 8, 9}, 80000};
 
   const auto file_29 = write_bsp(bsp, BspVersion::k29).value();
-  base::ByteReader small(lump_of(file_29, BspLump::kFaces).subspan(20));
+  base::ByteReader small(slice_lump(file_29, BspLump::kFaces).subspan(20));
   EXPECT_EQ(small.i16(), 4);
   EXPECT_EQ(small.i16(), 1);
   EXPECT_EQ(small.i32(), 70000);
@@ -104,7 +104,7 @@ TEST(BspLayout, FaceFieldsInEachVersion) {
 
   for (const BspVersion version : {BspVersion::k2Psb, BspVersion::kBsp2}) {
     const auto file = write_bsp(bsp, version).value();
-    base::ByteReader large(lump_of(file, BspLump::kFaces).subspan(28));
+    base::ByteReader large(slice_lump(file, BspLump::kFaces).subspan(28));
     for (const int number : {4, 1, 70000, 5, 2}) EXPECT_EQ(large.i32(), number);
     for (const int style : {6, 7, 8, 9}) EXPECT_EQ(large.u8(), style);
     EXPECT_EQ(large.i32(), 80000);
@@ -115,19 +115,19 @@ TEST(BspLayout, LeafAndModelFields) {
   Bsp bsp = test::make_cube_room();
   bsp.leaves[1] = {-3, 17, {1, 2, 3}, {4, 5, 6}, 7, 8, {9, 10, 11, 12}};
   const auto file = write_bsp(bsp, BspVersion::k29).value();
-  base::ByteReader leaf(lump_of(file, BspLump::kLeaves).subspan(28));
+  base::ByteReader leaf(slice_lump(file, BspLump::kLeaves).subspan(28));
   EXPECT_EQ(leaf.i32(), -3);
   EXPECT_EQ(leaf.i32(), 17);
   for (const int number : {1, 2, 3, 4, 5, 6, 7, 8}) EXPECT_EQ(leaf.i16(), number);
   for (const int level : {9, 10, 11, 12}) EXPECT_EQ(leaf.u8(), level);
 
-  base::ByteReader model(lump_of(file, BspLump::kModels).subspan(64));
+  base::ByteReader model(slice_lump(file, BspLump::kModels).subspan(64));
   for (const float number : {-64.f, -64.f, -64.f, 64.f, 64.f, 64.f, 8.f, 8.f, 8.f})
     EXPECT_EQ(model.f32(), number);
   for (const int number : {6, -2, -1, 0, 1, 6, 0}) EXPECT_EQ(model.i32(), number);
 }
 
-TEST(BspLayout, BspxLiesBehindTheLumpsOnFourBytes) {
+TEST(BspLayout, BspxFollowsTheLumpsAlignedToFourBytes) {
   Bsp bsp = test::make_cube_room();
   const std::size_t lumps_end = write_bsp(bsp, BspVersion::k29).value().size();
   bsp.bspx = {{"RGBLIGHTING", base::ByteVector(7, std::byte{5})}, {"EMPTY", {}}};
@@ -145,7 +145,7 @@ TEST(BspLayout, BspxLiesBehindTheLumpsOnFourBytes) {
   EXPECT_EQ(file[offset + 6], std::byte{5});
 }
 
-// Stock files, lump by lump: what we write for what we read is what a compiler of levels wrote.
+// Stock files, lump by lump: what we read and write again equals what the level compiler wrote.
 TEST(BspLayout, StockLumpsAreWrittenByteForByte) {
   DATA_FOLDER_OR_SKIP(data);
   for (const auto& entry : std::filesystem::directory_iterator(data / "id1" / "maps")) {
@@ -158,9 +158,9 @@ TEST(BspLayout, StockLumpsAreWrittenByteForByte) {
     ASSERT_TRUE(written.ok()) << written.error().message();
     for (std::size_t i = 0; i < kBspLumpCount; ++i) {
       const auto lump = static_cast<BspLump>(i);
-      // Without visibility the stock offset (0) says as little as the -1 that we write.
+      // Without visibility, the stock offset (0) is as meaningless as the -1 that we write.
       if (lump == BspLump::kLeaves && bsp->visibility.empty()) continue;
-      EXPECT_TRUE(std::ranges::equal(lump_of(stock, lump), lump_of(*written, lump))) << name_of(lump);
+      EXPECT_TRUE(std::ranges::equal(slice_lump(stock, lump), slice_lump(*written, lump))) << lump_name(lump);
     }
   }
 }

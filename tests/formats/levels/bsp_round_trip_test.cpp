@@ -1,4 +1,4 @@
-// What is written as any of the three versions reads back as the same level.
+// A level written in any of the three versions reads back as the same level.
 #include <gtest/gtest.h>
 
 #include "formats/levels/bsp.h"
@@ -17,7 +17,7 @@ void expect_round_trip(Bsp bsp, BspVersion version) {
   ASSERT_TRUE(file.ok()) << file.error().message();
   const auto back = read_bsp(*file);
   ASSERT_TRUE(back.ok()) << back.error().message();
-  EXPECT_TRUE(*back == bsp) << name_of(version);
+  EXPECT_TRUE(*back == bsp) << version_name(version);
 }
 
 void expect_too_large(const Bsp& bsp, BspVersion version, std::string_view what) {
@@ -46,7 +46,7 @@ TEST(BspRoundTrip, Bspx) {
                    "BSPX: the name \"A_NAME_OF_25_CHARACTERS..\" is longer than 24 characters");
 }
 
-TEST(BspRoundTrip, BytesBehindTheLumpsAreNotBspxUnlessMarked) {
+TEST(BspRoundTrip, BytesAfterTheLumpsAreNotBspxUnlessMarked) {
   auto file = test::make_cube_room_file(BspVersion::k29);
   for (const char c : std::string_view("made by a compiler")) file.push_back(static_cast<std::byte>(c));
   const auto bsp = read_bsp(file);
@@ -75,7 +75,7 @@ TEST(BspRoundTrip, StockLevelsThroughAllVersions) {
   EXPECT_GT(levels, 0);
 }
 
-TEST(BspRoundTrip, BoundsAreRoundedOutwardsWhereTheyAreWhole) {
+TEST(BspRoundTrip, RoundsIntegerBoundsOutward) {
   Bsp bsp = test::make_cube_room();
   bsp.leaves[1].mins = {-1.5f, 1.5f, -3};
   bsp.leaves[1].maxs = {-1.5f, 1.5f, 3};
@@ -89,7 +89,7 @@ TEST(BspRoundTrip, BoundsAreRoundedOutwardsWhereTheyAreWhole) {
   EXPECT_EQ(exact->leaves[1].maxs, bsp.leaves[1].maxs);
 }
 
-TEST(BspRoundTrip, BoundsOutOfAllProportionAreCut) {
+TEST(BspRoundTrip, ClampsHugeBounds) {
   Bsp bsp = test::make_cube_room();
   bsp.leaves[0].mins = math::Vec3(std::numeric_limits<float>::max());
   bsp.leaves[0].maxs = math::Vec3(-std::numeric_limits<float>::infinity());
@@ -153,7 +153,7 @@ TEST(BspRoundTrip, TexturesOfAnySize) {
   expect_round_trip(bsp, BspVersion::k29);
 }
 
-// 16-bit children: as many nodes as there are numbers, less those that leaves need.
+// 16-bit children allow as many nodes as there are numbers, minus those that leaves need.
 TEST(BspRoundTrip, Version29HoldsMoreThan32767Clipnodes) {
   Bsp bsp = test::make_cube_room();
   bsp.clipnodes.resize(65000, {0, {-2, -1}});
@@ -165,7 +165,7 @@ TEST(BspRoundTrip, Version29HoldsMoreThan32767Clipnodes) {
   expect_round_trip(bsp, BspVersion::kBsp2);
 }
 
-TEST(BspRoundTrip, WhatDoesNotFitVersion29IsNamed) {
+TEST(BspRoundTrip, NamesFieldThatDoesNotFitVersion29) {
   Bsp bsp = test::make_cube_room();
   bsp.vertices.resize(70000);
   bsp.edges[3].vertices[1] = 65536;

@@ -17,7 +17,7 @@ math::Vec3 corner_position(std::uint32_t corner) {
   return position;
 }
 
-// The signed number of the edge from one corner to another.
+// Returns the surfedge from one corner to another.
 std::int32_t edge_between(formats::Bsp& io_bsp, std::uint32_t from, std::uint32_t to) {
   for (std::size_t i = 1; i < io_bsp.edges.size(); ++i) {
     if (io_bsp.edges[i] == formats::BspEdge{{from, to}}) return static_cast<std::int32_t>(i);
@@ -27,7 +27,7 @@ std::int32_t edge_between(formats::Bsp& io_bsp, std::uint32_t from, std::uint32_
   return static_cast<std::int32_t>(io_bsp.edges.size() - 1);
 }
 
-// The corners of a wall, clockwise seen from inside the room.
+// The corners of a wall, clockwise as seen from inside of the room.
 std::array<std::uint32_t, 4> wall_corners(std::uint32_t axis, bool positive) {
   const std::uint32_t u = 1u << (axis + 1) % 3, v = 1u << (axis + 2) % 3;
   const std::uint32_t base = positive ? 1u << axis : 0;
@@ -66,7 +66,7 @@ void add_wall(formats::Bsp& io_bsp, std::uint32_t axis, bool positive) {
   for (std::size_t i = 0; i < 4; ++i)
     io_bsp.surfedges.push_back(edge_between(io_bsp, corners[i], corners[(i + 1) % 4]));
 
-  // Outside the wall is solid; inside come the walls that follow, and behind the last the room.
+  // The outside of the wall is solid; on the inside follow the other walls, and after the last one the room.
   const auto next = static_cast<std::int32_t>(wall + 1);
   formats::BspNode node;
   node.plane = wall;

@@ -1,4 +1,4 @@
-// A level small enough to damage everywhere: one room, [-64, 64] in each axis, its walls lit.
+// A level so small that a test can damage every byte: one room, [-64, 64] on each axis, with lit walls.
 #pragma once
 
 #include "formats/levels/bsp.h"
@@ -10,7 +10,7 @@ namespace temblor::test {
 // present, 2 "outside" 32 x 16 without texels. No BSPX.
 formats::Bsp make_cube_room();
 
-// The same room as a file of that version; CHECKs that it can be written.
+// The same room as a file of a version. CHECKs that it can be written.
 base::ByteVector make_cube_room_file(formats::BspVersion version);
 
 }  // namespace temblor::test

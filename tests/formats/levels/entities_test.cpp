@@ -56,7 +56,7 @@ TEST(Entities, LineEndsMayBeCrLf) {
   EXPECT_EQ(entities[0].pairs, (Pairs{{"a", "b"}, {"c", "d"}}));
 }
 
-TEST(Entities, BackslashesStayAsTheyLie) {
+TEST(Entities, KeepsBackslashes) {
   EXPECT_EQ(read(R"({"message" "two\nlines \\ \"})")[0].find("message"), R"(two\nlines \\ \)");
 }
 
@@ -72,18 +72,18 @@ TEST(Entities, LongKeysAndValuesAreKept) {
 
 TEST(Entities, TheTextEndsAtItsFirstZero) {
   EXPECT_EQ(read("{\"a\" \"b\"}\0{ not read"s).size(), 1u);
-  EXPECT_EQ(error_of_entities("{\"a\" \"b\0\"}"s), "line 1: the quote that opens here is never closed");
+  EXPECT_EQ(error_of_entities("{\"a\" \"b\0\"}"s), "line 1: this quote is never closed");
 }
 
 TEST(Entities, ErrorsNameTheLine) {
-  EXPECT_EQ(error_of_entities("{\n\"a\" \"b\"\n"), "line 1: the entity that opens here is never closed");
-  EXPECT_EQ(error_of_entities("{}\n{\n\"a\" \"b\"\n{"), "line 4: an entity opens inside the one from line 2");
-  EXPECT_EQ(error_of_entities("{}\n\n}"), "line 3: expected an entity's opening brace");
-  EXPECT_EQ(error_of_entities("\n\"a\" \"b\""), "line 2: expected an entity's opening brace");
+  EXPECT_EQ(error_of_entities("{\n\"a\" \"b\"\n"), "line 1: this entity is never closed");
+  EXPECT_EQ(error_of_entities("{}\n{\n\"a\" \"b\"\n{"),
+            "line 4: an entity starts inside of the one from line 2");
+  EXPECT_EQ(error_of_entities("{}\n\n}"), "line 3: expected the opening brace of an entity");
+  EXPECT_EQ(error_of_entities("\n\"a\" \"b\""), "line 2: expected the opening brace of an entity");
   EXPECT_EQ(error_of_entities("{\n\"a\" \"b\"\n\"c\"\n}"), "line 3: the key \"c\" has no value");
   EXPECT_EQ(error_of_entities("{\n\"c\""), "line 2: the key \"c\" has no value");
-  EXPECT_EQ(error_of_entities("{\n\"two\nlines\" \"b\"\n\"open"),
-            "line 4: the quote that opens here is never closed");
+  EXPECT_EQ(error_of_entities("{\n\"two\nlines\" \"b\"\n\"open"), "line 4: this quote is never closed");
 }
 
 TEST(Entities, FindTakesTheFirstOfEqualKeys) {
@@ -126,7 +126,7 @@ TEST(Entities, StockLevelsReadAndRoundTrip) {
     const auto entities = read(bsp->entities);
     ASSERT_FALSE(entities.empty());
     EXPECT_EQ(entities[0].classname(), "worldspawn");
-    // No stock text has a brace inside quotes, or a comment: as many entities as opening braces.
+    // No stock text has a brace in quotes or a comment, so there is one entity for each opening brace.
     EXPECT_EQ(static_cast<std::ptrdiff_t>(entities.size()), std::ranges::count(bsp->entities, '{'));
     // Every pair has four quotes.
     std::size_t pairs = 0;
@@ -144,7 +144,7 @@ std::string random_text(test::Random& random, std::string_view alphabet) {
   return text;
 }
 
-TEST(Entities, WhatIsWrittenReadsBack) {
+TEST(Entities, RoundTrips) {
   for (int seed = 0; seed < test::effort(2000, 300); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
     std::vector<Entity> entities(random.below(5));
@@ -155,7 +155,7 @@ TEST(Entities, WhatIsWrittenReadsBack) {
   }
 }
 
-TEST(Entities, AnyTextReadsOrIsAnError) {
+TEST(Entities, SurvivesRandomText) {
   int sound = 0;
   for (int seed = 0; seed < test::effort(20000, 3000); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::string_literals;
 
-TEST(Lit, IsAMarkAVersionAndSamples) {
+TEST(Lit, ReadsHeaderAndSamples) {
   const std::string file = "QLIT\1\0\0\0\x0a\x0b\x0c\xfd\xfe\xff"s;
   const auto lit = read_lit(base::as_bytes(file));
   ASSERT_TRUE(lit.ok()) << lit.error().message();
@@ -24,15 +24,14 @@ TEST(Lit, MayHoldNoSamples) {
   EXPECT_TRUE(lit->samples.empty());
 }
 
-TEST(Lit, OtherFilesAreErrors) {
-  const auto error_of = [](const std::string& file) { return read_lit(base::as_bytes(file)).error().what; };
-  EXPECT_EQ(error_of(""), "not a colored light file: it does not begin with QLIT");
-  EXPECT_EQ(error_of("QLI"), "not a colored light file: it does not begin with QLIT");
-  EXPECT_EQ(error_of("TILQ\1\0\0\0"s), "not a colored light file: it does not begin with QLIT");
-  EXPECT_EQ(error_of("QLIT\1\0\0"s), "7 bytes are too few for the header");
-  EXPECT_EQ(error_of("QLIT\2\0\0\0"s), "version 2 of colored light is not supported (known: 1)");
-  EXPECT_EQ(error_of("QLIT\1\0\0\0four"s),
-            "4 bytes after the header are not a whole number of red, green, blue samples");
+TEST(Lit, RejectsOtherFiles) {
+  const auto error_text = [](const std::string& file) { return read_lit(base::as_bytes(file)).error().what; };
+  EXPECT_EQ(error_text(""), "not a colored light file: it does not start with QLIT");
+  EXPECT_EQ(error_text("QLI"), "not a colored light file: it does not start with QLIT");
+  EXPECT_EQ(error_text("TILQ\1\0\0\0"s), "not a colored light file: it does not start with QLIT");
+  EXPECT_EQ(error_text("QLIT\1\0\0"s), "7 bytes are shorter than the header");
+  EXPECT_EQ(error_text("QLIT\2\0\0\0"s), "version 2 of colored light is not supported (supported: 1)");
+  EXPECT_EQ(error_text("QLIT\1\0\0\0four"s), "4 bytes after the header are not a multiple of 3");
 }
 
 TEST(Lit, StockFilesHaveThreeBytesForEachSampleOfTheirLevel) {

@@ -27,7 +27,7 @@ std::string error_of_map(std::string_view text) {
   return map.ok() ? "no error" : map.error().what;
 }
 
-// The only side of a map that holds one, whose texture and alignment are written `rest`.
+// Reads a map with one side, whose texture and alignment are the text `rest`.
 MapSide read_side(std::string_view rest) {
   const Map map = read_text("{\n{\n" + std::string(kPoints) + std::string(rest) + "\n}\n}");
   if (map.entities.size() != 1 || map.entities[0].brushes.size() != 1 ||
@@ -124,13 +124,13 @@ TEST(Map, NamesMayHoldBracesAndQuotesMayHoldSpaces) {
   EXPECT_EQ(read_side(std::string(500, 'n') + " 0 0 0 1 1").texture, std::string(500, 'n'));
 }
 
-TEST(Map, FlagsBehindASide) {
+TEST(Map, ReadsSideFlags) {
   EXPECT_EQ(read_side("w 0 0 0 1 1 134217728 -1 7").flags, (MapSideFlags{134217728, -1, 7}));
   EXPECT_EQ(read_side("w [ 1 0 0 0 ] [ 0 1 0 0 ] 0 1 1 3 // c").flags, (MapSideFlags{3, 0, 0}));
   EXPECT_EQ(read_side("w 0 0 0 1 1 4294967295").flags, (MapSideFlags{-1, 0, 0}));
 }
 
-TEST(Map, PatchesAreReadOver) {
+TEST(Map, SkipsPatches) {
   const Map map = read_text(
       "{\n{\npatchDef2\n{\n{grate\n( 3 3 0 0 0 )\n(\n( ( 0 0 0 0 0 ) ( 0 8 0 0 1 ) )\n)\n}\n}\n"
       "{\n}\n}");
@@ -163,23 +163,23 @@ TEST(Map, QuotesInsideValues) {
 }
 
 TEST(Map, ErrorsNameEntityBrushAndLine) {
-  EXPECT_EQ(error_of_map("\n}\n\n{ }"), "line 2: expected an entity's opening brace, found \"}\"");
+  EXPECT_EQ(error_of_map("\n}\n\n{ }"), "line 2: expected the opening brace of an entity, found \"}\"");
   EXPECT_EQ(error_of_map("{ }\nVersion 2\n{ }"),
-            "line 2: expected an entity's opening brace, found \"Version\"");
-  EXPECT_EQ(error_of_map("{\n}\n\n{\n\"a\" \"b\"\n"),
-            "entity 1, line 4: the entity that opens here is never closed");
+            "line 2: expected the opening brace of an entity, found \"Version\"");
+  EXPECT_EQ(error_of_map("{\n}\n\n{\n\"a\" \"b\"\n"), "entity 1, line 4: this entity is never closed");
   EXPECT_EQ(error_of_map("{\n\"classname\" \"func_wall\"\n{\n"),
-            "entity 0 (func_wall), brush 0, line 3: the brush that opens here is never closed");
+            "entity 0 (func_wall), brush 0, line 3: this brush is never closed");
   EXPECT_EQ(error_of_map("{\n{\n}\n{\n{\n"),
-            "entity 0, brush 1, line 5: a brace opens inside the brush from line 4");
+            "entity 0, brush 1, line 5: unexpected brace inside of the brush from line 4");
   EXPECT_EQ(error_of_map("{\n\"a\"\n}"), "entity 0, line 2: the key \"a\" has no value");
   EXPECT_EQ(error_of_map("{\n\"a\" \"b\n\"c\" \"d\"\n}"),
-            "entity 0, line 2: the quote that opens here is not closed on its line");
-  EXPECT_EQ(error_of_map("{\n\"a"), "entity 0, line 2: the quote that opens here is not closed on its line");
-  EXPECT_EQ(error_of_map("{\n{\nbrushDef3\n{\n}\n}\n}"),
-            "entity 0, brush 0, line 3: expected a side or the brush's closing brace, found \"brushDef3\"");
+            "entity 0, line 2: this quote is not closed on its line");
+  EXPECT_EQ(error_of_map("{\n\"a"), "entity 0, line 2: this quote is not closed on its line");
+  EXPECT_EQ(
+      error_of_map("{\n{\nbrushDef3\n{\n}\n}\n}"),
+      "entity 0, brush 0, line 3: expected a side or the closing brace of the brush, found \"brushDef3\"");
   EXPECT_EQ(error_of_map("{\n{\n\"a\" \"b\"\n}\n}"),
-            "entity 0, brush 0, line 3: expected a side or the brush's closing brace, found \"\"a\"\"");
+            "entity 0, brush 0, line 3: expected a side or the closing brace of the brush, found \"\"a\"\"");
 }
 
 TEST(Map, ErrorsOfASide) {
@@ -192,15 +192,15 @@ TEST(Map, ErrorsOfASide) {
   EXPECT_EQ(error_of_side("w [ 1 0 0 ] [ 0 1 0 0 ] 0 1 1"), place + "expected a finite number, found \"]\"");
   EXPECT_EQ(error_of_side("w [ 1 0 0 0 0 ] [ 0 1 0 0 ] 0 1 1"), place + "expected \"]\", found \"0\"");
   EXPECT_EQ(error_of_side("( ( 1 0 0 ) w"), place + "expected \"(\", found \"w\"");
-  EXPECT_EQ(error_of_side("\"open 0 0 0 1 1"), place + "the quote that opens here is not closed on its line");
+  EXPECT_EQ(error_of_side("\"open 0 0 0 1 1"), place + "this quote is not closed on its line");
   EXPECT_EQ(error_of_side("w 0 0 0 1 1 5000000000"),
-            place + "expected a side's flags, whole numbers of 32 bits, found \"5000000000\"");
+            place + "expected the flags of a side (32-bit integers), found \"5000000000\"");
   EXPECT_EQ(error_of_side("w 0 0 0 1 1 1 2 3 4"),
-            place + "expected a side or the brush's closing brace, found \"4\"");
+            place + "expected a side or the closing brace of the brush, found \"4\"");
   EXPECT_EQ(error_of_side("w 0 0 0 " + std::string(500, 'x')),
             place + "expected a finite number, found \"" + std::string(40, 'x') + "...\"");
   EXPECT_EQ(error_of_map("{ { ( 0 0 1e8 )\n ( 0 0 0 ) ( 0 0 0 ) w 0 0 0 1 1 } }"),
-            "entity 0, brush 0, line 1: the coordinate 100000000 lies beyond +-16777216");
+            "entity 0, brush 0, line 1: the coordinate 100000000 is beyond +-16777216");
   EXPECT_EQ(error_of_map("{ { ( 0 0"),
             "entity 0, brush 0, line 1: expected a finite number, found the end of the text");
 }
@@ -220,8 +220,8 @@ TEST(Map, HundredThousandBrushes) {
   EXPECT_EQ(read_text(text + "}").entities.at(0).brushes.size(), static_cast<std::size_t>(brushes));
 }
 
-// What a line of a stock map is, by its first character alone: sides start with a parenthesis, pairs with a
-// quote; a brace opens an entity, or a brush within one.
+// Classifies the lines of a stock map by their first character: sides start with a parenthesis, pairs with a
+// quote; a brace opens an entity, or a brush in an entity.
 struct LineCounts {
   std::size_t entities = 0, brushes = 0, sides = 0, pairs = 0;
   bool operator==(const LineCounts&) const = default;
@@ -240,7 +240,7 @@ LineCounts count_lines(std::string_view text) {
   return counts;
 }
 
-LineCounts counts_of(const Map& map) {
+LineCounts count_map_lines(const Map& map) {
   LineCounts counts;
   counts.entities = map.entities.size();
   for (const MapEntity& entity : map.entities) {
@@ -258,7 +258,7 @@ TEST(Map, StockMapsReadAndRoundTrip) {
     SCOPED_TRACE(entry.path().filename());
     const base::ByteVector bytes = test::read_file(entry.path());
     const Map map = read_text(base::as_text(bytes));
-    EXPECT_EQ(counts_of(map), count_lines(base::as_text(bytes)));
+    EXPECT_EQ(count_map_lines(map), count_lines(base::as_text(bytes)));
     EXPECT_EQ(map.entities.at(0).fields.classname(), "worldspawn");
     EXPECT_EQ(without_lines(read_text(write_map(map))), without_lines(map));
     ++maps;
@@ -324,7 +324,7 @@ Map random_map(test::Random& random) {
   return map;
 }
 
-TEST(Map, WhatIsWrittenReadsBack) {
+TEST(Map, RoundTrips) {
   for (int seed = 0; seed < test::effort(3000, 300); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
     const Map map = random_map(random);

@@ -1,4 +1,5 @@
-// The table against its definition (an icosahedron's symmetry), and against the normals of stock models.
+// Compares the table with its definition (the symmetry of an icosahedron), and with the normals of stock
+// models.
 #include "formats/models/mdl_normals.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ double angle_deg(const math::Vec3d& a, const math::Vec3d& b) {
   return 2 * std::asin(std::min(glm::length(a - b) / 2, 1.0)) * 180 / std::numbers::pi;
 }
 
-// The index of the nearest normal.
+// Returns the index of the nearest normal.
 std::size_t nearest(const math::Vec3d& direction) {
   const auto normals = mdl_normals();
   return static_cast<std::size_t>(
@@ -40,7 +41,7 @@ TEST(MdlNormals, AreUnitVectorsFarApart) {
   }
 }
 
-// Mirrored in any axis plane, or with its axes exchanged in turn, an icosahedron stays the same.
+// An icosahedron is symmetric: mirrored in any axis plane, or with its axes rotated, it stays the same.
 TEST(MdlNormals, HaveAnIcosahedronsSymmetry) {
   for (const math::Vec3& normal : mdl_normals()) {
     for (const math::Vec3d& image :
@@ -55,9 +56,9 @@ math::Vec3d position(const Mdl& mdl, const MdlVertex& vertex) {
   return math::Vec3d(mdl.scale) * math::Vec3d(x, y, z);
 }
 
-// The mean direction of the vertices that have each normal index. A vertex counts when its normal is the same
-// however it is computed: from its own triangles by area, as some exporters do, or from those of all vertices
-// at its place (models split vertices where the skin has a seam), equally, as others do.
+// The mean direction of the vertices with each normal index. A vertex counts only if two methods give the
+// same normal: the area-weighted mean of its own triangles, as in some exporters, and the plain mean of the
+// triangles of all vertices at its position (models split vertices at the seam of the skin), as in others.
 class MeanNormals {
  public:
   void add(const Mdl& mdl, const MdlPose& pose) {
@@ -66,7 +67,7 @@ class MeanNormals {
     for (const MdlTriangle& triangle : mdl.triangles) {
       std::array<math::Vec3d, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = position(mdl, pose.vertices[triangle.vertices[i]]);
-      // Corners are clockwise seen from outside.
+      // Corners are clockwise as seen from outside.
       const math::Vec3d outward = glm::cross(corners[2] - corners[0], corners[1] - corners[0]);
       if (glm::length(outward) == 0) continue;
       for (const std::uint32_t vertex : triangle.vertices) {
@@ -94,9 +95,9 @@ class MeanNormals {
   std::array<int, kMdlNormals> counts_{};
 };
 
-// Creatures are smooth all over, so that their vertices have normals to speak of. (The knight is left out:
-// its normals fit no geometry.)
-TEST(MdlNormals, AreWhatStockModelsMean) {
+// Creatures are smooth everywhere, so their vertices have meaningful normals. (Not the knight: its normals
+// match no geometry.)
+TEST(MdlNormals, MatchStockModels) {
   DATA_FOLDER_OR_SKIP(data);
   MeanNormals normals;
   for (const char* name : {"boss", "demon", "dog", "enforcer", "fish", "hknight", "ogre", "oldone", "player",

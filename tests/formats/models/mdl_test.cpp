@@ -18,12 +18,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Where the header's fields lie.
+// Offsets of fields in the header.
 constexpr std::size_t kVersionAt = 4, kScaleAt = 8, kOriginAt = 20, kRadiusAt = 32, kEyeAt = 36,
                       kSkinsAt = 48, kWidthAt = 52, kHeightAt = 56, kVerticesAt = 60, kTrianglesAt = 64,
                       kFramesAt = 68, kSizeAt = 80, kMdlHeaderBytes = 84;
 
-// The smallest model: one texel, vertex, triangle and frame, byte by byte.
+// The smallest model, byte by byte: one texel, vertex, triangle, and frame.
 constexpr std::size_t kSmallestTexelAt = kMdlHeaderBytes + 4 + 1, kSmallestTriangleAt = kSmallestTexelAt + 12,
                       kSmallestFrameAt = kSmallestTriangleAt + 16, kSmallestVertexAt = kSmallestFrameAt + 28;
 base::ByteVector smallest_model() {
@@ -50,7 +50,7 @@ std::string error_of_mdl(base::Bytes bytes) {
   return mdl.ok() ? "no error" : mdl.error().what;
 }
 
-TEST(Mdl, ReadsAHandMadeOne) {
+TEST(Mdl, ReadsHandMadeFile) {
   const auto mdl = read_mdl(smallest_model());
   ASSERT_TRUE(mdl.ok()) << mdl.error().message();
   EXPECT_EQ(mdl->scale, math::Vec3(1, 2, 3));
@@ -74,7 +74,7 @@ TEST(Mdl, ReadsAHandMadeOne) {
   EXPECT_EQ(write_mdl(*mdl), smallest_model());
 }
 
-TEST(Mdl, WhatIsWrittenReadsBackTheSame) {
+TEST(Mdl, RoundTrips) {
   const auto back = read_mdl(write_mdl(test::small_mdl()));
   ASSERT_TRUE(back.ok()) << back.error().message();
   EXPECT_EQ(*back, test::small_mdl());
@@ -95,7 +95,7 @@ TEST(Mdl, MayBeLargerThanTheOriginalAllowed) {
   EXPECT_EQ(*back, mdl);
 }
 
-TEST(Mdl, IgnoresWhatFollowsTheLastFrame) {
+TEST(Mdl, IgnoresTrailingBytes) {
   base::ByteVector bytes = smallest_model();
   bytes.resize(bytes.size() + 3);
   const auto mdl = read_mdl(bytes);
@@ -103,16 +103,16 @@ TEST(Mdl, IgnoresWhatFollowsTheLastFrame) {
   EXPECT_EQ(write_mdl(*mdl), smallest_model());
 }
 
-TEST(Mdl, EveryTruncationIsAnErrorThatSaysWhere) {
+TEST(Mdl, RejectsEveryTruncationWithOffset) {
   for (const base::ByteVector& model : {smallest_model(), write_mdl(test::small_mdl())}) {
     test::for_each_truncation(model, [](const base::ByteVector& bytes) {
       const std::string what = error_of_mdl(bytes);
-      EXPECT_THAT(what, HasSubstr(bytes.size() < kMdlHeaderBytes ? "header has 84 bytes" : "at offset 0x"));
+      EXPECT_THAT(what, HasSubstr(bytes.size() < kMdlHeaderBytes ? "header needs 84 bytes" : "at offset 0x"));
     });
   }
 }
 
-TEST(Mdl, HostileCounts) {
+TEST(Mdl, RejectsHostileCounts) {
   const base::ByteVector valid = smallest_model();
   struct Count {
     std::size_t at;
@@ -127,20 +127,20 @@ TEST(Mdl, HostileCounts) {
       EXPECT_THAT(what, HasSubstr(fmt::format("offset {:#x}", count.at)));
       EXPECT_THAT(what, HasSubstr(number == 0 ? "no " : std::to_string(number)));
     }
-    // Allowed, but the bytes are not there. (As a second skin, the bytes of the skin coordinates make no
-    // sense.)
+    // The counts are allowed, but the bytes are missing. (The skin coordinates are not valid as a second
+    // skin.)
     EXPECT_THAT(error_of_mdl(test::with_number(valid, count.at, kMaxMdlSkinSide)),
-                HasSubstr(count.at == kSkinsAt ? "skin 1 at offset 0x59: unknown kind" : "are left"));
+                HasSubstr(count.at == kSkinsAt ? "skin 1 at offset 0x59: unknown type" : "are left"));
   }
 }
 
-TEST(Mdl, AnotherMagicOrVersion) {
+TEST(Mdl, RejectsOtherMagicAndVersion) {
   EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), 0, std::uint8_t{'J'})),
               HasSubstr("not a model"));
   EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), kVersionAt, 7)), HasSubstr("version 7"));
 }
 
-TEST(Mdl, NumbersThatAreNone) {
+TEST(Mdl, RejectsNonFiniteNumbers) {
   const float infinity = std::numeric_limits<float>::infinity();
   struct Number {
     std::size_t at;
@@ -157,7 +157,7 @@ TEST(Mdl, NumbersThatAreNone) {
     EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), at, -1e30f)), HasSubstr("units away")) << at;
 }
 
-TEST(Mdl, IndicesOutOfRange) {
+TEST(Mdl, RejectsIndicesOutOfRange) {
   const base::ByteVector valid = smallest_model();
   for (const std::uint32_t vertex : {1u, 1u << 31})
     EXPECT_EQ(error_of_mdl(test::with_number(valid, kSmallestTriangleAt + 8, vertex)),
@@ -168,19 +168,19 @@ TEST(Mdl, IndicesOutOfRange) {
               HasSubstr(fmt::format("vertex 0 at offset {:#x}: 1073741824, -6", kSmallestTexelAt)));
 }
 
-TEST(Mdl, UnknownKindsOfSkinsAndFrames) {
+TEST(Mdl, RejectsUnknownGroupTypes) {
   EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), kMdlHeaderBytes, 2)),
-              HasSubstr("skin 0 at offset 0x54: unknown kind 2"));
+              HasSubstr("skin 0 at offset 0x54: unknown type 2"));
   EXPECT_THAT(error_of_mdl(test::with_number(smallest_model(), kSmallestFrameAt, -1)),
-              HasSubstr(fmt::format("frame 0 at offset {:#x}: unknown kind -1", kSmallestFrameAt)));
+              HasSubstr(fmt::format("frame 0 at offset {:#x}: unknown type -1", kSmallestFrameAt)));
 }
 
-// small_mdl()'s second skin is a group of two; its members and end times follow its kind.
+// The second skin of small_mdl() is a group of two; member count and end times follow its type.
 TEST(Mdl, GroupsOfSkins) {
   const base::ByteVector valid = write_mdl(test::small_mdl());
   constexpr std::size_t kGroupAt = kMdlHeaderBytes + 4 + 7 * 3;
   EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 4, 0)),
-              HasSubstr("skin 1 at offset 0x6d: a group of none"));
+              HasSubstr("skin 1 at offset 0x6d: empty group"));
   EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 4, 1 << 30)), HasSubstr("4294967296 bytes"));
   for (const float end_s : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()})
     EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 8, end_s)), HasSubstr("end time 0 of 2"));
@@ -194,9 +194,10 @@ TEST(Mdl, GroupsOfFrames) {
   const base::ByteVector valid = write_mdl(model);
   const std::size_t group_at = valid.size() - (16 + 3 * 4 + 3 * (24 + 4 * 4));
   EXPECT_EQ(error_of_mdl(test::with_number(valid, group_at + 16 + 4, 0.05f)),
-            fmt::format("frame 1 at offset {:#x}: end time 1 of 3 is 0.05 after 0.1, times rise from zero",
+            fmt::format("frame 1 at offset {:#x}: end time 1 of 3 is 0.05 after 0.1, end times must be "
+                        "positive and increasing",
                         group_at + 16 + 4));
-  // More members than a model may have poses, all there.
+  // More members than a model may have poses, all present.
   Mdl crowded = model;
   crowded.texels.resize(1);
   crowded.triangles = {{true, {0, 0, 0}}};
@@ -208,7 +209,7 @@ TEST(Mdl, GroupsOfFrames) {
   EXPECT_TRUE(read_mdl(test::with_number(bytes, kFramesAt, kMaxMdlPoses)).ok());
 }
 
-TEST(Mdl, DamagedFilesNeverCrash) {
+TEST(Mdl, SurvivesDamagedFiles) {
   const base::ByteVector valid = write_mdl(test::small_mdl());
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     test::Random random(seed);

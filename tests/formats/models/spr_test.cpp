@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 constexpr std::size_t kVersionAt = 4, kOrientationAt = 8, kRadiusAt = 12, kFramesAt = 24, kBeamAt = 28,
                       kSprHeaderBytes = 36, kFrameAt = 36, kPictureAt = 40;
 
-// One frame of 2 x 1 texels, byte by byte.
+// A sprite, byte by byte: one frame of 2 x 1 texels.
 base::ByteVector smallest_sprite() {
   base::ByteWriter writer;
   writer.bytes(base::as_bytes("IDSP"));
@@ -40,7 +40,7 @@ std::string error_of_spr(base::Bytes bytes) {
   return spr.ok() ? "no error" : spr.error().what;
 }
 
-TEST(Spr, ReadsAHandMadeOne) {
+TEST(Spr, ReadsHandMadeFile) {
   const auto spr = read_spr(smallest_sprite());
   ASSERT_TRUE(spr.ok()) << spr.error().message();
   const Spr expected{SprOrientation::kOriented, 4.5f, 2, 1, 5.5f, true, {{{{-1, 7, 2, 1, {9, 255}}}, {}}}};
@@ -48,7 +48,7 @@ TEST(Spr, ReadsAHandMadeOne) {
   EXPECT_EQ(write_spr(*spr), smallest_sprite());
 }
 
-TEST(Spr, WhatIsWrittenReadsBackTheSame) {
+TEST(Spr, RoundTrips) {
   for (std::uint32_t orientation = 0; orientation < 5; ++orientation) {
     Spr spr = test::small_spr();
     spr.orientation = static_cast<SprOrientation>(orientation);
@@ -58,11 +58,11 @@ TEST(Spr, WhatIsWrittenReadsBackTheSame) {
   }
 }
 
-TEST(Spr, EveryTruncationIsAnErrorThatSaysWhere) {
+TEST(Spr, RejectsEveryTruncationWithOffset) {
   for (const base::ByteVector& sprite : {smallest_sprite(), write_spr(test::small_spr())}) {
     test::for_each_truncation(sprite, [](const base::ByteVector& bytes) {
       const std::string what = error_of_spr(bytes);
-      EXPECT_THAT(what, HasSubstr(bytes.size() < kSprHeaderBytes ? "header has 36 bytes" : "at offset 0x"));
+      EXPECT_THAT(what, HasSubstr(bytes.size() < kSprHeaderBytes ? "header needs 36 bytes" : "at offset 0x"));
     });
   }
 }
@@ -85,7 +85,7 @@ TEST(Spr, FaultsOfTheHeader) {
 TEST(Spr, FaultsOfAPicture) {
   const base::ByteVector valid = smallest_sprite();
   EXPECT_THAT(error_of_spr(test::with_number(valid, kFrameAt, 2)),
-              HasSubstr("frame 0 at offset 0x24: unknown kind 2"));
+              HasSubstr("frame 0 at offset 0x24: unknown type 2"));
   for (const std::size_t at : {kPictureAt + 8, kPictureAt + 12}) {
     for (const std::uint32_t side : {0u, kMaxSprSide + 1, 1u << 31})
       EXPECT_THAT(error_of_spr(test::with_number(valid, at, side)), HasSubstr(std::to_string(side)));
@@ -96,12 +96,12 @@ TEST(Spr, FaultsOfAPicture) {
       EXPECT_THAT(error_of_spr(test::with_number(valid, at, place)), HasSubstr(std::to_string(place)));
 }
 
-// small_spr()'s second frame is a group of two.
+// The second frame of small_spr() is a group of two.
 TEST(Spr, FaultsOfAGroup) {
   const base::ByteVector valid = write_spr(test::small_spr());
   constexpr std::size_t kGroupAt = kPictureAt + 16 + 3 * 2;
   EXPECT_THAT(error_of_spr(test::with_number(valid, kGroupAt + 4, 0)),
-              HasSubstr("frame 1 at offset 0x3e: a group of none"));
+              HasSubstr("frame 1 at offset 0x3e: empty group"));
   EXPECT_THAT(error_of_spr(test::with_number(valid, kGroupAt + 4, ~0u)), HasSubstr("are left"));
   EXPECT_THAT(error_of_spr(test::with_number(valid, kGroupAt + 12, 0.5f)),
               HasSubstr("end time 1 of 2 is 0.5 after 0.5"));
@@ -109,7 +109,7 @@ TEST(Spr, FaultsOfAGroup) {
               HasSubstr("frame 1, picture 0 at offset 0x4e: 0 x 4"));
 }
 
-TEST(Spr, DamagedFilesNeverCrash) {
+TEST(Spr, SurvivesDamagedFiles) {
   const base::ByteVector valid = write_spr(test::small_spr());
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     test::Random random(seed);
@@ -121,7 +121,7 @@ TEST(Spr, DamagedFilesNeverCrash) {
   }
 }
 
-TEST(Spr, StockSpritesComeOutAsTheyWentIn) {
+TEST(Spr, StockSpritesRoundTrip) {
   DATA_FOLDER_OR_SKIP(data);
   int sprites = 0;
   for (const auto& entry : std::filesystem::directory_iterator(data / "id1" / "progs")) {

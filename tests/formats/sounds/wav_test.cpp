@@ -26,7 +26,7 @@ void add_chunk(base::ByteWriter& io_writer, std::string_view name, const base::B
   io_writer.align(2);
 }
 
-// Byte by byte, as the format's description of 1991 has it.
+// A file, byte by byte, from the description of the format of 1991.
 class HandMade {
  public:
   HandMade(std::uint16_t channels, std::uint32_t rate, std::uint16_t bits) {
@@ -88,7 +88,7 @@ std::string error_of_wav(base::Bytes bytes) {
   return wav.ok() ? "no error" : wav.error().what;
 }
 
-std::optional<WavLoop> loop_of(const HandMade& file) {
+std::optional<WavLoop> read_loop(const HandMade& file) {
   return read_wav(file.bytes()).value().loop;
 }
 
@@ -108,23 +108,23 @@ TEST(Wav, SixteenBitsAreSigned) {
   EXPECT_THAT(wav.samples, ElementsAre(0, -1, -32768, 32767));
 }
 
-TEST(Wav, LoopBeginsAtTheCueAndEndsWithTheSoundOrItsMark) {
+TEST(Wav, LoopStartsAtCueAndEndsAtMark) {
   const auto file = [] { return HandMade(1, 11025, 8).data("0123456789"); };
-  EXPECT_EQ(loop_of(file()), std::nullopt);
-  EXPECT_EQ(loop_of(file().cue(1, 0)), (WavLoop{0, 10}));
-  EXPECT_EQ(loop_of(file().cue(1, 4)), (WavLoop{4, 10}));
-  EXPECT_EQ(loop_of(file().cue(1, 4).mark(1, 3)), (WavLoop{4, 7}));
-  EXPECT_EQ(loop_of(file().cue(1, 4).mark(1, 6)), (WavLoop{4, 10}));
-  EXPECT_EQ(loop_of(file().cue(1, 4).mark(1, 7)), (WavLoop{4, 10})) << "too long";
-  EXPECT_EQ(loop_of(file().cue(1, 4).mark(2, 3)), (WavLoop{4, 10})) << "of another point";
-  EXPECT_EQ(loop_of(file().cue(1, 4).mark(1, 3, "rgn ")), (WavLoop{4, 10})) << "no mark";
-  EXPECT_EQ(loop_of(file().cue(1, 10)), std::nullopt) << "outside";
-  EXPECT_EQ(loop_of(file().cue(1, 0xffffffffu).mark(1, 0xffffffffu)), std::nullopt);
-  EXPECT_EQ(loop_of(HandMade(1, 11025, 8).cue(1, 4).mark(1, 3).data("0123456789")), (WavLoop{4, 7}))
+  EXPECT_EQ(read_loop(file()), std::nullopt);
+  EXPECT_EQ(read_loop(file().cue(1, 0)), (WavLoop{0, 10}));
+  EXPECT_EQ(read_loop(file().cue(1, 4)), (WavLoop{4, 10}));
+  EXPECT_EQ(read_loop(file().cue(1, 4).mark(1, 3)), (WavLoop{4, 7}));
+  EXPECT_EQ(read_loop(file().cue(1, 4).mark(1, 6)), (WavLoop{4, 10}));
+  EXPECT_EQ(read_loop(file().cue(1, 4).mark(1, 7)), (WavLoop{4, 10})) << "too long";
+  EXPECT_EQ(read_loop(file().cue(1, 4).mark(2, 3)), (WavLoop{4, 10})) << "of another point";
+  EXPECT_EQ(read_loop(file().cue(1, 4).mark(1, 3, "rgn ")), (WavLoop{4, 10})) << "no mark";
+  EXPECT_EQ(read_loop(file().cue(1, 10)), std::nullopt) << "outside";
+  EXPECT_EQ(read_loop(file().cue(1, 0xffffffffu).mark(1, 0xffffffffu)), std::nullopt);
+  EXPECT_EQ(read_loop(HandMade(1, 11025, 8).cue(1, 4).mark(1, 3).data("0123456789")), (WavLoop{4, 7}))
       << "in any order";
 }
 
-TEST(Wav, OtherChunksArePassedOver) {
+TEST(Wav, SkipsOtherChunks) {
   base::ByteWriter odd;
   odd.bytes(base::as_bytes("odd"));
   const Wav wav =
@@ -134,7 +134,7 @@ TEST(Wav, OtherChunksArePassedOver) {
   EXPECT_EQ(wav.loop, (WavLoop{1, 3}));
 }
 
-TEST(Wav, WhatIsWrittenReadsBackTheSame) {
+TEST(Wav, RoundTrips) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
     Wav wav{.frames_per_second = 1000 + static_cast<std::uint32_t>(random.below(100000)),
@@ -157,18 +157,18 @@ TEST(Wav, WhatIsWrittenReadsBackTheSame) {
   }
 }
 
-TEST(Wav, HeaderIsThatOfAWholeFile) {
+TEST(Wav, HeaderMatchesWholeFile) {
   const Wav wav{.frames_per_second = 48000, .channels = 2, .bits = 16, .samples = {1, 2, 3, 4}, .loop = {}};
-  const base::ByteVector whole = write_wav(wav), header = wav_header(48000, 2, 8);
+  const base::ByteVector whole = write_wav(wav), header = make_wav_header(48000, 2, 8);
   ASSERT_EQ(header.size(), kSamplesAt);
   EXPECT_TRUE(std::equal(header.begin(), header.end(), whole.begin()));
 }
 
-TEST(Wav, EveryTruncationIsAnErrorThatSaysWhatIsMissing) {
+TEST(Wav, RejectsEveryTruncationWithReason) {
   test::for_each_truncation(ten_bytes(), [](const base::ByteVector& bytes) {
     const std::string what = error_of_wav(bytes);
     if (bytes.size() < 12)
-      EXPECT_THAT(what, HasSubstr("not a WAV sound"));
+      EXPECT_THAT(what, HasSubstr("not a WAV file"));
     else if (bytes.size() < kFormatAt + 8)
       EXPECT_THAT(what, HasSubstr("no fmt chunk"));
     else if (bytes.size() < kDataAt)
@@ -180,23 +180,23 @@ TEST(Wav, EveryTruncationIsAnErrorThatSaysWhatIsMissing) {
   });
 }
 
-TEST(Wav, FaultsAreNamed) {
+TEST(Wav, RejectsFaultsWithReason) {
   const base::ByteVector valid = ten_bytes();
   const auto with = [&](std::size_t at, auto number) {
     return error_of_wav(test::with_number(valid, at, number));
   };
-  EXPECT_THAT(with(0, 0u), HasSubstr("not a WAV sound"));
+  EXPECT_THAT(with(0, 0u), HasSubstr("not a WAV file"));
   EXPECT_THAT(with(kKindAt, std::uint16_t{2}), HasSubstr("format 2 of 8 bits; convert it to PCM"));
   EXPECT_THAT(with(kKindAt, std::uint16_t{0xfffe}), HasSubstr("format 65534"));
   EXPECT_THAT(with(kBitsAt, std::uint16_t{24}), HasSubstr("24 bits; convert it"));
   EXPECT_THAT(with(kChannelsAt, std::uint16_t{0}), HasSubstr("0 channels"));
   EXPECT_THAT(with(kChannelsAt, std::uint16_t{9}), HasSubstr("9 channels"));
-  EXPECT_THAT(with(kRateAt, 999u), HasSubstr("999 frames a second"));
-  EXPECT_THAT(with(kRateAt, 0xffffffffu), HasSubstr("4294967295 frames a second"));
+  EXPECT_THAT(with(kRateAt, 999u), HasSubstr("999 frames per second"));
+  EXPECT_THAT(with(kRateAt, 0xffffffffu), HasSubstr("4294967295 frames per second"));
   EXPECT_THAT(with(kDataAt + 4, 0xffffffffu), HasSubstr("the file ends after 10"));
 }
 
-TEST(Wav, DamagedFilesNeverReadOutside) {
+TEST(Wav, DamagedFilesStayInBounds) {
   const base::ByteVector valid = HandMade(2, 22050, 16).data("0123456789ab").cue(1, 1).mark(1, 2).bytes();
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     test::Random random(seed);

@@ -1,5 +1,5 @@
-// Updates told as differences over a network that loses, doubles and reorders, against the stock datagrams
-// that they stand for.
+// Delta-compressed snapshots over a network that loses, duplicates, and reorders, compared with the stock
+// messages.
 #include "net/delta/sent_snapshots.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr Dialect kDialect{Protocol::kFitzQuake, 0};
 
-// Players and monsters that come, go, walk and stand, as messages.
+// Messages of players and monsters that appear, vanish, move, and stand.
 class Crowd {
  public:
   Crowd(std::uint64_t seed, const Dialect& dialect) : random_(seed), dialect_(dialect) {}
@@ -42,27 +42,27 @@ class Crowd {
     health_ = static_cast<std::int16_t>(random_.chance(0.1) ? random_.below(100) : health_);
   }
 
-  // Fills in the state, and returns the stock datagram.
-  base::ByteVector tell(SnapshotState& out_state) {
+  // Fills in the state, and returns the stock messages.
+  base::ByteVector send(SnapshotState& out_state) {
     const base::ByteVector time = test::written(Time{time_s_}, dialect_);
     const base::ByteVector damage = test::written(Damage{1, 2}, dialect_);
     const base::ByteVector data = test::written(ClientData{.health = health_}, dialect_);
     const base::ByteVector event = test::written(TempEntity{.origin = random_.in_cube(100)}, dialect_);
     std::string line;
-    write_line(MoveAcknowledgement{.number = ++moves_, .origin = {time_s_, 0, 0}}, line);
+    write_acknowledgment(MoveAcknowledgment{.number = ++moves_, .origin = {time_s_, 0, 0}}, line);
     const base::ByteVector moves = test::written(StuffText{line}, dialect_);
-    const UpdateParts parts{.time = time,
-                            .once = random_.chance(0.1) ? base::Bytes(damage) : base::Bytes{},
-                            .client_data = data,
-                            .acknowledgement = random_.chance(0.9) ? base::Bytes(moves) : base::Bytes{},
-                            .events = random_.chance(0.1) ? base::Bytes(event) : base::Bytes{}};
-    EXPECT_TRUE(take_apart(parts, dialect_, out_state));
+    const SnapshotParts parts{.time = time,
+                              .once = random_.chance(0.1) ? base::Bytes(damage) : base::Bytes{},
+                              .client_data = data,
+                              .acknowledgment = random_.chance(0.9) ? base::Bytes(moves) : base::Bytes{},
+                              .events = random_.chance(0.1) ? base::Bytes(event) : base::Bytes{}};
+    EXPECT_TRUE(parse_snapshot(parts, dialect_, out_state));
     base::ByteWriter whole;
-    for (const base::Bytes part : {parts.time, parts.once, parts.client_data, parts.acknowledgement})
+    for (const base::Bytes part : {parts.time, parts.once, parts.client_data, parts.acknowledgment})
       whole.bytes(part);
     for (const auto& [number, entity] : entities_) {
       const base::ByteVector update = test::written(entity, dialect_);
-      EXPECT_TRUE(take_apart(update, dialect_, out_state.entities.emplace_back()));
+      EXPECT_TRUE(parse_entity_update(update, dialect_, out_state.entities.emplace_back()));
       whole.bytes(update);
     }
     whole.bytes(parts.events);
@@ -79,25 +79,25 @@ class Crowd {
   std::int16_t health_ = 100;
 };
 
-struct Packet {
-  base::ByteVector difference, stock;
+struct SentPacket {
+  base::ByteVector delta, stock;
 };
 
-Packet tell(Crowd& io_crowd, SentSnapshots& io_told) {
+SentPacket send(Crowd& io_crowd, SentSnapshots& io_sent) {
   io_crowd.step();
-  Packet packet;
-  packet.stock = io_crowd.tell(io_told.next());
+  SentPacket packet;
+  packet.stock = io_crowd.send(io_sent.begin_snapshot());
   base::ByteWriter writer;
-  io_told.write(writer);
-  io_told.tell();
-  packet.difference = std::move(writer).take();
+  io_sent.write(writer);
+  io_sent.mark_sent();
+  packet.delta = std::move(writer).take();
   return packet;
 }
 
-// The stock messages; nothing where the packet is to be passed over.
-std::optional<base::ByteVector> read(ReceivedSnapshots& io_known, const base::ByteVector& packet,
+// The stock messages; nullopt if the reference is missing.
+std::optional<base::ByteVector> read(ReceivedSnapshots& io_received, const base::ByteVector& packet,
                                      const Dialect& dialect = kDialect) {
-  const auto stock = io_known.read(packet, dialect);
+  const auto stock = io_received.read(packet, dialect);
   EXPECT_TRUE(stock.ok()) << stock.error().message();
   if (!stock.ok() || !*stock) return std::nullopt;
   return base::ByteVector((*stock)->begin(), (*stock)->end());
@@ -105,35 +105,35 @@ std::optional<base::ByteVector> read(ReceivedSnapshots& io_known, const base::By
 
 class SentSnapshotsIn : public ::testing::TestWithParam<Dialect> {};
 
-// Packets and acknowledgements arrive late by a random number of ticks each, in any order, twice, or never.
-TEST_P(SentSnapshotsIn, AnyNetworkBecomeTheStockDatagrams) {
+// Packets and acknowledgments are delayed by random numbers of ticks, reordered, duplicated, or lost.
+TEST_P(SentSnapshotsIn, AnyNetworkRestoreStockMessages) {
   for (std::uint64_t seed = 0; seed < test::effort(20, 4); ++seed) {
     Crowd crowd(seed, GetParam());
     test::Random& random = crowd.random();
-    SentSnapshots told;
-    ReceivedSnapshots known;
-    std::multimap<int, Packet> packets;
-    std::multimap<int, std::uint16_t> acknowledgements;
+    SentSnapshots sent;
+    ReceivedSnapshots received;
+    std::multimap<int, SentPacket> packets;
+    std::multimap<int, std::uint16_t> acknowledgments;
     const double loss = random.uniform(0, 0.5);
-    const std::size_t latest = 1 + random.below(90);  // longer than updates are kept, too
+    const std::size_t latest = 1 + random.below(90);  // sometimes longer than snapshots are kept
     std::size_t read_count = 0;
     for (int tick = 0; tick < 1500; ++tick) {
-      const Packet packet = tell(crowd, told);
+      const SentPacket packet = send(crowd, sent);
       for (int copy = 0; copy < 2; ++copy)
         if (!random.chance(copy == 0 ? loss : 0.95))
           packets.emplace(tick + static_cast<int>(random.below(latest)), packet);
       for (; !packets.empty() && packets.begin()->first <= tick; packets.erase(packets.begin())) {
-        const Packet& arrived = packets.begin()->second;
-        const auto stock = read(known, arrived.difference, GetParam());
+        const SentPacket& arrived = packets.begin()->second;
+        const auto stock = read(received, arrived.delta, GetParam());
         if (!stock) continue;
         ASSERT_EQ(*stock, arrived.stock) << "seed " << seed << ", tick " << tick;
         ++read_count;
       }
-      if (known.latest() && !random.chance(loss))
-        acknowledgements.emplace(tick + static_cast<int>(random.below(latest)), *known.latest());
-      for (; !acknowledgements.empty() && acknowledgements.begin()->first <= tick;
-           acknowledgements.erase(acknowledgements.begin()))
-        told.acknowledge(acknowledgements.begin()->second);
+      if (received.latest() && !random.chance(loss))
+        acknowledgments.emplace(tick + static_cast<int>(random.below(latest)), *received.latest());
+      for (; !acknowledgments.empty() && acknowledgments.begin()->first <= tick;
+           acknowledgments.erase(acknowledgments.begin()))
+        sent.acknowledge(acknowledgments.begin()->second);
     }
     EXPECT_GT(read_count, 300u) << "seed " << seed;
   }
@@ -148,133 +148,133 @@ INSTANTIATE_TEST_SUITE_P(Dialects, SentSnapshotsIn,
                                   std::to_string(dialect.param.flags);
                          });
 
-// Packets in order, as the channel brings them, some lost: each that comes is understood, whatever was lost.
-TEST(SentSnapshots, ALostPacketCostsItsOwnTickOnly) {
+// Packets arrive in order with losses: every one that arrives can be decoded.
+TEST(SentSnapshots, LostPacketCostsOnlyItsTick) {
   Crowd crowd(1, kDialect);
-  SentSnapshots told;
-  ReceivedSnapshots known;
+  SentSnapshots sent;
+  ReceivedSnapshots received;
   std::deque<std::uint16_t> late;
   for (int tick = 0; tick < 3000; ++tick) {
-    const Packet packet = tell(crowd, told);
+    const SentPacket packet = send(crowd, sent);
     if (crowd.random().chance(0.3)) continue;
-    ASSERT_EQ(read(known, packet.difference), packet.stock) << tick;
-    late.push_back(*known.latest());
+    ASSERT_EQ(read(received, packet.delta), packet.stock) << tick;
+    late.push_back(*received.latest());
     if (late.size() > 10) {
-      told.acknowledge(late.front());
+      sent.acknowledge(late.front());
       late.pop_front();
     }
   }
 }
 
-TEST(SentSnapshots, WhatDoesNotChangeCostsNearlyNothing) {
+TEST(SentSnapshots, UnchangedStateCostsAlmostNothing) {
   Crowd crowd(2, kDialect);
   for (int i = 0; i < 300; ++i) crowd.step();
-  SentSnapshots told;
-  ReceivedSnapshots known;
-  Packet last;
+  SentSnapshots sent;
+  ReceivedSnapshots received;
+  SentPacket last;
   for (int i = 0; i < 100; ++i) {
-    last.stock = crowd.tell(told.next());
+    last.stock = crowd.send(sent.begin_snapshot());
     base::ByteWriter writer;
-    told.write(writer);
-    told.tell();
-    last.difference = std::move(writer).take();
-    ASSERT_EQ(read(known, last.difference), last.stock);
-    told.acknowledge(*known.latest());
+    sent.write(writer);
+    sent.mark_sent();
+    last.delta = std::move(writer).take();
+    ASSERT_EQ(read(received, last.delta), last.stock);
+    sent.acknowledge(*received.latest());
   }
   EXPECT_GT(last.stock.size(), 500u);
-  EXPECT_LT(last.difference.size(), 40u);
+  EXPECT_LT(last.delta.size(), 40u);
 }
 
-TEST(SentSnapshots, ForgedAcknowledgementsChangeNothing) {
+TEST(SentSnapshots, IgnoresForgedAcknowledgments) {
   Crowd crowd(3, kDialect);
-  SentSnapshots told;
-  ReceivedSnapshots known;
-  for (const int forged : {0, 1, 77, 65535}) told.acknowledge(static_cast<std::uint16_t>(forged));
+  SentSnapshots sent;
+  ReceivedSnapshots received;
+  for (const int forged : {0, 1, 77, 65535}) sent.acknowledge(static_cast<std::uint16_t>(forged));
   for (int tick = 0; tick < 400; ++tick) {
-    const Packet packet = tell(crowd, told);
-    ASSERT_EQ(read(known, packet.difference), packet.stock);
-    const std::uint16_t latest = *known.latest();
-    told.acknowledge(latest);
-    // Of the future, of what is forgotten, of half a turn of the numbers away, and older than the last.
+    const SentPacket packet = send(crowd, sent);
+    ASSERT_EQ(read(received, packet.delta), packet.stock);
+    const std::uint16_t latest = *received.latest();
+    sent.acknowledge(latest);
+    // From the future, expired, half of the number range away, and older than the last.
     for (const int away : {1, 2, 1000, 32768, -static_cast<int>(kReferenceSnapshots), -1000, -3})
-      told.acknowledge(static_cast<std::uint16_t>(latest + away));
+      sent.acknowledge(static_cast<std::uint16_t>(latest + away));
   }
 }
 
-TEST(SentSnapshots, NumbersGoAroundAndLevelsBegin) {
+TEST(SentSnapshots, NumbersWrapAroundAndSurviveReset) {
   Crowd crowd(4, kDialect);
-  SentSnapshots told;
-  ReceivedSnapshots known;
+  SentSnapshots sent;
+  ReceivedSnapshots received;
   for (int tick = 0; tick < 70'000; ++tick) {
-    // Only a few of them in full: there are many.
-    SnapshotState& state = told.next();
+    // Fill in only a few: there are many.
+    SnapshotState& state = sent.begin_snapshot();
     state.has_time = true;
     state.time = static_cast<std::uint32_t>(tick);
     base::ByteWriter writer;
-    told.write(writer);
-    told.tell();
-    const auto stock = read(known, writer.view());
+    sent.write(writer);
+    sent.mark_sent();
+    const auto stock = read(received, writer.view());
     ASSERT_TRUE(stock.has_value()) << tick;
     ASSERT_EQ(base::ByteReader(base::Bytes(*stock).subspan(1)).u32(), state.time);
-    told.acknowledge(*known.latest());
+    sent.acknowledge(*received.latest());
   }
-  const Packet late = tell(crowd, told);
-  told.forget();
-  known.forget();
-  EXPECT_FALSE(known.latest().has_value());
-  EXPECT_FALSE(read(known, late.difference).has_value()) << "it is told against what is forgotten";
-  told.acknowledge(65535);
+  const SentPacket late = send(crowd, sent);
+  sent.reset();
+  received.reset();
+  EXPECT_FALSE(received.latest().has_value());
+  EXPECT_FALSE(read(received, late.delta).has_value()) << "its reference is forgotten";
+  sent.acknowledge(65535);
   for (int tick = 0; tick < 10; ++tick) {
-    const Packet packet = tell(crowd, told);
-    ASSERT_EQ(read(known, packet.difference), packet.stock);
-    told.acknowledge(*known.latest());
+    const SentPacket packet = send(crowd, sent);
+    ASSERT_EQ(read(received, packet.delta), packet.stock);
+    sent.acknowledge(*received.latest());
   }
 }
 
-TEST(SentSnapshots, APacketThatWasNotSentAfterAllIsNeverAToldOne) {
+TEST(SentSnapshots, UnsentSnapshotIsNeverReference) {
   Crowd crowd(5, kDialect);
-  SentSnapshots told;
-  ReceivedSnapshots known;
+  SentSnapshots sent;
+  ReceivedSnapshots received;
   for (int tick = 0; tick < 200; ++tick) {
     crowd.step();
-    crowd.tell(told.next());
+    crowd.send(sent.begin_snapshot());
     base::ByteWriter writer;
-    told.write(writer);  // and not tell()
-    const Packet packet = tell(crowd, told);
-    ASSERT_EQ(read(known, packet.difference), packet.stock);
-    told.acknowledge(static_cast<std::uint16_t>(*known.latest() + 1));
-    told.acknowledge(*known.latest());
+    sent.write(writer);  // without mark_sent()
+    const SentPacket packet = send(crowd, sent);
+    ASSERT_EQ(read(received, packet.delta), packet.stock);
+    sent.acknowledge(static_cast<std::uint16_t>(*received.latest() + 1));
+    sent.acknowledge(*received.latest());
   }
 }
 
-// Bounded in time and memory, and nothing is read outside of the bytes (the address sanitizer looks on).
-TEST(SentSnapshots, WithstandAnyBytes) {
+// Time and memory are bounded, and reads stay in bounds (checked by the address sanitizer).
+TEST(SentSnapshots, SurviveRandomBytes) {
   test::Random random(6);
   Crowd crowd(6, kDialect);
-  SentSnapshots told;
-  ReceivedSnapshots known;
+  SentSnapshots sent;
+  ReceivedSnapshots received;
   std::size_t refused = 0, read_count = 0;
   for (std::size_t i = 0; i < test::effort(5000, 300); ++i) {
     base::ByteVector bytes =
-        random.chance(0.3) ? test::random_bytes(random, 4 + random.below(200)) : tell(crowd, told).difference;
+        random.chance(0.3) ? test::random_bytes(random, 4 + random.below(200)) : send(crowd, sent).delta;
     if (random.chance(0.5)) bytes = test::with_flipped_bits(bytes, random);
     bytes[0] = std::byte{kDeltaPacket};
-    const auto stock = known.read(bytes, kDialect);
+    const auto stock = received.read(bytes, kDialect);
     refused += !stock.ok();
     read_count += stock.ok() && stock->has_value();
     if (stock.ok() && *stock) {
       EXPECT_LT((*stock)->size(), std::size_t{70'000});
     }
-    if (known.latest() && random.chance(0.3)) told.acknowledge(*known.latest());
+    if (received.latest() && random.chance(0.3)) sent.acknowledge(*received.latest());
   }
   EXPECT_GT(refused, 10u);
   EXPECT_GT(read_count, 10u);
-  const base::ByteVector whole = tell(crowd, told).difference;
+  const base::ByteVector whole = send(crowd, sent).delta;
   for (std::size_t size = 0; size < 4; ++size)
-    EXPECT_FALSE(known.read(base::Bytes(whole).first(size), kDialect).ok()) << size;
+    EXPECT_FALSE(received.read(base::Bytes(whole).first(size), kDialect).ok()) << size;
   base::ByteVector far = whole;
   far[3] = std::byte{kReferenceSnapshots};
-  EXPECT_FALSE(known.read(far, kDialect).ok());
+  EXPECT_FALSE(received.read(far, kDialect).ok());
 }
 
 }  // namespace

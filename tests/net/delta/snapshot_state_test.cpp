@@ -1,4 +1,4 @@
-// Datagrams taken apart into words and put together again, against the bytes that message_writer wrote.
+// Snapshots parsed into words and restored, compared with the bytes of message_writer.
 #include "net/delta/snapshot_state.h"
 
 #include <gtest/gtest.h>
@@ -12,47 +12,46 @@
 namespace temblor::net {
 namespace {
 
-class Words : public ::testing::TestWithParam<Dialect> {};
+class SnapshotWords : public ::testing::TestWithParam<Dialect> {};
 
-// The next random message of that kind, as bytes.
+// The next random message of this type, as bytes.
 template <typename Message>
-base::ByteVector random_bytes_of(test::Random& random, const Dialect& dialect) {
+base::ByteVector make_random_bytes(test::Random& random, const Dialect& dialect) {
   while (true) {
     const ServerMessage message = test::random_message(random, dialect);
     if (std::holds_alternative<Message>(message)) return test::written(message, dialect);
   }
 }
 
-TEST_P(Words, BecomeTheSameBytes) {
+TEST_P(SnapshotWords, RoundTrip) {
   const Dialect dialect = GetParam();
-  UpdateWriter update_writer;
+  SnapshotWriter update_writer;
   for (std::uint64_t seed = 0; seed < test::effort(300, 50); ++seed) {
     test::Random random(seed);
     const base::ByteVector time = test::written(Time{static_cast<float>(random.uniform(0, 1e5))}, dialect);
-    const base::ByteVector damage = random_bytes_of<Damage>(random, dialect);
-    const base::ByteVector client_data = random_bytes_of<ClientData>(random, dialect);
-    const base::ByteVector events = random_bytes_of<TempEntity>(random, dialect);
+    const base::ByteVector damage = make_random_bytes<Damage>(random, dialect);
+    const base::ByteVector client_data = make_random_bytes<ClientData>(random, dialect);
+    const base::ByteVector events = make_random_bytes<TempEntity>(random, dialect);
     std::string line;
-    write_line(
-        MoveAcknowledgement{.number = static_cast<std::uint32_t>(seed), .origin = random.in_cube(4096)},
-        line);
+    write_acknowledgment(
+        MoveAcknowledgment{.number = static_cast<std::uint32_t>(seed), .origin = random.in_cube(4096)}, line);
     const base::ByteVector moves = test::written(StuffText{line}, dialect);
     const auto maybe = [&](const base::ByteVector& bytes) {
       return random.chance(0.8) ? base::Bytes(bytes) : base::Bytes{};
     };
-    const UpdateParts parts{.time = maybe(time),
-                            .once = maybe(damage),
-                            .client_data = maybe(client_data),
-                            .acknowledgement = maybe(moves),
-                            .events = maybe(events)};
+    const SnapshotParts parts{.time = maybe(time),
+                              .once = maybe(damage),
+                              .client_data = maybe(client_data),
+                              .acknowledgment = maybe(moves),
+                              .events = maybe(events)};
     SnapshotState state;
-    ASSERT_TRUE(take_apart(parts, dialect, state)) << "seed " << seed;
+    ASSERT_TRUE(parse_snapshot(parts, dialect, state)) << "seed " << seed;
     base::ByteWriter whole, again;
-    for (const base::Bytes part : {parts.time, parts.once, parts.client_data, parts.acknowledgement})
+    for (const base::Bytes part : {parts.time, parts.once, parts.client_data, parts.acknowledgment})
       whole.bytes(part);
     for (std::size_t i = random.below(10); i > 0; --i) {
-      const base::ByteVector update = random_bytes_of<EntityUpdate>(random, dialect);
-      ASSERT_TRUE(take_apart(update, dialect, state.entities.emplace_back())) << "seed " << seed;
+      const base::ByteVector update = make_random_bytes<EntityUpdate>(random, dialect);
+      ASSERT_TRUE(parse_entity_update(update, dialect, state.entities.emplace_back())) << "seed " << seed;
       whole.bytes(update);
     }
     whole.bytes(parts.events);
@@ -61,30 +60,30 @@ TEST_P(Words, BecomeTheSameBytes) {
   }
 }
 
-TEST_P(Words, WhatIsNoDatagramIsRefused) {
+TEST_P(SnapshotWords, RejectOtherMessages) {
   const Dialect dialect = GetParam();
   test::Random random(1);
   const base::ByteVector time = test::written(Time{1}, dialect), nop = test::written(Nop{}, dialect);
-  const base::ByteVector client_data = random_bytes_of<ClientData>(random, dialect);
+  const base::ByteVector client_data = make_random_bytes<ClientData>(random, dialect);
   const base::ByteVector print = test::written(StuffText{"//a\n"}, dialect);
   const base::ByteVector much(SnapshotState::kMaxPlainBytes + 1);
-  for (const UpdateParts& parts :
-       {UpdateParts{.time = nop}, UpdateParts{.time = base::Bytes(time).first(4)},
-        UpdateParts{.client_data = nop},
-        UpdateParts{.client_data = base::Bytes(client_data).first(client_data.size() - 1)},
-        UpdateParts{.acknowledgement = nop}, UpdateParts{.acknowledgement = print}, UpdateParts{.once = much},
-        UpdateParts{.events = much}}) {
+  for (const SnapshotParts& parts :
+       {SnapshotParts{.time = nop}, SnapshotParts{.time = base::Bytes(time).first(4)},
+        SnapshotParts{.client_data = nop},
+        SnapshotParts{.client_data = base::Bytes(client_data).first(client_data.size() - 1)},
+        SnapshotParts{.acknowledgment = nop}, SnapshotParts{.acknowledgment = print},
+        SnapshotParts{.once = much}, SnapshotParts{.events = much}}) {
     SnapshotState state;
-    EXPECT_FALSE(take_apart(parts, dialect, state));
+    EXPECT_FALSE(parse_snapshot(parts, dialect, state));
   }
   SnapshotState::Entity entity;
-  EXPECT_FALSE(take_apart(base::Bytes{}, dialect, entity));
-  EXPECT_FALSE(take_apart(nop, dialect, entity));
-  const base::ByteVector update = random_bytes_of<EntityUpdate>(random, dialect);
-  EXPECT_FALSE(take_apart(base::Bytes(update).first(update.size() - 1), dialect, entity));
+  EXPECT_FALSE(parse_entity_update(base::Bytes{}, dialect, entity));
+  EXPECT_FALSE(parse_entity_update(nop, dialect, entity));
+  const base::ByteVector update = make_random_bytes<EntityUpdate>(random, dialect);
+  EXPECT_FALSE(parse_entity_update(base::Bytes(update).first(update.size() - 1), dialect, entity));
 }
 
-INSTANTIATE_TEST_SUITE_P(Dialects, Words,
+INSTANTIATE_TEST_SUITE_P(Dialects, SnapshotWords,
                          ::testing::Values(Dialect{Protocol::kNetQuake, 0}, Dialect{Protocol::kFitzQuake, 0},
                                            Dialect{Protocol::kRmq, kShortAngle},
                                            Dialect{Protocol::kRmq, kInt32Coord},

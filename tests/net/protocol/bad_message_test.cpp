@@ -1,4 +1,4 @@
-// Messages that make no sense: what is said of them, and that nothing worse happens.
+// Malformed messages: their error messages, and that nothing worse happens.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ namespace temblor::net {
 namespace {
 
 using base::ErrorCode;
-using test::bytes_of;
 using test::k15;
-using test::reader_of;
+using test::make_reader;
+using test::pack_bytes;
 using test::written;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
@@ -24,67 +24,69 @@ using ::testing::MatchesRegex;
 constexpr Dialect k666{Protocol::kFitzQuake, 0};
 constexpr Dialect kFloats{Protocol::kRmq, kFloatCoord | kFloatAngle};
 
-// Reads the bytes, which are at offset 1000 of a file, to their first error.
-base::Error error_of(base::Bytes bytes, const Dialect& dialect = k15) {
-  MessageReader reader = reader_of(dialect);
+// Reads bytes, as if from offset 1000 of a file, to their first error.
+base::Error make_read_error(base::Bytes bytes, const Dialect& dialect = k15) {
+  MessageReader reader = make_reader(dialect);
   reader.begin(bytes, 1000);
   while (true) {
     const auto message = reader.next();
     if (!message.ok()) return message.error();
-    if (!message->has_value()) return base::malformed("no error at all");
+    if (!message->has_value()) return base::malformed("no error");
   }
 }
 
-TEST(BadMessage, SaysWhatEndsTooSoonAndWhere) {
-  // Behind a nop: a sound with volume.
-  EXPECT_EQ(error_of(bytes_of({1, 6, 1, 255})).message(),
+TEST(BadMessage, NamesTruncatedMessageAndOffset) {
+  // A sound with volume, after a nop.
+  EXPECT_EQ(make_read_error(pack_bytes({1, 6, 1, 255})).message(),
             "offset 1001: svc_sound: message ends after 3 of 12 bytes");
-  EXPECT_EQ(error_of(bytes_of({3})).message(),
+  EXPECT_EQ(make_read_error(pack_bytes({3})).message(),
             "offset 1000: svc_updatestat: message ends after 1 of 6 bytes");
-  EXPECT_EQ(error_of(bytes_of({0x80 | 2})).message(),
+  EXPECT_EQ(make_read_error(pack_bytes({0x80 | 2})).message(),
             "offset 1000: fast update: message ends after 1 of 4 bytes");
-  EXPECT_EQ(error_of(bytes_of({12, 3})).message(), "offset 1000: svc_lightstyle: the pattern has no end");
-  EXPECT_EQ(error_of(bytes_of({8, 'a', 'b'})).message(), "offset 1000: svc_print: the text has no end");
+  EXPECT_EQ(make_read_error(pack_bytes({12, 3})).message(),
+            "offset 1000: svc_lightstyle: pattern has no terminating zero");
+  EXPECT_EQ(make_read_error(pack_bytes({8, 'a', 'b'})).message(),
+            "offset 1000: svc_print: text has no terminating zero");
 }
 
-TEST(BadMessage, UnknownNumbers) {
+TEST(BadMessage, RejectsUnknownNumbers) {
   for (int id = 0; id < 128; ++id) {
     const bool known =
         (id >= 1 && id <= 34 && id != 21) || id == 37 || (id >= 40 && id <= 44) || id == 52 || id == 56;
     const bool of_2021 = id == 38 || (id >= 45 && id <= 56);
-    const base::Error error = error_of(bytes_of({id}));
+    const base::Error error = make_read_error(pack_bytes({id}));
     SCOPED_TRACE(error.message());
     if (known) {
-      EXPECT_THAT(error.message(), ::testing::Not(HasSubstr("no such message")));
-      EXPECT_THAT(error.message(), ::testing::Not(HasSubstr("length is not known")));
+      EXPECT_THAT(error.message(), ::testing::Not(HasSubstr("unknown message")));
+      EXPECT_THAT(error.message(), ::testing::Not(HasSubstr("which is not supported")));
       continue;
     }
     EXPECT_EQ(error.code, ErrorCode::kUnsupported);
     if (of_2021)
-      EXPECT_THAT(error.message(),
-                  MatchesRegex(
-                      "offset 1000: svc_[a-z]+: a message of the 2021 re-release whose length is not known"));
+      EXPECT_THAT(
+          error.message(),
+          MatchesRegex("offset 1000: svc_[a-z]+: message of the 2021 re-release, which is not supported"));
     else
-      EXPECT_EQ(error.message(), "offset 1000: message " + std::to_string(id) + ": no such message is known");
+      EXPECT_EQ(error.message(), "offset 1000: message " + std::to_string(id) + ": unknown message");
   }
 }
 
-TEST(BadMessage, UnknownProtocols) {
+TEST(BadMessage, RejectsUnknownProtocols) {
   const auto info = [](std::int32_t protocol) {
     return test::with_number(written(ServerInfo{}, k15), 1, protocol);
   };
   for (const std::int32_t protocol : {0, 14, 16, 28, 667, -1, std::numeric_limits<std::int32_t>::max()}) {
-    const base::Error error = error_of(info(protocol));
+    const base::Error error = make_read_error(info(protocol));
     EXPECT_EQ(error.code, ErrorCode::kUnsupported);
     EXPECT_EQ(error.message(), "offset 1000: svc_serverinfo: protocol " + std::to_string(protocol) +
-                                   " is not known; known are 15, 666 and 999");
+                                   " is not supported; supported are 15, 666, and 999");
   }
   const Dialect rmq{Protocol::kRmq, 0};
-  EXPECT_EQ(error_of(test::with_number(written(ServerInfo{.dialect = rmq}, rmq), 5, 0x300u)).message(),
-            "offset 1000: svc_serverinfo: protocol 999's flags 0x300 are not known; known are 0xfe");
+  EXPECT_EQ(make_read_error(test::with_number(written(ServerInfo{.dialect = rmq}, rmq), 5, 0x300u)).message(),
+            "offset 1000: svc_serverinfo: flags 0x300 of protocol 999 are not supported; supported are 0xfe");
 }
 
-TEST(BadMessage, ExtensionsOfFteAreNamed) {
+TEST(BadMessage, NamesFteExtensions) {
   base::ByteWriter writer;
   writer.u8(11);
   writer.bytes(base::as_bytes("FTEX"));
@@ -93,14 +95,15 @@ TEST(BadMessage, ExtensionsOfFteAreNamed) {
   writer.u32(8 | 64);
   writer.i32(999);
   writer.bytes(test::to_bytes("any other bytes"));
-  const base::Error error = error_of(writer.view());
+  const base::Error error = make_read_error(writer.view());
   EXPECT_EQ(error.code, ErrorCode::kUnsupported);
-  EXPECT_EQ(error.message(),
-            "offset 1000: svc_serverinfo: uses the protocol extensions FTEX 0x20 and FTE2 0x48 (replacement "
-            "deltas, size encoding), which are not supported");
+  EXPECT_EQ(
+      error.message(),
+      "offset 1000: svc_serverinfo: unsupported protocol extensions FTEX 0x20 and FTE2 0x48 (replacement "
+      "deltas, size encoding)");
 }
 
-TEST(BadMessage, PrecacheListsThatAreTooLong) {
+TEST(BadMessage, RejectsLongPrecacheLists) {
   base::ByteWriter writer;
   writer.u8(11);
   writer.i32(15);
@@ -111,9 +114,9 @@ TEST(BadMessage, PrecacheListsThatAreTooLong) {
     writer.u8('m');
     writer.u8(0);
   }
-  const base::Error error = error_of(writer.view());
+  const base::Error error = make_read_error(writer.view());
   EXPECT_EQ(error.code, ErrorCode::kTooLarge);
-  EXPECT_EQ(error.message(), "offset 1000: svc_serverinfo: the list of models has more than 4096 names");
+  EXPECT_EQ(error.message(), "offset 1000: svc_serverinfo: model list has more than 4096 names");
 
   const std::vector<std::string_view> models(kMaxModels, "m"), sounds(kMaxSounds, "s");
   MessageReader reader;
@@ -122,59 +125,60 @@ TEST(BadMessage, PrecacheListsThatAreTooLong) {
   EXPECT_TRUE(reader.next().ok());
   base::ByteVector more(most.begin(), most.end() - 1);
   for (const char byte : {'s', '\0', '\0'}) more.push_back(static_cast<std::byte>(byte));
-  EXPECT_THAT(error_of(more).message(), HasSubstr("the list of sounds has more than 2048 names"));
-  EXPECT_THAT(error_of(base::Bytes(most).first(most.size() - 1)).message(),
-              HasSubstr("the list of sounds has no end"));
+  EXPECT_THAT(make_read_error(more).message(), HasSubstr("sound list has more than 2048 names"));
+  EXPECT_THAT(make_read_error(base::Bytes(most).first(most.size() - 1)).message(),
+              HasSubstr("sound list has no terminating zero"));
 }
 
-TEST(BadMessage, FlagsThatNobodyKnows) {
-  EXPECT_EQ(error_of(bytes_of({0x81, 0x80, 7})).message(),
-            "offset 1000: fast update: protocol 15 has no flags 0x8000");
-  EXPECT_EQ(error_of(bytes_of({0x81, 0x80, 0x60, 7}), k666).message(),
-            "offset 1000: fast update: protocol 666 has no flags 0x600000");
-  EXPECT_EQ(error_of(bytes_of({0x81, 0x80, 0x80, 2, 7}), k666).message(),
-            "offset 1000: fast update: protocol 666 has no flags 0x2000000");
-  EXPECT_EQ(error_of(bytes_of({15, 0, 0x81})).message(),
-            "offset 1000: svc_clientdata: protocol 15 has no flags 0x8100");
-  EXPECT_EQ(error_of(bytes_of({6, 9})).message(), "offset 1000: svc_sound: protocol 15 has no flags 0x8");
-  EXPECT_EQ(error_of(bytes_of({6, 4}), k666).message(),
-            "offset 1000: svc_sound: protocol 666 has no flags 0x4");
-  EXPECT_EQ(error_of(bytes_of({42, 1, 0, 16}), k666).message(),
-            "offset 1000: svc_spawnbaseline2: protocol 666 has no flags 0x10");
+TEST(BadMessage, RejectsUnknownFlags) {
+  EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x80, 7})).message(),
+            "offset 1000: fast update: protocol 15 does not define flags 0x8000");
+  EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x80, 0x60, 7}), k666).message(),
+            "offset 1000: fast update: protocol 666 does not define flags 0x600000");
+  EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x80, 0x80, 2, 7}), k666).message(),
+            "offset 1000: fast update: protocol 666 does not define flags 0x2000000");
+  EXPECT_EQ(make_read_error(pack_bytes({15, 0, 0x81})).message(),
+            "offset 1000: svc_clientdata: protocol 15 does not define flags 0x8100");
+  EXPECT_EQ(make_read_error(pack_bytes({6, 9})).message(),
+            "offset 1000: svc_sound: protocol 15 does not define flags 0x8");
+  EXPECT_EQ(make_read_error(pack_bytes({6, 4}), k666).message(),
+            "offset 1000: svc_sound: protocol 666 does not define flags 0x4");
+  EXPECT_EQ(make_read_error(pack_bytes({42, 1, 0, 16}), k666).message(),
+            "offset 1000: svc_spawnbaseline2: protocol 666 does not define flags 0x10");
 }
 
-TEST(BadMessage, FieldsThatMakeNoSense) {
-  EXPECT_EQ(error_of(bytes_of({23, 14, 0, 0, 0, 0, 0, 0})).message(),
-            "offset 1000: svc_temp_entity: temporary entity 14 is not known; known are 0 to 13");
-  EXPECT_EQ(error_of(bytes_of({5, 0x00, 0x7d})).message(),
-            "offset 1000: svc_setview: entity 32000 is over 31999");
-  EXPECT_EQ(error_of(bytes_of({0x81, 0x40, 0xff, 0xff})).message(),
-            "offset 1000: fast update: entity 65535 is over 31999");
-  EXPECT_EQ(error_of(bytes_of({22, 0x00, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0})).message(),
-            "offset 1000: svc_spawnbaseline: entity 32768 is over 31999");
-  EXPECT_EQ(error_of(bytes_of({0x81, 0x80, 2, 7, 1}), k666).message(),
-            "offset 1000: fast update: the frame's high byte comes without its low byte");
-  EXPECT_EQ(error_of(test::with_number(written(ServerInfo{}, k15), 5, std::uint8_t{0})).message(),
-            "offset 1000: svc_serverinfo: a game for 0 players");
+TEST(BadMessage, RejectsInvalidFields) {
+  EXPECT_EQ(make_read_error(pack_bytes({23, 14, 0, 0, 0, 0, 0, 0})).message(),
+            "offset 1000: svc_temp_entity: temporary entity 14 is not supported; supported are 0 to 13");
+  EXPECT_EQ(make_read_error(pack_bytes({5, 0x00, 0x7d})).message(),
+            "offset 1000: svc_setview: entity 32000 exceeds 31999");
+  EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x40, 0xff, 0xff})).message(),
+            "offset 1000: fast update: entity 65535 exceeds 31999");
+  EXPECT_EQ(make_read_error(pack_bytes({22, 0x00, 0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0})).message(),
+            "offset 1000: svc_spawnbaseline: entity 32768 exceeds 31999");
+  EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x80, 2, 7, 1}), k666).message(),
+            "offset 1000: fast update: frame has a high byte but no low byte");
+  EXPECT_EQ(make_read_error(test::with_number(written(ServerInfo{}, k15), 5, std::uint8_t{0})).message(),
+            "offset 1000: svc_serverinfo: max clients is 0");
 }
 
-TEST(BadMessage, NumbersThatAreNone) {
+TEST(BadMessage, RejectsNonFiniteNumbers) {
   const float none = std::numeric_limits<float>::quiet_NaN(),
               endless = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(error_of(test::with_number(written(Time{}, k15), 1, none)).message(),
-            "offset 1000: svc_time: the time is nan");
+  EXPECT_EQ(make_read_error(test::with_number(written(Time{}, k15), 1, none)).message(),
+            "offset 1000: svc_time: time is nan");
   const base::ByteVector damage = written(Damage{}, kFloats), angle = written(SetAngle{}, kFloats);
-  EXPECT_EQ(error_of(test::with_number(damage, 7, -endless), kFloats).message(),
-            "offset 1000: svc_damage: a coordinate is -inf");
-  EXPECT_EQ(error_of(test::with_number(damage, 11, 1e9f), kFloats).message(),
-            "offset 1000: svc_damage: a coordinate is 1000000000, beyond 134217728");
-  EXPECT_EQ(error_of(test::with_number(angle, 1, none), kFloats).message(),
-            "offset 1000: svc_setangle: an angle is nan");
+  EXPECT_EQ(make_read_error(test::with_number(damage, 7, -endless), kFloats).message(),
+            "offset 1000: svc_damage: coordinate is -inf");
+  EXPECT_EQ(make_read_error(test::with_number(damage, 11, 1e9f), kFloats).message(),
+            "offset 1000: svc_damage: coordinate 1000000000 exceeds 134217728");
+  EXPECT_EQ(make_read_error(test::with_number(angle, 1, none), kFloats).message(),
+            "offset 1000: svc_setangle: angle is nan");
 }
 
-TEST(BadMessage, TheRestOfItsBytesIsTakenForRead) {
+TEST(BadMessage, ReaderIsAtEndAfterError) {
   MessageReader reader;
-  const base::ByteVector bad = bytes_of({1, 0, 1, 1}), good = bytes_of({1});
+  const base::ByteVector bad = pack_bytes({1, 0, 1, 1}), good = pack_bytes({1});
   reader.begin(bad);
   EXPECT_TRUE(reader.next().ok());
   EXPECT_FALSE(reader.next().ok());
@@ -183,28 +187,28 @@ TEST(BadMessage, TheRestOfItsBytesIsTakenForRead) {
   EXPECT_TRUE(reader.next().value().has_value());
 }
 
-TEST(BadMessage, ARefusedServerInfoLeavesTheDialect) {
-  MessageReader reader = reader_of(k666);
-  const base::ByteVector cut = bytes_of({11, 15, 0, 0, 0, 1, 0});
+TEST(BadMessage, RejectedServerInfoKeepsDialect) {
+  MessageReader reader = make_reader(k666);
+  const base::ByteVector cut = pack_bytes({11, 15, 0, 0, 0, 1, 0});
   reader.begin(cut);
   EXPECT_FALSE(reader.next().ok());
   EXPECT_EQ(reader.dialect(), k666);
 }
 
-// The first k bytes of a message are never the message, and its length is told right: as far as the flags
-// that decide about it have come.
-TEST(BadMessage, EveryTruncationIsAnError) {
+// Every prefix of a message is an error that names the right length, as far as the flags that determine the
+// length are present.
+TEST(BadMessage, RejectsEveryTruncation) {
   for (std::uint64_t seed = 0; seed < test::effort(2000, 300); ++seed) {
     test::Random random(seed);
     const Dialect dialect = std::array{k15, k666, kFloats}[random.below(3)];
     const base::ByteVector bytes = written(test::random_message(random, dialect), dialect);
     test::for_each_truncation(bytes, [&](const base::ByteVector& cut) {
       if (cut.empty()) return;
-      const std::string message = error_of(cut, dialect).message();
+      const std::string message = make_read_error(cut, dialect).message();
       unsigned long long have = 0, all = 0;
       const std::size_t at = message.find("message ends");
       if (at == std::string::npos) {
-        ASSERT_THAT(message, HasSubstr("has no end")) << "seed " << seed;
+        ASSERT_THAT(message, HasSubstr("has no terminating zero")) << "seed " << seed;
         return;
       }
       ASSERT_EQ(std::sscanf(message.c_str() + at, "message ends after %llu of %llu bytes", &have, &all), 2)
@@ -216,8 +220,8 @@ TEST(BadMessage, EveryTruncationIsAnError) {
   }
 }
 
-// Whatever comes, reading ends: after an error, or after no more messages than there are bytes. And what was
-// read can be written in its dialect.
+// Reading any bytes ends with an error, or after at most one message per byte; and every message can be
+// written in its dialect.
 void read_all(base::Bytes bytes, MessageReader& io_reader) {
   io_reader.begin(bytes);
   for (std::size_t messages = 0;; ++messages) {
@@ -230,12 +234,12 @@ void read_all(base::Bytes bytes, MessageReader& io_reader) {
   }
 }
 
-TEST(BadMessage, RandomBytesAndFlippedBitsEndWell) {
+TEST(BadMessage, SurvivesRandomBytesAndFlippedBits) {
   MessageReader reader;
   for (std::uint64_t seed = 0; seed < test::effort(20000, 2000); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);
-    if (random.chance(0.3)) reader = reader_of(std::array{k15, k666, kFloats}[random.below(3)]);
+    if (random.chance(0.3)) reader = make_reader(std::array{k15, k666, kFloats}[random.below(3)]);
     const Dialect dialect = reader.dialect();
     read_all(test::random_bytes(random, 1 + random.below(60)), reader);
     base::ByteVector packet;
@@ -247,7 +251,7 @@ TEST(BadMessage, RandomBytesAndFlippedBitsEndWell) {
   }
 }
 
-void expect_unsayable(const ServerMessage& message, const Dialect& dialect, const char* what) {
+void expect_unrepresentable(const ServerMessage& message, const Dialect& dialect, const char* what) {
   base::ByteWriter writer;
   writer.u8(1);
   const base::Status status = write_message(message, dialect, writer);
@@ -257,35 +261,36 @@ void expect_unsayable(const ServerMessage& message, const Dialect& dialect, cons
   EXPECT_EQ(writer.size(), 1u) << "something was appended: " << what;
 }
 
-TEST(UnsayableMessage, IsRefusedAndNothingIsAppended) {
-  expect_unsayable(EntityUpdate{.number = 1, .model = 256}, k15,
-                   "fast update: model 256 is over 255, the highest of protocol 15");
-  expect_unsayable(EntityUpdate{.number = 32000}, k666, "fast update: entity 32000 is over 31999");
-  expect_unsayable(SpawnStatic{{.frame = 256}}, k15,
-                   "svc_spawnstatic: frame 256 is over 255, the highest of protocol 15");
-  expect_unsayable(ClientData{.cells = 256}, k15,
-                   "svc_clientdata: cells 256 is over 255, the highest of protocol 15");
-  expect_unsayable(Sound{.entity = 8192}, k15,
-                   "svc_sound: a sound of entity 8192, channel 0, is over entity 8191, channel 7");
-  expect_unsayable(Sound{.sound = 256}, k15, "svc_sound: sound 256 is over 255, the highest of protocol 15");
-  expect_unsayable(StopSound{1, 8}, k666,
-                   "svc_stopsound: a sound of entity 1, channel 8, is over entity 8191, channel 7");
-  expect_unsayable(SpawnStaticSound{.sound = 256}, k15,
-                   "svc_spawnstaticsound: sound 256 is over 255, the highest of protocol 15");
-  expect_unsayable(Particles{.count = 255}, k15,
-                   "svc_particle: 255 particles are more than 254, and not 1024");
-  expect_unsayable(Damage{0, 0, {4096, 0, 0}}, k666,
-                   "svc_damage: coordinate 4096 is outside of [-4096, 4095.875]");
-  expect_unsayable(SetAngle{{std::numeric_limits<float>::infinity(), 0, 0}}, k15,
-                   "svc_setangle: angle inf is not finite");
-  expect_unsayable(Time{std::numeric_limits<float>::quiet_NaN()}, k15, "svc_time: time nan is not finite");
-  expect_unsayable(Print{std::string_view("a\0b", 3)}, k15,
-                   "svc_print: a text of a message holds a zero byte");
+TEST(UnrepresentableMessage, IsRejectedAndAppendsNothing) {
+  expect_unrepresentable(EntityUpdate{.number = 1, .model = 256}, k15,
+                         "fast update: model 256 exceeds 255, the limit of protocol 15");
+  expect_unrepresentable(EntityUpdate{.number = 32000}, k666, "fast update: entity 32000 exceeds 31999");
+  expect_unrepresentable(SpawnStatic{{.frame = 256}}, k15,
+                         "svc_spawnstatic: frame 256 exceeds 255, the limit of protocol 15");
+  expect_unrepresentable(ClientData{.cells = 256}, k15,
+                         "svc_clientdata: cells 256 exceeds 255, the limit of protocol 15");
+  expect_unrepresentable(Sound{.entity = 8192}, k15,
+                         "svc_sound: sound of entity 8192, channel 0 exceeds entity 8191, channel 7");
+  expect_unrepresentable(Sound{.sound = 256}, k15,
+                         "svc_sound: sound 256 exceeds 255, the limit of protocol 15");
+  expect_unrepresentable(StopSound{1, 8}, k666,
+                         "svc_stopsound: sound of entity 1, channel 8 exceeds entity 8191, channel 7");
+  expect_unrepresentable(SpawnStaticSound{.sound = 256}, k15,
+                         "svc_spawnstaticsound: sound 256 exceeds 255, the limit of protocol 15");
+  expect_unrepresentable(Particles{.count = 255}, k15,
+                         "svc_particle: 255 particles: the count must be at most 254, or 1024");
+  expect_unrepresentable(Damage{0, 0, {4096, 0, 0}}, k666,
+                         "svc_damage: coordinate 4096 is outside of [-4096, 4095.875]");
+  expect_unrepresentable(SetAngle{{std::numeric_limits<float>::infinity(), 0, 0}}, k15,
+                         "svc_setangle: angle inf is not finite");
+  expect_unrepresentable(Time{std::numeric_limits<float>::quiet_NaN()}, k15,
+                         "svc_time: time nan is not finite");
+  expect_unrepresentable(Print{std::string_view("a\0b", 3)}, k15, "svc_print: text contains a zero byte");
   const std::vector<std::string_view> names(kMaxSounds + 1, "s"), empty = {""};
-  expect_unsayable(ServerInfo{.sounds = names}, k15,
-                   "svc_serverinfo: the list of sounds has 2049 names, more than 2048");
-  expect_unsayable(ServerInfo{.models = empty}, k15,
-                   "svc_serverinfo: the list of models has an empty name, which would end it");
+  expect_unrepresentable(ServerInfo{.sounds = names}, k15,
+                         "svc_serverinfo: sound list has 2049 names, the limit is 2048");
+  expect_unrepresentable(ServerInfo{.models = empty}, k15,
+                         "svc_serverinfo: model list contains an empty name, which would end the list");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What clients say: bytes as the description of the protocol has them, both ways, and all that is refused.
+// Client messages: read and written byte by byte as the protocol description has them, and malformed ones.
 #include "net/protocol/client_message.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ namespace temblor::net {
 namespace {
 
 using base::ErrorCode;
-using test::bytes_of;
+using test::pack_bytes;
 
 constexpr Protocol kProtocols[] = {Protocol::kNetQuake, Protocol::kFitzQuake, Protocol::kRmq};
 
@@ -29,12 +29,12 @@ base::ByteVector written(const ClientMessage& message, Protocol protocol) {
   return std::move(writer).take();
 }
 
-base::Error error_of(base::Bytes bytes, Protocol protocol = Protocol::kNetQuake) {
+base::Error make_read_error(base::Bytes bytes, Protocol protocol = Protocol::kNetQuake) {
   ClientMessageReader reader(bytes, protocol);
   while (true) {
     const auto message = reader.next();
     if (!message.ok()) return message.error();
-    if (!message->has_value()) return base::malformed("no error at all");
+    if (!message->has_value()) return base::malformed("no error");
   }
 }
 
@@ -46,26 +46,26 @@ ClientMessage only_message(base::Bytes bytes, Protocol protocol) {
   return **message;
 }
 
-// Bytes worked out by hand: time 1.5, a quarter, half and eighth of a turn, forward 400, side -350, up 0,
-// attack and jump, impulse 7.
+// Hand-made bytes: time 1.5; a quarter, half, and eighth of a turn; forward 400, side -350, up 0; attack and
+// jump; impulse 7.
 const Move kMove{1.5f, {90, -180, 45}, 400, -350, 0, 3, 7};
 const base::ByteVector kMove15 =
-    bytes_of({3, 0, 0, 0xc0, 0x3f, 0x40, 0x80, 0x20, 0x90, 0x01, 0xa2, 0xfe, 0, 0, 3, 7});
+    pack_bytes({3, 0, 0, 0xc0, 0x3f, 0x40, 0x80, 0x20, 0x90, 0x01, 0xa2, 0xfe, 0, 0, 3, 7});
 const base::ByteVector kMove666 =
-    bytes_of({3, 0, 0, 0xc0, 0x3f, 0x00, 0x40, 0x00, 0x80, 0x00, 0x20, 0x90, 0x01, 0xa2, 0xfe, 0, 0, 3, 7});
+    pack_bytes({3, 0, 0, 0xc0, 0x3f, 0x00, 0x40, 0x00, 0x80, 0x00, 0x20, 0x90, 0x01, 0xa2, 0xfe, 0, 0, 3, 7});
 
-TEST(ClientMessage, BytesAreThoseOfTheDescription) {
+TEST(ClientMessage, BytesMatchDescription) {
   EXPECT_EQ(written(kMove, Protocol::kNetQuake), kMove15);
   EXPECT_EQ(written(kMove, Protocol::kFitzQuake), kMove666);
   EXPECT_EQ(written(kMove, Protocol::kRmq), kMove666);
   for (const Protocol protocol : kProtocols) {
-    EXPECT_EQ(written(Nop{}, protocol), bytes_of({1}));
-    EXPECT_EQ(written(Disconnect{}, protocol), bytes_of({2}));
-    EXPECT_EQ(written(StringCommand{"god"}, protocol), bytes_of({4, 'g', 'o', 'd', 0}));
+    EXPECT_EQ(written(Nop{}, protocol), pack_bytes({1}));
+    EXPECT_EQ(written(Disconnect{}, protocol), pack_bytes({2}));
+    EXPECT_EQ(written(StringCommand{"god"}, protocol), pack_bytes({4, 'g', 'o', 'd', 0}));
   }
 }
 
-TEST(ClientMessage, AMoveIsReadAsItWasMeant) {
+TEST(ClientMessage, ReadsMove) {
   for (const bool wide : {false, true}) {
     const auto message = only_message(wide ? kMove666 : kMove15, wide ? Protocol::kRmq : Protocol::kNetQuake);
     const Move& move = std::get<Move>(message);
@@ -79,17 +79,17 @@ TEST(ClientMessage, AMoveIsReadAsItWasMeant) {
   }
 }
 
-TEST(ClientMessage, SeveralInOnePacket) {
-  const base::ByteVector bytes = bytes_of({1, 4, 'a', 0, 4, 0, 2});
+TEST(ClientMessage, ReadsSeveralInOnePacket) {
+  const base::ByteVector bytes = pack_bytes({1, 4, 'a', 0, 4, 0, 2});
   ClientMessageReader reader(bytes, Protocol::kNetQuake);
-  EXPECT_STREQ(name_of(*reader.next().value()), "clc_nop");
+  EXPECT_STREQ(message_name(*reader.next().value()), "clc_nop");
   EXPECT_EQ(std::get<StringCommand>(*reader.next().value()).text, "a");
   EXPECT_EQ(std::get<StringCommand>(*reader.next().value()).text, "");
-  EXPECT_STREQ(name_of(*reader.next().value()), "clc_disconnect");
+  EXPECT_STREQ(message_name(*reader.next().value()), "clc_disconnect");
   EXPECT_FALSE(reader.next().value().has_value());
 }
 
-TEST(ClientMessage, AnglesComeBackWithinHalfAStep) {
+TEST(ClientMessage, AnglesRoundTripWithinHalfAStep) {
   test::Random random(1);
   for (int i = 0; i < test::effort(20000, 2000); ++i) {
     const Protocol protocol = kProtocols[random.below(3)];
@@ -106,37 +106,38 @@ TEST(ClientMessage, AnglesComeBackWithinHalfAStep) {
   }
 }
 
-TEST(BadClientMessage, EveryOtherFirstByteIsNamed) {
+TEST(BadClientMessage, NamesUnknownNumbers) {
   for (int id = 0; id < 256; ++id) {
     if (id >= 1 && id <= 4) continue;
-    const base::Error error = error_of(bytes_of({1, id, 1}));
+    const base::Error error = make_read_error(pack_bytes({1, id, 1}));
     EXPECT_EQ(error.code, ErrorCode::kUnsupported);
-    EXPECT_EQ(error.message(), "offset 1: message " + std::to_string(id) + ": no such message is known");
+    EXPECT_EQ(error.message(), "offset 1: message " + std::to_string(id) + ": unknown message");
   }
 }
 
-TEST(BadClientMessage, WhatEndsTooSoon) {
-  EXPECT_EQ(error_of(base::Bytes(kMove15).first(5)).message(),
+TEST(BadClientMessage, RejectsTruncation) {
+  EXPECT_EQ(make_read_error(base::Bytes(kMove15).first(5)).message(),
             "offset 0: clc_move: message ends after 5 of 16 bytes");
-  EXPECT_EQ(error_of(base::Bytes(kMove666).first(18), Protocol::kRmq).message(),
+  EXPECT_EQ(make_read_error(base::Bytes(kMove666).first(18), Protocol::kRmq).message(),
             "offset 0: clc_move: message ends after 18 of 19 bytes");
-  EXPECT_EQ(error_of(bytes_of({1, 1, 4, 'a'})).message(), "offset 2: clc_stringcmd: the text has no end");
+  EXPECT_EQ(make_read_error(pack_bytes({1, 1, 4, 'a'})).message(),
+            "offset 2: clc_stringcmd: text has no terminating zero");
 }
 
-TEST(BadClientMessage, TextsThatAreTooLong) {
-  base::ByteVector longest = bytes_of({4});
+TEST(BadClientMessage, RejectsLongTexts) {
+  base::ByteVector longest = pack_bytes({4});
   longest.resize(kMaxCommandBytes, std::byte{'a'});
   longest.push_back(std::byte{0});
   EXPECT_EQ(std::get<StringCommand>(only_message(longest, Protocol::kNetQuake)).text,
             std::string(kMaxCommandBytes - 1, 'a'));
   for (const std::size_t size : {kMaxCommandBytes, std::size_t{65536}}) {
-    base::ByteVector bytes = bytes_of({4});
+    base::ByteVector bytes = pack_bytes({4});
     bytes.resize(size + 1, std::byte{'a'});
     bytes.push_back(std::byte{0});
-    const base::Error error = error_of(bytes);
+    const base::Error error = make_read_error(bytes);
     EXPECT_EQ(error.code, ErrorCode::kTooLarge);
-    EXPECT_EQ(error.message(),
-              "offset 0: clc_stringcmd: a text of " + std::to_string(size) + " bytes, the most is 1023");
+    EXPECT_EQ(error.message(), "offset 0: clc_stringcmd: text of " + std::to_string(size) +
+                                   " bytes exceeds the limit of 1023");
     base::ByteWriter writer;
     EXPECT_FALSE(
         write_client_message(StringCommand{std::string(size, 'a')}, Protocol::kNetQuake, writer).ok());
@@ -144,12 +145,13 @@ TEST(BadClientMessage, TextsThatAreTooLong) {
   }
 }
 
-TEST(BadClientMessage, NumbersThatAreNone) {
+TEST(BadClientMessage, RejectsNonFiniteNumbers) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   constexpr float kEndless = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(error_of(test::with_number(kMove15, 1, kNone)).message(), "offset 0: clc_move: the time is nan");
-  EXPECT_EQ(error_of(test::with_number(kMove666, 1, -kEndless), Protocol::kFitzQuake).message(),
-            "offset 0: clc_move: the time is -inf");
+  EXPECT_EQ(make_read_error(test::with_number(kMove15, 1, kNone)).message(),
+            "offset 0: clc_move: time is nan");
+  EXPECT_EQ(make_read_error(test::with_number(kMove666, 1, -kEndless), Protocol::kFitzQuake).message(),
+            "offset 0: clc_move: time is -inf");
   base::ByteWriter writer;
   EXPECT_FALSE(write_client_message(Move{.time_s = kNone}, Protocol::kNetQuake, writer).ok());
   EXPECT_FALSE(
@@ -158,15 +160,15 @@ TEST(BadClientMessage, NumbersThatAreNone) {
   EXPECT_EQ(writer.size(), 0u);
 }
 
-TEST(BadClientMessage, TheRestIsTakenForRead) {
-  const base::ByteVector bytes = bytes_of({9, 1, 1});
+TEST(BadClientMessage, ReaderIsAtEndAfterError) {
+  const base::ByteVector bytes = pack_bytes({9, 1, 1});
   ClientMessageReader reader(bytes, Protocol::kNetQuake);
   EXPECT_FALSE(reader.next().ok());
   EXPECT_FALSE(reader.next().value().has_value());
 }
 
-// Whatever comes, what is read can be written again and is the same then.
-TEST(BadClientMessage, RandomBytesAreReadToTheirFirstErrorOrEnd) {
+// Messages read from random bytes round-trip.
+TEST(BadClientMessage, SurvivesRandomBytes) {
   test::Random random(2);
   int read = 0;
   for (int i = 0; i < test::effort(50000, 5000); ++i) {

@@ -1,4 +1,4 @@
-// The packets of a whole recording, taken out in ten lines from the description of the format.
+// A minimal, independent reader of demo files, which returns their packets.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct DemPacket {
   std::size_t offset = 0;  // in the file
 };
 
-// CHECKs that they are all there.
+// CHECKs that the file is complete.
 inline std::vector<DemPacket> dem_packets(base::Bytes dem) {
   base::ByteReader file(dem);
   while (file.ok() && file.u8() != '\n') {
@@ -22,7 +22,7 @@ inline std::vector<DemPacket> dem_packets(base::Bytes dem) {
   std::vector<DemPacket> packets;
   while (file.remaining() > 0) {
     const auto size = static_cast<std::size_t>(file.i32());
-    file.take(3 * sizeof(float));  // where the player looked
+    file.take(3 * sizeof(float));  // view angles
     const std::size_t offset = file.offset();
     packets.push_back({file.take(size), offset});
     CHECK(file.ok());

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-std::vector<base::ByteVector> messages_of(base::Bytes recording) {
+std::vector<base::ByteVector> list_messages(base::Bytes recording) {
   auto reader = formats::DemReader::open(recording);
   CHECK(reader.ok(), "{}", reader.error().message());
   std::vector<base::ByteVector> messages;
@@ -24,27 +24,27 @@ std::vector<base::ByteVector> messages_of(base::Bytes recording) {
 const base::ByteVector kNopMessage(1, std::byte{1}), kNopMessages(2, std::byte{1});
 const base::ByteVector kEnd(1, std::byte{2});  // svc_disconnect
 
-TEST(DemoRecording, HoldsWhatWasAddedAndItsEnd) {
-  DemoRecording recording;
+TEST(DemoWriter, WritesMessagesAndEnd) {
+  DemoWriter recording;
   EXPECT_TRUE(recording.is_empty());
   recording.add({1, 2, 3}, kNopMessages);
   recording.add({1, 2, 3}, kNopMessage);
   EXPECT_FALSE(recording.is_empty());
   const base::ByteVector bytes = std::move(recording).finish();
-  EXPECT_THAT(messages_of(bytes), ElementsAre(kNopMessages, kNopMessage, kEnd));
+  EXPECT_THAT(list_messages(bytes), ElementsAre(kNopMessages, kNopMessage, kEnd));
 }
 
-TEST(DemoRecording, LeavesOutWhatNoRecordHolds) {
-  DemoRecording recording;
+TEST(DemoWriter, SkipsEmptyAndOversizedPackets) {
+  DemoWriter recording;
   recording.add({0, 0, 0}, {});
   recording.add({0, 0, 0}, base::ByteVector(formats::kMaxDemMessage + 1, std::byte{1}));
   EXPECT_TRUE(recording.is_empty());
   const base::ByteVector bytes = std::move(recording).finish();
-  EXPECT_THAT(messages_of(bytes), ElementsAre(kEnd));
+  EXPECT_THAT(list_messages(bytes), ElementsAre(kEnd));
 }
 
-TEST(DemoRecording, OneThatIsFullStillEnds) {
-  DemoRecording recording;
+TEST(DemoWriter, FullDemoStillEnds) {
+  DemoWriter recording;
   const base::ByteVector longest(formats::kMaxDemMessage, std::byte{1});
   std::size_t added = 0;
   for (; !recording.is_full(); ++added) recording.add({0, 0, 0}, longest);

@@ -1,4 +1,4 @@
-// Single messages as bytes, and readers that know what dialect they are in.
+// Single messages as bytes, and readers set to a dialect.
 #pragma once
 
 #include <initializer_list>
@@ -12,21 +12,21 @@ namespace temblor::test {
 
 inline constexpr net::Dialect k15{};
 
-inline base::ByteVector bytes_of(std::initializer_list<int> numbers) {
+inline base::ByteVector pack_bytes(std::initializer_list<int> numbers) {
   base::ByteVector bytes;
   for (const int number : numbers) bytes.push_back(static_cast<std::byte>(number));
   return bytes;
 }
 
-// CHECKs that the dialect can say it.
+// CHECKs that the dialect can represent the message.
 inline base::ByteVector written(const net::ServerMessage& message, const net::Dialect& dialect) {
   base::ByteWriter writer;
   CHECK(write_message(message, dialect, writer).ok());
   return std::move(writer).take();
 }
 
-// A reader that a game of this dialect has begun on.
-inline net::MessageReader reader_of(const net::Dialect& dialect) {
+// A reader that has read a ServerInfo of this dialect.
+inline net::MessageReader make_reader(const net::Dialect& dialect) {
   net::MessageReader reader;
   const base::ByteVector begin = written(net::ServerInfo{.dialect = dialect}, dialect);
   reader.begin(begin);

@@ -1,4 +1,4 @@
-// Every message as bytes written out by hand from the description of the protocols: read, and written again.
+// Every message as hand-made bytes from the protocol description: read, and written again.
 #include <gtest/gtest.h>
 
 #include <initializer_list>
@@ -11,12 +11,12 @@ namespace temblor::net {
 namespace {
 
 using test::k15;
-using test::reader_of;
+using test::make_reader;
 
 constexpr Dialect k666{Protocol::kFitzQuake, 0};
 constexpr Dialect k999{Protocol::kRmq, kInt32Coord | kShortAngle};
 
-// Bytes given as numbers; text without a zero at its end.
+// Builds bytes from numbers, and text without a terminating zero.
 class Packet {
  public:
   Packet(std::initializer_list<int> bytes) { add(bytes); }
@@ -39,26 +39,26 @@ class Packet {
 };
 
 void expect_read(const Dialect& dialect, const Packet& packet, const ServerMessage& expected) {
-  MessageReader reader = reader_of(dialect);
+  MessageReader reader = make_reader(dialect);
   reader.begin(packet.bytes());
   const auto message = reader.next();
   ASSERT_TRUE(message.ok()) << message.error().message();
   ASSERT_TRUE(message->has_value());
-  EXPECT_EQ(test::text_of(**message), test::text_of(expected));
+  EXPECT_EQ(test::get_text(**message), test::get_text(expected));
   const auto end = reader.next();
   ASSERT_TRUE(end.ok()) << end.error().message();
-  EXPECT_FALSE(end->has_value()) << "bytes are left over";
+  EXPECT_FALSE(end->has_value()) << "unread bytes";
 }
 
 void expect_written(const Dialect& dialect, const Packet& packet, const ServerMessage& message) {
   base::ByteWriter writer;
   const base::Status status = write_message(message, dialect, writer);
   ASSERT_TRUE(status.ok()) << status.error().message();
-  EXPECT_EQ(writer.view(), packet.bytes()) << test::text_of(message);
+  EXPECT_EQ(writer.view(), packet.bytes()) << test::get_text(message);
 }
 
 void expect_both_ways(const Dialect& dialect, const Packet& packet, const ServerMessage& message) {
-  SCOPED_TRACE(test::text_of(message));
+  SCOPED_TRACE(test::get_text(message));
   expect_read(dialect, packet, message);
   expect_written(dialect, packet, message);
 }
@@ -67,7 +67,7 @@ void expect_in_all(const Packet& packet, const ServerMessage& message) {
   for (const Dialect& dialect : {k15, k666, k999}) expect_both_ways(dialect, packet, message);
 }
 
-TEST(MessageBytes, MessagesOfNothingButTheirNumber) {
+TEST(MessageBytes, MessagesWithoutFields) {
   expect_in_all({1}, Nop{});
   expect_in_all({2}, Disconnect{});
   expect_in_all({27}, KilledMonster{});
@@ -97,7 +97,7 @@ TEST(MessageBytes, NumbersAndText) {
   expect_in_all(Packet{34}.text("x").add({0}), CutScene{"x"});
 }
 
-TEST(MessageBytes, NamesAreThoseOfTheProtocol) {
+TEST(MessageBytes, NamesMatchProtocol) {
   const std::vector<std::pair<ServerMessage, std::string>> names = {
       {Nop{}, "svc_nop"},
       {Disconnect{}, "svc_disconnect"},
@@ -139,7 +139,7 @@ TEST(MessageBytes, NamesAreThoseOfTheProtocol) {
       {Ignored{52}, "svc_achievement"},
       {Ignored{56}, "svc_localsound"},
   };
-  for (const auto& [message, name] : names) EXPECT_EQ(name_of(message), name);
+  for (const auto& [message, name] : names) EXPECT_EQ(message_name(message), name);
 }
 
 TEST(MessageBytes, ServerInfoOfEachProtocol) {
@@ -164,11 +164,11 @@ TEST(MessageBytes, ServerInfoOfEachProtocol) {
   expect_both_ways(k15, packet({0xe7, 0x03, 0, 0, 0x82, 0, 0, 0}), info(k999));
 }
 
-TEST(MessageBytes, TheLastServerInfoDecidesTheDialect) {
+TEST(MessageBytes, LastServerInfoSetsDialect) {
   const Packet packet = Packet{11, 15, 0, 0, 0, 1, 0, 0, 0, 0}  //
                             .add({10, 64, 0, 0})                // setangle: bytes
                             .add({11, 0xe7, 3, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 0})
-                            .add({10, 0, 64, 0, 0, 0, 0});  // setangle: words
+                            .add({10, 0, 64, 0, 0, 0, 0});  // setangle: 16 bits
   MessageReader reader;
   reader.begin(packet.bytes());
   for (const Dialect& dialect : {Dialect{}, Dialect{Protocol::kRmq, kShortAngle}}) {
@@ -196,7 +196,7 @@ TEST(MessageBytes, CoordinatesAndAnglesOfEachEncoding) {
   expect_both_ways(k15, {10, 0, 0xc0, 0}, angle(-90));
   expect_both_ways(k999, {10, 0, 0, 1, 0, 0, 0}, angle(360.0f / 65536));
   expect_both_ways(floats, Packet{10}.f32(0).f32(359.5f).f32(0), angle(359.5f));
-  // 24-bit coordinates change nothing about angles.
+  // 24-bit coordinates do not affect angles.
   expect_both_ways(wide, {10, 0, 1, 0}, angle(360.0f / 256));
 }
 
@@ -205,7 +205,7 @@ TEST(MessageBytes, FlagsThatChangeNoEncoding) {
   expect_both_ways(dialect, {19, 1, 2, 8, 0, 0, 0, 0, 0}, Damage{1, 2, {1, 0, 0}});
 }
 
-TEST(MessageBytes, WiderEncodingsWin) {
+TEST(MessageBytes, WidestEncodingWins) {
   const Dialect dialect{Protocol::kRmq, k24BitCoord | kFloatCoord | kInt32Coord | kShortAngle | kFloatAngle};
   expect_both_ways(dialect, Packet{19, 1, 2}.f32(8).f32(0).f32(0), Damage{1, 2, {8, 0, 0}});
   expect_both_ways(dialect, Packet{10}.f32(8).f32(0).f32(0), SetAngle{{8, 0, 0}});
@@ -214,7 +214,7 @@ TEST(MessageBytes, WiderEncodingsWin) {
 TEST(MessageBytes, RoundsToTheNearest) {
   expect_written(k15, {19, 1, 2, 2, 0, 0xfe, 0xff, 0, 0}, Damage{1, 2, {0.2f, -0.2f, 0.05f}});
   expect_written(k15, {10, 1, 0xff, 0}, SetAngle{{1.0f, -1.0f, 359.5f}});
-  // Any number of turns, and half a turn either way.
+  // Several turns, and half a turn either way.
   expect_written(k15, {10, 64, 128, 128}, SetAngle{{90 + 720, 180, -180}});
 }
 
@@ -295,7 +295,7 @@ TEST(MessageBytes, Baselines) {
   baseline.frame = 0x204;
   expect_both_ways(k666, Packet{42, 7, 1, 11, 1, 3, 4, 2}.add(place).add({40}),
                    SpawnBaseline{0x107, baseline});
-  // What protocol 15 has no words for is left out.
+  // Protocol 15 omits fields that it does not have.
   expect_written(k15, Packet{20, 3, 4}.add(place),
                  SpawnStatic{{3, 4, 5, 6, {1, 2, -1}, {90, -90, 0}, 0.5f, 3}});
 }
@@ -311,7 +311,7 @@ TEST(MessageBytes, EntityUpdates) {
   update.origin[1] = 2.0f;
   update.angles_deg[1] = 90.0f;
   expect_both_ways(k15, {0x80 | 64 | 4 | 16, 7, 3, 16, 0, 64}, update);
-  // Every field of protocol 15, in the order that they stand in.
+  // Every field of protocol 15, in wire order.
   const EntityUpdate all{.number = 0x1234,
                          .model = 1,
                          .frame = 2,
@@ -337,13 +337,13 @@ TEST(MessageBytes, EntityUpdatesOfFitzQuake) {
   // Alpha byte 128 is 127 / 254.
   expect_both_ways(k666, {0x80 | 64 | 1, 0x80 | 4, 0x1f, 7, 2, 4, 128, 56, 3, 1, 51}, update);
   expect_read(k666, {0x80 | 64 | 1, 0x80 | 4, 0x9f, 0, 7, 2, 4, 128, 56, 3, 1, 51}, update);
-  // In protocol 15 there are no words for three of them.
+  // Protocol 15 does not have three of these fields.
   update.model = 2;
   update.frame = 4;
   expect_written(k15, {0x80 | 64 | 1, 4, 7, 2, 4}, update);
 }
 
-TEST(MessageBytes, Opacity) {
+TEST(MessageBytes, Alpha) {
   const auto update = [](float alpha) { return EntityUpdate{.number = 7, .alpha = alpha}; };
   const auto packet = [](int byte) { return Packet{0x81, 0x80, 1, 7, byte}; };
   expect_read(k666, packet(0), update(1));
@@ -356,12 +356,12 @@ TEST(MessageBytes, Opacity) {
   expect_written(k666, packet(1), update(std::numeric_limits<float>::quiet_NaN()));
 }
 
-// What both of them always have: items, and the weapon's model.
+// Flags that are always set: items and weapon model.
 constexpr int kBits1 = 2 | 64;
 
-TEST(MessageBytes, ClientDataThatIsAllDefaults) {
+TEST(MessageBytes, ClientDataWithDefaults) {
   expect_in_all({15, 0, kBits1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, ClientData{});
-  // Without the weapon's flag its byte is missing; without that of the items theirs are there.
+  // Without its flag, the weapon byte is absent; the items are present even without theirs.
   expect_read(k15, {15, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, ClientData{});
 }
 
@@ -402,34 +402,34 @@ TEST(MessageBytes, ClientDataWithEverything) {
                    data);
 }
 
-TEST(MessageBytes, ClientDataRoundsIntoItsBytes) {
+TEST(MessageBytes, ClientDataRoundsAndClamps) {
   const ClientData data{
       .view_height = 21.7f, .ideal_pitch_deg = 0.4f, .punch_deg = {-200, 0, 0}, .velocity = {1e9f, 7.9f, 8}};
   expect_written(k15, {15, 4 | 32 | 128, kBits1, 0x80, 127, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, data);
 }
 
-TEST(MessageBytes, FitzQuakesOwnMessages) {
+TEST(MessageBytes, FitzQuakeMessages) {
   for (const Dialect& dialect : {k666, k999}) {
     expect_both_ways(dialect, Packet{37}.text("unit1_").add({0}), Skybox{"unit1_"});
     expect_both_ways(dialect, {40}, BonusFlash{});
     expect_both_ways(dialect, {41, 51, 255, 0, 102, 0xfa, 0x00}, Fog{0.2f, {1, 0, 0.4f}, 2.5f});
   }
-  // A negative time is none.
+  // A negative time becomes 0.
   expect_read(k666, {41, 51, 255, 0, 102, 0xff, 0xff}, Fog{0.2f, {1, 0, 0.4f}, 0});
 }
 
-TEST(MessageBytes, GameCodeMaySendFitzQuakesMessagesInProtocol15) {
+TEST(MessageBytes, AcceptsFitzQuakeMessagesInProtocol15) {
   expect_read(k15, {40}, BonusFlash{});
   expect_read(k15, {41, 51, 255, 0, 102, 0, 0}, Fog{0.2f, {1, 0, 0.4f}, 0});
   for (const ServerMessage& message :
        {ServerMessage(Skybox{"x"}), ServerMessage(BonusFlash{}), ServerMessage(Fog{})}) {
     base::ByteWriter writer;
     EXPECT_TRUE(write_message(message, k15, writer).ok());
-    EXPECT_EQ(writer.size(), 0u) << test::text_of(message);
+    EXPECT_EQ(writer.size(), 0u) << test::get_text(message);
   }
 }
 
-TEST(MessageBytes, MessagesOf2021WhoseLengthIsKnownAreReadOver) {
+TEST(MessageBytes, SkipsMessagesOf2021WithKnownLength) {
   expect_read(k666, Packet{52}.text("ACH_X").add({0}), Ignored{52});
   expect_read(k666, {56, 0, 7}, Ignored{56});
   expect_read(k666, {56, 16, 7, 1}, Ignored{56});

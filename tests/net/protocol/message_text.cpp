@@ -27,7 +27,7 @@ std::string text(const std::array<std::optional<float>, 3>& values) {
 }
 
 struct Fields {
-  // The kinds that have no fields.
+  // Messages without fields.
   template <typename Message>
   std::string operator()(const Message&) const {
     static_assert(std::is_empty_v<Message>);
@@ -105,8 +105,8 @@ struct Fields {
 
 }  // namespace
 
-std::string text_of(const net::ServerMessage& message) {
-  return fmt::format("{}: {}", name_of(message), std::visit(Fields{}, message));
+std::string get_text(const net::ServerMessage& message) {
+  return fmt::format("{}: {}", message_name(message), std::visit(Fields{}, message));
 }
 
 }  // namespace temblor::test

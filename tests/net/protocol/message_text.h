@@ -1,4 +1,4 @@
-// Messages as text, every field of them: what tests compare and what they print.
+// Messages as text with every field, to compare and print in tests.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace temblor::test {
 
-// Equal for two messages if and only if all their fields are.
-std::string text_of(const net::ServerMessage& message);
+// Equal for two messages if and only if all of their fields are equal.
+std::string get_text(const net::ServerMessage& message);
 
 }  // namespace temblor::test

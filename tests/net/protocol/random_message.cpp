@@ -8,14 +8,13 @@ namespace {
 
 using namespace net;
 
-// RandomFields of messages, in the steps of the dialect, worked out here from the description of the
-// protocols.
+// Random fields in the resolution of the dialect, computed independently from the protocol description.
 class RandomFields {
  public:
   RandomFields(Random& random, const Dialect& dialect)
       : random_(random), dialect_(dialect), extended_(dialect.protocol != Protocol::kNetQuake) {}
 
-  // In [low, high], both ends often.
+  // In [low, high]; both ends are frequent.
   std::int64_t whole(std::int64_t low, std::int64_t high) {
     if (random_.chance(0.1)) return random_.chance(0.5) ? low : high;
     return low + static_cast<std::int64_t>(random_.below(static_cast<std::size_t>(high - low + 1)));
@@ -23,7 +22,7 @@ class RandomFields {
   std::uint8_t u8() { return static_cast<std::uint8_t>(whole(0, 255)); }
   std::int16_t i16() { return static_cast<std::int16_t>(whole(-32768, 32767)); }
   std::int32_t i32() { return static_cast<std::int32_t>(whole(-0x80000000ll, 0x7fffffff)); }
-  // A number that FitzQuake gave a second byte.
+  // A number that has a second byte since FitzQuake.
   std::uint16_t wide() {
     return static_cast<std::uint16_t>(extended_ && random_.chance(0.3) ? whole(0, 65535) : whole(0, 255));
   }

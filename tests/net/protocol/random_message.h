@@ -1,4 +1,4 @@
-// Random messages that a dialect can say exactly: read back from their bytes they are the same.
+// Random messages that a dialect can represent exactly, so that they survive a round trip.
 #pragma once
 
 #include "net/protocol/server_message.h"
@@ -6,8 +6,8 @@
 
 namespace temblor::test {
 
-// Of every kind but ServerInfo and Ignored, with the extreme values of each field among the values. Texts
-// live as long as the program.
+// Returns any message except ServerInfo and Ignored. Extreme values of all fields are frequent. Texts live as
+// long as the program.
 net::ServerMessage random_message(Random& random, const net::Dialect& dialect);
 
 }  // namespace temblor::test

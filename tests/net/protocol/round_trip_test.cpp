@@ -1,4 +1,4 @@
-// What is written is what is read, in every dialect.
+// Messages round-trip in every dialect.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -14,7 +14,7 @@ namespace {
 
 class RoundTrip : public ::testing::TestWithParam<Dialect> {};
 
-// A few games after one another, each with the messages of one packet.
+// Several games, each with one packet of messages.
 TEST_P(RoundTrip, AllMessages) {
   const Dialect dialect = GetParam();
   std::set<std::string> kinds;
@@ -34,14 +34,14 @@ TEST_P(RoundTrip, AllMessages) {
       const auto read = reader.next();
       ASSERT_TRUE(read.ok()) << "seed " << seed << ": " << read.error().message();
       ASSERT_TRUE(read->has_value()) << "seed " << seed;
-      ASSERT_EQ(test::text_of(**read), test::text_of(message)) << "seed " << seed;
-      kinds.insert(name_of(**read));
+      ASSERT_EQ(test::get_text(**read), test::get_text(message)) << "seed " << seed;
+      kinds.insert(message_name(**read));
     }
     ASSERT_FALSE(reader.next().value().has_value()) << "seed " << seed;
   }
   EXPECT_EQ(kinds.size(),
             std::variant_size_v<ServerMessage> - (dialect.protocol == Protocol::kNetQuake ? 4 : 1))
-      << "a kind of message never came";
+      << "a type of message never occurred";
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, RoundTrip,

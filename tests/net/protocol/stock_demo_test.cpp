@@ -1,4 +1,4 @@
-// The stock recordings, from the first message to the last.
+// Reads and rewrites every message of the stock demos.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 struct StockDemo {
   const char* name;
   Dialect dialect;
-  // Its server sent an ideal pitch of 0, which is the default, in full.
+  // Its server sent an ideal pitch of 0 explicitly, although that is the default.
   bool has_needless_bytes = false;
 };
 
@@ -40,7 +40,7 @@ TEST_P(StockDemos, ReadFromFirstToLastMessage) {
       const auto message = reader.next();
       ASSERT_TRUE(message.ok()) << message.error().message();
       if (!*message) break;
-      last = name_of(**message);
+      last = message_name(**message);
       ++counts[last];
     }
   }
@@ -54,8 +54,8 @@ TEST_P(StockDemos, ReadFromFirstToLastMessage) {
   EXPECT_EQ(last, "svc_disconnect");
 }
 
-// What stock servers wrote, our writer writes again, byte for byte.
-TEST_P(StockDemos, WrittenAgainAreTheSameBytes) {
+// Our writer reproduces the messages of stock servers byte for byte.
+TEST_P(StockDemos, RewrittenBytesAreIdentical) {
   DATA_FOLDER_OR_SKIP(folder);
   const base::ByteVector bytes = read(folder);
   MessageReader reader, reader_of_written;
@@ -65,7 +65,7 @@ TEST_P(StockDemos, WrittenAgainAreTheSameBytes) {
     std::string text;
     while (const auto message = reader.next().value()) {
       ASSERT_TRUE(write_message(*message, reader.dialect(), written).ok());
-      text += test::text_of(*message) + '\n';
+      text += test::get_text(*message) + '\n';
     }
     if (!GetParam().has_needless_bytes) {
       ASSERT_TRUE(std::ranges::equal(written.view(), packet.bytes)) << "offset " << packet.offset;
@@ -73,7 +73,7 @@ TEST_P(StockDemos, WrittenAgainAreTheSameBytes) {
     std::string text_of_written;
     reader_of_written.begin(written.view());
     while (const auto message = reader_of_written.next().value())
-      text_of_written += test::text_of(*message) + '\n';
+      text_of_written += test::get_text(*message) + '\n';
     ASSERT_EQ(text_of_written, text) << "offset " << packet.offset;
   }
 }

@@ -1,6 +1,6 @@
-// Real peers over UDP: DarkPlaces (Debian's packages darkplaces and darkplaces-server), which speaks
-// NetQuake's protocol 15 where it is told to. QuakeSpasm would need the registered game's gfx/pop.lmp to play
-// levels that are not in the shareware's own archive.
+// Real peers over UDP: DarkPlaces (Debian packages darkplaces and darkplaces-server), set to NetQuake's
+// protocol 15. QuakeSpasm would need gfx/pop.lmp of the registered game to play levels outside of the
+// shareware archive.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,13 +31,13 @@ using ::testing::HasSubstr;
 
 constexpr const char* kLevel = "lqdm1";
 
-// Seconds since the test began.
+// Seconds since the start of the test.
 class Clock {
  public:
   double now_s() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
-  // Calls `step` with the time until it says that all is done; whether it did before `limit_s`.
+  // Calls `step` with the time until it returns true. Returns false if that takes longer than `limit_s`.
   bool run(double limit_s, const std::function<bool(double)>& step) const {
     while (now_s() < limit_s) {
       if (step(now_s())) return true;
@@ -50,7 +50,7 @@ class Clock {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// A server that lets one player in, as far as a world without anything in it goes.
+// A minimal server for one player in an empty world.
 class BareServer {
  public:
   explicit BareServer(const ServerEndpointSettings& settings)
@@ -109,7 +109,7 @@ class BareServer {
 void expect_that_it_signs_on(const ServerEndpointSettings& settings) {
   DATA_FOLDER_OR_SKIP(data);
   if (!test::is_installed("darkplaces") || !test::is_installed("xvfb-run"))
-    GTEST_SKIP() << "a stock client and a display for it are not installed (darkplaces, xvfb, xauth)";
+    GTEST_SKIP() << "no stock client or no display for it (darkplaces, xvfb, xauth)";
   BareServer server(settings);
   const test::TemporaryFolder home;
   const test::BackgroundProgram client(
@@ -125,22 +125,22 @@ void expect_that_it_signs_on(const ServerEndpointSettings& settings) {
   EXPECT_TRUE(begun) << client.output();
   EXPECT_THAT(server.commands(), Contains("prespawn"));
   server.kick("enough played");
-  const bool told = clock.run(90, [&](double now_s) {
+  const bool got_reason = clock.run(90, [&](double now_s) {
     server.tick(now_s);
     return client.output().find("enough played") != std::string::npos;
   });
-  EXPECT_TRUE(told) << client.output();
+  EXPECT_TRUE(got_reason) << client.output();
 }
 
-TEST(StockClient, SignsOnAndIsToldWhyItEnds) {
+TEST(StockClient, SignsOnAndGetsDisconnectReason) {
   expect_that_it_signs_on({});
 }
 
-TEST(StockClient, SaysTheWordThatItIsAskedFor) {
+TEST(StockClient, ReturnsChallengeCookie) {
   expect_that_it_signs_on({.challenge = true, .secret = {1, 2}});
 }
 
-// A player as far as the wire goes: signs on, and runs in circles.
+// A minimal client: signs on, and runs in circles.
 class BarePlayer {
  public:
   explicit BarePlayer(std::uint16_t port)
@@ -172,7 +172,7 @@ class BarePlayer {
       const auto message = reader_.next();
       ASSERT_TRUE(message.ok()) << message.error().message();
       if (!message->has_value()) return;
-      ++counts_[name_of(**message)];
+      ++counts_[message_name(**message)];
       if (const auto* time = std::get_if<Time>(&**message)) time_s_ = time->time_s;
       if (const auto* signon = std::get_if<SignonNumber>(&**message)) answer(signon->number);
     }
@@ -196,17 +196,16 @@ class BarePlayer {
   float time_s_ = 0;
 };
 
-TEST(StockServer, OurClientPlaysOnIt) {
+TEST(StockServer, AcceptsOurClient) {
   DATA_FOLDER_OR_SKIP(data);
   const std::filesystem::path program = TEMBLOR_GAME_PROGRAM;
   if (!test::is_installed("darkplaces-server") || !std::filesystem::exists(program))
-    GTEST_SKIP()
-        << "a stock server is not installed (darkplaces-server), or no compiler for its game (fteqcc)";
+    GTEST_SKIP() << "no stock server (darkplaces-server) or no QuakeC compiler (fteqcc)";
   const test::TemporaryFolder home;
   home.write("base/id1/progs.dat", test::read_file(program));
   for (const auto& entry : std::filesystem::directory_iterator(data / "id1"))
     std::filesystem::create_symlink(entry.path(), home.path() / "base/id1" / entry.path().filename());
-  // A port that is free now.
+  // A free port.
   const std::uint16_t port = platform::posix::open_udp_socket({}).value()->local_address().port;
   const test::BackgroundProgram server(
       {"darkplaces-server", "-basedir", (home.path() / "base").string(), "-port", std::to_string(port),

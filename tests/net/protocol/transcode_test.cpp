@@ -1,4 +1,4 @@
-// Recordings said again in other protocols hold the same messages.
+// Demos converted to other protocols contain the same messages.
 #include "support/programs/transcode.h"
 
 #include <gmock/gmock.h>
@@ -18,18 +18,18 @@ namespace {
 
 using test::k15;
 
-constexpr Dialect k666{Protocol::kFitzQuake, 0};
-constexpr Dialect k999{Protocol::kRmq, kInt32Coord | kShortAngle};
+constexpr Dialect kDialect666{Protocol::kFitzQuake, 0};
+constexpr Dialect kDialect999{Protocol::kRmq, kInt32Coord | kShortAngle};
 
-// The text of every message, packet by packet; of a ServerInfo without its dialect.
-std::vector<std::string> texts_of(base::Bytes dem, Dialect& out_dialect) {
+// The text of every message, packet by packet; ServerInfo without its dialect.
+std::vector<std::string> list_texts(base::Bytes dem, Dialect& out_dialect) {
   std::vector<std::string> texts;
   MessageReader reader;
   for (const test::DemPacket& packet : test::dem_packets(dem)) {
     reader.begin(packet.bytes, packet.offset);
     while (auto message = reader.next().value()) {
       if (auto* info = std::get_if<ServerInfo>(&*message)) info->dialect = {};
-      texts.push_back(test::text_of(*message));
+      texts.push_back(test::get_text(*message));
     }
     texts.push_back("end of packet");
   }
@@ -38,27 +38,27 @@ std::vector<std::string> texts_of(base::Bytes dem, Dialect& out_dialect) {
 }
 
 // Eighths of a unit and 256ths of a turn are exact in all three, so nothing may differ.
-TEST(Transcode, DemoOfProtocol15HoldsTheSameIn666And999) {
+TEST(Transcode, DemoOfProtocol15IsSameIn666And999) {
   DATA_FOLDER_OR_SKIP(folder);
   for (const char* name : {"demo1_lite.dem", "demo2_lite.dem"}) {
     const base::ByteVector original = test::read_file(folder / "id1" / name);
     Dialect dialect;
-    const std::vector<std::string> texts = texts_of(original, dialect);
+    const std::vector<std::string> texts = list_texts(original, dialect);
     ASSERT_EQ(dialect, k15);
-    for (const Dialect& to : {k666, k999}) {
+    for (const Dialect& to : {kDialect666, kDialect999}) {
       const auto transcoded = test::transcode(original, to);
       ASSERT_TRUE(transcoded.ok()) << transcoded.error().message();
-      EXPECT_TRUE(texts_of(*transcoded, dialect) == texts) << name << " in protocol " << int(to.protocol);
+      EXPECT_TRUE(list_texts(*transcoded, dialect) == texts) << name << " in protocol " << int(to.protocol);
       EXPECT_EQ(dialect, to);
     }
   }
 }
 
-TEST(Transcode, ThereAndBackIsTheSameFile) {
+TEST(Transcode, RoundTripIsIdentical) {
   DATA_FOLDER_OR_SKIP(folder);
   for (const char* name : {"demo2_lite.dem", "demo3_lite.dem"}) {
     const base::ByteVector original = test::read_file(folder / "id1" / name);
-    const auto there = test::transcode(original, k666);
+    const auto there = test::transcode(original, kDialect666);
     ASSERT_TRUE(there.ok()) << there.error().message();
     const auto back = test::transcode(*there, k15);
     ASSERT_TRUE(back.ok()) << back.error().message();
@@ -66,11 +66,11 @@ TEST(Transcode, ThereAndBackIsTheSameFile) {
   }
 }
 
-// Sixteenths of a unit become eighths, 65536ths of a turn 256ths: the nearest ones.
+// Sixteenths of a unit round to eighths, 65536ths of a turn to 256ths.
 TEST(Transcode, DemoOfProtocol999IsRoundedIn666) {
   DATA_FOLDER_OR_SKIP(folder);
   const base::ByteVector original = test::read_file(folder / "id1/demo3.dem");
-  const auto transcoded = test::transcode(original, k666);
+  const auto transcoded = test::transcode(original, kDialect666);
   ASSERT_TRUE(transcoded.ok()) << transcoded.error().message();
   const auto packets = test::dem_packets(original), transcoded_packets = test::dem_packets(*transcoded);
   ASSERT_EQ(packets.size(), transcoded_packets.size());
@@ -99,15 +99,15 @@ TEST(Transcode, DemoOfProtocol999IsRoundedIn666) {
   EXPECT_GT(updates, 1000);
 }
 
-TEST(Transcode, SaysWhereARecordingCannotBeRead) {
+TEST(Transcode, NamesOffsetOfUnreadableMessage) {
   formats::DemWriter recording;
   const std::string_view nop("\1", 1), unknown("\1\115", 2);
   recording.add({1, 2, 3}, base::as_bytes(nop));
   recording.add({1, 2, 3}, base::as_bytes(unknown));
-  const auto transcoded = test::transcode(std::move(recording).take(), k666);
+  const auto transcoded = test::transcode(std::move(recording).take(), kDialect666);
   ASSERT_FALSE(transcoded.ok());
-  // Behind "-1\n", twice a length and three angles, the nop, and another nop.
-  EXPECT_EQ(transcoded.error().message(), "offset 37: message 77: no such message is known");
+  // After "-1\n", two lengths with three angles each, and two nops.
+  EXPECT_EQ(transcoded.error().message(), "offset 37: message 77: unknown message");
 }
 
 }  // namespace

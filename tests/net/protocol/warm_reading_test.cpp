@@ -1,4 +1,4 @@
-// Once warm, reading messages asks the heap for nothing.
+// A warm message reader allocates no memory.
 #include <gtest/gtest.h>
 
 #include "net/protocol/message_reader.h"

@@ -9,7 +9,7 @@ platform::Address at(const char* host) {
   return platform::parse_host(host, 26000).value();
 }
 
-TEST(AddressPrefix, HoldsItsNetworkAndNoOther) {
+TEST(AddressPrefix, ContainsExactlyItsNetwork) {
   const AddressPrefix net = *parse_prefix("192.0.2.77/24");
   EXPECT_TRUE(net.contains(at("192.0.2.0")));
   EXPECT_TRUE(net.contains(at("192.0.2.255")));
@@ -23,7 +23,7 @@ TEST(AddressPrefix, HoldsItsNetworkAndNoOther) {
   EXPECT_FALSE(wide.contains(at("2001:db8:8000::1")));
 }
 
-TEST(AddressPrefix, OneHostWithoutMask) {
+TEST(AddressPrefix, WithoutMaskIsOneHost) {
   const AddressPrefix one = *parse_prefix("192.0.2.1");
   EXPECT_TRUE(one.contains(at("192.0.2.1")));
   EXPECT_FALSE(one.contains(at("192.0.2.2")));
@@ -31,7 +31,7 @@ TEST(AddressPrefix, OneHostWithoutMask) {
   EXPECT_EQ(one, *parse_prefix("192.0.2.1/32"));
 }
 
-TEST(AddressPrefix, EverybodyOfAKind) {
+TEST(AddressPrefix, ZeroBitsContainWholeAddressFamily) {
   EXPECT_TRUE(parse_prefix("0.0.0.0/0")->contains(at("255.1.2.3")));
   EXPECT_FALSE(parse_prefix("0.0.0.0/0")->contains(at("2001:db8::1")));
   EXPECT_TRUE(parse_prefix("::/0")->contains(at("1.2.3.4")));
@@ -39,12 +39,13 @@ TEST(AddressPrefix, EverybodyOfAKind) {
     EXPECT_EQ(to_text(*parse_prefix(text)), text);
 }
 
-TEST(AddressPrefix, WhatIsWrongIsNamed) {
+TEST(AddressPrefix, RejectsInvalidTextWithReason) {
   for (const char* text : {"", "quake.example", "1.2.3", "/24"})
-    EXPECT_NE(parse_prefix(text).error().message().find("is no address in numbers"), std::string::npos)
+    EXPECT_NE(parse_prefix(text).error().message().find("is not a numeric IP address"), std::string::npos)
         << text;
   for (const char* text : {"1.2.3.4/", "1.2.3.4/33", "1.2.3.4/-1", "1.2.3.4/x", "1.2.3.4/8x"})
-    EXPECT_NE(parse_prefix(text).error().message().find("no number from 0 to 32"), std::string::npos) << text;
+    EXPECT_NE(parse_prefix(text).error().message().find("must be a number from 0 to 32"), std::string::npos)
+        << text;
   EXPECT_FALSE(parse_prefix("::1/129").ok());
 }
 

@@ -1,5 +1,5 @@
-// The packets of one connection: their bytes as the description has them, and two channels over a network
-// that does everything wrong.
+// Channel: packets byte by byte as the protocol description has them, and two channels over a simulated
+// network that loses, duplicates, delays, and reorders.
 #include "net/transport/channel.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ using ::testing::IsEmpty;
 
 using Packets = std::vector<base::ByteVector>;
 
-// A channel whose packets are collected, and the results of which are copied.
+// A channel that collects its packets and copies its results.
 struct End {
   Channel channel;
   Packets sent{};
@@ -57,7 +57,7 @@ base::ByteVector packet(std::uint32_t word, std::uint32_t sequence, std::string_
   return bytes;
 }
 
-TEST(Channel, BytesAreThoseOfTheDescription) {
+TEST(Channel, PacketBytesMatchDescription) {
   End end;
   end.send("hi", 0);
   EXPECT_THAT(end.taken(), ElementsAre(packet(0x0009000a, 0, "hi")));
@@ -68,7 +68,7 @@ TEST(Channel, BytesAreThoseOfTheDescription) {
   EXPECT_THAT(end.taken(), ElementsAre(packet(0x00020008, 0)));
 }
 
-TEST(Channel, FragmentsGoOneByOne) {
+TEST(Channel, SendsFragmentsOneAtATime) {
   End from, to;
   const std::string text = std::string(1024, 'a') + std::string(1024, 'b') + "c";
   from.send(text, 0);
@@ -87,13 +87,13 @@ TEST(Channel, FragmentsGoOneByOne) {
   EXPECT_EQ(from.channel.queued_bytes(), 0u);
 }
 
-TEST(Channel, AMessageOfWholeFragmentsEndsWithTheLast) {
+TEST(Channel, MessageOfWholeFragmentsHasNoEmptyLastFragment) {
   End end;
   end.send(std::string(1024, 'a'), 0);
   EXPECT_THAT(end.taken(), ElementsAre(packet(0x00090408, 0, std::string(1024, 'a'))));
 }
 
-TEST(Channel, SendsAgainAfterASecondUntilAcknowledged) {
+TEST(Channel, ResendsEverySecondUntilAcknowledged) {
   End end;
   end.send("x", 10);
   const Packets first = end.taken();
@@ -113,7 +113,7 @@ TEST(Channel, SendsAgainAfterASecondUntilAcknowledged) {
   EXPECT_EQ(end.channel.statistics().resent, 2u);
 }
 
-TEST(Channel, SendsAgainSoonerOnceTheRoundTripIsKnown) {
+TEST(Channel, ResendsSoonerOnceRoundTripIsKnown) {
   End end;
   double now_s = 0;
   for (std::uint32_t sequence = 0; sequence < 50; ++sequence) {
@@ -128,22 +128,22 @@ TEST(Channel, SendsAgainSoonerOnceTheRoundTripIsKnown) {
   EXPECT_THAT(end.taken(), IsEmpty());
   end.channel.update(now_s + 0.11, end.sink());
   EXPECT_EQ(end.taken().size(), 1u);
-  // An answer to a fragment sent twice teaches nothing.
+  // The acknowledgment of a resent fragment gives no sample.
   end.receive(packet(0x00020008, 50), now_s + 5);
   EXPECT_NEAR(end.channel.round_trip_s().value(), 0.05, 1e-9);
 }
 
-TEST(Channel, DuplicatesAreAcknowledgedAndNotUsed) {
+TEST(Channel, AcknowledgesAndIgnoresDuplicates) {
   End end;
   EXPECT_EQ(end.receive(packet(0x00090009, 0, "x"), 0), "R:x");
   EXPECT_EQ(end.receive(packet(0x00090009, 0, "x"), 0), "");
-  EXPECT_EQ(end.receive(packet(0x00090009, 7, "z"), 0), "");  // ahead: nobody sends that
+  EXPECT_EQ(end.receive(packet(0x00090009, 7, "z"), 0), "");  // ahead of the sequence: no sender does that
   EXPECT_THAT(end.taken(), ElementsAre(packet(0x00020008, 0), packet(0x00020008, 0), packet(0x00020008, 7)));
   EXPECT_EQ(end.receive(packet(0x00090009, 1, "y"), 0), "R:y");
   EXPECT_EQ(end.channel.statistics().duplicates, 2u);
 }
 
-TEST(Channel, ForgedAcknowledgementsChangeNothing) {
+TEST(Channel, IgnoresForgedAcknowledgments) {
   End end;
   end.receive(packet(0x00020008, 0), 0);  // nothing is in flight
   end.send("x", 0);
@@ -153,7 +153,7 @@ TEST(Channel, ForgedAcknowledgementsChangeNothing) {
   EXPECT_TRUE(end.channel.can_send_reliable());
 }
 
-TEST(Channel, UnreliableLateOnesAreDroppedAndGapsCounted) {
+TEST(Channel, DropsStaleUnreliableMessagesAndCountsLostOnes) {
   End end;
   EXPECT_EQ(end.receive(packet(0x00100009, 2, "c"), 0), "U:c");
   EXPECT_EQ(end.receive(packet(0x00100009, 1, "b"), 0), "");
@@ -164,36 +164,36 @@ TEST(Channel, UnreliableLateOnesAreDroppedAndGapsCounted) {
   EXPECT_THAT(end.taken(), IsEmpty());
 }
 
-TEST(Channel, AForgedLeapDoesNotMakeTheRestLate) {
+TEST(Channel, IgnoresForgedSequenceJump) {
   End end;
   EXPECT_EQ(end.receive(packet(0x00100009, 0xfffffff0, "x"), 0), "");
   EXPECT_EQ(end.receive(packet(0x00100009, 70000, "x"), 0), "");
   EXPECT_EQ(end.receive(packet(0x00100009, 0, "a"), 0), "U:a");
 }
 
-TEST(Channel, ReliableAndUnreliableCountApart) {
+TEST(Channel, ReliableAndUnreliableSequencesAreSeparate) {
   End end;
   for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(end.receive(packet(0x00100009, i, "u"), 0), "U:u");
   EXPECT_EQ(end.receive(packet(0x00090009, 0, "r"), 0), "R:r");
 }
 
-TEST(Channel, TheLimitsOfTheProtocols) {
-  EXPECT_EQ(limits_of(Protocol::kNetQuake, true).reliable_bytes, 8000u);
-  EXPECT_EQ(limits_of(Protocol::kNetQuake, false).unreliable_bytes, 1024u);
-  EXPECT_EQ(limits_of(Protocol::kFitzQuake, false).unreliable_bytes, 1400u);
-  EXPECT_EQ(limits_of(Protocol::kRmq, true).unreliable_bytes, 64000u);
+TEST(Channel, LimitsFollowProtocol) {
+  EXPECT_EQ(message_limits_for(Protocol::kNetQuake, true).reliable_bytes, 8000u);
+  EXPECT_EQ(message_limits_for(Protocol::kNetQuake, false).unreliable_bytes, 1024u);
+  EXPECT_EQ(message_limits_for(Protocol::kFitzQuake, false).unreliable_bytes, 1400u);
+  EXPECT_EQ(message_limits_for(Protocol::kRmq, true).unreliable_bytes, 64000u);
   End end;
   const base::ByteVector large(8001);
   EXPECT_EQ(end.channel.send_reliable(large, 0, end.sink()).error().code, ErrorCode::kTooLarge);
   EXPECT_EQ(end.channel.send_unreliable(base::Bytes(large).first(1025), end.sink()).error().message(),
-            "an unreliable message of 1025 bytes, the peer takes 1024");
+            "unreliable message of 1025 bytes exceeds the peer's limit of 1024");
   EXPECT_THAT(end.sent, IsEmpty());
-  end.channel.set_sent_limits(limits_of(Protocol::kRmq, true));
+  end.channel.set_sent_limits(message_limits_for(Protocol::kRmq, true));
   EXPECT_TRUE(end.channel.send_reliable(large, 0, end.sink()).ok());
   EXPECT_TRUE(end.channel.send_unreliable(large, end.sink()).ok());
 }
 
-TEST(Channel, AQueueThatIsFullIsAnError) {
+TEST(Channel, RejectsMessagesWhenQueueIsFull) {
   End end{Channel({.queue_bytes = 10})};
   end.send("12345", 0);
   end.send("6789", 0);
@@ -203,19 +203,20 @@ TEST(Channel, AQueueThatIsFullIsAnError) {
   end.send("0", 0);
 }
 
-TEST(BadPacket, WhatIsWrongIsNamedAndNothingChanges) {
+TEST(BadPacket, IsRejectedWithReasonAndChangesNothing) {
   End end;
-  EXPECT_THAT(end.receive({}, 0), HasSubstr("a packet of 0 bytes has no room"));
-  EXPECT_THAT(end.receive(base::Bytes(packet(0x00090008, 0)).first(7), 0), HasSubstr("has no room"));
-  EXPECT_THAT(end.receive(packet(0x0009000a, 0, "x"), 0), HasSubstr("9 bytes says that it has 10"));
+  EXPECT_THAT(end.receive({}, 0), HasSubstr("packet of 0 bytes is shorter than its header"));
+  EXPECT_THAT(end.receive(base::Bytes(packet(0x00090008, 0)).first(7), 0),
+              HasSubstr("is shorter than its header"));
+  EXPECT_THAT(end.receive(packet(0x0009000a, 0, "x"), 0), HasSubstr("9 bytes declares a size of 10"));
   for (const std::uint32_t flags : {0u, 0x00040000u, 0x00080000u, 0x00030000u, 0x00180000u, 0x80000000u})
-    EXPECT_THAT(end.receive(packet(flags | 9, 0, "x"), 0), HasSubstr("has the flags"));
-  EXPECT_THAT(end.receive(packet(0x00020009, 0, "x"), 0), HasSubstr("has 1 bytes of content"));
+    EXPECT_THAT(end.receive(packet(flags | 9, 0, "x"), 0), HasSubstr("has invalid flags"));
+  EXPECT_THAT(end.receive(packet(0x00020009, 0, "x"), 0), HasSubstr("with 1 bytes of content"));
   EXPECT_THAT(end.sent, IsEmpty());
   EXPECT_EQ(end.receive(packet(0x00090009, 0, "x"), 0), "R:x");
 }
 
-TEST(BadPacket, AMessageWithoutEndIsRefusedAtItsLimit) {
+TEST(BadPacket, EndlessMessageFailsAtLimit) {
   End end{Channel({.max_received_bytes = 8192})};
   const std::string kilobyte(1024, 'a');
   std::uint32_t sequence = 0;
@@ -223,11 +224,10 @@ TEST(BadPacket, AMessageWithoutEndIsRefusedAtItsLimit) {
   const auto got = end.channel.receive(packet(0x00010408, sequence, kilobyte), 0, end.sink());
   ASSERT_FALSE(got.ok());
   EXPECT_EQ(got.error().code, ErrorCode::kTooLarge);
-  EXPECT_EQ(got.error().message(), "a reliable message is longer than 8192 bytes");
+  EXPECT_EQ(got.error().message(), "reliable message exceeds 8192 bytes");
 }
 
-// What of a peer's packets somebody else damages or makes up is an error or an answer, and never more memory
-// than the limits.
+// Damaged and forged packets cause an error or a reply, and never exceed the memory limits.
 TEST(BadPacket, RandomPackets) {
   test::Random random(3);
   for (int round = 0; round < test::effort(200, 20); ++round) {
@@ -247,7 +247,7 @@ TEST(BadPacket, RandomPackets) {
   }
 }
 
-// A channel on a bad network, with what it was told and what it heard.
+// A channel on a bad network, with the messages that it sent and received.
 class Peer {
  public:
   auto sink() {
@@ -280,7 +280,7 @@ class Peer {
   void hear(const ChannelMessage& message) {
     if (message.reliable) return heard_.emplace_back(message.bytes.begin(), message.bytes.end()), void();
     const std::uint32_t number = base::ByteReader(message.bytes).u32();
-    EXPECT_GE(number, next_number_);  // never backwards, never twice
+    EXPECT_GE(number, next_number_);  // in order, without duplicates
     next_number_ = number + 1;
     ++numbers_heard_;
   }
@@ -293,34 +293,34 @@ class Peer {
   std::size_t numbers_heard_ = 0;
 };
 
-TEST(BadNetwork, EveryReliableMessageOnceAndInOrderBothWays) {
+TEST(BadNetwork, DeliversReliableMessagesOnceAndInOrder) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
     test::BadNetwork network({0.2, 0.05, 0.3, 0.15}, seed);
     Peer a(network, 1, 2), b(network, 2, 1);
-    Packets told_a, told_b;
+    Packets sent_a, sent_b;
     const double end_s = test::effort(600, 120);
     std::uint32_t sent = 0;
-    const auto speak = [&](Peer& peer, Packets& io_told, double now_s) {
+    const auto speak = [&](Peer& peer, Packets& io_sent, double now_s) {
       const base::ByteVector message = test::random_bytes(random, 1 + random.below(4000));
-      if (peer.send_reliable(message, now_s)) io_told.push_back(message);
+      if (peer.send_reliable(message, now_s)) io_sent.push_back(message);
     };
     for (int tick = 0; tick < 72 * end_s; ++tick) {
       const double now_s = tick / 72.0;
       network.advance_to(now_s);
-      // The last two minutes (a fifth) are for what still waits.
-      if (now_s < end_s * 0.8 && random.chance(0.002)) speak(a, told_a, now_s);
-      if (now_s < end_s * 0.8 && random.chance(0.002)) speak(b, told_b, now_s);
+      // The last fifth (two minutes) drains the queues.
+      if (now_s < end_s * 0.8 && random.chance(0.002)) speak(a, sent_a, now_s);
+      if (now_s < end_s * 0.8 && random.chance(0.002)) speak(b, sent_b, now_s);
       a.send_number(sent);
       b.send_number(sent++);
       a.tick(now_s);
       b.tick(now_s);
     }
-    EXPECT_GT(told_a.size(), 4u);
-    EXPECT_EQ(a.heard(), told_b);
-    EXPECT_EQ(b.heard(), told_a);
-    // Jitter makes many late; enough of them are the newest.
+    EXPECT_GT(sent_a.size(), 4u);
+    EXPECT_EQ(a.heard(), sent_b);
+    EXPECT_EQ(b.heard(), sent_a);
+    // Jitter makes many stale, but enough arrive in order.
     EXPECT_GT(a.numbers_heard(), sent / 20);
     EXPECT_GT(a.channel().statistics().resent, 0u);
   }

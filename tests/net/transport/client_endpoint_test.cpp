@@ -1,5 +1,5 @@
-// A client's end, against answers worked out by hand: as our servers give them and as stock ones do, with a
-// port for each client.
+// ClientEndpoint against hand-made replies of our servers, and of stock servers, which open a port for each
+// client.
 #include "net/transport/client_endpoint.h"
 
 #include <gmock/gmock.h>
@@ -22,11 +22,11 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using namespace std::string_literals;
 
-const std::string kConnect = "\x80\0\0\x0c\x01QUAKE\0\x03"s;
+const std::string kClientConnect = "\x80\0\0\x0c\x01QUAKE\0\x03"s;
 const std::string kNop = "\0\x10\0\x09\0\0\0\0\x01"s;
 
-struct Bench {
-  Bench() { client.endpoint.connect(kServer, now_s); }
+struct ClientBench {
+  ClientBench() { client.endpoint.connect(kServer, now_s); }
 
   void tick(double seconds = 0) {
     now_s += seconds;
@@ -47,15 +47,15 @@ struct Bench {
   ClientOnBench client{network, host(2, 1)};
 };
 
-TEST(ClientEndpoint, ThreeRequestsAndThenItGivesUp) {
-  Bench bench;
-  EXPECT_THAT(bench.received(), ElementsAre(kConnect));
+TEST(ClientEndpoint, GivesUpAfterThreeRequests) {
+  ClientBench bench;
+  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect));
   bench.tick(2.4);
   EXPECT_THAT(bench.received(), IsEmpty());
   bench.tick(0.2);
-  EXPECT_THAT(bench.received(), ElementsAre(kConnect));
+  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect));
   bench.tick(2.5);
-  EXPECT_THAT(bench.received(), ElementsAre(kConnect));
+  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect));
   EXPECT_THAT(bench.client.taken(), IsEmpty());
   bench.tick(2.5);
   EXPECT_THAT(bench.client.taken(), ElementsAre("- 10.0.0.1:26000 does not answer"));
@@ -64,25 +64,25 @@ TEST(ClientEndpoint, ThreeRequestsAndThenItGivesUp) {
   EXPECT_THAT(bench.received(), IsEmpty());
 }
 
-TEST(ClientEndpoint, AStockServerOpensAPortForIt) {
-  Bench bench;
+TEST(ClientEndpoint, FollowsStockServerToNewPort) {
+  ClientBench bench;
   const auto fresh = bench.network.open(host(1, 40000));
   bench.send("\x80\0\0\x09\x81\x40\x9c\0\0"s);
   bench.tick();
   EXPECT_THAT(bench.client.taken(), ElementsAre("+"));
-  EXPECT_THAT(Bench::received(*fresh), ElementsAre(kNop));
+  EXPECT_THAT(ClientBench::received(*fresh), ElementsAre(kNop));
   fresh->send(host(2, 1), base::as_bytes("\0\x09\0\x0a\0\0\0\0hi"s));
   bench.tick();
   EXPECT_THAT(bench.client.taken(), ElementsAre("R:hi"));
-  EXPECT_THAT(Bench::received(*fresh), ElementsAre("\0\x02\0\x08\0\0\0\0"s));
-  // Its first port is nobody now.
+  EXPECT_THAT(ClientBench::received(*fresh), ElementsAre("\0\x02\0\x08\0\0\0\0"s));
+  // The first port no longer belongs to the server.
   bench.send("\0\x10\0\x09\0\0\0\0x"s);
   bench.tick();
   EXPECT_THAT(bench.client.taken(), IsEmpty());
 }
 
-TEST(ClientEndpoint, AServerBehindATranslationNamesAPortThatNobodySees) {
-  Bench bench;
+TEST(ClientEndpoint, AcceptsServerWhoseNatHidesAnnouncedPort) {
+  ClientBench bench;
   bench.send("\x80\0\0\x09\x81\x40\x9c\0\0"s);
   bench.send("\0\x09\0\x0a\0\0\0\0hi"s);
   bench.tick();
@@ -93,9 +93,9 @@ TEST(ClientEndpoint, AServerBehindATranslationNamesAPortThatNobodySees) {
   EXPECT_THAT(bench.received(), ElementsAre("\0\x09\0\x0b\0\0\0\0yes"s));
 }
 
-TEST(ClientEndpoint, APortThatIsNoneMeansTheOneAsked) {
+TEST(ClientEndpoint, InvalidPortMeansRequestedPort) {
   for (const std::string& port : {"\0\0\0\0"s, "\xff\xff\xff\xff"s, "\0\0\x01\0"s}) {
-    Bench bench;
+    ClientBench bench;
     bench.send("\x80\0\0\x09\x81"s + port);
     bench.tick();
     EXPECT_THAT(bench.client.taken(), ElementsAre("+"));
@@ -103,16 +103,16 @@ TEST(ClientEndpoint, APortThatIsNoneMeansTheOneAsked) {
   }
 }
 
-TEST(ClientEndpoint, ARefusalIsTold) {
-  Bench bench;
+TEST(ClientEndpoint, ReportsRejection) {
+  ClientBench bench;
   bench.send("\x80\0\0\x16\x82Server is full.\n\0"s);
   bench.tick();
   EXPECT_THAT(bench.client.taken(), ElementsAre("- Server is full."));
   EXPECT_FALSE(bench.client.send("x"));
 }
 
-TEST(ClientEndpoint, OthersAreNotHeard) {
-  Bench bench;
+TEST(ClientEndpoint, IgnoresOtherSenders) {
+  ClientBench bench;
   const auto other = bench.network.open(host(5, 26000));
   other->send(host(2, 1), base::as_bytes("\x80\0\0\x09\x81\x90\x65\0\0"s));
   bench.tick();
@@ -123,8 +123,8 @@ TEST(ClientEndpoint, OthersAreNotHeard) {
   EXPECT_THAT(bench.client.taken(), ElementsAre("+"));
 }
 
-TEST(ClientEndpoint, ItsEndIsSaidThrice) {
-  Bench bench;
+TEST(ClientEndpoint, SendsDisconnectThreeTimes) {
+  ClientBench bench;
   bench.send("\x80\0\0\x09\x81\x90\x65\0\0"s);
   bench.tick();
   bench.received();
@@ -135,21 +135,21 @@ TEST(ClientEndpoint, ItsEndIsSaidThrice) {
   EXPECT_THAT(bench.received(), IsEmpty());
 }
 
-TEST(ClientEndpoint, ASilentServerIsGivenUp) {
-  Bench bench;
+TEST(ClientEndpoint, TimesOutSilentServer) {
+  ClientBench bench;
   bench.send("\x80\0\0\x09\x81\x90\x65\0\0"s);
   bench.tick();
   bench.client.taken();
   bench.tick(299);
   EXPECT_THAT(bench.client.taken(), IsEmpty());
   bench.tick(2);
-  EXPECT_THAT(bench.client.taken(), ElementsAre("- the server has fallen silent"));
+  EXPECT_THAT(bench.client.taken(), ElementsAre("- the server stopped responding"));
 }
 
-TEST(HostileServer, RandomPacketsBringNothingTwice) {
+TEST(HostileServer, RandomPacketsCauseNoDuplicates) {
   test::Random random(4);
   for (int round = 0; round < test::effort(50, 5); ++round) {
-    Bench bench;
+    ClientBench bench;
     bench.send("\x80\0\0\x09\x81\x90\x65\0\0"s);
     bench.tick();
     EXPECT_THAT(bench.client.taken(), ElementsAre("+"));
@@ -171,14 +171,14 @@ TEST(HostileServer, RandomPacketsBringNothingTwice) {
   }
 }
 
-TEST(HostileServer, AMessageWithoutEndEndsIt) {
-  Bench bench;
+TEST(HostileServer, EndlessMessageEndsConnection) {
+  ClientBench bench;
   bench.send("\x80\0\0\x09\x81\x90\x65\0\0"s);
   for (int i = 0; i < 100; ++i) {
     bench.send("\0\x01\x04\x08\0\0\0"s + static_cast<char>(i) + std::string(1024, 'a'));
     bench.tick(0.01);
   }
-  EXPECT_THAT(bench.client.taken(), ElementsAre("+", "- a reliable message is longer than 65535 bytes"));
+  EXPECT_THAT(bench.client.taken(), ElementsAre("+", "- reliable message exceeds 65535 bytes"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Control packets: bytes as the description has them, both ways, and what is refused.
+// Control packets: read and written byte by byte as the protocol description has them, and rejected ones.
 #include "net/transport/control.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ base::ByteVector written(const ControlPacket& packet) {
   return std::move(bytes).value();
 }
 
-// `body` from the command on.
+// `body`: from the command byte.
 base::ByteVector control(std::string_view body) {
   return test::to_bytes("\x80\0"s + static_cast<char>((body.size() + 4) >> 8) +
                         static_cast<char>(body.size() + 4) + std::string(body));
@@ -60,28 +60,28 @@ std::vector<Case> cases() {
            "done\n\0"s}};
 }
 
-TEST(Control, BytesAreThoseOfTheDescription) {
-  for (const Case& c : cases()) EXPECT_EQ(written(c.packet), control(c.body)) << name_of(c.packet);
+TEST(Control, BytesMatchDescription) {
+  for (const Case& c : cases()) EXPECT_EQ(written(c.packet), control(c.body)) << packet_name(c.packet);
   EXPECT_EQ(written(ServerInfoRequest{}).size(), 12u);
 }
 
-TEST(Control, ReadBackTheyAreTheSame) {
+TEST(Control, RoundTrips) {
   for (const Case& c : cases()) {
     const base::ByteVector bytes = control(c.body);
     const auto read = read_control_packet(bytes);
     ASSERT_TRUE(read.ok()) << read.error().message();
     EXPECT_EQ(read->index(), c.packet.index());
-    EXPECT_EQ(written(*read), bytes) << name_of(c.packet);
+    EXPECT_EQ(written(*read), bytes) << packet_name(c.packet);
   }
 }
 
-TEST(Control, BytesBehindArePassedOver) {
+TEST(Control, IgnoresExtraBytes) {
   for (const Case& c : cases()) {
-    if (c.body.size() == 1) continue;  // the end of the rules has nothing behind it
+    if (c.body.size() == 1) continue;  // extra bytes would turn the end of the rules into a rule
     const base::ByteVector bytes = control(c.body + "\x01\x22more");
     const auto read = read_control_packet(bytes);
     ASSERT_TRUE(read.ok()) << read.error().message();
-    EXPECT_EQ(written(*read), control(c.body)) << name_of(c.packet);
+    EXPECT_EQ(written(*read), control(c.body)) << packet_name(c.packet);
   }
 }
 
@@ -90,37 +90,37 @@ std::string control_error(base::Bytes bytes) {
   return read.ok() ? "no error" : read.error().message();
 }
 
-TEST(BadControl, WhatIsWrongIsNamed) {
-  EXPECT_EQ(control_error({}), "0 bytes are no control packet");
-  EXPECT_EQ(control_error(test::to_bytes("\x80\0\0\x04"s)), "4 bytes are no control packet");
-  EXPECT_EQ(control_error(test::to_bytes("\0\0\0\x05\x01"s)), "5 bytes are no control packet");
+TEST(BadControl, IsRejectedWithReason) {
+  EXPECT_EQ(control_error({}), "not a control packet (0 bytes)");
+  EXPECT_EQ(control_error(test::to_bytes("\x80\0\0\x04"s)), "not a control packet (4 bytes)");
+  EXPECT_EQ(control_error(test::to_bytes("\0\0\0\x05\x01"s)), "not a control packet (5 bytes)");
   EXPECT_EQ(control_error(test::to_bytes("\x80\0\0\x06\x01"s)),
-            "a control packet of 5 bytes has the header 0x80000006");
+            "control packet of 5 bytes has the header 0x80000006");
   EXPECT_EQ(control_error(test::to_bytes("\x80\x01\0\x05\x01"s)),
-            "a control packet of 5 bytes has the header 0x80010005");
-  EXPECT_EQ(control_error(control("\x06")), "control command 0x6 is not known");
-  EXPECT_EQ(control_error(control("\x01HEXEN\0\x03"s)), "CCREQ_CONNECT: for the game 'HEXEN'");
-  EXPECT_EQ(control_error(control("\x01QUAKE\0"s)), "CCREQ_CONNECT: ends after 11 bytes");
-  EXPECT_EQ(control_error(control("\x01QUAKE"s)), "CCREQ_CONNECT: the game's name has no end");
-  EXPECT_EQ(control_error(control("\x85rule\0x"s)), "CCREP_RULE_INFO: the value has no end");
+            "control packet of 5 bytes has the header 0x80010005");
+  EXPECT_EQ(control_error(control("\x06")), "unknown control command 0x6");
+  EXPECT_EQ(control_error(control("\x01HEXEN\0\x03"s)), "CCREQ_CONNECT: game is 'HEXEN', expected 'QUAKE'");
+  EXPECT_EQ(control_error(control("\x01QUAKE\0"s)), "CCREQ_CONNECT: packet ends after 11 bytes");
+  EXPECT_EQ(control_error(control("\x01QUAKE"s)), "CCREQ_CONNECT: game name has no terminating zero");
+  EXPECT_EQ(control_error(control("\x85rule\0x"s)), "CCREP_RULE_INFO: value has no terminating zero");
 }
 
-TEST(BadControl, EveryTruncationIsAnError) {
+TEST(BadControl, RejectsEveryTruncation) {
   for (const Case& c : cases())
     for (std::size_t size = 1; size < c.body.size(); ++size) {
       const std::string cut = c.body.substr(0, size);
       const bool is_end_of_rules = cut == "\x85";
-      EXPECT_EQ(control_error(control(cut)) == "no error", is_end_of_rules) << name_of(c.packet) << size;
+      EXPECT_EQ(control_error(control(cut)) == "no error", is_end_of_rules) << packet_name(c.packet) << size;
     }
 }
 
-TEST(BadControl, WhatCannotBeWritten) {
+TEST(BadControl, RejectsUnrepresentableTexts) {
   EXPECT_EQ(write_control_packet(RejectReply{{"a\0b", 3}}).error().code, ErrorCode::kTooLarge);
   EXPECT_THAT(write_control_packet(RejectReply{std::string(1400, 'x')}).error().message(),
-              HasSubstr("CCREP_REJECT: 1406 bytes, the most is 1400"));
+              HasSubstr("CCREP_REJECT: 1406 bytes exceed the limit of 1400"));
 }
 
-TEST(BadControl, RandomBytes) {
+TEST(BadControl, SurvivesRandomBytes) {
   test::Random random(1);
   const std::vector<Case> all = cases();
   for (int i = 0; i < test::effort(50000, 5000); ++i) {

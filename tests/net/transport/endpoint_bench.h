@@ -1,4 +1,4 @@
-// A server's end on a network of the virtual clock, with all that came out of it written down.
+// A server endpoint on a simulated network with a virtual clock, and a log of its events.
 #pragma once
 
 #include <fmt/format.h>

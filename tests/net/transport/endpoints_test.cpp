@@ -1,4 +1,4 @@
-// Both ends together: over the loopback, and ten minutes of a network that does everything wrong.
+// Client and server endpoints together, over the loopback and over a bad network.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ using ::testing::StartsWith;
 
 constexpr double kTick_s = 1 / 72.0;
 
-TEST(Endpoints, AListenServersOwnPlayerAndOneFromOutside) {
+TEST(Endpoints, ListenServerHasLocalAndRemotePlayers) {
   LoopbackNetwork inside;
   BadNetwork outside({}, 1);
   ServerEndpoint::Sockets sockets;
@@ -52,12 +52,12 @@ TEST(Endpoints, AListenServersOwnPlayerAndOneFromOutside) {
   EXPECT_EQ(own.state(), ClientEndpoint::State::kConnected);
   EXPECT_EQ(guest.state(), ClientEndpoint::State::kConnected);
   ASSERT_EQ(joined.size(), 2u);
-  // Within a process no network's limit holds.
-  EXPECT_EQ(server.limits_to(joined[0]).unreliable_bytes, 64000u);
-  EXPECT_EQ(server.limits_to(joined[1]).unreliable_bytes, 1400u);
+  // Message limits of the network do not apply inside a process.
+  EXPECT_EQ(server.message_limits(joined[0]).unreliable_bytes, 64000u);
+  EXPECT_EQ(server.message_limits(joined[1]).unreliable_bytes, 1400u);
 }
 
-TEST(Endpoints, AFloodFromOutsideDoesNotKeepTheOwnPlayerWaiting) {
+TEST(Endpoints, FloodDoesNotDelayLocalPlayer) {
   LoopbackNetwork inside;
   BadNetwork outside({}, 1);
   ServerEndpoint::Sockets sockets;
@@ -81,7 +81,7 @@ TEST(Endpoints, AFloodFromOutsideDoesNotKeepTheOwnPlayerWaiting) {
   EXPECT_GE(heard, 45);
 }
 
-TEST(Endpoints, DisconnectingReachesTheOtherSide) {
+TEST(Endpoints, DisconnectReachesPeer) {
   BadNetwork network({}, 1);
   ServerOnBench server(network);
   ClientOnBench client(network, host(2, 1));
@@ -99,7 +99,7 @@ TEST(Endpoints, DisconnectingReachesTheOtherSide) {
   EXPECT_THAT(client.taken(), ElementsAre(StartsWith("U:\x08the server ends\n")));
 }
 
-TEST(Endpoints, SixtyFourClientsAtOnceFromOneHost) {
+TEST(Endpoints, SixtyFourClientsJoinFromOneHost) {
   BadNetwork network({0, 0, 0.05, 0.01}, 1);
   ServerOnBench server(network, {.max_connections = 64});
   std::vector<std::unique_ptr<ClientOnBench>> clients;
@@ -115,7 +115,7 @@ TEST(Endpoints, SixtyFourClientsAtOnceFromOneHost) {
   EXPECT_EQ(server.endpoint.connections(), 64u);
 }
 
-// What the two sides say in the long test: text that is put together from its numbered pieces.
+// Messages of the long test: numbered lines, several in one message.
 struct Speaker {
   std::string said, waiting;
 
@@ -123,7 +123,7 @@ struct Speaker {
     said += text;
     waiting += text;
   }
-  // As an owner does it: what gathers while a message is out goes together in the next.
+  // Collect lines while a message is in flight, and send them together, as a server does.
   template <typename Endpoint>
   void flush(Endpoint& endpoint) {
     if (waiting.empty() || !endpoint.can_send_reliable()) return;
@@ -133,7 +133,7 @@ struct Speaker {
   }
 };
 
-// One of a server's connections as something that can be sent to.
+// Adapts one connection of a server to the interface of a sender.
 struct ConnectionOf {
   ServerEndpoint& endpoint;
   ConnectionId id;
@@ -160,7 +160,7 @@ class LongGame {
       while (const auto event = player->endpoint.next_event(now_s)) on_client(*player, *event);
     }
   }
-  // Until everybody is there: whose three requests were lost asks anew. The time then.
+  // Runs until all clients have joined; a client that lost all three requests tries again. Returns the time.
   double join() {
     double now_s = 0;
     for (; now_s < 60 && !all_are_there(); now_s += kTick_s) {
@@ -173,7 +173,7 @@ class LongGame {
     lost_ = 0;
     return now_s;
   }
-  // To every client that is there from its beginning, and something from each.
+  // Exchanges messages in both directions.
   void say(std::string_view text) {
     for (const auto& [id, client] : client_of_) to_clients_[client].say(text);
     for (auto& player : players_)
@@ -200,7 +200,7 @@ class LongGame {
     EXPECT_EQ(lost_, 0);
     ASSERT_TRUE(all_are_there());
     for (std::size_t i = 0; i < players_.size(); ++i) {
-      // Compared by halves that are short to print.
+      // Compare short prefixes, so that failures print little.
       EXPECT_EQ(players_[i]->heard.size(), to_clients_[i].said.size());
       EXPECT_TRUE(players_[i]->heard == to_clients_[i].said);
       EXPECT_EQ(from_clients_[i].size(), players_[i]->speaker.said.size());
@@ -241,7 +241,7 @@ class LongGame {
       EXPECT_GE(frame, player.next_frame);
       player.next_frame = frame + 1;
       ++player.frames;
-    } else if (base::as_text(message->bytes) != "\x01") {  // the handshake's
+    } else if (base::as_text(message->bytes) != "\x01") {  // svc_nop of the handshake
       player.heard += base::as_text(message->bytes);
     }
   }
@@ -256,9 +256,9 @@ class LongGame {
   int lost_ = 0;
 };
 
-// 20 % lost, 5 % doubled, 300 ms on the way and back, half of that jitter: after ten minutes everybody is
-// there, and of ten thousand numbered prints none is missing, doubled or out of order.
-TEST(Endpoints, TenMinutesOfABadNetwork) {
+// 20 % loss, 5 % duplicates, 300 ms round trip with half of it jitter. After ten minutes, all clients are
+// connected, and of ten thousand numbered lines none is missing, duplicated, or out of order.
+TEST(Endpoints, SurviveTenMinutesOfBadNetwork) {
   constexpr unsigned kClients = 4;
   constexpr int kPrints = 10000;
   LongGame game({0.2, 0.05, 0.15, 0.075}, 7, kClients);
@@ -276,8 +276,8 @@ TEST(Endpoints, TenMinutesOfABadNetwork) {
   game.check();
 }
 
-// The same with 300 ms each way, for other seeds and less time.
-TEST(Endpoints, AWorseNetwork) {
+// Twice the latency, for more seeds and less time.
+TEST(Endpoints, SurviveWorseNetwork) {
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::effort(8, 2)); ++seed) {
     SCOPED_TRACE(seed);
     LongGame game({0.2, 0.05, 0.3, 0.2}, seed, 2);

@@ -1,4 +1,4 @@
-// The table of half-open connections: who is let in, and who gives way.
+// HalfOpenTable: admission, and replacement of old entries.
 #include "net/transport/admission/half_open.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ platform::Address at(std::size_t host, std::size_t port) {
                                static_cast<std::uint16_t>(port));
 }
 
-TEST(HalfOpenTable, FindsWhatItHolds) {
+TEST(HalfOpenTable, FindsEntries) {
   HalfOpenTable table;
   ASSERT_NE(table.add(at(1, 1), 0, {}, 10), nullptr);
   ASSERT_NE(table.add(at(1, 2), 3, {}, 11), nullptr);
@@ -27,30 +27,30 @@ TEST(HalfOpenTable, FindsWhatItHolds) {
   EXPECT_EQ(table.find(at(1, 2)), nullptr);
 }
 
-TEST(HalfOpenTable, AHostLeavesRoomForOthers) {
+TEST(HalfOpenTable, OneHostCannotFillTable) {
   HalfOpenTable table;
   std::size_t held = 0;
   for (std::size_t port = 1; port <= 1000; ++port) held += table.add(at(1, port), 0, {}, 1) != nullptr;
-  EXPECT_EQ(held, HalfOpenTable::kEntriesOfHost);
+  EXPECT_EQ(held, HalfOpenTable::kMaxEntriesPerHost);
   EXPECT_NE(table.add(at(2, 1), 0, {}, 1), nullptr);
-  // Its own oldest gives way, once that is old enough.
+  // A new entry replaces the oldest of the host, once that is old enough.
   EXPECT_EQ(table.add(at(1, 2000), 0, {}, 2.9), nullptr);
   EXPECT_NE(table.add(at(1, 2000), 0, {}, 3.1), nullptr);
   EXPECT_EQ(table.find(at(1, 1)), nullptr);
   EXPECT_NE(table.find(at(2, 1)), nullptr);
 }
 
-TEST(HalfOpenTable, FullOfManyHosts) {
+TEST(HalfOpenTable, ReplacesOldestWhenFull) {
   HalfOpenTable table;
-  for (std::size_t host = 0; host < HalfOpenTable::kEntries; ++host)
+  for (std::size_t host = 0; host < HalfOpenTable::kMaxEntries; ++host)
     EXPECT_NE(table.add(at(host, 1), 0, {}, static_cast<double>(host) / 100), nullptr);
   EXPECT_EQ(table.add(at(500, 1), 0, {}, 1.9), nullptr);
   EXPECT_NE(table.add(at(500, 1), 0, {}, 2.0), nullptr);
   EXPECT_EQ(table.find(at(0, 1)), nullptr);
 }
 
-// Against the rules told once more, for any sequence of requests.
-TEST(HalfOpenTable, NeverMoreThanItsPlacesNorYoungOnesLost) {
+// Random requests against a simple model of the rules.
+TEST(HalfOpenTable, StaysBoundedAndKeepsYoungEntries) {
   test::Random random(1);
   HalfOpenTable table;
   double now_s = 0;
@@ -58,9 +58,9 @@ TEST(HalfOpenTable, NeverMoreThanItsPlacesNorYoungOnesLost) {
     const platform::Address peer = at(random.below(6), 1 + random.below(200));
     std::vector<platform::Address> young;
     for (const HalfOpen& entry : table.entries())
-      if (now_s - entry.began_s < HalfOpenTable::kSafe_s) young.push_back(entry.address);
+      if (now_s - entry.began_s < HalfOpenTable::kMinAge_s) young.push_back(entry.address);
     if (table.find(peer) == nullptr) table.add(peer, 0, {}, now_s);
-    ASSERT_LE(table.entries().size(), HalfOpenTable::kEntries);
+    ASSERT_LE(table.entries().size(), HalfOpenTable::kMaxEntries);
     for (const platform::Address& kept : young) ASSERT_NE(table.find(kept), nullptr);
     if (random.chance(0.1)) table.remove(peer);
     if (random.chance(0.1)) table.remove_older_than(10, now_s);

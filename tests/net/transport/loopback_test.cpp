@@ -7,7 +7,7 @@
 namespace temblor::net {
 namespace {
 
-TEST(Loopback, InOrderAndOnce) {
+TEST(Loopback, DeliversInOrderAndOnce) {
   LoopbackNetwork network;
   const auto server = network.open(26000), client = network.open();
   EXPECT_EQ(to_text(server->local_address()), "local:26000");
@@ -23,7 +23,7 @@ TEST(Loopback, InOrderAndOnce) {
   EXPECT_FALSE(client->receive());
 }
 
-TEST(Loopback, NetworksDoNotHearOneAnother) {
+TEST(Loopback, NetworksAreSeparate) {
   LoopbackNetwork first, second;
   const auto a = first.open(1), b = second.open(1);
   a->send(b->local_address(), base::as_bytes("x"));
@@ -31,7 +31,7 @@ TEST(Loopback, NetworksDoNotHearOneAnother) {
   EXPECT_TRUE(a->receive());
 }
 
-TEST(Loopback, NobodyThere) {
+TEST(Loopback, DropsDatagramsToClosedPorts) {
   LoopbackNetwork network;
   const auto a = network.open(1);
   a->send({{}, 2, 0}, base::as_bytes("x"));
@@ -41,7 +41,7 @@ TEST(Loopback, NobodyThere) {
   EXPECT_NE(network.open(2), nullptr);  // free again
 }
 
-TEST(Loopback, WhatOverflowsIsLostAndRoomComesBack) {
+TEST(Loopback, DropsDatagramsWhenBufferIsFull) {
   LoopbackNetwork network;
   const auto a = network.open(1), b = network.open(2);
   const base::ByteVector bytes(1000);

@@ -1,4 +1,4 @@
-// A stock program that asks servers, over a real socket: quakestat (Debian's package qstat).
+// Queries by a real server browser over a real socket: quakestat (Debian package qstat).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string output_of(const std::string& command) {
+std::string capture_output(const std::string& command) {
   struct Close {
     void operator()(FILE* pipe) const { pclose(pipe); }
   };
@@ -63,10 +63,10 @@ class ServedPort {
   ServerEndpoint endpoint_;
   std::uint16_t port_;
   std::atomic<bool> stop_ = false;
-  std::thread thread_;  // the last: it runs on the others
+  std::thread thread_;  // last member: the thread uses the others
 };
 
-TEST(Quakestat, PrintsOurServerItsPlayersAndItsRules) {
+TEST(Quakestat, ShowsServerPlayersAndRules) {
   if (std::system("command -v quakestat >/dev/null 2>&1") != 0)
     GTEST_SKIP() << "quakestat is not installed (package qstat)";
   ServerDescription description = test::described();
@@ -76,7 +76,7 @@ TEST(Quakestat, PrintsOurServerItsPlayersAndItsRules) {
     description.rules.push_back({"sv_rule" + std::to_string(i), std::to_string(i)});
   const ServedPort server(description);
   const std::string output =
-      output_of("quakestat -qs 127.0.0.1:" + std::to_string(server.port()) + " -P -R -raw '|' 2>&1");
+      capture_output("quakestat -qs 127.0.0.1:" + std::to_string(server.port()) + " -P -R -raw '|' 2>&1");
   EXPECT_THAT(output, HasSubstr("|a host|"));
   EXPECT_THAT(output, HasSubstr("|dm1|16|16|"));
   EXPECT_THAT(output, HasSubstr("fraglimit=20"));

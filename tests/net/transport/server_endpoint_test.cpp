@@ -1,4 +1,4 @@
-// A server's end, spoken to in bytes worked out by hand, as a stock client would and as nobody should.
+// ServerEndpoint against hand-made packets of stock clients, and of attackers.
 #include "net/transport/server_endpoint.h"
 
 #include <gmock/gmock.h>
@@ -24,13 +24,13 @@ using namespace std::string_literals;
 
 const std::string kConnect = "\x80\0\0\x0c\x01QUAKE\0\x03"s;
 const std::string kAccept = "\x80\0\0\x09\x81\x90\x65\0\0"s;  // port 26000
-const std::string kProbe = "\0\x09\0\x09\0\0\0\0\x01"s;       // one byte that does nothing
+const std::string kProbe = "\0\x09\0\x09\0\0\0\0\x01"s;       // svc_nop
 const std::string kAck = "\0\x02\0\x08\0\0\0\0"s;
 const std::string kInfo = "\x80\0\0\x0c\x02QUAKE\0\x03"s;
 
-// Somebody with a socket and no idea.
-struct Stranger {
-  Stranger(BadNetwork& network, const platform::Address& address) : socket(network.open(address)) {}
+// A peer with a bare socket.
+struct BarePeer {
+  BarePeer(BadNetwork& network, const platform::Address& address) : socket(network.open(address)) {}
 
   void send(std::string_view bytes) { socket->send(kServer, base::as_bytes(bytes)); }
   std::vector<std::string> received() {
@@ -58,12 +58,12 @@ struct Bench {
     network.advance_to(now_s);
     server.tick(now_s);
   }
-  void connect(Stranger& stranger) {
-    stranger.send(kConnect);
+  void connect(BarePeer& peer) {
+    peer.send(kConnect);
     tick();
-    stranger.send(kAck);
+    peer.send(kAck);
     tick();
-    stranger.received();
+    peer.received();
   }
 
   BadNetwork network{{}, 1};
@@ -71,12 +71,12 @@ struct Bench {
   double now_s = 100;
 };
 
-TEST(ServerEndpoint, TheHandshakeOfAStockClient) {
+TEST(ServerEndpoint, CompletesHandshakeOfStockClient) {
   Bench bench;
-  Stranger client(bench.network, host(2, 5000));
-  client.send(kConnect + "\x01\x22"s);  // bytes of another engine are passed over...
+  BarePeer client(bench.network, host(2, 5000));
+  client.send(kConnect + "\x01\x22"s);  // extra bytes of another engine are ignored...
   bench.tick();
-  EXPECT_THAT(client.received(), IsEmpty());  // ...but not past the length that the header names
+  EXPECT_THAT(client.received(), IsEmpty());  // ...but not beyond the size in the header
   client.send(kConnect);
   bench.tick();
   EXPECT_THAT(client.received(), ElementsAre(kAccept, kProbe));
@@ -84,7 +84,7 @@ TEST(ServerEndpoint, TheHandshakeOfAStockClient) {
   client.send(kAck);
   bench.tick();
   EXPECT_THAT(bench.server.taken(), ElementsAre("+1"));
-  EXPECT_EQ(bench.server.endpoint.address_of(ConnectionId{1}), host(2, 5000));
+  EXPECT_EQ(bench.server.endpoint.peer_address(ConnectionId{1}), host(2, 5000));
   client.send(unreliable(0, "\x02"));
   client.send(reliable(0, "\x04hi\0"s));
   bench.tick();
@@ -94,9 +94,9 @@ TEST(ServerEndpoint, TheHandshakeOfAStockClient) {
   EXPECT_THAT(client.received(), ElementsAre("\0\x09\0\x0d\0\0\0\x01hello"s));
 }
 
-TEST(ServerEndpoint, DataIsASignOfLifeToo) {
+TEST(ServerEndpoint, DataCompletesHandshakeToo) {
   Bench bench;
-  Stranger client(bench.network, host(2, 5000));
+  BarePeer client(bench.network, host(2, 5000));
   client.send(kConnect);
   bench.tick();
   client.send(unreliable(0, "x"));
@@ -104,31 +104,31 @@ TEST(ServerEndpoint, DataIsASignOfLifeToo) {
   EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "1U:x"));
 }
 
-TEST(ServerEndpoint, ProQuakesRequestIsLonger) {
+TEST(ServerEndpoint, AcceptsLongerRequestOfProQuake) {
   Bench bench;
-  Stranger client(bench.network, host(2, 5000));
+  BarePeer client(bench.network, host(2, 5000));
   client.send("\x80\0\0\x10\x01QUAKE\0\x03\x01\x22\0\0"s);
   bench.tick();
   EXPECT_THAT(client.received(), ElementsAre(kAccept, kProbe));
 }
 
-TEST(ServerEndpoint, ARepeatedRequestGetsTheSameAnswer) {
+TEST(ServerEndpoint, RepeatedRequestGetsSameReply) {
   Bench bench;
-  Stranger client(bench.network, host(2, 5000));
+  BarePeer client(bench.network, host(2, 5000));
   for (int i = 0; i < 3; ++i) client.send(kConnect);
   bench.tick();
   EXPECT_THAT(client.received(), ElementsAre(kAccept, kProbe, kAccept, kAccept));
   client.send(kAck);
-  client.send(kConnect);  // late, within two seconds
+  client.send(kConnect);  // a late copy, within two seconds
   bench.tick();
   EXPECT_THAT(client.received(), ElementsAre(kAccept));
   EXPECT_THAT(bench.server.taken(), ElementsAre("+1"));
   EXPECT_EQ(bench.server.endpoint.connections(), 1u);
 }
 
-TEST(ServerEndpoint, APeerIsHostAndPort) {
+TEST(ServerEndpoint, PeerIsAddressAndPort) {
   Bench bench;
-  Stranger first(bench.network, host(2, 5000)), second(bench.network, host(2, 5001));
+  BarePeer first(bench.network, host(2, 5000)), second(bench.network, host(2, 5001));
   bench.connect(first);
   bench.connect(second);
   EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "+2"));
@@ -138,43 +138,43 @@ TEST(ServerEndpoint, APeerIsHostAndPort) {
   EXPECT_THAT(bench.server.taken(), ElementsAre("1U:a", "2U:b"));
 }
 
-TEST(ServerEndpoint, AClientThatComesBackFromTheSamePort) {
+TEST(ServerEndpoint, ClientReconnectsFromSamePort) {
   Bench bench;
-  Stranger client(bench.network, host(2, 5000));
+  BarePeer client(bench.network, host(2, 5000));
   bench.connect(client);
   bench.tick(1.9);
   client.send(unreliable(0, "a"));
   bench.tick(1);
   bench.server.taken();
-  // While it goes on with its connection, a request in its name is somebody else's.
+  // While the connection is alive, a request with its address is forged.
   client.send(kConnect);
   bench.tick();
   EXPECT_THAT(client.received(), IsEmpty());
   bench.tick(3);
   client.send(kConnect);
   bench.tick();
-  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 connects anew"));
-  EXPECT_THAT(client.received(), ElementsAre(HasSubstr("connects anew"), kAccept, kProbe));
+  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 reconnected"));
+  EXPECT_THAT(client.received(), ElementsAre(HasSubstr("reconnected"), kAccept, kProbe));
   client.send(kAck);
   bench.tick();
   EXPECT_THAT(bench.server.taken(), ElementsAre("+2"));
 }
 
-TEST(ServerEndpoint, TheAnnouncedPortOfATranslation) {
+TEST(ServerEndpoint, AnnouncesPortOfNat) {
   Bench bench({.announced_port = 1000});
-  Stranger client(bench.network, host(2, 5000));
+  BarePeer client(bench.network, host(2, 5000));
   client.send(kConnect);
   bench.tick();
   EXPECT_THAT(client.received(), ElementsAre("\x80\0\0\x09\x81\xe8\x03\0\0"s, kProbe));
 }
 
-TEST(ServerEndpoint, AnHalfOpenConnectionIsForgotten) {
+TEST(ServerEndpoint, HalfOpenConnectionExpires) {
   Bench bench;
-  Stranger client(bench.network, host(2, 5000));
+  BarePeer client(bench.network, host(2, 5000));
   client.send(kConnect);
   bench.tick();
   for (int i = 0; i < 100; ++i) bench.tick(0.5);
-  // The answer, and the byte a second for as long as a client may take.
+  // The reply, and one resent byte per second until it expires.
   EXPECT_LE(client.received().size(), 12u);
   client.send(kAck);
   bench.tick();
@@ -182,9 +182,9 @@ TEST(ServerEndpoint, AnHalfOpenConnectionIsForgotten) {
   EXPECT_EQ(bench.server.endpoint.connections(), 0u);
 }
 
-TEST(ServerEndpoint, WhoMustSayAWordIsNotHeardBefore) {
+TEST(ServerEndpoint, ChallengedPeerMustReturnCookie) {
   Bench bench({.challenge = true, .secret = {1, 2}});
-  Stranger client(bench.network, host(2, 5000));
+  BarePeer client(bench.network, host(2, 5000));
   client.send(kConnect);
   bench.tick();
   client.received();
@@ -193,11 +193,11 @@ TEST(ServerEndpoint, WhoMustSayAWordIsNotHeardBefore) {
   EXPECT_THAT(bench.server.taken(), IsEmpty());
   const auto asked = client.received();
   ASSERT_EQ(asked.size(), 1u);
-  // svc_stufftext "cmd WORD".
+  // svc_stufftext "cmd COOKIE".
   ASSERT_THAT(asked[0], ::testing::StartsWith("\0\x09\0\x19\0\0\0\x01\x09"
                                               "cmd "s));
   const std::string word = asked[0].substr(13, 10);
-  // Guessed acknowledgements and other words open nothing.
+  // Guessed acknowledgments and wrong cookies do not connect.
   client.send("\0\x02\0\x08\0\0\0\x01"s);
   client.send(reliable(0,
                        "\x04"
@@ -211,9 +211,9 @@ TEST(ServerEndpoint, WhoMustSayAWordIsNotHeardBefore) {
   EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "1R:\x01\x04name x\0"s));
 }
 
-TEST(ServerEndpoint, AFullServerAndAnOtherVersion) {
+TEST(ServerEndpoint, RejectsWhenFullAndOtherVersions) {
   Bench bench({.max_connections = 1});
-  Stranger first(bench.network, host(2, 1)), second(bench.network, host(3, 1));
+  BarePeer first(bench.network, host(2, 1)), second(bench.network, host(3, 1));
   bench.connect(first);
   second.send(kConnect);
   bench.tick();
@@ -223,10 +223,10 @@ TEST(ServerEndpoint, AFullServerAndAnOtherVersion) {
   EXPECT_THAT(second.received(), ElementsAre(HasSubstr("Incompatible version.")));
 }
 
-// Half-open ones hold no place: whoever is first to show life has it.
-TEST(ServerEndpoint, TheLastPlaceGoesToTheFirstAlive) {
+// Half-open peers reserve no slot: the first to acknowledge gets it.
+TEST(ServerEndpoint, LastSlotGoesToFirstAcknowledgment) {
   Bench bench({.max_connections = 1});
-  Stranger first(bench.network, host(2, 1)), second(bench.network, host(3, 1));
+  BarePeer first(bench.network, host(2, 1)), second(bench.network, host(3, 1));
   first.send(kConnect);
   second.send(kConnect);
   bench.tick();
@@ -234,35 +234,35 @@ TEST(ServerEndpoint, TheLastPlaceGoesToTheFirstAlive) {
   first.send(kAck);
   bench.tick();
   EXPECT_THAT(bench.server.taken(), ElementsAre("+1"));
-  EXPECT_EQ(bench.server.endpoint.address_of(ConnectionId{1}), host(3, 1));
+  EXPECT_EQ(bench.server.endpoint.peer_address(ConnectionId{1}), host(3, 1));
   EXPECT_THAT(first.received().back(), HasSubstr("Server is full."));
 }
 
-TEST(ServerEndpoint, DisconnectTellsThePeerAgainWhileItGoesOn) {
+TEST(ServerEndpoint, ResendsDisconnectWhilePeerKeepsSending) {
   Bench bench;
-  Stranger client(bench.network, host(2, 1));
+  BarePeer client(bench.network, host(2, 1));
   bench.connect(client);
   bench.server.endpoint.disconnect(ConnectionId{1}, "kicked");
   // svc_print, svc_disconnect.
   EXPECT_THAT(client.received(), ElementsAre(unreliable(0, "\x08kicked\n\0\x02"s)));
   EXPECT_FALSE(bench.server.send(1, "x"));
   EXPECT_FALSE(bench.server.endpoint.can_send_reliable(ConnectionId{1}));
-  std::size_t told = 0;
+  std::size_t resent = 0;
   for (int i = 0; i < 2000; ++i) {
     client.send(unreliable(i, "x"));
     bench.tick(0.01);
-    told += client.received().size();
+    resent += client.received().size();
   }
-  EXPECT_GT(told, 5u);
-  EXPECT_LE(told, 21u);
+  EXPECT_GT(resent, 5u);
+  EXPECT_LE(resent, 21u);
   bench.server.taken();
   bench.connect(client);
   EXPECT_THAT(bench.server.taken(), ElementsAre("+2"));
 }
 
-TEST(ServerEndpoint, TheSilentTimeOut) {
+TEST(ServerEndpoint, SilentConnectionsTimeOut) {
   Bench bench({.timeout_s = 30});
-  Stranger silent(bench.network, host(2, 1)), lively(bench.network, host(3, 1));
+  BarePeer silent(bench.network, host(2, 1)), lively(bench.network, host(3, 1));
   bench.connect(silent);
   bench.connect(lively);
   bench.server.taken();
@@ -275,9 +275,9 @@ TEST(ServerEndpoint, TheSilentTimeOut) {
   EXPECT_EQ(bench.server.endpoint.connections(), 1u);
 }
 
-TEST(ServerEndpoint, BansKeepOutAndThrowOut) {
+TEST(ServerEndpoint, BansRejectAndDisconnect) {
   Bench bench;
-  Stranger bad(bench.network, host(2, 1)), worse(bench.network, host(2, 2)),
+  BarePeer bad(bench.network, host(2, 1)), worse(bench.network, host(2, 2)),
       good(bench.network, host(300, 1));
   bench.connect(bad);
   bench.connect(good);
@@ -296,12 +296,12 @@ TEST(ServerEndpoint, BansKeepOutAndThrowOut) {
   EXPECT_THAT(bench.server.taken(), ElementsAre("+3"));
 }
 
-TEST(ServerEndpoint, QueriesAreAnswered) {
+TEST(ServerEndpoint, RepliesToQueries) {
   Bench bench;
-  Stranger asker(bench.network, host(2, 1));
+  BarePeer asker(bench.network, host(2, 1));
   asker.send(kInfo);
   asker.send("\x80\0\0\x06\x03\0"s);
-  asker.send("\x80\0\0\x06\x03\x01"s);  // there is no second player
+  asker.send("\x80\0\0\x06\x03\x01"s);  // no such player
   asker.send("\x80\0\0\x06\x04\0"s);
   asker.send(
       "\x80\0\0\x0f\x04"
@@ -326,9 +326,9 @@ TEST(ServerEndpoint, QueriesAreAnswered) {
                           "\x80\0\0\x05\x85"s));
 }
 
-TEST(ServerEndpoint, RemoteCommands) {
+TEST(ServerEndpoint, RunsRemoteCommandsWithPassword) {
   Bench bench;
-  Stranger master(bench.network, host(2, 1));
+  BarePeer master(bench.network, host(2, 1));
   const std::string say = "\x80\0\0\x13\x05secret\0status\0"s;
   master.send(say);
   bench.tick();
@@ -341,35 +341,35 @@ TEST(ServerEndpoint, RemoteCommands) {
   EXPECT_THAT(master.received(), ElementsAre("\x80\0\0\x0a\x86"
                                              "done\0"s));
   for (int i = 0; i < 1000; ++i) master.send("\x80\0\0\x13\x05sEcret\0status\0"s);
-  master.send(say);  // lost among too many that are wrong
+  master.send(say);  // ignored after too many wrong passwords
   bench.tick();
   EXPECT_THAT(bench.server.taken(), IsEmpty());
   EXPECT_THAT(master.received(), IsEmpty());
 }
 
-TEST(ServerEndpoint, RepliesToRemoteCommandsComeInPieces) {
+TEST(ServerEndpoint, SplitsRemoteCommandReplies) {
   Bench bench;
-  Stranger master(bench.network, host(2, 1));
+  BarePeer master(bench.network, host(2, 1));
   bench.server.endpoint.reply_to_remote_command({host(2, 1), 0, {}}, std::string(100000, 'x'));
   std::size_t bytes = 0;
   for (const std::string& packet : master.received()) bytes += packet.size() - 6;
   EXPECT_EQ(bytes, ServerEndpoint::kMaxRemoteReplyBytes);
 }
 
-TEST(ServerEndpoint, TheLimitsOfTheProtocolFollow) {
+TEST(ServerEndpoint, MessageLimitsFollowProtocol) {
   Bench bench;
-  Stranger client(bench.network, host(2, 1));
+  BarePeer client(bench.network, host(2, 1));
   bench.connect(client);
   const base::ByteVector large(1400);
   EXPECT_FALSE(bench.server.endpoint.send_unreliable(ConnectionId{1}, large).ok());
   bench.server.endpoint.set_protocol(Protocol::kFitzQuake);
   EXPECT_TRUE(bench.server.endpoint.send_unreliable(ConnectionId{1}, large).ok());
-  EXPECT_EQ(bench.server.endpoint.limits_to(ConnectionId{1}).reliable_bytes, 64000u);
+  EXPECT_EQ(bench.server.endpoint.message_limits(ConnectionId{1}).reliable_bytes, 64000u);
 }
 
-TEST(HostileClient, AMessageWithoutEndEndsIt) {
+TEST(HostileClient, EndlessMessageEndsConnection) {
   Bench bench;
-  Stranger bad(bench.network, host(2, 1)), good(bench.network, host(3, 1));
+  BarePeer bad(bench.network, host(2, 1)), good(bench.network, host(3, 1));
   bench.connect(bad);
   bench.connect(good);
   bench.server.taken();
@@ -378,15 +378,15 @@ TEST(HostileClient, AMessageWithoutEndEndsIt) {
     bad.send(packet);
     bench.tick();
   }
-  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 a reliable message is longer than 8192 bytes"));
+  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 reliable message exceeds 8192 bytes"));
   good.send(unreliable(0, "x"));
   bench.tick();
   EXPECT_THAT(bench.server.taken(), ElementsAre("2U:x"));
 }
 
-TEST(HostileClient, AFloodFromOneIsDroppedAndOthersAreServed) {
+TEST(HostileClient, FloodIsRateLimitedAndOthersAreServed) {
   Bench bench;
-  Stranger bad(bench.network, host(2, 1)), good(bench.network, host(3, 1));
+  BarePeer bad(bench.network, host(2, 1)), good(bench.network, host(3, 1));
   bench.connect(bad);
   bench.connect(good);
   bench.server.taken();
@@ -398,14 +398,14 @@ TEST(HostileClient, AFloodFromOneIsDroppedAndOthersAreServed) {
     for (const std::string& line : bench.server.taken()) ++(line == "2U:y" ? from_good : from_bad);
   }
   EXPECT_EQ(from_good, 72u);
-  const Rate rate = ServerEndpointSettings{}.packets_of_connection;
+  const Rate rate = ServerEndpointSettings{}.packets_per_connection;
   EXPECT_LE(static_cast<double>(from_bad), rate.burst + rate.per_second + 1);
-  EXPECT_GT(bench.server.endpoint.statistics().flooded, 10000u);
+  EXPECT_GT(bench.server.endpoint.statistics().rate_limited, 10000u);
 }
 
-TEST(HostileClient, AThousandPortsThatAskForConnections) {
+TEST(HostileClient, ThousandPortsRequestConnections) {
   Bench bench;
-  Stranger player(bench.network, host(2, 1));
+  BarePeer player(bench.network, host(2, 1));
   bench.connect(player);
   bench.server.taken();
   std::vector<std::unique_ptr<platform::DatagramSocket>> ports;
@@ -419,13 +419,13 @@ TEST(HostileClient, AThousandPortsThatAskForConnections) {
   std::uint64_t sent = 0;
   for (unsigned port = 1; port <= 1000; ++port) sent += bench.network.bytes_sent_to(host(8, port));
   EXPECT_LT(sent, 720 * 1000 * kConnect.size() / 100);
-  // Another host still gets in.
-  Stranger late(bench.network, host(4, 1));
+  // Another host can still connect.
+  BarePeer late(bench.network, host(4, 1));
   bench.connect(late);
   EXPECT_THAT(bench.server.taken(), ElementsAre("+2"));
 }
 
-TEST(HostileClient, QuestionsInAVictimsNameBringItLittle) {
+TEST(HostileClient, ForgedQueriesSendVictimLittle) {
   Bench bench;
   const platform::Address victim = host(7, 1);
   const auto forged = bench.network.open(victim);
@@ -438,26 +438,26 @@ TEST(HostileClient, QuestionsInAVictimsNameBringItLittle) {
   EXPECT_GT(bench.server.endpoint.statistics().unanswered, 100000u);
 }
 
-// Nothing but the answers to queries is larger than what it answers.
-TEST(HostileClient, AStrangerGetsNothingLargerThanItsQuestion) {
+// Only replies to queries are larger than their request.
+TEST(HostileClient, UnverifiedPeerGetsNothingLargerThanItsRequest) {
   Bench bench;
-  Stranger stranger(bench.network, host(2, 1));
-  stranger.send(kConnect);
+  BarePeer peer(bench.network, host(2, 1));
+  peer.send(kConnect);
   for (int i = 0; i < 100; ++i) bench.tick(0.2);
-  for (const std::string& packet : stranger.received()) EXPECT_LE(packet.size(), kConnect.size());
-  for (std::size_t size = 1; size < 2000; size += 7) stranger.send(std::string(size, '\0'));
-  stranger.send(reliable(0, "x"));
+  for (const std::string& packet : peer.received()) EXPECT_LE(packet.size(), kConnect.size());
+  for (std::size_t size = 1; size < 2000; size += 7) peer.send(std::string(size, '\0'));
+  peer.send(reliable(0, "x"));
   bench.tick();
-  EXPECT_THAT(stranger.received(), IsEmpty());
+  EXPECT_THAT(peer.received(), IsEmpty());
 }
 
-TEST(HostileClient, RandomAndDamagedPacketsHurtNobodyElse) {
+TEST(HostileClient, RandomAndDamagedPacketsHarmNobodyElse) {
   Bench bench;
-  Stranger good(bench.network, host(3, 1));
+  BarePeer good(bench.network, host(3, 1));
   bench.connect(good);
-  std::vector<std::unique_ptr<Stranger>> others;
+  std::vector<std::unique_ptr<BarePeer>> others;
   for (unsigned i = 0; i < 8; ++i) {
-    others.push_back(std::make_unique<Stranger>(bench.network, host(10 + i, 1)));
+    others.push_back(std::make_unique<BarePeer>(bench.network, host(10 + i, 1)));
     bench.connect(*others.back());
   }
   bench.server.taken();

@@ -1,4 +1,4 @@
-// Once warm, both ends of the wire ask the heap for nothing, over real sockets.
+// Warm endpoints allocate no memory, over real sockets.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -24,7 +24,7 @@ ServerEndpoint::Sockets one_socket() {
   return one;
 }
 
-// Every client moves, and every connection hears of it: reliably every tenth time, where that can be.
+// Each client sends a move, and gets an unreliable message, and a reliable one every tenth time if possible.
 struct Game {
   ServerEndpoint server{one_socket(), {}, test::described};
   std::vector<std::unique_ptr<ClientEndpoint>> clients;

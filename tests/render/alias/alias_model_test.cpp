@@ -1,4 +1,4 @@
-// What is made of a file's model once, held against the file's own numbers.
+// AliasModel against the numbers of the file that it is made from.
 #include "render/alias_model.h"
 
 #include <gtest/gtest.h>
@@ -15,15 +15,15 @@
 namespace temblor::test {
 namespace {
 
-// Corner for corner: position, normal and place on the skin are the file's.
-void expect_mesh_of(const formats::Mdl& mdl) {
+// Corner by corner: position, normal, and skin position are those of the file.
+void expect_same_mesh(const formats::Mdl& mdl) {
   const auto model = render::make_alias_model(mdl, "test");
   ASSERT_EQ(model->triangles.size(), mdl.triangles.size());
   std::vector<const formats::MdlPose*> poses;
   for (const formats::MdlFrame& frame : mdl.frames)
     for (const formats::MdlPose& pose : frame.poses) poses.push_back(&pose);
   ASSERT_EQ(model->pose_count(), poses.size());
-  const math::Bounds& bounds = render::bounds_of(*model);
+  const math::Bounds& bounds = render::model_bounds(*model);
   for (std::size_t number = 0; number < poses.size(); ++number) {
     const render::PoseBytes pose = model->pose(base::to_index<render::PoseIndex>(number));
     for (std::size_t i = 0; i < mdl.triangles.size(); ++i)
@@ -53,17 +53,17 @@ void expect_mesh_of(const formats::Mdl& mdl) {
 }
 
 TEST(AliasModel, HasTheFilesMesh) {
-  expect_mesh_of(box_mdl());
-  expect_mesh_of(sphere_mdl());
-  expect_mesh_of(many_pose_mdl());
-  expect_mesh_of(small_mdl());
+  expect_same_mesh(box_mdl());
+  expect_same_mesh(sphere_mdl());
+  expect_same_mesh(many_pose_mdl());
+  expect_same_mesh(small_mdl());
 }
 
 TEST(AliasModel, OfStockFilesHasTheirMesh) {
   DATA_FOLDER_OR_SKIP(data);
   for (const char* name : {"ogre", "player", "boss", "flame2", "v_rock"}) {
     SCOPED_TRACE(name);
-    expect_mesh_of(
+    expect_same_mesh(
         formats::read_mdl(read_file(data / "id1" / "progs" / (std::string(name) + ".mdl"))).value());
   }
 }
@@ -83,18 +83,18 @@ TEST(AliasModel, TexelsBeyondTheSkinAreItsEdge) {
   mdl.texels[0] = {false, -1000000, 2000000000};
   mdl.texels[7] = {true, 2147483647, -2147483647 - 1};
   mdl.triangles[0].faces_front = false;
-  expect_mesh_of(mdl);
+  expect_same_mesh(mdl);
 }
 
 TEST(AliasModel, FramesAndSkinsFollowTheirTimes) {
   const formats::Mdl mdl = small_mdl();
   const auto model = render::make_alias_model(mdl, "small");
-  EXPECT_EQ(render::name_of(*model), "small");
-  EXPECT_EQ(render::flags_of(*model), mdl.flags);
+  EXPECT_EQ(render::model_name(*model), "small");
+  EXPECT_EQ(render::find_model_flags(*model), mdl.flags);
   EXPECT_EQ(render::frame_count(*model), 2u);
   EXPECT_EQ(render::skin_count(*model), 2u);
   EXPECT_EQ(render::pose_at(*model, 0, 123), render::PoseIndex{0});
-  // The group ends at 0.1, 0.2 and 0.5 s, and then begins again.
+  // The group's members end at 0.1, 0.2, and 0.5 s, and then it begins again.
   EXPECT_EQ(render::pose_at(*model, 1, 0.05), render::PoseIndex{1});
   EXPECT_EQ(render::pose_at(*model, 1, 0.15), render::PoseIndex{2});
   EXPECT_EQ(render::pose_at(*model, 1, 0.45), render::PoseIndex{3});

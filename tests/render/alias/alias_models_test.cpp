@@ -1,4 +1,4 @@
-// Alias models in whole pictures: where they are, in front of what, and what the picture does not depend on.
+// Alias models in whole pictures: where they are, what they hide, and what the picture does not depend on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace temblor::test {
 namespace {
 
 constexpr int kViewWidth = 160, kViewHeight = 100;
-// Corners of triangles are rounded to 1/256 pixel: what is that near to an edge may show either side of it.
+// Corners are rounded to 1/256 pixel: a pixel that near to an edge may show either side of it.
 constexpr double kEdgeSlackPx = 1.0 / 64;
 
 render::FrameBuffer drawn(render::Renderer& io_renderer, const render::Scene& scene,
@@ -40,7 +40,7 @@ class ModelAgainstRays {
   explicit ModelAgainstRays(formats::Mdl mdl)
       : mdl_(std::move(mdl)), model_(render::make_alias_model(mdl_, "test")) {
     scene_.level = drawable_.level.get();
-    // Nothing of the level is in sight from there.
+    // The level is not visible from there.
     scene_.camera.origin_world = {0, 0, 5000};
     scene_.camera.angles_deg = {-80, 0, 0};
   }
@@ -61,7 +61,7 @@ class ModelAgainstRays {
     EXPECT_EQ(wrong, 0) << "pixels whose depth is not among those of the rays around them";
   }
 
-  // Pixels that rays hit, to see that a test draws anything at all.
+  // Counts pixels that rays hit, so that a test cannot pass by drawing nothing.
   std::size_t hits() const { return hits_; }
 
  private:
@@ -118,8 +118,8 @@ TEST(AliasModels, LieWhereRaysHitThem) {
     const render::Camera camera = faraway_camera(random, static_cast<float>(random.uniform(10, 150)));
     const render::AliasInstance instance = random_instance(camera, 600, random);
     for (const bool vectors : {false, true}) {
-      box.expect_right(instance, camera, {.vector_kernels = vectors});
-      sphere.expect_right(instance, camera, {.vector_kernels = vectors});
+      box.expect_right(instance, camera, {.simd_kernels = vectors});
+      sphere.expect_right(instance, camera, {.simd_kernels = vectors});
     }
   }
   EXPECT_GT(box.hits(), 1000u);
@@ -160,13 +160,13 @@ TEST(AliasModels, OfAnySizeAreDrawnOrLeftOut) {
     scene.alias_models = {&instance, 1};
     for (const bool vectors : {false, true}) {
       const render::FrameBuffer frame =
-          drawn(renderer, scene, {.vector_kernels = vectors}, render::PixelFormat::kRgb);
+          drawn(renderer, scene, {.simd_kernels = vectors}, render::PixelFormat::kRgb);
       for (const float depth : frame.depth()) ASSERT_FALSE(std::isnan(depth)) << "seed " << seed;
     }
   }
 }
 
-// Models all over the level, and one in the eye's hands.
+// Models all over the level, and a view model.
 struct PopulatedScene {
   std::vector<std::shared_ptr<const render::AliasModel>> models;
   std::vector<render::AliasInstance> instances;
@@ -239,15 +239,15 @@ TEST(AliasModels, AreTheSameForAnyThreadsBandsAndKernels) {
         render::Settings settings;
         settings.alias_raster = raster;
         settings.alias_snap = seed % 4 == 3;
-        const FrameCopy expected = copy_of(drawn(renderer, scene, settings, format));
+        const FrameCopy expected = copy_picture(drawn(renderer, scene, settings, format));
         for (const int threads : {1, 2, 8})
           for (const int band_rows : {0, 1, 7})
             for (const bool vectors : {false, true}) {
               settings.threads = threads;
               settings.job_backend = base::JobBackend::kStdThread;
               settings.band_rows = band_rows;
-              settings.vector_kernels = vectors;
-              const FrameCopy other = copy_of(drawn(renderer, scene, settings, format));
+              settings.simd_kernels = vectors;
+              const FrameCopy other = copy_picture(drawn(renderer, scene, settings, format));
               ASSERT_TRUE(expected == other)
                   << differing_pixels(expected, other) << " pixels differ: seed " << seed << ", " << threads
                   << " threads, bands of " << band_rows << ", vectors " << vectors << ", raster "
@@ -270,18 +270,18 @@ math::Vec3 place_outside(const math::Bounds& level, const render::Camera& camera
   }
 }
 
-// How many of the models show each by itself, when they and the camera are moved far above the level.
+// The number of models that are visible when each is alone with the camera, far above the level.
 int count_shown_without_walls(render::Renderer& io_renderer, render::Scene scene) {
   const math::Vec3 far_above(0, 0, 20000);
   scene.camera.origin_world += far_above;
   const std::span<const render::AliasInstance> instances = scene.alias_models;
   scene.alias_models = {};
-  const FrameCopy without = copy_of(drawn(io_renderer, scene, {}, render::PixelFormat::kRgb));
+  const FrameCopy without = copy_picture(drawn(io_renderer, scene, {}, render::PixelFormat::kRgb));
   int shown = 0;
   for (render::AliasInstance instance : instances) {
     instance.origin_world += far_above;
     scene.alias_models = {&instance, 1};
-    const FrameCopy with = copy_of(drawn(io_renderer, scene, {}, render::PixelFormat::kRgb));
+    const FrameCopy with = copy_picture(drawn(io_renderer, scene, {}, render::PixelFormat::kRgb));
     shown += differing_pixels(with, without) > 0;
   }
   return shown;
@@ -297,7 +297,7 @@ TEST(AliasModels, BehindAWallNeverShow) {
     Random random(static_cast<std::uint64_t>(seed));
     populated.viewpoint.camera = random_camera(*drawable.level, random);
     populated.instances.clear();
-    // The level is a body closed all round: beyond its bounds all that can be seen is walls.
+    // The level is closed: beyond its bounds, all that can be seen is walls.
     while (populated.instances.size() < 20) {
       render::AliasInstance instance = random_look(populated, random);
       const float reach = 64 * std::sqrt(3.0f) * instance.scale + 1;
@@ -309,9 +309,9 @@ TEST(AliasModels, BehindAWallNeverShow) {
     scene.view_weapon = nullptr;
     for (const auto raster : {render::AliasRaster::kAffine, render::AliasRaster::kSubdivision}) {
       const FrameCopy with =
-          copy_of(drawn(renderer, scene, {.alias_raster = raster}, render::PixelFormat::kRgb));
+          copy_picture(drawn(renderer, scene, {.alias_raster = raster}, render::PixelFormat::kRgb));
       scene.alias_models = {};
-      const FrameCopy without = copy_of(drawn(renderer, scene, {}, render::PixelFormat::kRgb));
+      const FrameCopy without = copy_picture(drawn(renderer, scene, {}, render::PixelFormat::kRgb));
       scene.alias_models = populated.instances;
       ASSERT_EQ(differing_pixels(with, without), 0u) << "seed " << seed;
     }
@@ -321,7 +321,7 @@ TEST(AliasModels, BehindAWallNeverShow) {
   EXPECT_GE(shown_without_walls, placements / 2) << "the walls hide little";
 }
 
-// Wherever the camera stands, whatever its field of view: the same pixels of the weapon.
+// The same pixels of the weapon for every position and field of view of the camera.
 TEST(AliasModels, ViewWeaponLooksTheSameInEveryFieldOfViewAndBeforeEveryWall) {
   const DrawableLevel drawable = small_level();
   render::Renderer renderer(drawable.palette, drawable.colormap);
@@ -334,7 +334,7 @@ TEST(AliasModels, ViewWeaponLooksTheSameInEveryFieldOfViewAndBeforeEveryWall) {
     scene.camera = random_camera(*drawable.level, random);
     scene.camera.fov_deg = static_cast<float>(random.uniform(10, 170));
     scene.camera.projection = render::Projection::kPerspective;
-    // Upright and level, so that rounding of its place does not differ.
+    // Upright and level, so that positions are rounded in the same way.
     scene.camera.angles_deg = {0, 0, 0};
     render::AliasInstance weapon;
     weapon.model = model.get();
@@ -343,7 +343,7 @@ TEST(AliasModels, ViewWeaponLooksTheSameInEveryFieldOfViewAndBeforeEveryWall) {
     scene.view_weapon = &weapon;
     const render::FrameBuffer frame = drawn(renderer, scene, {}, render::PixelFormat::kIndexed);
     std::vector<bool> shown;
-    // Nothing of the level is nearer than 1/kNearPlane.
+    // No part of the level is nearer than 1 / kNearPlane.
     for (const float depth : frame.depth()) shown.push_back(depth > 1 / render::kNearPlane);
     if (expected.empty()) expected = shown;
     std::size_t differing = 0;

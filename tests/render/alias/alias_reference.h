@@ -1,5 +1,5 @@
-// What a scene's alias models must look like, pixel by pixel: rays against triangles in double precision,
-// from the file's model and the definitions in scene.h, not from the renderer's code.
+// The reference picture of a scene's alias models, pixel by pixel: rays against triangles in double
+// precision, from the file's model and the definitions in scene.h, without the renderer's code.
 #pragma once
 
 #include <span>
@@ -27,7 +27,7 @@ struct ReferenceCorner {
 struct ReferenceMesh {
   std::vector<ReferenceCorner> corners;  // three a triangle, clockwise seen from outside
 };
-// `pose` of the model's poses in file order, where the instance stands.
+// Number `pose` of the model's poses, in file order, with the instance's placement.
 ReferenceMesh reference_mesh(const formats::Mdl& mdl, std::size_t pose, const render::AliasInstance& instance,
                              const ReferencePicture& picture);
 
@@ -37,7 +37,8 @@ struct ReferenceHit {
   double s = 0, t = 0;
   std::size_t triangle = 0;
 };
-// The nearest front at screen position (x, y), pixel centers at whole numbers, not nearer than near_z.
+// The nearest front face at screen position (x, y), with pixel centers at whole numbers, not nearer than
+// near_z.
 ReferenceHit reference_hit(const ReferenceMesh& mesh, const ReferencePicture& picture, double x, double y,
                            double near_z);
 

@@ -1,4 +1,4 @@
-// Vertices of models: every instruction set against the plain twin, and that against double arithmetic.
+// Vertices of models: every instruction set against the scalar reference, and that against double arithmetic.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ struct RandomVertices {
     job.perspective = random.chance(0.8);
     job.near_z = 1.0f / 16;
     job.depth_scale = random.chance(0.5) ? 1.0f : 4096.0f;
-    job.steps_a_pixel = random.chance(0.3) ? 1 : render::kSubpixels;
+    job.steps_per_pixel = random.chance(0.3) ? 1 : render::kSubpixels;
     job.lights = lights.data();
   }
 
@@ -62,7 +62,7 @@ Projected project(render::VertexJob job) {
   return projected;
 }
 
-TEST(AliasVertices, VectorsAgreeWithPlainCode) {
+TEST(AliasVertices, SimdMatchesTheScalarReference) {
   for_each_simd_target([] {
     for (int seed = 0; seed < effort(300, 30); ++seed) {
       const RandomVertices random(static_cast<std::uint64_t>(seed));
@@ -98,8 +98,8 @@ TEST(AliasVertices, LieWhereDoubleArithmeticPutsThem) {
       const double scale = job.perspective ? job.pixels_per_unit / view[2] : double{job.pixels_per_unit};
       const double x = job.center_x + view[0] * scale, y = job.center_y - view[1] * scale;
       if (std::max(std::abs(x), std::abs(y)) > 20000) continue;
-      // Half a step, and what floats leave of coordinates that far out, or that near.
-      const double error = 0.5 / job.steps_a_pixel + 1e-6 * (std::abs(x) + std::abs(y)) +
+      // Half a step, plus the rounding of floats for coordinates so far out or so near.
+      const double error = 0.5 / job.steps_per_pixel + 1e-6 * (std::abs(x) + std::abs(y)) +
                            3e-4 * scale * (1 + (std::abs(view[0]) + std::abs(view[1])) / std::abs(view[2]));
       const render::ScreenVertex& vertex = projected.vertices[i];
       ASSERT_NEAR(vertex.x / 256.0, x, error) << "seed " << seed;

@@ -1,5 +1,4 @@
-// Light of models: from the floor and dynamic lights to colormap rows, by the numbers observed of the
-// original.
+// Light of models: from the floor and dynamic lights to colormap rows, by the values observed in stock Quake.
 #include "render/alias/light_alias.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +17,9 @@ class LightAlias : public testing::Test {
  protected:
   LightAlias() {
     scene_.level = drawable_.level.get();
-    scene_.light_styles = world::light_as_stored();
+    scene_.light_styles = world::make_stored_light_styles();
     instance_.model = model_.get();
-    // Nothing is below it.
+    // There is no floor below it.
     instance_.origin_world = {0, 0, 100000};
   }
   render::AliasLight light(render::PixelFormat format = render::PixelFormat::kIndexed) const {
@@ -72,10 +71,9 @@ TEST_F(LightAlias, NormalsAreLitFromOneFixedDirection) {
     ASSERT_TRUE(placement.has_value());
     const double ambient = random.uniform(0, 128), shade = random.uniform(0, 64);
     const render::AliasLight light{static_cast<float>(ambient), static_cast<float>(shade), false, {1, 1, 1}};
-    const render::LightOfNormals rows =
-        render::light_normals(light, *placement, render::PixelFormat::kIndexed);
-    const render::LightOfNormals rgb = render::light_normals(light, *placement, render::PixelFormat::kRgb);
-    // Pitch turns the other way for models.
+    const render::NormalLights rows = render::light_normals(light, *placement, render::PixelFormat::kIndexed);
+    const render::NormalLights rgb = render::light_normals(light, *placement, render::PixelFormat::kRgb);
+    // Pitch has the opposite sign for models.
     const math::Basis basis =
         math::basis_from_angles({-turned.angles_deg.x, turned.angles_deg.y, turned.angles_deg.z});
     for (std::size_t i = 0; i < formats::kMdlNormals; ++i) {
@@ -84,7 +82,7 @@ TEST_F(LightAlias, NormalsAreLitFromOneFixedDirection) {
       double level = std::max(5.0, (255 - ambient) * 64);
       if (-world_x < 0) level = std::max(0.0, level + shade * 64 * -world_x);
       ASSERT_NEAR(rows[i], level, 0.01) << "seed " << seed;
-      // The same light, as surfaces count it: half of 65280 - 4 x level.
+      // The same light in the units of surfaces: half of 65280 - 4 x level.
       ASSERT_NEAR(rgb[i], (65280 - 4 * level) / 2, 0.02) << "seed " << seed;
     }
   }
@@ -110,7 +108,7 @@ TEST_F(LightAlias, PlayersWearTheirColors) {
       render::instance_colors(tables, instance_, render::PixelFormat::kIndexed, arena));
   for (std::size_t row = 0; row < 64; ++row)
     for (std::size_t i = 0; i < 256; ++i) {
-      // Row 4 as it is; row 12 runs the other way.
+      // Row 4 unchanged; row 12 is reversed.
       const std::size_t shown = i >= 16 && i < 32    ? 64 + i - 16
                                 : i >= 96 && i < 112 ? 192 + 15 - (i - 96)
                                                      : i;

@@ -1,5 +1,5 @@
-// Subdivision against the affine rasterizer, by size: the error that decides up to where it may stand in for
-// it (kSubdivisionSidePx).
+// Subdivision against the affine rasterizer, by size: the error decides up to which size it may replace it
+// (kSubdivisionSidePx).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 constexpr int kBentWidth = 320, kBentHeight = 240;
 constexpr double kFocalPx = kBentHeight * 4 / 3.0 / 2;  // 90 degrees
 
-// Skins of models that are far away are blurs of color, not noise.
+// Skins of distant models are smooth colors, not noise.
 formats::Mdl smooth_sphere() {
   formats::Mdl mdl = sphere_mdl();
   for (std::size_t i = 0; i < mdl.skins[0].pictures[0].size(); ++i)
@@ -46,7 +46,7 @@ struct Difference {
   std::size_t covered = 0;
 };
 
-// How far the nearest covered pixel is, along the longer axis.
+// The distance to the nearest covered pixel, along the longer axis.
 int distance_to_cover(const render::FrameBuffer& frame, int x, int y) {
   for (int reach = 0; reach < 8; ++reach)
     for (int dy = -reach; dy <= reach; ++dy)
@@ -111,7 +111,7 @@ class Subdivision : public testing::Test {
   render::Renderer renderer_{drawable_.palette, drawable_.colormap};
 };
 
-// The stated error: outlines off by one pixel at most, brightness by a sixteenth of white on average.
+// The stated error: outlines off by at most one pixel, mean brightness off by at most a sixteenth of white.
 constexpr int kMaxPx = 1;
 constexpr double kMaxBrightness = 16;
 

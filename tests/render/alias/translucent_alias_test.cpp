@@ -1,11 +1,13 @@
-// Translucent models: their nearest parts are blended once, where the opaque drawing of them would show.
+// Translucent models: each pixel of the opaque model is blended once.
 #include <gtest/gtest.h>
 
 #include "render/alias/draw_alias_models.h"
 #include "render/alias/draw_translucent_alias.h"
+#include "render/renderer.h"
 #include "support/effort.h"
 #include "support/levels/drawable_level.h"
 #include "support/models/drawable_models.h"
+#include "support/pictures/stage_parts.h"
 #include "support/pictures/viewpoints.h"
 #include "support/random.h"
 
@@ -16,7 +18,7 @@ constexpr int kGlassWidth = 150, kGlassHeight = 110;
 
 class TranslucentAlias : public testing::TestWithParam<render::PixelFormat> {
  protected:
-  // A level, and before it a model that is nearer than its own other side.
+  // A level, and a model in front of it that hides its own far side.
   void set_up(std::uint64_t seed) {
     Random random(seed);
     scene_.alias_models = {};
@@ -78,12 +80,9 @@ TEST_P(TranslucentAlias, BlendsWhatTheOpaquePictureShows) {
 TEST_P(TranslucentAlias, IsLeftOutByTheOpaqueStage) {
   set_up(3);
   render::FrameBuffer frame(kGlassWidth, kGlassHeight, GetParam());
-  base::Jobs jobs(1);
-  base::Arena arena;
-  std::vector<base::Arena> job_arenas;
-  render::draw_alias_models(
-      render::prepare_alias_models(scene_, {}, view_, tables_, GetParam(), jobs, arena, job_arenas), true,
-      {0, kGlassHeight}, background_);
+  StageParts parts;
+  render::draw_alias_models(render::prepare_alias_models(parts.context(scene_, GetParam(), tables_), view_),
+                            true, {0, kGlassHeight}, background_);
   for (std::size_t i = 0; i < frame.pixel_count(); ++i)
     ASSERT_EQ(background_.depth()[i], translucent_.depth()[i]);
 }

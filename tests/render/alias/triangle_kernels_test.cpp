@@ -1,5 +1,5 @@
-// Filling triangles, against definitions in exact and double arithmetic: which pixels a triangle covers, and
-// what depth, texel and light stand there; and every instruction set against the plain twin.
+// Triangle kernels against definitions in exact and double arithmetic: which pixels a triangle covers, and
+// their depth, texel, and light; and every instruction set against the scalar reference.
 #include "render/alias/triangle_kernels.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ struct Mesh {
   std::vector<std::uint32_t> triangles;
 };
 
-// The skin tells where its texels lie, and the colors show them as they are under any light, or the light
-// alone.
+// The skin encodes the positions of its texels. The colors show them unchanged under any light, or show only
+// the light.
 std::vector<std::uint8_t> numbered_skin() {
   std::vector<std::uint8_t> skin(kSkinWidth * kSkinHeight);
   for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = static_cast<std::uint8_t>(i * 31 % 251);
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> numbered_skin() {
 
 template <typename Pixel>
 struct TriangleCanvas {
-  // Room past the last row, filled as the picture is, shows whoever writes there.
+  // Memory past the last row, filled like the picture, reveals writes beyond it.
   std::vector<Pixel> pixels = std::vector<Pixel>(kCanvasWidth * kCanvasHeight + 64, Pixel{77});
   std::vector<float> depth = std::vector<float>(kCanvasWidth * kCanvasHeight + 64, kUntouched);
   bool operator==(const TriangleCanvas& other) const {
@@ -60,8 +60,8 @@ struct Colors {
 };
 
 template <typename Pixel>
-render::TriangleJob job_of(const Mesh& mesh, const std::vector<std::uint8_t>& skin,
-                           const std::vector<Pixel>& colors, bool perspective) {
+render::TriangleJob make_job(const Mesh& mesh, const std::vector<std::uint8_t>& skin,
+                             const std::vector<Pixel>& colors, bool perspective) {
   return {mesh.vertices.data(),
           mesh.texels.data(),
           mesh.triangles.data(),
@@ -77,7 +77,7 @@ render::TriangleJob job_of(const Mesh& mesh, const std::vector<std::uint8_t>& sk
           0};
 }
 
-// As vector code wants it.
+// Adds what SIMD kernels need.
 template <auto Draw>
 void draw_fronts(render::TriangleJob job, const render::TriangleTarget& target) {
   std::vector<render::FrontTriangle> fronts(job.triangle_count);
@@ -125,7 +125,7 @@ std::int64_t cross(const ScreenVertex& a, const ScreenVertex& b, std::int64_t x,
   return (std::int64_t{b.x} - a.x) * (y - a.y) - (x - a.x) * (std::int64_t{b.y} - a.y);
 }
 
-// By the definition: on the inner side of all three sides; on a side, when that is a left or a top one.
+// By the definition: on the inner side of all three sides; on a side, if it is a left or top one.
 bool covers(const ScreenVertex* corner[3], int pixel_x, int pixel_y) {
   const std::int64_t x = std::int64_t{pixel_x} * 256, y = std::int64_t{pixel_y} * 256;
   if (cross(*corner[0], *corner[1], corner[2]->x, corner[2]->y) <= 0) return false;
@@ -146,7 +146,7 @@ TEST(TriangleKernels, CoverExactlyWhatTheFillRuleSays) {
     const Mesh mesh = random_mesh(random, 1, seed % 2 == 0);
     TriangleCanvas<std::uint8_t> canvas;
     render::draw_triangles_u8_scalar(
-        job_of(mesh, skin, colors.table, true),
+        make_job(mesh, skin, colors.table, true),
         {canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
     const ScreenVertex* corner[3] = {&mesh.vertices[0], &mesh.vertices[1], &mesh.vertices[2]};
     for (int y = 0; y < kCanvasHeight; ++y)
@@ -157,8 +157,7 @@ TEST(TriangleKernels, CoverExactlyWhatTheFillRuleSays) {
   }
 }
 
-// A field of triangles that share their sides: every pixel inside of its outline is covered once, none
-// outside.
+// A field of triangles that share their sides: every pixel inside its outline is covered once, none outside.
 TEST(TriangleKernels, CoverPixelsAlongSharedSidesOnce) {
   const auto skin = numbered_skin();
   const Colors<std::uint8_t> colors;
@@ -184,7 +183,7 @@ TEST(TriangleKernels, CoverPixelsAlongSharedSidesOnce) {
           one.triangles.assign(triangle.begin(), triangle.end());
           TriangleCanvas<std::uint8_t> canvas;
           render::draw_triangles_u8_scalar(
-              job_of(one, skin, colors.table, true),
+              make_job(one, skin, colors.table, true),
               {canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
           for (std::size_t i = 0; i < writes.size(); ++i) writes[i] += canvas.depth[i] != kUntouched;
         }
@@ -198,7 +197,7 @@ TEST(TriangleKernels, CoverPixelsAlongSharedSidesOnce) {
   }
 }
 
-// What stands at a pixel, by barycentric weights in double.
+// The values at a pixel, by barycentric weights in double.
 struct AtPixel {
   double depth, s, t, affine_s, affine_t;
 };
@@ -239,10 +238,10 @@ TEST(TriangleKernels, DepthAndTexelsAreWithinTheirErrors) {
     for (const bool perspective : {false, true}) {
       TriangleCanvas<std::uint8_t> s_canvas, t_canvas;
       render::draw_triangles_u8_scalar(
-          job_of(mesh, s_skin, identity, perspective),
+          make_job(mesh, s_skin, identity, perspective),
           {s_canvas.pixels.data(), s_canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
       render::draw_triangles_u8_scalar(
-          job_of(mesh, t_skin, identity, perspective),
+          make_job(mesh, t_skin, identity, perspective),
           {t_canvas.pixels.data(), t_canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
       for (int y = 0; y < kCanvasHeight; ++y)
         for (int x = 0; x < kCanvasWidth; ++x) {
@@ -253,8 +252,8 @@ TEST(TriangleKernels, DepthAndTexelsAreWithinTheirErrors) {
           // Depth: a millionth of the triangle's range, and of itself.
           ASSERT_NEAR(s_canvas.depth[i], at.depth, 2e-6 * (most - least) + 2e-7 * at.depth)
               << "seed " << seed;
-          // Texels: those that an exact coordinate, or one half a texel off where affine is near enough, lies
-          // in.
+          // Texels: those at the exact coordinate, or up to half a texel away where the affine error allows
+          // it.
           const double error = perspective ? render::kAffineErrorTexels + 0.03 : 0.01;
           const double s = perspective ? at.s : at.affine_s, t = perspective ? at.t : at.affine_t;
           ASSERT_GE(s_canvas.pixels[i] + 1 + error, s) << "seed " << seed;
@@ -274,9 +273,9 @@ void expect_twins() {
   for (int seed = 0; seed < effort(150, 15); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const Mesh mesh = random_mesh(random, 300, seed % 3 == 0);
-    const render::TriangleJob job = job_of(mesh, skin, colors.table, seed % 2 == 0);
+    const render::TriangleJob job = make_job(mesh, skin, colors.table, seed % 2 == 0);
     TriangleCanvas<Pixel> expected, drawn;
-    // In two bands, of which one is not there for the vectors.
+    // In two bands; SIMD draws only one of them.
     const int middle = static_cast<int>(random.below(kCanvasHeight));
     Plain(job, {expected.pixels.data(), expected.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
     draw_fronts<Vector>(job, {drawn.pixels.data(), drawn.depth.data(), kCanvasWidth, 0, 0, middle});
@@ -286,15 +285,14 @@ void expect_twins() {
   }
 }
 
-TEST(TriangleKernels, VectorsAgreeWithPlainCode) {
+TEST(TriangleKernels, SimdMatchesTheScalarReference) {
   for_each_simd_target([] {
     expect_twins<std::uint8_t, render::draw_triangles_u8_scalar, render::draw_triangles_u8_simd>();
     expect_twins<std::uint32_t, render::draw_triangles_u32_scalar, render::draw_triangles_u32_simd>();
   });
 }
 
-// Corners at the limits of what may be projected, and numbers that are none, stay inside the picture's
-// memory.
+// Coordinates at the limits of projection, and NaN, never write outside the picture's memory.
 TEST(TriangleKernels, WriteOnlyToThePicture) {
   const auto skin = numbered_skin();
   const Colors<std::uint32_t> colors;
@@ -310,8 +308,8 @@ TEST(TriangleKernels, WriteOnlyToThePicture) {
     TriangleCanvas<std::uint32_t> canvas;
     const render::TriangleTarget target{canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 5,
                                         kCanvasHeight};
-    render::draw_triangles_u32_scalar(job_of(mesh, skin, colors.table, true), target);
-    draw_fronts<render::draw_triangles_u32_simd>(job_of(mesh, skin, colors.table, true), target);
+    render::draw_triangles_u32_scalar(make_job(mesh, skin, colors.table, true), target);
+    draw_fronts<render::draw_triangles_u32_simd>(make_job(mesh, skin, colors.table, true), target);
     for (std::size_t i = 0; i < canvas.pixels.size(); ++i) {
       const bool is_outside = i < 5 * kCanvasWidth || i >= kCanvasWidth * kCanvasHeight;
       ASSERT_TRUE(!is_outside || canvas.pixels[i] == 77) << "seed " << seed;

@@ -1,4 +1,4 @@
-// The edge table does not depend on threads, nor on how faces are cut into jobs: not one number in it. And
+// The edge table, down to every number, does not depend on threads or on the division of faces into jobs. And
 // neighbors are those of the definition.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/drawable_level.h"
+#include "support/pictures/stage_parts.h"
 #include "support/pictures/viewpoints.h"
 
 namespace temblor::test {
@@ -20,7 +21,7 @@ namespace {
 
 using render::EdgeTable;
 
-// Field by field, as structs have padding.
+// Compares field by field, since structs have padding.
 void expect_equal(const EdgeTable& expected, const EdgeTable& table) {
   ASSERT_EQ(table.edges.size(), expected.edges.size());
   for (std::size_t i = 0; i < table.edges.size(); ++i) {
@@ -38,28 +39,28 @@ void expect_equal(const EdgeTable& expected, const EdgeTable& table) {
   for (std::size_t i = 0; i < table.surfaces.size(); ++i) {
     const render::ScreenSurface &surface = table.surfaces[i], &wanted = expected.surfaces[i];
     ASSERT_TRUE(surface.key == wanted.key && surface.instance == wanted.instance &&
-                surface.face == wanted.face && surface.first_item == wanted.first_item &&
+                surface.face == wanted.face && surface.first_draw == wanted.first_draw &&
                 surface.tiles.s == wanted.tiles.s && surface.tiles.t == wanted.tiles.t &&
-                surface.piece == wanted.piece && surface.nearest_z == wanted.nearest_z)
+                surface.fragment == wanted.fragment && surface.nearest_z == wanted.nearest_z)
         << "surface " << i;
   }
-  ASSERT_EQ(table.pieces.size(), expected.pieces.size());
-  for (std::size_t i = 0; i < table.pieces.size(); ++i) {
-    const render::ScreenPlane &depth = table.pieces[i].depth, &wanted = expected.pieces[i].depth;
+  ASSERT_EQ(table.fragments.size(), expected.fragments.size());
+  for (std::size_t i = 0; i < table.fragments.size(); ++i) {
+    const render::ScreenPlane &depth = table.fragments[i].depth, &wanted = expected.fragments[i].depth;
     ASSERT_TRUE(depth.at_origin == wanted.at_origin && depth.dx == wanted.dx && depth.dy == wanted.dy)
-        << "piece " << i;
+        << "fragment " << i;
   }
   ASSERT_EQ(table.model_views.size(), expected.model_views.size());
-  ASSERT_EQ(table.item_count, expected.item_count);
+  ASSERT_EQ(table.draw_count, expected.draw_count);
 }
 
 void expect_same_for_any_jobs(const world::Level& level) {
   constexpr int kViews = effort(20, 10);
   const render::LevelTables level_tables = render::make_level_tables(level);
   const render::FaceOutlines outlines = render::make_face_outlines(level);
-  base::Jobs one(1), two(2, base::JobBackend::kStdThread), four(4, base::JobBackend::kStdThread);
-  std::vector<render::EdgeJobArenas> job_arenas;
-  std::size_t pieces = 0, edges = 0;
+  StageParts one, two({.threads = 2, .job_backend = base::JobBackend::kStdThread}),
+      four({.threads = 4, .job_backend = base::JobBackend::kStdThread});
+  std::size_t fragments = 0, edges = 0;
   for (int number = 0; number < kViews; ++number) {
     SCOPED_TRACE(fmt::format("{}, view {}", level.name, number));
     Random random(static_cast<std::uint64_t>(number));
@@ -68,22 +69,19 @@ void expect_same_for_any_jobs(const world::Level& level) {
     if (number % 5 == 4) viewpoint.camera.projection = render::Projection::kOrthographic;
     const render::Scene scene = viewpoint.scene(level);
     const render::ViewFrame view = render::make_view_frame(scene, 320, 200);
-    base::Arena arena;
-    std::vector<std::uint8_t> pvs_row;
-    const render::VisibleFaces visible = render::find_visible_faces(
-        level, level_tables, view, world_opacities(scene, arena), true, arena, pvs_row);
-    const EdgeTable expected = emit_edges(scene, view, visible, outlines, one, arena, job_arenas);
-    for (base::Jobs* jobs : {&two, &four})
-      for (const std::size_t faces_a_job : {std::size_t{1}, std::size_t{10}, render::kFacesAnEdgeJob}) {
-        expect_equal(expected,
-                     emit_edges(scene, view, visible, outlines, *jobs, arena, job_arenas, faces_a_job));
+    for (StageParts* parts : {&one, &two, &four}) parts->arenas.frame.reset();
+    const render::VisibleFaces visible = render::find_visible_faces(one.context(scene), view, level_tables);
+    const EdgeTable expected = emit_edges(one.context(scene), view, visible, outlines);
+    for (StageParts* parts : {&two, &four})
+      for (const std::size_t faces_per_job : {std::size_t{1}, std::size_t{10}, render::kFacesPerEdgeJob}) {
+        expect_equal(expected, emit_edges(parts->context(scene), view, visible, outlines, faces_per_job));
         if (testing::Test::HasFatalFailure()) return;
       }
-    pieces += expected.pieces.size();
+    fragments += expected.fragments.size();
     edges += expected.edges.size();
   }
   EXPECT_GT(edges, 10u * kViews);
-  EXPECT_EQ(pieces > 0, !shown_brush_models(level).empty());
+  EXPECT_EQ(fragments > 0, !shown_brush_models(level).empty());
 }
 
 void expect_neighbors_as_defined(const world::Level& level) {
@@ -92,12 +90,12 @@ void expect_neighbors_as_defined(const world::Level& level) {
     bool backward;
   };
   std::map<std::size_t, std::vector<Use>> uses;
-  const auto edge_of = [&](const world::Face& face, std::size_t side) {
+  const auto edge_index = [&](const world::Face& face, std::size_t side) {
     return static_cast<std::size_t>(std::abs(level.surfedges[face.first_surfedge + side]));
   };
   for (std::size_t i = 0; i < level.faces.size(); ++i)
     for (std::size_t side = 0; side < level.faces[i].surfedge_count; ++side)
-      uses[edge_of(level.faces[i], side)].push_back(
+      uses[edge_index(level.faces[i], side)].push_back(
           {i, level.surfedges[level.faces[i].first_surfedge + side] < 0});
   const render::FaceOutlines outlines = render::make_face_outlines(level);
   ASSERT_EQ(outlines.faces.size(), level.faces.size());
@@ -106,7 +104,7 @@ void expect_neighbors_as_defined(const world::Level& level) {
     const render::FaceOutline& outline = outlines.faces[i];
     ASSERT_EQ(outline.corner_count, level.faces[i].surfedge_count);
     for (std::size_t side = 0; side < outline.corner_count; ++side) {
-      const std::vector<Use>& both = uses[edge_of(level.faces[i], side)];
+      const std::vector<Use>& both = uses[edge_index(level.faces[i], side)];
       world::FaceIndex expected = render::kNoNeighbor;
       if (both.size() == 2 && both[0].face != both[1].face && both[0].backward != both[1].backward)
         expected = base::to_index<world::FaceIndex>(both[0].face == i ? both[1].face : both[0].face);

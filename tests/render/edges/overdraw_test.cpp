@@ -14,7 +14,7 @@
 namespace temblor::test {
 namespace {
 
-// How many pixels were written how often: 0, 1, or more.
+// The numbers of pixels that were written 0 times, once, and more often.
 using WriteCounts = std::array<std::size_t, 3>;
 
 WriteCounts count_writes(const render::Renderer& renderer, std::size_t pixels) {

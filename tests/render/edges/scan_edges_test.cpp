@@ -1,6 +1,6 @@
-// The edge list and its scan against a slow definition: a pixel shows, of all polygons that the ray through
-// its center hits, the one with the smallest key. And however the rows are cut into bands, the spans are the
-// same.
+// The edge table and its scan against a slow definition: a pixel shows, of all polygons that the ray through
+// its center hits, the one with the smallest key. The spans are the same for any division of the rows into
+// bands.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@
 #include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
 #include "support/effort.h"
+#include "support/pictures/stage_parts.h"
 #include "support/random.h"
 
 namespace temblor::test {
@@ -26,36 +27,34 @@ using render::EdgeTable;
 using render::SurfaceIndex;
 using render::ViewFrame;
 
-// One span, and what of it the scan says.
-struct Span {
+// A span with the draw that the scan assigned to it.
+struct ScannedSpan {
   int y, x, count;
-  std::uint32_t item;
-  auto operator<=>(const Span&) const = default;
+  std::uint32_t draw;
+  auto operator<=>(const ScannedSpan&) const = default;
 };
 
-// Scanned with everything that a scan needs of its own; in the order of the screen.
-std::vector<Span> scan(const EdgeTable& table, const render::Scene& scene, const ViewFrame& view,
-                       int band_rows, int threads = 1) {
-  base::Arena arena;
-  std::vector<base::Arena> band_arenas;
-  base::Jobs jobs(threads, base::JobBackend::kStdThread);
-  const render::SpanTable spans = render::scan_edges(table, scene, view, band_rows, jobs, arena, band_arenas);
-  std::vector<Span> all;
+// Scans a table with all the context that a scan needs. Returns spans in the order of the screen.
+std::vector<ScannedSpan> scan(const EdgeTable& table, const render::Scene& scene, const ViewFrame& view,
+                              int band_rows, int threads = 1) {
+  StageParts parts({.threads = threads, .job_backend = base::JobBackend::kStdThread, .band_rows = band_rows});
+  const render::SpanTable spans = render::scan_edges(parts.context(scene), view, table);
+  std::vector<ScannedSpan> all;
   int next_row = 0;
   for (const render::Band& band : spans.bands) {
     EXPECT_EQ(band.first_row, next_row);
     next_row += band.row_count;
-    EXPECT_TRUE(std::is_sorted(band.items.begin(), band.items.end()));
-    for (std::size_t position = 0; position < band.items.size(); ++position) {
+    EXPECT_TRUE(std::is_sorted(band.draws.begin(), band.draws.end()));
+    for (std::size_t position = 0; position < band.draws.size(); ++position) {
       render::PixelSum sum;
-      for (std::uint32_t i = band.run_begin[position]; i < band.run_begin[position + 1]; ++i) {
-        const render::SpanRun& run = band.runs[i];
-        EXPECT_TRUE(run.y >= band.first_row && run.y < next_row);
-        all.push_back({run.y, run.x, run.count, band.items[position]});
-        for (std::uint64_t pixel = 0; pixel < run.count; ++pixel) {
+      for (std::uint32_t i = band.span_begin[position]; i < band.span_begin[position + 1]; ++i) {
+        const render::Span& span = band.spans[i];
+        EXPECT_TRUE(span.y >= band.first_row && span.y < next_row);
+        all.push_back({span.y, span.x, span.count, band.draws[position]});
+        for (std::uint64_t pixel = 0; pixel < span.count; ++pixel) {
           ++sum.pixels;
-          sum.x += run.x + pixel;
-          sum.y += run.y;
+          sum.x += span.x + pixel;
+          sum.y += span.y;
         }
       }
       EXPECT_EQ(band.sums[position].pixels, sum.pixels);
@@ -68,22 +67,22 @@ std::vector<Span> scan(const EdgeTable& table, const render::Scene& scene, const
   return all;
 }
 
-// The item of every pixel, row by row. Fails when spans leave a gap, overlap, or are empty.
-std::vector<std::uint32_t> pixels_of(const std::vector<Span>& spans, const ViewFrame& view) {
+// The draw of every pixel, row by row. Fails if spans leave a gap, overlap, or are empty.
+std::vector<std::uint32_t> list_pixels(const std::vector<ScannedSpan>& spans, const ViewFrame& view) {
   std::vector<std::uint32_t> pixels;
-  for (const Span& span : spans) {
+  for (const ScannedSpan& span : spans) {
     EXPECT_GT(span.count, 0);
     EXPECT_EQ(static_cast<std::size_t>(span.y) * static_cast<std::size_t>(view.width) +
                   static_cast<std::size_t>(span.x),
               pixels.size());
-    pixels.insert(pixels.end(), static_cast<std::size_t>(span.count), span.item);
+    pixels.insert(pixels.end(), static_cast<std::size_t>(span.count), span.draw);
   }
   EXPECT_EQ(pixels.size(), static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
   return pixels;
 }
 
 void expect_same_in_any_bands(const EdgeTable& table, const render::Scene& scene, const ViewFrame& view) {
-  const std::vector<Span> whole = scan(table, scene, view, view.height);
+  const std::vector<ScannedSpan> whole = scan(table, scene, view, view.height);
   for (const int band_rows : {1, 2, 7, 64})
     ASSERT_EQ(scan(table, scene, view, band_rows), whole) << "bands of " << band_rows;
   ASSERT_EQ(scan(table, scene, view, 3, 2), whole) << "on two threads";
@@ -99,7 +98,7 @@ struct ScreenPolygon {
 
 ScreenPolygon any_polygon(const ViewFrame& view, Random& random) {
   ScreenPolygon polygon;
-  // Corners on an ellipse: convex. Often partly beside the screen, or larger than it.
+  // Corners on an ellipse, so the polygon is convex. Often partly outside the screen, or larger than it.
   const Vec2d middle(random.uniform(-0.5, 1.5) * view.width, random.uniform(-0.5, 1.5) * view.height);
   const Vec2d radius(random.log_uniform(0.5, 2.0 * view.width), random.log_uniform(0.5, 2.0 * view.height));
   std::vector<double> turns;
@@ -113,13 +112,13 @@ ScreenPolygon any_polygon(const ViewFrame& view, Random& random) {
   return polygon;
 }
 
-// What an edge table is from the definition of Edge: the rows whose centers lie between its ends, and where
-// it crosses them. Edges right of the screen stay in.
+// An edge table by the definition of Edge: the rows whose centers are between its ends, and where it crosses
+// them. Edges right of the screen stay in.
 class HandMadeTable {
  public:
   HandMadeTable(const ViewFrame& view, const std::vector<ScreenPolygon>& polygons) : view_(view) {
     add_surface(std::numeric_limits<render::SortKey>::max());
-    pieces_.push_back({});
+    fragments_.push_back({});
     for (const ScreenPolygon& polygon : polygons) add(polygon);
     row_begin_.assign(static_cast<std::size_t>(view.height) + 1, 0);
     for (int row = 0; row < view.height; ++row) {
@@ -130,15 +129,16 @@ class HandMadeTable {
     row_begin_.back() = static_cast<std::uint32_t>(order_.size());
   }
   EdgeTable view() const {
-    return {edges_, order_, row_begin_, surfaces_, pieces_, {}, static_cast<std::uint32_t>(surfaces_.size())};
+    return {
+        edges_, order_, row_begin_, surfaces_, fragments_, {}, static_cast<std::uint32_t>(surfaces_.size())};
   }
 
  private:
   void add(const ScreenPolygon& polygon) {
     const auto surface = base::to_index<SurfaceIndex>(surfaces_.size());
     add_surface(polygon.key);
-    pieces_.push_back({polygon.depth});
-    const Vec2d middle = middle_of(polygon.corners);
+    fragments_.push_back({polygon.depth});
+    const Vec2d middle = find_middle(polygon.corners);
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
       const Vec2d &a = polygon.corners[i], &b = polygon.corners[(i + 1) % polygon.corners.size()];
       const Vec2d &top = a.y < b.y ? a : b, &bottom = a.y < b.y ? b : a;
@@ -148,17 +148,17 @@ class HandMadeTable {
       if (edge.first_row > edge.last_row) continue;
       edge.step = (bottom.x - top.x) / (bottom.y - top.y);
       edge.x_first = top.x + (edge.first_row - top.y) * edge.step;
-      // The polygon lies right of an edge when its middle does.
+      // The polygon is right of an edge if its center is.
       (top.x + edge.step * (middle.y - top.y) < middle.x ? edge.leading : edge.trailing) = surface;
       edges_.push_back(edge);
     }
   }
-  // Its number is also that of its item and of its piece.
+  // The draw and the fragment of a surface have the same number as the surface.
   void add_surface(render::SortKey key) {
     const auto number = static_cast<std::uint32_t>(surfaces_.size());
     surfaces_.push_back({key, 0, world::FaceIndex{0}, number, {}, number, 0});
   }
-  static Vec2d middle_of(const std::vector<Vec2d>& corners) {
+  static Vec2d find_middle(const std::vector<Vec2d>& corners) {
     Vec2d sum(0.0);
     for (const Vec2d& corner : corners) sum += corner;
     return sum / static_cast<double>(corners.size());
@@ -168,10 +168,10 @@ class HandMadeTable {
   std::vector<render::Edge> edges_;
   std::vector<std::uint32_t> order_, row_begin_;
   std::vector<render::ScreenSurface> surfaces_;
-  std::vector<render::Piece> pieces_;
+  std::vector<render::BrushFragment> fragments_;
 };
 
-// Whether a pixel's center lies in the polygon; nothing where that is a matter of rounding.
+// Whether a pixel's center is in the polygon; nothing if rounding decides.
 std::optional<bool> holds(const ScreenPolygon& polygon, double x, double y) {
   bool inside = true;
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -194,7 +194,7 @@ struct HandMadeCase {
     for (std::size_t i = random.below(random.chance(0.5) ? 5 : 60); i > 0; --i)
       polygons.push_back(any_polygon(view, random));
   }
-  // In front: the smallest key, and among equal ones the largest depth.
+  // In front: the smallest key; among equal keys, the largest depth.
   std::vector<std::optional<std::uint32_t>> expected() const {
     std::vector<std::optional<std::uint32_t>> pixels;
     for (int y = 0; y < view.height; ++y)
@@ -219,7 +219,7 @@ struct HandMadeCase {
   }
   void expect_as_defined() const {
     const HandMadeTable table(view, polygons);
-    const std::vector<std::uint32_t> pixels = pixels_of(scan(table.view(), {}, view, view.height), view);
+    const std::vector<std::uint32_t> pixels = list_pixels(scan(table.view(), {}, view, view.height), view);
     const auto wanted = expected();
     ASSERT_EQ(pixels.size(), wanted.size());
     for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -237,7 +237,7 @@ TEST(ScanEdges, ShowsThePolygonWithTheSmallestKey) {
     SCOPED_TRACE(seed);
     Random random(static_cast<std::uint64_t>(seed));
     HandMadeCase hand_made(random);
-    // No two alike, in any order.
+    // All different, in any order.
     for (std::size_t i = 0; i < hand_made.polygons.size(); ++i)
       hand_made.polygons[i].key = static_cast<render::SortKey>(random.below(1000) * 1000 + i);
     hand_made.expect_as_defined();
@@ -245,8 +245,8 @@ TEST(ScanEdges, ShowsThePolygonWithTheSmallestKey) {
   }
 }
 
-// Planes that do not cross, some with one key: of these, the nearest is in front. Orthographic depths are
-// negative.
+// Planes that do not cross, some with the same key: among these the nearest is in front. Orthographic depths
+// are negative.
 TEST(ScanEdges, ShowsTheNearestOfEqualKeys) {
   for (int seed = 0; seed < effort(150, 15); ++seed) {
     SCOPED_TRACE(seed);
@@ -268,13 +268,13 @@ TEST(ScanEdges, ShowsTheNearestOfEqualKeys) {
   }
 }
 
-// Two walls that meet at a vertical line, one of them in front of it and one behind: where the second begins,
-// both are as near, and only their slopes tell them apart.
+// Two walls that meet at a vertical line, one in front of it and one behind: where the second begins, both
+// have the same depth, and only the gradients decide.
 TEST(ScanEdges, OrdersWallsThatTouchByTheirSlopes) {
   ViewFrame view;
   view.width = 64;
   view.height = 8;
-  // From 20 on, one comes nearer and the other recedes; both reach to 50.
+  // From x = 20 on, one comes nearer and the other recedes; both reach to x = 50.
   for (const bool nearer_first : {false, true}) {
     std::vector<ScreenPolygon> walls(2);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -282,7 +282,7 @@ TEST(ScanEdges, OrdersWallsThatTouchByTheirSlopes) {
       walls[i] = {{{20.25, -5}, {50.5, -5}, {50.5, 20}, {20.25, 20}}, 1, {1 - slope * 20.25, slope, 0}};
     }
     const HandMadeTable table(view, walls);
-    const auto pixels = pixels_of(scan(table.view(), {}, view, view.height), view);
+    const auto pixels = list_pixels(scan(table.view(), {}, view, view.height), view);
     for (int y = 0; y < view.height; ++y)
       for (int x = 0; x < view.width; ++x)
         ASSERT_EQ(pixels[static_cast<std::size_t>(y * view.width + x)], x < 21 || x > 50 ? 0u
@@ -292,8 +292,8 @@ TEST(ScanEdges, OrdersWallsThatTouchByTheirSlopes) {
   }
 }
 
-// Planes of one key that cross: which is in front where the second begins changes from row to row, though the
-// same edges cross all of them in the same order.
+// Planes with the same key that cross: where the second begins, the front one changes from row to row,
+// although the same edges cross all rows in the same order.
 TEST(ScanEdges, ComparesDepthsOnEveryRow) {
   ViewFrame view;
   view.width = 64;
@@ -303,7 +303,7 @@ TEST(ScanEdges, ComparesDepthsOnEveryRow) {
     walls[0] = {{{10.5, -5}, {40.5, -5}, {40.5, 60}, {10.5, 60}}, 1, {1 - dy * 20.25, 0, dy}};
     walls[1] = {{{20.5, -5}, {50.5, -5}, {50.5, 60}, {20.5, 60}}, 1, {1, 0, 0}};
     const HandMadeTable table(view, walls);
-    const auto pixels = pixels_of(scan(table.view(), {}, view, view.height), view);
+    const auto pixels = list_pixels(scan(table.view(), {}, view, view.height), view);
     for (int y = 0; y < view.height; ++y) {
       const bool first_in_front = dy * (y - 20.25) > 0;
       for (int x = 0; x < view.width; ++x) {
@@ -318,8 +318,7 @@ TEST(ScanEdges, ComparesDepthsOnEveryRow) {
   }
 }
 
-// From row 20 on, two edges come in from the right, and the first polygon's two have ended: as many as
-// before.
+// From row 20 on, two edges enter from the right, and the first polygon's two have ended: as many as before.
 TEST(ScanEdges, TellsEdgesThatComeFromThoseThatEnd) {
   Random random(0);
   HandMadeCase hand_made(random);
@@ -333,8 +332,8 @@ TEST(ScanEdges, TellsEdgesThatComeFromThoseThatEnd) {
   hand_made.expect_as_defined();
 }
 
-// A band of one row is scanned without a row above to learn from. Edges stand in few places, so that many
-// meet, and planes cross.
+// A band of one row is scanned without reusing a row above. Edges have few positions, so that many meet, and
+// planes cross.
 TEST(ScanEdges, FindsOnEveryRowWhatItFindsWithoutTheRowAbove) {
   for (int seed = 0; seed < effort(150, 15); ++seed) {
     SCOPED_TRACE(seed);
@@ -356,14 +355,12 @@ TEST(ScanEdges, FindsOnEveryRowWhatItFindsWithoutTheRowAbove) {
 
 // The level's faces without its tree.
 EdgeTable emit(const world::Level& level, const ViewFrame& view, std::span<const render::VisibleFace> faces,
-               base::Arena& arena) {
+               StageParts& io_parts) {
   render::Scene scene;
   scene.level = &level;
   render::VisibleFaces visible;
   visible.faces = faces;
-  base::Jobs jobs(1);
-  std::vector<render::EdgeJobArenas> job_arenas;
-  return render::emit_edges(scene, view, visible, render::make_face_outlines(level), jobs, arena, job_arenas);
+  return render::emit_edges(io_parts.context(scene), view, visible, render::make_face_outlines(level));
 }
 
 struct Triangle {
@@ -371,7 +368,8 @@ struct Triangle {
   render::SortKey key;
 };
 
-// Points about the eye, and triangles between them that face it: in front, behind, across the near plane.
+// Points around the eye, and triangles between them that face it: in front, behind, and across the near
+// plane.
 struct SolidCase {
   static constexpr std::uint32_t kNoTriangle = 0xffffffff;
   world::Level level;
@@ -386,20 +384,19 @@ struct SolidCase {
     for (std::size_t i = 1 + random.below(random.chance(0.5) ? 6 : 40); i > 0; --i) add_triangle(random);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       faces.push_back({base::to_index<world::FaceIndex>(i), triangles[i].key});
-      // A file may name a face twice. Behind itself it changes nothing.
+      // A file may name a face twice in its tree. Behind its first surface it changes nothing.
       if (random.chance(0.1)) faces.push_back({faces.back().face, triangles[i].key + 500});
     }
   }
 
-  // Twice the volume between the pixel's ray and the side from a to b, seen from the eye (in parallel, from
-  // the pixel): which side of it the ray passes on.
+  // Twice the volume between the pixel's ray and the side from a to b, seen from the eye (in parallel
+  // projection, from the pixel): the sign says on which side the ray passes.
   double passes(const Vec3d& a, const Vec3d& b, const Vec2d& at) const {
     if (view.perspective) return glm::dot(Vec3d(at, 1), glm::cross(a, b));
     const Vec3d from = a - Vec3d(at, 0), to = b - Vec3d(at, 0);
     return from.x * to.y - from.y * to.x;
   }
-  // Whether the pixel's ray hits the triangle beyond the near plane; nothing where that is a matter of
-  // rounding.
+  // Whether the pixel's ray hits the triangle beyond the near plane; nothing if rounding decides.
   std::optional<bool> hits(const Triangle& triangle, int x, int y) const {
     const Vec2d at((x - view.center_x) / view.pixels_per_unit, -(y - view.center_y) / view.pixels_per_unit);
     std::array<Vec3d, 3> corners;
@@ -457,7 +454,7 @@ struct SolidCase {
     if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0]) return;
     const Vec3d a(level.vertices[vertices[0]]), b(level.vertices[vertices[1]]),
         c(level.vertices[vertices[2]]);
-    // Clockwise seen from its front: (c - a) x (b - a) points to where it looks.
+    // Clockwise seen from the front: (c - a) x (b - a) points to the front.
     const Vec3d normal = glm::cross(c - a, b - a);
     const double towards_eye =
         view.perspective ? glm::dot(normal, view.eye_world - a) : -glm::dot(normal, view.axes.forward);
@@ -474,7 +471,7 @@ struct SolidCase {
     const auto key = static_cast<render::SortKey>(random.below(1000) * 1000 + triangles.size() + 1);
     triangles.push_back({vertices, key});
   }
-  // The edge between the two, made when there is none yet.
+  // The edge between the two vertices; added if there is none yet.
   std::int32_t surfedge(std::uint32_t from, std::uint32_t to) {
     if (const auto found = edge_of_.find({from, to}); found != edge_of_.end()) return found->second;
     const auto number = static_cast<std::int32_t>(level.edges.size());
@@ -494,24 +491,24 @@ TEST(EmittedEdges, ShowTheTriangleWithTheSmallestKey) {
     SCOPED_TRACE(seed);
     Random random(static_cast<std::uint64_t>(seed));
     const SolidCase solid(random);
-    base::Arena arena;
-    const EdgeTable table = emit(solid.level, solid.view, solid.faces, arena);
-    const auto pixels = pixels_of(scan(table, {}, solid.view, solid.view.height), solid.view);
+    StageParts parts;
+    const EdgeTable table = emit(solid.level, solid.view, solid.faces, parts);
+    const auto pixels = list_pixels(scan(table, {}, solid.view, solid.view.height), solid.view);
     ASSERT_FALSE(HasFailure());
-    // Items are surfaces: none of the faces has tiles.
+    // Draws are surfaces, since no face has tiles.
     for (int y = 0; y < solid.view.height; ++y)
       for (int x = 0; x < solid.view.width; ++x) {
         const std::optional<std::uint32_t> expected = solid.triangle_at(x, y);
         if (!expected) continue;
-        const std::uint32_t item = pixels[static_cast<std::size_t>(y * solid.view.width + x)];
+        const std::uint32_t draw = pixels[static_cast<std::size_t>(y * solid.view.width + x)];
         const std::uint32_t shown =
-            item == 0 ? SolidCase::kNoTriangle
-                      : static_cast<std::uint32_t>(base::to_size(table.surfaces[item].face));
+            draw == 0 ? SolidCase::kNoTriangle
+                      : static_cast<std::uint32_t>(base::to_size(table.surfaces[draw].face));
         ASSERT_EQ(shown, *expected) << fmt::format("pixel {}, {} of {}x{}, {} triangles", x, y,
                                                    solid.view.width, solid.view.height,
                                                    solid.triangles.size());
         ++pixels_checked;
-        triangles_shown += item != 0;
+        triangles_shown += draw != 0;
       }
     expect_same_in_any_bands(table, {}, solid.view);
     if (HasFatalFailure()) return;
@@ -520,20 +517,22 @@ TEST(EmittedEdges, ShowTheTriangleWithTheSmallestKey) {
   EXPECT_LT(triangles_shown, pixels_checked / 10 * 9);
 }
 
-// ---- Tiles: a face of more than 256 texels shows, at each pixel, the tile that its texel lies in.
+// ---- Tiles: a face of more than 256 texels shows, at each pixel, the tile that contains its texel.
 
 struct TiledCase {
   world::Level level;
   render::Scene scene;
   ViewFrame view;
-  base::Arena arena;
+  StageParts parts;
   EdgeTable table;
 
   explicit TiledCase(Random& random) {
-    const double texels_a_unit = random.log_uniform(0.5, 8);
+    const double texels_per_unit = random.log_uniform(0.5, 8);
     level.planes.push_back({{0, 0, 1}, 0, 2});
-    level.texture_axes.push_back(
-        {{static_cast<float>(texels_a_unit), 0.25f, 0}, 0, {0, -static_cast<float>(texels_a_unit), 0}, 0});
+    level.texture_axes.push_back({{static_cast<float>(texels_per_unit), 0.25f, 0},
+                                  0,
+                                  {0, -static_cast<float>(texels_per_unit), 0},
+                                  0});
     level.vertices = {{-200, -200, 0}, {-200, 200, 0}, {200, 200, 0}, {200, -200, 0}};
     level.edges = {{}, {{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}};
     level.surfedges = {1, 2, 3, 4};
@@ -541,7 +540,7 @@ struct TiledCase {
     face.kind = world::FaceKind::kLit;
     face.light = 0;
     face.surfedge_count = 4;
-    const auto reach = static_cast<std::int32_t>(std::ceil((200 * texels_a_unit + 50) / 16)) * 16;
+    const auto reach = static_cast<std::int32_t>(std::ceil((200 * texels_per_unit + 50) / 16)) * 16;
     face.texture_mins = {-reach, -reach};
     face.texture_extents = {2 * reach, 2 * reach};
     level.faces.push_back(face);
@@ -557,12 +556,12 @@ struct TiledCase {
     scene.camera.units_per_pixel = static_cast<float>(random.log_uniform(0.2, 4));
     view = render::make_view_frame(scene, 160, 100);
     const render::VisibleFace visible{world::FaceIndex{0}, 1};
-    table = emit(level, view, {&visible, 1}, arena);
+    table = emit(level, view, {&visible, 1}, parts);
   }
   TiledCase(const TiledCase&) = delete;
   TiledCase& operator=(const TiledCase&) = delete;
 
-  // Of the point on z = 0 that a pixel shows: its texels from the face's first one.
+  // The point on z = 0 that a pixel shows, in texels from the face's first texel.
   Vec2d texels_at(int x, int y) const {
     const Vec3d aside =
         (view.axes.right * (x - view.center_x) - view.axes.up * (y - view.center_y)) / view.pixels_per_unit;
@@ -582,17 +581,18 @@ TEST(ScanEdges, CutsLargeFacesAtTheirTiles) {
     SCOPED_TRACE(seed);
     Random random(static_cast<std::uint64_t>(seed));
     const TiledCase tiled(random);
-    const auto pixels = pixels_of(scan(tiled.table, tiled.scene, tiled.view, tiled.view.height), tiled.view);
+    const auto pixels =
+        list_pixels(scan(tiled.table, tiled.scene, tiled.view, tiled.view.height), tiled.view);
     ASSERT_FALSE(HasFailure());
     const render::TileGrid grid = render::tile_grid(tiled.level.faces[0]);
     for (int y = 0; y < tiled.view.height; ++y)
       for (int x = 0; x < tiled.view.width; ++x) {
-        const std::uint32_t item = pixels[static_cast<std::size_t>(y * tiled.view.width + x)];
-        if (item == 0) continue;
+        const std::uint32_t draw = pixels[static_cast<std::size_t>(y * tiled.view.width + x)];
+        if (draw == 0) continue;
         const Vec2d tile = tiled.texels_at(x, y) / 256.0;
         const auto is_border = [](double at) { return std::abs(at - std::round(at)) < 1e-7; };
         if (is_border(tile.x) || is_border(tile.y)) continue;
-        ASSERT_EQ(item - 1, static_cast<std::uint32_t>(std::floor(tile.y)) * grid.s +
+        ASSERT_EQ(draw - 1, static_cast<std::uint32_t>(std::floor(tile.y)) * grid.s +
                                 static_cast<std::uint32_t>(std::floor(tile.x)))
             << x << ", " << y;
         ++checked;

@@ -1,5 +1,5 @@
-// The view: fields of view by their definition, and the planes of depth and texture coordinates against the
-// point where each pixel's ray meets the plane, found with vectors.
+// The view: fields of view by their definition; the planes of depth and texture coordinates against the point
+// where each pixel's ray meets the plane, computed with vectors.
 #include "render/view/view_frame.h"
 
 #include <fmt/format.h>
@@ -28,14 +28,14 @@ double radians(double degrees) {
 
 class ViewFrames : public testing::Test {
  protected:
-  ViewFrame view_of(const Camera& camera, int width, int height) const {
+  ViewFrame make_view(const Camera& camera, int width, int height) const {
     render::Scene scene;
     scene.level = level_.level.get();
     scene.camera = camera;
     return render::make_view_frame(scene, width, height);
   }
-  ViewFrame view_of_fov(float fov_deg, int width, int height) const {
-    return view_of({.fov_deg = fov_deg}, width, height);
+  ViewFrame make_fov_view(float fov_deg, int width, int height) const {
+    return make_view({.fov_deg = fov_deg}, width, height);
   }
   ViewFrame any_view(Random& random) const {
     Camera camera;
@@ -44,8 +44,8 @@ class ViewFrames : public testing::Test {
     camera.fov_deg = static_cast<float>(random.uniform(10, 170));
     if (random.chance(0.4)) camera.projection = Projection::kOrthographic;
     if (random.chance(0.7)) camera.units_per_pixel = static_cast<float>(random.log_uniform(0.05, 20));
-    return view_of(camera, static_cast<int>(1 + random.below(2000)),
-                   static_cast<int>(1 + random.below(2000)));
+    return make_view(camera, static_cast<int>(1 + random.below(2000)),
+                     static_cast<int>(1 + random.below(2000)));
   }
   const DrawableLevel level_ = small_level();
 };
@@ -60,15 +60,15 @@ double seen_down_deg(const ViewFrame& view) {
 
 TEST_F(ViewFrames, HaveTheFieldOfViewOfFourByThree) {
   for (const float fov_deg : {10.0f, 45.0f, 90.0f, 120.0f, 170.0f})
-    EXPECT_NEAR(seen_across_deg(view_of_fov(fov_deg, 640, 480)), static_cast<double>(fov_deg), 1e-6);
-  EXPECT_DOUBLE_EQ(view_of_fov(90, 320, 240).pixels_per_unit, 160);
+    EXPECT_NEAR(seen_across_deg(make_fov_view(fov_deg, 640, 480)), static_cast<double>(fov_deg), 1e-6);
+  EXPECT_DOUBLE_EQ(make_fov_view(90, 320, 240).pixels_per_unit, 160);
 }
 
 TEST_F(ViewFrames, ShowMoreAtTheSidesWhereWider) {
-  const double down_deg = seen_down_deg(view_of_fov(90, 640, 480));
-  double across_deg = seen_across_deg(view_of_fov(90, 640, 480));
+  const double down_deg = seen_down_deg(make_fov_view(90, 640, 480));
+  double across_deg = seen_across_deg(make_fov_view(90, 640, 480));
   for (const int width : {641, 768, 854, 1120, 4000}) {
-    const ViewFrame view = view_of_fov(90, width, 480);
+    const ViewFrame view = make_fov_view(90, width, 480);
     EXPECT_NEAR(seen_down_deg(view), down_deg, 1e-9);
     EXPECT_GT(seen_across_deg(view), across_deg);
     across_deg = seen_across_deg(view);
@@ -76,9 +76,9 @@ TEST_F(ViewFrames, ShowMoreAtTheSidesWhereWider) {
 }
 
 TEST_F(ViewFrames, ShowMoreAboveAndBelowWhereNarrower) {
-  double down_deg = seen_down_deg(view_of_fov(90, 640, 480));
+  double down_deg = seen_down_deg(make_fov_view(90, 640, 480));
   for (const int height : {481, 512, 640, 1280, 4000}) {
-    const ViewFrame view = view_of_fov(90, 640, height);
+    const ViewFrame view = make_fov_view(90, 640, height);
     EXPECT_NEAR(seen_across_deg(view), 90, 1e-9);
     EXPECT_GT(seen_down_deg(view), down_deg);
     down_deg = seen_down_deg(view);
@@ -86,14 +86,15 @@ TEST_F(ViewFrames, ShowMoreAboveAndBelowWhereNarrower) {
 }
 
 TEST_F(ViewFrames, KeepTheFieldOfViewWithin10And170) {
-  EXPECT_DOUBLE_EQ(view_of_fov(1, 320, 240).pixels_per_unit, view_of_fov(10, 320, 240).pixels_per_unit);
-  EXPECT_DOUBLE_EQ(view_of_fov(180, 320, 240).pixels_per_unit, view_of_fov(170, 320, 240).pixels_per_unit);
+  EXPECT_DOUBLE_EQ(make_fov_view(1, 320, 240).pixels_per_unit, make_fov_view(10, 320, 240).pixels_per_unit);
+  EXPECT_DOUBLE_EQ(make_fov_view(180, 320, 240).pixels_per_unit,
+                   make_fov_view(170, 320, 240).pixels_per_unit);
 }
 
 TEST_F(ViewFrames, LookThroughTheMiddleOfThePicture) {
   for (const auto& [width, height] : {std::pair(320, 200), std::pair(1, 1), std::pair(333, 512)}) {
-    const ViewFrame view = view_of_fov(90, width, height);
-    // Pixels' centers lie at whole numbers, so the picture reaches from -0.5 to its size less 0.5.
+    const ViewFrame view = make_fov_view(90, width, height);
+    // Pixel centers are at whole numbers, so the picture reaches from -0.5 to its size minus 0.5.
     const math::Vec2d middle = view.to_screen({0, 0, 100});
     EXPECT_DOUBLE_EQ(middle.x, (-0.5 + (width - 0.5)) / 2);
     EXPECT_DOUBLE_EQ(middle.y, (-0.5 + (height - 0.5)) / 2);
@@ -102,7 +103,7 @@ TEST_F(ViewFrames, LookThroughTheMiddleOfThePicture) {
 
 TEST_F(ViewFrames, PutRightAndUpWhereTheyBelong) {
   // At angles 0 the view is along +x, left of it +y, up +z.
-  const ViewFrame view = view_of({.origin_world = {100, 200, 300}}, 640, 480);
+  const ViewFrame view = make_view({.origin_world = {100, 200, 300}}, 640, 480);
   const auto screen = [&](const Vec3d& world) { return view.to_screen(view.to_view(world)); };
   const math::Vec2d ahead = screen({200, 200, 300}), left = screen({200, 210, 300}),
                     above = screen({200, 200, 310});
@@ -110,7 +111,7 @@ TEST_F(ViewFrames, PutRightAndUpWhereTheyBelong) {
   EXPECT_DOUBLE_EQ(left.y, ahead.y);
   EXPECT_LT(above.y, ahead.y);
   EXPECT_DOUBLE_EQ(above.x, ahead.x);
-  // A tenth as far aside as ahead, at 320 pixels a unit.
+  // A tenth as far to the side as ahead, at 320 pixels per unit.
   EXPECT_NEAR(ahead.x - left.x, 32, 1e-9);
   EXPECT_NEAR(ahead.y - above.y, 32, 1e-9);
 }
@@ -119,7 +120,7 @@ TEST_F(ViewFrames, KnowTheLeafOfTheEye) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
     const math::Vec3 eye = random.in_cube(600);
-    EXPECT_EQ(view_of({.origin_world = eye}, 64, 64).eye_leaf, world::find_leaf(*level_.level, eye));
+    EXPECT_EQ(make_view({.origin_world = eye}, 64, 64).eye_leaf, world::find_leaf(*level_.level, eye));
   }
 }
 
@@ -128,10 +129,10 @@ TEST_F(ViewFrames, DrawUnitsAtTheirScaleInParallel) {
   for (int i = 0; i < 100; ++i) {
     Camera camera{.angles_deg = random.in_cube(180), .projection = Projection::kOrthographic};
     camera.units_per_pixel = static_cast<float>(random.log_uniform(0.1, 10));
-    const ViewFrame view = view_of(camera, 320, 200);
+    const ViewFrame view = make_view(camera, 320, 200);
     const Vec3d from(random.in_cube(1000)), along(random.in_cube(100));
     const math::Vec2d moved = view.to_screen(view.to_view(from + along)) - view.to_screen(view.to_view(from));
-    // What of the way lies across the view.
+    // The component perpendicular to the view.
     const double across =
         std::sqrt(std::pow(glm::length(along), 2) - std::pow(glm::dot(along, view.axes.forward), 2));
     EXPECT_NEAR(glm::length(moved) * static_cast<double>(camera.units_per_pixel), across, 1e-4 * across);
@@ -147,21 +148,21 @@ TEST_F(ViewFrames, FitTheLevelInParallelWhereNoScaleIsGiven) {
     if (i > 0) camera.angles_deg = random.in_cube(180);
     const int width = static_cast<int>(1 + random.below(1000));
     const int height = static_cast<int>(1 + random.below(1000));
-    const ViewFrame view = view_of(camera, width, height);
-    double least_margin = 1;  // of the picture's width or height, on either side
+    const ViewFrame view = make_view(camera, width, height);
+    double min_margin = 1;  // of the picture's width or height, on either side
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3d at(corner & 1 ? bounds.maxs.x : bounds.mins.x, corner & 2 ? bounds.maxs.y : bounds.mins.y,
                      corner & 4 ? bounds.maxs.z : bounds.mins.z);
       const math::Vec2d screen = view.to_screen(view.to_view(at));
       for (const double margin : {(screen.x + 0.5) / width, (width - 0.5 - screen.x) / width,
                                   (screen.y + 0.5) / height, (height - 0.5 - screen.y) / height})
-        least_margin = std::min(least_margin, margin);
+        min_margin = std::min(min_margin, margin);
     }
-    EXPECT_NEAR(least_margin, 0.025, 1e-6) << "the level fits, but for a margin of one twentieth";
+    EXPECT_NEAR(min_margin, 0.025, 1e-6) << "the level fits with a margin of one twentieth";
   }
 }
 
-// Inside all five planes lies what is in front of the near plane and within one pixel of the picture.
+// A point is inside all five planes if it is in front of the near plane and within one pixel of the picture.
 TEST_F(ViewFrames, AreBoundedByTheirFrustum) {
   int inside_count = 0;
   for (int seed = 0; seed < effort(20000, 2000); ++seed) {

@@ -25,8 +25,8 @@ int distance(formats::Rgb a, formats::Rgb b) {
   return r * r + g * g + blue * blue;
 }
 
-// The definition: every entry is tried.
-int nearest_of_all(const formats::Palette& palette, formats::Rgb color, bool fullbright) {
+// The definition: tries every entry.
+int find_nearest(const formats::Palette& palette, formats::Rgb color, bool fullbright) {
   int found = 0;
   for (int i = 1; i < (fullbright ? 255 : kFirstFullbright); ++i)
     if (distance(palette[static_cast<std::size_t>(i)], color) <
@@ -45,7 +45,7 @@ TEST(PaletteMatch, IsTheNearestOfAllThatMayBe) {
       const formats::Rgb color{static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
                                static_cast<std::uint8_t>(random())};
       const bool fullbright = random() % 2 == 0;
-      ASSERT_EQ(match(color, fullbright), nearest_of_all(palette, color, fullbright))
+      ASSERT_EQ(match(color, fullbright), find_nearest(palette, color, fullbright))
           << "seed " << seed << ": " << int{color.r} << " " << int{color.g} << " " << int{color.b};
     }
   }
@@ -66,7 +66,7 @@ TEST(BlendTables, HoldTheNearestToTheMean) {
       const formats::Rgb a = palette[over], b = palette[under];
       const bool fullbright = over >= kFirstFullbright || under >= kFirstFullbright;
       ASSERT_EQ(table[over * 256 + under],
-                nearest_of_all(palette, {mean(a.r, b.r), mean(a.g, b.g), mean(a.b, b.b)}, fullbright))
+                find_nearest(palette, {mean(a.r, b.r), mean(a.g, b.g), mean(a.b, b.b)}, fullbright))
           << over << " over " << under << ", step " << step;
     }
   }
@@ -82,12 +82,12 @@ TEST(BlendTables, TakeTheNearestStep) {
   EXPECT_NE(tables.table_for(0.54f), tables.table_for(0.5f));
 }
 
-// All tables are asked for by several threads at once, in different orders.
-TEST(BlendTables, AreWorkedOutOnceForAllThreads) {
+// Several threads request all tables at once, in different orders.
+TEST(BlendTables, AreComputedOnceForAllThreads) {
   const formats::Palette palette = random_palette(11);
   const PaletteMatch match(palette, kFirstFullbright);
   const BlendTables tables(palette, match), alone(palette, match);
-  const auto table_of = [](const BlendTables& of, int step) {
+  const auto find_table = [](const BlendTables& of, int step) {
     return std::span(of.table_for(static_cast<float>(step) / 16), 256 * 256);
   };
   std::array<std::array<std::uint8_t, 16>, 4> last{};
@@ -96,18 +96,18 @@ TEST(BlendTables, AreWorkedOutOnceForAllThreads) {
     threads.emplace_back([&, number] {
       for (int i = 0; i < 15; ++i) {
         const int step = 1 + (i * 7 + static_cast<int>(number) * 4) % 15;
-        last[number][static_cast<std::size_t>(step)] = table_of(tables, step).back();
+        last[number][static_cast<std::size_t>(step)] = find_table(tables, step).back();
       }
     });
   for (std::thread& thread : threads) thread.join();
   for (int step = 1; step < 16; ++step) {
-    ASSERT_TRUE(std::ranges::equal(table_of(tables, step), table_of(alone, step))) << step;
+    ASSERT_TRUE(std::ranges::equal(find_table(tables, step), find_table(alone, step))) << step;
     for (const auto& seen : last)
-      EXPECT_EQ(seen[static_cast<std::size_t>(step)], table_of(alone, step).back()) << step;
+      EXPECT_EQ(seen[static_cast<std::size_t>(step)], find_table(alone, step).back()) << step;
   }
 }
 
-// What stands for "clear" elsewhere, and colors that shine in the dark, do not come of others.
+// The entry for "clear", and full-bright entries, never result from others.
 TEST(BlendTables, MakeNoLightOutOfTheDark) {
   DATA_FOLDER_OR_SKIP(data);
   const auto palette = formats::read_palette(test::read_file(data / "id1" / "gfx" / "palette.lmp"));
@@ -151,9 +151,9 @@ TEST(FogTables, FadeToTheFogAndFollowItsColor) {
       const auto mean = [](int a, int b) { return static_cast<std::uint8_t>((a + b + 1) / 2); };
       const formats::Rgb own = palette[i];
       ASSERT_EQ(rows[32 * 256 + i],
-                nearest_of_all(palette, {mean(own.r, bytes.r), mean(own.g, bytes.g), mean(own.b, bytes.b)},
-                               fullbright));
-      ASSERT_EQ(rows[64 * 256 + i], nearest_of_all(palette, bytes, fullbright));
+                find_nearest(palette, {mean(own.r, bytes.r), mean(own.g, bytes.g), mean(own.b, bytes.b)},
+                             fullbright));
+      ASSERT_EQ(rows[64 * 256 + i], find_nearest(palette, bytes, fullbright));
     }
   }
 }

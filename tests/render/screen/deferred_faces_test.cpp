@@ -1,4 +1,4 @@
-// Faces that something shows through, held against the edge list: the same face drawn both ways.
+// Deferred faces against the edge scan: the same face drawn both ways.
 #include "support/pictures/deferred_faces.h"
 
 #include <fmt/format.h>
@@ -21,6 +21,7 @@
 #include "support/levels/drawable_level.h"
 #include "support/models/drawable_models.h"
 #include "support/pictures/frames.h"
+#include "support/pictures/stage_parts.h"
 #include "support/pictures/viewpoints.h"
 #include "support/random.h"
 #include "world/visibility.h"
@@ -32,7 +33,7 @@ using render::FaceOpacity;
 using render::FrameBuffer;
 using render::PixelFormat;
 
-// ---- What is late.
+// ---- Which faces are deferred.
 
 TEST(FaceOpacity, GoesByTheTexturesName) {
   world::Level level;
@@ -57,7 +58,7 @@ TEST(FaceOpacity, GoesByTheTexturesName) {
     EXPECT_EQ(world[i].has_holes, i == 5);
   }
   const auto on_model = [&](std::uint32_t texture, float alpha) {
-    return render::opacity_on(world, level, world::TextureIndex{texture}, {.alpha = alpha});
+    return render::brush_face_opacity(world, level, world::TextureIndex{texture}, {.alpha = alpha});
   };
   EXPECT_EQ(on_model(0, 1).opacity, 0.5f);
   EXPECT_EQ(on_model(0, 0.75f).opacity, 0.75f);
@@ -67,7 +68,7 @@ TEST(FaceOpacity, GoesByTheTexturesName) {
   EXPECT_EQ(on_model(7, 0).opacity, 0);
 }
 
-// ---- Their pixels: those that the edge list gives.
+// ---- Coverage: the pixels that the edge scan gives them.
 
 class Scanner {
  public:
@@ -77,26 +78,23 @@ class Scanner {
     opacities_.resize(level.textures.size());
   }
 
-  // How often each pixel is covered by those faces and nothing else, row by row.
-  std::vector<int> coverage(std::span<const render::VisibleFace> faces, bool late) {
+  // How often each pixel is covered by these faces alone, row by row.
+  std::vector<int> coverage(std::span<const render::VisibleFace> faces, bool deferred) {
     render::VisibleFaces visible;
-    (late ? visible.deferred_faces : visible.faces) = faces;
+    (deferred ? visible.deferred_faces : visible.faces) = faces;
     visible.opacities = opacities_;
-    base::Arena arena;
-    std::vector<render::EdgeJobArenas> job_arenas;
-    std::vector<base::Arena> band_arenas;
+    StageParts parts({.band_rows = deferred ? 7 : view_.height});
     scene_.brush_models = {};
-    const render::EdgeTable table =
-        render::emit_edges(scene_, view_, visible, outlines_, jobs_, arena, job_arenas);
-    const render::SpanTable spans =
-        render::scan_edges(table, scene_, view_, late ? 7 : view_.height, jobs_, arena, band_arenas);
+    const render::FrameContext context = parts.context(scene_);
+    const render::EdgeTable table = render::emit_edges(context, view_, visible, outlines_);
+    const render::SpanTable spans = render::scan_edges(context, view_, table);
     std::vector<int> covered(static_cast<std::size_t>(view_.width * view_.height), 0);
     for (const render::Band& band : spans.bands)
-      for (std::size_t position = 0; position < band.items.size(); ++position) {
-        if (band.items[position] == 0) continue;  // the background
-        for (const render::SpanRun& run : band.runs_at(position))
-          for (int x = run.x; x < run.x + run.count; ++x)
-            ++covered[static_cast<std::size_t>(run.y * view_.width + x)];
+      for (std::size_t position = 0; position < band.draws.size(); ++position) {
+        if (band.draws[position] == 0) continue;  // the background
+        for (const render::Span& span : band.spans_at(position))
+          for (int x = span.x; x < span.x + span.count; ++x)
+            ++covered[static_cast<std::size_t>(span.y * view_.width + x)];
       }
     return covered;
   }
@@ -123,8 +121,8 @@ bool faces_eye(const world::Level& level, const render::ViewFrame& view, const w
   return render::facing(view, plane.normal, plane.distance) >= render::kEdgeOn;
 }
 
-// Every face alone, both ways. And faces in one plane together, which share edges: no pixel is left out
-// between two, and none belongs to both.
+// Every face alone, both ways. And faces of one plane together, which share edges: no pixel between two of
+// them is missed or belongs to both.
 void expect_the_edge_lists_pixels(const world::Level& level) {
   std::size_t covered = 0;
   for (int number = 0; number < effort(30, 4); ++number) {
@@ -151,7 +149,7 @@ TEST(DeferredFaces, CoverThePixelsThatTheEdgeListGivesThem) {
   expect_the_edge_lists_pixels(*small_level({.wide_faces = true}).level);
 }
 
-// ---- Pictures: put together from pictures without late faces.
+// ---- Pictures: composed from pictures without deferred faces.
 
 struct Drawn {
   FrameBuffer frame;
@@ -170,7 +168,7 @@ Drawn draw(render::Renderer& io_renderer, const render::Scene& scene, PixelForma
   return drawn;
 }
 
-std::uint32_t pixel_of(const FrameBuffer& frame, std::size_t i) {
+std::uint32_t frame_pixel(const FrameBuffer& frame, std::size_t i) {
   return frame.format() == PixelFormat::kRgb ? frame.rgb()[i] : frame.indexed()[i];
 }
 
@@ -179,9 +177,9 @@ bool shows_liquid(const world::Level& level, const render::PixelFace& pixel) {
          level.faces[pixel.face].kind == world::FaceKind::kLiquid;
 }
 
-// Half water is the blend of the picture with water and the picture without, where the water is, and the
-// picture without elsewhere. Spans that begin elsewhere may round to another texel here and there.
-void expect_half_water(const DrawableLevel& drawable, int views, std::size_t least_pixels) {
+// Half-transparent water is the blend of the picture with water and the picture without it, and the picture
+// without it elsewhere. Spans that begin elsewhere may round to another texel here and there.
+void expect_half_water(const DrawableLevel& drawable, int views, std::size_t min_pixels) {
   const world::Level& level = *drawable.level;
   const render::PaletteMatch match(drawable.palette, 256 - drawable.colormap.fullbrights);
   const render::BlendTables tables(drawable.palette, match);
@@ -198,19 +196,19 @@ void expect_half_water(const DrawableLevel& drawable, int views, std::size_t lea
       const Drawn half = draw(renderer, scene, format);
       for (std::size_t i = 0; i < half.frame.pixel_count(); ++i) {
         ASSERT_EQ(half.frame.depth()[i], without.frame.depth()[i]);
-        // Behind a liquid there may be another one: then it is not one blend.
+        // Another liquid may be behind a liquid: then there is more than one blend.
         const bool liquid = shows_liquid(level, opaque.faces[i]);
-        const std::uint32_t over = pixel_of(opaque.frame, i), under = pixel_of(without.frame, i);
+        const std::uint32_t over = frame_pixel(opaque.frame, i), under = frame_pixel(without.frame, i);
         std::uint32_t expected = under;
         if (liquid && format == PixelFormat::kRgb) expected = render::blend_rgb(over, under, 128);
         if (liquid && format == PixelFormat::kIndexed) expected = tables.table_for(0.5f)[over * 256 + under];
         blended += liquid;
-        off += pixel_of(half.frame, i) != expected;
-        ASSERT_TRUE(liquid || pixel_of(half.frame, i) == expected) << "view " << number << ", pixel " << i;
+        off += frame_pixel(half.frame, i) != expected;
+        ASSERT_TRUE(liquid || frame_pixel(half.frame, i) == expected) << "view " << number << ", pixel " << i;
       }
     }
   }
-  EXPECT_GT(blended, least_pixels);
+  EXPECT_GT(blended, min_pixels);
   EXPECT_LE(off * 200, blended) << off << " of " << blended;
 }
 
@@ -223,7 +221,8 @@ TEST(DeferredFaces, BlendTheWaterOfAStockLevel) {
   expect_half_water(stock_level(data, "lq_e0m1"), effort(60, 8), 100);
 }
 
-// Where a fence shows, it has the texel that the same texture shows without holes; elsewhere, what is behind.
+// Where a fence is visible, it has the texel of the same texture without holes; elsewhere, the picture behind
+// shows.
 TEST(DeferredFaces, ShowFencesAndWhatIsBehindThem) {
   const DrawableLevel fenced = with_fences(small_level());
   DrawableLevel solid = fenced, absent = fenced;
@@ -251,15 +250,15 @@ TEST(DeferredFaces, ShowFencesAndWhatIsBehindThem) {
       const Drawn all = draw(without_holes, viewpoint.scene(*solid.level), format, near);
       const Drawn behind = draw(without, viewpoint.scene(*absent.level), format, near);
       for (std::size_t i = 0; i < drawn.frame.pixel_count(); ++i) {
-        const std::uint32_t pixel = pixel_of(drawn.frame, i);
-        // What lies behind one fence may be another.
+        const std::uint32_t pixel = frame_pixel(drawn.frame, i);
+        // Another fence may be behind a fence.
         if (!is_fence(all.faces[i])) {
-          ASSERT_EQ(pixel, pixel_of(all.frame, i)) << "view " << number << ", pixel " << i;
+          ASSERT_EQ(pixel, frame_pixel(all.frame, i)) << "view " << number << ", pixel " << i;
           continue;
         }
-        if (pixel == pixel_of(all.frame, i) && drawn.frame.depth()[i] != behind.frame.depth()[i])
+        if (pixel == frame_pixel(all.frame, i) && drawn.frame.depth()[i] != behind.frame.depth()[i])
           ++of_fence;
-        else if (pixel == pixel_of(behind.frame, i))
+        else if (pixel == frame_pixel(behind.frame, i))
           ++through;
         else
           ++neither;
@@ -268,11 +267,11 @@ TEST(DeferredFaces, ShowFencesAndWhatIsBehindThem) {
   }
   EXPECT_GT(of_fence, 1000u);
   EXPECT_GT(through, 1000u);
-  // Seen through one fence, another.
+  // Another fence, seen through a fence.
   EXPECT_LT(neither, of_fence + through);
 }
 
-// A fence's opaque texels hide what is behind, and a model's translucency is laid over it once.
+// A fence's opaque texels hide what is behind them, and a model's translucency is applied once.
 TEST(DeferredFaces, BlendBrushModels) {
   const DrawableLevel drawable = small_level();
   const world::Level& level = *drawable.level;
@@ -300,8 +299,8 @@ TEST(DeferredFaces, BlendBrushModels) {
   EXPECT_LE(off * 100, blended) << off << " of " << blended;
 }
 
-// A translucent ball above the water is laid over it, one in the water lies under it. Each pixel is put
-// together from pictures of the water and of the ball alone.
+// A translucent ball above the water is blended over it, and one in the water under it. Each pixel is
+// composed from pictures of the water and of the ball alone.
 TEST(DeferredFaces, AreBlendedWithModelsFromBackToFront) {
   const DrawableLevel drawable = small_level();
   const world::Level& level = *drawable.level;
@@ -318,11 +317,11 @@ TEST(DeferredFaces, AreBlendedWithModelsFromBackToFront) {
     render::AliasInstance instance;
     instance.model = ball.get();
     instance.full_bright = true;
-    // A ball that cut through the surface would have parts on either side.
+    // A ball that crosses the surface would have parts on both sides.
     const float height = static_cast<float>(random.uniform(12, 30)) * (random.chance(0.5) ? 1.0f : -1.0f);
     instance.origin_world = corner + math::Vec3(static_cast<float>(random.uniform(-60, 60)),
                                                 static_cast<float>(random.uniform(-60, 60)), height);
-    // Models are sorted by the leaf that they stand in, which walls are not.
+    // Models are sorted by the leaf of their origin, which is not a wall.
     if (world::point_contents(level, instance.origin_world) == world::Contents::kSolid) continue;
     Viewpoint viewpoint = viewpoint_number(level, 0);
     viewpoint.camera.projection = render::Projection::kPerspective;
@@ -355,7 +354,7 @@ TEST(DeferredFaces, AreBlendedWithModelsFromBackToFront) {
   EXPECT_LE(off * 50, over + under) << off << " of " << over + under;
 }
 
-// Whatever is translucent is there before the tint is: water alone, or water behind a ball.
+// Everything translucent is drawn before the tint: water alone, or water behind a ball.
 TEST(DeferredFaces, AreTintedWithEverythingElse) {
   const DrawableLevel drawable = with_fences(small_level());
   const auto ball = small_model(sphere_mdl(), 16);
@@ -378,21 +377,22 @@ TEST(DeferredFaces, AreTintedWithEverythingElse) {
         FrameBuffer expected = std::move(draw(renderer, scene, format).frame);
         if (has_ball) {
           scene.alias_models = {&instance, 1};
-          const FrameCopy without = copy_of(expected);
+          const FrameCopy without = copy_picture(expected);
           expected = std::move(draw(renderer, scene, format).frame);
-          balls_seen += copy_of(expected) != without;
+          balls_seen += copy_picture(expected) != without;
         }
         render::tint_picture(render::PictureTint(tint, tables, format, true), jobs, expected);
         scene.tint = tint;
         const Drawn drawn = draw(renderer, scene, format);
-        ASSERT_EQ(copy_of(drawn.frame), copy_of(expected)) << "view " << number << ", ball " << has_ball;
+        ASSERT_EQ(copy_picture(drawn.frame), copy_picture(expected))
+            << "view " << number << ", ball " << has_ball;
       }
   EXPECT_GT(balls_seen, 6);
 }
 
-// ---- What the picture does not depend on.
+// ---- Independence of threads, kernels, bands, and history.
 
-// Water, fences, translucent models, fog, a sway and a tint at once.
+// Water, fences, translucent models, fog, the underwater warp, and a tint together.
 render::Scene everything(const Viewpoint& viewpoint, const world::Level& level) {
   render::Scene scene = viewpoint.scene(level);
   scene.liquid_alpha = {0.5f, 0.25f, 0.75f, 0.9f};
@@ -407,10 +407,10 @@ TEST(DeferredFaces, AreTheSameForAnyThreadsKernelsBandsAndHistory) {
   const std::vector<render::Settings> all = {
       {.threads = 2, .job_backend = base::JobBackend::kStdThread},
       {.threads = 8, .job_backend = base::JobBackend::kStdThread},
-      {.vector_kernels = false},
+      {.simd_kernels = false},
       {.surface_cache = false},
       {.band_rows = 7},
-      {.threads = 3, .job_backend = base::JobBackend::kStdThread, .vector_kernels = false, .band_rows = 1}};
+      {.threads = 3, .job_backend = base::JobBackend::kStdThread, .simd_kernels = false, .band_rows = 1}};
   std::vector<render::Renderer> renderers;
   for (std::size_t i = 0; i < all.size(); ++i) renderers.emplace_back(drawable.palette, drawable.colormap);
   for (int number = 0; number < effort(12, 3); ++number) {
@@ -419,9 +419,9 @@ TEST(DeferredFaces, AreTheSameForAnyThreadsKernelsBandsAndHistory) {
     const render::Scene scene = everything(viewpoint, *drawable.level);
     for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
       render::Renderer cold(drawable.palette, drawable.colormap);
-      const FrameCopy expected = copy_of(draw(cold, scene, format).frame);
+      const FrameCopy expected = copy_picture(draw(cold, scene, format).frame);
       for (std::size_t i = 0; i < all.size(); ++i) {
-        const FrameCopy drawn = copy_of(draw(renderers[i], scene, format, all[i]).frame);
+        const FrameCopy drawn = copy_picture(draw(renderers[i], scene, format, all[i]).frame);
         EXPECT_TRUE(drawn == expected)
             << "view " << number << ", settings " << i << ": " << differing_pixels(drawn, expected);
       }

@@ -1,4 +1,4 @@
-// 2-D drawing against the definition: for each pixel of the frame, which picture's pixel lies over it.
+// 2-D drawing against the definition: for each pixel of the frame, which pixel of which picture is over it.
 #include "render/screen/draw_overlay.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ render::DrawCommand random_command(const formats::Picture& picture,
   return command;
 }
 
-// The palette index that a command puts at a pixel; 256: nothing.
+// The palette index that a command draws at a pixel; 256: none.
 int index_at(const render::DrawCommand& command, int x, int y) {
   const std::int64_t across = std::int64_t{x} - command.area.x, down = std::int64_t{y} - command.area.y;
   if (across < 0 || down < 0 || across >= command.area.width || down >= command.area.height) return 256;
@@ -78,7 +78,7 @@ int index_at(const render::DrawCommand& command, int x, int y) {
   return command.translation != nullptr ? (*command.translation)[texel] : texel;
 }
 
-// A channel of two colors, mixed to within a rounding.
+// A channel of two blended colors, up to rounding.
 bool is_mixed(int got, int over, int under, double opacity) {
   return std::abs(got - (over * opacity + under * (1 - opacity))) <= 1.0;
 }
@@ -97,7 +97,7 @@ void expect_pixel(const render::DrawCommand& command, int index, std::uint32_t b
   }
 }
 
-// The table is the one for the nearest sixteenth: which colors it holds is a test of its own.
+// Uses the table for the nearest sixteenth; another test checks its colors.
 void expect_indexed_pixel(const render::DrawCommand& command, int index, std::uint8_t before,
                           std::uint8_t after) {
   if (index == 256 || !(command.opacity > 0))

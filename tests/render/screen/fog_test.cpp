@@ -46,7 +46,7 @@ struct FogCase {
       rgb.push_back(static_cast<std::uint32_t>(random.bits()));
       indexed.push_back(static_cast<std::uint8_t>(random.bits()));
     }
-    // What an index becomes tells the row.
+    // The resulting index reveals the row.
     for (std::size_t i = 0; i < 65 * 256; ++i) rows[i] = static_cast<std::uint8_t>(i / 256);
     row.count = static_cast<std::int32_t>(count);
     for (const float end : curve.step_ends) {
@@ -119,7 +119,7 @@ TEST(FogRow, FollowsTheFormula) {
   for_each_simd_target([] { expect_the_formula(render::fog_row_u8_simd, render::fog_row_u32_simd); });
 }
 
-TEST(FogRow, IsTheSameInVectorCode) {
+TEST(FogRow, IsTheSameInSimd) {
   for_each_simd_target([] {
     for (int seed = 0; seed < 300; ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
@@ -135,7 +135,7 @@ TEST(FogRow, IsTheSameInVectorCode) {
   });
 }
 
-// Every pixel of a foggy picture is that of the clear one, fogged by the depth that is there; sky, by half.
+// Every pixel of a foggy picture is that of the clear picture, fogged by its depth; sky by half.
 TEST(Fog, CoversThePictureByItsDepth) {
   const DrawableLevel drawable = small_level();
   const world::Level& level = *drawable.level;

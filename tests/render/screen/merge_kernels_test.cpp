@@ -1,4 +1,4 @@
-// Rows of late faces put into the picture, against the definition pixel by pixel.
+// Rows of deferred faces merged into the picture, against the definition, pixel by pixel.
 #include "render/translucent/merge_kernels.h"
 
 #include <gtest/gtest.h>
@@ -15,13 +15,13 @@ namespace {
 using render::MergeRow;
 
 template <typename Pixel>
-struct Case {
+struct MergeCase {
   std::vector<Pixel> texels, pixels;
   std::vector<float> depth, z;
   std::vector<std::uint8_t> table;
   MergeRow row{};
 
-  explicit Case(Random& random) : table(65536 + 3) {
+  explicit MergeCase(Random& random) : table(65536 + 3) {
     const std::size_t count = random.below(70);
     for (std::size_t i = 0; i < count; ++i) {
       const bool clear = random.chance(0.3);
@@ -55,8 +55,8 @@ template <typename Pixel, typename Merge, typename Expect>
 void expect_as_defined(Merge merge, bool writes_depth, Expect expect) {
   for (int seed = 0; seed < 200; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    Case<Pixel> before(random);
-    Case<Pixel> after = before;
+    MergeCase<Pixel> before(random);
+    MergeCase<Pixel> after = before;
     merge(after.ready());
     for (std::size_t i = 0; i < before.pixels.size(); ++i) {
       const bool shows = before.shows(i);
@@ -67,10 +67,10 @@ void expect_as_defined(Merge merge, bool writes_depth, Expect expect) {
   }
 }
 
-std::uint8_t blended_byte(const Case<std::uint8_t>& before, std::size_t i) {
+std::uint8_t blended_byte(const MergeCase<std::uint8_t>& before, std::size_t i) {
   return before.table[before.texels[i] * 256u + before.pixels[i]];
 }
-std::uint32_t blended_color(const Case<std::uint32_t>& before, std::size_t i) {
+std::uint32_t blended_color(const MergeCase<std::uint32_t>& before, std::size_t i) {
   std::uint32_t out = 0xff000000u;
   const double share = before.row.opacity_256 / 256.0;
   for (int shift = 0; shift < 24; shift += 8) {

@@ -1,12 +1,13 @@
-// Palette expansion: the vector kernel against its plain twin on every instruction set, and whole frames
-// against the definition, a pixel's color is that of its index.
+// Palette expansion: the SIMD kernel against the scalar reference on every instruction set, and whole frames
+// against the definition: a pixel's color is that of its index.
+#include "render/present.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "render/renderer.h"
 #include "render/screen/present_kernels.h"
 #include "render/simd_targets.h"
 #include "support/effort.h"
@@ -15,7 +16,7 @@
 namespace temblor::test {
 namespace {
 
-constexpr std::uint32_t kUntouched = 0x12345678u;
+constexpr std::uint32_t kUntouchedPixel = 0x12345678u;
 
 std::vector<std::uint32_t> random_colors(Random& random) {
   std::vector<std::uint32_t> colors(256);
@@ -23,14 +24,14 @@ std::vector<std::uint32_t> random_colors(Random& random) {
   return colors;
 }
 
-// The indices lie at the end of their memory, from any alignment on; pixels before and after stay as they
-// are.
+// The indices end at the end of their memory and begin at any alignment; pixels before and after stay
+// unchanged.
 void expect_expanded(std::size_t count, std::size_t indices_before, std::size_t pixels_before,
                      Random& random) {
   const std::vector<std::uint32_t> colors = random_colors(random);
   std::vector<std::uint8_t> indices(indices_before + count);
   for (std::uint8_t& index : indices) index = static_cast<std::uint8_t>(random.bits());
-  std::vector<std::uint32_t> expected(pixels_before + count + 20, kUntouched);
+  std::vector<std::uint32_t> expected(pixels_before + count + 20, kUntouchedPixel);
   std::vector<std::uint32_t> plain = expected, vector = expected;
   for (std::size_t i = 0; i < count; ++i) expected[pixels_before + i] = colors[indices[indices_before + i]];
   render::expand_palette_scalar(indices.data() + indices_before, count, colors.data(),
@@ -62,17 +63,16 @@ formats::Palette random_palette(Random& random) {
   return palette;
 }
 
-// Frames of a few rows and many threads, or the other way round: slices may be empty or uneven.
+// Frames of few rows with many threads, or vice versa: slices may be empty or uneven.
 struct PresentCase {
   int width, height, threads;
-  bool vector_kernels;
+  bool simd_kernels;
 };
 std::vector<PresentCase> present_cases() {
   std::vector<PresentCase> cases;
   for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {317, 3}, {64, 33}, {320, 200}})
     for (const int threads : {1, 2, 3})
-      for (const bool vector_kernels : {true, false})
-        cases.push_back({width, height, threads, vector_kernels});
+      for (const bool simd_kernels : {true, false}) cases.push_back({width, height, threads, simd_kernels});
   return cases;
 }
 
@@ -83,8 +83,8 @@ TEST(Present, ExpandsIndexedFrames) {
     render::FrameBuffer frame(present.width, present.height, render::PixelFormat::kIndexed);
     for (std::uint8_t& index : frame.indexed()) index = static_cast<std::uint8_t>(random.bits());
     base::Jobs jobs(present.threads, base::JobBackend::kStdThread);
-    std::vector<std::uint32_t> out(frame.pixel_count(), kUntouched);
-    render::present(frame, palette, present.vector_kernels, jobs, out);
+    std::vector<std::uint32_t> out(frame.pixel_count(), kUntouchedPixel);
+    render::present(frame, palette, present.simd_kernels, jobs, out);
     for (std::size_t i = 0; i < out.size(); ++i) {
       const formats::Rgb color = palette[frame.indexed()[i]];
       ASSERT_EQ(out[i], 0xff000000u + color.r * 0x10000u + color.g * 0x100u + color.b) << "pixel " << i;
@@ -98,8 +98,8 @@ TEST(Present, CopiesRgbFrames) {
     render::FrameBuffer frame(present.width, present.height, render::PixelFormat::kRgb);
     for (std::uint32_t& color : frame.rgb()) color = static_cast<std::uint32_t>(random.bits());
     base::Jobs jobs(present.threads, base::JobBackend::kStdThread);
-    std::vector<std::uint32_t> out(frame.pixel_count(), kUntouched);
-    render::present(frame, {}, present.vector_kernels, jobs, out);
+    std::vector<std::uint32_t> out(frame.pixel_count(), kUntouchedPixel);
+    render::present(frame, {}, present.simd_kernels, jobs, out);
     ASSERT_TRUE(std::equal(out.begin(), out.end(), frame.rgb().begin()));
   }
 }

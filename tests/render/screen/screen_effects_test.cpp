@@ -1,4 +1,4 @@
-// The view under water and tints, pixel by pixel against their definitions.
+// The underwater warp and tints, pixel by pixel against their definitions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 using render::FrameBuffer;
 using render::PixelFormat;
 
-// Each pixel its own number.
+// Each pixel has its own number.
 FrameBuffer numbered_frame(int width, int height) {
   FrameBuffer frame(width, height, PixelFormat::kRgb);
   for (std::size_t i = 0; i < frame.pixel_count(); ++i) {
@@ -51,14 +51,14 @@ TEST(Warp, TakesEveryPixelFromWhereTheSinesSay) {
           ASSERT_EQ(frame.depth()[i], static_cast<float>(i));
           const int from_x = static_cast<int>(frame.rgb()[i]) % width;
           const int from_y = static_cast<int>(frame.rgb()[i]) / width;
-          // Two numbers are rounded for each.
+          // Two numbers are rounded for each pixel.
           ASSERT_NEAR(from_x, place(x, width) + sway(y), 1.001) << x << "," << y;
           ASSERT_NEAR(from_y, place(y, height) + sway(x), 1.001) << x << "," << y;
         }
     }
 }
 
-// What is shown moves by as large a part of the picture, whatever its size.
+// The displacement is the same fraction of the picture, whatever its size.
 TEST(Warp, LooksAlikeAtEverySize) {
   base::Jobs jobs(1);
   FrameBuffer small = numbered_frame(320, 200), large = numbered_frame(3200, 2000);
@@ -180,10 +180,10 @@ TEST(Tint, WithoutOpacityChangesNothing) {
   for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
     FrameBuffer frame(31, 7, format);
     fill_frame(frame, 0x5a);
-    const FrameCopy before = copy_of(frame);
+    const FrameCopy before = copy_picture(frame);
     for (const float opacity : {0.0f, -1.0f}) {
       render::tint_picture({{{255, 80, 0}, opacity}, tables, frame.format(), true}, jobs, frame);
-      EXPECT_TRUE(copy_of(frame) == before);
+      EXPECT_TRUE(copy_picture(frame) == before);
     }
   }
 }

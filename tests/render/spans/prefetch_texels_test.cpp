@@ -1,6 +1,5 @@
-// A hint about memory has nothing to show, but it must come to an end on faces of any size and place: the
-// numbers that a hostile level's planes give are infinite, or none. (The tests' time limit and the sanitizers
-// are what fails here.)
+// A prefetch changes no results, but it must terminate on faces of any size and position: the planes of a
+// hostile level give infinite coordinates, or NaN. (A failure shows as a timeout or a sanitizer report.)
 #include "render/spans/prefetch_texels.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +16,7 @@ namespace temblor::test {
 namespace {
 
 using render::ScreenPlane;
-using render::SpanRun;
+using render::Span;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
@@ -35,16 +34,16 @@ ScreenPlane any_plane(Random& random) {
 TEST(PrefetchTexels, EndsWhateverThePlanesAre) {
   constexpr int kWidth = 37, kHeight = 21;
   std::vector<std::byte> texels(kWidth * kHeight * 4 + render::kBlockPadding);
-  const std::array<SpanRun, 3> runs = {SpanRun{0, 0, 1920}, SpanRun{5, 1, 1}, SpanRun{100, 500, 300}};
+  const std::array<Span, 3> spans = {Span{0, 0, 1920}, Span{5, 1, 1}, Span{100, 500, 300}};
   Random random(1);
   for (int i = 0; i < effort(20000, 2000); ++i) {
-    render::SurfaceDraw item;
-    item.kind = render::ItemKind::kSurface;
-    item.depth = any_plane(random);
-    item.s = any_plane(random);
-    item.t = any_plane(random);
-    item.block = {texels.data(), {kWidth, kHeight}};
-    render::prefetch_texels(item, runs, random.chance(0.7), random.chance(0.5) ? 1 : 4);
+    render::SurfaceDraw draw;
+    draw.kind = render::SurfaceKind::kBlock;
+    draw.depth = any_plane(random);
+    draw.s = any_plane(random);
+    draw.t = any_plane(random);
+    draw.block = {texels.data(), {kWidth, kHeight}};
+    render::prefetch_texels(draw, spans, random.chance(0.7), random.chance(0.5) ? 1 : 4);
   }
 }
 

@@ -1,5 +1,6 @@
-// Spans of textures that repeat: still ones, liquids and sky. Vector against plain, bit for bit and on every
-// instruction set; plain against the definition with the sine and the square root of <cmath>, in double.
+// Spans of repeating textures: still ones, liquids, and sky. SIMD against scalar kernels, bit for bit and on
+// every instruction set; scalar kernels against the definition with the sine and the square root of <cmath>,
+// in double.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,41 +13,42 @@
 namespace temblor::test {
 namespace {
 
-using render::RepeatRuns;
-using render::SkyRuns;
-using render::SpanRun;
+using render::RepeatSpans;
+using render::SkySpans;
+using render::Span;
 
-// The sine of the kernels is two bent parabolas.
+// The kernels approximate the sine by two parabolas and a correction.
 constexpr double kSineError = 0.0012;
 constexpr double kTurn_texels = 128;
 
 template <typename Texel>
-struct Kernels;
+struct RepeatingKernels;
 template <>
-struct Kernels<std::uint8_t> {
-  static constexpr auto repeat_scalar = render::draw_repeat_runs_u8_scalar;
-  static constexpr auto repeat_simd = render::draw_repeat_runs_u8_simd;
-  static constexpr auto sky_scalar = render::draw_sky_runs_u8_scalar;
-  static constexpr auto sky_simd = render::draw_sky_runs_u8_simd;
+struct RepeatingKernels<std::uint8_t> {
+  static constexpr auto repeat_scalar = render::draw_repeat_spans_u8_scalar;
+  static constexpr auto repeat_simd = render::draw_repeat_spans_u8_simd;
+  static constexpr auto sky_scalar = render::draw_sky_spans_u8_scalar;
+  static constexpr auto sky_simd = render::draw_sky_spans_u8_simd;
 };
 template <>
-struct Kernels<std::uint32_t> {
-  static constexpr auto repeat_scalar = render::draw_repeat_runs_u32_scalar;
-  static constexpr auto repeat_simd = render::draw_repeat_runs_u32_simd;
-  static constexpr auto sky_scalar = render::draw_sky_runs_u32_scalar;
-  static constexpr auto sky_simd = render::draw_sky_runs_u32_simd;
+struct RepeatingKernels<std::uint32_t> {
+  static constexpr auto repeat_scalar = render::draw_repeat_spans_u32_scalar;
+  static constexpr auto repeat_simd = render::draw_repeat_spans_u32_simd;
+  static constexpr auto sky_scalar = render::draw_sky_spans_u32_scalar;
+  static constexpr auto sky_simd = render::draw_sky_spans_u32_simd;
 };
 
-enum class Walks { kAnywhere, kOrdinary };
+enum class RepeatingWalks { kAnywhere, kOrdinary };
 
 struct RepeatCase {
   int width, height;
-  std::vector<SpanRun> runs;
-  RepeatRuns job{};
+  std::vector<Span> spans;
+  RepeatSpans job{};
 
-  RepeatCase(Random& random, Walks walks) : width(1 << random.below(9)), height(1 << random.below(9)) {
-    runs = random_runs(random);
-    const bool anywhere = walks == Walks::kAnywhere;
+  RepeatCase(Random& random, RepeatingWalks walks)
+      : width(1 << random.below(9)), height(1 << random.below(9)) {
+    spans = random_spans(random);
+    const bool anywhere = walks == RepeatingWalks::kAnywhere;
     const CornerValues depth = random_depth(random, anywhere);
     job.divide = random.chance(0.7);
     const auto coordinate = [&](int texels) {
@@ -62,8 +64,8 @@ struct RepeatCase {
     job.phase = static_cast<float>(random.uniform(0, kTurn_texels));
     job.width = width;
     job.height = height;
-    job.runs = runs.data();
-    job.run_count = runs.size();
+    job.spans = spans.data();
+    job.span_count = spans.size();
   }
   RepeatCase(const RepeatCase&) = delete;
   RepeatCase& operator=(const RepeatCase&) = delete;
@@ -71,22 +73,22 @@ struct RepeatCase {
 
 struct SkyCase {
   int width, height;
-  std::vector<SpanRun> runs;
-  SkyRuns job{};
+  std::vector<Span> spans;
+  SkySpans job{};
 
   explicit SkyCase(Random& random) : width(1 << random.below(9)), height(1 << random.below(9)) {
-    runs = random_runs(random);
+    spans = random_spans(random);
     job.depth = plane_through(random_depth(random, false));
-    // The ray of a canvas in perspective: forward leads to pixel (0, 0). Sometimes all rays are parallel.
+    // Rays of a canvas in perspective; `forward` leads to pixel (0, 0). Sometimes all rays are parallel.
     const bool perspective = random.chance(0.8);
-    const double pixels_a_unit = random.log_uniform(10, 1000);
+    const double pixels_per_unit = random.log_uniform(10, 1000);
     const math::Vec3d forward = glm::normalize(math::Vec3d(random.in_cube(1)) + math::Vec3d(0, 0, 1e-3));
     const math::Vec3d right = glm::normalize(glm::cross(forward, math::Vec3d(random.in_cube(1)) + 1e-3));
     const math::Vec3d down = glm::cross(forward, right);
     const double x = random.uniform(0, kCanvasWidth), y = random.uniform(-100, 100);
     for (int axis = 0; axis < 3; ++axis) {
       job.forward[axis] =
-          perspective ? forward[axis] * pixels_a_unit - right[axis] * x - down[axis] * y : forward[axis];
+          perspective ? forward[axis] * pixels_per_unit - right[axis] * x - down[axis] * y : forward[axis];
       job.right[axis] = perspective ? right[axis] : 0;
       job.down[axis] = perspective ? down[axis] : 0;
     }
@@ -98,8 +100,8 @@ struct SkyCase {
     job.back_t = scrolled(height);
     job.width = width;
     job.height = height;
-    job.runs = runs.data();
-    job.run_count = runs.size();
+    job.spans = spans.data();
+    job.span_count = spans.size();
   }
   SkyCase(const SkyCase&) = delete;
   SkyCase& operator=(const SkyCase&) = delete;
@@ -114,20 +116,20 @@ std::vector<Texel> make_clouds(int width, int height, Random& random) {
 
 template <typename Texel>
 class RepeatingSpans : public testing::Test {};
-using Texels = testing::Types<std::uint8_t, std::uint32_t>;
-TYPED_TEST_SUITE(RepeatingSpans, Texels);
+using RepeatingTexels = testing::Types<std::uint8_t, std::uint32_t>;
+TYPED_TEST_SUITE(RepeatingSpans, RepeatingTexels);
 
-TYPED_TEST(RepeatingSpans, VectorEqualsPlain) {
+TYPED_TEST(RepeatingSpans, SimdEqualsScalar) {
   for_each_simd_target([] {
     for (int seed = 0; seed < effort(3000, 60); ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
-      RepeatCase repeat(random, Walks::kAnywhere);
+      RepeatCase repeat(random, RepeatingWalks::kAnywhere);
       const std::vector<TypeParam> texels = make_noise<TypeParam>(repeat.width, repeat.height, random);
       repeat.job.texels = texels.data();
       const bool with_depth = random.chance(0.8);
       Canvas<TypeParam> plain, vector;
-      Kernels<TypeParam>::repeat_scalar(repeat.job, plain.target(with_depth));
-      Kernels<TypeParam>::repeat_simd(repeat.job, vector.target(with_depth));
+      RepeatingKernels<TypeParam>::repeat_scalar(repeat.job, plain.target(with_depth));
+      RepeatingKernels<TypeParam>::repeat_simd(repeat.job, vector.target(with_depth));
       ASSERT_TRUE(plain == vector) << fmt::format("seed {}, texture {}x{}, amplitude {}, divide {}", seed,
                                                   repeat.width, repeat.height, repeat.job.amplitude,
                                                   repeat.job.divide);
@@ -135,7 +137,7 @@ TYPED_TEST(RepeatingSpans, VectorEqualsPlain) {
   });
 }
 
-TYPED_TEST(RepeatingSpans, VectorEqualsPlainForSky) {
+TYPED_TEST(RepeatingSpans, SimdEqualsScalarForSky) {
   for_each_simd_target([] {
     for (int seed = 0; seed < effort(3000, 60); ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
@@ -146,42 +148,42 @@ TYPED_TEST(RepeatingSpans, VectorEqualsPlainForSky) {
       sky.job.back = back.data();
       const bool with_depth = random.chance(0.8);
       Canvas<TypeParam> plain, vector;
-      Kernels<TypeParam>::sky_scalar(sky.job, plain.target(with_depth));
-      Kernels<TypeParam>::sky_simd(sky.job, vector.target(with_depth));
+      RepeatingKernels<TypeParam>::sky_scalar(sky.job, plain.target(with_depth));
+      RepeatingKernels<TypeParam>::sky_simd(sky.job, vector.target(with_depth));
       ASSERT_TRUE(plain == vector) << fmt::format("seed {}, layers {}x{}", seed, sky.width, sky.height);
     }
   });
 }
 
-TYPED_TEST(RepeatingSpans, TouchNoPixelBesideTheirRuns) {
+TYPED_TEST(RepeatingSpans, WriteNoPixelOutsideTheSpans) {
   for (int seed = 0; seed < effort(300, 30); ++seed) {
     SCOPED_TRACE(seed);
     Random random(static_cast<std::uint64_t>(seed));
-    RepeatCase repeat(random, Walks::kAnywhere);
+    RepeatCase repeat(random, RepeatingWalks::kAnywhere);
     SkyCase sky(random);
     const auto seven = [](int, int) { return 7; };
     const std::vector<TypeParam> texels = make_texels<TypeParam>(256, 256, seven);
     repeat.job.texels = sky.job.clouds = sky.job.back = texels.data();
     Canvas<TypeParam> still, heavens;
-    Kernels<TypeParam>::repeat_scalar(repeat.job, still.target());
-    Kernels<TypeParam>::sky_scalar(sky.job, heavens.target());
-    const auto expect_only = [](const std::vector<SpanRun>& runs, const Canvas<TypeParam>& drawn) {
+    RepeatingKernels<TypeParam>::repeat_scalar(repeat.job, still.target());
+    RepeatingKernels<TypeParam>::sky_scalar(sky.job, heavens.target());
+    const auto expect_only = [](const std::vector<Span>& spans, const Canvas<TypeParam>& drawn) {
       Canvas<TypeParam> expected;
-      for (const SpanRun& run : runs)
-        for (int i = 0; i < run.count; ++i) {
-          const std::size_t pixel = drawn.position(run, i);
+      for (const Span& span : spans)
+        for (int i = 0; i < span.count; ++i) {
+          const std::size_t pixel = drawn.position(span, i);
           ASSERT_NE(drawn.depth[pixel], Canvas<TypeParam>::kUntouchedDepth);
           expected.pixels[pixel] = 7;
           expected.depth[pixel] = drawn.depth[pixel];
         }
       ASSERT_TRUE(drawn == expected);
     };
-    expect_only(repeat.runs, still);
-    expect_only(sky.runs, heavens);
+    expect_only(repeat.spans, still);
+    expect_only(sky.spans, heavens);
   }
 }
 
-// Whether the texel number is that of the coordinate in a texture that repeats every `size` texels.
+// Whether the texel belongs to the coordinate, in a texture that repeats every `size` texels.
 bool repeats_at(int texel, const Coordinate& coordinate, int size) {
   const double low = std::floor(coordinate.value - coordinate.tolerance);
   const double high = std::floor(coordinate.value + coordinate.tolerance);
@@ -200,20 +202,20 @@ struct TexelPlace {
   }
 };
 
-// One coordinate, moved by the sine of the other.
-Coordinate swayed(const Coordinate& moved, const Coordinate& by, const RepeatRuns& job) {
+// One coordinate, displaced by the sine of the other.
+Coordinate swayed(const Coordinate& moved, const Coordinate& by, const RepeatSpans& job) {
   const double amplitude = static_cast<double>(job.amplitude);
   if (amplitude == 0) return moved;
   const double turns = (by.value + static_cast<double>(job.phase)) / kTurn_texels;
   const double value = moved.value + amplitude * (1 + std::sin(2 * std::numbers::pi * turns));
-  // The sine takes over the other coordinate's error, and that of a few roundings of the sum.
+  // The sine inherits the other coordinate's error, and that of a few roundings of the sum.
   const double argument = by.tolerance + 4 * kRounding * (std::abs(by.value) + kTurn_texels);
   return {value, moved.tolerance + amplitude * (kSineError + 2 * std::numbers::pi / kTurn_texels * argument) +
                      4 * kRounding * (std::abs(moved.value) + 2 * amplitude)};
 }
 
-TexelPlace defined_place(const RepeatRuns& job, const SpanRun& run, int i) {
-  const RunValue depth(job.depth, run, i), s_over_z(job.s, run, i), t_over_z(job.t, run, i);
+TexelPlace defined_place(const RepeatSpans& job, const Span& span, int i) {
+  const RunValue depth(job.depth, span, i), s_over_z(job.s, span, i), t_over_z(job.t, span, i);
   const auto coordinate = [&](const RunValue& over_z) {
     return job.divide ? quotient(over_z, depth) : Coordinate{over_z.value, over_z.tolerance};
   };
@@ -221,23 +223,23 @@ TexelPlace defined_place(const RepeatRuns& job, const SpanRun& run, int i) {
   return {swayed(s, t, job), swayed(t, s, job)};
 }
 
-TEST(RepeatingSpanDefinition, IsTheTexelAtTheQuotientSwayedByTheOther) {
+TEST(RepeatingSpanDefinition, IsTheTexelAtTheWarpedQuotient) {
   int pixels = 0, clear = 0;
   for (int seed = 0; seed < effort(1000, 40); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    RepeatCase repeat(random, Walks::kOrdinary);
+    RepeatCase repeat(random, RepeatingWalks::kOrdinary);
     const auto names = make_texels<std::uint32_t>(repeat.width, repeat.height, texel_name);
     repeat.job.texels = names.data();
     Canvas<std::uint32_t> drawn;
-    render::draw_repeat_runs_u32_scalar(repeat.job, drawn.target());
-    for (const SpanRun& run : repeat.runs)
-      for (int i = 0; i < run.count; ++i) {
-        const std::size_t pixel = drawn.position(run, i);
-        const TexelPlace place = defined_place(repeat.job, run, i);
+    render::draw_repeat_spans_u32_scalar(repeat.job, drawn.target());
+    for (const Span& span : repeat.spans)
+      for (int i = 0; i < span.count; ++i) {
+        const std::size_t pixel = drawn.position(span, i);
+        const TexelPlace place = defined_place(repeat.job, span, i);
         ASSERT_TRUE(place.may_be(drawn.pixels[pixel], repeat.width, repeat.height)) << fmt::format(
-            "seed {}, pixel {} of row {}: texel {:#x} at {} +- {}, {} +- {}", seed, i, run.y,
+            "seed {}, pixel {} of row {}: texel {:#x} at {} +- {}, {} +- {}", seed, i, span.y,
             drawn.pixels[pixel], place.s.value, place.s.tolerance, place.t.value, place.t.tolerance);
-        const RunValue depth(repeat.job.depth, run, i);
+        const RunValue depth(repeat.job.depth, span, i);
         ASSERT_NEAR(static_cast<double>(drawn.depth[pixel]), depth.value, depth.tolerance);
         ++pixels;
         clear += place.is_clear();
@@ -246,17 +248,17 @@ TEST(RepeatingSpanDefinition, IsTheTexelAtTheQuotientSwayedByTheOther) {
   EXPECT_GT(clear, pixels / 10 * 9) << "the tolerance must leave something to check";
 }
 
-// Where the ray's direction, its z stretched threefold, meets a layer that has scrolled by that much.
+// The position where the ray's direction, with z stretched threefold, meets a layer that has scrolled.
 struct SkyDirection {
   double x, y, tolerance;
 
-  SkyDirection(const SkyRuns& job, const SpanRun& run, int i) {
+  SkyDirection(const SkySpans& job, const Span& span, int i) {
     double ray[3], error = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const double at_run = job.forward[axis] + job.right[axis] * run.x + job.down[axis] * run.y;
+      const double at_span = job.forward[axis] + job.right[axis] * span.x + job.down[axis] * span.y;
       const double stretch = axis == 2 ? 3 : 1;
-      ray[axis] = stretch * (at_run + job.right[axis] * i);
-      error += stretch * 5 * kRounding * (std::abs(at_run) + std::abs(job.right[axis] * i));
+      ray[axis] = stretch * (at_span + job.right[axis] * i);
+      error += stretch * 5 * kRounding * (std::abs(at_span) + std::abs(job.right[axis] * i));
     }
     const double length = std::hypot(ray[0], ray[1], ray[2]);
     const double scale = static_cast<double>(job.scale);
@@ -275,7 +277,7 @@ struct SkyDirection {
 
 constexpr std::uint32_t kCloud = 0x80000000u, kBack = 0x40000000u;
 
-TEST(SkySpanDefinition, IsTheCloudOrBehindClearOnesTheBackground) {
+TEST(SkySpanDefinition, ShowsTheBackgroundBehindClearClouds) {
   int pixels = 0, clear = 0, clouds_seen = 0;
   for (int seed = 0; seed < effort(1000, 40); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
@@ -293,16 +295,16 @@ TEST(SkySpanDefinition, IsTheCloudOrBehindClearOnesTheBackground) {
     sky.job.clouds = clouds.data();
     sky.job.back = back.data();
     Canvas<std::uint32_t> drawn;
-    render::draw_sky_runs_u32_scalar(sky.job, drawn.target());
-    for (const SpanRun& run : sky.runs)
-      for (int i = 0; i < run.count; ++i) {
-        const std::uint32_t shown = drawn.pixels[drawn.position(run, i)];
-        const SkyDirection direction(sky.job, run, i);
+    render::draw_sky_spans_u32_scalar(sky.job, drawn.target());
+    for (const Span& span : sky.spans)
+      for (int i = 0; i < span.count; ++i) {
+        const std::uint32_t shown = drawn.pixels[drawn.position(span, i)];
+        const SkyDirection direction(sky.job, span, i);
         const TexelPlace cloud = direction.in_layer(sky.job.clouds_s, sky.job.clouds_t);
         const TexelPlace behind = direction.in_layer(sky.job.back_s, sky.job.back_t);
         const bool shows_cloud = (shown & kCloud) != 0;
         ASSERT_TRUE((shows_cloud ? cloud : behind).may_be(shown & 0x3fffffffu, sky.width, sky.height))
-            << fmt::format("seed {}, pixel {} of row {}: {:#x}", seed, i, run.y, shown);
+            << fmt::format("seed {}, pixel {} of row {}: {:#x}", seed, i, span.y, shown);
         ++pixels;
         clouds_seen += shows_cloud;
         if (!cloud.is_clear()) continue;

@@ -1,4 +1,4 @@
-// Skyboxes: each pixel shows what lies in its direction, and nothing shows where sides meet.
+// Skyboxes: each pixel shows the color in its direction, and sides meet without seams.
 #include "render/spans/skybox.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 using math::Vec3d;
 
-// A color for each direction, without a break anywhere.
+// A color for each direction, continuous everywhere.
 Vec3d color_towards(const Vec3d& ray) {
   return (glm::normalize(ray) + Vec3d(1.0)) * 127.5;
 }
@@ -30,7 +30,7 @@ std::uint32_t packed(const Vec3d& color) {
          static_cast<std::uint32_t>(std::lround(color.z));
 }
 
-// By the definition of Skybox: where a side's picture lies, (u, v) from -1 to 1 to its right and upwards.
+// By the definition of Skybox: the position on a side's picture, (u, v) from -1 to 1 to its right and upward.
 Vec3d direction_on(std::size_t side, double u, double v) {
   const std::array<Vec3d, 6> directions = {Vec3d(1, -u, v),  Vec3d(u, 1, v),   Vec3d(-1, u, v),
                                            Vec3d(-u, -1, v), Vec3d(-v, -u, 1), Vec3d(v, -u, -1)};
@@ -70,31 +70,31 @@ SkyView any_view(const world::Level& level, Random& random, int width, int heigh
 
 // The whole picture is sky.
 template <typename Pixel>
-std::vector<Pixel> draw(render::SkyboxRuns runs, int width, int height,
-                        void (*draw_runs)(const render::SkyboxRuns&, const render::KernelTarget&)) {
+std::vector<Pixel> draw(render::SkyboxSpans spans, int width, int height,
+                        void (*draw_spans)(const render::SkyboxSpans&, const render::KernelTarget&)) {
   std::vector<Pixel> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  std::vector<render::SpanRun> rows;
+  std::vector<render::Span> rows;
   for (int y = 0; y < height; ++y)
     rows.push_back({0, static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(width)});
-  runs.runs = rows.data();
-  runs.run_count = rows.size();
-  draw_runs(runs, {pixels.data(), nullptr, static_cast<std::size_t>(width)});
+  spans.spans = rows.data();
+  spans.span_count = rows.size();
+  draw_spans(spans, {pixels.data(), nullptr, static_cast<std::size_t>(width)});
   return pixels;
 }
 
 constexpr int kSkyWidth = 133, kSkyHeight = 87;
 
-// Smooth pictures stay smooth: a side in another's place, turned over, or a seam, would show.
+// Smooth pictures stay smooth: a side that is exchanged or flipped, or a seam, would show.
 void expect_smooth(const render::Skybox& skybox, double tolerance) {
   const DrawableLevel drawable = small_level({.tiny = true});
   const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
   render::PreparedSkybox prepared;
-  prepared.follow(skybox, {}, tables, render::PixelFormat::kRgb);
+  prepared.update(skybox, {}, tables, render::PixelFormat::kRgb);
   for (int seed = 0; seed < 40; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const SkyView sky = any_view(*drawable.level, random, kSkyWidth, kSkyHeight);
     const std::vector<std::uint32_t> pixels = draw<std::uint32_t>(
-        prepared.runs(sky.view), kSkyWidth, kSkyHeight, render::draw_skybox_runs_u32_scalar);
+        prepared.spans(sky.view), kSkyWidth, kSkyHeight, render::draw_skybox_spans_u32_scalar);
     for (int y = 0; y < kSkyHeight; ++y)
       for (int x = 0; x < kSkyWidth; ++x) {
         const std::uint32_t pixel = pixels[static_cast<std::size_t>(y * kSkyWidth + x)];
@@ -117,8 +117,8 @@ TEST(Skybox, TakesSidesOfAnyShapeAndSize) {
   expect_smooth(mixed, 2.2);
 }
 
-// With sides of few texels and loud colors, along each edge of the cube: a step over it changes no more than
-// a step beside it.
+// With sides of few texels and strong colors, along each edge of the cube: a step across the edge changes the
+// color no more than a step beside it.
 TEST(Skybox, FadesAcrossTheEdgesOfTheCube) {
   Random random(3);
   render::Skybox skybox;
@@ -130,12 +130,12 @@ TEST(Skybox, FadesAcrossTheEdgesOfTheCube) {
   const DrawableLevel drawable = small_level({.tiny = true});
   const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
   render::PreparedSkybox prepared;
-  prepared.follow(skybox, {}, tables, render::PixelFormat::kRgb);
+  prepared.update(skybox, {}, tables, render::PixelFormat::kRgb);
   for (int seed = 0; seed < 20; ++seed) {
     Random view_random(static_cast<std::uint64_t>(seed));
     SkyView sky = any_view(*drawable.level, view_random, 320, 200);
     const std::vector<std::uint32_t> pixels =
-        draw<std::uint32_t>(prepared.runs(sky.view), 320, 200, render::draw_skybox_runs_u32_scalar);
+        draw<std::uint32_t>(prepared.spans(sky.view), 320, 200, render::draw_skybox_spans_u32_scalar);
     for (std::size_t i = 0; i + 1 < pixels.size(); ++i) {
       if (i % 320 == 319) continue;
       const Vec3d a = sky.ray(static_cast<int>(i % 320), static_cast<int>(i / 320));
@@ -144,33 +144,33 @@ TEST(Skybox, FadesAcrossTheEdgesOfTheCube) {
       for (int shift = 0; shift < 24; shift += 8) {
         const double step = std::abs(static_cast<double>(pixels[i] >> shift & 255) -
                                      static_cast<double>(pixels[i + 1] >> shift & 255));
-        // A texel is a quarter of the side's half wide, which towards the corners is seen under a third of
-        // its angle; it may differ from both neighbors by 255.
+        // A texel is a quarter of half the side wide, which near the corners appears under a third of its
+        // angle; it may differ from both neighbors by 255.
         ASSERT_LE(step, 4 + turn * 4 * 3 * 255 * std::sqrt(2.0)) << "seed " << seed << ", pixel " << i;
       }
     }
   }
 }
 
-TEST(Skybox, IsTheSameInVectorCode) {
+TEST(Skybox, IsTheSameInSimd) {
   const DrawableLevel drawable = small_level({.tiny = true});
   const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
   const render::Skybox skybox = smooth_skybox(32, 32);
   render::PreparedSkybox rgb, indexed;
-  rgb.follow(skybox, {}, tables, render::PixelFormat::kRgb);
-  indexed.follow(skybox, {}, tables, render::PixelFormat::kIndexed);
+  rgb.update(skybox, {}, tables, render::PixelFormat::kRgb);
+  indexed.update(skybox, {}, tables, render::PixelFormat::kIndexed);
   for (int seed = 0; seed < 30; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const render::ViewFrame view = any_view(*drawable.level, random, kSkyWidth, kSkyHeight).view;
     const auto rgb_scalar =
-        draw<std::uint32_t>(rgb.runs(view), kSkyWidth, kSkyHeight, render::draw_skybox_runs_u32_scalar);
+        draw<std::uint32_t>(rgb.spans(view), kSkyWidth, kSkyHeight, render::draw_skybox_spans_u32_scalar);
     const auto indexed_scalar =
-        draw<std::uint8_t>(indexed.runs(view), kSkyWidth, kSkyHeight, render::draw_skybox_runs_u8_scalar);
+        draw<std::uint8_t>(indexed.spans(view), kSkyWidth, kSkyHeight, render::draw_skybox_spans_u8_scalar);
     for_each_simd_target([&] {
-      ASSERT_EQ(rgb_scalar, draw<std::uint32_t>(rgb.runs(view), kSkyWidth, kSkyHeight,
-                                                render::draw_skybox_runs_u32_simd));
-      ASSERT_EQ(indexed_scalar, draw<std::uint8_t>(indexed.runs(view), kSkyWidth, kSkyHeight,
-                                                   render::draw_skybox_runs_u8_simd));
+      ASSERT_EQ(rgb_scalar, draw<std::uint32_t>(rgb.spans(view), kSkyWidth, kSkyHeight,
+                                                render::draw_skybox_spans_u32_simd));
+      ASSERT_EQ(indexed_scalar, draw<std::uint8_t>(indexed.spans(view), kSkyWidth, kSkyHeight,
+                                                   render::draw_skybox_spans_u8_simd));
     });
   }
 }
@@ -181,15 +181,15 @@ TEST(Skybox, IsMappedToThePalette) {
   render::Skybox skybox;
   for (formats::Image& image : skybox.sides) image = {1, 1, {0xff123456}};
   render::PreparedSkybox prepared;
-  prepared.follow(skybox, {}, tables, render::PixelFormat::kIndexed);
+  prepared.update(skybox, {}, tables, render::PixelFormat::kIndexed);
   Random random(1);
   const render::ViewFrame view = any_view(*drawable.level, random, 32, 32).view;
   for (const std::uint8_t pixel :
-       draw<std::uint8_t>(prepared.runs(view), 32, 32, render::draw_skybox_runs_u8_scalar))
+       draw<std::uint8_t>(prepared.spans(view), 32, 32, render::draw_skybox_spans_u8_scalar))
     ASSERT_EQ(pixel, tables.match({0x12, 0x34, 0x56}, true));
 }
 
-// In a frame: where the level shows sky, and there alone; another skybox is another picture.
+// In a frame: only where the level shows sky; another skybox gives another picture.
 TEST(Skybox, TakesThePlaceOfTheSky) {
   const DrawableLevel drawable = small_level();
   render::Renderer renderer(drawable.palette, drawable.colormap);
@@ -223,7 +223,7 @@ TEST(Skybox, TakesThePlaceOfTheSky) {
   EXPECT_GT(sky_pixels, 1000u);
 }
 
-// Without a picture a side has the fog's color, or is black.
+// A side without a picture has the fog's color, or is black.
 TEST(Skybox, ColorsSidesWithoutAPicture) {
   const DrawableLevel drawable = small_level({.tiny = true});
   const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
@@ -232,8 +232,8 @@ TEST(Skybox, ColorsSidesWithoutAPicture) {
   Random random(1);
   const render::ViewFrame view = any_view(*drawable.level, random, 32, 32).view;
   const auto color = [&](const render::Fog& fog) {
-    prepared.follow(empty, fog, tables, render::PixelFormat::kRgb);
-    return draw<std::uint32_t>(prepared.runs(view), 32, 32, render::draw_skybox_runs_u32_scalar)[7];
+    prepared.update(empty, fog, tables, render::PixelFormat::kRgb);
+    return draw<std::uint32_t>(prepared.spans(view), 32, 32, render::draw_skybox_spans_u32_scalar)[7];
   };
   EXPECT_EQ(color({}), 0xff000000u);
   EXPECT_EQ(color({0.1f, {1, 0.5f, 0}}), 0xffff8000u);

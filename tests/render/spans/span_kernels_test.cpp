@@ -1,5 +1,5 @@
-// Spans of lit surfaces: the vector kernels against their plain twins, bit for bit and on every instruction
-// set; the plain ones against the definition, a texel at floor(s / depth), floor(t / depth).
+// Spans of surface blocks: SIMD against scalar kernels, bit for bit and on every instruction set; scalar
+// kernels against the definition, the texel at floor(s / depth), floor(t / depth).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@ namespace {
 
 using render::KernelDivide;
 using render::KernelTarget;
-using render::SpanRun;
-using render::SurfaceRuns;
+using render::Span;
+using render::SurfaceSpans;
 
 constexpr KernelDivide kDivides[] = {KernelDivide::kEveryPixel, KernelDivide::kEvery16, KernelDivide::kNone};
 constexpr int kAffinePixels = 16;
@@ -22,39 +22,39 @@ template <typename Texel>
 struct Kernels;
 template <>
 struct Kernels<std::uint8_t> {
-  static constexpr auto plain = render::draw_surface_runs_u8_scalar;
-  static constexpr auto vector = render::draw_surface_runs_u8_simd;
+  static constexpr auto plain = render::draw_surface_spans_u8_scalar;
+  static constexpr auto vector = render::draw_surface_spans_u8_simd;
 };
 template <>
 struct Kernels<std::uint32_t> {
-  static constexpr auto plain = render::draw_surface_runs_u32_scalar;
-  static constexpr auto vector = render::draw_surface_runs_u32_simd;
+  static constexpr auto plain = render::draw_surface_spans_u32_scalar;
+  static constexpr auto vector = render::draw_surface_spans_u32_simd;
 };
 template <typename Texel>
-void draw_plain(const SurfaceRuns& job, Canvas<Texel>& io_canvas, bool with_depth = true) {
+void draw_plain(const SurfaceSpans& job, Canvas<Texel>& io_canvas, bool with_depth = true) {
   Kernels<Texel>::plain(job, io_canvas.target(with_depth));
 }
 template <typename Texel>
-void draw_vector(const SurfaceRuns& job, Canvas<Texel>& io_canvas, bool with_depth = true) {
+void draw_vector(const SurfaceSpans& job, Canvas<Texel>& io_canvas, bool with_depth = true) {
   Kernels<Texel>::vector(job, io_canvas.target(with_depth));
 }
 
 enum class Walks {
   kAnywhere,  // also far past the texture, past the horizon, and along texels' borders
-  kOrdinary,  // where the definition says which texel it is, but for a few pixels
+  kOrdinary,  // where the definition decides the texel, except for a few pixels
 };
 
 // A texture's size and the spans drawn from it; texels are the caller's.
 struct SurfaceCase {
   int width, height;
-  std::vector<SpanRun> runs;
-  SurfaceRuns job{};
+  std::vector<Span> spans;
+  SurfaceSpans job{};
 
   SurfaceCase(Random& random, KernelDivide divide, Walks walks) {
     const auto size = [&] { return static_cast<int>(random.log_uniform(1, 257)); };
     width = size();
     height = size();
-    runs = random_runs(random);
+    spans = random_spans(random);
     const bool anywhere = walks == Walks::kAnywhere;
     const CornerValues depth = random_depth(random, anywhere);
     const auto coordinate = [&](int texels) {
@@ -65,11 +65,11 @@ struct SurfaceCase {
       return divide == KernelDivide::kNone ? plane_through(corners) : plane_over_z(corners, depth);
     };
     const render::KernelPlane s = coordinate(width), t = coordinate(height);
-    job = {plane_through(depth), s, t, divide, nullptr, 0, 0, 0, runs.data(), runs.size()};
+    job = {plane_through(depth), s, t, divide, nullptr, 0, 0, 0, spans.data(), spans.size()};
     set_size(width, height);
   }
   void set_size(int new_width, int new_height) {
-    width = job.texels_a_row = new_width;
+    width = job.texels_per_row = new_width;
     height = new_height;
     job.last_s = width - 1;
     job.last_t = height - 1;
@@ -79,11 +79,11 @@ struct SurfaceCase {
 };
 
 template <typename Texel>
-class SurfaceSpans : public testing::Test {};
+class SurfaceSpanKernels : public testing::Test {};
 using Texels = testing::Types<std::uint8_t, std::uint32_t>;
-TYPED_TEST_SUITE(SurfaceSpans, Texels);
+TYPED_TEST_SUITE(SurfaceSpanKernels, Texels);
 
-TYPED_TEST(SurfaceSpans, VectorEqualsPlain) {
+TYPED_TEST(SurfaceSpanKernels, SimdEqualsScalar) {
   for_each_simd_target([] {
     for (const KernelDivide divide : kDivides)
       for (int seed = 0; seed < effort(10000, 60); ++seed) {
@@ -101,12 +101,12 @@ TYPED_TEST(SurfaceSpans, VectorEqualsPlain) {
   });
 }
 
-// A wall that leads away from right before the eye, and all along it close to an end of the texture: nowhere
-// is rounding worse, and what it carries past the end must still show the last texel.
-TYPED_TEST(SurfaceSpans, VectorEqualsPlainAlongTheTexturesEnds) {
+// A wall that recedes from close to the eye, with coordinates close to an end of the texture all along it:
+// rounding is worst here, and pixels that it carries past the end must still show the last texel.
+TYPED_TEST(SurfaceSpanKernels, SimdEqualsScalarAlongTheTexturesEnds) {
   constexpr std::uint16_t kWidth = 1920;
   constexpr int kSize = 256;
-  constexpr SpanRun kRow{0, 0, kWidth};
+  constexpr Span kRow{0, 0, kWidth};
   Random random(1);
   const std::vector<TypeParam> texels = make_noise<TypeParam>(kSize, kSize, random);
   for_each_simd_target([&] {
@@ -120,16 +120,16 @@ TYPED_TEST(SurfaceSpans, VectorEqualsPlainAlongTheTexturesEnds) {
         return render::KernelPlane{texel * depth, texel * depth_step, 0};
       };
       const render::KernelPlane s = beside_end(), t = beside_end();
-      const SurfaceRuns job{{depth, depth_step, 0},
-                            s,
-                            t,
-                            KernelDivide::kEveryPixel,
-                            texels.data(),
-                            kSize,
-                            kSize - 1,
-                            kSize - 1,
-                            &kRow,
-                            1};
+      const SurfaceSpans job{{depth, depth_step, 0},
+                             s,
+                             t,
+                             KernelDivide::kEveryPixel,
+                             texels.data(),
+                             kSize,
+                             kSize - 1,
+                             kSize - 1,
+                             &kRow,
+                             1};
       Kernels<TypeParam>::plain(job, {plain.data(), nullptr, kWidth});
       Kernels<TypeParam>::vector(job, {vector.data(), nullptr, kWidth});
       ASSERT_TRUE(plain == vector) << fmt::format("depth {}, step {}, s {}, t {}", depth, depth_step,
@@ -138,8 +138,8 @@ TYPED_TEST(SurfaceSpans, VectorEqualsPlainAlongTheTexturesEnds) {
   });
 }
 
-// Each number of pixels, from every alignment, with and without a neighbor that must stay as it is.
-TYPED_TEST(SurfaceSpans, VectorEqualsPlainForEveryLengthAndPlace) {
+// Spans of every length, from every alignment, with and without a neighbor that must stay unchanged.
+TYPED_TEST(SurfaceSpanKernels, SimdEqualsScalarForEveryLengthAndPlace) {
   Random random(1);
   const std::vector<TypeParam> texels = make_noise<TypeParam>(64, 64, random);
   for_each_simd_target([&] {
@@ -149,9 +149,9 @@ TYPED_TEST(SurfaceSpans, VectorEqualsPlainForEveryLengthAndPlace) {
           SurfaceCase surface(random, divide, Walks::kOrdinary);
           surface.job.texels = texels.data();
           surface.set_size(64, 64);
-          const SpanRun run{static_cast<std::uint16_t>(x), 2, static_cast<std::uint16_t>(count)};
-          surface.job.runs = &run;
-          surface.job.run_count = 1;
+          const Span span{static_cast<std::uint16_t>(x), 2, static_cast<std::uint16_t>(count)};
+          surface.job.spans = &span;
+          surface.job.span_count = 1;
           Canvas<TypeParam> plain, vector;
           draw_plain(surface.job, plain);
           draw_vector(surface.job, vector);
@@ -160,20 +160,20 @@ TYPED_TEST(SurfaceSpans, VectorEqualsPlainForEveryLengthAndPlace) {
   });
 }
 
-TYPED_TEST(SurfaceSpans, TouchNoPixelBesideTheirRuns) {
+TYPED_TEST(SurfaceSpanKernels, WriteNoPixelOutsideTheSpans) {
   for (const KernelDivide divide : kDivides)
     for (int seed = 0; seed < effort(300, 30); ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
       SurfaceCase surface(random, divide, Walks::kAnywhere);
-      // No texel looks like an untouched pixel.
+      // No texel equals an untouched pixel.
       const std::vector<TypeParam> texels =
           make_texels<TypeParam>(surface.width, surface.height, [](int, int) { return 7; });
       surface.job.texels = texels.data();
       Canvas<TypeParam> drawn, expected;
       draw_plain(surface.job, drawn);
-      for (const SpanRun& run : surface.runs)
-        for (int i = 0; i < run.count; ++i) {
-          const std::size_t pixel = Canvas<TypeParam>::position(run, i);
+      for (const Span& span : surface.spans)
+        for (int i = 0; i < span.count; ++i) {
+          const std::size_t pixel = Canvas<TypeParam>::position(span, i);
           ASSERT_NE(drawn.depth[pixel], Canvas<TypeParam>::kUntouchedDepth);
           expected.pixels[pixel] = 7;
           expected.depth[pixel] = drawn.depth[pixel];
@@ -182,7 +182,7 @@ TYPED_TEST(SurfaceSpans, TouchNoPixelBesideTheirRuns) {
     }
 }
 
-TYPED_TEST(SurfaceSpans, ShowTheSameWithoutDepth) {
+TYPED_TEST(SurfaceSpanKernels, ShowTheSameWithoutDepth) {
   for (const KernelDivide divide : kDivides)
     for (int seed = 0; seed < effort(300, 30); ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
@@ -197,20 +197,20 @@ TYPED_TEST(SurfaceSpans, ShowTheSameWithoutDepth) {
     }
 }
 
-// What a pixel's coordinate is by the definition of each divide.
-Coordinate defined_coordinate(const SurfaceRuns& job, const render::KernelPlane& plane, const SpanRun& run,
+// A pixel's coordinate by the definition of each divide mode.
+Coordinate defined_coordinate(const SurfaceSpans& job, const render::KernelPlane& plane, const Span& span,
                               int i) {
   const auto exact = [&](int pixel) {
-    return quotient(RunValue(plane, run, pixel), RunValue(job.depth, run, pixel));
+    return quotient(RunValue(plane, span, pixel), RunValue(job.depth, span, pixel));
   };
   if (job.divide == KernelDivide::kEveryPixel) return exact(i);
   if (job.divide == KernelDivide::kNone) {
-    const RunValue value(plane, run, i);
+    const RunValue value(plane, span, i);
     return {value.value, value.tolerance};
   }
-  // Exact at the first and the last of every sixteen pixels, a straight line between.
+  // Exact at the first and last of every sixteen pixels, linear in between.
   const int first = i / kAffinePixels * kAffinePixels;
-  const int last = std::min(first + kAffinePixels, int{run.count}) - 1;
+  const int last = std::min(first + kAffinePixels, int{span.count}) - 1;
   const Coordinate begin = exact(first), end = exact(last);
   const double along = last == first ? 0 : static_cast<double>(i - first) / (last - first);
   return {
@@ -239,11 +239,11 @@ TEST_P(SurfaceSpanDefinition, IsTheTexelAtTheQuotient) {
     surface.job.texels = names.data();
     Canvas<std::uint32_t> drawn;
     draw_plain(surface.job, drawn);
-    for (const SpanRun& run : surface.runs)
-      for (int i = 0; i < run.count; ++i) {
-        const std::uint32_t texel = drawn.pixels[drawn.position(run, i)];
-        const Coordinate s = defined_coordinate(surface.job, surface.job.s, run, i);
-        const Coordinate t = defined_coordinate(surface.job, surface.job.t, run, i);
+    for (const Span& span : surface.spans)
+      for (int i = 0; i < span.count; ++i) {
+        const std::uint32_t texel = drawn.pixels[drawn.position(span, i)];
+        const Coordinate s = defined_coordinate(surface.job, surface.job.s, span, i);
+        const Coordinate t = defined_coordinate(surface.job, surface.job.t, span, i);
         ASSERT_TRUE(shows(static_cast<int>(texel & 0xffff), s, surface.job.last_s)) << "s of pixel " << i;
         ASSERT_TRUE(shows(static_cast<int>(texel >> 16), t, surface.job.last_t)) << "t of pixel " << i;
         ++pixels;
@@ -261,16 +261,16 @@ TEST_P(SurfaceSpanDefinition, DepthIsThePlane) {
     surface.job.texels = texels.data();
     Canvas<std::uint8_t> drawn;
     draw_plain(surface.job, drawn);
-    for (const SpanRun& run : surface.runs)
-      for (int i = 0; i < run.count; ++i) {
-        const RunValue depth(surface.job.depth, run, i);
-        ASSERT_NEAR(static_cast<double>(drawn.depth[drawn.position(run, i)]), depth.value, depth.tolerance)
+    for (const Span& span : surface.spans)
+      for (int i = 0; i < span.count; ++i) {
+        const RunValue depth(surface.job.depth, span, i);
+        ASSERT_NEAR(static_cast<double>(drawn.depth[drawn.position(span, i)]), depth.value, depth.tolerance)
             << "seed " << seed << " pixel " << i;
       }
   }
 }
 
-// Bytes come from the same texels as 32-bit colors do.
+// Bytes are taken from the same texels as 32-bit colors.
 TEST_P(SurfaceSpanDefinition, IsTheSameForBothFormats) {
   for (int seed = 0; seed < effort(500, 40); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
@@ -283,13 +283,13 @@ TEST_P(SurfaceSpanDefinition, IsTheSameForBothFormats) {
     draw_plain(surface.job, narrow);
     surface.job.texels = words.data();
     draw_plain(surface.job, wide);
-    for (const SpanRun& run : surface.runs)
-      for (int i = 0; i < run.count; ++i)
-        ASSERT_EQ(narrow.pixels[narrow.position(run, i)], wide.pixels[wide.position(run, i)]);
+    for (const Span& span : surface.spans)
+      for (int i = 0; i < span.count; ++i)
+        ASSERT_EQ(narrow.pixels[narrow.position(span, i)], wide.pixels[wide.position(span, i)]);
   }
 }
 
-std::string name_of(const testing::TestParamInfo<KernelDivide>& test) {
+std::string divide_name(const testing::TestParamInfo<KernelDivide>& test) {
   switch (test.param) {
     case KernelDivide::kEveryPixel:
       return "EveryPixel";
@@ -300,15 +300,16 @@ std::string name_of(const testing::TestParamInfo<KernelDivide>& test) {
   }
   return "Unknown";
 }
-INSTANTIATE_TEST_SUITE_P(Divides, SurfaceSpanDefinition, testing::ValuesIn(kDivides), name_of);
+INSTANTIATE_TEST_SUITE_P(Divides, SurfaceSpanDefinition, testing::ValuesIn(kDivides), divide_name);
 
-// Each has a place of its own in a kernel's table, so none of the tests above ran one of them twice.
-TEST(VectorTargets, AreAllDifferent) {
+// Each instruction set has its own entry in a kernel's table, so none of the tests above ran one of them
+// twice.
+TEST(SimdTargets, AreAllDifferent) {
   const std::uint8_t index = 0;
   std::vector<std::size_t> places;
   for_each_simd_target([&] {
     Canvas<std::uint8_t> canvas;
-    const SurfaceRuns nothing{{1, 0, 0}, {}, {}, KernelDivide::kNone, &index, 1, 0, 0, nullptr, 0};
+    const SurfaceSpans nothing{{1, 0, 0}, {}, {}, KernelDivide::kNone, &index, 1, 0, 0, nullptr, 0};
     draw_vector(nothing, canvas);
     places.push_back(hwy::GetChosenTarget().GetIndex());
   });

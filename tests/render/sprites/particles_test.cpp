@@ -1,5 +1,5 @@
-// Particles: vector kernels against their plain twins, and whole pictures against squares drawn one by one
-// in double precision from the rule alone.
+// Particles: SIMD against scalar kernels, and whole pictures against squares drawn one by one in double
+// precision, from the rule alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include "support/effort.h"
 #include "support/pictures/frames.h"
 #include "support/pictures/some_colors.h"
+#include "support/pictures/stage_parts.h"
 #include "support/pictures/view_by_hand.h"
 #include "support/random.h"
 
@@ -37,22 +38,23 @@ struct Square {
   bool is_near_a_border;  // rounding of single-precision numbers may decide
 };
 
-// 128 / z pixels at 320 x 240 and 90 degrees, where a unit at distance 1 is 160 pixels; from 1 to 4 pixels of
-// a 4:3 picture 320 wide.
-Square square_of(const render::ViewFrame& view, const math::Vec3d& place) {
+// 128 / z pixels at 320 x 240 and 90 degrees, where a unit at distance 1 is 160 pixels; 1 to 4 pixels of a
+// 4:3 picture that is 320 pixels wide.
+Square compute_square(const render::ViewFrame& view, const math::Vec3d& place) {
   const math::Vec3d at = view.to_view(place);
   const math::Vec2d center = view.to_screen(at);
   const double growth = std::min(view.width / 320.0, view.height / 240.0);
   const double scale = view.perspective ? view.pixels_per_unit / at.z : view.pixels_per_unit;
-  const double wished = std::clamp(128.0 / 160.0 * scale, std::max(1.0, growth), std::max(1.0, 4 * growth));
-  const double side = std::round(wished);
+  const double exact_side =
+      std::clamp(128.0 / 160.0 * scale, std::max(1.0, growth), std::max(1.0, 4 * growth));
+  const double side = std::round(exact_side);
   const auto is_whole = [](double number) { return std::abs(number - std::round(number)) < 1e-2; };
   return {std::ceil(center.x - side / 2), std::ceil(center.y - side / 2), side, view.depth(at.z),
-          is_whole(center.x - side / 2) || is_whole(center.y - side / 2) || is_whole(wished + 0.5) ||
+          is_whole(center.x - side / 2) || is_whole(center.y - side / 2) || is_whole(exact_side + 0.5) ||
               std::abs(at.z - 8) < 1e-3};
 }
 
-// Around the eye, nearer ones as likely as farther ones; some share a place, and so a depth.
+// Around the eye, near ones as likely as distant ones; some share a position and so a depth.
 Cloud random_cloud(const render::ViewFrame& view, std::size_t count, Random& random) {
   Cloud cloud;
   while (cloud.x.size() < count) {
@@ -61,10 +63,11 @@ Cloud random_cloud(const render::ViewFrame& view, std::size_t count, Random& ran
       continue;
     }
     const double distance = random.log_uniform(4, 2000);
-    const math::Vec3d wished = view.eye_world + view.axes.forward * distance +
-                               math::Vec3d(random.in_cube(1.5)) * (random.chance(0.9) ? distance : 2000.0);
-    const math::Vec3 place(wished);  // as a cloud holds it
-    if (!square_of(view, place).is_near_a_border) cloud.add(place, static_cast<std::uint8_t>(random.bits()));
+    const math::Vec3d exact = view.eye_world + view.axes.forward * distance +
+                              math::Vec3d(random.in_cube(1.5)) * (random.chance(0.9) ? distance : 2000.0);
+    const math::Vec3 place(exact);  // as a cloud holds it
+    if (!compute_square(view, place).is_near_a_border)
+      cloud.add(place, static_cast<std::uint8_t>(random.bits()));
   }
   return cloud;
 }
@@ -73,7 +76,7 @@ void draw_slowly(const render::ViewFrame& view, const Cloud& cloud, render::Fram
   for (std::size_t i = 0; i < cloud.x.size(); ++i) {
     const math::Vec3d place(cloud.x[i], cloud.y[i], cloud.z[i]);
     if (view.to_view(place).z < 8) continue;
-    const Square square = square_of(view, place);
+    const Square square = compute_square(view, place);
     for (int y = 0; y < view.height; ++y)
       for (int x = 0; x < view.width; ++x) {
         const bool inside = x >= square.left && x < square.left + square.side && y >= square.top &&
@@ -89,7 +92,7 @@ void draw_slowly(const render::ViewFrame& view, const Cloud& cloud, render::Fram
   }
 }
 
-// A background with things at many depths.
+// A background with many depths.
 void fill_at_random(render::FrameBuffer& io_frame, Random& random) {
   for (std::uint8_t& pixel : io_frame.indexed()) pixel = static_cast<std::uint8_t>(random.bits());
   for (std::uint32_t& pixel : io_frame.rgb()) pixel = static_cast<std::uint32_t>(random.bits());
@@ -102,18 +105,18 @@ void copy_frame(const render::FrameBuffer& from, render::FrameBuffer& io_to) {
   std::copy(from.depth().begin(), from.depth().end(), io_to.depth().begin());
 }
 
-void draw(const Cloud& cloud, const render::ViewFrame& view, int threads, bool vector_kernels,
+void draw(const Cloud& cloud, const render::ViewFrame& view, int threads, bool simd_kernels,
           render::FrameBuffer& io_frame) {
   render::Scene scene;
   scene.particles = cloud.view();
-  base::Jobs jobs(threads, base::JobBackend::kStdThread);
-  base::Arena arena;
-  constexpr int kBandRows = 32;
-  const render::ParticleBands bands =
-      render::place_particles(scene, {.vector_kernels = vector_kernels}, view, kBandRows, some_tables(),
-                              io_frame.format(), jobs, arena);
-  jobs.parallel_for(bands.rects.size(),
-                    [&](std::size_t band) { render::draw_particles(bands, band, vector_kernels, io_frame); });
+  StageParts parts({.threads = threads,
+                    .job_backend = base::JobBackend::kStdThread,
+                    .simd_kernels = simd_kernels,
+                    .band_rows = 32});
+  const render::ParticleBands bands = render::place_particles(parts.context(scene, io_frame.format()), view);
+  parts.jobs.parallel_for(bands.rects.size(), [&](std::size_t band) {
+    render::draw_particles(bands, band, simd_kernels, io_frame);
+  });
 }
 
 TEST(Particles, AreTheSquaresThatTheRuleSays) {
@@ -123,9 +126,9 @@ TEST(Particles, AreTheSquaresThatTheRuleSays) {
     const int width = 1 + static_cast<int>(random.below(400)),
               height = 1 + static_cast<int>(random.below(300));
     render::ViewFrame view =
-        view_of(width, height, random.uniform(20, 150),
-                math::Vec3(math::Vec3d(random.uniform(-80, 80), random.uniform(0, 360), 0)),
-                math::Vec3d(math::Vec3(random.in_cube(1000))));
+        make_test_view(width, height, random.uniform(20, 150),
+                       math::Vec3(math::Vec3d(random.uniform(-80, 80), random.uniform(0, 360), 0)),
+                       math::Vec3d(math::Vec3(random.in_cube(1000))));
     if (random.chance(0.2)) {
       view.perspective = false;
       view.pixels_per_unit = random.uniform(0.05, 6);
@@ -149,9 +152,9 @@ TEST(Particles, AreTheSquaresThatTheRuleSays) {
   }
 }
 
-// How many pixels of a picture with nothing in it one particle straight ahead covers.
+// The number of pixels that one particle straight ahead covers in an empty picture.
 std::size_t pixels_at(int width, int height, double fov_deg, double distance) {
-  const render::ViewFrame view = view_of(width, height, fov_deg, math::Vec3(0.0f), math::Vec3d(0.0));
+  const render::ViewFrame view = make_test_view(width, height, fov_deg, math::Vec3(0.0f), math::Vec3d(0.0));
   Cloud cloud;
   cloud.add({distance, 0, 0}, 7);
   render::FrameBuffer frame(width, height, render::PixelFormat::kIndexed);
@@ -182,7 +185,7 @@ TEST(Particles, GrowWithThePictureAndTheZoom) {
 TEST(Particles, AreTheSameForAnyNumberOfThreads) {
   for (const auto format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb}) {
     Random random(5);
-    const render::ViewFrame view = view_of(640, 480, 90, math::Vec3(0.0f), math::Vec3d(0.0));
+    const render::ViewFrame view = make_test_view(640, 480, 90, math::Vec3(0.0f), math::Vec3d(0.0));
     const Cloud cloud = random_cloud(view, 10'000, random);
     render::FrameBuffer start(640, 480, format);
     fill_at_random(start, random);
@@ -191,9 +194,9 @@ TEST(Particles, AreTheSameForAnyNumberOfThreads) {
       render::FrameBuffer frame(640, 480, format);
       copy_frame(start, frame);
       draw(cloud, view, threads, true, frame);
-      hashes.push_back(hash_of(frame));
+      hashes.push_back(compute_hash(frame));
     }
-    EXPECT_NE(hashes[0], hash_of(start));
+    EXPECT_NE(hashes[0], compute_hash(start));
     for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes[0]);
   }
 }
@@ -216,7 +219,7 @@ ProjectedBatch project(Project kernel, const render::ParticleProjection& project
   return out;
 }
 
-// Numbers of all sizes, and some that are none.
+// Numbers of all sizes, and NaN.
 float odd_number(Random& random) {
   constexpr float kOdd[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                             -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::max(), 0.0f};
@@ -250,8 +253,8 @@ TEST(ParticleKernels, ProjectTheSameOnEveryInstructionSet) {
       p.center_x = 319.5f;
       p.center_y = 239.5f;
       p.side_at_one_unit = 0.8f * p.pixels_per_unit;
-      p.least_side = 2;
-      p.most_side = 8;
+      p.min_side = 2;
+      p.max_side = 8;
       EXPECT_EQ(project(render::project_particles_simd, p, cloud),
                 project(render::project_particles_scalar, p, cloud));
     }
@@ -275,7 +278,7 @@ Canvas<Pixel> random_canvas(Random& random) {
   return canvas;
 }
 
-// Of few depths, so that many are as near as what is there; also in the last columns and rows.
+// Few different depths, so that many are equal to what is there; also in the last columns and rows.
 template <typename Pixel>
 std::vector<render::ParticleRect> random_rects(Random& random) {
   using C = Canvas<Pixel>;

@@ -1,5 +1,5 @@
-// Rows of sprites: the vector kernels against their plain twins on every instruction set, bit for bit. Whole
-// sprites are held against rays in sprites_test.cpp.
+// Rows of sprites: SIMD against scalar kernels on every instruction set, bit for bit. sprites_test.cpp
+// compares whole sprites with rays.
 #include "render/sprites/sprite_kernels.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace temblor::test {
 namespace {
 
-// Of exactly the size drawn to, so that the address sanitizer sees what is read or written past its end.
+// Buffers of exactly the size drawn to, so that the address sanitizer sees reads and writes past their ends.
 template <typename Pixel>
 struct DrawnRow {
   std::vector<Pixel> pixels;
@@ -33,7 +33,7 @@ render::SpriteLine random_line(Random& random, double size, int pixels) {
   return {static_cast<float>(from), static_cast<float>(random.chance(0.2) ? 0 : (to - from) / pixels)};
 }
 
-// Some pictures are smaller than what is gathered at once; depths that reach zero come of rounding.
+// Some pictures are smaller than a gather; depths that reach zero occur by rounding.
 Case random_case(Random& random) {
   Case c;
   c.row.width = 1 + static_cast<std::int32_t>(random.below(random.chance(0.2) ? 3 : 80));
@@ -65,7 +65,7 @@ DrawnRow<Pixel> draw(Kernel kernel, const Case& c, DrawnRow<Pixel> drawn) {
 }
 
 template <typename Pixel, typename Kernel>
-void expect_twins(Kernel vector, Kernel plain) {
+void expect_same_sprites(Kernel vector, Kernel plain) {
   for_each_simd_target([&] {
     std::size_t changed = 0;
     for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(effort(3000, 300)); ++seed) {
@@ -85,12 +85,12 @@ void expect_twins(Kernel vector, Kernel plain) {
 }
 
 TEST(SpriteKernels, DrawTheSameOnEveryInstructionSet) {
-  expect_twins<std::uint8_t>(render::draw_sprite_row_u8_simd, render::draw_sprite_row_u8_scalar);
-  expect_twins<std::uint32_t>(render::draw_sprite_row_u32_simd, render::draw_sprite_row_u32_scalar);
+  expect_same_sprites<std::uint8_t>(render::draw_sprite_row_u8_simd, render::draw_sprite_row_u8_scalar);
+  expect_same_sprites<std::uint32_t>(render::draw_sprite_row_u32_simd, render::draw_sprite_row_u32_scalar);
 }
 
-// A row in pieces is the row.
-TEST(SpriteKernels, DrawPiecesAsTheWhole) {
+// A row that is drawn in segments equals the whole row.
+TEST(SpriteKernels, DrawSegmentsLikeTheWholeRow) {
   Random random(11);
   for (int i = 0; i < 200; ++i) {
     Case c = random_case(random);

@@ -1,5 +1,5 @@
-// Sprites against rays: for each pixel, where the ray through its center meets the picture's plane, in double
-// precision; which plane that is comes from what each orientation means.
+// Sprites against rays: for each pixel, the point where the ray through its center meets the picture's plane,
+// in double precision. The plane follows from the meaning of each orientation type.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,18 +50,18 @@ struct Axes {
   math::Vec3d right, up;
 };
 
-// Right of someone who stands upright and looks along `direction`.
+// To the right for a viewer who stands upright and looks along `direction`.
 Axes standing(const math::Vec3d& direction) {
   const math::Vec3d up(0, 0, 1);
   return {glm::normalize(glm::cross(direction, up)), up};
 }
 
-Axes axes_of(const render::ViewFrame& view, const render::SpriteInstance& sprite) {
+Axes compute_axes(const render::ViewFrame& view, const render::SpriteInstance& sprite) {
   switch (sprite.sprite->orientation) {
     case SprOrientation::kParallelUpright:
       return standing(view.axes.forward);
     case SprOrientation::kFacingUpright:
-      // Seen in parallel, the eye is infinitely far back.
+      // In parallel projection, the eye is infinitely far back.
       return standing(view.perspective ? math::Vec3d(sprite.origin_world) - view.eye_world
                                        : view.axes.forward);
     case SprOrientation::kParallel:
@@ -79,15 +79,15 @@ Axes axes_of(const render::ViewFrame& view, const render::SpriteInstance& sprite
   return {};
 }
 
-// What the ray through a pixel's center meets, and whether it meets it clear of every border, where rounding
-// could decide otherwise.
+// The texel that the ray through a pixel's center meets, and whether it is clear of every border, where
+// rounding could decide.
 struct Hit {
   double depth = 0;
   int texel = 255;
   bool is_clear = true;
 };
 Hit meet(const render::ViewFrame& view, const render::SpriteInstance& sprite, int x, int y) {
-  const Axes axes = axes_of(view, sprite);
+  const Axes axes = compute_axes(view, sprite);
   const math::Vec3d normal = glm::cross(axes.right, axes.up), origin(sprite.origin_world);
   const math::Vec3d aside = view.axes.right * ((x - view.center_x) / view.pixels_per_unit) -
                             view.axes.up * ((y - view.center_y) / view.pixels_per_unit);
@@ -117,7 +117,7 @@ struct Before {
   std::vector<std::uint32_t> pixels;
 };
 
-// Depths that the sprite is in front of or behind by far more than rounding.
+// Depths in front of and behind the sprite, by far more than rounding.
 Before fill(render::FrameBuffer& io_frame, double depth, Random& random) {
   Before before;
   for (std::size_t i = 0; i < io_frame.pixel_count(); ++i) {
@@ -138,7 +138,7 @@ std::uint32_t pixel_at(const render::FrameBuffer& frame, std::size_t i) {
 }
 
 void draw(const std::vector<render::SpriteInstance>& sprites, const render::ViewFrame& view, int threads,
-          bool vector_kernels, render::FrameBuffer& io_frame) {
+          bool simd_kernels, render::FrameBuffer& io_frame) {
   render::Scene scene;
   scene.sprites = sprites;
   base::Jobs jobs(threads, base::JobBackend::kStdThread);
@@ -148,7 +148,7 @@ void draw(const std::vector<render::SpriteInstance>& sprites, const render::View
   jobs.parallel_for(static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows),
                     [&](std::size_t band) {
                       const int first = static_cast<int>(band) * kBandRows;
-                      render::draw_sprites(quads, some_tables(), vector_kernels,
+                      render::draw_sprites(quads, some_tables(), simd_kernels,
                                            {first, std::min(first + kBandRows, view.height)}, io_frame);
                     });
 }
@@ -157,7 +157,7 @@ struct Tally {
   std::size_t shown = 0, wrong = 0;
 };
 
-// Every pixel of which rays and drawing could not differ by rounding.
+// Compares every pixel for which rounding cannot make a difference.
 Tally compare(const render::FrameBuffer& frame, const Before& before, const render::ViewFrame& view,
               const render::SpriteInstance& sprite) {
   Tally tally;
@@ -178,7 +178,7 @@ Tally compare(const render::FrameBuffer& frame, const Before& before, const rend
   return tally;
 }
 
-// In front of the eye, far or so near that the near plane cuts it.
+// In front of the eye, far away, or so near that the near plane cuts it.
 render::SpriteInstance place(const TestSprite& sprite, const render::ViewFrame& view, Random& random) {
   render::SpriteInstance instance = sprite.instance();
   const double distance = random.chance(0.2) ? random.uniform(-10, 20) : random.log_uniform(10, 600);
@@ -200,8 +200,8 @@ TEST(Sprites, AreWhereRaysMeetThem) {
               height = 2 + static_cast<int>(random.below(150));
     const math::Vec3 angles(
         math::Vec3d(random.uniform(-85, 85), random.uniform(0, 360), random.uniform(-20, 20)));
-    render::ViewFrame view =
-        view_of(width, height, random.uniform(20, 140), angles, math::Vec3d(math::Vec3(random.in_cube(500))));
+    render::ViewFrame view = make_test_view(width, height, random.uniform(20, 140), angles,
+                                            math::Vec3d(math::Vec3(random.in_cube(500))));
     if (random.chance(0.15)) {
       view.perspective = false;
       view.pixels_per_unit = random.uniform(0.3, 3);
@@ -228,7 +228,7 @@ TEST(Sprites, UprightOnesVanishSeenFromStraightAbove) {
        {SprOrientation::kParallelUpright, SprOrientation::kFacingUpright, SprOrientation::kParallel})
     for (const double pitch_deg : {89.5, 88.0, -89.5, -88.0}) {
       const render::ViewFrame view =
-          view_of(100, 100, 90, math::Vec3(math::Vec3d(pitch_deg, 30, 0)), math::Vec3d(0.0));
+          make_test_view(100, 100, 90, math::Vec3(math::Vec3d(pitch_deg, 30, 0)), math::Vec3d(0.0));
       const TestSprite sprite = make_sprite(orientation, 40, 40, random);
       render::SpriteInstance instance = sprite.instance();
       instance.origin_world = math::Vec3(view.axes.forward * 60.0);
@@ -240,7 +240,7 @@ TEST(Sprites, UprightOnesVanishSeenFromStraightAbove) {
 
 TEST(Sprites, OfNoSizeOrPlaceAreLeftOut) {
   Random random(4);
-  const render::ViewFrame view = view_of(100, 100, 90, math::Vec3(0.0f), math::Vec3d(0.0));
+  const render::ViewFrame view = make_test_view(100, 100, 90, math::Vec3(0.0f), math::Vec3d(0.0));
   const TestSprite sprite = make_sprite(SprOrientation::kFacingUpright, 40, 40, random);
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   const auto is_drawn = [&](float x, float scale) {
@@ -259,7 +259,7 @@ TEST(Sprites, OfNoSizeOrPlaceAreLeftOut) {
 
 TEST(Sprites, OpaqueOnesOfOneDepthHideWhatCameBefore) {
   Random random(7);
-  const render::ViewFrame view = view_of(64, 64, 90, math::Vec3(0.0f), math::Vec3d(0.0));
+  const render::ViewFrame view = make_test_view(64, 64, 90, math::Vec3(0.0f), math::Vec3d(0.0));
   TestSprite first = make_sprite(SprOrientation::kParallel, 30, 30, random);
   TestSprite second = first;
   first.spr.frames[0].pictures[0] = {-15, 15, 30, 30, std::vector<std::uint8_t>(900, 1)};
@@ -273,7 +273,7 @@ TEST(Sprites, OpaqueOnesOfOneDepthHideWhatCameBefore) {
   EXPECT_GT(std::count(frame.indexed().begin(), frame.indexed().end(), 2), 500);
 }
 
-// One square with the picture, 30 units before the eye.
+// One square with the picture, 30 units in front of the eye.
 struct FacingSprite {
   explicit FacingSprite(Random& io_random)
       : sprite(make_sprite(SprOrientation::kParallel, 50, 40, io_random)), instance(sprite.instance()) {
@@ -281,7 +281,7 @@ struct FacingSprite {
     quad = render::make_sprite_quad(view, instance);
   }
 
-  render::ViewFrame view = view_of(80, 60, 90, math::Vec3(0.0f), math::Vec3d(0.0));
+  render::ViewFrame view = make_test_view(80, 60, 90, math::Vec3(0.0f), math::Vec3d(0.0));
   TestSprite sprite;
   render::SpriteInstance instance;
   std::optional<render::SpriteQuad> quad;
@@ -386,7 +386,7 @@ TEST(Sprites, AndParticlesAreTheSameForAnyNumberOfThreads) {
     render::Renderer renderer(drawable.palette, drawable.colormap);
     render::FrameBuffer frame(333, 222, format);
     renderer.render(scene, settings, frame);
-    return hash_of(frame);
+    return compute_hash(frame);
   };
   for (const auto format : {render::PixelFormat::kIndexed, render::PixelFormat::kRgb}) {
     scene.sprites = {};
@@ -401,7 +401,7 @@ TEST(Sprites, AndParticlesAreTheSameForAnyNumberOfThreads) {
     for (const int threads : {2, 8})
       EXPECT_EQ(hash_with({.threads = threads, .job_backend = base::JobBackend::kStdThread}, format),
                 expected);
-    EXPECT_EQ(hash_with({.vector_kernels = false}, format), expected);
+    EXPECT_EQ(hash_with({.simd_kernels = false}, format), expected);
   }
 }
 

@@ -1,5 +1,5 @@
-// The pool of blocks against a list of the rooms it gave out: inside its memory, aligned, none over another,
-// and never more of it than its capacity.
+// The block pool against a list of its allocations: inside its memory, aligned, without overlap, and never
+// more than its capacity.
 #include "render/surfaces/block_pool.h"
 
 #include <fmt/format.h>
@@ -20,25 +20,25 @@ using render::BlockPool;
 constexpr std::size_t kPlenty = std::size_t{64} << 20;
 constexpr std::size_t kSlab = BlockPool::kSlabBytes;
 
-// A room, filled with a mark of its own.
+// An allocation, filled with a pattern of its own.
 struct Held {
-  BlockPool::Room room;
+  BlockPool::Allocation allocation;
   std::byte mark;
 };
 void fill(const Held& held) {
-  std::fill_n(held.room.begin, held.room.bytes, held.mark);
+  std::fill_n(held.allocation.begin, held.allocation.bytes, held.mark);
 }
 bool is_whole(const Held& held) {
-  return std::count(held.room.begin, held.room.begin + held.room.bytes, held.mark) ==
-         static_cast<std::ptrdiff_t>(held.room.bytes);
+  return std::count(held.allocation.begin, held.allocation.begin + held.allocation.bytes, held.mark) ==
+         static_cast<std::ptrdiff_t>(held.allocation.bytes);
 }
 
-// As blocks are: mostly small, now and then a large one.
+// Sizes like those of blocks: mostly small, sometimes large.
 std::size_t random_size(Random& random) {
   return 1 + random.below(random.chance(0.8) ? 5000 : 300000);
 }
 
-TEST(BlockPool, KeepsRoomsApartAlignedAndWithinItsCapacity) {
+TEST(BlockPool, KeepsAllocationsApartAlignedAndWithinItsCapacity) {
   for (int seed = 0; seed < effort(30, 3); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     BlockPool pool;
@@ -54,18 +54,18 @@ TEST(BlockPool, KeepsRoomsApartAlignedAndWithinItsCapacity) {
       if (!held.empty() && random.chance(0.45)) {
         std::swap(held[random.below(held.size())], held.back());
         ASSERT_TRUE(is_whole(held.back()));
-        held_bytes -= held.back().room.bytes;
-        pool.free(held.back().room);
+        held_bytes -= held.back().allocation.bytes;
+        pool.free(held.back().allocation);
         held.pop_back();
       } else {
         const std::size_t bytes = random_size(random);
-        const BlockPool::Room room = pool.allocate(bytes);
-        if (room.begin != nullptr) {
-          ASSERT_GE(room.bytes, bytes);
-          ASSERT_LT(room.bytes, bytes + BlockPool::kUnitBytes);
-          ASSERT_EQ(reinterpret_cast<std::uintptr_t>(room.begin) % 64, 0u);
-          held.push_back({room, static_cast<std::byte>(random.bits())});
-          held_bytes += room.bytes;
+        const BlockPool::Allocation allocation = pool.allocate(bytes);
+        if (allocation.begin != nullptr) {
+          ASSERT_GE(allocation.bytes, bytes);
+          ASSERT_LT(allocation.bytes, bytes + BlockPool::kUnitBytes);
+          ASSERT_EQ(reinterpret_cast<std::uintptr_t>(allocation.begin) % 64, 0u);
+          held.push_back({allocation, static_cast<std::byte>(random.bits())});
+          held_bytes += allocation.bytes;
           fill(held.back());
         }
       }
@@ -73,46 +73,46 @@ TEST(BlockPool, KeepsRoomsApartAlignedAndWithinItsCapacity) {
       ASSERT_LE(held_bytes, capacity);
       ASSERT_LE(held_bytes, pool.bytes_reserved());
     }
-    // Written at different times and still whole: none lies over another.
+    // Written at different times and still intact: no two overlap.
     EXPECT_TRUE(std::all_of(held.begin(), held.end(), is_whole)) << "seed " << seed;
   }
 }
 
-// Until nothing fits any more, from a capacity that never changed.
+// Allocates until nothing fits, from a capacity that never changed.
 TEST(BlockPool, TakesNoMoreMemoryThanItsCapacity) {
   for (int seed = 0; seed < effort(20, 3); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     BlockPool pool;
     const std::size_t capacity = random.below(3 * kSlab);
     pool.set_capacity(capacity);
-    std::vector<BlockPool::Room> rooms;
+    std::vector<BlockPool::Allocation> allocations;
     for (int step = 0; step < 3000; ++step) {
-      const BlockPool::Room room = pool.allocate(random_size(random));
-      if (room.begin != nullptr) rooms.push_back(room);
-      if (rooms.size() > 1 && random.chance(0.1)) {
-        pool.free(rooms.back());
-        rooms.pop_back();
+      const BlockPool::Allocation allocation = pool.allocate(random_size(random));
+      if (allocation.begin != nullptr) allocations.push_back(allocation);
+      if (allocations.size() > 1 && random.chance(0.1)) {
+        pool.free(allocations.back());
+        allocations.pop_back();
       }
       ASSERT_LE(pool.bytes_reserved(), capacity) << "seed " << seed;
     }
   }
 }
 
-TEST(BlockPool, MakesOneRoomOfAllThatIsFreedInAnyOrder) {
+TEST(BlockPool, MergesAllFreedRangesInAnyOrder) {
   for (int seed = 0; seed < effort(50, 5); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     BlockPool pool;
     pool.set_capacity(kSlab);
-    std::vector<BlockPool::Room> rooms;
+    std::vector<BlockPool::Allocation> allocations;
     for (;;) {
-      rooms.push_back(pool.allocate(random_size(random)));
-      if (rooms.back().begin == nullptr) break;
+      allocations.push_back(pool.allocate(random_size(random)));
+      if (allocations.back().begin == nullptr) break;
     }
-    rooms.pop_back();
-    while (!rooms.empty()) {
-      std::swap(rooms[random.below(rooms.size())], rooms.back());
-      pool.free(rooms.back());
-      rooms.pop_back();
+    allocations.pop_back();
+    while (!allocations.empty()) {
+      std::swap(allocations[random.below(allocations.size())], allocations.back());
+      pool.free(allocations.back());
+      allocations.pop_back();
     }
     EXPECT_EQ(pool.bytes_in_use(), 0u);
     EXPECT_NE(pool.allocate(kSlab).begin, nullptr) << "seed " << seed;
@@ -123,7 +123,7 @@ TEST(BlockPool, MakesOneRoomOfAllThatIsFreedInAnyOrder) {
 TEST(BlockPool, GivesFreedMemoryOutAgain) {
   BlockPool pool;
   pool.set_capacity(kPlenty);
-  const BlockPool::Room first = pool.allocate(1000), second = pool.allocate(1000);
+  const BlockPool::Allocation first = pool.allocate(1000), second = pool.allocate(1000);
   pool.free(first);
   EXPECT_EQ(pool.allocate(1000).begin, first.begin);
   pool.free(second);
@@ -171,7 +171,7 @@ TEST(BlockPool, UsesAllOfASmallCapacity) {
 TEST(BlockPool, GivesEmptySlabsBackWhenTheCapacityShrinks) {
   BlockPool pool;
   pool.set_capacity(kPlenty);
-  const BlockPool::Room first = pool.allocate(kSlab), second = pool.allocate(kSlab);
+  const BlockPool::Allocation first = pool.allocate(kSlab), second = pool.allocate(kSlab);
   pool.set_capacity(kSlab);
   EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);
   pool.free(first);
@@ -180,7 +180,7 @@ TEST(BlockPool, GivesEmptySlabsBackWhenTheCapacityShrinks) {
   EXPECT_EQ(pool.allocate(1).begin, nullptr);
   pool.free(second);
   EXPECT_NE(pool.allocate(kSlab).begin, nullptr);
-  // Where a slab was given back, another can be.
+  // Another slab can take the place of one that was given back.
   pool.set_capacity(kPlenty);
   EXPECT_NE(pool.allocate(kSlab).begin, nullptr);
   EXPECT_EQ(pool.bytes_reserved(), 2 * kSlab);

@@ -1,5 +1,5 @@
-// Rows of lit surfaces: the vector kernels against their plain twins, bit for bit and on every instruction
-// set; the plain ones against the lines of arithmetic in render/surfaces/build_surface.h.
+// Rows of surface blocks: SIMD against scalar kernels, bit for bit and on every instruction set; scalar
+// kernels against the formulas in render/surfaces/build_surface.h.
 #include "render/surfaces/build_kernels.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ constexpr std::int32_t kBrightest = 65280;  // a light sum
 constexpr int kMaxTexels = 256;
 constexpr std::uint32_t kOpaque = 0xff000000u;
 
-// Dark, bright or in between; often the same as the neighbor's.
+// Dark, bright, or in between; often equal to the neighbor.
 std::int32_t random_light_sum(Random& random) {
   switch (random.below(4)) {
     case 0:
@@ -36,51 +36,51 @@ std::int32_t random_light_sum(Random& random) {
       return static_cast<std::int32_t>(random.below(kBrightest + 1));
   }
 }
-// The samples between which `count` texels lie.
-std::size_t sample_columns(int count, int texels_a_sample) {
-  return static_cast<std::size_t>((count + texels_a_sample - 1) / texels_a_sample) + 1;
+// The number of samples around `count` texels.
+std::size_t sample_columns(int count, int texels_per_sample) {
+  return static_cast<std::size_t>((count + texels_per_sample - 1) / texels_per_sample) + 1;
 }
 
-// A row of a surface, its texels followed by what kernels may read and not use, its other arrays of exactly
-// their size.
+// A row of a block: its texels are followed by the padding that kernels may read, and its other arrays have
+// exactly their size.
 struct IndexedCase {
-  int count, texels_a_sample;
+  int count, texels_per_sample;
   std::vector<std::uint8_t> texels, colormap, out;
   std::vector<std::int16_t> light;
 
   IndexedCase(Random& random, int texels_in_row, int texels_between_samples)
       : count(texels_in_row),
-        texels_a_sample(texels_between_samples),
+        texels_per_sample(texels_between_samples),
         texels(static_cast<std::size_t>(count) + render::kBlockPadding),
         colormap(64 * 256),
         out(static_cast<std::size_t>(count)) {
     for (std::uint8_t& texel : texels) texel = static_cast<std::uint8_t>(random.bits());
     for (std::uint8_t& entry : colormap) entry = static_cast<std::uint8_t>(random.bits());
-    for (std::size_t i = 0; i < sample_columns(count, texels_a_sample); ++i)
+    for (std::size_t i = 0; i < sample_columns(count, texels_per_sample); ++i)
       light.push_back(static_cast<std::int16_t>(std::max((kBrightest - random_light_sum(random)) >> 2, 64)));
   }
   std::vector<std::uint8_t> drawn(void (*draw)(const IndexedRow&)) {
     std::fill(out.begin(), out.end(), std::uint8_t{0});
-    draw({texels.data(), light.data(), colormap.data(), out.data(), count, texels_a_sample});
+    draw({texels.data(), light.data(), colormap.data(), out.data(), count, texels_per_sample});
     return out;
   }
 };
 
 struct RgbCase {
-  int count, texels_a_sample;
+  int count, texels_per_sample;
   std::vector<std::uint32_t> texels, out;
   std::vector<std::int16_t> light;  // blue, green, red, 0
 
   RgbCase(Random& random, int texels_in_row, int texels_between_samples)
       : count(texels_in_row),
-        texels_a_sample(texels_between_samples),
+        texels_per_sample(texels_between_samples),
         texels(static_cast<std::size_t>(count) + render::kBlockPadding / sizeof(std::uint32_t)),
         out(static_cast<std::size_t>(count)) {
     for (std::uint32_t& texel : texels) {
       const std::uint32_t color = static_cast<std::uint32_t>(random.bits()) & 0xffffffu;
       texel = random.chance(0.2) ? color : color | kOpaque;
     }
-    for (std::size_t i = 0; i < sample_columns(count, texels_a_sample); ++i) {
+    for (std::size_t i = 0; i < sample_columns(count, texels_per_sample); ++i) {
       for (int channel = 0; channel < 3; ++channel)
         light.push_back(static_cast<std::int16_t>(random_light_sum(random) >> 1));
       light.push_back(0);
@@ -88,12 +88,12 @@ struct RgbCase {
   }
   std::vector<std::uint32_t> drawn(void (*draw)(const RgbRow&)) {
     std::fill(out.begin(), out.end(), 0u);
-    draw({texels.data(), light.data(), out.data(), count, texels_a_sample});
+    draw({texels.data(), light.data(), out.data(), count, texels_per_sample});
     return out;
   }
 };
 
-// Rounded down, whatever the sign.
+// Rounds down, whatever the sign.
 std::int64_t shifted_right(std::int64_t value, int bits) {
   const std::int64_t unit = std::int64_t{1} << bits;
   return (value - (value % unit + unit) % unit) / unit;
@@ -109,19 +109,19 @@ std::uint32_t lit_channel(std::uint32_t color, std::int64_t h) {
 
 class BuildRows : public testing::TestWithParam<int> {
  protected:
-  const int texels_a_sample_ = GetParam();
+  const int texels_per_sample_ = GetParam();
 };
 
-TEST_P(BuildRows, VectorEqualsPlain) {
+TEST_P(BuildRows, SimdMatchesTheScalarReference) {
   for_each_simd_target([&] {
     for (int seed = 0; seed < effort(20, 1); ++seed)
       for (int count = 1; count <= kMaxTexels; ++count) {
         Random random(static_cast<std::uint64_t>(seed * 1000 + count));
-        IndexedCase indexed(random, count, texels_a_sample_);
+        IndexedCase indexed(random, count, texels_per_sample_);
         ASSERT_EQ(indexed.drawn(render::build_indexed_row_scalar),
                   indexed.drawn(render::build_indexed_row_simd))
             << count << " indices, seed " << seed;
-        RgbCase rgb(random, count, texels_a_sample_);
+        RgbCase rgb(random, count, texels_per_sample_);
         ASSERT_EQ(rgb.drawn(render::build_rgb_row_scalar), rgb.drawn(render::build_rgb_row_simd))
             << count << " colors, seed " << seed;
       }
@@ -129,12 +129,12 @@ TEST_P(BuildRows, VectorEqualsPlain) {
 }
 
 // Every pair of neighboring samples, in steps that reach both ends.
-TEST_P(BuildRows, VectorEqualsPlainForEveryLight) {
+TEST_P(BuildRows, SimdMatchesTheScalarReferenceForEveryLight) {
   std::vector<std::int32_t> sums = {0, 1, 2, 3, kBrightest - 1, kBrightest};
   for (std::int32_t sum = 0; sum <= kBrightest; sum += effort(251, 4093)) sums.push_back(sum);
   Random random(1);
-  IndexedCase indexed(random, texels_a_sample_, texels_a_sample_);
-  RgbCase rgb(random, texels_a_sample_, texels_a_sample_);
+  IndexedCase indexed(random, texels_per_sample_, texels_per_sample_);
+  RgbCase rgb(random, texels_per_sample_, texels_per_sample_);
   for_each_simd_target([&] {
     for (const std::int32_t first : sums)
       for (const std::int32_t second : sums) {
@@ -157,12 +157,12 @@ TEST_P(BuildRows, VectorEqualsPlainForEveryLight) {
 TEST_P(BuildRows, IndexedIsTheColormapsRowForTheLight) {
   for (int seed = 0; seed < effort(1000, 40); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    IndexedCase row(random, static_cast<int>(1 + random.below(kMaxTexels)), texels_a_sample_);
+    IndexedCase row(random, static_cast<int>(1 + random.below(kMaxTexels)), texels_per_sample_);
     const std::vector<std::uint8_t> drawn = row.drawn(render::build_indexed_row_scalar);
     for (std::size_t x = 0; x < drawn.size(); ++x) {
-      const std::size_t sample = x / static_cast<std::size_t>(texels_a_sample_);
-      const int i = static_cast<int>(x) % texels_a_sample_;
-      const std::int64_t t = between(row.light[sample], row.light[sample + 1], i, texels_a_sample_);
+      const std::size_t sample = x / static_cast<std::size_t>(texels_per_sample_);
+      const int i = static_cast<int>(x) % texels_per_sample_;
+      const std::int64_t t = between(row.light[sample], row.light[sample + 1], i, texels_per_sample_);
       const std::size_t light_row = static_cast<std::size_t>(t >> 8);
       ASSERT_LT(light_row, 64u);
       ASSERT_EQ(drawn[x], row.colormap[light_row * 256 + row.texels[x]]) << "seed " << seed << " texel " << x;
@@ -173,16 +173,16 @@ TEST_P(BuildRows, IndexedIsTheColormapsRowForTheLight) {
 TEST_P(BuildRows, RgbIsTheLineOfArithmetic) {
   for (int seed = 0; seed < effort(1000, 40); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    RgbCase row(random, static_cast<int>(1 + random.below(kMaxTexels)), texels_a_sample_);
+    RgbCase row(random, static_cast<int>(1 + random.below(kMaxTexels)), texels_per_sample_);
     const std::vector<std::uint32_t> drawn = row.drawn(render::build_rgb_row_scalar);
     for (std::size_t x = 0; x < drawn.size(); ++x) {
       const bool full_bright = row.texels[x] < kOpaque;
-      const std::int16_t* samples = row.light.data() + x / static_cast<std::size_t>(texels_a_sample_) * 4;
-      const int i = static_cast<int>(x) % texels_a_sample_;
+      const std::int16_t* samples = row.light.data() + x / static_cast<std::size_t>(texels_per_sample_) * 4;
+      const int i = static_cast<int>(x) % texels_per_sample_;
       std::uint32_t expected = kOpaque;
       for (int channel = 0; channel < 3; ++channel) {
         const std::uint32_t color = row.texels[x] >> (8 * channel) & 255;
-        const std::int64_t h = between(samples[channel], samples[4 + channel], i, texels_a_sample_);
+        const std::int64_t h = between(samples[channel], samples[4 + channel], i, texels_per_sample_);
         expected |= (full_bright ? color : lit_channel(color, h)) << (8 * channel);
       }
       ASSERT_EQ(drawn[x], expected) << "seed " << seed << " texel " << x;
@@ -190,16 +190,16 @@ TEST_P(BuildRows, RgbIsTheLineOfArithmetic) {
   }
 }
 
-// What the arithmetic is meant to be: bilinear light, to the nearest whole number.
+// The intent of the arithmetic: bilinear light, rounded to the nearest whole number.
 TEST_P(BuildRows, RgbIsWithinRoundingOfTheProduct) {
   for (int seed = 0; seed < effort(1000, 40); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    RgbCase row(random, static_cast<int>(1 + random.below(kMaxTexels)), texels_a_sample_);
+    RgbCase row(random, static_cast<int>(1 + random.below(kMaxTexels)), texels_per_sample_);
     const std::vector<std::uint32_t> drawn = row.drawn(render::build_rgb_row_scalar);
     for (std::size_t x = 0; x < drawn.size(); ++x) {
       if (row.texels[x] < kOpaque) continue;
-      const std::int16_t* samples = row.light.data() + x / static_cast<std::size_t>(texels_a_sample_) * 4;
-      const double along = static_cast<double>(static_cast<int>(x) % texels_a_sample_) / texels_a_sample_;
+      const std::int16_t* samples = row.light.data() + x / static_cast<std::size_t>(texels_per_sample_) * 4;
+      const double along = static_cast<double>(static_cast<int>(x) % texels_per_sample_) / texels_per_sample_;
       for (int channel = 0; channel < 3; ++channel) {
         const double light = samples[channel] + (samples[4 + channel] - samples[channel]) * along;
         const double color = row.texels[x] >> (8 * channel) & 255;
@@ -215,7 +215,7 @@ TEST_P(BuildRows, RgbIsWithinRoundingOfTheProduct) {
 INSTANTIATE_TEST_SUITE_P(TexelsASample, BuildRows, testing::Values(16, 8, 4, 2),
                          [](const auto& test) { return fmt::format("{}", test.param); });
 
-// Half a sum of 128 x 256, the light of 'as stored', leaves every color as it is.
+// The light as stored, half the sum of 128 x 256, leaves every color unchanged.
 TEST(BuildRow, OfMiddlingLightShowsColorsAsTheyAre) {
   std::vector<std::uint32_t> texels(256 + render::kBlockPadding / sizeof(std::uint32_t)), out(256);
   for (std::uint32_t i = 0; i < 256; ++i) texels[i] = kOpaque | i << 16 | (255 - i) << 8 | (i ^ 85);

@@ -1,5 +1,5 @@
-// Lit surfaces against their definition, texel by texel: the texel of the texture that lies there, lit from
-// the four samples around it by the arithmetic in render/surfaces/build_surface.h, written once more.
+// Surface blocks against their definition, texel by texel: the texel of the texture, lit from the four
+// samples around it by the formulas in render/surfaces/build_surface.h, implemented a second time.
 #include "render/surfaces/build_surface.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ constexpr int kTexelsASample = 16;
 std::int64_t wrapped(std::int64_t value, std::int64_t size) {
   return (value % size + size) % size;
 }
-// Rounded down, whatever the sign.
+// Rounds down, whatever the sign.
 std::int64_t floor_shifted(std::int64_t value, int bits) {
   const std::int64_t unit = std::int64_t{1} << bits;
   return (value - wrapped(value, unit)) / unit;
@@ -36,7 +36,7 @@ std::int64_t surface_between(std::int64_t a, std::int64_t b, int i, int n) {
   return a + floor_shifted((b - a) * i * (2048 * 16 / n) + 16384, 15);
 }
 
-// One texel of a face's surface, from what the level holds.
+// One texel of a face's block, computed from the level's data.
 class SurfaceDefinition {
  public:
   SurfaceDefinition(const DrawableLevel& drawable, const BlockRequest& request)
@@ -44,7 +44,7 @@ class SurfaceDefinition {
         level_(*drawable.level),
         request_(request),
         face_(level_.face(request.face)),
-        texels_a_sample_(kTexelsASample >> request.mip) {}
+        texels_per_sample_(kTexelsASample >> request.mip) {}
 
   std::uint8_t indexed(int x, int y) const {
     const std::int64_t t = lit(x, y, [&](std::int64_t column, std::int64_t row) {
@@ -69,7 +69,7 @@ class SurfaceDefinition {
   }
 
  private:
-  // At mip level k, the texel (s, t) of the face is texel (s >> k, t >> k) of that level, repeated.
+  // At mip level k, texel (s, t) of the face is texel (s >> k, t >> k) of that level, repeated.
   std::uint8_t texel(int x, int y) const {
     const world::Texture& texture = level_.texture(request_.contents.texture);
     const std::int64_t width = std::max(1u, texture.width >> request_.mip);
@@ -81,7 +81,7 @@ class SurfaceDefinition {
     return texture.mips[static_cast<std::size_t>(request_.mip)][static_cast<std::size_t>(t * width + s)];
   }
 
-  // The face's samples, of all its styles. Past the last one, what is there counts for nothing.
+  // The face's samples, for all of its styles. Past the last sample, the value does not matter.
   std::int64_t light_sum(std::int64_t column, std::int64_t row, int channel) const {
     const std::int64_t width = face_.texture_extents[0] / 16 + 1, height = face_.texture_extents[1] / 16 + 1;
     column += request_.tile_s * 16;
@@ -98,10 +98,11 @@ class SurfaceDefinition {
     return sum;
   }
 
-  // `of_sample` of the four samples around a texel, joined down the columns first and then along the row.
+  // `of_sample` of the four samples around a texel, interpolated down the columns first and then along the
+  // row.
   template <typename OfSample>
   std::int64_t lit(int x, int y, OfSample of_sample) const {
-    const int n = texels_a_sample_;
+    const int n = texels_per_sample_;
     const auto down = [&](std::int64_t column) {
       return surface_between(of_sample(column, y / n), of_sample(column, y / n + 1), y % n, n);
     };
@@ -112,15 +113,15 @@ class SurfaceDefinition {
   const world::Level& level_;
   const BlockRequest& request_;
   const world::Face& face_;
-  const int texels_a_sample_;
+  const int texels_per_sample_;
 };
 
 // A block in memory of exactly its size and padding.
-struct Block {
+struct BuiltBlock {
   std::vector<std::byte> bytes;
   SurfaceShape shape;
 
-  Block(SurfaceShape of_shape, std::size_t bytes_per_texel)
+  BuiltBlock(SurfaceShape of_shape, std::size_t bytes_per_texel)
       : bytes(of_shape.texels() * bytes_per_texel + render::kBlockPadding), shape(of_shape) {}
   render::SurfaceBlock view() { return {bytes.data(), shape}; }
   template <typename Texel>
@@ -132,18 +133,19 @@ struct Block {
   }
 };
 
-// Sanitizers watch whole surfaces being built; of the slow definition they take a slanted sample.
+// With sanitizers, whole blocks are built, but only a slanted sample of texels is compared with the slow
+// definition.
 constexpr int kTexelStep = effort(1, 7);
 
 void expect_as_defined(const DrawableLevel& drawable, BlockRequest request, PixelFormat format,
-                       bool vector_kernels, base::Arena& scratch) {
+                       bool simd_kernels, base::Arena& scratch) {
   const bool indexed = format == PixelFormat::kIndexed;
   const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
-  Block block(
+  BuiltBlock block(
       render::surface_shape(drawable.level->face(request.face), request.tile_s, request.tile_t, request.mip),
       indexed ? 1 : 4);
   request.block = block.view();
-  render::build_surface(*drawable.level, tables, nullptr, request, format, vector_kernels, scratch);
+  render::build_surface(*drawable.level, tables, nullptr, request, format, simd_kernels, scratch);
   const SurfaceDefinition definition(drawable, request);
   for (int y = 0; y < block.shape.height; ++y)
     for (int x = y % kTexelStep; x < block.shape.width; x += kTexelStep) {
@@ -159,7 +161,7 @@ bool has_surface(const world::Face& face) {
   return face.kind == world::FaceKind::kLit && face.light != world::kNoLight;
 }
 
-// Any tile of a face at any mip level, under any light: dark, as stored, and up to far beyond the brightest.
+// Any tile of a face at any mip level, under any light: dark, as stored, and far brighter than the brightest.
 BlockRequest any_request(const world::Level& level, world::FaceIndex index, Random& random) {
   const world::Face& face = level.face(index);
   const render::TileGrid tiles = render::tile_grid(face);
@@ -184,12 +186,12 @@ void expect_all_as_defined(const DrawableLevel& drawable, Random& random, int ro
       if (!has_surface(drawable.level->face(index))) continue;
       const BlockRequest request = any_request(*drawable.level, index, random);
       const PixelFormat format = random.chance(0.5) ? PixelFormat::kIndexed : PixelFormat::kRgb;
-      const bool vector_kernels = random.chance(0.7);
+      const bool simd_kernels = random.chance(0.7);
       SCOPED_TRACE(fmt::format("{}, round {}, face {}, tile {}, {}, mip {}, {}{}", drawable.name, round,
                                number, request.tile_s, request.tile_t, request.mip,
                                format == PixelFormat::kIndexed ? "indexed" : "rgb",
-                               vector_kernels ? "" : ", plain"));
-      expect_as_defined(drawable, request, format, vector_kernels, scratch);
+                               simd_kernels ? "" : ", plain"));
+      expect_as_defined(drawable, request, format, simd_kernels, scratch);
       if (testing::Test::HasFatalFailure()) return;
     }
 }
@@ -207,9 +209,9 @@ std::vector<SmallLevelVariant> lit_variants() {
 INSTANTIATE_TEST_SUITE_P(Variants, SurfacesOfSmallLevel, testing::ValuesIn(lit_variants()),
                          [](const auto& test) { return test.param.name; });
 
-// One face of any extent, from nothing to several tiles, anywhere in a texture of any size, with samples and
-// colors of noise.
-DrawableLevel level_of_noise(Random& random) {
+// One face of any extent, from nothing to several tiles, anywhere in a texture of any size, with random
+// samples and colors.
+DrawableLevel make_random_level(Random& random) {
   world::Level level;
   world::Texture texture;
   texture.width = static_cast<std::uint32_t>(random.log_uniform(1, 300));
@@ -250,12 +252,12 @@ TEST(Surfaces, OfNoiseAreAsDefined) {
   for (int seed = 0; seed < effort(1000, 100); ++seed) {
     SCOPED_TRACE(seed);
     Random random(static_cast<std::uint64_t>(seed));
-    expect_all_as_defined(level_of_noise(random), random, 3);
+    expect_all_as_defined(make_random_level(random), random, 3);
     if (HasFatalFailure()) return;
   }
 }
 
-// At every mip level, the tiles of a face lie side by side: together they are as large as the face.
+// At every mip level, the tiles of a face are adjacent: together they are as large as the face.
 TEST(SurfaceShapes, MakeUpTheFace) {
   for (std::int32_t extent = 16; extent <= 1600; extent += 16)
     for (int mip = 0; mip < 4; ++mip) {

@@ -1,4 +1,4 @@
-// Mip levels: the original's thresholds in cases worked out by hand; the footprint rule against texture
+// Mip levels: stock Quake's thresholds in cases computed by hand; the footprint rule against texture
 // coordinates differentiated numerically; the nearest depth against points sampled all over the face.
 #include "render/surfaces/choose_mip.h"
 
@@ -26,9 +26,9 @@ struct StockCase {
   int mip;
 };
 
-// With 160 pixels a unit (320x240, 90 degrees), a texel of a wall with texture axes of length 1 is as wide as
-// a pixel 160 units away; four tenths of one at 400, two tenths at 800. Shorter axes (larger texels) count
-// for less: below 0.99, 0.49 and 0.32 the distances are two, three and four times as large.
+// With 160 pixels per unit (320x240, 90 degrees), a texel of a wall with texture axes of length 1 is as wide
+// as a pixel at 160 units, four tenths of a pixel at 400, and two tenths at 800. Shorter axes (larger texels)
+// extend this: below 0.99, 0.49, and 0.32 the distances are two, three, and four times as large.
 TEST(StockMip, FollowsTheOriginalsThresholds) {
   ViewFrame view;
   view.perspective = true;
@@ -46,7 +46,7 @@ TEST(StockMip, FollowsTheOriginalsThresholds) {
         << stock.nearest_z << " units away, axes of " << stock.axes_length;
 }
 
-// In parallel, distance does not count.
+// In parallel projection, distance does not matter.
 TEST(StockMip, GoesByScaleInParallel) {
   ViewFrame view;
   view.perspective = false;
@@ -95,10 +95,10 @@ TEST_F(MipViews, ShowOneTexelAPixelAsNearlyAsTheyCan) {
   for (int seed = 0; seed < effort(20000, 2000); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const ViewFrame view = any_view(random);
-    const double texels_a_unit = random.log_uniform(0.1, 10);
+    const double texels_per_unit = random.log_uniform(0.1, 10);
     const Vec3d normal = glm::normalize(Vec3d(random.in_cube(1)) + Vec3d(0, 0, 1e-3));
-    const TexturedPlane plane{normal, Vec3d(random.in_cube(texels_a_unit)),
-                              Vec3d(random.in_cube(texels_a_unit)), random.uniform(-500, 500)};
+    const TexturedPlane plane{normal, Vec3d(random.in_cube(texels_per_unit)),
+                              Vec3d(random.in_cube(texels_per_unit)), random.uniform(-500, 500)};
     const double x = random.uniform(0, view.width), y = random.uniform(0, view.height);
     constexpr double kStep = 1e-3;  // pixels
     const auto left = plane.texels_at(view, x - kStep, y), right = plane.texels_at(view, x + kStep, y);
@@ -106,7 +106,7 @@ TEST_F(MipViews, ShowOneTexelAPixelAsNearlyAsTheyCan) {
     if (!left || !right || !above || !below) continue;
     const math::Vec2d across = (*right - *left) / (2 * kStep), down = (*below - *above) / (2 * kStep);
     const double texels = std::abs(across.x * down.y - across.y * down.x);
-    // Level k has 4^k times fewer texels: the one for which the number is nearest to 1, as a ratio.
+    // Level k has 4^k times fewer texels. The best level is the one for which the ratio is nearest to 1.
     const double level = std::log2(texels) / 2;
     if (std::abs(level - std::floor(level) - 0.5) < 1e-3) continue;
     const int expected = static_cast<int>(std::clamp(std::round(level), 0.0, 3.0));
@@ -121,8 +121,8 @@ TEST_F(MipViews, ShowOneTexelAPixelAsNearlyAsTheyCan) {
   for (const int count : chosen) EXPECT_GT(count, effort(500, 50));
 }
 
-// A triangle or a parallelogram about the line of sight, often partly outside the picture or behind the eye.
-std::vector<Vec3d> any_polygon(const ViewFrame& view, Random& random) {
+// A triangle or a parallelogram around the line of sight, often partly outside the picture or behind the eye.
+std::vector<Vec3d> random_polygon(const ViewFrame& view, Random& random) {
   const double size = random.log_uniform(1, 1000);
   const Vec3d middle = view.eye_world + view.axes.forward * random.uniform(-20, 500);
   const Vec3d a = middle + Vec3d(random.in_cube(size)), b = middle + Vec3d(random.in_cube(size));
@@ -136,8 +136,8 @@ TEST_F(MipViews, FindTheNearestDepthOnTheScreen) {
   for (int seed = 0; seed < effort(1000, 60); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const ViewFrame view = any_view(random);
-    const std::vector<Vec3d> corners = any_polygon(view, random);
-    // Samples: the nearest one that is on the picture, and the nearest one not far from it.
+    const std::vector<Vec3d> corners = random_polygon(view, random);
+    // Samples: the nearest one in the picture, and the nearest one close to the picture.
     double on_screen = view.depth(1e9), about_screen = on_screen;
     constexpr int kSamples = 300;
     for (int i = 0; i <= kSamples; ++i)

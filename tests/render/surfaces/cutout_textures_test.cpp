@@ -19,7 +19,7 @@ double opaque_share(const std::vector<std::uint8_t>& texels) {
 
 class CutoutTexture : public testing::Test {
  protected:
-  // A level with one texture, `width` by `height`, whose texels are those of `texel`.
+  // A level with one texture, `width` x `height`, whose texels are given by `texel`.
   template <typename Texel>
   const world::Texture& make(std::uint32_t width, std::uint32_t height, Texel texel) {
     level_.textures.resize(1);
@@ -40,7 +40,7 @@ class CutoutTexture : public testing::Test {
   CutoutTextures cutouts_;
 };
 
-// Wires of one texel, grids, foliage, bars: none grow thin far away.
+// Wires of one texel, grids, foliage, bars: none becomes thinner in the distance.
 TEST_F(CutoutTexture, KeepsAsMuchOfItOpaque) {
   const auto wire = [](std::uint32_t x, std::uint32_t y) { return x % 8 == 0 || y % 8 == 3; };
   const auto thin = [](std::uint32_t x, std::uint32_t) { return x % 16 == 5; };
@@ -55,7 +55,7 @@ TEST_F(CutoutTexture, KeepsAsMuchOfItOpaque) {
     const double share = opaque_share(texture.mips[0]);
     for (std::size_t mip = 1; mip < 4; ++mip) {
       EXPECT_NEAR(opaque_share(texture.mips[mip]), share, 0.06) << name << ", mip " << mip;
-      // Not in one heap: in each quarter alike.
+      // Distributed evenly: the same share in each quarter.
       const std::size_t quarter = texture.mips[mip].size() / 4;
       for (std::size_t i = 0; i < 4; ++i) {
         const auto begin = texture.mips[mip].begin() + static_cast<std::ptrdiff_t>(i * quarter);
@@ -70,7 +70,7 @@ TEST_F(CutoutTexture, KeepsAsMuchOfItOpaque) {
   expect_share(foliage, "foliage");
 }
 
-// What the clear texels' own color is shows nowhere, though a compiler's mip levels had it mixed in.
+// The color of clear texels shows nowhere, even if the compiler mixed it into the mip levels.
 TEST_F(CutoutTexture, HasNoFringes) {
   test::Random random(1);
   const world::Texture& texture = make(32, 32, [&](std::uint32_t, std::uint32_t) {
@@ -101,7 +101,7 @@ TEST_F(CutoutTexture, StaysWhollyClearOrOpaque) {
   }
 }
 
-// Texels on the right half only: none appear far from them on the left.
+// Opaque texels only in the right half: none appear far from them on the left.
 TEST_F(CutoutTexture, IsClearWhereAllIsClear) {
   const world::Texture& texture = make(64, 64, [](std::uint32_t x, std::uint32_t y) {
     return x >= 32 && (x + y) % 3 == 0 ? std::uint8_t{7} : kClearIndex;

@@ -1,5 +1,5 @@
-// Dynamic lights: their numbers at light samples against the definition in double precision, and what they
-// do to pictures: only what they should, and nothing once they have gone.
+// Dynamic lights: their values at light samples against the definition in double precision, and their effect
+// on pictures: only where they should have one, and none after they are gone.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace {
 using render::DynamicLight;
 using render::PixelFormat;
 
-// A plane of any slope with a texture in it, turned and scaled, and light samples of noise.
+// A plane of any slope with a texture, rotated and scaled, and random light samples.
 struct AnyFace {
   world::Level level;
   math::Vec3d normal, s_direction, t_direction;  // at right angles
@@ -41,7 +41,7 @@ AnyFace any_face(Random& random) {
   out.t_direction = basis.right;
   out.s_scale = random.log_uniform(0.25, 4);
   out.t_scale = random.log_uniform(0.25, 4);
-  // Texture axes need not lie in the plane.
+  // Texture axes need not be parallel to the plane.
   const auto axis = [&](const math::Vec3d& direction, double scale) {
     return math::Vec3(direction * scale + out.normal * random.uniform(-1, 1));
   };
@@ -65,7 +65,7 @@ AnyFace any_face(Random& random) {
   return out;
 }
 
-// The point of the face's plane, in its model's space, that shows a texel.
+// The point of the face's plane, in model space, that shows a texel.
 math::Vec3d point_of_texel(const AnyFace& any, double s, double t) {
   const world::Plane& plane = any.level.planes[0];
   const world::TextureAxes& axes = any.level.texture_axes[0];
@@ -80,8 +80,8 @@ struct LightThere {
   double amount;      // of light; not positive: none
   double to_the_end;  // units to where the light ends; negative beyond
 };
-LightThere light_at(const AnyFace& any, const DynamicLight& light, const math::Vec3d& light_model,
-                    const math::Vec3d& point_model) {
+LightThere sample_light(const AnyFace& any, const DynamicLight& light, const math::Vec3d& light_model,
+                        const math::Vec3d& point_model) {
   const math::Vec3d away = light_model - point_model;
   const double s = std::abs(glm::dot(away, any.s_direction)), t = std::abs(glm::dot(away, any.t_direction));
   const double distance = std::abs(glm::dot(away, any.normal)) + std::max(s, t) + std::min(s, t) / 2;
@@ -97,7 +97,7 @@ DynamicLight any_light_near(const math::Vec3d& point, Random& random) {
   return light;
 }
 
-// Positions of textures are single numbers of up to 1000 texels: a light's are exact to 1/1000 unit.
+// Texture positions are floats of up to 1000 texels, so a light's position is exact to 1/1000 unit.
 constexpr double kUnitsOff = 1e-3;
 
 TEST(DynamicLights, AddUpAtSamplesAsDefined) {
@@ -137,7 +137,7 @@ TEST(DynamicLights, AddUpAtSamplesAsDefined) {
       for (std::int32_t column = 0; column < grid.columns; ++column)
         for (std::size_t channel = 0; channel < sums.channels; ++channel) {
           const std::int32_t s = grid.first_column + column, t = grid.first_row + row;
-          double expected = 0, most_off = 1;
+          double expected = 0, max_error = 1;
           for (std::int32_t style = 0; style < face.style_count; ++style) {
             const std::int32_t sample = (style * face.light_height() + t) * face.light_width() + s;
             expected += any.level.light[static_cast<std::size_t>(sample)] *
@@ -150,23 +150,23 @@ TEST(DynamicLights, AddUpAtSamplesAsDefined) {
             const math::Vec3d light_model(glm::dot(away, model_view.x_axis),
                                           glm::dot(away, model_view.y_axis),
                                           glm::dot(away, model_view.z_axis));
-            const LightThere there = light_at(any, one, light_model, point);
+            const LightThere there = sample_light(any, one, light_model, point);
             const double factor = 256.0 * static_cast<double>(one.color[static_cast<int>(channel)]);
             if (there.to_the_end > 0) expected += there.amount * factor;
-            most_off += 1 + kUnitsOff * factor;
-            if (std::abs(there.to_the_end) < kUnitsOff) most_off += std::abs(there.amount) * factor;
+            max_error += 1 + kUnitsOff * factor;
+            if (std::abs(there.to_the_end) < kUnitsOff) max_error += std::abs(there.amount) * factor;
             ++(there.to_the_end > 0 ? lit : dark);
           }
           const std::size_t at =
               static_cast<std::size_t>(row * grid.columns + column) * sums.channels + channel;
-          ASSERT_NEAR(sums.values[at], expected, most_off) << s << ", " << t << ", channel " << channel;
+          ASSERT_NEAR(sums.values[at], expected, max_error) << s << ", " << t << ", channel " << channel;
         }
   }
   EXPECT_GT(lit, 1000u);
   EXPECT_GT(dark, 1000u);
 }
 
-// Whatever the numbers are: nothing, or light within bounds.
+// Whatever the numbers are: no light, or light within bounds.
 TEST(DynamicLights, OfNonsenseAreNone) {
   const float infinity = std::numeric_limits<float>::infinity(),
               none = std::numeric_limits<float>::quiet_NaN();
@@ -198,7 +198,7 @@ FrameCopy drawn(render::Renderer& io_renderer, const render::Scene& scene, Pixel
   render::FrameBuffer frame(320, 200, format);
   const render::FrameStats stats = io_renderer.render(scene, {}, frame);
   if (out_stats != nullptr) *out_stats = stats;
-  return copy_of(frame);
+  return copy_picture(frame);
 }
 
 // A little in front of the eye.
@@ -242,7 +242,7 @@ TEST(DynamicLights, LeaveAStockLevelAsItWas) {
   expect_put_back(stock_level(data, "lq_e0m1"), effort(20, 4));
 }
 
-// Each pixel on what kind of face.
+// The kind of face of each pixel.
 std::vector<const world::Face*> faces_of_pixels(const render::Renderer& renderer, const world::Level& level,
                                                 std::size_t pixels) {
   std::vector<render::PixelFace> shown(pixels);
@@ -297,7 +297,7 @@ TEST(DynamicLights, OfAColorAddThatColorToGrayLight) {
       ASSERT_GE(lit.rgb[i] & 0xff0000u, before.rgb[i] & 0xff0000u);
       redder += lit.rgb[i] != before.rgb[i];
     }
-    // A palette has no room for it.
+    // A palette lacks the colors for it.
     EXPECT_TRUE(drawn(renderer, with, PixelFormat::kIndexed) ==
                 drawn(renderer, with_white, PixelFormat::kIndexed));
   }
@@ -322,7 +322,7 @@ TEST(DynamicLights, LightFacesThatHaveNoSamples) {
   EXPECT_GT(differing_pixels(before, drawn(renderer, scene, PixelFormat::kRgb)), 10000u);
 }
 
-// A door that has moved, and a light that has moved with it: the door is lit as it was at home.
+// A door that has moved, and a light that has moved with it: the door is lit as at its original place.
 TEST(DynamicLights, FollowModelsThatMoved) {
   const DrawableLevel drawable = small_level();
   const world::Level& level = *drawable.level;
@@ -351,7 +351,7 @@ TEST(DynamicLights, FollowModelsThatMoved) {
   }
 }
 
-// Two instances of one brush model, one of them beside a light: each has a surface of its own.
+// Two instances of one brush model, one of them beside a light: each has its own block.
 TEST(DynamicLights, TellInstancesOfAModelApart) {
   const DrawableLevel drawable = small_level();
   const world::Model& door = drawable.level->models[1];
@@ -369,16 +369,16 @@ TEST(DynamicLights, TellInstancesOfAModelApart) {
         .level = drawable.level.get(), .camera = camera, .brush_models = doors, .lights = lights};
     for (const bool lit : {true, false, true}) {
       scene.lights = lit ? std::span<const DynamicLight>(lights) : std::span<const DynamicLight>();
-      render::FrameBuffer kept(320, 200, PixelFormat::kRgb), anew(320, 200, PixelFormat::kRgb);
+      render::FrameBuffer kept(320, 200, PixelFormat::kRgb), fresh(320, 200, PixelFormat::kRgb);
       warm.render(scene, {}, kept);
       render::Renderer cold(drawable.palette, drawable.colormap);
-      cold.render(scene, {.surface_cache = false}, anew);
-      EXPECT_TRUE(copy_of(kept) == copy_of(anew)) << "view " << number;
+      cold.render(scene, {.surface_cache = false}, fresh);
+      EXPECT_TRUE(copy_picture(kept) == copy_picture(fresh)) << "view " << number;
     }
   }
 }
 
-// The start of a level, with and without lights in it; to be looked at with TEMBLOR_PICTURES.
+// The start of a level, with and without lights. View it with TEMBLOR_PICTURES.
 class LightsOnStockLevel : public testing::TestWithParam<const char*> {};
 TEST_P(LightsOnStockLevel, AreSeen) {
   DATA_FOLDER_OR_SKIP(data);
@@ -402,7 +402,7 @@ TEST_P(LightsOnStockLevel, AreSeen) {
       render::FrameBuffer before(800, 600, format), lit(800, 600, format);
       renderer.render(without, {}, before);
       renderer.render(with, {}, lit);
-      changed += differing_pixels(copy_of(before), copy_of(lit));
+      changed += differing_pixels(copy_picture(before), copy_picture(lit));
       const std::string name = fmt::format("lights-{}-{}-{}", GetParam(), number,
                                            format == PixelFormat::kIndexed ? "indexed" : "rgb");
       show_picture(name + "-before", before, drawable.palette);

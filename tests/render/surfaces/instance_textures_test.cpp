@@ -1,5 +1,5 @@
 // Two instances of one brush model at different frames of an animation: each shows its own texture, and the
-// surfaces of both are kept.
+// blocks of both are kept.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace temblor::test {
 namespace {
 
-// The level with an alternate frame for every texture: the texture after it.
+// The level, with the next texture as the alternate frame of every texture.
 std::shared_ptr<const world::Level> with_alternates(const world::Level& original) {
   auto level = std::make_shared<world::Level>(original);
   level->identity = std::make_shared<const world::LevelIdentity>();

@@ -16,21 +16,21 @@ Mark mark_at(float x, std::uint32_t seed = 1) {
 
 TEST(Marks, AFaceWithoutMarksHasNone) {
   const MarkSet set;
-  EXPECT_TRUE(set.of_face(kFace).empty());
+  EXPECT_TRUE(set.marks_on_face(kFace).empty());
   EXPECT_EQ(set.revision(kFace), 0u);
   EXPECT_EQ(set.size(), 0u);
 }
 
 TEST(Marks, TheOldestGivesWay) {
   MarkSet set;
-  const std::size_t added = MarkSet::kMarksAFace + 3;
+  const std::size_t added = MarkSet::kMarksPerFace + 3;
   for (std::size_t i = 0; i < added; ++i) set.add(kFace, mark_at(static_cast<float>(i)));
   set.add(kOther, mark_at(100));
-  ASSERT_EQ(set.of_face(kFace).size(), MarkSet::kMarksAFace);
-  for (std::size_t i = 0; i < MarkSet::kMarksAFace; ++i)
-    EXPECT_EQ(set.of_face(kFace)[i].position_model.x, static_cast<float>(i + 3));
-  EXPECT_EQ(set.of_face(kOther).size(), 1u);
-  EXPECT_EQ(set.size(), MarkSet::kMarksAFace + 1);
+  ASSERT_EQ(set.marks_on_face(kFace).size(), MarkSet::kMarksPerFace);
+  for (std::size_t i = 0; i < MarkSet::kMarksPerFace; ++i)
+    EXPECT_EQ(set.marks_on_face(kFace)[i].position_model.x, static_cast<float>(i + 3));
+  EXPECT_EQ(set.marks_on_face(kOther).size(), 1u);
+  EXPECT_EQ(set.size(), MarkSet::kMarksPerFace + 1);
   set.clear();
   EXPECT_EQ(set.size(), 0u);
   EXPECT_EQ(set.revision(kFace), 0u);
@@ -38,9 +38,9 @@ TEST(Marks, TheOldestGivesWay) {
 
 TEST(Marks, EqualMarksHaveEqualRevisionsInAnySet) {
   MarkSet one, two;
-  // The second set reaches the same marks by another way: older ones have given way.
+  // The second set reaches the same marks in another way: older ones were replaced.
   for (int i = 0; i < 5; ++i) two.add(kFace, mark_at(1000));
-  for (std::size_t i = 0; i < MarkSet::kMarksAFace; ++i) {
+  for (std::size_t i = 0; i < MarkSet::kMarksPerFace; ++i) {
     one.add(kFace, mark_at(static_cast<float>(i)));
     two.add(kFace, mark_at(static_cast<float>(i)));
   }

@@ -1,4 +1,4 @@
-// Marks: where they lie on a face, that they look alike on all tiles and mip levels, and what they cost.
+// Marks: where they are on a face, that they look the same on all tiles and mip levels, and what they cost.
 #include "render/surfaces/paint_marks.h"
 
 #include <fmt/format.h>
@@ -31,14 +31,14 @@ constexpr std::uint8_t kGray = 200;
 constexpr std::uint32_t kGrayRgb = 0xffc8c8c8u;
 
 // A palette of grays with some reds; the last 32 are full-bright.
-DrawableLevel gray_level(std::int32_t mins, std::int32_t extent, double texels_a_unit) {
+DrawableLevel gray_level(std::int32_t mins, std::int32_t extent, double texels_per_unit) {
   world::Level level;
   world::Texture texture{};
   texture.width = texture.height = 16;
   for (std::uint32_t mip = 0; mip < 4; ++mip) texture.mips[mip].assign((16u >> mip) * (16u >> mip), kGray);
   level.textures.push_back(texture);
   level.planes.push_back({{0, 0, 1}, 0, 2});
-  const auto scale = static_cast<float>(texels_a_unit);
+  const auto scale = static_cast<float>(texels_per_unit);
   level.texture_axes.push_back({{scale, 0, 0}, 0, {0, scale, 0}, 0});
   world::Face face{};
   face.kind = world::FaceKind::kLit;
@@ -69,9 +69,9 @@ struct Block {
 
 Block build(const DrawableLevel& drawable, std::span<const Mark> marks, PixelFormat format, int mip,
             int tile = 0) {
-  // All of these levels have one palette.
+  // All of these levels have the same palette.
   static const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
-  static const render::MarkLook look(tables);
+  static const render::MarkTables look(tables);
   const render::SurfaceShape shape = render::surface_shape(drawable.level->faces[0], tile, 0, mip);
   std::vector<std::byte> bytes(shape.texels() * 4 + render::kBlockPadding);
   render::BlockRequest request{};
@@ -93,7 +93,7 @@ Block build(const DrawableLevel& drawable, std::span<const Mark> marks, PixelFor
   return block;
 }
 
-double green_of(std::uint32_t color) {
+double green(std::uint32_t color) {
   return static_cast<double>(color >> 8 & 255);
 }
 
@@ -109,21 +109,21 @@ Mark any_mark(MarkKind kind, Random& random) {
 }
 
 TEST(Marks, CoverAPartOfTheirCircleAndNothingElse) {
-  for (const double texels_a_unit : {0.5, 1.0, 3.0})
+  for (const double texels_per_unit : {0.5, 1.0, 3.0})
     for (const PixelFormat format : kFormats)
       for (const MarkKind kind : kKinds)
         for (int seed = 0; seed < 20; ++seed) {
           Random random(static_cast<std::uint64_t>(seed));
-          const DrawableLevel drawable = gray_level(0, 256, texels_a_unit);
+          const DrawableLevel drawable = gray_level(0, 256, texels_per_unit);
           const Mark mark = any_mark(kind, random);
           const Block block = build(drawable, {&mark, 1}, format, 0);
           std::size_t inside = 0, covered = 0;
           for (int y = 0; y < 256; ++y)
             for (int x = 0; x < 256; ++x) {
-              const double away_x = (x + 0.5) / texels_a_unit - static_cast<double>(mark.position_model.x);
-              const double away_y = (y + 0.5) / texels_a_unit - static_cast<double>(mark.position_model.y);
+              const double away_x = (x + 0.5) / texels_per_unit - static_cast<double>(mark.position_model.x);
+              const double away_y = (y + 0.5) / texels_per_unit - static_cast<double>(mark.position_model.y);
               const double away = std::sqrt(away_x * away_x + away_y * away_y);
-              if (away > static_cast<double>(mark.radius) * 1.05 + 1.5 / texels_a_unit) {
+              if (away > static_cast<double>(mark.radius) * 1.05 + 1.5 / texels_per_unit) {
                 ASSERT_EQ(block.at(x, y), kGrayRgb) << x << ", " << y;
                 continue;
               }
@@ -163,8 +163,8 @@ TEST(Marks, CrossTheBordersOfTiles) {
   }
 }
 
-// At each mip level, a texel is nearly the mean of those of mip 0 that it stands for, and all of them
-// together as dark.
+// At each mip level, a texel is nearly the mean of the texels of mip 0 under it, and the whole is as dark as
+// at mip 0.
 TEST(Marks, LookAlikeOnEveryMipLevel) {
   const DrawableLevel drawable = gray_level(0, 256, 2);
   for (const MarkKind kind : kKinds)
@@ -174,7 +174,7 @@ TEST(Marks, LookAlikeOnEveryMipLevel) {
       mark.radius = static_cast<float>(random.uniform(8, 50));
       const Block full = build(drawable, {&mark, 1}, PixelFormat::kRgb, 0);
       double all_full = 0;
-      for (const std::uint32_t texel : full.texels) all_full += kGray - green_of(texel);
+      for (const std::uint32_t texel : full.texels) all_full += kGray - green(texel);
       for (int mip = 1; mip < 4; ++mip) {
         SCOPED_TRACE(fmt::format("kind {}, seed {}, mip {}", static_cast<int>(kind), seed, mip));
         const Block block = build(drawable, {&mark, 1}, PixelFormat::kRgb, mip);
@@ -184,8 +184,8 @@ TEST(Marks, LookAlikeOnEveryMipLevel) {
           for (int x = 0; x < block.shape.width; ++x) {
             double mean = 0;
             for (int i = 0; i < side * side; ++i)
-              mean += green_of(full.at(x * side + i % side, y * side + i / side)) / (side * side);
-            const double here = green_of(block.at(x, y));
+              mean += green(full.at(x * side + i % side, y * side + i / side)) / (side * side);
+            const double here = green(block.at(x, y));
             squares += (here - mean) * (here - mean);
             dark_squares += (kGray - mean) * (kGray - mean);
             all += (kGray - here) * side * side;
@@ -211,7 +211,7 @@ TEST(Marks, WithSeedsOfTheirOwnLookDifferent) {
 TEST(Marks, NeverGlow) {
   const DrawableLevel drawable = gray_level(0, 16, 1);
   const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
-  const render::MarkLook look(tables);
+  const render::MarkTables look(tables);
   for (const MarkKind kind : kKinds)
     for (float opacity = 0; opacity <= 1; opacity += 1.0f / 64)
       for (const float shade : {0.0f, 0.4f, 1.0f})
@@ -248,9 +248,9 @@ render::FrameStats draw(render::Renderer& io_renderer, const render::Scene& scen
   return io_renderer.render(scene, {}, io_frame);
 }
 
-// Marks where the spans of a frame are: each on the face and at the point that a pixel shows.
+// Marks at the pixels of a frame: each on the face and at the point that the pixel shows.
 void add_marks_in_sight(const render::Renderer& renderer, const render::Scene& scene,
-                        const render::FrameBuffer& frame, int count, float most_radius, Random& io_random,
+                        const render::FrameBuffer& frame, int count, float max_radius, Random& io_random,
                         render::MarkSet& io_marks) {
   const render::ViewFrame view = render::make_view_frame(scene, frame.width(), frame.height());
   std::vector<render::PixelFace> faces(frame.pixel_count());
@@ -268,7 +268,7 @@ void add_marks_in_sight(const render::Renderer& renderer, const render::Scene& s
     io_marks.add(world::FaceIndex{faces[pixel].face},
                  {.kind = kind,
                   .position_model = math::Vec3(point),
-                  .radius = kind == MarkKind::kBulletHole ? std::min(3.0f, most_radius) : most_radius,
+                  .radius = kind == MarkKind::kBulletHole ? std::min(3.0f, max_radius) : max_radius,
                   .seed = static_cast<std::uint32_t>(io_random.bits())});
   }
 }
@@ -282,29 +282,29 @@ TEST_P(MarksOnStockLevel, CostOnceAndLieWhereTheyWereMade) {
     Random random(number);
     const Viewpoint viewpoint{.camera = cameras[number], .brush_models = shown_brush_models(*drawable.level)};
     render::Scene scene = viewpoint.scene(*drawable.level);
-    scene.light_styles = world::light_as_stored();
+    scene.light_styles = world::make_stored_light_styles();
     for (const PixelFormat format : kFormats) {
       render::Renderer renderer(drawable.palette, drawable.colormap);
       render::FrameBuffer frame(800, 600, format);
       draw(renderer, scene, frame);
-      const FrameCopy before = copy_of(frame);
+      const FrameCopy before = copy_picture(frame);
       render::MarkSet marks;
       add_marks_in_sight(renderer, scene, frame, 60, 20, random, marks);
       scene.marks = &marks;
       EXPECT_GT(draw(renderer, scene, frame).surfaces_built, 0u);
-      const FrameCopy marked = copy_of(frame);
+      const FrameCopy marked = copy_picture(frame);
       EXPECT_GT(differing_pixels(before, marked), 2000u);
       show_picture(fmt::format("marks-{}-{}-{}", GetParam(), number,
                                format == PixelFormat::kIndexed ? "indexed" : "rgb"),
                    frame, drawable.palette);
       EXPECT_EQ(draw(renderer, scene, frame).surfaces_built, 0u) << "marks that stay cost nothing";
-      // What was forgotten is made again as it was.
+      // Dropped blocks are rebuilt identically.
       renderer.drop_surfaces();
       draw(renderer, scene, frame);
-      EXPECT_TRUE(copy_of(frame) == marked);
+      EXPECT_TRUE(copy_picture(frame) == marked);
       scene.marks = nullptr;
       draw(renderer, scene, frame);
-      EXPECT_TRUE(copy_of(frame) == before);
+      EXPECT_TRUE(copy_picture(frame) == before);
     }
   }
 }
@@ -332,7 +332,7 @@ TEST(Marks, OfAFaceBuildThatFaceOnly) {
   EXPECT_GT(with_a_mark, 10u);
 }
 
-// Light falls on marks as on the face: in the dark they are not seen.
+// Marks are lit like their face: in the dark they are invisible.
 TEST(Marks, AreLitLikeTheirFace) {
   DrawableLevel drawable = gray_level(0, 64, 1);
   world::Level dark = *drawable.level;

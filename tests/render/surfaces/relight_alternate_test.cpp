@@ -1,4 +1,4 @@
-// Relighting in alternate frames: which light each face shows, whatever was drawn before, and that each frame
+// Relighting in alternate frames: which light each face shows, whatever was drawn before; and that each frame
 // builds about half of what changed.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using render::PixelFormat;
 
 constexpr render::Settings kAlternate{.relight_alternate = true};
 
-// One place under two lights.
+// One view under two lights.
 struct TwoLights {
   Viewpoint now, before;
   render::SceneLight light_before;
@@ -42,7 +42,7 @@ FrameCopy drawn(render::Renderer& io_renderer, const render::Scene& scene, const
   render::FrameBuffer frame(320, 200, format);
   const render::FrameStats stats = io_renderer.render(scene, settings, frame);
   if (out_stats != nullptr) *out_stats = stats;
-  return copy_of(frame);
+  return copy_picture(frame);
 }
 
 void expect_faces_in_turn(const DrawableLevel& drawable, int views) {
@@ -82,7 +82,7 @@ TEST(RelightAlternate, ShowsEachFaceOfAStockLevelInTheLightOfItsTurn) {
   expect_faces_in_turn(stock_level(data, "lq_e0m1"), 12);
 }
 
-// As a game would: each frame hands the next one its light.
+// Like a game: each frame passes its light to the next one.
 TEST(RelightAlternate, BuildsHalfOfTheSurfacesInEachFrame) {
   DATA_FOLDER_OR_SKIP(data);
   const DrawableLevel drawable = stock_level(data, "lq_e1m2");

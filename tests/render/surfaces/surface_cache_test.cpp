@@ -1,4 +1,4 @@
-// The surface cache against a list of what it should hold: least recently used first out, a budget that is
+// The surface cache against a list of what it should hold: least recently used out first, a budget that is
 // never exceeded, blocks of the frame that stay, and contents that make a block stale.
 #include "render/surfaces/surface_cache.h"
 
@@ -22,8 +22,8 @@ using render::SurfaceBlock;
 using render::SurfaceCache;
 using render::SurfaceShape;
 
-// Lit faces of one tile each: as far as the cache looks at a level.
-world::Level level_of_faces(std::size_t count, std::int32_t extent = 16) {
+// Lit faces of one tile each: all that the cache looks at in a level.
+world::Level make_level(std::size_t count, std::int32_t extent = 16) {
   world::Level level;
   world::Face face{};
   face.kind = world::FaceKind::kLit;
@@ -44,15 +44,15 @@ BlockContents contents(std::uint16_t light, std::size_t texture = 0, std::uint64
 }
 
 // Whole cache lines.
-std::size_t bytes_of(SurfaceShape shape, std::size_t bytes_per_texel) {
+std::size_t allocated_bytes(SurfaceShape shape, std::size_t bytes_per_texel) {
   return (shape.texels() * bytes_per_texel + render::kBlockPadding + 63) / 64 * 64;
 }
 
 constexpr SurfaceShape kSmall{16, 16};
 constexpr std::size_t kSmallBytes = 16 * 16 + render::kBlockPadding;
-constexpr std::size_t kPlenty = 1 << 20;
+constexpr std::size_t kAmpleBytes = 1 << 20;
 
-// One frame that looks up faces' mip 0, each with its contents: all finds first, then room for the rest.
+// One frame that looks up mip 0 of faces, each with its contents: first finds all, then reserves the rest.
 struct Wanted {
   std::size_t face;
   BlockContents contents{};
@@ -85,7 +85,7 @@ class Frames {
     }
     return seen;
   }
-  // Which of the wanted were built anew.
+  // The requests whose blocks had to be built.
   std::vector<bool> built(const std::vector<Wanted>& wanted) {
     std::vector<bool> built;
     for (const Seen& seen : draw(wanted)) built.push_back(seen.built);
@@ -103,8 +103,8 @@ class Frames {
 using Built = std::vector<bool>;
 
 TEST(SurfaceCache, BuildsABlockOnce) {
-  const world::Level level = level_of_faces(3);
-  Frames frames(level, kPlenty);
+  const world::Level level = make_level(3);
+  Frames frames(level, kAmpleBytes);
   EXPECT_EQ(frames.built({{0}, {1}}), (Built{true, true}));
   EXPECT_EQ(frames.built({{0}, {1}, {2}}), (Built{false, false, true}));
   EXPECT_EQ(frames.cache().counts().hits, 2u);
@@ -113,20 +113,20 @@ TEST(SurfaceCache, BuildsABlockOnce) {
 }
 
 TEST(SurfaceCache, KeepsEachMipLevelApart) {
-  const world::Level level = level_of_faces(1);
-  Frames frames(level, kPlenty);
+  const world::Level level = make_level(1);
+  Frames frames(level, kAmpleBytes);
   const std::vector<Wanted> all = {{0, {}, 0}, {0, {}, 1}, {0, {}, 2}, {0, {}, 3}};
   EXPECT_EQ(frames.built(all), (Built{true, true, true, true}));
   EXPECT_EQ(frames.built(all), (Built{false, false, false, false}));
 }
 
-// Faces, tiles and mip levels are told apart.
+// Faces, tiles, and mip levels have separate slots.
 TEST(SurfaceCache, HasASlotForEachTileAndMipLevel) {
-  world::Level level = level_of_faces(2, 600);        // 3 x 3 tiles
-  level.faces.push_back(level_of_faces(1).faces[0]);  // one
-  level.faces.insert(level.faces.begin(), level_of_faces(1, 256).faces[0]);
+  world::Level level = make_level(2, 600);        // 3 x 3 tiles
+  level.faces.push_back(make_level(1).faces[0]);  // one
+  level.faces.insert(level.faces.begin(), make_level(1, 256).faces[0]);
   SurfaceCache cache;
-  cache.begin_frame(level, 1, kPlenty, true);
+  cache.begin_frame(level, 1, kAmpleBytes, true);
   std::vector<std::size_t> slots;
   for (std::size_t number = 0; number < level.faces.size(); ++number)
     for (std::size_t tile = 0; tile < (level.faces[number].texture_extents[0] == 600 ? 9u : 1u); ++tile)
@@ -136,7 +136,7 @@ TEST(SurfaceCache, HasASlotForEachTileAndMipLevel) {
 }
 
 TEST(SurfaceCache, EvictsTheLeastRecentlyUsed) {
-  const world::Level level = level_of_faces(5);
+  const world::Level level = make_level(5);
   Frames frames(level, 3 * kSmallBytes);
   frames.draw({{0}, {1}, {2}});
   frames.draw({{0}});
@@ -148,8 +148,8 @@ TEST(SurfaceCache, EvictsTheLeastRecentlyUsed) {
   EXPECT_EQ(frames.built({{0}}), (Built{true}));
 }
 
-TEST(SurfaceCache, NeverEvictsWhatTheFrameUses) {
-  const world::Level level = level_of_faces(4);
+TEST(SurfaceCache, NeverEvictsBlocksOfTheFrame) {
+  const world::Level level = make_level(4);
   Frames frames(level, 2 * kSmallBytes);
   frames.draw({{0}, {1}});
   const std::vector<Seen> seen = frames.draw({{0}, {1}, {2}, {3}});
@@ -159,24 +159,24 @@ TEST(SurfaceCache, NeverEvictsWhatTheFrameUses) {
   EXPECT_EQ(frames.cache().bytes_in_use(), 2 * kSmallBytes);
 }
 
-TEST(SurfaceCache, ForgetsWhatWasOverTheBudget) {
-  const world::Level level = level_of_faces(2);
+TEST(SurfaceCache, DropsBlocksOverTheBudgetAfterTheFrame) {
+  const world::Level level = make_level(2);
   Frames frames(level, kSmallBytes);
   EXPECT_EQ(frames.built({{0}, {1}}), (Built{true, true}));
   EXPECT_EQ(frames.built({{0}, {1}}), (Built{false, true}));
 }
 
 TEST(SurfaceCache, WorksWithoutAnyBudget) {
-  const world::Level level = level_of_faces(3);
+  const world::Level level = make_level(3);
   Frames frames(level, 0);
   for (int frame = 0; frame < 2; ++frame) EXPECT_EQ(frames.built({{0}, {1}, {2}}), (Built{true, true, true}));
   EXPECT_EQ(frames.cache().bytes_in_use(), 0u);
   EXPECT_EQ(frames.cache().counts().over_budget, 3u);
 }
 
-TEST(SurfaceCache, RebuildsInPlaceWhatShowsOtherLight) {
-  const world::Level level = level_of_faces(1);
-  Frames frames(level, kPlenty);
+TEST(SurfaceCache, RebuildsBlocksWithOtherLightInPlace) {
+  const world::Level level = make_level(1);
+  Frames frames(level, kAmpleBytes);
   BlockContents shown = contents(1);
   const std::byte* texels = frames.draw({{0, shown}})[0].block.texels;
   const auto expect_rebuilt = [&] {
@@ -194,11 +194,11 @@ TEST(SurfaceCache, RebuildsInPlaceWhatShowsOtherLight) {
   EXPECT_EQ(frames.cache().bytes_in_use(), kSmallBytes);
 }
 
-// Two doors of one brush model, with two frames of a texture: neither may show the other's, and both are
-// kept.
+// Two doors with the same brush model show two frames of a texture: neither may show the other's, and both
+// are kept.
 TEST(SurfaceCache, KeepsABlockForEachTextureOfAFace) {
-  const world::Level level = level_of_faces(1);
-  Frames frames(level, kPlenty);
+  const world::Level level = make_level(1);
+  Frames frames(level, kAmpleBytes);
   const std::vector<Wanted> both = {{0, contents(1, 3)}, {0, contents(1, 4)}};
   const std::vector<Seen> first = frames.draw(both);
   EXPECT_TRUE(first[0].built && first[1].built);
@@ -213,7 +213,7 @@ TEST(SurfaceCache, KeepsABlockForEachTextureOfAFace) {
   EXPECT_EQ(frames.cache().bytes_in_use(), 2 * kSmallBytes);
 }
 TEST(SurfaceCache, EvictsOneTextureOfAFaceAndKeepsTheOthers) {
-  const world::Level level = level_of_faces(1);
+  const world::Level level = make_level(1);
   for (std::size_t evicted = 0; evicted < 3; ++evicted) {
     Frames frames(level, 3 * kSmallBytes);
     std::vector<Wanted> kept;
@@ -227,19 +227,19 @@ TEST(SurfaceCache, EvictsOneTextureOfAFaceAndKeepsTheOthers) {
   }
 }
 TEST(SurfaceCache, BuildsOneBlockForEqualContentsOfOneFace) {
-  const world::Level level = level_of_faces(1);
-  Frames frames(level, kPlenty);
+  const world::Level level = make_level(1);
+  Frames frames(level, kAmpleBytes);
   const std::vector<Seen> seen = frames.draw({{0, contents(1)}, {0, contents(1)}});
   EXPECT_TRUE(seen[0].built);
   EXPECT_FALSE(seen[1].built);
   EXPECT_EQ(seen[0].block.texels, seen[1].block.texels);
 }
 
-TEST(SurfaceCache, ForgetsEverythingOnAnotherLevelOrFormat) {
-  const world::Level level = level_of_faces(1), other = level_of_faces(2);
+TEST(SurfaceCache, DropsEverythingForAnotherLevelOrFormat) {
+  const world::Level level = make_level(1), other = make_level(2);
   SurfaceCache cache;
   const auto is_built = [&](const world::Level& now, std::size_t bytes_per_texel) {
-    cache.begin_frame(now, bytes_per_texel, kPlenty, true);
+    cache.begin_frame(now, bytes_per_texel, kAmpleBytes, true);
     SurfaceCache::Lookup lookup;
     const std::size_t slot = cache.slot(face(0), 0, 0);
     if (cache.find(slot, {}, lookup)) return lookup.must_build;
@@ -248,19 +248,19 @@ TEST(SurfaceCache, ForgetsEverythingOnAnotherLevelOrFormat) {
   EXPECT_TRUE(is_built(level, 1));
   EXPECT_FALSE(is_built(level, 1));
   EXPECT_TRUE(is_built(level, 4));
-  EXPECT_EQ(cache.bytes_in_use(), bytes_of(kSmall, 4));
+  EXPECT_EQ(cache.bytes_in_use(), allocated_bytes(kSmall, 4));
   EXPECT_TRUE(is_built(other, 4));
   EXPECT_TRUE(is_built(level, 4));
   EXPECT_FALSE(is_built(level, 4));
-  cache.forget();
+  cache.clear();
   EXPECT_EQ(cache.bytes_in_use(), 0u);
   EXPECT_TRUE(is_built(level, 4));
 }
 
-// A light comes, moves, and goes: what it fell on is built for it, and what was there before is there again.
-TEST(SurfaceCache, KeepsWhatDynamicLightFallsOn) {
-  const world::Level level = level_of_faces(1);
-  Frames frames(level, kPlenty);
+// A light comes, moves, and goes: lit blocks are built for it, and the blocks without it are still there.
+TEST(SurfaceCache, KeepsBlocksWithDynamicLight) {
+  const world::Level level = make_level(1);
+  Frames frames(level, kAmpleBytes);
   const SurfaceBlock unlit = frames.draw({{0, contents(1)}})[0].block;
   const Seen lit = frames.draw({{0, contents(1, 0, 7)}})[0];
   EXPECT_TRUE(lit.built);
@@ -274,10 +274,10 @@ TEST(SurfaceCache, KeepsWhatDynamicLightFallsOn) {
 }
 
 TEST(SurfaceCache, KeepsNothingWhileItIsOff) {
-  const world::Level level = level_of_faces(1);
+  const world::Level level = make_level(1);
   SurfaceCache cache;
   const auto is_built = [&](bool enabled) {
-    cache.begin_frame(level, 1, kPlenty, enabled);
+    cache.begin_frame(level, 1, kAmpleBytes, enabled);
     SurfaceCache::Lookup lookup;
     return !cache.find(cache.slot(face(0), 0, 0), {}, lookup) &&
            cache.reserve(cache.slot(face(0), 0, 0), {}, kSmall).must_build;
@@ -290,9 +290,9 @@ TEST(SurfaceCache, KeepsNothingWhileItIsOff) {
 }
 
 TEST(SurfaceCache, ShrinksToASmallerBudgetWithTheNextFrame) {
-  const world::Level level = level_of_faces(4);
+  const world::Level level = make_level(4);
   SurfaceCache cache;
-  cache.begin_frame(level, 1, kPlenty, true);
+  cache.begin_frame(level, 1, kAmpleBytes, true);
   for (std::size_t number = 0; number < 4; ++number)
     cache.reserve(cache.slot(face(number), 0, 0), {}, kSmall);
   cache.begin_frame(level, 1, 2 * kSmallBytes, true);
@@ -302,9 +302,10 @@ TEST(SurfaceCache, ShrinksToASmallerBudgetWithTheNextFrame) {
   EXPECT_TRUE(cache.find(cache.slot(face(2), 0, 0), {}, lookup));
 }
 
-// What the cache should hold, from the least recently used on; a list, searched. How many blocks must go
-// before a hole is large enough depends on where they lie: the list is told, and sees to it that they were
-// the oldest, none of them in use, and enough for the budget.
+// The model of the cache: a list of blocks, from the least recently used on. How many blocks must be evicted
+// before a hole is large enough depends on their addresses. So the list takes that number from the cache, and
+// checks that the evicted blocks were the oldest ones, that none of them was in use, and that they were
+// enough for the budget.
 class Expectation {
  public:
   struct Block {
@@ -325,11 +326,11 @@ class Expectation {
   bool find(std::size_t slot, const BlockContents& wanted) {
     const auto block = with(slot, wanted);
     if (block == blocks.end()) return false;
-    counts.hits += !block->in_frame;  // pieces of a face share a block, and count once
+    counts.hits += !block->in_frame;  // fragments of a face share a block and count once
     use(block);
     return true;
   }
-  // Whether it must be built.
+  // Returns whether the block must be built.
   struct Outcome {
     std::uint32_t evicted;
     bool kept;
@@ -372,7 +373,7 @@ class Expectation {
     return std::find_if(blocks.begin(), blocks.end(),
                         [&](const Block& block) { return block.slot == slot && block.contents == wanted; });
   }
-  // The last one made of those that may be built anew.
+  // The newest of the blocks that may be rebuilt.
   std::list<Block>::iterator stale(std::size_t slot, const BlockContents& wanted) {
     auto last = blocks.end();
     for (auto block = blocks.begin(); block != blocks.end(); ++block) {
@@ -391,25 +392,25 @@ class Expectation {
   std::uint64_t blocks_made_ = 0;
 };
 
-// A lookup, and how its block is known again: every byte of it.
-struct Drawn {
+// A lookup, and the byte that fills its block.
+struct DrawnFrame {
   std::size_t slot;
   BlockContents contents;
   SurfaceShape shape;
   SurfaceBlock block;
 };
-std::byte mark_of(const Drawn& drawn) {
+std::byte fill_byte(const DrawnFrame& drawn) {
   return static_cast<std::byte>(drawn.slot * 31 + base::to_size(drawn.contents.texture) * 11 +
                                 drawn.contents.style_values[0] * 7 + drawn.contents.lights * 5 + 1);
 }
 
 TEST(SurfaceCache, FollowsTheListThroughAnyFrames) {
   constexpr std::size_t kFaces = 30;
-  const world::Level level = level_of_faces(kFaces);
+  const world::Level level = make_level(kFaces);
   for (int seed = 0; seed < effort(60, 6); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const std::size_t bytes_per_texel = random.chance(0.5) ? 1 : 4;
-    // Every slot has one shape, as every tile of a face has at a mip level.
+    // Every slot has one shape, like every tile of a face at a mip level.
     std::map<std::size_t, SurfaceShape> shapes;
     SurfaceCache cache;
     Expectation expected;
@@ -418,10 +419,11 @@ TEST(SurfaceCache, FollowsTheListThroughAnyFrames) {
       const std::size_t budget_bytes = random.chance(0.9) ? 40000 * bytes_per_texel : random.below(100000);
       cache.begin_frame(level, bytes_per_texel, budget_bytes, true);
       expected.begin_frame(budget_bytes);
-      // A face's light styles are one in a frame; its texture and the lights on it are an instance's own.
+      // Within a frame, a face has one set of style values; texture and dynamic lights depend on the
+      // instance.
       std::map<std::size_t, std::uint16_t> lights;
-      std::vector<Drawn> wanted(random.below(25)), found, missing;
-      for (Drawn& drawn : wanted) {
+      std::vector<DrawnFrame> wanted(random.below(25)), found, missing;
+      for (DrawnFrame& drawn : wanted) {
         drawn.slot = cache.slot(face(random.below(kFaces)), 0, static_cast<int>(random.below(2)));
         const auto light = static_cast<std::uint16_t>(random.below(3) == 0);
         drawn.contents =
@@ -434,24 +436,25 @@ TEST(SurfaceCache, FollowsTheListThroughAnyFrames) {
         drawn.block = hit ? lookup.block : SurfaceBlock{};
         (hit ? found : missing).push_back(drawn);
       }
-      for (Drawn& drawn : missing) {
+      for (DrawnFrame& drawn : missing) {
         const render::CacheCounts before = cache.counts();
         const SurfaceCache::Lookup lookup = cache.reserve(drawn.slot, drawn.contents, drawn.shape);
         const Expectation::Outcome outcome = {cache.counts().evictions - before.evictions,
                                               cache.counts().over_budget == before.over_budget};
         const std::size_t bytes = drawn.shape.texels() * bytes_per_texel + render::kBlockPadding;
-        ASSERT_EQ(lookup.must_build, expected.reserve(drawn.slot, drawn.contents,
-                                                      bytes_of(drawn.shape, bytes_per_texel), outcome));
+        ASSERT_EQ(lookup.must_build,
+                  expected.reserve(drawn.slot, drawn.contents, allocated_bytes(drawn.shape, bytes_per_texel),
+                                   outcome));
         drawn.block = lookup.block;
-        if (lookup.must_build) std::fill_n(drawn.block.texels, bytes, mark_of(drawn));
+        if (lookup.must_build) std::fill_n(drawn.block.texels, bytes, fill_byte(drawn));
         found.push_back(drawn);
       }
-      // All blocks of the frame are there until its end, and none lies over another.
-      for (const Drawn& drawn : found) {
+      // All blocks of the frame stay until its end, and none overlaps another.
+      for (const DrawnFrame& drawn : found) {
         ASSERT_EQ(drawn.block.shape.width, drawn.shape.width);
         ASSERT_EQ(drawn.block.shape.height, drawn.shape.height);
         const std::size_t bytes = drawn.shape.texels() * bytes_per_texel + render::kBlockPadding;
-        ASSERT_EQ(std::count(drawn.block.texels, drawn.block.texels + bytes, mark_of(drawn)),
+        ASSERT_EQ(std::count(drawn.block.texels, drawn.block.texels + bytes, fill_byte(drawn)),
                   static_cast<std::ptrdiff_t>(bytes));
       }
       ASSERT_EQ(cache.bytes_in_use(), expected.bytes());
@@ -464,10 +467,10 @@ TEST(SurfaceCache, FollowsTheListThroughAnyFrames) {
   }
 }
 
-// Blocks of all sizes come and go, and what is lost between them stays a small part.
+// Blocks of all sizes come and go, and the gaps between them stay a small part.
 TEST(SurfaceCache, FillsMostOfItsBudget) {
   constexpr std::size_t kFaces = 2000, kBudget = std::size_t{4} << 20;
-  const world::Level level = level_of_faces(kFaces);
+  const world::Level level = make_level(kFaces);
   for (int seed = 0; seed < effort(10, 2); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     std::vector<SurfaceShape> shapes;
@@ -476,7 +479,7 @@ TEST(SurfaceCache, FillsMostOfItsBudget) {
       shapes.push_back({side(), side()});
     }
     SurfaceCache cache;
-    double least_filled = 1;
+    double min_filled = 1;
     for (int frame = 0; frame < 200; ++frame) {
       cache.begin_frame(level, 1, kBudget, true);
       for (int i = 0; i < 40; ++i) {
@@ -487,9 +490,9 @@ TEST(SurfaceCache, FillsMostOfItsBudget) {
       }
       constexpr int kUntilFull = 20;
       const double filled = static_cast<double>(cache.bytes_in_use()) / kBudget;
-      if (frame >= kUntilFull) least_filled = std::min(least_filled, filled);
+      if (frame >= kUntilFull) min_filled = std::min(min_filled, filled);
     }
-    EXPECT_GT(least_filled, 0.7) << "seed " << seed;
+    EXPECT_GT(min_filled, 0.7) << "seed " << seed;
   }
 }
 

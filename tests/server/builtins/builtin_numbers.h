@@ -1,5 +1,5 @@
-// The numbers and names of built-in functions, as quake-facts.md lists them (sections 15 and 18): copied from
-// there by hand, and from nowhere in src.
+// The numbers and names of built-in functions, as quake-facts.md lists them (sections 15 and 18). Copied from
+// there by hand, independently of src.
 #pragma once
 
 #include <string_view>

@@ -12,7 +12,7 @@ using formats::Progs;
 using formats::ProgsType;
 
 constexpr std::uint16_t kDone = 0, kCall0 = 51;
-constexpr std::uint16_t kReturnGlobal = 1, kCalledGlobal = 100;  // the global that holds whom to call
+constexpr std::uint16_t kReturnGlobal = 1, kCalledGlobal = 100;  // the global that holds the function to call
 constexpr std::uint32_t kPlayers = 2;
 
 std::uint32_t add_name(Progs& io_progs, std::string_view name) {
@@ -30,8 +30,8 @@ std::string_view name_of_number(int number) {
   return {};
 }
 
-// Functions: none; the built-in functions of the numbers 0 to kMaxBuiltin in their order; those with a
-// name only; nine that call what kCalledGlobal holds, with 0 to 8 parameters.
+// Functions: the null function; the built-in functions 0 to kMaxBuiltin in order; those with a
+// name only; nine that call the function in kCalledGlobal, with 0 to 8 parameters.
 constexpr std::size_t kFirstNamed = 2 + kMaxBuiltin;
 constexpr std::size_t kFirstCaller = kFirstNamed + std::size(kNamedBuiltins);
 
@@ -125,9 +125,10 @@ vm::FunctionIndex Stage::function_of_number(int number) const {
   return base::to_index<vm::FunctionIndex>(static_cast<std::size_t>(1 + number));
 }
 
-vm::FunctionIndex Stage::function_of(std::string_view name) const {
+vm::FunctionIndex Stage::look_up_function(std::string_view name) const {
   for (std::size_t i = 1; i < kFirstCaller; ++i)
-    if (const auto index = base::to_index<vm::FunctionIndex>(i); machine.program().name_of(index) == name)
+    if (const auto index = base::to_index<vm::FunctionIndex>(i);
+        machine.program().function_name(index) == name)
       return index;
   CHECK(false, "{}", name);
 }

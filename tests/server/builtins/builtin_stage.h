@@ -1,5 +1,5 @@
-// A level, a machine with a program that calls any built-in function, and all that these act upon; two
-// players' places.
+// A level, a machine with a program that calls any built-in function, and everything that these act on; two
+// player slots.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,12 +20,12 @@ namespace temblor::test {
 inline constexpr math::Vec3 kHall(256, 256, 64);  // in the open
 inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-// Fields of the stage's program behind the system's.
+// Fields of the stage's program, after the system's.
 constexpr server::Field<float> kAlphaField{105}, kScoreField{107};
 constexpr server::Field<vm::StringIndex> kTagField{106};
 constexpr std::uint32_t kStageEntityWords = 111;
 
-// Calls of game functions that built-in functions cause: noted, and answered with `status`.
+// Records the calls of game functions that built-in functions cause, and returns `status` for each.
 class NotedCalls final : public server::GameCalls {
  public:
   struct Noted {
@@ -41,32 +41,32 @@ class NotedCalls final : public server::GameCalls {
   std::vector<Noted> noted;
 };
 
-// A value that is passed to a built-in function as a word that is no float: of a field.
+// A value that is passed to a built-in function as a raw word, such as a field.
 struct RawWord {
   std::uint32_t word;
 };
 
 class Stage {
  public:
-  // Without a program: one whose functions are the built-in functions themselves, for call().
+  // Without a program, the stage makes one whose functions are the built-in functions, for call().
   explicit Stage(const net::Dialect& dialect = {}, std::shared_ptr<const vm::Program> program = nullptr);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  // Calls it by its number with these parameters: float, Vec3, text, EntityIndex, FieldIndex.
+  // Calls a function by its name with these parameters: float, Vec3, text, EntityIndex, FieldIndex.
   template <typename... Parameters>
   base::Status call(std::string_view name, const Parameters&... parameters) {
     int i = 0;
     (set_parameter(i++, parameters), ...);
-    return call_function(function_of(name), sizeof...(parameters));
+    return call_function(look_up_function(name), sizeof...(parameters));
   }
-  // The same; it must succeed.
+  // The same, but the call must succeed.
   template <typename... Parameters>
   void run(std::string_view name, const Parameters&... parameters) {
     const base::Status status = call(name, parameters...);
     EXPECT_TRUE(status.ok()) << name << ": " << status.error().message();
   }
-  // What it returned as that.
+  // Calls a function, and reads its result as this type.
   template <typename... Parameters>
   float number(std::string_view name, const Parameters&... parameters) {
     run(name, parameters...);
@@ -87,21 +87,21 @@ class Stage {
     run(name, parameters...);
     return machine.returned_entity();
   }
-  // The error's message; empty where there was none.
+  // The message of the error; empty if the call succeeded.
   template <typename... Parameters>
   std::string error(std::string_view name, const Parameters&... parameters) {
     const base::Status status = call(name, parameters...);
     return status.ok() ? "" : status.error().message();
   }
 
-  // Of stock and extension functions by name, of named ones too.
-  vm::FunctionIndex function_of(std::string_view name) const;
+  // The program's function for a built-in function's name.
+  vm::FunctionIndex look_up_function(std::string_view name) const;
   vm::FunctionIndex function_of_number(int number) const;
   base::Status call_function(vm::FunctionIndex function, std::size_t parameter_count);
 
   server::Edict edict(vm::EntityIndex index) { return world.edicts[index]; }
   vm::EntityIndex spawn() { return world.edicts.spawn(world.time_s).value(); }
-  // One with a box, linked.
+  // A linked entity with a box.
   vm::EntityIndex spawn_box(const math::Vec3& origin, server::Solid solid, float half_size = 16);
   void set_text(vm::EntityIndex index, server::Field<vm::StringIndex> field, std::string_view text);
   void set_self(vm::EntityIndex index) { machine.set_global_entity(server::global::kSelf, index); }
@@ -136,10 +136,10 @@ class Stage {
   server::BuiltinContext context;
 };
 
-// The messages that the bytes hold, all of that kind; they refer to the bytes. CHECKs that they are.
+// The messages in the bytes, to which they refer. CHECKs that all of them are of this type.
 template <typename Message>
 std::vector<Message> messages_in(base::Bytes bytes, const net::Dialect& dialect = {}) {
-  net::MessageReader reader = reader_of(dialect);
+  net::MessageReader reader = make_reader(dialect);
   reader.begin(bytes);
   std::vector<Message> messages;
   while (true) {

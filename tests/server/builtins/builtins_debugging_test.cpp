@@ -1,4 +1,4 @@
-// What a program says of itself, and how it ends itself.
+// Functions with which game code prints its state, and stops itself.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,13 +11,13 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 namespace field = server::field;
 
-TEST(DebugBuiltins, EprintTellsEveryFieldThatIsNotZero) {
+TEST(DebugBuiltins, EprintShowsEveryFieldThatIsNotZero) {
   Stage stage;
   const vm::EntityIndex thing = stage.spawn();
   stage.set_text(thing, field::kClassName, "door");
   stage.edict(thing).set(field::kOrigin, math::Vec3(1, 2, 3));
   stage.edict(thing).set(field::kEnemy, Stage::kPlayer2);
-  stage.edict(thing).set(field::kTouch, stage.function_of("spawn"));
+  stage.edict(thing).set(field::kTouch, stage.look_up_function("spawn"));
   stage.edict(thing).set(kScoreField, 1.5f);
   stage.run("eprint", thing);
   EXPECT_EQ(stage.printed,
@@ -29,7 +29,7 @@ TEST(DebugBuiltins, EprintTellsEveryFieldThatIsNotZero) {
             "  score             1.5\n");
 }
 
-TEST(DebugBuiltins, EprintBearsBadWords) {
+TEST(DebugBuiltins, EprintSurvivesBadValues) {
   Stage stage;
   const vm::EntityIndex thing = stage.spawn();
   for (std::uint32_t& word : stage.edict(thing).words()) word = 0xfffffff0;
@@ -38,7 +38,7 @@ TEST(DebugBuiltins, EprintBearsBadWords) {
   EXPECT_THAT(stage.printed, HasSubstr("touch           0xfffffff0"));
 }
 
-TEST(DebugBuiltins, CoredumpTellsAllEntities) {
+TEST(DebugBuiltins, CoredumpShowsAllEntities) {
   Stage stage;
   stage.world.time_s = 10;
   const vm::EntityIndex thing = stage.spawn();
@@ -60,7 +60,7 @@ TEST(DebugBuiltins, ErrorEndsTheCall) {
   EXPECT_THAT(stage.error("break"), HasSubstr("builtin break: the program stops here"));
 }
 
-TEST(DebugBuiltins, ObjerrorRemovesSelfAndGoesOn) {
+TEST(DebugBuiltins, ObjerrorRemovesSelfAndContinues) {
   Stage stage;
   const vm::EntityIndex thing = stage.spawn();
   stage.set_self(thing);

@@ -1,4 +1,4 @@
-// Sounds, particles and light styles: what clients are told, and what is refused.
+// Sounds, particles and light styles: what clients are sent, and what is an error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST_F(Effects, SoundComesFromTheMiddleOfTheBox) {
   EXPECT_EQ(sound.entity, 3);
   EXPECT_EQ(sound.channel, 3);
   EXPECT_EQ(sound.sound, 2);
-  EXPECT_EQ(sound.volume, 127) << "cut, not rounded";
+  EXPECT_EQ(sound.volume, 127) << "truncated, not rounded";
   EXPECT_EQ(sound.attenuation, 2);
   EXPECT_EQ(sound.origin, Vec3(256, 256, 80));
   EXPECT_EQ(stage.outbox.placed()[0].place, Vec3(256, 256, 80));
@@ -44,18 +44,19 @@ TEST_F(Effects, SoundComesFromTheMiddleOfTheBox) {
 
 TEST_F(Effects, SoundsOutOfRangeAreErrors) {
   EXPECT_THAT(stage.error("sound", thing, 8, "a.wav", 1, 1),
-              HasSubstr("builtin sound: channel 8 is outside of 0 to 7"));
-  EXPECT_THAT(stage.error("sound", thing, -1, "a.wav", 1, 1), HasSubstr("channel -1 is outside of 0 to 7"));
-  EXPECT_THAT(stage.error("sound", thing, 0, "a.wav", 1.5f, 1), HasSubstr("volume 1.5 is outside of 0 to 1"));
+              HasSubstr("builtin sound: channel 8 is not between 0 and 7"));
+  EXPECT_THAT(stage.error("sound", thing, -1, "a.wav", 1, 1), HasSubstr("channel -1 is not between 0 and 7"));
+  EXPECT_THAT(stage.error("sound", thing, 0, "a.wav", 1.5f, 1),
+              HasSubstr("volume 1.5 is not between 0 and 1"));
   EXPECT_THAT(stage.error("sound", thing, 0, "a.wav", kNan, 1), HasSubstr("volume nan"));
   EXPECT_THAT(stage.error("sound", thing, 0, "a.wav", 1, 4.5f),
-              HasSubstr("attenuation 4.5 is outside of 0 to 4"));
-  EXPECT_THAT(stage.error("sound", RawWord{99}, 0, "a.wav", 1, 1), HasSubstr("parameter 1 is no entity"));
+              HasSubstr("attenuation 4.5 is not between 0 and 4"));
+  EXPECT_THAT(stage.error("sound", RawWord{99}, 0, "a.wav", 1, 1), HasSubstr("parameter 1 is not an entity"));
   stage.run("sound", thing, 0, "a.wav", 0, 0);
   stage.run("sound", thing, 7, "a.wav", 1, 4);
 }
 
-TEST_F(Effects, ASoundThatWasNotPrecachedIsWarnedOfOnce) {
+TEST_F(Effects, ASoundThatWasNotPrecachedGivesOneWarning) {
   for (int i = 0; i < 3; ++i) stage.run("sound", thing, 0, "c.wav", 1, 1);
   stage.run("ambientsound", Vec3(0.0f), "c.wav", 1, 1);
   EXPECT_EQ(stage.printed, "builtin sound: \"c.wav\" was not precached\n");
@@ -63,14 +64,14 @@ TEST_F(Effects, ASoundThatWasNotPrecachedIsWarnedOfOnce) {
   EXPECT_EQ(stage.outbox.signon().size(), 0u);
 }
 
-TEST_F(Effects, AmbientsoundIsToldToWhoJoins) {
+TEST_F(Effects, AmbientsoundIsSentToJoiningClients) {
   stage.run("ambientsound", Vec3(8, 16, 24), "a.wav", 0.5f, 3);
-  const auto told = messages_in<net::SpawnStaticSound>(stage.outbox.signon().view());
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].origin, Vec3(8, 16, 24));
-  EXPECT_EQ(told[0].sound, 1);
-  EXPECT_EQ(told[0].volume, 127);
-  EXPECT_EQ(told[0].attenuation, 3);
+  const auto sent = messages_in<net::SpawnStaticSound>(stage.outbox.signon().view());
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_EQ(sent[0].origin, Vec3(8, 16, 24));
+  EXPECT_EQ(sent[0].sound, 1);
+  EXPECT_EQ(sent[0].volume, 127);
+  EXPECT_EQ(sent[0].attenuation, 3);
   EXPECT_THAT(stage.error("ambientsound", Vec3(0.0f), "a.wav", 2, 3),
               HasSubstr("builtin ambientsound: volume 2"));
 }
@@ -96,13 +97,13 @@ TEST_F(Effects, ParticleCountsFitTheirByte) {
 TEST_F(Effects, Lightstyle) {
   stage.run("lightstyle", 5, "mmnn");
   EXPECT_EQ(stage.context.light_styles[5], "mmnn");
-  const auto told = messages_in<net::LightStyle>(stage.outbox.reliable().view());
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].style, 5);
-  EXPECT_EQ(told[0].pattern, "mmnn");
+  const auto sent = messages_in<net::LightStyle>(stage.outbox.reliable().view());
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_EQ(sent[0].style, 5);
+  EXPECT_EQ(sent[0].pattern, "mmnn");
   for (const float style : {-1.0f, 64.0f, kNan, 1e20f})
     EXPECT_THAT(stage.error("lightstyle", style, "m"), HasSubstr("builtin lightstyle: style"));
-  // Stock clients have room for 63.
+  // Stock clients have a buffer for 63 characters.
   stage.run("lightstyle", 6, std::string(100, 'z'));
   EXPECT_EQ(stage.context.light_styles[6], std::string(63, 'z'));
 }

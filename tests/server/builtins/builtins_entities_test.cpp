@@ -1,4 +1,4 @@
-// Entities made, placed, shaped, copied and taken away.
+// Entities are made, placed, shaped, copied and removed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace field = server::field;
 TEST(EntityBuiltins, SpawnGivesAnEntityOfZeros) {
   Stage stage;
   const vm::EntityIndex made = stage.entity("spawn");
-  EXPECT_EQ(made, vm::EntityIndex{3}) << "behind the players' places";
+  EXPECT_EQ(made, vm::EntityIndex{3}) << "after the players";
   for (const std::uint32_t word : stage.edict(made).words()) ASSERT_EQ(word, 0u);
 }
 
@@ -43,12 +43,12 @@ TEST(EntityBuiltins, TheWorldAndPlayersStay) {
   EXPECT_FALSE(stage.world.edicts.is_free(Stage::kPlayer2));
 }
 
-TEST(EntityBuiltins, NoEntityIsAnErrorThatNamesTheParameter) {
+TEST(EntityBuiltins, ABadEntityIsAnErrorThatNamesTheParameter) {
   Stage stage;
   EXPECT_THAT(stage.error("setorigin", RawWord{77}, kHall),
-              HasSubstr("builtin setorigin: parameter 1 is no entity"));
+              HasSubstr("builtin setorigin: parameter 1 is not an entity"));
   EXPECT_THAT(stage.error("copyentity", vm::kWorld, RawWord{0xffffffff}),
-              HasSubstr("builtin copyentity: parameter 2 is no entity"));
+              HasSubstr("builtin copyentity: parameter 2 is not an entity"));
 }
 
 TEST(EntityBuiltins, SetoriginMovesAndLinksWithoutTouching) {
@@ -58,7 +58,7 @@ TEST(EntityBuiltins, SetoriginMovesAndLinksWithoutTouching) {
   const vm::EntityIndex thing = stage.spawn_box({400, 300, 64}, Solid::kBox);
   stage.run("setorigin", thing, kHall);
   EXPECT_EQ(stage.edict(thing)[field::kOrigin], kHall);
-  // Grown by one unit all round.
+  // Expanded by one unit on each side.
   EXPECT_EQ(stage.edict(thing)[field::kAbsMin], kHall - 17.0f);
   EXPECT_EQ(stage.edict(thing)[field::kAbsMax], kHall + 17.0f);
   EXPECT_TRUE(stage.calls.noted.empty());
@@ -76,7 +76,7 @@ TEST(EntityBuiltins, SetsizeSetsThreeFields) {
   EXPECT_EQ(stage.edict(thing)[field::kSize], Vec3(5, 7, 9));
   EXPECT_EQ(stage.edict(thing)[field::kAbsMax], kHall + Vec3(5, 6, 7));
   EXPECT_THAT(stage.error("setsize", thing, Vec3(0, 0, 1), Vec3(0.0f)),
-              HasSubstr("builtin setsize: the box from (0 0 1) to (0 0 0) is upside down in z"));
+              HasSubstr("builtin setsize: the box from (0 0 1) to (0 0 0) has mins above maxs in z"));
 }
 
 TEST(EntityBuiltins, SetmodelTakesNumberAndBoxOfAPrecachedModel) {
@@ -97,7 +97,7 @@ TEST(EntityBuiltins, SetmodelTakesNumberAndBoxOfAPrecachedModel) {
               HasSubstr("builtin setmodel: \"progs/dog.mdl\" was not precached"));
 }
 
-TEST(EntityBuiltins, MakestaticIsToldToWhoJoins) {
+TEST(EntityBuiltins, MakestaticIsSentToJoiningClients) {
   Stage stage({net::Protocol::kFitzQuake, 0});
   const vm::EntityIndex torch = stage.spawn_box(kHall, Solid::kBox);
   const server::Edict edict = stage.edict(torch);
@@ -109,9 +109,9 @@ TEST(EntityBuiltins, MakestaticIsToldToWhoJoins) {
   edict.set(kAlphaField, 0.5f);
   stage.run("makestatic", torch);
   EXPECT_TRUE(stage.world.edicts.is_free(torch));
-  const auto told = messages_in<net::SpawnStatic>(stage.outbox.signon().view(), stage.outbox.dialect());
-  ASSERT_EQ(told.size(), 1u);
-  const net::Baseline& begun = told[0].entity;
+  const auto sent = messages_in<net::SpawnStatic>(stage.outbox.signon().view(), stage.outbox.dialect());
+  ASSERT_EQ(sent.size(), 1u);
+  const net::Baseline& begun = sent[0].entity;
   EXPECT_EQ(begun.model, 2);
   EXPECT_EQ(begun.frame, 3);
   EXPECT_EQ(begun.skin, 1);

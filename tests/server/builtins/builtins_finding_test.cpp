@@ -1,4 +1,4 @@
-// Looking for entities.
+// Searches for entities.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::vector<vm::EntityIndex> chain_from(Stage& io_stage, vm::EntityIndex first) 
   return chain;
 }
 
-// Five entities behind the players', the third of them removed.
+// Five entities after the players, the third of which is removed.
 class Finding : public ::testing::Test {
  protected:
   Finding() {
@@ -35,7 +35,7 @@ class Finding : public ::testing::Test {
   std::array<vm::EntityIndex, 5> entities{};
 };
 
-TEST_F(Finding, FindGoesOnBehindItsStartAndSkipsTheRemoved) {
+TEST_F(Finding, FindContinuesAfterItsStartAndSkipsTheRemoved) {
   for (const vm::EntityIndex entity : entities) stage.set_text(entity, kTagField, "door");
   stage.set_text(entities[1], kTagField, "Door");
   EXPECT_EQ(stage.entity("find", vm::kWorld, kTagField, "door"), entities[0]);
@@ -76,15 +76,15 @@ TEST_F(Finding, NextentPassesOverTheRemoved) {
       met, ElementsAre(Stage::kPlayer1, Stage::kPlayer2, entities[0], entities[1], entities[3], entities[4]));
 }
 
-TEST_F(Finding, WhatIsNoFieldIsAnError) {
+TEST_F(Finding, ABadFieldIsAnError) {
   EXPECT_THAT(stage.error("find", vm::kWorld, RawWord{kStageEntityWords}, "x"),
-              HasSubstr("builtin find: parameter 2 is no field"));
+              HasSubstr("builtin find: parameter 2 is not a field"));
   EXPECT_THAT(stage.error("findchain", RawWord{0xffffffff}, "x"),
-              HasSubstr("builtin findchain: parameter 1 is no field"));
-  EXPECT_THAT(stage.error("find", RawWord{1000}, kTagField, "x"), HasSubstr("parameter 1 is no entity"));
+              HasSubstr("builtin findchain: parameter 1 is not a field"));
+  EXPECT_THAT(stage.error("find", RawWord{1000}, kTagField, "x"), HasSubstr("parameter 1 is not an entity"));
 }
 
-TEST_F(Finding, FindradiusMeasuresToTheMiddleAndSkipsWhatIsNotSolid) {
+TEST_F(Finding, FindradiusMeasuresToTheMiddleAndSkipsNonsolidEntities) {
   const auto place = [&](std::size_t i, const Vec3& origin, Solid solid) {
     stage.edict(entities[i]).set(field::kOrigin, origin);
     stage.edict(entities[i]).set(field::kSolid, static_cast<float>(solid));
@@ -92,7 +92,7 @@ TEST_F(Finding, FindradiusMeasuresToTheMiddleAndSkipsWhatIsNotSolid) {
   place(0, {100, 0, 0}, Solid::kTrigger);
   place(1, {101, 0, 0}, Solid::kBox);
   place(3, {0, 0, 0}, Solid::kNot);
-  // Its middle is 40 off its origin.
+  // Its middle is 40 units from its origin.
   place(4, {130, 0, 0}, Solid::kBsp);
   stage.edict(entities[4]).set(field::kMins, Vec3(-80, 0, 0));
   EXPECT_THAT(chain_from(stage, stage.entity("findradius", Vec3(0.0f), 100)),

@@ -1,5 +1,5 @@
-// Every built-in function with parameters that no good program passes: an error or a result, never a crash, a
-// loop without end or memory without bounds.
+// Every built-in function with parameters that no good program passes: an error or a result, never a crash,
+// an endless loop or unbounded memory.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -36,7 +36,7 @@ void set_bad_parameters(Stage& io_stage, Random& io_random) {
   }
 }
 
-// Entities that are anything; their fields too.
+// Random entities with random fields.
 void fill_world(Stage& io_stage, Random& io_random) {
   for (int i = 0; i < 6; ++i) {
     const vm::EntityIndex made = io_stage.spawn();

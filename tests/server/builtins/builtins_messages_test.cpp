@@ -1,4 +1,4 @@
-// Words for players and the console, and messages that a program writes itself.
+// Text for players and the console, and messages that game code writes itself.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,13 +39,13 @@ TEST(PrintBuiltins, GoToAllOrOneAndJoinTheirTexts) {
               ElementsAre("abcdefg", ""));
 }
 
-TEST(PrintBuiltins, WhoIsNoPlayerHearsNothing) {
+TEST(PrintBuiltins, OtherEntitiesGetNoText) {
   Stage stage;
   const vm::EntityIndex monster = stage.spawn();
   stage.run("sprint", monster, "x");
   stage.run("centerprint", vm::kWorld, "x");
-  EXPECT_THAT(stage.printed, HasSubstr("builtin sprint: entity 3 is no player's"));
-  EXPECT_THAT(stage.printed, HasSubstr("builtin centerprint: entity 0 is no player's"));
+  EXPECT_THAT(stage.printed, HasSubstr("builtin sprint: entity 3 is not a player"));
+  EXPECT_THAT(stage.printed, HasSubstr("builtin centerprint: entity 0 is not a player"));
 }
 
 TEST(PrintBuiltins, LongTextsComeInPieces) {
@@ -55,7 +55,7 @@ TEST(PrintBuiltins, LongTextsComeInPieces) {
   stage.run("bprint", text);
   std::string joined;
   for (const std::string& piece : texts_in<net::Print>(stage.outbox.reliable())) {
-    EXPECT_LE(piece.size(), 2047u) << "what stock clients have room for";
+    EXPECT_LE(piece.size(), 2047u) << "the buffer of stock clients";
     joined += piece;
   }
   EXPECT_EQ(joined, text);
@@ -66,7 +66,7 @@ TEST(PrintBuiltins, StuffcmdIsForPlayers) {
   stage.run("stuffcmd", Stage::kPlayer1, "bf\n");
   EXPECT_THAT(texts_in<net::StuffText>(*stage.outbox.reliable_to(Stage::kPlayer1)), ElementsAre("bf\n"));
   EXPECT_THAT(stage.error("stuffcmd", vm::kWorld, "quit\n"),
-              HasSubstr("builtin stuffcmd: parameter 1 is entity 0, which is no player's"));
+              HasSubstr("builtin stuffcmd: parameter 1 is entity 0, which is not a player"));
 }
 
 TEST(PrintBuiltins, DprintIsForDevelopers) {
@@ -105,9 +105,9 @@ TEST(RereleasePrints, LocalsoundIsForOne) {
   EXPECT_EQ(sounds[0].attenuation, 0);
   for (const char* name : {"ex_localsound", "ex_sprint", "ex_centerprint"}) {
     stage.run(name, vm::kWorld, "a.wav");
-    EXPECT_THAT(stage.error(name, RawWord{99}, "a.wav"), HasSubstr("parameter 1 is no entity"));
+    EXPECT_THAT(stage.error(name, RawWord{99}, "a.wav"), HasSubstr("parameter 1 is not an entity"));
   }
-  EXPECT_THAT(stage.printed, HasSubstr("builtin ex_localsound: entity 0 is no player's: it hears nothing"));
+  EXPECT_THAT(stage.printed, HasSubstr("builtin ex_localsound: entity 0 is not a player: it gets no text"));
 }
 
 TEST(WriteBuiltins, NumbersAreLittleEndianLowBytes) {
@@ -123,7 +123,7 @@ TEST(WriteBuiltins, NumbersAreLittleEndianLowBytes) {
 }
 
 TEST(WriteBuiltins, AWholeMessageIsReadBack) {
-  // An explosion, as game code tells of one.
+  // An explosion, as game code writes it.
   for (const net::Dialect dialect : {net::Dialect{}, net::Dialect{net::Protocol::kRmq, net::kFloatCoord}}) {
     Stage stage(dialect);
     stage.run("WriteByte", 0, 23);
@@ -133,10 +133,10 @@ TEST(WriteBuiltins, AWholeMessageIsReadBack) {
     for (const float angle : {0.0f, 90.0f, 180.0f}) stage.run("WriteAngle", 0, angle);
     base::Bytes bytes = stage.outbox.broadcast().view();
     const std::size_t angles = bytes.size() - 1 - 3;
-    const auto told = messages_in<net::TempEntity>(bytes.first(angles), dialect);
-    ASSERT_EQ(told.size(), 1u);
-    EXPECT_EQ(told[0].kind, net::TempEntityKind::kExplosion);
-    EXPECT_EQ(told[0].origin, math::Vec3(100.5f, -20.25f, 8));
+    const auto sent = messages_in<net::TempEntity>(bytes.first(angles), dialect);
+    ASSERT_EQ(sent.size(), 1u);
+    EXPECT_EQ(sent[0].kind, net::TempEntityKind::kExplosion);
+    EXPECT_EQ(sent[0].origin, math::Vec3(100.5f, -20.25f, 8));
     const auto turned = messages_in<net::SetAngle>(bytes.subspan(angles), dialect);
     ASSERT_EQ(turned.size(), 1u);
     EXPECT_EQ(turned[0].angles_deg.y, 90);
@@ -158,7 +158,7 @@ TEST(WriteBuiltins, DestinationsAreTheFour) {
     EXPECT_THAT(stage.error("WriteByte", wrong, 1), HasSubstr("builtin WriteByte: destination"));
   stage.machine.set_global_entity(global::kMessageEntity, vm::kWorld);
   EXPECT_THAT(stage.error("WriteString", 1, "x"),
-              HasSubstr("builtin WriteString: msg_entity is entity 0, which is no player's"));
+              HasSubstr("builtin WriteString: msg_entity is entity 0, which is not a player"));
 }
 
 TEST(WriteBuiltins, StringsAndEntities) {
@@ -167,7 +167,7 @@ TEST(WriteBuiltins, StringsAndEntities) {
   stage.run("WriteEntity", 2, Stage::kPlayer2);
   EXPECT_THAT(numbers_in(stage.outbox.reliable()), ElementsAre('h', 'i', 0, 2, 0));
   EXPECT_THAT(stage.error("WriteEntity", 2, RawWord{5000}),
-              HasSubstr("builtin WriteEntity: parameter 2 is no entity"));
+              HasSubstr("builtin WriteEntity: parameter 2 is not an entity"));
 }
 
 TEST(WriteBuiltins, AnEndlessMessageIsAnError) {
@@ -175,7 +175,7 @@ TEST(WriteBuiltins, AnEndlessMessageIsAnError) {
   const std::string text(60000, 'x');
   std::string error;
   for (int i = 0; i < 100 && error.empty(); ++i) error = stage.error("WriteString", 3, text);
-  EXPECT_THAT(error, HasSubstr("builtin WriteString: over 1048576 bytes for destination 3 at once"));
+  EXPECT_THAT(error, HasSubstr("builtin WriteString: more than 1048576 bytes in one tick for destination 3"));
   EXPECT_LE(stage.outbox.signon().size(), Outbox::kMaxBytes);
 }
 

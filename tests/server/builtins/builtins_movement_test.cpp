@@ -1,4 +1,4 @@
-// Physics on request: that the right entity moves, and that the program is told.
+// Physics on request: the right entity moves, and game code gets the result.
 #include <gtest/gtest.h>
 
 #include "server/builtins/builtin_stage.h"

@@ -1,4 +1,4 @@
-// Which number is which function: every stock number and every extension's, and an error for all others.
+// The number of each function: all stock numbers and extensions, and an error for all others.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Calls without parameters: what a function says of these names it.
+// Calls without parameters: the error names the function.
 std::string error_of_number(Stage& io_stage, int number) {
   const base::Status status = io_stage.call_function(io_stage.function_of_number(number), 0);
   return status.ok() ? "" : status.error().message();
@@ -39,7 +39,7 @@ TEST(BuiltinNumbers, AllThatAreKnownAreThereAndNoOthers) {
 }
 
 TEST(BuiltinNumbers, EachIsCalledWhatTheReferenceCallsIt) {
-  // Parameters that hardly any function bears: their errors name them.
+  // Parameters that hardly any function accepts: the errors name the functions.
   Stage stage;
   std::size_t named = 0;
   const auto check = [&](const BuiltinNumber& builtin) {

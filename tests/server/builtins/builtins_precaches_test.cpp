@@ -1,4 +1,4 @@
-// Names that a level needs before it begins.
+// Precaches: the names that a level needs before it begins.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST_F(Precaching, ModelsAreLoadedOnce) {
   EXPECT_EQ(stage.world.models[3].name, "progs/ogre.mdl");
 }
 
-TEST_F(Precaching, AModelThatCannotBeLoadedIsToldOfAndTheLevelGoesOn) {
+TEST_F(Precaching, AModelThatCannotBeLoadedIsReportedAndTheLevelContinues) {
   stage.run("precache_model", "progs/none.mdl");
   EXPECT_THAT(stage.printed, HasSubstr("builtin precache_model: progs/none.mdl: not there"));
   ASSERT_EQ(stage.world.models.size(), 4u);
@@ -63,28 +63,30 @@ TEST_F(Precaching, FilesAreNamedOnly) {
 TEST_F(Precaching, OnlyWhileTheLevelIsSetUp) {
   stage.precache.is_open = false;
   EXPECT_THAT(stage.error("precache_sound", "a.wav"),
-              HasSubstr("builtin precache_sound: \"a.wav\" comes too late"));
-  EXPECT_THAT(stage.error("precache_model", "progs/a.mdl"), HasSubstr("comes too late"));
+              HasSubstr("builtin precache_sound: \"a.wav\" is precached too late"));
+  EXPECT_THAT(stage.error("precache_model", "progs/a.mdl"), HasSubstr("is precached too late"));
   stage.run("precache_file", "a.lmp");
 }
 
 TEST_F(Precaching, EmptyNamesAreRefused) {
-  EXPECT_THAT(stage.error("precache_sound", ""), HasSubstr("builtin precache_sound: \"\" is no name"));
-  EXPECT_THAT(stage.error("precache_model", " x"), HasSubstr("builtin precache_model: \" x\" is no name"));
+  EXPECT_THAT(stage.error("precache_sound", ""),
+              HasSubstr("builtin precache_sound: \"\" is not a file name"));
+  EXPECT_THAT(stage.error("precache_model", " x"),
+              HasSubstr("builtin precache_model: \" x\" is not a file name"));
 }
 
 TEST_F(Precaching, Protocol15Numbers255) {
   for (int i = 1; i <= 255; ++i) stage.run("precache_sound", fmt::format("s{}", i));
   EXPECT_THAT(stage.error("precache_sound", "more"),
-              HasSubstr("\"more\" is one too many: protocol 15 numbers at most 255"));
+              HasSubstr("\"more\" is one too many: protocol 15 allows 255"));
   stage.run("precache_sound", "s255");
   for (int i = 3; i <= 255; ++i) stage.run("precache_model", fmt::format("m{}", i));
-  EXPECT_THAT(stage.error("precache_model", "more"), HasSubstr("protocol 15 numbers at most 255"));
+  EXPECT_THAT(stage.error("precache_model", "more"), HasSubstr("protocol 15 allows 255"));
 }
 
 TEST_F(WidePrecaching, Protocol666NumbersMore) {
   for (int i = 1; i < net::kMaxSounds; ++i) stage.run("precache_sound", fmt::format("s{}", i));
-  EXPECT_THAT(stage.error("precache_sound", "more"), HasSubstr("protocol 666 numbers at most 2047"));
+  EXPECT_THAT(stage.error("precache_sound", "more"), HasSubstr("protocol 666 allows 2047"));
 }
 
 }  // namespace

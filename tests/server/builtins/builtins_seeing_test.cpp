@@ -1,4 +1,4 @@
-// Traces, and who sees and hits whom. The small level's hall is open from 0 to 512 in x and y and to 192 in
+// Traces, visibility, and aiming. The small level's hall is open from 0 to 512 in x and y and to 192 in
 // z, with a pillar at (96..128, 96..128); its pool holds water below -144.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace global = server::global;
 
 constexpr Vec3 kFrom(256, 256, 64);
 
-TEST(TraceBuiltins, TracelineTellsWhatItMet) {
+TEST(TraceBuiltins, TracelineReportsWhatItMet) {
   Stage stage;
   stage.run("traceline", kFrom, Vec3(256, 256, -64), 0, vm::kWorld);
   EXPECT_EQ(stage.machine.global_float(global::kTraceFraction), (64 - 1 / 32.0f) / 128);
@@ -44,9 +44,10 @@ TEST(TraceBuiltins, TracelineKindsAndOwnPassing) {
   EXPECT_EQ(met(0, Stage::kPlayer1).first, monster);
   EXPECT_LT(met(0, Stage::kPlayer1).second, 0.42f);
   EXPECT_EQ(met(1, Stage::kPlayer1), std::pair(vm::kWorld, 1.0f));
-  EXPECT_EQ(met(0, vm::kWorld), std::pair(vm::kWorld, 1.0f)) << "whom nobody owns, the world passes by";
+  EXPECT_EQ(met(0, vm::kWorld), std::pair(vm::kWorld, 1.0f))
+      << "the world passes through entities without an owner";
   EXPECT_EQ(met(0, monster), std::pair(vm::kWorld, 1.0f));
-  // 25 units beside a monster's middle: a missile's box meets it, a line does not.
+  // 25 units from a monster's middle: a missile's box meets it, a line does not.
   stage.edict(monster).set_flag(server::flag::kMonster);
   stage.run("setorigin", monster, Vec3(356, 281, 64));
   EXPECT_EQ(met(0, Stage::kPlayer1).first, vm::kWorld);
@@ -62,7 +63,7 @@ TEST(TraceBuiltins, TraceboxIsAsWideAsItsBox) {
   stage.run("tracebox", from, Vec3(-32, -32, -24), Vec3(32, 32, 64), to, 0, vm::kWorld);
   EXPECT_LT(stage.machine.global_float(global::kTraceFraction), 0.1f);
   EXPECT_THAT(stage.error("tracebox", from, from, from, to, 0, RawWord{99}),
-              HasSubstr("builtin tracebox: parameter 6 is no entity"));
+              HasSubstr("builtin tracebox: parameter 6 is not an entity"));
 }
 
 TEST(TraceBuiltins, Pointcontents) {
@@ -73,7 +74,7 @@ TEST(TraceBuiltins, Pointcontents) {
   EXPECT_EQ(stage.number("pointcontents", Vec3(1000, 300, 400)), -6);
 }
 
-// Players with their eyes where they stand.
+// Players whose eyes are at their origins.
 class Checking : public ::testing::Test {
  protected:
   Checking() {
@@ -104,7 +105,7 @@ TEST_F(Checking, PlayersTakeTurnsOfATenthOfASecond) {
   EXPECT_EQ(check(), first);
 }
 
-TEST_F(Checking, TheDeadAndUnnoticedAreNoCandidatesBesideOthers) {
+TEST_F(Checking, TheDeadAndUnnoticedAreSkippedIfThereAreOthers) {
   stage.edict(Stage::kPlayer1).set(field::kHealth, 0);
   for (int i = 0; i < 4; ++i, stage.world.time_s += 0.2) EXPECT_EQ(check(), Stage::kPlayer2);
   stage.edict(Stage::kPlayer1).set(field::kHealth, 100);
@@ -112,7 +113,7 @@ TEST_F(Checking, TheDeadAndUnnoticedAreNoCandidatesBesideOthers) {
   for (int i = 0; i < 4; ++i, stage.world.time_s += 0.2) EXPECT_EQ(check(), Stage::kPlayer2);
 }
 
-TEST_F(Checking, WhoDiesIsNotFoundAnyMore) {
+TEST_F(Checking, ADeadPlayerIsNotFoundAnyMore) {
   const vm::EntityIndex first = check();
   stage.edict(first).set(field::kHealth, 0);
   EXPECT_EQ(check(), vm::kWorld);
@@ -143,7 +144,7 @@ TEST_F(Checking, OnlyFromWhereThePlayerSees) {
   EXPECT_NE(check(), vm::kWorld);
   stage.edict(monster).set(field::kOrigin, Vec3(256, 256, -500));
   stage.edict(monster).set(field::kViewOffset, Vec3(0.0f));
-  EXPECT_EQ(check(), vm::kWorld) << "in solid nobody is seen";
+  EXPECT_EQ(check(), vm::kWorld) << "nobody is visible from solid";
 }
 
 // A player at kFrom looking along +x.
@@ -168,7 +169,7 @@ TEST_F(Aiming, StraightAheadWhereNobodyIs) {
 }
 
 TEST_F(Aiming, UpAndDownButNotAside) {
-  // 50 up on 200: a cosine of 0.97, seen from the shot's start 20 up even more.
+  // 50 up at a distance of 200: a cosine of 0.97, and more from the shot's start 20 units up.
   const vm::EntityIndex made = target(kFrom + Vec3(200, 0, 50));
   const Vec3 expected = glm::normalize(Vec3(200, 0, 50));
   EXPECT_LT(glm::distance(aim(), expected), 1e-5f);
@@ -179,13 +180,13 @@ TEST_F(Aiming, UpAndDownButNotAside) {
 TEST_F(Aiming, OnlyWithinSvAim) {
   target(kFrom + Vec3(100, 60, 20));  // a cosine of 0.857
   EXPECT_EQ(aim(), Vec3(1, 0, 0));
-  stage.variables.add_float("sv_aim", 0.93, 0, 2, "How far off a shot is turned.");
+  stage.variables.add_float("sv_aim", 0.93, 0, 2, "Cosine of the largest aiming angle.");
   EXPECT_EQ(aim(), Vec3(1, 0, 0));
   ASSERT_TRUE(stage.variables.set("sv_aim", "0.8").ok());
   EXPECT_LT(glm::distance(aim(), glm::normalize(Vec3(100, 0, 20))), 1e-5f);
 }
 
-TEST_F(Aiming, NotBehindWallsNorAtWhatTakesNoAimedDamage) {
+TEST_F(Aiming, NotThroughWallsNorAtEntitiesWithoutAimedDamage) {
   const vm::EntityIndex made = target(kFrom + Vec3(200, 0, 50));
   stage.edict(made).set(field::kTakeDamage, 1);
   EXPECT_EQ(aim(), Vec3(1, 0, 0));
@@ -197,7 +198,7 @@ TEST_F(Aiming, NotBehindWallsNorAtWhatTakesNoAimedDamage) {
 TEST_F(Aiming, NotAtTheOwnTeamInTeamPlay) {
   const vm::EntityIndex made = target(kFrom + Vec3(200, 0, 50));
   for (const vm::EntityIndex of_team : {made, Stage::kPlayer1}) stage.edict(of_team).set(field::kTeam, 5);
-  EXPECT_NE(aim(), Vec3(1, 0, 0)) << "it is no team play";
+  EXPECT_NE(aim(), Vec3(1, 0, 0)) << "without teamplay";
   stage.variables.add_int("teamplay", 1, 0, 3, "Teams.");
   EXPECT_EQ(aim(), Vec3(1, 0, 0));
   stage.edict(made).set(field::kTeam, 6);

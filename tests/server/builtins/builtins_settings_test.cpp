@@ -1,4 +1,4 @@
-// Variables, commands, levels, extensions and files: what a program asks of the server around it.
+// Variables, commands, levels, extensions and files: what game code requests from the server.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST_F(Settings, RegistercvarMakesOneOnce) {
   EXPECT_EQ(stage.number("cvar", "sv_gravity"), 800);
   for (const std::string& name :
        {std::string(""), std::string("a b"), std::string("quit;"), std::string(64, 'a')})
-    EXPECT_THAT(stage.error("registercvar", name, "1"), HasSubstr("is no name of a variable"));
+    EXPECT_THAT(stage.error("registercvar", name, "1"), HasSubstr("is not a variable name"));
   std::string error;
   for (int i = 0; i < 10000 && error.empty(); ++i)
     error = stage.error("registercvar", fmt::format("v{}", i), "");
@@ -69,7 +69,7 @@ TEST_F(Settings, LocalcmdWaitsForTheConsole) {
   EXPECT_EQ(stage.requests.commands, "restart\nmap start\n");
   std::string error;
   for (int i = 0; i < 100 && error.empty(); ++i) error = stage.error("localcmd", std::string(1000, 'x'));
-  EXPECT_THAT(error, HasSubstr("builtin localcmd: over 65536 bytes of commands wait already"));
+  EXPECT_THAT(error, HasSubstr("builtin localcmd: more than 65536 bytes of commands are waiting"));
   EXPECT_LE(stage.requests.commands.size(), 65536u);
 }
 
@@ -107,8 +107,8 @@ TEST_F(Settings, CheckextensionSaysWhatWorks) {
   stage.context.client_command = [](vm::EntityIndex, std::string_view) {};
   EXPECT_EQ(stage.number("checkextension", "FRIK_FILE"), 1);
   EXPECT_EQ(stage.number("checkextension", "KRIMZON_SV_PARSECLIENTCOMMAND"), 1);
-  stage.context.places.spawn_bot = [] { return base::Result(vm::kWorld); };
-  stage.context.pack_of = [](std::string_view) { return std::string(); };
+  stage.context.bot_services.spawn_bot = [] { return base::Result(vm::kWorld); };
+  stage.context.find_pack = [](std::string_view) { return std::string(); };
   for (const char* name : {"DP_SV_BOTCLIENT", "DP_SV_DROPCLIENT", "DP_QC_WHICHPACK"})
     EXPECT_EQ(stage.number("checkextension", name), 1) << name;
 }
@@ -116,14 +116,14 @@ TEST_F(Settings, CheckextensionSaysWhatWorks) {
 TEST_F(Settings, BotsComeAndGoAndAreKnownAsSuch) {
   EXPECT_THAT(stage.error("spawnclient"), HasSubstr("no bots"));
   std::vector<std::size_t> dropped;
-  stage.context.places = {
+  stage.context.bot_services = {
       .spawn_bot = [] { return base::Result(Stage::kPlayer2); },
       .drop =
           [&](std::size_t slot) {
             dropped.push_back(slot);
             return base::Status(base::Ok{});
           },
-      .type_of =
+      .player_type =
           [](std::size_t slot) { return slot == 0 ? server::PlayerType::kHuman : server::PlayerType::kBot; }};
   EXPECT_EQ(stage.entity("spawnclient"), Stage::kPlayer2);
   EXPECT_EQ(stage.number("clienttype", Stage::kPlayer1), 1);
@@ -131,12 +131,12 @@ TEST_F(Settings, BotsComeAndGoAndAreKnownAsSuch) {
   EXPECT_EQ(stage.number("clienttype", stage.spawn()), 3);
   stage.run("dropclient", Stage::kPlayer2);
   EXPECT_THAT(dropped, ElementsAre(1));
-  EXPECT_THAT(stage.error("dropclient", vm::kWorld), HasSubstr("no player's"));
+  EXPECT_THAT(stage.error("dropclient", vm::kWorld), HasSubstr("not a player"));
 }
 
 TEST_F(Settings, WhichpackSaysWhereAFileIs) {
   EXPECT_EQ(stage.text("whichpack", "progs/a.mdl"), "");
-  stage.context.pack_of = [](std::string_view file) {
+  stage.context.find_pack = [](std::string_view file) {
     return std::string(file == "progs/a.mdl" ? "id1/pak0.pak" : "");
   };
   EXPECT_EQ(stage.text("whichpack", "progs/a.mdl"), "id1/pak0.pak");
@@ -151,7 +151,7 @@ TEST_F(Settings, ClientcommandIsDoneForAPlayer) {
   };
   stage.run("clientcommand", Stage::kPlayer2, "say hi");
   EXPECT_THAT(done, ElementsAre("2: say hi"));
-  EXPECT_THAT(stage.error("clientcommand", vm::kWorld, "quit"), HasSubstr("which is no player's"));
+  EXPECT_THAT(stage.error("clientcommand", vm::kWorld, "quit"), HasSubstr("which is not a player"));
 }
 
 class Files : public ::testing::Test {
@@ -177,14 +177,15 @@ TEST_F(Files, AreWrittenAndReadByLines) {
 
 TEST_F(Files, WhatCannotBeOpenedIsMinusOne) {
   EXPECT_EQ(stage.number("fopen", "not_there.txt", 0), -1);
-  EXPECT_EQ(stage.printed, "") << "that is nothing to be warned of";
+  EXPECT_EQ(stage.printed, "") << "a missing file is not worth a warning";
   EXPECT_EQ(stage.number("fopen", "../escape.txt", 2), -1);
   EXPECT_THAT(stage.printed, HasSubstr("builtin fopen: the file name \"../escape.txt\""));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "escape.txt"));
-  EXPECT_THAT(stage.error("fopen", "a.txt", 3), HasSubstr("builtin fopen: mode 3 is none of 0, 1 and 2"));
+  EXPECT_THAT(stage.error("fopen", "a.txt", 3),
+              HasSubstr("builtin fopen: mode 3 is not 0 (read), 1 (append) or 2 (write)"));
 }
 
-TEST_F(Files, HandlesThatAreNoneAreErrors) {
+TEST_F(Files, BadHandlesAreErrors) {
   for (const float handle : {-1.0f, 0.0f, 1e20f, std::numeric_limits<float>::quiet_NaN()}) {
     EXPECT_THAT(stage.error("fclose", handle), HasSubstr("builtin fclose: file"));
     EXPECT_THAT(stage.error("fgets", handle), HasSubstr("builtin fgets: file"));

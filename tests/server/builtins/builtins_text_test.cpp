@@ -1,4 +1,4 @@
-// Numbers to text and back, and texts cut, joined and taken apart.
+// Conversion of numbers to text and back; cutting, joining and splitting of text.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(TextBuiltins, ResultsOutliveTheNextCall) {
   EXPECT_EQ(stage.machine.text(first), "  1.5");
 }
 
-TEST(TextBuiltins, StrzoneOutlivesWhoeverHeldIt) {
+TEST(TextBuiltins, StrzoneOutlivesTheFieldThatHeldIt) {
   Stage stage;
   stage.run("strzone", "kept");
   const vm::StringIndex zoned = stage.machine.returned_string();
@@ -90,7 +90,7 @@ TEST(TextBuiltins, StrzoneOutlivesWhoeverHeldIt) {
   stage.machine.strings().collect({});
   EXPECT_EQ(stage.machine.text(zoned), "kept");
   stage.machine.set_parameter_string(0, zoned);
-  ASSERT_TRUE(stage.call_function(stage.function_of("strunzone"), 1).ok());
+  ASSERT_TRUE(stage.call_function(stage.look_up_function("strunzone"), 1).ok());
   EXPECT_EQ(stage.printed, "");
   stage.machine.strings().collect({});
   EXPECT_FALSE(stage.machine.strings().contains(zoned));
@@ -180,7 +180,7 @@ TEST(Sprintf, RandomFormatsEndAndAreShort) {
     for (std::size_t k = random.below(40); k-- > 0;) format += alphabet[random.below(alphabet.size())];
     const std::string error = stage.error("sprintf", format, 3.5f, "text", Vec3(1, 2, 3), kNan, 1e38f);
     if (!error.empty())
-      ASSERT_THAT(error, HasSubstr("is no string")) << format;
+      ASSERT_THAT(error, HasSubstr("is not a string")) << format;
     else
       ASSERT_LE(stage.machine.text(stage.machine.returned_string()).size(), std::size_t{1} << 16) << format;
   }

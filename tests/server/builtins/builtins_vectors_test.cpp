@@ -1,4 +1,4 @@
-// Directions, lengths, numbers and chance.
+// Directions, lengths, numbers and random numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,14 +38,14 @@ TEST(VectorBuiltins, NormalizeAndVlen) {
   EXPECT_EQ(stage.number("vlen", Vec3(0.0f)), 0);
 }
 
-TEST(VectorBuiltins, AnglesAreCutToWholeDegrees) {
+TEST(VectorBuiltins, AnglesAreTruncatedToWholeDegrees) {
   Stage stage;
   EXPECT_EQ(stage.number("vectoyaw", Vec3(1, 0, 5)), 0);
   EXPECT_EQ(stage.number("vectoyaw", Vec3(0, 1, 0)), 90);
   EXPECT_EQ(stage.number("vectoyaw", Vec3(-1, 0, 0)), 180);
   EXPECT_EQ(stage.number("vectoyaw", Vec3(0, -1, 0)), 270);
   EXPECT_EQ(stage.number("vectoyaw", Vec3(0, 0, 9)), 0);
-  // -2.86 degrees are cut towards 0, and -0.06 to 0 itself.
+  // -2.86 degrees are truncated toward 0, and -0.06 to 0 itself.
   EXPECT_EQ(stage.number("vectoyaw", Vec3(1, -0.05f, 0)), 358);
   EXPECT_EQ(stage.number("vectoyaw", Vec3(1, -0.001f, 0)), 0);
   EXPECT_EQ(stage.vector("vectoangles", Vec3(1, 0, 1)), Vec3(45, 0, 0));
@@ -119,7 +119,7 @@ TEST(NumberBuiltins, Functions) {
   EXPECT_NE(stage.error("min", 1).find("builtin min: takes 2 to 8 numbers, not 1"), std::string::npos);
 }
 
-TEST(NumberBuiltins, BearWhatIsNoNumber) {
+TEST(NumberBuiltins, AcceptNan) {
   Stage stage;
   for (const float value : {kNan, std::numeric_limits<float>::infinity(), -3e38f})
     for (const char* name : {"rint", "floor", "ceil", "fabs", "sin", "cos", "sqrt"}) stage.run(name, value);

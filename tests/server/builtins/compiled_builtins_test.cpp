@@ -104,7 +104,7 @@ std::vector<std::string> prints_in(const base::ByteWriter& writer) {
 }
 
 // Runs one function of the program.
-std::string error_of(Stage& io_stage, std::string_view function) {
+std::string error_text(Stage& io_stage, std::string_view function) {
   const base::Status status = io_stage.machine.call(io_stage.machine.program().find_function(function));
   return status.ok() ? "" : status.error().message();
 }
@@ -124,36 +124,36 @@ TEST_F(CompiledBuiltins, SystemDefinitionsAreQuakes) {
 }
 
 TEST_F(CompiledBuiltins, Text) {
-  EXPECT_EQ(error_of(*stage, "test_text"), "");
+  EXPECT_EQ(error_text(*stage, "test_text"), "");
   EXPECT_THAT(prints_in(stage->outbox.reliable()),
               ElementsAre("  1.5|'  1.0   2.0   3.0'|7 x 1 0 2|el", "351"));
 }
 
 TEST_F(CompiledBuiltins, Entities) {
-  EXPECT_EQ(error_of(*stage, "test_entities"), "");
-  // 0 + 1 + 3 + 4; the second and, behind it, the first; two players and four more; the third.
+  EXPECT_EQ(error_text(*stage, "test_entities"), "");
+  // 0 + 1 + 3 + 4; the second and, after it, the first; two players and four more; the third.
   EXPECT_THAT(prints_in(stage->outbox.reliable()), ElementsAre("8 ", "21 ", "6 3"));
 }
 
 TEST_F(CompiledBuiltins, World) {
-  EXPECT_EQ(error_of(*stage, "test_world"), "");
+  EXPECT_EQ(error_text(*stage, "test_world"), "");
   EXPECT_THAT(prints_in(stage->outbox.reliable()),
               ElementsAre("'  0.0   0.0   1.0'1", "'  0.0   1.0  -0.0'5"));
-  const auto told = messages_in<net::TempEntity>(stage->outbox.broadcast().view());
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].kind, net::TempEntityKind::kTeleport);
-  EXPECT_EQ(told[0].origin, math::Vec3(8, 16, -24));
+  const auto sent = messages_in<net::TempEntity>(stage->outbox.broadcast().view());
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_EQ(sent[0].kind, net::TempEntityKind::kTeleport);
+  EXPECT_EQ(sent[0].origin, math::Vec3(8, 16, -24));
 }
 
 TEST_F(CompiledBuiltins, ByName) {
   stage->machine.set_parameter_entity(0, Stage::kPlayer2);
-  EXPECT_EQ(error_of(*stage, "test_named"), "");
+  EXPECT_EQ(error_text(*stage, "test_named"), "");
   EXPECT_THAT(prints_in(*stage->outbox.reliable_to(Stage::kPlayer2)), ElementsAre("hello world"));
-  EXPECT_THAT(error_of(*stage, "test_unknown"), HasSubstr("ex_nobody_knows"));
+  EXPECT_THAT(error_text(*stage, "test_unknown"), HasSubstr("ex_nobody_knows"));
 }
 
 TEST_F(CompiledBuiltins, ErrorsNameTheCaller) {
-  const std::string error = error_of(*stage, "test_error");
+  const std::string error = error_text(*stage, "test_error");
   EXPECT_THAT(error, HasSubstr("builtin error: it broke"));
   EXPECT_THAT(error, HasSubstr("test_error"));
   EXPECT_THAT(stage->printed, HasSubstr("test_error: it broke\nentity 3:"));

@@ -1,4 +1,4 @@
-// The tree against a plain list of boxes.
+// Areas find the same entities as a plain list of boxes.
 #include "server/game/areas.h"
 
 #include <gmock/gmock.h>
@@ -67,7 +67,7 @@ TEST(Areas, FindWhatAPlainListFinds) {
   EXPECT_GT(found_in_all, 1000u);
 }
 
-TEST(Areas, FindTheLargePartsFirstAndInThemTheOrderOfLinking) {
+TEST(Areas, FindLargePartsFirstAndKeepTheOrderOfLinking) {
   Areas areas(kWorld);
   // Small ones first: one in the upper half of x, one in the lower; then two across the middle.
   areas.link(EntityIndex{1}, box_at({700, 0, 0}, 2), AreaKind::kTrigger);
@@ -76,13 +76,13 @@ TEST(Areas, FindTheLargePartsFirstAndInThemTheOrderOfLinking) {
   areas.link(EntityIndex{4}, box_at({0, 100, 0}, 50), AreaKind::kTrigger);
   EXPECT_THAT(found_in(areas, kWorld, AreaKind::kTrigger),
               ElementsAre(EntityIndex{3}, EntityIndex{4}, EntityIndex{1}, EntityIndex{2}));
-  // Linked anew: behind the others.
+  // Linked again: now after the others.
   areas.link(EntityIndex{3}, box_at({0, 0, 0}, 50), AreaKind::kTrigger);
   EXPECT_THAT(found_in(areas, kWorld, AreaKind::kTrigger),
               ElementsAre(EntityIndex{4}, EntityIndex{3}, EntityIndex{1}, EntityIndex{2}));
 }
 
-TEST(Areas, HoldWhatIsOutsideOfTheLevelAndNoBoxAtAll) {
+TEST(Areas, AcceptBoxesOutsideOfTheLevelAndInvalidOnes) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   Areas areas(kWorld);
   areas.link(EntityIndex{1}, box_at({99999, 99999, 0}, 2), AreaKind::kSolid);

@@ -25,7 +25,7 @@ TEST_F(EdictsTest, PlayersComeFirst) {
   EXPECT_FALSE(edicts_.is_client(vm::kWorld));
 }
 
-TEST_F(EdictsTest, APlaceIsUsedAgainAfterHalfASecond) {
+TEST_F(EdictsTest, ANumberIsReusedAfterHalfASecond) {
   const EntityIndex first = edicts_.spawn(10).value(), second = edicts_.spawn(10).value();
   edicts_[first].set(field::kHealth, 50);
   edicts_.free(second, 10);
@@ -37,14 +37,14 @@ TEST_F(EdictsTest, APlaceIsUsedAgainAfterHalfASecond) {
   EXPECT_EQ(edicts_.spawn(10.8).value(), EntityIndex{7});
 }
 
-TEST_F(EdictsTest, WhileALevelIsSetUpItIsUsedAgainAtOnce) {
+TEST_F(EdictsTest, WhileALevelIsSetUpItIsReusedAtOnce) {
   const EntityIndex first = edicts_.spawn(1).value();
   edicts_.free(first, 1);
   EXPECT_EQ(edicts_.spawn(1).value(), first);
 }
 
-// Clients were told of it once, and are told nothing else for as long as the level lasts.
-TEST_F(EdictsTest, AReusedPlaceKeepsTheBaselineThatClientsHave) {
+// Clients are sent a baseline once, and nothing replaces it for as long as the level lasts.
+TEST_F(EdictsTest, AReusedNumberKeepsTheBaselineThatClientsHave) {
   const EntityIndex index = edicts_.spawn(1).value();
   edicts_.state(index).baseline.frame = 5;
   edicts_.free(index, 1);
@@ -52,7 +52,7 @@ TEST_F(EdictsTest, AReusedPlaceKeepsTheBaselineThatClientsHave) {
   EXPECT_EQ(edicts_.state(index).baseline.frame, 5);
 }
 
-TEST_F(EdictsTest, FreedIsNowhere) {
+TEST_F(EdictsTest, AFreeEntityHasNoModelOrPlace) {
   const EntityIndex index = edicts_.spawn(10).value();
   const Edict edict = edicts_[index];
   edict.set(field::kOrigin, {1, 2, 3});
@@ -66,7 +66,7 @@ TEST_F(EdictsTest, FreedIsNowhere) {
   EXPECT_EQ(edict.solid(), Solid::kNot);
   EXPECT_EQ(edict[field::kModelIndex], 0);
   EXPECT_LT(edict[field::kNextThink], 0);
-  EXPECT_EQ(edict[field::kHealth], 77);  // whoever holds it may still ask
+  EXPECT_EQ(edict[field::kHealth], 77);  // QuakeC may still read it
 }
 
 TEST_F(EdictsTest, TheWorldAndPlayersStay) {
@@ -88,7 +88,7 @@ TEST_F(EdictsTest, AreLimited) {
   EXPECT_EQ(edicts_.count(), most);
 }
 
-TEST_F(EdictsTest, ForLoadingAreSoMany) {
+TEST_F(EdictsTest, SavedGamesSetTheirNumber) {
   const EntityIndex index = edicts_.spawn(10).value();
   edicts_.free(index, 10);
   ASSERT_TRUE(edicts_.set_count(20).ok());
@@ -99,7 +99,7 @@ TEST_F(EdictsTest, ForLoadingAreSoMany) {
   EXPECT_EQ(edicts_.spawn(11).value(), EntityIndex{20});
 }
 
-TEST_F(EdictsTest, NumbersThatAreNoneCountAsZero) {
+TEST_F(EdictsTest, NanAndOutOfRangeNumbersCountAsZero) {
   const Edict edict = edicts_[edicts_.spawn(10).value()];
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                           -std::numeric_limits<float>::infinity(), 3e9f}) {

@@ -1,4 +1,4 @@
-// Where players on stairs look, if they let the game choose.
+// The pitch that the game suggests to players on stairs.
 #include "server/game/ideal_pitch.h"
 
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 namespace temblor::server {
 namespace {
 
-constexpr double kTread_units = 12;  // as far apart as the places at which the floor is looked at
+constexpr double kTread_units = 12;  // the distance between the probes
 
-// A flight of stairs that rises eastwards from x = 0, `rise_units` a step.
+// A flight of stairs that rises eastward from x = 0, by `rise_units` per step.
 std::string stairs_text(double rise_units) {
   std::string brushes;
   for (int i = 0; i < 12; ++i)
@@ -33,8 +33,8 @@ TEST(IdealPitch, IsALevelLookOnAFloor) {
   EXPECT_EQ(pitch_at(world, {-200, 0, 25}, 0), 0);
 }
 
-// As far as the eye is above the steps. Pitch is positive downwards: up the stairs is a negative one, 0.8
-// degrees for each unit of a step.
+// Pitch is positive downward: on the way up the stairs it is negative, 0.8
+// degrees for each unit that a step rises.
 TEST(IdealPitch, LooksUpAFlightOfStairs) {
   TestWorld world(stairs_text(4));
   EXPECT_FLOAT_EQ(pitch_at(world, {-20, 0, 25}, 0), -4 * 0.8f);

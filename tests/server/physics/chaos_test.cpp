@@ -1,5 +1,5 @@
-// Worlds full of entities that do everything at once: the same every time, whatever a program writes into
-// them nothing breaks, and a tick that is warm asks the heap for nothing.
+// Worlds full of entities that do everything at once: results are the same every time, nothing breaks
+// whatever game code writes into them, and ticks allocate nothing once they have warmed up.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ const std::string kScene =
                   test::box_text({-300, 200, 0}, {512, 512, 60}, "*water"),
               door_text({100, -100, 0}, {200, 100, 32}) + door_text({-100, -400, 0}, {-60, -200, 128}));
 
-// Two doors that go to and fro, a player who runs about, and a crowd of everything.
+// Two doors that move back and forth, a player who runs around, and a crowd of all move types.
 class Chaos {
  public:
   explicit Chaos(std::uint64_t seed, int crowd = 120) : random_(seed) {
@@ -117,15 +117,15 @@ TEST(Chaos, IsTheSameEveryTime) {
   for (std::uint64_t& hash : hashes) {
     Chaos chaos(51);
     for (int tick = 0; tick < test::effort(10000, 300); ++tick) chaos.tick();
-    hash = hash_of(chaos.world().world);
+    hash = compute_hash(chaos.world().world);
   }
   EXPECT_EQ(hashes[0], hashes[1]);
   Chaos other(52);
   for (int tick = 0; tick < 100; ++tick) other.tick();
-  EXPECT_NE(hash_of(other.world().world), hashes[0]);
+  EXPECT_NE(compute_hash(other.world().world), hashes[0]);
 }
 
-TEST(Chaos, LeavesEveryoneWhereNumbersAre) {
+TEST(Chaos, KeepsAllNumbersFinite) {
   Chaos chaos(53);
   for (int tick = 0; tick < test::effort(2000, 200); ++tick) {
     chaos.tick();
@@ -143,8 +143,8 @@ TEST(Chaos, LeavesEveryoneWhereNumbersAre) {
   }
 }
 
-// Whatever the program writes.
-TEST(Chaos, WithWordsOfAnyKindBreaksNothing) {
+// Random words in random fields.
+TEST(Chaos, SurvivesRandomWords) {
   const std::array kFloats = {std::numeric_limits<float>::quiet_NaN(),
                               std::numeric_limits<float>::infinity(),
                               -std::numeric_limits<float>::infinity(),
@@ -163,7 +163,7 @@ TEST(Chaos, WithWordsOfAnyKindBreaksNothing) {
       for (int k = 0; k < 4; ++k) {
         const EntityIndex index{static_cast<std::uint32_t>(random.below(world.edicts.count()))};
         const std::size_t word = random.below(kSystemFieldWords);
-        // Functions are the machine's to check; the fake knows its own alone.
+        // The machine checks functions; the fake has only its own.
         const bool is_function = word >= field::kTouch.word && word <= field::kBlocked.word;
         const auto value = random.chance(0.8)
                                ? std::bit_cast<std::uint32_t>(kFloats[random.below(kFloats.size())])
@@ -181,7 +181,7 @@ TEST(Chaos, WithWordsOfAnyKindBreaksNothing) {
   }
 }
 
-TEST(Chaos, OnceWarmAsksTheHeapForNothing) {
+TEST(Chaos, AllocatesNothingOnceWarm) {
   TestWorld world(kScene);
   world.calls.keeps_log = false;
   world.world.sounds.reserve(1000);

@@ -1,4 +1,4 @@
-// Where entities are: their boxes, their leaves, and who is touched when they move.
+// link(): boxes, leaves, and the triggers that an entity touches when it moves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST_F(LinkTest, GrowsBoxesByOneAndItemsByFifteenSideways) {
 
 TEST_F(LinkTest, CallsTriggersInTheirOrder) {
   const vm::FunctionIndex touch = world_.calls.add();
-  // In one part of the plan, and one across its middle, made last but in the whole level's part.
+  // Some in one part of the level, and one across its middle: made last, but in the whole level's part.
   const Edict first = trigger({300, 300, 50}, touch), second = trigger({302, 300, 50}, touch);
   const Edict wide =
       world_.spawn({0, 0, 50}, {{-400, -400, -8}, {400, 400, 8}}, Solid::kTrigger, MoveType::kNone);
@@ -61,7 +61,7 @@ TEST_F(LinkTest, CallsTriggersInTheirOrder) {
   EXPECT_EQ(world_.calls.log[0].time_s, world_.world.time_s);
 }
 
-TEST_F(LinkTest, CallsNobodyForWhatIsNoTriggerOrHasNoTouch) {
+TEST_F(LinkTest, IgnoresNontriggersAndTriggersWithoutTouch) {
   const vm::FunctionIndex touch = world_.calls.add();
   trigger({0, 0, 50}, vm::kNoFunction);
   const Edict solid = world_.spawn({0, 0, 50}, kLinkCube, Solid::kBox, MoveType::kNone);
@@ -70,14 +70,14 @@ TEST_F(LinkTest, CallsNobodyForWhatIsNoTriggerOrHasNoTouch) {
   ASSERT_TRUE(link_touching(toucher.index()).ok());
   toucher.set(field::kSolid, static_cast<float>(Solid::kNot));
   trigger({0, 0, 50}, touch);
-  ASSERT_TRUE(link_touching(toucher.index()).ok());  // what is not solid touches nothing
+  ASSERT_TRUE(link_touching(toucher.index()).ok());  // a nonsolid entity touches nothing
   EXPECT_THAT(world_.calls.log, IsEmpty());
 }
 
-TEST_F(LinkTest, ATriggerIsAskedAgainWhenItsTurnComes) {
+TEST_F(LinkTest, ATriggerIsCheckedAgainWhenItsTurnComes) {
   std::vector<EntityIndex> triggers;
   const vm::FunctionIndex touch = world_.calls.add([&](const FakeCalls::Call&) {
-    // The first call takes the second away and makes the third solid; the fourth is left.
+    // The first call removes the second trigger and makes the third solid; the fourth remains.
     remove(world_.world, triggers[1]);
     world_[triggers[2]].set(field::kSolid, static_cast<float>(Solid::kBox));
   });
@@ -87,7 +87,7 @@ TEST_F(LinkTest, ATriggerIsAskedAgainWhenItsTurnComes) {
   EXPECT_THAT(selves(world_.calls), ElementsAre(triggers[0], triggers[3]));
 }
 
-TEST_F(LinkTest, EndsWhenTheToucherIsGoneOrElsewhere) {
+TEST_F(LinkTest, EndsWhenTheToucherIsGoneOrHasMovedAway) {
   const vm::FunctionIndex taking =
       world_.calls.add([&](const FakeCalls::Call& call) { remove(world_.world, call.other); });
   trigger({0, 0, 50}, taking);
@@ -120,7 +120,7 @@ TEST_F(LinkTest, APlayerWhoLeavesTheLevelInATouchFunctionSurvivesNewEntities) {
   EXPECT_EQ(world_[toucher][field::kOrigin], math::Vec3(0, 0, 50));
 }
 
-TEST_F(LinkTest, PassesTheProgramsErrorsUp) {
+TEST_F(LinkTest, PassesOnErrorsOfQuakeC) {
   world_.calls.failing = world_.calls.add();
   const vm::FunctionIndex touch = world_.calls.add();
   trigger({0, 0, 50}, world_.calls.failing);
@@ -164,7 +164,7 @@ TEST(LinkLeaves, AreThoseOfAllPointsOfTheBox) {
     EXPECT_EQ(std::ranges::adjacent_find(sorted), sorted.end());
   }
   EXPECT_GT(checked, 500);
-  // Without a model nobody sees it.
+  // An entity without a model is invisible.
   edict.set(field::kModelIndex, 0);
   ASSERT_TRUE(link(world.world, edict.index(), TouchTriggers::kNo).ok());
   EXPECT_THAT(world.world.edicts.state(edict.index()).leaves, IsEmpty());

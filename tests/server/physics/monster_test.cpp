@@ -1,4 +1,4 @@
-// Monsters' steps: where they may stand, how they turn, and whether they get where they want.
+// Steps of monsters: where they may stand, how they turn, and whether they reach their goals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,14 +37,14 @@ class MonsterTest : public ::testing::Test {
   TestWorld world_;
 };
 
-TEST_F(MonsterTest, WalksOnAFloorTheWayItIsTold) {
+TEST_F(MonsterTest, WalksOnAFloorInTheGivenDirection) {
   const Edict ogre = monster({0, 0, kStanding});
   EXPECT_TRUE(walk(ogre, 0, 10));
   EXPECT_NEAR(glm::distance(ogre[field::kOrigin], Vec3(10, 0, kStanding)), 0, 0.01);
   EXPECT_TRUE(walk(ogre, 135, 10 * std::sqrt(2.0f)));
   EXPECT_NEAR(glm::distance(ogre[field::kOrigin], Vec3(0, 10, kStanding)), 0, 0.01);
   EXPECT_EQ(ogre[field::kGroundEntity], vm::kWorld);
-  EXPECT_NEAR(ogre[field::kAbsMin].x, -17, 0.01);  // it is linked there
+  EXPECT_NEAR(ogre[field::kAbsMin].x, -17, 0.01);  // linked at its new place
 }
 
 TEST_F(MonsterTest, InTheAirDoesNotWalk) {
@@ -64,7 +64,7 @@ TEST_F(MonsterTest, DoesNotWalkOverAnEdgeButStepsDown) {
   const Edict ogre = monster({-120, 300, 100 + kStanding});
   EXPECT_FALSE(walk(ogre, 0, 40));
   EXPECT_EQ(ogre[field::kOrigin].x, -120);
-  // Half of its box hanging over is too much already: the corners want a floor.
+  // Half of its box over the edge is too much already: the corners need a floor.
   EXPECT_FALSE(walk(ogre, 0, 20));
   EXPECT_TRUE(walk(ogre, 0, 3));
   // With partialground it does.
@@ -75,7 +75,7 @@ TEST_F(MonsterTest, DoesNotWalkOverAnEdgeButStepsDown) {
   const Edict down = monster({-310, -400, 16 + kStanding});
   EXPECT_TRUE(walk(down, 0, 40));
   EXPECT_NEAR(down[field::kOrigin].z, kStanding, 0.1);
-  // It looks 18 down from where it stands, which is 1/32 over its floor: 18 is too deep.
+  // It searches 18 units down from where it stands, which is 1/32 above its floor: 18 is too deep.
   EXPECT_FALSE(walk(monster({110, -200, 18 + kStanding}), 180, 40));
 }
 
@@ -120,7 +120,7 @@ TEST_F(MonsterTest, FliersComeToTheirEnemysHeight) {
   wizard.set(field::kOrigin, {0, 0, 110});
   EXPECT_TRUE(walk(wizard, 0, 5));
   EXPECT_NEAR(wizard[field::kOrigin].z, 118, 0.01);  // less than 30 above
-  // Under a ceiling it goes level.
+  // Under a ceiling it stays level.
   enemy.set(field::kOrigin, {0, 300, 500});
   wizard.set(field::kOrigin, {0, 0, 512 - 32 - 4});
   EXPECT_TRUE(walk(wizard, 0, 5));
@@ -142,7 +142,7 @@ TEST_F(FishTest, StaysInTheWater) {
   EXPECT_NEAR(fish[field::kOrigin].z, 198, 0.01);
 }
 
-TEST_F(MonsterTest, TurnsTheShortWayAsFastAsItCan) {
+TEST_F(MonsterTest, TurnsTheShortWayAtItsYawSpeed) {
   const Edict ogre = monster({0, 0, kStanding});
   ogre.set(field::kYawSpeed, 20);
   const auto turned = [&](float from, float to) {
@@ -224,7 +224,7 @@ TEST_F(ChaseTest, StandsStillOnAPillarAndMayFallWhenItIsTakenAway) {
   EXPECT_NE(hunter[field::kOrigin], Vec3(-200, 100, 200));
 }
 
-TEST_F(ChaseTest, AStepIsUndoneWhileItLooksElsewhere) {
+TEST_F(ChaseTest, AStepIsUndoneWhileItFacesElsewhere) {
   const Edict prey = monster({-200, 400, kStanding});
   const Edict hunter = monster({-200, 100, kStanding});
   hunter.set(field::kGoalEntity, prey.index());
@@ -237,7 +237,7 @@ TEST_F(ChaseTest, AStepIsUndoneWhileItLooksElsewhere) {
   EXPECT_NE(hunter[field::kAngles].y, 270);
 }
 
-TEST_F(ChaseTest, SurvivesBeingRemovedOnItsWay) {
+TEST_F(ChaseTest, SurvivesItsRemovalOnTheWay) {
   const vm::FunctionIndex taking =
       world_.calls.add([&](const FakeCalls::Call& call) { remove(world_.world, call.other); });
   const Edict trigger =

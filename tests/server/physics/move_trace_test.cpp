@@ -1,4 +1,4 @@
-// Boxes that move among entities, held against every entity asked by itself and intervals along each axis.
+// Traces among entities, compared with a separate trace of each entity by intervals along each axis.
 #include "server/move_trace.h"
 
 #include <gtest/gtest.h>
@@ -27,9 +27,9 @@ EntityTrace trace(TestWorld& world, const Vec3& start, const Vec3& end, const ma
   return trace_move(world.world, start, box.mins, box.maxs, end, kind, passing);
 }
 
-// The part of the way after which a box touches another; nothing: never, or it starts inside.
-std::optional<double> contact_of(const math::Bounds& box, const Vec3& start, const Vec3& end,
-                                 const math::Bounds& other) {
+// The fraction of the path after which a box touches another; empty: never, or it starts inside.
+std::optional<double> first_contact(const math::Bounds& box, const Vec3& start, const Vec3& end,
+                                    const math::Bounds& other) {
   double enter = 0, leave = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const double low = double{other.mins[axis]} - box.maxs[axis],
@@ -52,7 +52,7 @@ TEST(MoveTrace, StopsAtTheNearestOfManyBoxes) {
   int stopped = 0;
   for (int scene = 0; scene < test::effort(60, 10); ++scene) {
     TestWorld world(hall_text());
-    std::vector<math::Bounds> boxes(2);  // by entity; the world and a player who is not there
+    std::vector<math::Bounds> boxes(2);  // by entity; the world and an unused player
     for (int i = 0; i < 40; ++i) {
       const Vec3 origin = random.in_cube(400) * Vec3(1, 1, 0.5f) + Vec3(0, 0, 256);
       const Vec3 half(static_cast<float>(random.uniform(4, 60)), static_cast<float>(random.uniform(4, 60)),
@@ -68,7 +68,7 @@ TEST(MoveTrace, StopsAtTheNearestOfManyBoxes) {
       double nearest = 1;
       std::size_t nearest_box = 0;
       for (std::size_t k = 2; k < boxes.size(); ++k) {
-        const auto contact = contact_of(mover, start, end, boxes[k]);
+        const auto contact = first_contact(mover, start, end, boxes[k]);
         if (!contact) continue;
         starts_inside = starts_inside || *contact == 0;
         if (*contact < nearest) {
@@ -122,7 +122,7 @@ TEST(MoveTrace, BoxesAreHalfOpenAndFlatOnesStopNothing) {
   EXPECT_FLOAT_EQ(from_below.end.z, -kGap);
 }
 
-TEST(MoveTrace, NumbersThatAreNoneStopNothingAndCrashNothing) {
+TEST(MoveTrace, NanStopsNothingAndCrashesNothing) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   TestWorld world(hall_text());
@@ -171,7 +171,7 @@ TEST_F(WhoMeetsWhom, OwnersAndOwnedPassEachOther) {
   EXPECT_EQ(fraction(), 1);
   world_[mover_].set(field::kOwner, EntityIndex{0xffffffff});
   EXPECT_LT(fraction(), 1);
-  // As in the original, the world as passing entity owns everyone without an owner.
+  // As in the original, the world as passing entity owns every entity without an owner.
   EXPECT_EQ(trace(world_, {-80, 0, 100}, {100, 0, 100}, kNoBox, MoveKind::kNormal, vm::kWorld).trace.fraction,
             1);
 }
@@ -183,7 +183,7 @@ TEST_F(WhoMeetsWhom, ThinEntitiesStopOnlyThinMovers) {
   EXPECT_LT(fraction(), 1);
 }
 
-TEST_F(WhoMeetsWhom, WithoutMonstersOnlyBrushModelsStop) {
+TEST_F(WhoMeetsWhom, NoMonstersMeansOnlyBrushModelsStop) {
   EXPECT_EQ(fraction(kMoveTraceCube, MoveKind::kNoMonsters), 1);
   const Edict door = world_.spawn_pusher(1);
   door.set(field::kOrigin, {0, -150, 0});
@@ -200,7 +200,7 @@ TEST_F(WhoMeetsWhom, MissilesMeetMonstersWithABiggerBox) {
   EXPECT_NEAR(fraction(kNoBox, MoveKind::kMissile), (100 - 8 - 15) / 200.0, 0.001);
 }
 
-TEST_F(WhoMeetsWhom, ABrushModelIsAskedByTheHullOfTheSizeWhereItIs) {
+TEST_F(WhoMeetsWhom, ABrushModelIsTracedThroughTheHullOfTheSize) {
   remove(world_.world, target_);
   const Edict door = world_.spawn_pusher(1);
   for (const Vec3 place : {Vec3(0, 0, 0), Vec3(30, -20, 10)}) {
@@ -216,7 +216,7 @@ TEST_F(WhoMeetsWhom, ABrushModelIsAskedByTheHullOfTheSizeWhereItIs) {
   }
 }
 
-TEST_F(WhoMeetsWhom, ASolidBrushWithoutOneIsItsBox) {
+TEST_F(WhoMeetsWhom, ASolidBspWithoutABrushModelIsItsBox) {
   world_[target_].set(field::kSolid, static_cast<float>(Solid::kBsp));
   for (const float model : {0.0f, 77.0f, -4.0f, std::numeric_limits<float>::quiet_NaN()}) {
     world_[target_].set(field::kModelIndex, model);
@@ -238,7 +238,7 @@ TEST_F(WhoMeetsWhom, FromInsideAnEntityTheWallStillStops) {
   EXPECT_TRUE(is_stuck(world_.world, mover_));
 }
 
-TEST(PointContents, KnowTheWorldAlone) {
+TEST(PointContents, IncludeOnlyTheWorld) {
   TestWorld world(flooded_hall_text(100));
   world.spawn({0, 0, 200}, kBigCube, Solid::kBox, MoveType::kNone);
   EXPECT_EQ(point_contents(world.world, {0, 0, 50}), world::Contents::kWater);

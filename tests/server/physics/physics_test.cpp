@@ -1,4 +1,4 @@
-// A tick as a whole: who is run when, and what the program is told.
+// A whole tick: the order of entities, and the calls of game code.
 #include "server/physics/physics.h"
 
 #include <gmock/gmock.h>
@@ -35,7 +35,7 @@ class PhysicsTest : public ::testing::Test {
   static constexpr float kNow = 10;
 };
 
-TEST_F(PhysicsTest, ThoughtsComeInTheTickThatTheyFallInto) {
+TEST_F(PhysicsTest, ThinksRunInTheTickThatContainsTheirTime) {
   const vm::FunctionIndex think = world_.calls.add([&](const FakeCalls::Call& call) {
     EXPECT_EQ(world_[call.self][field::kNextThink], 0);
     EXPECT_EQ(call.other, vm::kWorld);
@@ -54,7 +54,7 @@ TEST_F(PhysicsTest, ThoughtsComeInTheTickThatTheyFallInto) {
   EXPECT_EQ(world_.calls.log.size(), 3u);
 }
 
-TEST_F(PhysicsTest, EveryWayOfMovingThinks) {
+TEST_F(PhysicsTest, EveryMoveTypeThinks) {
   const vm::FunctionIndex think = world_.calls.add();
   std::vector<EntityIndex> all;
   for (const MoveType type : {MoveType::kNone, MoveType::kWalk, MoveType::kStep, MoveType::kFly,
@@ -65,7 +65,7 @@ TEST_F(PhysicsTest, EveryWayOfMovingThinks) {
   EXPECT_EQ(thought(), all);
 }
 
-TEST_F(PhysicsTest, WhoIsMadeInATickTakesPartInIt) {
+TEST_F(PhysicsTest, AnEntityMadeInATickTakesPartInIt) {
   const vm::FunctionIndex second = world_.calls.add();
   EntityIndex made{};
   const vm::FunctionIndex first =
@@ -76,7 +76,7 @@ TEST_F(PhysicsTest, WhoIsMadeInATickTakesPartInIt) {
   EXPECT_EQ(thought().back(), made);
 }
 
-TEST_F(PhysicsTest, WhoIsRemovedDoesNothingMore) {
+TEST_F(PhysicsTest, ARemovedEntityDoesNothingMore) {
   std::vector<EntityIndex> others;
   const vm::FunctionIndex never = world_.calls.add();
   const vm::FunctionIndex taking = world_.calls.add([&](const FakeCalls::Call& call) {

@@ -1,4 +1,4 @@
-// Players in a hall: jumps, stops, stairs, water, held against the formulas.
+// Players in a hall: jumps, stops, stairs and water, compared with the formulas.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(Player, JumpsAsHighAsTheFormulaSays) {
     highest = std::max(highest, player[field::kOrigin].z);
     ++ticks;
   } while (!player.has_flag(flag::kOnGround) && ticks < 200);
-  // v v / 2 g, less what gravity takes in half a tick of rising.
+  // v v / 2 g, minus what gravity takes away in half a tick of rising.
   EXPECT_NEAR(highest - kPlayerStanding, 270.0 * 270 / 1600 - 270 * kPlayerTick / 2, 0.1);
   EXPECT_NEAR(ticks * kPlayerTick, 2 * 270.0 / 800, 2 * kPlayerTick);
 }
@@ -50,7 +50,7 @@ TEST(Player, RunsAtFullSpeedAndStopsWithinTheFormulasDistance) {
   EXPECT_GT(distance, (320.0 - 100) / 4 + 100.0 * 100 / 800 - 320 * kPlayerTick);
 }
 
-TEST(Player, StopsInLessWayAtAnEdge) {
+TEST(Player, StopsInAShorterDistanceAtAnEdge) {
   double ways[2];
   for (const bool has_edge : {false, true}) {
     TestWorld world(hall_text(test::box_text({-512, -512, 0}, {has_edge ? 0.0 : 512.0, 512, 100}, "wall")));
@@ -74,7 +74,7 @@ TEST_P(PlayerSteps, AreClimbedUpToEighteenUnits) {
   const bool climbs = GetParam() <= 18;
   EXPECT_EQ(player[field::kOrigin].x > 0, climbs);
   EXPECT_NEAR(player[field::kOrigin].z, double{kPlayerStanding} + (climbs ? GetParam() : 0), 0.2);
-  // And not where the server forbids it.
+  // But not if the server forbids it.
   world.world.settings.no_step = true;
   player.set(field::kOrigin, {-100, 0, kPlayerStanding});
   world.command_and_tick(kForward, 72);
@@ -91,7 +91,7 @@ TEST(Player, SwimsAndSinks) {
   world.command_and_tick(kForward, 144);
   EXPECT_NEAR(player[field::kVelocity].x, 320 * 0.7, 0.5);
   world.command_and_tick(kNothing, 400);
-  EXPECT_NEAR(player[field::kOrigin].z, kPlayerStanding, 0.1);  // on the ground by now
+  EXPECT_NEAR(player[field::kOrigin].z, kPlayerStanding, 0.1);  // has reached the ground
   player.set(field::kOrigin, {0, 0, 300});
   player.set(field::kVelocity, {0, 0, 0});
   world.command_and_tick(kNothing, 100);
@@ -114,7 +114,7 @@ TEST(Player, WaterLevelsAreFeetMiddleAndEyes) {
   }
 }
 
-TEST(Player, JumpsOutOfWaterTheWayTheProgramGives) {
+TEST(Player, JumpsOutOfWaterAtTheVelocityOfGameCode) {
   TestWorld world(flooded_hall_text(100));
   const Edict player = world.player({0, 0, 80});
   world.command_and_tick(kNothing);
@@ -122,7 +122,7 @@ TEST(Player, JumpsOutOfWaterTheWayTheProgramGives) {
   player.set(field::kTeleportTime, static_cast<float>(world.world.time_s) + 2);
   player.set(field::kMoveDirection, {0, 150, 0});
   player.set(field::kVelocity, {0, 0, 225});
-  // Gravity does not hold it back, nor do its own wishes count.
+  // Neither gravity nor the player's input has an effect.
   world.command_and_tick(kForward, 10);
   EXPECT_EQ(player[field::kVelocity], Vec3(0, 150, 225));
   world.command_and_tick(kForward, 60);
@@ -130,7 +130,7 @@ TEST(Player, JumpsOutOfWaterTheWayTheProgramGives) {
   EXPECT_EQ(player[field::kTeleportTime], 0);
 }
 
-TEST(Player, OutOfATeleporterDoesNotGoBack) {
+TEST(Player, DoesNotMoveBackwardRightAfterATeleport) {
   TestWorld world(hall_text());
   const Edict player = world.player({0, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
@@ -141,7 +141,7 @@ TEST(Player, OutOfATeleporterDoesNotGoBack) {
   EXPECT_LT(player[field::kOrigin].x, -10);
 }
 
-TEST(Player, LooksAndLeansAndIsShaken) {
+TEST(Player, ItsModelTurnsAndLeansAndPunchesFade) {
   TestWorld world(hall_text());
   const Edict player = world.player({0, 0, kPlayerStanding});
   player.set(field::kVelocity, {0, -100, 0});
@@ -154,7 +154,7 @@ TEST(Player, LooksAndLeansAndIsShaken) {
   player.set(field::kFixAngle, 1);
   move_player(world.world, player.index(), {.view_angles_deg = {0, 90, 0}});
   EXPECT_EQ(player[field::kAngles].y, 0);
-  // The dead only turn their heads.
+  // A dead player can only look around.
   player.set(field::kHealth, 0);
   player.set(field::kVelocity, {0, 0, 0});
   move_player(world.world, player.index(), {.view_angles_deg = {0, 45, 0}, .forward = 400});
@@ -171,15 +171,15 @@ TEST(Player, FliesThroughWallsWithoutClipping) {
   EXPECT_NEAR(player[field::kOrigin].z, 100, 0.01);
 }
 
-TEST(Player, ComesFreeOfWhatItIsStuckIn) {
+TEST(Player, GetsUnstuck) {
   TestWorld world(hall_text(test::box_text({100, -512, 0}, {512, 512, 200}, "wall")));
   const Edict player = world.player({0, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
-  // Where it last was well.
+  // Back to where it last was free.
   player.set(field::kOrigin, {150, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
   EXPECT_NEAR(player[field::kOrigin].x, 0, 0.1);
-  // A unit beside.
+  // One unit to the side.
   player.set(field::kOrigin, {84.5f, 0, kPlayerStanding});
   player.set(field::kOldOrigin, {150, 0, kPlayerStanding});
   world.command_and_tick(kNothing, 2);
@@ -191,7 +191,7 @@ TEST(Player, ComesFreeOfWhatItIsStuckIn) {
   EXPECT_GT(player[field::kOrigin].z, kPlayerStanding - 0.1);
 }
 
-TEST(Player, IsToldBeforeAndAfterEachTickAndOnlyWhileActive) {
+TEST(Player, PreThinkAndPostThinkRunOnlyWhileActive) {
   TestWorld world(hall_text(), 2);
   const vm::FunctionIndex start = world.calls.add(), before = world.calls.add(), after = world.calls.add();
   world.functions = {start, before, after};
@@ -207,7 +207,7 @@ TEST(Player, IsToldBeforeAndAfterEachTickAndOnlyWhileActive) {
   EXPECT_NEAR(world.world.time_s, 10 + kPlayerTick, 1e-9);
 }
 
-TEST(Walker, WhoIsNoPlayerWalksAlike) {
+TEST(Walker, OtherEntitiesWalkAlike) {
   TestWorld world(hall_text(test::box_text({0, -512, 0}, {512, 512, 16}, "wall")));
   const Edict bot = world.spawn({-40, 0, kPlayerStanding}, kPlayerBox, Solid::kSlideBox, MoveType::kWalk);
   bot.set_flag(flag::kOnGround);

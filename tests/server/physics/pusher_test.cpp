@@ -1,4 +1,4 @@
-// Doors and lifts: what they carry, what stops them, and their own clock.
+// Doors and lifts: what they carry, what blocks them, and their own clock.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,12 +13,12 @@ using vm::EntityIndex;
 constexpr math::Bounds kPusherCube{{-8, -8, -8}, {8, 8, 8}};
 constexpr float kPusherTick = 1.0f / 72;
 
-// A plate in the hall's middle whose upper side is at 16.
+// A plate in the middle of the hall, with its upper side at 16.
 const std::string kLift = hall_text({}, door_text({-100, -100, 0}, {100, 100, 16}));
 // A block at the height of a player.
 const std::string kDoor = hall_text({}, door_text({-100, -100, 20}, {-60, 100, 100}));
 
-TEST(Pusher, MovesOnlyWhileItHasAThoughtToComeTo) {
+TEST(Pusher, MovesOnlyUntilItsNextThink) {
   TestWorld world(kLift);
   const Edict lift = world.spawn_pusher(1, {0, 0, 72});
   lift.set(field::kNextThink, 0);
@@ -27,7 +27,7 @@ TEST(Pusher, MovesOnlyWhileItHasAThoughtToComeTo) {
   EXPECT_EQ(lift[field::kLocalTime], 0);
 }
 
-TEST(Pusher, StopsExactlyWhereItsThoughtComes) {
+TEST(Pusher, StopsExactlyAtItsNextThink) {
   TestWorld world(kLift);
   const Edict lift = world.spawn_pusher(1, {0, 0, 100});
   const EntityIndex index = lift.index();
@@ -44,9 +44,9 @@ TEST(Pusher, StopsExactlyWhereItsThoughtComes) {
   EXPECT_NEAR(lift[field::kOrigin].z, 50, 1e-4);
 }
 
-// Its clock tells seconds in single precision: the later, the coarser. A lift that overshot would stop within
-// what rides on it, which then fell through.
-TEST(Pusher, StopsWhereItsThoughtComesLateInAGameToo) {
+// Its clock counts seconds in single precision: the later, the coarser. A lift that overshot would stop
+// inside its rider, which would then fall through.
+TEST(Pusher, StopsAtItsNextThinkLateInAGameToo) {
   for (const float begin_s : {348.0f, 3600.0f}) {
     TestWorld world(kLift);
     const Edict lift = world.spawn_pusher(1, {0, 0, -260});
@@ -55,7 +55,7 @@ TEST(Pusher, StopsWhereItsThoughtComesLateInAGameToo) {
     lift.set(field::kLocalTime, begin_s);
     const float end_s = begin_s + 496.0f / 260;
     const vm::FunctionIndex think = world.calls.add([&](const FakeCalls::Call&) {
-      // As far as the whole time on its clock has taken it.
+      // As far as the total time on its clock has taken it.
       EXPECT_NEAR(world[index][field::kOrigin].z, 496 - 260 * (end_s - begin_s), 0.005);
     });
     lift.set(field::kThink, think);
@@ -65,7 +65,7 @@ TEST(Pusher, StopsWhereItsThoughtComesLateInAGameToo) {
   }
 }
 
-TEST(Pusher, CarriesWhoStandsOnIt) {
+TEST(Pusher, CarriesItsRiders) {
   for (const Vec3 velocity : {Vec3(0, 0, 60), Vec3(90, 30, 0), Vec3(0, 0, -30)}) {
     TestWorld world(kLift);
     const Edict lift = world.spawn_pusher(1, velocity);
@@ -92,7 +92,7 @@ TEST(Pusher, PushesWhatIsInItsWayAndNothingElse) {
   in_the_way.set_flag(flag::kOnGround);
   world.tick(72);
   EXPECT_NEAR(in_the_way[field::kOrigin].x, -60 + 60 + 8, 1.1);
-  EXPECT_FALSE(in_the_way.has_flag(flag::kOnGround));  // who does not walk is not on ground any more
+  EXPECT_FALSE(in_the_way.has_flag(flag::kOnGround));  // only walkers stay on the ground
   EXPECT_EQ(beside[field::kOrigin].x, -40);
   EXPECT_EQ(fixed[field::kOrigin].x, -40);
   EXPECT_NEAR(door[field::kOrigin].x, 60, 0.01);
@@ -113,7 +113,7 @@ class BlockedPusher : public ::testing::Test {
   EntityIndex blocker_{};
 };
 
-TEST_F(BlockedPusher, StaysAndTellsWhoStandsInItsWay) {
+TEST_F(BlockedPusher, StaysAndReportsItsBlocker) {
   // So thin that it counts as a point, at its lower corner.
   const Edict loose = world_.spawn({-49.7f, 60, 60}, {{0, 0, 0}, {2, 2, 2}}, Solid::kBox, MoveType::kFly);
   const Edict box = world_.spawn({-18, 0, 60}, kPlayerBox, Solid::kBox, MoveType::kFly);
@@ -122,11 +122,11 @@ TEST_F(BlockedPusher, StaysAndTellsWhoStandsInItsWay) {
   EXPECT_GT(world_.calls.count(blocked_), 20);
   EXPECT_NEAR(box[field::kOrigin].x, -16, 0.9);
   EXPECT_EQ(blocker_, box.index());
-  // As far as whole ticks of 5/6 unit take it, and its clock with it.
+  // As far as whole ticks of 5/6 unit each take it; its clock agrees.
   EXPECT_LE(door[field::kOrigin].x, 60 - 32);
   EXPECT_GT(door[field::kOrigin].x, 60 - 32 - 2 * 60 * kPusherTick);
   EXPECT_NEAR(door[field::kLocalTime] * 60, door[field::kOrigin].x, 0.01);
-  // The other was moved, and put back when the push that was blocked moved it: it is where the door is.
+  // The other entity was moved, and put back if the blocked push had moved it: it is at the door.
   EXPECT_GT(loose[field::kOrigin].x, -42);
   EXPECT_NEAR(loose[field::kOrigin].x, door[field::kOrigin].x - 60, 60 * kPusherTick + 0.1);
   EXPECT_FALSE(is_stuck(world_.world, loose.index()));
@@ -143,7 +143,7 @@ TEST_F(BlockedPusher, CrushesCorpsesFlat) {
   EXPECT_NEAR(world_[door_][field::kOrigin].x, 50, 0.01);
 }
 
-TEST_F(BlockedPusher, GoesOnWhenTheProgramRemovesTheBlocker) {
+TEST_F(BlockedPusher, ContinuesWhenQuakeCRemovesTheBlocker) {
   const EntityIndex box = world_.spawn({-18, 0, 60}, kPlayerBox, Solid::kBox, MoveType::kFly).index();
   world_[door_].set(field::kBlocked,
                     world_.calls.add([&](const FakeCalls::Call& call) { remove(world_.world, call.other); }));
@@ -152,7 +152,7 @@ TEST_F(BlockedPusher, GoesOnWhenTheProgramRemovesTheBlocker) {
   EXPECT_GT(world_[door_][field::kOrigin].x, 48);
 }
 
-TEST_F(BlockedPusher, PassesTheProgramsErrorsUpAndForgetsWhatItMoved) {
+TEST_F(BlockedPusher, PassesOnErrorsOfQuakeCAndForgetsWhatItMoved) {
   world_.spawn({-18, 0, 60}, kPlayerBox, Solid::kBox, MoveType::kFly);
   world_.calls.failing = blocked_;
   bool failed = false;
@@ -161,7 +161,7 @@ TEST_F(BlockedPusher, PassesTheProgramsErrorsUpAndForgetsWhatItMoved) {
   EXPECT_TRUE(world_.world.scratch.moved.empty());
 }
 
-TEST(Pusher, OneThatIsNotSolidCarriesItsRidersAndStaysSo) {
+TEST(Pusher, ANonsolidOneCarriesItsRidersAndStaysNonsolid) {
   TestWorld world(kLift);
   const Edict lift = world.spawn_pusher(1, {0, 60, 0});
   lift.set(field::kSolid, static_cast<float>(Solid::kTrigger));

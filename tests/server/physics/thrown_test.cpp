@@ -1,4 +1,4 @@
-// What falls, flies and bounces, held against the formulas of falling.
+// Entities that fall, fly and bounce, compared with the formulas.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(Thrown, FallsAsLongAsTheHeightSays) {
   EXPECT_NEAR(gib[field::kOrigin].z, 8 + kGap, 0.01);
   EXPECT_EQ(gib[field::kVelocity], Vec3(0.0f));
   EXPECT_EQ(gib[field::kGroundEntity], vm::kWorld);
-  // It lies until the program says that it does not.
+  // It lies still until game code clears the flag.
   gib.set(field::kVelocity, {100, 0, 100});
   world.tick(10);
   EXPECT_EQ(gib[field::kOrigin].x, 0);
@@ -40,7 +40,7 @@ TEST(Thrown, FallsAsLongAsTheHeightSays) {
   EXPECT_GT(gib[field::kOrigin].x, 1);
 }
 
-TEST(Thrown, FallsByItsOwnGravityWhereTheProgramHasSuchAField) {
+TEST(Thrown, FallsByItsOwnGravityIfThereIsSuchAField) {
   TestWorld world(hall_text());
   world.world.gravity_field = Field<float>{kSystemFieldWords};
   const Edict light = world.spawn({0, 0, 400}, kThrownCube, Solid::kNot, MoveType::kToss);
@@ -74,7 +74,7 @@ TEST(Thrown, BouncesWithHalfOfItsSpeedAndComesToRest) {
     fastest_down = std::min(fastest_down, grenade[field::kVelocity].z);
     world.tick();
   }
-  // Into the floor with one more tick's gravity; 1.5 of it is taken away.
+  // It hits the floor with one more tick's gravity; 1.5 times that velocity is taken away.
   EXPECT_NEAR(grenade[field::kVelocity].z, -0.5 * (fastest_down - 800 * kThrownTick), 0.1);
   EXPECT_EQ(grenade[field::kVelocity].x, 100);
   for (int i = 0; i < 400 && !grenade.has_flag(flag::kOnGround); ++i) {
@@ -113,7 +113,7 @@ TEST(Thrown, TouchesWhatItMeetsAndIsTouchedByIt) {
   EXPECT_EQ(world.calls.log[1].other, rocket.index());
 }
 
-TEST(Thrown, AMissileThatItsTouchRemovesIsGone) {
+TEST(Thrown, AMissileCanRemoveItselfInItsTouch) {
   TestWorld world(hall_text());
   const EntityIndex rocket = world.spawn({-100, 0, 100}, kNoBox, Solid::kBox, MoveType::kFlyMissile).index();
   world[rocket].set(field::kVelocity, {2000, 0, 0});
@@ -127,7 +127,7 @@ TEST(Thrown, AMissileThatItsTouchRemovesIsGone) {
   EXPECT_TRUE(world.world.edicts.is_free(rocket));
 }
 
-TEST(Thrown, VelocityIsBoundedAndMadeANumber) {
+TEST(Thrown, VelocityIsLimitedAndFinite) {
   TestWorld world(hall_text());
   const Edict gib = world.spawn({0, 0, 200}, kNoBox, Solid::kNot, MoveType::kFly);
   gib.set(field::kVelocity, {1e9f, std::nanf(""), -1e9f});
@@ -137,7 +137,7 @@ TEST(Thrown, VelocityIsBoundedAndMadeANumber) {
   EXPECT_EQ(gib[field::kVelocity].y, 0);
 }
 
-TEST(Thrown, SplashesWhereItMeetsTheBottomOfWaterAndNotBefore) {
+TEST(Thrown, SplashesOnlyWhenItMeetsTheBottomOfWater) {
   TestWorld world(flooded_hall_text(200));
   const Edict gib = world.spawn({0, 0, 300}, kThrownCube, Solid::kNot, MoveType::kToss);
   gib.set(field::kWaterType, -1);
@@ -165,7 +165,7 @@ TEST(Monster, FallsThinksAndLandsWithASound) {
   EXPECT_EQ(world.calls.count(think), 1);
   ASSERT_EQ(world.world.sounds.size(), 1u);
   EXPECT_EQ(world.world.sounds[0].name, "demon/dland2.wav");
-  // Not again, and not from a small height.
+  // Not a second time, and not from a small height.
   world.world.sounds.clear();
   ogre.clear_flag(flag::kOnGround);
   ogre.set(field::kOrigin, {0, 0, 26});
@@ -185,7 +185,7 @@ TEST(Monster, SplashesOnItsWayInAndOut) {
   world.tick();
   EXPECT_EQ(world.world.sounds.size(), 1u);
   EXPECT_EQ(fish[field::kWaterType], -1);
-  EXPECT_EQ(fish[field::kWaterLevel], -1);  // the original's slip: contents, where 0 is meant
+  EXPECT_EQ(fish[field::kWaterLevel], -1);  // the original's slip: contents instead of 0
   fish.set(field::kOrigin, {0, 0, 100});
   world.tick(3);
   EXPECT_EQ(world.world.sounds.size(), 2u);
@@ -206,7 +206,7 @@ TEST(Ghost, GoesThroughEverythingAndTouchesNothing) {
   EXPECT_EQ(world.calls.count(touch), 0);
 }
 
-TEST(Follower, KeepsItsPlaceBesideWhomItFollows) {
+TEST(Follower, KeepsItsOffsetFromTheEntityThatItFollows) {
   TestWorld world(hall_text());
   const Edict carrier = world.spawn({0, 0, 100}, kThrownCube, Solid::kBox, MoveType::kFly);
   const Edict follower = world.spawn({0, 0, 0}, kThrownCube, Solid::kNot, MoveType::kFollow);
@@ -215,7 +215,7 @@ TEST(Follower, KeepsItsPlaceBesideWhomItFollows) {
   carrier.set(field::kVelocity, {72, 0, 0});
   world.tick();
   EXPECT_NEAR(glm::distance(follower[field::kOrigin], Vec3(21, 0, 105)), 0, 1e-3);
-  // Turned a quarter since it began: what was ahead is to the left.
+  // A quarter turn since the start: what was ahead is now to the left.
   carrier.set(field::kAngles, {0, 90, 0});
   follower.set(field::kViewAngles, {0, 10, 0});
   world.tick();

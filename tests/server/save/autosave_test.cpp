@@ -13,7 +13,8 @@ using server::Autosave;
 
 constexpr double kEvery_s = 180;
 
-// At 10 times a second, from `from_s` to `to_s`: when it was due first; negative: it was not.
+// The first time at which a save is due, watched 10 times per second from `from_s` to `to_s`; negative:
+// never.
 double first_due_s(Autosave& io_autosave, const Autosave::Player& player, double from_s, double to_s) {
   for (double now_s = from_s; now_s < to_s; now_s += 0.1) {
     io_autosave.watch(player, now_s);
@@ -22,7 +23,7 @@ double first_due_s(Autosave& io_autosave, const Autosave::Player& player, double
   return -1;
 }
 
-TEST(Autosave, IsDueWhereALevelHasBegunAndEveryFewMinutesThen) {
+TEST(Autosave, IsDueSoonAfterTheStartAndEveryFewMinutes) {
   Autosave autosave;
   autosave.begin_level();
   const Autosave::Player well{.health = 100};
@@ -30,7 +31,7 @@ TEST(Autosave, IsDueWhereALevelHasBegunAndEveryFewMinutesThen) {
   EXPECT_NEAR(first_s, 105, 0.2);
   autosave.note_save(first_s);
   EXPECT_NEAR(first_due_s(autosave, well, first_s, 1000), first_s + kEvery_s, 0.2);
-  // What the player saves himself counts.
+  // A save by the player counts, too.
   autosave.note_save(200);
   EXPECT_NEAR(first_due_s(autosave, well, 200, 1000), 200 + kEvery_s, 0.2);
 }
@@ -38,23 +39,23 @@ TEST(Autosave, IsDueWhereALevelHasBegunAndEveryFewMinutesThen) {
 TEST(Autosave, WaitsUntilThePlayerIsSafe) {
   Autosave autosave;
   autosave.begin_level();
-  EXPECT_LT(first_due_s(autosave, {.health = 100, .stands = false}, 0, 20), 0) << "he falls";
+  EXPECT_LT(first_due_s(autosave, {.health = 100, .stands = false}, 0, 20), 0) << "the player falls";
   autosave.watch({.health = 60}, 20);
-  EXPECT_NEAR(first_due_s(autosave, {.health = 60}, 20, 40), 23, 0.2) << "he was hit at 20";
-  // A health above the usual shrinks by itself.
+  EXPECT_NEAR(first_due_s(autosave, {.health = 60}, 20, 40), 23, 0.2) << "the player was hit at 20";
+  // Health above the maximum decays automatically.
   autosave.begin_level();
   for (int i = 0; i < 40; ++i) autosave.watch({.health = 150.0f - static_cast<float>(i)}, 100 + i * 0.1);
   EXPECT_NEAR(first_due_s(autosave, {.health = 110}, 104, 120), 105, 0.2);
 }
 
-TEST(Autosave, AGameThatGoesOnIsSavedAfterTheUsualTime) {
+TEST(Autosave, ALoadedGameIsSavedAfterTheUsualTime) {
   Autosave autosave;
   autosave.begin_level();
   autosave.begin_loaded("quick");
   EXPECT_NEAR(first_due_s(autosave, {.health = 100}, 0, 1000), kEvery_s, 0.2);
 }
 
-TEST(Autosave, ANewGameWritesOverTheOldestOfThree) {
+TEST(Autosave, ANewGameOverwritesTheOldestOfThree) {
   const TemporaryFolder folder;
   Autosave autosave;
   const auto save = [&] {
@@ -75,7 +76,7 @@ TEST(Autosave, ANewGameWritesOverTheOldestOfThree) {
   autosave.begin_game();
   EXPECT_EQ(save(), "autosave2");
   autosave.begin_loaded("autosave3");
-  EXPECT_EQ(save(), "autosave3") << "goes on in the file that it came from";
+  EXPECT_EQ(save(), "autosave3") << "a loaded autosave keeps its name";
 }
 
 }  // namespace

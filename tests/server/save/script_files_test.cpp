@@ -1,4 +1,4 @@
-// Files of a program's own: below its folder, and nowhere else.
+// Files of game code: below the data folder, and nowhere else.
 #include "server/save/script_files.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ std::string text_of_file(const std::filesystem::path& path) {
   return std::string(base::as_text(test::read_file(path)));
 }
 
-std::vector<std::string> lines_of(ScriptFiles& io_files, std::string_view name) {
+std::vector<std::string> list_lines(ScriptFiles& io_files, std::string_view name) {
   const int handle = io_files.open(name, ScriptFileMode::kRead).value();
   std::vector<std::string> lines;
   while (const auto line = io_files.read_line(handle).value()) lines.emplace_back(*line);
@@ -45,14 +45,14 @@ TEST(ScriptFiles, WritesAppendsAndReadsBack) {
   write_file(files, "scores.txt", ScriptFileMode::kWrite, "one\ntwo\n");
   write_file(files, "data/scores.txt", ScriptFileMode::kAppend, "\nlast");
   EXPECT_EQ(text_of_file(folder.path() / "data" / "scores.txt"), "one\ntwo\n\nlast");
-  EXPECT_THAT(lines_of(files, "scores.txt"), ElementsAre("one", "two", "", "last"));
+  EXPECT_THAT(list_lines(files, "scores.txt"), ElementsAre("one", "two", "", "last"));
   write_file(files, "scores.txt", ScriptFileMode::kWrite, "new");
-  EXPECT_THAT(lines_of(files, "scores.txt"), ElementsAre("new"));
+  EXPECT_THAT(list_lines(files, "scores.txt"), ElementsAre("new"));
   write_file(files, "by/level/e1m1.txt", ScriptFileMode::kWrite, "deep\r\n");
-  EXPECT_THAT(lines_of(files, "by/level/e1m1.txt"), ElementsAre("deep"));
+  EXPECT_THAT(list_lines(files, "by/level/e1m1.txt"), ElementsAre("deep"));
 }
 
-TEST(ScriptFiles, ReadsTheGamesDataWhereTheFolderHasNone) {
+TEST(ScriptFiles, ReadsGameDataIfTheFolderHasNoSuchFile) {
   test::TemporaryFolder folder;
   std::vector<std::string> asked;
   ScriptFiles files(folder.path() / "data", [&](std::string_view name) -> base::Result<base::ByteVector> {
@@ -61,14 +61,14 @@ TEST(ScriptFiles, ReadsTheGamesDataWhereTheFolderHasNone) {
     const base::Bytes bytes = base::as_bytes("start\ne1m1\n");
     return base::ByteVector(bytes.begin(), bytes.end());
   });
-  EXPECT_THAT(lines_of(files, "maps.txt"), ElementsAre("start", "e1m1"));
+  EXPECT_THAT(list_lines(files, "maps.txt"), ElementsAre("start", "e1m1"));
   EXPECT_EQ(files.open("other.txt", ScriptFileMode::kRead).error().code, ErrorCode::kNotFound);
   write_file(files, "maps.txt", ScriptFileMode::kWrite, "mine");
-  EXPECT_THAT(lines_of(files, "maps.txt"), ElementsAre("mine"));
+  EXPECT_THAT(list_lines(files, "maps.txt"), ElementsAre("mine"));
   EXPECT_THAT(asked, ElementsAre("data/maps.txt", "data/other.txt"));
 }
 
-TEST(ScriptFiles, NamesLeadNowhereElse) {
+TEST(ScriptFiles, NamesCannotLeaveTheFolder) {
   test::TemporaryFolder folder;
   folder.write("secret.txt", "secret");
   ScriptFiles files(folder.path() / "data", [](std::string_view name) -> base::Result<base::ByteVector> {
@@ -134,7 +134,7 @@ TEST(ScriptFiles, HandlesAreCheckedAndFew) {
   EXPECT_EQ(files.close(0).error().code, ErrorCode::kUsage);
 }
 
-TEST(ScriptFiles, AFileHasAnEnd) {
+TEST(ScriptFiles, AFileIsLimited) {
   test::TemporaryFolder folder;
   ScriptFiles files(folder.path(), nullptr);
   const std::string megabyte(std::size_t{1} << 20, 'x');
@@ -145,7 +145,8 @@ TEST(ScriptFiles, AFileHasAnEnd) {
   ASSERT_TRUE(files.close(handle).ok());
   EXPECT_EQ(std::filesystem::file_size(folder.path() / "big"), ScriptFiles::kMaxFileBytes);
   handle = files.open("big", ScriptFileMode::kAppend).value();
-  EXPECT_EQ(files.write(handle, "x").error().code, ErrorCode::kTooLarge) << "it goes on from its size";
+  EXPECT_EQ(files.write(handle, "x").error().code, ErrorCode::kTooLarge)
+      << "appending starts at the file's size";
   ASSERT_TRUE(files.close(handle).ok());
 }
 

@@ -1,4 +1,4 @@
-// A face's corners, straight from the file's edges.
+// The corners of a face, directly from the edges of the file.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace temblor::test {
 
-inline std::vector<math::Vec3> vertices_of(const formats::Bsp& bsp, const formats::BspFace& face) {
+inline std::vector<math::Vec3> list_vertices(const formats::Bsp& bsp, const formats::BspFace& face) {
   std::vector<math::Vec3> vertices;
   for (std::uint32_t i = 0; i < face.surfedge_count; ++i) {
     const std::int32_t surfedge = bsp.surfedges[face.first_surfedge + i];

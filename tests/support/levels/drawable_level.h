@@ -1,4 +1,4 @@
-// Levels with all that a renderer needs: stock ones, and the one made in code in its variants.
+// Levels with everything that a renderer needs: stock levels, and variants of the level made in code.
 #pragma once
 
 #include <filesystem>
@@ -19,12 +19,12 @@ struct DrawableLevel {
   formats::Colormap colormap;
 };
 
-// CHECKs that the data has the level.
+// CHECKs that the data contains the level.
 DrawableLevel stock_level(const std::filesystem::path& base_folder, const std::string& map_name);
 
 DrawableLevel small_level(const artgen::SmallLevelOptions& options = {}, const std::string& name = "small");
 
-// A variant of the level made in code for each of its options, and one with all that add something.
+// A variant of the level made in code for each of its options, and one with all options that add something.
 struct SmallLevelVariant {
   const char* name;
   artgen::SmallLevelOptions options;

@@ -6,8 +6,8 @@
 
 namespace temblor::test {
 
-std::int32_t plan_contents(std::span<const artgen::SmallLevelBox> boxes, const math::Vec3& point) {
-  std::int32_t contents = kPlanSolid;
+std::int32_t find_contents(std::span<const artgen::SmallLevelBox> boxes, const math::Vec3& point) {
+  std::int32_t contents = kSolidContents;
   for (const artgen::SmallLevelBox& box : boxes) {
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis)
@@ -17,8 +17,8 @@ std::int32_t plan_contents(std::span<const artgen::SmallLevelBox> boxes, const m
   return contents;
 }
 
-bool plan_stops_box(std::span<const artgen::SmallLevelBox> boxes, const math::Bounds& box) {
-  // The sides of the plan's boxes cut this one into parts; within a part nothing changes.
+bool stops_box(std::span<const artgen::SmallLevelBox> boxes, const math::Bounds& box) {
+  // The sides of the plan's boxes cut this box into parts; each part has the same contents everywhere.
   std::array<std::vector<float>, 3> cuts;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<float>& lines = cuts[static_cast<std::size_t>(axis)];
@@ -34,8 +34,8 @@ bool plan_stops_box(std::span<const artgen::SmallLevelBox> boxes, const math::Bo
         const math::Vec3 low(cuts[0][i], cuts[1][j], cuts[2][k]);
         const math::Vec3 high(cuts[0][i + 1], cuts[1][j + 1], cuts[2][k + 1]);
         if (low.x >= high.x || low.y >= high.y || low.z >= high.z) continue;
-        const std::int32_t contents = plan_contents(boxes, (low + high) / 2.0f);
-        if (contents == kPlanSolid || contents == kPlanSky) return true;
+        const std::int32_t contents = find_contents(boxes, (low + high) / 2.0f);
+        if (contents == kSolidContents || contents == kSkyContents) return true;
       }
     }
   }

@@ -1,4 +1,4 @@
-// What is where in the level made in code, told from its list of boxes and nothing else.
+// The contents of places in the level made in code, computed only from its list of boxes.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace temblor::test {
 
-constexpr std::int32_t kPlanSolid = -2;
-constexpr std::int32_t kPlanSky = -6;
+constexpr std::int32_t kSolidContents = -2;
+constexpr std::int32_t kSkyContents = -6;
 
-// The contents of the last box that holds the point; solid where none does. The point lies on no box's side.
-std::int32_t plan_contents(std::span<const artgen::SmallLevelBox> boxes, const math::Vec3& point);
+// Returns the contents of the last box that contains the point; solid if there is none. The point must not be
+// on the side of a box.
+std::int32_t find_contents(std::span<const artgen::SmallLevelBox> boxes, const math::Vec3& point);
 
-// Whether the inside of the box meets anything solid, or sky, which stops boxes as well.
-bool plan_stops_box(std::span<const artgen::SmallLevelBox> boxes, const math::Bounds& box);
+// Returns whether the inside of the box touches anything solid, or sky, which stops boxes too.
+bool stops_box(std::span<const artgen::SmallLevelBox> boxes, const math::Bounds& box);
 
 }  // namespace temblor::test

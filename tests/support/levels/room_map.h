@@ -11,7 +11,7 @@
 
 namespace temblor::test {
 
-// A brush with the sides of a box, one texture all over.
+// A brush in the shape of a box, with one texture on all sides.
 inline std::string box_text(const math::Vec3d& mins, const math::Vec3d& maxs, std::string_view texture) {
   std::string text = "{\n";
   const auto side = [&](const math::Vec3d& a, const math::Vec3d& b, const math::Vec3d& c) {
@@ -29,7 +29,7 @@ inline std::string box_text(const math::Vec3d& mins, const math::Vec3d& maxs, st
   return text + "}\n";
 }
 
-// The six walls, 16 thick, around a box.
+// The six walls around a box, 16 units thick.
 inline std::string walls_text(const math::Vec3d& mins, const math::Vec3d& maxs, std::string_view texture) {
   constexpr double kThick = 16;
   std::string text;
@@ -51,7 +51,7 @@ inline std::string point_text(std::string_view classname, const math::Vec3d& ori
   return entity_text(classname, fmt::format("\"origin\" \"{} {} {}\"", origin.x, origin.y, origin.z));
 }
 
-inline formats::Map map_of(const std::string& text) {
+inline formats::Map parse_map(const std::string& text) {
   return formats::read_map(text).value();
 }
 

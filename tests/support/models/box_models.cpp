@@ -14,10 +14,10 @@ namespace {
 
 using artgen::Ramp;
 
-constexpr std::int32_t kCell = 16;  // texels: a box has a square of that side on the skin
+constexpr std::int32_t kCell = 16;  // texels: side of the square of each box on the skin
 constexpr std::size_t kCornersOfABox = 24;
 
-math::Bounds bounds_of(std::span<const std::vector<ModelBox>> frames) {
+math::Bounds measure_bounds(std::span<const std::vector<ModelBox>> frames) {
   math::Bounds all = frames[0][0].bounds;
   for (const std::vector<ModelBox>& boxes : frames)
     for (const ModelBox& box : boxes) {
@@ -27,7 +27,7 @@ math::Bounds bounds_of(std::span<const std::vector<ModelBox>> frames) {
   return all;
 }
 
-// All boxes' squares side by side.
+// The skin has the squares of all boxes side by side.
 std::vector<std::uint8_t> paint_skin(const std::vector<ModelBox>& boxes) {
   std::vector<std::uint8_t> texels;
   for (std::int32_t y = 0; y < kCell; ++y)
@@ -40,8 +40,8 @@ std::vector<std::uint8_t> paint_skin(const std::vector<ModelBox>& boxes) {
   return texels;
 }
 
-// A corner of one of a box's six sides. Side 2a looks along axis a, side 2a + 1 against it; its corners go
-// around it.
+// A corner of one of the six sides of a box. Side 2a faces along axis a, side 2a + 1 against it; corners are
+// in order around the side.
 struct SideCorner {
   std::array<bool, 3> at_maxs{};
   bool along_first = false, along_second = false;
@@ -90,7 +90,7 @@ class PoseMaker {
   math::Bounds all_;
 };
 
-// Clockwise seen from outside: on the sides that look along an axis the corners go round the other way.
+// Clockwise as seen from outside: on the sides that face along an axis, the corners run the other way.
 void add_triangles(std::size_t boxes, std::vector<formats::MdlTriangle>& io_triangles) {
   for (std::size_t side = 0; side < 6 * boxes; ++side) {
     const auto first = static_cast<std::uint32_t>(4 * side);
@@ -103,10 +103,10 @@ void add_triangles(std::size_t boxes, std::vector<formats::MdlTriangle>& io_tria
 
 }  // namespace
 
-formats::Mdl model_of_boxes(std::span<const std::vector<ModelBox>> frames) {
+formats::Mdl make_box_model(std::span<const std::vector<ModelBox>> frames) {
   CHECK(!frames.empty() && !frames[0].empty());
   const std::size_t boxes = frames[0].size();
-  const math::Bounds all = bounds_of(frames);
+  const math::Bounds all = measure_bounds(frames);
   formats::Mdl mdl;
   mdl.scale = (all.maxs - all.mins) / 255.0f;
   mdl.origin = all.mins;
@@ -138,7 +138,7 @@ formats::Mdl walker_mdl() {
                       {{{-stride - 5, -11, -24}, {-stride + 5, -2, 0}}, kTrousers},
                       {{{-8, -14, 0}, {8, 14, 20}}, kShirt},
                       {{{-6, -6, 20}, {9, 6, 32}}, Ramp::kSkin}});
-  return model_of_boxes(frames);
+  return make_box_model(frames);
 }
 
 formats::Mdl weapon_mdl() {
@@ -148,7 +148,7 @@ formats::Mdl weapon_mdl() {
                       {{{26 - back, -1.5f, -11}, {40 - back, 1.5f, -8.5f}}, Ramp::kGray},
                       {{{12 - back, -2, -19}, {17 - back, 2, -13}}, Ramp::kRust},
                       {{{16 - back, -0.5f, -8}, {18 - back, 0.5f, -6.5f}}, Ramp::kFire}});
-  return model_of_boxes(frames);
+  return make_box_model(frames);
 }
 
 formats::Mdl rocket_mdl() {
@@ -156,7 +156,7 @@ formats::Mdl rocket_mdl() {
                                        {{{6, -1, -1}, {12, 1, 1}}, Ramp::kRed},
                                        {{{-12, -5, -0.5f}, {-8, 5, 0.5f}}, Ramp::kRust},
                                        {{{-12, -0.5f, -5}, {-8, 0.5f, 5}}, Ramp::kRust}};
-  formats::Mdl mdl = model_of_boxes({&boxes, 1});
+  formats::Mdl mdl = make_box_model({&boxes, 1});
   mdl.flags = formats::kMdlRocketTrail;
   return mdl;
 }
@@ -167,7 +167,7 @@ formats::Mdl bolt_mdl() {
                                        {{{20, -3, -1}, {30, -1, 1}}, Ramp::kElectric},
                                        {{{9, -1, -3}, {11, 3, 3}}, Ramp::kElectric},
                                        {{{19, -3, -1}, {21, 3, 3}}, Ramp::kElectric}};
-  return model_of_boxes({&boxes, 1});
+  return make_box_model({&boxes, 1});
 }
 
 }  // namespace temblor::test

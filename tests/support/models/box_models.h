@@ -1,4 +1,4 @@
-// Alias models put together from boxes, as small stand-ins for what a game shows: to be looked at.
+// Alias models built from boxes: small placeholders for the models of a game, in pictures for people.
 #pragma once
 
 #include <span>
@@ -9,23 +9,23 @@
 
 namespace temblor::test {
 
-// Units, model space. Its sides are painted with a frame and a checker in that ramp.
+// A box in model space, in units. Its sides have a frame and a checkerboard in the colors of a ramp.
 struct ModelBox {
   math::Bounds bounds;
   artgen::Ramp ramp;
 };
 
-// One pose for each frame; all frames have the same number of boxes in the same colors, at least one.
-formats::Mdl model_of_boxes(std::span<const std::vector<ModelBox>> frames);
+// Makes one pose for each frame. All frames must have the same boxes in the same colors, at least one.
+formats::Mdl make_box_model(std::span<const std::vector<ModelBox>> frames);
 
-// Two legs, a trunk and a head, 56 units high, its feet 24 below its origin, looking along +x. Four frames of
-// a walk. Trunk and legs are in the colors that players choose.
+// A figure with two legs, a trunk, and a head, 56 units high, with its feet 24 below the origin, looking
+// along +x. Four frames of walking. Trunk and legs have the colors that players choose.
 formats::Mdl walker_mdl();
-// Held as weapons are: its origin is the eye. Frame 0 at rest, 1 to 3 kicking back.
+// A weapon as the player sees it: its origin is the eye. Frame 0 at rest, 1 to 3 kicking back.
 formats::Mdl weapon_mdl();
-// 24 units long, with the trail of a rocket.
+// A rocket, 24 units long, with a trail.
 formats::Mdl rocket_mdl();
-// A piece of lightning: 30 units along +x.
+// A segment of lightning: 30 units along +x.
 formats::Mdl bolt_mdl();
 
 }  // namespace temblor::test

@@ -11,7 +11,7 @@
 namespace temblor::test {
 namespace {
 
-// `centered` from -1 to 1.
+// `centered`: from -1 to 1.
 formats::MdlVertex vertex_at(const math::Vec3d& centered, const math::Vec3d& normal) {
   formats::MdlVertex vertex;
   for (int axis = 0; axis < 3; ++axis)
@@ -49,7 +49,7 @@ formats::MdlPose named_pose(std::string name, std::vector<formats::MdlVertex> ve
   return pose;
 }
 
-// Clockwise seen from outside of a body around the middle.
+// Clockwise as seen from outside of a body around the center.
 void add_outward(formats::Mdl& io_mdl, const std::vector<formats::MdlVertex>& vertices, bool front,
                  std::array<std::uint32_t, 3> corners) {
   const auto at = [&](std::size_t i) {
@@ -61,7 +61,7 @@ void add_outward(formats::Mdl& io_mdl, const std::vector<formats::MdlVertex>& ve
   io_mdl.triangles.push_back({front, corners});
 }
 
-// Where ring r and segment s of the sphere lie, front and back meeting at y = 0.
+// The position of ring r and segment s of the sphere. Front and back meet at y = 0.
 math::Vec3d sphere_point(std::uint32_t ring, std::uint32_t rings, std::uint32_t segment,
                          std::uint32_t segments) {
   const double polar = std::numbers::pi * ring / rings;
@@ -102,7 +102,8 @@ formats::Mdl sphere_mdl(std::uint32_t segments, std::uint32_t rings) {
   std::vector<formats::MdlVertex> vertices;
   const auto add = [&](const math::Vec3d& p, bool on_seam) {
     vertices.push_back(vertex_at(p, p));
-    // The front (y > 0) on the left half; the back's vertices say their place there as if folded over.
+    // The front (y > 0) is on the left half. Vertices of the back have the coordinates of the front, as if
+    // folded over.
     const double across = (p.x + 1) / 2, down = (1 - p.z) / 2;
     const bool back = p.y < -1e-9;
     mdl.texels.push_back({on_seam, static_cast<std::int32_t>(2 + across * 59) + (back ? 64 : 0),

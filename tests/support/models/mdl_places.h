@@ -1,4 +1,4 @@
-// Where the vertices of a model's frames are, from the format's definition.
+// The positions of a model's vertices, by the definition of the format.
 #pragma once
 
 #include "formats/models/mdl.h"
@@ -6,7 +6,7 @@
 
 namespace temblor::test {
 
-inline math::Vec3d place_of(const formats::Mdl& mdl, std::size_t frame, std::size_t vertex) {
+inline math::Vec3d vertex_position(const formats::Mdl& mdl, std::size_t frame, std::size_t vertex) {
   const auto& bytes = mdl.frames[frame].poses.front().vertices[vertex].position;
   return math::Vec3d(mdl.scale) * math::Vec3d(bytes[0], bytes[1], bytes[2]) + math::Vec3d(mdl.origin);
 }
@@ -15,11 +15,11 @@ struct Extent {
   math::Vec3d low{1e9}, high{-1e9};
 };
 
-inline Extent extent_of(const formats::Mdl& mdl, std::size_t frame) {
+inline Extent frame_extent(const formats::Mdl& mdl, std::size_t frame) {
   Extent extent;
   for (std::size_t i = 0; i < mdl.texels.size(); ++i) {
-    extent.low = glm::min(extent.low, place_of(mdl, frame, i));
-    extent.high = glm::max(extent.high, place_of(mdl, frame, i));
+    extent.low = glm::min(extent.low, vertex_position(mdl, frame, i));
+    extent.high = glm::max(extent.high, vertex_position(mdl, frame, i));
   }
   return extent;
 }

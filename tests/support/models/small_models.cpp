@@ -15,7 +15,7 @@ std::vector<std::uint8_t> picture(std::size_t texels, std::uint8_t first) {
   return indices;
 }
 
-// Corners of a cube whose sides have `side` steps, each second one.
+// Every second corner of a cube with sides of `side` steps.
 MdlPose tetrahedron(const std::string& name, std::uint8_t side) {
   MdlPose pose;
   pose.name = name;

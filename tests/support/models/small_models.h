@@ -1,5 +1,5 @@
-// A model and a sprite with some of everything: single frames and groups, single skins and groups, vertices
-// on the seam, odd sides.
+// A model and a sprite with all features: single frames and groups, single skins and groups, vertices on the
+// seam, odd sides.
 #pragma once
 
 #include "formats/models/mdl.h"
@@ -7,11 +7,11 @@
 
 namespace temblor::test {
 
-// A tetrahedron of 4 vertices and 4 triangles; 7 x 3 texels; skins: one, a group of two; frames: one, a group
-// of three.
+// A tetrahedron with 4 vertices and 4 triangles, and 7 x 3 texels. Skins: a single one and a group of two.
+// Frames: a single one and a group of three.
 formats::Mdl small_mdl();
 
-// Frames: 3 x 2 texels, a group of two.
+// Frames: a single one of 3 x 2 texels, and a group of two.
 formats::Spr small_spr();
 
 }  // namespace temblor::test

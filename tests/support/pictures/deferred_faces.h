@@ -1,4 +1,4 @@
-// Levels in which something shows through faces.
+// Levels with faces that other things are visible through.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace temblor::test {
 
-// A copy whose ordinary textures have holes, every other one of them: stripes of clear texels, and single
+// Returns a copy in which every other ordinary texture has holes: stripes of transparent texels, and single
 // ones.
 DrawableLevel with_fences(const DrawableLevel& drawable);
 

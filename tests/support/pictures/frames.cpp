@@ -7,8 +7,8 @@
 namespace temblor::test {
 namespace {
 
-// Four lanes, so that hundreds of millions of pixels take seconds.
-std::uint64_t hash_of_bytes(std::span<const std::byte> bytes, std::uint64_t seed) {
+// Four independent lanes, so that hundreds of millions of pixels take only seconds.
+std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t seed) {
   constexpr std::uint64_t kOdd = 0x9fb21c651e98df25u;
   std::uint64_t lanes[4] = {seed, seed + 1, seed + 2, seed + 3};
   std::size_t at = 0;
@@ -34,7 +34,7 @@ void fill_frame(render::FrameBuffer& io_frame, std::uint8_t byte) {
   fill(io_frame.depth());
 }
 
-FrameCopy copy_of(const render::FrameBuffer& frame) {
+FrameCopy copy_picture(const render::FrameBuffer& frame) {
   FrameCopy copy;
   copy.indexed.assign(frame.indexed().begin(), frame.indexed().end());
   copy.rgb.assign(frame.rgb().begin(), frame.rgb().end());
@@ -51,10 +51,10 @@ std::size_t differing_pixels(const FrameCopy& a, const FrameCopy& b) {
   return differing;
 }
 
-std::uint64_t hash_of(const render::FrameBuffer& frame) {
-  std::uint64_t hash = hash_of_bytes(std::as_bytes(frame.indexed()), 1);
-  hash = hash_of_bytes(std::as_bytes(frame.rgb()), hash);
-  return hash_of_bytes(std::as_bytes(frame.depth()), hash);
+std::uint64_t compute_hash(const render::FrameBuffer& frame) {
+  std::uint64_t hash = hash_bytes(std::as_bytes(frame.indexed()), 1);
+  hash = hash_bytes(std::as_bytes(frame.rgb()), hash);
+  return hash_bytes(std::as_bytes(frame.depth()), hash);
 }
 
 }  // namespace temblor::test

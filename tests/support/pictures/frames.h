@@ -1,29 +1,29 @@
-// Telling frames apart: filled before they are drawn to, compared after.
+// Compares frames: fills them before something draws to them, and compares the results.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "render/frame.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::test {
 
-// Every byte of pixels and depth.
+// Fills every byte of pixels and depth.
 void fill_frame(render::FrameBuffer& io_frame, std::uint8_t byte);
 
-// What a frame shows, owned: to be compared with that of another.
+// A copy of the contents of a frame, for comparison with another one.
 struct FrameCopy {
   std::vector<std::uint8_t> indexed;
   std::vector<std::uint32_t> rgb;
   std::vector<std::uint32_t> depth_bits;
   bool operator==(const FrameCopy&) const = default;
 };
-FrameCopy copy_of(const render::FrameBuffer& frame);
+FrameCopy copy_picture(const render::FrameBuffer& frame);
 
-// How many pixels differ in color or depth; the frames have one size.
+// Counts the pixels that differ in color or depth. The frames must have the same size.
 std::size_t differing_pixels(const FrameCopy& a, const FrameCopy& b);
 
-// A hash of pixels and depth, for frames too large to be kept twice.
-std::uint64_t hash_of(const render::FrameBuffer& frame);
+// A hash of pixels and depth, for frames that are too large to keep two of.
+std::uint64_t compute_hash(const render::FrameBuffer& frame);
 
 }  // namespace temblor::test

@@ -4,7 +4,7 @@
 
 namespace temblor::test {
 
-std::vector<double> areas_of_faces(const world::Level& level) {
+std::vector<double> compute_face_areaskTexelsASample(const world::Level& level) {
   std::vector<double> areas;
   for (const world::Face& face : level.faces) {
     const auto corner = [&](std::uint32_t i) {
@@ -24,7 +24,7 @@ double visible_area(const world::Level& level, world::LeafIndex from, const std:
   std::vector<bool> counted(areas.size(), false);
   double sum = 0;
   for (std::size_t i = 1; i < level.leaves.size(); ++i) {
-    if (!world::pvs_has(row, base::to_index<world::LeafIndex>(i))) continue;
+    if (!world::is_in_pvs(row, base::to_index<world::LeafIndex>(i))) continue;
     const world::Leaf& leaf = level.leaves[i];
     for (std::uint32_t k = 0; k < leaf.marked_face_count; ++k) {
       const std::size_t face = base::to_size(level.marked_faces[leaf.first_marked_face + k]);

@@ -1,4 +1,4 @@
-// How much a level's visibility lets through, by area.
+// The area of the faces that a level's visibility includes.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,11 @@
 
 namespace temblor::test {
 
-// By face, square units.
-std::vector<double> areas_of_faces(const world::Level& level);
+// The area of each face in square units.
+std::vector<double> compute_face_areaskTexelsASample(const world::Level& level);
 
-// Of the faces of all leaves that the leaf sees, each once; `areas` are those of areas_of_faces.
+// The area of the faces of all leaves in the leaf's PVS, each counted once. `areas`: from
+// compute_face_areaskTexelsASample().
 double visible_area(const world::Level& level, world::LeafIndex from, const std::vector<double>& areas);
 
 }  // namespace temblor::test

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "artgen/palette.h"
-#include "assets/stock_pictures.h"
+#include "assets/stock/stock_pictures.h"
 #include "formats/archives/wad.h"
 #include "formats/images/picture.h"
 
@@ -20,7 +20,7 @@ using artgen::Ramp;
 
 constexpr std::uint8_t kClear = artgen::kTransparent;
 
-// 3 x 5 pixels: an octal digit a row from the top, its highest bit on the left.
+// 3 x 5 pixels: one octal digit for each row from the top, with the highest bit on the left.
 struct Glyph {
   char character;
   std::uint16_t rows;
@@ -47,7 +47,7 @@ struct Box {
   int x, y, width, height;
 };
 
-// Stretched over the box.
+// Stretches the glyph over the box.
 void draw_glyph(char character, const Box& box, Ramp ramp, formats::Picture& io_picture) {
   for (int y = 0; y < box.height; ++y)
     for (int x = 0; x < box.width; ++x) {
@@ -72,7 +72,7 @@ formats::Picture plate(std::uint32_t width, std::uint32_t height, Ramp ramp) {
   return picture;
 }
 
-// What stands behind the last underscore or slash, as far as there is room.
+// The text after the last underscore or slash, truncated to the available space.
 void label(std::string_view name, formats::Picture& io_picture) {
   constexpr int kAdvance = kGlyphWidth + 1, kMargin = 2;
   if (name.ends_with(".lmp")) name.remove_suffix(4);
@@ -84,13 +84,13 @@ void label(std::string_view name, formats::Picture& io_picture) {
                Ramp::kGray, io_picture);
 }
 
-// The character of "num_7" or "anum_minus".
+// Returns the character for "num_7" or "anum_minus".
 char numeral(std::string_view name) {
   const std::string_view what = name.substr(name.find('_') + 1);
   return what == "minus" ? '-' : what == "colon" ? ':' : what == "slash" ? '/' : what.front();
 }
 
-// Any of the ramps that are neither gray nor full-bright.
+// Returns one of the ramps that are neither gray nor fullbright.
 Ramp ramp_for(std::string_view name) {
   return static_cast<Ramp>(1 + std::accumulate(name.begin(), name.end(), 0) % 13);
 }
@@ -104,26 +104,26 @@ formats::Picture paint(const assets::StockPicture& stock) {
   }
   const bool is_bar = name.ends_with("bar") || name == "backtile" || name == "gfx/conback.lmp";
   if (is_bar) return plate(stock.width, stock.height, Ramp::kBrown);
-  // Intermission's list of what was counted: its numbers come from elsewhere.
+  // The list of the intermission screen; the client draws the numbers.
   formats::Picture picture = name == "gfx/inter.lmp" ? clear_picture(stock.width, stock.height)
                                                      : plate(stock.width, stock.height, ramp_for(name));
   label(name, picture);
   return picture;
 }
 
-// What a code shows: those from 128 on the same as the ones before, in another color; 18 to 27 the status
-// bar's small digits.
-char character_of(int code) {
+// Returns the glyph for a character code: codes from 128 repeat those below in another color; 18 to 27 are
+// the small digits of the status bar.
+char to_character(int code) {
   const int low = code % 128;
   return static_cast<char>(low >= 18 && low <= 27 ? '0' + low - 18 : low);
 }
 
-// 16 rows of 16 characters; 0 is transparent there.
+// 16 rows of 16 characters; index 0 is transparent.
 base::ByteVector characters() {
   constexpr int kSide = 128, kCell = 8;
   formats::Picture picture = clear_picture(kSide, kSide);
   for (int code = 0; code < 256; ++code)
-    draw_glyph(character_of(code), {code % 16 * kCell + 1, code / 16 * kCell, 6, 7},
+    draw_glyph(to_character(code), {code % 16 * kCell + 1, code / 16 * kCell, 6, 7},
                code >= 32 && code < 128 ? Ramp::kGray : Ramp::kGold, picture);
   base::ByteVector bytes;
   for (const std::uint8_t pixel : picture.pixels)

@@ -1,4 +1,4 @@
-// Colors for tests to which any will do.
+// Colors for tests that work with any colors.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace temblor::test {
 
 formats::Palette random_palette(std::uint64_t seed);
 
-// Of a random palette, with a colormap of zeros; the same in every call.
+// A random palette, with a colormap of zeros; the same in every call.
 const render::ColorTables& some_tables();
 
 }  // namespace temblor::test

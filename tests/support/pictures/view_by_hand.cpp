@@ -5,8 +5,8 @@
 
 namespace temblor::test {
 
-render::ViewFrame view_of(int width, int height, double fov_deg, const math::Vec3& angles_deg,
-                          const math::Vec3d& eye_world) {
+render::ViewFrame make_test_view(int width, int height, double fov_deg, const math::Vec3& angles_deg,
+                                 const math::Vec3d& eye_world) {
   render::ViewFrame view;
   view.width = width;
   view.height = height;

@@ -1,4 +1,4 @@
-// A view without a level, for what is placed in space alone.
+// A view without a level, for tests of single objects in space.
 #pragma once
 
 #include "math/angles.h"
@@ -6,9 +6,9 @@
 
 namespace temblor::test {
 
-// In perspective, with the focal length of docs/architecture.md, section 1. What a level and a tree give is
-// left out.
-render::ViewFrame view_of(int width, int height, double fov_deg, const math::Vec3& angles_deg,
-                          const math::Vec3d& eye_world);
+// A perspective view with the focal length of docs/architecture.md, section 1. Fields that depend on a level
+// are empty.
+render::ViewFrame make_test_view(int width, int height, double fov_deg, const math::Vec3& angles_deg,
+                                 const math::Vec3d& eye_world);
 
 }  // namespace temblor::test

@@ -19,8 +19,9 @@ bool is_open(const world::Leaf& leaf) {
   return leaf.contents != world::Contents::kSolid && leaf.contents != world::Contents::kSky;
 }
 
-// "*12" -> 12, when the level has that model.
-std::optional<world::ModelIndex> brush_model_of(const world::Level& level, const formats::Entity& entity) {
+// Converts "*12" to 12, if the level has that model.
+std::optional<world::ModelIndex> entity_brush_model(const world::Level& level,
+                                                    const formats::Entity& entity) {
   const std::string_view model = entity.find("model").value_or("");
   if (!model.starts_with('*')) return std::nullopt;
   std::uint32_t number = 0;
@@ -29,7 +30,7 @@ std::optional<world::ModelIndex> brush_model_of(const world::Level& level, const
   return world::ModelIndex{number};
 }
 
-// A leaf's bounds hold more than the leaf: tries points in them until one lies in it.
+// The bounds of a leaf contain more than the leaf, so try points in them until one is in the leaf.
 std::optional<math::Vec3> point_in_leaf(const world::Level& level, world::LeafIndex index,
                                         Random& io_random) {
   constexpr int kAttempts = 64;
@@ -53,8 +54,8 @@ math::Vec3 random_open_point(const world::Level& level, Random& io_random) {
   CHECK(false, "level {} has no open leaf", level.name);
 }
 
-// Of a brush model that has moved and turned about z, in the world.
-math::Bounds bounds_of(const world::Level& level, const render::BrushModelInstance& instance) {
+// The bounds in the world of a brush model that has moved and turned about z.
+math::Bounds measure_bounds(const world::Level& level, const render::BrushModelInstance& instance) {
   const math::Bounds& bounds = level.models[base::to_size(instance.model)].bounds;
   const math::Basis basis = math::basis_from_angles(instance.angles_deg);
   const math::Vec3 middle = (bounds.mins + bounds.maxs) * 0.5f, half = (bounds.maxs - bounds.mins) * 0.5f;
@@ -79,13 +80,13 @@ render::Scene Viewpoint::scene(const world::Level& level) const {
           .lights = lights,
           .marks = &marks,
           .time_s = time_s,
-          .light_styles = world::light_style_values(world::standard_light_styles(), time_s)};
+          .light_styles = world::compute_light_styles(world::make_standard_light_styles(), time_s)};
 }
 
 std::vector<render::BrushModelInstance> shown_brush_models(const world::Level& level) {
   std::vector<render::BrushModelInstance> shown;
   for (const formats::Entity& entity : level.entities) {
-    const auto model = brush_model_of(level, entity);
+    const auto model = entity_brush_model(level, entity);
     if (!model || entity.classname().starts_with("trigger_")) continue;
     shown.push_back({.model = *model, .origin_world = entity.find_vec3("origin").value_or(math::Vec3(0.0f))});
   }
@@ -99,14 +100,14 @@ void displace(const world::Level& level, std::span<render::BrushModelInstance> i
     const render::BrushModelInstance at_home = instance;
     const auto is_clear = [&](const math::Bounds& bounds) {
       return std::none_of(io_brush_models.begin(), io_brush_models.end(), [&](const auto& other) {
-        return &other != &instance && overlap(bounds, bounds_of(level, other));
+        return &other != &instance && overlap(bounds, measure_bounds(level, other));
       });
     };
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       instance = at_home;
       instance.origin_world += io_random.in_cube(kMaxMoved);
       if (io_random.below(3) == 0) instance.angles_deg.y = static_cast<float>(io_random.uniform(0, 360));
-      if (is_clear(bounds_of(level, instance))) break;
+      if (is_clear(measure_bounds(level, instance))) break;
       instance = at_home;
     }
   }
@@ -139,9 +140,9 @@ std::vector<render::Camera> player_cameras(const world::Level& level) {
   return cameras;
 }
 
-std::vector<render::DynamicLight> random_lights(const math::Vec3& middle_world, std::size_t most,
+std::vector<render::DynamicLight> random_lights(const math::Vec3& middle_world, std::size_t max_count,
                                                 Random& io_random) {
-  std::vector<render::DynamicLight> lights(io_random.below(most + 1));
+  std::vector<render::DynamicLight> lights(io_random.below(max_count + 1));
   for (render::DynamicLight& light : lights) {
     light.origin_world = middle_world + io_random.in_cube(200);
     light.radius = static_cast<float>(io_random.uniform(20, 400));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kPath = "/usr/local/bin:/usr/bin:/bin:/usr/games";
 
-// In the child: becomes the program, or ends.
+// Runs in the child process: becomes the program, or exits.
 [[noreturn]] void become(const std::vector<std::string>& arguments, const std::filesystem::path& home,
                          const std::filesystem::path& output_file) {
   setpgid(0, 0);
@@ -48,14 +48,14 @@ BackgroundProgram::BackgroundProgram(const std::vector<std::string>& arguments,
     : output_file_(home / "output.txt"), process_(fork()) {
   CHECK(process_ >= 0, "no further process");
   if (process_ == 0) become(arguments, home, output_file_);
-  setpgid(process_, process_);  // in both: whoever comes first
+  setpgid(process_, process_);  // in both processes, because either may come first
 }
 
 BackgroundProgram::~BackgroundProgram() {
   kill(-process_, SIGTERM);
   for (int tries = 0; tries < 500; ++tries) {
     if (waitpid(process_, nullptr, WNOHANG) != 0) {
-      kill(-process_, SIGKILL);  // what it started and did not end
+      kill(-process_, SIGKILL);  // processes that it started and did not end
       return;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -1,4 +1,4 @@
-// Another program that runs beside a test, and no longer than it.
+// Another program that runs during a test, and ends with it.
 #pragma once
 
 #include <sys/types.h>
@@ -9,15 +9,15 @@
 
 namespace temblor::test {
 
-// Whether a program of this name is installed.
+// Returns whether a program with this name is installed.
 bool is_installed(const std::string& program);
 
 class BackgroundProgram {
  public:
-  // `arguments`: the program, found in the PATH and where Debian keeps games, and what it is given. Its home
-  // is `home`; what it prints goes to home/output.txt. Nothing comes in.
+  // `arguments`: the program, found in the PATH or in Debian's folder of games, and its arguments. `home` is
+  // its home folder; its output goes to home/output.txt, and its input is empty.
   BackgroundProgram(const std::vector<std::string>& arguments, const std::filesystem::path& home);
-  // Asks it and all that it started to end, and waits.
+  // Asks the program and everything that it started to end, and waits.
   ~BackgroundProgram();
   BackgroundProgram(const BackgroundProgram&) = delete;
   BackgroundProgram& operator=(const BackgroundProgram&) = delete;

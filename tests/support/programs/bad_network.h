@@ -1,4 +1,5 @@
-// A network on a virtual clock that loses, doubles, delays and so reorders datagrams: the same for one seed.
+// A network with a virtual clock that loses, duplicates, delays, and so reorders datagrams: the same for one
+// seed.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +22,12 @@ class BadNetwork {
  public:
   BadNetwork(const NetworkConditions& conditions, std::uint64_t seed);
 
-  // A socket with this address, which nobody else has. It lives no longer than the network.
+  // Makes a socket with this address, which must be unique. The network must outlive it.
   std::unique_ptr<platform::DatagramSocket> open(const platform::Address& address);
-  // Datagrams whose time has come can be received from here on.
+  // Advances the clock: datagrams that are due can be received from now on.
   void advance_to(double now_s);
   void set_conditions(const NetworkConditions& conditions) { conditions_ = conditions; }
-  // Bytes and datagrams sent to this address since the beginning, lost ones too.
+  // Bytes and datagrams sent to this address since the start, including lost ones.
   std::uint64_t bytes_sent_to(const platform::Address& address) const;
   std::uint64_t datagrams_sent_to(const platform::Address& address) const;
 
@@ -34,7 +35,7 @@ class BadNetwork {
   friend class BadSocket;
   struct Traveling {
     double arrives_s;
-    std::uint64_t number;  // in the order of sending, for those that arrive together
+    std::uint64_t number;  // in the order of sending, for datagrams that arrive at the same time
     platform::Address from;
     base::ByteVector bytes;
     bool operator<(const Traveling& other) const {

@@ -5,7 +5,7 @@
 namespace temblor::test {
 namespace {
 
-// "DONE" and nothing: function 0 and statement 0 of every program.
+// Function 0 and statement 0 of every program are empty: "DONE".
 constexpr formats::ProgsStatement kNothing{};
 
 }  // namespace
@@ -51,7 +51,7 @@ int ProgsBuilder::named(std::string_view name, formats::ProgsType type) {
 
 int ProgsBuilder::field(std::string_view name, formats::ProgsType type) {
   const std::uint32_t offset = progs_.entity_words;
-  progs_.entity_words += formats::words_of(type);
+  progs_.entity_words += formats::value_words(type);
   const std::uint32_t name_at = add_string(name);
   progs_.fields.push_back({type, false, static_cast<std::uint16_t>(offset), name_at});
   const int at = words({offset});
@@ -105,7 +105,7 @@ void ProgsBuilder::land(int from) {
 }
 
 std::shared_ptr<const vm::Program> ProgsBuilder::load() const {
-  // As if it came from a file, so that what a file is checked for holds here, too.
+  // Write and read it like a file, so that it passes the checks for files too.
   auto read = formats::read_progs(formats::write_progs(progs_));
   CHECK(read.ok(), "{}", read.error().message());
   auto program = vm::Program::load(std::move(*read));

@@ -1,4 +1,4 @@
-// Small programs by hand: globals, fields, functions and statements, put together one by one.
+// Builds small programs from single globals, fields, functions, and statements.
 #pragma once
 
 #include <array>
@@ -18,31 +18,31 @@ class ProgsBuilder {
  public:
   ProgsBuilder();
 
-  // New global words, with these values; returns the place of the first.
+  // Adds global words with these values. Returns the index of the first.
   int words(std::initializer_list<std::uint32_t> values);
   int number(float value = 0);
   int vector(float x = 0, float y = 0, float z = 0);
   int text(std::string_view text);
-  // A global that has a name.
+  // Adds a global with a name.
   int named(std::string_view name, formats::ProgsType type);
-  // A field of entities, and the global that holds it.
+  // Adds a field of entities, and returns the global that contains it.
   int field(std::string_view name, formats::ProgsType type);
 
-  // A function that begins with the next statement; its parameters, then its further locals, are new global
-  // words. Returns the global that holds it.
+  // Adds a function that begins with the next statement. Its parameters and other locals are new global
+  // words. Returns the global that contains it.
   int function(std::string_view name, std::initializer_list<int> parameter_words = {},
                std::uint32_t further_locals = 0);
-  // Where the latest function's parameters and locals begin.
+  // The first word of the parameters and locals of the last function.
   int locals() const { return locals_; }
   int builtin(std::string_view name, int number);
 
-  // Appends a statement; returns its number.
+  // Appends a statement, and returns its number.
   int emit(vm::Opcode opcode, int a = 0, int b = 0, int c = 0);
-  // Makes the jump at statement `from` lead to the next one that is emitted.
+  // Makes the jump at statement `from` lead to the next statement that is appended.
   void land(int from);
 
   formats::Progs& progs() { return progs_; }
-  std::shared_ptr<const vm::Program> load() const;  // CHECKs that it can be
+  std::shared_ptr<const vm::Program> load() const;  // CHECKs that it loads
 
  private:
   std::uint32_t add_string(std::string_view text);

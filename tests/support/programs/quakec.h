@@ -1,4 +1,4 @@
-// QuakeC source -> program, by the compiler fteqcc, where it is installed.
+// Compiles QuakeC source with fteqcc, if it is installed.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@ namespace temblor::test {
 
 bool has_quakec_compiler();
 
-// progs.dat of one file of source, "test.qc". CHECKs that it compiles.
+// Returns the progs.dat of one source file, "test.qc". CHECKs that it compiles.
 base::ByteVector compile_quakec(std::string_view source);
-// The same, loaded.
+// Like compile_quakec(), but loads the program.
 std::shared_ptr<const vm::Program> load_quakec(std::string_view source);
 
 }  // namespace temblor::test
@@ -23,7 +23,7 @@ std::shared_ptr<const vm::Program> load_quakec(std::string_view source);
 #define SKIP_WITHOUT_QUAKEC() \
   if (!::temblor::test::has_quakec_compiler()) GTEST_SKIP() << "fteqcc, which compiles QuakeC, is not here"
 
-// Declares `variable` as the program of that source, or skips the test and says why.
+// Declares `variable` as the program of that source, or skips the test with a message.
 #define QUAKEC_OR_SKIP(variable, source) \
   SKIP_WITHOUT_QUAKEC();                 \
   const auto variable = ::temblor::test::load_quakec(source)

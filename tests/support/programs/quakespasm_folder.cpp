@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kProgram = "/usr/games/quakespasm";
 constexpr std::size_t kPictureBytes = 256, kAlignment = 32;
 
-// 16 x 16 texels of a dark background and some sixty to a hundred of one row of the palette.
+// 16 x 16 texels: a dark background, and sixty to a hundred texels from one row of the palette.
 bool looks_like_it(base::Bytes bytes) {
   std::size_t painted = 0;
   for (const std::byte byte : bytes) {
@@ -23,7 +23,7 @@ bool looks_like_it(base::Bytes bytes) {
   return painted > 60 && painted < 200;
 }
 
-// It is kept as 16-bit numbers, which the file has the other way round.
+// The program stores it as 16-bit numbers, whose bytes are swapped in the file.
 std::optional<base::ByteVector> find_picture(base::Bytes program) {
   for (std::size_t at = 0; at + kPictureBytes <= program.size(); at += kAlignment) {
     const base::Bytes bytes = program.subspan(at, kPictureBytes);

@@ -1,4 +1,4 @@
-// A base folder that QuakeSpasm (Debian's package quakespasm) plays from.
+// A base folder for QuakeSpasm (Debian's package quakespasm).
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace temblor::test {
 
-// Makes BASE/id1 below `folder` with links to the files of `data`/id1 and this program. QuakeSpasm takes
-// loose files only where gfx/pop.lmp, a small picture, proves that the game is the registered one; what it
-// compares that with lies in its own program, and is taken from there. Nothing where it is not installed, or
-// has no such picture.
+// Makes BASE/id1 below `folder`, with links to the files of `data`/id1 and this program. QuakeSpasm accepts
+// loose files only if gfx/pop.lmp, a small picture, proves that the game is the registered version. It
+// compares the picture with a copy in its own executable, so this function takes the copy from there. Returns
+// nothing if QuakeSpasm is not installed or has no such picture.
 std::optional<std::filesystem::path> make_quakespasm_folder(const TemporaryFolder& folder,
                                                             const std::filesystem::path& data,
                                                             const std::filesystem::path& progs);

@@ -12,7 +12,7 @@ namespace temblor::test {
 
 class SmallGame {
  public:
-  // The level that the program draws without --map, unless other options are given.
+  // The level that the program draws if there is no --map and no other option.
   explicit SmallGame(const artgen::SmallLevelOptions& options = {.colored_light = true})
       : level_(artgen::make_small_level(options)) {
     folder_.write("id1/gfx/palette.lmp", formats::write_palette(artgen::make_palette()));

@@ -1,4 +1,4 @@
-// A folder of its own for a test, gone with all that is in it when the object is.
+// A temporary folder for a test. The destructor deletes it with its contents.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ class TemporaryFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  // Writes a file, making the folders on the way; `name` is relative to path(). CHECKs that it can.
+  // Writes a file, and makes its folders. `name` is relative to path(). CHECKs that it succeeds.
   std::filesystem::path write(std::string_view name, base::Bytes bytes) const;
   std::filesystem::path write(std::string_view name, std::string_view text) const;
 

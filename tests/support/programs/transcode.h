@@ -1,4 +1,4 @@
-// Recordings in other protocols than they were made in.
+// Converts demos to other protocols.
 #pragma once
 
 #include "base/bytes.h"
@@ -7,8 +7,8 @@
 
 namespace temblor::test {
 
-// The recording with every message as `dialect` says it, its ServerInfo naming that. Fails where a message
-// cannot be read or cannot be said; what it has no words for is left out.
+// Converts every message of the demo to `dialect`, and names the dialect in ServerInfo. Fails if a message
+// cannot be read or written. Leaves out fields that the dialect does not have.
 base::Result<base::ByteVector> transcode(base::Bytes dem, const net::Dialect& dialect);
 
 }  // namespace temblor::test

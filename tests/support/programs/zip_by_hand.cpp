@@ -16,7 +16,7 @@ std::uint32_t crc32(std::string_view data) {
   return ~crc;
 }
 
-// The fields that the local header and the directory's record have in common.
+// Writes the fields that the local header and the directory record share.
 void write_common_fields(base::ByteWriter& io_writer, const ZipByHand& entry) {
   const auto size = static_cast<std::uint32_t>(entry.data.size());
   io_writer.u16(20);  // version needed

@@ -9,6 +9,8 @@
 namespace temblor::artgen {
 namespace {
 
+// Adds a bone or changes the one with this name. A changed bone keeps its index, so its parent must come
+// before it.
 base::Status add_bone(const ScriptLine& line, const std::string& name, const std::string& parent,
                       const math::Vec3& at, Model& io_model) {
   Bone bone;
@@ -23,13 +25,14 @@ base::Status add_bone(const ScriptLine& line, const std::string& name, const std
     return base::Ok{};
   }
   if (bone.parent && *bone.parent >= *known)
-    return script_error(line, fmt::format("'{}' comes after it", parent));
+    return script_error(line, fmt::format("its parent '{}' is defined after it", parent));
   Bone& old = io_model.skeleton.bones[*known];
   old.at = bone.at;
   if (bone.parent) old.parent = bone.parent;
   return base::Ok{};
 }
 
+// A star in the name makes two bones; the right one is mirrored.
 base::Status read_one_bone(const ScriptLine& line, Model& io_model) {
   Arguments arguments(line);
   const std::string name = arguments.text();
@@ -37,14 +40,14 @@ base::Status read_one_bone(const ScriptLine& line, Model& io_model) {
   const std::string parent = arguments.text("on", "");
   TRY_STATUS(arguments.finish());
   if (!is_pair(name)) return add_bone(line, name, parent, at, io_model);
-  TRY_STATUS(add_bone(line, on_side(name, 'l'), on_side(parent, 'l'), at, io_model));
-  return add_bone(line, on_side(name, 'r'), on_side(parent, 'r'), {at.x, -at.y, at.z}, io_model);
+  TRY_STATUS(add_bone(line, select_side(name, 'l'), select_side(parent, 'l'), at, io_model));
+  return add_bone(line, select_side(name, 'r'), select_side(parent, 'r'), {at.x, -at.y, at.z}, io_model);
 }
 
-// Both of a pair, or one.
-std::vector<std::string> sides_of(const std::string& name) {
+// The names of both sides, or the name itself.
+std::vector<std::string> expand_pair(const std::string& name) {
   if (!is_pair(name)) return {name};
-  return {on_side(name, 'l'), on_side(name, 'r')};
+  return {select_side(name, 'l'), select_side(name, 'r')};
 }
 
 base::Status read_scale(const ScriptLine& line, Model& io_model) {
@@ -52,12 +55,12 @@ base::Status read_scale(const ScriptLine& line, Model& io_model) {
   const std::string name = arguments.text();
   const std::string by = arguments.text("by", "1");
   TRY_STATUS(arguments.finish());
-  const auto numbers = numbers_in(by);
+  const auto numbers = parse_numbers(by);
   if (!numbers || (numbers->size() != 1 && numbers->size() != 3) ||
       *std::min_element(numbers->begin(), numbers->end()) <= 0)
     return script_error(line,
                         fmt::format("by={} is neither a number nor X,Y,Z, above 0", base::quotable(by)));
-  for (const std::string& side : sides_of(name)) {
+  for (const std::string& side : expand_pair(name)) {
     TRY(const std::size_t bone, find_bone(line, io_model.skeleton, side));
     io_model.skeleton.bones[bone].scale = numbers->size() == 1
                                               ? math::Vec3d(numbers->front())
@@ -66,11 +69,12 @@ base::Status read_scale(const ScriptLine& line, Model& io_model) {
   return base::Ok{};
 }
 
+// Adds a limb or replaces the one that ends at the same bone.
 base::Status add_limb(const ScriptLine& line, Limb limb, Model& io_model) {
   const auto& bones = io_model.skeleton.bones;
   const auto lower = bones[limb.end].parent;
   if (!lower || !bones[*lower].parent)
-    return script_error(line, "a limb's last bone is on one that is on another");
+    return script_error(line, "a limb needs three bones: this one, its parent and its grandparent");
   for (Limb& known : io_model.skeleton.limbs) {
     if (known.end != limb.end) continue;
     known = limb;
@@ -80,9 +84,10 @@ base::Status add_limb(const ScriptLine& line, Limb limb, Model& io_model) {
   return base::Ok{};
 }
 
+// The lines foot and grip.
 base::Status read_limb(const ScriptLine& line, Model& io_model) {
   Arguments arguments(line);
-  const bool is_grip = line.word == "grip";
+  const bool is_grip = line.keyword == "grip";
   const std::string name = arguments.text();
   const std::string on = is_grip ? arguments.text() : "";
   const math::Vec3d at(is_grip ? arguments.vector() : math::Vec3(0.0f));
@@ -90,10 +95,10 @@ base::Status read_limb(const ScriptLine& line, Model& io_model) {
                                  : arguments.vector("knee", {1, 0, 0}));
   TRY_STATUS(arguments.finish());
   double side = 1;
-  for (const std::string& end : sides_of(name)) {
+  for (const std::string& end : expand_pair(name)) {
     Limb limb;
     TRY(limb.end, find_bone(line, io_model.skeleton, end));
-    // As a left one is said, a right one is mirrored.
+    // Bend directions are given for the left side.
     const double outwards = end.ends_with("_r") ? -1 : 1;
     limb.bend = {bend.x, bend.y * outwards, bend.z};
     if (is_grip) {
@@ -110,12 +115,12 @@ base::Status read_limb(const ScriptLine& line, Model& io_model) {
 
 base::Result<std::size_t> find_bone(const ScriptLine& line, const Skeleton& skeleton, std::string_view name) {
   if (const auto bone = skeleton.find(name)) return *bone;
-  return script_error(line, fmt::format("there is no bone '{}'", base::quotable(name)));
+  return script_error(line, fmt::format("no bone is named '{}'", base::quotable(name)));
 }
 
 base::Status read_bone(const ScriptLine& line, Model& io_model) {
-  if (line.word == "bone") return read_one_bone(line, io_model);
-  if (line.word == "scale") return read_scale(line, io_model);
+  if (line.keyword == "bone") return read_one_bone(line, io_model);
+  if (line.keyword == "scale") return read_scale(line, io_model);
   return read_limb(line, io_model);
 }
 

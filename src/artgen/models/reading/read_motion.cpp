@@ -10,9 +10,11 @@
 namespace temblor::artgen {
 namespace {
 
-// "chest" turns it, "chest.at" moves it, "chest.scale" grows it.
+// The name of a setting in a key or pose: "chest" rotates the bone, "chest.at" moves it, "chest.scale" scales
+// it.
 struct MotionName {
   std::string bone;
+  // The first of three channels of the bone: 0, 3, or 6.
   std::size_t first_number = 0;
 };
 
@@ -31,10 +33,10 @@ base::Result<MotionName> motion_name(const ScriptLine& line, std::string_view te
   return name;
 }
 
-// As many numbers as the motion has; pitch alone is enough for a turn, one number for a scale.
+// Parses three numbers. A rotation may omit yaw and roll, and a scale may be a single number.
 base::Result<math::Vec3d> motion_values(const ScriptLine& line, const MotionName& name,
                                         const std::string& text) {
-  const auto numbers = numbers_in(text);
+  const auto numbers = parse_numbers(text);
   const bool fits = numbers && (numbers->size() == 3 || (name.first_number == 0 && numbers->size() <= 3) ||
                                 (name.first_number == 6 && numbers->size() == 1));
   if (!fits)
@@ -48,11 +50,13 @@ base::Result<math::Vec3d> motion_values(const ScriptLine& line, const MotionName
   return values;
 }
 
+// Sets the channels of one setting. A star in the bone's name also sets the mirrored channels of the right
+// side.
 base::Status add_motion(const ScriptLine& line, const Model& model, const std::string& setting,
                         const std::string& text, ChannelValues& io_values) {
   const Skeleton& skeleton = model.skeleton;
   if (setting == "plant" || setting == "hold") {
-    const auto numbers = numbers_in(text);
+    const auto numbers = parse_numbers(text);
     if (!numbers || numbers->size() != 1 || numbers->front() < 0 || numbers->front() > 1)
       return script_error(line, fmt::format("{}={} is not from 0 to 1", setting, base::quotable(text)));
     io_values[setting == "plant" ? plant_channel(skeleton) : hold_channel(skeleton)] = numbers->front();
@@ -61,67 +65,73 @@ base::Status add_motion(const ScriptLine& line, const Model& model, const std::s
   TRY(const MotionName name, motion_name(line, setting));
   TRY(const math::Vec3d values, motion_values(line, name, text));
   const bool both = is_pair(name.bone);
-  TRY(const std::size_t bone, find_bone(line, skeleton, on_side(name.bone, 'l')));
+  TRY(const std::size_t bone, find_bone(line, skeleton, select_side(name.bone, 'l')));
   for (std::size_t i = 0; i < 3; ++i) {
     const Channel channel = bone_channel(bone, name.first_number + i);
     const double value = values[static_cast<int>(i)];
     io_values[channel] = value;
     if (!both) continue;
-    const auto [other, factor] = mirrored(skeleton, channel);
+    const auto [other, factor] = mirror_channel(skeleton, channel);
     io_values[other] = value * factor;
   }
   return base::Ok{};
 }
 
-// A pose's values under its name, or none for "rest".
-base::Status take_pose(const ScriptLine& line, const Model& model, const std::string& name,
+// Replaces io_values by a pose, or leaves them for "rest".
+base::Status copy_pose(const ScriptLine& line, const Model& model, const std::string& name,
                        ChannelValues& io_values) {
   if (name == "rest") return base::Ok{};
   const auto pose = model.poses.find(name);
   if (pose == model.poses.end())
-    return script_error(line, fmt::format("there is no pose '{}'", base::quotable(name)));
+    return script_error(line, fmt::format("no pose is named '{}'", base::quotable(name)));
   io_values = pose->second;
   return base::Ok{};
 }
 
+// A `key` line.
 struct KeyLine {
   double frame = 0;
-  bool whole = false;  // a pose's: what it does not mention rests
+  // It is based on a pose: channels that it does not mention return to rest.
+  bool whole = false;
   ChannelValues values;
 };
 
+// `key FRAME [POSE] BONE=...`
 base::Result<KeyLine> read_key(const ScriptLine& line, const Model& model, const Animation& animation) {
   KeyLine key;
-  const auto frame = line.values.empty() ? std::nullopt : numbers_in(line.values.front());
+  const auto frame = line.values.empty() ? std::nullopt : parse_numbers(line.values.front());
   if (!frame || frame->size() != 1 || frame->front() < 0 || frame->front() > animation.frames)
-    return script_error(line, fmt::format("its first value is a frame from 0 to {}", animation.frames));
+    return script_error(line, fmt::format("the first value must be a frame from 0 to {}", animation.frames));
   key.frame = frame->front();
   if (line.values.size() > 2)
-    return script_error(line, "it has a frame, a pose if need be, and bones' settings");
+    return script_error(line, "expected a frame, optionally a pose, and BONE=... settings");
   if (line.values.size() == 2) {
     key.whole = true;
-    TRY_STATUS(take_pose(line, model, line.values[1], key.values));
+    TRY_STATUS(copy_pose(line, model, line.values[1], key.values));
   }
   for (const auto& [setting, text] : line.settings)
     TRY_STATUS(add_motion(line, model, setting, text, key.values));
   return key;
 }
 
+// The same key for the other side of the body at another frame.
 KeyLine mirror_key(const KeyLine& key, const Model& model, double frame) {
   KeyLine image{frame, key.whole, {}};
   for (const auto& [channel, value] : key.values) {
-    const auto [other, factor] = mirrored(model.skeleton, channel);
+    const auto [other, factor] = mirror_channel(model.skeleton, channel);
     image.values[other] = value * factor;
   }
   return image;
 }
 
+// Converts the lines to curves. A line without a pose adds keys only for its own channels; one with a pose
+// also adds keys at rest for all channels that any line of the animation uses.
 void add_keys(std::vector<KeyLine> lines, const Model& model, Animation& io_animation) {
   std::stable_sort(lines.begin(), lines.end(),
                    [](const KeyLine& a, const KeyLine& b) { return a.frame < b.frame; });
   ChannelValues all;
   for (const KeyLine& line : lines) all.insert(line.values.begin(), line.values.end());
-  // Where a key says everything, the stance says nothing.
+  // A key with a pose also resets the channels of the stance, which is the base of every animation.
   const auto stance = model.poses.find("stance");
   const bool any_whole =
       std::any_of(lines.begin(), lines.end(), [](const KeyLine& line) { return line.whole; });
@@ -140,9 +150,11 @@ void add_keys(std::vector<KeyLine> lines, const Model& model, Animation& io_anim
   }
 }
 
+// `gait speed=... foot_l=0 foot_r=0.5`. Without named feet, all feet of the model step, right ones half a
+// cycle later.
 base::Status read_gait(const ScriptLine& line, const Model& model, Animation& io_animation) {
   Arguments arguments(line);
-  Gait gait;
+  WalkCycle gait;
   gait.speed = arguments.number("speed", 0, -1000, 1000) / model.size;
   gait.cycles = arguments.number("cycles", 1, 1, 100);
   gait.duty = arguments.number("duty", 0.6, 0.05, 0.95);
@@ -159,21 +171,24 @@ base::Status read_gait(const ScriptLine& line, const Model& model, Animation& io
     if (any_named && !arguments.has(name)) continue;
     gait.feet.push_back({limb.end, arguments.number(name, name.ends_with("_r") ? 0.5 : 0.0, 0, 1)});
   }
-  if (gait.feet.empty()) arguments.complain("the model has no 'foot'");
-  if (io_animation.frames / gait.cycles < 2) arguments.complain("a cycle has at least two frames");
+  if (gait.feet.empty()) arguments.set_error("the model has no 'foot'");
+  if (io_animation.frames / gait.cycles < 2) arguments.set_error("a gait's cycle needs at least two frames");
   io_animation.gaits.push_back(std::move(gait));
   return arguments.finish();
 }
 
+// The lines under an animation. `alternates`: the second half of the animation is the mirror image of the
+// first.
 base::Status read_movement(const ScriptLine& line, bool alternates, const Model& model,
                            Animation& io_animation) {
   std::vector<KeyLine> keys;
   for (const ScriptLine& below : line.below) {
-    if (below.word == "gait") {
+    if (below.keyword == "gait") {
       TRY_STATUS(read_gait(below, model, io_animation));
       continue;
     }
-    if (below.word != "key") return script_error(below, "movements have lines 'key' and 'gait'");
+    if (below.keyword != "key")
+      return script_error(below, "only 'key' and 'gait' lines can be under an animation");
     TRY(KeyLine key, read_key(below, model, io_animation));
     if (alternates) {
       const double half = 0.5 * io_animation.frames;
@@ -188,7 +203,8 @@ base::Status read_movement(const ScriptLine& line, bool alternates, const Model&
   return base::Ok{};
 }
 
-// An animation that is another one, made longer or shorter.
+// `like NAME OTHER COUNT`: a copy of another animation, stretched to another number of frames. Feet cover the
+// same distance in total, so the speed of gaits changes.
 base::Status read_like(const ScriptLine& line, Model& io_model) {
   Arguments arguments(line);
   const std::string name = arguments.text(), other = arguments.text();
@@ -197,15 +213,17 @@ base::Status read_like(const ScriptLine& line, Model& io_model) {
   const auto known = std::find_if(io_model.animations.begin(), io_model.animations.end(),
                                   [&](const Animation& animation) { return animation.name == other; });
   if (known == io_model.animations.end())
-    return script_error(line, fmt::format("there is no animation '{}' before it", base::quotable(other)));
+    return script_error(line,
+                        fmt::format("no animation '{}' is defined above this line", base::quotable(other)));
   Animation animation = *known;
   animation.name = name;
   animation.frames = frames;
+  // A loop lasts `frames` frames; otherwise the last pose is in frame `frames` - 1.
   const double old_end = known->loops ? known->frames : std::max(1, known->frames - 1);
   const double end = known->loops ? frames : std::max(1, frames - 1);
   for (auto& [channel, keys] : animation.keys)
     for (auto& [frame, value] : keys) frame *= end / old_end;
-  for (Gait& gait : animation.gaits) gait.speed *= old_end / end;
+  for (WalkCycle& gait : animation.gaits) gait.speed *= old_end / end;
   io_model.animations.push_back(std::move(animation));
   return base::Ok{};
 }
@@ -214,9 +232,9 @@ base::Status read_like(const ScriptLine& line, Model& io_model) {
 
 base::Status read_pose(const ScriptLine& line, Model& io_model) {
   if (line.values.empty() || line.values.size() > 2)
-    return script_error(line, "it has a name, the pose it begins with if there is one, and bones' settings");
+    return script_error(line, "expected a name, optionally a pose to start from, and BONE=... settings");
   ChannelValues values;
-  if (line.values.size() == 2) TRY_STATUS(take_pose(line, io_model, line.values[1], values));
+  if (line.values.size() == 2) TRY_STATUS(copy_pose(line, io_model, line.values[1], values));
   for (const auto& [setting, text] : line.settings)
     TRY_STATUS(add_motion(line, io_model, setting, text, values));
   io_model.poses[line.values.front()] = std::move(values);
@@ -224,12 +242,12 @@ base::Status read_pose(const ScriptLine& line, Model& io_model) {
 }
 
 base::Status read_animation(const ScriptLine& line, Model& io_model) {
-  if (line.word == "like") return read_like(line, io_model);
+  if (line.keyword == "like") return read_like(line, io_model);
   Arguments arguments(line);
   Animation animation;
   animation.name = arguments.text();
   animation.frames = static_cast<std::int32_t>(std::lround(arguments.number(1, 1000)));
-  animation.loops = line.word == "cycle";
+  animation.loops = line.keyword == "cycle";
   animation.settles = arguments.flag("settle");
   animation.group_frame_s = arguments.number("group", 0, 0, 100);
   const bool alternates = arguments.flag("alternate");

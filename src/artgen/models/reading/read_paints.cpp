@@ -8,22 +8,25 @@
 namespace temblor::artgen {
 namespace {
 
+// In the order of Ramp.
 constexpr std::array<std::string_view, 16> kRampNames = {
     "gray", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
     "blue", "purple", "slate", "rust", "skin", "green", "fire", "electric"};
 
+// Gray after an error.
 Ramp read_ramp(Arguments& io_arguments) {
   const std::string name = io_arguments.text();
   for (std::size_t i = 0; i < kRampNames.size(); ++i)
     if (kRampNames[i] == name) return static_cast<Ramp>(i);
-  io_arguments.complain(fmt::format("'{}' is none of the palette's ramps: {}", base::quotable(name),
-                                    fmt::join(kRampNames, ", ")));
+  io_arguments.set_error(fmt::format("'{}' is not a color ramp; expected one of {}", base::quotable(name),
+                                     fmt::join(kRampNames, ", ")));
   return Ramp::kGray;
 }
 
+// A `spots` or `stripes` line.
 base::Status read_layer(const ScriptLine& line, Paint& io_paint) {
   Arguments arguments(line);
-  const bool is_stripes = line.word == "stripes";
+  const bool is_stripes = line.keyword == "stripes";
   PaintLayer layer;
   layer.ramp = read_ramp(arguments);
   std::tie(layer.low, layer.high) = arguments.range("bright", {0.2, 0.6});
@@ -52,8 +55,8 @@ base::Status read_paint(const ScriptLine& line, std::vector<Paint>& io_paints) {
   paint.shade = arguments.number("shade", 1, 0, 1);
   TRY_STATUS(arguments.finish());
   for (const ScriptLine& below : line.below) {
-    if (below.word != "spots" && below.word != "stripes")
-      return script_error(below, "a paint has lines 'spots' and 'stripes'");
+    if (below.keyword != "spots" && below.keyword != "stripes")
+      return script_error(below, "only 'spots' and 'stripes' lines can be under a paint");
     TRY_STATUS(read_layer(below, paint));
   }
   for (Paint& known : io_paints) {

@@ -7,7 +7,7 @@
 
 namespace temblor::artgen {
 
-std::optional<std::vector<double>> numbers_in(std::string_view text, char between) {
+std::optional<std::vector<double>> parse_numbers(std::string_view text, char between) {
   std::vector<double> numbers;
   while (true) {
     const std::string_view part = text.substr(0, text.find(between));
@@ -24,13 +24,13 @@ bool is_pair(std::string_view name) {
   return name.find('*') != std::string_view::npos;
 }
 
-std::string on_side(std::string_view name, char side) {
+std::string select_side(std::string_view name, char side) {
   std::string sided(name);
   std::replace(sided.begin(), sided.end(), '*', side);
   return sided;
 }
 
-std::string mirrored_name(std::string_view name) {
+std::string mirror_name(std::string_view name) {
   std::string mirrored(name);
   const std::size_t at = mirrored.size() - 1;
   if (name.ends_with("_l")) mirrored[at] = 'r';

@@ -1,4 +1,5 @@
-// Words of model scripts that are more than one number, and names that stand for a left and a right.
+// Values of model scripts that consist of several numbers, and bone names that stand for a left and a right
+// bone.
 #pragma once
 
 #include <optional>
@@ -10,13 +11,14 @@
 
 namespace temblor::artgen {
 
-// "1,2.5,3"; nothing where anything else stands.
-std::optional<std::vector<double>> numbers_in(std::string_view text, char between = ',');
+// "1,2.5,3" as numbers; nothing if the text contains anything else.
+std::optional<std::vector<double>> parse_numbers(std::string_view text, char between = ',');
 
-// "arm_*" stands for arm_l and arm_r.
+// A star stands for both sides: "arm_*" is arm_l and arm_r.
 bool is_pair(std::string_view name);
-std::string on_side(std::string_view name, char side);  // 'l' or 'r'; other names stay
-// arm_l for arm_r and the other way round; other names stay.
-std::string mirrored_name(std::string_view name);
+// Replaces the star by `side`, 'l' or 'r'. Names without a star stay the same.
+std::string select_side(std::string_view name, char side);
+// arm_r for arm_l and the reverse; names without such an ending stay the same. `name` must not be empty.
+std::string mirror_name(std::string_view name);
 
 }  // namespace temblor::artgen

@@ -16,13 +16,15 @@
 namespace temblor::artgen {
 namespace {
 
+// The loudness of all music, as in SoundClass.
 constexpr double kMusicLoudest_db = -11;
 
-// Every note of an instrument by its pitch and length: made once, however often it is played.
-class Notes {
+// Renders every combination of instrument, pitch, and length once.
+class NoteCache {
  public:
-  explicit Notes(const Score& score) : score_(score) {}
+  explicit NoteCache(const Score& score) : score_(score) {}
 
+  // Returns the note, which stays valid as long as the cache.
   base::Result<const Signal*> find(std::size_t instrument, std::int32_t half_tones, double beats) {
     const auto [place, is_new] = made_.try_emplace(std::tuple(instrument, half_tones, beats));
     if (is_new) {
@@ -42,48 +44,53 @@ class Notes {
   std::map<std::tuple<std::size_t, std::int32_t, double>, Signal> made_;
 };
 
+// The stereo mix and the mono input of the reverberation.
 struct Mix {
   std::array<Signal, 2> channels;
-  Signal into_room;
+  Signal reverb_send;
 };
 
-void lay(const Signal& note, const Instrument& player, double level, std::size_t start, Mix& io_mix) {
-  const double angle = (player.pan + 1) * std::numbers::pi / 4;
+// Adds a note from sample `start` on; it wraps around at the end of the piece. Panning keeps the power
+// constant.
+void mix_note(const Signal& note, const Instrument& instrument, double level, std::size_t start,
+              Mix& io_mix) {
+  const double angle = (instrument.pan + 1) * std::numbers::pi / 4;
   const double left = std::cos(angle) * level, right = std::sin(angle) * level;
-  const std::size_t length = io_mix.into_room.size();
+  const std::size_t length = io_mix.reverb_send.size();
   std::size_t at = start % length;
   for (const double sample : note) {
     io_mix.channels[0][at] += left * sample;
     io_mix.channels[1][at] += right * sample;
-    io_mix.into_room[at] += player.room * level * sample;
+    io_mix.reverb_send[at] += instrument.room * level * sample;
     if (++at == length) at = 0;
   }
 }
 
-base::Status lay_notes(const Score& score, Mix& io_mix) {
-  Notes notes(score);
-  for (const Playing& playing : score.playings) {
-    const Pattern& pattern = score.patterns[playing.pattern];
-    const Instrument& player = score.instruments[pattern.instrument];
-    for (std::int32_t time = 0; time < playing.times; ++time) {
+base::Status mix_notes(const Score& score, Mix& io_mix) {
+  NoteCache notes(score);
+  for (const PatternPlay& play : score.pattern_plays) {
+    const Pattern& pattern = score.patterns[play.pattern];
+    const Instrument& instrument = score.instruments[pattern.instrument];
+    for (std::int32_t time = 0; time < play.times; ++time) {
       for (const Note& note : pattern.notes) {
         TRY(const Signal* signal,
-            notes.find(pattern.instrument, note.half_tones + playing.half_tones, note.beats));
-        const double beat = playing.at_beat + playing.every_beats * time + note.beat;
-        lay(*signal, player, player.level * playing.level, frames_in(score.seconds(beat), kMusicRate),
-            io_mix);
+            notes.find(pattern.instrument, note.half_tones + play.half_tones, note.beats));
+        const double beat = play.at_beat + play.every_beats * time + note.beat;
+        mix_note(*signal, instrument, instrument.level * play.level,
+                 count_frames(score.seconds(beat), kMusicRate), io_mix);
       }
     }
   }
   return base::Ok{};
 }
 
-// Twice round: the second time, the echoes of the end are there at the beginning.
+// Runs the reverberation over the piece twice. In the second pass, the echoes of the end are present at the
+// start.
 void add_room(const Score& score, Mix& io_mix) {
   Reverb room(score.room, kMusicRate);
-  for (const double sample : io_mix.into_room) room.step(sample);
-  for (std::size_t i = 0; i < io_mix.into_room.size(); ++i) {
-    const Reverb::Echoes echoes = room.step(io_mix.into_room[i]);
+  for (const double sample : io_mix.reverb_send) room.step(sample);
+  for (std::size_t i = 0; i < io_mix.reverb_send.size(); ++i) {
+    const Reverb::Echoes echoes = room.step(io_mix.reverb_send[i]);
     io_mix.channels[0][i] += echoes.left;
     io_mix.channels[1][i] += echoes.right;
   }
@@ -91,19 +98,19 @@ void add_room(const Score& score, Mix& io_mix) {
 
 }  // namespace
 
-base::Result<std::array<Signal, 2>> perform(const Score& score) {
-  const std::size_t length = frames_in(score.seconds(score.beats), kMusicRate);
+base::Result<std::array<Signal, 2>> render_score(const Score& score) {
+  const std::size_t length = count_frames(score.seconds(score.beats), kMusicRate);
   Mix mix{{Signal(length, 0.0), Signal(length, 0.0)}, Signal(length, 0.0)};
-  TRY_STATUS(lay_notes(score, mix));
+  TRY_STATUS(mix_notes(score, mix));
   add_room(score, mix);
-  for (Signal& channel : mix.channels) remove_rumble_around(channel, kMusicRate);
-  bring_to_level(mix.channels, kMusicLoudest_db + score.louder_db, kMusicRate);
+  for (Signal& channel : mix.channels) remove_rumble_from_loop(channel, kMusicRate);
+  normalize_loudness(mix.channels, kMusicLoudest_db + score.gain_db, kMusicRate);
   return std::move(mix.channels);
 }
 
-base::Result<std::vector<ArtPart>> make_music_file(const ScriptLine& thing) {
-  TRY(const Score score, read_score(thing));
-  TRY(const auto channels, perform(score));
+base::Result<std::vector<ArtPart>> make_music_file(const ScriptLine& asset) {
+  TRY(const Score score, read_score(asset));
+  TRY(const auto channels, render_score(score));
   VorbisSettings settings;
   settings.frames_per_second = static_cast<long>(kMusicRate);
   settings.quality = score.quality;

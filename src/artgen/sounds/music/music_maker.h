@@ -1,4 +1,4 @@
-// The word `music`: one piece (score.h) as music/trackNN.ogg, which goes round without a gap.
+// The ArtMaker of `music`: renders a score (score.h) as music/trackNN.ogg, which loops without a gap.
 #pragma once
 
 #include <array>
@@ -10,11 +10,13 @@
 
 namespace temblor::artgen {
 
+// Samples per second.
 constexpr double kMusicRate = 32000;
 
-// Left and right: what rings past the end is laid over the beginning.
-base::Result<std::array<Signal, 2>> perform(const Score& score);
+// Returns the left and right channel, each as long as the piece. Notes and echoes that exceed its end wrap
+// around to its start.
+base::Result<std::array<Signal, 2>> render_score(const Score& score);
 
-base::Result<std::vector<ArtPart>> make_music_file(const ScriptLine& thing);
+base::Result<std::vector<ArtPart>> make_music_file(const ScriptLine& asset);
 
 }  // namespace temblor::artgen

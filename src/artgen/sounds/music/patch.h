@@ -1,14 +1,15 @@
-// A sound, or a note of an instrument, from the lines of its script: voices, what changes each of them under
-// it, and what changes all.
+// Renders a patch: a sound, or one note of an instrument, from the lines of its script. Voices (voices.h) are
+// added up; effects (effects.h) under a voice change that voice, and effects between voices change everything
+// above them.
 //
 //   strike plate pitch=300 at=0.1 for=0.5 level=0.4 attack=0.01 decay=0.3
 //     lowpass 2000
 //   noise white times=3 every=0.08 scatter=0.5
 //   room size=0.4
 //
-// Every voice knows at= (s), for= (s; else to the end), level=, attack= (s), decay= (s until it has lost 60
-// dB; else it lasts), fade= (s, at its end), times= every= (s) scatter= (how much repetitions differ) and
-// seed=.
+// All voices accept at= (start, s), for= (length, s; by default to the end), level=, attack= (s), decay=
+// (time in s to lose 60 dB; by default none), fade= (s, at the end), times= every= scatter= (repetitions and
+// how much they differ), and seed=.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +21,20 @@
 
 namespace temblor::artgen {
 
+// What a patch knows about its surroundings.
 struct PatchContext {
   double rate = kSynthesisRate;
-  double length_s = 1;  // of all of it
-  double voice_s = 1;   // that voices without for= last
-  double pitch = 1;     // Hz that pitch=1 means
+  // The length of the whole result.
+  double length_s = 1;
+  // The length of voices without for=.
+  double voice_s = 1;
+  // The frequency in Hz that pitch=1 means.
+  double pitch = 1;
   std::uint64_t seed = 0;
 };
 
-// frames_in(length_s) samples of the voices among `lines`, each with its effects; effects among `lines`
-// change what stands above them.
+// Returns count_frames(length_s) samples. The result depends only on the lines and the context. Fails for
+// unknown keywords and invalid settings.
 base::Result<Signal> render_patch(const std::vector<ScriptLine>& lines, const PatchContext& context);
 
 }  // namespace temblor::artgen

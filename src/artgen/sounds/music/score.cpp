@@ -15,8 +15,8 @@
 namespace temblor::artgen {
 namespace {
 
-// "D3", "F#2", "Bb1".
-std::optional<std::int32_t> half_tones_in(std::string_view name) {
+// "D3", "F#2", "Bb1" as semitones from A4; nothing for other texts.
+std::optional<std::int32_t> parse_note_name(std::string_view name) {
   constexpr std::string_view kLetters = "CDEFGAB";
   constexpr std::array<std::int32_t, 7> kSteps = {0, 2, 4, 5, 7, 9, 11};
   constexpr std::int32_t kOctave = 12, kA4 = 4 * kOctave + 9;
@@ -32,21 +32,22 @@ std::optional<std::int32_t> half_tones_in(std::string_view name) {
   return half_tones + kOctave * (name.front() - '0') - kA4;
 }
 
-// "D3+A3:2" behind what is there.
+// Appends "D3+A3:2" (notes joined by +, then the beats; 1 without a colon) or a rest "_:2". False if the text
+// is invalid.
 bool add_notes(std::string_view text, Pattern& io_pattern) {
   const std::size_t colon = text.find(':');
   double beats = 1;
   if (colon != std::string_view::npos) {
     const std::string_view number = text.substr(colon + 1);
     const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), beats);
-    constexpr double kMost = 1000;
-    if (failure != std::errc() || end != number.data() + number.size() || !(beats > 0 && beats <= kMost))
+    constexpr double kMaxBeats = 1000;
+    if (failure != std::errc() || end != number.data() + number.size() || !(beats > 0 && beats <= kMaxBeats))
       return false;
   }
   std::string_view names = text.substr(0, colon);
   while (names != "_") {
     const std::size_t plus = names.find('+');
-    const std::optional<std::int32_t> half_tones = half_tones_in(names.substr(0, plus));
+    const std::optional<std::int32_t> half_tones = parse_note_name(names.substr(0, plus));
     if (!half_tones) return false;
     io_pattern.notes.push_back({io_pattern.beats, beats, *half_tones});
     if (plus == std::string_view::npos) break;
@@ -56,6 +57,7 @@ bool add_notes(std::string_view text, Pattern& io_pattern) {
   return true;
 }
 
+// The index of an element by its name.
 template <typename Named>
 std::optional<std::size_t> find_named(const std::vector<Named>& things, std::string_view name) {
   const auto found =
@@ -73,8 +75,7 @@ base::Status read_instrument(const ScriptLine& line, Score& io_score) {
   instrument.level = arguments.number("level", 1, 0, 10);
   instrument.pan = arguments.number("pan", 0, -1, 1);
   instrument.room = arguments.number("room", 0.3, 0, 4);
-  if (find_named(io_score.instruments, instrument.name))
-    arguments.complain("there is one of that name already");
+  if (find_named(io_score.instruments, instrument.name)) arguments.set_error("this name is already in use");
   TRY_STATUS(arguments.finish());
   io_score.instruments.push_back(std::move(instrument));
   return base::Ok{};
@@ -86,40 +87,45 @@ base::Status read_pattern(const ScriptLine& line, Score& io_score) {
   pattern.name = arguments.text();
   const std::string player = arguments.text();
   const std::optional<std::size_t> instrument = find_named(io_score.instruments, player);
-  if (!instrument) arguments.complain(fmt::format("no instrument '{}' stands above", base::quotable(player)));
-  if (find_named(io_score.patterns, pattern.name)) arguments.complain("there is one of that name already");
+  if (!instrument)
+    arguments.set_error(fmt::format("no instrument '{}' is defined above this line", base::quotable(player)));
+  if (find_named(io_score.patterns, pattern.name)) arguments.set_error("this name is already in use");
   TRY_STATUS(arguments.finish());
   pattern.instrument = *instrument;
   for (const ScriptLine& row : line.below) {
-    if (row.word != "notes") return script_error(row, "under a pattern stand lines of notes");
+    if (row.keyword != "notes") return script_error(row, "only 'notes' lines can be under a pattern");
     for (const std::string& word : row.values)
       if (!add_notes(word, pattern))
-        return script_error(
-            row, fmt::format("'{}' is no note: D3, F#2:1.5, A2+D3:4, or _ for none", base::quotable(word)));
+        return script_error(row,
+                            fmt::format("'{}' is not a note such as D3, F#2:1.5 or A2+D3:4, or _ for a rest",
+                                        base::quotable(word)));
   }
-  if (pattern.beats == 0) return script_error(line, "it has no notes");
+  if (pattern.beats == 0) return script_error(line, "the pattern has no notes");
   io_score.patterns.push_back(std::move(pattern));
   return base::Ok{};
 }
 
-base::Status read_playing(const ScriptLine& line, double beats_per_bar, Score& io_score) {
+base::Status read_play(const ScriptLine& line, double beats_per_bar, Score& io_score) {
   Arguments arguments(line);
-  Playing playing;
+  PatternPlay play;
   const std::string name = arguments.text();
   const std::optional<std::size_t> pattern = find_named(io_score.patterns, name);
-  if (!pattern) arguments.complain(fmt::format("no pattern '{}' stands above", base::quotable(name)));
+  if (!pattern)
+    arguments.set_error(fmt::format("no pattern '{}' is defined above this line", base::quotable(name)));
   const double bars = io_score.beats / beats_per_bar;
-  playing.pattern = pattern.value_or(0);
-  playing.at_beat = (arguments.number("at", 1, 1, bars + 1) - 1) * beats_per_bar;
-  playing.times = arguments.integer("times", 1, 1, 1000);
+  play.pattern = pattern.value_or(0);
+  // Bars count from 1, beats from 0.
+  play.at_beat = (arguments.number("at", 1, 1, bars + 1) - 1) * beats_per_bar;
+  play.times = arguments.integer("times", 1, 1, 1000);
+  // Without every=, repetitions follow one another at the next bar.
   const double own_bars = pattern ? std::ceil(io_score.patterns[*pattern].beats / beats_per_bar) : 1;
-  playing.every_beats = arguments.number("every", own_bars, 0.01, bars) * beats_per_bar;
-  playing.level = arguments.number("level", 1, 0, 10);
-  playing.half_tones = arguments.integer("transpose", 0, -48, 48);
-  if (playing.at_beat + playing.every_beats * (playing.times - 1) >= io_score.beats)
-    arguments.complain("it is played when the piece is over");
+  play.every_beats = arguments.number("every", own_bars, 0.01, bars) * beats_per_bar;
+  play.level = arguments.number("level", 1, 0, 10);
+  play.half_tones = arguments.integer("transpose", 0, -48, 48);
+  if (play.at_beat + play.every_beats * (play.times - 1) >= io_score.beats)
+    arguments.set_error("it plays after the end of the piece");
   TRY_STATUS(arguments.finish());
-  io_score.playings.push_back(playing);
+  io_score.pattern_plays.push_back(play);
   return base::Ok{};
 }
 
@@ -127,38 +133,39 @@ base::Status read_room(const ScriptLine& line, Score& io_score) {
   Arguments arguments(line);
   io_score.room.size = arguments.number("size", 0.8, 0, 1);
   io_score.room.ring_s = arguments.number("ring", 3, 0.05, 20);
-  io_score.room.dull_hz = arguments.number("dull", 3000, 20, 16000);
+  io_score.room.damping_hz = arguments.number("dull", 3000, 20, 16000);
   return arguments.finish();
 }
 
 }  // namespace
 
-base::Result<Score> read_score(const ScriptLine& thing) {
-  Arguments arguments(thing);
+base::Result<Score> read_score(const ScriptLine& asset) {
+  Arguments arguments(asset);
   Score score;
   score.name = arguments.text();
   score.beats_per_minute = arguments.number("bpm", 60, 10, 400);
   const double beats_per_bar = arguments.number("beats", 4, 1, 64);
   score.beats = beats_per_bar * arguments.integer("bars", 16, 1, 1000);
   score.quality = static_cast<float>(arguments.number("quality", 0.3, -0.1, 1));
-  score.louder_db = arguments.number("louder", 0, -40, 12);
-  constexpr double kLongest_s = 600;
-  if (score.seconds(score.beats) > kLongest_s) arguments.complain("it lasts for more than ten minutes");
+  score.gain_db = arguments.number("louder", 0, -40, 12);
+  constexpr double kMaxLength_s = 600;
+  if (score.seconds(score.beats) > kMaxLength_s)
+    arguments.set_error("the piece lasts longer than ten minutes");
   const bool is_name = score.name.size() == 7 && score.name.starts_with("track") &&
                        score.name.find_first_not_of("0123456789", 5) == std::string::npos;
-  if (!is_name) arguments.complain("music is track02 to track99");
+  if (!is_name) arguments.set_error("the name must be track02 to track99");
   TRY_STATUS(arguments.finish());
-  for (const ScriptLine& line : thing.below) {
-    if (line.word == "instrument")
+  for (const ScriptLine& line : asset.below) {
+    if (line.keyword == "instrument")
       TRY_STATUS(read_instrument(line, score));
-    else if (line.word == "pattern")
+    else if (line.keyword == "pattern")
       TRY_STATUS(read_pattern(line, score));
-    else if (line.word == "play")
-      TRY_STATUS(read_playing(line, beats_per_bar, score));
-    else if (line.word == "room")
+    else if (line.keyword == "play")
+      TRY_STATUS(read_play(line, beats_per_bar, score));
+    else if (line.keyword == "room")
       TRY_STATUS(read_room(line, score));
     else
-      return script_error(line, "none of instrument, pattern, play, room");
+      return script_error(line, "expected instrument, pattern, play or room");
   }
   return score;
 }

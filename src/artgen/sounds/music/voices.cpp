@@ -4,8 +4,8 @@
 
 namespace temblor::artgen {
 
-std::span<const VoiceWord> voice_words() {
-  static constexpr std::array<VoiceWord, 7> kWords = {{
+std::span<const VoiceKeyword> voice_keywords() {
+  static constexpr std::array<VoiceKeyword, 7> kKeywords = {{
       {"tone", make_tone},
       {"fm", make_fm},
       {"noise", make_noise},
@@ -14,7 +14,7 @@ std::span<const VoiceWord> voice_words() {
       {"pluck", make_pluck},
       {"throat", make_throat},
   }};
-  return kWords;
+  return kKeywords;
 }
 
 }  // namespace temblor::artgen

@@ -1,12 +1,14 @@
-// What sounds by itself: the words of a script that make a signal out of nothing.
+// Voices: keywords that generate a signal.
 //
-//   tone saw pitch=220..110 voices=3 detune=0.01     periodic, by its shape
-//   fm pitch=200 ratio=1.41 index=4..0               a sine whose phase another sine moves
-//   noise brown                                      by its color
-//   grains click rate=40 pitch=100..900              many small sounds at random times
-//   strike bell pitch=110 hardness=0.6               something that rings is struck
-//   pluck pitch=55 bright=0.4                        a string is plucked
-//   throat a..o pitch=90..60 size=1.6 rough=0.5      a voice
+//   tone saw pitch=220..110 voices=3 detune=0.01     a periodic wave by its shape
+//   fm pitch=200 ratio=1.41 index=4..0               frequency modulation: one sine modulates another
+//   noise brown                                      noise by its color
+//   grains click rate=40 pitch=100..900              many short sounds at random times
+//   strike bell pitch=110 hardness=0.6               a struck object
+//   pluck pitch=55 bright=0.4                        a plucked string
+//   throat a..o pitch=90..60 size=1.6 rough=0.5      a human or animal voice
+//
+// They are implemented in sounds/synthesis.
 #pragma once
 
 #include <cstddef>
@@ -20,25 +22,28 @@
 
 namespace temblor::artgen {
 
+// What a voice knows about its surroundings.
 struct VoiceContext {
   double rate = kSynthesisRate;
   double length_s = 1;
-  double pitch = 1;  // Hz that a script's pitch=1 means: 1, or a note's
+  // The frequency in Hz that pitch=1 means: 1 in a sound, the note's frequency in an instrument.
+  double pitch = 1;
   std::uint64_t seed = 0;
 
-  std::size_t frames() const { return frames_in(length_s, rate); }
+  // The number of samples that a voice makes.
+  std::size_t frames() const { return count_frames(length_s, rate); }
 };
 
-// A word, and what it sounds like: as many samples as the context has frames. Reads its own settings; what is
-// wrong is a complaint.
-struct VoiceWord {
-  std::string_view word;
+// A voice and its keyword. `make` reads its settings, records problems in the arguments, and returns exactly
+// context.frames() samples.
+struct VoiceKeyword {
+  std::string_view keyword;
   Signal (*make)(Arguments& io_arguments, const VoiceContext& context);
 };
-std::span<const VoiceWord> voice_words();
+std::span<const VoiceKeyword> voice_keywords();
 
-// The setting "pitch", in Hz.
-Curve pitch_setting(Arguments& io_arguments, const VoiceContext& context, double otherwise);
+// Reads the setting "pitch" and returns it in Hz.
+Curve read_pitch(Arguments& io_arguments, const VoiceContext& context, double fallback);
 
 Signal make_tone(Arguments& io_arguments, const VoiceContext& context);
 Signal make_fm(Arguments& io_arguments, const VoiceContext& context);

@@ -1,4 +1,5 @@
-// Tones: one period over and over, and frequency modulation (J. Chowning, 1973).
+// The voices `tone` and `fm`: periodic waves, and frequency modulation (J. Chowning, "The Synthesis of
+// Complex Audio Spectra by Means of Frequency Modulation", 1973).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,12 +30,13 @@ Shape read_shape(Arguments& io_arguments) {
   const std::string name = io_arguments.text();
   for (const NamedShape& known : kShapes)
     if (known.name == name) return known.shape;
-  io_arguments.complain(fmt::format("'{}' is none of sine, triangle, saw, square", base::quotable(name)));
+  io_arguments.set_error(fmt::format("'{}' is not one of sine, triangle, saw, square", base::quotable(name)));
   return Shape::kSine;
 }
 
-// What a step of height 2 at phase 0 lacks of one that is limited to frequencies below half the rate, in the
-// sample on either side (polynomial band-limited step: V. Välimäki and A. Huovilainen, 2007).
+// The difference between a step of height 2 at phase 0 and a band-limited one, in the sample on either side
+// of it. Without it, saw and square waves would alias (polynomial band-limited step, PolyBLEP: V. Valimaki
+// and A. Huovilainen, 2007). `advance` is the phase increment per sample.
 double step_correction(double phase, double advance) {
   if (phase < advance) {
     const double t = phase / advance;
@@ -47,6 +49,7 @@ double step_correction(double phase, double advance) {
   return 0;
 }
 
+// The wave's value at a phase from 0 to 1. `width` is the duty cycle of the square.
 double shape_at(Shape shape, double phase, double advance, double width) {
   switch (shape) {
     case Shape::kSine:
@@ -63,21 +66,22 @@ double shape_at(Shape shape, double phase, double advance, double width) {
   return 0;
 }
 
-// How the pitch of a voice strays: evenly (vibrato) and at random (wander), as factors of it.
-struct Straying {
+// How the pitch varies: periodically (vibrato) and at random (wander), as fractions of it.
+struct PitchDrift {
   double vibrato_hz = 5, vibrato = 0, wander = 0;
 };
 
-Straying read_straying(Arguments& io_arguments) {
-  Straying straying;
-  straying.vibrato = io_arguments.number("vibrato", 0, 0, 1);
-  straying.vibrato_hz = io_arguments.number("vibrato_rate", 5, 0.01, 200);
-  straying.wander = io_arguments.number("wander", 0, 0, 1);
-  return straying;
+PitchDrift read_pitch_drift(Arguments& io_arguments) {
+  PitchDrift drift;
+  drift.vibrato = io_arguments.number("vibrato", 0, 0, 1);
+  drift.vibrato_hz = io_arguments.number("vibrato_rate", 5, 0.01, 200);
+  drift.wander = io_arguments.number("wander", 0, 0, 1);
+  return drift;
 }
 
-void stray(Signal& io_hertz, const Straying& straying, const VoiceContext& context, Noise& io_noise) {
-  if (straying.vibrato == 0 && straying.wander == 0) return;
+// Wandering interpolates between random values, six per second.
+void drift_pitch(Signal& io_hertz, const PitchDrift& drift, const VoiceContext& context, Noise& io_noise) {
+  if (drift.vibrato == 0 && drift.wander == 0) return;
   constexpr double kWander_hz = 6;
   const auto pace = static_cast<std::size_t>(context.rate / kWander_hz);
   const double start = io_noise.unit();
@@ -85,38 +89,40 @@ void stray(Signal& io_hertz, const Straying& straying, const VoiceContext& conte
   for (std::size_t i = 0; i < io_hertz.size(); ++i) {
     if (i % pace == 0) {
       from = to;
-      to = io_noise.both();
+      to = io_noise.bipolar();
     }
     const double part = static_cast<double>(i % pace) / static_cast<double>(pace);
     const double smooth = part * part * (3 - 2 * part);
-    const double turn = start + straying.vibrato_hz * static_cast<double>(i) / context.rate;
+    const double turn = start + drift.vibrato_hz * static_cast<double>(i) / context.rate;
     io_hertz[i] *=
-        1 + straying.wander * (from + (to - from) * smooth) + straying.vibrato * std::sin(kWholeTurn * turn);
+        1 + drift.wander * (from + (to - from) * smooth) + drift.vibrato * std::sin(kWholeTurn * turn);
   }
 }
 
 }  // namespace
 
-Curve pitch_setting(Arguments& io_arguments, const VoiceContext& context, double otherwise) {
-  Curve curve = curve_setting(io_arguments, "pitch", otherwise, kHertz, context.length_s);
+Curve read_pitch(Arguments& io_arguments, const VoiceContext& context, double fallback) {
+  Curve curve = read_curve_setting(io_arguments, "pitch", fallback, kHertz, context.length_s);
   curve.scale(context.pitch);
   return curve;
 }
 
+// Several voices are detuned symmetrically by up to `detune`, start at random phases, and add up with
+// constant power.
 Signal make_tone(Arguments& io_arguments, const VoiceContext& context) {
   const Shape shape = read_shape(io_arguments);
-  const Curve pitch = pitch_setting(io_arguments, context, 1);
+  const Curve pitch = read_pitch(io_arguments, context, 1);
   const std::int32_t voices = io_arguments.integer("voices", 1, 1, 12);
   const double detune = io_arguments.number("detune", 0.006, 0, 1);
   const double width = io_arguments.number("width", 0.5, 0.02, 0.98);
-  const Straying straying = read_straying(io_arguments);
+  const PitchDrift drift = read_pitch_drift(io_arguments);
   const Signal hertz = pitch.values(context.frames(), context.rate);
   Signal sum(hertz.size(), 0.0);
   for (std::int32_t voice = 0; voice < voices; ++voice) {
     Noise noise(context.seed + static_cast<std::uint64_t>(voice));
     const double side = voices > 1 ? 2.0 * voice / (voices - 1) - 1 : 0;
     Signal own = hertz;
-    stray(own, straying, context, noise);
+    drift_pitch(own, drift, context, noise);
     double phase = voices > 1 ? noise.unit() : 0;
     for (std::size_t i = 0; i < sum.size(); ++i) {
       const double advance = std::min(own[i] * (1 + side * detune) / context.rate, 0.45);
@@ -128,15 +134,16 @@ Signal make_tone(Arguments& io_arguments, const VoiceContext& context) {
   return sum;
 }
 
+// `ratio` is the modulator's frequency relative to the carrier, `index` the peak phase deviation in radians.
 Signal make_fm(Arguments& io_arguments, const VoiceContext& context) {
-  const Curve pitch = pitch_setting(io_arguments, context, 1);
+  const Curve pitch = read_pitch(io_arguments, context, 1);
   const Curve ratio =
-      curve_setting(io_arguments, "ratio", 1, {0.001, 100, Glide::kByRatio}, context.length_s);
-  const Curve index = curve_setting(io_arguments, "index", 1, {0, 100}, context.length_s);
-  const Straying straying = read_straying(io_arguments);
+      read_curve_setting(io_arguments, "ratio", 1, {0.001, 100, Glide::kExponential}, context.length_s);
+  const Curve index = read_curve_setting(io_arguments, "index", 1, {0, 100}, context.length_s);
+  const PitchDrift drift = read_pitch_drift(io_arguments);
   Noise noise(context.seed);
   Signal hertz = pitch.values(context.frames(), context.rate);
-  stray(hertz, straying, context, noise);
+  drift_pitch(hertz, drift, context, noise);
   const Signal ratios = ratio.values(hertz.size(), context.rate);
   const Signal depths = index.values(hertz.size(), context.rate);
   Signal samples(hertz.size());

@@ -1,4 +1,4 @@
-// The first page, help, and leaving the game.
+// The main page, help, notices, questions, and quitting.
 #include <fmt/format.h>
 
 #include "client/menu/page.h"
@@ -8,7 +8,7 @@ namespace temblor::client {
 
 namespace {
 
-PageMaker maker_of(MenuPage page) {
+PageMaker find_page_maker(MenuPage page) {
   switch (page) {
     case MenuPage::kSinglePlayer:
       return make_single_player_page;
@@ -57,24 +57,26 @@ PageMaker maker_of(MenuPage page) {
 }
 
 Outcome quit(const PageContext& context) {
-  return unless_lost(context, "Quit all the same?", {.commands = {"quit"}, .leaving = Leaving::kClose});
+  return confirm_if_unsaved(context, "Quit anyway?", {.commands = {"quit"}, .leaving = Leaving::kClose});
 }
 
 }  // namespace
 
-Outcome opening(const PageContext& context, MenuPage page) {
+// Quit and new game may need no page. Opening the join page starts a search, so that servers answer while the
+// player reads.
+Outcome open_page(const PageContext& context, MenuPage page) {
   if (page == MenuPage::kQuit) return quit(context);
-  if (page == MenuPage::kNewGame) return new_game(context);
+  if (page == MenuPage::kNewGame) return start_new_game(context);
   if (page == MenuPage::kJoin && context.content.search_servers) context.content.search_servers();
-  // What was chosen there and not applied is forgotten.
+  // Choices that were not applied are forgotten.
   if (page == MenuPage::kVideo) context.choices.video.reset();
-  return {.page = maker_of(page)};
+  return {.page = find_page_maker(page)};
 }
 
-std::unique_ptr<Row> make_opener(const PageContext& context, std::string label, MenuPage page,
-                                 std::string help) {
+std::unique_ptr<Row> make_page_link(const PageContext& context, std::string label, MenuPage page,
+                                    std::string help) {
   return std::make_unique<ActionRow>(
-      std::move(label), [context, page] { return opening(context, page); }, std::move(help));
+      std::move(label), [context, page] { return open_page(context, page); }, std::move(help));
 }
 
 PageMaker make_notice(Notice notice) {
@@ -84,12 +86,13 @@ PageMaker make_notice(Notice notice) {
     page.text = notice.text;
     page.rows.push_back(std::make_unique<ActionRow>("OK", [] { return Outcome{.leaving = Leaving::kBack}; }));
     for (const auto& [label, helpful] : notice.pages)
-      page.rows.push_back(make_opener(context, label, helpful));
+      page.rows.push_back(make_page_link(context, label, helpful));
     return page;
   };
 }
 
-PageMaker ask(std::string question, Outcome yes) {
+// "No" is selected, so that a key pressed too often does no harm.
+PageMaker make_question(std::string question, Outcome yes) {
   return [question = std::move(question), yes = std::move(yes)](const PageContext&) {
     Page page;
     page.title = "Are you sure?";
@@ -109,10 +112,10 @@ PageMaker ask(std::string question, Outcome yes) {
   };
 }
 
-Outcome unless_lost(const PageContext& context, std::string_view doing, Outcome outcome) {
-  const std::string lost = asked(context.content.unsaved);
+Outcome confirm_if_unsaved(const PageContext& context, std::string_view question, Outcome outcome) {
+  const std::string lost = call_or_default(context.content.unsaved);
   if (lost.empty()) return outcome;
-  return {.page = ask(fmt::format("{}\n{}", lost, doing), std::move(outcome))};
+  return {.page = make_question(fmt::format("{}\n{}", lost, question), std::move(outcome))};
 }
 
 Page make_main_page(const PageContext& context) {
@@ -120,29 +123,29 @@ Page make_main_page(const PageContext& context) {
   page.title = "Temblor";
   page.title_picture = "gfx/ttl_main.lmp";
   page.style = PageStyle::kLarge;
-  const auto add_opener = [&](const char* label, MenuPage opened) {
-    page.rows.push_back(make_opener(context, label, opened));
+  const auto add_link = [&](const char* label, MenuPage opened) {
+    page.rows.push_back(make_page_link(context, label, opened));
   };
-  add_opener("Single player", MenuPage::kSinglePlayer);
-  add_opener("Multiplayer", MenuPage::kMultiplayer);
-  add_opener("Options", MenuPage::kOptions);
-  add_opener("Levels", MenuPage::kLevels);
-  add_opener("Game folders", MenuPage::kGameFolders);
-  add_opener("Demos", MenuPage::kDemos);
-  add_opener("Help", MenuPage::kHelp);
-  if (asked(context.content.game_runs))
+  add_link("Single player", MenuPage::kSinglePlayer);
+  add_link("Multiplayer", MenuPage::kMultiplayer);
+  add_link("Options", MenuPage::kOptions);
+  add_link("Levels", MenuPage::kLevels);
+  add_link("Mods", MenuPage::kGameFolders);
+  add_link("Demos", MenuPage::kDemos);
+  add_link("Help", MenuPage::kHelp);
+  if (call_or_default(context.content.game_runs))
     page.rows.push_back(std::make_unique<ActionRow>("Leave game", [context] {
-      return unless_lost(context, "Leave all the same?", {.commands = {"disconnect"}, .refresh = true});
+      return confirm_if_unsaved(context, "Leave anyway?", {.commands = {"disconnect"}, .refresh = true});
     }));
-  add_opener("Quit", MenuPage::kQuit);
+  add_link("Quit", MenuPage::kQuit);
   return page;
 }
 
 Page make_help_page(const PageContext& context) {
   Page page;
   page.title = "Help";
-  page.text = asked(context.content.help_text);
-  page.nothing = "There is no help text.";
+  page.text = call_or_default(context.content.help_text);
+  page.empty_text = "No help available.";
   return page;
 }
 

@@ -1,4 +1,4 @@
-// Playing with others: joining, hosting, and what the player is called and wears.
+// Multiplayer pages: join, host, and the player's name and colors.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,18 +17,19 @@ namespace {
 constexpr int kMaxPlayers = 16, kMinPlayers = 2;
 constexpr int kDeathmatch = 0;
 
-// Rows of the palette that a player's clothes are drawn in.
+// The palette rows that the stock picture of the player uses for shirt and pants.
 constexpr int kRowShades = 16, kShirtRow = 1, kPantsRow = 6;
 
 constexpr std::string_view kShirt = "topcolor", kPants = "bottomcolor";
 
-int row_of(const command::Variables& variables, std::string_view name, int otherwise) {
+// Returns a color variable's palette row, 0 to 15; `fallback` if it is not registered.
+int read_palette_row(const command::Variables& variables, std::string_view name, int fallback) {
   const command::Variable* const color = variables.find(name);
-  return color == nullptr ? otherwise : static_cast<int>(color->number) & 15;
+  return color == nullptr ? fallback : static_cast<int>(color->number) & 15;
 }
 
-// The same shade of another row. From the eighth on they run from bright to dark.
-std::uint8_t in_row(int row, std::uint8_t pixel) {
+// Returns the same shade in another palette row. Rows from the eighth on run from bright to dark.
+std::uint8_t move_to_row(int row, std::uint8_t pixel) {
   constexpr int kFirstReversed = 8;
   const int shade = pixel % kRowShades;
   return static_cast<std::uint8_t>(row * kRowShades +
@@ -37,56 +38,58 @@ std::uint8_t in_row(int row, std::uint8_t pixel) {
 
 Outcome connect(const PageContext& context, const std::string& address) {
   if (address.empty()) return {};
-  return unless_lost(context, "Connect all the same?",
-                     {.commands = {command::join_words({"connect", address})}, .leaving = Leaving::kClose});
+  return confirm_if_unsaved(
+      context, "Connect anyway?",
+      {.commands = {command::join_words({"connect", address})}, .leaving = Leaving::kClose});
 }
 
 std::unique_ptr<Row> make_address_row(const PageContext& context) {
-  return std::make_unique<TextRow>(
-      "Address",
-      TextRow::Parts{.read = [context] { return context.choices.address; },
-                     .write =
-                         [context](std::string address) {
-                           context.choices.address = address;
-                           return connect(context, address);
-                         },
-                     .help = "Of a server: a name or number, a colon and a port behind it if need be.",
-                     .clipboard = context.content.clipboard});
+  return std::make_unique<TextRow>("Address",
+                                   TextRow::Parts{.read = [context] { return context.choices.address; },
+                                                  .write =
+                                                      [context](std::string address) {
+                                                        context.choices.address = address;
+                                                        return connect(context, address);
+                                                      },
+                                                  .help = "Server address: host or IP, optionally :port.",
+                                                  .clipboard = context.content.clipboard});
 }
 
-std::string server_columns(std::string_view level, std::string_view players, std::string_view ping) {
-  constexpr std::size_t kLevel = 8, kNumber = 5;
-  const auto spaces = [](std::size_t most, const std::string& text) {
-    return std::string(most - text.size(), ' ');
+// Aligns the three right columns of the list of servers: level, players, ping.
+std::string format_server_columns(std::string_view level, std::string_view players, std::string_view ping) {
+  constexpr std::size_t kLevel = 8, kPlayers = 7, kPing = 5;
+  // Pads by bytes, as each byte is one character on the screen.
+  const auto pad = [](std::size_t chars, const std::string& text) {
+    return std::string(chars - text.size(), ' ');
   };
-  const std::string first = cut(level, kLevel), second = cut(players, kNumber), third = cut(ping, kNumber);
-  return first + spaces(kLevel, first) + ' ' + spaces(kNumber, second) + second + ' ' +
-         spaces(kNumber, third) + third;
+  const std::string first = truncate(level, kLevel), second = truncate(players, kPlayers),
+                    third = truncate(ping, kPing);
+  return first + pad(kLevel, first) + ' ' + pad(kPlayers, second) + second + ' ' + pad(kPing, third) + third;
 }
 
 std::unique_ptr<Row> make_server_row(const PageContext& context, const MenuServer& server) {
   return std::make_unique<ListRow>(ListEntry{
       .left = server.name.empty() ? server.address : server.name,
-      .right = server_columns(server.level, fmt::format("{}/{}", server.players, server.max_players),
-                              fmt::format("{}ms", server.ping_ms)),
+      .right = format_server_columns(server.level, fmt::format("{}/{}", server.players, server.max_players),
+                                     fmt::format("{}ms", server.ping_ms)),
       .choose = [context, address = server.address] { return connect(context, address); },
       .help = fmt::format("{}: {}", server.address, server.name)});
 }
 
-std::string title_of(const PageContext& context, const std::string& level) {
-  for (const MenuLevel& found : asked(context.content.levels))
+std::string find_level_title(const PageContext& context, const std::string& level) {
+  for (const MenuLevel& found : call_or_default(context.content.levels))
     if (found.name == level && !found.title.empty()) return found.title;
   return level;
 }
 
-// A list of levels that goes back to the page of hosting.
+// A list of levels; choosing one returns to the host page.
 Page make_host_level_page(const PageContext& context) {
   Page page;
   page.title = "Level";
   page.style = PageStyle::kDetails;
-  page.searched = true;
-  page.nothing = "No levels were found.";
-  for (const MenuLevel& level : asked(context.content.levels)) {
+  page.has_search = true;
+  page.empty_text = "No levels found.";
+  for (const MenuLevel& level : call_or_default(context.content.levels)) {
     if (level.name.empty()) continue;
     if (level.name == context.choices.host.level) page.first_choice = page.rows.size();
     page.rows.push_back(make_level_row(context.content, level, [context, name = level.name] {
@@ -97,12 +100,13 @@ Page make_host_level_page(const PageContext& context) {
   return page;
 }
 
+// A row that shows the level of the game to host and opens the list of levels.
 class LevelRow : public ActionRow {
  public:
   LevelRow(const std::string& name, const std::string& title)
       : ActionRow(
             "Level", [] { return Outcome{.page = make_host_level_page}; },
-            fmt::format("{}: {}. Enter: a list of levels.", name, title)),
+            fmt::format("{}: {}. Press Enter to choose another level.", name, title)),
         title_(title) {}
   void draw(const Canvas& canvas, const RowPlace& place) const override {
     draw_label_and_value(canvas, place, label(), title_, false);
@@ -118,21 +122,21 @@ std::unique_ptr<Row> make_players_row(MenuChoices::Host& io_host) {
     parts.names.push_back(fmt::format("{}", players));
   parts.chosen = [&io_host] { return io_host.players - kMinPlayers; };
   parts.choose = [&io_host](int number) { io_host.players = number + kMinPlayers; };
-  parts.help = "How many may play, you among them.";
-  return std::make_unique<LocalChoiceRow>("Players", std::move(parts));
+  parts.help = "Maximum number of players, including you.";
+  return std::make_unique<LocalChoiceRow>("Max players", std::move(parts));
 }
 
 std::unique_ptr<Row> make_mode_row(MenuChoices::Host& io_host) {
   LocalChoiceRow::Parts parts;
-  parts.names = {"deathmatch", "coop"};
+  parts.names = {"deathmatch", "co-op"};
   parts.chosen = [&io_host] { return io_host.mode; };
   parts.choose = [&io_host](int number) { io_host.mode = number; };
-  parts.help = "Players against one another, or together.";
+  parts.help = "Fight each other, or fight the monsters together.";
   parts.refresh = true;
-  return std::make_unique<LocalChoiceRow>("Game", std::move(parts));
+  return std::make_unique<LocalChoiceRow>("Game mode", std::move(parts));
 }
 
-// A number that is typed: a slider for all of them would be no use.
+// A text field: a slider cannot hit one of 65536 ports.
 std::unique_ptr<Row> make_port_row(command::Variables& io_variables) {
   const command::Variable* const port = io_variables.find("port");
   if (port == nullptr) return nullptr;
@@ -146,36 +150,39 @@ std::unique_ptr<Row> make_port_row(command::Variables& io_variables) {
                              .help = port->help});
 }
 
-Outcome host(const PageContext& context) {
+// `disconnect` ends a running game first: maxplayers applies to the next game that starts.
+Outcome start_host_game(const PageContext& context) {
   const MenuChoices::Host& chosen = context.choices.host;
   const bool deathmatch = chosen.mode == kDeathmatch;
-  Outcome begun{.leaving = Leaving::kClose};
-  begun.commands = {"disconnect", fmt::format("maxplayers {}", chosen.players),
-                    fmt::format("deathmatch {}", deathmatch ? 1 : 0),
-                    fmt::format("coop {}", deathmatch ? 0 : 1)};
-  begun.commands.push_back(command::join_words({"map", chosen.level}));
-  return unless_lost(context, "Begin another one all the same?", std::move(begun));
+  Outcome started{.leaving = Leaving::kClose};
+  started.commands = {"disconnect", fmt::format("maxplayers {}", chosen.players),
+                      fmt::format("deathmatch {}", deathmatch ? 1 : 0),
+                      fmt::format("coop {}", deathmatch ? 0 : 1)};
+  started.commands.push_back(command::join_words({"map", chosen.level}));
+  return confirm_if_unsaved(context, "Start a new game anyway?", std::move(started));
 }
 
-// The player in his colors, in a picture that the function keeps; empty where the game has none.
-std::function<const formats::Picture*()> figure_in_colors(const PageContext& context) {
+// Returns a function that draws the player in the chosen colors, into a picture that the function owns. Empty
+// if the game has no such picture.
+std::function<const formats::Picture*()> make_player_picture(const PageContext& context) {
   const formats::Picture* const plain = context.pictures.find_real("gfx/menuplyr.lmp");
   if (plain == nullptr) return {};
-  return [&variables = context.variables, plain, dressed = std::make_shared<formats::Picture>()] {
-    const int shirt = row_of(variables, kShirt, kShirtRow), pants = row_of(variables, kPants, kPantsRow);
-    *dressed = *plain;
-    for (std::uint8_t& pixel : dressed->pixels)
+  return [&variables = context.variables, plain, colored = std::make_shared<formats::Picture>()] {
+    const int shirt = read_palette_row(variables, kShirt, kShirtRow),
+              pants = read_palette_row(variables, kPants, kPantsRow);
+    *colored = *plain;
+    for (std::uint8_t& pixel : colored->pixels)
       if (pixel / kRowShades == kShirtRow)
-        pixel = in_row(shirt, pixel);
+        pixel = move_to_row(shirt, pixel);
       else if (pixel / kRowShades == kPantsRow)
-        pixel = in_row(pants, pixel);
-    return dressed.get();
+        pixel = move_to_row(pants, pixel);
+    return colored.get();
   };
 }
 
-// The level that is chosen must be one that there is; at first an arena, which games name "dm" and a number.
+// Makes sure that the chosen level exists. The first choice is an arena, which games call "dm" and a number.
 void choose_host_level(const PageContext& context) {
-  const std::vector<MenuLevel> levels = asked(context.content.levels);
+  const std::vector<MenuLevel> levels = call_or_default(context.content.levels);
   std::string& chosen = context.choices.host.level;
   const auto is_chosen = [&](const MenuLevel& level) { return level.name == chosen; };
   if (levels.empty()) {
@@ -194,9 +201,9 @@ Page make_multiplayer_page(const PageContext& context) {
   page.title = "Multiplayer";
   page.title_picture = "gfx/p_multi.lmp";
   page.style = PageStyle::kLarge;
-  page.rows.push_back(make_opener(context, "Join", MenuPage::kJoin));
-  page.rows.push_back(make_opener(context, "Host", MenuPage::kHost));
-  page.rows.push_back(make_opener(context, "Player", MenuPage::kPlayer));
+  page.rows.push_back(make_page_link(context, "Join", MenuPage::kJoin));
+  page.rows.push_back(make_page_link(context, "Host", MenuPage::kHost));
+  page.rows.push_back(make_page_link(context, "Player", MenuPage::kPlayer));
   return page;
 }
 
@@ -206,21 +213,21 @@ Page make_join_page(const PageContext& context) {
   page.rows.push_back(make_address_row(context));
   page.rows.push_back(std::make_unique<ActionRow>(
       "Connect", [context] { return connect(context, context.choices.address); },
-      "To the server of the address above."));
+      "Connects to the address above."));
   if (context.content.search_servers)
     page.rows.push_back(std::make_unique<ActionRow>(
-        "Search again",
+        "Refresh",
         [context] {
           context.content.search_servers();
           return Outcome{.refresh = true};
         },
-        "Asks the local network who is there."));
+        "Searches the local network for servers."));
   page.rows.push_back(
-      std::make_unique<HeadingRow>("Local network", server_columns("level", "users", "ping")));
-  const std::vector<MenuServer> servers = asked(context.content.servers);
+      std::make_unique<HeadingRow>("Local network", format_server_columns("level", "players", "ping")));
+  const std::vector<MenuServer> servers = call_or_default(context.content.servers);
   for (const MenuServer& server : servers)
     if (!server.address.empty()) page.rows.push_back(make_server_row(context, server));
-  if (servers.empty()) page.rows.push_back(std::make_unique<HeadingRow>("None has answered yet."));
+  if (servers.empty()) page.rows.push_back(std::make_unique<HeadingRow>("No servers found yet."));
   return page;
 }
 
@@ -230,8 +237,9 @@ Page make_host_page(const PageContext& context) {
   Page page;
   page.title = "Host";
   page.rows.push_back(std::make_unique<ActionRow>(
-      "Begin", [context] { return host(context); }, "Begins the game and waits for others."));
-  page.rows.push_back(std::make_unique<LevelRow>(chosen.level, title_of(context, chosen.level)));
+      "Start game", [context] { return start_host_game(context); },
+      "Starts the game; others can join at any time."));
+  page.rows.push_back(std::make_unique<LevelRow>(chosen.level, find_level_title(context, chosen.level)));
   page.rows.push_back(make_mode_row(chosen));
   page.rows.push_back(make_players_row(chosen));
   if (chosen.mode == kDeathmatch) {
@@ -243,19 +251,19 @@ Page make_host_page(const PageContext& context) {
                                                  .label = "Time limit",
                                                  .high = 60,
                                                  .step = 5,
-                                                 .unit = "min",
+                                                 .unit = " min",
                                                  .zero = "none"}));
     page.add(make_option_row(context.variables, {.variable = "teamplay", .label = "Teams", .names = kTeams}));
     page.add(make_option_row(
         context.variables,
-        {.variable = "bot_fill", .label = "Bots fill up to", .high = 8, .step = 1, .zero = "none"}));
-    static constexpr std::string_view kBotSkills[] = {"beginners", "fair", "good", "hard"};
+        {.variable = "bot_fill", .label = "Fill with bots", .high = 8, .step = 1, .zero = "none"}));
+    static constexpr std::string_view kBotSkills[] = {"easy", "normal", "hard", "expert"};
     page.add(make_option_row(context.variables,
-                             {.variable = "bot_skill", .label = "Bots' skill", .names = kBotSkills}));
+                             {.variable = "bot_skill", .label = "Bot skill", .names = kBotSkills}));
   } else {
     page.add(make_skill_row(context));
   }
-  page.add(make_option_row(context.variables, {.variable = "hostname", .label = "Server's name"}));
+  page.add(make_option_row(context.variables, {.variable = "hostname", .label = "Server name"}));
   page.add(make_port_row(context.variables));
   return page;
 }
@@ -263,11 +271,11 @@ Page make_host_page(const PageContext& context) {
 Page make_player_page(const PageContext& context) {
   Page page;
   page.title = "Player";
-  page.nothing = "There is nothing to set.";
+  page.empty_text = "No settings here.";
   page.add(make_option_row(context.variables, {.variable = "name", .label = "Name"}));
-  page.add(make_color_row(context.variables, {.variable = kShirt, .label = "Shirt"}));
-  page.add(make_color_row(context.variables, {.variable = kPants, .label = "Pants"}));
-  page.picture = figure_in_colors(context);
+  page.add(make_color_row(context.variables, {.variable = kShirt, .label = "Shirt color"}));
+  page.add(make_color_row(context.variables, {.variable = kPants, .label = "Pants color"}));
+  page.picture = make_player_picture(context);
   return page;
 }
 

@@ -1,4 +1,5 @@
-// Settings: each row is a console variable, but for the display's size and mode, which are tried together.
+// The pages of settings. Each row shows a console variable and sets it at once, except the resolution,
+// display mode and monitor, which take effect together on "Apply".
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +15,9 @@ namespace {
 
 using Video = MenuChoices::Video;
 
-// Of those that are registered.
-std::vector<std::string> resets(const command::Variables& variables, std::span<const OptionLook> looks) {
+// "reset NAME" for each variable of the page that is registered.
+std::vector<std::string> make_reset_commands(const command::Variables& variables,
+                                             std::span<const OptionLook> looks) {
   std::vector<std::string> lines;
   for (const OptionLook& look : looks)
     if (variables.find(look.variable) != nullptr) lines.push_back(fmt::format("reset {}", look.variable));
@@ -26,21 +28,21 @@ void add_options(const PageContext& context, std::span<const OptionLook> looks, 
   for (const OptionLook& look : looks)
     if (std::unique_ptr<Row> row = make_option_row(context.variables, look))
       io_page.rows.push_back(std::move(row));
-  std::vector<std::string> lines = resets(context.variables, looks);
+  std::vector<std::string> lines = make_reset_commands(context.variables, looks);
   if (lines.empty()) return;
   io_page.rows.push_back(std::make_unique<ActionRow>(
-      "Back to defaults",
+      "Reset to defaults",
       [lines] {
         return Outcome{
-            .page = ask("Set everything on this page back to what it was at first?", {.commands = lines})};
+            .page = make_question("Reset all settings on this page to their defaults?", {.commands = lines})};
       },
-      "Sets what is on this page back."));
+      "Resets all settings on this page."));
 }
 
 Page make_table_page(const PageContext& context, std::string title, std::span<const OptionLook> looks) {
   Page page;
   page.title = std::move(title);
-  page.nothing = "There is nothing to set.";
+  page.empty_text = "No settings here.";
   add_options(context, looks, page);
   return page;
 }
@@ -48,21 +50,21 @@ Page make_table_page(const PageContext& context, std::string title, std::span<co
 constexpr const char *kWidth = "vid_width", *kHeight = "vid_height", *kMode = "vid_mode",
                      *kDisplay = "vid_display";
 
-Video video_now(const command::Variables& variables) {
-  const auto number_of = [&](const char* name) {
+Video read_video(const command::Variables& variables) {
+  const auto read_number = [&](const char* name) {
     const command::Variable* const variable = variables.find(name);
     return variable == nullptr ? 0 : static_cast<int>(variable->number);
   };
   const command::Variable* const mode = variables.find(kMode);
   return {.mode = mode == nullptr ? std::string() : mode->text,
-          .display = number_of(kDisplay),
-          .size = {number_of(kWidth), number_of(kHeight)}};
+          .display = read_number(kDisplay),
+          .size = {read_number(kWidth), read_number(kHeight)}};
 }
 
-// All of it at once, so that whoever looks at the variables changes the window once.
+// Sets all variables in one go, so that the host sees one change and changes the window once.
 Outcome apply_video(const PageContext& context) {
   const Video chosen = *context.choices.video;
-  // Where one is not registered there was no row for it.
+  // A variable that is not registered had no row; setting it fails, which is fine.
   const auto set = [&](const char* name, const std::string& value) {
     (void)context.variables.set(name, value);
   };
@@ -83,8 +85,8 @@ std::unique_ptr<Row> make_mode_row(const command::Variable& mode, Video& io_chos
   parts.choose = [&io_chosen, names = mode.choices](int number) {
     io_chosen.mode = names[static_cast<std::size_t>(number)];
   };
-  parts.help = fmt::format("{} \"Apply\" below changes to it. ({})", mode.help, mode.name);
-  return std::make_unique<LocalChoiceRow>("Shown in", std::move(parts));
+  parts.help = fmt::format("{} Takes effect on Apply. ({})", mode.help, mode.name);
+  return std::make_unique<LocalChoiceRow>("Display mode", std::move(parts));
 }
 
 std::unique_ptr<Row> make_display_row(Video& io_chosen, int displays) {
@@ -92,14 +94,16 @@ std::unique_ptr<Row> make_display_row(Video& io_chosen, int displays) {
   for (int i = 0; i < displays; ++i) parts.names.push_back(fmt::format("{}", i + 1));
   parts.chosen = [&io_chosen] { return io_chosen.display; };
   parts.choose = [&io_chosen](int number) { io_chosen.display = number; };
-  parts.help = "Which display it is shown on.";
-  parts.refresh = true;  // each has sizes of its own
-  return std::make_unique<LocalChoiceRow>("Display", std::move(parts));
+  parts.help = "The monitor to play on. Takes effect on Apply.";
+  parts.refresh = true;  // the list of resolutions depends on it
+  return std::make_unique<LocalChoiceRow>("Monitor", std::move(parts));
 }
 
+// The current size stays among the choices even if the monitor does not offer it: a window can have any size.
 std::unique_ptr<Row> make_size_row(const PageContext& context) {
   Video& chosen = *context.choices.video;
-  std::vector<platform::PixelSize> sizes = asked(context.content.display_sizes, int{chosen.display});
+  std::vector<platform::PixelSize> sizes =
+      call_or_default(context.content.display_sizes, int{chosen.display});
   if (std::find(sizes.begin(), sizes.end(), chosen.size) == sizes.end())
     sizes.insert(sizes.begin(), chosen.size);
   LocalChoiceRow::Parts parts;
@@ -109,24 +113,24 @@ std::unique_ptr<Row> make_size_row(const PageContext& context) {
     return static_cast<int>(std::find(sizes.begin(), sizes.end(), chosen.size) - sizes.begin());
   };
   parts.choose = [&chosen, sizes](int number) { chosen.size = sizes[static_cast<std::size_t>(number)]; };
-  parts.help = "Of the window, or of the display in full screen; \"Apply\" below changes to it.";
-  return std::make_unique<LocalChoiceRow>("Size", std::move(parts));
+  parts.help = "Resolution of the window or full screen. Takes effect on Apply.";
+  return std::make_unique<LocalChoiceRow>("Resolution", std::move(parts));
 }
 
 void add_display_rows(const PageContext& context, Page& io_page) {
   if (context.variables.find(kWidth) == nullptr) return;
   MenuChoices& choices = context.choices;
-  // A window that is resized otherwise is followed, as long as nothing else was chosen.
+  // The rows follow a window that the player resizes, until the player chooses something here.
   if (!choices.video || choices.video == choices.video_before)
-    choices.video = choices.video_before = video_now(context.variables);
+    choices.video = choices.video_before = read_video(context.variables);
   Video& chosen = *choices.video;
   io_page.rows.push_back(make_size_row(context));
   if (const command::Variable* const mode = context.variables.find(kMode))
     io_page.rows.push_back(make_mode_row(*mode, chosen));
-  const int displays = asked(context.content.displays);
+  const int displays = call_or_default(context.content.displays);
   if (displays > 1) io_page.rows.push_back(make_display_row(chosen, displays));
   io_page.rows.push_back(std::make_unique<ActionRow>(
-      "Apply", [context] { return apply_video(context); }, "Changes to the size and window chosen above."));
+      "Apply", [context] { return apply_video(context); }, "Applies the display settings above."));
 }
 
 }  // namespace
@@ -136,15 +140,15 @@ Page make_options_page(const PageContext& context) {
   page.title = "Options";
   page.title_picture = "gfx/p_option.lmp";
   page.style = PageStyle::kLarge;
-  const auto add_opener = [&](const char* label, MenuPage opened) {
-    page.rows.push_back(make_opener(context, label, opened));
+  const auto add_link = [&](const char* label, MenuPage opened) {
+    page.rows.push_back(make_page_link(context, label, opened));
   };
-  add_opener("Video", MenuPage::kVideo);
-  add_opener("Screen", MenuPage::kScreen);
-  add_opener("Sound", MenuPage::kSound);
-  add_opener("Controls", MenuPage::kControls);
-  add_opener("Keys", MenuPage::kKeys);
-  add_opener("Accessibility", MenuPage::kAccessibility);
+  add_link("Video", MenuPage::kVideo);
+  add_link("Screen", MenuPage::kScreen);
+  add_link("Sound", MenuPage::kSound);
+  add_link("Controls", MenuPage::kControls);
+  add_link("Keys", MenuPage::kKeys);
+  add_link("Accessibility", MenuPage::kAccessibility);
   page.rows.push_back(std::make_unique<ActionRow>(
       "Console", [] { return Outcome{.commands = {"toggleconsole"}, .leaving = Leaving::kClose}; }));
   return page;
@@ -154,7 +158,7 @@ Page make_video_page(const PageContext& context) {
   Page page;
   page.title = "Video";
   page.title_picture = "gfx/vidmodes.lmp";
-  page.nothing = "There is nothing to set.";
+  page.empty_text = "No settings here.";
   add_display_rows(context, page);
   add_options(context, picture_options(), page);
   return page;
@@ -170,8 +174,8 @@ Page make_sound_page(const PageContext& context) {
 
 Page make_controls_page(const PageContext& context) {
   Page page = make_table_page(context, "Controls", control_options());
-  page.rows.insert(page.rows.begin(),
-                   make_opener(context, "Keys and buttons", MenuPage::kKeys, "Which of them does what."));
+  page.rows.insert(page.rows.begin(), make_page_link(context, "Key bindings", MenuPage::kKeys,
+                                                     "Choose what each key and button does."));
   return page;
 }
 
@@ -181,20 +185,21 @@ Page make_accessibility_page(const PageContext& context) {
 
 Page make_keys_page(const PageContext& context) {
   Page page;
-  page.title = "Keys";
+  page.title = "Key bindings";
   page.title_picture = "gfx/ttl_cstm.lmp";
-  page.searched = true;
+  page.has_search = true;
   for (const BoundAction& action : bound_actions())
     if (action.commands.empty())
       page.rows.push_back(std::make_unique<HeadingRow>(std::string(action.label)));
     else
       page.rows.push_back(std::make_unique<BindingRow>(context.content, action.label, action.commands));
   page.rows.push_back(std::make_unique<ActionRow>(
-      "Back to defaults",
+      "Reset to defaults",
       [] {
-        return Outcome{.page = ask("Bind all keys as they were at first?", {.commands = {"bind_defaults"}})};
+        return Outcome{
+            .page = make_question("Restore the default key bindings?", {.commands = {"bind_defaults"}})};
       },
-      "Binds all keys as they were at first."));
+      "Restores the default key bindings."));
   return page;
 }
 

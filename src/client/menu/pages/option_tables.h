@@ -1,5 +1,5 @@
-// Which variables the pages of options show, and how: one table a page. What a program does not register is
-// left out.
+// Tables for the pages of settings: which variables a page shows and how. Rows of variables that the program
+// does not register are left out. Help texts are those of the variables themselves.
 #pragma once
 
 #include <span>
@@ -9,13 +9,15 @@
 
 namespace temblor::client {
 
-std::span<const OptionLook> picture_options();  // of the video page
+// Each page's rows, in order; picture_options() are on the video page. The tables live as long as the
+// program.
+std::span<const OptionLook> picture_options();
 std::span<const OptionLook> screen_options();
 std::span<const OptionLook> sound_options();
 std::span<const OptionLook> control_options();
 std::span<const OptionLook> accessibility_options();
 
-// Actions that keys can be bound to, by what they are about. A heading has no commands.
+// Actions that keys can be bound to, grouped under headings. A heading has no commands.
 struct BoundAction {
   std::string_view label, commands;
 };

@@ -13,10 +13,10 @@
 namespace temblor::client {
 
 std::vector<platform::Key> BindingRow::keys() const {
-  return asked(content_->keys_of, std::string_view(commands_));
+  return call_or_default(content_->find_keys, std::string_view(commands_));
 }
 
-std::string BindingRow::keys_in_words(std::string_view between) const {
+std::string BindingRow::join_key_names(std::string_view between) const {
   std::string words;
   for (const platform::Key key : keys()) {
     if (!words.empty()) words += between;
@@ -26,22 +26,22 @@ std::string BindingRow::keys_in_words(std::string_view between) const {
 }
 
 std::string BindingRow::help() const {
-  if (waiting_) return "Press the key or button for it. Escape: leave it as it is.";
-  constexpr std::string_view kHelp = "Enter: one more key for it. Backspace, Delete or X of a gamepad: none.";
-  // There may be more than the row has room for.
-  return keys().size() > 2 ? fmt::format("{}. {}", keys_in_words(", "), kHelp) : std::string(kHelp);
+  if (waiting_) return "Press a key or button. Escape cancels.";
+  constexpr std::string_view kHelp = "Enter adds a key. Backspace, Delete or gamepad X clears them.";
+  // The row has no room for more than two keys, so the help lists all of them.
+  return keys().size() > 2 ? fmt::format("{}. {}", join_key_names(", "), kHelp) : std::string(kHelp);
 }
 
 void BindingRow::draw(const Canvas& canvas, const RowPlace& place) const {
   constexpr double kBlinkSeconds = 0.4;
-  constexpr std::string_view kWaits = "press a key";
+  constexpr std::string_view kPrompt = "press a key";
   if (waiting_) {
     const bool bright = std::fmod(std::abs(place.time_s), 2 * kBlinkSeconds) < kBlinkSeconds;
-    return draw_label_and_value(canvas, place, label_, bright ? std::string(kWaits) : in_second_color(kWaits),
-                                false);
+    return draw_label_and_value(canvas, place, label_,
+                                bright ? std::string(kPrompt) : to_second_color(kPrompt), false);
   }
-  const std::string words = keys_in_words(in_second_color(" or "));
-  draw_label_and_value(canvas, place, label_, words.empty() ? in_second_color("-") : words, false);
+  const std::string words = join_key_names(to_second_color(" or "));
+  draw_label_and_value(canvas, place, label_, words.empty() ? to_second_color("-") : words, false);
 }
 
 Outcome BindingRow::activate() {
@@ -56,7 +56,9 @@ std::optional<Outcome> BindingRow::clear() {
   return outcome;
 }
 
-bool BindingRow::take(const platform::InputEvent& event, Outcome& out_outcome) {
+// Takes the first key that is pressed, whichever it is; only Escape cannot be bound here. Stick moves are
+// used up, so that they do not leave the row.
+bool BindingRow::handle(const platform::InputEvent& event, Outcome& out_outcome) {
   const auto* const change = std::get_if<platform::KeyChange>(&event.what);
   if (change == nullptr) return std::holds_alternative<platform::PadAxisMoved>(event.what);
   if (!change->down || change->repeated) return false;

@@ -1,4 +1,5 @@
-// An action and the keys that do it: a row that waits for a key and binds it.
+// A row for an action and the keys bound to it. Enter makes it wait for a key, which it then binds to the
+// action in addition to the others.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@ namespace temblor::client {
 
 class BindingRow : public Row {
  public:
-  // `commands`: what the keys run.
+  // `commands`: the console commands that the keys run.
   BindingRow(const MenuContent& content, std::string_view label, std::string_view commands)
       : content_(&content), label_(label), commands_(commands) {}
 
@@ -20,17 +21,17 @@ class BindingRow : public Row {
   std::string help() const override;
   void draw(const Canvas& canvas, const RowPlace& place) const override;
 
-  Outcome activate() override;
-  std::optional<Outcome> clear() override;  // takes all keys off it
+  Outcome activate() override;              // waits for a key
+  std::optional<Outcome> clear() override;  // unbinds all keys of the action
 
   bool is_waiting() const override { return waiting_; }
   bool wants_text() const override { return false; }
-  bool take(const platform::InputEvent& event, Outcome& out_outcome) override;
+  bool handle(const platform::InputEvent& event, Outcome& out_outcome) override;
   void stop_waiting() override { waiting_ = false; }
 
  private:
   std::vector<platform::Key> keys() const;
-  std::string keys_in_words(std::string_view between) const;
+  std::string join_key_names(std::string_view between) const;
 
   const MenuContent* content_;
   std::string label_, commands_;

@@ -15,14 +15,15 @@ void draw_label_and_value(const Canvas& canvas, const RowPlace& place, std::stri
                           std::string_view value, bool marked) {
   const Box& box = place.box;
   const Box right = value_box(place);
-  canvas.text(cut(shown(label), characters_in(right.x - box.x - kCharacterSide)), box.x, box.y);
-  const std::size_t chars = characters_in(right.width);
-  if (!marked || chars < 3) return canvas.text(cut(shown(value), chars), right.x, right.y);
-  // The value stays where it is while its row is passed.
-  const std::string text = cut(shown(value), chars - 1);
-  canvas.text(in_second_color("<"), right.x - kCharacterSide, right.y);
-  canvas.text(text, right.x, right.y);
-  canvas.text(in_second_color(">"), right.x + static_cast<int>(text.size()) * kCharacterSide, right.y);
+  canvas.draw_text(truncate(to_printable(label), count_fitting_characters(right.x - box.x - kCharacterSide)),
+                   box.x, box.y);
+  const std::size_t chars = count_fitting_characters(right.width);
+  if (!marked || chars < 3) return canvas.draw_text(truncate(to_printable(value), chars), right.x, right.y);
+  // The arrows are outside the column, so that the value does not move when its row is selected.
+  const std::string text = truncate(to_printable(value), chars - 1);
+  canvas.draw_text(to_second_color("<"), right.x - kCharacterSide, right.y);
+  canvas.draw_text(text, right.x, right.y);
+  canvas.draw_text(to_second_color(">"), right.x + static_cast<int>(text.size()) * kCharacterSide, right.y);
 }
 
 void ChoiceRow::draw(const Canvas& canvas, const RowPlace& place) const {

@@ -1,4 +1,4 @@
-// Rows with one of several values at their right, which left and right change.
+// Rows that show one of several values on the right. Left and right change it.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,8 @@
 
 namespace temblor::client {
 
-// "< value >", the arrows only where it is selected.
+// Shows "< value >", with the arrows only while the row is selected. Values are numbered 0 to count() - 1;
+// changing them wraps around.
 class ChoiceRow : public Row {
  public:
   std::string_view label() const override { return label_; }
@@ -21,14 +22,15 @@ class ChoiceRow : public Row {
   explicit ChoiceRow(std::string label) : label_(std::move(label)) {}
   virtual std::string value() const = 0;
   virtual int count() const = 0;
-  virtual int chosen() const = 0;  // below 0: none of them
+  // The number of the current value; negative if the value is not among the choices.
+  virtual int chosen() const = 0;
   virtual void choose(int number) = 0;
 
  private:
   std::string label_;
 };
 
-// What is chosen is kept by who makes the row.
+// A choice whose value the page stores; the row reads and sets it through functions.
 class LocalChoiceRow : public ChoiceRow {
  public:
   struct Parts {
@@ -36,7 +38,8 @@ class LocalChoiceRow : public ChoiceRow {
     std::function<int()> chosen;
     std::function<void(int)> choose;
     std::string help;
-    bool refresh = false;  // other rows depend on it
+    // Rebuild the page after a change, as other rows depend on the choice.
+    bool refresh = false;
   };
   LocalChoiceRow(std::string label, Parts parts) : ChoiceRow(std::move(label)), parts_(std::move(parts)) {}
   std::string help() const override { return parts_.help; }
@@ -52,7 +55,7 @@ class LocalChoiceRow : public ChoiceRow {
   Parts parts_;
 };
 
-// The label in the left column, `value` in the right one; `marked`: between arrows.
+// Draws the label in the left column and `value` in the right one, between arrows if `marked`.
 void draw_label_and_value(const Canvas& canvas, const RowPlace& place, std::string_view label,
                           std::string_view value, bool marked);
 // The right column of a row.

@@ -16,10 +16,11 @@ namespace {
 using command::Variable;
 using command::VariableType;
 
-// The variable behind a row, found anew each time: others may be registered meanwhile.
-class Bound {
+// The variable of a row. It is looked up each time, as registering others invalidates pointers.
+class BoundVariable {
  public:
-  Bound(command::Variables& io_variables, std::string_view name) : variables_(&io_variables), name_(name) {}
+  BoundVariable(command::Variables& io_variables, std::string_view name)
+      : variables_(&io_variables), name_(name) {}
 
   const Variable& get() const {
     const Variable* const variable = variables_->find(name_);
@@ -27,7 +28,7 @@ class Bound {
     return *variable;
   }
   std::string help() const { return fmt::format("{} ({})", get().help, name_); }
-  // What it does not take changes nothing.
+  // A value that the variable rejects changes nothing.
   void set(std::string_view text) const { (void)variables_->set(name_, text); }
   void set_number(double value) const {
     const Variable& variable = get();
@@ -41,9 +42,11 @@ class Bound {
   std::string name_;
 };
 
+// "on" or "off".
 class ToggleRow : public ChoiceRow {
  public:
-  ToggleRow(const Bound& variable, std::string label) : ChoiceRow(std::move(label)), variable_(variable) {}
+  ToggleRow(const BoundVariable& variable, std::string label)
+      : ChoiceRow(std::move(label)), variable_(variable) {}
   std::string help() const override { return variable_.help(); }
 
  protected:
@@ -53,17 +56,21 @@ class ToggleRow : public ChoiceRow {
   void choose(int number) override { variable_.set(number != 0 ? "1" : "0"); }
 
  private:
-  Bound variable_;
+  BoundVariable variable_;
 };
 
+// A variable with a list of allowed texts.
 class VariableChoiceRow : public ChoiceRow {
  public:
-  VariableChoiceRow(const Bound& variable, std::string label)
-      : ChoiceRow(std::move(label)), variable_(variable) {}
+  VariableChoiceRow(const BoundVariable& variable, const OptionLook& look)
+      : ChoiceRow(std::string(look.label)), variable_(variable), names_(look.names) {}
   std::string help() const override { return variable_.help(); }
 
  protected:
-  std::string value() const override { return variable_.get().text; }
+  std::string value() const override {
+    const auto number = static_cast<std::size_t>(chosen());
+    return number < names_.size() ? std::string(names_[number]) : variable_.get().text;
+  }
   int count() const override { return static_cast<int>(variable_.get().choices.size()); }
   int chosen() const override { return static_cast<int>(variable_.get().number); }
   void choose(int number) override {
@@ -71,13 +78,14 @@ class VariableChoiceRow : public ChoiceRow {
   }
 
  private:
-  Bound variable_;
+  BoundVariable variable_;
+  std::span<const std::string_view> names_;  // shown in place of the choices; may be empty
 };
 
-// The numbers 0, 1, ... by name.
+// A number variable whose values 0, 1, ... have names.
 class NamedNumberRow : public ChoiceRow {
  public:
-  NamedNumberRow(const Bound& variable, const OptionLook& look)
+  NamedNumberRow(const BoundVariable& variable, const OptionLook& look)
       : ChoiceRow(std::string(look.label)), variable_(variable), names_(look.names) {}
   std::string help() const override { return variable_.help(); }
 
@@ -94,13 +102,15 @@ class NamedNumberRow : public ChoiceRow {
   void choose(int number) override { variable_.set_number(number); }
 
  private:
-  Bound variable_;
+  BoundVariable variable_;
   std::span<const std::string_view> names_;
 };
 
+// A number as a slider with the value beside it: "[----o-------] 55%". The slider moves in steps; the console
+// can set values in between.
 class SliderRow : public Row {
  public:
-  SliderRow(const Bound& variable, const OptionLook& look);
+  SliderRow(const BoundVariable& variable, const OptionLook& look);
 
   std::string_view label() const override { return look_.label; }
   std::string help() const override { return variable_.help(); }
@@ -110,16 +120,18 @@ class SliderRow : public Row {
   void slide(double fraction) override;
 
  private:
-  static int middles(const RowPlace& place);
+  static int count_middles(const RowPlace& place);
   double steps() const { return std::max(1.0, std::round((look_.high - look_.low) / look_.step)); }
   void go_to_step(double number);
   std::string number() const;
 
-  Bound variable_;
+  BoundVariable variable_;
   OptionLook look_;
 };
 
-SliderRow::SliderRow(const Bound& variable, const OptionLook& look) : variable_(variable), look_(look) {
+// Narrows the look's range to what the variable accepts, and makes sure that there is a positive step.
+SliderRow::SliderRow(const BoundVariable& variable, const OptionLook& look)
+    : variable_(variable), look_(look) {
   constexpr double kSteps = 20;
   const Variable& bound = variable.get();
   if (look_.low == look_.high) {
@@ -133,38 +145,38 @@ SliderRow::SliderRow(const Bound& variable, const OptionLook& look) : variable_(
   if (look_.step <= 0) look_.step = 1;
 }
 
-// How many characters are between the slider's ends; 0: there is no room for one, only for the number.
-int SliderRow::middles(const RowPlace& place) {
-  constexpr int kEnds = 2, kNumberChars = 7, kFewest = 4, kMost = 12;
-  const auto room = static_cast<int>(characters_in(value_box(place).width)) - kEnds;
-  return room < kFewest ? 0 : std::clamp(room - kNumberChars, kFewest, kMost);
+// Characters between the slider's ends; 0 if the row has room only for the number.
+int SliderRow::count_middles(const RowPlace& place) {
+  constexpr int kEnds = 2, kNumberChars = 7, kMin = 4, kMax = 12;
+  const auto room = static_cast<int>(count_fitting_characters(value_box(place).width)) - kEnds;
+  return room < kMin ? 0 : std::clamp(room - kNumberChars, kMin, kMax);
 }
 
 std::optional<Box> SliderRow::slide_box(const RowPlace& place) const {
-  const int count = middles(place);
+  const int count = count_middles(place);
   if (count == 0) return std::nullopt;
-  // From the middle of the knob at one end to that at the other.
+  // From the center of the leftmost knob to the center of the rightmost.
   return Box{place.value_x + kCharacterSide * 3 / 2, place.box.y, (count - 1) * kCharacterSide,
              place.box.height};
 }
 
 void SliderRow::draw(const Canvas& canvas, const RowPlace& place) const {
   const Box right = value_box(place);
-  const int count = middles(place);
+  const int count = count_middles(place);
   if (count == 0) return draw_label_and_value(canvas, place, look_.label, number(), false);
   draw_label_and_value(canvas, place, look_.label, "", false);
-  canvas.character(glyph::kSliderLeft, right.x, right.y);
+  canvas.draw_character(glyph::kSliderLeft, right.x, right.y);
   for (int i = 1; i <= count; ++i)
-    canvas.character(glyph::kSliderMiddle, right.x + i * kCharacterSide, right.y);
-  canvas.character(glyph::kSliderRight, right.x + (count + 1) * kCharacterSide, right.y);
+    canvas.draw_character(glyph::kSliderMiddle, right.x + i * kCharacterSide, right.y);
+  canvas.draw_character(glyph::kSliderRight, right.x + (count + 1) * kCharacterSide, right.y);
   const double range = look_.high - look_.low;
   const double fraction =
       range > 0 ? std::clamp((variable_.get().number - look_.low) / range, 0.0, 1.0) : 0.0;
-  canvas.character(glyph::kSliderKnob,
-                   right.x + kCharacterSide + static_cast<int>(fraction * (count - 1) * kCharacterSide),
-                   right.y);
+  canvas.draw_character(glyph::kSliderKnob,
+                        right.x + kCharacterSide + static_cast<int>(fraction * (count - 1) * kCharacterSide),
+                        right.y);
   const int number_x = right.x + (count + 2) * kCharacterSide + kCharacterSide / 2;
-  canvas.text(cut(number(), characters_in(right.right() - number_x)), number_x, right.y);
+  canvas.draw_text(truncate(number(), count_fitting_characters(right.right() - number_x)), number_x, right.y);
 }
 
 std::string SliderRow::number() const {
@@ -182,7 +194,7 @@ void SliderRow::go_to_step(double number) {
 
 Outcome SliderRow::adjust(int count) {
   const double at = (std::clamp(variable_.get().number, look_.low, look_.high) - look_.low) / look_.step;
-  // A value between two steps goes to the next one on its way.
+  // A value between two steps moves to the next step in that direction.
   constexpr double kRounding = 1e-6;
   go_to_step(count > 0 ? std::floor(at + kRounding) + count : std::ceil(at - kRounding) + count);
   return {.sound = MenuSound::kAdjust};
@@ -192,9 +204,11 @@ void SliderRow::slide(double fraction) {
   go_to_step(std::round(std::clamp(fraction, 0.0, 1.0) * steps()));
 }
 
+// One of the colors of players' clothes, as swatches.
 class ColorRow : public ChoiceRow {
  public:
-  ColorRow(const Bound& variable, std::string label) : ChoiceRow(std::move(label)), variable_(variable) {}
+  ColorRow(const BoundVariable& variable, std::string label)
+      : ChoiceRow(std::move(label)), variable_(variable) {}
 
   std::string help() const override { return variable_.help(); }
   void draw(const Canvas& canvas, const RowPlace& place) const override;
@@ -214,12 +228,12 @@ class ColorRow : public ChoiceRow {
  private:
   static constexpr int kColors = 14;
 
-  Bound variable_;
+  BoundVariable variable_;
 };
 
 void ColorRow::draw(const Canvas& canvas, const RowPlace& place) const {
   constexpr int kPaletteRow = 16, kShade = 8;
-  constexpr std::uint8_t kMark = 254;  // bright in every palette of the original's kind
+  constexpr std::uint8_t kMark = 254;  // bright in every Quake palette
   draw_label_and_value(canvas, place, label(), "", false);
   for (int i = 0; i < kColors; ++i) {
     const Box swatch{place.value_x + i * kCharacterSide, place.box.y, kCharacterSide, kCharacterSide};
@@ -233,13 +247,13 @@ void ColorRow::draw(const Canvas& canvas, const RowPlace& place) const {
 std::unique_ptr<Row> make_option_row(command::Variables& io_variables, const OptionLook& look) {
   const Variable* const variable = io_variables.find(look.variable);
   if (variable == nullptr) return nullptr;
-  const Bound bound(io_variables, look.variable);
+  const BoundVariable bound(io_variables, look.variable);
   std::string label(look.label);
   switch (variable->type) {
     case VariableType::kBool:
       return std::make_unique<ToggleRow>(bound, std::move(label));
     case VariableType::kChoice:
-      return std::make_unique<VariableChoiceRow>(bound, std::move(label));
+      return std::make_unique<VariableChoiceRow>(bound, look);
     case VariableType::kInt:
     case VariableType::kFloat:
       if (look.names.empty()) return std::make_unique<SliderRow>(bound, look);
@@ -261,7 +275,7 @@ std::unique_ptr<Row> make_option_row(command::Variables& io_variables, const Opt
 std::unique_ptr<Row> make_color_row(command::Variables& io_variables, const OptionLook& look) {
   const Variable* const variable = io_variables.find(look.variable);
   if (variable == nullptr || variable->type != VariableType::kInt) return nullptr;
-  return std::make_unique<ColorRow>(Bound(io_variables, look.variable), std::string(look.label));
+  return std::make_unique<ColorRow>(BoundVariable(io_variables, look.variable), std::string(look.label));
 }
 
 }  // namespace temblor::client

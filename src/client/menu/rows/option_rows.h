@@ -1,4 +1,5 @@
-// Rows that show console variables and set them.
+// Rows that show console variables and set them. The variable's type decides the kind of row: on/off, a
+// choice, a slider, or a text field.
 #pragma once
 
 #include <memory>
@@ -11,22 +12,27 @@
 
 namespace temblor::client {
 
-// How a variable is shown. `low`, `high` and `step` are of a slider; with low == high it spans the variable's
-// own range in 20 steps.
+// How a row shows a variable. Strings and spans must outlive the row.
 struct OptionLook {
   std::string_view variable, label;
+  // Range and step of the slider; low == high: the variable's own range, in 20 steps.
   double low = 0, high = 0, step = 0;
+  // The number shown is the value times this: 100 for percent.
   double shown_factor = 1;
+  // Appended to the number, with a space if there is to be one.
   std::string_view unit = "";
-  std::string_view zero = "";                    // what the value 0 is called
-  std::span<const std::string_view> names = {};  // of the values 0, 1, ...: a choice in place of a slider
+  // Shown in place of the number 0.
+  std::string_view zero = "";
+  // Names of the values 0, 1, ..., or of the variable's choices in their order. A number with names is a
+  // choice rather than a slider.
+  std::span<const std::string_view> names = {};
 };
 
-// On and off, a choice, a slider or a text, as the variable's type asks for; null where there is no such
-// variable. Changes are set at once. The help is the variable's.
+// Makes the row for a variable. Changes take effect at once. Returns null if the variable is not registered.
 std::unique_ptr<Row> make_option_row(command::Variables& io_variables, const OptionLook& look);
 
-// One of the 14 colors of players' clothes; null where there is no such whole number.
+// Makes a row that chooses one of the 14 colors of players' clothes. Returns null if there is no whole-number
+// variable of that name.
 std::unique_ptr<Row> make_color_row(command::Variables& io_variables, const OptionLook& look);
 
 }  // namespace temblor::client

@@ -7,45 +7,46 @@
 namespace temblor::client {
 namespace {
 
-Outcome carry_out(const std::function<Outcome()>& action) {
+// Runs an action, which may be empty. Without a sound of its own it has that of choosing.
+Outcome run_action(const std::function<Outcome()>& action) {
   Outcome outcome = action ? action() : Outcome{};
   if (outcome.sound == MenuSound::kNone) outcome.sound = MenuSound::kEnter;
   return outcome;
 }
 
-int width_of(std::string_view text) {
+int text_width(std::string_view text) {
   return static_cast<int>(text.size()) * kCharacterSide;
 }
 
 }  // namespace
 
-std::size_t characters_in(int width) {
+std::size_t count_fitting_characters(int width) {
   return static_cast<std::size_t>(std::max(0, width / kCharacterSide));
 }
 
 void draw_left_and_right(const Canvas& canvas, const Box& box, std::string_view left,
                          std::string_view right) {
-  const std::string shown_right = cut(shown(right), characters_in(box.width));
-  const int right_x = box.right() - width_of(shown_right);
+  const std::string shown_right = truncate(to_printable(right), count_fitting_characters(box.width));
+  const int right_x = box.right() - text_width(shown_right);
   const int left_width = shown_right.empty() ? box.width : right_x - kCharacterSide - box.x;
-  canvas.text(cut(shown(left), characters_in(left_width)), box.x, box.y);
-  canvas.text(shown_right, right_x, box.y);
+  canvas.draw_text(truncate(to_printable(left), count_fitting_characters(left_width)), box.x, box.y);
+  canvas.draw_text(shown_right, right_x, box.y);
 }
 
 void ActionRow::draw(const Canvas& canvas, const RowPlace& place) const {
-  canvas.text(cut(shown(label_), characters_in(place.box.width / place.letters)), place.box.x, place.box.y,
-              place.letters);
+  canvas.draw_text(truncate(to_printable(label_), count_fitting_characters(place.box.width / place.letters)),
+                   place.box.x, place.box.y, place.letters);
 }
 
 Outcome ActionRow::activate() {
-  return carry_out(action_);
+  return run_action(action_);
 }
 
 ListRow::ListRow(ListEntry entry)
     : entry_(std::move(entry)), search_text_(entry_.left + ' ' + entry_.middle + ' ' + entry_.right) {}
 
 void ListRow::draw(const Canvas& canvas, const RowPlace& place) const {
-  // The longest name that the game gives by itself, "autosave2", and a gap.
+  // The longest name that the game chooses itself, "autosave2", and a gap.
   constexpr int kMiddleX = 10 * kCharacterSide, kMinMiddle = 12 * kCharacterSide;
   const Box& box = place.box;
   const int middle_width = box.width - kMiddleX;
@@ -58,11 +59,11 @@ void ListRow::draw(const Canvas& canvas, const RowPlace& place) const {
 }
 
 Outcome ListRow::activate() {
-  return carry_out(entry_.choose);
+  return run_action(entry_.choose);
 }
 
 void HeadingRow::draw(const Canvas& canvas, const RowPlace& place) const {
-  draw_left_and_right(canvas, place.box, in_second_color(left_), in_second_color(right_));
+  draw_left_and_right(canvas, place.box, to_second_color(left_), to_second_color(right_));
 }
 
 }  // namespace temblor::client

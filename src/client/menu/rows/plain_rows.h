@@ -1,4 +1,4 @@
-// Rows without a value: what can be chosen, entries of lists, headings.
+// Rows without a value: actions, entries of lists, headings.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,11 @@
 
 namespace temblor::client {
 
+// A button.
 class ActionRow : public Row {
  public:
   using Action = std::function<Outcome()>;
-  // `letter`: in lower case.
+  // `letter`: the key that activates the row, lower case; 0 for none.
   ActionRow(std::string label, Action action, std::string help = {}, char letter = 0)
       : label_(std::move(label)), action_(std::move(action)), help_(std::move(help)), letter_(letter) {}
 
@@ -28,15 +29,19 @@ class ActionRow : public Row {
   char letter_;
 };
 
+// What a ListRow shows and does.
 struct ListEntry {
   std::string left;
-  std::string middle = {};  // left out where there is no room for it
-  std::string right = {};   // right-aligned
+  // Left out if the row has no room for it.
+  std::string middle = {};
+  // Right-aligned.
+  std::string right = {};
   std::function<RowDetails()> details = {};
   std::function<Outcome()> choose = {};
   std::string help = {};
 };
 
+// An entry of a list, in up to three columns.
 class ListRow : public Row {
  public:
   explicit ListRow(ListEntry entry);
@@ -53,7 +58,7 @@ class ListRow : public Row {
   std::string search_text_;
 };
 
-// Cannot be selected.
+// A heading; it cannot be selected.
 class HeadingRow : public Row {
  public:
   explicit HeadingRow(std::string left, std::string right = {})
@@ -67,9 +72,9 @@ class HeadingRow : public Row {
   std::string left_, right_;
 };
 
-// `right` at the right of the box, `left` in what that leaves.
+// Draws `right` right-aligned in the box and `left` in the room that remains.
 void draw_left_and_right(const Canvas& canvas, const Box& box, std::string_view left, std::string_view right);
-// How many characters stand in so many pixels.
-std::size_t characters_in(int width);
+// How many characters fit in a width, in canvas pixels.
+std::size_t count_fitting_characters(int width);
 
 }  // namespace temblor::client

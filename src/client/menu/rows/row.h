@@ -1,5 +1,5 @@
-// A row of a page: what it shows, and what it does when the player chooses, changes or clears it. It tells
-// what is to happen by a value and calls nobody.
+// A row of a page: what it shows, and what happens when the player activates, changes or clears it. A row
+// calls nobody; it returns an Outcome, which the menu applies.
 #pragma once
 
 #include <functional>
@@ -18,62 +18,74 @@ struct Page;
 struct PageContext;
 using PageMaker = std::function<Page(const PageContext&)>;
 
+// Sounds of the menus: the selection moves, something is chosen, a value changes.
 enum class MenuSound { kNone, kMove, kEnter, kAdjust };
+// Whether the page stays open, returns to the page below, or closes the menu.
 enum class Leaving { kStay, kBack, kClose };
 
-// What is to happen, in this order.
+// What the menu does next, in this order.
 struct Outcome {
   MenuSound sound = MenuSound::kNone;
-  std::vector<std::string> commands = {};
+  std::vector<std::string> commands = {};  // console lines
   Leaving leaving = Leaving::kStay;
-  PageMaker page = {};   // opens above what is left
-  bool refresh = false;  // the rows of this page depend on what was changed
+  PageMaker page = {};   // opens above the pages that are left
+  bool refresh = false;  // rebuild the page: other rows depend on the change
 };
 
-// Where a row stands, and how it is looked at.
+// Where and how a row is drawn.
 struct RowPlace {
   Box box;
-  int value_x = 0;  // where the right column begins
-  int letters = 1;  // 2: of 16 x 16
+  // Where the right column begins, in canvas pixels.
+  int value_x = 0;
+  // 2: large letters, 16 x 16.
+  int letters = 1;
   bool selected = false;
-  double time_s = 0;
+  double time_s = 0;  // for blinking
 };
 
-// What stands beside a list about the row that is selected.
+// Shown beside a list about the selected row.
 struct RowDetails {
   const formats::Picture* picture = nullptr;
   std::vector<std::string> paragraphs = {};
 };
 
+// One row. Pages own their rows. Applying an outcome may rebuild or close the page and destroy the row that
+// returned it.
 class Row {
  public:
   virtual ~Row() = default;
 
   virtual bool can_be_selected() const { return true; }
-  // What it is found by when a player types, and when its page is made anew.
+  // The row's text. Also identifies the row when its page is rebuilt.
   virtual std::string_view label() const = 0;
+  // The text that the player's search is matched with.
   virtual std::string_view search_text() const { return label(); }
+  // One or two sentences below the rows while the row is selected, and details beside them.
   virtual std::string help() const { return {}; }
   virtual RowDetails details() const { return {}; }
   virtual void draw(const Canvas& canvas, const RowPlace& place) const = 0;
 
+  // The player presses Enter or clicks; changes the value by so many steps (left: -1); or clears it.
   virtual Outcome activate() { return {}; }
   virtual Outcome adjust(int /*steps*/) { return {}; }
-  // Nothing: there is nothing about it to be cleared.
+  // Returns nothing if the row has nothing to clear.
   virtual std::optional<Outcome> clear() { return std::nullopt; }
-  // Text that is typed while it is selected; false: it is not for it.
+  // Receives typed text while the row is selected; returns whether the row used it.
   virtual bool type(std::string_view /*text*/) { return false; }
-  // The letter that stands for it, on pages that are not searched; 0: none does.
+  // The key that activates the row on pages without a search; 0 for none.
   virtual char letter() const { return 0; }
 
-  // Where a pointer that is pressed there moves the value; `fraction`: of the value's box, 0 to 1.
+  // The area where a pressed pointer moves the value; nothing if the row has no slider.
   virtual std::optional<Box> slide_box(const RowPlace& /*place*/) const { return std::nullopt; }
+  // `fraction`: 0 at the left end of the slide box, 1 at the right end.
   virtual void slide(double /*fraction*/) {}
 
-  // While it waits for keys, every event is its own first; false: it is not for it.
+  // While a row waits for keys or text, it sees every event first; handle() returns whether the row used it.
+  // wants_text() is false while typed text is of no use to it. stop_waiting() ends the wait when the player
+  // goes elsewhere.
   virtual bool is_waiting() const { return false; }
   virtual bool wants_text() const { return true; }
-  virtual bool take(const platform::InputEvent& /*event*/, Outcome& /*out_outcome*/) { return false; }
+  virtual bool handle(const platform::InputEvent& /*event*/, Outcome& /*out_outcome*/) { return false; }
   virtual void stop_waiting() {}
 };
 

@@ -13,7 +13,8 @@ using platform::Key;
 
 namespace {
 
-bool leads_away(Key key) {
+// Keys that end editing and then do what they do on any row.
+bool leaves_row(Key key) {
   return key == Key::kUpArrow || key == Key::kDownArrow || key == Key::kPageUp || key == Key::kPageDown ||
          key == Key::kTab || key >= Key::kMouse1;
 }
@@ -30,7 +31,7 @@ void LineEdit::erase_before() {
   if (caret_ > 0) text_.erase(--caret_, 1);
 }
 
-void LineEdit::erase_behind() {
+void LineEdit::erase_after() {
   if (caret_ < text_.size()) text_.erase(caret_, 1);
 }
 
@@ -39,7 +40,8 @@ void LineEdit::move(int chars) {
                                                static_cast<std::ptrdiff_t>(text_.size())));
 }
 
-void LineEdit::turn(int steps) {
+// A character outside the list becomes its first one.
+void LineEdit::cycle_letter(int steps) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789.:-_ ABCDEFGHIJKLMNOPQRSTUVWXYZ";
   constexpr auto kCount = static_cast<int>(kLetters.size());
   if (caret_ == 0) return insert(kLetters.substr(0, 1));
@@ -49,19 +51,20 @@ void LineEdit::turn(int steps) {
   letter = kLetters[static_cast<std::size_t>((from % kCount + kCount) % kCount)];
 }
 
+// Long text scrolls so that the caret stays visible.
 void TextRow::draw(const Canvas& canvas, const RowPlace& place) const {
   constexpr double kBlinkSeconds = 0.5;
-  constexpr std::uint8_t kField = 15;  // a light one of the palette's first row, which is gray
+  constexpr std::uint8_t kField = 15;  // the brightest gray
   const Box right = value_box(place);
-  const std::size_t chars = characters_in(right.width);
-  canvas.fill({right.x - 2, right.y - 1, right.width + 2, kCharacterSide + 2}, kField, kFaint);
+  const std::size_t chars = count_fitting_characters(right.width);
+  canvas.fill({right.x - 2, right.y - 1, right.width + 2, kCharacterSide + 2}, kField, kFaintOpacity);
   if (!edit_ || chars < 2) return draw_label_and_value(canvas, place, label_, parts_.read(), false);
   draw_label_and_value(canvas, place, label_, "", false);
   const std::size_t first = edit_->caret() + 1 > chars ? edit_->caret() + 1 - chars : 0;
-  canvas.text(std::string_view(edit_->text()).substr(first, chars), right.x, right.y);
+  canvas.draw_text(std::string_view(edit_->text()).substr(first, chars), right.x, right.y);
   if (std::fmod(std::abs(place.time_s), 2 * kBlinkSeconds) < kBlinkSeconds)
-    canvas.character(glyph::kBlock, right.x + static_cast<int>(edit_->caret() - first) * kCharacterSide,
-                     right.y);
+    canvas.draw_character(glyph::kBlock, right.x + static_cast<int>(edit_->caret() - first) * kCharacterSide,
+                          right.y);
 }
 
 Outcome TextRow::activate() {
@@ -92,30 +95,31 @@ Outcome TextRow::finish() {
   return outcome;
 }
 
-bool TextRow::take(const platform::InputEvent& event, Outcome& out_outcome) {
+bool TextRow::handle(const platform::InputEvent& event, Outcome& out_outcome) {
   if (const auto* const typed = std::get_if<platform::TextTyped>(&event.what)) {
     edit_->insert(typed->text);
     return true;
   }
   if (std::holds_alternative<platform::FocusChanged>(event.what)) ctrl_ = false;
   const auto* const change = std::get_if<platform::KeyChange>(&event.what);
-  return change != nullptr && take_key(*change, out_outcome);
+  return change != nullptr && handle_key(*change, out_outcome);
 }
 
-bool TextRow::take_pad(Key key) {
+// Typing without a keyboard; see TextRow.
+bool TextRow::handle_pad(Key key) {
   constexpr int kFarLetters = 8;
   switch (key) {
     case Key::kPadUp:
-      edit_->turn(1);
+      edit_->cycle_letter(1);
       return true;
     case Key::kPadDown:
-      edit_->turn(-1);
+      edit_->cycle_letter(-1);
       return true;
     case Key::kPadLeftShoulder:
-      edit_->turn(-kFarLetters);
+      edit_->cycle_letter(-kFarLetters);
       return true;
     case Key::kPadRightShoulder:
-      edit_->turn(kFarLetters);
+      edit_->cycle_letter(kFarLetters);
       return true;
     case Key::kPadRight:
       if (edit_->caret() < edit_->text().size())
@@ -132,7 +136,7 @@ bool TextRow::take_pad(Key key) {
   }
 }
 
-bool TextRow::take_key(const platform::KeyChange& change, Outcome& out_outcome) {
+bool TextRow::handle_key(const platform::KeyChange& change, Outcome& out_outcome) {
   if (change.key == Key::kCtrl) ctrl_ = change.down;
   if (!change.down) return false;
   switch (change.key) {
@@ -150,7 +154,7 @@ bool TextRow::take_key(const platform::KeyChange& change, Outcome& out_outcome) 
       edit_->erase_before();
       return true;
     case Key::kDelete:
-      edit_->erase_behind();
+      edit_->erase_after();
       return true;
     case Key::kLeftArrow:
       edit_->move(-1);
@@ -159,7 +163,7 @@ bool TextRow::take_key(const platform::KeyChange& change, Outcome& out_outcome) 
       edit_->move(1);
       return true;
     case Key::kHome:
-      edit_->go_to_begin();
+      edit_->go_to_start();
       return true;
     case Key::kEnd:
       edit_->go_to_end();
@@ -167,13 +171,13 @@ bool TextRow::take_key(const platform::KeyChange& change, Outcome& out_outcome) 
     default:
       break;
   }
-  if (take_pad(change.key)) return true;
-  if (leads_away(change.key)) {
+  if (handle_pad(change.key)) return true;
+  if (leaves_row(change.key)) {
     stop_waiting();
     return false;
   }
   if (ctrl_ && change.key == Key{'v'} && parts_.clipboard) edit_->insert(parts_.clipboard());
-  return true;  // what types comes as text as well
+  return true;  // letters arrive as TextTyped events as well
 }
 
 }  // namespace temblor::client

@@ -1,4 +1,4 @@
-// A row with a line of text that can be typed.
+// A row with a line of text to edit: names, addresses, numbers.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +10,25 @@
 
 namespace temblor::client {
 
-// A line of text with a caret in it; printable ASCII, as the console's characters are.
+// A line of printable ASCII with a caret in it.
 class LineEdit {
  public:
   static constexpr std::size_t kMaxChars = 200;
 
   explicit LineEdit(std::string text) : text_(std::move(text)), caret_(text_.size()) {}
   const std::string& text() const { return text_; }
-  std::size_t caret() const { return caret_; }
+  std::size_t caret() const { return caret_; }  // 0 to text().size()
 
-  // Drops what is not printable ASCII, and what there is no room for.
+  // Drops characters that are not printable ASCII or exceed kMaxChars.
   void insert(std::string_view typed);
+  // Delete the character before or after the caret, or move the caret within the text.
   void erase_before();
-  void erase_behind();
+  void erase_after();
   void move(int chars);
-  // The character before the caret becomes the next of those that names and addresses are made of; where
-  // there is none, the first one is inserted.
-  void turn(int steps);
-  void go_to_begin() { caret_ = 0; }
+  // Replaces the character before the caret with the next one of the alphabet for names and addresses.
+  // Inserts the first one if there is no character.
+  void cycle_letter(int steps);
+  void go_to_start() { caret_ = 0; }
   void go_to_end() { caret_ = text_.size(); }
 
  private:
@@ -35,13 +36,13 @@ class LineEdit {
   std::size_t caret_;
 };
 
-// Enter begins to edit and takes what was written; Escape leaves it as it was. On a gamepad up and down turn
-// the letter at the caret (the shoulders by eight), right adds one, left and X take one away.
+// Enter starts editing and accepts the text; Escape cancels. On a gamepad, up and down change the letter at
+// the caret (the shoulder buttons by eight), right adds a letter, left and X delete one.
 class TextRow : public Row {
  public:
   struct Parts {
     std::function<std::string()> read;
-    std::function<Outcome(std::string)> write;  // what Enter does
+    std::function<Outcome(std::string)> write;  // called on Enter
     std::string help = {};
     std::function<std::string()> clipboard = {};
   };
@@ -51,23 +52,24 @@ class TextRow : public Row {
   std::string help() const override { return parts_.help; }
   void draw(const Canvas& canvas, const RowPlace& place) const override;
   Outcome activate() override;
-  std::optional<Outcome> clear() override;
+  std::optional<Outcome> clear() override;  // starts editing with an empty line
   bool type(std::string_view text) override;
 
   bool is_waiting() const override { return edit_.has_value(); }
-  bool take(const platform::InputEvent& event, Outcome& out_outcome) override;
-  // Keeps what was written, without what Enter would do beyond that.
+  bool handle(const platform::InputEvent& event, Outcome& out_outcome) override;
+  // Stores the text, but drops the outcome that Enter would have had.
   void stop_waiting() override;
 
  private:
-  bool take_key(const platform::KeyChange& change, Outcome& out_outcome);
-  bool take_pad(platform::Key key);
+  bool handle_key(const platform::KeyChange& change, Outcome& out_outcome);
+  bool handle_pad(platform::Key key);
+  // Ends editing and hands the text to `write`.
   Outcome finish();
 
   std::string label_;
   Parts parts_;
-  std::optional<LineEdit> edit_;  // while it is edited
-  bool ctrl_ = false;             // is held
+  std::optional<LineEdit> edit_;  // while the row is edited
+  bool ctrl_ = false;             // the key is held
 };
 
 }  // namespace temblor::client

@@ -1,3 +1,5 @@
+// Method: each side starts as a huge square in its plane and is clipped by the planes of all other sides.
+// What is left of it is its winding. A brush is not closed if a winding still reaches the end of the world.
 #include "compiler/bsp/brushes/brush.h"
 
 #include <fmt/format.h>
@@ -8,16 +10,19 @@
 namespace temblor::compiler {
 namespace {
 
-// Corners this near to whole units are meant to be there.
-constexpr double kNearWhole = 0.002;
+// Corners this near to whole coordinates are snapped to them.
+constexpr double kSnapDistance = 0.002;
 
-constexpr const char* kNoVolume = "brush without volume or end, or more than 2^20 units away";
+constexpr const char* kNoVolume =
+    "brush without volume, or not closed, or more than 2^20 units from the origin";
 
+// Editors and rounding leave corners slightly off the grid, which would make different planes and vertices of
+// equal ones.
 void snap(Winding& io_winding) {
   for (math::Vec3d& point : io_winding)
     for (int axis = 0; axis < 3; ++axis) {
       const double whole = std::round(point[axis]);
-      if (std::abs(point[axis] - whole) < kNearWhole) point[axis] = whole;
+      if (std::abs(point[axis] - whole) < kSnapDistance) point[axis] = whole;
     }
 }
 
@@ -30,7 +35,7 @@ std::string describe(const BrushPlace& place) {
 bool make_windings(std::span<BrushSide> io_sides, const PlaneSet& planes, Box& out_box) {
   out_box = {};
   for (BrushSide& side : io_sides) {
-    side.winding = whole_plane(planes[side.plane]);
+    side.winding = make_base_winding(planes[side.plane]);
     for (const BrushSide& other : io_sides) {
       if (other.plane == side.plane) continue;
       cut_to_back(side.winding, planes[other.plane], false, 1e-6);
@@ -54,14 +59,16 @@ std::optional<BrushSolid> make_solid(const formats::MapBrush& brush, const Brush
     const math::Vec3d cross = glm::cross(points[0] - points[1], points[2] - points[1]);
     const double length = glm::length(cross);
     if (!(length > 1e-6)) {
-      io_warnings.push_back({"side without area", fmt::format("{}, side {}", describe(place), i)});
+      io_warnings.push_back(
+          {"side without area, ignored",
+           fmt::format("{}, side {}: its three points are on one line", describe(place), i)});
       continue;
     }
     const math::Vec3d normal = cross / length;
     const PlaneIndex plane = io_planes.find_or_add(normal, glm::dot(points[1] - origin_world, normal));
     const auto known = [&](const BrushSide& side) { return side.plane == plane; };
     if (std::any_of(solid.sides.begin(), solid.sides.end(), known)) {
-      io_warnings.push_back({"side given twice", fmt::format("{}, side {}", describe(place), i)});
+      io_warnings.push_back({"duplicate side, ignored", fmt::format("{}, side {}", describe(place), i)});
       continue;
     }
     solid.sides.push_back({plane});
@@ -71,6 +78,7 @@ std::optional<BrushSolid> make_solid(const formats::MapBrush& brush, const Brush
     io_warnings.push_back({kNoVolume, describe(place)});
     return std::nullopt;
   }
+  // Remove sides that touch nothing: redundant planes from the editor.
   std::size_t kept = 0;
   for (std::size_t i = 0; i < solid.sides.size(); ++i) {
     if (solid.sides[i].winding.empty()) continue;

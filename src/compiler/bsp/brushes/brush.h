@@ -1,4 +1,4 @@
-// Brushes as solids: planes, windings, and what fills them.
+// Brushes as solids: the planes of their sides, the windings on those planes, and what fills them.
 #pragma once
 
 #include <cstdint>
@@ -15,80 +15,86 @@
 
 namespace temblor::compiler {
 
-// From what gives way to what stays where two overlap.
+// What fills a brush, from weak to strong: where two brushes overlap, the stronger one wins.
 enum class Fill : std::uint8_t {
-  kEmpty,        // hint brushes, and no brush at all
-  kIllusionary,  // drawn, but nothing to stand on
-  kVisBlocker,   // the same, and sight ends at it
+  kEmpty,        // air, and hint brushes
+  kIllusionary,  // drawn, but not solid
+  kVisBlocker,   // the same, and opaque to visibility
   kWater,
   kSlime,
   kLava,
-  kFence,  // solid, but seen through
+  kFence,  // solid, but one sees through it
   kSky,
-  kDetailWall,  // as kDetail, but cuts no faces of others
-  kDetail,      // solid, but neither seals nor hides
+  kDetailWall,  // as kDetail, but does not cut the faces of others
+  kDetail,      // solid, but it neither seals the level nor blocks visibility
   kSolid,
 };
 constexpr bool is_liquid(Fill fill) {
   return fill == Fill::kWater || fill == Fill::kSlime || fill == Fill::kLava;
 }
-// Nobody stands in it, and no leaf is made of it.
+// Solid: nothing can be inside it, and it makes no leaf of the level.
 constexpr bool is_blocked(Fill fill) {
   return fill == Fill::kFence || fill == Fill::kDetailWall || fill == Fill::kDetail || fill == Fill::kSolid;
 }
-// What sight and a flood from outside end at.
+// Blocks visibility and the flood from outside.
 constexpr bool is_opaque(Fill fill) {
   return fill == Fill::kSolid || fill == Fill::kSky;
 }
 
+// A side that is not drawn.
 constexpr std::uint32_t kNoSurface = std::numeric_limits<std::uint32_t>::max();
 
+// A side of a brush: a plane, and the polygon that the brush covers in it.
 struct BrushSide {
-  PlaneIndex plane;  // the brush lies behind it
-  // What is drawn on it, as whoever makes faces numbers it; kNoSurface: nothing.
+  PlaneIndex plane;  // the brush is behind it
+  // What is drawn on it (LevelBrushes::surfaces); kNoSurface: nothing.
   std::uint32_t surface = kNoSurface;
-  bool splits = true;  // false: no node is made for it (bevels, hint brushes' other sides)
+  bool splits = true;  // false: makes no node (bevels, the other sides of hint brushes)
   bool is_seen_from_inside = false;
   Winding winding{};
 };
 
-// Bits of Brush::hulls: what is drawn and stops points; what stops players; what stops large monsters.
+// Bits of Brush::hulls. Hull 0 is drawn and stops points, hull 1 stops players, hull 2 stops large monsters.
 constexpr std::uint8_t kDrawnHull = 1, kAllHulls = 7;
 constexpr std::uint8_t hull_bit(std::size_t hull) {
   return static_cast<std::uint8_t>(1u << hull);
 }
 
+// A convex solid: everything that is behind all of its sides.
 struct Brush {
   std::vector<BrushSide> sides;
   Box box;
   Fill fill = Fill::kSolid;
-  bool is_detail = false;          // neither seals nor bounds what is seen together
-  bool keeps_inner_faces = false;  // where another one of its fill touches it or reaches into it
+  bool is_detail = false;  // neither seals the level nor bounds a cluster
+  // _noclipfaces: its faces are drawn also where other brushes with the same fill cover them.
+  bool keeps_inner_faces = false;
   std::uint8_t hulls = kAllHulls;
-  std::int32_t chop_order = 0;  // of two alike, the one with the higher shows
+  std::int32_t chop_order = 0;  // _chop_order: of two overlapping brushes, the higher one is drawn
 };
 
-// Where a brush stands in the text, for warnings.
+// Where a brush is in the map's text, for messages.
 struct BrushPlace {
   std::size_t entity = 0, brush = 0;  // from 0
   std::uint32_t line = 0;
 };
+// "entity 0, brush 12, line 345".
 std::string describe(const BrushPlace& place);
 
-// The planes and windings of a brush, moved by `-origin_world`; sides keep their order, and side_of says
-// which of the map's each comes from. Nothing, and a warning, for one that has no volume or no end. Sides
-// without area, double ones and those that touch nothing are left out.
+// The planes and windings of a brush.
 struct BrushSolid {
   std::vector<BrushSide> sides;
-  std::vector<std::size_t> side_of;
+  std::vector<std::size_t> side_of;  // by side: its number in the map's brush
   Box box;
 };
+// Makes the solid of a brush, moved by `-origin_world`. Sides keep their order. Sides without area and
+// duplicate sides are left out with a warning, sides that touch nothing without one. Returns nothing, with a
+// warning, for a brush that has no volume or that is not closed.
 std::optional<BrushSolid> make_solid(const formats::MapBrush& brush, const BrushPlace& place,
                                      const math::Vec3d& origin_world, PlaneSet& io_planes,
                                      Warnings& io_warnings);
 
-// Windings from planes; false when nothing is left between them, or when it has no end. Sides that touch
-// nothing keep an empty winding.
+// Makes windings from planes. Returns false if nothing is left between the planes or if the brush is not
+// closed. Sides that touch nothing get an empty winding.
 bool make_windings(std::span<BrushSide> io_sides, const PlaneSet& planes, Box& out_box);
 
 }  // namespace temblor::compiler

@@ -10,6 +10,7 @@
 namespace temblor::compiler {
 namespace {
 
+// The classes whose brushes become part of the world.
 struct WorldClass {
   std::string_view classname;
   Fill solid;
@@ -25,92 +26,98 @@ constexpr std::array<WorldClass, 7> kWorldClasses = {{
     {"func_illusionary_visblocker", Fill::kVisBlocker, false},
 }};
 
+// Clamped, so that any text converts without overflow.
 std::int32_t whole_number_or(const formats::Entity& fields, std::string_view key, std::int32_t otherwise) {
-  constexpr float kMost = 1 << 20;
+  constexpr float kMaxValue = 1 << 20;
   return static_cast<std::int32_t>(
-      std::clamp(number_or(fields, key, static_cast<float>(otherwise)), -kMost, kMost));
+      std::clamp(read_number_or(fields, key, static_cast<float>(otherwise)), -kMaxValue, kMaxValue));
 }
 
 }  // namespace
 
-BrushClass brush_class_of(const formats::Entity& fields) {
-  BrushClass of;
-  of.chop_order = whole_number_or(fields, "chop_order", 0);
-  of.is_seen_from_inside = number_or(fields, "mirrorinside", 0) > 0;
-  of.keeps_inner_faces = number_or(fields, "noclipfaces", 0) > 0;
+BrushClass find_brush_class(const formats::Entity& fields) {
+  BrushClass found;
+  found.chop_order = whole_number_or(fields, "chop_order", 0);
+  found.is_seen_from_inside = read_number_or(fields, "mirrorinside", 0) > 0;
+  found.keeps_inner_faces = read_number_or(fields, "noclipfaces", 0) > 0;
   if (const std::int32_t hulls = whole_number_or(fields, "hulls", 0); hulls > 0)
-    of.hulls = static_cast<std::uint8_t>(hulls & kAllHulls);
+    found.hulls = static_cast<std::uint8_t>(hulls & kAllHulls);
   for (const WorldClass& known : kWorldClasses) {
     if (known.classname != fields.classname()) continue;
-    of.is_world = true;
-    of.solid = known.solid;
-    of.is_detail = known.is_detail;
-    of.is_seen_from_inside |= known.solid == Fill::kVisBlocker;
-    return of;
+    found.is_world = true;
+    found.solid = known.solid;
+    found.is_detail = known.is_detail;
+    found.is_seen_from_inside |= known.solid == Fill::kVisBlocker;
+    return found;
   }
-  // The game may move it to where somebody looks out of it.
-  if (of.is_seen_from_inside || of.keeps_inner_faces) of.solid = Fill::kFence;
-  return of;
+  // The game may move it to where a player looks out of it.
+  if (found.is_seen_from_inside || found.keeps_inner_faces) found.solid = Fill::kFence;
+  return found;
 }
 
-Special special_of(std::string_view texture) {
+// "hintskip" before "hint", because that is a prefix.
+SpecialTexture find_special_texture(std::string_view texture) {
   const std::string name = base::to_lower(texture);
   const auto begins = [&](std::string_view with) { return name.starts_with(with); };
-  if (begins("*lava")) return Special::kLava;
-  if (begins("*slime")) return Special::kSlime;
-  if (begins("*")) return Special::kWater;
-  if (begins("sky")) return Special::kSky;
-  if (name == "clip") return Special::kClip;
-  if (name == "hintskip") return Special::kHintSkip;
-  if (begins("hint")) return Special::kHint;
-  if (name == "origin") return Special::kOrigin;
-  if (name == "skip" || name == "caulk" || name == "nodraw") return Special::kSkip;
-  return Special::kNone;
+  if (begins("*lava")) return SpecialTexture::kLava;
+  if (begins("*slime")) return SpecialTexture::kSlime;
+  if (begins("*")) return SpecialTexture::kWater;
+  if (begins("sky")) return SpecialTexture::kSky;
+  if (name == "clip") return SpecialTexture::kClip;
+  if (name == "hintskip") return SpecialTexture::kHintSkip;
+  if (begins("hint")) return SpecialTexture::kHint;
+  if (name == "origin") return SpecialTexture::kOrigin;
+  if (name == "skip" || name == "caulk" || name == "nodraw") return SpecialTexture::kSkip;
+  return SpecialTexture::kNone;
 }
 
-Special special_of(const formats::MapBrush& brush) {
-  Special found = Special::kNone;
+SpecialTexture find_special_texture(const formats::MapBrush& brush) {
+  SpecialTexture found = SpecialTexture::kNone;
   for (const formats::MapSide& side : brush.sides) {
-    const Special special = special_of(side.texture);
-    if (special == Special::kHint || special == Special::kOrigin) return special;
-    if (found == Special::kNone && special != Special::kSkip && special != Special::kHintSkip)
+    const SpecialTexture special = find_special_texture(side.texture);
+    if (special == SpecialTexture::kHint || special == SpecialTexture::kOrigin) return special;
+    if (found == SpecialTexture::kNone && special != SpecialTexture::kSkip &&
+        special != SpecialTexture::kHintSkip)
       found = special;
   }
   return found;
 }
 
-bool is_liquid(Special special) {
-  return special == Special::kWater || special == Special::kSlime || special == Special::kLava;
+bool is_liquid(SpecialTexture special) {
+  return special == SpecialTexture::kWater || special == SpecialTexture::kSlime ||
+         special == SpecialTexture::kLava;
 }
 
+// A liquid whose name ends in "skip" is there but not drawn.
 bool is_drawn(std::string_view texture) {
-  const Special special = special_of(texture);
+  const SpecialTexture special = find_special_texture(texture);
   if (is_liquid(special)) return !base::to_lower(texture).ends_with("skip");
-  return special == Special::kNone || special == Special::kSky;
+  return special == SpecialTexture::kNone || special == SpecialTexture::kSky;
 }
 
-Fill fill_of(Special special, const BrushClass& of_class) {
-  // Games ask the world alone what a place is filled with; a door that looks like water is a door.
-  if (!of_class.is_world && special != Special::kHint) return of_class.solid;
+Fill find_fill(SpecialTexture special, const BrushClass& of_class) {
+  // Games ask only the world what fills a place; a door that looks like water is still a door.
+  if (!of_class.is_world && special != SpecialTexture::kHint) return of_class.solid;
   switch (special) {
-    case Special::kWater:
+    case SpecialTexture::kWater:
       return Fill::kWater;
-    case Special::kSlime:
+    case SpecialTexture::kSlime:
       return Fill::kSlime;
-    case Special::kLava:
+    case SpecialTexture::kLava:
       return Fill::kLava;
-    case Special::kSky:
+    case SpecialTexture::kSky:
       return Fill::kSky;
-    case Special::kHint:
+    case SpecialTexture::kHint:
       return Fill::kEmpty;
     default:
       return of_class.solid;
   }
 }
 
-std::uint8_t hulls_of(Special special, Fill fill) {
+// Clip brushes are not drawn and do not stop points; liquids and illusionary brushes do not stop boxes.
+std::uint8_t find_hulls(SpecialTexture special, Fill fill) {
   const bool stops_boxes = is_blocked(fill) || fill == Fill::kSky;
-  if (special == Special::kClip) return stops_boxes ? kAllHulls & ~kDrawnHull : 0;
+  if (special == SpecialTexture::kClip) return stops_boxes ? kAllHulls & ~kDrawnHull : 0;
   return stops_boxes ? kAllHulls : kDrawnHull;
 }
 

@@ -1,4 +1,5 @@
-// What names say of brushes: those of textures, and the classnames of entities whose brushes are the world's.
+// What the names of textures and of entity classes mean for brushes: liquids, sky, clip, hint, detail, ...
+// The names are those of Quake's own qbsp and of ericw-tools.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +10,33 @@
 
 namespace temblor::compiler {
 
-// What an entity's brushes become, by its classname and its keys.
+// What an entity's classname and keys make of its brushes.
 struct BrushClass {
-  bool is_world = false;      // else a model of their own
-  Fill solid = Fill::kSolid;  // of those that are not liquid or sky
+  bool is_world = false;      // false: they become a model of their own
+  Fill solid = Fill::kSolid;  // the fill of brushes that are neither liquid nor sky
   bool is_detail = false;
   std::uint8_t hulls = kAllHulls;
   std::int32_t chop_order = 0;
   bool is_seen_from_inside = false;
   bool keeps_inner_faces = false;
 };
-BrushClass brush_class_of(const formats::Entity& fields);
+// Reads the class of an entity; unknown classnames become models of their own.
+BrushClass find_brush_class(const formats::Entity& fields);
 
-enum class Special { kNone, kWater, kSlime, kLava, kSky, kClip, kSkip, kHint, kHintSkip, kOrigin };
+// The meaning of a texture's name.
+enum class SpecialTexture { kNone, kWater, kSlime, kLava, kSky, kClip, kSkip, kHint, kHintSkip, kOrigin };
 
-Special special_of(std::string_view texture);
-bool is_liquid(Special special);
-// The first side that says something decides; a hint or origin brush is one with any such side.
-Special special_of(const formats::MapBrush& brush);
-// Whether a side with this texture is drawn at all.
+// Ignores case. kNone: an ordinary texture.
+SpecialTexture find_special_texture(std::string_view texture);
+bool is_liquid(SpecialTexture special);
+// A brush with any hint or origin side is a hint or origin brush; otherwise, its first side with a meaning
+// other than skip decides.
+SpecialTexture find_special_texture(const formats::MapBrush& brush);
+// Whether a side with this texture is drawn.
 bool is_drawn(std::string_view texture);
 
-Fill fill_of(Special special, const BrushClass& of_class);
-std::uint8_t hulls_of(Special special, Fill fill);  // as Brush::hulls
+// What a brush with that texture is filled with, and in which hulls (Brush::hulls) it is.
+Fill find_fill(SpecialTexture special, const BrushClass& of_class);
+std::uint8_t find_hulls(SpecialTexture special, Fill fill);
 
 }  // namespace temblor::compiler

@@ -1,22 +1,24 @@
-// Brushes for the clip hulls: grown by a box, so that tracing the box's origin against them is tracing the
-// box.
+// Brushes for the clip hulls, grown by the hull's box: tracing a point against the grown brushes is the same
+// as tracing the box against the original ones (a Minkowski sum, or configuration-space obstacle).
 #pragma once
 
 #include "compiler/bsp/brushes/brush.h"
 
 namespace temblor::compiler {
 
+// A box around the origin of a player or monster, in units.
 struct HullBox {
   math::Vec3d mins, maxs;
 };
-// Hulls 1 and 2: players and large monsters.
+// Hulls 1 and 2: players and large monsters. The sizes are those that the stock game expects in every level.
 constexpr std::array<HullBox, 2> kHullBoxes = {
     {{{-16, -16, -24}, {16, 16, 32}}, {{-32, -32, -24}, {32, 32, 64}}}};
 
-// The sum of the brush and the box turned round: its sides moved outwards, with planes across its corners and
-// edges (bevels) where the moved sides alone would reach too far. Without windings and a box of its own,
-// which take most of the time and of the memory, and need no new planes.
+// Returns the Minkowski sum of the brush and the mirrored box: sides moved outward, plus bevels, axial planes
+// and planes across edges, where the moved sides alone would reach too far. The result has no windings and no
+// box yet: those take most of the time and the memory, but no new planes, so jobs make them later.
 Brush expand(const Brush& brush, const HullBox& box, PlaneSet& io_planes);
+// Makes the windings and the box of an expanded brush.
 void add_windings(Brush& io_grown, const PlaneSet& planes);
 
 }  // namespace temblor::compiler

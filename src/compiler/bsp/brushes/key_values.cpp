@@ -18,7 +18,8 @@ namespace {
 
 using Keys = std::span<const std::string_view>;
 
-// Without the underscore that each may have.
+// The keys that take numbers, for all entities, worldspawn, lights, and entities with brushes. Each may also
+// begin with an underscore.
 constexpr std::string_view kNumbersOfAll[] = {"angle", "spawnflags"};
 constexpr std::string_view kNumbersOfWorld[] = {"anglescale",  "bounce",        "bouncecolorscale",
                                                 "bouncescale", "bouncestyled",  "dirt",
@@ -47,7 +48,7 @@ constexpr std::string_view kTriplesOfWorld[] = {
 constexpr std::string_view kTriplesOfLights[] = {"color", "mangle"};
 constexpr std::string_view kTriplesOfBrushes[] = {"minlight_color"};
 
-// With white space between them; nothing where anything else is there.
+// The numbers in a text, separated by white space; nothing if the text has anything else.
 std::optional<std::vector<double>> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   for (;;) {
@@ -62,6 +63,7 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
   }
 }
 
+// Checks the keys of one entity.
 class Reader {
  public:
   Reader(const formats::MapEntity& entity, std::size_t number, Warnings& io_warnings)
@@ -84,10 +86,12 @@ class Reader {
       if (count != 1 && count != 4)
         warn(key, value, "its density, or density, red, green and blue");
       else if (count == 4 && *std::max_element(numbers->begin() + 1, numbers->end()) > 1)
-        // Drawn clamped: 0 to 255, as other keys have colors, is all white.
+        // Fog colors are clamped when drawn: on the scale of 0 to 255 that other keys accept, every color is
+        // white.
         warnings_.push_back(
             {"fog brighter than white",
-             fmt::format("line {}: fog is its density, then red, green and blue from 0 to 1", entity_.line)});
+             fmt::format("line {}: fog takes its density, then red, green and blue from 0 to 1",
+                         entity_.line)});
     } else if (takes(name, kTriplesOfAll, kTriplesOfWorld, kTriplesOfLights, kTriplesOfBrushes)) {
       if (count != 3) warn(key, value, "three numbers");
     } else if (takes(name, kNumbersOfAll, kNumbersOfWorld, kNumbersOfLights, kNumbersOfBrushes)) {
@@ -95,18 +99,19 @@ class Reader {
     }
   }
 
+  // Whether a key of this entity is in one of the lists that apply to it.
   bool takes(std::string_view name, Keys of_all, Keys of_world, Keys of_lights, Keys of_brushes) const {
     const auto has = [name](Keys keys) { return std::ranges::find(keys, name) != keys.end(); };
     return has(of_all) || (is_world_ && has(of_world)) || (is_light_ && has(of_lights)) ||
            (!entity_.brushes.empty() && has(of_brushes));
   }
 
+  // Names the entity by its number in the map and its line, so that an editor finds it.
   void warn(std::string_view key, std::string_view value, std::string_view wanted) {
-    warnings_.push_back(
-        {"value that cannot be read",
-         fmt::format("entity {} ({}), line {}: {} is \"{}\", which should be {}; it counts as not given",
-                     number_, base::quotable(entity_.fields.classname()), entity_.line, base::quotable(key),
-                     base::quotable(value), wanted)});
+    warnings_.push_back({"value that cannot be read",
+                         fmt::format("entity {} ({}), line {}: {} is \"{}\" but should be {}; it is ignored",
+                                     number_, base::quotable(entity_.fields.classname()), entity_.line,
+                                     base::quotable(key), base::quotable(value), wanted)});
   }
 
   const formats::MapEntity& entity_;
@@ -117,7 +122,7 @@ class Reader {
 
 }  // namespace
 
-void warn_of_unreadable_values(const formats::Map& map, Warnings& io_warnings) {
+void warn_about_unreadable_values(const formats::Map& map, Warnings& io_warnings) {
   for (std::size_t i = 0; i < map.entities.size(); ++i) Reader(map.entities[i], i, io_warnings).read();
 }
 

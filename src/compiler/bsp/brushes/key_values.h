@@ -1,4 +1,5 @@
-// Values that the compiler or the game would pass over because they are no such numbers as their key takes.
+// Finds entity keys whose values the compiler or the game would silently ignore because they are not the
+// numbers that the key takes.
 #pragma once
 
 #include "compiler/report.h"
@@ -6,8 +7,7 @@
 
 namespace temblor::compiler {
 
-// A warning for each, with its entity and line: it counts as not given. Empty values say nothing, as editors
-// leave them.
-void warn_of_unreadable_values(const formats::Map& map, Warnings& io_warnings);
+// Warns about each, with its entity and line. Empty values are fine: editors leave them.
+void warn_about_unreadable_values(const formats::Map& map, Warnings& io_warnings);
 
 }  // namespace temblor::compiler

@@ -1,5 +1,5 @@
-// The entities of a level: those of the map, less what only compilers and editors read, each with brushes
-// naming its model.
+// The entities of a level: those of the map without the keys that only compilers and editors read. An entity
+// with brushes names its model.
 #pragma once
 
 #include <optional>
@@ -7,20 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "compiler/build/draft.h"
+#include "compiler/bsp/draft.h"
 #include "formats/levels/map.h"
 
 namespace temblor::compiler {
 
-// Whether an entity has no brushes, nor is of a kind that lives by them alone (func_group ...).
+// Whether an entity has no brushes and is not of a class that is made of brushes alone (func_group, ...).
 bool is_point_entity(const formats::MapEntity& entity);
 
-// An entity's keys in the level. `brushes`: what became of its own, if it has any.
-formats::Entity level_fields(const formats::Entity& from, const BrushEntity& brushes);
+// Returns an entity's keys as the level has them. `brushes`: what became of its brushes, if it has any.
+formats::Entity make_level_fields(const formats::Entity& from, const BrushEntity& brushes);
 
-// All of them, but for a map of which only a region is compiled. `brush_entities` in the order of those
-// entities of the map that are no points, one for each (CHECKed).
-std::vector<formats::Entity> level_entities(const formats::Map& map,
-                                            std::span<const BrushEntity> brush_entities);
+// Returns all entities of a map that is compiled as a whole. `brush_entities` has one entry for each entity
+// that is not a point entity, in the order of the map (CHECKed).
+std::vector<formats::Entity> make_level_entities(const formats::Map& map,
+                                                 std::span<const BrushEntity> brush_entities);
 
 }  // namespace temblor::compiler

@@ -13,29 +13,30 @@ constexpr double kShellUnits = 16;
 
 enum class Part { kNone, kRegion, kAntiregion };
 
+// Whether the names of all textures on the brush have that ending.
 bool all_end_in(const formats::MapBrush& brush, std::string_view ending) {
   return std::ranges::all_of(brush.sides, [&](const formats::MapSide& side) {
     return base::to_lower(side.texture).ends_with(ending);
   });
 }
 
-Part part_of(const formats::MapBrush& brush) {
+Part classify(const formats::MapBrush& brush) {
   if (brush.sides.empty() || !all_end_in(brush, "region")) return Part::kNone;
   return all_end_in(brush, "antiregion") ? Part::kAntiregion : Part::kRegion;
 }
 
 bool overlap(const Box& a, const Box& b) {
-  return glm::all(glm::lessThan(a.mins + kOnPlane, b.maxs)) &&
-         glm::all(glm::lessThan(b.mins + kOnPlane, a.maxs));
+  return glm::all(glm::lessThan(a.mins + kOnPlaneEpsilon, b.maxs)) &&
+         glm::all(glm::lessThan(b.mins + kOnPlaneEpsilon, a.maxs));
 }
 
 bool holds(const Box& box, const math::Vec3d& point) {
   return glm::all(glm::lessThan(box.mins, point)) && glm::all(glm::lessThan(point, box.maxs));
 }
 
-// Across an axis, facing up or down along it.
-formats::MapSide axial_side(int axis, double at, bool faces_up, std::string_view texture,
-                            std::uint32_t line) {
+// A side across an axis, facing up or down along it.
+formats::MapSide make_axial_side(int axis, double at, bool faces_up, std::string_view texture,
+                                 std::uint32_t line) {
   formats::MapSide side;
   side.texture = texture;
   side.line = line;
@@ -45,7 +46,8 @@ formats::MapSide axial_side(int axis, double at, bool faces_up, std::string_view
   return side;
 }
 
-std::optional<Box> box_of(const formats::MapBrush& brush, const BrushPlace& place, Warnings& io_warnings) {
+std::optional<Box> compute_box(const formats::MapBrush& brush, const BrushPlace& place,
+                               Warnings& io_warnings) {
   PlaneSet planes;
   const auto solid = make_solid(brush, place, math::Vec3d(0.0), planes, io_warnings);
   return solid ? std::optional(solid->box) : std::nullopt;
@@ -57,6 +59,7 @@ Box grown(Box box, double units) {
   return box;
 }
 
+// Collects the region brushes of a map.
 class RegionFinder {
  public:
   RegionFinder(const formats::Map& map, Warnings& io_warnings) : map_(map), warnings_(io_warnings) {}
@@ -68,19 +71,21 @@ class RegionFinder {
         if (is_region_brush(brushes[i])) TRY_STATUS(take(brushes[i], {entity, i, brushes[i].line}));
     }
     if (!found_) return std::optional<Region>{};
-    if (!has_bounds_) found_->bounds_world = box_of_all();
+    if (!has_bounds_) found_->bounds_world = find_full_box();
     return std::move(found_);
   }
 
  private:
+  // Adds a region or antiregion brush. A region brush must be unique and have a volume.
   base::Status take(const formats::MapBrush& brush, const BrushPlace& place) {
-    const bool is_bounds = part_of(brush) == Part::kRegion;
+    const bool is_bounds = classify(brush) == Part::kRegion;
     if (is_bounds && has_bounds_)
-      return base::malformed("{}: a second region brush; the first is {}", describe(place),
+      return base::malformed("{}: second region brush: delete it, or the first one ({})", describe(place),
                              describe(found_->place));
-    const std::optional<Box> box = box_of(brush, place, warnings_);
+    const std::optional<Box> box = compute_box(brush, place, warnings_);
     if (!box) {
-      if (is_bounds) return base::malformed("{}: the region brush has no volume, or no end", describe(place));
+      if (is_bounds)
+        return base::malformed("{}: the region brush has no volume or is not closed", describe(place));
       return base::Ok{};
     }
     if (!found_ || is_bounds) {
@@ -96,12 +101,12 @@ class RegionFinder {
     return base::Ok{};
   }
 
-  Box box_of_all() const {
+  Box find_full_box() const {
     Box all;
-    Warnings told_later;  // by whoever makes the level of them
+    Warnings reported_later;  // when the level is made of them
     for (const formats::MapEntity& entity : map_.entities)
       for (const formats::MapBrush& brush : entity.brushes)
-        if (const auto box = box_of(brush, {}, told_later)) {
+        if (const auto box = compute_box(brush, {}, reported_later)) {
           all.add(box->mins);
           all.add(box->maxs);
         }
@@ -117,7 +122,7 @@ class RegionFinder {
 }  // namespace
 
 bool is_region_brush(const formats::MapBrush& brush) {
-  return part_of(brush) != Part::kNone;
+  return classify(brush) != Part::kNone;
 }
 
 bool Region::keeps(const Box& box_world) const {
@@ -133,12 +138,12 @@ bool Region::keeps(const math::Vec3d& point_world) const {
 formats::MapBrush Region::cut(const formats::MapBrush& brush, const Box& box_world) const {
   const Box outer = grown(bounds_world, kShellUnits);
   formats::MapBrush rest = brush;
-  // Where it is cut nothing is seen: the shell is before it.
+  // "skip", because the shell hides the place where the brush is cut.
   for (int axis = 0; axis < 3; ++axis) {
     if (box_world.mins[axis] < outer.mins[axis])
-      rest.sides.push_back(axial_side(axis, outer.mins[axis], false, "skip", brush.line));
+      rest.sides.push_back(make_axial_side(axis, outer.mins[axis], false, "skip", brush.line));
     if (box_world.maxs[axis] > outer.maxs[axis])
-      rest.sides.push_back(axial_side(axis, outer.maxs[axis], true, "skip", brush.line));
+      rest.sides.push_back(make_axial_side(axis, outer.maxs[axis], true, "skip", brush.line));
   }
   return rest;
 }
@@ -154,8 +159,8 @@ std::vector<formats::MapBrush> Region::shell() const {
       wall.line = place.line;
       for (int axis = 0; axis < 3; ++axis)
         for (const bool faces_up : {false, true})
-          wall.sides.push_back(axial_side(axis, (faces_up ? box.maxs : box.mins)[axis], faces_up,
-                                          from_brush.sides.front().texture, place.line));
+          wall.sides.push_back(make_axial_side(axis, (faces_up ? box.maxs : box.mins)[axis], faces_up,
+                                               from_brush.sides.front().texture, place.line));
       walls.push_back(std::move(wall));
     }
   return walls;

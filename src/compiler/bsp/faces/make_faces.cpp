@@ -5,17 +5,17 @@
 namespace temblor::compiler {
 namespace {
 
-const BrushSide* side_in(const Brush& brush, PlaneIndex plane) {
+const BrushSide* find_side_in(const Brush& brush, PlaneIndex plane) {
   for (const BrushSide& side : brush.sides)
     if (side.plane == plane) return &side;
   return nullptr;
 }
 
-// Of the brush that shows in a leaf; null where none of its sides lies in the plane.
-const BrushSide* shown_side(const TreeLeaf& filled, PlaneIndex plane, std::span<const Brush> brushes) {
+// The side of the brush whose texture shows in a leaf; null if none of its sides is in the plane.
+const BrushSide* find_shown_side(const TreeLeaf& filled, PlaneIndex plane, std::span<const Brush> brushes) {
   for (const std::uint32_t number : filled.brushes) {
     if (brushes[number].fill != filled.fill) continue;
-    if (const BrushSide* const side = side_in(brushes[number], plane)) return side;
+    if (const BrushSide* const side = find_side_in(brushes[number], plane)) return side;
   }
   return nullptr;
 }
@@ -25,10 +25,10 @@ bool has_fill(const TreeLeaf& leaf, Fill fill, std::span<const Brush> brushes) {
                              [&](std::uint32_t number) { return brushes[number].fill == fill; });
 }
 
-// Of a brush that begins between two leaves of one fill and shows there all the same: it asks to, or it is
-// illusionary, in a liquid.
-const BrushSide* inner_side(const TreeLeaf& here, const TreeLeaf& there, PlaneIndex towards_viewer,
-                            std::span<const Brush> brushes) {
+// The side of a brush that begins between two leaves with the same fill and is still visible: because of
+// _noclipfaces, or because it is illusionary and inside a liquid.
+const BrushSide* find_inner_side(const TreeLeaf& here, const TreeLeaf& there, PlaneIndex toward_viewer,
+                                 std::span<const Brush> brushes) {
   for (const std::uint32_t number : there.brushes) {
     const Brush& brush = brushes[number];
     const bool asks = brush.keeps_inner_faces && brush.fill == there.fill;
@@ -38,39 +38,42 @@ const BrushSide* inner_side(const TreeLeaf& here, const TreeLeaf& there, PlaneIn
                              ? std::ranges::find(here.brushes, number) != here.brushes.end()
                              : has_fill(here, brush.fill, brushes);
     if (goes_on) continue;
-    if (const BrushSide* const side = side_in(brush, towards_viewer)) return side;
+    if (const BrushSide* const side = find_side_in(brush, toward_viewer)) return side;
   }
   return nullptr;
 }
 
-const BrushSide* if_seen_from_inside(const BrushSide* side) {
+const BrushSide* keep_if_seen_from_inside(const BrushSide* side) {
   return side != nullptr && side->is_seen_from_inside ? side : nullptr;
 }
 
-// Nobody looks out of what is solid or sky. Of a fence somebody may look through its holes; and what a detail
-// wall covers is made like the rest, so that it is one face with it.
+// Whether one can look out of a leaf. Nothing looks out of solid or sky. One can look through the holes of a
+// fence; and what a detail wall covers gets a face like the rest, so that both become one face.
 bool has_viewers(Fill fill) {
   return fill == Fill::kFence || fill == Fill::kDetailWall || (!is_blocked(fill) && fill != Fill::kSky);
 }
 
 }  // namespace
 
-std::uint32_t surface_between(const TreeLeaf& here, const TreeLeaf& there, PlaneIndex towards_viewer,
-                              std::span<const Brush> brushes) {
+// The stronger fill shows its side. If the weaker one is on the far side, it shows its back, but only if it
+// is drawn from the inside (liquids, _mirrorinside).
+std::uint32_t find_surface_between(const TreeLeaf& here, const TreeLeaf& there, PlaneIndex toward_viewer,
+                                   std::span<const Brush> brushes) {
   if (!has_viewers(here.fill)) return kNoSurface;
-  const PlaneIndex away = turned(towards_viewer);
+  const PlaneIndex away = flipped(toward_viewer);
   const BrushSide* side = nullptr;
   if (here.fill == there.fill) {
-    side = inner_side(here, there, towards_viewer, brushes);
-    if (side == nullptr) side = if_seen_from_inside(inner_side(there, here, away, brushes));
+    side = find_inner_side(here, there, toward_viewer, brushes);
+    if (side == nullptr) side = keep_if_seen_from_inside(find_inner_side(there, here, away, brushes));
   } else if (there.fill > here.fill) {
-    side = shown_side(there, towards_viewer, brushes);
+    side = find_shown_side(there, toward_viewer, brushes);
   } else {
-    side = if_seen_from_inside(shown_side(here, away, brushes));
+    side = keep_if_seen_from_inside(find_shown_side(here, away, brushes));
   }
   return side != nullptr ? side->surface : kNoSurface;
 }
 
+// Both directions of a portal may show something: liquids are seen from above and from below.
 std::vector<TreeFace> make_faces(const Tree& tree, std::span<const LeafPortal> portals,
                                  std::span<const Brush> brushes) {
   std::vector<TreeFace> faces;
@@ -79,13 +82,13 @@ std::vector<TreeFace> make_faces(const Tree& tree, std::span<const LeafPortal> p
     for (const bool from_behind : {false, true}) {
       const std::uint32_t viewer = portal.leaves[from_behind ? 1 : 0],
                           seen = portal.leaves[from_behind ? 0 : 1];
-      const PlaneIndex towards_viewer = from_behind ? turned(plane) : plane;
+      const PlaneIndex toward_viewer = from_behind ? flipped(plane) : plane;
       const std::uint32_t surface =
-          surface_between(tree.leaves[viewer], tree.leaves[seen], towards_viewer, brushes);
+          find_surface_between(tree.leaves[viewer], tree.leaves[seen], toward_viewer, brushes);
       if (surface == kNoSurface) continue;
       Winding winding = portal.winding;
       if (from_behind) winding.assign(portal.winding.rbegin(), portal.winding.rend());
-      faces.push_back({std::move(winding), towards_viewer, surface, portal.node, {viewer}});
+      faces.push_back({std::move(winding), toward_viewer, surface, portal.node, {viewer}});
     }
   }
   return faces;

@@ -1,3 +1,5 @@
+// Method: faces are grouped by node, plane and surface. Within a group, a hash of all sides finds each face's
+// neighbors, and faces are joined as long as the result is convex.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,30 +13,33 @@
 namespace temblor::compiler {
 namespace {
 
-bool same(const math::Vec3d& a, const math::Vec3d& b) {
-  return glm::all(glm::lessThan(glm::abs(a - b), math::Vec3d(kOnPlane)));
+// Whether two corners are the are_same point.
+bool are_same(const math::Vec3d& a, const math::Vec3d& b) {
+  return glm::all(glm::lessThan(glm::abs(a - b), math::Vec3d(kOnPlaneEpsilon)));
 }
 
-// How a corner turns where two windings meet: the second's next point, seen along the first's last side.
-enum class Turn { kInwards, kStraight, kOutwards };
-Turn turn_at(const math::Vec3d& from, const math::Vec3d& corner, const math::Vec3d& to,
-             const math::Vec3d& normal) {
-  const math::Vec3d outwards = glm::normalize(glm::cross(normal, corner - from));
-  const double away = glm::dot(to - corner, outwards);
-  return away > kOnPlane ? Turn::kOutwards : away < -kOnPlane ? Turn::kInwards : Turn::kStraight;
+// How the outline turns at a corner where two windings meet. kOutward: the union is not convex there.
+enum class Turn { kInward, kStraight, kOutward };
+Turn find_turn(const math::Vec3d& from, const math::Vec3d& corner, const math::Vec3d& to,
+               const math::Vec3d& normal) {
+  const math::Vec3d outward = glm::normalize(glm::cross(normal, corner - from));
+  const double away = glm::dot(to - corner, outward);
+  return away > kOnPlaneEpsilon ? Turn::kOutward : away < -kOnPlaneEpsilon ? Turn::kInward : Turn::kStraight;
 }
 
+// Joins two windings along a common side; nothing if they have none or if the result is not convex. Corners
+// that become straight are dropped.
 std::optional<Winding> join(const Winding& a, const Winding& b, const math::Vec3d& normal) {
   const std::size_t a_count = a.size(), b_count = b.size();
   for (std::size_t i = 0; i < a_count; ++i)
     for (std::size_t j = 0; j < b_count; ++j) {
       const math::Vec3d &a_begin = a[i], &a_end = a[(i + 1) % a_count];
-      if (!same(a_begin, b[(j + 1) % b_count]) || !same(a_end, b[j])) continue;
-      const Turn at_begin = turn_at(a[(i + a_count - 1) % a_count], a_begin, b[(j + 2) % b_count], normal);
-      const Turn at_end = turn_at(b[(j + b_count - 1) % b_count], a_end, a[(i + 2) % a_count], normal);
-      if (at_begin == Turn::kOutwards || at_end == Turn::kOutwards) return std::nullopt;
+      if (!are_same(a_begin, b[(j + 1) % b_count]) || !are_same(a_end, b[j])) continue;
+      const Turn at_begin = find_turn(a[(i + a_count - 1) % a_count], a_begin, b[(j + 2) % b_count], normal);
+      const Turn at_end = find_turn(b[(j + b_count - 1) % b_count], a_end, a[(i + 2) % a_count], normal);
+      if (at_begin == Turn::kOutward || at_end == Turn::kOutward) return std::nullopt;
       Winding joined;
-      // All of the first from the common side's end to its begin, then the second's rest.
+      // The first winding from the end of the common side to its beginning, then the rest of the second.
       for (std::size_t k = at_end == Turn::kStraight ? 2 : 1; k < a_count; ++k)
         joined.push_back(a[(i + k) % a_count]);
       if (at_begin != Turn::kStraight) joined.push_back(a_begin);
@@ -44,12 +49,12 @@ std::optional<Winding> join(const Winding& a, const Winding& b, const math::Vec3
   return std::nullopt;
 }
 
-auto group_of(const TreeFace& face) {
+auto group_key(const TreeFace& face) {
   return std::tuple(face.node, face.plane, face.surface);
 }
 
-// A side from corner to corner, roughly: what is the same side has the same key, but for rare bad luck in
-// rounding, by which two faces stay apart.
+// A hash key for a side, from corner to corner, with rounded coordinates. Two faces whose common side falls
+// on a rounding boundary may stay apart, which is harmless.
 struct SideKey {
   std::array<std::int64_t, 6> corners;
   bool operator==(const SideKey&) const = default;
@@ -62,13 +67,13 @@ struct SideKeyHash {
     return static_cast<std::size_t>(hash ^ (hash >> 32));
   }
 };
-SideKey key_of(const math::Vec3d& from, const math::Vec3d& to) {
+SideKey make_key(const math::Vec3d& from, const math::Vec3d& to) {
   constexpr double kStepsAUnit = 8;
   const auto step = [](double v) { return std::llround(v * kStepsAUnit); };
   return {{step(from.x), step(from.y), step(from.z), step(to.x), step(to.y), step(to.z)}};
 }
 
-// Joins what can be joined; emptied faces have no winding left.
+// Joins the faces of one group; a face that was joined to another keeps no winding.
 class GroupMerger {
  public:
   GroupMerger(std::span<TreeFace> faces, const math::Vec3d& normal) : faces_(faces), normal_(normal) {
@@ -84,13 +89,14 @@ class GroupMerger {
   void add_sides(std::size_t face) {
     const Winding& winding = faces_[face].winding;
     for (std::size_t k = 0; k < winding.size(); ++k)
-      by_side_.emplace(key_of(winding[k], winding[(k + 1) % winding.size()]), face);
+      by_side_.emplace(make_key(winding[k], winding[(k + 1) % winding.size()]), face);
   }
 
+  // Joins face i with the first neighbor that fits. Returns false if there is none.
   bool join_with_a_neighbor(std::size_t i) {
     const Winding& winding = faces_[i].winding;
     for (std::size_t k = 0; k < winding.size(); ++k) {
-      const auto [begin, end] = by_side_.equal_range(key_of(winding[(k + 1) % winding.size()], winding[k]));
+      const auto [begin, end] = by_side_.equal_range(make_key(winding[(k + 1) % winding.size()], winding[k]));
       for (auto it = begin; it != end; ++it) {
         const std::size_t j = it->second;
         if (j == i || faces_[j].winding.empty()) continue;
@@ -107,7 +113,7 @@ class GroupMerger {
 
   std::span<TreeFace> faces_;
   const math::Vec3d normal_;
-  // Sides that a face once had stay: join() looks again.
+  // Sides that a face no longer has stay in the map: join() checks again.
   std::unordered_multimap<SideKey, std::size_t, SideKeyHash> by_side_;
 };
 
@@ -115,9 +121,9 @@ class GroupMerger {
 
 void merge_faces(std::vector<TreeFace>& io_faces, const PlaneSet& planes) {
   std::stable_sort(io_faces.begin(), io_faces.end(),
-                   [](const TreeFace& a, const TreeFace& b) { return group_of(a) < group_of(b); });
+                   [](const TreeFace& a, const TreeFace& b) { return group_key(a) < group_key(b); });
   for (std::size_t begin = 0, end; begin < io_faces.size(); begin = end) {
-    for (end = begin + 1; end < io_faces.size() && group_of(io_faces[end]) == group_of(io_faces[begin]);)
+    for (end = begin + 1; end < io_faces.size() && group_key(io_faces[end]) == group_key(io_faces[begin]);)
       ++end;
     GroupMerger(std::span(io_faces).subspan(begin, end - begin), planes[io_faces[begin].plane].normal)
         .merge();

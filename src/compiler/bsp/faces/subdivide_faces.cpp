@@ -1,3 +1,5 @@
+// Method: a face is cut into strips along s, and each strip into pieces along t. Cuts are on multiples of 16
+// texels, so that the luxels on both sides of a cut are at the same places.
 #include <cmath>
 
 #include "compiler/bsp/faces/faces.h"
@@ -5,16 +7,16 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr double kTexelsASample = 16;
+constexpr double kTexelsASample = 16;  // between two samples of a light map
 
-// The plane at which a texture coordinate has that value.
-Plane plane_at(const math::Vec3& axis, float offset, double texel) {
+// The plane on which a texture coordinate has a value.
+Plane make_plane_at(const math::Vec3& axis, float offset, double texel) {
   const math::Vec3d along(axis);
   const double length = glm::length(along);
   return {along / length, (texel - double{offset}) / length, 3};
 }
 
-// Cuts off the first `texels` along an axis until all fits; whole samples each.
+// Cuts strips of `texels` off a face until the rest is no longer than that. Cuts are on whole luxels.
 void cut_along(const TreeFace& face, const math::Vec3& axis, float offset, double texels,
                std::vector<TreeFace>& out) {
   TreeFace rest = face;
@@ -25,9 +27,9 @@ void cut_along(const TreeFace& face, const math::Vec3& axis, float offset, doubl
       least = std::min(least, texel);
       most = std::max(most, texel);
     }
-    if (!(most - least > texels + kOnPlane)) break;
+    if (!(most - least > texels + kOnPlaneEpsilon)) break;
     const double cut = std::floor(least / kTexelsASample) * kTexelsASample + texels;
-    WindingParts parts = split(rest.winding, plane_at(axis, offset, cut));
+    WindingParts parts = split(rest.winding, make_plane_at(axis, offset, cut));
     if (parts.front.empty() || parts.back.empty()) break;
     TreeFace part = rest;
     part.winding = std::move(parts.back);

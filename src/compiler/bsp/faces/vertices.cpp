@@ -1,3 +1,5 @@
+// Method: points are hashed by cells of 64 units; a query looks into all cells that its box touches. To close
+// T-junctions, each side of each loop asks for the vertices near it and inserts those that are on it.
 #include "compiler/bsp/faces/vertices.h"
 
 #include <algorithm>
@@ -11,14 +13,14 @@ struct OnSide {
   std::uint32_t vertex;
 };
 
-// What lies between two vertices, in order from the first.
+// Finds the vertices on the line between two others, in order from the first.
 void find_between(std::uint32_t from, std::uint32_t to, const VertexSet& vertices, std::vector<OnSide>& out) {
   out.clear();
   const math::Vec3d begin = vertices.points()[from], side = vertices.points()[to] - begin;
   const double length = glm::length(side);
   if (length < VertexSet::kSamePlace) return;
   const math::Vec3d direction = side / length;
-  // In short pieces: the box of a long slanting side holds far too much.
+  // Short pieces, since the box around a long slanted side contains far too many vertices.
   constexpr double kPiece = 64;
   const int pieces = static_cast<int>(std::ceil(length / kPiece));
   for (int i = 0; i < pieces; ++i) {
@@ -39,14 +41,14 @@ void find_between(std::uint32_t from, std::uint32_t to, const VertexSet& vertice
 
 }  // namespace
 
-VertexSet::Cell VertexSet::cell_of(const math::Vec3d& point) {
+VertexSet::Cell VertexSet::find_cell(const math::Vec3d& point) {
   return {static_cast<std::int64_t>(std::floor(point.x / kCellUnits)),
           static_cast<std::int64_t>(std::floor(point.y / kCellUnits)),
           static_cast<std::int64_t>(std::floor(point.z / kCellUnits))};
 }
 
-std::int64_t VertexSet::key_of(const Cell& cell) {
-  constexpr std::int64_t kCells = 1 << 20;  // a side; far more than a level has
+std::int64_t VertexSet::make_key(const Cell& cell) {
+  constexpr std::int64_t kCells = 1 << 20;  // along each axis, far more than a level has
   return (cell.x * kCells + cell.y) * kCells + cell.z;
 }
 
@@ -60,7 +62,7 @@ std::uint32_t VertexSet::find_or_add(const math::Vec3d& point) {
   });
   if (found == points_.size()) {
     points_.push_back(point);
-    by_cell_.emplace(key_of(cell_of(point)), found);
+    by_cell_.emplace(make_key(find_cell(point)), found);
   }
   return found;
 }

@@ -1,4 +1,4 @@
-// The corners of a level's faces, each place once, and faces as loops of them that meet without gaps.
+// The vertices of a level, each stored once, and faces as loops of vertices that meet without gaps.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,23 @@
 
 namespace temblor::compiler {
 
+// A spatial hash of points.
 class VertexSet {
  public:
-  // Points nearer than kSamePlace are one.
+  // Returns the vertex at a point. Points nearer than kSamePlace are one vertex.
   static constexpr double kSamePlace = 0.03;  // units
   std::uint32_t find_or_add(const math::Vec3d& point);
 
   std::span<const math::Vec3d> points() const { return points_; }
 
-  // Calls body(vertex) for each one in the box, and for some around it.
+  // Calls body(vertex) for each vertex in the box, and for some around it.
   template <typename Body>
   void for_each_near(const Box& box, Body body) const {
-    const Cell first = cell_of(box.mins - kSamePlace), last = cell_of(box.maxs + kSamePlace);
+    const Cell first = find_cell(box.mins - kSamePlace), last = find_cell(box.maxs + kSamePlace);
     for (std::int64_t x = first.x; x <= last.x; ++x)
       for (std::int64_t y = first.y; y <= last.y; ++y)
         for (std::int64_t z = first.z; z <= last.z; ++z) {
-          const auto [begin, end] = by_cell_.equal_range(key_of({x, y, z}));
+          const auto [begin, end] = by_cell_.equal_range(make_key({x, y, z}));
           for (auto it = begin; it != end; ++it) body(it->second);
         }
   }
@@ -35,8 +36,8 @@ class VertexSet {
   struct Cell {
     std::int64_t x, y, z;
   };
-  static Cell cell_of(const math::Vec3d& point);
-  static std::int64_t key_of(const Cell& cell);
+  static Cell find_cell(const math::Vec3d& point);
+  static std::int64_t make_key(const Cell& cell);
 
   std::vector<math::Vec3d> points_;
   std::unordered_multimap<std::int64_t, std::uint32_t> by_cell_;
@@ -44,9 +45,9 @@ class VertexSet {
 
 using FaceLoop = std::vector<std::uint32_t>;
 
-// Puts every vertex that lies on a loop's side into the loop, so that faces on both sides have the same
-// corners along it: no T-junctions, through whose rounding the background would shine. Vertices given twice
-// in a row go.
+// Closes T-junctions: inserts every vertex on a side of a loop into that loop, so that faces on both sides of
+// an edge have the same vertices along it. Otherwise the background would shine through in single pixels.
+// Removes vertices that are repeated in a row.
 void close_t_junctions(std::vector<FaceLoop>& io_loops, const VertexSet& vertices);
 
 }  // namespace temblor::compiler

@@ -1,4 +1,4 @@
-// The light of one face while it is being worked out, in the lights' own measure.
+// The light of one face while it is computed, in the units of the lights' "light" key.
 #pragma once
 
 #include <cstddef>
@@ -9,25 +9,29 @@
 
 namespace temblor::compiler {
 
-// In this order light becomes what is stored: sums, then least lights, then negative lights.
+// How a layer joins the others, in this order: sums, then minimum lights, then negative lights.
 enum class LayerKind : std::uint8_t { kAdd, kRaise, kSubtract };
 
+// The light of one style and kind on a face.
 struct LightLayer {
   std::uint8_t style = 0;
   LayerKind kind = LayerKind::kAdd;
-  std::vector<math::Vec3> samples;  // by luxel
+  std::vector<math::Vec3> samples;  // by luxel, red, green and blue
   bool operator==(const LightLayer&) const = default;
 };
 
+// Everything that is known of one light map's light.
 struct FaceLight {
-  std::vector<LightLayer> layers;  // in the order in which lights came
-  std::vector<float> dirt;         // by luxel: the share of light left; empty: all
+  std::vector<LightLayer> layers;  // in the order of the first light of each
+  std::vector<float> dirt;         // by luxel: the share of light that dirt leaves; empty: all
 
+  // Returns the layer of a style and kind, or null.
   const LightLayer* find(std::uint8_t style, LayerKind kind) const {
     for (const LightLayer& layer : layers)
       if (layer.style == style && layer.kind == kind) return &layer;
     return nullptr;
   }
+  // Returns the layer of a style and kind; adds a black one if there is none.
   LightLayer& layer(std::uint8_t style, LayerKind kind, std::size_t luxels) {
     for (LightLayer& layer : layers)
       if (layer.style == style && layer.kind == kind) return layer;

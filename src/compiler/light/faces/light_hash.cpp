@@ -10,7 +10,7 @@
 namespace temblor::compiler {
 namespace {
 
-// The BSPX lumps that hold light, or how it lies on faces, whoever wrote them.
+// The BSPX lumps with light or about light, whichever compiler writes them.
 constexpr std::array<std::string_view, 9> kLightLumps = {"RGBLIGHTING", "LIGHTINGDIR",  "LIGHTING_E5BGR9",
                                                          "LMSHIFT",     "LMOFFSET",     "LMSTYLE",
                                                          "LMSTYLE16",   "DECOUPLED_LM", "LIGHTGRID_OCTREE"};
@@ -20,18 +20,19 @@ std::uint64_t with_bytes(std::uint64_t hash, base::Bytes bytes) {
 }
 
 std::uint64_t with_vector(std::uint64_t hash, const math::Vec3& vector) {
-  for (int axis = 0; axis < 3; ++axis) hash = base::hash_with(hash, base::bits_of(vector[axis]));
+  for (int axis = 0; axis < 3; ++axis) hash = base::hash_with(hash, base::float_bits(vector[axis]));
   return hash;
 }
 
 std::uint64_t with_keys(std::uint64_t hash, const SurfaceKeys& keys) {
-  visit_fields(keys,
-               [&](auto field) { hash = base::hash_with(hash, base::bits_of(static_cast<float>(field))); });
+  visit_fields(
+      keys, [&](auto field) { hash = base::hash_with(hash, base::float_bits(static_cast<float>(field))); });
   return hash;
 }
 
-std::uint64_t hash_of_level(const formats::Bsp& bsp, const FaceKeys& face_keys) {
-  // What does not fit the widest version is no level that could be written, whatever its light.
+// Hashes the level as a file would have it. FaceKeys are not in the file, so they are added.
+std::uint64_t hash_level(const formats::Bsp& bsp, const FaceKeys& face_keys) {
+  // A level that does not fit even BSP2 cannot be written, whatever its light.
   const auto bytes = formats::write_bsp(bsp, formats::BspVersion::kBsp2);
   if (!bytes.ok()) return 0;
   std::uint64_t hash = with_bytes(0, *bytes);
@@ -42,7 +43,7 @@ std::uint64_t hash_of_level(const formats::Bsp& bsp, const FaceKeys& face_keys) 
 
 }  // namespace
 
-formats::Bsp unlit(const formats::Bsp& bsp) {
+formats::Bsp strip_light(const formats::Bsp& bsp) {
   formats::Bsp copy = bsp;
   copy.lighting.clear();
   std::erase_if(copy.bspx, [](const formats::BspxLump& lump) {
@@ -55,37 +56,37 @@ formats::Bsp unlit(const formats::Bsp& bsp) {
   return copy;
 }
 
-std::uint64_t hash_of_geometry(formats::Bsp unlit, const LitLevel& lit, const LightOptions& options) {
-  unlit.entities.clear();
-  std::uint64_t hash = hash_of_level(unlit, lit.keys);
+std::uint64_t hash_geometry(formats::Bsp unlit_bsp, const LitLevel& lit, const LightOptions& options) {
+  unlit_bsp.entities.clear();
+  std::uint64_t hash = hash_level(unlit_bsp, lit.keys);
   if (hash == 0) return 0;
   if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   for (const math::Vec3& offset : lit.offset_of_model) hash = with_vector(hash, offset);
   return std::max<std::uint64_t>(1, base::hash_with(hash, static_cast<std::uint32_t>(options.extra)));
 }
 
-std::uint64_t hash_of_dirt(const DirtSettings& settings) {
+std::uint64_t hash_dirt(const DirtSettings& settings) {
   std::uint64_t hash = settings.on ? 1 : 0;
   for (const float number : {settings.depth, settings.scale, settings.gain, settings.angle_deg})
-    hash = base::hash_with(hash, base::bits_of(number));
+    hash = base::hash_with(hash, base::float_bits(number));
   return hash;
 }
 
-std::uint64_t hash_of_sky(std::span<const SkyBeam> beams, float range) {
-  std::uint64_t hash = base::bits_of(range);
+std::uint64_t hash_sky(std::span<const SkyBeam> beams, float range) {
+  std::uint64_t hash = base::float_bits(range);
   for (const SkyBeam& beam : beams) {
-    hash = with_vector(with_vector(hash, beam.towards_sky), beam.color);
+    hash = with_vector(with_vector(hash, beam.toward_sky), beam.color);
     for (const float number : {beam.value, beam.angle_scale})
-      hash = base::hash_with(hash, base::bits_of(number));
+      hash = base::hash_with(hash, base::float_bits(number));
     hash = base::hash_with(hash, beam.style);
     hash = base::hash_with(hash, beam.takes_dirt ? 1 : 0);
   }
   return hash;
 }
 
-std::uint64_t hash_of_light_input(const formats::Bsp& unlit, const FaceKeys& face_keys,
-                                  const LightOptions& options) {
-  std::uint64_t hash = hash_of_level(unlit, face_keys);
+std::uint64_t hash_light_input(const formats::Bsp& unlit_bsp, const FaceKeys& face_keys,
+                               const LightOptions& options) {
+  std::uint64_t hash = hash_level(unlit_bsp, face_keys);
   for (const int number : {options.extra, options.fast ? 1 : 0, options.bounces.value_or(-1),
                            options.dirt ? (*options.dirt ? 1 : 0) : -1, options.sky_rays})
     hash = base::hash_with(hash, static_cast<std::uint32_t>(number));

@@ -1,4 +1,4 @@
-// Tells whether two runs light the same level, by the same lights.
+// Hashes that tell whether two runs light the same level by the same lights.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,19 @@
 
 namespace temblor::compiler {
 
-// The level that light falls on: as it is, but for light and what follows from it.
-formats::Bsp unlit(const formats::Bsp& bsp);
+// Returns the level without its light and without all lumps that describe light.
+formats::Bsp strip_light(const formats::Bsp& bsp);
 
-std::uint64_t hash_of_light_input(const formats::Bsp& unlit, const FaceKeys& face_keys,
-                                  const LightOptions& options);
+// A hash of everything that a level's light depends on.
+std::uint64_t hash_light_input(const formats::Bsp& unlit_bsp, const FaceKeys& face_keys,
+                               const LightOptions& options);
 
-// Of all that rays meet and of where light is measured: the level without its entities but for where its
-// models stand. 0: the level is too large for a file, and so for a cache.
-std::uint64_t hash_of_geometry(formats::Bsp unlit, const LitLevel& lit, const LightOptions& options);
-std::uint64_t hash_of_dirt(const DirtSettings& settings);
-// Of what is added up for the sky, but for dirt. `range`: LightSettings's.
-std::uint64_t hash_of_sky(std::span<const SkyBeam> beams, float range);
+// A hash of what rays meet and of the sample points: the level without its entities, except for where its
+// models are. 0: the level is too large for a file, and so for a cache.
+std::uint64_t hash_geometry(formats::Bsp unlit_bsp, const LitLevel& lit, const LightOptions& options);
+// A hash of the dirt settings.
+std::uint64_t hash_dirt(const DirtSettings& settings);
+// A hash of the sky's light before dirt. `range`: that of LightSettings.
+std::uint64_t hash_sky(std::span<const SkyBeam> beams, float range);
 
 }  // namespace temblor::compiler

@@ -1,3 +1,9 @@
+// Layout of `lighting`: for each lit face, in order, the samples of its styles, row by row.
+//
+//   face 0: style 0 [w * h bytes] style 32 [w * h bytes] | face 1: style 0 [w * h bytes] | ...
+//           ^ light_offset of face 0                       ^ light_offset of face 1
+//
+// The .lit file and RGBLIGHTING have three bytes for each of these, in the same order.
 #include "compiler/light/faces/light_maps.h"
 
 #include <fmt/format.h>
@@ -16,23 +22,24 @@ namespace {
 
 constexpr float kMaxStored = 255;
 
+// The packed samples of one style.
 struct StyledSamples {
   std::uint8_t style = 0;
   std::vector<std::uint8_t> rgb, gray;
-  std::size_t brightness = 0;  // sum of rgb
+  std::size_t brightness = 0;  // sum of all rgb
 };
 
-float brightest_of(const math::Vec3& color) {
+float max_channel(const math::Vec3& color) {
   return std::max({color.x, color.y, color.z});
 }
 
-// The light of one style in the lights' own measure.
-std::vector<math::Vec3> sum_of(const FaceLight& light, std::uint8_t style, std::size_t luxels) {
+// The summed light of one style.
+std::vector<math::Vec3> find_sum(const FaceLight& light, std::uint8_t style, std::size_t luxels) {
   const LightLayer* sum = light.find(style, LayerKind::kAdd);
   return sum != nullptr ? sum->samples : std::vector<math::Vec3>(luxels, math::Vec3(0.0f));
 }
 
-// Style 0's least light: the greater of the level's and the face's own.
+// Raises style 0 to the minimum light: the greater of the level's and the face's own.
 void raise_to_min_light(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
                         std::vector<math::Vec3>& io_samples) {
   const math::Vec3 level = settings.min_light_color * settings.min_light;
@@ -44,16 +51,16 @@ void raise_to_min_light(const LightSettings& settings, const SurfaceKeys& keys, 
     io_samples[i] = glm::max(io_samples[i], least * (dirty ? light.dirt[i] : 1));
 }
 
-// From the lights' measure to 0..255; what is too bright keeps its hue.
-math::Vec3 stored(const LightSettings& settings, math::Vec3 light) {
+// Converts light values to 0..255. Light that is too bright keeps its hue.
+math::Vec3 to_bytes(const LightSettings& settings, math::Vec3 light) {
   light = glm::max(light, math::Vec3(0.0f));
-  const float brightest = brightest_of(light);
+  const float brightest = max_channel(light);
   if (settings.max_light > 0 && brightest > settings.max_light) light *= settings.max_light / brightest;
   light *= settings.range;
   if (settings.gamma != 1)
     for (int channel = 0; channel < 3; ++channel)
       light[channel] = std::pow(light[channel] / kMaxStored, 1 / settings.gamma) * kMaxStored;
-  const float too_bright = brightest_of(light);
+  const float too_bright = max_channel(light);
   return too_bright > kMaxStored ? light * (kMaxStored / too_bright) : light;
 }
 
@@ -61,9 +68,10 @@ std::uint8_t rounded(float value) {
   return static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, kMaxStored));
 }
 
-StyledSamples samples_of(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
+// Joins the layers of one style and converts the result to bytes.
+StyledSamples pack_style(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
                          std::uint8_t style, std::size_t luxels) {
-  std::vector<math::Vec3> samples = sum_of(light, style, luxels);
+  std::vector<math::Vec3> samples = find_sum(light, style, luxels);
   if (style == 0) raise_to_min_light(settings, keys, light, samples);
   if (const LightLayer* raise = light.find(style, LayerKind::kRaise))
     for (std::size_t i = 0; i < luxels; ++i) samples[i] = glm::max(samples[i], raise->samples[i]);
@@ -72,30 +80,32 @@ StyledSamples samples_of(const LightSettings& settings, const SurfaceKeys& keys,
   StyledSamples result;
   result.style = style;
   for (const math::Vec3& sample : samples) {
-    const math::Vec3 bytes = stored(settings, sample);
+    const math::Vec3 bytes = to_bytes(settings, sample);
     for (int channel = 0; channel < 3; ++channel) {
       result.rgb.push_back(rounded(bytes[channel]));
       result.brightness += result.rgb.back();
     }
-    result.gray.push_back(rounded(brightest_of(bytes)));
+    result.gray.push_back(rounded(max_channel(bytes)));
   }
   return result;
 }
 
+// All packed styles of a light map.
 struct FaceStyles {
-  std::vector<StyledSamples> styles;  // of at most four styles, the lowest first
-  std::size_t dropped = 0;            // those that found no room
+  std::vector<StyledSamples> styles;  // at most four, the lowest first
+  std::size_t dropped = 0;            // styles left out
 };
 
-FaceStyles styles_of(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
-                     std::size_t luxels) {
+// Style 0 is always tried, even without a light, because minimum light goes there.
+FaceStyles pack_styles(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
+                       std::size_t luxels) {
   std::array<bool, 256> used{};
   used[0] = true;
   for (const LightLayer& layer : light.layers) used[layer.style] = true;
   std::vector<StyledSamples> styles;
   for (std::size_t style = 0; style < used.size(); ++style) {
     if (!used[style]) continue;
-    StyledSamples samples = samples_of(settings, keys, light, static_cast<std::uint8_t>(style), luxels);
+    StyledSamples samples = pack_style(settings, keys, light, static_cast<std::uint8_t>(style), luxels);
     if (samples.brightness > 0) styles.push_back(std::move(samples));
   }
   constexpr std::size_t kMaxStyles = 4;
@@ -108,12 +118,13 @@ FaceStyles styles_of(const LightSettings& settings, const SurfaceKeys& keys, con
   return {std::move(styles), dropped};
 }
 
+// Where a light map is in the level; offset -1: the face is dark.
 struct MapPlace {
   std::array<std::uint8_t, 4> styles{255, 255, 255, 255};
   std::int32_t offset = -1;
 };
 
-// Puts samples behind those that are there.
+// Appends a face's samples.
 MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, formats::Lit& io_lit) {
   MapPlace place;
   if (map.styles.empty()) return place;
@@ -129,6 +140,7 @@ MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, formats::Lit& io_li
 
 constexpr std::array<const char*, 3> kScaledLumps{"LMSHIFT", "LMOFFSET", "LMSTYLE"};
 
+// Appends the maps of other scales and writes the three lumps that find them.
 void append_scaled(const LitLevel& lit, const std::vector<FaceStyles>& by_map, formats::Bsp& io_bsp,
                    formats::Lit& io_lit) {
   std::vector<MapPlace> places;
@@ -161,7 +173,7 @@ PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
   io_jobs.parallel_for(by_map.size(), [&](std::size_t map) {
     const std::size_t face = lit.maps[map].face;
     if (lit.gets_light[face])
-      by_map[map] = styles_of(settings, lit.keys_of(face), light[map], lit.maps[map].size());
+      by_map[map] = pack_styles(settings, lit.surface_keys(face), light[map], lit.maps[map].size());
   });
   PackedLight packed;
   io_bsp.lighting.clear();
@@ -180,8 +192,10 @@ PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
     packed.colored = packed.lit.samples[i] != packed.lit.samples[i + 1] ||
                      packed.lit.samples[i] != packed.lit.samples[i + 2];
   if (dropped > 0)
-    io_warnings.push_back({"more than four light styles on a face",
-                           fmt::format("{} styles, the darkest of their faces, were left out", dropped)});
+    io_warnings.push_back({"more than four light styles on one face",
+                           fmt::format("{} style{} left out, the darkest on each face: use fewer switchable "
+                                       "or flickering lights in one place",
+                                       dropped, dropped == 1 ? "" : "s")});
   return packed;
 }
 

@@ -1,4 +1,4 @@
-// From worked-out light to the bytes of a level: least lights, negative lights, range, styles.
+// Packs computed light into the bytes of a level: minimum lights, negative lights, range and styles.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,20 @@
 
 namespace temblor::compiler {
 
+// Counts, and the colored samples.
 struct PackedLight {
   std::size_t lit_faces = 0, dark_faces = 0;
   bool colored = false;
-  formats::Lit lit;  // red, green, blue for each gray sample, colored or not
+  formats::Lit lit;  // red, green and blue for each gray sample, even if all are gray
 };
 
-// Writes styles and light_offset of every face, in their order, and `lighting`: for each face its styles one
-// after the other, the lowest first. A style without any light is left out; of more than four the brightest
-// stay (a warning counts the rest). `light`: by light map (LitLevel::maps).
-// Those of another scale than 16 texels lie behind all others, and are found by three BSPX lumps, an entry
-// for each face: LMSHIFT, a byte, the power of two of its scale; LMOFFSET, int32, as light_offset; LMSTYLE,
-// four bytes, as styles. Without scaled maps there are none of these lumps.
+// Writes `lighting`, and styles and light_offset of every face, in the order of the faces: for each face its
+// styles one after another, the lowest first. Styles without any light are left out; of more than four, the
+// brightest stay, with a warning. `light`: by light map (LitLevel::maps).
+//
+// Maps of another scale than 16 texels come after all others. Three BSPX lumps with an entry for each face
+// find them: LMSHIFT, a byte, the scale as a power of two; LMOFFSET, int32, like light_offset; LMSTYLE, four
+// bytes, like styles. Without scaled maps these lumps are missing.
 PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
                             const std::vector<FaceLight>& light, base::Jobs& io_jobs, formats::Bsp& io_bsp,
                             Warnings& io_warnings);

@@ -1,5 +1,5 @@
-// Smooth shading: where faces that ask for it meet at a flat enough angle, light falls as on a curved
-// surface.
+// Smooth shading (Phong, "Illumination for computer generated pictures", 1975): where faces with _phong meet
+// at a small enough angle, they are lit as one curved surface.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,12 @@
 
 namespace temblor::compiler {
 
+// The normals at the corners of all faces. Never changes, so all threads may share it.
 class PhongNormals {
  public:
   explicit PhongNormals(const LitLevel& lit);
 
-  // False: the normal of a face is the same everywhere.
+  // False: the face has one normal everywhere.
   bool is_curved(std::size_t face) const { return !corner_normals_[face].empty(); }
   // The unit normal at a point near the face's plane.
   math::Vec3 at(const LightGrid& grid, const math::Vec3d& point_world) const;

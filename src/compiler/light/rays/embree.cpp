@@ -5,6 +5,7 @@
 namespace temblor::compiler {
 namespace {
 
+// The version of the headers that this was compiled with; other versions have other structs.
 #if RTC_VERSION_MAJOR >= 4
 constexpr const char* kLibrary = "libembree4.so.4";
 constexpr const char* kPackage = "libembree4-4";
@@ -13,7 +14,7 @@ constexpr const char* kLibrary = "libembree3.so.3";
 constexpr const char* kPackage = "libembree3-3";
 #endif
 
-// The functions of a library that is open; none where it lacks one that was asked for.
+// Looks up functions in an open library, and remembers whether one was missing.
 class Symbols {
  public:
   explicit Symbols(void* library) : library_(library) {}
@@ -34,7 +35,7 @@ class Symbols {
 }  // namespace
 
 base::Result<Embree> Embree::load() {
-  // Never closed: its threads may be at work until the program ends.
+  // Never closed, since its threads may run until the program ends.
   Symbols symbols(dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL));
   Embree embree;
   symbols.find("rtcNewDevice", embree.new_device);
@@ -55,14 +56,14 @@ base::Result<Embree> Embree::load() {
   symbols.find("rtcOccluded16", embree.occluded16_);
   symbols.find("rtcIntersect16", embree.intersect16_);
   if (!symbols.has_all())
-    return base::error(
-        base::ErrorCode::kUnsupported,
-        "light needs Embree, whose library {} is not on this machine: install Debian's package {}, or "
-        "unpack the archive temblor-light over the game's; --no-light goes without",
-        kLibrary, kPackage);
+    return base::error(base::ErrorCode::kUnsupported,
+                       "light needs Embree, but {} is missing: install the Debian package {}, or unpack the "
+                       "temblor-light archive over the game; --no-light compiles without light",
+                       kLibrary, kPackage);
   return embree;
 }
 
+// Embree 4 takes the flags with each query, Embree 3 with the context.
 #if RTC_VERSION_MAJOR >= 4
 void Embree::init_context(EmbreeContext& out_context) {
   rtcInitRayQueryContext(&out_context);

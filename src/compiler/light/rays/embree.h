@@ -1,6 +1,6 @@
-// Embree 3 and 4 under one set of names. The library is opened when light is worked out, and not linked with:
-// it is a fifth of what a player would have to fetch, and only who compiles levels needs it. Included by
-// ray_scene.cpp alone.
+// Embree 3 and 4 (Wald et al., "Embree: a kernel framework for efficient CPU ray tracing", 2014) under one
+// set of names. The library is opened at run time instead of linked, since it would be a fifth of the game's
+// download and only mappers need it. Only ray_scene.cpp includes this.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
@@ -19,12 +19,12 @@ using EmbreeContext = RTCRayQueryContext;
 using EmbreeContext = RTCIntersectContext;
 #endif
 
-// Embree's functions, by its names without the "rtc". Good for as long as the program runs.
+// Embree's functions, named without the "rtc". Valid until the program ends.
 struct Embree {
-  // kUnsupported, with what to install: the library is not on this machine.
+  // Fails with kUnsupported, and says what to install, if the library is missing.
   static base::Result<Embree> load();
 
-  // For rays that run much the same way.
+  // Prepares for rays that run in similar directions.
   static void init_context(EmbreeContext& out_context);
   void occluded16(const int* valid, RTCScene scene, EmbreeContext& context, RTCRay16& io_rays) const;
   void intersect16(const int* valid, RTCScene scene, EmbreeContext& context, RTCRayHit16& io_rays) const;

@@ -1,3 +1,6 @@
+// Method: each light has the PVS row of its leaf, and the sky has the union of the rows of all leaves that
+// show sky. A face can be reached only if one of its leaves is in the row. Lights in the same leaf share a
+// row.
 #include "compiler/light/rays/leaf_sight.h"
 
 #include <algorithm>
@@ -13,7 +16,7 @@ bool is_liquid(world::Contents contents) {
          contents == world::Contents::kLava;
 }
 
-// Whether anything dry is seen from a leaf of liquid, or there is none.
+// Whether the PVS sees anything dry from a leaf of liquid, or there is no liquid.
 bool sees_through_liquids(const world::Level& level) {
   bool any_liquid = false;
   std::vector<std::uint8_t> row;
@@ -25,7 +28,7 @@ bool sees_through_liquids(const world::Level& level) {
     world::decompress_pvs(level, base::to_index<world::LeafIndex>(from), row);
     for (std::size_t to = 1; to < count; ++to)
       if (level.leaves[to].contents == world::Contents::kEmpty &&
-          world::pvs_has(row, base::to_index<world::LeafIndex>(to)))
+          world::is_in_pvs(row, base::to_index<world::LeafIndex>(to)))
         return true;
   }
   return !any_liquid;
@@ -33,12 +36,13 @@ bool sees_through_liquids(const world::Level& level) {
 
 bool any_in(std::span<const std::uint8_t> row, std::span<const world::LeafIndex> leaves) {
   return std::any_of(leaves.begin(), leaves.end(),
-                     [&](world::LeafIndex leaf) { return world::pvs_has(row, leaf); });
+                     [&](world::LeafIndex leaf) { return world::is_in_pvs(row, leaf); });
 }
 
 }  // namespace
 
-Leavesight::Leavesight(const LitLevel& lit, std::span<const LightSource> lights) {
+// Lists the leaves that show each face, then decompresses one row for each leaf that has a light.
+LeafSight::LeafSight(const LitLevel& lit, std::span<const LightSource> lights) {
   const world::Level& level = *lit.level;
   known_ = !level.visibility.empty() && sees_through_liquids(level);
   if (!known_) return;
@@ -68,7 +72,7 @@ Leavesight::Leavesight(const LitLevel& lit, std::span<const LightSource> lights)
   }
 }
 
-std::vector<world::LeafIndex> Leavesight::leaves_of(std::size_t face, const SamplePlaces& places) const {
+std::vector<world::LeafIndex> LeafSight::find_leaves(std::size_t face, const SamplePoints& places) const {
   if (!known_) return {};
   std::vector<world::LeafIndex> leaves = leaves_showing_[face];
   for (std::size_t i = 0; i < places.leaves.size(); ++i)
@@ -78,11 +82,11 @@ std::vector<world::LeafIndex> Leavesight::leaves_of(std::size_t face, const Samp
   return leaves;
 }
 
-bool Leavesight::light_may_reach(std::size_t light, std::span<const world::LeafIndex> leaves) const {
+bool LeafSight::light_may_reach(std::size_t light, std::span<const world::LeafIndex> leaves) const {
   return !known_ || leaves.empty() || any_in(rows_[row_of_light_[light]], leaves);
 }
 
-bool Leavesight::sky_may_reach(std::span<const world::LeafIndex> leaves) const {
+bool LeafSight::sky_may_reach(std::span<const world::LeafIndex> leaves) const {
   return !known_ || leaves.empty() || any_in(from_sky_, leaves);
 }
 

@@ -1,4 +1,5 @@
-// Which lights can reach a face at all, after the level's PVS: saves the rays that would find out one by one.
+// Finds out which lights can reach a face at all according to the level's PVS, which saves tracing their
+// rays.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +14,21 @@
 
 namespace temblor::compiler {
 
-// Says yes to everything where the level has no PVS, or one that does not see through the surface of liquids,
-// which light passes. Otherwise a no is certain, as a PVS never hides what can be seen.
-class Leavesight {
+// Excludes nothing if the level has no PVS, or one that does not see through the surfaces of liquids, since
+// light does. Otherwise an excluded light certainly does not reach the face: a PVS never hides anything
+// visible.
+class LeafSight {
  public:
-  Leavesight(const LitLevel& lit, std::span<const LightSource> lights);
+  LeafSight(const LitLevel& lit, std::span<const LightSource> lights);
 
-  // The leaves that a face's samples lie in, and those that show it. Empty: unknown.
-  std::vector<world::LeafIndex> leaves_of(std::size_t face, const SamplePlaces& places) const;
+  // Returns the leaves that the face's sample points are in, and those that list the face. Empty: unknown.
+  std::vector<world::LeafIndex> find_leaves(std::size_t face, const SamplePoints& places) const;
+  // False: no ray from that light (or from the sky) reaches any of the leaves.
   bool light_may_reach(std::size_t light, std::span<const world::LeafIndex> leaves) const;
   bool sky_may_reach(std::span<const world::LeafIndex> leaves) const;
 
  private:
-  using Row = std::vector<std::uint8_t>;  // one bit a leaf, as world::decompress_pvs has it
+  using Row = std::vector<std::uint8_t>;  // a bit for each leaf, as from world::decompress_pvs
 
   bool known_ = false;
   std::vector<std::vector<world::LeafIndex>> leaves_showing_;  // by face

@@ -1,6 +1,6 @@
-// Method: rays go to Embree sixteen at a time, neighbors together, as most of them run the same way.
-// What lets some light through is a scene of its own with a filter: it takes down how much is lost and
-// sends the ray on. Losses are added as whole numbers, so that their order does not matter.
+// Method: rays go to Embree in packets of 16 neighbors, most of which run in similar directions. Surfaces
+// that let some light through are in a separate scene with a filter, which records how much light is lost and
+// lets the ray continue. Losses are logarithms summed as integers, so that their order does not matter.
 #include "compiler/light/rays/ray_scene.h"
 
 #include <algorithm>
@@ -13,19 +13,19 @@ namespace temblor::compiler {
 namespace {
 
 constexpr std::size_t kLanes = 16;
-constexpr float kLossSteps = 65536;  // for each factor of e
+constexpr float kLossSteps = 65536;  // for a factor of e
 constexpr float kMinShare = 1.0f / 1024;
 
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, decltype(&rtcReleaseScene)>;
 
-// The panes that a ray has been through: Embree may show it the same one again, and on a face's diagonal it
-// meets two triangles. Behind so many more of them make no difference.
-struct PassedPanes {
+// The masks that a ray has passed. Embree may report one twice, and on the diagonal of a face a ray meets two
+// triangles. Beyond the twelfth, more of them make no visible difference.
+struct PassedSurfaces {
   std::array<std::uint32_t, 12> surfaces;  // the first `count` of them
   std::size_t count = 0;
 
-  // False where the pane is known, or there is no room.
+  // Returns false if the surface is known or if there is no room.
   bool add(std::uint32_t surface) {
     const auto end = surfaces.begin() + static_cast<std::ptrdiff_t>(count);
     if (count == surfaces.size() || std::find(surfaces.begin(), end, surface) != end) return false;
@@ -34,39 +34,43 @@ struct PassedPanes {
   }
 };
 
-// What filters note down for each lane. Embree hands the first member on to them.
-struct LossContext {
+// What the filters record for each lane. Embree passes the first member to them.
+struct AttenuationContext {
   EmbreeContext embree;
   std::array<std::array<std::int32_t, 3>, kLanes> lost{};
-  std::array<PassedPanes, kLanes> passed{};
+  std::array<PassedSurfaces, kLanes> passed{};
   std::uint32_t receiver_model = 0;
 };
+// The best hit so far of each lane, for keep_lowest_surface().
 struct TieContext {
   EmbreeContext embree;
-  std::array<float, kLanes> distance{};  // of the hit that stands; below 0: none
+  std::array<float, kLanes> distance{};  // of the best hit so far; below 0: none
   std::array<std::uint32_t, kLanes> surface{};
 };
 
-std::uint32_t wrapped_texel(float coordinate, std::uint32_t size) {
+// Textures repeat in both directions.
+std::uint32_t wrap_texel(float coordinate, std::uint32_t size) {
   const auto texel = static_cast<std::int64_t>(std::floor(coordinate)) % std::int64_t{size};
   return static_cast<std::uint32_t>(texel < 0 ? texel + std::int64_t{size} : texel);
 }
 
-math::Vec3 passes_at(const AlphaMask& surface, const math::Vec3& point) {
-  if (surface.passes_by_texel.empty()) return surface.passes;
-  const std::uint32_t s = wrapped_texel(glm::dot(point, surface.s_axis) + surface.s_offset, surface.width);
-  const std::uint32_t t = wrapped_texel(glm::dot(point, surface.t_axis) + surface.t_offset, surface.height);
-  return surface.passes_by_texel[surface.texels[std::size_t{t} * surface.width + s]];
+math::Vec3 find_transmission(const AlphaMask& surface, const math::Vec3& point) {
+  if (surface.transmission_by_texel.empty()) return surface.transmission;
+  const std::uint32_t s = wrap_texel(glm::dot(point, surface.s_axis) + surface.s_offset, surface.width);
+  const std::uint32_t t = wrap_texel(glm::dot(point, surface.t_axis) + surface.t_offset, surface.height);
+  return surface.transmission_by_texel[surface.texels[std::size_t{t} * surface.width + s]];
 }
 
-// The share that passes at a point, along a direction.
-math::Vec3 share_through(const AlphaMask& surface, const math::Vec3& point, const math::Vec3& direction) {
-  const math::Vec3 passes = passes_at(surface, point);
-  // A pane has two sides, and is to count once.
-  if (passes != math::Vec3(0.0f) && glm::dot(direction, surface.normal) > 0) return math::Vec3(1.0f);
-  return passes;
+// The share of light that passes at a point, in a direction.
+math::Vec3 compute_share_through(const AlphaMask& surface, const math::Vec3& point,
+                                 const math::Vec3& direction) {
+  const math::Vec3 transmission = find_transmission(surface, point);
+  // A pane has two faces but dims light only once.
+  if (transmission != math::Vec3(0.0f) && glm::dot(direction, surface.normal) > 0) return math::Vec3(1.0f);
+  return transmission;
 }
 
+// Whether the surface's shadow falls on faces of the receiving model.
 bool falls_on(const AlphaMask& surface, std::uint32_t receiver_model) {
   switch (surface.receivers) {
     case ShadowReceivers::kAll:
@@ -79,39 +83,43 @@ bool falls_on(const AlphaMask& surface, std::uint32_t receiver_model) {
   return true;
 }
 
+// What reject_back_sides() needs to know about the sky.
 struct SkySet {
   std::vector<OccluderTriangle> triangles;
   std::vector<math::Vec3> normals;
 };
 
-math::Vec3 direction_of(const RTCFilterFunctionNArguments& arguments, unsigned lane) {
+math::Vec3 read_ray_direction(const RTCFilterFunctionNArguments& arguments, unsigned lane) {
   const unsigned lanes = arguments.N;
   return {RTCRayN_dir_x(arguments.ray, lanes, lane), RTCRayN_dir_y(arguments.ray, lanes, lane),
           RTCRayN_dir_z(arguments.ray, lanes, lane)};
 }
 
-struct SieveSet {
+// What pass_alpha_masks() needs to know about the masks.
+struct AlphaMaskSet {
   std::vector<OccluderTriangle> triangles;
   std::vector<AlphaMask> surfaces;
 };
 
-void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
-  const auto& sieves = *static_cast<const SieveSet*>(arguments->geometryUserPtr);
-  auto& losses = *reinterpret_cast<LossContext*>(arguments->context);
+// Embree's filter for masks: records the loss of light and clears the hit, unless nothing passes.
+void pass_alpha_masks(const RTCFilterFunctionNArguments* arguments) {
+  const auto& masks = *static_cast<const AlphaMaskSet*>(arguments->geometryUserPtr);
+  auto& losses = *reinterpret_cast<AttenuationContext*>(arguments->context);
   const unsigned lanes = arguments->N;
   for (unsigned i = 0; i < lanes; ++i) {
     if (arguments->valid[i] == 0) continue;
     const unsigned triangle = RTCHitN_primID(arguments->hit, lanes, i);
-    const math::Vec3 direction = direction_of(*arguments, i);
+    const math::Vec3 direction = read_ray_direction(*arguments, i);
     const math::Vec3 origin(RTCRayN_org_x(arguments->ray, lanes, i), RTCRayN_org_y(arguments->ray, lanes, i),
                             RTCRayN_org_z(arguments->ray, lanes, i));
     const math::Vec3 point = origin + direction * RTCRayN_tfar(arguments->ray, lanes, i);
-    const std::uint32_t number = sieves.triangles[triangle].surface;
-    const AlphaMask& surface = sieves.surfaces[number];
+    const std::uint32_t number = masks.triangles[triangle].surface;
+    const AlphaMask& surface = masks.surfaces[number];
     const math::Vec3 share = falls_on(surface, losses.receiver_model)
-                                 ? share_through(surface, point, direction)
+                                 ? compute_share_through(surface, point, direction)
                                  : math::Vec3(1.0f);
-    if (std::max({share.x, share.y, share.z}) < kMinShare) continue;  // stays hit
+    if (std::max({share.x, share.y, share.z}) < kMinShare)
+      continue;  // it is as good as opaque: the hit stays
     arguments->valid[i] = 0;
     const unsigned lane = RTCRayN_id(arguments->ray, lanes, i);
     if (share == math::Vec3(1.0f) || !losses.passed[lane].add(number)) continue;
@@ -121,20 +129,21 @@ void pass_sieves(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-// From behind, sky is not seen; often another face of it, which is, lies in the same plane.
-void turn_down_back_sides(const RTCFilterFunctionNArguments* arguments) {
+// Sky is not visible from behind; another face of it that is visible is often in the same plane.
+void reject_back_sides(const RTCFilterFunctionNArguments* arguments) {
   const auto& skies = *static_cast<const SkySet*>(arguments->geometryUserPtr);
   const unsigned lanes = arguments->N;
   for (unsigned i = 0; i < lanes; ++i) {
     if (arguments->valid[i] == 0) continue;
     const unsigned triangle = RTCHitN_primID(arguments->hit, lanes, i);
     const math::Vec3& normal = skies.normals[skies.triangles[triangle].surface];
-    if (glm::dot(direction_of(*arguments, i), normal) >= 0) arguments->valid[i] = 0;
+    if (glm::dot(read_ray_direction(*arguments, i), normal) >= 0) arguments->valid[i] = 0;
   }
 }
 
-// Of hits at the same distance that of the lowest surface stands, in whatever order they are found.
-void break_ties(const RTCFilterFunctionNArguments* arguments) {
+// Of hits at the same distance, keeps the one with the lowest surface number, in whatever order they are
+// found.
+void keep_lowest_surface(const RTCFilterFunctionNArguments* arguments) {
   const auto& triangles = *static_cast<const std::vector<OccluderTriangle>*>(arguments->geometryUserPtr);
   auto& ties = *reinterpret_cast<TieContext*>(arguments->context);
   const unsigned lanes = arguments->N;
@@ -152,7 +161,8 @@ void break_ties(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-math::Vec3 share_after(const std::array<std::int32_t, 3>& lost) {
+// The share of light that is left after all losses.
+math::Vec3 compute_share_after(const std::array<std::int32_t, 3>& lost) {
   if (lost == std::array<std::int32_t, 3>{}) return math::Vec3(1.0f);
   math::Vec3 share;
   for (int channel = 0; channel < 3; ++channel)
@@ -160,17 +170,19 @@ math::Vec3 share_after(const std::array<std::int32_t, 3>& lost) {
   return share;
 }
 
+// Functions that Embree calls for each hit on a geometry, and what they get as geometryUserPtr.
 struct Filter {
   void* data = nullptr;
   RTCFilterFunctionN occluded = nullptr, intersected = nullptr;
 };
 
+// Errors, such as missing memory, stay in the device until RayScene::make() asks for them.
 void add_triangles(const Embree& embree, RTCDevice device, RTCScene scene,
                    std::span<const math::Vec3> vertices, std::span<const OccluderTriangle> triangles,
                    const Filter& filter) {
   if (triangles.empty()) return;
   const RTCGeometry geometry = embree.new_geometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  // Embree reads 16 bytes at each vertex: its own buffer has the room behind the last one.
+  // Embree reads 16 bytes for each vertex; buffers that it allocates have the padding for the last one.
   void* positions = embree.set_new_geometry_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                    sizeof(math::Vec3), vertices.size());
   void* indices = embree.set_new_geometry_buffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
@@ -212,12 +224,12 @@ void set_lane(RTCRay16& io_rays, std::size_t lane, const math::Vec3& origin, con
   io_rays.flags[lane] = 0;
 }
 
-// Lanes behind `count` hold some valid ray: Embree looks at them though they do not take part.
+// Fills the lanes from `count` on with valid rays: Embree looks at them though they are masked out.
 void fill_lanes(RTCRay16& io_rays, std::size_t count) {
   for (std::size_t i = count; i < kLanes; ++i) set_lane(io_rays, i, math::Vec3(0.0f), math::Vec3(0, 0, 1), 0);
 }
 
-// Lanes of -1 take part.
+// -1 in a lane means that it takes part.
 struct alignas(64) LaneMask {
   std::array<int, kLanes> lane{};
   bool any() const {
@@ -225,41 +237,42 @@ struct alignas(64) LaneMask {
   }
 };
 
-LaneMask first_lanes(std::size_t count) {
+LaneMask make_first_lanes(std::size_t count) {
   LaneMask mask;
   std::fill_n(mask.lane.begin(), count, -1);
   return mask;
 }
 
-constexpr float kToTheSky = 1 << 26;  // longer than any level is wide
+constexpr float kSkyDistance = 1 << 26;  // longer than any level
 
 }  // namespace
 
+// One Embree scene for each kind of surface, so that queries meet only what they ask for.
 struct RayScene::Scenes {
   Embree embree;
   Device device{nullptr, nullptr};
-  Scene opaque{nullptr, nullptr}, sieve{nullptr, nullptr}, sky{nullptr, nullptr};
-  SieveSet sieves;
+  Scene opaque{nullptr, nullptr}, masked{nullptr, nullptr}, sky{nullptr, nullptr};
+  AlphaMaskSet masks;
   SkySet skies;
   std::vector<OccluderTriangle> opaque_triangles;
 
-  // Shares of the rays that `mask` names; the others' are left alone.
-  void shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share,
-              std::uint32_t receiver_model) const {
-    LossContext context;
+  // Finds the shares of the rays in `mask` and leaves the others unchanged.
+  void compute_shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share,
+                      std::uint32_t receiver_model) const {
+    AttenuationContext context;
     context.receiver_model = receiver_model;
     Embree::init_context(context.embree);
     embree.occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
-    if (!sieves.triangles.empty()) {
+    if (!masks.triangles.empty()) {
       LaneMask left = mask;
       for (std::size_t i = 0; i < kLanes; ++i)
         if (io_rays.tfar[i] < 0) left.lane[i] = 0;
-      if (left.any()) embree.occluded16(left.lane.data(), sieve.get(), context.embree, io_rays);
+      if (left.any()) embree.occluded16(left.lane.data(), masked.get(), context.embree, io_rays);
     }
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (mask.lane[i] == 0) continue;
-      // Embree sets tfar to minus infinity where a ray is blocked.
-      out_share[i] = io_rays.tfar[i] < 0 ? math::Vec3(0.0f) : share_after(context.lost[i]);
+      // Embree sets tfar to minus infinity if a ray is blocked.
+      out_share[i] = io_rays.tfar[i] < 0 ? math::Vec3(0.0f) : compute_share_after(context.lost[i]);
     }
   }
 };
@@ -274,31 +287,34 @@ base::Status RayScene::check() {
   return nothing.ok() ? base::Status(base::Ok{}) : nothing.error();
 }
 
+// The occluders' lists move into Scenes, where filters can refer to them.
 base::Result<RayScene> RayScene::make(Occluders occluders) {
   auto scenes = std::make_unique<Scenes>();
   TRY(scenes->embree, Embree::load());
   const Embree& embree = scenes->embree;
-  // One instruction set on all machines that have it: others round differently.
+  // The same instruction set on all machines, since others round differently.
   scenes->device = Device(embree.new_device("isa=avx2"), embree.release_device);
   if (!scenes->device)
-    return base::error(base::ErrorCode::kUnsupported, "Embree does not run on this machine");
+    return base::error(
+        base::ErrorCode::kUnsupported,
+        "Embree cannot start, which needs a processor with AVX2; --no-light compiles without light");
   const RTCDevice device = scenes->device.get();
-  scenes->sieves = {std::move(occluders.sieves), std::move(occluders.sieve_surfaces)};
+  scenes->masks = {std::move(occluders.masked), std::move(occluders.alpha_masks)};
   scenes->opaque_triangles = std::move(occluders.opaque);
   scenes->skies = {std::move(occluders.skies), std::move(occluders.sky_normals)};
   scenes->opaque = make_scene(embree, device);
   add_triangles(embree, device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles,
-                {&scenes->opaque_triangles, nullptr, break_ties});
-  scenes->sieve = make_scene(embree, device);
-  add_triangles(embree, device, scenes->sieve.get(), occluders.vertices, scenes->sieves.triangles,
-                {&scenes->sieves, pass_sieves, nullptr});
+                {&scenes->opaque_triangles, nullptr, keep_lowest_surface});
+  scenes->masked = make_scene(embree, device);
+  add_triangles(embree, device, scenes->masked.get(), occluders.vertices, scenes->masks.triangles,
+                {&scenes->masks, pass_alpha_masks, nullptr});
   scenes->sky = make_scene(embree, device);
   add_triangles(embree, device, scenes->sky.get(), occluders.vertices, scenes->skies.triangles,
-                {&scenes->skies, nullptr, turn_down_back_sides});
-  for (const RTCScene scene : {scenes->opaque.get(), scenes->sieve.get(), scenes->sky.get()})
+                {&scenes->skies, nullptr, reject_back_sides});
+  for (const RTCScene scene : {scenes->opaque.get(), scenes->masked.get(), scenes->sky.get()})
     embree.commit_scene(scene);
   if (embree.get_device_error(device) != RTC_ERROR_NONE)
-    return base::error(base::ErrorCode::kTooLarge, "no memory for the {} triangles that light meets",
+    return base::error(base::ErrorCode::kTooLarge, "there is not enough memory to light {} triangles",
                        scenes->opaque_triangles.size());
   return RayScene(std::move(scenes));
 }
@@ -307,8 +323,9 @@ bool RayScene::has_sky() const {
   return !scenes_->skies.triangles.empty();
 }
 
-void RayScene::towards_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
-                             std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+// Directions are not unit vectors here: each leads to the source, which is then at distance 1.
+void RayScene::trace_to_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
+                              std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
   CHECK(points.size() == out_share.size());
   RTCRay16 rays;
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
@@ -316,12 +333,14 @@ void RayScene::towards_point(std::span<const math::Vec3> points, const math::Vec
     for (std::size_t i = 0; i < count; ++i)
       set_lane(rays, i, points[first + i], source_world - points[first + i], 1);
     fill_lanes(rays, count);
-    scenes_->shares(first_lanes(count), rays, out_share.data() + first, receiver_model);
+    scenes_->compute_shares(make_first_lanes(count), rays, out_share.data() + first, receiver_model);
   }
 }
 
-void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
-                           std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+// First finds the sky along each ray, which shortens the ray to that distance; then looks for anything that
+// is in front of the sky.
+void RayScene::trace_to_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
+                            std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
   CHECK(points.size() == out_share.size());
   RTCRayHit16 rays;
   EmbreeContext context;
@@ -329,33 +348,33 @@ void RayScene::towards_sky(std::span<const math::Vec3> points, const math::Vec3&
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
-      set_lane(rays.ray, i, points[first + i], direction, kToTheSky);
+      set_lane(rays.ray, i, points[first + i], direction, kSkyDistance);
       rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       out_share[first + i] = math::Vec3(0.0f);
     }
     fill_lanes(rays.ray, count);
-    LaneMask mask = first_lanes(count);
+    LaneMask mask = make_first_lanes(count);
     scenes_->embree.intersect16(mask.lane.data(), scenes_->sky.get(), context, rays);
     for (std::size_t i = 0; i < count; ++i)
       if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) mask.lane[i] = 0;
-    if (mask.any()) scenes_->shares(mask, rays.ray, out_share.data() + first, receiver_model);
+    if (mask.any()) scenes_->compute_shares(mask, rays.ray, out_share.data() + first, receiver_model);
   }
 }
 
-void RayScene::towards_void(std::span<const math::Vec3> points, const math::Vec3& direction,
-                            std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+void RayScene::trace_to_void(std::span<const math::Vec3> points, const math::Vec3& direction,
+                             std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
   CHECK(points.size() == out_share.size());
   RTCRay16 rays;
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
-    for (std::size_t i = 0; i < count; ++i) set_lane(rays, i, points[first + i], direction, kToTheSky);
+    for (std::size_t i = 0; i < count; ++i) set_lane(rays, i, points[first + i], direction, kSkyDistance);
     fill_lanes(rays, count);
-    scenes_->shares(first_lanes(count), rays, out_share.data() + first, receiver_model);
+    scenes_->compute_shares(make_first_lanes(count), rays, out_share.data() + first, receiver_model);
   }
 }
 
-void RayScene::nearest(std::span<const math::Vec3> points, std::span<const math::Vec3> directions,
-                       float max_distance, std::span<RayHit> out_hits) const {
+void RayScene::find_nearest(std::span<const math::Vec3> points, std::span<const math::Vec3> directions,
+                            float max_distance, std::span<RayHit> out_hits) const {
   CHECK(points.size() == directions.size() && points.size() == out_hits.size());
   RTCRayHit16 rays;
   TieContext context;
@@ -368,7 +387,7 @@ void RayScene::nearest(std::span<const math::Vec3> points, std::span<const math:
     }
     context.distance.fill(-1);
     fill_lanes(rays.ray, count);
-    const LaneMask mask = first_lanes(count);
+    const LaneMask mask = make_first_lanes(count);
     scenes_->embree.intersect16(mask.lane.data(), scenes_->opaque.get(), context.embree, rays);
     for (std::size_t i = 0; i < count; ++i) {
       const bool hit = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;

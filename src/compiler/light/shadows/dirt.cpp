@@ -1,3 +1,5 @@
+// Method: kDirtRays rays for each place, spread evenly over a cap around its normal. Each counts by how far
+// it gets, so near walls darken more than distant ones.
 #include "compiler/light/shadows/dirt.h"
 
 #include <algorithm>
@@ -13,8 +15,8 @@ constexpr int kDirtRays = 48;
 
 }  // namespace
 
-std::vector<float> dirt_at(const RayScene& scene, std::span<const math::Vec3> places,
-                           std::span<const math::Vec3> normals, const DirtSettings& settings) {
+std::vector<float> compute_dirt(const RayScene& scene, std::span<const math::Vec3> places,
+                                std::span<const math::Vec3> normals, const DirtSettings& settings) {
   CHECK(places.size() == normals.size());
   std::vector<Frame> frames;
   frames.reserve(normals.size());
@@ -23,11 +25,11 @@ std::vector<float> dirt_at(const RayScene& scene, std::span<const math::Vec3> pl
   std::vector<float> open(places.size(), 0);
   std::vector<math::Vec3> directions(places.size());
   std::vector<RayHit> hits(places.size());
-  // One direction for all places at a time: on a flat face such rays run side by side.
+  // One direction for all places at a time, so that on a flat face the rays of a packet run side by side.
   for (int ray = 0; ray < kDirtRays; ++ray) {
     const math::Vec3 direction = cap_direction(ray, kDirtRays, cos_edge);
     for (std::size_t i = 0; i < places.size(); ++i) directions[i] = in_frame(frames[i], direction);
-    scene.nearest(places, directions, settings.depth, hits);
+    scene.find_nearest(places, directions, settings.depth, hits);
     for (std::size_t i = 0; i < places.size(); ++i) open[i] += std::min(hits[i].distance, settings.depth);
   }
   std::vector<float> left;

@@ -1,4 +1,5 @@
-// Darkness in corners: ambient occlusion by short rays.
+// Dirt: darkness in corners, that is, ambient occlusion measured by short rays (Zhukov, Iones and Kronin, "An
+// ambient light illumination model", 1998).
 #pragma once
 
 #include <span>
@@ -10,9 +11,9 @@
 
 namespace temblor::compiler {
 
-// For each place the share of light that dirt leaves: 1 - min(1, scale * o^gain), o being how much nearer
-// than `depth` what lies around is on average, as a share of it. `normals`: one for each place.
-std::vector<float> dirt_at(const RayScene& scene, std::span<const math::Vec3> places,
-                           std::span<const math::Vec3> normals, const DirtSettings& settings);
+// Returns, for each place, the share of light that dirt leaves: 1 - min(1, scale * o^gain), where o is the
+// mean of 1 - distance / depth over the rays. `normals`: one for each place.
+std::vector<float> compute_dirt(const RayScene& scene, std::span<const math::Vec3> places,
+                                std::span<const math::Vec3> normals, const DirtSettings& settings);
 
 }  // namespace temblor::compiler

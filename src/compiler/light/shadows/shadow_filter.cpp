@@ -5,6 +5,7 @@
 
 namespace temblor::compiler {
 
+// Values in between count as the lower one.
 ShadowSampling shadow_sampling(int extra) {
   if (extra >= 4) return {2, 4};
   if (extra >= 2) return {2, 2};
@@ -12,7 +13,7 @@ ShadowSampling shadow_sampling(int extra) {
 }
 
 ShadowFilter::ShadowFilter(const LitLevel& lit, const RayScene& scene, const LightGrid& grid,
-                           ShadowSampling sampling, SamplePlaces luxel_places)
+                           ShadowSampling sampling, SamplePoints luxel_places)
     : lit_(lit),
       scene_(scene),
       grid_(grid),
@@ -22,11 +23,13 @@ ShadowFilter::ShadowFilter(const LitLevel& lit, const RayScene& scene, const Lig
       known_(grid.size()),
       mixed_(grid.size()) {}
 
+// The sample points of all luxels; computed when they are first asked for, because most faces need only one
+// for each luxel.
 const std::vector<math::Vec3>& ShadowFilter::points_for(int per_luxel) {
   if (per_luxel == 1) return single_.points;
   for (const FinerPoints& finer : finer_)
     if (finer.per_luxel == per_luxel) return finer.points;
-  const SamplePlaces rows = sample_points(lit_, scene_, grid_, per_luxel);
+  const SamplePoints rows = sample_points(lit_, scene_, grid_, per_luxel);
   std::vector<math::Vec3> points;
   points.reserve(rows.points.size());
   const int columns = grid_.width * per_luxel;
@@ -35,15 +38,16 @@ const std::vector<math::Vec3>& ShadowFilter::points_for(int per_luxel) {
       const int column = luxel % grid_.width * per_luxel + i % per_luxel;
       const int row = luxel / grid_.width * per_luxel + i / per_luxel;
       const auto from = static_cast<std::size_t>(row * columns + column);
-      // A part in a corner where nothing is open counts as the luxel's middle.
+      // A sample in a corner without open space counts as the luxel's center.
       const bool hidden = rows.is_hidden(from);
       points.push_back(hidden ? single_.points[static_cast<std::size_t>(luxel)] : rows.points[from]);
     }
   return finer_.emplace_back(FinerPoints{per_luxel, std::move(points)}).points;
 }
 
-void ShadowFilter::ask(std::span<const std::uint32_t> luxels, const std::vector<math::Vec3>& from,
-                       std::size_t each, ShareQuery query) {
+// Queries the samples of the listed luxels, `each` for each of them.
+void ShadowFilter::run_query(std::span<const std::uint32_t> luxels, const std::vector<math::Vec3>& from,
+                             std::size_t each, ShareQuery query) {
   answers_.resize(luxels.size() * each);
   if (answers_.size() == from.size()) return query(from, answers_);
   points_.clear();
@@ -53,10 +57,11 @@ void ShadowFilter::ask(std::span<const std::uint32_t> luxels, const std::vector<
   query(points_, answers_);
 }
 
+// Takes per_luxel x per_luxel samples of each listed luxel. Records their mean, and whether they differ.
 void ShadowFilter::sample(std::span<const std::uint32_t> luxels, int per_luxel, ShareQuery query) {
   const std::vector<math::Vec3>& from = points_for(per_luxel);
   const auto each = static_cast<std::size_t>(per_luxel) * static_cast<std::size_t>(per_luxel);
-  ask(luxels, from, each, query);
+  run_query(luxels, from, each, query);
   for (std::size_t i = 0; i < luxels.size(); ++i) {
     const std::span<const math::Vec3> answers(answers_.data() + i * each, each);
     math::Vec3 sum(0.0f);
@@ -70,6 +75,7 @@ void ShadowFilter::sample(std::span<const std::uint32_t> luxels, int per_luxel, 
   }
 }
 
+// Whether the samples of a luxel differ from each other or from those of a neighbor.
 bool ShadowFilter::is_at_edge(std::uint32_t luxel) const {
   if (mixed_[luxel] != 0) return true;
   const int column = static_cast<int>(luxel) % grid_.width, row = static_cast<int>(luxel) / grid_.width;
@@ -81,7 +87,8 @@ bool ShadowFilter::is_at_edge(std::uint32_t luxel) const {
   return false;
 }
 
-std::span<const Share> ShadowFilter::in_steps(std::span<const math::Vec3> shares) {
+// Rounds shares to steps of 1 / kWholeShare.
+std::span<const Share> ShadowFilter::quantize(std::span<const math::Vec3> shares) {
   const auto step = [](float share) { return static_cast<std::uint8_t>(share * kWholeShare + 0.5f); };
   result_.resize(shares.size());
   for (std::size_t i = 0; i < shares.size(); ++i)
@@ -89,11 +96,13 @@ std::span<const Share> ShadowFilter::in_steps(std::span<const math::Vec3> shares
   return result_;
 }
 
-std::span<const Share> ShadowFilter::shares(std::span<const std::uint32_t> luxels, bool rough,
-                                            ShareQuery query) {
+// Two passes: a coarse one over all luxels, then a fine one where the first found an edge. known_ marks the
+// luxels of this query, so that neighbors outside of it do not count.
+std::span<const Share> ShadowFilter::compute_shares(std::span<const std::uint32_t> luxels, bool rough,
+                                                    ShareQuery query) {
   if (rough) {
-    ask(luxels, single_.points, 1, query);
-    return in_steps(answers_);
+    run_query(luxels, single_.points, 1, query);
+    return quantize(answers_);
   }
   sample(luxels, sampling_.everywhere, query);
   if (sampling_.at_edges > sampling_.everywhere) {
@@ -106,7 +115,7 @@ std::span<const Share> ShadowFilter::shares(std::span<const std::uint32_t> luxel
   }
   answers_.clear();
   for (const std::uint32_t luxel : luxels) answers_.push_back(share_of_luxel_[luxel]);
-  return in_steps(answers_);
+  return quantize(answers_);
 }
 
 }  // namespace temblor::compiler

@@ -1,10 +1,9 @@
 // Layout, for each light: a tag byte
-//   bits 0-2  how its answer is written (Answer)
-//   bit 3     asked roughly
-//   bit 4     asked about some luxels only
-//   bits 5-7  lights left out since the one before; 7: seven, and as many more as the varint that follows
-//   says
-// then, if only some luxels were asked about, a bit for each luxel of the face; then the answer.
+//   bits 0-2  how the answer is written (Answer)
+//   bit 3     one sample for each luxel
+//   bit 4     only some luxels
+//   bits 5-7  number of lights skipped since the last one; 7: seven plus the following varint
+// then, if bit 4 is set, a bit for each luxel of the face; then the answer.
 #include "compiler/light/shadows/shadow_record.h"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ namespace {
 enum class Answer : std::uint8_t {
   kNone,   // all in shadow
   kAll,    // all lit
-  kBits,   // a bit for each luxel asked about
+  kBits,   // a bit for each luxel of the question
   kGray,   // a byte for each
   kColor,  // three bytes for each
 };
@@ -25,7 +24,8 @@ constexpr std::uint8_t kAnswerBits = 7, kRough = 8, kSome = 16, kMaxSkipped = 7;
 constexpr int kSkippedShift = 5;
 constexpr Share kDark{0, 0, 0}, kLit{kWholeShare, kWholeShare, kWholeShare};
 
-Answer answer_for(std::span<const Share> shares) {
+// The shortest way to write the shares.
+Answer choose_answer(std::span<const Share> shares) {
   const Share& first = shares.front();
   if ((first == kDark || first == kLit) &&
       std::all_of(shares.begin(), shares.end(), [&](const Share& share) { return share == first; }))
@@ -39,7 +39,7 @@ Answer answer_for(std::span<const Share> shares) {
   return gray ? Answer::kGray : Answer::kColor;
 }
 
-std::size_t bytes_of(Answer answer, std::size_t luxels) {
+std::size_t count_bytes(Answer answer, std::size_t luxels) {
   switch (answer) {
     case Answer::kNone:
     case Answer::kAll:
@@ -54,6 +54,7 @@ std::size_t bytes_of(Answer answer, std::size_t luxels) {
   return 0;
 }
 
+// Seven bits in each byte, the lowest first; the top bit says that more follow.
 void write_varint(std::uint32_t value, base::ByteWriter& io_writer) {
   for (; value >= 128; value >>= 7) io_writer.u8(static_cast<std::uint8_t>(value | 128));
   io_writer.u8(static_cast<std::uint8_t>(value));
@@ -69,17 +70,18 @@ std::uint32_t read_varint(base::ByteReader& io_reader) {
   return value;
 }
 
-bool bit_of(base::Bytes bits, std::size_t i) {
+bool has_bit_at(base::Bytes bits, std::size_t i) {
   return (std::to_integer<unsigned>(bits[i / 8]) >> (i % 8) & 1u) != 0;
 }
 
-std::size_t ones_in(base::Bytes bits, std::size_t count) {
+std::size_t count_ones(base::Bytes bits, std::size_t count) {
   std::size_t ones = 0;
-  for (std::size_t i = 0; i < count; ++i) ones += bit_of(bits, i) ? 1 : 0;
+  for (std::size_t i = 0; i < count; ++i) ones += has_bit_at(bits, i) ? 1 : 0;
   return ones;
 }
 
-Share share_at(Answer answer, base::Bytes bytes, std::size_t i) {
+// The share of luxel i of an answer.
+Share find_share(Answer answer, base::Bytes bytes, std::size_t i) {
   const auto byte = [&](std::size_t at) { return std::to_integer<std::uint8_t>(bytes[at]); };
   switch (answer) {
     case Answer::kNone:
@@ -87,7 +89,7 @@ Share share_at(Answer answer, base::Bytes bytes, std::size_t i) {
     case Answer::kAll:
       return kLit;
     case Answer::kBits:
-      return bit_of(bytes, i) ? kLit : kDark;
+      return has_bit_at(bytes, i) ? kLit : kDark;
     case Answer::kGray:
       return {byte(i), byte(i), byte(i)};
     case Answer::kColor:
@@ -98,6 +100,7 @@ Share share_at(Answer answer, base::Bytes bytes, std::size_t i) {
 
 }  // namespace
 
+// Writes `count` bits, the lowest first in each byte; those at the ascending positions `ones` are set.
 void ShadowWriter::add_bits(std::span<const std::uint32_t> ones, std::size_t count) {
   std::size_t next = 0;
   for (std::size_t first = 0; first < count; first += 8) {
@@ -111,7 +114,7 @@ void ShadowWriter::add(const ShadowQuestion& question, std::span<const Share> sh
   CHECK(question.light >= next_light_ && !shares.empty() && shares.size() == question.luxels.size());
   const std::uint32_t skipped = question.light - next_light_;
   next_light_ = question.light + 1;
-  const Answer answer = answer_for(shares);
+  const Answer answer = choose_answer(shares);
   const bool some = question.luxels.size() < luxels_of_face_;
   writer_.u8(static_cast<std::uint8_t>(static_cast<unsigned>(answer) | (question.rough ? kRough : 0u) |
                                        (some ? kSome : 0u) |
@@ -130,6 +133,7 @@ void ShadowWriter::add(const ShadowQuestion& question, std::span<const Share> sh
   }
 }
 
+// Only finds where each answer is; find() decodes the one that is asked for.
 ShadowReader::ShadowReader(base::Bytes record, std::size_t luxels_of_face) : luxels_of_face_(luxels_of_face) {
   base::ByteReader reader(record);
   std::uint64_t next_light = 0;
@@ -142,10 +146,10 @@ ShadowReader::ShadowReader(base::Bytes record, std::size_t luxels_of_face) : lux
     if ((entry.tag & kSome) != 0) {
       entry.mask = reader.take((luxels_of_face + 7) / 8);
       if (!reader.ok()) return;
-      entry.luxels = static_cast<std::uint32_t>(ones_in(entry.mask, luxels_of_face));
+      entry.luxels = static_cast<std::uint32_t>(count_ones(entry.mask, luxels_of_face));
     }
     if ((entry.tag & kAnswerBits) > static_cast<std::uint8_t>(Answer::kColor)) return;
-    entry.answer = reader.take(bytes_of(static_cast<Answer>(entry.tag & kAnswerBits), entry.luxels));
+    entry.answer = reader.take(count_bytes(static_cast<Answer>(entry.tag & kAnswerBits), entry.luxels));
     next_light += skipped;
     if (!reader.ok() || next_light > std::numeric_limits<std::uint32_t>::max()) return;
     entry.light = static_cast<std::uint32_t>(next_light++);
@@ -153,10 +157,11 @@ ShadowReader::ShadowReader(base::Bytes record, std::size_t luxels_of_face) : lux
   }
 }
 
+// Equal numbers of luxels, all of which are in the mask, mean equal sets.
 bool ShadowReader::asks_the_same(const Entry& entry, const ShadowQuestion& question) const {
   if (((entry.tag & kRough) != 0) != question.rough || entry.luxels != question.luxels.size()) return false;
   return std::all_of(question.luxels.begin(), question.luxels.end(), [&](std::uint32_t luxel) {
-    return luxel < luxels_of_face_ && (entry.mask.empty() || bit_of(entry.mask, luxel));
+    return luxel < luxels_of_face_ && (entry.mask.empty() || has_bit_at(entry.mask, luxel));
   });
 }
 
@@ -168,7 +173,7 @@ std::optional<std::span<const Share>> ShadowReader::find(const ShadowQuestion& q
     return std::nullopt;
   shares_.resize(question.luxels.size());
   const auto answer = static_cast<Answer>(entry->tag & kAnswerBits);
-  for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i] = share_at(answer, entry->answer, i);
+  for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i] = find_share(answer, entry->answer, i);
   return shares_;
 }
 

@@ -1,5 +1,5 @@
-// The shadows that lights cast on one face, packed to be kept: half of them are all light or none, and cost a
-// byte.
+// A compact record of the shadows that lights cast on one face, for the light cache. Half of all shadows are
+// all light or none, and take one byte.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,20 @@
 
 namespace temblor::compiler {
 
-// What was asked about one light: which luxels, in rising order and at least one, and whether roughly.
+// What was asked about one light: at least one luxel, in ascending order, and whether one sample for each was
+// enough.
 struct ShadowQuestion {
   std::uint32_t light = 0;
   std::span<const std::uint32_t> luxels;
   bool rough = false;
 };
 
+// Writes a record.
 class ShadowWriter {
  public:
   explicit ShadowWriter(std::size_t luxels_of_face) : luxels_of_face_(luxels_of_face) {}
 
-  // `shares`: one for each luxel asked about. Lights come in rising order, each once.
+  // Adds an answer. `shares`: one for each luxel of the question. Lights come in ascending order, each once.
   void add(const ShadowQuestion& question, std::span<const Share> shares);
   base::ByteVector take() && { return std::move(writer_).take(); }
 
@@ -36,21 +38,22 @@ class ShadowWriter {
   base::ByteWriter writer_;
 };
 
+// Reads a record.
 class ShadowReader {
  public:
-  // `record`: a ShadowWriter's for a face of as many luxels; outlives the reader. Of damaged bytes what comes
-  // before the damage is read.
+  // `record`: from a ShadowWriter for a face with as many luxels; outlives the reader. Of damaged bytes,
+  // everything before the damage is read.
   ShadowReader(base::Bytes record, std::size_t luxels_of_face);
 
-  // The answer to the same question; nothing when it was never asked. Valid until the next call.
+  // Returns the answer to exactly the same question, or nothing. Valid until the next call.
   std::optional<std::span<const Share>> find(const ShadowQuestion& question);
 
  private:
   struct Entry {
     std::uint32_t light = 0;
     std::uint8_t tag = 0;
-    std::uint32_t luxels = 0;  // asked about
-    base::Bytes mask, answer;  // mask: empty when all luxels were asked about
+    std::uint32_t luxels = 0;  // of the question
+    base::Bytes mask, answer;  // mask: which luxels; empty: all
   };
   bool asks_the_same(const Entry& entry, const ShadowQuestion& question) const;
 

@@ -1,5 +1,5 @@
 // Method: a spiral that turns by the golden angle from one direction to the next (Vogel, "A better way to
-// construct the sunflower head", 1979), with its height spaced as the density asks.
+// construct the sunflower head", 1979); the spacing of its heights gives the density.
 #include "compiler/light/sources/directions.h"
 
 #include <cmath>
@@ -10,12 +10,14 @@ namespace {
 
 constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749978969641);
 
-math::Vec3 on_spiral(int i, double height) {
+// Direction i of the spiral, at a height from -1 to 1 on the unit sphere.
+math::Vec3 find_spiral_direction(int i, double height) {
   const double radius = std::sqrt(1 - height * height), turn = kGoldenAngle * i;
   return math::Vec3(math::Vec3d(radius * std::cos(turn), radius * std::sin(turn), height));
 }
 
-double middle_of(int i, int count) {
+// The middle of part i of [0, 1] in `count` equal parts.
+double find_stratum_center(int i, int count) {
   return (i + 0.5) / count;
 }
 
@@ -28,12 +30,13 @@ Frame frame_around(const math::Vec3& up_unit) {
 }
 
 math::Vec3 cap_direction(int i, int count, double cos_edge) {
-  // Slices of equal height of a sphere have equal area.
-  return on_spiral(i, 1 - middle_of(i, count) * (1 - cos_edge));
+  // Slices of a sphere with equal height have equal area.
+  return find_spiral_direction(i, 1 - find_stratum_center(i, count) * (1 - cos_edge));
 }
 
 math::Vec3 cosine_direction(int i, int count) {
-  return on_spiral(i, std::sqrt(1 - middle_of(i, count)));
+  // Points spread evenly over the disk below have this density on the hemisphere above (Malley's method).
+  return find_spiral_direction(i, std::sqrt(1 - find_stratum_center(i, count)));
 }
 
 }  // namespace temblor::compiler

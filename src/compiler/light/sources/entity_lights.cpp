@@ -20,19 +20,20 @@ namespace {
 constexpr int kFirstSwitchableStyle = 32, kStyles = 64;
 constexpr float kDefaultValue = 300, kDefaultConeDeg = 40;
 
-// By its place: a level numbers its entities otherwise than its map, which has groups and details among them.
-std::string name_of(const formats::Entity& entity) {
+// Names a light by its origin: numbers of entities in the level differ from those in the map, which has
+// groups and details.
+std::string describe_light(const formats::Entity& entity) {
   return fmt::format("{} at \"{}\"", base::printable(entity.classname()),
                      base::printable(entity.find("origin").value_or("")));
 }
 
-// "light" as one number, or as red, green, blue and brightness.
+// The "light" key as one number, or as red, green, blue and brightness.
 struct Brightness {
   float value = kDefaultValue;
   std::optional<math::Vec3> color;
 };
-Brightness brightness_of(const formats::Entity& entity) {
-  if (const auto value = number_of(entity, "light")) return {*value, {}};
+Brightness read_brightness(const formats::Entity& entity) {
+  if (const auto value = read_number(entity, "light")) return {*value, {}};
   const auto text = entity.find("_light") ? entity.find("_light") : entity.find("light");
   if (!text) return {};
   std::array<float, 4> numbers{0, 0, 0, kDefaultValue};
@@ -51,87 +52,97 @@ Brightness brightness_of(const formats::Entity& entity) {
   return {numbers[3], glm::max(color, math::Vec3(0.0f)) / 255.0f};
 }
 
-// Among all entities, by name; nothing when there is none with an origin.
-std::optional<math::Vec3> origin_of_target(std::span<const formats::Entity> entities, std::string_view name) {
+// The origin of the first entity with that targetname; nothing if there is none.
+std::optional<math::Vec3> find_target_origin(std::span<const formats::Entity> entities,
+                                             std::string_view name) {
   for (const formats::Entity& entity : entities)
     if (entity.find("targetname").value_or("") == name && entity.find_vec3("origin"))
       return entity.find_vec3("origin");
   return std::nullopt;
 }
 
-std::optional<math::Vec3> spot_direction(std::span<const formats::Entity> entities, std::size_t number,
-                                         const math::Vec3& origin, Warnings& io_warnings) {
+// The direction of a spotlight, toward its target or along its mangle; nothing if the light shines in all
+// directions.
+std::optional<math::Vec3> find_spot_direction(std::span<const formats::Entity> entities, std::size_t number,
+                                              const math::Vec3& origin, Warnings& io_warnings) {
   const formats::Entity& entity = entities[number];
   if (const auto target = entity.find("target"); target && !target->empty()) {
-    const auto at = origin_of_target(entities, *target);
+    const auto at = find_target_origin(entities, *target);
     if (at && *at != origin) return glm::normalize(*at - origin);
     io_warnings.push_back(
-        {"light without its target",
-         fmt::format("{}: nothing is named \"{}\"", name_of(entity), base::printable(*target))});
+        {"light with a missing target",
+         fmt::format("{}: nothing to aim at is named \"{}\", so it shines in all directions",
+                     describe_light(entity), base::printable(*target))});
     return std::nullopt;
   }
-  return direction_of_mangle(entity, "mangle");
+  return read_mangle(entity, "mangle");
 }
 
-float cos_of_half(float angle_deg) {
+float compute_cos_half_angle(float angle_deg) {
   const float half_deg = std::clamp(angle_deg, 0.0f, 360.0f) / 2;
   return static_cast<float>(std::cos(double{half_deg} * std::numbers::pi / 180));
 }
 
-Cone cone_of(const formats::Entity& entity, const math::Vec3& direction) {
-  const float angle = number_or(entity, "angle", 0), soft_angle = number_or(entity, "softangle", 0);
+// "angle" and "softangle" are the full angles of the cone and of its bright inner part.
+Cone read_cone(const formats::Entity& entity, const math::Vec3& direction) {
+  const float angle = read_number_or(entity, "angle", 0), soft_angle = read_number_or(entity, "softangle", 0);
   Cone cone;
   cone.direction = direction;
-  cone.cos_outer = cos_of_half(angle > 0 ? angle : kDefaultConeDeg);
-  cone.cos_inner = soft_angle > 0 ? std::max(cone.cos_outer, cos_of_half(soft_angle)) : cone.cos_outer;
+  cone.cos_outer = compute_cos_half_angle(angle > 0 ? angle : kDefaultConeDeg);
+  cone.cos_inner =
+      soft_angle > 0 ? std::max(cone.cos_outer, compute_cos_half_angle(soft_angle)) : cone.cos_outer;
   return cone;
 }
 
-std::optional<Attenuation> attenuation_of(const formats::Entity& entity) {
-  const float delay = number_or(entity, "delay", 0);
+// The formula that "delay" asks for; nothing if there is no such formula.
+std::optional<Attenuation> read_attenuation(const formats::Entity& entity) {
+  const float delay = read_number_or(entity, "delay", 0);
   for (int i = 0; i <= static_cast<int>(Attenuation::kInverseSquare2); ++i)
     if (delay == static_cast<float>(i)) return static_cast<Attenuation>(i);
   return std::nullopt;
 }
 
-std::uint8_t style_of(const formats::Entity& entity) {
-  const float style = number_or(entity, "style", 0);
+// Numbers that no style has count as style 0, which is always on.
+std::uint8_t read_style(const formats::Entity& entity) {
+  const float style = read_number_or(entity, "style", 0);
   return style >= 0 && style < kStyles ? static_cast<std::uint8_t>(style) : std::uint8_t{0};
 }
 
-// All but where it stands and which way it shines.
-LightSource light_of(const formats::Entity& entity, const LightSettings& settings, Attenuation attenuation) {
+// Reads a light, except its origin and direction.
+LightSource read_light(const formats::Entity& entity, const LightSettings& settings,
+                       Attenuation attenuation) {
   LightSource light;
-  const Brightness brightness = brightness_of(entity);
+  const Brightness brightness = read_brightness(entity);
   light.value = brightness.value;
-  light.color = color_of(entity, "color").value_or(brightness.color.value_or(math::Vec3(1.0f)));
+  light.color = read_color(entity, "color").value_or(brightness.color.value_or(math::Vec3(1.0f)));
   light.attenuation = attenuation;
-  const float wait = number_or(entity, "wait", 1);
+  const float wait = read_number_or(entity, "wait", 1);
   light.wait = (wait > 0 ? wait : 1) * settings.distance_scale;
-  light.falloff = std::max(0.0f, number_or(entity, "falloff", 0));
+  light.falloff = std::max(0.0f, read_number_or(entity, "falloff", 0));
   light.angle_scale = std::clamp(
-      number_or(entity, "anglescale", number_or(entity, "anglesense", settings.angle_scale)), 0.0f, 1.0f);
-  light.style = style_of(entity);
-  light.takes_dirt = settings.dirt.on && number_or(entity, "dirt", 0) >= 0;
+      read_number_or(entity, "anglescale", read_number_or(entity, "anglesense", settings.angle_scale)), 0.0f,
+      1.0f);
+  light.style = read_style(entity);
+  light.takes_dirt = settings.dirt.on && read_number_or(entity, "dirt", 0) >= 0;
   return light;
 }
 
-// A light with _deviance stands for several around it, which share its value where values add up.
+// A light with _deviance becomes several around it, which share its value if values add up.
 void add_with_deviance(const formats::Entity& entity, const LightSource& light,
                        std::vector<LightSource>& io_lights) {
   constexpr float kDefaultCopies = 16, kMaxCopies = 256;
-  const float deviance = number_or(entity, "deviance", 0);
+  const float deviance = read_number_or(entity, "deviance", 0);
   const int copies =
       deviance > 0
-          ? static_cast<int>(std::clamp(number_or(entity, "samples", kDefaultCopies), 1.0f, kMaxCopies))
+          ? static_cast<int>(std::clamp(read_number_or(entity, "samples", kDefaultCopies), 1.0f, kMaxCopies))
           : 1;
   LightSource copy = light;
   const bool shared =
       light.attenuation != Attenuation::kLinear && light.attenuation != Attenuation::kLocalMinlight;
   if (shared) copy.value /= static_cast<float>(copies);
   for (int i = 0; i < copies; ++i) {
-    // Points of a cube after the additive recurrence of Roberts, "The Unreasonable Effectiveness of
-    // Quasirandom Sequences" (2018): the first three powers of the root of x^4 = x + 1.
+    // Points in a cube by the additive recurrence of Roberts, "The Unreasonable Effectiveness of Quasirandom
+    // Sequences" (2018): the first three powers of the root of x^4 = x + 1.
     constexpr math::Vec3d kStep(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
     const math::Vec3d unit = glm::fract(kStep * static_cast<double>(i) + 0.5) * 2.0 - 1.0;
     copy.origin_world = light.origin_world + math::Vec3(unit * double{deviance});
@@ -139,31 +150,34 @@ void add_with_deviance(const formats::Entity& entity, const LightSource& light,
   }
 }
 
+// Adds a light, or the template of a surface light.
 void add_light(std::span<const formats::Entity> entities, std::size_t number, const LightSettings& settings,
                EntityLights& io_lights, Warnings& io_warnings) {
   const formats::Entity& entity = entities[number];
-  const std::optional<Attenuation> attenuation = attenuation_of(entity);
+  const std::optional<Attenuation> attenuation = read_attenuation(entity);
   if (!attenuation) {
-    io_warnings.push_back({"light with an unknown delay", name_of(entity)});
+    io_warnings.push_back(
+        {"light with an unknown delay, ignored", describe_light(entity) + ": delay must be 0 to 5"});
     return;
   }
-  LightSource light = light_of(entity, settings, *attenuation);
+  LightSource light = read_light(entity, settings, *attenuation);
   light.origin_world = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
-  if (const auto direction = spot_direction(entities, number, light.origin_world, io_warnings))
-    light.cone = cone_of(entity, *direction);
+  if (const auto direction = find_spot_direction(entities, number, light.origin_world, io_warnings))
+    light.cone = read_cone(entity, *direction);
   if (const auto texture = entity.find("_surface"); texture && !texture->empty()) {
-    const bool spotlight = number_or(entity, "surface_spotlight", 0) > 0;
-    if (spotlight) light.cone = cone_of(entity, math::Vec3(0.0f));
+    const bool spotlight = read_number_or(entity, "surface_spotlight", 0) > 0;
+    if (spotlight) light.cone = read_cone(entity, math::Vec3(0.0f));
     io_lights.templates.push_back(
-        {std::string(*texture), number_or(entity, "surface_offset", 2), spotlight, light});
+        {std::string(*texture), read_number_or(entity, "surface_offset", 2), spotlight, light});
     return;
   }
   add_with_deviance(entity, light, io_lights.lights);
 }
 
+// Lights of these kinds are read by sky_lights.h.
 bool is_sun(const formats::Entity& entity) {
-  return number_or(entity, "sun", 0) > 0 || number_or(entity, "sunlight2", 0) > 0 ||
-         number_or(entity, "sunlight3", 0) > 0;
+  return read_number_or(entity, "sun", 0) > 0 || read_number_or(entity, "sunlight2", 0) > 0 ||
+         read_number_or(entity, "sunlight3", 0) > 0;
 }
 
 }  // namespace
@@ -182,7 +196,8 @@ bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warning
     auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
       if (names.size() == kStyles - kFirstSwitchableStyle) {
-        io_warnings.push_back({"too many switchable lights", name_of(entity)});
+        io_warnings.push_back({"too many switchable lights",
+                               describe_light(entity) + ": only 32 different targetnames can be switched"});
         continue;
       }
       found = names.insert(names.end(), name);
@@ -200,12 +215,12 @@ bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warning
   return changed;
 }
 
-EntityLights entity_lights_of(std::span<const formats::Entity> entities, const LightSettings& settings,
-                              Warnings& io_warnings) {
+EntityLights find_entity_lights(std::span<const formats::Entity> entities, const LightSettings& settings,
+                                Warnings& io_warnings) {
   EntityLights lights;
   for (std::size_t number = 0; number < entities.size(); ++number) {
     const formats::Entity& entity = entities[number];
-    if (!is_light(entity) || is_sun(entity) || number_or(entity, "nostaticlight", 0) > 0) continue;
+    if (!is_light(entity) || is_sun(entity) || read_number_or(entity, "nostaticlight", 0) > 0) continue;
     add_light(entities, number, settings, lights, io_warnings);
   }
   return lights;

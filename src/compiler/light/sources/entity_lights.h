@@ -1,4 +1,4 @@
-// The lights among a level's entities.
+// Reads the lights among a level's entities.
 #pragma once
 
 #include <span>
@@ -12,28 +12,30 @@
 
 namespace temblor::compiler {
 
-// A light that stands on every face with a texture.
+// A light with _surface: a copy of it is placed on every face with a texture.
 struct SurfaceTemplate {
   std::string texture;
-  float offset = 2;        // units before the face
+  float offset = 2;        // units in front of the face
   bool spotlight = false;  // shines along the face's normal
-  LightSource light;       // origin and a spotlight's direction are to be filled in
+  LightSource light;       // without an origin, and without a spotlight's direction
 };
 
+// The lights of a level, except suns.
 struct EntityLights {
   std::vector<LightSource> lights;
   std::vector<SurfaceTemplate> templates;
 };
 
-// Gives every light with a targetname the style of its name: from 32 on, in the order in which names come
-// first. True when any entity changed. Names past the 32nd keep no style of their own (a warning).
+// Gives every light with a targetname the style that belongs to the name: 32 and up, in the order in which
+// names first appear. Returns whether an entity changed. Names beyond the 32nd keep their style, with a
+// warning.
 bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warnings& io_warnings);
 
 // Whether an entity is a light of any kind.
 bool is_light(const formats::Entity& entity);
 
-// All lights but suns (sky_lights.h).
-EntityLights entity_lights_of(std::span<const formats::Entity> entities, const LightSettings& settings,
-                              Warnings& io_warnings);
+// Reads all lights except suns (sky_lights.h). Warns about lights that cannot be read.
+EntityLights find_entity_lights(std::span<const formats::Entity> entities, const LightSettings& settings,
+                                Warnings& io_warnings);
 
 }  // namespace temblor::compiler

@@ -10,36 +10,38 @@
 namespace temblor::compiler {
 namespace {
 
-std::string with_underscore(std::string_view key) {
+std::string add_underscore(std::string_view key) {
   return fmt::format("_{}", key);
 }
 
-std::optional<math::Vec3> vec3_of(const formats::Entity& entity, std::string_view key) {
-  if (const auto value = entity.find_vec3(with_underscore(key))) return value;
+std::optional<math::Vec3> read_vec3(const formats::Entity& entity, std::string_view key) {
+  if (const auto value = entity.find_vec3(add_underscore(key))) return value;
   return entity.find_vec3(key);
 }
 
 }  // namespace
 
-std::optional<float> number_of(const formats::Entity& entity, std::string_view key) {
-  if (const auto value = entity.find_number(with_underscore(key))) return value;
+// If both spellings are there, the one with an underscore counts.
+std::optional<float> read_number(const formats::Entity& entity, std::string_view key) {
+  if (const auto value = entity.find_number(add_underscore(key))) return value;
   return entity.find_number(key);
 }
 
-float number_or(const formats::Entity& entity, std::string_view key, float otherwise) {
-  return number_of(entity, key).value_or(otherwise);
+float read_number_or(const formats::Entity& entity, std::string_view key, float otherwise) {
+  return read_number(entity, key).value_or(otherwise);
 }
 
-std::optional<math::Vec3> color_of(const formats::Entity& entity, std::string_view key) {
-  const std::optional<math::Vec3> color = vec3_of(entity, key);
+std::optional<math::Vec3> read_color(const formats::Entity& entity, std::string_view key) {
+  const std::optional<math::Vec3> color = read_vec3(entity, key);
   if (!color) return std::nullopt;
   const math::Vec3 positive = glm::max(*color, math::Vec3(0.0f));
   const bool in_bytes = std::max({positive.x, positive.y, positive.z}) > 1;
   return in_bytes ? positive / 255.0f : positive;
 }
 
-std::optional<math::Vec3> direction_of_mangle(const formats::Entity& entity, std::string_view key) {
-  const std::optional<math::Vec3> mangle = vec3_of(entity, key);
+// The length is 1. Roll does not change a direction.
+std::optional<math::Vec3> read_mangle(const formats::Entity& entity, std::string_view key) {
+  const std::optional<math::Vec3> mangle = read_vec3(entity, key);
   if (!mangle) return std::nullopt;
   constexpr double kRadians = std::numbers::pi / 180;
   const double yaw = double{mangle->x} * kRadians, pitch = double{mangle->y} * kRadians;

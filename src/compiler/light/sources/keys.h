@@ -1,4 +1,4 @@
-// Reading the keys that mappers give the light compiler: each is known with and without its underscore.
+// Reads the keys of the light stage. Each works with and without a leading underscore.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace temblor::compiler {
 
-// `key` without underscore. Nothing when it is no number.
-std::optional<float> number_of(const formats::Entity& entity, std::string_view key);
-float number_or(const formats::Entity& entity, std::string_view key, float otherwise);
+// `key` is without underscore. Returns nothing, or `otherwise`, if its value is not a number.
+std::optional<float> read_number(const formats::Entity& entity, std::string_view key);
+float read_number_or(const formats::Entity& entity, std::string_view key, float otherwise);
 
-// A color in 0 to 1, or in 0 to 255 as soon as one channel is above 1; returned in 0 to 1.
-std::optional<math::Vec3> color_of(const formats::Entity& entity, std::string_view key);
+// Reads a color in 0 to 1, or, if any channel is above 1, in 0 to 255. Returns it in 0 to 1.
+std::optional<math::Vec3> read_color(const formats::Entity& entity, std::string_view key);
 
-// The way that "yaw pitch roll" points: pitch up is positive here, unlike that of entities' angles.
-std::optional<math::Vec3> direction_of_mangle(const formats::Entity& entity, std::string_view key);
+// Reads a direction as "yaw pitch roll". Positive pitch looks up here, unlike in the angles of entities.
+std::optional<math::Vec3> read_mangle(const formats::Entity& entity, std::string_view key);
 
 }  // namespace temblor::compiler

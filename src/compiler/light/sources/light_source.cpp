@@ -7,10 +7,11 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr float kUnit = 128;  // the distance at which lights of delay 1 and 2 have their value
+constexpr float kUnit = 128;  // the distance at which lights with delay 1 and 2 have their value
 constexpr float kNearest = 0.1f;
 
-float linear_value(const LightSource& light, float distance) {
+// Fades to 0 and never changes its sign.
+float compute_linear_value(const LightSource& light, float distance) {
   if (light.falloff > 0) return light.value * std::max(0.0f, 1 - distance / light.falloff);
   const float lost = light.wait * distance;
   return light.value >= 0 ? std::max(0.0f, light.value - lost) : std::min(0.0f, light.value + lost);
@@ -23,7 +24,7 @@ float value_at(const LightSource& light, float distance) {
   const float way = light.wait * distance;
   switch (light.attenuation) {
     case Attenuation::kLinear:
-      return linear_value(light, distance);
+      return compute_linear_value(light, distance);
     case Attenuation::kInverse:
       return light.value * kUnit / way;
     case Attenuation::kInverseSquare:
@@ -37,7 +38,8 @@ float value_at(const LightSource& light, float distance) {
   return 0;
 }
 
-float reach_of(const LightSource& light) {
+// The formulas of value_at(), solved for the distance at which the value is kLightGate (0 for kLinear).
+float light_reach(const LightSource& light) {
   const float value = std::abs(light.value);
   switch (light.attenuation) {
     case Attenuation::kLinear:
@@ -55,8 +57,8 @@ float reach_of(const LightSource& light) {
   return value > 0 ? std::numeric_limits<float>::infinity() : 0;
 }
 
-float cone_factor(const Cone& cone, const math::Vec3& towards_light) {
-  const float cosine = -glm::dot(cone.direction, towards_light);
+float cone_factor(const Cone& cone, const math::Vec3& toward_light) {
+  const float cosine = -glm::dot(cone.direction, toward_light);
   if (cosine < cone.cos_outer) return 0;
   if (cosine >= cone.cos_inner) return 1;
   return (cosine - cone.cos_outer) / (cone.cos_inner - cone.cos_outer);

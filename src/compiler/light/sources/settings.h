@@ -1,4 +1,4 @@
-// What worldspawn asks of the light of the whole level.
+// The keys of worldspawn that control the light of the whole level.
 #pragma once
 
 #include "formats/levels/entities.h"
@@ -6,32 +6,35 @@
 
 namespace temblor::compiler {
 
-// Darkness in corners: light falls off with how much lies within `depth` of a point.
+// Dirt (shadows/dirt.h): corners are darker, depending on what is within `depth` units of a point.
 struct DirtSettings {
-  bool on = false;
-  float depth = 128, scale = 1, gain = 1, angle_deg = 88;
+  bool on = false;                                         // _dirt
+  float depth = 128, scale = 1, gain = 1, angle_deg = 88;  // _dirtdepth, _dirtscale, ...
 };
 
+// Bounced light (bounce.h).
 struct BounceSettings {
-  int count = 0;
-  float scale = 1;
-  bool styled = false;    // whether light of other styles than 0 bounces, in its own style
-  float color_scale = 0;  // 0: every surface is gray, 1: it has its texture's color
+  int count = 0;          // _bounce: how often light bounces
+  float scale = 1;        // _bouncescale
+  bool styled = false;    // _bouncestyled: switchable lights bounce, too
+  float color_scale = 0;  // _bouncecolorscale; 0: surfaces are gray, 1: they have their texture's color
 };
 
+// All settings, with their defaults.
 struct LightSettings {
-  float distance_scale = 1;  // _dist: of every light's `wait`
-  float range = 0.5f;        // _range: from light to light map
+  float distance_scale = 1;  // _dist: scales every light's `wait`
+  float range = 0.5f;        // _range: factor from light values to light map steps
   float gamma = 1;           // _gamma
-  float max_light = 0;       // _maxlight; 0: none
-  float angle_scale = 0.5f;  // _anglescale, for those who do not say
-  float min_light = 0;       // worldspawn's own "light" or "_minlight"
+  float max_light = 0;       // _maxlight; 0: no limit
+  float angle_scale = 0.5f;  // _anglescale, for lights without the key
+  float min_light = 0;       // _minlight, or worldspawn's "light"
   math::Vec3 min_light_color{1.0f};
   bool min_light_dirt = false;
   DirtSettings dirt;
   BounceSettings bounce;
 };
 
-LightSettings light_settings_of(const formats::Entity& worldspawn);
+// Reads the settings; missing or invalid keys keep their defaults.
+LightSettings read_light_settings(const formats::Entity& worldspawn);
 
 }  // namespace temblor::compiler

@@ -1,4 +1,4 @@
-// Light from the sky: suns, and the dome above (or below) the level, all as directions.
+// Light from the sky as a set of parallel beams: suns, and the domes above and below the level.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace temblor::compiler {
 
-// Parallel light that reaches a point where a ray towards it ends on sky.
+// Parallel light. It reaches a point if a ray toward it ends on sky.
 struct SkyBeam {
-  math::Vec3 towards_sky{0.0f};  // unit
+  math::Vec3 toward_sky{0.0f};  // of length 1
   float value = 0;
   math::Vec3 color{1.0f};
   float angle_scale = 0.5f;
@@ -21,11 +21,10 @@ struct SkyBeam {
   bool takes_dirt = true;
 };
 
-// worldspawn's _sunlight, _sun2, _sunlight2 and _sunlight3, and those of light entities (_sun, _sunlight2,
-// _sunlight3). A sun with a penumbra is several beams, a
-// dome as many over its hemisphere: so many that each is about one step of the light map, but no more than
-// `most_beams`.
-std::vector<SkyBeam> sky_beams_of(std::span<const formats::Entity> entities, const LightSettings& settings,
-                                  int most_beams);
+// Reads worldspawn's _sunlight, _sun2, _sunlight2 and _sunlight3, and the light entities with _sun,
+// _sunlight2 or _sunlight3. A sun with a penumbra becomes several beams, a dome as many over its hemisphere:
+// so many that each is about one step of the light map, but at most `max_beams`.
+std::vector<SkyBeam> find_sky_beams(std::span<const formats::Entity> entities, const LightSettings& settings,
+                                    int max_beams);
 
 }  // namespace temblor::compiler

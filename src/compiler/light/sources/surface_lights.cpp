@@ -1,3 +1,5 @@
+// A large face becomes many small lights, since a single one at its center would be too bright next to it and
+// would cast hard shadows.
 #include "compiler/light/sources/surface_lights.h"
 
 #include <cmath>
@@ -13,7 +15,7 @@ constexpr double kPieceUnits = 128;
 
 using Polygon = std::vector<math::Vec3d>;
 
-// The part of a convex polygon between two planes across an axis.
+// Cuts off the parts of a convex polygon below `low` and above `high` on an axis.
 Polygon slice(const Polygon& polygon, int axis, double low, double high) {
   Polygon kept = polygon;
   for (const double sign : {1.0, -1.0}) {
@@ -32,8 +34,8 @@ Polygon slice(const Polygon& polygon, int axis, double low, double high) {
   return kept;
 }
 
-// Equal slices along each axis in turn, none wider than kPieceUnits.
-std::vector<Polygon> pieces_of(const Polygon& polygon) {
+// Cuts a polygon into equal slices along one axis after another, none wider than kPieceUnits.
+std::vector<Polygon> cut_into_pieces(const Polygon& polygon) {
   std::vector<Polygon> pieces{polygon};
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<Polygon> finer;
@@ -56,7 +58,7 @@ std::vector<Polygon> pieces_of(const Polygon& polygon) {
   return pieces;
 }
 
-math::Vec3d middle_of(const Polygon& polygon) {
+math::Vec3d compute_polygon_center(const Polygon& polygon) {
   math::Vec3d sum(0.0);
   for (const math::Vec3d& corner : polygon) sum += corner;
   return sum / static_cast<double>(polygon.size());
@@ -64,18 +66,19 @@ math::Vec3d middle_of(const Polygon& polygon) {
 
 }  // namespace
 
-std::vector<LightSource> surface_lights_of(const LitLevel& lit, std::span<const SurfaceTemplate> templates) {
+std::vector<LightSource> find_surface_lights(const LitLevel& lit,
+                                             std::span<const SurfaceTemplate> templates) {
   const world::Level& level = *lit.level;
   std::vector<LightSource> lights;
   for (const SurfaceTemplate& shining : templates)
     for (std::size_t number = 0; number < level.faces.size(); ++number) {
       const world::Face& face = level.faces[number];
       if (!base::equal_ignoring_case(level.texture(face.texture).name, shining.texture)) continue;
-      const math::Vec3d normal = world::plane_of(level, face).normal;
+      const math::Vec3d normal = world::compute_face_plane(level, face).normal;
       LightSource light = shining.light;
       if (light.cone && shining.spotlight) light.cone->direction = math::Vec3(normal);
-      for (const Polygon& piece : pieces_of(lit.corners_world(number))) {
-        light.origin_world = math::Vec3(middle_of(piece) + normal * double{shining.offset});
+      for (const Polygon& piece : cut_into_pieces(lit.corners_world(number))) {
+        light.origin_world = math::Vec3(compute_polygon_center(piece) + normal * double{shining.offset});
         lights.push_back(light);
       }
     }

@@ -1,4 +1,4 @@
-// Faces that shine: every face with the texture of a light's _surface key carries copies of that light.
+// Surface lights: every face with the texture that a light's _surface names gets copies of that light.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace temblor::compiler {
 
-// A copy in the middle of each piece of a face, cut into pieces at most 128 units wide.
-std::vector<LightSource> surface_lights_of(const LitLevel& lit, std::span<const SurfaceTemplate> templates);
+// Cuts each such face into pieces at most 128 units wide, and places a copy at the center of each.
+std::vector<LightSource> find_surface_lights(const LitLevel& lit, std::span<const SurfaceTemplate> templates);
 
 }  // namespace temblor::compiler

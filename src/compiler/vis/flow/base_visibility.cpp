@@ -1,3 +1,5 @@
+// Method: a flood fill from each portal, which enters a portal only if it and the first one can face each
+// other. It ignores everything in between, so it never misses anything visible.
 #include "compiler/vis/flow/base_visibility.h"
 
 #include <algorithm>
@@ -6,26 +8,28 @@ namespace temblor::compiler::vis {
 
 namespace {
 
-// What decides most questions about a portal, in one line of cache: the portals of a wide hall do not fit
-// into it, and each asks about most others.
+// What settles most tests of a portal, in one cache line: the portals of a large hall do not fit into the
+// cache, and each is tested against most others.
 struct Facing {
   HalfSpace beyond;
   math::Vec3d center;
   double radius;
 };
 
-struct Way {
+// A portal, and the cluster that it leads to.
+struct Exit {
   std::uint32_t portal, to;
 };
 
+// The graph with all that flood() reads packed side by side.
 struct FlatGraph {
   const PortalGraph& graph;
   std::vector<Facing> facings;  // by portal
-  std::vector<Way> ways;        // as graph.out
+  std::vector<Exit> exits;      // parallel to graph.out
 
-  std::span<const Way> out_of(std::size_t cluster) const {
-    return std::span(ways).subspan(graph.first_out[cluster],
-                                   graph.first_out[cluster + 1] - graph.first_out[cluster]);
+  std::span<const Exit> portals_from(std::size_t cluster) const {
+    return std::span(exits).subspan(graph.first_out[cluster],
+                                    graph.first_out[cluster + 1] - graph.first_out[cluster]);
   }
 };
 
@@ -33,11 +37,11 @@ FlatGraph flatten(const PortalGraph& graph) {
   FlatGraph flat{graph, {}, {}};
   for (const DirectedPortal& portal : graph.portals)
     flat.facings.push_back({portal.beyond, portal.center, portal.radius});
-  for (const std::uint32_t portal : graph.out) flat.ways.push_back({portal, graph.portals[portal].to});
+  for (const std::uint32_t portal : graph.out) flat.exits.push_back({portal, graph.portals[portal].to});
   return flat;
 }
 
-// Whether some of the portal's winding lies in the half-space.
+// Whether some of the portal's winding is inside the half-space.
 bool reaches_into(const FlatGraph& flat, std::uint32_t portal, const HalfSpace& space) {
   const Facing& facing = flat.facings[portal];
   const double center_above = space.above(facing.center);
@@ -47,6 +51,7 @@ bool reaches_into(const FlatGraph& flat, std::uint32_t portal, const HalfSpace& 
                              [&](const math::Vec3d& corner) { return space.above(corner) > kEpsilon; });
 }
 
+// Clusters are marked when they are found, so each is visited once, whichever portal leads there first.
 void flood(const FlatGraph& flat, std::uint32_t start, BitMatrix& io_matrix,
            std::vector<std::uint32_t>& scratch_clusters) {
   const HalfSpace& beyond = flat.facings[start].beyond;
@@ -57,13 +62,13 @@ void flood(const FlatGraph& flat, std::uint32_t start, BitMatrix& io_matrix,
   while (!scratch_clusters.empty()) {
     const std::uint32_t cluster = scratch_clusters.back();
     scratch_clusters.pop_back();
-    for (const Way& way : flat.out_of(cluster)) {
-      if (has_bit(seen, way.to)) continue;
-      if (!reaches_into(flat, way.portal, beyond) ||
-          !reaches_into(flat, start, flat.facings[way.portal].beyond.flipped()))
+    for (const Exit& exit : flat.portals_from(cluster)) {
+      if (has_bit(seen, exit.to)) continue;
+      if (!reaches_into(flat, exit.portal, beyond) ||
+          !reaches_into(flat, start, flat.facings[exit.portal].beyond.flipped()))
         continue;
-      set_bit(seen, way.to);
-      scratch_clusters.push_back(way.to);
+      set_bit(seen, exit.to);
+      scratch_clusters.push_back(exit.to);
     }
   }
 }

@@ -1,4 +1,4 @@
-// A first bound on what is seen through each portal, from the sides of planes alone.
+// A quick first bound on what is seen through each portal, from the sides of planes alone.
 #pragma once
 
 #include "base/parallel_for.h"
@@ -7,9 +7,9 @@
 
 namespace temblor::compiler::vis {
 
-// Row: portal of the graph; column: cluster that might be seen through it. A portal might be seen through
-// another when some of it lies beyond that one, some of that one lies behind it, and a way of such portals
-// leads to it.
+// Row: portal of the graph; column: cluster that might be seen through it. Portal B might be seen through
+// portal A if some of B is in front of A, some of A is behind B, and a chain of such portals leads from A to
+// B. (A flood fill, as in Quake's vis.)
 BitMatrix find_base_visibility(const PortalGraph& graph, base::Jobs& jobs);
 
 }  // namespace temblor::compiler::vis

@@ -1,4 +1,4 @@
-// What the search through one portal may know of all others.
+// What the search through one portal may use of the results of others.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace temblor::compiler::vis {
 
-// What might be seen through each portal: finished rows of the portals whose rank is below `finished`, base
-// visibility for all others.
+// What might be seen through each portal: the finished row for portals whose rank is below `finished`, which
+// earlier rounds computed, and base visibility for all others.
 struct FlowBounds {
   const BitMatrix& base;
   const BitMatrix& seen;

@@ -1,3 +1,5 @@
+// Method: pieces are grouped by the clusters they join and by their plane. Within a group, pairs with a
+// common edge are joined until no pair is convex together.
 #include "compiler/vis/flow/merge_portals.h"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace {
 using math::Vec3d;
 using Corners = std::vector<Vec3d>;
 
-// Joining is quadratic in the pieces of an opening; known levels have less than a hundred.
+// Joining is quadratic in the number of pieces of an opening; in known levels that is below a hundred.
 constexpr std::size_t kMaxPieces = 1000;
 
 bool same_point(const Vec3d& a, const Vec3d& b) {
@@ -26,7 +28,7 @@ bool same_point(const Vec3d& a, const Vec3d& b) {
 
 enum class Turn { kRight, kStraight, kLeft };
 
-// Seen from in front of the plane; corners that turn right go clockwise.
+// The turn at a corner seen from in front of the plane; clockwise polygons turn right.
 Turn turn_at(const Vec3d& before, const Vec3d& corner, const Vec3d& after, const Vec3d& normal) {
   const Vec3d to_right = glm::cross(corner - before, normal);
   const double length = glm::length(to_right);
@@ -36,13 +38,14 @@ Turn turn_at(const Vec3d& before, const Vec3d& corner, const Vec3d& after, const
   return right < -kEpsilon ? Turn::kLeft : Turn::kStraight;
 }
 
-// `a` from its corner `a_edge + 1` around to `a_edge`, then `b` likewise: the two without their common edge.
+// Joins two polygons without their common edge: `a` from its corner `a_edge + 1` around to `a_edge`, then `b`
+// likewise. Returns nothing if the result is not convex.
 std::optional<Corners> join_at(const Corners& a, std::size_t a_edge, const Corners& b, std::size_t b_edge,
                                const Vec3d& normal) {
   Corners joined;
   for (std::size_t i = 1; i <= a.size(); ++i) joined.push_back(a[(a_edge + i) % a.size()]);
   for (std::size_t i = 2; i < b.size(); ++i) joined.push_back(b[(b_edge + i) % b.size()]);
-  // The edge's two ends, the later first, so that taking it out does not move the other.
+  // The two ends of the edge, the later one first, so that erasing it does not move the other.
   for (const std::size_t end : {a.size() - 1, std::size_t{0}}) {
     const std::size_t count = joined.size();
     switch (turn_at(joined[(end + count - 1) % count], joined[end], joined[(end + 1) % count], normal)) {
@@ -58,6 +61,7 @@ std::optional<Corners> join_at(const Corners& a, std::size_t a_edge, const Corne
   return joined.size() >= 3 ? std::optional(std::move(joined)) : std::nullopt;
 }
 
+// Joins two polygons along a common edge, if there is one.
 std::optional<Corners> join(const Corners& a, const Corners& b, const Vec3d& normal) {
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t k = 0; k < b.size(); ++k)
@@ -66,6 +70,7 @@ std::optional<Corners> join(const Corners& a, const Corners& b, const Vec3d& nor
   return std::nullopt;
 }
 
+// Starts over until a pass joins nothing, since a joined piece may fit pieces that did not fit before.
 void join_pieces(std::vector<Portal>& io_pieces) {
   if (io_pieces.size() > kMaxPieces) return;
   for (bool joined_any = true; joined_any;) {
@@ -87,7 +92,7 @@ void join_pieces(std::vector<Portal>& io_pieces) {
 
 using Opening = std::tuple<std::uint32_t, std::uint32_t, std::array<double, 4>>;
 
-Opening opening_of(const Portal& portal) {
+Opening opening_key(const Portal& portal) {
   return {portal.clusters[0],
           portal.clusters[1],
           {portal.normal.x, portal.normal.y, portal.normal.z, portal.distance}};
@@ -99,7 +104,7 @@ std::vector<Portal> merge_portals(const std::vector<Portal>& portals) {
   std::vector<std::vector<Portal>> openings;
   std::map<Opening, std::size_t> known;
   for (const Portal& portal : portals) {
-    const auto [at, is_new] = known.try_emplace(opening_of(portal), openings.size());
+    const auto [at, is_new] = known.try_emplace(opening_key(portal), openings.size());
     if (is_new) openings.emplace_back();
     openings[at->second].push_back(portal);
   }

@@ -1,3 +1,8 @@
+// Method: a depth-first search with its own stack (chain_), since chains may be hundreds of portals long. For
+// each portal that it tries, it
+//   1. drops it if all that might be seen through it has been seen already;
+//   2. cuts it by the separators of the chain's first and last portals, and drops it if nothing is left;
+//   3. makes the separators of what is left, and drops clusters whose boxes are outside of them.
 #include "compiler/vis/flow/portal_flow.h"
 
 #include <algorithm>
@@ -9,11 +14,11 @@ namespace {
 
 using Word = BitMatrix::Word;
 
-// Portals cut in one search: few portals of ordinary levels take as many as the first, none the second.
+// Portals cut in one search. A few portals of ordinary levels exceed the first limit, none exceed the second.
 constexpr std::size_t kCutsUntilBound = 4000;
 constexpr std::size_t kCutsUntilEnd = 30'000;
 
-// out_both = a & b; whether that has a bit which `seen` has not.
+// out_both = a & b. Returns whether that has a bit that `seen` lacks.
 bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Word> seen,
             std::span<Word> out_both) {
   Word fresh = 0;
@@ -25,7 +30,7 @@ bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Wo
 }
 
 enum class Side { kInside, kOutside, kAcross };
-Side side_of(const DirectedPortal& portal, const HalfSpace& space) {
+Side find_side(const DirectedPortal& portal, const HalfSpace& space) {
   const double above = space.above(portal.center);
   if (above >= portal.radius - kEpsilon) return Side::kInside;
   return above <= kEpsilon - portal.radius ? Side::kOutside : Side::kAcross;
@@ -38,26 +43,28 @@ PortalFlow::Link& PortalFlow::link(std::size_t depth) {
   return chain_[depth];
 }
 
+// Cuts the next portal to what lines through the chain can reach, and the first portal to what can see the
+// next one. `direct`: the chain is only the first portal. Returns false if nothing is left.
 bool PortalFlow::cut_to_lines(Link& from, Link& io_to, bool direct) {
   const DirectedPortal& source = graph_.portals[chain_[0].portal];
   const DirectedPortal& target = graph_.portals[io_to.portal];
-  if (side_of(target, source.beyond) == Side::kOutside) return false;
+  if (find_side(target, source.beyond) == Side::kOutside) return false;
   if (std::ranges::any_of(from.separators.all(),
-                          [&](const HalfSpace& space) { return side_of(target, space) == Side::kOutside; }))
+                          [&](const HalfSpace& space) { return find_side(target, space) == Side::kOutside; }))
     return false;
 
   io_to.pass = target.winding;
-  if (side_of(target, source.beyond) == Side::kAcross && !cut(io_to.pass, source.beyond)) return false;
+  if (find_side(target, source.beyond) == Side::kAcross && !cut(io_to.pass, source.beyond)) return false;
   if (!direct && !cut(io_to.pass, graph_.portals[from.portal].beyond)) return false;
   for (const HalfSpace& space : from.separators.all())
-    if (side_of(target, space) == Side::kAcross && !cut(io_to.pass, space)) return false;
+    if (find_side(target, space) == Side::kAcross && !cut(io_to.pass, space)) return false;
 
   io_to.source = from.source;
   return cut(io_to.source, target.beyond.flipped());
 }
 
-// Of what is not seen yet, what lies outside the lines' reach might be seen no more. False when nothing
-// stays.
+// Removes clusters that are outside the reach of the chain's lines from those that might still be seen.
+// Returns false if no unseen one is left.
 bool PortalFlow::drop_hidden(Link& io_link, std::span<const Word> seen) {
   Word fresh = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -73,11 +80,12 @@ bool PortalFlow::drop_hidden(Link& io_link, std::span<const Word> seen) {
   return fresh != 0;
 }
 
+// Tries to append a portal to the chain. Returns false if nothing new can be seen through it.
 bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBounds& bounds,
                         std::span<Word> io_seen) {
   Link& to = link(depth + 1);
   Link& from = chain_[depth];
-  if (on_chain_[portal / 2] != 0) return false;  // a straight line crosses an opening once
+  if (on_chain_[portal / 2] != 0) return false;  // a straight line crosses an opening only once
   if (!has_bit(from.might, graph_.portals[portal].to)) return false;
   to.might.resize(from.might.size());
   if (!narrow(from.might, bounds.row(portal), io_seen, to.might)) return false;
@@ -93,7 +101,7 @@ bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBound
   return true;
 }
 
-// Takes what Reach does not reach out of the search that has got to `depth`.
+// Restricts the current search, which has reached `depth`, to what Reach finds.
 void PortalFlow::tighten(std::uint32_t portal, std::size_t depth, const FlowBounds& bounds,
                          std::span<Word> io_seen) {
   bound_.resize(io_seen.size());
@@ -105,6 +113,7 @@ void PortalFlow::tighten(std::uint32_t portal, std::size_t depth, const FlowBoun
   }
 }
 
+// Chains end because an opening is entered only once (on_chain_), and because `might` shrinks on the way.
 bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
                      std::span<Word> io_seen) {
   Link& first = link(0);
@@ -128,14 +137,14 @@ bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::
       return true;
     }
     Link& last = chain_[depth];
-    const auto ways = graph_.out_of(graph_.portals[last.portal].to);
-    if (last.next == ways.size()) {
+    const auto next_portals = graph_.portals_from(graph_.portals[last.portal].to);
+    if (last.next == next_portals.size()) {
       on_chain_[last.portal / 2] = 0;
       if (depth-- == 0) return true;
       continue;
     }
-    const std::uint32_t way = ways[last.next++];
-    if (extend(depth, way, bounds, io_seen)) ++depth;
+    const std::uint32_t next_portal = next_portals[last.next++];
+    if (extend(depth, next_portal, bounds, io_seen)) ++depth;
     if (stop.load(std::memory_order_relaxed)) return false;
   }
 }

@@ -1,5 +1,10 @@
-// What is seen through one portal: the flow through chains of portals, each cut to what straight lines from
-// the first through the last can reach.
+// The search for what is seen through one portal: a depth-first walk through all chains of portals, each of
+// which is cut to what straight lines from the first portal through the last one can reach.
+//
+//     source            pass           target
+//       |                 |              :   <- cut off by the separators of source and pass
+//       |  ------------>  |  --------->  |
+//       |                 |              |
 #pragma once
 
 #include <atomic>
@@ -16,28 +21,28 @@
 
 namespace temblor::compiler::vis {
 
-// Working memory of one thread.
+// Holds the working memory of one thread.
 class PortalFlow {
  public:
   explicit PortalFlow(const PortalGraph& graph)
       : graph_(graph), reach_(graph), on_chain_(graph.portals.size() / 2, 0) {}
 
-  // Sets the bits (all 0 before) of the clusters that are seen through the portal. False when `stop` became
-  // true before the end. A search that takes too long is bounded by Reach, and if that does not end it soon,
-  // replaced by it: then more is seen, never less.
+  // Sets the bits (all 0 before) of the clusters that are seen through the portal. Returns false if `stop`
+  // became true first. A search that takes too long is bounded by Reach, and if it still does not end soon,
+  // replaced by that bound: then too much is seen, never too little.
   bool run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
            std::span<BitMatrix::Word> io_seen);
 
  private:
   using Word = BitMatrix::Word;
 
-  // The last portal of a chain, and where lines through the whole chain can pass.
+  // One portal of the chain, and where lines through the chain up to it can pass.
   struct Link {
     std::uint32_t portal = 0;
-    std::size_t next = 0;  // to try, among the portals out of the cluster beyond
-    Winding source, pass;  // of the chain's first portal, of this one
-    std::vector<Word> might;
-    Separators separators;  // of source and pass; none for the first
+    std::size_t next = 0;     // index of the next portal to try, among those of the cluster beyond
+    Winding source, pass;     // the reachable parts of the chain's first portal and of this one
+    std::vector<Word> might;  // clusters that might be seen beyond it
+    Separators separators;    // of source and pass; none for the first
   };
 
   Link& link(std::size_t depth);
@@ -49,9 +54,9 @@ class PortalFlow {
 
   const PortalGraph& graph_;
   Reach reach_;
-  std::vector<Word> bound_;             // from reach_
-  std::size_t cuts_ = 0;                // portals cut so far in this search
-  std::deque<Link> chain_;              // the longest so far; references stay valid as it grows
+  std::vector<Word> bound_;             // the result of reach_
+  std::size_t cuts_ = 0;                // in this search
+  std::deque<Link> chain_;              // a deque, so that references stay valid as it grows
   std::vector<std::uint8_t> on_chain_;  // by opening, 0 or 1
 };
 

@@ -11,9 +11,11 @@ namespace temblor::compiler::vis {
 
 namespace {
 
-// Leaves room for the corners that cutting adds.
+// Leaves room in a Winding for the corners that cutting adds.
 constexpr std::size_t kMaxPortalCorners = 16;
 
+// First from behind the plane to the front. The other direction has the corners reversed, so that in both
+// cases they are clockwise seen from the side that the portal leads to.
 void add_both_directions(std::span<const math::Vec3d> corners, const Portal& portal, PortalGraph& io_graph) {
   DirectedPortal directed;
   directed.winding.count = corners.size();
@@ -33,7 +35,7 @@ void add_both_directions(std::span<const math::Vec3d> corners, const Portal& por
   io_graph.portals.push_back(directed);
 }
 
-// A fan of convex pieces around the first corner.
+// Adds a portal with too many corners as a fan of convex pieces around its first corner.
 void add_in_pieces(const Portal& portal, PortalGraph& io_graph) {
   const std::vector<math::Vec3d>& whole = portal.winding_world;
   std::vector<math::Vec3d> piece;
@@ -45,6 +47,7 @@ void add_in_pieces(const Portal& portal, PortalGraph& io_graph) {
   }
 }
 
+// Sorts the portals by the cluster that they leave (a counting sort).
 void list_by_cluster(PortalGraph& io_graph) {
   io_graph.first_out.assign(io_graph.cluster_count + 1, 0);
   for (const DirectedPortal& portal : io_graph.portals) ++io_graph.first_out[portal.from + 1];
@@ -55,6 +58,7 @@ void list_by_cluster(PortalGraph& io_graph) {
     io_graph.out[next[io_graph.portals[i].from]++] = i;
 }
 
+// Bounds the portals of each cluster.
 void measure_boxes(PortalGraph& io_graph) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::vector<math::Vec3d> mins(io_graph.cluster_count, math::Vec3d(kFar));

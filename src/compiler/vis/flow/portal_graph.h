@@ -1,4 +1,4 @@
-// Portals as the flow walks them: each in both directions, known by the cluster that it leaves.
+// The portals as the search walks them: once for each direction, listed by the cluster that they leave.
 #pragma once
 
 #include <cstddef>
@@ -12,38 +12,40 @@
 
 namespace temblor::compiler::vis {
 
+// An opening, seen in one direction.
 struct DirectedPortal {
   Winding winding;
-  HalfSpace beyond;  // what it leads to lies in front
+  HalfSpace beyond;  // the side that it leads to
   math::Vec3d center{0.0};
-  double radius = 0;               // of the sphere around the center that holds the winding
+  double radius = 0;               // of a sphere around the center that contains the winding
   std::uint32_t from = 0, to = 0;  // clusters
 };
 
-// Around all portals of a cluster: who sees into it sees some of this.
+// A box around all portals of a cluster: anyone who sees into the cluster sees some of the box.
 struct ClusterBox {
   math::Vec3d center{0.0}, half_size{0.0};
 
-  // How far its furthest corner is inside, in units.
+  // How far the deepest corner is inside the half-space, in units.
   double highest(const HalfSpace& space) const {
     return space.above(center) + glm::dot(glm::abs(space.normal), half_size);
   }
 };
 
+// Clusters and the portals between them.
 struct PortalGraph {
   std::size_t cluster_count = 0;
-  std::vector<DirectedPortal> portals;   // 2 * i and 2 * i + 1 are one opening's two directions
+  std::vector<DirectedPortal> portals;   // 2 * i and 2 * i + 1 are the two directions of one opening
   std::vector<ClusterBox> boxes;         // by cluster
-  std::vector<std::uint32_t> first_out;  // by cluster, and one more: where its part of `out` begins
+  std::vector<std::uint32_t> first_out;  // by cluster, plus one: where its part of `out` begins
   std::vector<std::uint32_t> out;        // portals by the cluster that they leave
 
-  std::span<const std::uint32_t> out_of(std::size_t cluster) const {
+  std::span<const std::uint32_t> portals_from(std::size_t cluster) const {
     return std::span(out).subspan(first_out[cluster], first_out[cluster + 1] - first_out[cluster]);
   }
 };
 
-// Openings with so many corners that cutting them would overflow a Winding become several. Every cluster
-// number of the set must be below its cluster_count, every winding have three corners (CHECKed).
+// An opening with so many corners that cutting it would overflow a Winding becomes several. Every cluster of
+// the set is below cluster_count, and every winding has at least three corners (CHECKed).
 PortalGraph make_portal_graph(const PortalSet& set);
 
 }  // namespace temblor::compiler::vis

@@ -1,5 +1,5 @@
-// A bound on what is seen through one portal, in time that does not grow with the number of ways through the
-// level.
+// A bound on what is seen through one portal, in time that does not grow with the number of chains of
+// portals.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace temblor::compiler::vis {
 
-// The flow follows every chain of portals by itself, and between two places in a wide hall that the tree cut
-// into cells there are more chains than can be counted. Here each portal is kept once, with the hull of what
-// all chains reach of it, and is passed on again when that grows. Working memory of one thread.
+// PortalFlow follows each chain of portals separately, and in a large hall that the tree cut into cells there
+// are more chains than can be counted. Here each portal is kept once, with the hull of what all chains reach
+// of it; when that hull grows, it is passed on again. Holds the working memory of one thread.
 class Reach {
  public:
   explicit Reach(const PortalGraph& graph) : graph_(graph), slot_of_portal_(graph.portals.size(), kNoSlot) {}
 
-  // Sets the bits of all clusters of `might` that could be seen through the portal, some wrongly.
+  // Sets the bits of all clusters of `might` that could be seen through the portal, and possibly of more.
   void run(std::uint32_t portal, const FlowBounds& bounds, std::span<const BitMatrix::Word> might,
            std::span<BitMatrix::Word> out_bound);
 
@@ -29,6 +29,7 @@ class Reach {
   static constexpr std::uint32_t kNoSlot = 0xffffffff;
 
   struct Slot {
+    // A portal that has been reached.
     std::uint32_t portal = 0;
     Winding reached;
     int growths = 0;
@@ -41,8 +42,8 @@ class Reach {
 
   const PortalGraph& graph_;
   std::vector<std::uint32_t> slot_of_portal_;
-  std::deque<Slot> slots_;           // of the portals reached so far; references stay valid as it grows
-  std::deque<std::uint32_t> queue_;  // slots to be passed on
+  std::deque<Slot> slots_;           // a deque, so that references stay valid as it grows
+  std::deque<std::uint32_t> queue_;  // indices of the slots whose hull has grown
 };
 
 }  // namespace temblor::compiler::vis

@@ -1,3 +1,6 @@
+// Method: for each edge, the plane through it turns about the edge, from the far side, until it touches the
+// other polygon. The corner with the smallest angle is found by comparing fractions, without any
+// trigonometry.
 #include "compiler/vis/flow/separators.h"
 
 #include <algorithm>
@@ -9,15 +12,15 @@ namespace {
 
 using math::Vec3d;
 
-// As seen along an edge of the first polygon: the polygon a line to the left of the edge, the other's corners
-// somewhere above that line.
+// A corner of the other polygon as seen along an edge of the first one. The edge is the origin, and the first
+// polygon is a line to its left.
 struct Profile {
-  double outwards = 0, up = 0;
+  double outward = 0, up = 0;
 };
 
 class EdgePlanes {
  public:
-  // `side` is 1 where the other polygon lies in front of this one's plane, -1 behind it.
+  // `side` is 1 if the other polygon is in front of this one's plane, -1 if it is behind.
   EdgePlanes(PlanarWinding own, const Winding& other, double side)
       : own_(own.winding), other_(other), normal_(own.plane.normal), side_(side) {
     for (std::size_t i = 0; i < other.count; ++i) {
@@ -29,36 +32,37 @@ class EdgePlanes {
 
   bool apart() const { return lowest_ >= -kEpsilon; }
 
-  // The plane through the edge with own_ outside and all of other_ inside; false when the edge gives none.
+  // Finds the plane through the edge with own_ outside and all of other_ inside. Returns false if there is
+  // none.
   bool find(std::size_t edge_index, HalfSpace& out_plane) const {
     const Vec3d& start = own_.points[edge_index];
     const Vec3d edge = own_.points[edge_index + 1 == own_.count ? 0 : edge_index + 1] - start;
     const double squared = glm::dot(edge, edge);
     if (squared < kEpsilon * kEpsilon) return false;
-    const Vec3d outwards = glm::cross(normal_, edge) / std::sqrt(squared);
-    const Profile touched = outermost(outwards, glm::dot(outwards, start));
-    // The plane of the polygon itself separates nothing.
+    const Vec3d outward = glm::cross(normal_, edge) / std::sqrt(squared);
+    const Profile touched = outermost(outward, glm::dot(outward, start));
+    // The polygon's own plane separates nothing.
     if (touched.up == 0) return false;
-    const double distance = std::sqrt(touched.outwards * touched.outwards + touched.up * touched.up);
-    out_plane.normal = outwards * (touched.up / distance) - normal_ * (side_ * touched.outwards / distance);
+    const double distance = std::sqrt(touched.outward * touched.outward + touched.up * touched.up);
+    out_plane.normal = outward * (touched.up / distance) - normal_ * (side_ * touched.outward / distance);
     out_plane.distance = glm::dot(out_plane.normal, start);
     return true;
   }
 
  private:
-  // Turned about the edge from the far side, the polygon's own plane meets this corner last. With a corner in
-  // that plane on the polygon's side, it need not turn at all.
-  Profile outermost(const Vec3d& outwards, double start_outwards) const {
+  // A plane that turns about the edge, starting in the polygon's own plane, meets this corner last. If a
+  // corner is in that plane on the polygon's side, it cannot turn at all.
+  Profile outermost(const Vec3d& outward, double start_outward) const {
     Profile found;
     for (std::size_t i = 0; i < other_.count; ++i) {
-      const Profile corner{glm::dot(outwards, other_.points[i]) - start_outwards, heights_[i]};
+      const Profile corner{glm::dot(outward, other_.points[i]) - start_outward, heights_[i]};
       if (corner.up < kEpsilon) {
-        if (corner.outwards <= -kEpsilon) return {};
-        // On the edge's own line, a corner lies in every plane.
-        if (corner.outwards < kEpsilon) continue;
+        if (corner.outward <= -kEpsilon) return {};
+        // A corner on the edge's own line is in every plane.
+        if (corner.outward < kEpsilon) continue;
       }
-      const bool is_first = found.outwards == 0 && found.up == 0;
-      if (is_first || found.outwards * corner.up > found.up * corner.outwards) found = corner;
+      const bool is_first = found.outward == 0 && found.up == 0;
+      if (is_first || found.outward * corner.up > found.up * corner.outward) found = corner;
     }
     return found;
   }

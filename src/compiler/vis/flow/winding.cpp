@@ -1,3 +1,5 @@
+// Sutherland and Hodgman, "Reentrant polygon clipping" (1974), with corners within kEpsilon of the plane kept
+// on both sides.
 #include "compiler/vis/flow/winding.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Convex polygons without heap memory, as the flow through portals cuts them by the million.
+// Convex polygons without heap memory: the visibility search cuts them by the million.
 #pragma once
 
 #include <algorithm>
@@ -11,18 +11,19 @@
 
 namespace temblor::compiler::vis {
 
-// Units. What would stand out of a plane by less than this is gone when the plane cuts: an opening that
-// shows as a slit narrower than this counts as shut.
+// In units. Cutting by a plane ignores what sticks out of it by less, so an opening that appears as a slit
+// narrower than this counts as closed.
 constexpr double kEpsilon = 0.01;
 
 constexpr std::size_t kMaxWindingPoints = 32;
 
+// Only the first `count` points are valid.
 struct Winding {
   std::size_t count = 0;
   std::array<math::Vec3d, kMaxWindingPoints> points;
 
   Winding() = default;
-  // Copies what is used: most windings have four corners.
+  // Copies only the corners in use; most windings have four.
   Winding(const Winding& other) { *this = other; }
   Winding& operator=(const Winding& other) {
     count = other.count;
@@ -33,8 +34,9 @@ struct Winding {
   std::span<const math::Vec3d> corners() const { return {points.data(), count}; }
 };
 
-// Leaves what lies in the half-space. False, and the winding empty, when nothing does. A winding that would
-// get more than kMaxWindingPoints corners stays whole: more may be seen, never less.
+// Keeps the part inside the half-space. Returns false, and empties the winding, if nothing is left. A winding
+// that would get more than kMaxWindingPoints corners stays whole: then too much may be seen, never too
+// little.
 bool cut(Winding& io_winding, const HalfSpace& keep);
 
 }  // namespace temblor::compiler::vis

@@ -24,16 +24,16 @@ base::Result<std::vector<BspxLump>> read_bspx(base::Bytes file, std::size_t lump
     const std::uint32_t offset = reader.u32(), size = reader.u32();
     total += size;
     if (std::uint64_t{offset} + size > file.size())
-      return base::malformed("BSPX: lump {} \"{}\": {} bytes at offset {:#x} reach past the end of the file",
+      return base::malformed("BSPX: lump {} \"{}\": {} bytes at offset {:#x} extend past the end of the file",
                              i, name, size, offset);
-    if (total > file.size())
-      return base::malformed("BSPX: lumps overlap: together they are larger than the file");
+    if (total > file.size()) return base::malformed("BSPX: lumps overlap: their total size exceeds the file");
     const base::Bytes data = size == 0 ? base::Bytes{} : file.subspan(offset, size);
     lumps.push_back({std::move(name), base::ByteVector(data.begin(), data.end())});
   }
   return lumps;
 }
 
+// Offsets are known before the data is written, because every lump is padded to 4 bytes.
 base::Status write_bspx(base::ByteWriter& writer, const std::vector<BspxLump>& lumps) {
   if (lumps.empty()) return base::Ok{};
   writer.align(4);

@@ -1,4 +1,10 @@
-// BSPX: named lumps after the fifteen, behind all of them in the file.
+// BSPX: an extension with named lumps, after the fifteen regular lumps of the file. Programs skip the lumps
+// that they do not know; older engines skip all of them.
+//
+//   at the end of the last regular lump, rounded up to 4 bytes:
+//    0  "BSPX"
+//    4  lump count i32
+//    8  for each lump, 32 bytes: name char[24] | offset i32, from the start of the file | size i32
 #pragma once
 
 #include <vector>
@@ -9,11 +15,11 @@
 
 namespace temblor::formats::bsp_file {
 
-// `lumps_end` is where the last of the fifteen lumps ends. Without the BSPX mark there: no lumps.
+// `lumps_end`: end of the last regular lump. Returns no lumps if "BSPX" is not there.
 base::Result<std::vector<BspxLump>> read_bspx(base::Bytes file, std::size_t lumps_end);
 
-// Appends to a file whose fifteen lumps are complete; nothing when there are no lumps. Fails when a name is
-// longer than 24 characters.
+// Appends the lumps to a file whose regular lumps are complete; appends nothing for an empty list. Returns
+// kTooLarge for a name over 24 characters.
 base::Status write_bspx(base::ByteWriter& writer, const std::vector<BspxLump>& lumps);
 
 }  // namespace temblor::formats::bsp_file

@@ -8,6 +8,7 @@ namespace {
 constexpr std::int32_t kVersion29 = 29;
 constexpr std::int32_t kVersionHalfLife = 30;
 
+// Four characters as the i32 that they are in the file, so that versions can be compared as numbers.
 constexpr std::int32_t four_characters(std::string_view text) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < 4; ++i) value |= std::uint32_t{static_cast<std::uint8_t>(text[i])} << (8 * i);
@@ -17,7 +18,7 @@ constexpr std::int32_t kVersion2Psb = four_characters("2PSB");
 constexpr std::int32_t kVersionBsp2 = four_characters("BSP2");
 constexpr std::int32_t kVersionQuake64 = four_characters("Q64 ");
 
-std::int32_t word_of(BspVersion version) {
+std::int32_t version_word(BspVersion version) {
   switch (version) {
     case BspVersion::k29:
       return kVersion29;
@@ -29,7 +30,8 @@ std::int32_t word_of(BspVersion version) {
   return 0;
 }
 
-base::Result<BspVersion> version_of(std::int32_t word) {
+// Returns kUnsupported for other games' versions, with their names.
+base::Result<BspVersion> parse_version(std::int32_t word) {
   using base::ErrorCode;
   switch (word) {
     case kVersion29:
@@ -39,9 +41,9 @@ base::Result<BspVersion> version_of(std::int32_t word) {
     case kVersionBsp2:
       return BspVersion::kBsp2;
     case kVersionHalfLife:
-      return error(ErrorCode::kUnsupported, "version 30: Half-Life's levels are not supported");
+      return error(ErrorCode::kUnsupported, "version 30: Half-Life levels are not supported");
     case kVersionQuake64:
-      return error(ErrorCode::kUnsupported, "version \"Q64 \": Quake 64's levels are not supported");
+      return error(ErrorCode::kUnsupported, "version \"Q64 \": Quake 64 levels are not supported");
     default:
       return error(ErrorCode::kUnsupported, "not a Quake level: unknown version {} (known: 29, 2PSB, BSP2)",
                    word);
@@ -56,27 +58,28 @@ base::Result<Header> read_header(base::Bytes file) {
   if (!reader.ok())
     return base::malformed("not a Quake level: {} bytes are too few to hold a version", file.size());
   Header header;
-  TRY(header.version, version_of(word));
+  TRY(header.version, parse_version(word));
   if (file.size() < kHeaderBytes)
-    return base::malformed("{} bytes are too few for the header ({} bytes)", file.size(), kHeaderBytes);
+    return base::malformed("{} bytes are shorter than the header ({} bytes)", file.size(), kHeaderBytes);
 
   std::uint64_t total = 0;
   for (std::size_t i = 0; i < kBspLumpCount; ++i) {
     const std::uint32_t offset = reader.u32(), size = reader.u32();
-    if (size == 0) continue;  // where an empty lump lies says nothing
+    if (size == 0) continue;  // the offset of an empty lump is meaningless
     if (std::uint64_t{offset} + size > file.size())
-      return base::malformed("lump {}: {} bytes at offset {:#x} reach past the end of the file ({} bytes)",
-                             name_of(static_cast<BspLump>(i)), size, offset, file.size());
+      return base::malformed("lump {}: {} bytes at offset {:#x} extend past the end of the file ({} bytes)",
+                             lump_name(static_cast<BspLump>(i)), size, offset, file.size());
     header.lumps[i] = {offset, size};
     total += size;
   }
   if (total > file.size())
-    return base::malformed("lumps overlap: together they have {} bytes, the file {}", total, file.size());
+    return base::malformed("lumps overlap: together they have {} bytes, but the file has only {}", total,
+                           file.size());
   return header;
 }
 
 void begin_header(base::ByteWriter& writer, BspVersion version) {
-  writer.i32(word_of(version));
+  writer.i32(version_word(version));
   writer.bytes(std::array<std::byte, kHeaderBytes - 4>{});
 }
 

@@ -1,4 +1,4 @@
-// Where a level's lumps lie in its file.
+// The header of a level file: the version, and the place of each lump. bsp.h shows the layout.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace temblor::formats::bsp_file {
 
-// Lies inside the file, when from read_header.
+// The place of a lump in the file. read_header() guarantees that it is inside of the file.
 struct LumpPlace {
   std::uint32_t offset = 0, size = 0;  // bytes
 };
@@ -24,14 +24,15 @@ struct Header {
 
 constexpr std::size_t kHeaderBytes = 4 + kBspLumpCount * 8;
 
-// Fails on an unknown version, on a lump outside the file, and on lumps that overlap so much that together
-// they are larger than the file (which bounds the memory that reading takes).
+// Returns an error for an unknown version, a lump outside of the file, or lumps that overlap so much that
+// their total exceeds the file size; the last rule bounds the memory for reading.
 base::Result<Header> read_header(base::Bytes file);
 
-// Room for the header of `version`, all lumps empty; set_lump fills them in once they have been written.
+// Writes a header with empty lumps; set_lump() fills each in after it was written.
 void begin_header(base::ByteWriter& writer, BspVersion version);
 void set_lump(base::ByteWriter& writer, BspLump lump, LumpPlace place);
 
+// Returns the bytes of a lump, without a copy.
 inline base::Bytes lump_bytes(base::Bytes file, const LumpPlace& place) {
   return file.subspan(place.offset, place.size);
 }

@@ -1,4 +1,5 @@
-// bytes -> Bsp: the header, each lump's records by their layout, BSPX; then find_fault over the whole.
+// Reads a level: the header, the records of each lump (records.h), and BSPX; then validates all with
+// find_fault().
 #include <algorithm>
 #include <glm/common.hpp>
 
@@ -21,7 +22,7 @@ math::Vec3 axis_normal(std::int32_t axis) {
   return normal;
 }
 
-// Reads the fields of records.h.
+// An Io for records.h that reads fields.
 class RecordReader {
  public:
   RecordReader(base::Bytes bytes, BspVersion version, TreeSizes tree_sizes)
@@ -60,7 +61,7 @@ class RecordReader {
   TreeSizes tree_sizes_;
 };
 
-// The lumps of one file, once its header has been read.
+// Reads the lumps of a file after its header.
 class LumpReader {
  public:
   LumpReader(base::Bytes file, const Header& header) : file_(file), header_(header) {
@@ -80,7 +81,7 @@ class LumpReader {
     const std::size_t size = header_[lump].size, record_size = record_bytes<Record>(header_.version);
     if (size % record_size != 0)
       return base::malformed("lump {}: {} bytes at offset {:#x} are not a whole number of {}-byte records",
-                             name_of(lump), size, header_[lump].offset, record_size);
+                             lump_name(lump), size, header_[lump].offset, record_size);
     std::vector<Record> records(size / record_size);
     RecordReader reader(bytes(lump), header_.version, tree_sizes_);
     for (Record& record : records) fields(reader, record);
@@ -129,16 +130,15 @@ std::int32_t dominant_axis(const math::Vec3& normal) {
   return size.y >= size.z ? 1 : 2;
 }
 
-// A plane that calls itself axial, and is not or looks the other way, becomes one of the types for any
-// normal.
-void settle_types(std::vector<BspPlane>& io_planes) {
+// Gives a plane of an axial type whose normal is not exactly that axis a non-axial type.
+void correct_plane_types(std::vector<BspPlane>& io_planes) {
   for (BspPlane& plane : io_planes)
     if (plane.type >= 0 && plane.type < 3 && plane.normal != axis_normal(plane.type))
       plane.type = 3 + dominant_axis(plane.normal);
 }
 
-// Offsets into lumps that are empty as a whole: compilers leave zeros there.
-void clear_offsets_into_nothing(Bsp& io_bsp) {
+// Resets offsets into empty lumps, which compilers leave at 0.
+void clear_offsets_into_empty_lumps(Bsp& io_bsp) {
   if (io_bsp.visibility.empty())
     for (BspLeaf& leaf : io_bsp.leaves) leaf.visibility_offset = -1;
   if (io_bsp.clipnodes.empty())
@@ -146,7 +146,8 @@ void clear_offsets_into_nothing(Bsp& io_bsp) {
       std::fill(model.head_nodes.begin() + 1, model.head_nodes.end(), kEmptyContents);
 }
 
-std::size_t record_bytes_of(BspLump lump, BspVersion version) {
+// Returns the size of a lump's records, for offsets in errors; 0 for lumps without records.
+std::size_t lump_record_bytes(BspLump lump, BspVersion version) {
   switch (lump) {
     case BspLump::kPlanes:
       return record_bytes<BspPlane>(version);
@@ -179,12 +180,13 @@ std::size_t record_bytes_of(BspLump lump, BspVersion version) {
   return 0;
 }
 
+// Adds the record's place in the file to a fault.
 base::Error describe(const BspFault& fault, const Header& header) {
-  if (!fault.record) return base::malformed("lump {}: {}", name_of(fault.lump), fault.reason);
+  if (!fault.record) return base::malformed("lump {}: {}", lump_name(fault.lump), fault.reason);
   const std::size_t offset =
-      header[fault.lump].offset + *fault.record * record_bytes_of(fault.lump, header.version);
-  return base::malformed("lump {}: {} {} at offset {:#x}: {}", name_of(fault.lump),
-                         record_name_of(fault.lump), *fault.record, offset, fault.reason);
+      header[fault.lump].offset + *fault.record * lump_record_bytes(fault.lump, header.version);
+  return base::malformed("lump {}: {} {} at offset {:#x}: {}", lump_name(fault.lump), record_name(fault.lump),
+                         *fault.record, offset, fault.reason);
 }
 
 }  // namespace
@@ -193,8 +195,8 @@ base::Error describe(const BspFault& fault, const Header& header) {
 base::Result<Bsp> read_bsp(base::Bytes bytes) {
   TRY(const bsp_file::Header header, bsp_file::read_header(bytes));
   TRY(Bsp bsp, bsp_file::read_lumps(bytes, header));
-  bsp_file::settle_types(bsp.planes);
-  bsp_file::clear_offsets_into_nothing(bsp);
+  bsp_file::correct_plane_types(bsp.planes);
+  bsp_file::clear_offsets_into_empty_lumps(bsp);
   if (const auto fault = find_fault(bsp)) return bsp_file::describe(*fault, header);
   return bsp;
 }

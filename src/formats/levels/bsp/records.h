@@ -1,5 +1,5 @@
-// The layout of each record of a level, written once for both directions: fields(io, record) names the fields
-// in file order, with their widths in version 29 and in the two larger versions; an Io reads, writes or
+// The record layouts of a level, defined once for reading and writing: fields(io, record) visits the fields
+// in file order, with their widths in version 29 and in the two wide versions. The Io type reads, writes, or
 // counts them.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace temblor::formats::bsp_file {
 
-// The width of a field: in version 29, and in 2PSB and BSP2.
+// The type of a field in the file: in version 29, and in 2PSB and BSP2.
 template <typename Small, typename Large = Small>
 struct Width {};
 inline constexpr Width<float> kF32;
@@ -21,13 +21,13 @@ inline constexpr Width<std::int16_t, std::int32_t> kI16OrI32;
 inline constexpr Width<std::uint16_t, std::int32_t> kU16OrI32;
 inline constexpr Width<std::uint16_t, std::uint32_t> kU16OrU32;
 
-// What the meaning of a 16-bit child depends on: those below the number of nodes are nodes, the rest
-// negative.
+// In version 29, a 16-bit child is a node if it is below the number of nodes, and negative otherwise; so
+// large levels can use more than 32767 nodes.
 struct TreeSizes {
   std::size_t nodes = 0, clipnodes = 0;
 };
 
-// T is Record, const or not.
+// Matches Record and const Record.
 template <typename T, typename Record>
 concept Is = std::same_as<std::remove_const_t<T>, Record>;
 
@@ -36,6 +36,7 @@ void vec3(Io& io, const char* name, Is<math::Vec3> auto& value) {
   for (int axis = 0; axis < 3; ++axis) io.number(name, kF32, value[axis]);
 }
 
+// plane, 20 bytes:   0 normal f32 x3 | 12 distance f32 | 16 type i32
 template <typename Io>
 void fields(Io& io, Is<BspPlane> auto& plane) {
   vec3(io, "normal", plane.normal);
@@ -43,11 +44,18 @@ void fields(Io& io, Is<BspPlane> auto& plane) {
   io.number("type", kI32, plane.type);
 }
 
+// vertex, 12 bytes:  0 x f32 | 4 y f32 | 8 z f32
 template <typename Io>
 void fields(Io& io, Is<math::Vec3> auto& vertex) {
   vec3(io, "position", vertex);
 }
 
+// node      version 29, 24 bytes    2PSB, 32 bytes      BSP2, 44 bytes
+// plane             0 i32               0 i32               0 i32
+// front, back       4 i16 x2            4 i32 x2            4 i32 x2     node, or -(leaf + 1)
+// mins, maxs        8 i16 x6           12 i16 x6           12 f32 x6     whole numbers except in BSP2
+// first face       20 u16              24 u32              36 u32
+// face count       22 u16              28 u32              40 u32
 template <typename Io>
 void fields(Io& io, Is<BspNode> auto& node) {
   io.number("plane", kI32, node.plane);
@@ -57,6 +65,8 @@ void fields(Io& io, Is<BspNode> auto& node) {
   io.number("face count", kU16OrU32, node.face_count);
 }
 
+// texinfo, 40 bytes: 0 s axis f32 x3, s offset f32 | 16 t axis f32 x3, t offset f32 |
+//                   32 texture i32 | 36 flags i32
 template <typename Io>
 void fields(Io& io, Is<BspTexinfo> auto& texinfo) {
   vec3(io, "s axis", texinfo.s_axis);
@@ -67,6 +77,14 @@ void fields(Io& io, Is<BspTexinfo> auto& texinfo) {
   io.number("flags", kI32, texinfo.flags);
 }
 
+// face      version 29, 20 bytes    2PSB and BSP2, 28 bytes
+// plane             0 u16               0 i32
+// side              2 i16               4 i32            1: the face points against the plane's normal
+// first surfedge    4 i32               8 i32
+// surfedge count    8 u16              12 i32
+// texinfo          10 u16              16 i32
+// light styles     12 u8 x4            20 u8 x4          255: unused
+// light offset     16 i32              24 i32            bytes into the lighting; -1: none
 template <typename Io>
 void fields(Io& io, Is<BspFace> auto& face) {
   io.number("plane", kU16OrI32, face.plane);
@@ -78,12 +96,21 @@ void fields(Io& io, Is<BspFace> auto& face) {
   io.number("light offset", kI32, face.light_offset);
 }
 
+// clipnode  version 29, 8 bytes     2PSB and BSP2, 12 bytes
+// plane             0 i32               0 i32
+// front, back       4 i16 x2            4 i32 x2         clipnode, or contents if negative
 template <typename Io>
 void fields(Io& io, Is<BspClipnode> auto& clipnode) {
   io.number("plane", kI32, clipnode.plane);
   for (auto& child : clipnode.children) io.child("child", child, io.tree_sizes().clipnodes);
 }
 
+// leaf      version 29, 28 bytes    2PSB, 32 bytes      BSP2, 44 bytes
+// contents          0 i32               0 i32               0 i32
+// visibility        4 i32               4 i32               4 i32        offset of its row; -1: none
+// mins, maxs        8 i16 x6            8 i16 x6            8 f32 x6
+// marksurfaces     20 u16 x2           20 u32 x2           32 u32 x2     first, count
+// ambient levels   24 u8 x4            28 u8 x4            40 u8 x4      water, sky, slime, lava
 template <typename Io>
 void fields(Io& io, Is<BspLeaf> auto& leaf) {
   io.number("contents", kI32, leaf.contents);
@@ -94,21 +121,26 @@ void fields(Io& io, Is<BspLeaf> auto& leaf) {
   for (auto& level : leaf.ambient) io.number("ambient level", kU8, level);
 }
 
+// marksurface:  face u16, or u32 in 2PSB and BSP2
 template <typename Io>
 void fields(Io& io, Is<std::uint32_t> auto& marksurface) {
   io.number("face", kU16OrU32, marksurface);
 }
 
+// edge:         start, end vertex u16 x2, or u32 x2 in 2PSB and BSP2
 template <typename Io>
 void fields(Io& io, Is<BspEdge> auto& edge) {
   for (auto& vertex : edge.vertices) io.number("vertex", kU16OrU32, vertex);
 }
 
+// surfedge:     edge i32; negative: edge -value from end to start
 template <typename Io>
 void fields(Io& io, Is<std::int32_t> auto& surfedge) {
   io.number("edge", kI32, surfedge);
 }
 
+// model, 64 bytes:  0 mins f32 x3 | 12 maxs f32 x3 | 24 origin f32 x3 | 36 head nodes i32 x4 |
+//                  52 visible leaves i32 | 56 first face i32 | 60 face count i32
 template <typename Io>
 void fields(Io& io, Is<BspModel> auto& model) {
   vec3(io, "mins", model.mins);
@@ -120,7 +152,7 @@ void fields(Io& io, Is<BspModel> auto& model) {
   io.number("face count", kI32, model.face_count);
 }
 
-// Counts a record's bytes.
+// An Io that counts the bytes of a record.
 class RecordSizer {
  public:
   explicit RecordSizer(BspVersion version) : version_(version) {}
@@ -141,6 +173,7 @@ class RecordSizer {
   std::size_t bytes_ = 0;
 };
 
+// Returns the size of a record in the file.
 template <typename Record>
 std::size_t record_bytes(BspVersion version) {
   RecordSizer sizer(version);

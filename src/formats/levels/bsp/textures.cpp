@@ -20,7 +20,8 @@ std::size_t mip_bytes(const BspMiptex& texture, std::size_t mip) {
   return std::size_t{texture.width >> mip} * (texture.height >> mip);
 }
 
-// One texture of the lump; `budget_bytes` is what the textures may still unpack to.
+// Reads one texture. `io_budget_bytes`: the remaining limit for the total size of all textures, so that many
+// textures that share the same texels cannot exhaust memory.
 base::Result<BspMiptex> read_texture(base::Bytes lump, std::size_t offset, std::size_t& io_budget_bytes) {
   base::ByteReader reader(lump);
   reader.seek(offset);
@@ -58,10 +59,10 @@ base::Status write_texture(base::ByteWriter& writer, const BspMiptex& texture) {
   writer.fixed_text(texture.name, kMiptexNameBytes);
   writer.u32(texture.width);
   writer.u32(texture.height);
-  const bool outside = std::ranges::all_of(texture.mips, [](const auto& mip) { return mip.empty(); });
+  const bool is_external = std::ranges::all_of(texture.mips, [](const auto& mip) { return mip.empty(); });
   std::size_t mip_offset = kTextureHeaderBytes;
   for (const auto& mip : texture.mips) {
-    writer.u32(outside ? 0 : static_cast<std::uint32_t>(mip_offset));
+    writer.u32(is_external ? 0 : static_cast<std::uint32_t>(mip_offset));
     mip_offset += mip.size();
   }
   for (const auto& mip : texture.mips) writer.bytes(std::as_bytes(std::span(mip)));
@@ -86,7 +87,7 @@ base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump, std::size_t
       textures.emplace_back();
       continue;
     }
-    // A negative offset becomes one past any lump's end, which read_texture refuses.
+    // A negative offset becomes a huge one, which read_texture() rejects.
     auto texture = read_texture(lump, static_cast<std::uint32_t>(offset), budget_bytes);
     if (!texture)
       return base::malformed("lump textures: texture {} at offset {:#x}: {}", i,

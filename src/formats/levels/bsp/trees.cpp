@@ -8,7 +8,7 @@
 namespace temblor::formats::bsp_file {
 namespace {
 
-BspFault too_deep(BspLump lump, std::size_t node) {
+BspFault make_depth_fault(BspLump lump, std::size_t node) {
   return {lump, node, fmt::format("the tree is deeper than {} nodes", kBspMaxTreeDepth)};
 }
 
@@ -17,7 +17,7 @@ struct Visit {
   std::uint32_t depth;
 };
 
-// Walks one tree of hull 0; marks what it reaches.
+// Walks one tree of hull 0, and marks the nodes that it reaches.
 std::optional<BspFault> check_node_tree(const Bsp& bsp, std::int32_t head, std::vector<bool>& io_reached) {
   std::vector<Visit> to_visit{{head, 1}};
   while (!to_visit.empty()) {
@@ -26,14 +26,16 @@ std::optional<BspFault> check_node_tree(const Bsp& bsp, std::int32_t head, std::
     if (visit.node < 0) continue;
     const auto node = static_cast<std::size_t>(visit.node);
     if (io_reached[node]) return BspFault{BspLump::kNodes, node, "it is reached twice"};
-    if (visit.depth > kBspMaxTreeDepth) return too_deep(BspLump::kNodes, node);
+    if (visit.depth > kBspMaxTreeDepth) return make_depth_fault(BspLump::kNodes, node);
     io_reached[node] = true;
     for (const std::int32_t child : bsp.nodes[node].children) to_visit.push_back({child, visit.depth + 1});
   }
   return std::nullopt;
 }
 
-// Measures clipnode trees, which may share parts: each clipnode is walked once for all heads together.
+// Measures clipnode trees. Compilers let them share parts, so each clipnode is visited only once for all
+// heads together; its height is remembered. Depth first with an explicit stack, the path from the head: a
+// child that is on the path closes a cycle.
 class ClipnodeWalk {
  public:
   explicit ClipnodeWalk(const std::vector<BspClipnode>& clipnodes)
@@ -67,7 +69,7 @@ class ClipnodeWalk {
     if (height_[clipnode] == kOnPath)
       return BspFault{BspLump::kClipnodes, clipnode, "a path from it comes back to it"};
     if (height_[clipnode] != kUnknown) return std::nullopt;
-    if (path_.size() >= kBspMaxTreeDepth) return too_deep(BspLump::kClipnodes, clipnode);
+    if (path_.size() >= kBspMaxTreeDepth) return make_depth_fault(BspLump::kClipnodes, clipnode);
     height_[clipnode] = kOnPath;
     path_.push_back({clipnode, 0});
     return std::nullopt;
@@ -79,13 +81,14 @@ class ClipnodeWalk {
     std::uint32_t height = 1;
     for (const std::int32_t child : clipnodes_[clipnode].children)
       if (child >= 0) height = std::max(height, height_[static_cast<std::size_t>(child)] + 1);
-    if (height > kBspMaxTreeDepth) return too_deep(BspLump::kClipnodes, clipnode);
+    if (height > kBspMaxTreeDepth) return make_depth_fault(BspLump::kClipnodes, clipnode);
     height_[clipnode] = height;
     return std::nullopt;
   }
 
   const std::vector<BspClipnode>& clipnodes_;
-  std::vector<std::uint32_t> height_;  // nodes on the longest path down, or kUnknown, kOnPath
+  // Nodes on the longest path down from each clipnode; or kUnknown, or kOnPath while it is visited.
+  std::vector<std::uint32_t> height_;
   std::vector<Step> path_;
 };
 

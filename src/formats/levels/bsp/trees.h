@@ -1,5 +1,5 @@
-// The shape of a level's trees: no cycles, nothing reached twice where a walk must end in linear time, and
-// no path so long that recursion could exhaust the stack.
+// Validates the trees of a level: no cycles, no node reached twice (so walks take linear time), and a bounded
+// depth (so recursion is safe).
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace temblor::formats::bsp_file {
 
-// Both need every child and head in range.
+// Return the first fault, or nullopt. Both require that all children and heads are in range.
 std::optional<BspFault> check_node_trees(const Bsp& bsp);
 std::optional<BspFault> check_clipnode_trees(const Bsp& bsp);
 

@@ -1,4 +1,4 @@
-// Bsp -> bytes, in the layout of any of the three versions.
+// Writes a level in the layout of any version (records.h).
 #include <cmath>
 #include <limits>
 #include <span>
@@ -14,13 +14,13 @@ namespace temblor::formats {
 namespace bsp_file {
 namespace {
 
-// Writes the fields of records.h, and remembers the first that does not fit its width.
+// An Io for records.h that writes fields, and remembers the first one that does not fit its width.
 class RecordWriter {
  public:
   RecordWriter(base::ByteWriter& writer, BspVersion version, TreeSizes tree_sizes)
       : writer_(writer), version_(version), tree_sizes_(tree_sizes) {}
 
-  // The name of the first field that did not fit, or nullptr; and its value.
+  // The name of the first field that did not fit, or null; and its value.
   const char* misfit() const { return misfit_; }
   double misfit_value() const { return misfit_value_; }
 
@@ -31,6 +31,7 @@ class RecordWriter {
     else
       put<Large>(name, value);
   }
+  // The reverse of RecordReader::child(): the value must read back as the same child.
   void child(const char* name, const std::int32_t& child, std::size_t node_count) {
     if (version_ != BspVersion::k29) return put<std::int32_t>(name, child);
     const std::int32_t raw = child < 0 ? child + 65536 : child;
@@ -70,7 +71,7 @@ class RecordWriter {
   double misfit_value_ = 0;
 };
 
-// Writes lump after lump and fills in the header.
+// Writes all lumps and fills in the header.
 class LumpWriter {
  public:
   LumpWriter(const Bsp& bsp, BspVersion version)
@@ -106,8 +107,8 @@ class LumpWriter {
       fields(record_writer, records[i]);
       if (record_writer.misfit() != nullptr)
         return error(base::ErrorCode::kTooLarge, "lump {}: {} {}: {} {} does not fit version {}",
-                     name_of(lump), record_name_of(lump), i, record_writer.misfit(),
-                     record_writer.misfit_value(), name_of(version_));
+                     lump_name(lump), record_name(lump), i, record_writer.misfit(),
+                     record_writer.misfit_value(), version_name(version_));
     }
     end(lump);
     return base::Ok{};

@@ -14,7 +14,7 @@ constexpr bool is_space(char c) {
 constexpr bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }
-// What may follow a number.
+// Characters that may follow a number.
 constexpr bool ends_number(char c) {
   return is_space(c) || c == ')' || c == ']' || c == '}';
 }
@@ -36,7 +36,7 @@ Scanner::Scanner(std::string_view text) {
 void Scanner::skip() {
   while (at_ != end_) {
     if (is_space(*at_)) {
-      // CR LF is one line end, and so is either alone.
+      // CR LF, CR, and LF each count as one line end.
       if (*at_ == '\n' || (*at_ == '\r' && (at_ + 1 == end_ || at_[1] != '\n'))) ++line_;
       ++at_;
     } else if (*at_ == ';' || (*at_ == '/' && at_ + 1 != end_ && at_[1] == '/')) {
@@ -103,12 +103,12 @@ bool Scanner::ends_line(const char* at) const {
   return next == end_ || is_line_end(*next);
 }
 
-// Where the number ends that starts here; null when none does.
+// Returns the end of the number that starts here, or null.
 template <typename Number>
 const char* Scanner::parse_number(Number& out_number) {
   skip();
   const char* begin = at_;
-  // from_chars knows no plus sign; and no number has two signs.
+  // from_chars rejects a plus sign, so skip it; but not before another sign.
   if (begin != end_ && *begin == '+' && ++begin != end_ && *begin == '-') return nullptr;
   const auto [after, code] = std::from_chars(begin, end_, out_number);
   return code == std::errc{} && (after == end_ || ends_number(*after)) ? after : nullptr;

@@ -1,3 +1,5 @@
+// Writes .map texts in the style of editors: one side in each line, and comments with the numbers of entities
+// and brushes. Numbers are written with as many digits as reading them back needs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +16,8 @@ void write_vector(Out out, const math::Vec3d& vector) {
   fmt::format_to(out, "{} {} {}", vector.x, vector.y, vector.z);
 }
 
-// A name that would be read as something else when it stands bare is quoted. Behind a matrix a parenthesis
-// is the name's own.
+// Quotes a name that would be read as something else without quotes. After a matrix, a parenthesis belongs to
+// the name.
 void write_texture(Out out, const MapSide& side) {
   const std::string_view name = side.texture;
   const bool opens_matrix =

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kHostBits = 128, kIp4PrefixBits = 96;
 
-// The bits of byte `index` that a mask of `bits` covers.
-std::uint8_t mask_of_byte(int bits, int index) {
+// Returns the mask for byte `index` of a host, of which the first `bits` bits are covered.
+std::uint8_t compute_prefix_mask_byte(int bits, int index) {
   const int covered = bits - index * 8;
   if (covered <= 0) return 0;
   return covered >= 8 ? std::uint8_t{0xff} : static_cast<std::uint8_t>(0xff << (8 - covered));
@@ -23,7 +23,7 @@ std::uint8_t mask_of_byte(int bits, int index) {
 bool AddressPrefix::contains(const platform::Address& address) const {
   for (int i = 0; i < kHostBits / 8; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    if (((address.host[at] ^ base.host[at]) & mask_of_byte(bits, i)) != 0) return false;
+    if (((address.host[at] ^ base.host[at]) & compute_prefix_mask_byte(bits, i)) != 0) return false;
   }
   return true;
 }
@@ -32,20 +32,20 @@ base::Result<AddressPrefix> parse_prefix(std::string_view text) {
   const std::size_t slash = text.find('/');
   const auto host = platform::parse_host(text.substr(0, slash), 0);
   if (!host)
-    return base::error(base::ErrorCode::kUsage, "'{}' is no address in numbers", base::quotable(text));
+    return base::error(base::ErrorCode::kUsage, "'{}' is not a numeric IP address", base::quotable(text));
   AddressPrefix prefix{*host, kHostBits};
   if (slash != std::string_view::npos) {
     const std::string_view number = text.substr(slash + 1);
-    const int most = host->is_ip4() ? kHostBits - kIp4PrefixBits : kHostBits;
+    const int max_bits = host->is_ip4() ? kHostBits - kIp4PrefixBits : kHostBits;
     int bits = -1;
     const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), bits);
-    if (failure != std::errc{} || end != number.data() + number.size() || bits < 0 || bits > most)
-      return base::error(base::ErrorCode::kUsage, "'{}': the mask is no number from 0 to {}",
-                         base::quotable(text), most);
-    prefix.bits = kHostBits - most + bits;
+    if (failure != std::errc{} || end != number.data() + number.size() || bits < 0 || bits > max_bits)
+      return base::error(base::ErrorCode::kUsage, "'{}': the mask length must be a number from 0 to {}",
+                         base::quotable(text), max_bits);
+    prefix.bits = kHostBits - max_bits + bits;
   }
   for (int i = 0; i < kHostBits / 8; ++i)
-    prefix.base.host[static_cast<std::size_t>(i)] &= mask_of_byte(prefix.bits, i);
+    prefix.base.host[static_cast<std::size_t>(i)] &= compute_prefix_mask_byte(prefix.bits, i);
   return prefix;
 }
 

@@ -1,4 +1,4 @@
-// Networks to keep out: "192.0.2.0/24", "2001:db8::/32", or one host.
+// Address ranges for bans: "192.0.2.0/24", "2001:db8::/32", or a single host.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@ namespace temblor::net {
 
 struct AddressPrefix {
   platform::Address base;
-  int bits = 128;  // of the host as platform::Address holds it: 96 more than those of an IPv4 mask
+  int bits = 128;  // of the 16-byte host in platform::Address; an IPv4 mask has 96 fewer
 
   bool contains(const platform::Address& address) const;
   bool operator==(const AddressPrefix&) const = default;
 };
 
-// "HOST" or "HOST/BITS", the host in numbers; bits of the host beyond the mask are cleared. kUsage with what
-// is wrong.
+// Parses "HOST" or "HOST/BITS" with a numeric host, and clears the host bits outside of the mask. Returns
+// kUsage with the reason if `text` is invalid.
 base::Result<AddressPrefix> parse_prefix(std::string_view text);
-// As parse_prefix reads it; one host without its bits.
+// Formats a prefix for parse_prefix(); omits the bits of a single host.
 std::string to_text(const AddressPrefix& prefix);
 
 }  // namespace temblor::net

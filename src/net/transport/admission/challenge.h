@@ -1,8 +1,12 @@
-// A word that only the owner of an address can say: the server sends it there, and waits for it to come back.
-// It is worked out from the address and a secret, so that nothing needs to be remembered to check it.
+// Challenge cookies: proof that a peer receives packets at the address that it claims. The server sends a
+// cookie to the address, and the peer must return it before it becomes a connection.
 //
-// SipHash-2-4 (Aumasson and Bernstein, SipHash: a fast short-input PRF, 2012): who has seen any number of
-// words, for addresses of his own, cannot tell another's.
+//   server -> peer   svc_stufftext "cmd COOKIE\n"      every NetQuake client executes this and replies
+//   peer -> server   clc_stringcmd "COOKIE"
+//
+// The cookie is the SipHash-2-4 of the address under a server secret (Aumasson and Bernstein, "SipHash: a
+// fast short-input PRF", 2012). So checking it needs no table, and a peer that has seen cookies for its own
+// addresses cannot guess the cookie of another address.
 #pragma once
 
 #include <array>
@@ -16,18 +20,21 @@
 
 namespace temblor::net {
 
+// 128-bit key.
 using Secret = std::array<std::uint64_t, 2>;
 
+// SipHash-2-4 of `bytes`.
 std::uint64_t sip_hash(const Secret& secret, base::Bytes bytes);
 
-// Ten letters and digits. `serial`: another one for each attempt.
-std::string challenge_word(const Secret& secret, const platform::Address& address, std::uint64_t serial);
+// Returns the cookie for an address: ten hexadecimal digits (40 bits). Pass a new `serial` for each attempt.
+std::string make_challenge_cookie(const Secret& secret, const platform::Address& address,
+                                  std::uint64_t serial);
 
-// The message that makes a client say it: console text, "cmd WORD", which clients of any NetQuake pass back.
-base::ByteVector challenge_message(std::string_view word);
+// Makes the reliable message that asks a client for the cookie.
+base::ByteVector make_challenge_message(std::string_view cookie);
 
-// What else a client's message holds beside the word said as a console line; nothing where it is not said, or
-// the message cannot be read.
-std::optional<base::ByteVector> without_word(base::Bytes message, std::string_view word);
+// Returns the client message without the console line that repeats the cookie. Returns nullopt if the message
+// does not contain the cookie, or cannot be read.
+std::optional<base::ByteVector> remove_challenge_reply(base::Bytes message, std::string_view cookie);
 
 }  // namespace temblor::net

@@ -16,17 +16,17 @@ HalfOpen* HalfOpenTable::find(const platform::Address& address) {
 HalfOpen* HalfOpenTable::add(const platform::Address& address, std::size_t socket,
                              const ChannelSettings& settings, double now_s) {
   CHECK(find(address) == nullptr);
-  const auto of_host = [&](const HalfOpen& entry) { return entry.address.same_host(address); };
-  const bool host_is_full =
-      static_cast<std::size_t>(std::count_if(entries_.begin(), entries_.end(), of_host)) >= kEntriesOfHost;
-  if (host_is_full || entries_.size() >= kEntries) {
-    // The oldest of the host's own, or of all.
+  const auto has_same_host = [&](const HalfOpen& entry) { return entry.address.same_host(address); };
+  const bool host_is_full = static_cast<std::size_t>(std::count_if(entries_.begin(), entries_.end(),
+                                                                   has_same_host)) >= kMaxEntriesPerHost;
+  if (host_is_full || entries_.size() >= kMaxEntries) {
+    // Replace the oldest entry: of this host if its share is full, otherwise of all.
     const auto older = [&](const HalfOpen& a, const HalfOpen& b) {
-      if (host_is_full && of_host(a) != of_host(b)) return of_host(a);
+      if (host_is_full && has_same_host(a) != has_same_host(b)) return has_same_host(a);
       return a.began_s < b.began_s;
     };
     const auto oldest = std::min_element(entries_.begin(), entries_.end(), older);
-    if (now_s - oldest->began_s < kSafe_s) return nullptr;
+    if (now_s - oldest->began_s < kMinAge_s) return nullptr;
     entries_.erase(oldest);
   }
   return &entries_.emplace_back(HalfOpen{address, socket, now_s, Channel(settings), {}});

@@ -1,5 +1,6 @@
-// Connections that were accepted and have shown no sign of life yet: whoever asked for them may have written
-// somebody else's address. A fixed number of them, each with a short life.
+// Half-open connections: accepted, but the peer has not yet acknowledged a packet, so the sender address of
+// the request may be forged. The table has a fixed size, and entries expire quickly, so a flood of forged
+// requests costs a bounded amount of memory (as with SYN floods in TCP).
 #pragma once
 
 #include <cstddef>
@@ -11,31 +12,34 @@
 
 namespace temblor::net {
 
+// One half-open connection.
 struct HalfOpen {
   platform::Address address;
-  std::size_t socket = 0;  // which of its server's it came through
-  double began_s = 0;
+  std::size_t socket = 0;  // index of the server socket that received the request
+  double began_s = 0;      // time of the request
   Channel channel;
-  std::string
-      word{};  // that it was asked to say (net/transport/admission/challenge.h); empty: it was not asked
+  std::string cookie{};  // that the peer must return (challenge.h); empty: no challenge was sent
 };
 
 class HalfOpenTable {
  public:
-  static constexpr std::size_t kEntries = 64;
-  // One host, whatever its ports, leaves room for others.
-  static constexpr std::size_t kEntriesOfHost = 48;
-  // An entry younger than this does not give way to a newer one: its first acknowledgement may be on the way.
-  static constexpr double kSafe_s = 2;
+  static constexpr std::size_t kMaxEntries = 64;
+  // Entries of one host, across all of its ports; leaves room for others.
+  static constexpr std::size_t kMaxEntriesPerHost = 48;
+  // A newer request never replaces an entry younger than this: its acknowledgment may still be on the way.
+  static constexpr double kMinAge_s = 2;
 
-  HalfOpenTable() { entries_.reserve(kEntries); }
+  HalfOpenTable() { entries_.reserve(kMaxEntries); }
 
-  // Null when there is none. Valid until the next call that changes the table.
+  // Returns null if the address has no entry. The pointer is valid until the next call that changes the
+  // table.
   HalfOpen* find(const platform::Address& address);
-  // The new entry; null when there is no room and nobody gives way. CHECKs that the address has none.
+  // Adds an entry. If the table (or the host's share) is full, it replaces the oldest entry, unless that one
+  // is younger than kMinAge_s: then it returns null. CHECKs that the address has no entry.
   HalfOpen* add(const platform::Address& address, std::size_t socket, const ChannelSettings& settings,
                 double now_s);
   void remove(const platform::Address& address);
+  // Removes entries older than `life_s` seconds.
   void remove_older_than(double life_s, double now_s);
   std::vector<HalfOpen>& entries() { return entries_; }
 

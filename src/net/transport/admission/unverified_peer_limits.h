@@ -1,16 +1,17 @@
-// What a server grants to senders whose address proves nothing: anybody can write any address into a
-// datagram, and whoever really has it gets the answers.
+// Rate limits for peers whose address is unverified. Anybody can forge the sender address of a datagram, and
+// the reply then hits the real owner of that address; so a server without limits is an amplifier for attacks.
 //
-// - Connection requests: so many a second from one host, whatever its ports, and so many from everybody.
-// - Answers that are larger than their question (queries, refusals): a budget of bytes for each host, and one
-//   for all hosts together. Both count 28 bytes a packet for the headers below it. One look at a server with
-//   all its players and rules fits a host's burst many times over; but a flood of questions in a victim's
-//   name brings the victim that burst and a trickle, and the world in all no more than the common budget. A
-//   host that has a connection is spared the common one, so that a flood does not blind those who play.
-// - Passwords for remote commands that were wrong: a few a minute from one host.
+// - Connection requests: a rate for each host (across its ports), and one for all hosts together.
+// - Replies that are larger than their request (queries, rejections): a budget of bytes for each host, and
+//   one for all hosts together. Both count 28 bytes for the IP and UDP headers of each packet. A complete
+//   query of a full server fits into a host's burst many times. But a flood of requests with a forged address
+//   sends the victim only that burst plus a trickle. Hosts with a connection are exempt from the common
+//   budget, so that a flood does not lock out players.
+// - Wrong passwords for remote commands: a few a minute for each host.
 //
-// Memory is fixed: a host that has not asked for long gives way to a new one. A flood from more hosts than
-// the table holds thus forgets what each had used, and the common budgets hold alone.
+// The method is token buckets in a 4-way set-associative table of fixed size, keyed by a seeded hash of the
+// host; a new host replaces the least recently active one of its set. So a flood from more hosts than the
+// table holds resets the limits of single hosts, and only the common budgets remain.
 #pragma once
 
 #include <array>
@@ -24,44 +25,47 @@
 
 namespace temblor::net {
 
+// Defaults of a server. Each pair is {burst, per second}.
 struct UnverifiedPeerRates {
-  Rate connections_of_host{64, 4}, connections_of_all{256, 64};  // requests
-  Rate answer_bytes_of_host{8192, 512}, answer_bytes_of_all{65536, 16384};
-  Rate wrong_passwords_of_host{5, 1.0 / 12}, wrong_passwords_of_all{50, 1};
+  Rate connections_per_host{64, 4}, connections_in_total{256, 64};  // requests
+  Rate reply_bytes_per_host{8192, 512}, reply_bytes_in_total{65536, 16384};
+  Rate wrong_passwords_per_host{5, 1.0 / 12}, wrong_passwords_in_total{50, 1};
 };
 
 class UnverifiedPeerLimits {
  public:
-  // `seed` makes the places of hosts in the table unforeseeable; any number.
+  // `seed`: any number that attackers do not know; they cannot choose addresses that share a set then.
   explicit UnverifiedPeerLimits(const UnverifiedPeerRates& rates = {}, std::uint64_t seed = 0);
 
+  // Returns whether to process a connection request, and charges it.
   bool admit_connection_request(const platform::Address& from, double now_s);
-  // To look at a query at all: 28 bytes of the budgets. `is_known`: the host has a connection.
+  // Returns whether to process a query, and charges 28 bytes. `is_known`: the host has a connection.
   bool admit_query(const platform::Address& from, bool is_known, double now_s);
-  // To answer it: the answer's bytes; nothing for one no larger than its question.
-  bool admit_answer(const platform::Address& to, std::size_t question_bytes, std::size_t answer_bytes,
-                    bool is_known, double now_s);
-  // Whether a password from there is looked at at all; each that is wrong is told to wrong_password().
+  // Returns whether to send the reply, and charges its bytes; a reply no larger than its request is free.
+  bool admit_reply(const platform::Address& to, std::size_t request_bytes, std::size_t reply_bytes,
+                   bool is_known, double now_s);
+  // Returns whether to check a password from this host. Report each wrong one with record_wrong_password().
   bool admit_password(const platform::Address& from, double now_s);
-  void wrong_password(const platform::Address& from, double now_s);
+  void record_wrong_password(const platform::Address& from, double now_s);
 
  private:
   struct Host {
-    std::uint64_t key = 0;  // 0: nobody
-    double asked_s = 0;
-    TokenBucket connections{}, answer_bytes{}, wrong_passwords{};
+    std::uint64_t key = 0;  // hash of the address; 0: unused
+    double last_seen_s = 0;
+    TokenBucket connections{}, reply_bytes{}, wrong_passwords{};
   };
-  static constexpr std::size_t kSets = 512, kHostsOfSet = 4;
-  Host& host_of(const platform::Address& address, double now_s);
-  bool take_answer_bytes(const platform::Address& to, std::size_t bytes, bool is_known, double now_s);
+  static constexpr std::size_t kSets = 512, kHostsPerSet = 4;
+  Host& find_or_add_host(const platform::Address& address, double now_s);
+  bool spend_reply_bytes(const platform::Address& to, std::size_t bytes, bool is_known, double now_s);
 
   UnverifiedPeerRates rates_;
   std::uint64_t seed_;
-  std::vector<std::array<Host, kHostsOfSet>> sets_;
-  TokenBucket connections_, answer_bytes_, wrong_passwords_;
+  std::vector<std::array<Host, kHostsPerSet>> sets_;
+  TokenBucket connections_, reply_bytes_, wrong_passwords_;
 };
 
-// Takes the same time whatever characters differ. An empty `expected` is no password: nothing equals it.
+// Compares passwords in a time that does not depend on where they differ. An empty `expected` means that no
+// password is set: returns false for everything.
 bool equal_in_constant_time(std::string_view given, std::string_view expected);
 
 }  // namespace temblor::net

@@ -11,11 +11,12 @@ namespace {
 
 using formats::ProgsType;
 
-// Vectors have three more definitions, of their components.
+// A vector field has three more definitions, for its components ("origin_x").
 bool is_component(std::string_view name) {
   return name.size() > 2 && name[name.size() - 2] == '_';
 }
 
+// Unlike field_text.h, this is for people: the text shows the type of each value.
 std::string value_text(const vm::Machine& machine, ProgsType type, std::span<const std::uint32_t> words) {
   const std::uint32_t word = words[0];
   switch (type) {
@@ -32,7 +33,7 @@ std::string value_text(const vm::Machine& machine, ProgsType type, std::span<con
       return fmt::format("field {}", word);
     case ProgsType::kFunction:
       if (word >= machine.program().progs().functions.size()) break;
-      return fmt::format("{}()", machine.program().name_of(vm::FunctionIndex{word}));
+      return fmt::format("{}()", machine.program().function_name(vm::FunctionIndex{word}));
     case ProgsType::kVoid:
     case ProgsType::kPointer:
       break;
@@ -48,7 +49,7 @@ std::string describe_entity(const Edicts& edicts, const vm::Machine& machine, vm
   const std::span<const std::uint32_t> words = machine.entity(entity);
   for (const formats::ProgsDefinition& field : machine.program().progs().fields) {
     const std::string_view name = machine.program().progs().string_at(field.name);
-    const auto value = words.subspan(field.offset, formats::words_of(field.type));
+    const auto value = words.subspan(field.offset, formats::value_words(field.type));
     const bool is_zero =
         std::all_of(value.begin(), value.end(), [](std::uint32_t word) { return word == 0; });
     if (is_zero || is_component(name)) continue;

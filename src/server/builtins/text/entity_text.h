@@ -1,4 +1,4 @@
-// An entity in words, for people: every field that is not 0.
+// Prints an entity for people: every field that is not 0.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace temblor::server {
 
-// Lines, each with a newline: "entity 3:" and "  classname       \"door\"", or one that says that it was
-// removed.
+// Lines such as "entity 3:" and "  classname       \"door\"", each with a newline. A free entity has one line
+// that says so.
 std::string describe_entity(const Edicts& edicts, const vm::Machine& machine, vm::EntityIndex entity);
 
 }  // namespace temblor::server

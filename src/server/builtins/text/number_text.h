@@ -1,4 +1,5 @@
-// Numbers as QuakeC sees them in text.
+// Numbers as text, in the format of the original's ftos() and vtos(), which game code may compare or cut
+// apart.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 
 namespace temblor::server {
 
-// "12", "-3", "  0.5": a whole number as it is, another with one decimal in at least five characters.
+// "12", "-3", "  0.5": a whole number as it is; another one with one decimal, in at least five characters.
 inline std::string number_text(float value) {
   const bool is_whole = std::fabs(value) < 2147483648.0f && value == std::trunc(value);
   return is_whole ? fmt::format("{}", static_cast<int>(value)) : fmt::format("{:>5.1f}", value);

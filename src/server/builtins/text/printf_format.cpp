@@ -13,23 +13,26 @@
 namespace temblor::server {
 namespace {
 
+// Bounds the memory that a short format can ask for.
 constexpr int kMaxWidth = 512;
 constexpr std::string_view kFlags = "-+ 0#";
 constexpr std::string_view kWholeConversions = "dicxXou", kFloatConversions = "fFeEgGv";
 
+// One parsed directive, with its width and precision already read.
 struct Directive {
   std::string flags;
   int width = 0;
-  int precision = -1;  // none
+  int precision = -1;  // -1: not given
   char length = 0;     // 'l', 'h' or 0
   char conversion = 0;
-  int value = 0;  // which, from 0
+  int value = 0;  // the index of the value, from 0
 };
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+// Reads the format from left to right. `rest_` is what is still to be read, `text_` the result so far.
 class Formatter {
  public:
   Formatter(std::string_view format, vm::Machine& io_machine, int first)
@@ -66,7 +69,7 @@ class Formatter {
     return true;
   }
 
-  // Nothing where there are no digits; at most kMaxWidth.
+  // Reads digits. Empty: there are none. At most kMaxWidth.
   std::optional<int> take_number() {
     if (rest_.empty() || !is_digit(rest_.front())) return std::nullopt;
     int number = 0;
@@ -75,12 +78,13 @@ class Formatter {
     return number;
   }
 
-  // A width or precision.
+  // Reads a width or a precision.
   std::optional<int> take_size() {
     if (!take('*')) return take_number();
     return static_cast<int>(std::clamp(number(next_value_++), -double{kMaxWidth}, double{kMaxWidth}));
   }
 
+  // "2$" selects the second value. Anything else is not an index, and stays unread.
   std::optional<int> take_index() {
     const std::string_view before = rest_;
     const std::optional<int> index = take_number();
@@ -89,7 +93,7 @@ class Formatter {
     return std::nullopt;
   }
 
-  // Nothing, and rest_ behind what was understood, when it is no directive.
+  // Reads a directive. Empty: it makes no sense, and rest_ starts after the part that was understood.
   std::optional<Directive> parse() {
     Directive directive;
     const std::optional<int> index = take_index();
@@ -120,7 +124,7 @@ class Formatter {
   bool is_passed(int value) const {
     return value < vm::Machine::kMaxParameters && first_ + value < machine_.parameter_count();
   }
-  // NaN counts as 0 where a whole number is wanted; see whole().
+  // NaN counts as 0 where a whole number is needed; see whole().
   double number(int value) const {
     const double found = is_passed(value) ? double{machine_.parameter_float(first_ + value)} : 0.0;
     return std::isnan(found) ? 0.0 : found;
@@ -130,8 +134,8 @@ class Formatter {
     return is_passed(value) ? std::bit_cast<std::int32_t>(machine_.parameter_float(first_ + value)) : 0;
   }
 
-  // Programs of version 6 have no whole numbers but those that hide in words of other types, and these are
-  // small: as floats they would be denormal, or no number where they are negative.
+  // Whether the value is an integer. Programs of version 6 have no integers, except in words of other types,
+  // such as entities. These are small: as floats they would be denormal, or NaN if they are negative.
   bool holds_whole(const Directive& directive) const {
     if (directive.length != 0) return directive.length == 'l';
     return directive.conversion == 'i' && !std::isnormal(std::bit_cast<float>(word(directive.value)));
@@ -147,19 +151,19 @@ class Formatter {
     return is_passed(directive.value) ? double{machine_.parameter_float(first_ + directive.value)} : 0.0;
   }
 
-  // `kind`: the length and conversion as C wants them for the type of `value`.
+  // `kind` is C's length and conversion for the type of `value`.
   template <typename Value>
   void print(const Directive& directive, const char* kind, Value value) {
     const std::string precision = directive.precision < 0 ? "" : fmt::format(".{}", directive.precision);
     const std::string width = directive.width == 0 ? "" : fmt::format("{}", directive.width);
     const std::string format = "%" + directive.flags + width + precision + kind;
-    // The longest: all digits of a double and a precision behind them.
+    // The longest result has all digits of a double, and a precision after them.
     std::array<char, 2 * kMaxWidth> buffer{};
     const int size = std::snprintf(buffer.data(), buffer.size(), format.c_str(), value);
     text_.append(buffer.data(), std::min(buffer.size() - 1, static_cast<std::size_t>(std::max(size, 0))));
   }
 
-  // As print() does it, for what may be longer than its buffer.
+  // Like print(), for text that may be longer than its buffer.
   void print_text(const Directive& directive, std::string_view text) {
     if (directive.precision >= 0) text = text.substr(0, static_cast<std::size_t>(directive.precision));
     const std::size_t width = static_cast<std::size_t>(directive.width);

@@ -1,4 +1,4 @@
-// Words for players and for the server's console. Several texts are joined.
+// Built-in functions that print to players and to the server's console. Several texts are joined.
 #include "server/builtins/families.h"
 #include "server/builtins/text/player_text.h"
 
@@ -12,24 +12,24 @@ base::Status bprint(Call& io_call) {
 }
 
 base::Status sprint(Call& io_call) {
-  TRY(base::ByteWriter* const writer, listener(io_call));
+  TRY(base::ByteWriter* const writer, player_buffer(io_call));
   if (writer != nullptr) write_text<net::Print>(io_call.joined_text(1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 
 base::Status centerprint(Call& io_call) {
-  TRY(base::ByteWriter* const writer, listener(io_call));
+  TRY(base::ByteWriter* const writer, player_buffer(io_call));
   if (writer != nullptr) write_center_text(io_call.joined_text(1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 
-// For whoever develops.
+// dprint(): shown only to developers.
 base::Status dprint(Call& io_call) {
   if (io_call.variable("developer") != 0) io_call.print(io_call.joined_text(0));
   return base::Ok{};
 }
 
-// A command for a player's own console.
+// stuffcmd(): runs a command in a player's own console.
 base::Status stuffcmd(Call& io_call) {
   TRY(const vm::EntityIndex player, io_call.player(0));
   Outbox& outbox = io_call.game.outbox;

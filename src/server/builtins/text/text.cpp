@@ -1,5 +1,5 @@
-// Numbers to text and back, and texts cut, joined and taken apart. Every result is a string of its own; the
-// original has room for one, which the next call writes over.
+// Built-in functions that convert numbers to text and back, and cut, join and split text. Each result is a
+// new string. The original has one buffer, which the next call overwrites.
 #include <algorithm>
 
 #include "server/builtins/families.h"
@@ -10,8 +10,10 @@
 namespace temblor::server {
 namespace {
 
+// More tokens are ignored.
 constexpr std::size_t kMaxTokens = 1024;
 
+// ftos(), vtos() and etos(): a number, a vector and an entity as text.
 base::Status ftos(Call& io_call) {
   return io_call.return_text(number_text(io_call.number(0)));
 }
@@ -22,6 +24,7 @@ base::Status etos(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   return io_call.return_text(fmt::format("entity {}", base::to_size(entity)));
 }
+// stof() and stov(): the reverse. Text without a number is 0.
 base::Status stof(Call& io_call) {
   io_call.machine.return_float(number_from(io_call.text(0)));
   return base::Ok{};
@@ -31,6 +34,7 @@ base::Status stov(Call& io_call) {
   return base::Ok{};
 }
 
+// Counts bytes: the game's characters have one byte each.
 base::Status strlen(Call& io_call) {
   io_call.machine.return_float(static_cast<float>(io_call.text(0).size()));
   return base::Ok{};
@@ -40,7 +44,7 @@ base::Status strcat(Call& io_call) {
   return io_call.return_text(io_call.joined_text(0));
 }
 
-// substring(text, first, count): what there is of it.
+// substring(text, first, count): the part of the range that exists.
 base::Status substring(Call& io_call) {
   const std::string text(io_call.text(0));
   const auto first = static_cast<std::size_t>(std::max(io_call.whole(1), 0));
@@ -48,7 +52,7 @@ base::Status substring(Call& io_call) {
   return io_call.return_text(first < text.size() ? std::string_view(text).substr(first, count) : "");
 }
 
-// A copy that lives until strunzone(), whoever holds it.
+// strzone(): a copy that lives until strunzone().
 base::Status strzone(Call& io_call) {
   TRY(const vm::StringIndex zoned, io_call.machine.strings().zone(std::string(io_call.text(0))));
   io_call.machine.return_string(zoned);
@@ -64,7 +68,8 @@ base::Status sprintf(Call& io_call) {
   return io_call.return_text(format_parameters(io_call.text(0), io_call.machine, 1));
 }
 
-// A word without blanks, or all between quotes; nothing at the end.
+// Removes the next token from the text: a word, or everything between two quotes. Empty at the end of the
+// text.
 std::optional<std::string> take_token(std::string_view& io_text) {
   const auto is_blank = [](char c) { return static_cast<unsigned char>(c) <= ' '; };
   const auto begin = std::find_if_not(io_text.begin(), io_text.end(), is_blank);
@@ -83,7 +88,7 @@ std::optional<std::string> take_token(std::string_view& io_text) {
   return token;
 }
 
-// How many words the text has; argv() then gives each.
+// tokenize(text): splits the text, and returns the number of tokens, which argv() returns one by one.
 base::Status tokenize(Call& io_call) {
   std::vector<std::string>& tokens = io_call.game.tokens;
   tokens.clear();
@@ -97,7 +102,7 @@ base::Status tokenize(Call& io_call) {
   return base::Ok{};
 }
 
-// Empty for one that there is not.
+// argv(index): empty if there is no such token.
 base::Status argv(Call& io_call) {
   const std::vector<std::string>& tokens = io_call.game.tokens;
   const int i = io_call.whole(0);

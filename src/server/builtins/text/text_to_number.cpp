@@ -11,8 +11,8 @@ bool is_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-// The number at the text's beginning, which is taken off it.
-float take_number(std::string_view& io_text) {
+// Removes the number from the beginning of the text.
+float read_number(std::string_view& io_text) {
   while (!io_text.empty() && is_blank(io_text.front())) io_text.remove_prefix(1);
   if (io_text.starts_with('+') && !io_text.starts_with("+-")) io_text.remove_prefix(1);
   double value = 0;
@@ -26,14 +26,14 @@ float take_number(std::string_view& io_text) {
 }  // namespace
 
 float number_from(std::string_view text) {
-  return take_number(text);
+  return read_number(text);
 }
 
 math::Vec3 vector_from(std::string_view text) {
   const std::size_t quote = text.find('\'');
   if (quote != std::string_view::npos) text.remove_prefix(quote + 1);
   math::Vec3 value{0.0f};
-  for (int axis = 0; axis < 3; ++axis) value[axis] = take_number(text);
+  for (int axis = 0; axis < 3; ++axis) value[axis] = read_number(text);
   return value;
 }
 

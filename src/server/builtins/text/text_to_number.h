@@ -1,5 +1,5 @@
-// Numbers in text, as the C library's atof reads them: blanks are passed over, and what follows the number
-// too.
+// Reads numbers from text like the C library's atof: skips blanks before the number, and ignores what follows
+// it. Unlike atof, it does not depend on the locale.
 #pragma once
 
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace temblor::server {
 
-// 0 where there is no number; the largest there is in place of one beyond it.
+// 0 if there is no number. Numbers beyond the range of float become its largest.
 float number_from(std::string_view text);
-// "'1 2 3'" or "1 2 3"; components that are not there are 0.
+// Reads "'1 2 3'" or "1 2 3". Missing components are 0.
 math::Vec3 vector_from(std::string_view text);
 
 }  // namespace temblor::server

@@ -1,0 +1,31 @@
+// What the mapper asks of a compilation on the command line. What the level itself asks for is in its
+// entities' keys.
+#pragma once
+
+#include <cstdint>
+
+#include "compiler/bsp/make_draft.h"
+#include "compiler/light/light_level.h"
+#include "compiler/texture_set.h"
+
+namespace temblor::compiler {
+
+// What to do about one stage of the pipeline.
+enum class StagePolicy : std::uint8_t {
+  kBuild,  // run it, unless its last result is still valid
+  kReuse,  // keep its last result if that still fits the brushes; otherwise leave it out
+  kSkip,   // leave it out: without visibility everything is drawn, without light everything is fully lit
+};
+
+// The defaults are those of `temblor compile` without options.
+struct CompileOptions {
+  DraftOptions draft;
+  LightOptions light;  // compile_level and finish_level fill in its palette
+  MipLevels mip_levels = MipLevels::kFromSource;
+  StagePolicy visibility_policy = StagePolicy::kBuild;
+  StagePolicy light_policy = StagePolicy::kBuild;
+  bool fast_visibility = false;  // VisibilityKind::kRough instead of kFull
+  bool bsp2 = false;             // write the BSP2 format even if the level fits the original's (version 29)
+};
+
+}  // namespace temblor::compiler

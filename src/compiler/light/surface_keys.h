@@ -1,0 +1,64 @@
+// The keys by which mappers control the light on the faces of a brush entity.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "formats/levels/bsp.h"
+#include "formats/levels/entities.h"
+
+namespace temblor::compiler {
+
+// What a brush asks of the light on its faces. Applies to worldspawn, func_group, func_detail and brush
+// entities alike. A .bsp cannot store it. The names are those of the keys in the .map: _phong, _phong_angle,
+// ...
+struct SurfaceKeys {
+  float phong_angle_deg = 0;          // 0: flat
+  float phong_angle_concave_deg = 0;  // 0: the same as phong_angle_deg
+  std::int32_t phong_group = 0;
+  float min_light = 0;
+  std::array<float, 3> min_light_color{1, 1, 1};
+  bool casts_shadow = true;  // func_detail_illusionary does not
+  // If the brush casts a shadow only because of _shadowself or _shadowworldonly.
+  bool shadows_own_model_only = false, shadows_world_only = false;
+  // _autominlight. Which luxels take the light at the model's center: 0: those of completely hidden faces, 1:
+  // all hidden ones, -1: none.
+  std::int8_t auto_min_light = 0;
+  bool takes_dirt = true;
+  bool takes_bounce = true;
+  bool ignores_light = false;   // _lightignore
+  bool lights_liquids = false;  // _litwater: liquids get light maps
+  float light_map_scale = 1;    // _lmscale; 0.5: twice as many luxels along each axis
+  float light_alpha = 1;        // _light_alpha: the share of light that a face stops
+  bool operator==(const SurfaceKeys&) const = default;
+};
+
+// Calls visit(field) for each field of `keys`, a SurfaceKeys, const or not: for saving and hashing.
+template <typename Keys, typename Visit>
+void visit_fields(Keys& keys, const Visit& visit) {
+  visit(keys.phong_angle_deg), visit(keys.phong_angle_concave_deg), visit(keys.phong_group);
+  visit(keys.min_light);
+  for (auto& part : keys.min_light_color) visit(part);
+  visit(keys.shadows_own_model_only), visit(keys.shadows_world_only), visit(keys.auto_min_light);
+  visit(keys.casts_shadow), visit(keys.takes_dirt), visit(keys.takes_bounce), visit(keys.ignores_light);
+  visit(keys.lights_liquids);
+  visit(keys.light_map_scale), visit(keys.light_alpha);
+}
+
+// Reads the keys of worldspawn, a func_group, a func_detail or a brush entity. Unknown keys and values that
+// are not numbers are ignored. Brush entities that the game moves cast a shadow only if they ask for it.
+SurfaceKeys read_surface_keys(const formats::Entity& entity);
+
+// The keys of all faces of a level.
+struct FaceKeys {
+  std::vector<SurfaceKeys> keys;       // at least one entry
+  std::vector<std::uint32_t> of_face;  // by face, index into keys
+};
+
+// Returns the keys of a finished level, which no longer knows its brushes: each model's faces have the keys
+// of the entity that shows it ("model" "*3").
+FaceKeys find_face_keys(const formats::Bsp& bsp, std::span<const formats::Entity> entities);
+
+}  // namespace temblor::compiler

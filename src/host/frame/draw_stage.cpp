@@ -1,0 +1,138 @@
+// The picture of a frame: the view, the overlay, the window.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "client/demo/demo_bar.h"
+#include "client/hud/corner_text.h"
+#include "host/frame/frame_stages.h"
+#include "host/frame/host_parts.h"
+#include "host/frame/presentation_settings.h"
+#include "host/session/games.h"
+
+namespace temblor::host {
+namespace {
+
+constexpr std::uint8_t kBlack = 0;
+constexpr double kSpeedUpdate_s = 0.5, kDemoBarVisible_s = 3;
+
+// The variables that drawing needs. They are read before a server tick starts in parallel, because the game's
+// code may set variables.
+struct DrawSettings {
+  render::Settings render;
+  client::ConsoleSettings console;
+  bool shows_speed, shows_latency;
+};
+
+// How a dead player continues, for the center of the screen. Empty for a demo. The keys are up to the game's
+// code; the shipped games and the stock game agree on them.
+std::string_view choose_death_hint(const Host& host) {
+  if (host.demos.session) return {};
+  if (!host.game.session->is_alone()) return "Press FIRE to respawn";
+  return server::can_resume_from_save(*host.game.session->server())
+             ? "Press FIRE to load the last save\nPress JUMP to restart the level"
+             : "Press FIRE to restart the level";
+}
+
+// Counts a frame. The texts change only at the end of an interval; the sums then restart at 0.
+void update_meter(SpeedMeter& io_meter, const FrameTimes& times) {
+  io_meter.frames += 1;
+  io_meter.seconds += times.frame_s;
+  io_meter.worst_latency_s = std::max(io_meter.worst_latency_s, times.latency_s);
+  if (io_meter.seconds < kSpeedUpdate_s) return;
+  io_meter = {.speed_text = fmt::format("{:.0f} fps", io_meter.frames / io_meter.seconds),
+              .latency_text = fmt::format("{:.1f} ms", io_meter.worst_latency_s * 1000)};
+}
+
+// Adds the demo bar, the console, the menu and the speed meter to the overlay, from back to front.
+void add_overlays(Host& io_host, const DrawSettings& settings, int width, int height) {
+  const assets::Pictures& pictures = io_host.game.data->presentation.pictures();
+  render::DrawList& overlay = io_host.video.overlay;
+  DemoPlayback& demos = io_host.demos;
+  const client::ConsoleView view{.pictures = pictures,
+                                 .time_s = io_host.timing.now_s,
+                                 .game_runs = has_view(io_host) || io_host.game.menu->is_open(),
+                                 .version = io_host.options.version,
+                                 .settings = settings.console};
+  if (demos.session && !demos.timed && !demos.is_attracting() &&
+      (demos.session->is_paused() || demos.controls.idle_s() < kDemoBarVisible_s))
+    client::draw_demo_bar(*demos.session, pictures, width, height, 0, overlay);
+  io_host.console.ui.draw(view, width, height, overlay);
+  io_host.game.menu->draw(width, height, io_host.timing.now_s, overlay);
+  SpeedMeter& meter = io_host.video.meter;
+  update_meter(meter, io_host.timing.measured);
+  int line = 0;
+  for (const std::string* text : {settings.shows_speed ? &meter.speed_text : nullptr,
+                                  settings.shows_latency ? &meter.latency_text : nullptr})
+    if (text != nullptr) client::draw_corner_text(pictures, *text, line++, width, height, overlay);
+}
+
+// Draws the view and the overlay on top, or a black background if there is no view or the console covers it.
+void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer& io_frame) {
+  GameData& data = *io_host.game.data;
+  render::DrawList& overlay = io_host.video.overlay;
+  render::FrameStats stats;
+  overlay.clear();
+  if (has_view(io_host) && !io_host.console.ui.covers_frame()) {
+    stats = data.renderer.render(data.presentation.scene(), settings.render, io_frame);
+    // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
+    if (!io_host.saves.picture_request.empty()) write_save_picture(io_host, io_frame);
+    const client::ClientState& state =
+        io_host.demos.session ? io_host.demos.session->state() : io_host.game.session->connection()->state();
+    overlay = data.presentation.draw_list(state, io_frame.width(), io_frame.height(),
+                                          io_host.video.presentation_settings);
+  } else {
+    overlay.commands.push_back({.area = {0, 0, io_frame.width(), io_frame.height()}, .fill = kBlack});
+  }
+  add_overlays(io_host, settings, io_frame.width(), io_frame.height());
+  data.renderer.draw_overlay(overlay, io_frame, stats);
+}
+
+}  // namespace
+
+void update_presentation_settings(Host& io_host) {
+  client::PresentationSettings& settings = io_host.video.presentation_settings;
+  settings = io_host.variables.presentation();
+  settings.view.fov_deg = io_host.input.fov_deg;
+  settings.sound = io_host.sound.output.has_value();
+  settings.hud.death_hint = choose_death_hint(io_host);
+  settings.hud.shows_scores = io_host.input.player.buttons()[client::Button::kScores].is_down();
+}
+
+void draw_and_show(Host& io_host) {
+  platform::Window& window = io_host.services.window;
+  const HostVariables& variables = io_host.variables;
+  Session& session = *io_host.game.session;
+  FrameTimes& times = io_host.timing.measured;
+  const double start_s = window.now_s();
+  const ScreenSettings screen_settings = variables.screen();
+  render::FrameBuffer& frame = io_host.video.screen.begin(window.size(), screen_settings);
+  const auto step = [&io_host, &session, halted = is_halted(io_host)] {
+    session.step_server(io_host.timing.now_s, halted);
+  };
+  const DrawSettings settings{variables.render(), variables.console(), variables.shows_speed(),
+                              variables.shows_latency()};
+  // Run the tick in parallel only if the frame rate needs it. With time to spare, the tick can follow the
+  // frame, and drawing is done sooner with all cores to itself. The menus and the console read variables,
+  // which the game's code may set meanwhile, so no tick runs while they are open.
+  const bool is_parallel = variables.is_parallel() && !io_host.timing.has_time_to_spare &&
+                           session.server() != nullptr && is_in_game(io_host);
+  if (is_parallel) io_host.worker.begin(step);
+  draw_frame(io_host, settings, frame);
+  times.drawing_s = window.now_s() - start_s;
+  const base::Status shown =
+      io_host.video.screen.show(io_host.game.data->look.palette, screen_settings, times.drawing_s, window);
+  const double shown_s = window.now_s();
+  times.present_s = shown_s - start_s - times.drawing_s;
+  times.latency_s = io_host.input.oldest_event_s ? shown_s - *io_host.input.oldest_event_s : 0;
+  if (is_parallel)
+    io_host.worker.wait();
+  else
+    step();
+  // A window may stay lost for many frames. Report it once.
+  if (const bool was_shown = std::exchange(io_host.video.was_shown, shown.ok()); was_shown)
+    print_if_error(io_host, shown);
+}
+
+}  // namespace temblor::host

@@ -1,0 +1,122 @@
+#include "host/session/configure.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "base/text.h"
+#include "command/text.h"
+#include "host/commands/configuration.h"
+#include "host/frame/host_parts.h"
+#include "host/session/games.h"
+
+namespace temblor::host {
+namespace {
+
+// Reports lines of temblor.cfg that could not be read to the player, and keeps a copy of the file, because it
+// is overwritten when the program ends. `wrong_lines` were readable text, but not valid commands.
+void report_damaged_configuration(Host& io_host, std::size_t wrong_lines) {
+  const GameData& data = *io_host.game.data;
+  const base::Result<ReadConfiguration> read = read_configuration(data);
+  const std::size_t lost = wrong_lines + (read.ok() ? read->unreadable_lines : 1);
+  if (lost == 0) return;
+  const auto copy = copy_damaged_configuration(data);
+  std::string text =
+      fmt::format("{} of {} could not be read and {} ignored. All other settings are in effect.",
+                  base::counted(lost, "line"), kConfigurationFile, lost == 1 ? "was" : "were");
+  if (!copy.ok())
+    text += fmt::format("\n\nThe file could not be copied: {}", copy.error().message());
+  else if (*copy)
+    text += fmt::format("\n\nA copy of the file was saved as\n{}", (*copy)->string());
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) print_line(io_host, line);
+  io_host.notices.push_back({"Damaged settings", text, {{"Options", client::MenuPage::kOptions}}});
+}
+
+// Runs a file at once, before anything that is queued after it.
+void run_file(Host& io_host, std::string_view file) {
+  io_host.console.commands.append(command::join_words({"exec", std::string(file)}));
+  io_host.console.commands.run();
+}
+
+void run_configuration_files(Host& io_host) {
+  const GameData& data = *io_host.game.data;
+  client::Bindings& bindings = io_host.input.bindings;
+  bindings.unbind_all();
+  // A game's own default.cfg comes first, for the additional keys that it binds. Our defaults override it.
+  if (data.library.files().contains("default.cfg")) run_file(io_host, "default.cfg");
+  bindings.add_defaults();
+  if (const std::optional<std::string> file = configuration_to_run(data)) {
+    const std::size_t errors = io_host.console.commands.errors_in_files();
+    run_file(io_host, *file);
+    if (*file == kConfigurationFile)
+      report_damaged_configuration(io_host, io_host.console.commands.errors_in_files() - errors);
+  }
+  if (has_commands(data, "autoexec.cfg")) run_file(io_host, "autoexec.cfg");
+}
+
+}  // namespace
+
+// The menu refers to the pictures of the data and to the lists, so it is made last.
+void load_game_folders(Host& io_host) {
+  LoadedGame& game = io_host.game;
+  GameData& data = *game.data;
+  game.session = std::make_unique<Session>(io_host.services, data.library, data.write_folder,
+                                           io_host.variables.server(), io_host.options.program_file);
+  game.menu_lists = std::make_unique<MenuLists>(io_host, data);
+  game.menu.emplace(io_host.variables.variables(), data.presentation.pictures(), game.menu_lists->content());
+}
+
+base::Status run_configuration(Host& io_host) {
+  command::Variables& variables = io_host.variables.variables();
+  // Discard the settings of the previous game folders. The command line's values are applied again below.
+  io_host.overrides.release_changed(variables);
+  io_host.variables.reset();
+  io_host.console.commands.set_loader([&io_host](std::string_view name) -> base::Result<std::string> {
+    if (name != kConfigurationFile) return read_commands(*io_host.game.data, name);
+    TRY(ReadConfiguration configuration, read_configuration(*io_host.game.data));
+    return std::move(configuration.text);
+  });
+  run_configuration_files(io_host);
+  if (io_host.options.apply_overrides)
+    TRY_STATUS(io_host.overrides.apply(io_host.options.apply_overrides, variables));
+  io_host.console.ui.load_history(read_history(*io_host.game.data));
+  io_host.video.window_settings = io_host.variables.window();
+  // The game can still be played if this display does not support the window settings.
+  print_if_error(io_host, io_host.services.window.apply(io_host.video.window_settings));
+  for (const std::string& line : io_host.options.commands) io_host.console.commands.append(line);
+  io_host.game.has_begun = false;
+  return base::Ok{};
+}
+
+base::Status change_games(Host& io_host, std::vector<std::string> games) {
+  // The settings belong to the old folders: save them before the write folder changes.
+  TRY_STATUS(save_configuration(io_host));
+  GameFolders folders = io_host.options.folders;
+  folders.games = std::move(games);
+  TRY(std::unique_ptr<GameData> data, GameData::open(folders));
+  // Nothing below can fail because of the folders. Destroy users before the data that they refer to.
+  disconnect(io_host);
+  io_host.game.menu.reset();
+  io_host.game.menu_lists.reset();
+  io_host.game.session.reset();
+  io_host.game.data = std::move(data);
+  io_host.options.folders = std::move(folders);
+  // The command line's "+map NAME" was meant for the first game only.
+  io_host.options.commands.clear();
+  load_game_folders(io_host);
+  return run_configuration(io_host);
+}
+
+base::Status save_configuration(Host& io_host) {
+  const std::filesystem::path& folder = io_host.game.data->write_folder;
+  const std::string text = configuration_text(io_host.input.bindings, io_host.variables, io_host.overrides);
+  TRY_STATUS(io_host.services.write_file(folder / kConfigurationFile, base::as_bytes(text)));
+  const std::string history = io_host.console.ui.history_text();
+  // Do not overwrite the history of an earlier run with nothing.
+  if (history.empty()) return base::Ok{};
+  return io_host.services.write_file(folder / kHistoryFile, base::as_bytes(history));
+}
+
+}  // namespace temblor::host

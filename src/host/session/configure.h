@@ -1,0 +1,33 @@
+// Loading the game folders and running their configuration files, at the start and when the player switches
+// to another mod.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace temblor::host {
+
+struct Host;
+
+// Creates the session and the menus for LoadedGame::data, which must be open.
+void load_game_folders(Host& io_host);
+
+// Resets all variables and bindings, then runs the configuration files. Later ones win:
+//
+//   defaults -> default.cfg -> our key bindings -> temblor.cfg or config.cfg -> autoexec.cfg -> command line
+//
+// Stock Quake runs the same files from quake.rc, whose order a mod can change; here the order is fixed.
+// Afterwards applies the window settings and queues the commands of HostOptions. Fails only if the command
+// line's settings are wrong.
+base::Status run_configuration(Host& io_host);
+
+// Switches to other game folders without a restart. Saves the configuration of the old ones and ends the
+// running game. If the new folders cannot be read, fails and the game continues.
+base::Status change_games(Host& io_host, std::vector<std::string> games);
+
+// Writes the configuration and the console's history to the write folder. An empty history is not written.
+base::Status save_configuration(Host& io_host);
+
+}  // namespace temblor::host

@@ -1,0 +1,35 @@
+// Everything that is loaded from the game folders. It is replaced as a whole when the player switches to
+// another mod (change_games() in session/configure.h).
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "assets/library.h"
+#include "client/view/presentation.h"
+#include "host/game_folders.h"
+#include "render/renderer.h"
+
+namespace temblor::host {
+
+struct GameData {
+  // Fails if the folders cannot be read or hold no palette.
+  static base::Result<std::unique_ptr<GameData>> open(const GameFolders& folders);
+
+  GameData(MountedGames games, assets::Look look);
+  GameData(const GameData&) = delete;
+  GameData& operator=(const GameData&) = delete;
+
+  // The members below refer to it.
+  assets::Library library;
+  // See MountedGames.
+  std::vector<std::filesystem::path> write_folders;
+  // The last of write_folders: settings, saved games, demos, and screenshots are written there.
+  std::filesystem::path write_folder;
+  assets::Look look;  // palette and color map
+  client::Presentation presentation;
+  render::Renderer renderer;
+};
+
+}  // namespace temblor::host

@@ -1,0 +1,106 @@
+#include "render/frame/render_frame.h"
+
+#include <algorithm>
+
+#include "render/frame/banded_picture.h"
+#include "render/frame/stage_clock.h"
+#include "render/spans/span_sources.h"
+#include "render/translucent/draw_translucent.h"
+
+namespace temblor::render {
+
+namespace {
+
+FrameFog make_fog(const FrameContext& context, const ViewFrame& view, FogTables& io_tables) {
+  return {context.scene.fog, view.perspective, context.format,
+          context.colors,    io_tables,        context.settings.simd_kernels};
+}
+
+void count_models(std::span<const PreparedAlias> models, FrameStats& io_stats) {
+  io_stats.models = static_cast<std::uint32_t>(models.size());
+  for (const PreparedAlias& model : models)
+    io_stats.triangles += static_cast<std::uint32_t>(model.job.triangle_count);
+}
+
+// A face counts as seen if any of its draws has spans. Its surfaces follow one another in the table.
+void count_spans(const EdgeTable& edges, const SpanTable& spans, const SurfaceDraws& draws,
+                 FrameStats& io_stats) {
+  for (const Band& band : spans.bands) io_stats.spans += static_cast<std::uint32_t>(band.spans.size());
+  const auto is_seen = [&](const ScreenSurface& surface) {
+    const auto own = draws.all.subspan(surface.first_draw, std::size_t{surface.tiles.s} * surface.tiles.t);
+    return std::ranges::any_of(own,
+                               [](const SurfaceDraw& draw) { return draw.kind != SurfaceKind::kHidden; });
+  };
+  const ScreenSurface* last_seen = nullptr;
+  for (const ScreenSurface& surface : edges.surfaces.subspan(1)) {
+    if (!is_seen(surface)) continue;
+    // The fragments of a brush model's face are adjacent and count once.
+    const bool same_face =
+        last_seen != nullptr && last_seen->instance == surface.instance && last_seen->face == surface.face;
+    io_stats.faces_seen += !same_face;
+    last_seen = &surface;
+  }
+}
+
+void count_surfaces(const SurfaceBlocks& blocks, FrameStats& io_stats) {
+  const SurfaceCounts& counts = blocks.counts;
+  io_stats.surfaces = counts.surfaces;
+  io_stats.cache_hits = counts.cache.hits;
+  io_stats.cache_misses = counts.cache.misses;
+  io_stats.cache_evictions = counts.cache.evictions;
+  io_stats.over_budget = counts.cache.over_budget;
+  io_stats.cache_bytes = counts.cache_bytes;
+  io_stats.surfaces_built = static_cast<std::uint32_t>(blocks.missing.size());
+  io_stats.texels_built = counts.texels_built;
+  io_stats.texels_read = counts.texels;
+}
+
+}  // namespace
+
+// Each line is one stage; clock.end() attributes its time.
+FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, FrameBuffer& io_frame) {
+  FrameRecord f;
+  StageClock clock(f.times);
+  const LevelData& level = io_caches.level;
+  f.view = clock.end(Stage::kView, make_view_frame(context.scene, io_frame.width(), io_frame.height()));
+  f.visible = clock.end(Stage::kVisibility, find_visible_faces(context, f.view, level.tables));
+  f.edges = clock.end(Stage::kEdges, emit_edges(context, f.view, f.visible, level.outlines));
+  f.spans = clock.end(Stage::kScan, scan_edges(context, f.view, f.edges));
+  const SurfaceRequests requests = select_surfaces(context, f.view, f.edges, f.spans, level.cutouts);
+  f.surfaces = reserve_surfaces(context, requests, io_caches.surfaces);
+  build_surfaces(context, f.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
+  clock.end(Stage::kSurfaces);
+  const SpanSources sources = prepare_span_sources(context, f.view, f.surfaces.draws, io_caches.skybox);
+  const FrameFog fog = make_fog(context, f.view, io_caches.fog_tables);
+  const WorldPicture world{f.spans, f.edges, sources, context.colors, fog, f.view};
+  const TranslucentOrder order = clock.end(Stage::kTranslucent, sort_translucent(context, world, f.visible));
+  BandedPicture picture = clock.end(Stage::kScreen, make_banded_picture(context, world, order));
+  f.has_models = sources.fill_depth;
+  if (f.has_models) {
+    f.alias_models = picture.alias_models = clock.end(Stage::kModels, prepare_alias_models(context, f.view));
+    picture.sprites = clock.end(Stage::kSprites, place_sprites(context.scene, f.view, context.arena()));
+    picture.particles = clock.end(Stage::kParticles, place_particles(context, f.view));
+  }
+  clock.end_in_parts(draw_banded_picture(context, picture, io_frame));
+  if (f.has_models) draw_translucent(context, order, world, io_frame);
+  clock.end(Stage::kTranslucent);
+  finish_picture(context, picture, io_caches.warp, io_frame);
+  clock.end(Stage::kScreen);
+  return f;
+}
+
+FrameStats collect_frame_stats(const FrameRecord& record, const Scene& scene) {
+  FrameStats stats;
+  stats.stages = record.times;
+  stats.faces_in_pvs = record.visible.faces_in_pvs;
+  stats.faces_drawn = static_cast<std::uint32_t>(record.edges.surfaces.size() - 1);  // less the background
+  stats.edges = static_cast<std::uint32_t>(record.edges.edges.size());
+  stats.bands = static_cast<std::uint32_t>(record.spans.bands.size());
+  count_spans(record.edges, record.spans, record.surfaces.draws, stats);
+  count_surfaces(record.surfaces, stats);
+  count_models(record.alias_models, stats);
+  if (record.has_models) stats.particles = static_cast<std::uint32_t>(scene.particles.size());
+  return stats;
+}
+
+}  // namespace temblor::render

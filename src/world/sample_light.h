@@ -1,0 +1,27 @@
+// Samples the light of the floor below a point, to light entities: the light compiler only lights faces.
+//
+// Method: walk a vertical line through the world's tree, near side first. At each plane that the line
+// crosses, look for a face of that node that contains the crossing point; the first one found is the nearest.
+// The original samples light by the same rule, but takes the nearest light sample instead of interpolating.
+#pragma once
+
+#include "math/vec.h"
+#include "world/animation.h"
+#include "world/level.h"
+
+namespace temblor::world {
+
+// Light levels: 0 to 255 as in the light map; more if a light style is brighter than normal.
+struct PointLight {
+  float gray = 0;
+  math::Vec3 rgb{0.0f};  // equals gray if the level has no colored light
+  bool operator==(const PointLight&) const = default;
+};
+
+// Follows a line from `point_world` 2048 units straight down to the first face of the world, and interpolates
+// between that face's light samples. Skips sky, liquids, and faces that are never lit. A face without samples
+// is dark, and so is a point without a face below. Everything is 255 in a level that was never lit. Ignores
+// brush models, as the original does.
+PointLight sample_light(const Level& level, const LightStyleValues& styles, const math::Vec3& point_world);
+
+}  // namespace temblor::world
