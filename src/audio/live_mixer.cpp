@@ -10,7 +10,7 @@ namespace {
 
 // Frames and device callbacks are both irregular, so a movement is spread over about one of each.
 constexpr std::size_t kGlide_frames = kFramesPerSecond / 50;
-// A device asks at least 50 times a second; only one that hangs leaves more posts waiting.
+// A working device calls back at least 50 times a second, so more posts than this wait only if it hangs.
 constexpr std::size_t kMaxPosts = 256;
 
 }  // namespace
@@ -32,7 +32,8 @@ void LiveMixer::post(const Scene& scene, const SoundEvents& events) {
   if (incoming_.is_read) incoming_.clear();
   incoming_.scene = scene;
   if (events.empty()) return;
-  // Events of a level that has already ended need not arrive one by one.
+  // Earlier events mostly cancel out when all sounds stop, so one merged entry is enough. From kMaxPosts on,
+  // new events merge into the last entry, which bounds the memory while a device hangs.
   if (events.stops_all) incoming_.fold_all();
   if (incoming_.count >= kMaxPosts || (events.stops_all && incoming_.count > 0))
     return fold(events, incoming_.events[incoming_.count - 1]);
@@ -48,7 +49,8 @@ void LiveMixer::PendingEvents::fold_all() {
   count = std::min(count, std::size_t{1});
 }
 
-// The events of the previous call go back to the game thread, which may free memory.
+// Swaps the posted events with those of the previous call, which go back to the game thread because clearing
+// them may free memory. Does nothing if the mutex is locked or nothing is new.
 void LiveMixer::take_pending_events() {
   {
     const std::unique_lock lock(mutex_, std::try_to_lock);

@@ -3,6 +3,12 @@
 // The device thread must never wait and must not allocate or free memory once warm. The threads therefore
 // exchange whole PendingEvents under a mutex that the device thread only tries to lock; finished sounds
 // travel back in the same object, and the game thread frees them.
+//
+//   game thread   --post()--> incoming_ --swap--> taken_ --> Mixer --fill()--> device thread
+//   game thread   <-- finished sounds -- incoming_ <--swap-- taken_
+//
+// If the device thread finds the mutex locked, it renders on with the last scene and tries again at the next
+// callback. A callback takes all posts at once, in order.
 #pragma once
 
 #include <mutex>
@@ -23,11 +29,11 @@ class LiveMixer {
   // next asks for samples, a few milliseconds later. If the device hangs, events are folded
   // (mixing/fold_events.h), so the backlog stays bounded.
   void post(const Scene& scene, const SoundEvents& events);
-  // Game thread. As MusicStream's functions.
+  // Game thread. See MusicStream.
   void play_music(OpenMusic open) { music_.play(std::move(open)); }
   std::optional<base::Error> take_music_failure() { return music_.take_failure(); }
   void pause_music(bool paused) { music_.set_paused(paused); }
-  // Whether the file that plays is damaged.
+  // Any thread. Whether the current music file is damaged.
   bool music_has_failed() const { return music_.has_failed(); }
 
   // Device thread. Fills the buffer, as platform::AudioFill requires.
@@ -36,19 +42,22 @@ class LiveMixer {
  private:
   static constexpr std::size_t kMusicBlock_frames = 512;
 
-  // Everything posted since the device last asked.
+  // Everything posted since the last device callback.
   struct PendingEvents {
     std::optional<Scene> scene;
-    std::vector<SoundEvents> events;  // the first `count` are valid; the others keep their memory
+    // The first `count` entries are valid; the others keep their memory for later posts.
+    std::vector<SoundEvents> events;
     std::size_t count = 0;
-    std::vector<SoundPtr> finished;  // on the way back to the game thread, which frees them
-    bool is_read = false;            // the device thread has applied it
+    // On the way back to the game thread, which frees them. Reserved once, so the device thread can append.
+    std::vector<SoundPtr> finished;
+    bool is_read = false;  // the device thread has applied it
     void clear();
-    void fold_all();
+    void fold_all();  // merges all events into the first entry
   };
   void take_pending_events();
 
-  std::mutex mutex_;  // guards `incoming_` only; held briefly, and the device thread only tries to lock it
+  // Guards `incoming_` only. Held briefly, and the device thread only tries to lock it.
+  std::mutex mutex_;
   PendingEvents incoming_;
   PendingEvents taken_;  // used by the device thread only, like everything below
   Mixer mixer_;

@@ -11,31 +11,27 @@
 namespace temblor::audio {
 namespace {
 
-// A faster change of gain would be heard as a click.
 constexpr std::size_t kMinGlide_frames = 240;  // 5 ms
-// Ambient levels (0 to 255) change by 100 per second, as in stock Quake.
+// The original's rate: 100 of 255 levels per second.
 constexpr float kAmbientFade_per_frame = 100.0f / kFramesPerSecond;
-// Two copies of a sound start at most this far apart.
 constexpr std::size_t kMaxSkipped_frames = kFramesPerSecond / 10;
 
 bool is_playing(const Voice& voice) {
   return !voice.is_ending && !voice.has_ended;
 }
 
+// Missing sounds arrive as null: they replace other sounds but play nothing.
 bool can_be_heard(const SoundPtr& sound) {
   return sound != nullptr && !sound->samples.empty();
 }
 
 }  // namespace
 
-// Reserves memory for all voices now, because the device's thread must not allocate.
 Mixer::Mixer(const MixerSettings& settings) : settings_(settings) {
   voices_.reserve(kMaxWithEnding);
   if (settings_.keep_finished_sounds) finished_.reserve(kMaxWithEnding);
 }
 
-// All gains glide to their new values in the time until the next scene is expected, so that the sound does
-// not depend on the frame rate. The first scene has nothing to glide from.
 void Mixer::set_scene(const Scene& scene, std::size_t frames) {
   const std::size_t glide = std::max(frames, kMinGlide_frames);
   scene_ = scene;
@@ -44,11 +40,10 @@ void Mixer::set_scene(const Scene& scene, std::size_t frames) {
   music_volume_.go_to(scene_.volumes.music, has_scene_ ? glide : 0);
   muffle_.set_target(scene_.listener.underwater ? std::clamp(scene_.volumes.muffled_underwater, 0.0f, 1.0f)
                                                 : 0.0f);
-  for (std::size_t kind = 0; kind < kAmbients; ++kind) retarget_ambient(kind);
+  for (std::size_t kind = 0; kind < kAmbients; ++kind) update_ambient_target(kind);
   has_scene_ = true;
 }
 
-// Order matters: a level change ends the old sounds before the new ones start.
 void Mixer::handle_events(const SoundEvents& events) {
   if (events.stops_all)
     for (Voice& voice : voices_) end_voice(voice);
@@ -58,8 +53,8 @@ void Mixer::handle_events(const SoundEvents& events) {
   for (const StoppedSound& sound : events.stopped) stop(sound);
 }
 
-// Starts the fade of an ambient sound to the level that the listener's leaf has now.
-void Mixer::retarget_ambient(std::size_t kind) {
+// Fades at a constant rate, so that the duration depends on how far the level has to go.
+void Mixer::update_ambient_target(std::size_t kind) {
   Glide& level = ambients_[kind].level;
   const float target =
       ambients_[kind].sound ? compute_ambient_level(scene_.ambient_levels[kind], scene_.volumes.ambient) : 0;
@@ -68,7 +63,8 @@ void Mixer::retarget_ambient(std::size_t kind) {
   level.go_to(target, static_cast<std::size_t>(std::ceil(frames)));
 }
 
-// A sound that is replaced fades out as a separate voice.
+// A replaced sound fades out as a separate voice: it continues at the same sample with the same gain, so the
+// change is seamless. The new sound rises from silence.
 void Mixer::replace_ambients(const std::array<SoundPtr, kAmbients>& sounds) {
   for (std::size_t kind = 0; kind < kAmbients; ++kind) {
     Ambient& ambient = ambients_[kind];
@@ -88,29 +84,29 @@ void Mixer::replace_ambients(const std::array<SoundPtr, kAmbients>& sounds) {
     retire_sound(std::exchange(ambient.sound, sound));
     ambient.position = 0;
     ambient.level = Glide(0);
-    retarget_ambient(kind);
+    update_ambient_target(kind);
   }
 }
 
 void Mixer::start(const StartedSound& started) {
-  replace(started.entity, started.channel);
+  end_replaced_voice(started.entity, started.channel);
   if (!can_be_heard(started.sound)) return;
-  begin({.sound = started.sound,
-         .position = choose_duplicate_skip(started.sound),
-         .entity = started.entity,
-         .channel = started.channel,
-         .origin_world = started.origin_world,
-         .volume = started.volume,
-         .attenuation = started.attenuation});
+  add_voice({.sound = started.sound,
+             .position = choose_duplicate_skip(started.sound),
+             .entity = started.entity,
+             .channel = started.channel,
+             .origin_world = started.origin_world,
+             .volume = started.volume,
+             .attenuation = started.attenuation});
 }
 
 void Mixer::start(const StaticSound& started) {
   if (!can_be_heard(started.sound)) return;
-  begin({.sound = started.sound,
-         .kind = VoiceKind::kStatic,
-         .origin_world = started.origin_world,
-         .volume = started.volume,
-         .attenuation = started.attenuation});
+  add_voice({.sound = started.sound,
+             .kind = VoiceKind::kStatic,
+             .origin_world = started.origin_world,
+             .volume = started.volume,
+             .attenuation = started.attenuation});
 }
 
 void Mixer::stop(const StoppedSound& stopped) {
@@ -121,7 +117,7 @@ void Mixer::stop(const StoppedSound& stopped) {
 }
 
 // Ends the oldest sound of the entity that the channel may replace (the original's rule).
-void Mixer::replace(std::int32_t entity, int channel) {
+void Mixer::end_replaced_voice(std::int32_t entity, int channel) {
   if (channel == kFreeChannel) return;
   Voice* oldest = nullptr;
   for (Voice& voice : voices_) {
@@ -132,16 +128,17 @@ void Mixer::replace(std::int32_t entity, int channel) {
   if (oldest != nullptr) end_voice(*oldest);
 }
 
-// Two copies of a sound in one frame would only be louder, with a hollow tone. The second copy starts later
-// in the sound; the number is deterministic.
+// Returns the sample at which the sound should start. Two copies of a sound that start in the same frame
+// would add up to one louder sound, and copies a few samples apart would sound hollow. The second copy
+// therefore starts up to kMaxSkipped_frames into the sound; the offset is pseudorandom but deterministic.
 std::size_t Mixer::choose_duplicate_skip(const SoundPtr& sound) {
   const auto same = [&](const Voice& voice) { return voice.is_new && voice.sound == sound; };
   if (std::none_of(voices_.begin(), voices_.end(), same)) return 0;
-  const std::size_t most = std::min(kMaxSkipped_frames, sound->samples.size());
-  return static_cast<std::size_t>(base::mix_bits(started_count_) % most);
+  const std::size_t max_skip = std::min(kMaxSkipped_frames, sound->samples.size());
+  return static_cast<std::size_t>(base::mix_bits(started_count_) % max_skip);
 }
 
-// Frees a voice by the rule of kMaxVoices. Returns false if every playing voice must stay.
+// Ends a voice by the rule of kMaxVoices if all are in use. Returns false if every playing voice must stay.
 bool Mixer::make_room() {
   if (voices_.size() >= kMaxWithEnding) return false;
   const auto playing = std::count_if(voices_.begin(), voices_.end(), is_playing);
@@ -155,9 +152,7 @@ bool Mixer::make_room() {
   return shortest != nullptr;
 }
 
-// The number of started sounds also counts those that are left out, so that later random choices stay the
-// same.
-void Mixer::begin(Voice voice) {
+void Mixer::add_voice(Voice voice) {
   ++started_count_;
   if (!make_room()) {
     ++left_out_;
@@ -169,7 +164,8 @@ void Mixer::begin(Voice voice) {
   voices_.push_back(std::move(voice));
 }
 
-// Ambient sounds have no place: both ears get the same gain. A sound without a loop repeats as a whole.
+// Mixes one stretch at a time: up to the end of the block, of the loop, or of the level's fade, because the
+// gain must be linear within a stretch.
 void Mixer::mix_ambient(Ambient& io_ambient, const EarBuffers& io_ears) {
   constexpr float kFull = 1.0f / 255;
   std::size_t done = 0;
@@ -182,7 +178,7 @@ void Mixer::mix_ambient(Ambient& io_ambient, const EarBuffers& io_ears) {
       mix_simd({io_ambient.sound->samples.data() + io_ambient.position, frames, io_ears.left.data() + done,
                 io_ears.right.data() + done, level.value() * kFull, level.step() * kFull,
                 level.value() * kFull, level.step() * kFull});
-    level.pass(frames);
+    level.advance(frames);
     io_ambient.position += frames;
     if (io_ambient.position == loop.end) io_ambient.position = loop.start;
     done += frames;
@@ -195,6 +191,7 @@ void Mixer::retire_sound(SoundPtr sound) {
     finished_.push_back(std::move(sound));
 }
 
+// The last voice fills each gap, so voices_ is unordered.
 void Mixer::remove_ended() {
   for (std::size_t i = 0; i < voices_.size();) {
     // When the list is full, ended voices keep their places until the list is emptied.
@@ -209,8 +206,8 @@ void Mixer::remove_ended() {
   }
 }
 
-// One block: voices and ambient sounds, muffled under water, scaled by the volume, plus music, limited, and
-// interleaved. Music is not muffled.
+// Renders at most kBlock_frames through the chain drawn in the header. Music is neither muffled nor affected
+// by the sound volume.
 void Mixer::render_block(std::span<float> out_samples, std::span<const float> music) {
   const std::size_t count = out_samples.size() / 2;
   const EarBuffers ears{std::span(left_).first(count), std::span(right_).first(count)};
@@ -227,8 +224,8 @@ void Mixer::render_block(std::span<float> out_samples, std::span<const float> mu
       ears.left[i] += music[2 * i] * music_volume_.value();
       ears.right[i] += music[2 * i + 1] * music_volume_.value();
     }
-    sound_volume_.pass(1);
-    music_volume_.pass(1);
+    sound_volume_.advance(1);
+    music_volume_.advance(1);
   }
   limiter_.process(ears.left, ears.right);
   for (std::size_t i = 0; i < count; ++i) {
@@ -248,7 +245,6 @@ void Mixer::render(std::span<float> out_samples, std::span<const float> music) {
   }
 }
 
-// Never grows `io_list`, because the device's thread must not allocate.
 void Mixer::move_finished_to(std::vector<SoundPtr>& io_list) {
   while (!finished_.empty() && io_list.size() < io_list.capacity()) {
     io_list.push_back(std::move(finished_.back()));

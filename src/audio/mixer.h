@@ -8,7 +8,10 @@
 //   -> out
 //
 // Every gain moves along a straight line (Glide), so no change clicks. The output is Limiter::kDelay_frames
-// late.
+// late. Ambient sounds bypass the voices: they have no position, only a level that fades.
+//
+// The rules of loudness, replacement and ambient sounds are those of the original. Unlike the original, which
+// mixes 8 dynamic sounds and clips the sum, this mixer plays up to kMaxVoices sounds and limits the sum.
 #pragma once
 
 #include <array>
@@ -25,27 +28,29 @@
 namespace temblor::audio {
 
 struct MixerStats {
-  std::size_t voices = 0;    // that play, audible or not
-  std::size_t left_out = 0;  // sounds that found no free voice, since the mixer was made
+  // Current voices, audible or not, including those that fade out. Ambient sounds are not counted.
+  std::size_t voices = 0;
+  std::size_t left_out = 0;  // sounds that found no free voice since the mixer was made
 };
 
 struct MixerSettings {
   // For an audio callback, which must not free memory: finished sounds are kept until move_finished_to().
+  // Otherwise the mixer releases them as soon as they end.
   bool keep_finished_sounds = false;
 };
 
 // Not thread-safe; LiveMixer connects it to a device. Only the constructor allocates memory.
 class Mixer {
  public:
-  // Voices that play at the same time. Beyond that, the voice with the least time left ends, but never one of
-  // the listener's or one that loops (the original's rule).
+  // The maximum number of voices that play at the same time. A further sound ends the voice with the least
+  // time left, but never a looping voice or one of the listener's (the original's rule).
   static constexpr std::size_t kMaxVoices = 1024;
   static constexpr std::size_t kDelay_frames = Limiter::kDelay_frames;
 
   explicit Mixer(const MixerSettings& settings = {});
 
-  // Positions and volumes move to those of `scene` within `frames`, and within 5 ms at least so that nothing
-  // clicks.
+  // Moves positions and volumes to those of `scene` over `frames`, or over 5 ms if that is longer, so that
+  // nothing clicks. The first scene applies its volumes at once.
   void set_scene(const Scene& scene, std::size_t frames);
   // Starts and stops sounds at the next frame to be rendered, heard from the listener of the last
   // set_scene().
@@ -65,20 +70,20 @@ class Mixer {
   static constexpr std::size_t kMaxWithEnding = 2 * kMaxVoices;
 
   struct Ambient {
-    SoundPtr sound;  // null: none of this kind
-    std::size_t position = 0;
-    Glide level;  // 0 to 255
+    SoundPtr sound;            // null: none of this kind
+    std::size_t position = 0;  // index of the next sample
+    Glide level;               // 0 to 255
   };
 
   void replace_ambients(const std::array<SoundPtr, kAmbients>& sounds);
   void start(const StartedSound& started);
   void start(const StaticSound& started);
   void stop(const StoppedSound& stopped);
-  void replace(std::int32_t entity, int channel);
-  void begin(Voice voice);
+  void end_replaced_voice(std::int32_t entity, int channel);
+  void add_voice(Voice voice);
   bool make_room();
   std::size_t choose_duplicate_skip(const SoundPtr& sound);
-  void retarget_ambient(std::size_t kind);
+  void update_ambient_target(std::size_t kind);
   void mix_ambient(Ambient& io_ambient, const EarBuffers& io_ears);
   void render_block(std::span<float> out_samples, std::span<const float> music);
   void remove_ended();
@@ -86,13 +91,14 @@ class Mixer {
 
   MixerSettings settings_;
   Scene scene_;
-  std::vector<Voice> voices_;       // in no order
+  std::vector<Voice> voices_;       // unordered; never grows beyond its reserved memory
   std::vector<SoundPtr> finished_;  // kept for move_finished_to()
   std::array<Ambient, kAmbients> ambients_;
   Glide sound_volume_, music_volume_;
-  bool has_scene_ = false;  // the first scene applies at once
+  bool has_scene_ = false;  // false until the first scene, which applies at once
   Muffle muffle_;
   Limiter limiter_;
+  // The number of the newest voice; orders voices by age and seeds choose_duplicate_skip().
   std::uint64_t started_count_ = 0;
   std::size_t left_out_ = 0;
   std::array<float, kBlock_frames> left_{}, right_{};

@@ -16,31 +16,31 @@ namespace {
 constexpr int kMaxChannels = 8, kMinRate = 4000, kMaxRate = 384000;
 constexpr sf_count_t kDecoded_frames = 1024;
 
-// A file in memory, for libsndfile.
+// A file in memory. The functions below give libsndfile access to it (SF_VIRTUAL_IO).
 struct MemoryFile {
   base::ByteVector bytes;
   sf_count_t at = 0;
   sf_count_t size() const { return static_cast<sf_count_t>(bytes.size()); }
 };
 
-MemoryFile& memory_file(void* data) {
+MemoryFile& as_memory_file(void* data) {
   return *static_cast<MemoryFile*>(data);
 }
 
 sf_count_t get_size(void* data) {
-  return memory_file(data).size();
+  return as_memory_file(data).size();
 }
 
 sf_count_t seek(sf_count_t offset, int from, void* data) {
-  MemoryFile& file = memory_file(data);
+  MemoryFile& file = as_memory_file(data);
   const sf_count_t base = from == SEEK_SET ? 0 : from == SEEK_CUR ? file.at : file.size();
-  // A damaged file may seek anywhere, even close to the limits of the integer type.
+  // A damaged file may seek anywhere. Clamping the offset before the addition avoids an integer overflow.
   file.at = base + std::clamp<sf_count_t>(offset, -base, file.size() - base);
   return file.at;
 }
 
 sf_count_t read_bytes(void* out, sf_count_t count, void* data) {
-  MemoryFile& file = memory_file(data);
+  MemoryFile& file = as_memory_file(data);
   count = std::clamp<sf_count_t>(count, 0, file.size() - file.at);
   std::copy_n(file.bytes.begin() + file.at, count, static_cast<std::byte*>(out));
   file.at += count;
@@ -52,7 +52,7 @@ sf_count_t write_bytes(const void*, sf_count_t, void*) {
 }
 
 sf_count_t tell(void* data) {
-  return memory_file(data).at;
+  return as_memory_file(data).at;
 }
 
 struct CloseSound {
@@ -62,8 +62,8 @@ struct DeleteResampler {
   void operator()(SRC_STATE* state) const { src_delete(state); }
 };
 
-// Floating-point files may contain any value.
-float tame(float sample) {
+// Floating-point files may contain any value, NaN included. Leaves room above full scale for the limiter.
+float clamp_sample(float sample) {
   return std::isfinite(sample) ? std::clamp(sample, -4.0f, 4.0f) : 0;
 }
 
@@ -85,7 +85,8 @@ struct MusicDecoder::State {
   std::size_t produce(std::span<float> out_samples);
 };
 
-// Decodes the next frames into `stereo`; sets has_failed if there are none.
+// Decodes the next frames into `stereo`, from the beginning again after the end. Sets has_failed if there are
+// none even then, so that an empty or damaged file does not loop forever.
 void MusicDecoder::State::decode_piece() {
   sf_count_t count = sf_readf_float(sound.get(), piece.data(), kDecoded_frames);
   if (count <= 0 && sf_seek(sound.get(), 0, SEEK_SET) >= 0)
@@ -95,12 +96,13 @@ void MusicDecoder::State::decode_piece() {
   stereo_frames = static_cast<std::size_t>(std::max<sf_count_t>(count, 0));
   const auto step = static_cast<std::size_t>(channels);
   for (std::size_t i = 0; i < stereo_frames; ++i) {
-    stereo[2 * i] = tame(piece[i * step]);
-    stereo[2 * i + 1] = tame(piece[i * step + (channels > 1 ? 1 : 0)]);
+    stereo[2 * i] = clamp_sample(piece[i * step]);
+    stereo[2 * i + 1] = clamp_sample(piece[i * step + (channels > 1 ? 1 : 0)]);
   }
 }
 
-// Copies decoded frames and returns their number.
+// Copies or resamples decoded frames and returns the number of output frames. It may be
+// 0 while the resampler fills its filter; the caller then decodes more.
 std::size_t MusicDecoder::State::produce(std::span<float> out_samples) {
   const std::size_t wanted = out_samples.size() / 2;
   const float* const from = stereo.data() + 2 * stereo_at;

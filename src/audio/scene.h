@@ -2,7 +2,7 @@
 // (SoundEvents).
 //
 // The client fills both once per frame. A scene is a snapshot and may be dropped; events must arrive exactly
-// once and in order. Distances are in map units.
+// once and in order. Positions and distances are in map units, in world space.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace temblor::audio {
 struct Listener {
   math::Vec3 origin_world{0.0f};
   math::Vec3 right{0, -1, 0};  // unit vector that points out of the right ear
-  std::int32_t entity = 0;     // its own sounds play at full volume in both ears
+  std::int32_t entity = 0;     // its own sounds play without attenuation, equally in both ears
   bool underwater = false;
 };
 
@@ -52,16 +52,18 @@ struct StartedSound {
   float attenuation = 1;  // silent at 1000 units / attenuation; 0: equally loud everywhere
 };
 
+// Stops every started sound on this channel of this entity.
 struct StoppedSound {
   std::int32_t entity = kNoEntity;
   int channel = 0;
 };
 
-// A sound that plays until the level ends. It repeats its loop, or all of it if it has no loop.
+// A sound that plays until the level ends. It repeats its loop; load it with Repeats::kAlways if its file may
+// have none, or it plays once. The original rejects static sounds without a loop.
 struct StaticSound {
   SoundPtr sound;
   math::Vec3 origin_world{0.0f};
-  float volume = 1, attenuation = 1;  // as in StartedSound
+  float volume = 1, attenuation = 1;  // see StartedSound
 };
 
 // The mixer applies the members in this order.
@@ -78,7 +80,7 @@ struct SoundEvents {
   bool empty() const {
     return !stops_all && !new_ambients && statics.empty() && started.empty() && stopped.empty();
   }
-  // Keeps the memory of the lists.
+  // Empties the lists but keeps their memory.
   void clear() {
     stops_all = new_ambients = false;
     ambients.fill(nullptr);

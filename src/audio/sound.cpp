@@ -1,7 +1,10 @@
 // Method: libsamplerate's windowed sinc, offline. A loop must have a whole number of samples after
 // resampling, so the ratio is adjusted (by less than half a sample over the loop). At both ends of the loop
 // the filter must see only samples of the loop, so the source's loop is repeated once and the result loops
-// inside the repetition.
+// inside the repetition:
+//
+//   source  |-- beginning --|------ loop ------|---- loop again ----|
+//   result  |-- beginning --+ reach |== result loop ==|               reach: see kFilterReach
 #include "audio/sound.h"
 
 #include <samplerate.h>
@@ -12,11 +15,11 @@
 namespace temblor::audio {
 namespace {
 
+// The fade at the end of a sound without a loop, and the longest blend of an end into a beginning.
 constexpr double kFade_s = 0.001, kMaxBlended_s = 0.1;
-// More than the filter's reach to either side, in samples of the lower rate.
+// In samples of the lower rate. At least as long as the resampling filter reaches to either side.
 constexpr double kFilterReach = 64;
 
-// What to resample, and what the result must look like.
 struct Plan {
   std::vector<float> source;  // with the loop repeated once, if there is one
   double ratio = 1;           // output samples per input sample
@@ -24,8 +27,8 @@ struct Plan {
   std::optional<SoundLoop> loop;
 };
 
-// Converts to mono samples from -1 to 1. Both channels count the same.
-std::vector<float> folded(const formats::Wav& wav) {
+// Averages the channels and scales integers of 8 or 16 bits to the range -1 to 1.
+std::vector<float> mix_to_mono(const formats::Wav& wav) {
   const float scale = 1.0f / (wav.bits == 8 ? 128.0f : 32768.0f) / static_cast<float>(wav.channels);
   std::vector<float> samples(wav.frame_count(), 0.0f);
   for (std::size_t i = 0; i < wav.samples.size(); ++i)
@@ -33,7 +36,8 @@ std::vector<float> folded(const formats::Wav& wav) {
   return samples;
 }
 
-// Makes a loop that skips the beginning, which is blended into the end.
+// Blends the beginning into the end and makes a loop that skips the beginning. The last sample then equals
+// the one before the loop's start, so the jump continues the signal. Returns no loop for an empty sound.
 std::optional<formats::WavLoop> close_loop(std::vector<float>& io_samples, std::uint32_t frames_per_second) {
   const std::size_t length = io_samples.size();
   const std::size_t blended =
@@ -52,7 +56,7 @@ Plan plan_without_loop(std::vector<float> source, double ratio) {
   return {std::move(source), ratio, length, std::nullopt};
 }
 
-// A short loop is repeated to at least kMinLoop samples, so that mixing it needs few stretches.
+// Precondition: loop.start < loop.end <= source.size().
 Plan plan_with_loop(std::vector<float> source, const formats::WavLoop& loop, double ratio) {
   const std::size_t once = loop.end - loop.start;
   const double repeats = std::ceil(static_cast<double>(kMinLoop) / (static_cast<double>(once) * ratio));
@@ -72,7 +76,8 @@ Plan plan_with_loop(std::vector<float> source, const formats::WavLoop& loop, dou
   return plan;
 }
 
-base::Result<std::vector<float>> resampled(const Plan& plan) {
+// At a ratio of exactly 1 the samples stay bit for bit the same.
+base::Result<std::vector<float>> resample(const Plan& plan) {
   std::vector<float> samples(plan.length);
   if (plan.ratio == 1.0) {
     std::copy_n(plan.source.begin(), plan.length, samples.begin());
@@ -90,7 +95,6 @@ base::Result<std::vector<float>> resampled(const Plan& plan) {
   return samples;
 }
 
-// Avoids the click of a sound that ends at a value other than 0.
 void fade_end(std::vector<float>& io_samples) {
   const std::size_t count = std::min(io_samples.size(), static_cast<std::size_t>(kFade_s * kFramesPerSecond));
   float* const first = io_samples.data() + (io_samples.size() - count);
@@ -106,14 +110,14 @@ base::Result<SoundPtr> make_sound(const formats::Wav& wav, std::string name, Rep
                        "the sound lasts {} s; the limit is {} s (play it as music instead)",
                        wav.frame_count() / wav.frames_per_second, kMaxSound_s);
   const double ratio = static_cast<double>(kFramesPerSecond) / wav.frames_per_second;
-  std::vector<float> source = folded(wav);
+  std::vector<float> source = mix_to_mono(wav);
   std::optional<formats::WavLoop> loop = wav.loop;
   if (!loop && repeats == Repeats::kAlways) loop = close_loop(source, wav.frames_per_second);
   const Plan plan =
       loop ? plan_with_loop(std::move(source), *loop, ratio) : plan_without_loop(std::move(source), ratio);
   Sound sound{std::move(name), {}, plan.loop};
   if (plan.length > 0) {
-    TRY(sound.samples, resampled(plan));
+    TRY(sound.samples, resample(plan));
   }
   if (!sound.loop) fade_end(sound.samples);
   return std::make_shared<const Sound>(std::move(sound));

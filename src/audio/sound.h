@@ -1,7 +1,11 @@
 // A sound in the form that the mixer plays: one channel of floating-point samples at the mixer's rate.
 //
 // make_sound() resamples once, when the sound is loaded, so mixing is a multiplication and an addition per
-// sample. Method: windowed sinc (libsamplerate), see sound.cpp.
+// sample and ear. Method: windowed sinc (libsamplerate), see sound.cpp. The original resamples without a
+// filter, to the rate of its device.
+//
+//   start of the sound          loop.start                      loop.end
+//   |--- plays once ------------|--- repeats until stopped -----|
 #pragma once
 
 #include <cstddef>
@@ -20,11 +24,12 @@ constexpr int kFramesPerSecond = 48000;
 // Longer sounds are an error: one minute already takes 12 MB and half a second to resample, and music is
 // streamed instead. LibreQuake's longest sound, a wind, lasts 32 s.
 constexpr int kMaxSound_s = 60;
-// Shorter loops are repeated until they are this long, to keep the per-loop overhead of mixing small.
-constexpr std::size_t kMinLoop = 1024;  // samples
+// In samples. Shorter loops are repeated until they are this long, so that mixing has little overhead per
+// loop.
+constexpr std::size_t kMinLoop = 1024;
 
 struct SoundLoop {
-  std::size_t start = 0, end = 0;  // start < end <= samples.size()
+  std::size_t start = 0, end = 0;  // sample indices; start < end <= samples.size()
 };
 
 struct Sound {
@@ -35,10 +40,10 @@ struct Sound {
   std::optional<SoundLoop> loop;
 };
 
-// Loaded sounds are shared and const.
+// Sounds never change after loading, so threads may share them.
 using SoundPtr = std::shared_ptr<const Sound>;
 
-// kAlways turns a sound without a loop into one that loops, with its end blended into its beginning.
+// kAlways, for static and ambient sounds, adds a missing loop and blends its end into its beginning.
 enum class Repeats { kAsInFile, kAlways };
 
 // Resamples `wav` to kFramesPerSecond and mixes its channels into one. Frequencies above the new limit are

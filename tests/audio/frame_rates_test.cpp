@@ -1,5 +1,5 @@
-// A game sounds the same at 30, 72, and 1,000 frames per second: events and the path of the listener are the
-// same, and only the number of updates to the mixer differs.
+// A game sounds the same at 30, 72 or 1,000 frames per second: with the same events and the same path of the
+// listener, only the number of scene updates differs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace {
 constexpr double kLength_s = 6;
 constexpr std::size_t kSecond = audio::kFramesPerSecond;
 
-// Walks, turns, and dives.
-audio::Scene scene_at(double time_s) {
+// The listener walks and turns; it passes water and dives.
+audio::Scene make_moving_scene(double time_s) {
   audio::Scene scene = quiet_scene();
   scene.listener.origin_world = {static_cast<float>(320 * time_s), 50, 0};
   const double yaw = 2.5 * std::sin(1.3 * time_s);
@@ -25,7 +25,7 @@ audio::Scene scene_at(double time_s) {
   return scene;
 }
 
-// Shots at uneven times, ten per second, as they arrive in packets.
+// About ten shots per second, on every second packet.
 audio::SoundEvents make_events(int packet) {
   static const audio::SoundPtr shot = sine_sound(700, 0.2, 6000), hum = looping(sine_sound(200, 0.1, 2400));
   audio::SoundEvents events;
@@ -48,24 +48,24 @@ Stereo play(double updates_per_second) {
   audio::Mixer mixer;
   Stereo heard;
   std::size_t mixed = 0;
-  const auto go_to = [&](double time_s) {
+  const auto render_until = [&](double time_s) {
     const auto frame = static_cast<std::size_t>(std::llround(time_s * static_cast<double>(kSecond)));
-    mixer.set_scene(scene_at(time_s), frame - mixed);
+    mixer.set_scene(make_moving_scene(time_s), frame - mixed);
     const Stereo part = rendered(mixer, frame - mixed);
     heard.left.insert(heard.left.end(), part.left.begin(), part.left.end());
     heard.right.insert(heard.right.end(), part.right.begin(), part.right.end());
     mixed = frame;
   };
-  mixer.set_scene(scene_at(0), 0);
+  mixer.set_scene(make_moving_scene(0), 0);
   mixer.handle_events(make_events(0));
   int packet = 1;
   for (int update = 1; update <= kLength_s * updates_per_second; ++update) {
     const double time_s = update / updates_per_second;
     for (; packet * 0.0487 <= time_s; ++packet) {
-      go_to(packet * 0.0487);
+      render_until(packet * 0.0487);
       mixer.handle_events(make_events(packet));
     }
-    go_to(time_s);
+    render_until(time_s);
   }
   return heard;
 }
@@ -77,23 +77,23 @@ double difference_db(std::span<const float> one, std::span<const float> other) {
 }
 
 TEST(FrameRates, SoundTheSame) {
-  const Stereo usual = play(72);
-  EXPECT_GT(rms(usual.left), 0.05);
+  const Stereo expected = play(72);
+  EXPECT_GT(rms(expected.left), 0.05);
   for (const double rate : {30.0, 1000.0}) {
     const Stereo other = play(rate);
-    ASSERT_EQ(other.left.size(), usual.left.size());
-    EXPECT_LT(difference_db(usual.left, other.left), -25) << rate;
-    EXPECT_LT(difference_db(usual.right, other.right), -25) << rate;
-    // A tenth of a second at a time, its level differs by less than an ear can tell: 1 dB.
+    ASSERT_EQ(other.left.size(), expected.left.size());
+    EXPECT_LT(difference_db(expected.left, other.left), -25) << rate;
+    EXPECT_LT(difference_db(expected.right, other.right), -25) << rate;
+    // The level of each tenth of a second differs by at most 1 dB, which is barely audible.
     constexpr std::size_t kPiece = kSecond / 10;
-    for (std::size_t at = 0; at + kPiece <= usual.left.size(); at += kPiece) {
-      const double level = to_db(rms(std::span(usual.left).subspan(at, kPiece)));
+    for (std::size_t at = 0; at + kPiece <= expected.left.size(); at += kPiece) {
+      const double level = to_db(rms(std::span(expected.left).subspan(at, kPiece)));
       EXPECT_NEAR(to_db(rms(std::span(other.left).subspan(at, kPiece))), level, 1.0) << rate << " Hz, " << at;
     }
   }
 }
 
-TEST(FrameRates, AgainIsTheSameBitForBit) {
+TEST(FrameRates, RepeatedRunsMatchBitForBit) {
   const Stereo one = play(72), other = play(72);
   EXPECT_EQ(one.left, other.left);
   EXPECT_EQ(one.right, other.right);

@@ -1,4 +1,4 @@
-// The limiter by what it promises: never above its ceiling, silent about what is not too loud, and no steps.
+// Tests the limiter: output stays below the ceiling, quiet signals pass unchanged, and the gain never jumps.
 #include "audio/mixing/limiter.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using audio::Limiter;
 
-// In pieces of odd sizes.
+// Processes the signal in blocks of random sizes.
 void process(Limiter& io_limiter, std::vector<float>& io_left, std::vector<float>& io_right, Random& random) {
   for (std::size_t done = 0; done < io_left.size();) {
     const std::size_t count = std::min(io_left.size() - done, 1 + random.below(400));
@@ -24,7 +24,7 @@ void process(Limiter& io_limiter, std::vector<float>& io_left, std::vector<float
   }
 }
 
-TEST(Limiter, OnlyDelaysWhatIsNotTooLoud) {
+TEST(Limiter, OnlyDelaysQuietSignals) {
   Random random(1);
   std::vector<float> left(5000), right(5000);
   for (std::size_t i = 0; i < left.size(); ++i) {
@@ -35,13 +35,13 @@ TEST(Limiter, OnlyDelaysWhatIsNotTooLoud) {
   Limiter limiter;
   process(limiter, left, right, random);
   for (std::size_t i = 0; i < left.size(); ++i) {
-    const bool held_back = i < Limiter::kDelay_frames;
-    ASSERT_EQ(left[i], held_back ? 0 : before_left[i - Limiter::kDelay_frames]);
-    ASSERT_EQ(right[i], held_back ? 0 : before_right[i - Limiter::kDelay_frames]);
+    const bool is_delay = i < Limiter::kDelay_frames;
+    ASSERT_EQ(left[i], is_delay ? 0 : before_left[i - Limiter::kDelay_frames]);
+    ASSERT_EQ(right[i], is_delay ? 0 : before_right[i - Limiter::kDelay_frames]);
   }
 }
 
-TEST(Limiter, NothingPassesItsCeiling) {
+TEST(Limiter, OutputStaysBelowTheCeiling) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Random random(seed);
     std::vector<float> left(20000), right(20000);
@@ -58,8 +58,8 @@ TEST(Limiter, NothingPassesItsCeiling) {
   }
 }
 
-// A quiet constant under one loud frame: the constant shows the gain.
-TEST(Limiter, TurnsDownBeforeTheLoudFrameAndUpAgainSlowly) {
+// A loud frame in one ear; the quiet constant in the other ear shows the gain.
+TEST(Limiter, LowersTheGainBeforeAPeakAndRaisesItSlowly) {
   Random random(3);
   std::vector<float> left(96000, 0.1f), right(96000, 0.1f);
   constexpr std::size_t kLoudAt = 10000;
@@ -67,8 +67,8 @@ TEST(Limiter, TurnsDownBeforeTheLoudFrameAndUpAgainSlowly) {
   Limiter limiter;
   process(limiter, left, right, random);
   const std::size_t out_at = kLoudAt + Limiter::kDelay_frames;
-  EXPECT_NEAR(right[out_at], Limiter::kCeiling, 1e-4) << "no lower than it has to be";
-  EXPECT_NEAR(left[out_at], 0.1 * Limiter::kCeiling / 4, 1e-4) << "both ears alike, so that nothing moves";
+  EXPECT_NEAR(right[out_at], Limiter::kCeiling, 1e-4) << "no lower than necessary";
+  EXPECT_NEAR(left[out_at], 0.1 * Limiter::kCeiling / 4, 1e-4) << "the same gain in both ears";
   EXPECT_EQ(left[kLoudAt - 1], 0.1f);
   EXPECT_LT(left[out_at + 2400], 0.09) << "50 ms later";
   EXPECT_GT(left[out_at + 48000], 0.099) << "a second later";
@@ -77,7 +77,7 @@ TEST(Limiter, TurnsDownBeforeTheLoudFrameAndUpAgainSlowly) {
   EXPECT_LT(largest_step(left), 0.1 / Limiter::kDelay_frames);
 }
 
-TEST(Limiter, WhatIsNoNumberIsSilence) {
+TEST(Limiter, NonFiniteSamplesBecomeSilence) {
   std::vector<float> left(1000, 0.5f), right(1000, 0.5f);
   left[100] = std::numeric_limits<float>::quiet_NaN();
   right[200] = std::numeric_limits<float>::infinity();

@@ -1,4 +1,4 @@
-// The mixer between two threads: what is posted is heard, nothing is freed or allocated on the device's side.
+// Tests the mixer between two threads: posted sounds play, and the device thread neither allocates nor frees.
 #include "audio/live_mixer.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ SoundEvents started(audio::SoundPtr sound, std::int32_t entity = 1, int channel 
   return events;
 }
 
-TEST(LiveMixer, PlaysWhatWasPosted) {
+TEST(LiveMixer, PlaysPostedSounds) {
   LiveMixer mixer;
   EXPECT_EQ(peak(fill(mixer)), 0);
   mixer.post(quiet_scene(), started(constant_sound(0.25f, 48000)));
@@ -48,7 +48,7 @@ TEST(LiveMixer, KeepsTheOrderOfSeveralPosts) {
   EXPECT_EQ(fill(mixer).back(), 0);
 }
 
-TEST(LiveMixer, SoundsAreFreedByWhoPosts) {
+TEST(LiveMixer, GameThreadFreesSounds) {
   LiveMixer mixer;
   std::weak_ptr<const audio::Sound> sound;
   {
@@ -57,7 +57,7 @@ TEST(LiveMixer, SoundsAreFreedByWhoPosts) {
     mixer.post(quiet_scene(), started(only));
   }
   fill(mixer);
-  EXPECT_FALSE(sound.expired()) << "it has ended, but this is the device's thread";
+  EXPECT_FALSE(sound.expired()) << "the device thread must not free the sound";
   for (int i = 0; i < 3; ++i) {
     mixer.post(quiet_scene(), {});
     fill(mixer);
@@ -66,7 +66,7 @@ TEST(LiveMixer, SoundsAreFreedByWhoPosts) {
   EXPECT_TRUE(sound.expired());
 }
 
-TEST(LiveMixer, DeviceSideAsksTheHeapForNothing) {
+TEST(LiveMixer, DeviceThreadDoesNotAllocate) {
   LiveMixer mixer;
   std::vector<audio::SoundPtr> sounds;
   for (int i = 0; i < 50; ++i) sounds.push_back(sine_sound(100 + 50 * i, 0.2, 5000));
@@ -82,34 +82,35 @@ TEST(LiveMixer, DeviceSideAsksTheHeapForNothing) {
   }
 }
 
-// --- A device that hangs.
+// --- A hung device.
 
-constexpr int kLong = 20000;  // posts
-// A few of those that are kept one by one, and one folded.
-constexpr long kMaxKept = 3000;
+constexpr int kManyPosts = 20000;
+// More than the posts kept separately plus one folded entry.
+constexpr long kMaxReferences = 3000;
 
-TEST(LiveMixer, OnlySoMuchWaitsForADeviceThatHangs) {
+TEST(LiveMixer, BacklogOfAHungDeviceIsBounded) {
   LiveMixer mixer;
   const audio::SoundPtr sound = constant_sound(0.01f, 100);
-  for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), started(sound, i, i % 3));
-  EXPECT_LT(sound.use_count(), kMaxKept);
+  for (int i = 0; i < kManyPosts; ++i) mixer.post(quiet_scene(), started(sound, i, i % 3));
+  EXPECT_LT(sound.use_count(), kMaxReferences);
   SoundEvents all;
   all.statics.push_back({.sound = sound});
   all.stopped.push_back({1, 1});
-  for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), all);
-  EXPECT_LT(sound.use_count(), kMaxKept);
+  for (int i = 0; i < kManyPosts; ++i) mixer.post(quiet_scene(), all);
+  EXPECT_LT(sound.use_count(), kMaxReferences);
   all.stops_all = true;
   mixer.post(quiet_scene(), all);
   EXPECT_LT(sound.use_count(), 5);
 }
 
-TEST(LiveMixer, WhatGoesOnIsHeardWhenTheDeviceIsBack) {
+TEST(LiveMixer, CurrentSoundsPlayAfterTheDeviceRecovers) {
   LiveMixer mixer;
   SoundEvents level;
   level.stops_all = level.new_ambients = true;
   level.statics.push_back({.sound = looping(constant_sound(0.125f, 480)), .volume = 1, .attenuation = 0});
   mixer.post(quiet_scene(), level);
-  for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), started(constant_sound(0.01f, 100), i % 50, 1));
+  for (int i = 0; i < kManyPosts; ++i)
+    mixer.post(quiet_scene(), started(constant_sound(0.01f, 100), i % 50, 1));
   mixer.post(quiet_scene(), started(looping(constant_sound(0.25f, 480)), 7, 2));
   mixer.post(quiet_scene(), started(looping(constant_sound(0.5f, 480)), 8, 2));
   SoundEvents stop;
@@ -119,12 +120,12 @@ TEST(LiveMixer, WhatGoesOnIsHeardWhenTheDeviceIsBack) {
   EXPECT_NEAR(fill(mixer).back(), 0.375f, 1e-3);
 }
 
-TEST(LiveMixer, WhatPlayedBeforeTheDeviceHungIsStoppedOrReplaced) {
+TEST(LiveMixer, EarlierSoundsStopAfterTheDeviceRecovers) {
   LiveMixer mixer;
   mixer.post(quiet_scene(), started(looping(constant_sound(0.125f, 480)), 1, 1));
   mixer.post(quiet_scene(), started(looping(constant_sound(0.25f, 480)), 2, 1));
   EXPECT_EQ(fill(mixer).back(), 0.375f);
-  for (int i = 0; i < kLong; ++i) mixer.post(quiet_scene(), started(constant_sound(0.01f, 100), 3, 1));
+  for (int i = 0; i < kManyPosts; ++i) mixer.post(quiet_scene(), started(constant_sound(0.01f, 100), 3, 1));
   SoundEvents stop;
   stop.stopped = {{1, 1}, {2, 1}};
   mixer.post(quiet_scene(), stop);
@@ -133,7 +134,7 @@ TEST(LiveMixer, WhatPlayedBeforeTheDeviceHungIsStoppedOrReplaced) {
   EXPECT_NEAR(fill(mixer).back(), 0.0625f, 1e-3);
 }
 
-TEST(LiveMixerThreads, PostingAndPlayingAtOnce) {
+TEST(LiveMixerThreads, PostAndFillConcurrently) {
   LiveMixer mixer;
   std::atomic<bool> ends{false};
   double loudest = 0;

@@ -1,4 +1,5 @@
-// The mixer's inner loop against its definition, in double precision, and its two forms against each other.
+// Compares the scalar kernel with its definition in double precision, and the SIMD kernel with the scalar
+// one.
 #include "audio/mixing/mix_kernels.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ struct Case {
     }
     job = {nullptr, count, nullptr, nullptr, any(1), any(0.01), any(1), any(0.01)};
   }
-  audio::MixJob ready() {
+  audio::MixJob prepare_job() {
     job.samples = samples.data();
     job.left = left.data();
     job.right = right.data();
@@ -33,12 +34,12 @@ struct Case {
   }
 };
 
-TEST(MixKernel, AddsSamplesWithGainsThatMove) {
+TEST(MixKernel, AddsSamplesWithChangingGains) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
     const Case before(random);
     Case after = before;
-    audio::mix_scalar(after.ready());
+    audio::mix_scalar(after.prepare_job());
     for (std::size_t i = 0; i < before.left.size(); ++i) {
       const auto expected = [&](float own, float gain, float step) {
         return double{own} +
@@ -51,16 +52,16 @@ TEST(MixKernel, AddsSamplesWithGainsThatMove) {
   }
 }
 
-TEST(MixKernel, VectorFormsAreThePlainOneBitForBit) {
+TEST(MixKernel, SimdMatchesScalarBitForBit) {
   for_each_simd_target([] {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       Random random(seed);
-      Case plain(random);
-      Case vector = plain;
-      audio::mix_scalar(plain.ready());
-      audio::mix_simd(vector.ready());
-      ASSERT_EQ(plain.left, vector.left) << "seed " << seed;
-      ASSERT_EQ(plain.right, vector.right) << "seed " << seed;
+      Case scalar(random);
+      Case simd = scalar;
+      audio::mix_scalar(scalar.prepare_job());
+      audio::mix_simd(simd.prepare_job());
+      ASSERT_EQ(scalar.left, simd.left) << "seed " << seed;
+      ASSERT_EQ(scalar.right, simd.right) << "seed " << seed;
     }
   });
 }

@@ -1,4 +1,4 @@
-// What comes out of the mixer: levels by the law of distance and side, whose sound takes whose place.
+// Tests the mixer's output: levels by distance and side, and which sounds replace others.
 #include "audio/mixer.h"
 
 #include <gtest/gtest.h>
@@ -17,14 +17,14 @@ using audio::StartedSound;
 constexpr std::size_t kSecond = audio::kFramesPerSecond;
 constexpr std::int32_t kSelf = 1, kOther = 7;
 
-// The sounds differ by their values, so the sum of what plays says which they are.
+// Each sound is a different constant, so the output level shows which sounds play.
 class MixerTest : public ::testing::Test {
  protected:
   MixerTest() { mixer.set_scene(quiet_scene(), 0); }
 
   void start(float value, std::int32_t entity, int channel, std::size_t frames = 10 * kSecond) {
     SoundEvents events;
-    // No attenuation, straight ahead: as loud in either ear.
+    // Straight ahead without attenuation: equally loud in both ears.
     events.started.push_back({.sound = constant_sound(value, frames),
                               .entity = entity,
                               .channel = channel,
@@ -32,24 +32,24 @@ class MixerTest : public ::testing::Test {
                               .attenuation = 0});
     mixer.handle_events(events);
   }
-  // Some time later, when nothing fades any more.
+  // The level after all fades have ended.
   float level() { return rendered(mixer, kSecond / 10).left.back(); }
 
   Mixer mixer;
 };
 
-TEST_F(MixerTest, IsSilentWhereNothingSounds) {
+TEST_F(MixerTest, IsSilentWithoutSounds) {
   EXPECT_EQ(peak(rendered(mixer, 1000).left), 0);
 }
 
 struct Place {
-  const char* what;
+  const char* name;
   math::Vec3 origin;
   float volume, attenuation;
   double left, right;
 };
 
-TEST_F(MixerTest, LevelsFollowTheLawOfDistanceAndSide) {
+TEST_F(MixerTest, LevelsDependOnDistanceAndSide) {
   const double diagonal = std::sqrt(0.5);
   for (const Place& place : {
            Place{"ahead", {250, 0, 0}, 1, 1, 0.75, 0.75},
@@ -83,12 +83,12 @@ TEST_F(MixerTest, LevelsFollowTheLawOfDistanceAndSide) {
                               .attenuation = place.attenuation});
     one.handle_events(events);
     const Stereo heard = rendered(one, 2000);
-    EXPECT_NEAR(heard.left.back(), 0.25 * place.left, 2e-5) << place.what;
-    EXPECT_NEAR(heard.right.back(), 0.25 * place.right, 2e-5) << place.what;
+    EXPECT_NEAR(heard.left.back(), 0.25 * place.left, 2e-5) << place.name;
+    EXPECT_NEAR(heard.right.back(), 0.25 * place.right, 2e-5) << place.name;
   }
 }
 
-TEST_F(MixerTest, OwnSoundsAreHeardInFullWhereverTheyAre) {
+TEST_F(MixerTest, OwnSoundsPlayAtFullVolumeAnywhere) {
   SoundEvents events;
   events.started.push_back(
       {.sound = constant_sound(0.25f, kSecond), .entity = kSelf, .origin_world = {0, 5000, 0}});
@@ -98,7 +98,7 @@ TEST_F(MixerTest, OwnSoundsAreHeardInFullWhereverTheyAre) {
   EXPECT_EQ(heard.right.back(), 0.25f);
 }
 
-TEST_F(MixerTest, VolumeOfSoundsLeavesMusicAlone) {
+TEST_F(MixerTest, SoundVolumeDoesNotAffectMusic) {
   audio::Scene scene = quiet_scene();
   scene.volumes = {.sounds = 0.5f, .music = 0.25f};
   mixer.set_scene(scene, 0);
@@ -115,21 +115,21 @@ TEST_F(MixerTest, SameEntityAndChannelIsReplaced) {
   EXPECT_FLOAT_EQ(level(), 0.2f);
 }
 
-TEST_F(MixerTest, OtherEntityOrChannelIsNot) {
+TEST_F(MixerTest, OtherEntityOrChannelIsNotReplaced) {
   start(0.1f, kOther, 2);
   start(0.2f, kOther, 3);
   start(0.4f, kOther + 1, 2);
   EXPECT_NEAR(level(), 0.7f, 1e-6);
 }
 
-TEST_F(MixerTest, FreeChannelNeitherReplacesNorIsReplacedByNumber) {
+TEST_F(MixerTest, FreeChannelNeitherReplacesNorIsReplaced) {
   start(0.1f, kOther, 0);
   start(0.2f, kOther, 0);
   start(0.4f, kOther, 2);
   EXPECT_NEAR(level(), 0.7f, 1e-6);
 }
 
-TEST_F(MixerTest, AnyChannelTakesThePlaceOfTheOldestOfItsEntity) {
+TEST_F(MixerTest, AnyChannelReplacesTheOldestSoundOfItsEntity) {
   start(0.1f, kOther + 1, 1);
   start(0.2f, kOther, 0);
   start(0.4f, kOther, 3);
@@ -137,7 +137,7 @@ TEST_F(MixerTest, AnyChannelTakesThePlaceOfTheOldestOfItsEntity) {
   EXPECT_NEAR(level(), 0.1 + 0.4 + 0.05, 1e-6);
 }
 
-TEST_F(MixerTest, StoppedSoundsStopAndNoOthers) {
+TEST_F(MixerTest, StopEndsOnlyMatchingSounds) {
   start(0.1f, kOther, 1);
   start(0.2f, kOther, 2);
   start(0.4f, kOther + 1, 1);
@@ -147,7 +147,7 @@ TEST_F(MixerTest, StoppedSoundsStopAndNoOthers) {
   EXPECT_NEAR(level(), 0.6, 1e-6);
 }
 
-TEST_F(MixerTest, SoundThatIsMissingStillTakesItsPlace) {
+TEST_F(MixerTest, MissingSoundStillReplaces) {
   start(0.1f, kOther, 1);
   SoundEvents events;
   events.started.push_back({.sound = nullptr, .entity = kOther, .channel = 1});
@@ -155,7 +155,7 @@ TEST_F(MixerTest, SoundThatIsMissingStillTakesItsPlace) {
   EXPECT_EQ(level(), 0);
 }
 
-TEST_F(MixerTest, SoundEndsAndItsVoiceIsFree) {
+TEST_F(MixerTest, FinishedSoundFreesItsVoice) {
   start(0.1f, kOther, 1, 1000);
   EXPECT_EQ(mixer.stats().voices, 1u);
   rendered(mixer, 999);
@@ -182,7 +182,7 @@ TEST_F(MixerTest, HundredsOfVoicesPlayAtOnce) {
   EXPECT_EQ(mixer.stats().left_out, 0u);
 }
 
-TEST_F(MixerTest, WhenFullTheShortestRestMakesRoomButNotOnesOwnNorLoops) {
+TEST_F(MixerTest, FullMixerEndsTheVoiceWithTheLeastTimeLeft) {
   start(0.5f, kSelf, 1, kSecond / 2);
   SoundEvents events;
   events.statics.push_back({looping(constant_sound(0.1f, 10)), {0, 0, 0}, 1, 0});
@@ -191,10 +191,10 @@ TEST_F(MixerTest, WhenFullTheShortestRestMakesRoomButNotOnesOwnNorLoops) {
   for (std::size_t i = 3; i < Mixer::kMaxVoices; ++i) start(0, kOther, 0, kSecond);
   EXPECT_NEAR(level(), 0.65, 1e-5);
   start(0.2f, kOther, 0);
-  EXPECT_NEAR(level(), 0.8, 1e-5) << "in the place of 0.05";
+  EXPECT_NEAR(level(), 0.8, 1e-5) << "replaces the voice with 0.05";
 }
 
-TEST_F(MixerTest, WhereNoneMayMakeRoomTheNewOneIsLeftOut) {
+TEST_F(MixerTest, NewSoundIsLeftOutIfNoVoiceMayEnd) {
   for (std::size_t i = 0; i < Mixer::kMaxVoices; ++i) start(0, kSelf, 0);
   EXPECT_EQ(mixer.stats().left_out, 0u);
   start(0.2f, kOther, 0);
@@ -202,8 +202,8 @@ TEST_F(MixerTest, WhereNoneMayMakeRoomTheNewOneIsLeftOut) {
   EXPECT_EQ(level(), 0);
 }
 
-// A click at a known place shows how much of a sound was skipped.
-TEST_F(MixerTest, DuplicatesOfOneMomentBeginFurtherIn) {
+// A click at a known position shows how much of a sound was skipped.
+TEST_F(MixerTest, SimultaneousDuplicatesSkipTheirBeginning) {
   audio::Sound ticks{"ticks", std::vector<float>(kSecond, 0.0f), std::nullopt};
   ticks.samples[kSecond / 2] = 0.1f;
   const audio::SoundPtr sound = std::make_shared<const audio::Sound>(ticks);
@@ -214,12 +214,12 @@ TEST_F(MixerTest, DuplicatesOfOneMomentBeginFurtherIn) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < heard.left.size(); ++i)
     if (heard.left[i] > 0.05f) places.push_back(i);
-  ASSERT_EQ(places.size(), 3u) << "each at a place of its own";
-  EXPECT_EQ(places.back(), kSecond / 2) << "the first is whole";
+  ASSERT_EQ(places.size(), 3u) << "each copy at a different offset";
+  EXPECT_EQ(places.back(), kSecond / 2) << "the first copy skips nothing";
   EXPECT_GE(places.front(), kSecond / 2 - kSecond / 10);
 }
 
-TEST_F(MixerTest, SameSoundAMomentLaterIsWhole) {
+TEST_F(MixerTest, LaterDuplicatePlaysFromTheBeginning) {
   audio::Sound ticks{"ticks", std::vector<float>(kSecond, 0.0f), std::nullopt};
   ticks.samples[kSecond / 2] = 0.1f;
   const audio::SoundPtr sound = std::make_shared<const audio::Sound>(ticks);
@@ -248,7 +248,7 @@ class Ambients : public MixerTest {
   }
 };
 
-TEST_F(Ambients, RiseAndFallByAHundredASecond) {
+TEST_F(Ambients, FadeBy100LevelsPerSecond) {
   set(200, 0);  // 60 of 255
   Stereo heard = rendered_from_start(mixer, kSecond);
   for (const double time_s : {0.1, 0.3, 0.59, 0.7})
@@ -261,19 +261,19 @@ TEST_F(Ambients, RiseAndFallByAHundredASecond) {
   EXPECT_EQ(heard.left.back(), 0);
 }
 
-TEST_F(Ambients, WeakOnesAreNotHeard) {
+TEST_F(Ambients, LevelsBelow8AreSilent) {
   set(26, 0);  // 7.8
   EXPECT_EQ(peak(rendered(mixer, kSecond).left), 0);
   set(27, 0);  // 8.1
   EXPECT_NEAR(rendered(mixer, kSecond).left.back(), 0.5 * 8.1 / 255, 1e-5);
 }
 
-TEST_F(Ambients, KindsAddUpAndThoseWithoutASoundAreSilent) {
+TEST_F(Ambients, KindsAddUpAndMissingSoundsAreSilent) {
   set(100, 255);
   EXPECT_NEAR(rendered(mixer, 2 * kSecond).left.back(), (0.5 * 30 + 0.25 * 76.5) / 255, 1e-5);
 }
 
-TEST_F(MixerTest, CallsOfAnySizeGiveTheSameSound) {
+TEST_F(MixerTest, BlockSizeDoesNotChangeTheSound) {
   const auto play = [](std::size_t piece) {
     Mixer one;
     audio::Scene scene = quiet_scene();
@@ -302,7 +302,7 @@ TEST_F(MixerTest, CallsOfAnySizeGiveTheSameSound) {
   }
 }
 
-TEST_F(MixerTest, UnderWaterHighSoundsAreWeakerIfSoWished) {
+TEST_F(MixerTest, MufflingWeakensHighFrequenciesUnderWater) {
   const auto measure_level = [](double frequency_hz, float muffled, bool underwater) {
     Mixer one;
     audio::Scene scene = quiet_scene();
@@ -316,7 +316,7 @@ TEST_F(MixerTest, UnderWaterHighSoundsAreWeakerIfSoWished) {
     return to_db(measure_amplitude(std::span(heard.left).last(kSecond / 2), frequency_hz) / 0.5);
   };
   EXPECT_NEAR(measure_level(100, 1, true), 0, 0.5);
-  EXPECT_NEAR(measure_level(450, 1, true), -3, 0.5) << "where the filter's two poles are";
+  EXPECT_NEAR(measure_level(450, 1, true), -3, 0.5) << "at the cutoff frequency";
   EXPECT_LT(measure_level(4000, 1, true), -35);
   EXPECT_GT(measure_level(4000, 0.3f, true), -6);
   EXPECT_NEAR(measure_level(4000, 0, true), 0, 0.01);

@@ -1,5 +1,4 @@
-// Music of every kind of file, decoded in bits and over and over; damaged files; and the thread that decodes
-// ahead.
+// Tests music: all file formats, looping, damaged files, and the decoder thread.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sndfile.h>
@@ -18,7 +17,7 @@
 #include "support/programs/temporary_folder.h"
 #include "support/random.h"
 
-// libsndfile 1.2 loses what libvorbis took when a file turns out to be damaged; asked by the leak sanitizer.
+// The leak sanitizer calls this. libsndfile 1.2 leaks memory of libvorbis if a file is damaged.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:vorbis_";
@@ -66,7 +65,7 @@ Stereo split(std::span<const float> samples) {
 
 class Music : public ::testing::TestWithParam<Kind> {};
 
-TEST_P(Music, IsDecodedAtTheMixersRate) {
+TEST_P(Music, DecodesAtTheMixersRate) {
   const base::ByteVector bytes = music_file(GetParam());
   if (bytes.empty()) GTEST_SKIP() << "this libsndfile does not write " << GetParam().name;
   MusicDecoder music = MusicDecoder::open(bytes).value();
@@ -80,7 +79,7 @@ TEST_P(Music, IsDecodedAtTheMixersRate) {
   EXPECT_FALSE(music.has_failed());
 }
 
-TEST_P(Music, BeginsAgainAtItsEnd) {
+TEST_P(Music, LoopsAtTheEnd) {
   const base::ByteVector bytes = music_file(GetParam());
   if (bytes.empty()) GTEST_SKIP() << "this libsndfile does not write " << GetParam().name;
   MusicDecoder music = MusicDecoder::open(bytes).value();
@@ -104,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Music,
                                            Kind{"four_channels", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 48000, 4}),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
 
-TEST(DamagedMusic, IsAnErrorOrSomeSoundButNoCrash) {
+TEST(DamagedMusic, FailsOrDecodesWithoutACrash) {
   EXPECT_FALSE(MusicDecoder::open({}).ok());
   EXPECT_FALSE(MusicDecoder::open(to_bytes("this is no music, it only pretends to be some")).ok());
   for (const Kind& kind : {Kind{"vorbis", SF_FORMAT_OGG | SF_FORMAT_VORBIS, 44100, 2},
@@ -125,7 +124,7 @@ TEST(DamagedMusic, IsAnErrorOrSomeSoundButNoCrash) {
   }
 }
 
-TEST(DamagedMusic, OfNoLengthIsSilence) {
+TEST(DamagedMusic, EmptyFileIsSilence) {
   formats::Wav wav{.frames_per_second = 44100, .channels = 2, .bits = 16, .samples = {}, .loop = {}};
   base::Result<MusicDecoder> music = MusicDecoder::open(formats::write_wav(wav));
   if (!music.ok()) return;
@@ -155,7 +154,7 @@ void wait_until_ready(const audio::MusicStream& stream) {
   ASSERT_GE(stream.frames_ready(), 20000u);
 }
 
-TEST(MusicStreamThreads, PlaysWhatWasDecodedAheadAndSilenceBefore) {
+TEST(MusicStreamThreads, PlaysSilenceThenDecodedMusic) {
   audio::MusicStream stream;
   std::vector<float> samples(2 * 16000, 99.0f);
   stream.read(samples);
@@ -166,7 +165,7 @@ TEST(MusicStreamThreads, PlaysWhatWasDecodedAheadAndSilenceBefore) {
   EXPECT_NEAR(measure_amplitude(split(samples).left, 440), 0.5, 1e-3);
 }
 
-TEST(MusicStreamThreads, AnotherTrackPauseAndStopBreakOffWithoutAClick) {
+TEST(MusicStreamThreads, TrackChangePauseAndStopDoNotClick) {
   audio::MusicStream stream;
   stream.play(tone(440));
   wait_until_ready(stream);
@@ -184,7 +183,7 @@ TEST(MusicStreamThreads, AnotherTrackPauseAndStopBreakOffWithoutAClick) {
   stream.set_paused(false);
   EXPECT_NEAR(listen(4817), 0.5, 0.01);
   stream.play(tone(880));
-  // The new one comes from its beginning, as soon as the other thread has seen to it.
+  // The new track starts as soon as the decoder thread has opened it.
   for (int i = 0; i < 3000 && listen(960) > 0.1; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_LT(listen(960), 0.1);
@@ -193,12 +192,12 @@ TEST(MusicStreamThreads, AnotherTrackPauseAndStopBreakOffWithoutAClick) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   listen(4800);
   EXPECT_EQ(heard.back(), 0);
-  // Two percent of the largest jump there can be, and what the louder of the tones does by itself.
+  // Allows 2 % of the largest possible step, plus the natural step of the 880 Hz tone.
   EXPECT_LT(largest_step(heard), 0.02 + 0.5 * 2 * std::numbers::pi * 880 / kFramesPerSecond + 0.01);
 }
 
-// A disk that takes its time, and meanwhile somebody wants something else.
-TEST(MusicStreamThreads, WhoPlaysNeverWaitsForAFile) {
+// Requests another track while a slow disk still opens the first one.
+TEST(MusicStreamThreads, PlayDoesNotWaitForAFile) {
   audio::MusicStream stream;
   stream.play(tone(440));
   wait_until_ready(stream);
@@ -208,17 +207,17 @@ TEST(MusicStreamThreads, WhoPlaysNeverWaitsForAFile) {
     disk_is_done.wait();
     return base::malformed("no music");
   });
-  // The thread has begun with it: what was there before has gone.
+  // The decoder thread drops the old music when it starts to open the new track.
   for (int i = 0; i < 5000 && stream.frames_ready() > 0; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(stream.frames_ready(), 0u);
   stream.play(tone(880));
   std::vector<float> silence(2 * 4800, 99.0f);
   stream.read(silence);
-  EXPECT_EQ(silence.back(), 0) << "its turn is after the disk's";
+  EXPECT_EQ(silence.back(), 0) << "the slow open is still in progress";
   disk.set_value();
   wait_until_ready(stream);
-  EXPECT_FALSE(stream.take_failure()) << "nobody wants to know any more";
+  EXPECT_FALSE(stream.take_failure()) << "newer music hides the failure";
   std::vector<float> samples(2 * 16000);
   stream.read(samples);
   const std::vector<float> left = split(samples).left;

@@ -1,4 +1,4 @@
-// Sounds of known content, and what is in the samples that come out.
+// Generates test signals and measures the mixer's output.
 #pragma once
 
 #include <cstddef>
@@ -13,35 +13,34 @@
 
 namespace temblor::test {
 
-// 16 bits, one channel.
+// A mono sound of 16 bits.
 formats::Wav sine_wav(double frequency_hz, double amplitude, std::uint32_t frames_per_second,
                       std::size_t frames);
-// Already at the mixer's rate, and without anything done to its end.
+// Already at the mixer's rate, without a fade at its end.
 audio::SoundPtr sine_sound(double frequency_hz, double amplitude, std::size_t frames);
 audio::SoundPtr looping(audio::SoundPtr sound);
 audio::SoundPtr constant_sound(float value, std::size_t frames);
 
-// The amplitude of that frequency in the samples, at the mixer's rate, as a Hann window sees it: what lies
-// four lines of the window or more away counts less than a thousandth of a percent.
+// The amplitude of one frequency, at the mixer's rate, measured with a Hann window. Frequencies four or more
+// spectral lines away contribute less than 0.001 %.
 double measure_amplitude(std::span<const float> samples, double frequency_hz);
-// What is left of the samples' power without that frequency, as a share of it, in dB: the sine that fits best
-// is taken out, by least squares.
+// Removes the best-fitting sine (least squares) and returns the remaining power relative to the total, in dB.
 double rest_db(std::span<const float> samples, double frequency_hz);
 double to_db(double ratio);
 double rms(std::span<const float> samples);
-// The largest difference between neighbors.
+// The largest difference between neighboring samples.
 double largest_step(std::span<const float> samples);
 double peak(std::span<const float> samples);
 
 struct Stereo {
   std::vector<float> left, right;
 };
-// The next frames of the mixer.
+// Renders the next frames.
 Stereo rendered(audio::Mixer& io_mixer, std::size_t frames);
-// As rendered(), but as if the mixer had no delay: for a mixer that has rendered nothing yet.
+// Like rendered(), without the mixer's delay. The mixer must not have rendered anything yet.
 Stereo rendered_from_start(audio::Mixer& io_mixer, std::size_t frames);
 
-// Sounds at full volume, the listener in the middle, looking along +x: right is -y.
+// Sounds at full volume; the listener is at the origin and looks along +x, so its right is -y.
 audio::Scene quiet_scene();
 
 }  // namespace temblor::test

@@ -1,5 +1,5 @@
-// No clicks: whatever begins, ends, moves or is turned down, neighboring samples differ by no more than the
-// sounds themselves do, and a little. And nothing above full scale in ten minutes of battle.
+// Tests that no start, stop, movement or volume change clicks: neighboring samples differ hardly more than in
+// the sounds themselves. A ten-minute battle must stay within full scale.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,13 +18,14 @@ using audio::SoundEvents;
 
 constexpr std::size_t kSecond = audio::kFramesPerSecond;
 constexpr double kTone_hz = 100;
-constexpr double kNatural = 0.5 * 2 * std::numbers::pi * kTone_hz / static_cast<double>(kSecond);  // 0.0065
+constexpr double kNaturalStep =
+    0.5 * 2 * std::numbers::pi * kTone_hz / static_cast<double>(kSecond);  // 0.0065
 
 class Smooth : public ::testing::Test {
  protected:
   Smooth() : scene(quiet_scene()) { mixer.set_scene(scene, 0); }
 
-  // It begins at the height of its wave, so what is not faded in would jump by half of full scale.
+  // Starts at the peak of its wave, so without a fade the output would jump by half of full scale.
   static audio::SoundPtr tone() {
     audio::Sound sound{"tone", {}, audio::SoundLoop{0, kSecond}};
     for (std::size_t i = 0; i < kSecond; ++i)
@@ -49,7 +50,7 @@ class Smooth : public ::testing::Test {
 
 TEST_F(Smooth, Start) {
   start(1, 0);
-  EXPECT_LT(measure_max_step(4800), kNatural + 0.5 / 96 + 1e-3) << "within 2 ms";
+  EXPECT_LT(measure_max_step(4800), kNaturalStep + 0.5 / 96 + 1e-3) << "within 2 ms";
 }
 
 TEST_F(Smooth, StopAndReplacement) {
@@ -58,49 +59,49 @@ TEST_F(Smooth, StopAndReplacement) {
   SoundEvents events;
   events.stopped.push_back({1, 1});
   mixer.handle_events(events);
-  EXPECT_LT(measure_max_step(4800), kNatural + 0.5 / 240 + 1e-3);
+  EXPECT_LT(measure_max_step(4800), kNaturalStep + 0.5 / 240 + 1e-3);
   start(1, 1);
   rendered(mixer, 4800);
   start(1, 1);
-  EXPECT_LT(measure_max_step(4800), 2 * kNatural + 0.5 / 96 + 0.5 / 240 + 1e-3);
+  EXPECT_LT(measure_max_step(4800), 2 * kNaturalStep + 0.5 / 96 + 0.5 / 240 + 1e-3);
   SoundEvents restart;
   restart.stops_all = true;
   mixer.handle_events(restart);
-  EXPECT_LT(measure_max_step(4800), kNatural + 0.5 / 240 + 1e-3);
+  EXPECT_LT(measure_max_step(4800), kNaturalStep + 0.5 / 240 + 1e-3);
 }
 
-TEST_F(Smooth, ListenerThatTurnsAtOnceOrIsElsewhere) {
+TEST_F(Smooth, SuddenTurnOrTeleportOfTheListener) {
   start(2, 0, {0, -100, 0});
   rendered(mixer, 4800);
   scene.listener.right = {0, 1, 0};
   mixer.set_scene(scene, 1);
-  // The ears' gains of 1.8 and 0 change places in 5 ms.
-  EXPECT_LT(measure_max_step(4800), 1.8 * (kNatural + 0.5 / 240) + 1e-3);
+  // The gains of the ears, 1.8 and 0, are swapped over 5 ms.
+  EXPECT_LT(measure_max_step(4800), 1.8 * (kNaturalStep + 0.5 / 240) + 1e-3);
   scene.listener.origin_world = {0, 5000, 0};
   mixer.set_scene(scene, 1);
-  EXPECT_LT(measure_max_step(4800), 1.8 * (kNatural + 0.5 / 240) + 1e-3);
+  EXPECT_LT(measure_max_step(4800), 1.8 * (kNaturalStep + 0.5 / 240) + 1e-3);
 }
 
-TEST_F(Smooth, VolumeThatChangesAtOnce) {
+TEST_F(Smooth, SuddenVolumeChange) {
   start(1, 0);
   rendered(mixer, 4800);
   scene.volumes.sounds = 0;
   mixer.set_scene(scene, 1);
-  EXPECT_LT(measure_max_step(4800), kNatural + 0.5 / 240 + 1e-3);
+  EXPECT_LT(measure_max_step(4800), kNaturalStep + 0.5 / 240 + 1e-3);
 }
 
-TEST_F(Smooth, DivingIn) {
+TEST_F(Smooth, Diving) {
   start(1, 0);
   rendered(mixer, 4800);
   scene.volumes.muffled_underwater = 1;
   for (const bool underwater : {true, false}) {
     scene.listener.underwater = underwater;
     mixer.set_scene(scene, 1);
-    EXPECT_LT(measure_max_step(kSecond / 2), 1.2 * kNatural) << underwater;
+    EXPECT_LT(measure_max_step(kSecond / 2), 1.2 * kNaturalStep) << underwater;
   }
 }
 
-TEST_F(Smooth, OtherAmbientSound) {
+TEST_F(Smooth, AmbientSoundChange) {
   scene.ambient_levels = {255, 0, 0, 0};
   mixer.set_scene(scene, 1);
   SoundEvents events;
@@ -108,11 +109,11 @@ TEST_F(Smooth, OtherAmbientSound) {
   for (int i = 0; i < 3; ++i) {
     events.ambients[0] = tone();
     mixer.handle_events(events);
-    EXPECT_LT(measure_max_step(kSecond), 0.3 * (kNatural + 0.5 / 240) + 1e-3) << i;
+    EXPECT_LT(measure_max_step(kSecond), 0.3 * (kNaturalStep + 0.5 / 240) + 1e-3) << i;
   }
 }
 
-// Everything that can happen, at random, far too loud.
+// Random events of every kind, far too loud.
 TEST(Battle, StaysWithinFullScaleForTenMinutes) {
   Random random(1);
   std::vector<audio::SoundPtr> sounds;
@@ -128,7 +129,7 @@ TEST(Battle, StaysWithinFullScaleForTenMinutes) {
   audio::Scene scene = quiet_scene();
   const int seconds = effort(600, 20);
   double loudest = 0;
-  std::size_t most_voices = 0;
+  std::size_t max_voices = 0;
   std::vector<float> out(2 * kSecond / 50);
   for (int step = 0; step < seconds * 50; ++step) {
     scene.listener.origin_world = random.in_cube(300);
@@ -152,11 +153,11 @@ TEST(Battle, StaysWithinFullScaleForTenMinutes) {
     mixer.handle_events(events);
     mixer.render(out);
     loudest = std::max(loudest, peak(out));
-    most_voices = std::max(most_voices, mixer.stats().voices);
+    max_voices = std::max(max_voices, mixer.stats().voices);
   }
   EXPECT_LE(loudest, 1.0);
-  EXPECT_GT(loudest, 0.98) << "it must have been loud";
-  EXPECT_GT(most_voices, 30u);
+  EXPECT_GT(loudest, 0.98) << "the battle must be loud";
+  EXPECT_GT(max_voices, 30u);
 }
 
 }  // namespace

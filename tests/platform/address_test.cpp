@@ -1,4 +1,4 @@
-// Addresses as text and back.
+// Tests conversions between addresses and text.
 #include "platform/address.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace temblor::platform {
 namespace {
 
-TEST(Address, PrintsAsPeopleWriteIt) {
+TEST(Address, PrintsInCommonNotation) {
   EXPECT_EQ(to_text(ip4_address({192, 0, 2, 1}, 26000)), "192.0.2.1:26000");
   EXPECT_EQ(to_text(Address{}), "local:0");
   const std::optional<Address> ip6 = parse_host("2001:db8::1", 7);
@@ -17,7 +17,7 @@ TEST(Address, PrintsAsPeopleWriteIt) {
   EXPECT_EQ(host_text(*ip6), "2001:db8::1");
 }
 
-TEST(Address, OneHostHasOneAddress) {
+TEST(Address, MappedIp4EqualsIp4) {
   EXPECT_EQ(parse_host("::ffff:10.1.2.3", 5), ip4_address({10, 1, 2, 3}, 5));
   EXPECT_EQ(parse_host("10.1.2.3", 5), ip4_address({10, 1, 2, 3}, 5));
   EXPECT_TRUE(parse_host("10.1.2.3", 5)->is_ip4());
@@ -26,13 +26,13 @@ TEST(Address, OneHostHasOneAddress) {
   EXPECT_NE(parse_host("10.1.2.3", 5), parse_host("10.1.2.3", 6));
 }
 
-TEST(Address, NamesAreNoNumbers) {
+TEST(Address, ParseHostRejectsNamesAndBadNumbers) {
   for (const std::string text : {"", "localhost", "1.2.3", "1.2.3.256", "1.2.3.4:5", "[::1]", "::g"})
     EXPECT_FALSE(parse_host(text, 1)) << text;
   EXPECT_FALSE(parse_host(std::string_view("1.2.3.4\0x", 9), 1));
 }
 
-TEST(Address, HostAndPortTakenApart) {
+TEST(Address, SplitsHostAndPort) {
   struct Case {
     const char* text;
     const char* host;
@@ -49,7 +49,7 @@ TEST(Address, HostAndPortTakenApart) {
   }
 }
 
-TEST(Address, WhatIsWrongIsNamed) {
+TEST(Address, ErrorsNameTheBadPart) {
   for (const char* text : {"host:", "host:0", "host:65536", "host:-1", "host:1x", "[::1]:"}) {
     const auto parts = split_host_and_port(text);
     ASSERT_FALSE(parts.ok()) << text;

@@ -1,4 +1,4 @@
-// The sound device of SDL2, with drivers that need no hardware.
+// Tests the SDL2 sound device with drivers that need no hardware.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class SdlAudio : public ::testing::Test {
   static void use(const char* driver) { setenv("SDL_AUDIODRIVER", driver, 1); }
   void TearDown() override { unsetenv("SDL_AUDIODRIVER"); }
 
-  // A ramp, so that every frame is known.
+  // Plays a ramp, so that every frame has a known value.
   base::Result<std::unique_ptr<platform::AudioDevice>> open() {
     return platform::sdl2::open_audio({}, [this](std::span<float> samples) {
       for (std::size_t i = 0; i < samples.size(); i += 2) {
@@ -53,7 +53,7 @@ TEST_F(SdlAudio, DummyDeviceAsksForFrames) {
   wait_for_frames(3000);
 }
 
-TEST_F(SdlAudio, NothingIsAskedForAfterItsEnd) {
+TEST_F(SdlAudio, DestroyedDeviceDoesNotCallBack) {
   use("dummy");
   {
     const auto device = open();
@@ -64,7 +64,7 @@ TEST_F(SdlAudio, NothingIsAskedForAfterItsEnd) {
   EXPECT_EQ(frames_, frames);
 }
 
-TEST_F(SdlAudio, DiskDeviceWritesTheFramesAsTheyAre) {
+TEST_F(SdlAudio, DiskDeviceWritesFramesUnchanged) {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "sound.raw").string();
   use("disk");
@@ -77,7 +77,7 @@ TEST_F(SdlAudio, DiskDeviceWritesTheFramesAsTheyAre) {
   const base::ByteVector bytes = read_file(path);
   std::vector<float> samples(bytes.size() / sizeof(float));
   std::memcpy(samples.data(), bytes.data(), samples.size() * sizeof(float));
-  // SDL's thread may write silence before the device is let go; the ramp itself begins with a silent frame.
+  // SDL's thread may write silence before the device is unpaused; the ramp itself begins with a silent frame.
   const auto first_sound = std::ranges::find_if(samples, [](float sample) { return sample != 0; });
   const auto begin = static_cast<std::size_t>(first_sound - samples.begin()) - 2;
   ASSERT_GE(samples.size(), begin + 2 * 4000);
@@ -87,7 +87,7 @@ TEST_F(SdlAudio, DiskDeviceWritesTheFramesAsTheyAre) {
   }
 }
 
-TEST_F(SdlAudio, NoDeviceIsAnErrorThatSaysWhy) {
+TEST_F(SdlAudio, ErrorSaysWhyNoDeviceOpened) {
   use("no-such-driver");
   const auto device = open();
   ASSERT_FALSE(device.ok());

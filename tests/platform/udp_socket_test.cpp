@@ -1,4 +1,4 @@
-// Real datagrams over this machine's loopback.
+// Sends real datagrams over the loopback interface.
 #include "platform/posix/udp_socket.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@
 namespace temblor::platform::posix {
 namespace {
 
-std::unique_ptr<DatagramSocket> opened(const UdpOptions& options) {
+std::unique_ptr<DatagramSocket> open_test_socket(const UdpOptions& options) {
   auto socket = open_udp_socket(options);
   EXPECT_TRUE(socket.ok()) << socket.error().message();
   return std::move(socket).value();
 }
 
-// The system needs a moment.
-std::optional<Datagram> awaited(DatagramSocket& socket) {
+// Waits for a datagram for up to 2 s; delivery is not immediate.
+std::optional<Datagram> await_datagram(DatagramSocket& socket) {
   for (int tries = 0; tries < 2000; ++tries) {
     if (const auto datagram = socket.receive()) return datagram;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -27,52 +27,52 @@ std::optional<Datagram> awaited(DatagramSocket& socket) {
   return std::nullopt;
 }
 
-TEST(UdpSocket, ThereAndBack) {
-  const auto a = opened({.host = "127.0.0.1"}), b = opened({.host = "127.0.0.1"});
+TEST(UdpSocket, SendsAndReceives) {
+  const auto a = open_test_socket({.host = "127.0.0.1"}), b = open_test_socket({.host = "127.0.0.1"});
   EXPECT_NE(a->local_address().port, 0);
   EXPECT_FALSE(a->receive());
   a->send(b->local_address(), base::as_bytes("hello"));
-  const auto there = awaited(*b);
+  const auto there = await_datagram(*b);
   ASSERT_TRUE(there);
   EXPECT_EQ(there->from, a->local_address());
   EXPECT_EQ(base::as_text(there->bytes), "hello");
   b->send(there->from, {});
-  const auto back = awaited(*a);
+  const auto back = await_datagram(*a);
   ASSERT_TRUE(back);
   EXPECT_TRUE(back->bytes.empty());
 }
 
-TEST(UdpSocket, OnAllAddressesAPeerOfIp4IsOne) {
-  const auto all = opened({}), one = opened({.host = "127.0.0.1"});
+TEST(UdpSocket, DualStackSocketReportsIp4Peers) {
+  const auto all = open_test_socket({}), one = open_test_socket({.host = "127.0.0.1"});
   const std::uint16_t port = all->local_address().port;
   one->send(ip4_address({127, 0, 0, 1}, port), base::as_bytes("x"));
-  const auto got = awaited(*all);
+  const auto got = await_datagram(*all);
   ASSERT_TRUE(got);
   EXPECT_EQ(got->from, one->local_address());
   all->send(got->from, base::as_bytes("y"));
-  ASSERT_TRUE(awaited(*one));
+  ASSERT_TRUE(await_datagram(*one));
 }
 
-TEST(UdpSocket, TheLargestDatagramArrivesWhole) {
-  const auto a = opened({.host = "127.0.0.1"}), b = opened({.host = "127.0.0.1"});
+TEST(UdpSocket, LargestDatagramArrivesWhole) {
+  const auto a = open_test_socket({.host = "127.0.0.1"}), b = open_test_socket({.host = "127.0.0.1"});
   test::Random random(1);
   const base::ByteVector bytes = test::random_bytes(random, 65507);
   a->send(b->local_address(), bytes);
-  const auto got = awaited(*b);
+  const auto got = await_datagram(*b);
   ASSERT_TRUE(got);
   EXPECT_EQ(base::ByteVector(got->bytes.begin(), got->bytes.end()), bytes);
 }
 
-TEST(UdpSocket, WhatCannotBeSentIsLost) {
-  const auto a = opened({.host = "127.0.0.1"});
+TEST(UdpSocket, UnsendableDatagramsAreDropped) {
+  const auto a = open_test_socket({.host = "127.0.0.1"});
   a->send(ip4_address({127, 0, 0, 1}, 1), base::as_bytes("nobody there"));
   a->send(*parse_host("2001:db8::1", 9), base::as_bytes("no IPv6 here"));
   a->send(a->local_address(), base::ByteVector(70000));
   EXPECT_FALSE(a->receive());
 }
 
-TEST(UdpSocket, APortThatIsTaken) {
-  const auto first = opened({.host = "127.0.0.1"});
+TEST(UdpSocket, PortInUseIsAnError) {
+  const auto first = open_test_socket({.host = "127.0.0.1"});
   const std::uint16_t port = first->local_address().port;
   const auto second = open_udp_socket({.port = port, .host = "127.0.0.1"});
   ASSERT_FALSE(second.ok());
@@ -81,7 +81,7 @@ TEST(UdpSocket, APortThatIsTaken) {
   EXPECT_EQ(open_udp_socket({.host = "localhost"}).error().code, base::ErrorCode::kUsage);
 }
 
-TEST(UdpSocket, HostsAreLookedUp) {
+TEST(UdpSocket, LooksUpHosts) {
   EXPECT_EQ(*look_up("10.0.0.1", 26000), ip4_address({10, 0, 0, 1}, 26000));
   EXPECT_EQ(*look_up("localhost:5", 26000), ip4_address({127, 0, 0, 1}, 5));
   const auto unknown = look_up("no-such-host.invalid", 1);

@@ -1,4 +1,5 @@
-// Merges events that wait for the device thread: a sound device may hang for minutes.
+// Merges events that wait for the device thread. A sound device may hang for minutes, and the backlog must
+// not grow without bound.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +8,12 @@
 
 namespace temblor::audio {
 
-// The most entries of each list after folding. The last ones stay; of static sounds, the first.
+// The maximum length of each list after folding. The newest entries stay, but of static sounds the oldest.
 constexpr std::size_t kMaxFolded = 1024;
 
 // Appends `next` to `io_events`. The mixer behaves as if both had arrived one right after the other: a sound
-// that is replaced or stopped at once is left out. (One exception: a sound stopped on kFreeChannel keeps
-// playing if its entity starts another sound on that channel.)
+// that would be replaced or stopped at once is left out. (One exception: a sound stopped on kFreeChannel
+// keeps playing if its entity starts another sound on that channel.)
 void fold(const SoundEvents& next, SoundEvents& io_events);
 
 }  // namespace temblor::audio

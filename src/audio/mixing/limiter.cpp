@@ -2,6 +2,10 @@
 // it rise only slowly, and average it over D frames; delay the sound by D frames. When a frame leaves the
 // delay, all D values in the average already included its need, so the average does not exceed it. An average
 // over D values cannot jump.
+//
+//   in --> peak --> ceiling / peak --> minimum of D --> slow release --> average of D --> gain
+//   in --> delay of D frames --------------------------------------------------------> * gain --> out
+// (D = kDelay_frames)
 #include "audio/mixing/limiter.h"
 
 #include <algorithm>
@@ -11,9 +15,9 @@ namespace temblor::audio {
 namespace {
 
 constexpr float kRelease = 1.0f / (0.15f * 48000);  // share of the way back to 1, per frame
+// An exponential approach never arrives, so the gain becomes exactly 1 from here on.
 constexpr float kNearOne = 0.9999f;
 
-// A damaged sound must not stay in the averages forever.
 float finite_or_zero(float sample) {
   return std::isfinite(sample) ? sample : 0;
 }
@@ -30,8 +34,7 @@ void Limiter::delay(std::span<float> left, std::span<float> right) {
   frame_ += left.size();
 }
 
-// Keeps the needs of the last D frames in a monotonic queue: a need is dropped once a later one is at least
-// as strict, so the front is always the minimum.
+// Entries with the same or a higher gain expire earlier and can never be the minimum again.
 void Limiter::add_need(float gain) {
   while (need_count_ > 0 && needs_[(first_need_ + need_count_ - 1) % kDelay_frames].gain >= gain)
     --need_count_;
@@ -39,8 +42,8 @@ void Limiter::add_need(float gain) {
   ++need_count_;
 }
 
-// Returns the gain of the frame that leaves the delay now. `peak` belongs to the frame that enters it.
-float Limiter::next_gain(float peak) {
+// Takes the peak of one frame and returns the gain for the frame that leaves the delay.
+float Limiter::compute_next_gain(float peak) {
   if (need_count_ > 0 && needs_[first_need_].frame + kDelay_frames <= frame_) {
     first_need_ = (first_need_ + 1) % kDelay_frames;
     --need_count_;
@@ -63,15 +66,14 @@ void Limiter::process(std::span<float> left, std::span<float> right) {
     right[i] = finite_or_zero(right[i]);
     peak = std::max(peak, std::max(std::abs(left[i]), std::abs(right[i])));
   }
-  // The usual case: nothing in the block is too loud, and the gain is 1 already.
   if (is_at_rest() && peak <= kCeiling) return delay(left, right);
   for (std::size_t i = 0; i < left.size(); ++i) {
-    gain_ = next_gain(std::max(std::abs(left[i]), std::abs(right[i])));
+    gain_ = compute_next_gain(std::max(std::abs(left[i]), std::abs(right[i])));
     std::swap(left[i], left_[at_]);
     std::swap(right[i], right_[at_]);
     at_ = at_ + 1 == kDelay_frames ? 0 : at_ + 1;
     ++frame_;
-    // Guards against rounding.
+    // The average can exceed the need by a rounding error.
     left[i] = std::clamp(left[i] * gain_, -kCeiling, kCeiling);
     right[i] = std::clamp(right[i] * gain_, -kCeiling, kCeiling);
   }

@@ -1,4 +1,4 @@
-// Hot loop.
+// Hot loop. The scalar reference that mix_kernels_simd.cpp must match bit for bit.
 #include "audio/mixing/mix_kernels.h"
 
 namespace temblor::audio {

@@ -1,4 +1,4 @@
-// Hot loop. The SIMD version of mix_kernels_scalar.cpp, compiled once per instruction set.
+// Hot loop. The SIMD version of mix_kernels_scalar.cpp, compiled once per instruction set by Highway.
 #include "audio/mixing/mix_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -29,7 +29,7 @@ void Mix(const MixJob& job) {
   size_t i = 0;
   for (; i + lanes <= job.count; i += lanes) {
     const auto samples = hn::LoadU(d, job.samples + i);
-    // Multiplies, then adds, like the scalar reference: no fused multiply-add.
+    // Multiplies, then adds, like the scalar reference: a fused multiply-add would round differently.
     const auto left = hn::Mul(samples, hn::Add(left_gain, hn::Mul(left_step, place)));
     const auto right = hn::Mul(samples, hn::Add(right_gain, hn::Mul(right_step, place)));
     hn::StoreU(hn::Add(hn::LoadU(d, job.left + i), left), d, job.left + i);

@@ -11,8 +11,10 @@
 namespace temblor::audio {
 namespace {
 
-constexpr float kHighest_hz = 16000, kLowest_hz = 450;
-constexpr float kDamping = std::numbers::sqrt2_v<float>;  // no resonance
+// The cutoff frequency at amounts of 0 and 1.
+constexpr float kMaxCutoff_hz = 16000, kMinCutoff_hz = 450;
+constexpr float kDamping = std::numbers::sqrt2_v<float>;  // a Butterworth filter, without resonance
+// tune() computes a power and a tangent, which is too slow for every frame.
 constexpr std::uint32_t kTuneEvery_frames = 32;
 // Below this amount, the unfiltered sound is still mixed in, so that switching the filter on and off is
 // inaudible.
@@ -21,22 +23,22 @@ constexpr float kSilence = 1e-15f;
 
 }  // namespace
 
-// Moves the cutoff frequency. Equal steps of the amount are equal musical intervals.
+// The cutoff frequency falls exponentially with the amount, because pitch is heard on a logarithmic scale.
 void Muffle::tune() {
-  const float frequency_hz = kHighest_hz * std::pow(kLowest_hz / kHighest_hz, amount_);
+  const float frequency_hz = kMaxCutoff_hz * std::pow(kMinCutoff_hz / kMaxCutoff_hz, amount_);
   const float g = std::tan(std::numbers::pi_v<float> * frequency_hz / kFramesPerSecond);
   a1_ = 1 / (1 + g * (g + kDamping));
   a2_ = g * a1_;
   a3_ = g * a2_;
 }
 
-// Filters one sample of one ear; the low-pass output of the filter is used.
-float Muffle::filtered(float sample, Poles& io_poles) const {
-  const float rest = sample - io_poles.second;
-  const float band = a1_ * io_poles.first + a2_ * rest;
-  const float low = io_poles.second + a2_ * io_poles.first + a3_ * rest;
-  io_poles.first = 2 * band - io_poles.first;
-  io_poles.second = 2 * low - io_poles.second;
+// One step of the filter; returns its low-pass output. Names as in the paper: a1 to a3, band = v1, low = v2.
+float Muffle::filter_sample(float sample, FilterState& io_state) const {
+  const float rest = sample - io_state.second;
+  const float band = a1_ * io_state.first + a2_ * rest;
+  const float low = io_state.second + a2_ * io_state.first + a3_ * rest;
+  io_state.first = 2 * band - io_state.first;
+  io_state.second = 2 * low - io_state.second;
   return low;
 }
 
@@ -47,15 +49,15 @@ void Muffle::process(std::span<float> left, std::span<float> right) {
     if (frame_++ % kTuneEvery_frames == 0) tune();
     amount_ += std::clamp(target_ - amount_, -kStep, kStep);
     const float share = std::min(1.0f, amount_ / kBlendIn);
-    left[i] += share * (filtered(left[i], poles_[0]) - left[i]);
-    right[i] += share * (filtered(right[i], poles_[1]) - right[i]);
+    left[i] += share * (filter_sample(left[i], states_[0]) - left[i]);
+    right[i] += share * (filter_sample(right[i], states_[1]) - right[i]);
   }
-  for (Poles& poles : poles_) {
+  for (FilterState& state : states_) {
     // Denormal numbers are slow on many processors.
-    if (std::abs(poles.first) + std::abs(poles.second) < kSilence) poles = {};
+    if (std::abs(state.first) + std::abs(state.second) < kSilence) state = {};
   }
   if (amount_ == 0) {
-    poles_ = {};
+    states_ = {};
     frame_ = 0;
   }
 }

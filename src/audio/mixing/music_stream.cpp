@@ -8,19 +8,20 @@ namespace temblor::audio {
 namespace {
 
 constexpr std::size_t kPiece_frames = 2048;
-constexpr auto kNap = std::chrono::milliseconds(15);
+// How long the decoder sleeps while the ring is full. The reader cannot wake it, because that could block.
+constexpr auto kPollInterval = std::chrono::milliseconds(15);
 // The share of a break's offset that remains after one frame: it fades within about 5 ms.
 constexpr float kBridge = 0.98f;
 
 }  // namespace
 
-MusicStream::MusicStream() : thread_([this] { decode_ahead(); }) {}
+MusicStream::MusicStream() : thread_([this] { run_decoder(); }) {}
 
 MusicStream::~MusicStream() {
   {
     const std::lock_guard lock(mutex_);
-    quits_ = true;
-    is_called_ = true;
+    is_quitting_ = true;
+    is_interrupted_ = true;
   }
   wake_.notify_one();
   thread_.join();
@@ -31,7 +32,7 @@ void MusicStream::play(OpenMusic open) {
     const std::lock_guard lock(mutex_);
     std::swap(next_, open);
     has_next_ = true;
-    is_called_ = true;
+    is_interrupted_ = true;
     has_failed_ = false;  // the previous music may have failed
     failure_.reset();
   }
@@ -43,10 +44,11 @@ std::optional<base::Error> MusicStream::take_failure() {
   return std::exchange(failure_, std::nullopt);
 }
 
-// The unread frames belong to the previous music.
+// Marks the unread frames as dropped, since they belong to the previous music. Opens the file without the
+// mutex, so play() never waits for a disk. A newer request hides a failure of this one.
 void MusicStream::open_next(std::unique_lock<std::mutex>& io_lock) {
   const OpenMusic open = std::exchange(next_, nullptr);
-  has_next_ = is_called_ = has_failed_ = false;
+  has_next_ = is_interrupted_ = has_failed_ = false;
   decoder_.reset();
   dropped_.store(written_, std::memory_order_release);
   if (open == nullptr) return;
@@ -59,32 +61,34 @@ void MusicStream::open_next(std::unique_lock<std::mutex>& io_lock) {
     failure_ = opened.error();
 }
 
-void MusicStream::decode_ahead() {
+// The decoder thread. Without music it sleeps until play() or the destructor wakes it.
+void MusicStream::run_decoder() {
   std::unique_lock lock(mutex_);
-  while (!quits_) {
+  while (!is_quitting_) {
     if (has_next_) open_next(lock);
     lock.unlock();
     fill();
     lock.lock();
-    const auto is_called = [&] { return quits_ || has_next_; };
+    const auto is_woken = [&] { return is_quitting_ || has_next_; };
     if (decoder_)
-      wake_.wait_for(lock, kNap, is_called);
+      wake_.wait_for(lock, kPollInterval, is_woken);
     else
-      wake_.wait(lock, is_called);
+      wake_.wait(lock, is_woken);
   }
 }
 
 void MusicStream::fill() {
   if (!decoder_) return;
   std::size_t written = written_.load(std::memory_order_relaxed);
-  while (!is_called_ && kRing_frames - (written - read_.load(std::memory_order_acquire)) >= kPiece_frames) {
+  while (!is_interrupted_ &&
+         kRing_frames - (written - read_.load(std::memory_order_acquire)) >= kPiece_frames) {
     // Pieces divide the ring evenly, so none wraps around its end.
     const std::span<float> piece = std::span(ring_).subspan(2 * (written % kRing_frames), 2 * kPiece_frames);
     decoder_->read(piece);
     written += kPiece_frames;
     written_.store(written, std::memory_order_release);
   }
-  if (!is_called_) has_failed_ = decoder_->has_failed();
+  if (!is_interrupted_) has_failed_ = decoder_->has_failed();
 }
 
 std::size_t MusicStream::frames_ready() const {
@@ -92,7 +96,7 @@ std::size_t MusicStream::frames_ready() const {
   return written_.load() - from;
 }
 
-void MusicStream::take(std::span<float> out_samples, std::size_t from_frame) {
+void MusicStream::copy_from_ring(std::span<float> out_samples, std::size_t from_frame) {
   const std::size_t at = 2 * (from_frame % kRing_frames);
   const std::size_t before_end = std::min(out_samples.size(), ring_.size() - at);
   std::copy_n(ring_.begin() + static_cast<std::ptrdiff_t>(at), before_end, out_samples.begin());
@@ -100,7 +104,8 @@ void MusicStream::take(std::span<float> out_samples, std::size_t from_frame) {
               out_samples.begin() + static_cast<std::ptrdiff_t>(before_end));
 }
 
-// After a break, the signal slides from its last value instead of jumping.
+// Adds the decaying offset: after a break, the signal slides from its last value instead of jumping. Offsets
+// too small to hear become 0, because denormal numbers are slow.
 void MusicStream::bridge(std::span<float> io_samples) {
   for (std::size_t i = 0; i < io_samples.size(); ++i) {
     float& offset = offset_[i % 2];
@@ -118,18 +123,18 @@ void MusicStream::read(std::span<float> out_samples) {
   const std::size_t ready = written > from && !paused_ ? written - from : 0;
   const std::size_t count = std::min(ready, out_samples.size() / 2);
   const std::span<float> music = out_samples.first(2 * count), silence = out_samples.subspan(2 * count);
-  const auto break_before = [&](std::span<const float> next, const float* last) {
+  const auto start_bridge = [&](std::span<const float> next, const float* last) {
     offset_ = {last[0] - next[0], last[1] - next[1]};
   };
   if (count > 0) {
-    take(music, from);
-    if (from != read || !was_playing_) break_before(music, last_.data());
+    copy_from_ring(music, from);
+    if (from != read || !was_playing_) start_bridge(music, last_.data());
     bridge(music);
     last_ = {music[music.size() - 2], music[music.size() - 1]};
   }
   if (!silence.empty()) {
     std::fill(silence.begin(), silence.end(), 0.0f);
-    if (count > 0 || was_playing_) break_before(silence, last_.data());
+    if (count > 0 || was_playing_) start_bridge(silence, last_.data());
     bridge(silence);
     last_ = {silence[silence.size() - 2], silence[silence.size() - 1]};
   }

@@ -2,6 +2,15 @@
 // waits.
 //
 //   game thread: play() --mutex--> decoder thread: decode --ring--> device thread: read()
+//
+// The ring has one writer and one reader. Positions are frame counts that only grow; the index is the count
+// modulo kRing_frames, and written_ - read_ never exceeds kRing_frames:
+//
+//   read_ ... dropped_ ........ written_
+//   |  old music  |  ready music  |  free
+//
+// When another track starts, the frames before dropped_ are skipped. Where the signal breaks (a new track, a
+// pause, an empty ring), the reader bridges the step, so nothing clicks.
 #pragma once
 
 #include <array>
@@ -19,7 +28,7 @@
 
 namespace temblor::audio {
 
-// Reads and opens a music file. Called on the decoder thread.
+// Reads and opens a music file. Called once, on the decoder thread, so it may wait for the disk.
 using OpenMusic = std::function<base::Result<MusicDecoder>()>;
 
 class MusicStream {
@@ -31,10 +40,11 @@ class MusicStream {
 
   // Game thread. Stops the current music and starts this one; null: silence. Never waits for a file.
   void play(OpenMusic open);
-  // Returns once why the last music could not be opened.
+  // Game thread. Returns the reason why the last music could not be opened, once; null if it could.
   std::optional<base::Error> take_failure();
+  // Any thread. A paused stream returns silence and keeps its position.
   void set_paused(bool paused) { paused_ = paused; }
-  // Whether the file that plays is damaged.
+  // Any thread. Whether the current music file is damaged.
   bool has_failed() const { return has_failed_; }
 
   // Device thread. Returns the next frames, left and right interleaved, and silence if none are ready. Never
@@ -47,15 +57,15 @@ class MusicStream {
  private:
   static constexpr std::size_t kRing_frames = std::size_t{1} << 15;  // 0.7 s
 
-  void decode_ahead();
+  void run_decoder();
   void open_next(std::unique_lock<std::mutex>& io_lock);
   void fill();
-  void take(std::span<float> out_samples, std::size_t from_frame);
+  void copy_from_ring(std::span<float> out_samples, std::size_t from_frame);
   void bridge(std::span<float> io_samples);
 
   std::vector<float> ring_ = std::vector<float>(2 * kRing_frames);
   // Frame counts since the stream was made. The decoder thread writes the first two, the device thread the
-  // last.
+  // last. A release store publishes the samples that the counter covers.
   std::atomic<std::size_t> written_{0}, dropped_{0}, read_{0};
   std::atomic<bool> paused_{false}, has_failed_{false};
 
@@ -67,8 +77,9 @@ class MusicStream {
   std::condition_variable wake_;
   OpenMusic next_;
   std::optional<base::Error> failure_;
-  bool has_next_ = false, quits_ = false;
-  std::atomic<bool> is_called_{false};  // has_next_ || quits_, readable without the mutex
+  bool has_next_ = false, is_quitting_ = false;
+  // has_next_ || is_quitting_, readable without the mutex. The decoder checks it between pieces.
+  std::atomic<bool> is_interrupted_{false};
 
   std::optional<MusicDecoder> decoder_;  // decoder thread only
   std::thread thread_;                   // declared last: it uses everything above

@@ -1,10 +1,12 @@
-// The loudness of a sound in each ear, by the original's rules.
+// The loudness of a sound in each ear, by the original's rules. Only the distance and the angle to the right
+// ear count: walls do not matter, and front and back sound alike.
 #pragma once
 
 #include "audio/scene.h"
 
 namespace temblor::audio {
 
+// Factors for the samples, at least 0. They can exceed 1: up to twice the volume.
 struct EarGains {
   float left = 0, right = 0;
   bool operator==(const EarGains&) const = default;

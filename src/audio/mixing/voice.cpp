@@ -11,7 +11,7 @@ constexpr std::size_t kFadeIn_frames = 96, kFadeOut_frames = 240;  // 2 and 5 ms
 // While a fade and a movement overlap, their product is treated as linear over this many frames.
 constexpr std::size_t kStraight_frames = 16;
 
-// A player's own sounds are equally loud in both ears at any distance, as in stock Quake.
+// The listener's own sounds, such as its weapon, come from inside its head: neither distance nor side counts.
 EarGains compute_gains(const Voice& voice, const Listener& listener) {
   if (voice.kind == VoiceKind::kStarted && voice.entity == listener.entity)
     return {voice.volume, voice.volume};
@@ -22,8 +22,9 @@ std::size_t find_end(const Sound& sound) {
   return sound.loop ? sound.loop->end : sound.samples.size();
 }
 
-// The length of the next stretch over which all gains change linearly.
-std::size_t stretch_frames(const Voice& voice, std::size_t wanted) {
+// The length of the next stretch, which ends where a ramp, the loop or the samples end, so that all gains
+// change linearly within it.
+std::size_t compute_stretch_frames(const Voice& voice, std::size_t wanted) {
   std::size_t frames = std::min(wanted, find_end(*voice.sound) - voice.position);
   for (const Glide* glide : {&voice.left, &voice.right})
     if (glide->frames_left() > 0) frames = std::min(frames, glide->frames_left());
@@ -31,9 +32,8 @@ std::size_t stretch_frames(const Voice& voice, std::size_t wanted) {
   return frames;
 }
 
-// Adds a stretch in which the gains change linearly: the product of two linear gains is close to linear over
-// kStraight_frames. The kernel takes a start and a step for each ear.
-void add_stretch(const Voice& voice, std::size_t frames, float* left, float* right) {
+// Computes the exact gains at both ends of the stretch; the kernel interpolates between them.
+void mix_stretch(const Voice& voice, std::size_t frames, float* left, float* right) {
   if (voice.is_silent()) return;
   const auto count = static_cast<float>(frames);
   const auto at = [&](const Glide& glide, float place) { return glide.value() + glide.step() * place; };
@@ -45,12 +45,12 @@ void add_stretch(const Voice& voice, std::size_t frames, float* left, float* rig
             (at(voice.right, count) * fade_end - right_gain) / count});
 }
 
-// Advances the voice by `frames`, which must not go past the end of its sound or of a glide.
-void pass(Voice& io_voice, std::size_t frames) {
-  io_voice.left.pass(frames);
-  io_voice.right.pass(frames);
+// Moves past a stretch: advances the ramps, wraps around the loop, and detects the end.
+void advance(Voice& io_voice, std::size_t frames) {
+  io_voice.left.advance(frames);
+  io_voice.right.advance(frames);
   const bool was_fading = io_voice.fade.frames_left() > 0;
-  io_voice.fade.pass(frames);
+  io_voice.fade.advance(frames);
   if (io_voice.is_ending && was_fading && io_voice.fade.frames_left() == 0) io_voice.has_ended = true;
   io_voice.position += frames;
   const Sound& sound = *io_voice.sound;
@@ -63,7 +63,6 @@ void pass(Voice& io_voice, std::size_t frames) {
 
 }  // namespace
 
-// With 0 frames the value jumps. A glide that is under way turns to the new target from where it is.
 void Glide::go_to(float target, std::size_t frames) {
   target_ = target;
   frames_left_ = target == value_ ? 0 : frames;
@@ -71,10 +70,10 @@ void Glide::go_to(float target, std::size_t frames) {
   step_ = frames_left_ > 0 ? (target - value_) / static_cast<float>(frames) : 0;
 }
 
-void Glide::pass(std::size_t frames) {
+void Glide::advance(std::size_t frames) {
   if (frames_left_ == 0) return;
   frames_left_ -= frames;
-  // At the end it has exactly the target's value, without rounding errors.
+  // The last step sets exactly the target, without rounding errors.
   value_ = frames_left_ == 0 ? target_ : value_ + step_ * static_cast<float>(frames);
   if (frames_left_ == 0) step_ = 0;
 }
@@ -108,14 +107,12 @@ void end_voice(Voice& io_voice) {
   io_voice.fade.go_to(0, kFadeOut_frames);
 }
 
-// Splits the block at the ends of glides, of the loop, and of the sound, so that the kernel needs no
-// branches.
 void mix_voice(Voice& io_voice, const EarBuffers& io_ears) {
   std::size_t done = 0;
   while (done < io_ears.left.size() && !io_voice.has_ended) {
-    const std::size_t frames = stretch_frames(io_voice, io_ears.left.size() - done);
-    add_stretch(io_voice, frames, io_ears.left.data() + done, io_ears.right.data() + done);
-    pass(io_voice, frames);
+    const std::size_t frames = compute_stretch_frames(io_voice, io_ears.left.size() - done);
+    mix_stretch(io_voice, frames, io_ears.left.data() + done, io_ears.right.data() + done);
+    advance(io_voice, frames);
     done += frames;
     io_voice.is_new = false;
   }

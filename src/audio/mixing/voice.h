@@ -1,4 +1,9 @@
 // A voice: one sound that plays, its position, its loudness in each ear, and its fades.
+//
+//   gain of an ear = Glide of the ear (position, volume, listener) * fade (start and end)
+//
+// A voice fades in, plays, and ends either with its samples or with a fade-out after end_voice(). The mixer
+// owns the voices and removes those that have ended.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +16,7 @@
 
 namespace temblor::audio {
 
-// A value that moves to its target along a straight line.
+// A linear ramp: a value that moves to its target at a constant rate per frame.
 class Glide {
  public:
   Glide() = default;
@@ -23,14 +28,17 @@ class Glide {
   std::size_t frames_left() const { return frames_left_; }
   bool is_silent() const { return value_ == 0 && target_ == 0; }
 
+  // Starts a ramp from the current value. 0 frames: jumps there.
   void go_to(float target, std::size_t frames);
-  void pass(std::size_t frames);  // advances; at most frames_left() unless that is 0
+  // Precondition: frames <= frames_left(), or the value stands still.
+  void advance(std::size_t frames);
 
  private:
   float value_ = 0, target_ = 0, step_ = 0;
   std::size_t frames_left_ = 0;
 };
 
+// Static voices belong to no entity: they are never replaced or stopped one by one.
 enum class VoiceKind : std::uint8_t { kStarted, kStatic };
 
 struct Voice {
@@ -41,11 +49,11 @@ struct Voice {
   int channel = kFreeChannel;
   math::Vec3 origin_world{0.0f};
   float volume = 1, attenuation = 1;
-  Glide left{}, right{};  // gains from the position
-  Glide fade{1};          // the fade in and out
-  std::uint64_t number = 0;
-  bool is_new = true;      // no frame has been played yet
-  bool is_ending = false;  // fades out and then ends
+  Glide left{}, right{};     // gains from the position
+  Glide fade{1};             // the fade in and out
+  std::uint64_t number = 0;  // orders voices by age; the oldest has the lowest number
+  bool is_new = true;        // no frame has been played yet
+  bool is_ending = false;    // fades out and then ends
   bool has_ended = false;
 
   bool is_silent() const { return (left.is_silent() && right.is_silent()) || fade.is_silent(); }
@@ -58,10 +66,11 @@ struct EarBuffers {
   std::span<float> left, right;
 };
 
-// Sets the gains for this listener, at once or over `frames`.
+// Set the gains for this listener: place_voice() at once, move_voice() over `frames`.
 void place_voice(Voice& io_voice, const Listener& listener);
 void move_voice(Voice& io_voice, const Listener& listener, std::size_t frames);
 void fade_in(Voice& io_voice);
+// Starts the fade-out. A voice of which no frame was played ends at once; a second call does nothing.
 void end_voice(Voice& io_voice);
 // Adds the next samples to `io_ears` and advances the voice.
 void mix_voice(Voice& io_voice, const EarBuffers& io_ears);
