@@ -33,7 +33,7 @@ struct ArtPart {
   base::ByteVector bytes;
   // The lump's name. Empty: `bytes` is the whole file.
   std::string lump = {};
-  // As in formats::WadLump; unused for files.
+  // The type of a formats::WadLump; unused for files.
   std::uint8_t lump_type = 0;
 };
 

@@ -25,14 +25,14 @@
 
 namespace temblor::compiler {
 
-// What a level is made of. Everything must outlive the call.
+// The parts that a level is made of. Everything must outlive the call.
 struct LevelSource {
   const formats::Map& map;                  // with its prefabs expanded (prefabs.h)
   std::span<const TextureSource> textures;  // the first one that has a texture provides it
   const formats::Palette& palette;
 };
 
-// What every stage works with. Everything must outlive the call.
+// The services for every stage. Everything must outlive the call.
 struct CompileContext {
   base::Jobs& jobs;
   CompileWatcher& watcher;
@@ -45,7 +45,7 @@ struct StageTime {
   std::optional<double> wall_s;  // nothing: the last result was reused
 };
 
-// What a run did.
+// The results of a run.
 struct CompileReport {
   std::optional<LeakPath> leak;  // if the level leaks, there is no visibility
   std::vector<StageTime> times;  // in the order of the stages

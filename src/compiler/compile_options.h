@@ -1,4 +1,4 @@
-// What the mapper asks of a compilation on the command line. What the level itself asks for is in its
+// The mapper's options on the command line of the compiler. The options of the level itself are in its
 // entities' keys.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace temblor::compiler {
 
-// What to do about one stage of the pipeline.
+// The decision about one stage of the pipeline.
 enum class StagePolicy : std::uint8_t {
   kBuild,  // run it, unless its last result is still valid
   kReuse,  // keep its last result if that still fits the brushes; otherwise leave it out

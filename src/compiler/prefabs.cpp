@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kPrefab = "misc_external_map";
 constexpr std::string_view kVisBlocker = "func_illusionary_visblocker";
 
-// What a misc_external_map asks for.
+// The request of a misc_external_map.
 struct PrefabUse {
   fs::path file;
   Placement placement;
@@ -182,7 +182,7 @@ class PrefabExpander {
   std::vector<formats::MapEntity> release_vis_blockers() { return std::move(vis_blockers_); }
 
  private:
-  // What a prefab contributes to the entity that uses it.
+  // The contribution of a prefab to the entity that uses it.
   struct Taken {
     std::vector<formats::MapBrush> brushes, vis_blockers;
   };

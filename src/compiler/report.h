@@ -1,4 +1,4 @@
-// What a compilation reports to the mapper: how far it is, what it found wrong but could work around, and
+// The reports of a compilation to the mapper: its progress, the problems that it could work around, and
 // where the level leaks. The compiler itself prints nothing.
 #pragma once
 

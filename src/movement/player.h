@@ -1,4 +1,4 @@
-// What a player's wishes and the water around it do to its velocity in one tick.
+// Computes the effect of a player's input and of the water around it on its velocity in one tick.
 // A server calls this before game code runs. A client that predicts its own moves calls it without any game
 // code. Both must get the same numbers, so this folder depends on nothing but math, world and base.
 //    Command --> apply_wishes() --> velocity --> walk() or slide() --> new origin

@@ -11,7 +11,7 @@
 namespace temblor::server {
 namespace {
 
-// As in the original: in nextthink and other times, 0 stands for never.
+// In nextthink and other times, 0 means never, as in stock Quake.
 constexpr double kFirstTime_s = 1;
 constexpr double kSettlingTick_s = 0.1;  // things fall to the floor before any player joins
 constexpr int kSettlingTicks = 2;
@@ -221,7 +221,7 @@ base::Result<SpawnParameters> Game::parameters_to_carry(std::size_t slot) {
   return parameters();
 }
 
-// As in the original, the parameters are passed through the globals parm1 to parm16.
+// The parameters are passed through the globals parm1 to parm16, as in stock Quake.
 base::Status Game::spawn_client(std::size_t slot, const SpawnParameters& parameters, std::string_view name,
                                 std::uint8_t colors) {
   const Edict edict = player(slot);

@@ -49,7 +49,7 @@ struct GameSetup {
   vm::Limits limits{};
 };
 
-// What a game uses of the server that runs it. All of it must outlive the game.
+// The services of the server that runs a game. All of them must outlive the game.
 struct GameServices {
   const assets::Library& library;
   command::Variables& io_variables;
@@ -121,7 +121,7 @@ class Game {
   Requests& requests() { return requests_; }
   BuiltinContext& context() { return context_; }
   const GameSetup& setup() const { return setup_; }
-  // What became of the level's entities; empty in a game from prepare().
+  // The result of spawning the level's entities; empty in a game from prepare().
   const SpawnReport& spawn_report() const { return spawn_report_; }
   double time_s() const { return world_.time_s; }
   float server_flags() const { return machine_.global_float(global::kServerFlags); }

@@ -26,7 +26,7 @@ struct EntityTrace {
 // passes through entities without one. A brush model is traced with the hull that fits the box's size; other
 // solids are boxes.
 //
-// As in the original, the plane's distance is the hull's, not moved by the model's origin or the box. Unlike
+// The plane's distance is the hull's, not moved by the model's origin or the box, as in stock Quake. Unlike
 // there, a path that starts inside an entity and leaves it stops at the next obstacle; the original let it
 // through everything.
 EntityTrace trace_move(GameWorld& io_world, const math::Vec3& start, const math::Vec3& mins,

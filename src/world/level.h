@@ -32,8 +32,8 @@ enum class NodeIndex : std::uint32_t {};
 enum class TextureIndex : std::uint32_t {};
 enum class ModelIndex : std::uint32_t {};  // 0 is the world
 
-// What fills a leaf or a point. Entities in a current are pushed along: angles in degrees, or up and down.
-// Values are those of the file.
+// The contents of a leaf or a point. Entities in a current are pushed along: angles in degrees, or up and
+// down. Values are those of the file.
 enum class Contents : std::int32_t {
   kEmpty = -1,
   kSolid = -2,

@@ -64,7 +64,7 @@ struct Sequence {
   std::size_t first = 0, last = 0;
 };
 
-// What a QuakeC file says about its model. Sequences have names in lower case: "run" for KNIGHT_RUN.
+// The facts in a QuakeC file about its model. Sequences have names in lower case: "run" for KNIGHT_RUN.
 struct Played {
   std::string model;
   std::vector<Sequence> sequences;

@@ -145,7 +145,7 @@ class HandMadeClient {
   int signon_ = 0;
 };
 
-// What the client records is what the server would have sent to a stock client, byte for byte, although only
+// The client's demo holds the bytes that the server would have sent to a stock client, although only
 // a small part of it was sent.
 TEST(Differences, RecordingsOfBothEndsAreTheSame) {
   SKIP_WITHOUT_QUAKEC();

@@ -43,7 +43,7 @@ TEST(HostileProgram, ValuesOutOfRangeDoNotEndTheServer) {
   served.run(3);
   ASSERT_TRUE(served.client(me).is_playing()) << served.client(me).disconnect_reason();
   EXPECT_GT(served.client(me).updates(), updates);
-  // As stock servers send it: the lower eight bits.
+  // Stock servers send the lower eight bits.
   EXPECT_EQ(served.client(me).state().game().data.shells, 300 & 255);
 }
 

@@ -42,7 +42,7 @@ class OwnNetwork {
   OwnNetwork(const OwnNetwork&) = delete;
   OwnNetwork& operator=(const OwnNetwork&) = delete;
 
-  // What this machine lacks; empty: nothing.
+  // The missing parts of this machine; empty if there are none.
   const std::string& missing() const { return missing_; }
   bool become_bad() { return runs(fmt::format("tc qdisc add dev lo root netem {}", kConditions)); }
   bool become_good() { return runs("tc qdisc del dev lo root"); }

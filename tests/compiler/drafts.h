@@ -26,7 +26,7 @@ std::shared_ptr<const world::Level> make_level_of_brushes(const formats::Map& ma
 base::Result<compiler::DraftResult> try_compile_draft(const std::string& map_text,
                                                       compiler::Warnings& io_warnings);
 
-// What the reader of levels would say about it; textures still have no pixels.
+// Returns the reader's verdict on the level; textures still have no pixels.
 std::string find_level_fault(const compiler::DraftResult& result);
 
 world::Contents contents_at(const compiler::DraftResult& result, const math::Vec3& point,

@@ -29,7 +29,7 @@ struct Hit {
   double distance = 0;  // in multiples of the ray's direction: the depth z
 };
 
-// What the oracle computes once for a level, valid for any scene of it. The level must outlive it.
+// Data that the oracle computes once for a level, valid for any scene of it. The level must outlive it.
 class PreparedLevel {
  public:
   explicit PreparedLevel(const world::Level& level);

@@ -1,4 +1,4 @@
-// What make_level() copies from the file, and where the light comes from.
+// Tests the data that make_level() copies from the file, and the source of the light.
 #include "world/level.h"
 
 #include <gtest/gtest.h>

@@ -27,7 +27,7 @@ std::optional<Meeting> meeting(const world::Level& level, const world::Face& fac
   if (std::abs(plane.normal.z) < 1e-6f) return std::nullopt;
   const math::Vec3d n(plane.normal);
   const double z = (double{plane.distance} - n.x * double{point.x} - n.y * double{point.y}) / n.z;
-  // As seen from above, by the even-odd rule.
+  // Tests a point seen from above, by the even-odd rule.
   bool inside = false, near_edge = std::abs(z - double{point.z}) < 0.1;
   for (std::uint32_t i = 0; i < face.surfedge_count; ++i) {
     const math::Vec3d a(level.vertices[level.surfedge_start(face.first_surfedge + i)]);

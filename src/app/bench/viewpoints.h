@@ -14,7 +14,7 @@ namespace temblor::app {
 constexpr float kEyeHeight = 22;
 
 struct Viewpoint {
-  // Of the entity; for messages.
+  // The entity's class name, for messages.
   std::string classname;
   math::Vec3 eye_world{0.0f};
   // Pitch, yaw, and roll.

@@ -50,7 +50,7 @@ class FileChange {
   std::filesystem::path path_, target_;
   // The temporary file; empty: none.
   std::filesystem::path temporary_;
-  // What to write to a device or a pipe.
+  // The bytes for a device or a pipe, which cannot be replaced.
   std::optional<base::ByteVector> device_bytes_;
 };
 

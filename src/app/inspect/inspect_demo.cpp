@@ -55,7 +55,7 @@ struct DemoLevel {
   double seconds() const { return first_time_s ? std::max(0.0, double{last_time_s} - *first_time_s) : 0; }
 };
 
-// What the messages of a demo contain, collected message by message.
+// Facts about a demo, collected message by message.
 struct DemoContents {
   std::vector<DemoLevel> levels;
   // In the order in which they joined.

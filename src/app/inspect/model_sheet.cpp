@@ -201,7 +201,7 @@ Studio begin_studio(const formats::Mdl& mdl, const std::vector<std::uint32_t>& f
   return studio;
 }
 
-// What one cell shows.
+// The contents of one cell.
 struct Shot {
   std::uint32_t frame = 0, skin = 0;
   std::string view;

@@ -14,7 +14,7 @@
 
 namespace temblor::artgen {
 
-// What fills a cell, and which materials its surfaces have.
+// The contents of a cell, and the materials of its surfaces.
 struct Cell {
   std::int32_t contents;
   CellLook look;

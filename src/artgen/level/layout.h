@@ -46,7 +46,7 @@ struct LayoutEntity {
 // Everything that make_small_level needs to know about a variant of the level.
 struct SmallLevelLayout {
   std::vector<LayoutBox> boxes;
-  // Of the closed door; it is not one of the boxes.
+  // The box of the closed door, which is not one of the boxes above.
   math::Bounds door;
   std::vector<LayoutLight> lights;
   std::vector<LayoutEntity> entities;

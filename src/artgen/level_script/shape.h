@@ -54,7 +54,7 @@ Box intersect(const Box& a, const Box& b);
 // Whether the point is inside or on the surface.
 bool contains(const Box& box, Point point);
 std::vector<Point> list_corners(const Box& box);
-// What is left of `box`: up to six boxes per hole, which do not overlap.
+// Returns the rest of `box`: up to six boxes per hole, which do not overlap.
 std::vector<Box> subtract(const Box& box, const Box& hole);
 std::vector<Box> subtract(const Box& box, std::span<const Box> holes);
 

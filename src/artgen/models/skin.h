@@ -65,7 +65,7 @@ struct ShapeLook {
   std::vector<Patch> patches;
 };
 
-// What a texel of the skin shows; the same for all skins of a model.
+// The point of the model that a texel of the skin shows; the same for all skins of a model.
 struct SkinTexel {
   // Whether any triangle covers it.
   bool used = false;

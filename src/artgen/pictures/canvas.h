@@ -69,7 +69,7 @@ struct Ink {
   bool erases = false;
   // Quantizes to the ramp of `color` only, for parts that the game recolors.
   bool keeps_ramp = false;
-  // Of all noise in this ink.
+  // The seed of all noise in this ink.
   std::uint64_t seed = 1;
 };
 

@@ -24,7 +24,7 @@ namespace temblor::artgen {
 
 // A line with everything indented under it.
 struct ScriptLine {
-  // Of the line in its file, from 1.
+  // The line's number in its file, from 1.
   std::int32_t number = 0;
   // The part that the line was inserted from (parts.h). Empty: the line belongs to the asset itself.
   std::string part = {};

@@ -19,7 +19,7 @@
 
 namespace temblor::artgen {
 
-// What an effect knows about the signal.
+// The facts about the signal that an effect needs.
 struct EffectContext {
   double rate = kSynthesisRate;
   // The length of the voice or sound, for curves. The signal may be longer, so that echoes can end.

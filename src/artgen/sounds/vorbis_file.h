@@ -15,7 +15,7 @@ struct VorbisSettings {
   long frames_per_second = 32000;
   // The encoder's quality, from -0.1 to 1. 0.2 is about 96 kbit/s at 44,100 Hz.
   float quality = 0.2F;
-  // Of the logical stream in the Ogg container.
+  // The serial number of the logical stream in the Ogg container.
   int serial = 1;
 };
 

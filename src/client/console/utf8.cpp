@@ -8,8 +8,8 @@ namespace temblor::client {
 
 namespace {
 
-// What a character's first byte says: the character's length in bytes (0: no character starts with this
-// byte), and the valid range of its second byte.
+// The facts that a character's first byte gives: the character's length in bytes (0: no character starts with
+// this byte), and the valid range of its second byte.
 struct Lead {
   std::size_t length = 0;
   std::uint8_t second_min = 0x80, second_max = 0xbf;

@@ -23,7 +23,7 @@ std::string clock_text(double seconds) {
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-// What the viewer should know: the end, a pause, or an unusual speed.
+// Describes the state for the viewer: the end, a pause, or an unusual speed.
 std::string state_text(const DemoSession& session) {
   if (session.has_ended()) return "end";
   if (session.is_paused()) return "paused";

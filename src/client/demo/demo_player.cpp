@@ -16,7 +16,7 @@ constexpr double kMaxGap_s = 0.1;
 
 }  // namespace
 
-// What play_record() has found among the messages of one record.
+// The findings of play_record() among the messages of one record.
 struct DemoPlayer::Record {
   bool has_time = false;
   // The server disconnected: nothing follows.

@@ -66,7 +66,7 @@ class DemoPlayer {
   // The time to show, on the server's clock: for state(), view angles, light styles and everything else. It
   // is between the times of the last two packets.
   double server_time_s() const { return now_.server_time_s; }
-  // Of the last packet, on the demo's clock.
+  // The time of the last packet on the demo's clock.
   double packet_time_s() const { return now_.packet_time_s; }
 
   ClientState& state() { return now_.state; }

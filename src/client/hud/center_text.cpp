@@ -28,7 +28,7 @@ int count_lines(std::string_view text) {
 }  // namespace
 
 void draw_center_text(const Panel& panel, std::string_view text, std::size_t letters) {
-  // As in the original: up to four lines start at 35 % of the frame's height, more at row 48 of the 320 x 200
+  // Like stock Quake, up to four lines start at 35 % of the frame's height, more at row 48 of the 320 x 200
   // screen.
   constexpr int kShortLines = 4, kLongY = 48;
   constexpr double kShortTop = 0.35;  // share of the frame's height

@@ -30,7 +30,7 @@ struct HudSettings {
   CrosshairLook crosshair{};
   // +showscores is held.
   bool shows_scores = false;
-  // What a dead player can do, in lines; it must live while drawing.
+  // The hints for a dead player, in lines; the text must stay alive while drawing.
   std::string_view death_hint{};
   // Adds marks to information that the original shows only by color.
   bool safe_colors = false;

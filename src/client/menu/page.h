@@ -63,12 +63,12 @@ struct MenuChoices {
     platform::PixelSize size;
     bool operator==(const Video&) const = default;
   };
-  // What the player has chosen on the video page, and what the variables said when the page was made.
+  // The choices on the video page, and the values of the variables when the page was made.
   std::optional<Video> video;
   std::optional<Video> video_before;
 };
 
-// What the functions that make pages and rows need. All of it outlives the pages.
+// The services for functions that make pages and rows. All of them outlive the pages.
 struct PageContext {
   command::Variables& variables;
   const assets::Pictures& pictures;

@@ -50,7 +50,7 @@ class PageView {
   // Pointer input, in frame pixels, compared with the page as it was last drawn. point_at() selects the row
   // under the pointer.
   bool point_at(int x, int y);
-  // What a press has hit.
+  // The part of the page that a press has hit.
   enum class Pressed { kNothing, kRow, kSlider };
   // Presses the pointer's button. After kSlider, slide_to() moves the slider until release().
   Pressed press(int x, int y);

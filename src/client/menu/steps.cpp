@@ -59,7 +59,7 @@ bool may_repeat(MenuStep step) {
 
 }  // namespace
 
-// What is held is forgotten when its release may not arrive.
+// Forgets held keys when their releases may not arrive.
 std::optional<MenuStep> MenuSteps::translate(const platform::InputEvent& event) {
   if (const auto* const change = std::get_if<platform::KeyChange>(&event.what))
     return handle_key(*change, event.time_s);

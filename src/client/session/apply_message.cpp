@@ -1,4 +1,4 @@
-// What each server message does to a ClientState: one overload of Apply::operator() per message type, grouped
+// Applies server messages to a ClientState: one overload of Apply::operator() per message type, grouped
 // by subject. Every number from a message is checked before it is used as an index.
 #include <algorithm>
 #include <limits>
@@ -289,7 +289,7 @@ struct ClientState::Apply {
     return base::Ok{};
   }
 
-  // What happens once.
+  // Events, which happen once.
 
   base::Status operator()(const net::TempEntity& entity) {
     events.temp_entities.push_back(entity);

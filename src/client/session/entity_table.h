@@ -64,7 +64,7 @@ class EntityTable {
     std::uint32_t packet = 0;
     Motion motion;
     FrameChanges frames;
-    // What has happened since the last interpolate() call.
+    // The changes since the last interpolate() call.
     bool jumped_since_query = false, flash_since_query = false;
     std::uint32_t query = 0;
     math::Vec3 origin_at_query_world{0.0f};

@@ -97,7 +97,7 @@ void AudioScene::add_sound(const net::TempEntity& what) {
     events_.started.push_back({.sound = sounds_.sound(std::string(name)), .origin_world = what.origin});
 }
 
-// As in the original, only looping sounds can be static. Others are reported once.
+// Only looping sounds can be static, as in stock Quake. Others are reported once.
 void AudioScene::add_sound(const net::SpawnStaticSound& what) {
   const audio::SoundPtr sound = sounds_.sound(what.sound);
   if (sound == nullptr) return;

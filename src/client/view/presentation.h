@@ -98,7 +98,7 @@ class Presentation {
   base::Status begin_level(const Game& game, const PresentationSettings& settings);
   void begin_sound(const Game& game, const PresentationSettings& settings);
   void reset_effects();
-  // What a frame shows, for make_scene().
+  // The entities and the view of a frame, for make_scene().
   struct FrameView {
     std::span<const InterpolatedEntity> entities;
     PlayerView view;

@@ -17,7 +17,7 @@ namespace temblor::compiler {
 // are measured in whole textures.
 using TextureSize = base::FunctionRef<math::Vec2d(std::string_view name)>;
 
-// What became of a map entity that has brushes, or that has the class of one (func_group).
+// The result for a map entity that has brushes, or that has the class of one (func_group).
 struct BrushEntity {
   bool is_in_level = false;  // false: it was merged into the world, or has no brush with a volume
   std::string model;         // "*1", ...; empty: the world

@@ -25,7 +25,7 @@
 
 namespace temblor::compiler {
 
-// What the mapper asks of the BSP stage.
+// The mapper's options for the BSP stage.
 struct DraftOptions {
   bool water_is_transparent = true;  // visibility sees through the surfaces of liquids
   double subdivide_texels = 240;     // longest side of a lit face; original engines draw no more

@@ -20,7 +20,7 @@ enum class PlaneIndex : std::uint32_t {};
 constexpr PlaneIndex flipped(PlaneIndex plane) {
   return static_cast<PlaneIndex>(static_cast<std::uint32_t>(plane) ^ 1u);
 }
-// Of the two, the one that the level stores.
+// Returns the one of the two that the level stores.
 constexpr PlaneIndex stored(PlaneIndex plane) {
   return static_cast<PlaneIndex>(static_cast<std::uint32_t>(plane) & ~1u);
 }

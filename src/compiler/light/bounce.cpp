@@ -148,7 +148,7 @@ void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& 
   }
 }
 
-// What each node sends back of the light that falls on its face: the mean of the luxels around it, times the
+// The light that each node reflects: the mean of the luxels around it, times the
 // reflectance.
 std::vector<math::Vec3> collect_emitted_light(const BouncedWorld& bounced,
                                               const std::vector<FaceLight>& light, std::uint8_t style) {
@@ -204,7 +204,7 @@ void add_to_map(const NodeGrid& grid, const LightMapShape& own, const LightMapSh
   }
 }
 
-// What each node gets over all bounces of the light that is sent first.
+// The light that each node gets over all bounces of the light that is sent first.
 // Each bounce reads `sent` and writes gathered_now, so the result does not depend on the order of the faces.
 std::vector<math::Vec3> gather_light(const BouncedWorld& bounced, std::span<const std::uint32_t> seen,
                                      const BounceSettings& settings, std::vector<math::Vec3> sent,

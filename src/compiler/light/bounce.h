@@ -17,8 +17,8 @@
 
 namespace temblor::compiler {
 
-// What bounced light meets: the node that each of many rays ends at. Depends only on the level's shape, so
-// the light cache keeps it.
+// The targets of bounced light: the node that each of many rays ends at. Depends only on the level's shape,
+// so the light cache keeps it.
 struct BounceRays {
   std::vector<std::uint32_t> seen;         // by ray, face after face: a node, or none
   std::vector<std::size_t> begin_of_face;  // by face, plus one: where its rays begin in `seen`

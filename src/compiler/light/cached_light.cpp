@@ -27,7 +27,7 @@ CachedLight::CachedLight(const LightCache& cache, const LightCache& asked,
       holds_sky_(holds_dirt_ && cache.sky == asked.sky),
       cached_number_(lights.size(), kUnknown) {
   if (!holds_) return;
-  // Of several lights at one origin, the first one in the cache stands for the first one now.
+  // If several lights share an origin, the first one in the cache stands for the first one now.
   std::map<PlaceBits, std::vector<std::uint32_t>> numbers;
   for (std::size_t i = cache.lights.size(); i-- > 0;)
     numbers[make_place_bits(cache.lights[i])].push_back(static_cast<std::uint32_t>(i));

@@ -18,7 +18,7 @@ class CachedLight {
   // `asked`: a cache with only the hashes of the present level and light settings. `cache` outlives this.
   CachedLight(const LightCache& cache, const LightCache& asked, std::span<const LightSource> lights);
 
-  // What is known of a light map; null: nothing. Its dirt and sky are valid only if holds_dirt() and
+  // The cached data of a light map, or null. Its dirt and sky are valid only if holds_dirt() and
   // holds_sky().
   const LightCache::Map* map(std::size_t number) const;
   bool holds_dirt() const { return holds_dirt_; }

@@ -240,7 +240,7 @@ class FaceLighter {
     return light.cone ? value * cone_factor(*light.cone, way / distance) : value;
   }
 
-  // What a light or beam brings besides its value.
+  // The properties of a light or beam besides its value.
   struct Arriving {
     math::Vec3 color;
     std::uint8_t style;

@@ -17,7 +17,7 @@ namespace temblor::compiler {
 // light is the same, byte for byte, with any cache. Takes about 15 MB for a level with 200,000 luxels and
 // 2,600 lights.
 struct LightCache {
-  // What is known of one light map.
+  // The cached data of one light map.
   struct Map {
     base::ByteVector shadows;     // from a ShadowWriter
     std::vector<float> dirt;      // by luxel; empty: dirt was off

@@ -27,7 +27,7 @@
 
 namespace temblor::compiler {
 
-// What the mapper asks for on the command line. What the level asks for is in its entities.
+// The mapper's options on the command line. The options of the level are in its entities.
 struct LightOptions {
   // Shadow samples for each luxel along each axis: 1, 2 or 4 (shadows/shadow_filter.h).
   int extra = 1;

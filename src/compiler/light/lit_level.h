@@ -27,7 +27,7 @@ struct LitLevel {
   std::vector<bool> gets_light;              // by face
   std::vector<LightMapShape> maps;           // all grids of luxels
 
-  // What the brush of a face asks of its light.
+  // The light options of a face's brush.
   const SurfaceKeys& surface_keys(std::size_t face) const { return keys.keys[keys.of_face[face]]; }
   const math::Vec3& model_offset(std::size_t face) const { return offset_of_model[model_of_face[face]]; }
   // The face's vertices, clockwise seen from its front.

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> list_share(const ShardHeader& shard, std::size_t tota
 // Writes what is done of a shard. The bytes do not depend on how often the work was stopped.
 base::ByteVector write_shard(const ShardHeader& header, const LightWork& work);
 
-// What read_shard() read.
+// The result of read_shard().
 struct ReadShard {
   ShardHeader header;
   bool is_finished = false;

@@ -11,8 +11,9 @@
 
 namespace temblor::compiler {
 
-// What a brush asks of the light on its faces. Applies to worldspawn, func_group, func_detail and brush
-// entities alike. A .bsp cannot store it. The names are those of the keys in the .map: _phong, _phong_angle,
+// The options of a brush for the light on its faces. They apply to worldspawn, func_group, func_detail and
+// brush entities alike. A .bsp cannot store it. The names are those of the keys in the .map: _phong,
+// _phong_angle,
 // ...
 struct SurfaceKeys {
   float phong_angle_deg = 0;          // 0: flat

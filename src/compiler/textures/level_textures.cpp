@@ -11,7 +11,7 @@
 namespace temblor::compiler {
 namespace {
 
-// What the frames of an animation have in common: "lava" for "+0lava" and "+1lava".
+// The common part of the names of an animation's frames: "lava" for "+0lava" and "+1lava".
 std::string find_sequence_name(std::string_view name) {
   return name.size() > 2 && name.front() == '+' ? base::to_lower(name.substr(2)) : std::string{};
 }

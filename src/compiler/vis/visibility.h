@@ -44,7 +44,7 @@ class SearchablePortals {
   std::uint64_t fingerprint_;
 };
 
-// What has been computed so far. Rows are directed portals after pieces of one opening were joined, so there
+// The results so far. Rows are directed portals after pieces of one opening were joined, so there
 // are not twice as many as in the PortalSet.
 struct VisibilityState {
   std::uint64_t fingerprint = 0;       // of the SearchablePortals

@@ -1,4 +1,5 @@
-// What the archive formats (PAK, PK3) share: files to pack, and the rule for names that are safe to unpack.
+// Common parts of the archive formats (PAK, PK3): files to pack, and the rule for names that are safe to
+// unpack.
 #pragma once
 
 #include <cstdint>

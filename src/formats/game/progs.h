@@ -91,7 +91,7 @@ constexpr std::int32_t kProgsVersion = 6;
 constexpr std::uint32_t kReservedGlobalWords = 28;  // null, return value, eight parameters
 constexpr std::uint32_t kMaxEntityWords = 1 << 16;  // limit of 16-bit field offsets
 constexpr std::int32_t kMaxParameters = 8;
-// Of Quake's system globals and fields. Another value means a program for another game.
+// The checksum of Quake's system globals and fields. Another value means a program for another game.
 constexpr std::uint32_t kQuakeProgsCrc = 5927;
 
 // Size of a value in words.

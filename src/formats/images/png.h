@@ -16,7 +16,7 @@ namespace temblor::formats {
 base::Result<base::ByteVector> write_png(std::span<const std::uint8_t> indices, int width, int height,
                                          const Palette& palette);
 
-// As above for pixels 0xffRRGGBB: color type 2 with 8 bits per channel; ignores the top byte.
+// The same for pixels 0xffRRGGBB: color type 2 with 8 bits per channel; ignores the top byte.
 base::Result<base::ByteVector> write_png(std::span<const std::uint32_t> rgb, int width, int height);
 
 // With transparency: color type 6.

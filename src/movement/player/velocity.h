@@ -1,8 +1,8 @@
-// What a player's wish to move does to its velocity in one tick: on the ground, in the air, and in water.
-// The formulas are those of the original game, from its observed behavior. Friction is applied first, then
-// the velocity along the wish grows up to the wished speed. The part of the velocity that is perpendicular to
-// the wish is kept, which is why turning in the air gains speed. All velocities are in units per second;
-// `tick_s` is the length of the tick in seconds.
+// Computes the effect of a player's input on its velocity in one tick: on the ground, in the air, and in
+// water. The formulas are those of the original game, from its observed behavior. Friction is applied first,
+// then the velocity along the wish grows up to the wished speed. The part of the velocity that is
+// perpendicular to the wish is kept, which is why turning in the air gains speed. All velocities are in units
+// per second; `tick_s` is the length of the tick in seconds.
 #pragma once
 
 #include "math/physics_settings.h"
@@ -10,7 +10,7 @@
 
 namespace temblor::movement {
 
-// What a player asks for, in units per second, along the axes of its view.
+// A player's input in units per second, along the axes of its view.
 struct Wish {
   float forward = 0, side = 0, up = 0;
 };

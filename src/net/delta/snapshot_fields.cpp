@@ -164,7 +164,7 @@ enum ClientWord : std::size_t {
 };
 static_assert(kClientWordsEnd == SnapshotState::kClientDataWords);
 
-// As visit_entity_fields(). Low bytes come before the high bytes of the same words.
+// Like visit_entity_fields(). Low bytes come before the high bytes of the same words.
 template <typename Wire, typename Word>
 void visit_client_data_fields(Wire& io_wire, std::span<Word> words) {
   namespace flag = client_data_flag;

@@ -60,7 +60,7 @@ struct MoveAcknowledgment {
 
 // Formats a line for svc_stufftext, with its line end.
 std::string format_move_parameters(const MoveParameters& parameters);
-// As above. Reuses the memory of `out_line`.
+// The same, but reuses the memory of `out_line`.
 void write_acknowledgment(const MoveAcknowledgment& acknowledgment, std::string& out_line);
 // Parse a line. Return nullopt for other lines, and for values out of range.
 std::optional<MoveParameters> read_move_parameters(std::string_view line);

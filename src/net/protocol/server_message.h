@@ -195,7 +195,7 @@ struct SellScreen {};    // shows the order screen of the shareware game
 struct Finale {
   std::string_view text;
 };
-// As Finale, during a cut scene.
+// Like Finale, but during a cut scene.
 struct CutScene {
   std::string_view text;
 };

@@ -63,7 +63,7 @@ class ClientEndpoint {
   // a frame.
   void update(double now_s);
 
-  // As in Channel; kNotFound without a connection.
+  // Works like Channel's function; fails with kNotFound without a connection.
   base::Status send_reliable(base::Bytes message);
   base::Status send_unreliable(base::Bytes message);
   bool can_send_reliable() const { return state_ == State::kConnected && channel_.can_send_reliable(); }

@@ -113,8 +113,8 @@ class ServerEndpoint {
   // Resends overdue fragments and ends silent connections (with events). Call it once a tick.
   void update(double now_s);
 
-  // As in Channel; kNotFound if the connection has ended (its event may still be unread). After any other
-  // error of send_reliable() the client is missing a message: disconnect it.
+  // Works like Channel's function; fails with kNotFound if the connection has ended (its event may still be
+  // unread). After any other error of send_reliable() the client is missing a message: disconnect it.
   base::Status send_reliable(ConnectionId connection, base::Bytes message);
   base::Status send_unreliable(ConnectionId connection, base::Bytes message);
   // Returns false if the connection has ended.

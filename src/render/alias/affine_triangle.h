@@ -54,7 +54,7 @@ struct ScreenGradient {
   double at_corner, dx, dy;  // dx, dy: per pixel
 };
 
-// What is interpolated over a triangle. In perspective, s and t are multiplied by depth.
+// The values that are interpolated over a triangle. In perspective, s and t are multiplied by depth.
 struct TriangleGradients {
   ScreenGradient depth, light, s, t;
   bool perspective;

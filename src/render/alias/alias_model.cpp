@@ -72,7 +72,7 @@ void append_pose(const formats::MdlPose& pose, const std::vector<std::uint32_t>&
   }
 }
 
-// Of all poses, from the extremes of their bytes.
+// Computes the bounds of all poses from the extremes of their bytes.
 math::Bounds compute_bounds(const AliasModel& model) {
   std::array<std::uint8_t, 3> least{255, 255, 255}, most{0, 0, 0};
   for (std::size_t number = 0; number < model.pose_count(); ++number) {
@@ -92,7 +92,7 @@ math::Bounds compute_bounds(const AliasModel& model) {
   return {glm::min(a, b), glm::max(a, b)};
 }
 
-// Of the first pose; decides between rasterizers, so an estimate is enough.
+// Measures the first pose. The result decides between rasterizers, so an estimate is enough.
 float compute_mean_side(const AliasModel& model) {
   const PoseBytes pose = model.pose(PoseIndex{0});
   const auto position = [&](std::uint32_t i) {

@@ -62,7 +62,7 @@ struct Setups {
   HWY_ALIGN double numerator[3][kCapacity], step[3][kCapacity], denominator[3][kCapacity];
   HWY_ALIGN double left_bias[3][kCapacity], right_bias[3][kCapacity];
   HWY_ALIGN double corner_x[kCapacity], corner_y[kCapacity];
-  // Of depth, light, s, and t.
+  // The values at a corner, and the gradients, of depth, light, s, and t.
   HWY_ALIGN double at_corner[4][kCapacity], dx[4][kCapacity], dy[4][kCapacity];
   HWY_ALIGN int32_t perspective[kCapacity];
 };
@@ -278,7 +278,7 @@ HWY_INLINE VI BoundedLight(VF light, uint32_t) {
   return ToWhole(hn::Max(hn::Min(light, hn::Set(d, kBrightestLight)), hn::Zero(d)));
 }
 
-// As lit_texel in affine_triangle.h.
+// The SIMD version of lit_texel in affine_triangle.h.
 HWY_INLINE VU LitColors(const TriangleJob& job, VU color, VI light) {
   const DU du;
   const DI di;

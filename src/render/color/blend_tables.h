@@ -84,8 +84,8 @@ class BlendTables {
   std::unique_ptr<Tables> tables_;
 };
 
-// What fog makes of each palette index, by fog's share of the pixel: `kRows` rows of 256, row r for a share
-// of r / (kRows - 1). Index 255 stays, since it may stand for "clear".
+// Maps each palette index to the index of its color in fog, by the fog's share of the pixel: `kRows` rows of
+// 256, row r for a share of r / (kRows - 1). Index 255 stays, since it may stand for "clear".
 class FogTables {
  public:
   static constexpr int kRows = kFogSteps + 1;

@@ -14,7 +14,7 @@ namespace temblor::render {
 
 // A face of a brush model, and the placement of the model.
 struct BrushFace {
-  // As in ScreenSurface: 1 + the index into Scene::brush_models.
+  // The same as in ScreenSurface: 1 + the index into Scene::brush_models.
   std::uint32_t instance;
   world::FaceIndex number;
   const ModelView& model_view;

@@ -49,7 +49,7 @@ struct ScreenSurface {
   float nearest_z;
 };
 
-// What decides the order of brush models in one leaf, which have equal sort keys: 1/z on the screen.
+// The plane of 1/z on the screen, which orders brush models in one leaf: they have equal sort keys.
 struct BrushFragment {
   ScreenPlane depth;
 };

@@ -36,7 +36,7 @@ class DeferredScan {
   }
 
  private:
-  // Of edges at the same place the last one comes first, as in the active edge list.
+  // Among edges at the same place the last one comes first, as in the active edge list.
   void insert(const Crossing& crossed) {
     crossings_.push_back(crossed);
     for (std::size_t i = crossings_.size() - 1; i > 0 && crossings_[i].x <= crossings_[i - 1].x; --i)

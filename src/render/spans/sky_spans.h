@@ -1,7 +1,7 @@
 // Spans of sky: two layers that scroll over each other. The left half of the texture is the cloud layer; the
 // right half is the background, which shows through the clear texels of the clouds.
 //
-// As in stock Quake, the direction of each pixel's ray, with z stretched threefold, selects the texel: a
+// The direction of each pixel's ray, with z stretched threefold, selects the texel, as in stock Quake: a
 // flattened dome that moves with the eye.
 #pragma once
 

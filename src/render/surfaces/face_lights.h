@@ -1,7 +1,7 @@
 // Dynamic lights relative to a face: where they are on its plane, and how far they reach there.
 //
-// As in stock Quake, the distance on the face is the larger of the two offsets along the texture axes plus
-// half the smaller one, and the light at a sample is
+// Like stock Quake, it assumes that the distance on the face is the larger of the two offsets along the
+// texture axes plus half the smaller one, and the light at a sample is
 //
 //   radius - distance from the plane - distance on the face
 //

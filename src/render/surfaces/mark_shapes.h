@@ -12,7 +12,7 @@
 
 namespace temblor::render {
 
-// What a mark does to one point.
+// The effect of a mark on one point.
 struct MarkTexel {
   float opacity;  // 0 to 1
   float shade;    // 0 to 1: from the first color of the mark's ink to the last

@@ -31,8 +31,8 @@
 
 namespace temblor::render {
 
-// What a block shows. A face may need several in one frame, for several instances of its brush model: with
-// different textures, or near different lights.
+// The contents of a block. A face may need several in one frame, for several instances of its brush model:
+// with different textures, or near different lights.
 struct BlockContents {
   world::TextureIndex texture{};
   std::array<std::uint16_t, 4> style_values{};  // of the face's light styles; 256: the light as stored

@@ -15,7 +15,7 @@
 
 namespace temblor::player {
 
-// What to do in this tick.
+// The decisions for this tick.
 struct FightPlan {
   vm::EntityIndex enemy{};
   math::Vec3 aim_at{0.0f};

@@ -31,7 +31,7 @@ constexpr float kDeep_units = 4096;
 constexpr std::size_t kMaxAssignments = 24;
 constexpr float kHarmlessFall_units = 256;
 constexpr float kSlimePenalty = 40;
-// Of a jump over lava.
+// The extra cost of a jump over lava.
 constexpr float kDeadlyJumpCost = 1500;
 // By how much a jump may turn out too short and too low.
 constexpr float kShort_units = 64;
@@ -390,7 +390,7 @@ void Flood::add_link(std::uint32_t from, const Candidate& found) {
   for (Link& known : graph_.places_[from].links)
     if (known.to == link.to && known.kind == link.kind &&
         known.conditions[0].mover == link.conditions[0].mover) {
-      // Of two links of the same kind, keep the cheaper.
+      // Keep the cheaper of two links of the same kind.
       if (link.cost < known.cost) known = link;
       return;
     }

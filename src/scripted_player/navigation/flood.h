@@ -93,7 +93,8 @@ class Flood {
   // Places that are not expanded yet.
   std::deque<std::uint32_t> open_;
   std::vector<std::vector<MoverPlace>> assignments_;
-  // What the last steps met, in any assignment: a drop, a wall, and the height where the highest drop ends.
+  // Obstacles that the last steps met, in any assignment: a drop, a wall, and the height where the highest
+  // drop ends.
   bool falls_ = false, is_blocked_ = false;
   float fall_z_ = 0;
 };

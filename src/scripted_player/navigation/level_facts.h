@@ -1,5 +1,5 @@
-// What a player with perfect knowledge of a level knows: its moving parts, what activates them, and where its
-// exits, teleporters, secrets, and tour stops are.
+// The facts about a level that a player with perfect knowledge has: its moving parts, what activates them,
+// and where its exits, teleporters, secrets, and tour stops are.
 //
 // Everything is read once from the edicts of a running game, so it works for any level and for the values
 // that game code has computed, such as the open position of a door. It relies on names of the shipped game
@@ -107,7 +107,7 @@ struct Activator {
   vm::EntityIndex entity{};
   std::string target{}, kill_target{}, target_name{};
   math::Bounds box{};
-  // As Trigger::look.
+  // The same as Trigger::look.
   math::Vec3 look{0.0f};
   std::string description{};
 };

@@ -75,8 +75,8 @@ class NavGraph {
   int find_nearest(const math::Vec3& at, float within_units = 64) const {
     return find_nearest(at, within_units, [](const Place&) { return true; });
   }
-  // As above, among the places for which `is_there` returns true: a place on a lift exists only while the
-  // lift is there.
+  // The same, but only among the places for which `is_there` returns true: a place on a lift exists only
+  // while the lift is there.
   int find_nearest(const math::Vec3& at, float within_units,
                    base::FunctionRef<bool(const Place&)> is_there) const;
   // Returns, in ascending order, the places where the box of a player, expanded by `grown` units, touches

@@ -64,7 +64,7 @@ class Planner {
   Task make_task(TaskKind kind, vm::EntityIndex entity);
   // Counts an attempt. An entity that was used before is avoided, and after six times ignored.
   void record_use(vm::EntityIndex entity) { ++uses_[static_cast<std::uint32_t>(entity)]; }
-  // As record_use(), and tries other places first from now on.
+  // Like record_use(), and tries other places first from now on.
   void record_failure(vm::EntityIndex entity, const math::Vec3& from);
   int uses(vm::EntityIndex entity) const;
 

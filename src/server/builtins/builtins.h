@@ -1,7 +1,7 @@
 // The functions that QuakeC calls by number: stock Quake's and the extensions of quake-facts.md section 18.
 // docs/builtins.md lists them, and where we differ from the original.
 // Each is a few lines over GameWorld, Outbox and the rest of BuiltinContext; none knows a network or a clock.
-// What a function cannot do while QuakeC runs (a change of level, a dropped player) it leaves in Requests:
+// Requests hold the actions that must wait until QuakeC has returned (a change of level, a dropped player):
 //    QuakeC: sound(self, ...) --> vm::Machine --> Call (checked parameters, call.h) --> function in a family
 //                                                                                        |
 //                               GameWorld, Outbox, Requests, variables, files  <---------+
@@ -30,7 +30,7 @@ struct Precache {
   bool is_open = true;  // only while the level is set up; a later precache_* is an error, as in stock Quake
 };
 
-// What QuakeC asks the server to do when it has returned.
+// Actions that QuakeC requests from the server, to be done when it has returned.
 struct Requests {
   // localcmd: text for the console. Waiting for more than this is an error.
   static constexpr std::size_t kMaxCommandBytes = std::size_t{1} << 16;
@@ -46,7 +46,7 @@ struct Requests {
   std::vector<std::size_t> dropped_players{};  // people whom dropclient dropped, by slot
 };
 
-// Who plays in a client slot, with the numbers that clienttype() returns.
+// The kind of player in a client slot, with the numbers that clienttype() returns.
 enum class PlayerType { kNobody = 0, kHuman = 1, kBot = 2, kNotASlot = 3 };
 
 // DP_SV_BOTCLIENT and DP_SV_DROPCLIENT: clients that QuakeC itself plays. Slots are counted from 0.

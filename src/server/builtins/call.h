@@ -1,4 +1,4 @@
-// What a built-in function sees while it runs: its parameters, checked, and what it acts on.
+// The context of a built-in function while it runs: its checked parameters, and the objects that it acts on.
 // QuakeC passes parameters without types, so a wrong one is normal input. Accessors that can fail return an
 // error, which stops the program and names the function, the parameter, and the caller's line.
 #pragma once

@@ -6,7 +6,7 @@
 namespace temblor::server {
 namespace {
 
-// Of an error's text; longer ones are cut.
+// The length limit of an error's text; longer texts are truncated.
 constexpr std::size_t kMaxErrorChars = 200;
 
 std::string describe(Call& io_call, vm::EntityIndex entity) {

@@ -7,7 +7,7 @@
 
 namespace temblor::server {
 
-// What the built-in functions for bots call (builtins/bots.cpp).
+// The actions behind the built-in functions for bots (builtins/bots.cpp).
 BotServices Game::bot_services() {
   return {.spawn_bot = [this] { return spawn_bot(); },
           .drop = [this](std::size_t slot) { return drop_player(slot); },

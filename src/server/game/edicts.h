@@ -18,7 +18,7 @@
 
 namespace temblor::server {
 
-// What the server stores for an entity besides its fields. QuakeC does not see it.
+// The server's data for an entity besides its fields. QuakeC does not see it.
 struct EdictState {
   // The level's leaves that its box touches, for the PVS; link() finds them. An entity in more than
   // kMaxLeaves counts as visible from everywhere, and its list is empty.
@@ -29,7 +29,7 @@ struct EdictState {
   double freed_at_s = 0;
   std::vector<world::LeafIndex> leaves;
   bool is_in_too_many_leaves = false;
-  // What snapshots are compared with; see baselines.h.
+  // The state that snapshots are compared with; see baselines.h.
   net::Baseline baseline;
 };
 

@@ -19,7 +19,7 @@
 
 namespace temblor::server {
 
-// What a model number stands for: a box, and for brush models which model of the level.
+// The meaning of a model number: a box, and for brush models the model of the level.
 struct ServerModel {
   std::string name;  // "maps/e1m1.bsp", "*1", "progs/ogre.mdl"
   math::Bounds box;

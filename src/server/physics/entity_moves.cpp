@@ -132,7 +132,7 @@ bool check_water(GameWorld& io_world, vm::EntityIndex player) {
   return water.level >= movement::kSwimmingLevel;
 }
 
-// As in the original, waterlevel holds the contents, a negative number, while the entity is in the air.
+// While the entity is in the air, waterlevel holds the contents, a negative number, as in stock Quake.
 void check_water_transition(GameWorld& io_world, vm::EntityIndex entity) {
   const Edict edict = io_world.edicts[entity];
   const world::Contents contents = point_contents(io_world, edict[field::kOrigin]);

@@ -1,4 +1,5 @@
-// What all move types share: an entity as a body that meets others, its think function, gravity, and water.
+// Common parts of all move types: an entity as a body that meets others, its think function, gravity, and
+// water.
 #pragma once
 
 #include "movement/walk.h"

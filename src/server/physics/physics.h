@@ -19,7 +19,7 @@
 
 namespace temblor::server {
 
-// What a player's client asked for in one tick.
+// The input of a player's client in one tick.
 struct PlayerCommand {
   math::Vec3 view_angles_deg{0.0f};
   float forward = 0, side = 0, up = 0;  // units per second

@@ -48,7 +48,7 @@ base::Status run_thrown(GameWorld& io_world, vm::EntityIndex entity) {
   turn(io_world.edicts[entity], tick_seconds(io_world));
   const math::Vec3 way = io_world.edicts[entity][field::kVelocity] * tick_seconds(io_world);
   TRY(const movement::Push push, push_entity(io_world, entity, way));
-  // As in the original, an entity splashes only in a tick in which it meets something.
+  // An entity splashes only in a tick in which it meets something, as in stock Quake.
   if (push.is_gone || push.contact.trace.fraction == 1) return base::Ok{};
   bounce(io_world.edicts[entity], push.contact);
   check_water_transition(io_world, entity);

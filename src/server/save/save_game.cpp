@@ -12,7 +12,7 @@ namespace {
 using formats::ProgsDefinition;
 using formats::ProgsType;
 
-// As in the original, vectors and functions are not saved.
+// Vectors and functions are not saved, as in stock Quake.
 bool is_saved_global(const ProgsDefinition& definition) {
   return definition.is_saved &&
          (definition.type == ProgsType::kString || definition.type == ProgsType::kFloat ||

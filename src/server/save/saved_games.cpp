@@ -84,7 +84,7 @@ void write_autosave(Server& io_server) {
   io_server.saves.autosave.note_save(io_server.clock.now_s);
 }
 
-// What a player reads after a save of this name.
+// The text for the player after a save of this name.
 std::string make_player_notice(std::string_view name) {
   constexpr std::string_view kQuickSave = "quick";  // as the client binds it to a key
   const bool is_autosave =

@@ -67,7 +67,7 @@ base::Result<ScriptFiles::File*> ScriptFiles::find(int handle) {
   return &*files_[static_cast<std::size_t>(handle)];
 }
 
-// What game code has written takes precedence over a file that came with the game.
+// A file that game code has written takes precedence over one that came with the game.
 base::Result<std::string> ScriptFiles::read_all(const std::string& name) const {
   if (!data_folder_.empty())
     if (std::optional<std::string> text = read_disk(data_folder_ / name)) return *std::move(text);

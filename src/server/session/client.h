@@ -1,4 +1,4 @@
-// What a server stores for one client slot: its progress into the level, its moves, and the messages that
+// The server's data for one client slot: its progress into the level, its moves, and the messages that
 // wait for its connection.
 #pragma once
 

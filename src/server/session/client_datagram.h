@@ -39,7 +39,7 @@ struct PendingSetAngle {
   double sent_at_s = 0;  // game time, so that it is sent once while the game is paused
 };
 
-// What the next datagrams must still bring to a player.
+// Updates that the next datagrams must still bring to a player.
 struct PendingUpdates {
   PendingSetAngle set_angle{};
   // Events of ticks in which the player got no datagram (see keep_events()): their bytes, and where each

@@ -12,7 +12,7 @@ float finite_or_zero(float value) {
   return std::isfinite(value) ? value : 0;
 }
 
-// What the player stands on, if it is a brush model that moves: a client predicts that the player rides
+// Finds the moving brush model that the player stands on, if any: a client predicts that the player rides
 // along.
 std::optional<net::MoveAcknowledgment::Ride> find_ride(const Edict& ground) {
   if (ground.solid() != Solid::kBsp || ground.move_type() != MoveType::kPush) return std::nullopt;

@@ -1,4 +1,4 @@
-// What clients that number their moves are sent (net/protocol/numbered_moves.h), so that they can predict:
+// Data for clients that number their moves (net/protocol/numbered_moves.h), so that they can predict:
 // the settings with which the server plays moves, and the result of their own moves.
 #pragma once
 

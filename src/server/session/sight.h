@@ -1,5 +1,5 @@
-// What a player can see: the PVS of all leaves near its eye. The margin makes sure that a client that
-// predicts or interpolates positions never misses something at the edge of a leaf.
+// Finds the leaves that a player can see: the PVS of all leaves near its eye. The margin makes sure that a
+// client that predicts or interpolates positions never misses something at the edge of a leaf.
 #pragma once
 
 #include <cstdint>

@@ -87,7 +87,7 @@ enum class Opcode : std::uint16_t {
 
 constexpr std::uint16_t kOpcodes = 66;
 
-// What an operand refers to. The size that must fit into the globals: three words for kVector, one otherwise.
+// The kind of an operand. The size that must fit into the globals: three words for kVector, one otherwise.
 enum class OperandKind : std::uint8_t {
   kNone,
   kFloat,

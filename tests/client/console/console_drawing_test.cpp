@@ -1,4 +1,4 @@
-// What the console shows, read back from its draw commands; and pictures of it for people to look at.
+// Reads the console's text back from its draw commands, and draws pictures of it for people to look at.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What keys do to the console.
+// Tests the effects of keys on the console.
 #include "client/console/console_ui.h"
 
 #include <gmock/gmock.h>

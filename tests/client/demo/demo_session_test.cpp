@@ -305,7 +305,7 @@ TEST(DemoSession, StepsFromPacketToPacket) {
   EXPECT_FALSE(session.step(1, settings).value());
 }
 
-// As benchmarks do: each time of the demo once, then the end. Some packets have equal times.
+// Plays like a benchmark: each time of the demo once, then the end. Some packets have equal times.
 TEST(DemoSession, StepsToItsEnd) {
   Played played(made_game().path(), made_three_times());
   const PresentationSettings settings;

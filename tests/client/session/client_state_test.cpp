@@ -1,4 +1,4 @@
-// What each message does, except for the movement of entities.
+// Tests the effect of each message, except for the movement of entities.
 #include "client/session/client_state.h"
 
 #include <gmock/gmock.h>

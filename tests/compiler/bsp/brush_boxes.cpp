@@ -36,7 +36,7 @@ Extent along(const HullBox& box, const Vec3d& at, const Vec3d& axis) {
   return extent;
 }
 
-// What stops boxes is decided by the brush's texture.
+// The brush's texture decides whether it stops boxes.
 bool stops_boxes(const formats::MapBrush& brush) {
   return std::none_of(brush.sides.begin(), brush.sides.end(), [](const formats::MapSide& side) {
     return side.texture.starts_with("*") || base::to_lower(side.texture) == "origin" ||

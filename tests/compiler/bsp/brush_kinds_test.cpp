@@ -199,7 +199,7 @@ TEST(BrushKinds, ClipAloneMakesAModelThatPointsPass) {
   EXPECT_EQ(in_model(Hull::kPlayer), Contents::kSolid);
 }
 
-// As in other compilers, only the world decides what fills a place.
+// Only the world decides the contents of a place, as in other compilers.
 TEST(BrushKinds, LiquidAndSkyOfABrushEntityAreSolid) {
   for (const char* texture : {"*water", "sky1"}) {
     const DraftResult result =

@@ -141,7 +141,7 @@ TEST(LightLevel, HiddenFacesOfDoorsHaveTheLightAtTheirCenter) {
   int of_ends = 0;
   for (const RoomLuxel& luxel : room_luxels(lit)) {
     if (luxel.of_world || luxel.normal.z == 0) continue;
-    // Of six directions, one faces a light of 300 straight above.
+    // One of six directions faces a light of 300 straight above.
     EXPECT_NEAR(luxel.gray, 300.0 / 6 / 2, 1) << luxel;
     ++of_ends;
   }

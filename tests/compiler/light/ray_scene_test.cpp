@@ -91,7 +91,8 @@ TEST(RayScene, PanesDimLightOnceEach) {
 
 TEST(RayScene, SkyIsVisibleOnlyFromItsFront) {
   Occluders occluders;
-  // As at the end of a sky brush: two faces in one plane, back to back, with something behind them.
+  // The situation at the end of a sky brush: two faces in one plane, back to back, with something behind
+  // them.
   add_square(50, 0, occluders, occluders.skies);
   add_square(50, 1, occluders, occluders.skies);
   occluders.sky_normals = {Vec3(0, 0, 1), Vec3(0, 0, -1)};

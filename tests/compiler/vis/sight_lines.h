@@ -1,4 +1,4 @@
-// What a straight line passes through, found by the tree in the file and nothing else.
+// Finds the leaves that a straight line passes through, by the tree in the file and nothing else.
 #pragma once
 
 #include <cstddef>

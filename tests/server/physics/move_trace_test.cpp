@@ -171,7 +171,7 @@ TEST_F(WhoMeetsWhom, OwnersAndOwnedPassEachOther) {
   EXPECT_EQ(fraction(), 1);
   world_[mover_].set(field::kOwner, EntityIndex{0xffffffff});
   EXPECT_LT(fraction(), 1);
-  // As in the original, the world as passing entity owns every entity without an owner.
+  // The world as passing entity owns every entity without an owner, as in stock Quake.
   EXPECT_EQ(trace(world_, {-80, 0, 100}, {100, 0, 100}, kNoBox, MoveKind::kNormal, vm::kWorld).trace.fraction,
             1);
 }

@@ -55,7 +55,7 @@ TEST(Pusher, StopsAtItsNextThinkLateInAGameToo) {
     lift.set(field::kLocalTime, begin_s);
     const float end_s = begin_s + 496.0f / 260;
     const vm::FunctionIndex think = world.calls.add([&](const FakeCalls::Call&) {
-      // As far as the total time on its clock has taken it.
+      // Its position follows from the total time on its clock.
       EXPECT_NEAR(world[index][field::kOrigin].z, 496 - 260 * (end_s - begin_s), 0.005);
     });
     lift.set(field::kThink, think);
@@ -122,7 +122,7 @@ TEST_F(BlockedPusher, StaysAndReportsItsBlocker) {
   EXPECT_GT(world_.calls.count(blocked_), 20);
   EXPECT_NEAR(box[field::kOrigin].x, -16, 0.9);
   EXPECT_EQ(blocker_, box.index());
-  // As far as whole ticks of 5/6 unit each take it; its clock agrees.
+  // Its position follows from whole ticks of 5/6 unit each, and its clock agrees.
   EXPECT_LE(door[field::kOrigin].x, 60 - 32);
   EXPECT_GT(door[field::kOrigin].x, 60 - 32 - 2 * 60 * kPusherTick);
   EXPECT_NEAR(door[field::kLocalTime] * 60, door[field::kOrigin].x, 0.01);

@@ -21,7 +21,7 @@
 
 namespace temblor::artgen {
 
-// What a patch knows about its surroundings.
+// The rate, lengths, pitch, and seed that a patch gets from its sound or instrument.
 struct PatchContext {
   double rate = kSynthesisRate;
   // The length of the whole result.

@@ -61,7 +61,7 @@ struct Score {
   double beats_per_minute = 60;
   // The length of the piece.
   double beats = 4;
-  // Of the Vorbis encoder.
+  // The quality setting of the Vorbis encoder.
   float quality = 0.3F;
   // Added to the loudness that all music has.
   double gain_db = 0;

@@ -22,7 +22,7 @@
 
 namespace temblor::artgen {
 
-// What a voice knows about its surroundings.
+// The rate, length, pitch, and seed that a voice gets from its sound or instrument.
 struct VoiceContext {
   double rate = kSynthesisRate;
   double length_s = 1;

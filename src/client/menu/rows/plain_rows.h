@@ -29,7 +29,7 @@ class ActionRow : public Row {
   char letter_;
 };
 
-// What a ListRow shows and does.
+// The text and the action of a ListRow.
 struct ListEntry {
   std::string left;
   // Left out if the row has no room for it.

@@ -23,7 +23,7 @@ enum class MenuSound { kNone, kMove, kEnter, kAdjust };
 // Whether the page stays open, returns to the page below, or closes the menu.
 enum class Leaving { kStay, kBack, kClose };
 
-// What the menu does next, in this order.
+// The menu's next actions, in this order.
 struct Outcome {
   MenuSound sound = MenuSound::kNone;
   std::vector<std::string> commands = {};  // console lines

@@ -1,5 +1,6 @@
 // Method: each side starts as a huge square in its plane and is clipped by the planes of all other sides.
-// What is left of it is its winding. A brush is not closed if a winding still reaches the end of the world.
+// The rest of it is the side's winding. A brush is not closed if a winding still reaches the end of the
+// world.
 #include "compiler/bsp/brushes/brush.h"
 
 #include <fmt/format.h>

@@ -15,7 +15,7 @@
 
 namespace temblor::compiler {
 
-// What fills a brush, from weak to strong: where two brushes overlap, the stronger one wins.
+// The contents of a brush, from weak to strong: where two brushes overlap, the stronger one wins.
 enum class Fill : std::uint8_t {
   kEmpty,        // air, and hint brushes
   kIllusionary,  // drawn, but not solid
@@ -47,7 +47,7 @@ constexpr std::uint32_t kNoSurface = std::numeric_limits<std::uint32_t>::max();
 // A side of a brush: a plane, and the polygon that the brush covers in it.
 struct BrushSide {
   PlaneIndex plane;  // the brush is behind it
-  // What is drawn on it (LevelBrushes::surfaces); kNoSurface: nothing.
+  // The surface to draw on it (LevelBrushes::surfaces); kNoSurface: none.
   std::uint32_t surface = kNoSurface;
   bool splits = true;  // false: makes no node (bevels, the other sides of hint brushes)
   bool is_seen_from_inside = false;

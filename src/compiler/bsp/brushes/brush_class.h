@@ -1,4 +1,4 @@
-// What the names of textures and of entity classes mean for brushes: liquids, sky, clip, hint, detail, ...
+// Classifies brushes by the names of textures and of entity classes: liquids, sky, clip, hint, detail, ...
 // The names are those of Quake's own qbsp and of ericw-tools.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace temblor::compiler {
 
-// What an entity's classname and keys make of its brushes.
+// The kind of brushes that an entity's classname and keys ask for.
 struct BrushClass {
   bool is_world = false;      // false: they become a model of their own
   Fill solid = Fill::kSolid;  // the fill of brushes that are neither liquid nor sky
@@ -35,7 +35,7 @@ SpecialTexture find_special_texture(const formats::MapBrush& brush);
 // Whether a side with this texture is drawn.
 bool is_drawn(std::string_view texture);
 
-// What a brush with that texture is filled with, and in which hulls (Brush::hulls) it is.
+// The contents of a brush with that texture, and the hulls (Brush::hulls) that it belongs to.
 Fill find_fill(SpecialTexture special, const BrushClass& of_class);
 std::uint8_t find_hulls(SpecialTexture special, Fill fill);
 

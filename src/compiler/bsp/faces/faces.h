@@ -13,7 +13,7 @@
 
 namespace temblor::compiler {
 
-// What a side shows: a texture with its alignment, and the keys for its light. BrushSide::surface is its
+// The look of a side: a texture with its alignment, and the keys for its light. BrushSide::surface is its
 // index.
 struct Surface {
   formats::BspTexinfo texinfo;

@@ -34,7 +34,7 @@ struct PassedSurfaces {
   }
 };
 
-// What the filters record for each lane. Embree passes the first member to them.
+// The records of the filters for each lane. Embree passes the first member to them.
 struct AttenuationContext {
   EmbreeContext embree;
   std::array<std::array<std::int32_t, 3>, kLanes> lost{};
@@ -83,7 +83,7 @@ bool falls_on(const AlphaMask& surface, std::uint32_t receiver_model) {
   return true;
 }
 
-// What reject_back_sides() needs to know about the sky.
+// The facts about the sky for reject_back_sides().
 struct SkySet {
   std::vector<OccluderTriangle> triangles;
   std::vector<math::Vec3> normals;
@@ -95,7 +95,7 @@ math::Vec3 read_ray_direction(const RTCFilterFunctionNArguments& arguments, unsi
           RTCRayN_dir_z(arguments.ray, lanes, lane)};
 }
 
-// What pass_alpha_masks() needs to know about the masks.
+// The facts about the masks for pass_alpha_masks().
 struct AlphaMaskSet {
   std::vector<OccluderTriangle> triangles;
   std::vector<AlphaMask> surfaces;
@@ -141,7 +141,7 @@ void reject_back_sides(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-// Of hits at the same distance, keeps the one with the lowest surface number, in whatever order they are
+// Among hits at the same distance, keeps the one with the lowest surface number, in whatever order they are
 // found.
 void keep_lowest_surface(const RTCFilterFunctionNArguments* arguments) {
   const auto& triangles = *static_cast<const std::vector<OccluderTriangle>*>(arguments->geometryUserPtr);

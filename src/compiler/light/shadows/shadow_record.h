@@ -13,7 +13,7 @@
 
 namespace temblor::compiler {
 
-// What was asked about one light: at least one luxel, in ascending order, and whether one sample for each was
+// A question about one light: at least one luxel, in ascending order, and whether one sample for each was
 // enough.
 struct ShadowQuestion {
   std::uint32_t light = 0;

@@ -8,7 +8,7 @@ namespace temblor::compiler::vis {
 
 namespace {
 
-// What settles most tests of a portal, in one cache line: the portals of a large hall do not fit into the
+// The data for most tests of a portal, in one cache line: the portals of a large hall do not fit into the
 // cache, and each is tested against most others.
 struct Facing {
   HalfSpace beyond;

@@ -1,4 +1,4 @@
-// What the search through one portal may use of the results of others.
+// The results of other portals that the search through one portal may use.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace temblor::compiler::vis {
 
-// What might be seen through each portal: the finished row for portals whose rank is below `finished`, which
-// earlier rounds computed, and base visibility for all others.
+// An upper bound of the view through each portal: the finished row for portals whose rank is below
+// `finished`, which earlier rounds computed, and base visibility for all others.
 struct FlowBounds {
   const BitMatrix& base;
   const BitMatrix& seen;
