@@ -169,4 +169,26 @@ std::vector<std::string> find_retired_words(const std::string& path, std::string
   return violations;
 }
 
+std::vector<std::string> find_sentences_without_subject(const std::string& path, std::string_view text) {
+  static const std::regex start_of_sentence(R"((^|[.:!?] )(What|Who|Whose|Of|As) )");
+  std::vector<std::string> violations;
+  bool starts_sentence = true;  // the next comment line does
+  for (int line = 1; !text.empty(); ++line) {
+    const std::string_view row = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(row.size() + 1, text.size()));
+    const std::size_t mark = row.find("// ");
+    if (mark == std::string_view::npos) {
+      starts_sentence = true;
+      continue;
+    }
+    std::string comment(row.substr(mark + 3));
+    if (!starts_sentence) comment.insert(0, "...");  // the line continues a sentence
+    if (std::regex_search(comment, start_of_sentence))
+      violations.push_back(path + ":" + std::to_string(line) +
+                           ": start this sentence with its subject: " + comment);
+    starts_sentence = row.ends_with('.') || row.ends_with(':');
+  }
+  return violations;
+}
+
 }  // namespace temblor::test

@@ -33,4 +33,8 @@ constexpr std::string_view kOldSpellingMark = "// old spelling";
 std::vector<std::string> find_retired_words(const std::string& path, std::string_view text,
                                             const std::vector<RetiredWord>& words);
 
+// Returns "PATH:LINE: ..." for each sentence of a `//` comment that starts with What, Who, Whose, Of, or As:
+// its subject is a clause, or missing.
+std::vector<std::string> find_sentences_without_subject(const std::string& path, std::string_view text);
+
 }  // namespace temblor::test

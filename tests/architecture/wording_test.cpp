@@ -51,6 +51,26 @@ TEST(Wording, NoRetiredWordIsUsed) {
   EXPECT_THAT(violations, IsEmpty());
 }
 
+TEST(Wording, SentencesOfCommentsStartWithTheirSubject) {
+  std::vector<std::string> violations;
+  for (const std::string& path : text_files()) {
+    if (!path.ends_with(".h") && !path.ends_with(".cpp") && !path.ends_with(".qc")) continue;
+    const auto found = find_sentences_without_subject(path, read_text(repository_root() / path));
+    violations.insert(violations.end(), found.begin(), found.end());
+  }
+  EXPECT_THAT(violations, IsEmpty());
+}
+
+TEST(WordingRules, FindSentencesWithoutSubject) {
+  EXPECT_THAT(find_sentences_without_subject("a.h", "// What it shows.\nint a;  // Of two, the first.\n"),
+              ElementsAre(HasSubstr("a.h:1:"), HasSubstr("a.h:2:")));
+  EXPECT_THAT(find_sentences_without_subject("a.h", "// Draws it. As in stock Quake, it\n// sways.\n"),
+              ElementsAre(HasSubstr("a.h:1:")));
+  EXPECT_THAT(
+      find_sentences_without_subject("a.h", "// It sways as in Quake. Cites \"A\n// Of B\" and ends.\n"),
+      IsEmpty());
+}
+
 TEST(WordingRules, FindPartsOfNames) {
   const auto words = words_from("part: colour -> color\n");
   EXPECT_THAT(find_retired_words("a.h", "int fog_colour;\nColourTable t;\ncolor c;", words),

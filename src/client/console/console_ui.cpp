@@ -95,7 +95,7 @@ void ConsoleUi::track_modifiers(const platform::KeyChange& change) {
 }
 
 // The order matters: the search takes most keys, then come keys that close the console, shortcuts, and keys
-// whose meaning depends on the line. What is left edits the line or is used up.
+// whose meaning depends on the line. Every other key edits the line or is used up.
 bool ConsoleUi::handle_key(Key key) {
   // Ctrl and Alt together is AltGr, which types characters on some keyboards.
   const bool ctrl = held_.ctrl && !held_.alt;

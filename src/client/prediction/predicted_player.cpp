@@ -1,5 +1,6 @@
 // One tick in the server's order (server/physics/player.cpp): acceleration, the program before the move, the
-// move, then movers and the players on them. Of the program, the client knows the stock player's jump.
+// move, then movers and the players on them. The client knows only one part of the program, the stock
+// player's jump.
 #include "client/prediction/predicted_player.h"
 
 #include <algorithm>

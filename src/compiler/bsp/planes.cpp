@@ -41,7 +41,7 @@ std::int64_t make_key(double distance, int axis) {
 
 }  // namespace
 
-// Looks at all distances within the tolerance. Of several matches, the plane with the lowest number wins.
+// Looks at all distances within the tolerance. If several planes match, the one with the lowest number wins.
 PlaneIndex PlaneSet::find_or_add(math::Vec3d normal, double distance) {
   snap(normal, distance);
   const int dominant = dominant_axis(normal);

@@ -1,6 +1,6 @@
 // Transforms the vertices of a model as one set: blends two poses, transforms, lights by normals, and
-// projects. As SIMD and as the scalar reference with the same results, bit for bit. This header has plain
-// types only, because the SIMD file is compiled for several processors.
+// projects. The SIMD version and the scalar reference have the same results, bit for bit. This header has
+// plain types only, because the SIMD file is compiled for several processors.
 #pragma once
 
 #include <cstddef>

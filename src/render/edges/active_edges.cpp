@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t kUsualCount = 512;
 constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
 
-// A total order, so that it does not matter in which row scanning began. Of edges at the same place the one
-// with the larger number comes first: it usually belongs to the farther surface, and what begins nearer then
-// goes on top of the stack.
+// A total order, so that it does not matter in which row scanning began. Among edges at the same place, the
+// one with the larger number comes first: it usually belongs to the farther surface, and a nearer surface
+// then goes on top of the stack.
 bool before(double x, std::uint32_t number, double other_x, std::uint32_t other_number) {
   return x < other_x || (x == other_x && number > other_number);
 }

@@ -4,7 +4,7 @@
 //               -> the farthest translucent faces -> tint
 //
 // A band of rows passes through all of these before the next band begins, while its pixels and depth are in
-// the core's own cache. As separate passes over the frame each would wait for memory: up to twelve bytes per
+// the core's own cache. Separate passes over the frame would each wait for memory: up to twelve bytes per
 // pixel for little computation.
 //
 // Translucent faces belong here only if they are behind all other translucent layers, which is the usual

@@ -1,6 +1,6 @@
 // Merges a row of a deferred face or translucent model, which was drawn into a buffer, into the picture where
-// it is in front. As SIMD and as the scalar reference with the same results, bit for bit. Plain types only,
-// because the SIMD file is compiled for several processors.
+// it is in front. The SIMD version and the scalar reference have the same results, bit for bit. It has plain
+// types only, because the SIMD file is compiled for several processors.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Built-in functions that write messages piece by piece: WriteByte(destination, value) and so on. As in the
-// original, whole numbers lose their upper bits if they do not fit. Nothing checks that the pieces form a
+// Built-in functions that write messages piece by piece: WriteByte(destination, value) and so on. Whole
+// numbers that do not fit lose their upper bits, as in stock Quake. Nothing checks that the pieces form a
 // message that clients understand: that is up to game code.
 #include "net/protocol/clamped_fields.h"
 #include "server/builtins/families.h"

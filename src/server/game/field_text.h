@@ -13,7 +13,7 @@
 
 namespace temblor::server {
 
-// Parses a value of the definition's type. As in the original, numbers are read as far as possible: "12abc"
+// Parses a value of the definition's type. Numbers are read as far as possible, as in stock Quake: "12abc"
 // is 12, and "abc" is 0; infinities and NaN count as 0. In a string, "\n" becomes a newline, and any other
 // backslash stays. kUsage for functions and fields that the program does not have, for entities past the last
 // one, and for types that have no text.

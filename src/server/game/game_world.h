@@ -71,8 +71,9 @@ bool is_there(const GameWorld& world, vm::EntityIndex entity);
 enum class TouchTriggers { kNo, kYes };
 
 // Updates absmin, absmax, leaves and areas from an entity's origin and size. Call it after every move. With
-// kYes it also calls the touch functions of all triggers that the entity's box meets. As in the original, the
-// triggers are collected before the first call, and each is touched only if it and the entity still exist.
+// kYes it also calls the touch functions of all triggers that the entity's box meets. The
+// triggers are collected before the first call, as in stock Quake, and each is touched only if it and the
+// entity still exist.
 base::Status link(GameWorld& io_world, vm::EntityIndex entity, TouchTriggers touch);
 // After this, traces and triggers do not find the entity. Its fields stay.
 void unlink(GameWorld& io_world, vm::EntityIndex entity);

@@ -22,7 +22,7 @@ base::ByteWriter* Outbox::reliable_to(vm::EntityIndex player) {
   return number >= 1 && number <= players_.size() ? &players_[number - 1] : nullptr;
 }
 
-// Invariant: a buffer contains only whole messages. What was written of a message that turns out too large or
+// Invariant: a buffer contains only whole messages. The written part of a message that turns out too large or
 // inexpressible is taken back.
 void Outbox::write(const net::ServerMessage& message, base::ByteWriter& io_writer) {
   const std::size_t before = io_writer.size();

@@ -10,7 +10,7 @@ namespace temblor::server {
 
 movement::Body make_body(const Edict& edict);
 
-// An entity and everything that it moves among. What it touches is reported to QuakeC, whose touch functions
+// An entity and everything that it moves among. Its touches are reported to QuakeC, whose touch functions
 // may change or remove any entity, including this one. So the body is stored in the entity before each such
 // call, and read again after it.
 class EntityEnvironment : public movement::WalkEnvironment {

@@ -1,6 +1,7 @@
 // One tick of all entities, and the built-in functions of QuakeC that move monsters.
-// Each entity moves as its `movetype` says. What it touches on the way, its think function, and a blocked
-// door call QuakeC, which may change or remove any entity, so nothing is remembered across such a call:
+// Each entity moves as its `movetype` says. The entities that it touches on the way, its think function, and
+// a blocked door call QuakeC, which may change or remove any entity, so nothing is remembered across such a
+// call:
 //    StartFrame
 //    for each entity, in order of number:
 //      player         PreThink -> think -> walk, swim, fly -> touch triggers -> PostThink     player.cpp

@@ -140,7 +140,7 @@ void write_set_angle(Game& io_game, const Edict& edict, PendingSetAngle& io_set_
 
 net::ClientData make_client_data(Game& io_game, std::size_t slot) {
   const Edict edict = io_game.player(slot);
-  // Protocol 15 has one byte for each. As on stock servers, larger numbers lose their upper bits.
+  // Protocol 15 has one byte for each. Larger numbers lose their upper bits, as on stock servers.
   const bool is_stock = io_game.setup().dialect.protocol == net::Protocol::kNetQuake;
   const auto number = [&](Field<float> f) {
     return is_stock ? std::uint16_t{sent_u8(edict[f])} : sent_u16(edict[f]);

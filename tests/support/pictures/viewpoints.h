@@ -26,7 +26,7 @@ struct Viewpoint {
 std::vector<render::BrushModelInstance> shown_brush_models(const world::Level& level);
 
 // Moves every brush model by up to 64 units along each axis, and turns every third one about z if it then
-// does not touch the others. As in the original, models that intersect are sorted only where an edge begins,
+// does not touch the others. Like in stock Quake, models that intersect are sorted only where an edge begins,
 // so no picture of them is the correct one.
 void displace(const world::Level& level, std::span<render::BrushModelInstance> io_brush_models,
               Random& io_random);

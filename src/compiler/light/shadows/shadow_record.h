@@ -41,7 +41,7 @@ class ShadowWriter {
 // Reads a record.
 class ShadowReader {
  public:
-  // `record`: from a ShadowWriter for a face with as many luxels; outlives the reader. Of damaged bytes,
+  // `record`: from a ShadowWriter for a face with as many luxels; outlives the reader. From damaged bytes,
   // everything before the damage is read.
   ShadowReader(base::Bytes record, std::size_t luxels_of_face);
 

@@ -31,7 +31,7 @@ struct PlanarWinding {
 };
 
 // Finds the planes through an edge of one polygon and a corner of the other, with `source` outside and `pass`
-// inside the half-space; there is at most one for each edge. What is beyond `pass` and outside any of them
+// inside the half-space; there is at most one for each edge. Everything beyond `pass` and outside any of them
 // cannot be seen from `source`. Finds fewer, so that more is seen, if the polygons reach over each other's
 // planes by more than kEpsilon, or for edges that are shorter than that.
 void find_separators(PlanarWinding source, PlanarWinding pass, Separators& out_separators);
