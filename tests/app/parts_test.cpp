@@ -131,17 +131,20 @@ TEST_P(FillBaseline, FillsIndexedFramesCompletely) {
   EXPECT_TRUE(std::equal(first.begin(), first.end(), frame.indexed().begin()));
 }
 
+// Calls the functions themselves, since a compiler may leave out new expressions.
 TEST(AllocationCounter, CountsEveryKindOfNew) {
-  struct alignas(128) Aligned {
-    char bytes[128];
-  };
+  constexpr std::align_val_t kAlignment{128};
   const std::uint64_t before = allocation_count();
-  const auto one = std::make_unique<int>(1);
-  const auto many = std::make_unique<int[]>(100);
-  const auto aligned = std::make_unique<Aligned>();
-  const std::unique_ptr<int> quiet(new (std::nothrow) int(1));
+  void* const one = ::operator new(4);
+  void* const many = ::operator new[](400);
+  void* const aligned = ::operator new(128, kAlignment);
+  void* const quiet = ::operator new(4, std::nothrow);
   EXPECT_EQ(allocation_count() - before, 4u);
-  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(aligned.get()) % 128, 0u);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(aligned) % 128, 0u);
+  ::operator delete(one);
+  ::operator delete[](many);
+  ::operator delete(aligned, kAlignment);
+  ::operator delete(quiet, std::nothrow);
 }
 
 std::shared_ptr<const world::Level> level_with_entities(const std::string& entities) {

@@ -90,7 +90,8 @@ TEST_F(CompileSessionTest, ShardsOfALevelThatLeaks) {
 
 TEST_F(CompileSessionTest, ShardsStayUntilTheLevelIsWritten) {
   folder_.write("room.map", room());
-  ASSERT_EQ(compile({"room.map", "--only", "light", "--shard", "1/1"}).exit_status, 0);
+  const ProgramRun shard = compile({"room.map", "--only", "light", "--shard", "1/1"});
+  ASSERT_EQ(shard.exit_status, 0) << shard.err;
   fs::create_directory(path("room.bsp"));
   EXPECT_EQ(compile({"room.map", "--only", "light", "--merge"}).exit_status, 1);
   EXPECT_TRUE(exists("room.light-1-of-1"));

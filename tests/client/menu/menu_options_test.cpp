@@ -71,7 +71,7 @@ TEST_F(MenuOptions, SwitchesSlidersAndChoicesSetTheirVariable) {
 
 TEST_F(MenuOptions, ShowHelpAndNameOfTheirVariable) {
   expect_at(MenuPage::kVideo, "Gamma");
-  EXPECT_THAT(hand_.all_text(), HasSubstr("Below 1: brighter. (gamma)"));
+  EXPECT_THAT(hand_.all_text(), HasSubstr("Gamma correction. Values below 1 are\nbrighter. (gamma)"));
 }
 
 TEST_F(MenuOptions, LeaveOutUnregisteredVariables) {
