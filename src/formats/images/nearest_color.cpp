@@ -1,6 +1,7 @@
 #include "formats/images/nearest_color.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "base/check.h"
@@ -8,7 +9,7 @@
 namespace temblor::formats {
 namespace {
 
-constexpr int kCoarseSize = 64, kFineSize = 16;
+constexpr int kCoarseSize = 64, kMiddleSize = 32, kFineSize = 16;
 constexpr int kFineCells = 256 / kFineSize;  // cells of each channel
 
 constexpr std::size_t cell_index(int r, int g, int b) {
@@ -41,34 +42,42 @@ void for_each_cell(int low_r, int low_g, int low_b, int cube_size, int cell_size
 NearestColor::NearestColor(const Palette& palette, std::size_t first, std::size_t count)
     : cells_(std::size_t{kFineCells} * kFineCells * kFineCells) {
   CHECK(count > 0 && first + count <= palette.size(), "{} from {}", count, first);
-  std::vector<Candidate> all, near;
+  std::vector<Candidate> all, coarse, middle;
   for (std::size_t i = first; i < first + count; ++i)
     all.push_back({palette[i].r, palette[i].g, palette[i].b, static_cast<std::uint8_t>(i)});
   // The candidates of a small cell are a subset of those of the large cell around it, so only few need
   // testing.
   for_each_cell(0, 0, 0, 256, kCoarseSize, [&](int coarse_r, int coarse_g, int coarse_b) {
-    near.clear();
-    add_candidates({coarse_r, coarse_g, coarse_b, kCoarseSize}, all, near);
-    for_each_cell(coarse_r, coarse_g, coarse_b, kCoarseSize, kFineSize, [&](int r, int g, int b) {
-      const auto begin = static_cast<std::uint32_t>(candidates_.size());
-      add_candidates({r, g, b, kFineSize}, near, candidates_);
-      cells_[cell_index(r, g, b)] = {begin, static_cast<std::uint32_t>(candidates_.size())};
-    });
+    coarse.clear();
+    add_candidates({coarse_r, coarse_g, coarse_b, kCoarseSize}, all, coarse);
+    for_each_cell(
+        coarse_r, coarse_g, coarse_b, kCoarseSize, kMiddleSize,
+        [&](int middle_r, int middle_g, int middle_b) {
+          middle.clear();
+          add_candidates({middle_r, middle_g, middle_b, kMiddleSize}, coarse, middle);
+          for_each_cell(middle_r, middle_g, middle_b, kMiddleSize, kFineSize, [&](int r, int g, int b) {
+            const auto begin = static_cast<std::uint32_t>(candidates_.size());
+            add_candidates({r, g, b, kFineSize}, middle, candidates_);
+            cells_[cell_index(r, g, b)] = {begin, static_cast<std::uint32_t>(candidates_.size())};
+          });
+        });
   });
 }
 
 void NearestColor::add_candidates(const Cell& cell, std::span<const Candidate> among,
                                   std::vector<Candidate>& io_found) {
-  const auto compute_reach = [&](const Candidate& color) -> Reach {
+  // A color whose nearest distance exceeds the smallest farthest distance of any color is never the nearest.
+  std::array<int, std::tuple_size_v<Palette>> nearest;
+  int bound = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < among.size(); ++i) {
+    const Candidate& color = among[i];
     const Reach r = reach(color.r, cell.r, cell.size), g = reach(color.g, cell.g, cell.size),
                 b = reach(color.b, cell.b, cell.size);
-    return {r.nearest + g.nearest + b.nearest, r.farthest + g.farthest + b.farthest};
-  };
-  // A color whose nearest distance exceeds the smallest farthest distance of any color is never the nearest.
-  int bound = std::numeric_limits<int>::max();
-  for (const Candidate& color : among) bound = std::min(bound, compute_reach(color).farthest);
-  for (const Candidate& color : among)
-    if (compute_reach(color).nearest <= bound) io_found.push_back(color);
+    nearest[i] = r.nearest + g.nearest + b.nearest;
+    bound = std::min(bound, r.farthest + g.farthest + b.farthest);
+  }
+  for (std::size_t i = 0; i < among.size(); ++i)
+    if (nearest[i] <= bound) io_found.push_back(among[i]);
 }
 
 std::uint8_t NearestColor::find(Rgb color) const {
