@@ -30,12 +30,9 @@ bench:
 	$(if $(TEMBLOR_DATA),build/release/bench/client_server_bench build/release/game/id1/progs.dat)
 	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/id1/progs.dat)
 
-# Writes three packages to build/release: a Debian package, an archive that can be unpacked anywhere, and
-# temblor-light-*.tar.xz, which mappers unpack over the other archive to compile light. Both archives contain the same top
-# folder, so cpack gives them the same name, and the light archive is renamed.
+# Writes a Debian package and two archives to build/release.
 package: shipped
-	cd build/release && cpack -G DEB && cpack -G TXZ && cpack -G TXZ -D PART=light -B light
-	cd build/release/light && for archive in temblor-*.tar.xz; do mv "$$archive" "../temblor-light-$${archive#temblor-}"; done
+	tools/make_packages.sh
 # The default is PREFIX=/usr/local.
 install: shipped
 	cmake --install build/release --component game --prefix "$(or $(PREFIX),/usr/local)"

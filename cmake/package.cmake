@@ -46,10 +46,9 @@ install(FILES "$<TARGET_FILE:embree>" DESTINATION "${library_folder}" COMPONENT 
 set(CPACK_PACKAGE_NAME temblor)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Quake-class game and engine that draws without a GPU")
 set(CPACK_PACKAGE_CONTACT "Temblor's makers <temblor@localhost>")
-set(CPACK_GENERATOR DEB TXZ)
+set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_FILE_NAME "temblor-${PROJECT_VERSION}-${CMAKE_SYSTEM_PROCESSOR}")
 set(CPACK_STRIP_FILES ON)
-set(CPACK_THREADS 0)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The program loads Embree at run time, so dpkg-shlibdeps does not find it.

@@ -1,10 +1,7 @@
-# cpack reads this once for each kind of package: only the archive contains libraries, and its second part (cpack -D
-# PART=light) contains nothing else.
-if(CPACK_GENERATOR STREQUAL "TXZ")
-  if(PART STREQUAL "light")
-    set(CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_BUILD_FOLDER};temblor;light;/")
-  else()
-    list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_BUILD_FOLDER};temblor;libraries;/")
-  endif()
-  set(CPACK_POST_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/pack_harder.cmake")
+# cpack reads this once for each package that tools/make_packages.sh makes. The Debian package (no PART) contains the game
+# alone, the archive (PART=game) also the libraries, and the light archive (PART=light) only what the level compiler needs.
+if(PART STREQUAL "game")
+  list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_BUILD_FOLDER};temblor;libraries;/")
+elseif(PART STREQUAL "light")
+  set(CPACK_INSTALL_CMAKE_PROJECTS "${CPACK_BUILD_FOLDER};temblor;light;/")
 endif()
