@@ -6,7 +6,8 @@
 function(temblor_headers name flags)
   file(WRITE "${CMAKE_BINARY_DIR}/${name}.cpp" "")
   add_library(${name} OBJECT "${CMAKE_BINARY_DIR}/${name}.cpp")
-  target_link_libraries(${name} PRIVATE ${flags} fmt::fmt glm::glm)
+  # temblor_flags come first, as in the targets that use the header, because ${flags} may turn some of them off.
+  target_link_libraries(${name} PRIVATE temblor_flags ${flags} fmt::fmt glm::glm)
   target_precompile_headers(
     ${name} PRIVATE
     <algorithm> <array> <bit> <charconv> <cmath> <cstddef> <cstdint> <cstring> <functional> <limits> <map> <memory>

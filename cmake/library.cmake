@@ -26,34 +26,48 @@ function(temblor_library name)
   temblor_use_headers(temblor_${name} temblor_common_headers)
 endfunction()
 
-# Defines the flags of all tests, and a precompiled header with GoogleTest.
+# Defines the flags of tests, and a precompiled header with GoogleTest. In the sanitizer tree, it defines both twice:
+# temblor_optimized_test_flags is for tests that compute much themselves, for example every pixel of a picture.
 function(temblor_test_flags)
-  add_library(temblor_test_flags INTERFACE)
-  target_link_libraries(temblor_test_flags INTERFACE temblor::base GTest::gmock)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Tests are mostly templates of GoogleTest that run once. With -O3, they take nearly twice as long to compile.
-    target_compile_options(temblor_test_flags INTERFACE -Og)
+  set(kinds test)
+  if(TEMBLOR_SANITIZE AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    list(APPEND kinds optimized_test)
   endif()
   # mold links a test program ten times as fast as GNU ld. The program itself is linked with the system's linker.
   find_program(TEMBLOR_MOLD mold)
-  if(TEMBLOR_MOLD)
-    target_link_options(temblor_test_flags INTERFACE -fuse-ld=mold)
+  foreach(kind IN LISTS kinds)
+    add_library(temblor_${kind}_flags INTERFACE)
+    target_link_libraries(temblor_${kind}_flags INTERFACE temblor::base GTest::gmock)
+    if(TEMBLOR_MOLD)
+      target_link_options(temblor_${kind}_flags INTERFACE -fuse-ld=mold)
+    endif()
+    if(TEMBLOR_SANITIZE MATCHES "fuzzer")  # libFuzzer needs the coverage of our code only
+      target_compile_options(temblor_${kind}_flags INTERFACE -fno-sanitize=fuzzer-no-link)
+    endif()
+  endforeach()
+  # Tests are mostly templates of GoogleTest that run once: optimizing them takes longer than it saves.
+  if(TARGET temblor_optimized_test_flags)
+    target_compile_options(temblor_test_flags INTERFACE -O0)
+  elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(temblor_test_flags INTERFACE -Og)
   endif()
-  temblor_headers(temblor_test_headers temblor_test_flags <gmock/gmock.h> <gtest/gtest.h>)
+  foreach(kind IN LISTS kinds)
+    temblor_headers(temblor_${kind}_headers temblor_${kind}_flags <gmock/gmock.h> <gtest/gtest.h>)
+  endforeach()
 endfunction()
 
-# temblor_test(NAME [SHARDS N] [CHECK_ONLY] [SLOW PATTERN] [PEERS PATTERN] [DEPENDS ...] [SOURCES ...] [DEFINITIONS ...]
-#              [NEEDS ...]): compiles tests/NAME/**.cpp and SOURCES into the GoogleTest program NAME_test. Sources called
-# X_test.cpp are left out if none of their lines match TEMBLOR_TESTS_LIKE. NEEDS lists targets to build before the program
-# runs. ctest runs the program as N processes that share its tests, so that a fixture is set up a few times instead of once
-# per test. ctest's labels divide the tests:
+# temblor_test(NAME [SHARDS N] [CHECK_ONLY] [OPTIMIZED] [SLOW PATTERN] [PEERS PATTERN] [DEPENDS ...] [SOURCES ...]
+#              [DEFINITIONS ...] [NEEDS ...]): compiles tests/NAME/**.cpp and SOURCES into the GoogleTest program NAME_test.
+# Sources called X_test.cpp are left out if none of their lines match TEMBLOR_TESTS_LIKE. OPTIMIZED chooses the flags (see
+# above). NEEDS lists targets to build before the program runs. ctest runs the program as N processes that share its tests,
+# so that a fixture is set up a few times instead of once per test. ctest's labels divide the tests:
 #   (none)  `make test` runs them
 #   check   only `make check` runs them: all tests of a CHECK_ONLY program, which the target `all` does not build either,
 #           and those that match SLOW (a GoogleTest filter, `Suite.*:Suite.Test`)
 #   peers   only `make check` runs them, with other engines: those that match PEERS
 # Each process writes the results of its single tests to build/PRESET/reports/; tools/count_tests.sh adds them up.
 function(temblor_test name)
-  cmake_parse_arguments(ARG "CHECK_ONLY" "SHARDS;SLOW;PEERS" "DEPENDS;SOURCES;DEFINITIONS;NEEDS" ${ARGN})
+  cmake_parse_arguments(ARG "CHECK_ONLY;OPTIMIZED" "SHARDS;SLOW;PEERS" "DEPENDS;SOURCES;DEFINITIONS;NEEDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/tests/${name}/*.cpp")
   foreach(source IN LISTS sources)
     file(STRINGS "${source}" found REGEX "${TEMBLOR_TESTS_LIKE}" LIMIT_COUNT 1)
@@ -72,8 +86,12 @@ function(temblor_test name)
     endif()
   endforeach()
   target_include_directories(${name}_test PRIVATE "${CMAKE_SOURCE_DIR}/tests")
-  target_link_libraries(${name}_test PRIVATE ${ARG_DEPENDS} temblor_test_flags GTest::gtest_main)
-  temblor_use_headers(${name}_test temblor_test_headers)
+  set(kind test)
+  if(ARG_OPTIMIZED AND TARGET temblor_optimized_test_flags)
+    set(kind optimized_test)
+  endif()
+  target_link_libraries(${name}_test PRIVATE ${ARG_DEPENDS} temblor_${kind}_flags GTest::gtest_main)
+  temblor_use_headers(${name}_test temblor_${kind}_headers)
 
   if(TEMBLOR_TEST_FILTER)
     temblor_test_shards(${name} ${name} "${TEMBLOR_TEST_FILTER}" "${ARG_SHARDS}" "")
@@ -102,6 +120,14 @@ function(temblor_test_shards test name filter count label)
     set(count 1)
   endif()
   math(EXPR last "${count} - 1")
+  # ctest starts the tests with the highest cost first. Tests with other engines mostly wait, so they run beside others.
+  if(label STREQUAL "peers")
+    set(cost 3)
+  elseif(count GREATER 1)
+    set(cost 2)
+  else()
+    set(cost 1)
+  endif()
   foreach(shard RANGE ${last})
     set(title ${test})
     if(count GREATER 1)
@@ -113,7 +139,7 @@ function(temblor_test_shards test name filter count label)
       list(APPEND command "--gtest_filter=${filter}")
     endif()
     add_test(NAME ${title} COMMAND ${command})
-    set_tests_properties(${title} PROPERTIES TIMEOUT 1200 LABELS "${label}"
+    set_tests_properties(${title} PROPERTIES TIMEOUT 1200 LABELS "${label}" COST ${cost}
                          ENVIRONMENT "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${shard}")
   endforeach()
 endfunction()

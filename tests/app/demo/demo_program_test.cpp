@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
+#include "support/effort.h"
 #include "support/game_data.h"
 #include "support/programs/temporary_folder.h"
 
@@ -120,8 +121,8 @@ TEST_F(DemoProgram, FramesPastTheEndAreAUsageError) {
 }
 
 TEST_F(DemoProgram, BenchDrawsEveryPacket) {
-  const ProgramRun ran =
-      run({"bench", "--demo", "demo3", "--size", "160x100", "--threads", "1", "--json", "--runs", "2"});
+  const ProgramRun ran = run({"bench", "--demo", "demo3", "--size", "160x100", "--threads", "1", "--json",
+                              "--runs", std::to_string(effort(2, 1))});
   ASSERT_EQ(ran.exit_status, 0) << ran.err;
   const nlohmann::json result = nlohmann::json::parse(ran.out);
   EXPECT_EQ(result.at("demo"), "demo3");
