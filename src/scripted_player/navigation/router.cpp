@@ -80,6 +80,9 @@ void Router::search(std::uint32_t from, const RouteRules& rules) {
     }
     const std::vector<Link>& links = graph_->place(at).links;
     for (std::uint32_t i = 0; i < links.size(); ++i) {
+      // Most links lead to places that were reached more cheaply. Conditions and penalties only add to the
+      // cost.
+      if (cost + links[i].cost >= costs_[links[i].to]) continue;
       const float link_cost = compute_cost(at, links[i], rules);
       if (link_cost >= kUnreached || cost + link_cost >= costs_[links[i].to]) continue;
       costs_[links[i].to] = cost + link_cost;
