@@ -24,6 +24,9 @@
 
 namespace temblor::assets {
 
+// Only the registered version of Quake contains this file. Stock engines set the variable `registered` by it.
+constexpr std::string_view kRegisteredMark = "gfx/pop.lmp";
+
 // A track that is decoded while it plays, so its bytes are read later.
 struct MusicFile {
   std::string name;  // source of the file, for messages

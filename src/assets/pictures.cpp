@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "assets/library.h"
 #include "assets/stock/stock_pictures.h"
 #include "base/text.h"
 #include "formats/archives/wad.h"
@@ -56,16 +57,17 @@ void load_wad(const vfs::FileSystem& files, PictureMap& io_pictures,
   }
 }
 
-// These two have the extension of pictures, but another layout (palette.h).
-bool is_palette_file(std::string_view name) {
-  return name == "gfx/palette.lmp" || name == "gfx/colormap.lmp";
+// These have the extension of pictures, but another layout: palette.h describes two of them, and the third is
+// the mark of the registered game.
+bool is_no_picture(std::string_view name) {
+  return name == "gfx/palette.lmp" || name == "gfx/colormap.lmp" || name == kRegisteredMark;
 }
 
 // Loads the pictures that are separate files. Their names cannot collide with those of lumps, which have no
 // folder.
 void load_files(const vfs::FileSystem& files, PictureMap& io_pictures, std::vector<std::string>& io_bad) {
   for (const std::string& name : files.list("gfx/", ".lmp")) {
-    if (is_palette_file(name)) continue;
+    if (is_no_picture(name)) continue;
     const base::Result<base::ByteVector> bytes = files.read(name);
     base::Result<formats::Picture> picture =
         bytes.ok() ? formats::read_picture(*bytes) : base::Result<formats::Picture>(bytes.error());

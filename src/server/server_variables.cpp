@@ -46,6 +46,9 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
   v.add_float("timelimit", 0, 0, 1000000, "Minutes until a deathmatch ends; 0: no limit (for game code).");
   v.add_bool("samelevel", false, "1: a deathmatch stays in the same level (for game code).");
   v.add_int("noexit", 0, 0, 255, "1: players cannot leave the level in a deathmatch (for game code).");
+  v.add_bool("registered", false,
+             "1: the data is that of the registered game (for game code; set by each level).");
+  v.add_int("developer", 0, 0, 100, "1: shows the output of game code's dprint.");
   v.add_bool("pr_checkextension", true, "Game code may query the extensions of this server.");
   v.add_int("bot_fill", 0, 0, 16,
             "Bots fill a deathmatch up to this many players (for game code). 0: no bots.");
@@ -124,6 +127,11 @@ void ServerVariables::set_kind(GameKind kind) const {
   set("coop", kind == GameKind::kCooperative);
   // Values above 1 are kinds of deathmatch to game code, so they stay.
   if (kind != GameKind::kDeathmatch) set("deathmatch", false);
+}
+
+void ServerVariables::set_registered(bool is_registered) const {
+  const base::Status status = variables_->set("registered", is_registered ? "1" : "0");
+  CHECK(status.ok());
 }
 
 // --- Getters. Each converts from the type and unit of the variable to what the server uses.

@@ -38,6 +38,8 @@ class ServerVariables {
   float timeout_s() const;
   const std::string& rcon_password() const;
   bool cheats_allowed() const;
+  // Tells game code whether the data is that of the registered game.
+  void set_registered(bool is_registered) const;
   // sv_reload: program and level files are watched, and reloaded when they change on disk.
   bool reloads() const;
 

@@ -20,7 +20,8 @@ constexpr std::size_t kManyErrors = 20;  // more would repeat the same
 PlayedLevel::PlayedLevel(const std::filesystem::path& data, std::string_view map,
                          const std::filesystem::path& progs, const PlayedSettings& settings)
     : library_(vfs::FileSystem::open(data).value()), settings_(variables_), inputs_(settings.players) {
-  variables_.add_bool("developer", true, "The program's dprint is shown.");
+  CHECK(variables_.set("developer", "1").ok());  // shows the program's dprint
+  CHECK(variables_.set("skill", std::to_string(settings.skill)).ok());
   const server::GameServices services{.library = library_,
                                       .io_variables = variables_,
                                       .print = [this](std::string_view text) { printed_ += text; }};

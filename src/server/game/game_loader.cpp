@@ -77,12 +77,14 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
   TRY(assets::LoadedLevel loaded, assets::load_level(services.library.files(), request.map));
   TRY(const base::ByteVector level_bytes,
       services.library.files().read(fmt::format("maps/{}.bsp", request.map)));
+  settings.set_registered(services.library.files().contains(assets::kRegisteredMark));
   LoadedGame result;
   result.notes = std::move(loaded.notes);
   constexpr std::array kOldestFirst = {net::Protocol::kNetQuake, net::Protocol::kFitzQuake,
                                        net::Protocol::kRmq};
   for (const net::Protocol protocol : kOldestFirst) {
-    const std::optional<net::Protocol> wanted = settings.protocol();
+    std::optional<net::Protocol> wanted = settings.protocol();
+    if (!wanted && request.prefers_newest_protocol) wanted = kOldestFirst.back();
     if (wanted && *wanted != protocol) continue;
     const bool is_last = wanted || protocol == kOldestFirst.back();
     base::Result<std::unique_ptr<Game>> game = Game::start({.program = program,
