@@ -99,7 +99,7 @@ std::uint32_t PlayedLevel::spawn(std::string_view name, const math::Vec3& origin
   for (const auto& [key, value] : keys) {
     const formats::ProgsDefinition* const definition = game_->machine().program().find_field(key);
     CHECK(definition != nullptr, "{}", key);
-    const std::size_t words = server::word_count(definition->type);
+    const std::size_t words = formats::value_words(definition->type);
     check(server::set_value(game_->machine(), *definition, value,
                             world().edicts[index].words().subspan(definition->offset, words)),
           key);

@@ -13,7 +13,6 @@ constexpr std::size_t kProgsHeaderBytes = 60;
 constexpr std::size_t kStatementBytes = 8, kDefinitionBytes = 8, kFunctionBytes = 36, kWordBytes = 4;
 constexpr std::size_t kMaxProgsNameChars = 1024;
 constexpr std::uint16_t kSavedBit = 0x8000;
-constexpr std::uint16_t kLastType = static_cast<std::uint16_t>(ProgsType::kPointer);
 
 // The place of a section in the file, and its number of entries.
 struct Section {
@@ -119,9 +118,6 @@ base::Result<std::vector<ProgsDefinition>> read_definitions(base::Bytes bytes, c
     definition.name = reader.u32();
     const auto name = name_at(strings, definition.name);
     if (!name.ok()) return add_entry(what, i, name.error());
-    if (const std::uint16_t number = type & ~kSavedBit; number > kLastType)
-      return base::malformed("{} {} (\"{}\"): type {}, expected at most {}", what, i, base::quotable(*name),
-                             number, kLastType);
     definition.type = static_cast<ProgsType>(type & ~kSavedBit);
     definition.is_saved = (type & kSavedBit) != 0;
     if (definition.offset + value_words(definition.type) > words)

@@ -12,6 +12,7 @@
 //                         56  entity words i32       size of an entity's fields
 //   statement, 8 bytes     0  op u16 | 2 a u16 | 4 b u16 | 6 c u16
 //   definition, 8 bytes    0  type u16 (bit 15: saved) | 2 offset u16 | 4 name i32
+//                             fteqcc uses types above 7 for integers, structs, arrays, and so on
 //   function, 36 bytes     0  first statement i32    negative: built-in function
 //                          4  first local i32        a global word
 //                          8  number of locals i32   words, including parameters
@@ -32,8 +33,9 @@
 
 namespace temblor::formats {
 
-// Type of a definition and its value.
-enum class ProgsType : std::uint8_t {
+// Type of a definition and its value. Definitions only serve debuggers, saved games, and lookups by name, so
+// higher numbers, which compilers have added, are kept: nothing is known about their values.
+enum class ProgsType : std::uint16_t {
   kVoid = 0,
   kString = 1,
   kFloat = 2,
@@ -94,9 +96,10 @@ constexpr std::int32_t kMaxParameters = 8;
 // The checksum of Quake's system globals and fields. Another value means a program for another game.
 constexpr std::uint32_t kQuakeProgsCrc = 5927;
 
-// Size of a value in words.
+// Size of a value in words; 0 if it is not known.
 constexpr std::uint32_t value_words(ProgsType type) {
-  return type == ProgsType::kVoid ? 0 : type == ProgsType::kVector ? 3 : 1;
+  if (type == ProgsType::kVector) return 3;
+  return type == ProgsType::kVoid || type > ProgsType::kPointer ? 0 : 1;
 }
 
 // Reads and validates a program. Guarantees: at least one statement, one function, and the 28 reserved global

@@ -87,10 +87,6 @@ std::string_view find_field_name(const vm::Program& program, std::uint32_t offse
 
 }  // namespace
 
-std::size_t word_count(ProgsType type) {
-  return type == ProgsType::kVector ? 3 : 1;
-}
-
 base::Status set_value(vm::Machine& io_machine, const formats::ProgsDefinition& definition,
                        std::string_view text, std::span<std::uint32_t> out_words) {
   if (definition.type == ProgsType::kVector) {

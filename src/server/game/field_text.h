@@ -25,7 +25,4 @@ base::Status set_value(vm::Machine& io_machine, const formats::ProgsDefinition& 
 std::string value_text(const vm::Machine& machine, const formats::ProgsDefinition& definition,
                        std::span<const std::uint32_t> words);
 
-// Words that a value of this type takes: 3 for vectors, 1 for everything else.
-std::size_t word_count(formats::ProgsType type);
-
 }  // namespace temblor::server

@@ -67,7 +67,7 @@ formats::SavPairs nonzero_fields(const Game& game, vm::EntityIndex index) {
   const std::span<const std::uint32_t> words = machine.entity(index);
   for (const ProgsDefinition& field : progs.fields) {
     const std::string_view name = progs.string_at(field.name);
-    const auto value = words.subspan(field.offset, word_count(field.type));
+    const auto value = words.subspan(field.offset, formats::value_words(field.type));
     const bool is_zero =
         std::all_of(value.begin(), value.end(), [](std::uint32_t word) { return word == 0; });
     if (is_zero || is_vector_component(name)) continue;

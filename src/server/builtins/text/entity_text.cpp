@@ -34,8 +34,7 @@ std::string value_text(const vm::Machine& machine, ProgsType type, std::span<con
     case ProgsType::kFunction:
       if (word >= machine.program().progs().functions.size()) break;
       return fmt::format("{}()", machine.program().function_name(vm::FunctionIndex{word}));
-    case ProgsType::kVoid:
-    case ProgsType::kPointer:
+    default:
       break;
   }
   return fmt::format("{:#x}", word);
