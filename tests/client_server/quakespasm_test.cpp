@@ -5,10 +5,14 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 #include "client/session/connection.h"
+#include "formats/game/sav.h"
 #include "platform/posix/udp_socket.h"
+#include "server/game/game_loader.h"
+#include "server/save/save_game.h"
 #include "server/server.h"
 #include "support/effort.h"
 #include "support/game_data.h"
@@ -181,6 +185,48 @@ TEST(QuakeSpasmServer, OurClientPlaysOnIt) {
   EXPECT_GT(player.state().game().data.health, -100);
   player.disconnect();
   run(1, [] { return false; });
+}
+
+// QuakeSpasm's server loads a game that ours has saved, without a word about its format.
+TEST(QuakeSpasmServer, LoadsOurSavedGame) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_QUAKESPASM();
+  const TemporaryFolder home;
+  const auto folder = make_quakespasm_folder(home, data, TEMBLOR_GAME_PROGRAM);
+  ASSERT_TRUE(folder.has_value());
+  command::Variables variables;
+  const server::ServerVariables settings(variables);
+  const assets::Library library(vfs::FileSystem::open(data).value());
+  auto loaded =
+      server::load_game({.map = "lq_e0m1", .program_file = TEMBLOR_GAME_PROGRAM}, settings,
+                        {.library = library, .io_variables = variables, .print = [](std::string_view) {}});
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+  ASSERT_TRUE(loaded->game->spawn_client(0, loaded->game->new_parameters().value(), "player", 0).ok());
+  const auto text = formats::write_sav(server::make_save(*loaded->game, "our game"));
+  ASSERT_TRUE(text.ok());
+  // It looks for saved games in the home folder of the system's user, whatever HOME says.
+  const std::filesystem::path saves = home.path() / ".quakespasm/id1";
+  std::filesystem::create_directories(saves);
+  std::ofstream(saves / "ours.sav") << *text;
+  constexpr const char* kWithHome =
+      "mount --bind \"$0\" /root && PATH=$PATH:/usr/games exec quakespasm -dedicated 1 -basedir \"$1\" +load "
+      "ours "
+      "+edictcount +quit";
+  const BackgroundProgram server({"unshare", "--map-root-user", "--mount", "sh", "-c", kWithHome,
+                                  home.path().string(), folder->string()},
+                                 home.path());
+  const double until_s = clock_s() + kSignonLimit_s;
+  while (clock_s() < until_s && server.output().find("num_edicts") == std::string::npos &&
+         server.output().find("ERROR") == std::string::npos &&
+         server.output().find("unshare") == std::string::npos)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  if (server.output().find("unshare") != std::string::npos ||
+      server.output().find("mount:") != std::string::npos)
+    GTEST_SKIP() << "no user namespaces: " << server.output();
+  EXPECT_THAT(server.output(), HasSubstr("Loading game from"));
+  EXPECT_THAT(server.output(), HasSubstr("num_edicts"));
+  EXPECT_THAT(server.output(), ::testing::Not(HasSubstr("First token")));
+  EXPECT_THAT(server.output(), ::testing::Not(HasSubstr("rror")));
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ base::Result<std::string> write_sav(const Sav& sav) {
   text += fmt::format("{}\n{}\n{:.9g}\n", sav.skill, sav.map, sav.time_s);
   for (const std::string& style : sav.light_styles) {
     TRY_STATUS(check_line("a light style", style));
-    text += style + "\n";
+    text += style.empty() ? "m\n" : style + "\n";
   }
   TRY_STATUS(append_block(sav.globals, text));
   for (const SavPairs& entity : sav.entities) TRY_STATUS(append_block(entity, text));

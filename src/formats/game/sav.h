@@ -49,7 +49,8 @@ struct Sav {
 // clamped to 0 to 3.
 base::Result<Sav> read_sav(std::string_view text);
 
-// Returns kUsage if a value contains a line end or a quote.
+// Writes an empty light style as "m", as stock engines do: their readers skip empty lines. Returns kUsage if
+// a value contains a line end or a quote.
 base::Result<std::string> write_sav(const Sav& sav);
 
 }  // namespace temblor::formats

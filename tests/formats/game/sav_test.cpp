@@ -37,7 +37,7 @@ formats::Sav random_sav(std::uint64_t seed) {
   sav.skill = static_cast<int>(random.below(4));
   sav.map = fmt::format("map{}", seed);
   sav.time_s = static_cast<float>(random.log_uniform(1e-6, 1e6));
-  for (std::string& style : sav.light_styles) style = word();
+  for (std::string& style : sav.light_styles) style = "m" + word();
   const auto pairs = [&](std::size_t count) {
     formats::SavPairs result;
     for (std::size_t i = 0; i < count; ++i) {
@@ -89,6 +89,15 @@ TEST(Sav, RoundTrips) {
     ASSERT_TRUE(read.ok()) << "seed " << seed << ": " << read.error().message();
     EXPECT_EQ(*read, sav) << "seed " << seed;
   }
+}
+
+// Stock readers skip empty lines, and then take the first block for a light style.
+TEST(Sav, WritesUndefinedLightStylesAsStockEnginesDo) {
+  formats::Sav sav = random_sav(1);
+  sav.light_styles.fill("");
+  const auto read = formats::read_sav(formats::write_sav(sav).value());
+  ASSERT_TRUE(read.ok()) << read.error().message();
+  for (const std::string& style : read->light_styles) EXPECT_EQ(style, "m");
 }
 
 TEST(Sav, RejectsOtherVersions) {
