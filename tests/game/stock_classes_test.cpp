@@ -1,0 +1,118 @@
+// The class names of the levels of id's game: each is known to the game.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <set>
+
+#include "game/played_level.h"
+#include "game/program_file.h"
+
+namespace temblor::test {
+namespace {
+
+constexpr std::array kStockClasses = {"air_bubbles",
+                                      "ambient_comp_hum",
+                                      "ambient_drip",
+                                      "ambient_drone",
+                                      "ambient_flouro_buzz",
+                                      "ambient_light_buzz",
+                                      "ambient_suck_wind",
+                                      "ambient_swamp1",
+                                      "ambient_swamp2",
+                                      "ambient_thunder",
+                                      "event_lightning",
+                                      "func_bossgate",
+                                      "func_button",
+                                      "func_door",
+                                      "func_door_secret",
+                                      "func_episodegate",
+                                      "func_illusionary",
+                                      "func_plat",
+                                      "func_train",
+                                      "func_wall",
+                                      "info_intermission",
+                                      "info_notnull",
+                                      "info_null",
+                                      "info_player_coop",
+                                      "info_player_deathmatch",
+                                      "info_player_start",
+                                      "info_player_start2",
+                                      "info_teleport_destination",
+                                      "item_armor1",
+                                      "item_armor2",
+                                      "item_armorInv",
+                                      "item_artifact_envirosuit",
+                                      "item_artifact_invisibility",
+                                      "item_artifact_invulnerability",
+                                      "item_artifact_super_damage",
+                                      "item_cells",
+                                      "item_health",
+                                      "item_key1",
+                                      "item_key2",
+                                      "item_rockets",
+                                      "item_shells",
+                                      "item_sigil",
+                                      "item_spikes",
+                                      "item_weapon",
+                                      "light",
+                                      "light_flame_large_yellow",
+                                      "light_flame_small_white",
+                                      "light_flame_small_yellow",
+                                      "light_fluoro",
+                                      "light_fluorospark",
+                                      "light_globe",
+                                      "light_torch_small_walltorch",
+                                      "misc_explobox",
+                                      "misc_explobox2",
+                                      "misc_fireball",
+                                      "misc_noisemaker",
+                                      "misc_teleporttrain",
+                                      "monster_army",
+                                      "monster_boss",
+                                      "monster_demon1",
+                                      "monster_dog",
+                                      "monster_enforcer",
+                                      "monster_fish",
+                                      "monster_hell_knight",
+                                      "monster_knight",
+                                      "monster_ogre",
+                                      "monster_oldone",
+                                      "monster_shalrath",
+                                      "monster_shambler",
+                                      "monster_tarbaby",
+                                      "monster_wizard",
+                                      "monster_zombie",
+                                      "noclass",
+                                      "path_corner",
+                                      "testplayerstart",
+                                      "trap_shooter",
+                                      "trap_spikeshooter",
+                                      "trigger_changelevel",
+                                      "trigger_counter",
+                                      "trigger_hurt",
+                                      "trigger_monsterjump",
+                                      "trigger_multiple",
+                                      "trigger_once",
+                                      "trigger_onlyregistered",
+                                      "trigger_push",
+                                      "trigger_relay",
+                                      "trigger_secret",
+                                      "trigger_setskill",
+                                      "trigger_teleport",
+                                      "viewthing",
+                                      "weapon_grenadelauncher",
+                                      "weapon_lightning",
+                                      "weapon_nailgun",
+                                      "weapon_rocketlauncher",
+                                      "weapon_supernailgun",
+                                      "weapon_supershotgun",
+                                      "worldspawn"};
+
+TEST(StockClasses, HaveASpawnFunction) {
+  const ProgramFile program = read_program_file(kProgs);
+  for (const char* const name : kStockClasses) EXPECT_TRUE(program.functions.contains(name)) << name;
+}
+
+}  // namespace
+}  // namespace temblor::test
