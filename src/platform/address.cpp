@@ -28,6 +28,11 @@ bool Address::is_ip4() const {
   return std::equal(kIp4Prefix.begin(), kIp4Prefix.end(), host.begin());
 }
 
+bool Address::is_loopback() const {
+  constexpr std::array<std::uint8_t, 16> kIp6Loopback{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+  return is_ip4() ? host[12] == 127 : host == kIp6Loopback;
+}
+
 Address ip4_address(std::array<std::uint8_t, 4> host, std::uint16_t port) {
   Address address;
   std::copy(kIp4Prefix.begin(), kIp4Prefix.end(), address.host.begin());

@@ -32,6 +32,8 @@ struct Address {
   bool is_ip4() const;
   // Whether the peer is in this process.
   bool is_local() const { return host == std::array<std::uint8_t, 16>{}; }
+  // Whether the host is this machine's loopback interface: 127.x.x.x or ::1.
+  bool is_loopback() const;
   // Whether both are on one machine; ports may differ.
   bool same_host(const Address& other) const { return host == other.host && scope == other.scope; }
 };

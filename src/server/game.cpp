@@ -272,10 +272,9 @@ void Game::send_sound(const PhysicsSound& sound) {
   if (found == names.end()) return;  // game code that wants this sound precaches it
   const Edict edict = world_.edicts[sound.entity];
   const math::Vec3 middle = edict[field::kOrigin] + (edict[field::kMins] + edict[field::kMaxs]) * 0.5f;
-  outbox_.write_at_place(net::Sound{.entity = static_cast<std::uint16_t>(base::to_size(sound.entity)),
-                                    .sound = static_cast<std::uint16_t>(found - names.begin()),
-                                    .origin = middle},
-                         middle);
+  outbox_.write_sound({.entity = static_cast<std::uint16_t>(base::to_size(sound.entity)),
+                       .sound = static_cast<std::uint16_t>(found - names.begin()),
+                       .origin = middle});
 }
 
 Game::~Game() = default;

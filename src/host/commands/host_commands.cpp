@@ -52,6 +52,7 @@ constexpr std::array kServerCommands = {
     CommandHelp{"changelevel", "changelevel NAME: moves everyone to another level, with their items."},
     CommandHelp{"restart", "Restarts the level."},
     CommandHelp{"reload", "Reloads the level and the game code from disk."},
+    CommandHelp{"net_stats", "Shows how many packets arrived, and how many entities each player is sent."},
     CommandHelp{"kick", "kick NAME or #NUMBER [REASON]: disconnects a player."},
     CommandHelp{"ban", "ban ADDRESS[/BITS] or PLAYER: bans a player. Without an argument: lists all bans."},
     CommandHelp{"unban", "unban ADDRESS: lifts a ban."},

@@ -37,6 +37,7 @@ server::ServerSetup Session::make_setup(net::ServerEndpoint::Sockets sockets, st
           .sockets = std::move(sockets),
           .wire = make_endpoint_settings(services_),
           .max_clients = max_clients,
+          .prefers_newest_protocol = max_clients == 1,
           .program_file = program_file_,
           .write_folder = write_folder_,
           .write_file = services_.write_file,

@@ -19,9 +19,19 @@ constexpr double kSampleWeight = 1.0 / 8, kDeviationWeight = 1.0 / 4, kDeviation
 
 }  // namespace
 
-MessageLimits message_limits_for(Protocol protocol, bool is_local) {
-  if (protocol == Protocol::kNetQuake) return {};
-  return {64000, is_local ? std::size_t{64000} : std::size_t{1400}};
+PeerPlace find_peer_place(const platform::Address& peer) {
+  if (peer.is_local()) return PeerPlace::kSameProcess;
+  return peer.is_loopback() ? PeerPlace::kSameMachine : PeerPlace::kNetwork;
+}
+
+MessageLimits message_limits_for(Protocol protocol, PeerPlace place) {
+  constexpr std::size_t kLongest = 64000, kOnePacket = 1400;
+  const bool is_stock = protocol == Protocol::kNetQuake;
+  MessageLimits limits;
+  if (!is_stock) limits = {.reliable_bytes = kLongest, .unreliable_bytes = kOnePacket};
+  if (place == PeerPlace::kSameProcess || (!is_stock && place == PeerPlace::kSameMachine))
+    limits.unreliable_bytes = kLongest;
+  return limits;
 }
 
 base::Status Channel::send_reliable(base::Bytes message, double now_s, Sink send) {

@@ -31,6 +31,7 @@
 #include "base/function_ref.h"
 #include "base/result.h"
 #include "net/protocol/protocol.h"
+#include "platform/address.h"
 
 namespace temblor::net {
 
@@ -42,9 +43,15 @@ struct MessageLimits {
   std::size_t reliable_bytes = 8000;
   std::size_t unreliable_bytes = kFragmentBytes;
 };
-// Limits of a peer that speaks `protocol`. Protocol 15: 8000 and 1024. Protocols 666 and 999: 64000 reliable,
-// and 1400 unreliable (fits one network packet) or 64000 if the peer is in this process.
-MessageLimits message_limits_for(Protocol protocol, bool is_local);
+enum class PeerPlace : std::uint8_t { kNetwork, kSameMachine, kSameProcess };
+PeerPlace find_peer_place(const platform::Address& peer);
+// Limits of a peer that speaks `protocol`. Stock clients of protocol 15 accept 1024 bytes even on the same
+// machine. 1400 bytes fit one packet of any network.
+//
+//                      reliable   unreliable: network   same machine   same process
+//   protocol 15            8000               1024           1024          64000
+//   protocols 666, 999    64000               1400          64000          64000
+MessageLimits message_limits_for(Protocol protocol, PeerPlace place);
 
 struct ChannelSettings {
   MessageLimits sent{};

@@ -90,7 +90,7 @@ base::Status ClientEndpoint::send_unreliable(base::Bytes message) {
 }
 
 void ClientEndpoint::set_protocol(Protocol protocol) {
-  channel_.set_sent_limits(message_limits_for(protocol, server_.is_local()));
+  channel_.set_sent_limits(message_limits_for(protocol, find_peer_place(server_)));
 }
 
 void ClientEndpoint::request(double now_s) {

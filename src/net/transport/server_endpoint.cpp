@@ -99,12 +99,13 @@ void ServerEndpoint::disconnect_all(std::string_view reason) {
 void ServerEndpoint::set_protocol(Protocol protocol) {
   protocol_ = protocol;
   for (Connection& connection : connections_)
-    connection.channel.set_sent_limits(message_limits_for(protocol, connection.peer.address.is_local()));
+    connection.channel.set_sent_limits(
+        message_limits_for(protocol, find_peer_place(connection.peer.address)));
 }
 
 MessageLimits ServerEndpoint::message_limits(ConnectionId connection) const {
   const Connection* found = find(connection);
-  return found == nullptr ? message_limits_for(protocol_, false) : found->channel.sent_limits();
+  return found == nullptr ? message_limits_for(protocol_, PeerPlace::kNetwork) : found->channel.sent_limits();
 }
 
 void ServerEndpoint::ban(const AddressPrefix& prefix) {
@@ -276,7 +277,7 @@ void ServerEndpoint::promote(const HalfOpen& half_open, const ChannelMessage& fi
   } else {
     const ConnectionId id{next_id_++};
     connections_.push_back({id, peer, half_open.channel, half_open.began_s, now_s_});
-    connections_.back().channel.set_sent_limits(message_limits_for(protocol_, peer.address.is_local()));
+    connections_.back().channel.set_sent_limits(message_limits_for(protocol_, find_peer_place(peer.address)));
     events_.push_back(PeerConnected{id, peer.address});
     if (!first_message.bytes.empty()) queue_message(id, first_message);
   }

@@ -23,8 +23,7 @@ base::Result<Loudness> loudness(Call& io_call, int i) {
   return Loudness{static_cast<std::uint8_t>(to_whole(volume * 255)), attenuation};
 }
 
-// sound(entity, channel, sample, volume, attenuation): plays a sound from the middle of the entity's box. A
-// sound without attenuation is heard everywhere, so all players get it.
+// sound(entity, channel, sample, volume, attenuation): plays a sound from the middle of the entity's box.
 base::Status sound(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   const float channel = io_call.number(1);
@@ -35,13 +34,12 @@ base::Status sound(Call& io_call) {
   if (!number) return base::Ok{};
   const Edict edict = io_call.world.edicts[entity];
   const math::Vec3 middle = edict[field::kOrigin] + (edict[field::kMins] + edict[field::kMaxs]) * 0.5f;
-  io_call.game.outbox.write_at_place(net::Sound{.volume = loud.volume,
-                                                .attenuation = loud.attenuation,
-                                                .entity = static_cast<std::uint16_t>(entity),
-                                                .channel = static_cast<std::uint8_t>(to_whole(channel)),
-                                                .sound = *number,
-                                                .origin = middle},
-                                     loud.attenuation > 0 ? std::optional(middle) : std::nullopt);
+  io_call.game.outbox.write_sound({.volume = loud.volume,
+                                   .attenuation = loud.attenuation,
+                                   .entity = static_cast<std::uint16_t>(entity),
+                                   .channel = static_cast<std::uint8_t>(to_whole(channel)),
+                                   .sound = *number,
+                                   .origin = middle});
   return base::Ok{};
 }
 

@@ -120,6 +120,21 @@ void status(Server& io_server) {
   }
 }
 
+// For each player: how much of the level the last snapshot contained.
+void net_stats(Server& io_server) {
+  const net::ServerEndpointStatistics& counts = io_server.endpoint.statistics();
+  print(io_server, fmt::format("{} received, {} invalid, {} from unknown peers, {} over a rate limit\n",
+                               base::counted(counts.datagrams, "packet"), counts.malformed,
+                               counts.from_unknown_peers, counts.rate_limited + counts.unanswered));
+  for (std::size_t slot = 0; slot < io_server.clients.size(); ++slot) {
+    const Client& client = io_server.clients[slot];
+    if (client.stage != ClientStage::kPlaying) continue;
+    const DatagramCounts& sent = client.sent_counts;
+    print(io_server, fmt::format("#{:<3} {:<15} was sent {} of {} visible entities\n", slot + 1, client.name,
+                                 sent.entities, sent.entities + sent.entities_left_out));
+  }
+}
+
 void say(Server& io_server, Arguments arguments) {
   const std::string text =
       fmt::format("<{}> {}\n", io_server.settings().host_name(), join_words_from(arguments, 1));
@@ -215,6 +230,8 @@ void add_host_commands(Server& io_server) {
   add("load", "load NAME: loads a saved game.", 1, load);
   add("maps", "Lists all levels.", 0, [](Server& s, Arguments) { list_maps(s); });
   add("status", "Shows the level and its players.", 0, [](Server& s, Arguments) { status(s); });
+  add("net_stats", "Shows how many packets arrived, and how many entities each player is sent.", 0,
+      [](Server& s, Arguments) { net_stats(s); });
   add("kick", "kick NAME or #NUMBER [REASON]: disconnects a player.", 1, kick);
   add("ban", "ban ADDRESS, ADDRESS/BITS, NAME or #NUMBER: refuses connections; ban alone lists bans.", 0,
       ban);

@@ -37,10 +37,25 @@ void Outbox::write(const net::ServerMessage& message, base::ByteWriter& io_write
   ++dropped_;
 }
 
-void Outbox::write_at_place(const net::ServerMessage& message, std::optional<math::Vec3> place) {
-  const std::size_t begin = placed_bytes_.size();
+void Outbox::write_placed(const net::ServerMessage& message, Placed placed) {
+  placed.begin = placed_bytes_.size();
   write(message, placed_bytes_);
-  if (placed_bytes_.size() > begin) placed_.push_back({place, begin, placed_bytes_.size()});
+  placed.end = placed_bytes_.size();
+  if (placed.end > placed.begin) placed_.push_back(placed);
+}
+
+void Outbox::write_at_place(const net::ServerMessage& message, std::optional<math::Vec3> place) {
+  write_placed(message, {.place = place});
+}
+
+// A sound is silent from 1000 units / attenuation on. The margin is for players who come nearer while it
+// plays.
+void Outbox::write_sound(const net::Sound& sound) {
+  constexpr float kSilent_units = 1000, kMargin_units = 600;
+  Placed placed;
+  if (sound.attenuation > 0)
+    placed = {.place = sound.origin, .earshot_units = kSilent_units / sound.attenuation + kMargin_units};
+  write_placed(sound, placed);
 }
 
 // Keeps the memory of each buffer. The signon stays for later clients.

@@ -51,10 +51,13 @@ class Outbox {
   void write(const net::ServerMessage& message, base::ByteWriter& io_writer);
   // Writes an unreliable message to the players whose PVS contains `place`. Without a place, to all.
   void write_at_place(const net::ServerMessage& message, std::optional<math::Vec3> place);
+  // Writes a sound to the players within earshot, also behind walls: a door around the corner can be heard.
+  void write_sound(const net::Sound& sound);
 
   struct Placed {
-    std::optional<math::Vec3> place;
-    std::size_t begin = 0, end = 0;  // of placed_bytes()
+    std::optional<math::Vec3> place{};
+    std::optional<float> earshot_units{};  // of a sound, which does not need to be in the PVS
+    std::size_t begin = 0, end = 0;        // of placed_bytes()
   };
   const std::vector<Placed>& placed() const { return placed_; }
   base::Bytes placed_bytes() const { return placed_bytes_.view(); }
@@ -65,6 +68,8 @@ class Outbox {
   void clear_tick();
 
  private:
+  void write_placed(const net::ServerMessage& message, Placed placed);
+
   net::Dialect dialect_;
   base::ByteWriter broadcast_, reliable_, signon_, placed_bytes_;
   std::vector<base::ByteWriter> players_;

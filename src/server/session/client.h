@@ -83,6 +83,7 @@ struct Client {
   PendingUpdates pending{};
   bool was_offered_deltas = false, accepts_deltas = false;
   std::optional<net::SentSnapshots> sent_snapshots{};  // if it accepts deltas
+  DatagramCounts sent_counts{};                        // of the last datagram
   double rate_credit_bytes = 0;  // left of sv_maxrate; the client gets a snapshot while this is above 0
 
   bool is_free() const { return stage == ClientStage::kFree; }

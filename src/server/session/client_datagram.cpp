@@ -38,12 +38,51 @@ std::int16_t sent_i16(float value) {
   return static_cast<std::int16_t>(std::isfinite(value) ? std::clamp(value, -32768.0f, 32767.0f) : 0.0f);
 }
 
-// Chooses the entities that this player sees, in order of number. If there is not room for all, the nearest
-// ones, in order of distance.
-void choose_entities(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
-                     DatagramScratch& io_scratch, DatagramCounts& io_counts) {
+// The share of the room that entities get in turn, if not all fit.
+constexpr std::size_t kTurnsShare = 4;
+
+// Keeps as many of `io_seen` as fit, in order of number: the player's own entity, the other players and the
+// player's missiles, then the nearest of the others, and in a quarter of the room those that were not sent
+// for the longest time. So everything arrives within a few ticks, and nothing nearby flickers.
+void keep_what_fits(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
+                    EntityTurns& io_turns, std::vector<std::uint32_t>& io_seen) {
   const vm::EntityIndex own = Game::player_index(slot);
   const math::Vec3 eye = io_game.player(slot)[field::kOrigin];
+  const std::uint32_t players = io_game.world().edicts.client_count();
+  const auto rank = [&](std::uint32_t i) {
+    const Snapshot::Entity& entity = snapshot.entities[i];
+    const math::Vec3 away = entity.origin - eye;
+    const bool is_first = entity.owner == own || base::to_size(entity.index) <= players;
+    return std::pair(entity.index == own ? 0 : is_first ? 1 : 2, glm::dot(away, away));
+  };
+  const auto last_turn = [&](std::uint32_t i) -> std::uint32_t& {
+    return io_turns.last[base::to_size(snapshot.entities[i].index)];
+  };
+  std::size_t kept = 0, kept_bytes = 0;
+  const auto keep_up_to = [&](std::size_t limit) {
+    for (; kept < io_seen.size(); ++kept) {
+      const Snapshot::Entity& entity = snapshot.entities[io_seen[kept]];
+      if (kept_bytes + (entity.end - entity.begin) > limit) return;
+      kept_bytes += entity.end - entity.begin;
+    }
+  };
+  io_turns.last.resize(std::max<std::size_t>(io_turns.last.size(), io_game.world().edicts.count()));
+  std::stable_sort(io_seen.begin(), io_seen.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
+  keep_up_to(room - room / kTurnsShare);
+  std::stable_sort(io_seen.begin() + static_cast<std::ptrdiff_t>(kept), io_seen.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return last_turn(a) < last_turn(b); });
+  keep_up_to(room);
+  io_seen.resize(kept);
+  ++io_turns.now;
+  for (const std::uint32_t i : io_seen) last_turn(i) = io_turns.now;
+  std::sort(io_seen.begin(), io_seen.end());
+}
+
+// Chooses the entities that this player sees, in order of number.
+void choose_entities(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
+                     EntityTurns& io_turns, DatagramScratch& io_scratch, DatagramCounts& io_counts) {
+  const vm::EntityIndex own = Game::player_index(slot);
   std::vector<std::uint32_t>& seen = io_scratch.seen;
   seen.clear();
   std::size_t bytes = 0;
@@ -56,23 +95,10 @@ void choose_entities(Game& io_game, std::size_t slot, const Snapshot& snapshot, 
     seen.push_back(i);
     bytes += entity.end - entity.begin;
   }
-  if (bytes <= room) return;
-  // The player's own entity always counts as the nearest.
-  const auto distance_to_eye = [&](std::uint32_t i) {
-    const math::Vec3 away = snapshot.entities[i].origin - eye;
-    return snapshot.entities[i].index == own ? -1.0f : glm::dot(away, away);
-  };
-  std::stable_sort(seen.begin(), seen.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return distance_to_eye(a) < distance_to_eye(b); });
-  std::size_t kept = 0, kept_bytes = 0;
-  while (kept < seen.size()) {
-    const Snapshot::Entity& entity = snapshot.entities[seen[kept]];
-    if (kept_bytes + (entity.end - entity.begin) > room) break;
-    kept_bytes += entity.end - entity.begin;
-    ++kept;
-  }
-  io_counts.entities_left_out = seen.size() - kept;
-  seen.resize(kept);
+  const std::size_t all = seen.size();
+  if (bytes > room) keep_what_fits(io_game, slot, snapshot, room, io_turns, seen);
+  io_counts.entities = seen.size();
+  io_counts.entities_left_out = all - seen.size();
 }
 
 // Visibility starts at the player's eye, not at its origin.
@@ -82,17 +108,22 @@ void update_sight(Game& io_game, const Edict& player, DatagramScratch& io_scratc
 
 // Calls `write` with each event that the player can see or hear, then with the messages to everyone.
 template <typename Write>
-void for_each_event(Game& io_game, const Sight& sight, Write write) {
+void for_each_event(Game& io_game, std::size_t slot, const Sight& sight, Write write) {
   Outbox& outbox = io_game.outbox();
+  const math::Vec3 ear = io_game.player(slot)[field::kOrigin];
+  const auto reaches = [&](const Outbox::Placed& placed) {
+    if (!placed.place) return true;
+    if (placed.earshot_units) return glm::distance(ear, *placed.place) < *placed.earshot_units;
+    return sight.sees(*io_game.world().level, *placed.place);
+  };
   for (const Outbox::Placed& placed : outbox.placed())
-    if (!placed.place || sight.sees(*io_game.world().level, *placed.place))
-      write(outbox.placed_bytes().subspan(placed.begin, placed.end - placed.begin));
+    if (reaches(placed)) write(outbox.placed_bytes().subspan(placed.begin, placed.end - placed.begin));
   if (outbox.broadcast().size() > 0) write(outbox.broadcast().view());
 }
 
 // Writes the kept events, then those of this tick, as far as there is room.
-void write_events(Game& io_game, std::size_t max_size, const Sight& sight, PendingUpdates& io_pending,
-                  DatagramCounts& io_counts, base::ByteWriter& io_writer) {
+void write_events(const DatagramRequest& request, std::size_t max_size, const Sight& sight,
+                  PendingUpdates& io_pending, DatagramCounts& io_counts, base::ByteWriter& io_writer) {
   const auto write = [&](base::Bytes event) {
     if (io_writer.size() + event.size() < max_size)
       io_writer.bytes(event);
@@ -106,7 +137,7 @@ void write_events(Game& io_game, std::size_t max_size, const Sight& sight, Pendi
   }
   io_pending.events.truncate(0);
   io_pending.event_ends.clear();
-  for_each_event(io_game, sight, write);
+  for_each_event(request.game, request.slot, sight, write);
 }
 
 // The direction of damage comes from the middle of what inflicted it.
@@ -190,10 +221,10 @@ DatagramCounts write_datagram(const DatagramRequest& request, PendingUpdates& io
   }
   io_scratch.entities = io_writer.size();
   const std::size_t room = max_size > io_writer.size() ? max_size - io_writer.size() : 0;
-  choose_entities(io_game, slot, snapshot, room, io_scratch, counts);
+  choose_entities(io_game, slot, snapshot, room, io_pending.entity_turns, io_scratch, counts);
   for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.entity_bytes(snapshot.entities[i]));
   io_scratch.events = io_writer.size();
-  write_events(io_game, max_size, io_scratch.sight, io_pending, counts, io_writer);
+  write_events(request, max_size, io_scratch.sight, io_pending, counts, io_writer);
   return counts;
 }
 
@@ -221,7 +252,7 @@ DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_byte
                            DatagramScratch& io_scratch, PendingUpdates& io_pending) {
   update_sight(io_game, io_game.player(slot), io_scratch);
   DatagramCounts counts;
-  for_each_event(io_game, io_scratch.sight, [&](base::Bytes event) {
+  for_each_event(io_game, slot, io_scratch.sight, [&](base::Bytes event) {
     if (io_pending.events.size() + event.size() > max_bytes) {
       counts.events_left_out = true;
       return;

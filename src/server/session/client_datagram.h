@@ -26,6 +26,7 @@ struct DatagramScratch {
 };
 
 struct DatagramCounts {
+  std::size_t entities = 0;
   std::size_t entities_left_out = 0;  // visible, but there was no room
   bool events_left_out = false;       // there was no room for a sound, particles or the like
 };
@@ -39,8 +40,15 @@ struct PendingSetAngle {
   double sent_at_s = 0;  // game time, so that it is sent once while the game is paused
 };
 
+// When each entity was last sent to a player, for datagrams without room for all.
+struct EntityTurns {
+  std::vector<std::uint32_t> last{};  // by entity number; counts such datagrams
+  std::uint32_t now = 0;
+};
+
 // Updates that the next datagrams must still bring to a player.
 struct PendingUpdates {
+  EntityTurns entity_turns{};
   PendingSetAngle set_angle{};
   // Events of ticks in which the player got no datagram (see keep_events()): their bytes, and where each
   // ends.
@@ -61,7 +69,8 @@ struct DatagramRequest {
   std::size_t max_bytes;
 };
 // Appends a datagram. Clears dmg_take, dmg_save and fixangle of the player's entity, because it sends them.
-// If there is not enough room for all visible entities, the farthest are left out. Events (kept ones,
+// If there is not enough room for all visible entities, some are left out: players, own missiles and what is
+// near come first, and the rest takes turns. Events (kept ones,
 // Outbox::placed() and broadcast()) come last, as far as there is room, as in the original.
 DatagramCounts write_datagram(const DatagramRequest& request, PendingUpdates& io_pending,
                               DatagramScratch& io_scratch, base::ByteWriter& io_writer);

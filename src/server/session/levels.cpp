@@ -94,7 +94,8 @@ GameRequest make_request(const Server& server, std::string_view map) {
           .skill = setup.settings.skill(),
           .program_file = setup.program_file,
           .max_clients = setup.max_clients,
-          .seed = setup.seed};
+          .seed = setup.seed,
+          .prefers_newest_protocol = setup.prefers_newest_protocol};
 }
 
 base::Result<LoadedGame> load_level(Server& io_server, const GameRequest& request) {

@@ -13,13 +13,11 @@
 namespace temblor::server {
 namespace {
 
-// Bytes. 1400 fit into one packet on every network; stock clients accept 1024.
-constexpr std::size_t kMaxDatagram = 1400, kMaxStockDatagram = 1024;
 constexpr double kRateBurst_s = 0.1;  // a client that got little may save up this much of sv_maxrate
 constexpr int kMuzzleFlash = 2;       // a bit of `effects`
 
-std::size_t max_datagram_bytes(const Game& game) {
-  return game.setup().dialect.protocol == net::Protocol::kNetQuake ? kMaxStockDatagram : kMaxDatagram;
+std::size_t max_datagram_bytes(const Server& server, std::size_t slot) {
+  return server.endpoint.message_limits(server.clients[slot].connection).unreliable_bytes;
 }
 
 // Once per server is enough: the levels of a game tend to be alike.
@@ -100,11 +98,11 @@ void send_snapshot(Server& io_server, std::size_t slot) {
   SnapshotBuffers& buffers = io_server.buffers;
   buffers.datagram.truncate(0);
   acknowledge_moves(io_server, slot);
-  write_datagram({.game = *io_server.game,
-                  .slot = slot,
-                  .snapshot = buffers.snapshot,
-                  .max_bytes = max_datagram_bytes(*io_server.game)},
-                 client.pending, buffers.scratch, buffers.datagram);
+  client.sent_counts = write_datagram({.game = *io_server.game,
+                                       .slot = slot,
+                                       .snapshot = buffers.snapshot,
+                                       .max_bytes = max_datagram_bytes(io_server, slot)},
+                                      client.pending, buffers.scratch, buffers.datagram);
   const bool is_reliable = io_server.settings().has_reliable_updates();
   const bool is_delta = !is_reliable && client.accepts_deltas && write_delta(io_server, slot);
   const base::Bytes sent = is_delta ? buffers.delta.view() : buffers.datagram.view();
@@ -139,8 +137,6 @@ void clear_muzzle_flashes(Edicts& io_edicts) {
 
 // Reliable messages come before snapshots, because a snapshot may use names that they introduce. A client
 // that gets no snapshot in this tick keeps its events for the next one.
-// Reliable messages come before snapshots, because a snapshot may use names that they introduce. A client
-// that gets no snapshot in this tick keeps its events for the next one.
 void send_snapshots(Server& io_server) {
   Game& game = *io_server.game;
   SnapshotBuffers& buffers = io_server.buffers;
@@ -156,7 +152,7 @@ void send_snapshots(Server& io_server) {
     if (take_snapshot_turn(io_server, slot))
       send_snapshot(io_server, slot);
     else
-      keep_events(game, slot, max_datagram_bytes(game), buffers.scratch, client.pending);
+      keep_events(game, slot, max_datagram_bytes(io_server, slot), buffers.scratch, client.pending);
   }
   clear_muzzle_flashes(game.world().edicts);
   game.outbox().clear_tick();

@@ -73,8 +73,12 @@ void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFi
     const bool has_words = net::parse_entity_update(base::Bytes(io_snapshot.bytes.view()).subspan(begin),
                                                     dialect, io_snapshot.words.emplace_back());
     CHECK(has_words, "a written entity can be read back");
-    io_snapshot.entities.push_back(
-        {index, is_visible, edict[field::kOrigin], begin, io_snapshot.bytes.size()});
+    io_snapshot.entities.push_back({.index = index,
+                                    .owner = edict[field::kOwner],
+                                    .is_visible = is_visible,
+                                    .origin = edict[field::kOrigin],
+                                    .begin = begin,
+                                    .end = io_snapshot.bytes.size()});
   }
 }
 

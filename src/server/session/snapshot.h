@@ -19,6 +19,7 @@ namespace temblor::server {
 struct Snapshot {
   struct Entity {
     vm::EntityIndex index{};
+    vm::EntityIndex owner{};  // of a missile: who fired it
     bool is_visible = false;  // has a model; without one, only the entity's own player gets it
     math::Vec3 origin{0.0f};
     std::size_t begin = 0, end = 0;  // of its bytes in `bytes`

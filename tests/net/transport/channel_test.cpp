@@ -178,17 +178,23 @@ TEST(Channel, ReliableAndUnreliableSequencesAreSeparate) {
 }
 
 TEST(Channel, LimitsFollowProtocol) {
-  EXPECT_EQ(message_limits_for(Protocol::kNetQuake, true).reliable_bytes, 8000u);
-  EXPECT_EQ(message_limits_for(Protocol::kNetQuake, false).unreliable_bytes, 1024u);
-  EXPECT_EQ(message_limits_for(Protocol::kFitzQuake, false).unreliable_bytes, 1400u);
-  EXPECT_EQ(message_limits_for(Protocol::kRmq, true).unreliable_bytes, 64000u);
+  EXPECT_EQ(message_limits_for(Protocol::kNetQuake, PeerPlace::kSameProcess).reliable_bytes, 8000u);
+  EXPECT_EQ(message_limits_for(Protocol::kNetQuake, PeerPlace::kSameProcess).unreliable_bytes, 64000u);
+  EXPECT_EQ(message_limits_for(Protocol::kNetQuake, PeerPlace::kSameMachine).unreliable_bytes, 1024u);
+  EXPECT_EQ(message_limits_for(Protocol::kFitzQuake, PeerPlace::kNetwork).unreliable_bytes, 1400u);
+  EXPECT_EQ(message_limits_for(Protocol::kFitzQuake, PeerPlace::kSameMachine).unreliable_bytes, 64000u);
+  EXPECT_EQ(message_limits_for(Protocol::kRmq, PeerPlace::kSameProcess).unreliable_bytes, 64000u);
+  EXPECT_EQ(find_peer_place({}), PeerPlace::kSameProcess);
+  EXPECT_EQ(find_peer_place(platform::ip4_address({127, 0, 0, 1}, 5)), PeerPlace::kSameMachine);
+  EXPECT_EQ(find_peer_place(*platform::parse_host("::1", 5)), PeerPlace::kSameMachine);
+  EXPECT_EQ(find_peer_place(platform::ip4_address({192, 0, 2, 1}, 5)), PeerPlace::kNetwork);
   End end;
   const base::ByteVector large(8001);
   EXPECT_EQ(end.channel.send_reliable(large, 0, end.sink()).error().code, ErrorCode::kTooLarge);
   EXPECT_EQ(end.channel.send_unreliable(base::Bytes(large).first(1025), end.sink()).error().message(),
             "unreliable message of 1025 bytes exceeds the peer's limit of 1024");
   EXPECT_THAT(end.sent, IsEmpty());
-  end.channel.set_sent_limits(message_limits_for(Protocol::kRmq, true));
+  end.channel.set_sent_limits(message_limits_for(Protocol::kRmq, PeerPlace::kSameProcess));
   EXPECT_TRUE(end.channel.send_reliable(large, 0, end.sink()).ok());
   EXPECT_TRUE(end.channel.send_unreliable(large, end.sink()).ok());
 }

@@ -65,6 +65,17 @@ TEST(Outbox, PlacedMessagesKnowTheirPlaceAndBytes) {
   EXPECT_EQ(pack_bytes(outbox.placed()[1]), written(there, k15));
 }
 
+TEST(Outbox, SoundsReachEverybodyWithinEarshot) {
+  Outbox outbox(k15, 1);
+  outbox.write_sound({.attenuation = 2, .entity = 1, .sound = 1, .origin = {1, 2, 3}});
+  outbox.write_sound({.attenuation = 0, .entity = 1, .sound = 1, .origin = {1, 2, 3}});
+  ASSERT_EQ(outbox.placed().size(), 2u);
+  EXPECT_EQ(outbox.placed()[0].place, math::Vec3(1, 2, 3));
+  EXPECT_GT(outbox.placed()[0].earshot_units.value(), 500) << "1000 / 2, and a margin";
+  EXPECT_LT(outbox.placed()[0].earshot_units.value(), 1200);
+  EXPECT_FALSE(outbox.placed()[1].place.has_value()) << "heard everywhere";
+}
+
 TEST(Outbox, TheSignonOutlivesTheTick) {
   Outbox outbox(k15, 1);
   for (base::ByteWriter* writer :
