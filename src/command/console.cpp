@@ -104,7 +104,7 @@ void Console::execute(std::string_view command) {
     if (count_expansion(words[0], alias->second)) insert(alias->second, {.place = place_});
   } else if (const Variable* variable = variables_.find(name); variable != nullptr) {
     variable_command(*variable, words);
-  } else {
+  } else if (!unknown_handler_ || !unknown_handler_(words)) {
     print_error(fmt::format("unknown command or variable \"{}\"", base::quotable(words[0])));
   }
 }

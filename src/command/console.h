@@ -54,6 +54,10 @@ class Console {
   void add_command(std::string_view name, std::string_view help, Command command);
   // CHECKs that there is such a command.
   void set_argument_list(std::string_view command, ArgumentList list);
+  // Called with a command whose name is unknown; returns whether it has handled the command. Otherwise, and
+  // without a handler, the console prints an error.
+  using UnknownName = std::function<bool(Arguments)>;
+  void set_unknown_handler(UnknownName handler) { unknown_handler_ = std::move(handler); }
   // Without a loader, `exec` reports that there are no files.
   void set_loader(Loader loader) { loader_ = std::move(loader); }
 
@@ -75,6 +79,8 @@ class Console {
   std::size_t errors_in_files() const { return errors_in_files_; }
   // Returns whether the running command comes from a file.
   bool is_in_file() const { return !place_.file.empty(); }
+  // The file of the running command; empty: none.
+  const std::string& file() const { return place_.file; }
 
   // Finds commands, aliases, and variables with this prefix (ignoring case), sorted by name.
   std::vector<Candidate> candidates(std::string_view prefix) const;
@@ -152,6 +158,7 @@ class Console {
   Variables& variables_;
   Output output_;
   Loader loader_;
+  UnknownName unknown_handler_;
   std::map<std::string, RegisteredCommand, std::less<>> commands_;  // by name in lower case
   std::map<std::string, std::string, std::less<>> aliases_;         // name in lower case to text
   // Pending commands, after done_ characters that were run.

@@ -24,6 +24,7 @@ Host::Host(Services own_services, const HostVariables& own_variables, HostOption
               {.complete = [this](std::string_view line) { return console.commands.complete_line(line); },
                .read_clipboard = [this] { return services.window.clipboard(); },
                .write_clipboard = [this](std::string_view text) { services.window.set_clipboard(text); }}),
+          .foreign_names = ForeignNames(console.commands, own_variables.variables()),
           .unfinished_line = {}},
       search(services) {}
 
@@ -47,6 +48,9 @@ base::Result<HostPointer> start_host(Services services, const HostVariables& var
                                [&host](std::string_view line) { print_line(host, line); });
   client::add_input_commands(host.console.commands, host.input.player, host.input.event_time_s);
   add_host_commands(host);
+  host.console.commands.set_unknown_handler([&host](command::Console::Arguments arguments) {
+    return host.console.foreign_names.handle(arguments);
+  });
   if (host.services.open_audio) host.sound.output.emplace(host.services.open_audio);
   TRY_STATUS(run_configuration(host));
   return pointer;

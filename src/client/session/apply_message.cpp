@@ -68,7 +68,9 @@ struct ClientState::Apply {
   base::Status operator()(const net::ServerInfo& info) {
     if (info.models.empty()) return base::malformed("serverinfo names no level: its list of models is empty");
     if (info.max_clients == 0) return base::malformed("serverinfo for 0 players, expected at least 1");
+    const std::uint32_t turns = game.turns;
     game = {};
+    game.turns = turns;
     game.dialect = info.dialect;
     game.deathmatch = info.game_type != 0;
     game.level_name = info.level_name;

@@ -87,7 +87,7 @@ struct Game {
   world::LightStylePatterns light_styles;
   // The angles that the server last set.
   math::Vec3 set_angles_deg{0.0f};
-  // How often the server has set the angles, so that each time can be noticed.
+  // How often the server has set the angles, so that each time can be noticed. Goes on from level to level.
   std::uint32_t turns = 0;
   bool paused = false;
   Ending ending = Ending::kNone;

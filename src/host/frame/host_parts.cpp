@@ -32,6 +32,11 @@ void print_if_error(Host& io_host, const base::Status& status) {
   if (!status.ok()) print_line(io_host, status.error().message());
 }
 
+void report_unknown_names(Host& io_host) {
+  const std::string line = io_host.console.foreign_names.take_report();
+  if (!line.empty()) print_line(io_host, line);
+}
+
 // The terminal prints whole lines only, so the rest of a line waits for its newline.
 void print_game_text(Host& io_host, std::string_view text) {
   io_host.console.ui.print(text, io_host.timing.now_s);

@@ -33,6 +33,7 @@
 #include "client/view/presentation.h"
 #include "client/view/sound_output.h"
 #include "command/console.h"
+#include "host/commands/foreign_names.h"
 #include "host/host.h"
 #include "host/host_variables.h"
 #include "host/menus/menu_lists.h"
@@ -58,6 +59,7 @@ struct FrameTiming {
 struct HostConsole {
   command::Console commands;
   client::ConsoleUi ui;
+  ForeignNames foreign_names;
   // Game text for the terminal that has no newline yet. The console shows such text at once; the terminal
   // gets whole lines only.
   std::string unfinished_line;
@@ -190,6 +192,9 @@ std::optional<render::Camera> current_camera(const Host& host);
 
 // Prints a line (UTF-8) to the console and the terminal.
 void print_line(Host& io_host, std::string_view line);
+// Prints one line about the unknown names in the config files that ran since the last call, if there were
+// any.
+void report_unknown_names(Host& io_host);
 void print_if_error(Host& io_host, const base::Status& status);
 // Prints text of the game to the console and the terminal, in the game's character set (bytes from 128 on are
 // the bronze letters). It may hold several lines, or part of one.

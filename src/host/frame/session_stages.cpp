@@ -101,6 +101,7 @@ void send_moves(Host& io_host, const client::InputSettings& settings) {
 void run_commands(Host& io_host) {
   LoadedGame& game = io_host.game;
   io_host.console.commands.run();
+  report_unknown_names(io_host);
   if (!std::exchange(game.has_begun, true)) show_attract_mode(io_host);
   if (std::optional<std::vector<std::string>> games = std::exchange(game.requested_games, std::nullopt))
     print_if_error(io_host, change_games(io_host, std::move(*games)));
@@ -152,9 +153,12 @@ void look_and_move(Host& io_host) {
   const ZoomSettings zoom = io_host.variables.zoom();
   update_zoom(io_host, zoom);
   const client::InputSettings settings = io_host.variables.input();
-  if (!io_host.game.session->is_playing()) return;
-  const client::Game& game = io_host.game.session->connection()->state().game();
   HostInput& input = io_host.input;
+  if (!io_host.game.session->is_playing()) {
+    input.server_turn = {};  // so that the first turn of the next game counts
+    return;
+  }
+  const client::Game& game = io_host.game.session->connection()->state().game();
   follow_server_turn(input, game, io_host.timing.now_s);
   // Half the width of the picture at distance 1: tan(fov / 2), with pi / 360 to convert degrees. The ratio
   // keeps the mouse's speed on the screen the same while the view is zoomed.

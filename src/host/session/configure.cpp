@@ -54,6 +54,7 @@ void run_configuration_files(Host& io_host) {
       report_damaged_configuration(io_host, io_host.console.commands.errors_in_files() - errors);
   }
   if (has_commands(data, "autoexec.cfg")) run_file(io_host, "autoexec.cfg");
+  report_unknown_names(io_host);
 }
 
 }  // namespace

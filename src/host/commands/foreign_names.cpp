@@ -1,0 +1,107 @@
+#include "host/commands/foreign_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "base/text.h"
+#include "command/text.h"
+#include "host/commands/configuration.h"
+
+namespace temblor::host {
+namespace {
+
+// Our variable has the value factor * VALUE + offset.
+struct Counterpart {
+  std::string_view foreign, own;
+  double factor = 1, offset = 0;
+};
+constexpr std::array kCounterparts = {
+    Counterpart{"cl_bob", "v_bob", 50},          // the stock value is 0.02
+    Counterpart{"cl_rollangle", "v_roll", 0.5},  // 2 degrees
+    Counterpart{"v_gunkick", "v_kick"},
+    Counterpart{"r_lerpmodels", "cl_nolerp", -1, 1},
+    Counterpart{"r_lerpmove", "cl_nolerp", -1, 1},
+    Counterpart{"snd_waterfx", "s_underwater"},
+    Counterpart{"scr_sbarscale", "scr_scale"},
+    Counterpart{"scr_menuscale", "scr_textsize"},
+    Counterpart{"r_novis", "r_use_pvs", -1, 1},
+    Counterpart{"host_autosave", "sv_autosave"},
+    Counterpart{"sfxvolume", "volume"},
+};
+
+// Settings without a counterpart.
+constexpr std::array kIgnored = std::to_array<std::string_view>(
+    {"r_scale",         "r_softemu",       "r_shadows",         "r_waterquality",  "r_oldwater",
+     "r_oldskyleaf",    "r_fastsky",       "r_skyalpha",        "r_skyfog",        "r_sky_quality",
+     "r_stereo",        "r_noshadow_list", "r_clearcolor",      "r_overbright",    "r_overbright_models",
+     "r_quadparticles", "cl_gun_fovscale", "cl_bobcycle",       "cl_bobup",        "cl_rollspeed",
+     "v_iyaw_cycle",    "v_iroll_cycle",   "v_ipitch_cycle",    "v_iyaw_level",    "v_iroll_level",
+     "v_ipitch_level",  "scr_ofsx",        "scr_ofsy",          "scr_ofsz",        "scr_showram",
+     "scr_showturtle",  "scr_showpause",   "scr_conwidth",      "scr_menubgalpha", "m_filter",
+     "snd_mixspeed",    "snd_speed",       "snd_filterquality", "snd_show",        "ambient_fade",
+     "nosound",         "precache",        "bgmbuffer",         "loadas8bit",      "crosshairx",
+     "crosshairy",      "sys_throttle",    "mem_list"});
+
+// Config files contain all settings of other renderers and of their windows. A typed vid_ name may be a
+// mistyped one of ours.
+bool is_ignored(std::string_view name, bool is_in_file) {
+  return std::find(kIgnored.begin(), kIgnored.end(), name) != kIgnored.end() || name.starts_with("gl_") ||
+         (is_in_file && name.starts_with("vid_"));
+}
+
+bool is_number(const command::Variable& variable) {
+  return variable.type == command::VariableType::kFloat || variable.type == command::VariableType::kInt;
+}
+
+}  // namespace
+
+bool ForeignNames::handle(Arguments arguments) {
+  const std::string name = base::to_lower(arguments[0]);
+  if (set_counterpart(name, arguments)) return true;
+  const bool is_developer = variables_.find("developer")->number != 0;
+  if (is_ignored(name, console_.is_in_file())) {
+    if (is_developer && reported_.insert(name).second)
+      console_.print_error(fmt::format("\"{}\" is a setting of other engines that has no counterpart here",
+                                       base::quotable(name)));
+    return true;
+  }
+  // An unknown name in our own file means that the file is damaged.
+  if (!console_.is_in_file() || console_.file() == kConfigurationFile || is_developer) return false;
+  if (unknown_++ == 0) first_unknown_ = name;
+  return true;
+}
+
+bool ForeignNames::set_counterpart(std::string_view name, Arguments arguments) {
+  const auto found = std::find_if(kCounterparts.begin(), kCounterparts.end(),
+                                  [&](const Counterpart& entry) { return entry.foreign == name; });
+  if (found == kCounterparts.end()) return false;
+  const command::Variable& own = *variables_.find(found->own);
+  const auto value = arguments.size() > 1 ? command::parse_number(arguments[1]) : std::nullopt;
+  if (!value) {
+    console_.print_error(fmt::format("\"{}\" is called \"{}\" here; it is \"{}\"", name, own.name, own.text));
+    return true;
+  }
+  const double wanted = *value * found->factor + found->offset;
+  const base::Status status =
+      variables_.set(own.name, is_number(own) ? fmt::format("{:g}", std::clamp(wanted, own.min, own.max))
+                               : wanted != 0  ? "1"
+                                              : "0");
+  if (!status.ok()) console_.print_error(status.error().message());
+  return true;
+}
+
+std::string ForeignNames::take_report() {
+  const std::size_t count = std::exchange(unknown_, 0);
+  if (count == 0) return {};
+  if (count == 1)
+    return fmt::format("unknown command or variable \"{}\" in a config file", base::quotable(first_unknown_));
+  return fmt::format(
+      "{} unknown commands or variables in config files, for example \"{}\" (developer 1 lists them)", count,
+      base::quotable(first_unknown_));
+}
+
+}  // namespace temblor::host
