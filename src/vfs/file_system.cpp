@@ -26,14 +26,13 @@ struct FolderEntry {
   bool is_folder;
 };
 
-// Lists a folder in byte order of the names. Symbolic links to files count as files; links to folders are
-// skipped, so that a walk cannot loop.
+// Lists a folder in byte order of the names. Symbolic links count as the file or folder they lead to.
 base::Result<std::vector<FolderEntry>> list_folder(const fs::path& folder) {
   std::error_code error;
   std::vector<FolderEntry> entries;
   for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
     std::error_code ignored;  // a broken link is neither file nor folder
-    const bool is_folder = i->is_directory(ignored) && !i->is_symlink(ignored);
+    const bool is_folder = i->is_directory(ignored);
     if (is_folder || i->is_regular_file(ignored))
       entries.push_back({i->path().filename().string(), i->path(), is_folder});
   }
@@ -52,9 +51,6 @@ base::Result<fs::path> find_game_folder(const fs::path& base_folder, const std::
   for (const FolderEntry& entry : entries)
     if (entry.is_folder && base::equal_ignoring_case(entry.name, name) && (!found || entry.name == name))
       found = &entry;
-  // A game folder may be a link itself, so look it up by name.
-  if (std::error_code ignored; !found && fs::is_directory(base_folder / name, ignored))
-    return base_folder / name;
   if (!found)
     return base::Error{ErrorCode::kNotFound,
                        fmt::format("no game folder \"{}\" here; check --basedir and --game", name),
@@ -133,18 +129,24 @@ base::Status FileSystem::mount_over(std::size_t game, const fs::path& folder) {
 base::Status FileSystem::mount_loose_files(const fs::path& folder, std::size_t game) {
   struct Pending {
     fs::path path;
-    std::string prefix;  // path of the folder below the game folder
+    std::string prefix;               // path of the folder below the game folder
+    std::vector<fs::path> parents{};  // without links
   };
   std::vector<Pending> pending{{folder, ""}};
   while (!pending.empty()) {
-    const Pending current = std::move(pending.back());
+    Pending current = std::move(pending.back());
     pending.pop_back();
+    std::error_code error;
+    fs::path real = fs::canonical(current.path, error);
+    // A link to a folder that contains it would never end.
+    if (std::find(current.parents.begin(), current.parents.end(), real) != current.parents.end()) continue;
+    current.parents.push_back(std::move(real));
     TRY(const std::vector<FolderEntry> entries, list_folder(current.path));
     // Lower case is last in byte order, so it wins among names that differ only in case.
     for (const FolderEntry& entry : entries) {
       const std::string name = current.prefix + entry.name;
       if (entry.is_folder)
-        pending.push_back({entry.path, name + '/'});
+        pending.push_back({entry.path, name + '/', current.parents});
       else
         add_file(name, {.path = entry.path, .game = game});
     }

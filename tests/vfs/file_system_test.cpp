@@ -305,16 +305,19 @@ TEST(FileSystem, RejectsHugePakEntryUnread) {
   EXPECT_THAT(bytes.error().message(), HasSubstr("huge in " + path.string()));
 }
 
-TEST(FileSystem, LinksToFoldersAreNotFollowed) {
+TEST(FileSystem, FollowsLinksThatDoNotLoop) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/a", "file");
   fs::create_directory_symlink(base_folder.path() / "id1", base_folder.path() / "id1" / "loop");
   fs::create_symlink(base_folder.path() / "nowhere", base_folder.path() / "id1" / "dangling");
   fs::create_symlink(base_folder.path() / "id1" / "a", base_folder.path() / "id1" / "b");
   fs::create_directory_symlink(base_folder.path() / "id1", base_folder.path() / "mod");
+  base_folder.write("elsewhere/track02.ogg", "music");
+  fs::create_directory_symlink(base_folder.path() / "elsewhere", base_folder.path() / "id1" / "music");
   const FileSystem files = open_or_die(base_folder, {"mod"});
-  EXPECT_THAT(files.list("", ""), ElementsAre("a", "b"));
+  EXPECT_THAT(files.list("", ""), ElementsAre("a", "b", "music/track02.ogg"));
   EXPECT_EQ(get_text(files, "b"), "file");
+  EXPECT_EQ(get_text(files, "music/track02.ogg"), "music");
 }
 
 TEST(FileSystem, RejectsShrunkFile) {

@@ -119,14 +119,13 @@ void write_save_picture(Host& io_host, const render::FrameBuffer& frame) {
 
 base::Status write_screenshot(Host& io_host, std::string_view file) {
   const std::filesystem::path& folder = io_host.game.data->write_folder;
-  std::filesystem::path path = file;
+  std::filesystem::path path = folder / file;  // an absolute path stays as it is
   std::error_code ignored;
   for (int number = 0; file.empty() && number < kMaxScreenshots; ++number) {
     path = folder / fmt::format("temblor{:04}.png", number);
     if (!std::filesystem::exists(path, ignored)) break;
   }
   if (!path.has_extension()) path += ".png";
-  if (path.is_relative()) path = folder / path;
   const Screen& screen = io_host.video.screen;
   const std::span<const std::uint32_t> pixels = screen.pixels();
   if (pixels.empty()) return base::error(base::ErrorCode::kUsage, "screenshot: nothing has been drawn yet");
