@@ -61,7 +61,7 @@ bool is_number(const command::Variable& variable) {
 
 bool ForeignNames::handle(Arguments arguments) {
   const std::string name = base::to_lower(arguments[0]);
-  if (set_counterpart(name, arguments)) return true;
+  if (set_converted(name, arguments) || set_counterpart(name, arguments)) return true;
   const bool is_developer = variables_.find("developer")->number != 0;
   if (is_ignored(name, console_.is_in_file())) {
     if (is_developer && reported_.insert(name).second)
@@ -72,6 +72,27 @@ bool ForeignNames::handle(Arguments arguments) {
   // An unknown name in our own file means that the file is damaged.
   if (!console_.is_in_file() || console_.file() == kConfigurationFile || is_developer) return false;
   if (unknown_++ == 0) first_unknown_ = name;
+  return true;
+}
+
+// _cl_name is a text. _cl_color holds both colors: 16 * shirt + trousers. vid_fullscreen is a mode of ours.
+bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
+  if (arguments.size() < 2) return false;
+  const auto set = [&](std::string_view own, std::string_view value) {
+    if (const base::Status status = variables_.set(own, value); !status.ok())
+      console_.print_error(status.error().message());
+  };
+  if (name == "_cl_name") {
+    set("name", arguments[1]);
+  } else if (name == "_cl_color") {
+    const auto colors = command::parse_whole_number(arguments[1]).value_or(0);
+    set("topcolor", std::to_string(colors / 16 % 16));
+    set("bottomcolor", std::to_string(colors % 16));
+  } else if (name == "vid_fullscreen") {
+    set("vid_mode", arguments[1] == "0" ? "window" : "fullscreen");
+  } else {
+    return false;
+  }
   return true;
 }
 

@@ -31,6 +31,8 @@ class ForeignNames {
   std::string take_report();
 
  private:
+  // Handles names whose values need more than a factor.
+  bool set_converted(std::string_view name, Arguments arguments);
   // Sets our variable that corresponds to the name, or explains it. false: there is none.
   bool set_counterpart(std::string_view name, Arguments arguments);
 

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "command/text.h"
+#include "host/commands/list_commands.h"
 #include "host/frame/host_parts.h"
 #include "host/menus/menus.h"
 #include "host/session/configure.h"
@@ -235,6 +236,14 @@ void add_screen_commands(Host& io_host) {
   for (const client::MenuCommand& menu : client::menu_commands())
     add(menu.name, make_menu_help(menu.name),
         [page = menu.page](Host& host, Arguments) { open_menu(host, page); });
+  // QuakeSpasm's names for two of them.
+  add("menu_maps", "Opens the levels menu.",
+      [](Host& host, Arguments) { open_menu(host, client::MenuPage::kLevels); });
+  add("menu_mods", "Opens the mods menu.",
+      [](Host& host, Arguments) { open_menu(host, client::MenuPage::kGameFolders); });
+  add("vid_restart", "Applies the video settings to the window again.", [](Host& host, Arguments) {
+    print_if_command_error(host, host.services.window.apply(host.variables.window()));
+  });
   add("togglemenu", "Opens or closes the menu.", [](Host& host, Arguments) { toggle_menu(host); });
   add("toggleconsole", "Opens or closes the console.",
       [](Host& host, Arguments) { host.console.ui.toggle(); });
@@ -274,6 +283,11 @@ void add_game_commands(Host& io_host) {
   add_named(io_host, "save", "save NAME: saves a single-player game.", save_game);
   add_named(io_host, "load", "load NAME: loads a saved game.", load_game);
   add_named(io_host, "connect", "connect HOST[:PORT]: joins a game on a server.", connect_to_server);
+  add("reconnect", "Joins the last server again.", [](Host& host, Arguments) {
+    const std::string address = host.game.last_server;
+    if (address.empty()) return print_command_error(host, "reconnect: you have not joined a server yet");
+    print_if_command_error(host, connect_to_server(host, address));
+  });
   add("disconnect", "Leaves the game.", [](Host& host, Arguments) { disconnect(host); });
   add("quit", "Quits Temblor.", [](Host& host, Arguments) { quit(host); });
   add("maps", "Lists all levels.", [](Host& host, Arguments) { list_levels(host); });
@@ -305,6 +319,7 @@ void add_game_commands(Host& io_host) {
 }  // namespace
 
 void add_host_commands(Host& io_host) {
+  add_list_commands(io_host);
   add_player_commands(io_host);
   add_server_commands(io_host);
   add_game_commands(io_host);

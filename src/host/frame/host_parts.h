@@ -96,6 +96,7 @@ struct LoadedGame {
   std::unique_ptr<MenuLists> menu_lists;
   std::optional<client::Menu> menu;
   std::unique_ptr<Session> session;
+  std::string last_server{};  // that the player has joined, for `reconnect`
   // Game folders to switch to after this frame's commands. An empty list is id1 alone; none: no switch.
   std::optional<std::vector<std::string>> requested_games;
   // The first frame's commands have run, including those of the command line. Until then it is not known

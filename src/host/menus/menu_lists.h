@@ -23,12 +23,6 @@ class MenuLists {
   // The functions in the result refer to this object and must not outlive it.
   client::MenuContent content();
   Thumbnails& thumbnails() { return thumbnails_; }
-
- private:
-  std::vector<client::MenuLevel> levels();
-  // The title of a level by its name, "e1m1". Empty if the level has no title or does not exist. Each level
-  // is read only once.
-  const std::string& level_title(const std::string& level);
   // Newest first. A damaged saved game stays in the list, so that the player can see it.
   std::vector<client::MenuSave> saves();
   // Sorted by name: demos of the game folders, and demos that were recorded since they were mounted.
@@ -36,6 +30,11 @@ class MenuLists {
   // The folders below base_folder that look like a game, sorted by name.
   std::vector<client::MenuGameFolder> game_folders() const;
 
+ private:
+  std::vector<client::MenuLevel> levels();
+  // The title of a level by its name, "e1m1". Empty if the level has no title or does not exist. Each level
+  // is read only once.
+  const std::string& level_title(const std::string& level);
   Host& host_;
   const GameData& data_;
   Thumbnails thumbnails_;

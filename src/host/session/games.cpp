@@ -70,6 +70,7 @@ base::Status connect_to_server(Host& io_host, std::string_view address) {
   TRY_STATUS(finish_recording(io_host));
   stop_demo(io_host);
   TRY_STATUS(io_host.game.session->connect(address, io_host.variables.player()));
+  io_host.game.last_server = address;
   io_host.console.ui.close();
   io_host.game.menu->close();
   print_line(io_host, fmt::format("Connecting to {}...", address));

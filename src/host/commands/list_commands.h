@@ -1,0 +1,11 @@
+// Console commands about files and the running level, under the names that other engines gave them: path,
+// flocate, mapname, randmap, mods, demos, saves, configs, skies, and so on.
+#pragma once
+
+namespace temblor::host {
+
+struct Host;
+
+void add_list_commands(Host& io_host);
+
+}  // namespace temblor::host

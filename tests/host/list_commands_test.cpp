@@ -1,0 +1,49 @@
+// path, flocate, mapname, mods, demos, saves, and others: commands that list files.
+#include <gtest/gtest.h>
+
+#include "host/headless_host.h"
+#include "support/programs/quakec.h"
+
+namespace temblor::test {
+namespace {
+
+TEST(ListCommands, ShowFilesAndTheLevel) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost host({"map small"});
+  host.folder().write("id1/first.dem", "0\n");
+  host.folder().write("other/maps/x.bsp", "");
+  ASSERT_TRUE(host.run_until_playing());
+  host.command(
+      "mapname; path; flocate maps/small.bsp; flocate maps/nowhere.bsp; demos; mods; saves; reconnect");
+  host.run(0.1);
+  EXPECT_TRUE(host.has_printed("small: "));
+  EXPECT_TRUE(host.has_printed("id1/maps/small.bsp"));
+  EXPECT_TRUE(host.has_printed("maps/nowhere.bsp is in no game folder"));
+  EXPECT_TRUE(host.has_printed("   first"));
+  EXPECT_TRUE(host.has_printed("1 demo"));
+  EXPECT_TRUE(host.has_printed("   id1 (in use)"));
+  EXPECT_TRUE(host.has_printed("   other"));
+  EXPECT_TRUE(host.has_printed("2 game folders"));
+  EXPECT_TRUE(host.has_printed("0 saved games"));
+  EXPECT_TRUE(host.has_printed("reconnect: you have not joined a server yet"));
+  host.command("mods OTH; randmap");
+  host.run(0.1);
+  EXPECT_TRUE(host.has_printed("1 game folder"));
+  EXPECT_FALSE(host.has_printed("unknown"));
+}
+
+TEST(ListCommands, ScreenshotsTakeTheNextFreeNumber) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost host({"map small"});
+  ASSERT_TRUE(host.run_until_playing());
+  host.run(0.1);
+  for (int i = 0; i < 2; ++i) {
+    host.command("screenshot");
+    host.run(0.1);
+  }
+  EXPECT_TRUE(std::filesystem::exists(host.folder().path() / "id1/temblor0000.png"));
+  EXPECT_TRUE(std::filesystem::exists(host.folder().path() / "id1/temblor0001.png"));
+}
+
+}  // namespace
+}  // namespace temblor::test
