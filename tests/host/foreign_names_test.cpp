@@ -54,6 +54,20 @@ TEST(ForeignNames, AConfigOfAnotherEngineGivesTheSamePlayer) {
   EXPECT_EQ(host.variables().variables().find("vid_mode")->text, "fullscreen");
 }
 
+TEST(ForeignNames, RejectValuesThatMeanNothing) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost host({"color 2 3; _cl_color abc; _cl_color -5; _cl_color 99999999999999999999; _cl_name"});
+  host.run(0.1);
+  EXPECT_EQ(number(host, "topcolor"), 2);
+  EXPECT_EQ(number(host, "bottomcolor"), 3);
+  EXPECT_EQ(count_lines(host, "it takes a number from 0 to 255"), 3u);
+  EXPECT_TRUE(host.has_printed("\"_cl_name\" is called name here"));
+  host.command("_cl_color 255; vid_fullscreen maybe");
+  host.run(0.1);
+  EXPECT_EQ(number(host, "topcolor"), 13);
+  EXPECT_EQ(host.variables().variables().find("vid_mode")->text, "window");
+}
+
 TEST(ForeignNames, WithoutACounterpartAreMentionedOnceToDevelopers) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost host({"gl_texturemode 3; r_shadows 1"});

@@ -18,7 +18,7 @@ TEST(ListCommands, ShowFilesAndTheLevel) {
   host.run(0.1);
   EXPECT_TRUE(host.has_printed("small: "));
   EXPECT_TRUE(host.has_printed("id1/maps/small.bsp"));
-  EXPECT_TRUE(host.has_printed("maps/nowhere.bsp is in no game folder"));
+  EXPECT_TRUE(host.has_printed("\"maps/nowhere.bsp\" is in no game folder"));
   EXPECT_TRUE(host.has_printed("   first"));
   EXPECT_TRUE(host.has_printed("1 demo"));
   EXPECT_TRUE(host.has_printed("   id1 (in use)"));

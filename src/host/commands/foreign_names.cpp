@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -77,21 +78,29 @@ bool ForeignNames::handle(Arguments arguments) {
 
 // _cl_name is a text. _cl_color holds both colors: 16 * shirt + trousers. vid_fullscreen is a mode of ours.
 bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
-  if (arguments.size() < 2) return false;
-  const auto set = [&](std::string_view own, std::string_view value) {
-    if (const base::Status status = variables_.set(own, value); !status.ok())
+  constexpr std::int64_t kMaxColors = 255, kLastColor = 13;  // the rows above are full-bright
+  const bool is_name = name == "_cl_name", is_color = name == "_cl_color";
+  if (!is_name && !is_color && name != "vid_fullscreen") return false;
+  const std::string value = arguments.size() > 1 ? arguments[1] : "";
+  const auto set = [&](std::string_view own, std::string_view text) {
+    if (const base::Status status = variables_.set(own, text); !status.ok())
       console_.print_error(status.error().message());
   };
-  if (name == "_cl_name") {
-    set("name", arguments[1]);
-  } else if (name == "_cl_color") {
-    const auto colors = command::parse_whole_number(arguments[1]).value_or(0);
-    set("topcolor", std::to_string(colors / 16 % 16));
-    set("bottomcolor", std::to_string(colors % 16));
-  } else if (name == "vid_fullscreen") {
-    set("vid_mode", arguments[1] == "0" ? "window" : "fullscreen");
+  if (is_name && arguments.size() > 1) {
+    set("name", value);
+    return true;
+  }
+  const auto number = command::parse_whole_number(value);
+  if (is_name || !number || *number < 0 || *number > kMaxColors) {
+    const std::string_view own = is_name ? "name" : is_color ? "topcolor and bottomcolor" : "vid_mode";
+    console_.print_error(
+        fmt::format("\"{}\" is called {} here{}", name, own,
+                    is_name ? "" : fmt::format("; it takes a number from 0 to {}", kMaxColors)));
+  } else if (is_color) {
+    set("topcolor", std::to_string(std::min(*number / 16, kLastColor)));
+    set("bottomcolor", std::to_string(std::min(*number % 16, kLastColor)));
   } else {
-    return false;
+    set("vid_mode", *number == 0 ? "window" : "fullscreen");
   }
   return true;
 }

@@ -87,8 +87,8 @@ void locate_file(Host& io_host, Arguments arguments) {
   if (arguments.size() != 2)
     return io_host.console.commands.print_error("flocate FILE: for example maps/start.bsp");
   const std::string where = io_host.game.data->library.files().where(arguments[1]);
-  print_line(io_host,
-             where.empty() ? fmt::format("{} is in no game folder", base::quotable(arguments[1])) : where);
+  print_line(io_host, where.empty() ? fmt::format("\"{}\" is in no game folder", base::quotable(arguments[1]))
+                                    : where);
 }
 
 void print_level_name(Host& io_host) {
