@@ -14,7 +14,16 @@ constexpr float kLockedCost = 6000, kWaitCost = 120, kDeadEndCost = 3000;
 }  // namespace
 
 Router::Router(const NavGraph& graph, const MoverWatch& movers)
-    : graph_(&graph), movers_(&movers), is_goal_(graph.places().size()) {}
+    : graph_(&graph), movers_(&movers), is_goal_(graph.places().size()) {
+  link_costs_.reserve(graph.link_count());
+  first_links_.reserve(graph.places().size() + 1);
+  for (const Place& place : graph.places()) {
+    first_links_.push_back(static_cast<std::uint32_t>(link_costs_.size()));
+    for (const Link& link : place.links)
+      link_costs_.push_back({link.to, link.cost, link.conditions[0].mover >= 0});
+  }
+  first_links_.push_back(static_cast<std::uint32_t>(link_costs_.size()));
+}
 
 void Router::penalize_link(std::uint32_t from, std::uint32_t to, float cost) {
   last_penalized_ = {from, to};
@@ -31,8 +40,6 @@ void Router::keep_last_penalty() {
 // Returns the cost of a link as the movers are now; kUnreached if it cannot be used.
 float Router::compute_cost(std::uint32_t from, const Link& link, const RouteRules& rules) const {
   float cost = link.cost;
-  // Most links have no conditions. Those that do fill the first one first.
-  if (link.conditions[0].mover < 0 && penalties_.empty()) return cost;
   for (const MoverCondition& condition : link.conditions) {
     if (condition.mover < 0) continue;
     const auto& banned = rules.banned_movers;
@@ -51,10 +58,14 @@ float Router::compute_cost(std::uint32_t from, const Link& link, const RouteRule
         return kUnreached;
     }
   }
-  if (!penalties_.empty())
-    if (const auto blamed = penalties_.find({from, link.to}); blamed != penalties_.end())
-      cost += blamed->second;
+  if (const auto blamed = penalties_.find({from, link.to}); blamed != penalties_.end())
+    cost += blamed->second;
   return cost;
+}
+
+bool Router::has_penalties(std::uint32_t from) const {
+  const auto first = penalties_.lower_bound({from, 0});
+  return first != penalties_.end() && first->first.first == from;
 }
 
 // Fills costs_, came_from_, and came_by_. The heap may hold outdated entries of a place that was reached more
@@ -78,17 +89,22 @@ void Router::search(std::uint32_t from, const RouteRules& rules) {
       has_reached_ = true;
       return;
     }
-    const std::vector<Link>& links = graph_->place(at).links;
-    for (std::uint32_t i = 0; i < links.size(); ++i) {
+    const bool is_penalized = has_penalties(at);
+    const std::uint32_t first = first_links_[at];
+    for (std::uint32_t i = first; i < first_links_[at + 1]; ++i) {
       // Most links lead to places that were reached more cheaply. Conditions and penalties only add to the
       // cost.
-      if (cost + links[i].cost >= costs_[links[i].to]) continue;
-      const float link_cost = compute_cost(at, links[i], rules);
-      if (link_cost >= kUnreached || cost + link_cost >= costs_[links[i].to]) continue;
-      costs_[links[i].to] = cost + link_cost;
-      came_from_[links[i].to] = at;
-      came_by_[links[i].to] = i;
-      open.push({cost + link_cost, links[i].to});
+      const LinkCost& link = link_costs_[i];
+      const std::uint32_t to = link.to;
+      if (cost + link.cost >= costs_[to]) continue;
+      const float link_cost = link.has_conditions || is_penalized
+                                  ? compute_cost(at, graph_->place(at).links[i - first], rules)
+                                  : link.cost;
+      if (link_cost >= kUnreached || cost + link_cost >= costs_[to]) continue;
+      costs_[to] = cost + link_cost;
+      came_from_[to] = at;
+      came_by_[to] = i - first;
+      open.push({cost + link_cost, to});
     }
   }
 }

@@ -62,9 +62,20 @@ class Router {
                    std::span<const std::uint32_t> came_from, std::span<const std::uint32_t> came_by) const;
   void search(std::uint32_t from, const RouteRules& rules);
   float compute_cost(std::uint32_t from, const Link& link, const RouteRules& rules) const;
+  bool has_penalties(std::uint32_t from) const;
+
+  // The parts of a Link that the search reads; few links have conditions.
+  struct LinkCost {
+    std::uint32_t to = 0;
+    float cost = 0;
+    bool has_conditions = false;
+  };
 
   const NavGraph* graph_;
   const MoverWatch* movers_;
+  // The links of all places in order, and the index of the first one of each place (and one more at the end).
+  std::vector<LinkCost> link_costs_;
+  std::vector<std::uint32_t> first_links_;
   // Costs by the places that a link leads from and to.
   using Penalties = std::map<std::pair<std::uint32_t, std::uint32_t>, float>;
   Penalties penalties_, permanent_penalties_;
