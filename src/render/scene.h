@@ -151,6 +151,8 @@ struct Scene {
   const Skybox* skybox = nullptr;  // null: the sky's texture
   Fog fog{};
   LiquidAlpha liquid_alpha{};
+  // Draws what can be seen from this leaf instead of the eye's; none: the eye's.
+  std::optional<world::LeafIndex> pvs_leaf{};
   // True: the finished view is warped.
   bool underwater = false;
   Tint tint{};

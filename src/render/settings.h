@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "base/parallel_for.h"
 
@@ -15,6 +16,9 @@ enum class MipRule { kStock, kFootprint };
 enum class Perspective { kExact, kEvery16 };
 // The rasterizer of alias models. kAuto chooses the faster one for each model where both look the same.
 enum class AliasRaster { kAuto, kAffine, kSubdivision };
+// How the world is lit: as in the game, without light maps (every texture as it is), or light maps without
+// textures. Mappers look at these two.
+enum class LightView : std::uint8_t { kLit, kFullBright, kLightOnly };
 // Debug views of `--show` and r_show. They are drawn over the finished picture.
 enum class Show { kPicture, kFaces, kEdges, kSpans, kSurfaces, kMips, kPvs, kOverdraw, kDepth };
 
@@ -34,6 +38,9 @@ struct Settings {
   // False skips the depth buffer and everything that needs it (models, sprites, particles), to measure its
   // cost. Frames with fog or deferred faces fill it anyway.
   bool fill_depth = true;
+  // False: only models, sprites, and particles are drawn.
+  bool draw_world = true;
+  LightView light_view = LightView::kLit;
   bool colored_light = true;  // false: gray light even where the level has colored samples
   AliasRaster alias_raster = AliasRaster::kAuto;
   bool alias_snap = false;  // rounds alias vertices to whole pixels and maps textures affinely, as Quake did

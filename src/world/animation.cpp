@@ -37,6 +37,13 @@ std::uint16_t compute_letter_light(char letter) {
   return static_cast<std::uint16_t>(std::clamp(letter - 'a', 0, 'z' - 'a') * kLightPerLetter);
 }
 
+std::uint16_t compute_constant_light(std::string_view pattern, LightStyleMode mode) {
+  if (mode == LightStyleMode::kHighest) return compute_letter_light(*std::ranges::max_element(pattern));
+  std::size_t sum = 0;
+  for (const char letter : pattern) sum += compute_letter_light(letter);
+  return static_cast<std::uint16_t>(sum / pattern.size());
+}
+
 }  // namespace
 
 TextureIndex find_animated_texture(const Level& level, TextureIndex texture, double time_s,
@@ -55,12 +62,15 @@ LightStylePatterns make_standard_light_styles() {
   return patterns;
 }
 
-LightStyleValues compute_light_styles(const LightStylePatterns& patterns, double time_s) {
+LightStyleValues compute_light_styles(const LightStylePatterns& patterns, double time_s,
+                                      LightStyleMode mode) {
   LightStyleValues values;
   for (std::size_t i = 0; i < kLightStyles; ++i) {
     const std::string& pattern = patterns[i];
-    values[i] =
-        pattern.empty() ? kNormalLight : compute_letter_light(pattern[find_tick(time_s, pattern.size())]);
+    values[i] = pattern.empty() ? kNormalLight
+                : mode == LightStyleMode::kFlickering
+                    ? compute_letter_light(pattern[find_tick(time_s, pattern.size())])
+                    : compute_constant_light(pattern, mode);
   }
   return values;
 }

@@ -34,8 +34,11 @@ constexpr LightStyleValues make_stored_light_styles() {
 using LightStylePatterns = std::array<std::string, kLightStyles>;
 // Returns the twelve patterns that every game starts with. Style 63 is "a" (for tests); the rest are empty.
 LightStylePatterns make_standard_light_styles();
+// kMean and kHighest are constant, for players whom flicker disturbs.
+enum class LightStyleMode { kFlickering, kMean, kHighest };
 // Returns the values at `time_s` (finite; negative counts as 0). Other characters count as the nearest
 // letter.
-LightStyleValues compute_light_styles(const LightStylePatterns& patterns, double time_s);
+LightStyleValues compute_light_styles(const LightStylePatterns& patterns, double time_s,
+                                      LightStyleMode mode = LightStyleMode::kFlickering);
 
 }  // namespace temblor::world

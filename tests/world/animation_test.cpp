@@ -105,6 +105,19 @@ TEST(LightStyles, LettersAreTicksOfATenthOfASecond) {
   }
 }
 
+TEST(LightStyles, CanBeConstant) {
+  LightStylePatterns patterns;
+  patterns[0] = std::string("m");
+  patterns[5] = std::string("az");
+  for (const double time_s : {0.0, 0.1, 7.25}) {
+    const LightStyleValues mean = compute_light_styles(patterns, time_s, LightStyleMode::kMean);
+    EXPECT_EQ(mean[0], 264);
+    EXPECT_EQ(mean[5], 275);
+    EXPECT_EQ(mean[1], 256);
+    EXPECT_EQ(compute_light_styles(patterns, time_s, LightStyleMode::kHighest)[5], 550);
+  }
+}
+
 TEST(LightStyles, OtherCharactersCountAsTheNearestLetter) {
   LightStylePatterns patterns;
   patterns[0] = std::string("A");

@@ -58,7 +58,9 @@ PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
   const PixelFormat format = context.format;
   const AliasInstance& instance = *placement.instance;
   const AliasModel& model = *instance.model;
-  const AliasLight light = light_alias(context.scene, instance, format, settings.colored_light);
+  const AliasLight light = settings.light_view == LightView::kFullBright
+                               ? AliasLight{.full_bright = true}
+                               : light_alias(context.scene, instance, format, settings.colored_light);
   const NormalLights lights = light_normals(light, placement, format);
 
   VertexJob vertices = vertex_job(view, placement, steps_per_pixel(settings), lights);

@@ -7,7 +7,14 @@ namespace temblor::render {
 ColorTables make_color_tables(const formats::Palette& palette, const formats::Colormap& colormap) {
   const int first_fullbright = 256 - colormap.fullbrights;
   const PaletteMatch match(palette, first_fullbright);
-  ColorTables tables{palette, colormap, {}, {}, first_fullbright, match, BlendTables(palette, match)};
+  ColorTables tables{palette,
+                     colormap,
+                     {},
+                     {},
+                     first_fullbright,
+                     match({128, 128, 128}, false),
+                     match,
+                     BlendTables(palette, match)};
   for (int i = 0; i < 256; ++i) {
     const auto index = static_cast<std::size_t>(i);
     tables.rgb[index] = to_rgb(palette[index]);

@@ -12,6 +12,9 @@ namespace temblor::render {
 
 namespace {
 
+// The sum of light that shows the palette's colors as they are, in both pixel formats.
+constexpr std::uint32_t kSumAsStored = 32768;
+
 // Reads a texture that repeats endlessly, row by row.
 class TextureRows {
  public:
@@ -82,6 +85,7 @@ class Builder {
       texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
         std::memcpy(&texels[x], run, count);
       });
+      if (shows_only_light()) replace_texels(texels, texels, tables_.gray);
       if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, texels);
       interpolate_down(samples, 1, y, row_light);
       const IndexedRow row{texels.data(), row_light.data(),           tables_.colormap.rows.data(),
@@ -106,6 +110,7 @@ class Builder {
         for (std::size_t i = 0; i < count; ++i) colors[x + i] = tables_.surface_rgb[run[i]];
         if (has_holes()) std::memcpy(&indices[x], run, count);
       });
+      if (shows_only_light()) replace_texels(indices, colors, tables_.surface_rgb[tables_.gray]);
       if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, colors);
       interpolate_down(samples, 4, y, row_light);
       const RgbRow row{colors.data(), row_light.data(), out, request_.block.shape.width, texels_per_sample()};
@@ -119,6 +124,13 @@ class Builder {
  private:
   std::int32_t texels_per_sample() const { return kTexelsASample >> request_.mip; }
   bool has_holes() const { return drawn_.kind == world::TextureKind::kCutout; }
+  bool shows_only_light() const { return request_.contents.light_view == LightView::kLightOnly; }
+  // Replaces all texels of a row except for holes.
+  template <typename Texel>
+  void replace_texels(std::span<const std::uint8_t> indices, std::span<Texel> io_texels, Texel color) const {
+    for (std::size_t x = 0; x < width(); ++x)
+      if (!has_holes() || indices[x] != kClearIndex) io_texels[x] = color;
+  }
 
   std::size_t width() const { return static_cast<std::size_t>(request_.block.shape.width); }
   // Longer than a row, since kernels may read past its end.
@@ -132,9 +144,7 @@ class Builder {
   // texels has samples above and below it.
   template <typename Convert>
   std::span<const std::int16_t> sum_samples(std::size_t channels, Convert convert) {
-    const LightSums sums =
-        sum_light(level_, face_, grid_,
-                  {request_.contents.style_values, request_.contents.colored, request_.lights}, scratch_);
+    const LightSums sums = sum_tile_light();
     const std::size_t count = sums.values.size() / sums.channels;
     const std::span<std::int16_t> samples =
         scratch_.allocate_filled<std::int16_t>((count + columns()) * channels, 0);
@@ -149,6 +159,15 @@ class Builder {
         out[channel] = convert(sum[sums.channels == 3 ? 2 - channel : 0]);
     }
     return samples;
+  }
+
+  LightSums sum_tile_light() {
+    if (request_.contents.light_view == LightView::kFullBright) {
+      const std::size_t count = columns() * static_cast<std::size_t>(grid_.rows);
+      return {scratch_.allocate_filled<std::uint32_t>(count, kSumAsStored), 1};
+    }
+    return sum_light(level_, face_, grid_,
+                     {request_.contents.style_values, request_.contents.colored, request_.lights}, scratch_);
   }
 
   std::size_t columns() const { return static_cast<std::size_t>(grid_.columns); }

@@ -78,7 +78,9 @@ class SurfaceSelector {
       draw.surface = base::to_index<SurfaceIndex>(number);
       draw.depth = depth;
       draw.kind = surface_kind(face);
-      draw.light_row = face.kind == world::FaceKind::kLit ? kLightNone : kLightAsStored;
+      draw.light_row = face.kind == world::FaceKind::kLit && settings_.light_view != LightView::kFullBright
+                           ? kLightNone
+                           : kLightAsStored;
       draw.texture_index = drawn_texture(surface, face);
       draw.texture = &cutouts_.drawn(level_, draw.texture_index);
       draw.mip = static_cast<std::uint8_t>(
@@ -125,7 +127,6 @@ class SurfaceSelector {
   BlockRequest make_request(std::uint32_t number) const {
     const SurfaceDraw& draw = draws_[number];
     const ScreenSurface& surface = table_.surfaces[base::to_size(draw.surface)];
-    const world::Face& face = level_.face(surface.face);
     const std::uint32_t tile = number - surface.first_draw;
     BlockRequest request{.face = surface.face,
                          .tile_s = static_cast<std::uint16_t>(tile % surface.tiles.s),
@@ -138,18 +139,24 @@ class SurfaceSelector {
                          .texture = draw.texture,
                          .draw = number};
     request.contents.texture = draw.texture_index;
-    request.contents.colored = shows_color() && !level_.light_rgb.empty();
-    for (std::size_t style = 0; style < face.style_count; ++style)
-      request.contents.style_values[style] = current_light(surface.face).light_styles[face.styles[style]];
-    if (has_dynamic_light_[base::to_size(draw.surface)]) {
-      request.lights = lights_on_tile(surface, sample_grid(face, request.tile_s, request.tile_t));
-      request.contents.lights = hash_lights(request.lights);
-    }
+    request.contents.light_view = settings_.light_view;
+    if (settings_.light_view != LightView::kFullBright) light_block(surface, draw, request);
     if (has_marks(scene_)) {
       request.marks = scene_.marks->marks_on_face(surface.face);
       request.contents.marks = scene_.marks->revision(surface.face);
     }
     return request;
+  }
+
+  void light_block(const ScreenSurface& surface, const SurfaceDraw& draw, BlockRequest& io_request) const {
+    const world::Face& face = level_.face(surface.face);
+    BlockContents& contents = io_request.contents;
+    contents.colored = shows_color() && !level_.light_rgb.empty();
+    for (std::size_t style = 0; style < face.style_count; ++style)
+      contents.style_values[style] = current_light(surface.face).light_styles[face.styles[style]];
+    if (!has_dynamic_light_[base::to_size(draw.surface)]) return;
+    io_request.lights = lights_on_tile(surface, sample_grid(face, io_request.tile_s, io_request.tile_t));
+    contents.lights = hash_lights(io_request.lights);
   }
 
   // With relight_alternate, the face's and the frame's numbers decide whether the face shows the light of

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "base/arena.h"
+#include "render/settings.h"
 #include "render/surfaces/block_pool.h"
 #include "render/surfaces/surface_block.h"
 
@@ -37,6 +38,7 @@ struct BlockContents {
   world::TextureIndex texture{};
   std::array<std::uint16_t, 4> style_values{};  // of the face's light styles; 256: the light as stored
   bool colored = false;
+  LightView light_view = LightView::kLit;
   std::uint64_t lights = 0;  // hash of the dynamic lights on it; 0: none
   std::uint64_t marks = 0;   // revision of the marks on its face; 0: none
   bool operator==(const BlockContents&) const = default;

@@ -41,11 +41,12 @@ bool has_pvs(const world::Level& level, world::LeafIndex eye) {
 // deep.
 class TreeWalk {
  public:
-  TreeWalk(const world::Level& level, const LevelTables& tables, const ViewFrame& view,
+  TreeWalk(const world::Level& level, const LevelTables& tables, const ViewFrame& view, bool draws_faces,
            std::span<const FaceOpacity> opacities, base::Arena& arena)
       : level_(level),
         tables_(tables),
         view_(view),
+        draws_faces_(draws_faces),
         opacities_(opacities),
         face_marked_(arena.allocate_filled<std::uint8_t>(level.faces.size(), 0)),
         node_marked_(arena.allocate_filled<std::uint8_t>(level.nodes.size(), 0)),
@@ -121,7 +122,8 @@ class TreeWalk {
     // The stack is last in, first out: the far subtree, then the node's faces, then the near subtree are
     // pushed, so that they are visited in the opposite order.
     open_.push_back({node.children[static_cast<std::size_t>(1 - side)], -1, flags});
-    if (node.face_count > 0 && std::abs(towards) >= kEdgeOn) open_.push_back({step.child, side, 0});
+    if (draws_faces_ && node.face_count > 0 && std::abs(towards) >= kEdgeOn)
+      open_.push_back({step.child, side, 0});
     open_.push_back({node.children[static_cast<std::size_t>(side)], -1, flags});
   }
 
@@ -157,6 +159,7 @@ class TreeWalk {
   const world::Level& level_;
   const LevelTables& tables_;
   const ViewFrame& view_;
+  const bool draws_faces_;
   std::span<const FaceOpacity> opacities_;
   std::span<std::uint8_t> face_marked_, node_marked_, leaf_visible_;
   std::span<SortKey> leaf_keys_;
@@ -171,11 +174,13 @@ class TreeWalk {
 VisibleFaces find_visible_faces(const FrameContext& context, const ViewFrame& view,
                                 const LevelTables& tables) {
   const world::Level& level = context.level();
-  TreeWalk walk(level, tables, view, world_opacities(context.scene, context.arena()), context.arena());
-  if (context.settings.use_pvs && view.perspective && has_pvs(level, view.eye_leaf)) {
-    world::decompress_pvs(level, view.eye_leaf, context.arenas.pvs_row);
+  TreeWalk walk(level, tables, view, context.settings.draw_world,
+                world_opacities(context.scene, context.arena()), context.arena());
+  const world::LeafIndex pvs_leaf = context.scene.pvs_leaf.value_or(view.eye_leaf);
+  if (context.settings.use_pvs && view.perspective && has_pvs(level, pvs_leaf)) {
+    world::decompress_pvs(level, pvs_leaf, context.arenas.pvs_row);
     walk.mark_row(context.arenas.pvs_row);
-    walk.mark_leaf(base::to_size(view.eye_leaf));
+    walk.mark_leaf(base::to_size(pvs_leaf));
   } else {
     walk.mark_everything();
   }
