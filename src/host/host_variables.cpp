@@ -10,6 +10,7 @@
 #include "client/session/connection.h"
 #include "client/view/client_variables.h"
 #include "command/text.h"
+#include "host/frame/corner_readouts.h"
 #include "host/session/overrides.h"
 #include "host/video/render_settings.h"
 #include "host/video/screen.h"
@@ -23,6 +24,11 @@ namespace {
 constexpr std::array<std::string_view, 3> kModes = {"window", "borderless", "fullscreen"};
 // The first one is true color, the default.
 constexpr std::array<std::string_view, 2> kColors = {"rgb", "indexed"};
+
+// Settings that would confuse a player who finds them again the next day.
+constexpr auto kDebugging =
+    std::to_array<std::string_view>({"r_show", "r_speeds", "r_drawworld", "r_drawentities", "r_fullbright",
+                                     "r_lightmap", "r_lockpvs", "chase_active", "maxplayers"});
 
 std::vector<std::string> list_names(const command::Variables& variables) {
   std::vector<std::string> names;
@@ -42,7 +48,7 @@ struct HostVariables::Registered {
   server::ServerVariables server;
   command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
       max_fps, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble, parallel,
-      show_speed, show_latency, max_players, port;
+      show_speed, show_latency, show_clock, show_player_speed, show_renderer, max_players, port;
   std::vector<std::string> saved;  // the names of the player's own variables
 };
 
@@ -91,15 +97,20 @@ HostVariables::Registered::Registered(command::Variables& variables)
       "time to spare.");
   show_speed = variables.add_bool("scr_showfps", false, "Shows the frame rate.");
   show_latency = variables.add_bool("scr_showlatency", false, "Shows input-to-screen latency.");
+  show_clock = variables.add_bool("scr_clock", false, "Shows how long the level has been running.");
+  show_player_speed =
+      variables.add_bool("scr_showspeed", false, "Shows your horizontal speed, in units per second.");
+  show_renderer = variables.add_int("r_speeds", 0, 0, 2,
+                                    "Shows what the renderer draws in a frame; 2: and how long it takes.");
 
-  // Everything is saved except the server's rules, the debug view and the number of players of the next game.
+  // Everything is saved except the server's rules, debug views, and the number of players of the next game.
   // A second table that holds only the server's variables supplies the names of the rules.
   command::Variables rules;
   const server::ServerVariables server_rules(rules);
   const std::vector<std::string> not_saved = list_names(rules);
   for (std::string& variable : list_names(variables))
-    if (std::find(not_saved.begin(), not_saved.end(), variable) == not_saved.end() && variable != "r_show" &&
-        variable != "maxplayers")
+    if (std::find(not_saved.begin(), not_saved.end(), variable) == not_saved.end() &&
+        std::find(kDebugging.begin(), kDebugging.end(), variable) == kDebugging.end())
       saved.push_back(std::move(variable));
 }
 
@@ -144,12 +155,12 @@ bool HostVariables::is_parallel() const {
   return variables_->bool_value(registered_->parallel);
 }
 
-bool HostVariables::shows_speed() const {
-  return variables_->bool_value(registered_->show_speed);
-}
-
-bool HostVariables::shows_latency() const {
-  return variables_->bool_value(registered_->show_latency);
+ReadoutSettings HostVariables::readouts() const {
+  return {.frame_rate = variables_->bool_value(registered_->show_speed),
+          .latency = variables_->bool_value(registered_->show_latency),
+          .clock = variables_->bool_value(registered_->show_clock),
+          .player_speed = variables_->bool_value(registered_->show_player_speed),
+          .renderer = static_cast<int>(variables_->int_value(registered_->show_renderer))};
 }
 
 platform::WindowSettings HostVariables::window() const {

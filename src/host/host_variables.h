@@ -34,6 +34,7 @@ class ServerVariables;
 namespace temblor::host {
 
 class Overrides;
+struct ReadoutSettings;
 struct ScreenSettings;
 
 struct ZoomSettings {
@@ -65,8 +66,7 @@ class HostVariables {
   std::uint32_t max_players() const;  // of the next game that is started on this machine; 1: single player
   std::uint16_t port() const;         // UDP port of games that others may join; 0: any free port
   bool is_parallel() const;           // server ticks may run in parallel with drawing
-  bool shows_speed() const;
-  bool shows_latency() const;
+  ReadoutSettings readouts() const;
 
   // Sets all variables to their defaults.
   void reset() const;

@@ -121,6 +121,7 @@ struct Effects::State {
   ParticlePool particles;
   Trails trails;
   DynamicLights lights;
+  bool muzzle_flashes = true;
   Beams beams;
   HitMarks hit_marks;
   render::MarkSet marks;
@@ -229,7 +230,7 @@ void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Ve
   TimedLight light{.entity = entity.number, .origin_world = origin_world, .born_s = time_s};
   const math::Vec3 above = origin_world + math::Vec3(0, 0, 16);
   const float flicker = light_flicker(entity.number, time_s);
-  if (entity.has_muzzle_flash || entity.effects & kEffectMuzzleFlash) {
+  if (muzzle_flashes && (entity.has_muzzle_flash || entity.effects & kEffectMuzzleFlash)) {
     TimedLight flash = light;
     const math::Vec3d forward = math::basis_from_angles(entity.angles_deg).forward;
     flash.origin_world = above + math::Vec3(forward * 18.0);
@@ -285,6 +286,7 @@ void Effects::advance(const Events& events, const EffectsInput& input, const Eff
   // Two frames at the same time (a paused game) must not emit trails twice.
   const bool time_passed = !state.last_time_s || input.time_s > *state.last_time_s;
   state.particles.set_capacity(settings.max_particles);
+  state.muzzle_flashes = settings.muzzle_flashes;
   // Advances old effects first, so that dead ones make room.
   state.particles.advance(input.time_s);
   state.lights.advance(input.time_s);

@@ -25,6 +25,7 @@ namespace temblor::client {
 struct EffectsSettings {
   std::size_t max_particles = 16384;  // r_particles_max; further particles are dropped
   bool marks = false;                 // r_marks; turning it off removes all marks
+  bool muzzle_flashes = true;         // shots light up the level
 };
 
 // The state of the game at the time of an advance(). References must be valid during the call.

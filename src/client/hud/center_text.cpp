@@ -43,9 +43,9 @@ void draw_center_text(const Panel& panel, std::string_view text, std::size_t let
   }
 }
 
-std::size_t count_written_letters(double seconds) {
-  constexpr double kLettersPerSecond = 8, kMaxSeconds = 1e6;
-  return static_cast<std::size_t>(std::clamp(seconds, 0.0, kMaxSeconds) * kLettersPerSecond);
+std::size_t count_written_letters(double seconds, double letters_per_second) {
+  constexpr double kMaxSeconds = 1e6;
+  return static_cast<std::size_t>(std::clamp(seconds, 0.0, kMaxSeconds) * letters_per_second);
 }
 
 }  // namespace temblor::client

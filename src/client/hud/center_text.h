@@ -14,7 +14,7 @@ namespace temblor::client {
 void draw_center_text(const Panel& panel, std::string_view text,
                       std::size_t letters = std::string_view::npos);
 
-// How many letters of a finale's text are visible after `seconds`: 8 a second.
-std::size_t count_written_letters(double seconds);
+// How many letters of a finale's text are visible after `seconds`.
+std::size_t count_written_letters(double seconds, double letters_per_second);
 
 }  // namespace temblor::client

@@ -31,7 +31,7 @@ void draw_crosshair(const Panel& panel, const CrosshairLook& look) {
     return panel.centered().draw_character('+', -kCharacterSide / 2, -kCharacterSide / 2);
   // In frame pixels: at the status bar's scale it would hide the target.
   constexpr int kLinesPerFrame = 540;
-  const int line_px = std::max(1, panel.frame_height_px() / kLinesPerFrame);
+  const int line_px = std::max(1, static_cast<int>(panel.frame_height_px() * look.scale / kLinesPerFrame));
   const Panel middle = panel.in_frame_pixels().centered();
   if (look.shape == Crosshair::kDot) return draw_bar(middle, {0, 0, 1, 1}, 2 * line_px, look.color);
   // Four arms around a gap, so that the target itself stays visible.

@@ -13,6 +13,7 @@ enum class Crosshair { kNone, kCharacter, kDot, kLines };
 struct CrosshairLook {
   Crosshair shape = Crosshair::kNone;
   std::uint8_t color = 15;  // palette index, for dot and lines
+  double scale = 1;         // of dot and lines
 };
 
 // Draws the crosshair in the center of the frame. Line widths follow the frame's height.

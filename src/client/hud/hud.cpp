@@ -14,9 +14,8 @@ namespace temblor::client {
 
 namespace {
 
-// How long the face shows pain and how long a center text stays, as in the original, and how long after a
-// death its hint appears.
-constexpr double kPainSeconds = 0.2, kCenterTextSeconds = 2, kHintAfterSeconds = 1;
+// How long the face shows pain, as in the original, and how long after a death its hint appears.
+constexpr double kPainSeconds = 0.2, kHintAfterSeconds = 1;
 
 // The score bar replaces the status bar while the player is dead or looks at the scores.
 void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
@@ -55,7 +54,7 @@ void draw_play(const Panel& panel, const Game& game, const HudTimes& times, doub
   const bool is_dead_in_deathmatch = game.deathmatch && game.stat(Stat::kHealth) <= 0;
   if (is_dead_in_deathmatch || (settings.shows_scores && game.players.size() > 1))
     draw_ranking(panel.in_middle(kScreenHeight), game);
-  else if (time_s - game.center_text_since_s < kCenterTextSeconds)
+  else if (time_s - game.center_text_since_s < settings.center_text_s)
     draw_center_text(panel, game.center_text);
   if (game.stat(Stat::kHealth) <= 0 && time_s - times.died_s >= kHintAfterSeconds)
     draw_death_hint(panel, settings.death_hint);
@@ -105,7 +104,7 @@ void Hud::draw(const Game& game, double time_s, int width, int height, const Hud
       break;
     case Ending::kFinale:
     case Ending::kCutScene:
-      draw_finale(panel, game, time_s);
+      draw_finale(panel, game, time_s, settings.letters_per_second);
       break;
   }
   if (game.paused) draw_pause(panel);

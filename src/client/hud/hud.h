@@ -28,6 +28,8 @@ struct HudSettings {
   // Opacity of the status bar's background, 0 to 1.
   float opacity = 1;
   CrosshairLook crosshair{};
+  // How long a message stays in the middle of the screen, and how fast the text of a finale appears.
+  double center_text_s = 2, letters_per_second = 8;
   // +showscores is held.
   bool shows_scores = false;
   // The hints for a dead player, in lines; the text must stay alive while drawing.

@@ -36,7 +36,7 @@ std::vector<std::string> split_at_commas(std::string_view text) {
 
 }  // namespace
 
-ClientVariables::ClientVariables(command::Variables& variables) {
+ClientVariables::ClientVariables(command::Variables& variables) : choices_(variables) {
   const PresentationSettings defaults;
   // A factor of 0 turns an effect off; a `max` above 1 allows more than the original's strength.
   const auto factor = [&](const char* name, float value, double max, const char* help) {
@@ -58,6 +58,10 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   bob_ = factor("v_bob", defaults.view.bob, 4, "View bob while walking. 1: original strength.");
   roll_ = factor("v_roll", defaults.view.roll, 4, "How far the view leans when strafing.");
   kick_ = factor("v_kick", defaults.view.kick, 4, "How hard damage and recoil shake the view.");
+  kick_time_ = variables.add_float("v_kicktime", static_cast<double>(defaults.view.kick_s), 0.01, 10,
+                                   "How long damage shakes the view, in seconds.");
+  idle_sway_ = factor("v_idlescale", defaults.view.idle_sway, 100,
+                      "How far the view sways all the time. 0: not at all.");
   damage_tint_ =
       factor("v_tint_damage", defaults.view.damage_tint, 1, "Strength of the flash when you take damage.");
   bonus_tint_ = factor("v_tint_bonus", defaults.view.bonus_tint, 1,
@@ -74,6 +78,15 @@ ClientVariables::ClientVariables(command::Variables& variables) {
   crosshair_ = variables.add_int("crosshair", 0, 0, 3, "Crosshair. 0: off, 1: cross, 2: dot, 3: lines.");
   crosshair_color_ = variables.add_int("crosshair_color", defaults.hud.crosshair.color, 0, 255,
                                        "Palette color of the crosshair's dot or lines.");
+  crosshair_scale_ = variables.add_float("scr_crosshairscale", defaults.hud.crosshair.scale, 0.25, 16,
+                                         "Size of the crosshair's dot or lines. 1: normal size.");
+  center_time_ = variables.add_float("scr_centertime", defaults.hud.center_text_s, 0, 60,
+                                     "How long messages stay in the middle of the screen, in seconds.");
+  print_speed_ = variables.add_float("scr_printspeed", defaults.hud.letters_per_second, 1, 1000,
+                                     "How fast the text at the end of an episode appears, in letters per "
+                                     "second.");
+  no_flash_ =
+      variables.add_bool("cl_noflash", !defaults.effects.muzzle_flashes, "Shots do not light up the level.");
   safe_colors_ = variables.add_bool("scr_safecolors", defaults.hud.safe_colors,
                                     "Marks low numbers, armor types and keys with symbols as well as "
                                     "colors.");
@@ -109,10 +122,14 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.interpolate = !variables.bool_value(no_lerp_);
   settings.no_lerp_models = split_at_commas(variables.text_value(no_lerp_models_));
   settings.effects.max_particles = static_cast<std::size_t>(variables.int_value(max_particles_));
+  settings.choices = choices_.read(variables);
+  settings.effects.muzzle_flashes = !variables.bool_value(no_flash_);
   settings.effects.marks = variables.bool_value(marks_);
   settings.view.bob = factor(bob_);
   settings.view.roll = factor(roll_);
   settings.view.kick = factor(kick_);
+  settings.view.kick_s = variables.float_value(kick_time_);
+  settings.view.idle_sway = factor(idle_sway_);
   settings.view.damage_tint = factor(damage_tint_);
   settings.view.bonus_tint = factor(bonus_tint_);
   settings.view.powerup_tint = factor(powerup_tint_);
@@ -122,7 +139,10 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.hud.scale = static_cast<int>(variables.int_value(hud_scale_));
   settings.hud.opacity = factor(hud_opacity_);
   settings.hud.crosshair = {static_cast<Crosshair>(variables.int_value(crosshair_)),
-                            static_cast<std::uint8_t>(variables.int_value(crosshair_color_))};
+                            static_cast<std::uint8_t>(variables.int_value(crosshair_color_)),
+                            variables.float_value(crosshair_scale_)};
+  settings.hud.center_text_s = variables.float_value(center_time_);
+  settings.hud.letters_per_second = variables.float_value(print_speed_);
   settings.hud.safe_colors = variables.bool_value(safe_colors_);
   settings.show_weapon = variables.bool_value(show_weapon_);
   settings.liquid_alpha = {factor(water_alpha_), factor(slime_alpha_), factor(lava_alpha_),

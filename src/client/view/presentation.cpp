@@ -11,6 +11,7 @@ Presentation::Presentation(const assets::Library& library)
 base::Status Presentation::begin_level(const Game& game, const PresentationSettings& settings) {
   scene_ = {};
   models_.reset();
+  pvs_leaf_.reset();
   TRY(ModelTable models, ModelTable::load(library_, game.models, notes_));
   models_.emplace(std::move(models));
   model_names_ = game.models;
@@ -88,7 +89,10 @@ Presentation::FrameView Presentation::advance_parts(ClientState& io_state, doubl
                    {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world},
                    settings.effects);
   PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
-  if (settings.camera) view = make_camera_view(*settings.camera, level, settings.view);
+  if (settings.camera)
+    view = make_camera_view(*settings.camera, level, settings.view);
+  else if (settings.choices.chase && game.ending == Ending::kNone)
+    chase_player(level, *settings.choices.chase, view);
   hud_.advance(game, io_state.events(), time_s);
   if (settings.subtitles) subtitles_.advance(game, io_state.events(), view.camera, time_s);
   if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
@@ -108,8 +112,15 @@ void Presentation::make_scene(const ClientState& state, double time_s, const Fra
   scene_ = scene_builder_.build(
       {*models_, game, frame_view.entities, effects_, frame_view.view,
        state.interpolate_weapon_frame(time_s, client_settings_), time_s,
-       settings.show_weapon && game.ending == Ending::kNone, settings.camera.has_value()},
+       settings.show_weapon && game.ending == Ending::kNone,
+       settings.camera.has_value() || settings.choices.chase.has_value(), settings.choices.light_styles},
       notes_);
+  apply_choices(settings.choices, scene_);
+  if (!settings.choices.locks_pvs)
+    pvs_leaf_.reset();
+  else if (!pvs_leaf_)
+    pvs_leaf_ = frame_view.view.leaf;
+  scene_.pvs_leaf = pvs_leaf_;
   lights_.assign(scene_.lights.begin(), scene_.lights.end());
   scene_.frame_number = ++frame_number_;
   scene_.light_before = is_first_scene ? nullptr : &light_before_;

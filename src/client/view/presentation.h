@@ -26,6 +26,7 @@
 #include "client/session/model_table.h"
 #include "client/view/audio_scene.h"
 #include "client/view/scene_builder.h"
+#include "client/view/scene_choices.h"
 #include "client/view/view.h"
 #include "render/draw_list.h"
 #include "render/scene.h"
@@ -48,6 +49,7 @@ struct PresentationSettings {
   // For liquids without an opacity in the level.
   render::LiquidAlpha liquid_alpha;
   bool fog = true, skybox = true;
+  SceneChoices choices;
   // Load sounds and fill audio_scene(). Takes effect at the next level.
   bool sound = false;
   audio::Volumes volumes;
@@ -126,6 +128,8 @@ class Presentation {
   // Whether this level has sound: the setting at its start.
   bool has_sound_ = false;
   LevelEnvironment environment_;
+  // The leaf whose potentially visible set is locked (SceneChoices::locks_pvs).
+  std::optional<world::LeafIndex> pvs_leaf_;
   std::string skybox_name_;
   render::Skybox skybox_;
   render::Scene scene_;

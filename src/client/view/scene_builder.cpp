@@ -136,7 +136,7 @@ render::Scene SceneBuilder::build(const SceneInput& input, std::vector<std::stri
   scene.underwater = input.view.underwater;
   scene.tint = input.view.tint;
   scene.time_s = input.time_s;
-  scene.light_styles = world::compute_light_styles(input.game.light_styles, input.time_s);
+  scene.light_styles = world::compute_light_styles(input.game.light_styles, input.time_s, input.light_styles);
   return scene;
 }
 

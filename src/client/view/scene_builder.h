@@ -27,6 +27,7 @@ struct SceneInput {
   bool show_weapon = true;
   // Draw the player's own body, for cameras outside it.
   bool show_player = false;
+  world::LightStyleMode light_styles = world::LightStyleMode::kFlickering;
 };
 
 // Owns the lists that a Scene refers to. The lists keep their capacity, so building allocates nothing in the

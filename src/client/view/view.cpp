@@ -123,7 +123,9 @@ void View::view_from_eyes(const Game& game, const ViewInput& input, const ViewSe
   const math::Vec3 stair_offset = up * stair_offset_;
   const math::Vec3 eye_world = place_world_ + up * (game.data.view_height + bob);
 
-  math::Vec3 head_deg = input.view_angles_deg + kick_.angles_deg(input.time_s) * settings.kick;
+  math::Vec3 head_deg =
+      input.view_angles_deg + kick_.angles_deg(input.time_s, settings.kick_s) * settings.kick;
+  head_deg += compute_idle_sway_deg(input.time_s) * settings.idle_sway;
   head_deg.z += compute_strafe_roll_deg(velocity, math::Vec3(look.right)) * settings.roll;
   if (is_dead(game)) head_deg.z = kDead_deg;
 

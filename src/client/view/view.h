@@ -23,6 +23,8 @@ namespace temblor::client {
 // Factors on the strength of each effect; 1 is the original's strength.
 struct ViewSettings {
   float bob = 1, roll = 1, kick = 1;
+  double kick_s = 0.5;  // how long damage shakes the view
+  float idle_sway = 0;  // the original's strength during an intermission is 1
   float damage_tint = 1, bonus_tint = 1, powerup_tint = 1, contents_tint = 1;
   float fov_deg = 90;
   // How much higher the weapon is held, to clear the status bar: in the original 2 units above the full bar,

@@ -54,9 +54,8 @@ void DamageKick::add(const net::Damage& damage, const math::Vec3& body_world, fl
   since_s_ = time_s;
 }
 
-math::Vec3 DamageKick::angles_deg(double time_s) const {
-  constexpr double kDuration_s = 0.5;
-  const double left = 1 - (time_s - since_s_) / kDuration_s;
+math::Vec3 DamageKick::angles_deg(double time_s, double duration_s) const {
+  const double left = 1 - (time_s - since_s_) / duration_s;
   return kick_deg_ * static_cast<float>(std::max(0.0, left));
 }
 

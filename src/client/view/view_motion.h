@@ -36,8 +36,8 @@ class StairSmoothing {
 class DamageKick {
  public:
   void add(const net::Damage& damage, const math::Vec3& body_world, float body_yaw_deg, double time_s);
-  // The kick at a time: pitch, 0, roll. It fades linearly.
-  math::Vec3 angles_deg(double time_s) const;
+  // The kick at a time: pitch, 0, roll. It fades linearly over `duration_s`.
+  math::Vec3 angles_deg(double time_s, double duration_s) const;
 
  private:
   // The full kick, and when it began.

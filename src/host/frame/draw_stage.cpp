@@ -6,6 +6,7 @@
 
 #include "client/demo/demo_bar.h"
 #include "client/hud/corner_text.h"
+#include "host/frame/corner_readouts.h"
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
 #include "host/frame/presentation_settings.h"
@@ -14,15 +15,22 @@
 namespace temblor::host {
 namespace {
 
+// The state of the demo or the game that is shown; null if there is none.
+const client::ClientState* find_shown_state(const Host& host) {
+  if (host.demos.session) return &host.demos.session->state();
+  const client::Connection* const connection = host.game.session->connection();
+  return connection != nullptr ? &connection->state() : nullptr;
+}
+
 constexpr std::uint8_t kBlack = 0;
-constexpr double kSpeedUpdate_s = 0.5, kDemoBarVisible_s = 3;
+constexpr double kDemoBarVisible_s = 3;
 
 // The variables that drawing needs. They are read before a server tick starts in parallel, because the game's
 // code may set variables.
 struct DrawSettings {
   render::Settings render;
   client::ConsoleSettings console;
-  bool shows_speed, shows_latency;
+  ReadoutSettings readouts;
 };
 
 // How a dead player continues, for the center of the screen. Empty for a demo. The keys are up to the game's
@@ -35,18 +43,32 @@ std::string_view choose_death_hint(const Host& host) {
              : "Press FIRE to restart the level";
 }
 
-// Counts a frame. The texts change only at the end of an interval; the sums then restart at 0.
-void update_meter(SpeedMeter& io_meter, const FrameTimes& times) {
-  io_meter.frames += 1;
-  io_meter.seconds += times.frame_s;
-  io_meter.worst_latency_s = std::max(io_meter.worst_latency_s, times.latency_s);
-  if (io_meter.seconds < kSpeedUpdate_s) return;
-  io_meter = {.speed_text = fmt::format("{:.0f} fps", io_meter.frames / io_meter.seconds),
-              .latency_text = fmt::format("{:.1f} ms", io_meter.worst_latency_s * 1000)};
+// Settings that show more of a level than other players see are for games alone and demos.
+void forbid_cheats(const Host& host, render::Settings& io_settings) {
+  if (host.demos.session || host.game.session->is_alone()) return;
+  io_settings.draw_world = true;
+  io_settings.light_view = render::LightView::kLit;
 }
 
-// Adds the demo bar, the console, the menu and the speed meter to the overlay, from back to front.
-void add_overlays(Host& io_host, const DrawSettings& settings, int width, int height) {
+void add_readouts(Host& io_host, const ReadoutSettings& settings, const render::FrameStats& stats, int width,
+                  int height) {
+  SpeedMeter& meter = io_host.video.meter;
+  update_meter(meter, io_host.timing.measured);
+  const client::ClientState* const state = find_shown_state(io_host);
+  const std::vector<std::string> lines =
+      list_readouts(settings, {.meter = meter,
+                               .game = state != nullptr ? &state->game() : nullptr,
+                               .time_s = state != nullptr ? state->time_s() : 0,
+                               .stats = stats});
+  int number = 0;
+  for (const std::string& line : lines)
+    client::draw_corner_text(io_host.game.data->presentation.pictures(), line, number++, width, height,
+                             io_host.video.overlay);
+}
+
+// Adds the demo bar, the console, the menu and the readouts to the overlay, from back to front.
+void add_overlays(Host& io_host, const DrawSettings& settings, const render::FrameStats& stats, int width,
+                  int height) {
   const assets::Pictures& pictures = io_host.game.data->presentation.pictures();
   render::DrawList& overlay = io_host.video.overlay;
   DemoPlayback& demos = io_host.demos;
@@ -60,12 +82,7 @@ void add_overlays(Host& io_host, const DrawSettings& settings, int width, int he
     client::draw_demo_bar(*demos.session, pictures, width, height, 0, overlay);
   io_host.console.ui.draw(view, width, height, overlay);
   io_host.game.menu->draw(width, height, io_host.timing.now_s, overlay);
-  SpeedMeter& meter = io_host.video.meter;
-  update_meter(meter, io_host.timing.measured);
-  int line = 0;
-  for (const std::string* text : {settings.shows_speed ? &meter.speed_text : nullptr,
-                                  settings.shows_latency ? &meter.latency_text : nullptr})
-    if (text != nullptr) client::draw_corner_text(pictures, *text, line++, width, height, overlay);
+  add_readouts(io_host, settings.readouts, stats, width, height);
 }
 
 // Draws the view and the overlay on top, or a black background if there is no view or the console covers it.
@@ -78,14 +95,12 @@ void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer
     stats = data.renderer.render(data.presentation.scene(), settings.render, io_frame);
     // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
     if (!io_host.saves.picture_request.empty()) write_save_picture(io_host, io_frame);
-    const client::ClientState& state =
-        io_host.demos.session ? io_host.demos.session->state() : io_host.game.session->connection()->state();
-    overlay = data.presentation.draw_list(state, io_frame.width(), io_frame.height(),
+    overlay = data.presentation.draw_list(*find_shown_state(io_host), io_frame.width(), io_frame.height(),
                                           io_host.video.presentation_settings);
   } else {
     overlay.commands.push_back({.area = {0, 0, io_frame.width(), io_frame.height()}, .fill = kBlack});
   }
-  add_overlays(io_host, settings, io_frame.width(), io_frame.height());
+  add_overlays(io_host, settings, stats, io_frame.width(), io_frame.height());
   data.renderer.draw_overlay(overlay, io_frame, stats);
 }
 
@@ -111,8 +126,8 @@ void draw_and_show(Host& io_host) {
   const auto step = [&io_host, &session, halted = is_halted(io_host)] {
     session.step_server(io_host.timing.now_s, halted);
   };
-  const DrawSettings settings{variables.render(), variables.console(), variables.shows_speed(),
-                              variables.shows_latency()};
+  DrawSettings settings{variables.render(), variables.console(), variables.readouts()};
+  forbid_cheats(io_host, settings.render);
   // Run the tick in parallel only if the frame rate needs it. With time to spare, the tick can follow the
   // frame, and drawing is done sooner with all cores to itself. The menus and the console read variables,
   // which the game's code may set meanwhile, so no tick runs while they are open.

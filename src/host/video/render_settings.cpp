@@ -49,6 +49,9 @@ RenderSettings::RenderSettings(command::Variables& variables) {
                                 "Skips leaves outside the potentially visible set (PVS).");
   fill_depth_ = variables.add_bool("r_fill_depth", defaults.fill_depth,
                                    "Fills the depth buffer; 0 only to measure its cost.");
+  draw_world_ = variables.add_bool("r_drawworld", defaults.draw_world, "Draws the level itself.");
+  full_bright_ = variables.add_bool("r_fullbright", false, "Draws the level without light and shadows.");
+  light_only_ = variables.add_bool("r_lightmap", false, "Draws the level's light without its textures.");
   colored_light_ = variables.add_bool("r_colored_light", defaults.colored_light,
                                       "Uses the level's colored light, in true color only.");
   variables.add_alias("r_coloured_light", "r_colored_light");  // old spelling
@@ -81,6 +84,10 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
   settings.cache_bytes = static_cast<std::size_t>(variables.float_value(cache_mb_) * kBytesPerMebibyte);
   settings.use_pvs = variables.bool_value(use_pvs_);
   settings.fill_depth = variables.bool_value(fill_depth_);
+  settings.draw_world = variables.bool_value(draw_world_);
+  settings.light_view = variables.bool_value(light_only_)    ? render::LightView::kLightOnly
+                        : variables.bool_value(full_bright_) ? render::LightView::kFullBright
+                                                             : render::LightView::kLit;
   settings.colored_light = variables.bool_value(colored_light_);
   settings.relight_alternate = variables.bool_value(relight_alternate_);
   settings.band_rows = static_cast<int>(variables.int_value(band_rows_));

@@ -64,22 +64,23 @@ TEST(ViewMotion, StairsAreTheSameAtAnyFrameRate) {
 }
 
 TEST(ViewMotion, DamageKick) {
+  constexpr double kKick_s = 0.5;
   // 20 of armor, 60 of blood: 40, times 0.6.
   DamageKick kick;
   kick.add({20, 60, {100, 0, 0}}, {0, 0, 0}, 0, 1);
-  EXPECT_NEAR(kick.angles_deg(1).x, 24, 1e-3);
-  EXPECT_NEAR(kick.angles_deg(1).z, 0, 1e-3);
-  EXPECT_NEAR(kick.angles_deg(1.25).x, 12, 1e-3);
-  EXPECT_EQ(kick.angles_deg(1.5), math::Vec3(0.0f));
-  EXPECT_EQ(kick.angles_deg(9), math::Vec3(0.0f));
+  EXPECT_NEAR(kick.angles_deg(1, kKick_s).x, 24, 1e-3);
+  EXPECT_NEAR(kick.angles_deg(1, kKick_s).z, 0, 1e-3);
+  EXPECT_NEAR(kick.angles_deg(1.25, kKick_s).x, 12, 1e-3);
+  EXPECT_EQ(kick.angles_deg(1.5, kKick_s), math::Vec3(0.0f));
+  EXPECT_EQ(kick.angles_deg(9, kKick_s), math::Vec3(0.0f));
   // From the right of a player who looks along +y: +x. Little damage counts as 10.
   kick.add({0, 1, {500, 10, 10}}, {0, 10, 10}, 90, 2);
-  EXPECT_NEAR(kick.angles_deg(2).x, 0, 1e-3);
-  EXPECT_NEAR(kick.angles_deg(2).z, 6, 1e-3);
-  EXPECT_EQ(DamageKick().angles_deg(0), math::Vec3(0.0f));
+  EXPECT_NEAR(kick.angles_deg(2, kKick_s).x, 0, 1e-3);
+  EXPECT_NEAR(kick.angles_deg(2, kKick_s).z, 6, 1e-3);
+  EXPECT_EQ(DamageKick().angles_deg(0, kKick_s), math::Vec3(0.0f));
   // From the player's own place.
   kick.add({0, 30, {1, 1, 1}}, {1, 1, 1}, 0, 3);
-  EXPECT_EQ(kick.angles_deg(3), math::Vec3(0.0f));
+  EXPECT_EQ(kick.angles_deg(3, kKick_s), math::Vec3(0.0f));
 }
 
 TEST(ViewMotion, EasedValuesTakeTheTimeOfAStep) {

@@ -131,6 +131,7 @@ std::span<const OptionLook> control_options() {
 }
 
 std::span<const OptionLook> accessibility_options() {
+  static constexpr std::string_view kLightStyles[] = {"flicker", "steady", "steady, bright"};
   static constexpr OptionLook kLooks[] = {
       {.variable = "scr_textsize",
        .label = "Text size",
@@ -143,6 +144,8 @@ std::span<const OptionLook> accessibility_options() {
       {.variable = "v_tint_bonus", .label = "Pickup flash", .shown_factor = 100, .unit = "%"},
       {.variable = "v_tint_powerup", .label = "Power-up tint", .shown_factor = 100, .unit = "%"},
       {.variable = "v_tint_liquid", .label = "Liquid tint", .shown_factor = 100, .unit = "%"},
+      {.variable = "r_flatlightstyles", .label = "Lights", .names = kLightStyles},
+      {.variable = "cl_noflash", .label = "No muzzle flashes"},
       {.variable = "v_kick", .label = "View kick", .high = 2, .step = 0.1, .shown_factor = 100, .unit = "%"},
       {.variable = "v_bob", .label = "View bob", .high = 2, .step = 0.1, .shown_factor = 100, .unit = "%"},
       {.variable = "v_roll", .label = "View roll", .high = 2, .step = 0.1, .shown_factor = 100, .unit = "%"},

@@ -1,0 +1,41 @@
+// Lines of numbers in the corner of the screen: scr_showfps, scr_showlatency, scr_clock, scr_showspeed, and
+// r_speeds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/frame_stats.h"
+
+namespace temblor::client {
+struct Game;
+}
+
+namespace temblor::host {
+
+struct SpeedMeter;
+struct FrameTimes;
+
+// Which lines are shown.
+struct ReadoutSettings {
+  bool frame_rate = false, latency = false, clock = false, player_speed = false;
+  int renderer = 0;  // r_speeds; 2: also the time of each stage
+
+  bool operator==(const ReadoutSettings&) const = default;
+};
+
+// Counts a frame. The texts change only at the end of an interval.
+void update_meter(SpeedMeter& io_meter, const FrameTimes& times);
+
+// The frame and the game that the readouts describe.
+struct ReadoutInput {
+  const SpeedMeter& meter;
+  const client::Game* game = nullptr;  // null: no level is shown
+  double time_s = 0;                   // since the level began
+  const render::FrameStats& stats;
+};
+
+// The lines from top to bottom.
+std::vector<std::string> list_readouts(const ReadoutSettings& settings, const ReadoutInput& input);
+
+}  // namespace temblor::host
