@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "command/text.h"
 #include "host/commands/list_commands.h"
+#include "host/commands/view_commands.h"
 #include "host/frame/host_parts.h"
 #include "host/menus/menus.h"
 #include "host/session/configure.h"
@@ -41,6 +42,7 @@ constexpr std::array kPlayerCommands = {
     CommandHelp{"notarget", "Toggles whether monsters ignore you."},
     CommandHelp{"noclip", "Toggles flying through walls."},
     CommandHelp{"fly", "Toggles flying."},
+    CommandHelp{"setpos", "setpos X Y Z [PITCH YAW]: flies to a place (see viewpos). Alone: shows yours."},
     CommandHelp{"give",
                 "give all, weapons, ammo, or keys; give 2 to 8: a weapon; give h 100: health; a: armor, "
                 "s: shells, n: nails, r: rockets, c: cells.",
@@ -59,11 +61,13 @@ constexpr std::array kServerCommands = {
     CommandHelp{"unban", "unban ADDRESS: lifts a ban."},
     CommandHelp{"profile", "Lists the QuakeC functions that ran the most instructions since the last call."},
     CommandHelp{"edict", "edict NUMBER: shows the fields of an entity."},
+    CommandHelp{"edicts", "edicts [CLASS]: lists the server's entities."},
+    CommandHelp{"edictcount", "Counts the server's entities."},
 };
 
 // See may_be_stuffed().
-constexpr std::array<std::string_view, 8> kMayBeStuffed = {
-    "play", "playvol", "stopsound", "centerview", "bf", "cd", "music", "force_centerview"};
+constexpr std::array<std::string_view, 10> kMayBeStuffed = {
+    "play", "playvol", "stopsound", "centerview", "bf", "cd", "music", "force_centerview", "fog", "sky"};
 
 // Prints an error, with the file and line of the command if it is in a file.
 void print_command_error(Host& io_host, std::string_view text) {
@@ -320,6 +324,7 @@ void add_game_commands(Host& io_host) {
 
 void add_host_commands(Host& io_host) {
   add_list_commands(io_host);
+  add_view_commands(io_host);
   add_player_commands(io_host);
   add_server_commands(io_host);
   add_game_commands(io_host);

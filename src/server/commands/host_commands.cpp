@@ -175,6 +175,38 @@ void entity(Server& io_server, Arguments arguments) {
     print(io_server, fmt::format("{:<16} {}\n", name, value));
 }
 
+// All entities, or those of one class.
+void list_entities(Server& io_server, Arguments arguments) {
+  if (!io_server.game) return io_server.console.print_error("edicts: no level is running");
+  Edicts& edicts = io_server.game->world().edicts;
+  std::size_t shown = 0;
+  for (std::uint32_t i = 0; i < edicts.count(); ++i) {
+    const vm::EntityIndex entity{i};
+    if (edicts.is_free(entity)) continue;
+    const std::string name(io_server.game->machine().text(edicts[entity][field::kClassName]));
+    if (arguments.size() > 1 && name != arguments[1]) continue;
+    const math::Vec3 at = edicts[entity][field::kOrigin];
+    print(io_server, fmt::format("{:5} {:<28} {:.0f} {:.0f} {:.0f}\n", i, name, at.x, at.y, at.z));
+    ++shown;
+  }
+  print(io_server, fmt::format("{} {}\n", shown, shown == 1 ? "entity" : "entities"));
+}
+
+void count_entities(Server& io_server) {
+  if (!io_server.game) return io_server.console.print_error("edictcount: no level is running");
+  Edicts& edicts = io_server.game->world().edicts;
+  std::size_t used = 0, solid = 0, with_model = 0;
+  for (std::uint32_t i = 0; i < edicts.count(); ++i) {
+    const vm::EntityIndex entity{i};
+    if (edicts.is_free(entity)) continue;
+    ++used;
+    solid += edicts[entity].solid() != Solid::kNot;
+    with_model += edicts[entity][field::kModelIndex] != 0;
+  }
+  print(io_server, fmt::format("{} entities: {} with a model, {} solid or triggers; {} numbers in use\n",
+                               used, with_model, solid, edicts.count()));
+}
+
 void record(Server& io_server, Arguments arguments) {
   std::int64_t number = 1;
   if (arguments.size() > 2) {
@@ -243,6 +275,13 @@ void add_host_commands(Server& io_server) {
   add("profile", "Lists the QuakeC functions that ran the most instructions since the last call.", 0,
       [](Server& s, Arguments) { profile(s); });
   add("edict", "edict NUMBER: shows the fields of an entity.", 1, entity);
+  add("edicts", "edicts [CLASS]: lists the entities.", 0, list_entities);
+  add("edictcount", "Counts the entities.", 0, [](Server& s, Arguments) { count_entities(s); });
+  // Other servers' names for some of these.
+  add("users", "Shows the level and its players.", 0, [](Server& s, Arguments) { status(s); });
+  add("addip", "addip ADDRESS or ADDRESS/BITS: refuses connections; addip alone lists bans.", 0, ban);
+  add("removeip", "removeip ADDRESS or ADDRESS/BITS: lifts a ban.", 1, unban);
+  add("listip", "Lists the bans.", 0, [](Server& s, Arguments words) { ban(s, words.first(1)); });
   add("quit", "Shuts the server down.", 0, [](Server& s, Arguments) { s.wants_to_quit = true; });
 }
 

@@ -21,6 +21,8 @@ namespace {
 constexpr std::size_t kMaxNameChars = 15;
 constexpr std::size_t kMaxSayChars = 200;
 constexpr int kMaxColor = 13;
+// Beyond the largest level that any format can hold.
+constexpr double kMaxPlace_units = 1 << 20;
 
 using Words = std::span<const std::string>;
 
@@ -183,6 +185,35 @@ void toggle_move_type(const Caller& caller, MoveType type, std::string_view name
   caller.print(fmt::format("{} {}\n", name, is_on ? "ON" : "OFF"));
 }
 
+// "setpos X Y Z [PITCH YAW [ROLL]]", as other engines' players write it: flies there without clipping.
+void setpos_command(const Caller& caller) {
+  const Edict edict = caller.edict();
+  if (caller.words.size() < 4) {
+    const math::Vec3 at = edict[field::kOrigin], angles_deg = edict[field::kViewAngles];
+    return caller.print(fmt::format("setpos {:.0f} {:.0f} {:.0f} {:.0f} {:.0f} {:.0f}\n", at.x, at.y, at.z,
+                                    angles_deg.x, angles_deg.y, angles_deg.z));
+  }
+  std::array<float, 6> numbers{};
+  const std::size_t count = std::min<std::size_t>(caller.words.size() - 1, numbers.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::optional<double> number = command::parse_number(caller.words[i + 1]);
+    if (!number || std::abs(*number) > kMaxPlace_units)
+      return caller.print("Usage: setpos X Y Z [PITCH YAW [ROLL]]\n");
+    numbers[i] = static_cast<float>(*number);
+  }
+  edict.set(field::kMoveType, static_cast<float>(MoveType::kNoClip));
+  edict.set(field::kVelocity, math::Vec3(0.0f));
+  edict.set(field::kOrigin, math::Vec3(numbers[0], numbers[1], numbers[2]));
+  if (count > 3) {
+    edict.set(field::kAngles, math::Vec3(numbers[3], numbers[4], numbers[5]));
+    edict.set(field::kFixAngle, 1.0f);
+  }
+  if (const base::Status linked = link(caller.server.game->world(),
+                                       caller.server.game->player_index(caller.slot), TouchTriggers::kNo);
+      !linked.ok())
+    handle_game_failure(caller.server, linked.error());
+}
+
 void give_command(const Caller& caller) {
   caller.print(give(*caller.server.game, caller.slot, caller.words));
 }
@@ -241,6 +272,7 @@ constexpr std::array kCommands = {
     PlayerCommandEntry{
         "fly", [](const Caller& caller) { toggle_move_type(caller, MoveType::kFly, "flymode"); }, true},
     PlayerCommandEntry{"give", give_command, true},
+    PlayerCommandEntry{"setpos", setpos_command, true},
 };
 
 }  // namespace

@@ -1,0 +1,11 @@
+// Console commands that change the fog, the sky, and the tint of the level that is shown, and that list what
+// the client knows of it: fog, sky, bf, entities. The names and arguments are those of other engines.
+#pragma once
+
+namespace temblor::host {
+
+struct Host;
+
+void add_view_commands(Host& io_host);
+
+}  // namespace temblor::host

@@ -1,0 +1,93 @@
+// fog, sky, setpos, entities, and edicts, typed in a running game.
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "client/session/client_state.h"
+#include "host/headless_host.h"
+#include "host/session/session.h"
+#include "server/game/entity_fields.h"
+#include "server/server.h"
+#include "support/programs/quakec.h"
+
+namespace temblor::test {
+namespace {
+
+class ViewCommands : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    SKIP_WITHOUT_QUAKEC();
+    game_.emplace(std::vector<std::string>{"map small"});
+    ASSERT_TRUE(game_->run_until_playing());
+  }
+  void type(std::string_view line) {
+    game_->command(line);
+    game_->run(0.3);
+  }
+  const client::Game& state() { return game_->session().connection()->state().game(); }
+
+  std::optional<HeadlessHost> game_;
+};
+
+TEST_F(ViewCommands, FogTakesTheArgumentsOfOtherEngines) {
+  type("fog 0.05 1 0.5 0.25");
+  ASSERT_TRUE(state().fog);
+  EXPECT_FLOAT_EQ(state().fog->density, 0.05f);
+  EXPECT_EQ(state().fog->color, math::Vec3(1, 0.5f, 0.25f));
+  type("fog 0.1");
+  EXPECT_FLOAT_EQ(state().fog->density, 0.1f);
+  EXPECT_NEAR(state().fog->color.g, 0.5f, 1e-3);
+  type("fog 0 1 0");
+  EXPECT_NEAR(state().fog->density, 0.1f, 1e-3);
+  EXPECT_EQ(state().fog->color, math::Vec3(0, 1, 0));
+  type("fog 0.2 1 1 1 5");
+  EXPECT_EQ(state().fog->fade_s, 5);
+  type("fog");
+  EXPECT_TRUE(game_->has_printed("fog: density"));
+  type("fog thick");
+  EXPECT_TRUE(game_->has_printed("fog DENSITY, fog RED GREEN BLUE"));
+  EXPECT_EQ(state().fog->fade_s, 5) << "a bad number changes nothing";
+}
+
+TEST_F(ViewCommands, SkyChangesTheSkybox) {
+  type("sky night_");
+  EXPECT_EQ(state().skybox, "night_");
+  type("sky");
+  EXPECT_TRUE(game_->has_printed("sky: \"night_\""));
+  type("sky \"\"");
+  EXPECT_EQ(state().skybox, "");
+}
+
+TEST_F(ViewCommands, SetposMovesAndTurnsThePlayer) {
+  type("setpos 48 256 100 10 45 0");
+  const server::Edict player = game_->session().server()->game->player(0);
+  EXPECT_EQ(player[server::field::kOrigin], math::Vec3(48, 256, 100)) << "it does not fall";
+  EXPECT_NEAR(player[server::field::kViewAngles].y, 45, 1);
+  type("setpos");
+  EXPECT_TRUE(game_->has_printed("setpos 48 256 100"));
+  type("setpos 1 2 nowhere");
+  EXPECT_TRUE(game_->has_printed("Usage: setpos X Y Z"));
+  type("setpos 1 2 1e30");
+  EXPECT_EQ(player[server::field::kOrigin], math::Vec3(48, 256, 100));
+}
+
+TEST_F(ViewCommands, ListsEntitiesOfClientAndServer) {
+  type("entities");
+  EXPECT_TRUE(game_->has_printed(" entit"));
+  type("edicts worldspawn");
+  EXPECT_TRUE(game_->has_printed("0 worldspawn"));
+  EXPECT_TRUE(game_->has_printed("1 entity"));
+  type("edictcount");
+  EXPECT_TRUE(game_->has_printed("numbers in use"));
+}
+
+TEST(ViewCommandsWithoutGame, SayWhatIsMissing) {
+  HeadlessHost game;
+  for (const char* line : {"fog 1", "sky x", "bf", "entities"}) game.command(line);
+  game.run(0.1);
+  EXPECT_TRUE(game.has_printed("fog: start or join a game first"));
+  EXPECT_TRUE(game.has_printed("entities: start or join a game first"));
+}
+
+}  // namespace
+}  // namespace temblor::test
