@@ -34,73 +34,23 @@ constexpr std::array kCounterparts = {
     Counterpart{"sfxvolume", "volume"},
 };
 
-// Settings without a counterpart.
-constexpr std::array kIgnored = std::to_array<std::string_view>({"r_scale",
-                                                                 "r_softemu",
-                                                                 "r_shadows",
-                                                                 "r_waterquality",
-                                                                 "r_oldwater",
-                                                                 "r_oldskyleaf",
-                                                                 "r_fastsky",
-                                                                 "r_skyalpha",
-                                                                 "r_skyfog",
-                                                                 "r_sky_quality",
-                                                                 "r_stereo",
-                                                                 "r_noshadow_list",
-                                                                 "r_clearcolor",
-                                                                 "r_overbright",
-                                                                 "r_overbright_models",
-                                                                 "r_quadparticles",
-                                                                 "cl_gun_fovscale",
-                                                                 "cl_bobcycle",
-                                                                 "cl_bobup",
-                                                                 "cl_rollspeed",
-                                                                 "v_iyaw_cycle",
-                                                                 "v_iroll_cycle",
-                                                                 "v_ipitch_cycle",
-                                                                 "v_iyaw_level",
-                                                                 "v_iroll_level",
-                                                                 "v_ipitch_level",
-                                                                 "scr_ofsx",
-                                                                 "scr_ofsy",
-                                                                 "scr_ofsz",
-                                                                 "scr_showram",
-                                                                 "scr_showturtle",
-                                                                 "scr_showpause",
-                                                                 "scr_conwidth",
-                                                                 "scr_menubgalpha",
-                                                                 "m_filter",
-                                                                 "snd_mixspeed",
-                                                                 "snd_speed",
-                                                                 "snd_filterquality",
-                                                                 "snd_show",
-                                                                 "ambient_fade",
-                                                                 "nosound",
-                                                                 "precache",
-                                                                 "bgmbuffer",
-                                                                 "loadas8bit",
-                                                                 "crosshairx",
-                                                                 "crosshairy",
-                                                                 "sys_throttle",
-                                                                 "mem_list",
-                                                                 "r_litwater",
-                                                                 "r_showtris",
-                                                                 "scr_sbar",
-                                                                 "fov_adapt",
-                                                                 "sv_altnoclip",
-                                                                 "pr_engine",
-                                                                 "con_logcenterprint",
-                                                                 "v_centermove",
-                                                                 "skyroom",
-                                                                 "rate",
-                                                                 "heartbeat",
-                                                                 "tp_msg",
-                                                                 "loc"});
+// Settings without a counterpart, each with a space before and after it.
+constexpr std::string_view kIgnored =
+    " "
+    "r_scale r_softemu r_shadows r_waterquality r_oldwater r_oldskyleaf r_fastsky r_skyalpha "
+    "r_skyfog r_sky_quality r_stereo r_noshadow_list r_clearcolor r_overbright "
+    "r_overbright_models r_quadparticles cl_gun_fovscale cl_bobcycle cl_bobup cl_rollspeed "
+    "v_iyaw_cycle v_iroll_cycle v_ipitch_cycle v_iyaw_level v_iroll_level v_ipitch_level scr_ofsx "
+    "scr_ofsy scr_ofsz scr_showram scr_showturtle scr_showpause scr_conwidth scr_menubgalpha "
+    "m_filter snd_mixspeed snd_speed snd_filterquality snd_show ambient_fade nosound precache "
+    "bgmbuffer loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater r_showtris "
+    "scr_sbar fov_adapt sv_altnoclip pr_engine con_logcenterprint v_centermove skyroom rate "
+    "heartbeat tp_msg loc ";
 
 // Config files contain all settings of other renderers and of their windows. A typed vid_ name may be a
 // mistyped one of ours.
 bool is_ignored(std::string_view name, bool is_in_file) {
-  return std::find(kIgnored.begin(), kIgnored.end(), name) != kIgnored.end() || name.starts_with("gl_") ||
+  return kIgnored.find(fmt::format(" {} ", name)) != std::string_view::npos || name.starts_with("gl_") ||
          (is_in_file && name.starts_with("vid_"));
 }
 
