@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "net/transport/control.h"
+#include "net/transport/quakeworld.h"
 #include "net/transport/send_to.h"
 #include "net/wire/packet_header.h"
 
@@ -100,6 +101,8 @@ void ClientEndpoint::request(double now_s) {
   const auto bytes = write_control_packet(ConnectRequest{});
   CHECK(bytes.ok());
   socket_->send(requested_server_, *bytes);
+  // A QuakeWorld server ignores that; ask a silent server whether it is one.
+  if (requests_ > 1) socket_->send(requested_server_, make_quakeworld_status_request());
 }
 
 std::optional<ClientEvent> ClientEndpoint::handle_datagram(const platform::Datagram& datagram) {
@@ -121,6 +124,11 @@ std::optional<ClientEvent> ClientEndpoint::handle_datagram(const platform::Datag
 }
 
 std::optional<ClientEvent> ClientEndpoint::handle_control(base::Bytes packet) {
+  if (is_quakeworld_status(packet)) {
+    drop(fmt::format("{} is a QuakeWorld server. Temblor plays on Quake servers (NetQuake) only.",
+                     to_text(requested_server_)));
+    return std::nullopt;
+  }
   const auto read = read_control_packet(packet);
   if (!read.ok()) return std::nullopt;
   if (const auto* rejected = std::get_if<RejectReply>(&*read)) drop(make_one_line(rejected->reason));

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "net/protocol/message_writer.h"
+#include "net/transport/quakeworld.h"
 #include "net/transport/send_to.h"
 #include "net/wire/packet_header.h"
 
@@ -171,6 +172,7 @@ void ServerEndpoint::handle_control(const ReceivedPacket& packet) {
   const auto read = read_control_packet(packet.bytes);
   if (!read.ok()) {
     ++statistics_.malformed;
+    if (is_quakeworld_join(packet.bytes)) explain_to_quakeworld(packet.from, packet.bytes.size());
     return;
   }
   if (const auto* connect = std::get_if<ConnectRequest>(&*read))
@@ -320,10 +322,27 @@ void ServerEndpoint::send_to_unverified_peer(const Peer& to, const ControlPacket
                                              std::size_t request_bytes, bool is_known) {
   const auto bytes = write_control_packet(reply);
   if (!bytes.ok()) return;  // a name contains a zero byte
-  if (unverified_limits_.admit_reply(to.address, request_bytes, bytes->size(), is_known, now_s_))
-    sockets_[to.socket]->send(to.address, *bytes);
+  send_bytes_to_unverified_peer(to, *bytes, request_bytes, is_known);
+}
+
+void ServerEndpoint::send_bytes_to_unverified_peer(const Peer& to, base::Bytes bytes,
+                                                   std::size_t request_bytes, bool is_known) {
+  if (unverified_limits_.admit_reply(to.address, request_bytes, bytes.size(), is_known, now_s_))
+    sockets_[to.socket]->send(to.address, bytes);
   else
     ++statistics_.unanswered;
+}
+
+// The client prints it, and would otherwise wait in silence.
+void ServerEndpoint::explain_to_quakeworld(const Peer& to, std::size_t request_bytes) {
+  const bool is_known = has_connection_of_host(to.address);
+  if (!unverified_limits_.admit_query(to.address, is_known, now_s_)) {
+    ++statistics_.unanswered;
+    return;
+  }
+  send_bytes_to_unverified_peer(
+      to, make_quakeworld_print("This is a Quake server, not QuakeWorld: join it with a Quake client.\n"),
+      request_bytes, is_known);
 }
 
 void ServerEndpoint::send_control(const Peer& to, const ControlPacket& packet) {

@@ -198,6 +198,9 @@ class ServerEndpoint {
   // Sends a reply if the budgets allow it.
   void send_to_unverified_peer(const Peer& to, const ControlPacket& reply, std::size_t request_bytes,
                                bool is_known);
+  void send_bytes_to_unverified_peer(const Peer& to, base::Bytes bytes, std::size_t request_bytes,
+                                     bool is_known);
+  void explain_to_quakeworld(const Peer& to, std::size_t request_bytes);
   void send_control(const Peer& to, const ControlPacket& packet);
   // Ends a connection, without an event.
   void close_connection(ConnectionId connection, std::string_view reason);

@@ -23,6 +23,7 @@ using ::testing::IsEmpty;
 using namespace std::string_literals;
 
 const std::string kClientConnect = "\x80\0\0\x0c\x01QUAKE\0\x03"s;
+const std::string kQuakeWorldStatus = "\xff\xff\xff\xffstatus\n";
 const std::string kNop = "\0\x10\0\x09\0\0\0\0\x01"s;
 
 struct ClientBench {
@@ -53,15 +54,37 @@ TEST(ClientEndpoint, GivesUpAfterThreeRequests) {
   bench.tick(2.4);
   EXPECT_THAT(bench.received(), IsEmpty());
   bench.tick(0.2);
-  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect));
+  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect, kQuakeWorldStatus));
   bench.tick(2.5);
-  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect));
+  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect, kQuakeWorldStatus));
   EXPECT_THAT(bench.client.taken(), IsEmpty());
   bench.tick(2.5);
   EXPECT_THAT(bench.client.taken(), ElementsAre("- 10.0.0.1:26000 does not answer"));
   EXPECT_EQ(bench.client.endpoint.state(), ClientEndpoint::State::kIdle);
   bench.tick(10);
   EXPECT_THAT(bench.received(), IsEmpty());
+}
+
+TEST(ClientEndpoint, ExplainsThatAServerSpeaksQuakeWorld) {
+  ClientBench bench;
+  bench.tick(2.6);
+  bench.send("\xff\xff\xff\xffn\\maxclients\\8\\map\\dm6\n"s);
+  bench.tick();
+  EXPECT_THAT(bench.client.taken(), ElementsAre("- 10.0.0.1:26000 is a QuakeWorld server. Temblor plays on "
+                                                "Quake servers (NetQuake) only."));
+  EXPECT_EQ(bench.client.endpoint.state(), ClientEndpoint::State::kIdle);
+}
+
+// DarkPlaces answers the same question with another word, and takes connection requests.
+TEST(ClientEndpoint, OtherPacketsOutsideAConnectionAreIgnored) {
+  ClientBench bench;
+  for (const auto& text :
+       {"\xff\xff\xff\xffstatusResponse\n\\a\\b"s, "\xff\xff\xff\xffn"s, "\xff\xff\xff\xff"s}) {
+    bench.send(text);
+    bench.tick();
+  }
+  EXPECT_THAT(bench.client.taken(), IsEmpty());
+  EXPECT_EQ(bench.client.endpoint.state(), ClientEndpoint::State::kConnecting);
 }
 
 TEST(ClientEndpoint, FollowsStockServerToNewPort) {

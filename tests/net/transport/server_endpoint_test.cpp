@@ -296,6 +296,18 @@ TEST(ServerEndpoint, BansRejectAndDisconnect) {
   EXPECT_THAT(bench.server.taken(), ElementsAre("+3"));
 }
 
+TEST(ServerEndpoint, ExplainsToQuakeWorldClientsThatTheyCannotJoin) {
+  Bench bench;
+  BarePeer asker(bench.network, host(2, 1));
+  asker.send("\xff\xff\xff\xffgetchallenge\n"s);
+  asker.send("\xff\xff\xff\xffstatus\n"s);  // of server lists, which must not show this server
+  asker.send("\xff\xff\xff\xff"s);
+  bench.tick();
+  EXPECT_THAT(asker.received(),
+              ElementsAre("\xff\xff\xff\xffnThis is a Quake server, not QuakeWorld: join it "
+                          "with a Quake client.\n"));
+}
+
 TEST(ServerEndpoint, RepliesToQueries) {
   Bench bench;
   BarePeer asker(bench.network, host(2, 1));
