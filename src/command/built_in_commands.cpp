@@ -21,6 +21,18 @@ void Console::add_built_in_commands() {
               [this](Arguments) { waiting_ = true; });
 }
 
+const std::string* Console::find_alias(std::string_view name) const {
+  const auto found = aliases_.find(base::to_lower(name));
+  return found != aliases_.end() ? &found->second : nullptr;
+}
+
+void Console::set_alias(std::string_view name, std::string_view text) {
+  if (text.empty())
+    aliases_.erase(base::to_lower(name));
+  else
+    aliases_[base::to_lower(name)] = text;
+}
+
 // A name that is taken by a command or variable is refused, because the alias would never run.
 void Console::alias_command(Arguments arguments) {
   if (arguments.size() == 1) {

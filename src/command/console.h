@@ -82,6 +82,11 @@ class Console {
   // The file of the running command; empty: none.
   const std::string& file() const { return place_.file; }
 
+  // Returns the text of an alias; null: there is none.
+  const std::string* find_alias(std::string_view name) const;
+  // Sets an alias; without a text, removes it.
+  void set_alias(std::string_view name, std::string_view text);
+
   // Finds commands, aliases, and variables with this prefix (ignoring case), sorted by name.
   std::vector<Candidate> candidates(std::string_view prefix) const;
   // Like candidates(), but only the names, without duplicates.

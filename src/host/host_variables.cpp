@@ -12,6 +12,7 @@
 #include "command/text.h"
 #include "host/frame/corner_readouts.h"
 #include "host/session/overrides.h"
+#include "host/session/stuffed_text.h"
 #include "host/video/render_settings.h"
 #include "host/video/screen.h"
 #include "platform/window.h"
@@ -48,7 +49,7 @@ struct HostVariables::Registered {
   server::ServerVariables server;
   command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
       max_fps, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble, parallel,
-      show_speed, show_latency, show_clock, show_player_speed, show_renderer, max_players, port;
+      show_speed, show_latency, show_clock, show_player_speed, show_renderer, stuffed_text, max_players, port;
   std::vector<std::string> saved;  // the names of the player's own variables
 };
 
@@ -102,6 +103,10 @@ HostVariables::Registered::Registered(command::Variables& variables)
       variables.add_bool("scr_showspeed", false, "Shows your horizontal speed, in units per second.");
   show_renderer = variables.add_int("r_speeds", 0, 0, 2,
                                     "Shows what the renderer draws in a frame; 2: and how long it takes.");
+
+  stuffed_text = variables.add_int("cl_stufftext", 1, 0, 2,
+                                   "Commands that servers on other machines may run here. 0: none; 1: "
+                                   "harmless ones; 2: all.");
 
   // Everything is saved except the server's rules, debug views, and the number of players of the next game.
   // A second table that holds only the server's variables supplies the names of the rules.
@@ -161,6 +166,10 @@ ReadoutSettings HostVariables::readouts() const {
           .clock = variables_->bool_value(registered_->show_clock),
           .player_speed = variables_->bool_value(registered_->show_player_speed),
           .renderer = static_cast<int>(variables_->int_value(registered_->show_renderer))};
+}
+
+StuffedTextRule HostVariables::stuffed_text() const {
+  return static_cast<StuffedTextRule>(variables_->int_value(registered_->stuffed_text));
 }
 
 platform::WindowSettings HostVariables::window() const {

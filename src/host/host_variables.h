@@ -35,6 +35,7 @@ namespace temblor::host {
 
 class Overrides;
 struct ReadoutSettings;
+enum class StuffedTextRule;
 struct ScreenSettings;
 
 struct ZoomSettings {
@@ -67,6 +68,7 @@ class HostVariables {
   std::uint16_t port() const;         // UDP port of games that others may join; 0: any free port
   bool is_parallel() const;           // server ticks may run in parallel with drawing
   ReadoutSettings readouts() const;
+  StuffedTextRule stuffed_text() const;
 
   // Sets all variables to their defaults.
   void reset() const;

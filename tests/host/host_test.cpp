@@ -7,7 +7,6 @@
 #include <set>
 
 #include "formats/images/png.h"
-#include "host/commands/host_commands.h"
 #include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "host/session/games.h"
@@ -372,14 +371,6 @@ TEST(Host, ReportsALostWindowOnceEachTime) {
   game.window().set_can_present(false);
   game.run(0.1);
   EXPECT_EQ(count_reports(), 2);
-}
-
-TEST(Host, RemoteServersMayRunOnlyHarmlessCommands) {
-  EXPECT_TRUE(host::may_be_stuffed("play misc/hello.wav"));
-  EXPECT_FALSE(host::may_be_stuffed("play x; quit"));
-  EXPECT_FALSE(host::may_be_stuffed("bind w quit"));
-  EXPECT_FALSE(host::may_be_stuffed("exec evil.cfg"));
-  EXPECT_FALSE(host::may_be_stuffed(""));
 }
 
 }  // namespace

@@ -133,11 +133,12 @@ void AudioScene::advance(const Game& game, const Events& events, const world::Le
     events_.stopped.push_back({what.entity, what.channel});
 }
 
-void AudioScene::play_local(const std::string& name) {
+void AudioScene::play_local(const std::string& name, float volume) {
   // In the original, a menu sound cut off a sound of the player; here it does not.
   events_.started.push_back({.sound = sounds_.sound(name),
                              .entity = scene_.listener.entity,
-                             .origin_world = scene_.listener.origin_world});
+                             .origin_world = scene_.listener.origin_world,
+                             .volume = volume});
 }
 
 std::vector<std::string> AudioScene::take_notes() {

@@ -34,9 +34,9 @@ class AudioScene {
   // Starts the sounds of `events`, and moves the listener to the view's camera.
   void advance(const Game& game, const Events& events, const world::Level& level, const PlayerView& view,
                const audio::Volumes& volumes);
-  // Plays a sound at full volume, independent of the game: menu clicks. `name` as in game code:
-  // "misc/menu1.wav".
-  void play_local(const std::string& name);
+  // Plays a sound that does not belong to the game, such as a menu click, at a volume of 0 to 1. `name` as in
+  // game code: "misc/menu1.wav".
+  void play_local(const std::string& name, float volume = 1);
 
   const audio::Scene& scene() const { return scene_; }
   // Sound events for the mixer. The owner passes them on and clears them.

@@ -140,6 +140,7 @@ void View::view_from_eyes(const Game& game, const ViewInput& input, const ViewSe
 
 render::Tint View::tint(const Game& game, world::Contents contents, const ViewSettings& settings) const {
   render::Tint tint = scale_tint(contents_tint(contents), settings.contents_tint);
+  if (contents == world::Contents::kEmpty) tint = settings.open_tint;
   if (game.ending != Ending::kNone) return tint;
   tint = blend_tints(tint, scale_tint(fading_.damage(), settings.damage_tint));
   tint = blend_tints(tint, scale_tint(fading_.bonus(), settings.bonus_tint));

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "command/text.h"
 #include "host/commands/list_commands.h"
+#include "host/commands/sound_commands.h"
 #include "host/commands/view_commands.h"
 #include "host/frame/host_parts.h"
 #include "host/menus/menus.h"
@@ -64,10 +65,6 @@ constexpr std::array kServerCommands = {
     CommandHelp{"edicts", "edicts [CLASS]: lists the server's entities."},
     CommandHelp{"edictcount", "Counts the server's entities."},
 };
-
-// See may_be_stuffed().
-constexpr std::array<std::string_view, 10> kMayBeStuffed = {
-    "play", "playvol", "stopsound", "centerview", "bf", "cd", "music", "force_centerview", "fog", "sky"};
 
 // Prints an error, with the file and line of the command if it is in a file.
 void print_command_error(Host& io_host, std::string_view text) {
@@ -273,11 +270,6 @@ void add_screen_commands(Host& io_host) {
   add("sizeup", "Shows less of the status bar.", [](Host& host, Arguments) { change_view_size(host, 10); });
   add("sizedown", "Shows more of the status bar.",
       [](Host& host, Arguments) { change_view_size(host, -10); });
-  add("play", "play FILE...: plays sounds, for example misc/menu1.wav.", [](Host& host, Arguments arguments) {
-    if (arguments.size() < 2) return print_command_error(host, "play FILE...: name a sound");
-    for (const std::string& name : arguments.subspan(1))
-      host.game.data->presentation.audio_scene().play_local(name);
-  });
 }
 
 void add_game_commands(Host& io_host) {
@@ -309,9 +301,6 @@ void add_game_commands(Host& io_host) {
       });
   add("writeconfig", "Saves the settings now instead of at the end.",
       [](Host& host, Arguments) { print_if_command_error(host, save_configuration(host)); });
-  // Stock games send these to their players to change the music or the tint of the view.
-  for (const char* const name : {"playvol", "stopsound", "cd", "music", "v_cshift"})
-    add(name, "Accepted for compatibility; does nothing.", [](Host&, Arguments) {});
   add("cmd", "cmd TEXT: sends a command to the server as it is.", [](Host& host, Arguments arguments) {
     if (arguments.size() < 2) return print_command_error(host, "cmd TEXT: name a command of the server");
     if (client::Connection* const connection = host.game.session->connection())
@@ -325,19 +314,12 @@ void add_game_commands(Host& io_host) {
 void add_host_commands(Host& io_host) {
   add_list_commands(io_host);
   add_view_commands(io_host);
+  add_sound_commands(io_host);
   add_player_commands(io_host);
   add_server_commands(io_host);
   add_game_commands(io_host);
   add_demo_commands(io_host);
   add_screen_commands(io_host);
-}
-
-bool may_be_stuffed(std::string_view line) {
-  const std::vector<std::string> words = command::split_words(line);
-  // The line must be a single command: any text after a ';' would run as well.
-  return !words.empty() && command::command_length(line) == line.size() &&
-         std::find(kMayBeStuffed.begin(), kMayBeStuffed.end(), base::to_lower(words[0])) !=
-             kMayBeStuffed.end();
 }
 
 }  // namespace temblor::host

@@ -8,18 +8,11 @@
 // The commands that hold or bind keys are registered elsewhere (client/input/input_variables.h).
 #pragma once
 
-#include <string_view>
-
 namespace temblor::host {
 
 struct Host;
 
 // Registers all commands of the host. `io_host` must outlive its console.
 void add_host_commands(Host& io_host);
-
-// Whether a server on another machine may run this line in the player's console ("stuffcmd" in the stock
-// game, which allows any line). Only a few harmless commands that stock games send are allowed: none changes
-// settings or touches files.
-bool may_be_stuffed(std::string_view line);
 
 }  // namespace temblor::host

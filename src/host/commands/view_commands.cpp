@@ -3,31 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/text.h"
 #include "command/text.h"
+#include "host/commands/shown_state.h"
 #include "host/frame/host_parts.h"
 
 namespace temblor::host {
 namespace {
 
 using Arguments = command::Console::Arguments;
-
-// The state of the demo or game that is shown. Prints an error and returns null if there is none.
-client::ClientState* find_state(Host& io_host, Arguments arguments) {
-  if (io_host.demos.session) return &io_host.demos.session->state();
-  if (io_host.game.session->is_playing()) return &io_host.game.session->connection()->state();
-  io_host.console.commands.print_error(fmt::format("{}: start or join a game first", arguments[0]));
-  return nullptr;
-}
-
-void apply_message(Host& io_host, client::ClientState& io_state, const net::ServerMessage& message) {
-  if (const base::Status applied = io_state.apply(message); !applied.ok())
-    io_host.console.commands.print_error(applied.error().message());
-}
 
 // All arguments as numbers; nothing if one of them is none.
 std::optional<std::vector<float>> parse_numbers(Arguments arguments) {
@@ -48,7 +37,7 @@ void print_fog(Host& io_host, const net::Fog& fog) {
 // The number of arguments tells what they are, as in other engines: DENSITY; DENSITY SECONDS; RED GREEN BLUE;
 // DENSITY RED GREEN BLUE; DENSITY RED GREEN BLUE SECONDS.
 void fog_command(Host& io_host, Arguments arguments) {
-  client::ClientState* const state = find_state(io_host, arguments);
+  client::ClientState* const state = find_shown_state(io_host, arguments);
   if (state == nullptr) return;
   net::Fog fog = {.density = io_host.game.data->presentation.scene().fog.density,
                   .color = io_host.game.data->presentation.scene().fog.color};
@@ -68,7 +57,7 @@ void fog_command(Host& io_host, Arguments arguments) {
 }
 
 void sky_command(Host& io_host, Arguments arguments) {
-  client::ClientState* const state = find_state(io_host, arguments);
+  client::ClientState* const state = find_shown_state(io_host, arguments);
   if (state == nullptr) return;
   if (arguments.size() > 1) return apply_message(io_host, *state, net::Skybox{arguments[1]});
   const std::optional<std::string>& name = state->game().skybox;
@@ -76,11 +65,22 @@ void sky_command(Host& io_host, Arguments arguments) {
 }
 
 void flash_command(Host& io_host, Arguments arguments) {
-  if (client::ClientState* const state = find_state(io_host, arguments)) ++state->events().bonus_flashes;
+  if (client::ClientState* const state = find_shown_state(io_host, arguments))
+    ++state->events().bonus_flashes;
+}
+
+// "v_cshift RED GREEN BLUE PERCENT": colors and percentage go up to 255, as in the original.
+void tint_command(Host& io_host, Arguments arguments) {
+  const std::optional<std::vector<float>> numbers = parse_numbers(arguments);
+  if (!numbers || numbers->size() > 4)
+    return io_host.console.commands.print_error("v_cshift RED GREEN BLUE OPACITY, each 0 to 255");
+  std::array<float, 4> tint{};
+  for (std::size_t i = 0; i < numbers->size(); ++i) tint[i] = std::clamp((*numbers)[i], 0.0f, 255.0f);
+  io_host.video.server_tint = {{tint[0], tint[1], tint[2]}, tint[3] / 256};
 }
 
 void list_entities(Host& io_host, Arguments arguments) {
-  client::ClientState* const state = find_state(io_host, arguments);
+  client::ClientState* const state = find_shown_state(io_host, arguments);
   if (state == nullptr) return;
   const std::vector<std::string>& models = state->game().models;
   std::size_t count = 0;
@@ -104,6 +104,8 @@ void add_view_commands(Host& io_host) {
   };
   add("fog", "fog DENSITY [RED GREEN BLUE [SECONDS]]: changes the fog of this level.", fog_command);
   add("sky", "sky NAME: shows the skybox gfx/env/NAME; sky \"\": the level's sky texture.", sky_command);
+  add("v_cshift", "v_cshift RED GREEN BLUE OPACITY: tints the view, until you leave the game; 0 to 255.",
+      tint_command);
   add("bf", "Flashes the screen, as when you pick something up.", flash_command);
   add("entities", "Lists the entities that the server has sent.", list_entities);
 }

@@ -110,6 +110,7 @@ void update_presentation_settings(Host& io_host) {
   client::PresentationSettings& settings = io_host.video.presentation_settings;
   settings = io_host.variables.presentation();
   settings.view.fov_deg = io_host.input.fov_deg;
+  settings.view.open_tint = io_host.video.server_tint;
   settings.sound = io_host.sound.output.has_value();
   settings.hud.death_hint = choose_death_hint(io_host);
   settings.hud.shows_scores = io_host.input.player.buttons()[client::Button::kScores].is_down();

@@ -42,6 +42,7 @@
 #include "host/session/overrides.h"
 #include "host/session/server_search.h"
 #include "host/session/session.h"
+#include "host/session/stuffed_text.h"
 #include "host/session/worker.h"
 #include "host/video/frame_limiter.h"
 #include "host/video/screen.h"
@@ -142,6 +143,7 @@ struct HostVideo {
   client::PresentationSettings presentation_settings;  // of this frame
   Screen screen;
   render::DrawList overlay;
+  render::Tint server_tint;  // v_cshift
   SpeedMeter meter;
   bool was_shown = true;  // the last frame reached the window
 };
@@ -149,6 +151,7 @@ struct HostVideo {
 struct HostSound {
   std::optional<client::SoundOutput> output;  // none: sound is off
   bool was_playing = false;                   // a game or demo was playing in the last frame
+  bool is_music_paused = false;               // by the player or the server
 };
 
 struct Host {
@@ -162,6 +165,7 @@ struct Host {
   HostOptions options;
   HostConsole console;
   Overrides overrides;
+  StuffedText stuffed_text;
   HostInput input;
   LoadedGame game;
   HostSound sound;

@@ -81,7 +81,8 @@ void play_sound(Host& io_host) {
                                      : session.is_playing() ? &session.connection()->state().game()
                                                             : nullptr;
     output->play_music(io_host.game.data->library, game != nullptr ? game->music_track : 0);
-    output->pause_music(is_halted(io_host) || (game != nullptr && game->paused));
+    output->pause_music(is_halted(io_host) || io_host.sound.is_music_paused ||
+                        (game != nullptr && game->paused));
     for (const std::string& note : output->take_notes()) print_line(io_host, note);
   }
   scene.events().clear();

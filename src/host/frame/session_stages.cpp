@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "command/text.h"
-#include "host/commands/host_commands.h"
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
 #include "host/session/configure.h"
@@ -144,7 +143,9 @@ void read_network(Host& io_host) {
     note_autosave(io_host);
     for (const std::string& line : connection->take_commands())
       // Our own server is trusted, because its game code is installed on this machine.
-      if (session.server() != nullptr || may_be_stuffed(line)) io_host.console.commands.append(line);
+      io_host.stuffed_text.run(io_host, line, session.server() != nullptr);
+  } else {
+    io_host.stuffed_text.restore(io_host);
   }
   print_game_text(io_host, session.take_server_output());
 }

@@ -81,6 +81,7 @@ void disconnect(Host& io_host) {
   print_if_error(io_host, finish_recording(io_host));
   stop_demo(io_host);
   io_host.game.session->disconnect("The host has left.");
+  io_host.stuffed_text.restore(io_host);
 }
 
 void leave_game(Host& io_host) {
