@@ -14,6 +14,8 @@ void Console::add_built_in_commands() {
   add_member("alias", "alias NAME COMMANDS defines an alias; alias NAME shows it; alias lists all aliases.",
              &Console::alias_command, kAliases);
   add_member("unalias", "unalias NAME removes an alias.", &Console::unalias_command, kAliases);
+  add_command("aliaslist", "aliaslist shows all aliases.",
+              [this](Arguments arguments) { alias_command(arguments.first(1)); });
   add_member("unaliasall", "unaliasall removes all aliases.", &Console::unaliasall_command, kNothing);
   add_member("echo", "echo TEXT prints the text.", &Console::echo_command, kNothing);
   add_member("exec", "exec FILE runs the commands in a file.", &Console::exec_command, kNothing);

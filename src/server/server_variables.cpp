@@ -55,7 +55,7 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
   v.add_int("bot_skill", 1, 0, 3, "Skill of bots: 0 easy, 1 normal, 2 hard, 3 expert (for game code).");
   v.add_float("sv_aim", 0.93, -1, 2,
               "Cosine of the angle within which shots are aimed at a target; above 1: never.");
-  for (const std::string_view name : {"gamecfg", "nomonsters", "temp1"})
+  for (const std::string_view name : {"gamecfg", "nomonsters", "temp1", "campaign"})
     v.add_float(name, 0, -kHuge, kHuge, "A number for game code.");
   for (const std::string_view name : {"scratch1", "scratch2", "scratch3", "scratch4", "saved1", "saved2",
                                       "saved3", "saved4", "savedgamecfg"})

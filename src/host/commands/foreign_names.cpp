@@ -32,6 +32,7 @@ constexpr std::array kCounterparts = {
     Counterpart{"r_novis", "r_use_pvs", -1, 1},
     Counterpart{"host_autosave", "sv_autosave"},
     Counterpart{"sfxvolume", "volume"},
+    Counterpart{"host_speeds", "r_speeds", 2},
 };
 
 // Settings without a counterpart, each with a space before and after it.
@@ -45,7 +46,7 @@ constexpr std::string_view kIgnored =
     "m_filter snd_mixspeed snd_speed snd_filterquality snd_show ambient_fade nosound precache "
     "bgmbuffer loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater r_showtris "
     "scr_sbar fov_adapt sv_altnoclip pr_engine con_logcenterprint v_centermove skyroom rate "
-    "heartbeat tp_msg loc ";
+    "heartbeat tp_msg loc team skin setinfo serverinfo user observe ";
 
 // Config files contain all settings of other renderers and of their windows. A typed vid_ name may be a
 // mistyped one of ours.

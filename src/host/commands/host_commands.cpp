@@ -62,6 +62,10 @@ constexpr std::array kServerCommands = {
     CommandHelp{"unban", "unban ADDRESS: lifts a ban."},
     CommandHelp{"profile", "Lists the QuakeC functions that ran the most instructions since the last call."},
     CommandHelp{"edict", "edict NUMBER: shows the fields of an entity."},
+    CommandHelp{"users", "Shows the level and the players."},
+    CommandHelp{"addip", "addip ADDRESS[/BITS]: refuses connections. Without an argument: lists all bans."},
+    CommandHelp{"removeip", "removeip ADDRESS[/BITS]: lifts a ban."},
+    CommandHelp{"listip", "Lists all bans."},
     CommandHelp{"edicts", "edicts [CLASS]: lists the server's entities."},
     CommandHelp{"edictcount", "Counts the server's entities."},
 };
@@ -242,9 +246,10 @@ void add_screen_commands(Host& io_host) {
       [](Host& host, Arguments) { open_menu(host, client::MenuPage::kLevels); });
   add("menu_mods", "Opens the mods menu.",
       [](Host& host, Arguments) { open_menu(host, client::MenuPage::kGameFolders); });
-  add("vid_restart", "Applies the video settings to the window again.", [](Host& host, Arguments) {
-    print_if_command_error(host, host.services.window.apply(host.variables.window()));
-  });
+  for (const char* const name : {"vid_restart", "vid_test"})
+    add(name, "Applies the video settings to the window again.", [](Host& host, Arguments) {
+      print_if_command_error(host, host.services.window.apply(host.variables.window()));
+    });
   add("togglemenu", "Opens or closes the menu.", [](Host& host, Arguments) { toggle_menu(host); });
   add("toggleconsole", "Opens or closes the console.",
       [](Host& host, Arguments) { host.console.ui.toggle(); });
@@ -285,6 +290,11 @@ void add_game_commands(Host& io_host) {
     print_if_command_error(host, connect_to_server(host, address));
   });
   add("disconnect", "Leaves the game.", [](Host& host, Arguments) { disconnect(host); });
+  add("killserver", "Ends the game on this machine.", [](Host& host, Arguments) {
+    if (host.game.session->server() != nullptr) disconnect(host);
+  });
+  add("resetcfg", "Resets all variables to their defaults.",
+      [](Host& host, Arguments) { host.console.commands.execute("resetall"); });
   add("quit", "Quits Temblor.", [](Host& host, Arguments) { quit(host); });
   add("maps", "Lists all levels.", [](Host& host, Arguments) { list_levels(host); });
   add("color", "color SHIRT [PANTS]: sets your colors, 0 to 13.", set_colors);

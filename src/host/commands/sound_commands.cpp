@@ -97,6 +97,9 @@ void add_sound_commands(Host& io_host) {
   add("stopsound", "Stops all sounds.",
       [](Host& host, Arguments) { audio_scene(host).events().stops_all = true; });
   add("soundlist", "Lists the sounds of this level.", list_sounds);
+  add("soundinfo", "Describes the sound device.", [](Host& host, Arguments) {
+    print_line(host, host.sound.output ? host.sound.output->describe() : "sound is off");
+  });
   add("music", "music TRACK: plays music/trackNN.", play_music);
   add("music_stop", "Stops the music.",
       [](Host& host, Arguments arguments) { play_track(host, arguments, 0); });

@@ -1,0 +1,45 @@
+// Names that players of other engines type. Those that are settings of other renderers do nothing, but none
+// is an error.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "host/headless_host.h"
+#include "support/programs/quakec.h"
+
+namespace temblor::test {
+namespace {
+
+constexpr const char* kNames =
+    "registered developer reconnect version path dir flocate setpos mapname randmap games mods skies "
+    "demos saves configs fog sky skyroom music_stop music_pause bf entities edicts edictcount "
+    "soundlist soundinfo net_stats resetcfg aliaslist menu_maps menu_mods vid_restart vid_test "
+    "vid_fullscreen chase_active chase_back r_lockpvs r_novis r_drawworld r_drawentities r_fullbright "
+    "r_lightmap r_speeds r_showtris r_shadows r_dynamic r_flatlightstyles r_lerpmodels r_lerpmove "
+    "r_waterwarp r_litwater r_particles r_scale r_softemu cl_gun_fovscale gl_polyblend gl_flashblend "
+    "r_noshadow_list scr_crosshairscale scr_sbarscale scr_menuscale scr_sbar scr_clock scr_showspeed "
+    "cl_bob cl_rollangle v_gunkick v_kicktime v_idlescale v_centermove host_speeds host_autosave "
+    "_cl_name _cl_color m_filter fov_adapt sv_altnoclip pr_engine campaign con_logcenterprint "
+    "scr_centertime scr_printspeed snd_mixspeed snd_waterfx ambient_fade user users setinfo "
+    "serverinfo rate team skin observe tp_msg loc r_fastsky r_skyalpha r_skyfog ping tell heartbeat "
+    "addip listip "
+    "killserver";
+
+TEST(TypedNames, AreKnown) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game({"map small"});
+  ASSERT_TRUE(game.run_until_playing());
+  std::istringstream names(kNames);
+  for (std::string name; names >> name;) {
+    game.command(name);
+    game.run(0.03);
+    EXPECT_FALSE(game.has_printed("unknown command or variable \"" + name + "\"")) << name;
+  }
+  // The same check finds a name that nobody knows.
+  game.command("r_nothing");
+  game.run(0.03);
+  EXPECT_TRUE(game.has_printed("unknown command or variable \"r_nothing\""));
+}
+
+}  // namespace
+}  // namespace temblor::test
