@@ -223,12 +223,13 @@ void add_demo_commands(Host& io_host) {
 
 // "menu_video" -> "Opens the video menu." Names that do not read well get a title from the table.
 std::string make_menu_help(std::string_view command) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kTitles = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kTitles = {{
       {"menu_singleplayer", "single-player"},
       {"menu_newgame", "new game"},
       {"menu_setup", "player setup"},
       {"menu_games", "mods"},
       {"help_menu", "help"},
+      {"menu_maps", "levels"},
   }};
   std::string_view title = command.substr(command.find('_') + 1);
   for (const auto& [name, text] : kTitles)
@@ -241,11 +242,17 @@ void add_screen_commands(Host& io_host) {
   for (const client::MenuCommand& menu : client::menu_commands())
     add(menu.name, make_menu_help(menu.name),
         [page = menu.page](Host& host, Arguments) { open_menu(host, page); });
-  // QuakeSpasm's names for two of them.
-  add("menu_maps", "Opens the levels menu.",
-      [](Host& host, Arguments) { open_menu(host, client::MenuPage::kLevels); });
-  add("menu_mods", "Opens the mods menu.",
-      [](Host& host, Arguments) { open_menu(host, client::MenuPage::kGameFolders); });
+  // Other engines' names for some of them. The page of a new game has the choice of the skill.
+  constexpr std::array<std::pair<std::string_view, client::MenuPage>, 5> kOtherNames = {{
+      {"menu_maps", client::MenuPage::kLevels},
+      {"menu_mods", client::MenuPage::kGameFolders},
+      {"menu_skill", client::MenuPage::kNewGame},
+      {"menu_credits", client::MenuPage::kHelp},
+      {"slist", client::MenuPage::kJoin},
+  }};
+  for (const auto& [name, page] : kOtherNames)
+    add(name, name == "slist" ? "Looks for servers on the local network." : make_menu_help(name),
+        [opened = page](Host& host, Arguments) { open_menu(host, opened); });
   for (const char* const name : {"vid_restart", "vid_test"})
     add(name, "Applies the video settings to the window again.", [](Host& host, Arguments) {
       print_if_command_error(host, host.services.window.apply(host.variables.window()));
