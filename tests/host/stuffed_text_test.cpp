@@ -90,6 +90,8 @@ TEST_F(StuffedTextInAGame, RefusesHarmfulLinesAndSaysSoOnce) {
   send("name thief");
   send("name thief");
   send("bind w quit");
+  send("cl_serverextension_download 1");
+  EXPECT_FALSE(game_->has_printed("cl_serverextension_download")) << "not a command of ours";
   EXPECT_EQ(value("name"), "player");
   EXPECT_NE(bound("w"), "quit");
   EXPECT_EQ(std::count(game_->lines().begin(), game_->lines().end(),

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "command/text.h"
+#include "host/commands/command_adder.h"
 #include "host/commands/list_commands.h"
 #include "host/commands/sound_commands.h"
 #include "host/commands/view_commands.h"
@@ -99,14 +100,6 @@ std::optional<double> parse_number_argument(Host& io_host, Arguments arguments) 
   const auto number = arguments.size() == 2 ? command::parse_number(arguments[1]) : std::nullopt;
   if (!number) print_command_error(io_host, fmt::format("{} takes one number", arguments[0]));
   return number;
-}
-
-// Returns a function add(NAME, HELP, RUN) that registers RUN(Host&, Arguments).
-auto make_adder(Host& io_host) {
-  return [&io_host](std::string_view name, std::string_view help, auto run) {
-    io_host.console.commands.add_command(
-        name, help, [host = &io_host, run](Arguments arguments) { run(*host, arguments); });
-  };
 }
 
 // Registers a command that takes exactly one name, of a level, file or server. Prints the error that it

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "host/commands/command_adder.h"
 #include "host/frame/host_parts.h"
 #include "host/session/games.h"
 
@@ -109,10 +110,7 @@ void start_random_level(Host& io_host) {
 }  // namespace
 
 void add_list_commands(Host& io_host) {
-  const auto add = [&](std::string_view name, std::string_view help, auto run) {
-    io_host.console.commands.add_command(
-        name, help, [host = &io_host, run](Arguments arguments) { run(*host, arguments); });
-  };
+  const auto add = make_adder(io_host);
   const auto add_list = [&](std::string_view name, std::string_view what, auto list) {
     add(name, fmt::format("{} [PART]: lists all {}s, or those whose name contains PART.", name, what),
         [what, list](Host& host, Arguments arguments) { print_names(host, list(host), arguments, what); });

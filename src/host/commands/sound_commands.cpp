@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "command/text.h"
+#include "host/commands/command_adder.h"
 #include "host/commands/shown_state.h"
 #include "host/frame/host_parts.h"
 
@@ -88,10 +89,7 @@ void cd_command(Host& io_host, Arguments arguments) {
 }  // namespace
 
 void add_sound_commands(Host& io_host) {
-  const auto add = [&](std::string_view name, std::string_view help, auto run) {
-    io_host.console.commands.add_command(
-        name, help, [host = &io_host, run](Arguments arguments) { run(*host, arguments); });
-  };
+  const auto add = make_adder(io_host);
   add("play", "play FILE...: plays sounds, for example misc/menu1.wav.", play);
   add("playvol", "playvol FILE VOLUME...: plays sounds at these volumes, 0 to 1.", play_at_volume);
   add("stopsound", "Stops all sounds.",

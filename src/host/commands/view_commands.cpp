@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "command/text.h"
+#include "host/commands/command_adder.h"
 #include "host/commands/shown_state.h"
 #include "host/frame/host_parts.h"
 
@@ -98,10 +99,7 @@ void list_entities(Host& io_host, Arguments arguments) {
 }  // namespace
 
 void add_view_commands(Host& io_host) {
-  const auto add = [&](std::string_view name, std::string_view help, auto run) {
-    io_host.console.commands.add_command(
-        name, help, [host = &io_host, run](Arguments arguments) { run(*host, arguments); });
-  };
+  const auto add = make_adder(io_host);
   add("fog", "fog DENSITY [RED GREEN BLUE [SECONDS]]: changes the fog of this level.", fog_command);
   add("sky", "sky NAME: shows the skybox gfx/env/NAME; sky \"\": the level's sky texture.", sky_command);
   add("v_cshift", "v_cshift RED GREEN BLUE OPACITY: tints the view, until you leave the game; 0 to 255.",

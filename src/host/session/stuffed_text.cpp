@@ -87,7 +87,9 @@ void StuffedText::run(Host& io_host, std::string_view line, bool is_trusted) {
   const std::string name = base::to_lower(words[0]);
   const StuffedTextRule rule = is_trusted ? StuffedTextRule::kAll : io_host.variables.stuffed_text();
   if (rule == StuffedTextRule::kNone || (rule == StuffedTextRule::kSafe && !may_be_stuffed(line))) {
-    if (refused_.insert(name).second)
+    // Names of other engines' commands would do nothing here anyway.
+    const std::vector<std::string> known = io_host.console.commands.complete(name);
+    if (std::find(known.begin(), known.end(), name) != known.end() && refused_.insert(name).second)
       print_line(io_host, fmt::format("The server's command \"{}\" was refused (cl_stufftext).",
                                       base::quotable(name)));
     return;
