@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "base/text.h"
+#include "vm/code/decode.h"
 #include "vm/code/opcodes.h"
 
 namespace temblor::vm {
@@ -45,6 +46,7 @@ std::string describe_global(const Program& program, std::size_t word) {
 std::string describe_statement(const Program& program, std::size_t statement) {
   const formats::ProgsStatement& source = program.progs().statements[statement];
   const OpcodeInfo& info = opcode_info(source.op);
+  if (info.name.empty()) return fmt::format("OP_{}", source.op);
   std::string line = fmt::format("{:<10}", info.name);
   const char* separator = " ";
   for (std::size_t i = 0; i < info.operands.size(); ++i) {
@@ -52,8 +54,10 @@ std::string describe_statement(const Program& program, std::size_t statement) {
     line += separator;
     separator = ", ";
     if (info.operands[i] == OperandKind::kJump)
-      line += fmt::format(
-          "to {}", static_cast<std::ptrdiff_t>(statement) + static_cast<std::int16_t>(source.operands[i]));
+      line += fmt::format("to {}", static_cast<std::ptrdiff_t>(statement) +
+                                       jump_distance(program.progs(), source.operands[i]));
+    else if (info.operands[i] == OperandKind::kNumber)
+      line += fmt::format("{}", source.operands[i]);
     else
       line += describe_global(program, source.operands[i]);
   }

@@ -12,65 +12,21 @@
 // functions) are checked here. Float operations follow IEEE 754, as in the original: division by zero gives
 // an infinity or NaN.
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cstdint>
 
 #include "base/text.h"
+#include "vm/code/opcodes.h"
+#include "vm/code/words.h"
 #include "vm/disassembly.h"
 #include "vm/machine.h"
 
 namespace temblor::vm {
 namespace {
 
-constexpr std::uint32_t kVectorWords = 3;
+constexpr std::uint32_t kVectorWords = 3, kParameterWord = 4;
 // The number of characters that can be compared in about the time of one instruction.
 constexpr std::size_t kCharactersPerInstruction = 32;
-
-inline float as_float(std::uint32_t word) {
-  return std::bit_cast<float>(word);
-}
-inline std::uint32_t as_word(float value) {
-  return std::bit_cast<std::uint32_t>(value);
-}
-inline std::uint32_t truth(bool value) {
-  return value ? as_word(1.0f) : 0;
-}
-
-// Truncates. NaN and values too large for 32 bits become the smallest integer, as on the original's
-// processors.
-inline std::int32_t as_int(std::uint32_t word) {
-  const float value = as_float(word);
-  return value >= -0x1p31f && value < 0x1p31f ? static_cast<std::int32_t>(value) : INT32_MIN;
-}
-
-inline bool same_vector(const std::uint32_t* a, const std::uint32_t* b) {
-  return as_float(a[0]) == as_float(b[0]) && as_float(a[1]) == as_float(b[1]) &&
-         as_float(a[2]) == as_float(b[2]);
-}
-
-inline void scale_vector(std::uint32_t* out, const std::uint32_t* vector, float scale) {
-  const float x = as_float(vector[0]) * scale, y = as_float(vector[1]) * scale,
-              z = as_float(vector[2]) * scale;
-  out[0] = as_word(x);
-  out[1] = as_word(y);
-  out[2] = as_word(z);
-}
-
-// `sign`: 1 adds, -1 subtracts (adding the negated value gives the same bits).
-inline void add_vectors(std::uint32_t* out, const std::uint32_t* a, const std::uint32_t* b, float sign) {
-  const float x = as_float(a[0]) + sign * as_float(b[0]), y = as_float(a[1]) + sign * as_float(b[1]),
-              z = as_float(a[2]) + sign * as_float(b[2]);
-  out[0] = as_word(x);
-  out[1] = as_word(y);
-  out[2] = as_word(z);
-}
-
-inline void copy_vector(std::uint32_t* out, const std::uint32_t* in) {
-  const std::uint32_t x = in[0], y = in[1], z = in[2];
-  out[0] = x;
-  out[1] = y;
-  out[2] = z;
-}
 
 }  // namespace
 
@@ -98,7 +54,14 @@ Machine::Stop Machine::fail_field(const Instruction* at, std::uint32_t entity, s
 }
 
 Machine::Stop Machine::fail_pointer(const Instruction* at, std::uint32_t pointer) {
-  return fail(at, base::malformed("it writes through the pointer {:#x}, which is not in an entity", pointer));
+  const bool reads = at->alone == Operation::kLoadPWord || at->alone == Operation::kLoadPVector;
+  return fail(
+      at, base::malformed("it {} through the pointer {:#x}, which is not in an entity or a global variable",
+                          reads ? "reads" : "writes", pointer));
+}
+
+Machine::Stop Machine::fail_index(const Instruction* at, std::uint32_t index) {
+  return fail(at, base::malformed("{} is not an index of the array", static_cast<std::int32_t>(index)));
 }
 
 // One function, because the labels of all operations must be in it.
@@ -115,6 +78,8 @@ Machine::Stop Machine::interpret(std::size_t base_frames) {
   std::uint32_t* entities = entity_words_.data();
   std::uint32_t entity_count = entity_count_;
   const std::uint32_t entity_words = program_->progs().entity_words;
+  const Instruction* const code = program_->instructions().data();
+  std::uint32_t callee = 0;
   // The program may write to a pointer if pointer - writable_begin < writable_words. The subtraction wraps
   // around for smaller pointers, so one comparison checks both ends.
   std::uint32_t writable_begin = 0, writable_words = 0;
@@ -143,15 +108,16 @@ Machine::Stop Machine::interpret(std::size_t base_frames) {
 #define C globals[at->c]
 #define FA as_float(A)
 #define FB as_float(B)
-#define DISPATCH()                                                                                        \
-  do {                                                                                                    \
-    if constexpr (kIsTraced) {                                                                            \
-      tracer_(                                                                                            \
-          describe_statement(*program_, static_cast<std::size_t>(at - program_->instructions().data()))); \
-      goto* kCode[static_cast<std::size_t>(at->alone)];                                                   \
-    } else {                                                                                              \
-      goto* kCode[static_cast<std::size_t>(at->operation)];                                               \
-    }                                                                                                     \
+#define IA integer_as_float(A)
+#define IB integer_as_float(B)
+#define DISPATCH()                                                                 \
+  do {                                                                             \
+    if constexpr (kIsTraced) {                                                     \
+      tracer_(describe_statement(*program_, static_cast<std::size_t>(at - code))); \
+      goto* kCode[static_cast<std::size_t>(at->alone)];                            \
+    } else {                                                                       \
+      goto* kCode[static_cast<std::size_t>(at->operation)];                        \
+    }                                                                              \
   } while (false)
 #define NEXT()  \
   do {          \
@@ -172,6 +138,40 @@ Machine::Stop Machine::interpret(std::size_t base_frames) {
     update_profile();       \
     return call;            \
   } while (false)
+// Stores through `pointer`, which is not in an entity that the program may write to: `store` writes to
+// `place`.
+#define STORE_P(words, store)                                     \
+  do {                                                            \
+    std::uint32_t* const place = find_writable(pointer, (words)); \
+    if (place == nullptr) FAIL(fail_pointer(at, pointer));        \
+    store;                                                        \
+    NEXT();                                                       \
+  } while (false)
+// Define operations that compute a word from their operands, that change their second operand, or that change
+// the word or vector to which it points.
+#define COMPUTED(name, value) \
+  on_##name : C = (value);    \
+  NEXT();
+#define CHANGED(name, change) \
+  on_##name : change;         \
+  NEXT();
+#define CHANGED_P(name, words, change) \
+  on_##name : {                        \
+    const std::uint32_t pointer = B;   \
+    STORE_P(words, change);            \
+  }
+// Defines an operation that loads a word or vector from `found`, a pointer or null; `fail` is the error.
+#define FOUND(name, words, found, failed)       \
+  on_##name : {                                 \
+    const std::uint32_t* const place = (found); \
+    if (place == nullptr) [[unlikely]]          \
+      FAIL(failed);                             \
+    if constexpr ((words) == 1)                 \
+      C = *place;                               \
+    else                                        \
+      copy_vector(&C, place);                   \
+    NEXT();                                     \
+  }
 // Defines an operation that computes a truth value: alone, and fused with either branch that tests it.
 #define TESTED(name, value)          \
   on_##name : C = (value);           \
@@ -338,18 +338,20 @@ on_StoreVector:
   NEXT();
 on_StorePWord : {
   const std::uint32_t pointer = B;
-  if (pointer - writable_begin >= writable_words) [[unlikely]]
-    FAIL(fail_pointer(at, pointer));
-  entities[pointer] = A;
-  NEXT();
+  if (pointer - writable_begin < writable_words) [[likely]] {
+    entities[pointer] = A;
+    NEXT();
+  }
+  STORE_P(1, *place = A);
 }
 on_StorePVector : {
   const std::uint32_t pointer = B;
-  if (pointer - writable_begin >= writable_words || pointer % entity_words + kVectorWords > entity_words)
-      [[unlikely]]
-    FAIL(fail_pointer(at, pointer));
-  copy_vector(entities + pointer, &A);
-  NEXT();
+  if (pointer - writable_begin < writable_words && pointer % entity_words + kVectorWords <= entity_words)
+      [[likely]] {
+    copy_vector(entities + pointer, &A);
+    NEXT();
+  }
+  STORE_P(kVectorWords, copy_vector(place, &A));
 }
 
 // Branches test the word, not the float: -0.0 counts as true, as in the original.
@@ -362,8 +364,24 @@ on_IfNot:
 on_Goto:
   JUMP(at->a);
 
-on_Call : {
-  const std::uint32_t index = A;
+on_CallH:
+  callee = A;
+  parameter_count_ = static_cast<int>(program_->progs().statements[static_cast<std::size_t>(at - code)].op) -
+                     static_cast<int>(Opcode::kCall1H) + 1;
+  if (parameter_count_ > 1) {
+    // Copy the second one first: the first one may overwrite it if it is parm0.
+    const std::array<std::uint32_t, 3> second = {(&C)[0], (&C)[1], (&C)[2]};
+    copy_vector(globals + kParameterWord, &B);
+    copy_vector(globals + kParameterWord + kVectorWords, second.data());
+  } else {
+    copy_vector(globals + kParameterWord, &B);
+  }
+  goto call;
+on_Call:
+  callee = A;
+  parameter_count_ = at->b;
+call : {
+  const std::uint32_t index = callee;
   count_instructions(at);
   update_profile();
   if (budget < 0) goto out_of_time;
@@ -372,7 +390,6 @@ on_Call : {
     return fail(at, base::malformed("it calls function {:#x}, but there are only {}", index,
                                     program_->progs().functions.size()));
   frames_.back().at = at;
-  parameter_count_ = at->b;
   const FunctionIndex function{index};
   if (program_->function(function).first_statement > 0) {
     if (!enter(function)) return fail(at, make_limit_error(function));
@@ -422,6 +439,120 @@ on_State : {
   words[base::to_size(state_fields_->think)] = B;
   NEXT();
 }
+  // --- The additions of fteqcc
+  CHANGED(MulStoreF, B = as_word(FB * FA))
+  CHANGED(MulStoreV, scale_vector(&B, &B, FA))
+  CHANGED(DivStoreF, B = as_word(FB / FA))
+  CHANGED(AddStoreF, B = as_word(FB + FA))
+  CHANGED(AddStoreV, add_vectors(&B, &B, &A, 1))
+  CHANGED(SubStoreF, B = as_word(FB - FA))
+  CHANGED(SubStoreV, add_vectors(&B, &B, &A, -1))
+  CHANGED(BitSetF, B = as_word(static_cast<float>(as_int(B) | as_int(A))))
+  CHANGED(BitClearF, B = as_word(static_cast<float>(as_int(B) & ~as_int(A))))
+  CHANGED(FToIStore, B = static_cast<std::uint32_t>(as_int(A)))
+  CHANGED(IToFStore, B = as_word(IA))
+  CHANGED_P(MulStorePF, 1, *place = as_word(as_float(*place) * FA))
+  CHANGED_P(DivStorePF, 1, *place = as_word(as_float(*place) / FA))
+  CHANGED_P(AddStorePF, 1, *place = as_word(as_float(*place) + FA))
+  CHANGED_P(AddStorePV, kVectorWords, add_vectors(place, place, &A, 1))
+  CHANGED_P(SubStorePF, 1, *place = as_word(as_float(*place) - FA))
+  CHANGED_P(SubStorePV, kVectorWords, add_vectors(place, place, &A, -1))
+  CHANGED_P(BitSetPF, 1, *place = as_word(static_cast<float>(as_int(*place) | as_int(A))))
+  CHANGED_P(BitClearPF, 1, *place = as_word(static_cast<float>(as_int(*place) & ~as_int(A))))
+  CHANGED_P(StorePIToF, 1, *place = as_word(IA))
+  CHANGED_P(StorePFToI, 1, *place = static_cast<std::uint32_t>(as_int(A)))
+  COMPUTED(IToF, as_word(IA))
+  COMPUTED(FToI, static_cast<std::uint32_t>(as_int(A)))
+  COMPUTED(AddI, A + B)
+  COMPUTED(AddFI, as_word(FA + IB))
+  COMPUTED(AddIF, as_word(IA + FB))
+  COMPUTED(SubI, A - B)
+  COMPUTED(SubFI, as_word(FA - IB))
+  COMPUTED(SubIF, as_word(IA - FB))
+  COMPUTED(MulI, A * B)
+  COMPUTED(BitAndI, A & B)
+  COMPUTED(BitOrI, A | B)
+  COMPUTED(XorI, A ^ B)
+  COMPUTED(ShiftLeftI, A << (B & 31))
+  COMPUTED(ShiftRightI, shift_right(A, B))
+  COMPUTED(BitAndIF, A & static_cast<std::uint32_t>(as_int(B)))
+  COMPUTED(BitOrIF, A | static_cast<std::uint32_t>(as_int(B)))
+  COMPUTED(BitAndFI, as_word(static_cast<float>(as_int(A) & static_cast<std::int32_t>(B))))
+  COMPUTED(BitOrFI, as_word(static_cast<float>(as_int(A) | static_cast<std::int32_t>(B))))
+  COMPUTED(EqI, A == B)
+  COMPUTED(NeI, A != B)
+  COMPUTED(LeI, static_cast<std::int32_t>(A) <= static_cast<std::int32_t>(B))
+  COMPUTED(GeI, static_cast<std::int32_t>(A) >= static_cast<std::int32_t>(B))
+  COMPUTED(LtI, static_cast<std::int32_t>(A) < static_cast<std::int32_t>(B))
+  COMPUTED(GtI, static_cast<std::int32_t>(A) > static_cast<std::int32_t>(B))
+  COMPUTED(LeIF, IA <= FB)
+  COMPUTED(GeIF, IA >= FB)
+  COMPUTED(LtIF, IA < FB)
+  COMPUTED(GtIF, IA > FB)
+  COMPUTED(LeFI, FA <= IB)
+  COMPUTED(GeFI, FA >= IB)
+  COMPUTED(LtFI, FA < IB)
+  COMPUTED(GtFI, FA > IB)
+  COMPUTED(EqIF, IA == FB)
+  COMPUTED(NeIF, IA != FB)
+  COMPUTED(AndI, A != 0 && B != 0)
+  COMPUTED(OrI, A != 0 || B != 0)
+  COMPUTED(AndIF, A != 0 && FB != 0)
+  COMPUTED(OrIF, A != 0 || FB != 0)
+  COMPUTED(AndFI, FA != 0 && B != 0)
+  COMPUTED(OrFI, FA != 0 || B != 0)
+on_DivI:
+  if (B == 0) FAIL(fail(at, base::malformed("it divides the integer {} by 0", static_cast<std::int32_t>(A))));
+  C = divide_integers(A, B);
+  NEXT();
+on_GetPointer : {
+  const std::uint32_t word = static_cast<std::uint32_t>(at->a) + B;
+  if (word > global_words().size()) FAIL(fail_index(at, B));
+  C = kFirstGlobalPointer + word;
+  NEXT();
+}
+  FOUND(LoadArrayWord, 1, find_element(at, 1), fail_index(at, B))
+  FOUND(LoadArrayVector, kVectorWords, find_element(at, kVectorWords), fail_index(at, B))
+  FOUND(FetchGlobalWord, 1, find_counted_element(at, 1),
+        fail_index(at, static_cast<std::uint32_t>(as_int(B))))
+  FOUND(FetchGlobalV, kVectorWords, find_counted_element(at, kVectorWords),
+        fail_index(at, static_cast<std::uint32_t>(as_int(B))))
+  FOUND(LoadPWord, 1, find_readable(A + B, 1), fail_pointer(at, A + B))
+  FOUND(LoadPVector, kVectorWords, find_readable(A + B, kVectorWords), fail_pointer(at, A + B))
+on_BoundCheck:
+  if (A - static_cast<std::uint32_t>(at->c) >= static_cast<std::uint32_t>(at->b - at->c))
+    FAIL(fail_index(at, A));
+  NEXT();
+on_SwitchF:
+on_SwitchV:
+on_SwitchString:
+on_SwitchWord:
+  switch_kind_ = at->alone;
+  copy_vector(switch_value_.data(), &A);
+  JUMP(at->b);
+on_Case : {
+  const std::uint32_t* value = &A;
+  if (switch_kind_ == Operation::kSwitchString &&
+      !(strings_.contains(StringIndex{*value}) && strings_.contains(StringIndex{switch_value_[0]})))
+    FAIL(fail_string(at, *value, switch_value_[0]));
+  if (is_switch_value(value)) JUMP(at->b);
+  NEXT();
+}
+on_CaseRange:
+  if (as_float(switch_value_[0]) >= FA && as_float(switch_value_[0]) <= FB) JUMP(at->c);
+  NEXT();
+on_IfF:
+  if (FA != 0) JUMP(at->b);
+  NEXT();
+on_IfNotF:
+  if (FA == 0) JUMP(at->b);
+  NEXT();
+on_Unknown:
+  FAIL(fail(at,
+            base::error(base::ErrorCode::kUnsupported,
+                        "operation {} is not supported; compile the program with fteqcc, without a target or "
+                        "with -Tfte",
+                        at->a)));
 on_PastEnd:
   --at;  // kPastEnd is not a statement of the program
   FAIL(fail(at, base::malformed("it runs past the last statement of the program")));
@@ -430,6 +561,11 @@ out_of_time:
   update_profile();
   return fail(at, base::error(base::ErrorCode::kTooLarge, "endless loop? Stopped after {} instructions",
                               limits_.instructions));
+#undef FOUND
+#undef CHANGED_P
+#undef CHANGED
+#undef COMPUTED
+#undef STORE_P
 #undef ADDRESSED_PLACE
 #undef LOADED_WORD
 #undef TESTED
@@ -437,6 +573,8 @@ out_of_time:
 #undef JUMP
 #undef NEXT
 #undef DISPATCH
+#undef IB
+#undef IA
 #undef FB
 #undef FA
 #undef C

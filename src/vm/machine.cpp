@@ -30,7 +30,7 @@ Machine::Machine(std::shared_ptr<const Program> program, Limits limits)
       strings_(program_->progs().strings, limits.string_bytes),
       builtin_by_function_(program_->progs().functions.size(), kNoBuiltin),
       counters_(program_->progs().functions.size()) {
-  CHECK(limits.entity_bytes / sizeof(std::uint32_t) <= std::numeric_limits<std::uint32_t>::max());
+  CHECK(limits.entity_bytes / sizeof(std::uint32_t) <= kFirstGlobalPointer);
   globals_.resize(globals_.size() + kSpareWords);
   for (std::size_t i = 0; i < counters_.size(); ++i) counters_[i].function = base::to_index<FunctionIndex>(i);
 }

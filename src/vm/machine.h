@@ -6,7 +6,8 @@
 //
 //   globals:   word 0     1-3      4-6    7-9  ...  25-27    28 ...
 //              | null | return | parm0 | parm1 | ... | parm7 | globals and locals of the program |
-//   entities: [ entity 0: field words ][ entity 1: field words ] ...     a pointer is entity * words + field
+//   entities: [ entity 0: field words ][ entity 1: field words ] ...
+//   a pointer is entity * words + field, or 2^31 + the number of a global word
 //   strings:  offsets into the program's text, or numbers above 2^31 for strings made while running
 //
 // Calls: the locals of a function are globals at fixed places. A call saves their old values, copies the
@@ -195,6 +196,8 @@ class Machine {
   enum class Stop { kReturned, kFailed, kSwitched };
 
   static constexpr std::size_t kSpareWords = 2;
+  // Pointers to globals. Those to entities are below.
+  static constexpr std::uint32_t kFirstGlobalPointer = 0x8000'0000;
 
   struct NamedBuiltin {
     std::string name;
@@ -210,6 +213,19 @@ class Machine {
   Stop fail_string(const Instruction* at, std::uint32_t left, std::uint32_t right);
   Stop fail_field(const Instruction* at, std::uint32_t entity, std::uint32_t field);
   Stop fail_pointer(const Instruction* at, std::uint32_t pointer);
+  Stop fail_index(const Instruction* at, std::uint32_t index);
+
+  // pointers.cpp
+  // Return the place of `words` words to which a pointer points, or null if the program must not change them
+  // or if they do not exist.
+  std::uint32_t* find_writable(std::uint32_t pointer, std::uint32_t words);
+  const std::uint32_t* find_readable(std::uint32_t pointer, std::uint32_t words) const;
+  // Return element B of the array of globals at A, or null if it does not exist. B is a number of words, or
+  // of elements of an array whose last index is in the word before it.
+  const std::uint32_t* find_element(const Instruction* at, std::uint32_t words) const;
+  const std::uint32_t* find_counted_element(const Instruction* at, std::uint32_t words) const;
+  // Returns whether the value of the last SWITCH equals that of a CASE. Strings must be valid.
+  bool is_switch_value(const std::uint32_t* value) const;
 
   // machine.cpp
   base::Status run(FunctionIndex function);
@@ -247,6 +263,8 @@ class Machine {
   int nested_calls_ = 0;
   std::int64_t budget_ = 0;  // remaining instructions of the outermost call
   int parameter_count_ = 0;
+  Operation switch_kind_ = Operation::kSwitchF;  // of the last SWITCH
+  std::array<std::uint32_t, 3> switch_value_{};
   std::optional<int> bad_text_parameter_;  // set by parameter_text() if the value was not a string
   base::Error failure_;
   std::vector<TraceEntry> failure_trace_;

@@ -60,19 +60,13 @@ void Program::find_ends() {
   }
 }
 
-// Statements before the first function belong to none: statement 0 is not run by any call, because a first
-// statement of 0 means a built-in function. They may jump anywhere among themselves.
 base::Status Program::decode_all() {
   instructions_.reserve(progs_.statements.size() + 1);
   for (std::size_t i = 0; i < progs_.statements.size(); ++i) {
-    const FunctionIndex owner = function_at(i);
-    StatementRange range{0, starts_.empty() ? progs_.statements.size() : starts_.front().first};
-    if (owner != kNoFunction)
-      range = {static_cast<std::size_t>(function(owner).first_statement), function_end(owner)};
-    base::Result<Instruction> instruction = decode(progs_, i, range);
+    base::Result<Instruction> instruction = decode(progs_, i);
     if (!instruction.ok())
       return base::error(instruction.error().code, "statement {} (function \"{}\"): {}", i,
-                         base::quotable(function_name(owner)), instruction.error().what);
+                         base::quotable(function_name(function_at(i))), instruction.error().what);
     instructions_.push_back(*instruction);
   }
   instructions_.emplace_back();

@@ -43,9 +43,10 @@ class Program {
   Program(const Program&) = delete;  // views point into it
   Program& operator=(const Program&) = delete;
 
-  // Loads a program from read_progs(). Fails with kUnsupported on a statement with an unknown operation, and
-  // with kMalformed on an operand past the globals or a jump out of its function; the error names function
-  // and statement. `lines` has the source line of each statement (formats::read_lno()), or is empty.
+  // Loads a program from read_progs(). Fails with kMalformed on an operand past the globals or a jump out of
+  // the program; the error names function and statement. An unknown operation is an error only when it runs,
+  // because compilers add such statements for other engines. `lines` has the source line of each statement
+  // (formats::read_lno()), or is empty.
   static base::Result<std::shared_ptr<const Program>> load(formats::Progs progs,
                                                            std::vector<std::uint32_t> lines = {});
 

@@ -46,13 +46,13 @@ std::shared_ptr<const Program> random_program(std::uint64_t seed) {
   for (const char* name : {"first", "second"}) {
     builder.function(name, {1, 3}, 2);
     for (std::size_t i = 0; i < kStatements; ++i) {
-      auto opcode = static_cast<Opcode>(random.below(kOpcodes));
+      auto opcode = static_cast<Opcode>(random.below(random.chance(0.7) ? kStockOpcodes : kOpcodes));
       if (opcode == Opcode::kDone || opcode == Opcode::kReturn) opcode = Opcode::kLt;
       std::array<int, 3> operands = {place(), place(), place()};
       // Often the result of the statement before, so that there are pairs to fuse.
       const auto& before = builder.progs().statements.back();
-      if (random.chance(0.5)) operands[0] = before.operands[2];
-      if (random.chance(0.5)) operands[1] = before.operands[2];
+      if (random.chance(0.5)) operands[0] = static_cast<int>(before.operands[2]);
+      if (random.chance(0.5)) operands[1] = static_cast<int>(before.operands[2]);
       for (std::size_t j = 0; j < 3; ++j)
         if (opcode_info(opcode).operands[j] == OperandKind::kJump)
           operands[j] = static_cast<int>(random.below(kStatements)) - static_cast<int>(i);

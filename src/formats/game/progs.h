@@ -1,7 +1,7 @@
-// Compiled QuakeC (progs.dat), version 6: converts between bytes and structs, and validates all indices.
+// Compiled QuakeC (progs.dat), versions 6 and 7: converts between bytes and structs, and validates indices.
 // src/vm defines the meaning of the statements. Sections may be anywhere in the file:
 //
-//   header, 60 bytes       0  version i32            6
+//   header, 60 bytes       0  version i32            6, or 7 for the layouts below
 //                          4  crc i32                of the system definitions (progdefs.h of the original)
 //                          8  statements             each section: offset in the file i32, count i32
 //                         16  global definitions
@@ -20,6 +20,11 @@
 //                         16  name i32, 20 file i32  into the strings
 //                         24  parameter count i32
 //                         28  parameter words u8[8]
+//
+// Version 7 has 32 more bytes of header. The last number selects the layout (ProgsLayout):
+//
+//   wide statement, 16 bytes    0  op u32 | 4 a u32 | 8 b u32 | 12 c u32
+//   wide definition, 12 bytes   0  type u32 (bit 15: saved) | 4 offset u32 | 8 name i32
 #pragma once
 
 #include <array>
@@ -46,10 +51,19 @@ enum class ProgsType : std::uint16_t {
   kPointer = 7,
 };
 
-// One statement. Operands are word offsets into the globals; for jumps, signed distances in statements.
+// The layouts of version 7. fteqcc writes the first two for -Tfte, the second one if a program has more than
+// 65535 global words, and the third one for -Tkkqwsv.
+enum class ProgsLayout : std::uint8_t {
+  kNarrow,          // version 6, or version 7 with the number 0x021b1461: as shown
+  kWide,            // 0x65167402: wide statements and definitions
+  kWideStatements,  // other numbers, or no further header: wide statements only
+};
+
+// One statement. Operands are word offsets into the globals; for jumps, signed distances in statements. In
+// narrow layouts, a distance has 16 bits.
 struct ProgsStatement {
-  std::uint16_t op = 0;
-  std::array<std::uint16_t, 3> operands{};
+  std::uint32_t op = 0;
+  std::array<std::uint32_t, 3> operands{};
   bool operator==(const ProgsStatement&) const = default;
 };
 
@@ -57,7 +71,7 @@ struct ProgsStatement {
 struct ProgsDefinition {
   ProgsType type = ProgsType::kVoid;
   bool is_saved = false;     // the value of a global is part of saved games
-  std::uint16_t offset = 0;  // in words: among the globals, or in an entity
+  std::uint32_t offset = 0;  // in words: among the globals, or in an entity
   std::uint32_t name = 0;    // into strings
   bool operator==(const ProgsDefinition&) const = default;
 };
@@ -68,14 +82,17 @@ struct ProgsFunction {
   std::int32_t first_statement = 0;
   std::uint32_t first_local = 0;  // global word of the first local; parameters come first
   std::uint32_t local_count = 0;
-  std::uint32_t name = 0, file = 0;               // into strings
-  std::int32_t parameter_count = 0;               // at most 8; negative: variadic
-  std::array<std::uint8_t, 8> parameter_words{};  // size of each: 1 or 3
+  std::uint32_t name = 0, file = 0;  // into strings
+  std::int32_t parameter_count = 0;  // at most 8; negative: variadic
+  // The size of each. More than 3 continue in the next parameter's place (structs).
+  std::array<std::uint8_t, 8> parameter_words{};
   bool operator==(const ProgsFunction&) const = default;
 };
 
 // A whole program.
 struct Progs {
+  std::int32_t version = 6;
+  ProgsLayout layout = ProgsLayout::kNarrow;
   std::uint32_t crc = 0;  // of the system definitions; kQuakeProgsCrc for Quake
   std::vector<ProgsStatement> statements;
   std::vector<ProgsDefinition> globals, fields;
@@ -89,7 +106,7 @@ struct Progs {
   bool operator==(const Progs&) const = default;
 };
 
-constexpr std::int32_t kProgsVersion = 6;
+constexpr std::int32_t kProgsVersion = 6, kExtendedProgsVersion = 7;
 constexpr std::uint32_t kReservedGlobalWords = 28;  // null, return value, eight parameters
 constexpr std::uint32_t kMaxEntityWords = 1 << 16;  // limit of 16-bit field offsets
 constexpr std::int32_t kMaxParameters = 8;
@@ -105,8 +122,12 @@ constexpr std::uint32_t value_words(ProgsType type) {
 // Reads and validates a program. Guarantees: at least one statement, one function, and the 28 reserved global
 // words; names and files are valid strings of at most 1024 characters; `strings` begins and ends with a zero;
 // definitions and locals are inside of the globals or the entity; functions with statements start inside of
-// the statements and have at most 8 parameters. Opcodes and operands are not checked. Returns kUnsupported
-// for other versions (7 is fteqcc's extended format), with advice.
+// the statements and have at most 8 parameters, whose places are inside of the globals. Opcodes and operands
+// are not checked. Returns kUnsupported for other versions.
+//
+// Only data that a running program needs can be refused. A name or file that is no such string becomes empty;
+// a definition outside of its words becomes one of type kVoid at word 0; missing zeros around the strings and
+// missing reserved words are added; parameters above 8 are ignored.
 base::Result<Progs> read_progs(base::Bytes bytes);
 
 // Writes a program without validation.

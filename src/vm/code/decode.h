@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -12,14 +13,12 @@
 
 namespace temblor::vm {
 
-// The statements of one function, [begin, end). Jumps must stay inside.
-struct StatementRange {
-  std::size_t begin = 0, end = 0;
-};
+// Returns the operand of a jump with its sign.
+std::int32_t jump_distance(const formats::Progs& progs, std::uint32_t operand);
 
-// Translates one statement. Returns kUnsupported for an unknown operation, kMalformed for an operand past the
-// globals or a jump out of the function. The error describes the problem without the location.
-base::Result<Instruction> decode(const formats::Progs& progs, std::size_t statement, StatementRange function);
+// Translates one statement. Returns kMalformed for an operand past the globals or a jump out of the program.
+// The error describes the problem without the location. An unknown operation becomes Operation::kUnknown.
+base::Result<Instruction> decode(const formats::Progs& progs, std::size_t statement);
 
 // Fuses pairs of instructions for which there is a combined operation. The first one then does the work of
 // both; the second one stays in the list, because a jump may lead to it.

@@ -15,7 +15,8 @@
 namespace temblor::vm {
 
 // A macro, because the interpreter's jump table must have the same order. PastEnd comes after the last
-// statement of a program; the fused pairs follow it in this list.
+// statement of a program; the fused pairs and the additions of fteqcc follow it. Unknown ends the call with
+// an error.
 // clang-format off
 #define TEMBLOR_VM_OPERATIONS(X) \
   X(MulF) X(MulV) X(MulFV) X(MulVF) X(DivF) X(AddF) X(AddV) X(SubF) X(SubV) X(EqF) X(EqV) X(EqS) \
@@ -25,7 +26,16 @@ namespace temblor::vm {
   X(PastEnd) X(EqFIfNot) X(EqWordIfNot) X(NeFIfNot) X(NeWordIfNot) X(LeIfNot) X(GeIfNot) X(LtIfNot) \
   X(GtIfNot) X(AndIfNot) X(OrIfNot) X(BitAndIfNot) X(NotFIfNot) X(NotWordIfNot) X(LoadWordIfNot) \
   X(EqFIf) X(EqWordIf) X(NeFIf) X(NeWordIf) X(LeIf) X(GeIf) X(LtIf) X(GtIf) X(AndIf) X(OrIf) \
-  X(BitAndIf) X(NotFIf) X(NotWordIf) X(LoadWordIf) X(AddressStorePWord) X(AddressStorePVector)
+  X(BitAndIf) X(NotFIf) X(NotWordIf) X(LoadWordIf) X(AddressStorePWord) X(AddressStorePVector) \
+  X(MulStoreF) X(MulStoreV) X(MulStorePF) X(DivStoreF) X(DivStorePF) X(AddStoreF) X(AddStoreV) \
+  X(AddStorePF) X(AddStorePV) X(SubStoreF) X(SubStoreV) X(SubStorePF) X(SubStorePV) X(FetchGlobalWord) \
+  X(FetchGlobalV) X(BitSetF) X(BitSetPF) X(BitClearF) X(BitClearPF) X(SwitchF) X(SwitchV) X(SwitchString) \
+  X(SwitchWord) X(Case) X(CaseRange) X(CallH) X(FToIStore) X(IToFStore) X(AddI) X(AddFI) X(AddIF) \
+  X(SubI) X(SubFI) X(SubIF) X(IToF) X(FToI) X(StorePIToF) X(StorePFToI) X(BitAndI) X(BitOrI) X(MulI) \
+  X(DivI) X(EqI) X(NeI) X(XorI) X(ShiftRightI) X(ShiftLeftI) X(GetPointer) X(LoadArrayWord) \
+  X(LoadArrayVector) X(LoadPWord) X(LoadPVector) X(LeI) X(GeI) X(LtI) X(GtI) X(LeIF) X(GeIF) X(LtIF) \
+  X(GtIF) X(LeFI) X(GeFI) X(LtFI) X(GtFI) X(EqIF) X(BitAndIF) X(BitOrIF) X(BitAndFI) X(BitOrFI) X(AndI) \
+  X(OrI) X(AndIF) X(OrIF) X(AndFI) X(OrFI) X(NeIF) X(BoundCheck) X(IfF) X(IfNotF) X(Unknown)
 // clang-format on
 
 enum class Operation : std::uint16_t {
@@ -38,8 +48,9 @@ enum class Operation : std::uint16_t {
 struct Instruction {
   Operation operation = Operation::kPastEnd;  // possibly fused with the next statement
   Operation alone = Operation::kPastEnd;      // this statement without fusion
-  // Indices of global words, with these exceptions: Call has the global with the function in `a`, and the
-  // number of parameters itself in `b`; If and IfNot have their jump distance in `b`, Goto in `a`.
+  // Indices of global words, except for jump distances, numbers (see OperandKind), and these: Call has the
+  // global with the function in `a`, and the number of parameters itself in `b`; Unknown has the number of
+  // the operation in `a`.
   std::int32_t a = 0, b = 0, c = 0;
 };
 

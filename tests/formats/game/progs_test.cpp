@@ -99,9 +99,9 @@ TEST(Progs, FlippedBitsFailOrRoundTrip) {
 }
 
 TEST(Progs, RejectsOtherVersions) {
-  for (const std::int32_t version : {0, 3, 5, 7, -1})
+  for (const std::int32_t version : {0, 3, 5, 8, -1})
     EXPECT_THAT(error_of_progs(test::with_number(smallest_program(), 0, version)),
-                HasSubstr("only version 6"));
+                HasSubstr("only versions 6 and 7"));
 }
 
 TEST(Progs, RejectsCountsBeyondFile) {
@@ -115,18 +115,31 @@ TEST(Progs, RejectsCountsBeyondFile) {
   }
   EXPECT_EQ(error_of_progs(test::with_number(file, kStatementsAt + 4, 0)), "no statements");
   EXPECT_EQ(error_of_progs(test::with_number(file, kFunctionsAt + 4, 0)), "no functions");
-  EXPECT_THAT(error_of_progs(test::with_number(file, kWordsAt + 4, 27)), HasSubstr("27 global words"));
   EXPECT_THAT(error_of_progs(test::with_number(file, kEntityWordsAt, 1u << 31)),
               HasSubstr("2147483648 words per entity"));
 }
 
-TEST(Progs, RejectsStringsWithoutZeros) {
-  base::ByteVector file = smallest_program();
+TEST(Progs, AddsMissingZerosAroundStrings) {
+  const base::ByteVector file = smallest_program();
   const std::size_t at = section(file, kStringsAt);
-  for (const std::size_t place : {at, at + 6})
-    EXPECT_THAT(error_of_progs(test::with_number(file, place, 'x')), HasSubstr("begin and end with a zero"));
-  EXPECT_THAT(error_of_progs(test::with_number(file, kStringsAt + 4, 0)),
-              HasSubstr("begin and end with a zero"));
+  const auto first = read_progs(test::with_number<std::uint8_t>(file, at, 'x')),
+             last = read_progs(test::with_number<std::uint8_t>(file, at + 6, 'x')),
+             none = read_progs(test::with_number(file, kStringsAt + 4, 0));
+  ASSERT_TRUE(first.ok() && last.ok() && none.ok());
+  EXPECT_EQ(first->strings, read_progs(file)->strings);
+  EXPECT_EQ(last->string_at(5), "qx");
+  EXPECT_EQ(none->strings, std::string(1, '\0'));
+  EXPECT_EQ(none->string_at(none->functions[1].name), "");
+}
+
+TEST(Progs, AddsMissingReservedWords) {
+  const base::ByteVector file = test::with_number(smallest_program(), kWordsAt + 4, 27);
+  EXPECT_THAT(error_of_progs(file), HasSubstr("its 1 locals are at global word 28 of 28"));
+  const std::size_t main = section(file, kFunctionsAt) + 36;
+  const auto progs = read_progs(test::with_number(file, main + 4, 27));
+  ASSERT_TRUE(progs.ok()) << progs.error().message();
+  EXPECT_EQ(progs->global_words.size(), 28u);
+  EXPECT_EQ(progs->global_words[27], 0u);
 }
 
 // fteqcc writes them for structs, arrays, and integers.
@@ -142,18 +155,20 @@ TEST(Progs, KeepsDefinitionsOfUnknownTypes) {
   }
 }
 
-TEST(Progs, RejectsDefinitionsOutOfRange) {
+// They are only debug information; all keep their places, because LNO files count them.
+TEST(Progs, ClearsDefinitionsOutOfRange) {
   const base::ByteVector file = write_progs(small_program());
   const std::size_t global = section(file, kGlobalsAt), field = section(file, kFieldsAt);
-  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, global + 2, 0xffff)),
-              HasSubstr("global 0 (\"time\"): the offset is word 65535"));
-  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, field + 2, 4)),
-              HasSubstr("field 0 (\"health\")"));
-  // The third word of a vector is past the end.
-  EXPECT_THAT(error_of_progs(test::with_number<std::uint16_t>(file, field + 10, 2)),
-              HasSubstr("field 1 (\"origin\")"));
-  EXPECT_THAT(error_of_progs(test::with_number(file, global + 4, 0x7fffffff)),
-              HasSubstr("global 0: the name or file is at"));
+  const auto past_globals = read_progs(test::with_number<std::uint16_t>(file, global + 2, 0xffff)),
+             past_entity = read_progs(test::with_number<std::uint16_t>(file, field + 2, 4)),
+             vector_past_entity = read_progs(test::with_number<std::uint16_t>(file, field + 10, 2)),
+             unnamed = read_progs(test::with_number(file, global + 4, 0x7fffffff));
+  ASSERT_TRUE(past_globals.ok() && past_entity.ok() && vector_past_entity.ok() && unnamed.ok());
+  EXPECT_EQ(past_globals->globals[0], ProgsDefinition{});
+  EXPECT_EQ(past_entity->fields[0], ProgsDefinition{});
+  EXPECT_EQ(vector_past_entity->fields[1], ProgsDefinition{});
+  EXPECT_EQ(vector_past_entity->fields.size(), 2u);
+  EXPECT_EQ(unnamed->globals[0], (ProgsDefinition{ProgsType::kFloat, true, 28, 0}));
 }
 
 TEST(Progs, RejectsFunctionsOutOfRange) {
@@ -166,13 +181,8 @@ TEST(Progs, RejectsFunctionsOutOfRange) {
                 HasSubstr("its 6 locals are at"));
   EXPECT_THAT(error_of_progs(test::with_number(file, main + 8, 0xffffffffu)),
               HasSubstr("4294967295 locals are at"));
-  EXPECT_THAT(error_of_progs(test::with_number(file, main + 16, 0xffffffffu)),
-              HasSubstr("function 2: the name or file is at"));
-  EXPECT_THAT(error_of_progs(test::with_number(file, main + 20, 0xffffffffu)),
-              HasSubstr("function 2: the name or file is at"));
-  EXPECT_THAT(error_of_progs(test::with_number(file, main + 24, 9)), HasSubstr("9 parameters"));
-  EXPECT_THAT(error_of_progs(test::with_number<std::uint8_t>(file, main + 28, 4)),
-              HasSubstr("parameter 0 has 4 words"));
+  EXPECT_THAT(error_of_progs(test::with_number<std::uint8_t>(file, main + 29, 255)),
+              HasSubstr("\"main\": parameter 1 has 255 words, but there are only"));
   // The parameters alone do not fit.
   base::ByteVector tight = test::with_number(
       file, main + 4, static_cast<std::uint32_t>(read_progs(file)->global_words.size() - 3));
@@ -180,16 +190,57 @@ TEST(Progs, RejectsFunctionsOutOfRange) {
   EXPECT_THAT(error_of_progs(tight), HasSubstr("its 4 locals are at"));
 }
 
-TEST(Progs, RejectsEndlessNames) {
+TEST(Progs, KeepsOddFunctions) {
+  const base::ByteVector file = write_progs(small_program());
+  const std::size_t main = section(file, kFunctionsAt) + 2 * 36;
+  for (const std::size_t field : {std::size_t{16}, std::size_t{20}}) {
+    const auto progs = read_progs(test::with_number(file, main + field, 0xffffffffu));
+    ASSERT_TRUE(progs.ok()) << progs.error().message();
+    EXPECT_EQ(field == 16 ? progs->functions[2].name : progs->functions[2].file, 0u);
+  }
+  const auto many = read_progs(test::with_number(file, main + 24, 9));
+  ASSERT_TRUE(many.ok()) << many.error().message();
+  EXPECT_EQ(many->functions[2].parameter_count, 8);
+  // A struct.
+  const auto wide = read_progs(test::with_number<std::uint8_t>(file, main + 28, 4));
+  ASSERT_TRUE(wide.ok()) << wide.error().message();
+  EXPECT_EQ(wide->functions[2].parameter_words[0], 4);
+}
+
+TEST(Progs, EndlessNamesAreEmpty) {
   for (const std::size_t chars : {1024u, 1025u, 100'000u}) {
     Progs progs = small_program();
-    progs.globals[0].name = static_cast<std::uint32_t>(progs.strings.size());
+    const auto name = static_cast<std::uint32_t>(progs.strings.size());
+    progs.globals[0].name = progs.functions[1].file = name;
     progs.strings += std::string(chars, 'x') + '\0';
-    EXPECT_THAT(error_of_progs(write_progs(progs)),
-                HasSubstr(chars > 1024 ? "global 0: the name or file has more than" : "no error"));
-    std::swap(progs.globals[0].name, progs.functions[1].file);
-    EXPECT_THAT(error_of_progs(write_progs(progs)),
-                HasSubstr(chars > 1024 ? "function 1: the name or file has more than" : "no error"));
+    const auto read = read_progs(write_progs(progs));
+    ASSERT_TRUE(read.ok()) << read.error().message();
+    EXPECT_EQ(read->globals[0].name, chars > 1024 ? 0 : name);
+    EXPECT_EQ(read->functions[1].file, chars > 1024 ? 0 : name);
+  }
+}
+
+TEST(Progs, LayoutsOfVersion7RoundTrip) {
+  for (const ProgsLayout layout : {ProgsLayout::kNarrow, ProgsLayout::kWide, ProgsLayout::kWideStatements}) {
+    Progs progs = small_program();
+    progs.version = kExtendedProgsVersion;
+    progs.layout = layout;
+    if (layout != ProgsLayout::kNarrow) progs.statements[1] = {43, {70000, 0xffffffff, 3}};
+    if (layout == ProgsLayout::kWide) {
+      progs.global_words.resize(70001);
+      progs.globals[0].offset = 70000;
+    }
+    const base::ByteVector file = write_progs(progs);
+    const auto back = read_progs(file);
+    ASSERT_TRUE(back.ok()) << back.error().message();
+    EXPECT_EQ(*back, progs);
+    base::ByteReader reader(file);
+    reader.seek(8);
+    EXPECT_EQ(reader.u32(), 92u);  // statements follow the longer header
+    reader.seek(88);
+    EXPECT_EQ(reader.u32(), layout == ProgsLayout::kNarrow ? 0x021b1461u
+                            : layout == ProgsLayout::kWide ? 0x65167402u
+                                                           : 0u);
   }
 }
 

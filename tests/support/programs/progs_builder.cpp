@@ -45,7 +45,7 @@ int ProgsBuilder::text(std::string_view text) {
 
 int ProgsBuilder::named(std::string_view name, formats::ProgsType type) {
   const int at = type == formats::ProgsType::kVector ? words({0, 0, 0}) : words({0});
-  progs_.globals.push_back({type, true, static_cast<std::uint16_t>(at), add_string(name)});
+  progs_.globals.push_back({type, true, static_cast<std::uint32_t>(at), add_string(name)});
   return at;
 }
 
@@ -53,9 +53,9 @@ int ProgsBuilder::field(std::string_view name, formats::ProgsType type) {
   const std::uint32_t offset = progs_.entity_words;
   progs_.entity_words += formats::value_words(type);
   const std::uint32_t name_at = add_string(name);
-  progs_.fields.push_back({type, false, static_cast<std::uint16_t>(offset), name_at});
+  progs_.fields.push_back({type, false, offset, name_at});
   const int at = words({offset});
-  progs_.globals.push_back({formats::ProgsType::kField, false, static_cast<std::uint16_t>(at), name_at});
+  progs_.globals.push_back({formats::ProgsType::kField, false, static_cast<std::uint32_t>(at), name_at});
   return at;
 }
 
@@ -65,7 +65,7 @@ int ProgsBuilder::add_function(formats::ProgsFunction function, std::string_view
   const int at = words({static_cast<std::uint32_t>(progs_.functions.size())});
   progs_.functions.push_back(function);
   progs_.globals.push_back(
-      {formats::ProgsType::kFunction, false, static_cast<std::uint16_t>(at), function.name});
+      {formats::ProgsType::kFunction, false, static_cast<std::uint32_t>(at), function.name});
   return at;
 }
 

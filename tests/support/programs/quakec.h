@@ -13,10 +13,11 @@ namespace temblor::test {
 
 bool has_quakec_compiler();
 
-// Returns the progs.dat of one source file, "test.qc". CHECKs that it compiles.
-base::ByteVector compile_quakec(std::string_view source);
+// Returns the progs.dat of one source file, "test.qc". `options`: those of fteqcc, such as "-Tfte". CHECKs
+// that it compiles.
+base::ByteVector compile_quakec(std::string_view source, std::string_view options = "");
 // Like compile_quakec(), but loads the program.
-std::shared_ptr<const vm::Program> load_quakec(std::string_view source);
+std::shared_ptr<const vm::Program> load_quakec(std::string_view source, std::string_view options = "");
 
 }  // namespace temblor::test
 
