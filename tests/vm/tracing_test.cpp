@@ -104,5 +104,18 @@ TEST(Tracing, TracedAndUntracedRunsAreTheSame) {
   EXPECT_GT(total, 10 * finished);
 }
 
+TEST(Tracing, ProgramsMayRunPastTheirEnd) {
+  ProgsBuilder builder;
+  builder.field("place", ProgsType::kVector);
+  const int number = builder.number(1);
+  for (int i = 0; i < 20; ++i) builder.number();  // run() names globals up to 41
+  builder.function("first");
+  builder.emit(Opcode::kStoreF, number, number);
+  std::size_t lines = 0;
+  const Outcome traced = run(builder.load(), true, lines);
+  EXPECT_THAT(traced.error, ::testing::HasSubstr("it runs past the last statement"));
+  EXPECT_EQ(lines, 1u);
+}
+
 }  // namespace
 }  // namespace temblor::vm
