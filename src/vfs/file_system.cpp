@@ -162,8 +162,7 @@ base::Status FileSystem::mount_pak(const fs::path& path) {
       formats::read_pak_header(header_bytes, archive_bytes).with_file(path.string()));
   TRY(const base::ByteVector directory,
       read_disk_range(path, header.directory_offset, header.directory_bytes));
-  TRY(std::vector<formats::PakEntry> entries,
-      formats::read_pak_directory(directory, archive_bytes).with_file(path.string()));
+  const std::vector<formats::PakEntry> entries = formats::read_pak_directory(directory, archive_bytes);
   // Backward, so that the first entry with a name wins.
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
     add_file(entry->name,

@@ -56,7 +56,7 @@ base::Result<Inspection> inspect_pak(const std::filesystem::path& path) {
       read_part(path, 0, std::min<std::uint64_t>(archive_bytes, formats::kPakHeaderBytes)));
   TRY(const formats::PakHeader header, formats::read_pak_header(header_bytes, archive_bytes));
   TRY(const base::ByteVector directory, read_part(path, header.directory_offset, header.directory_bytes));
-  TRY(const std::vector<formats::PakEntry> entries, formats::read_pak_directory(directory, archive_bytes));
+  const std::vector<formats::PakEntry> entries = formats::read_pak_directory(directory, archive_bytes);
   Inspection files = Inspection::array();
   for (const formats::PakEntry& entry : entries)
     files.push_back({{"name", entry.name}, {"bytes", entry.size}});

@@ -4,8 +4,6 @@
 #include <limits>
 #include <string_view>
 
-#include "base/text.h"
-
 namespace temblor::formats {
 namespace {
 
@@ -25,35 +23,25 @@ base::Result<PakHeader> read_pak_header(base::Bytes header, std::uint64_t archiv
   if (offset < 0 || bytes < 0 || std::uint64_t(offset) + std::uint64_t(bytes) > archive_bytes)
     return base::malformed("PAK directory: offset {} and {} bytes are outside of the file ({} bytes)", offset,
                            bytes, archive_bytes);
-  if (std::size_t(bytes) % kPakRecordBytes != 0)
-    return base::malformed("PAK directory: {} bytes is not a multiple of the entry size {}", bytes,
-                           kPakRecordBytes);
   if (std::size_t(bytes) / kPakRecordBytes > kMaxPakEntries)
     return base::error(base::ErrorCode::kTooLarge, "PAK directory: {} entries, the limit is {}",
                        std::size_t(bytes) / kPakRecordBytes, kMaxPakEntries);
-  return PakHeader{std::uint64_t(offset), std::uint64_t(bytes)};
+  return PakHeader{std::uint64_t(offset), std::uint64_t(bytes) / kPakRecordBytes * kPakRecordBytes};
 }
 
-// Offsets and sizes are signed in the file; negative ones are rejected like those past the end. The sum is
-// computed in 64 bits, so it cannot wrap around.
-base::Result<std::vector<PakEntry>> read_pak_directory(base::Bytes directory, std::uint64_t archive_bytes) {
+// Offsets and sizes are signed in the file; negative ones are like those past the end. The sum is computed in
+// 64 bits, so it cannot wrap around.
+std::vector<PakEntry> read_pak_directory(base::Bytes directory, std::uint64_t archive_bytes) {
   base::ByteReader reader(directory);
   std::vector<PakEntry> entries;
   entries.reserve(directory.size() / kPakRecordBytes);
-  while (reader.remaining() > 0) {
+  while (reader.remaining() >= kPakRecordBytes) {
     const std::string_view field = base::as_text(reader.take(kPakNameBytes));
     const std::int32_t offset = reader.i32();
     const std::int32_t size = reader.i32();
-    if (!reader.ok()) return base::malformed("PAK directory ends within entry {}", entries.size());
-    const std::size_t length = field.find('\0');
-    if (length == std::string_view::npos)
-      return base::malformed("PAK directory: entry {}: name is not terminated", entries.size());
-    std::string name(field.substr(0, length));
-    if (offset < 0 || size < 0 || std::uint64_t(offset) + std::uint64_t(size) > archive_bytes)
-      return base::malformed(
-          "PAK directory: entry {} \"{}\": offset {} and {} bytes are outside of the file ({} bytes)",
-          entries.size(), base::printable(name), offset, size, archive_bytes);
-    entries.push_back({std::move(name), std::uint64_t(offset), std::uint64_t(size)});
+    if (offset < 0 || size < 0 || std::uint64_t(offset) + std::uint64_t(size) > archive_bytes) continue;
+    entries.push_back(
+        {std::string(field.substr(0, field.find('\0'))), std::uint64_t(offset), std::uint64_t(size)});
   }
   return entries;
 }

@@ -37,17 +37,17 @@ struct PakHeader {
 
 // A file in the archive. Its name is not checked; the vfs skips names that leave the folder.
 struct PakEntry {
-  std::string name;  // as stored, at most 55 characters
+  std::string name;  // as stored, at most 56 characters
   std::uint64_t offset = 0;
   std::uint64_t size = 0;  // bytes
   bool operator==(const PakEntry&) const = default;
 };
 
 // Reads a PAK without loading it: read_pak_header() parses the first 12 bytes and returns the place of the
-// directory, and read_pak_directory() parses the bytes there. `archive_bytes`: size of the file; both return
-// kMalformed if the directory or an entry exceeds it.
+// directory, and read_pak_directory() parses the bytes there. `archive_bytes`: size of the file. Returns
+// kMalformed if the directory exceeds it. Ignores entries that exceed it, and an incomplete entry at the end.
 base::Result<PakHeader> read_pak_header(base::Bytes header, std::uint64_t archive_bytes);
-base::Result<std::vector<PakEntry>> read_pak_directory(base::Bytes directory, std::uint64_t archive_bytes);
+std::vector<PakEntry> read_pak_directory(base::Bytes directory, std::uint64_t archive_bytes);
 
 // Reads the directory of an archive in memory. Every entry is inside of `archive`. Entries may overlap, and
 // names may repeat; the first one counts.

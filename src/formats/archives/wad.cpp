@@ -1,6 +1,7 @@
 #include "formats/archives/wad.h"
 
 #include <limits>
+#include <optional>
 
 #include "base/text.h"
 
@@ -12,25 +13,18 @@ constexpr std::string_view kWad3Magic = "WAD3";
 constexpr std::size_t kWadHeaderBytes = 12;
 constexpr std::size_t kRecordBytes = 32;
 
-// Reads the table entry of lump `number`; its data must be inside of `wad`.
-base::Result<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad, std::size_t number) {
+// Reads a table entry. Returns nullopt if the lump is compressed or not inside of `wad`.
+std::optional<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad) {
   const std::int32_t offset = io_reader.i32();
-  const std::int32_t stored_size = io_reader.i32();
   const std::int32_t size = io_reader.i32();
+  io_reader.i32();  // the size after decompression
   const std::uint8_t type = io_reader.u8();
   const std::uint8_t compression = io_reader.u8();
   io_reader.take(2);  // padding
   std::string name = io_reader.fixed_text(kWadNameChars);
-  if (compression != 0)
-    return base::error(base::ErrorCode::kUnsupported, "WAD lump {} \"{}\": compression {} is not supported",
-                       number, base::printable(name), compression);
-  if (stored_size != size)
-    return base::malformed(
-        "WAD lump {} \"{}\": stored size {} differs from size {}, although it is not compressed", number,
-        base::printable(name), stored_size, size);
-  if (offset < 0 || size < 0 || std::uint64_t(offset) + std::uint64_t(size) > wad.size())
-    return base::malformed("WAD lump {} \"{}\": offset {} and {} bytes are outside of the file ({} bytes)",
-                           number, base::printable(name), offset, size, wad.size());
+  const bool is_inside =
+      offset >= 0 && size >= 0 && std::uint64_t(offset) + std::uint64_t(size) <= wad.size();
+  if (compression != 0 || !is_inside) return std::nullopt;
   return WadLump{std::move(name), type, wad.subspan(std::size_t(offset), std::size_t(size))};
 }
 
@@ -52,10 +46,8 @@ base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
   reader.seek(std::size_t(table_offset));
   std::vector<WadLump> lumps;
   lumps.reserve(std::size_t(count));
-  for (std::size_t i = 0; i < std::size_t(count); ++i) {
-    TRY(WadLump lump, read_record(reader, bytes, i));
-    lumps.push_back(std::move(lump));
-  }
+  for (std::size_t i = 0; i < std::size_t(count); ++i)
+    if (std::optional<WadLump> lump = read_record(reader, bytes)) lumps.push_back(std::move(*lump));
   return lumps;
 }
 

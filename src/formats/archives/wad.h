@@ -42,8 +42,8 @@ struct WadLump {
   base::Bytes data;
 };
 
-// Returns the lumps in file order. Lumps are inside of `bytes` and may overlap. Returns kUnsupported for
-// compressed lumps, which no known tool writes.
+// Returns the lumps in file order. Lumps are inside of `bytes` and may overlap. Ignores lumps that are not
+// inside, and compressed ones, which no known tool writes: a game may never use them.
 base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes);
 
 // Checks the first four bytes only.

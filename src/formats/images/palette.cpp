@@ -38,7 +38,7 @@ std::uint8_t find_nearest_index(const Palette& palette, int candidates, int r, i
 }  // namespace
 
 base::Result<Palette> read_palette(base::Bytes bytes) {
-  if (bytes.size() != kPaletteBytes)
+  if (bytes.size() < kPaletteBytes)
     return base::malformed("palette has {} bytes, expected {}", bytes.size(), kPaletteBytes);
   base::ByteReader reader(bytes);
   Palette palette;
@@ -61,13 +61,13 @@ base::ByteVector write_palette(const Palette& palette) {
 }
 
 base::Result<Colormap> read_colormap(base::Bytes bytes) {
-  if (bytes.size() != kColormapBytes && bytes.size() != kColormapBytes + 1)
+  if (bytes.size() < kColormapBytes)
     return base::malformed("colormap has {} bytes, expected {} or {}", bytes.size(), kColormapBytes,
                            kColormapBytes + 1);
   const std::span<const std::uint8_t> values = base::as_u8(bytes);
   Colormap colormap;
   std::copy_n(values.begin(), kColormapBytes, colormap.rows.begin());
-  if (values.size() > kColormapBytes) colormap.fullbrights = values.back();
+  if (values.size() > kColormapBytes) colormap.fullbrights = values[kColormapBytes];
   return colormap;
 }
 

@@ -35,11 +35,11 @@ struct Colormap {
   int fullbrights = 32;  // the last indices, which are the same in every row
 };
 
-// Accepts exactly 768 bytes.
+// Needs 768 bytes, and ignores those after them.
 base::Result<Palette> read_palette(base::Bytes bytes);
 base::ByteVector write_palette(const Palette& palette);
 
-// Accepts 16384 bytes, or 16385 with the number of fullbright colors at the end.
+// Needs 16384 bytes. The next one, if present, is the number of fullbright colors; all others are ignored.
 base::Result<Colormap> read_colormap(base::Bytes bytes);
 base::ByteVector write_colormap(const Colormap& colormap);
 

@@ -46,10 +46,10 @@ base::ByteVector write_picture(const Picture& picture) {
 }
 
 base::Result<Picture> read_conchars(base::Bytes lump) {
-  if (lump.size() != std::size_t{kConcharsSide} * kConcharsSide)
-    return base::malformed("conchars lump has {} bytes, expected {}", lump.size(),
-                           kConcharsSide * kConcharsSide);
-  const auto pixels = base::as_u8(lump);
+  constexpr std::size_t kPixels = std::size_t{kConcharsSide} * kConcharsSide;
+  if (lump.size() < kPixels)
+    return base::malformed("conchars lump has {} bytes, expected {}", lump.size(), kPixels);
+  const auto pixels = base::as_u8(lump.first(kPixels));
   Picture picture{kConcharsSide, kConcharsSide, {pixels.begin(), pixels.end()}};
   std::replace(picture.pixels.begin(), picture.pixels.end(), std::uint8_t{0}, kTransparent);
   return picture;

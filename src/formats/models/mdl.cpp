@@ -80,8 +80,8 @@ base::Result<Counts> read_header(base::ByteReader& io_reader, Mdl& out_mdl) {
     return base::error(base::ErrorCode::kTooLarge,
                        "header at offset {:#x}: scale and origin put vertices {} units away, the limit is {}",
                        scale_offset, far_corner, kMaxMdlCoordinate);
-  TRY(out_mdl.bounding_radius, read_finite(io_reader, "bounding radius"));
-  TRY(out_mdl.eye, read_finite_vec3(io_reader, "eye"));
+  out_mdl.bounding_radius = read_unused_number(io_reader);
+  for (int axis = 0; axis < 3; ++axis) out_mdl.eye[axis] = read_unused_number(io_reader);
 
   Counts counts;
   const auto read_count = [&](const char* what, std::uint32_t limit, std::uint32_t& out_count) {
@@ -97,7 +97,7 @@ base::Result<Counts> read_header(base::ByteReader& io_reader, Mdl& out_mdl) {
   TRY_STATUS(read_count("frames", kMaxMdlPoses, counts.frames));
   out_mdl.random_phase = io_reader.i32() != 0;
   out_mdl.flags = io_reader.u32();
-  TRY(out_mdl.average_triangle_size, read_finite(io_reader, "average triangle size"));
+  out_mdl.average_triangle_size = read_unused_number(io_reader);
   return counts;
 }
 
@@ -150,7 +150,8 @@ base::Status read_triangles(base::ByteReader& io_reader, const Counts& counts, M
   return base::Ok{};
 }
 
-// Checks every normal, because the renderer uses it as an index. Bytes of positions may have any value.
+// Replaces normals that do not exist, because the renderer uses them as indices. Bytes of positions may have
+// any value.
 base::Result<MdlPose> read_pose(base::ByteReader& io_reader, std::uint32_t vertices, std::string_view part) {
   TRY_STATUS(need_bytes(io_reader, (2 + std::uint64_t{vertices}) * kVertexBytes + kFrameNameBytes, part));
   MdlPose pose;
@@ -158,12 +159,9 @@ base::Result<MdlPose> read_pose(base::ByteReader& io_reader, std::uint32_t verti
   pose.maxs = read_vertex(io_reader);
   pose.name = io_reader.fixed_text(kFrameNameBytes).substr(0, kMaxFrameNameChars);
   pose.vertices.resize(vertices);
-  for (std::size_t i = 0; i < vertices; ++i) {
-    const std::size_t offset = io_reader.offset();
-    pose.vertices[i] = read_vertex(io_reader);
-    if (pose.vertices[i].normal >= kMdlNormals)
-      return base::malformed("{}, vertex {} at offset {:#x}: normal {} of {}", part, i, offset,
-                             pose.vertices[i].normal, kMdlNormals);
+  for (MdlVertex& vertex : pose.vertices) {
+    vertex = read_vertex(io_reader);
+    if (vertex.normal >= kMdlNormals) vertex.normal = 0;
   }
   return pose;
 }

@@ -39,6 +39,11 @@ base::Result<float> read_finite(base::ByteReader& io_reader, std::string_view wh
   return number;
 }
 
+float read_unused_number(base::ByteReader& io_reader) {
+  const float number = io_reader.f32();
+  return std::isfinite(number) ? number : 0;
+}
+
 base::Status need_bytes(const base::ByteReader& reader, std::uint64_t bytes, std::string_view part) {
   if (bytes <= reader.remaining()) return base::Ok{};
   return base::malformed("{} at offset {:#x}: needs {} bytes, only {} are left", part, reader.offset(), bytes,

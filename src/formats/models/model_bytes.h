@@ -29,6 +29,8 @@ void write_file_kind(base::ByteWriter& io_writer, const FileKind& kind);
 
 // Reads a number of the header; it must be finite. `what` names it in errors.
 base::Result<float> read_finite(base::ByteReader& io_reader, std::string_view what);
+// Reads a number of the header that the game does not use. One that is not finite becomes 0.
+float read_unused_number(base::ByteReader& io_reader);
 
 // Returns kMalformed if fewer than `bytes` are left. Call it before allocating memory.
 base::Status need_bytes(const base::ByteReader& reader, std::uint64_t bytes, std::string_view part);

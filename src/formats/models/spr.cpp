@@ -34,12 +34,12 @@ base::Result<std::uint32_t> read_header(base::ByteReader& io_reader, Spr& out_sp
     return base::malformed("header at offset {:#x}: unknown orientation {} (expected 0 to {})",
                            orientation_offset, orientation, kLastOrientation);
   out_spr.orientation = static_cast<SprOrientation>(orientation);
-  TRY(out_spr.bounding_radius, read_finite(io_reader, "bounding radius"));
+  out_spr.bounding_radius = read_unused_number(io_reader);
   out_spr.max_width = io_reader.u32();
   out_spr.max_height = io_reader.u32();
   const std::size_t frames_offset = io_reader.offset();
   const std::uint32_t frames = io_reader.u32();
-  TRY(out_spr.beam_length, read_finite(io_reader, "beam length"));
+  out_spr.beam_length = read_unused_number(io_reader);
   out_spr.random_phase = io_reader.i32() != 0;
   if (frames == 0) return base::malformed("header at offset {:#x}: no frames", frames_offset);
   if (frames > kMaxSprPictures)

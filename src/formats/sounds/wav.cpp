@@ -18,7 +18,6 @@ struct Chunk {
   std::string_view name;
   std::size_t offset = 0;  // of its id in the file
   base::Bytes bytes;       // those that are present
-  bool whole = true;       // all declared bytes are present
 };
 
 struct CuePoint {
@@ -41,7 +40,6 @@ std::optional<Chunk> next_chunk(ByteReader& io_reader) {
   chunk.offset = io_reader.offset();
   chunk.name = base::as_text(io_reader.take(4));
   const std::size_t size = io_reader.u32();
-  chunk.whole = size <= io_reader.remaining();
   chunk.bytes = io_reader.take(std::min(size, io_reader.remaining()));
   if (size % 2 == 1 && io_reader.remaining() > 0) io_reader.u8();
   return chunk;
@@ -112,18 +110,15 @@ base::Status read_format(const Chunk& chunk, Wav& out_wav) {
   return base::Ok{};
 }
 
-// Converts 8-bit samples, which are unsigned, to signed ones. Drops an incomplete frame at the end.
-base::Status read_samples(const Chunk& chunk, Wav& io_wav) {
-  if (!chunk.whole)
-    return base::malformed("data chunk at offset {:#x}: the file ends after {} of its bytes", chunk.offset,
-                           chunk.bytes.size());
+// Converts 8-bit samples, which are unsigned, to signed ones. Drops an incomplete frame at the end. Many
+// editors write a wrong size, so a file that ends early is played up to there.
+void read_samples(const Chunk& chunk, Wav& io_wav) {
   const std::size_t frame_bytes = std::size_t{io_wav.channels} * io_wav.bits / 8;
   const std::size_t count = chunk.bytes.size() / frame_bytes * io_wav.channels;
   io_wav.samples.reserve(count);
   ByteReader reader(chunk.bytes);
   for (std::size_t i = 0; i < count; ++i)
     io_wav.samples.push_back(io_wav.bits == 8 ? static_cast<std::int16_t>(reader.u8() - 128) : reader.i16());
-  return base::Ok{};
 }
 
 // The last mark of the cue point counts. A mark that reaches past the end of the sound is ignored.
@@ -189,7 +184,7 @@ base::Result<Wav> read_wav(base::Bytes bytes) {
   Wav wav;
   TRY_STATUS(read_format(*chunks.format, wav));
   if (!chunks.data) return base::malformed("no data chunk in {} bytes", bytes.size());
-  TRY_STATUS(read_samples(*chunks.data, wav));
+  read_samples(*chunks.data, wav);
   wav.loop = find_loop(chunks, wav.frame_count());
   return wav;
 }

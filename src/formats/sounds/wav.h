@@ -45,7 +45,7 @@ struct Wav {
 
 // Reads a sound. The loop starts at the first point of the "cue " chunk, and ends where the `mark` for that
 // point in a LIST chunk says, or else at the end of the sound. Ignores loops outside of the sound, other
-// chunks, and incomplete chunks at the end.
+// chunks, and missing bytes at the end.
 base::Result<Wav> read_wav(base::Bytes bytes);
 // Writes a sound with the rules above. CHECKs its values.
 base::ByteVector write_wav(const Wav& wav);

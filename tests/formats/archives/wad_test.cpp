@@ -126,15 +126,34 @@ TEST(Wad, RejectsHostileNumbers) {
   expect_refused(4, std::int32_t{0x7fffffff}, "outside of the file");
   expect_refused(8, std::int32_t{-1}, "offset -1");
   expect_refused(8, std::int32_t{18}, "outside of the file");
-  expect_refused(kRecord, std::int32_t{-1}, "lump 0 \"Logo\"");
-  expect_refused(kRecord, std::int32_t{45}, "outside of the file");
-  expect_refused(kRecord + 4, std::int32_t{4}, "not compressed");
-  expect_refused(kRecord + 13, std::uint8_t{1}, "compression 1");
 }
 
-TEST(Wad, RejectsNegativeSize) {
-  const base::ByteVector bytes = test::with_number(hand_made_wad(), kRecord + 4, std::int32_t{-5});
-  EXPECT_FALSE(read_wad(test::with_number(bytes, kRecord + 8, std::int32_t{-5})).ok());
+// A game may never use such a lump.
+TEST(Wad, IgnoresLumpsThatCannotBeRead) {
+  const base::ByteVector valid = hand_made_wad();
+  for (const base::ByteVector& bytes : {test::with_number(valid, kRecord, std::int32_t{-1}),
+                                        test::with_number(valid, kRecord, std::int32_t{45}),
+                                        test::with_number(valid, kRecord + 4, std::int32_t{-5}),
+                                        test::with_number(valid, kRecord + 13, std::uint8_t{1})}) {
+    const auto lumps = read_wad(bytes);
+    ASSERT_TRUE(lumps.ok()) << lumps.error().message();
+    EXPECT_TRUE(lumps->empty());
+  }
+}
+
+TEST(Wad, UsesTheStoredSize) {
+  const base::ByteVector valid = hand_made_wad();
+  const auto lumps = read_wad(test::with_number(valid, kRecord + 8, std::int32_t{1000}));
+  ASSERT_TRUE(lumps.ok()) << lumps.error().message();
+  EXPECT_EQ(lumps->at(0).data.size(), read_wad(valid)->at(0).data.size());
+}
+
+TEST(Wad, MayHaveBytesAfterTheTable) {
+  base::ByteVector bytes = hand_made_wad();
+  bytes.resize(bytes.size() + 13);
+  const auto lumps = read_wad(bytes);
+  ASSERT_TRUE(lumps.ok()) << lumps.error().message();
+  EXPECT_EQ(lumps->size(), 1u);
 }
 
 TEST(Wad, WriteRejectsWhatDoesNotFit) {

@@ -44,9 +44,10 @@ TEST(Palette, ReadsRgbTriples) {
   EXPECT_EQ(write_palette(*palette), bytes);
 }
 
-TEST(Palette, RejectsOtherSizes) {
-  for (const std::size_t size : {0, 1, 767, 769, 16384})
-    EXPECT_FALSE(read_palette(base::ByteVector(size)).ok()) << size;
+TEST(Palette, NeedsAllColors) {
+  for (const std::size_t size : {0, 1, 767}) EXPECT_FALSE(read_palette(base::ByteVector(size)).ok()) << size;
+  for (const std::size_t size : {768, 769, 16384})
+    EXPECT_TRUE(read_palette(base::ByteVector(size)).ok()) << size;
 }
 
 TEST(Colormap, ReadsWithAndWithoutFullbrightCount) {
@@ -63,9 +64,13 @@ TEST(Colormap, ReadsWithAndWithoutFullbrightCount) {
   EXPECT_EQ(write_colormap(*with), bytes);
 }
 
-TEST(Colormap, RejectsOtherSizes) {
-  for (const std::size_t size : {0, 768, 16383, 16386})
+TEST(Colormap, NeedsAllRows) {
+  for (const std::size_t size : {0, 768, 16383})
     EXPECT_FALSE(read_colormap(base::ByteVector(size)).ok()) << size;
+  base::ByteVector long_file(16390, std::byte{7});
+  long_file[16384] = std::byte{20};
+  ASSERT_TRUE(read_colormap(long_file).ok());
+  EXPECT_EQ(read_colormap(long_file)->fullbrights, 20);
 }
 
 TEST(Colormap, ComputedColormapUsesNearestColors) {

@@ -164,7 +164,7 @@ TEST(Wav, HeaderMatchesWholeFile) {
   EXPECT_TRUE(std::equal(header.begin(), header.end(), whole.begin()));
 }
 
-TEST(Wav, RejectsEveryTruncationWithReason) {
+TEST(Wav, RejectsTruncationsWithoutSamples) {
   test::for_each_truncation(ten_bytes(), [](const base::ByteVector& bytes) {
     const std::string what = error_of_wav(bytes);
     if (bytes.size() < 12)
@@ -176,7 +176,7 @@ TEST(Wav, RejectsEveryTruncationWithReason) {
     else if (bytes.size() < kSamplesAt)
       EXPECT_THAT(what, HasSubstr("no data chunk"));
     else
-      EXPECT_THAT(what, HasSubstr("data chunk at offset 0x24: the file ends after"));
+      EXPECT_EQ(read_wav(bytes)->samples.size(), bytes.size() - kSamplesAt);
   });
 }
 
@@ -193,7 +193,7 @@ TEST(Wav, RejectsFaultsWithReason) {
   EXPECT_THAT(with(kChannelsAt, std::uint16_t{9}), HasSubstr("9 channels"));
   EXPECT_THAT(with(kRateAt, 999u), HasSubstr("999 frames per second"));
   EXPECT_THAT(with(kRateAt, 0xffffffffu), HasSubstr("4294967295 frames per second"));
-  EXPECT_THAT(with(kDataAt + 4, 0xffffffffu), HasSubstr("the file ends after 10"));
+  EXPECT_EQ(with(kDataAt + 4, 0xffffffffu), "no error");  // plays the ten bytes that are there
 }
 
 TEST(Wav, DamagedFilesStayInBounds) {
