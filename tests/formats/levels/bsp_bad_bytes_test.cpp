@@ -160,6 +160,19 @@ TEST(BspBadBytes, TextureSizesOffsetsAndMips) {
   EXPECT_EQ(error_with(4, 0xfffffffe), "its header reaches past the end of the lump");
 }
 
+// The third texture of the room is on no face.
+TEST(BspBadBytes, DamagedTexturesThatNoFaceHas) {
+  auto file = test::make_cube_room_file(BspVersion::k29);
+  Bsp room = read_bsp(file).value();
+  poke(file, read_lump_offset(file, BspLump::kTextures) + 12, std::uint32_t{0x7fffffff});
+  const auto back = read_bsp(file);
+  for (BspTexinfo& texinfo : room.texinfos) EXPECT_NE(texinfo.miptex, -1);
+  ASSERT_EQ(error_of_bsp(file), "no error");
+  EXPECT_EQ(back->miptexes[2], BspMiptex{});
+  room.miptexes[2] = BspMiptex{};
+  EXPECT_EQ(*back, room);
+}
+
 // A table of 100,000 entries that all refer to one texture of 1 MB would need 130 GB.
 TEST(BspBadBytes, ManyTexturesOfTheSameBytes) {
   constexpr std::uint32_t kTextures = 100000;

@@ -181,6 +181,32 @@ TEST(RejectedBspOffset, NamesTheRecordsOffsetInTheFile) {
   }
 }
 
+// Nothing refers to these records, so the level can be played.
+TEST(BspUnused, DamagedRecordsAreReplaced) {
+  const BspPlane bad_plane{{kNan, 0, 0}, 0, 9};
+  BspTexinfo bad_texinfo;
+  bad_texinfo.miptex = 700;
+  Bsp bsp = test::make_cube_room();
+  const std::size_t planes = bsp.planes.size(), edges = bsp.edges.size();
+  for (int i = 0; i < 5; ++i) bsp.planes.push_back(bad_plane);
+  bsp.vertices.emplace_back(kInfinity);
+  bsp.texinfos.push_back(bad_texinfo);
+  bsp.edges.push_back({{0, 12345}});
+  bsp.surfedges.push_back(kLowest);
+  const auto back = read_bsp(write_bsp(bsp, BspVersion::kBsp2).value());
+  ASSERT_TRUE(back.ok()) << back.error().message();
+  EXPECT_EQ(back->planes.size(), planes + 5);
+  EXPECT_EQ(back->edges[edges], BspEdge{});
+  EXPECT_EQ(back->surfedges.back(), 0);
+  EXPECT_EQ(back->texinfos.back(), BspTexinfo{});
+  EXPECT_EQ(back->vertices.back(), math::Vec3(0));
+  EXPECT_FALSE(find_fault(*back).has_value());
+
+  // Many of them are a damaged file.
+  for (int i = 0; i < 100; ++i) bsp.planes.push_back(bad_plane);
+  EXPECT_FALSE(read_bsp(write_bsp(bsp, BspVersion::kBsp2).value()).ok());
+}
+
 // Makes a chain: node i leads to node i + 1.
 template <typename Node>
 void make_chain(std::vector<Node>& out_nodes, std::uint32_t length) {

@@ -71,9 +71,10 @@ base::Status write_texture(base::ByteWriter& writer, const BspMiptex& texture) {
 
 }  // namespace
 
-base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump, std::size_t lump_offset) {
-  std::vector<BspMiptex> textures;
-  if (lump.empty()) return textures;
+base::Result<Textures> read_textures(base::Bytes lump, std::size_t lump_offset) {
+  Textures result;
+  std::vector<BspMiptex>& textures = result.textures;
+  if (lump.empty()) return result;
   base::ByteReader reader(lump);
   const std::uint32_t count = reader.u32();
   if (!reader.ok() || count > reader.remaining() / 4)
@@ -89,12 +90,16 @@ base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump, std::size_t
     }
     // A negative offset becomes a huge one, which read_texture() rejects.
     auto texture = read_texture(lump, static_cast<std::uint32_t>(offset), budget_bytes);
-    if (!texture)
-      return base::malformed("lump textures: texture {} at offset {:#x}: {}", i,
-                             lump_offset + static_cast<std::uint32_t>(offset), texture.error().what);
-    textures.push_back(std::move(texture).value());
+    if (!texture) {
+      base::Error error =
+          base::malformed("lump textures: texture {} at offset {:#x}: {}", i,
+                          lump_offset + static_cast<std::uint32_t>(offset), texture.error().what);
+      if (result.damaged.size() >= kMaxDamagedTextures) return error;
+      result.damaged.push_back({i, std::move(error)});
+    }
+    textures.push_back(texture ? std::move(texture).value() : BspMiptex{});
   }
-  return textures;
+  return result;
 }
 
 base::Status write_textures(base::ByteWriter& writer, const std::vector<BspMiptex>& textures) {

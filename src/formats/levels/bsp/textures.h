@@ -9,6 +9,7 @@
 //   40  palette indices u8, row by row: mip 0, then mips 1 to 3, each half as wide and high
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "base/bytes.h"
@@ -17,10 +18,22 @@
 
 namespace temblor::formats::bsp_file {
 
-// `lump_offset`: of the lump in the file, for error messages. Returns an error if a size is
-// not 1..kBspMaxTextureSize, a mip level exceeds the lump, or textures share so many bytes that their total
-// exceeds the lump.
-base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump, std::size_t lump_offset);
+// A texture whose size is not 1..kBspMaxTextureSize, or whose data exceed the lump, alone or together with
+// those of the textures before it.
+struct DamagedTexture {
+  std::size_t index = 0;
+  base::Error error;
+};
+
+struct Textures {
+  std::vector<BspMiptex> textures;  // damaged ones are not present
+  std::vector<DamagedTexture> damaged;
+};
+
+// `lump_offset`: of the lump in the file, for error messages. Returns an error if the table exceeds the lump,
+// or if more than kMaxDamagedTextures are damaged.
+constexpr std::size_t kMaxDamagedTextures = 64;
+base::Result<Textures> read_textures(base::Bytes lump, std::size_t lump_offset);
 
 // Returns kTooLarge for a name over 15 characters.
 base::Status write_textures(base::ByteWriter& writer, const std::vector<BspMiptex>& textures);
