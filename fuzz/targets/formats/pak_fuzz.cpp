@@ -18,7 +18,7 @@ int temblor::fuzz::fuzz_pak(const std::uint8_t* data, std::size_t size) {
   if (!entries.ok()) return 0;
   std::vector<formats::ArchiveFile> files;
   for (const formats::PakEntry& entry : *entries)
-    files.push_back({entry.name, bytes.subspan(entry.offset, entry.size)});
+    files.push_back({entry.name.substr(0, formats::kPakNameChars), bytes.subspan(entry.offset, entry.size)});
   const auto written = formats::write_pak(files);
   CHECK(written.ok(), "{}", written.error().message());
   const auto back = formats::read_pak(*written);

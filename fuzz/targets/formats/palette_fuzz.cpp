@@ -1,5 +1,5 @@
 // Feeds arbitrary bytes to the palette reader. It must return an error or a palette that is written as the
-// same bytes.
+// same bytes, without those after the last color.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +14,7 @@ using namespace temblor;
 int temblor::fuzz::fuzz_palette(const std::uint8_t* data, std::size_t size) {
   const auto bytes = std::as_bytes(std::span(data, size));
   const auto palette = formats::read_palette(bytes);
-  if (palette.ok()) CHECK(std::ranges::equal(formats::write_palette(*palette), bytes));
+  constexpr std::size_t kBytes = 768;
+  if (palette.ok()) CHECK(std::ranges::equal(formats::write_palette(*palette), bytes.first(kBytes)));
   return 0;
 }
