@@ -19,19 +19,19 @@ constexpr double kPainSeconds = 0.2, kHintAfterSeconds = 1;
 
 // The score bar replaces the status bar while the player is dead or looks at the scores.
 void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
-               const HudSettings& settings) {
+               const HudSettings& settings, assets::MissionPack pack) {
+  const BarLook look{settings.opacity, settings.safe_colors, pack};
   const Panel bar = panel.at_bottom(kBarHeight);
   if (settings.status_bar == StatusBar::kNone) {
     if (settings.shows_scores) draw_level_scores(bar, game, time_s, settings.opacity);
     return;
   }
   if (settings.status_bar == StatusBar::kFull)
-    draw_inventory(panel.at_bottom(kBarHeight + kInventoryHeight), game, times, time_s,
-                   {settings.opacity, settings.safe_colors});
+    draw_inventory(panel.at_bottom(kBarHeight + kInventoryHeight), game, times, time_s, look);
   if (game.stat(Stat::kHealth) <= 0 || settings.shows_scores)
     draw_level_scores(bar, game, time_s, settings.opacity);
   else
-    draw_status_bar(bar, game, times, time_s, {settings.opacity, settings.safe_colors});
+    draw_status_bar(bar, game, times, time_s, look);
 }
 
 // Draws the hint above the status bar, whose height stays free even if it is hidden.
@@ -48,9 +48,9 @@ void draw_death_hint(const Panel& panel, std::string_view hint) {
 
 // Draws everything of a running level. The ranking hides center texts, as both are in the middle.
 void draw_play(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
-               const HudSettings& settings) {
+               const HudSettings& settings, assets::MissionPack pack) {
   if (game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
-  draw_bars(panel, game, times, time_s, settings);
+  draw_bars(panel, game, times, time_s, settings, pack);
   const bool is_dead_in_deathmatch = game.deathmatch && game.stat(Stat::kHealth) <= 0;
   if (is_dead_in_deathmatch || (settings.shows_scores && game.players.size() > 1))
     draw_ranking(panel.in_middle(kScreenHeight), game);
@@ -97,7 +97,7 @@ void Hud::draw(const Game& game, double time_s, int width, int height, const Hud
   const Panel panel(pictures_, io_list, width, height, choose_scale(width, height, settings.scale));
   switch (game.ending) {
     case Ending::kNone:
-      draw_play(panel, game, times_, time_s, settings);
+      draw_play(panel, game, times_, time_s, settings, pack_);
       break;
     case Ending::kIntermission:
       draw_intermission(panel, game);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "assets/mission_pack.h"
 #include "assets/pictures.h"
 #include "client/hud/crosshair.h"
 #include "client/session/client_state.h"
@@ -49,7 +50,10 @@ struct HudTimes {
 
 class Hud {
  public:
-  explicit Hud(const assets::Pictures& pictures) : pictures_(pictures) { begin_level(); }
+  explicit Hud(const assets::Pictures& pictures, assets::MissionPack pack = assets::MissionPack::kNone)
+      : pictures_(pictures), pack_(pack) {
+    begin_level();
+  }
 
   // Forgets everything; items in the first packet count as just gained.
   void begin_level();
@@ -62,6 +66,7 @@ class Hud {
 
  private:
   const assets::Pictures& pictures_;
+  assets::MissionPack pack_;
   HudTimes times_;
   // The state at the last advance().
   std::uint32_t items_ = 0;

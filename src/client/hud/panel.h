@@ -44,6 +44,8 @@ class Panel {
 
   int frame_height_px() const { return frame_height_; }
 
+  // Whether the game has this picture itself.
+  bool has_picture(std::string_view name) const { return pictures_->find_real(name) != nullptr; }
   // Draws a picture of the game (assets/pictures.h). Draws nothing if there is no picture of that name.
   void draw_picture(std::string_view name, int x, int y, float opacity = 1) const;
   // Draws it centered on the panel's 320 pixels.

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
+#include "client/hud/item_layout.h"
 #include "client/hud/items.h"
 #include "client/hud/scoreboard.h"
 
@@ -44,8 +46,10 @@ void draw_armor_marks(const Panel& bar, int kind, int icon_x) {
   }
 }
 
-// The pentagram replaces armor with the number 666 and a disc, as in the original.
-void draw_armor(const Panel& bar, const Game& game, bool safe_colors) {
+// The pentagram replaces armor with the number 666 and a disc, as in the original. `armors`: the items of the
+// three kinds, weakest first.
+void draw_armor(const Panel& bar, const Game& game, std::span<const std::uint32_t, 3> armors,
+                bool safe_colors) {
   constexpr int kIconX = 0, kNumberX = 24;
   if (has_items(game, kItemInvulnerability)) {
     bar.draw_number(kInvulnerableArmor, kBarDigits, true, kNumberX, 0);
@@ -54,10 +58,8 @@ void draw_armor(const Panel& bar, const Game& game, bool safe_colors) {
   }
   const int armor = game.stat(Stat::kArmor);
   draw_number(bar, armor, kLowArmor, kNumberX, safe_colors);
-  const int kind = has_items(game, kItemArmor3)   ? 3
-                   : has_items(game, kItemArmor2) ? 2
-                   : has_items(game, kItemArmor1) ? 1
-                                                  : 0;
+  int kind = 3;
+  while (kind > 0 && !has_items(game, armors[static_cast<std::size_t>(kind) - 1])) --kind;
   if (kind == 0) return;
   bar.draw_picture(fmt::format("sb_armor{}", kind), kIconX, 0);
   if (safe_colors) draw_armor_marks(bar, kind, kIconX);
@@ -76,41 +78,99 @@ std::string find_face_picture(const Game& game, bool in_pain) {
 }
 
 // The server sends which kind of ammo the weapon in hand uses as a bit of the items.
-void draw_ammo(const Panel& bar, const Game& game, bool safe_colors) {
-  constexpr int kIconX = 224, kNumberX = 248;
-  if (has_items(game, kItemShells))
-    bar.draw_picture("sb_shells", kIconX, 0);
-  else if (has_items(game, kItemNails))
-    bar.draw_picture("sb_nails", kIconX, 0);
-  else if (has_items(game, kItemRockets))
-    bar.draw_picture("sb_rocket", kIconX, 0);
-  else if (has_items(game, kItemCells))
-    bar.draw_picture("sb_cells", kIconX, 0);
+void draw_ammo(const Panel& bar, const Game& game, std::span<const ItemIcon> kinds, bool safe_colors) {
+  constexpr int kNumberX = 248;
+  const auto kind =
+      std::ranges::find_if(kinds, [&](const ItemIcon& icon) { return has_items(game, icon.item); });
+  if (kind != kinds.end()) bar.draw_picture(kind->picture, kind->x, kind->y);
   draw_number(bar, game.stat(Stat::kAmmo), kLowAmmo, kNumberX, safe_colors);
+}
+
+void draw_icons(const Panel& panel, const Game& game, std::span<const ItemIcon> icons, bool safe_colors) {
+  constexpr int kInIcon = 4;  // position of a mark
+  for (const ItemIcon& icon : icons)
+    if (has_items(game, icon.item)) panel.draw_picture(icon.picture, icon.x, icon.y);
+  // After all pictures, because keys may overlap.
+  for (const ItemIcon& icon : icons)
+    if (safe_colors && icon.mark != 0 && has_items(game, icon.item))
+      panel.draw_character(static_cast<std::uint8_t>(icon.mark), icon.x + kInIcon, icon.y + kInIcon);
+}
+
+// Returns the bit of the weapon in hand; 0: none. The servers of stock games send the bit itself, those of
+// mission packs, whose bits do not fit in the message's byte, its index.
+std::uint32_t find_weapon_in_hand(const Game& game, assets::MissionPack pack) {
+  const auto sent = static_cast<std::uint32_t>(game.stat(Stat::kActiveWeapon));
+  if (pack == assets::MissionPack::kNone) return sent;
+  return sent < 32 ? std::uint32_t{1} << sent : 0;
+}
+
+// Whether a weapon that was picked up so long ago still flashes.
+bool is_new(double held_s) {
+  return held_s >= 0 && held_s < 1;
 }
 
 // Returns the icon of a weapon. For a second after the pickup it cycles through five bright pictures, ten a
 // second. Later it is bright only for the weapon in hand.
 std::string find_weapon_picture(const char* name, bool in_hand, double held_s) {
-  constexpr double kBrightPictures = 10, kPicturesPerSecond = 10;
+  constexpr double kPicturesPerSecond = 10;
   constexpr int kDifferent = 5;
-  const double step = held_s * kPicturesPerSecond;
-  if (step >= 0 && step < kBrightPictures)
-    return fmt::format("inva{}_{}", static_cast<int>(step) % kDifferent + 1, name);
+  if (is_new(held_s))
+    return fmt::format("inva{}_{}", static_cast<int>(held_s * kPicturesPerSecond) % kDifferent + 1, name);
   return fmt::format("{}_{}", in_hand ? "inv2" : "inv", name);
 }
 
-void draw_weapons(const Panel& inventory, const Game& game, const HudTimes& times, double time_s) {
-  constexpr const char* kNames[] = {"shotgun", "sshotgun", "nailgun", "snailgun",
-                                    "rlaunch", "srlaunch", "lightng", "tremor"};
-  constexpr int kWidth = 24, kY = 8;
-  const auto in_hand = static_cast<std::uint32_t>(game.stat(Stat::kActiveWeapon));
-  for (std::size_t i = 0; i < std::size(kNames); ++i) {
-    const std::uint32_t item = std::uint32_t{kItemShotgun} << i;
-    if (!has_items(game, item)) continue;
-    inventory.draw_picture(find_weapon_picture(kNames[i], in_hand == item, time_s - times.item_gained_s[i]),
-                           kWidth * static_cast<int>(i), kY);
+// The state of the weapons in a frame.
+struct Arsenal {
+  const Game& game;
+  const HudTimes& times;
+  double time_s;
+  std::uint32_t in_hand;
+
+  double held_s(std::uint32_t item) const {
+    return time_s - times.item_gained_s[static_cast<std::size_t>(std::countr_zero(item))];
   }
+  bool is_bright(std::uint32_t item) const { return in_hand == item || is_new(held_s(item)); }
+  std::string picture(const WeaponSlot& slot) const {
+    return find_weapon_picture(slot.name, in_hand == slot.item, held_s(slot.item));
+  }
+};
+
+// Scourge of Armagon: a player with both launchers of grenades sees one picture of both in the place of the
+// grenade launcher. It is bright on the side of the launcher that is in hand or new.
+void draw_proximity_gun(const Panel& inventory, const Arsenal& arsenal) {
+  constexpr int kX = 96, kY = 8;
+  if (!has_items(arsenal.game, kHipnoticProximityGun)) return;
+  const bool has_both = has_items(arsenal.game, kItemGrenadeLauncher);
+  const WeaponSlot slot = has_both && arsenal.is_bright(kItemGrenadeLauncher)
+                              ? WeaponSlot{kItemGrenadeLauncher, "gren_prox", kX}
+                              : WeaponSlot{kHipnoticProximityGun, has_both ? "prox_gren" : "prox", kX};
+  inventory.draw_picture(arsenal.picture(slot), slot.x, kY);
+}
+
+// Dissolution of Eternity: a weapon that fires its other ammo has another picture. It has no picture for the
+// time after a pickup.
+void draw_rogue_weapon(const Panel& inventory, std::uint32_t in_hand) {
+  constexpr const char* kPictures[] = {"r_lava", "r_superlava", "r_gren", "r_multirock", "r_plasma"};
+  constexpr int kWidth = 24, kFirstX = 48, kY = 8;
+  for (std::size_t i = 0; i < std::size(kPictures); ++i)
+    if (in_hand == std::uint32_t{kRogueLavaNailgun} << i)
+      inventory.draw_picture(kPictures[i], kFirstX + kWidth * static_cast<int>(i), kY);
+}
+
+void draw_weapons(const Panel& inventory, const Arsenal& arsenal, assets::MissionPack pack) {
+  constexpr int kY = 8;
+  for (const WeaponSlot& slot : find_item_layout(pack).weapons)
+    if (has_items(arsenal.game, slot.item)) inventory.draw_picture(arsenal.picture(slot), slot.x, kY);
+  if (pack == assets::MissionPack::kHipnotic) draw_proximity_gun(inventory, arsenal);
+  if (pack == assets::MissionPack::kRogue) draw_rogue_weapon(inventory, arsenal.in_hand);
+}
+
+// Dissolution of Eternity has two backgrounds, which name the ammo that the weapon in hand can fire.
+void draw_background(const Panel& inventory, std::uint32_t in_hand, BarLook look) {
+  constexpr std::uint32_t kOtherAmmo = kRogueLavaNailgun * 31u;  // the five weapons
+  const char* const picture = (in_hand & kOtherAmmo) != 0 ? "r_invbar1" : "r_invbar2";
+  const bool has_own = look.pack == assets::MissionPack::kRogue && inventory.has_picture(picture);
+  inventory.draw_picture(has_own ? picture : "ibar", 0, 0, look.opacity);
 }
 
 // Uses the small digits of the character set.
@@ -129,44 +189,26 @@ void draw_ammo_counts(const Panel& inventory, const Game& game) {
   }
 }
 
-// Draws the icons of keys, power-ups and sigils at their fixed places.
-void draw_keys_and_powerups(const Panel& inventory, const Game& game, bool safe_colors) {
-  struct Icon {
-    std::uint32_t item;
-    const char* picture;
-    int x;
-  };
-  constexpr Icon kIcons[] = {{kItemKey1, "sb_key1", 192},          {kItemKey2, "sb_key2", 208},
-                             {kItemInvisibility, "sb_invis", 224}, {kItemInvulnerability, "sb_invuln", 240},
-                             {kItemSuit, "sb_suit", 256},          {kItemQuad, "sb_quad", 272},
-                             {kItemSigil1, "sb_sigil1", 288},      {kItemSigil1 << 1, "sb_sigil2", 296},
-                             {kItemSigil1 << 2, "sb_sigil3", 304}, {kItemSigil1 << 3, "sb_sigil4", 312}};
-  constexpr int kY = 8;
-  for (const Icon& icon : kIcons)
-    if (has_items(game, icon.item)) inventory.draw_picture(icon.picture, icon.x, kY);
-  if (!safe_colors) return;
-  constexpr int kInKey = 4;  // position of a letter in the icon: S for silver, G for gold
-  if (has_items(game, kItemKey1)) inventory.draw_character('S', kIcons[0].x + kInKey, kY + kInKey);
-  if (has_items(game, kItemKey2)) inventory.draw_character('G', kIcons[1].x + kInKey, kY + kInKey);
-}
-
 }  // namespace
 
 void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, BarLook look) {
   constexpr int kFaceX = 112, kHealthX = 136;
+  const ItemLayout& layout = find_item_layout(look.pack);
   bar.draw_picture("sbar", 0, 0, look.opacity);
-  draw_armor(bar, game, look.safe_colors);
+  draw_icons(bar, game, layout.bar, look.safe_colors);
+  draw_armor(bar, game, layout.armors, look.safe_colors);
   bar.draw_picture(find_face_picture(game, time_s < times.pain_until_s), kFaceX, 0);
   draw_number(bar, game.stat(Stat::kHealth), kLowHealth, kHealthX, look.safe_colors);
-  draw_ammo(bar, game, look.safe_colors);
+  draw_ammo(bar, game, layout.ammo, look.safe_colors);
 }
 
 void draw_inventory(const Panel& inventory, const Game& game, const HudTimes& times, double time_s,
                     BarLook look) {
-  inventory.draw_picture("ibar", 0, 0, look.opacity);
-  draw_weapons(inventory, game, times, time_s);
+  const std::uint32_t in_hand = find_weapon_in_hand(game, look.pack);
+  draw_background(inventory, in_hand, look);
+  draw_weapons(inventory, {game, times, time_s, in_hand}, look.pack);
   draw_ammo_counts(inventory, game);
-  draw_keys_and_powerups(inventory, game, look.safe_colors);
+  draw_icons(inventory, game, find_item_layout(look.pack).inventory, look.safe_colors);
   if (game.deathmatch) draw_leaders(inventory, game);
 }
 

@@ -5,6 +5,7 @@
 //   | armor 25 |  face  | health 100 |  ammo 50                    |   status bar: 24 pixels
 #pragma once
 
+#include "assets/mission_pack.h"
 #include "client/hud/hud.h"
 #include "client/hud/panel.h"
 #include "client/session/client_state.h"
@@ -17,6 +18,8 @@ struct BarLook {
   float opacity = 1;
   // Adds marks to warnings and to kinds of armor and keys.
   bool safe_colors = false;
+  // Decides the items' bits and places.
+  assets::MissionPack pack = assets::MissionPack::kNone;
 };
 
 // Draws armor, face, health and ammo with their numbers. `bar`: a panel kBarHeight high.

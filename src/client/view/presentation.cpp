@@ -6,7 +6,10 @@
 namespace temblor::client {
 
 Presentation::Presentation(const assets::Library& library)
-    : library_(library), pictures_(library.pictures(notes_)), hud_(pictures_), audio_scene_(library) {}
+    : library_(library),
+      pictures_(library.pictures(notes_)),
+      hud_(pictures_, assets::find_mission_pack(library.files())),
+      audio_scene_(library) {}
 
 base::Status Presentation::begin_level(const Game& game, const PresentationSettings& settings) {
   scene_ = {};

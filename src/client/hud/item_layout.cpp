@@ -1,0 +1,97 @@
+#include "client/hud/item_layout.h"
+
+#include "client/hud/items.h"
+
+namespace temblor::client {
+
+namespace {
+
+constexpr int kWeaponWidth = 24;
+constexpr int kIconY = 8;                // of the icons in the inventory
+constexpr int kAmmoX = 224, kAmmoY = 0;  // of the ammo in the status bar
+
+constexpr WeaponSlot weapon(int place, const char* name) {
+  return {std::uint32_t{kItemShotgun} << place, name, place * kWeaponWidth};
+}
+constexpr WeaponSlot kStockWeapons[] = {weapon(0, "shotgun"),  weapon(1, "sshotgun"), weapon(2, "nailgun"),
+                                        weapon(3, "snailgun"), weapon(4, "rlaunch"),  weapon(5, "srlaunch"),
+                                        weapon(6, "lightng"),  weapon(7, "tremor")};
+constexpr std::span kSharedWeapons = std::span(kStockWeapons).first(7);
+// The laser covers the right half of the wide picture of the lightning gun.
+constexpr WeaponSlot kHipnoticWeapons[] = {kStockWeapons[0],
+                                           kStockWeapons[1],
+                                           kStockWeapons[2],
+                                           kStockWeapons[3],
+                                           kStockWeapons[4],
+                                           kStockWeapons[5],
+                                           kStockWeapons[6],
+                                           {kHipnoticLaserCannon, "laser", 176},
+                                           {kHipnoticMjolnir, "mjolnir", 200}};
+
+constexpr ItemIcon kKeys[] = {{kItemKey1, "sb_key1", 192, kIconY, 'S'},
+                              {kItemKey2, "sb_key2", 208, kIconY, 'G'}};
+constexpr ItemIcon kPowerups[] = {{kItemInvisibility, "sb_invis", 224, kIconY},
+                                  {kItemInvulnerability, "sb_invuln", 240, kIconY},
+                                  {kItemSuit, "sb_suit", 256, kIconY},
+                                  {kItemQuad, "sb_quad", 272, kIconY}};
+constexpr ItemIcon kSigils[] = {{kItemSigil1, "sb_sigil1", 288, kIconY},
+                                {kItemSigil1 << 1, "sb_sigil2", 296, kIconY},
+                                {kItemSigil1 << 2, "sb_sigil3", 304, kIconY},
+                                {kItemSigil1 << 3, "sb_sigil4", 312, kIconY}};
+constexpr ItemIcon kStockIcons[] = {kKeys[0],     kKeys[1],   kPowerups[0], kPowerups[1], kPowerups[2],
+                                    kPowerups[3], kSigils[0], kSigils[1],   kSigils[2],   kSigils[3]};
+constexpr ItemIcon kHipnoticIcons[] = {kPowerups[0],
+                                       kPowerups[1],
+                                       kPowerups[2],
+                                       kPowerups[3],
+                                       {kHipnoticWetSuit, "sb_wsuit", 288, kIconY},
+                                       {kHipnoticEmpathyShields, "sb_eshld", 304, kIconY},
+                                       kSigils[0],
+                                       kSigils[1],
+                                       kSigils[2],
+                                       kSigils[3]};
+constexpr ItemIcon kRogueIcons[] = {kKeys[0],
+                                    kKeys[1],
+                                    kPowerups[0],
+                                    kPowerups[1],
+                                    kPowerups[2],
+                                    kPowerups[3],
+                                    {kRogueShield, "r_shield1", 288, kIconY},
+                                    {kRogueAntigravity, "r_agrav1", 304, kIconY}};
+// The weapons of this pack take the keys' place in the inventory.
+constexpr ItemIcon kHipnoticKeys[] = {{kItemKey1, "sb_key1", 209, 3, 'S'},
+                                      {kItemKey2, "sb_key2", 209, 12, 'G'}};
+
+constexpr ItemIcon ammo(std::uint32_t item, const char* picture) {
+  return {item, picture, kAmmoX, kAmmoY};
+}
+constexpr ItemIcon kStockAmmo[] = {ammo(kItemShells, "sb_shells"), ammo(kItemNails, "sb_nails"),
+                                   ammo(kItemRockets, "sb_rocket"), ammo(kItemCells, "sb_cells")};
+// The last two pictures seem to be exchanged, but all engines that we tried show them so.
+constexpr ItemIcon kRogueAmmo[] = {ammo(kRogueShells, "sb_shells"),         ammo(kRogueNails, "sb_nails"),
+                                   ammo(kRogueRockets, "sb_rocket"),        ammo(kRogueCells, "sb_cells"),
+                                   ammo(kRogueLavaNails, "r_ammolava"),     ammo(kRoguePlasma, "r_ammomulti"),
+                                   ammo(kRogueMultiRockets, "r_ammoplasma")};
+
+constexpr ItemLayout kStockLayout{
+    kStockWeapons, kStockIcons, {}, kStockAmmo, {kItemArmor1, kItemArmor2, kItemArmor3}};
+constexpr ItemLayout kHipnoticLayout{
+    kHipnoticWeapons, kHipnoticIcons, kHipnoticKeys, kStockAmmo, {kItemArmor1, kItemArmor2, kItemArmor3}};
+constexpr ItemLayout kRogueLayout{
+    kSharedWeapons, kRogueIcons, {}, kRogueAmmo, {kRogueArmor1, kRogueArmor2, kRogueArmor3}};
+
+}  // namespace
+
+const ItemLayout& find_item_layout(assets::MissionPack pack) {
+  switch (pack) {
+    case assets::MissionPack::kHipnotic:
+      return kHipnoticLayout;
+    case assets::MissionPack::kRogue:
+      return kRogueLayout;
+    case assets::MissionPack::kNone:
+      break;
+  }
+  return kStockLayout;
+}
+
+}  // namespace temblor::client
