@@ -87,6 +87,7 @@ Game::Game(GameSetup setup, GameServices services)
               },
           .bot_services = bot_services(),
           .find_pack = [this](std::string_view file) { return services_.library.files().where(file); }},
+      mission_pack_(assets::find_mission_pack(services_.library.files())),
       items2_field_(float_field(*setup_.program, "items2")),
       look_fields_(*setup_.program),
       movement_field_(vector_field(*setup_.program, "movement")),

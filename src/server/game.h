@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "assets/library.h"
+#include "assets/mission_pack.h"
 #include "base/result.h"
 #include "command/variables.h"
 #include "net/protocol/protocol.h"
@@ -134,6 +135,8 @@ class Game {
   void restore_environment(const world::LightStylePatterns& styles, const SpawnParameters& parameters);
   // The mission packs' second set of items, if the program declares it.
   std::optional<Field<float>> items2_field() const { return items2_field_; }
+  // By the game folders.
+  assets::MissionPack mission_pack() const { return mission_pack_; }
   // After a failure: the player on whose behalf QuakeC ran, if there was one.
   std::optional<std::size_t> blamed_player() const;
   // Fields with which the program changes how entities look (alpha, scale).
@@ -170,6 +173,7 @@ class Game {
   Requests requests_;
   GameRandom random_;
   BuiltinContext context_;
+  assets::MissionPack mission_pack_;
   std::optional<Field<float>> items2_field_;
   LookFields look_fields_;
   SpawnReport spawn_report_;

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "client/session/connection.h"
+#include "client_server/served_game.h"
 #include "formats/game/sav.h"
 #include "platform/posix/udp_socket.h"
 #include "server/game/game_loader.h"
@@ -17,6 +18,7 @@
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/programs/background_program.h"
+#include "support/programs/quakec.h"
 #include "support/programs/quakespasm_folder.h"
 
 namespace temblor::test {
@@ -185,6 +187,41 @@ TEST(QuakeSpasmServer, OurClientPlaysOnIt) {
   EXPECT_GT(player.state().game().data.health, -100);
   player.disconnect();
   run(1, [] { return false; });
+}
+
+// With -hipnotic it sends the weapon in hand as an index, and items2 above the items.
+TEST(QuakeSpasmServer, SendsTheItemsOfAMissionPack) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_QUAKESPASM();
+  const TemporaryFolder home;
+  const auto folder = make_quakespasm_folder(home, data, TEMBLOR_GAME_PROGRAM);
+  ASSERT_TRUE(folder.has_value());
+  // Before the first message, because QuakeSpasm leaves out the byte of a player without a weapon.
+  constexpr std::string_view kBorn = "self.health = parm1;";
+  std::string source = small_program(".float items2;\n");
+  source.replace(source.find(kBorn), kBorn.size(),
+                 "self.health = parm1; self.weapon = 65536; self.items = 65552; self.items2 = 3;");
+  home.write("base/hipnotic/progs.dat", compile_quakec(source));
+  home.write("base/hipnotic/maps/small.bsp", SmallGame().level_bytes(formats::BspVersion::k29));
+  const std::uint16_t port = local_socket()->local_address().port;
+  const BackgroundProgram server({"quakespasm", "-dedicated", "4", "-basedir", folder->string(), "-hipnotic",
+                                  "-port", std::to_string(port), "+map", "small"},
+                                 home.path());
+  client::Connection player(local_socket(), {.name = "tester", .shirt = 3, .pants = 4});
+  const net::ClientData& seen = player.state().game().data;
+  const double until_s = clock_s() + kSignonLimit_s;
+  while (clock_s() < until_s && seen.items == 0) {
+    const double now_s = clock_s();
+    if (!player.is_connected() && !player.is_connecting())
+      player.connect(platform::ip4_address({127, 0, 0, 1}, port), now_s);
+    player.update(now_s);
+    player.send_move({});
+    player.state().events().clear();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(seen.active_weapon, 16) << player.disconnect_reason() << server.output();
+  EXPECT_EQ(seen.items, 3u << 23 | 65552u);
+  player.disconnect();
 }
 
 // QuakeSpasm's server loads a game that ours has saved, without a word about its format.

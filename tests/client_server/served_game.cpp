@@ -69,7 +69,12 @@ ServedGame::ServedGame(std::string_view program, const ServedGameOptions& option
     : is_real_(options.is_real), network_(options.conditions, options.seed) {
   game_folder_.folder().write("id1/progs/player.mdl", "a server asks only whether it is there");
   replace_program(program);
-  auto files = vfs::FileSystem::open(game_folder_.path());
+  std::vector<std::string> games;
+  if (!options.mod.empty()) {
+    game_folder_.folder().write(options.mod + "/mod.txt", std::string_view("a folder exists by its files"));
+    games.push_back(options.mod);
+  }
+  auto files = vfs::FileSystem::open(game_folder_.path(), games);
   CHECK(files.ok(), "{}", files.error().message());
   library_ = std::make_unique<assets::Library>(std::move(*files));
   settings_ = std::make_unique<server::ServerVariables>(variables_);

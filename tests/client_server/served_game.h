@@ -30,6 +30,8 @@ struct ServedGameOptions {
   std::uint32_t max_clients = 4;
   NetworkConditions conditions{};
   std::uint64_t seed = 1;
+  // A game folder on top of id1; empty: none.
+  std::string mod{};
   // UDP on this machine and its clock, instead of the test's own.
   bool is_real = false;
 };

@@ -1,6 +1,7 @@
 #include "server/session/client_datagram.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "server/game/ideal_pitch.h"
@@ -22,6 +23,16 @@ std::uint32_t sent_items(Game& io_game, const Edict& edict) {
   if (const auto items2 = io_game.items2_field())
     return items | static_cast<std::uint32_t>(edict.whole(*items2)) << 23;
   return items | runes << 28;
+}
+
+// The weapon in hand. The message has one byte for it: stock Quake sends the lowest byte of its bits. The
+// bits of mission packs do not fit, so they send the index of the lowest bit.
+std::uint8_t sent_weapon(const Game& game, const Edict& edict) {
+  // No weapon has this bit. Stock servers leave out the byte if there is no weapon, which no client can read.
+  constexpr std::uint8_t kNoWeapon = 31;
+  if (game.mission_pack() == assets::MissionPack::kNone) return sent_u8(edict[field::kWeapon]);
+  const auto bits = static_cast<std::uint32_t>(edict.whole(field::kWeapon));
+  return bits == 0 ? kNoWeapon : static_cast<std::uint8_t>(std::countr_zero(bits));
 }
 
 // The model's number; 0 if there is no such model. Game code sets only its name.
@@ -192,7 +203,7 @@ net::ClientData make_client_data(Game& io_game, std::size_t slot) {
           .nails = number(field::kAmmoNails),
           .rockets = number(field::kAmmoRockets),
           .cells = number(field::kAmmoCells),
-          .active_weapon = sent_u8(edict[field::kWeapon])};
+          .active_weapon = sent_weapon(io_game, edict)};
 }
 
 // Notes in io_scratch where each part begins, because split_datagram() needs the parts later.
