@@ -25,6 +25,15 @@ TEST(LegacyArguments, DefaultCommandIsPlay) {
               ElementsAre("--basedir", "quake", "--game", "mod", "play", "--exec", "map e1m1"));
 }
 
+TEST(LegacyArguments, MissionPacksAreGamesBelowTheMods) {
+  EXPECT_THAT(ours({"-game", "mod", "-hipnotic", "+map", "hip1m1"}),
+              ElementsAre("--game", "hipnotic", "--game", "mod", "play", "--exec", "map hip1m1"));
+  EXPECT_THAT(ours({"+map", "r1m1", "-rogue", "serve"}),
+              ElementsAre("--game", "rogue", "serve", "--exec", "map r1m1"));
+  EXPECT_THAT(ours({"render", "-quoth", "-o", "a.png"}),
+              ElementsAre("--game", "quoth", "render", "-o", "a.png"));
+}
+
 TEST(LegacyArguments, WordsWithSpacesAreQuoted) {
   EXPECT_THAT(ours({"play", "+name", "the player"}), ElementsAre("play", "--exec", "name \"the player\""));
 }

@@ -1,6 +1,8 @@
 // Which settings are in effect, and which are saved: those of the player, the command line, and other mods.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "host/commands/configuration.h"
 #include "host/headless_host.h"
 #include "support/game_data.h"
@@ -104,6 +106,20 @@ TEST(Settings, CommandLineHoldsInOtherGamesUnlessThePlayerChangedIt) {
 // Makes a folder look read-only to the program, even if the test runs as root.
 void forbid_writing(const SmallGame& game, const std::string& folder) {
   game.folder().write(folder + "/.temblor-may-write/x", std::string_view("x"));
+}
+
+TEST(Settings, GameCommandPutsModsOnAMissionPack) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost host;
+  for (const char* folder : {"hipnotic", "mymod"}) write_settings(host, folder, "");
+  change_to(host, "mymod -hipnotic");
+  host.command("game");
+  host.run(0.1);
+  const auto printed_at = [&](std::string_view end) {
+    return std::ranges::find_if(host.lines(), [&](const std::string& line) { return line.ends_with(end); });
+  };
+  ASSERT_NE(printed_at("/mymod"), host.lines().end());
+  EXPECT_LT(printed_at("/hipnotic"), printed_at("/mymod")) << "the mod has priority";
 }
 
 TEST(Settings, ReadOnlyGameFoldersUseTheUserFolder) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "assets/mission_pack.h"
 #include "command/text.h"
 
 namespace temblor::app {
@@ -18,16 +19,30 @@ std::string use_two_dashes(std::string word) {
   return word == "-basedir" || word == "-game" ? "-" + word : word;
 }
 
+// Returns `--game FOLDER` for each option of a mission pack.
+std::vector<std::string> list_packs(std::span<const char* const> words) {
+  std::vector<std::string> options;
+  for (const char* const word : words)
+    if (const auto folder = assets::find_pack_folder(word))
+      options.insert(options.end(), {"--game", std::string(*folder)});
+  return options;
+}
+
 }  // namespace
 
 std::vector<std::string> convert_legacy_arguments(std::span<const char* const> words,
                                                   std::span<const std::string> commands) {
   // `all` are the words as they were given, in case that no translation applies; `ours` are those without
   // console commands.
-  std::vector<std::string> all, ours;
+  // A mission pack's folder comes first, wherever its option is, because mods build on it.
+  std::vector<std::string> all = list_packs(words), ours = all;
   std::vector<std::vector<std::string>> to_execute;
   bool is_in_command = false;
   for (const char* const given : words) {
+    if (assets::find_pack_folder(given)) {
+      is_in_command = false;
+      continue;
+    }
     const std::string& word = all.emplace_back(use_two_dashes(given));
     if (is_console_command(word)) {
       to_execute.push_back({word.substr(1)});

@@ -1,7 +1,7 @@
 // Translates the traditional Quake command line, which launchers and level editors use, to Temblor's own:
 //
-//   -basedir quake -game mod +skill 2 +map start
-//   --basedir quake --game mod play --exec "skill 2" --exec "map start"
+//   -basedir quake -game mod -hipnotic +skill 2 +map start
+//   --game hipnotic --basedir quake --game mod play --exec "skill 2" --exec "map start"
 #pragma once
 
 #include <span>
@@ -11,8 +11,9 @@
 namespace temblor::app {
 
 // Returns the translated words. `words` does not include the program's name; `commands` are the names of all
-// commands. -basedir and -game get two dashes. Each word that starts with + and a letter, together with the
-// words after it up to the next + or -, becomes `--exec "COMMAND"` at the end. Only play and serve have
+// commands. -basedir and -game get two dashes, and -hipnotic, -quoth, and -rogue become `--game FOLDER`. Each
+// word that starts with + and a letter, together with the words after it up to the next + or -, becomes
+// `--exec "COMMAND"` at the end. Only play and serve have
 // --exec; for other commands the words stay, and without a command `play` is added.
 std::vector<std::string> convert_legacy_arguments(std::span<const char* const> words,
                                                   std::span<const std::string> commands);

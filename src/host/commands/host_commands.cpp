@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "assets/mission_pack.h"
 #include "base/text.h"
 #include "command/text.h"
 #include "host/commands/command_adder.h"
@@ -277,6 +278,18 @@ void add_screen_commands(Host& io_host) {
       [](Host& host, Arguments) { change_view_size(host, -10); });
 }
 
+// Returns the folders of a `game` command. "game mymod -hipnotic" puts the mod on top of the pack, as in
+// other engines.
+std::vector<std::string> list_games(Arguments words) {
+  std::vector<std::string> packs, mods;
+  for (const std::string& word : words) {
+    const std::optional<std::string_view> pack = assets::find_pack_folder(word);
+    (pack ? packs : mods).emplace_back(pack.value_or(word));
+  }
+  packs.insert(packs.end(), mods.begin(), mods.end());
+  return packs;
+}
+
 void add_game_commands(Host& io_host) {
   const auto add = make_adder(io_host);
   add_named(io_host, "map", "map NAME: starts a new game on a level. Type maps to list all levels.",
@@ -298,12 +311,14 @@ void add_game_commands(Host& io_host) {
   add("quit", "Quits Temblor.", [](Host& host, Arguments) { quit(host); });
   add("maps", "Lists all levels.", [](Host& host, Arguments) { list_levels(host); });
   add("color", "color SHIRT [PANTS]: sets your colors, 0 to 13.", set_colors);
-  add("game", "game FOLDER...: switches to these mods. Without an argument: lists the folders in use.",
+  add("game",
+      "game FOLDER...: switches to these mods; -hipnotic, -quoth, or -rogue puts them on that mission pack. "
+      "Without an argument: lists the folders in use.",
       [](Host& host, Arguments arguments) {
         // The switch waits for the end of the frame's commands: it replaces the files that this command may
         // come from, and the menu that may have sent it.
         if (arguments.size() > 1) {
-          host.game.requested_games.emplace(arguments.begin() + 1, arguments.end());
+          host.game.requested_games = list_games(arguments.subspan(1));
           return;
         }
         for (const std::filesystem::path& folder : host.game.data->library.files().folders())
