@@ -1,7 +1,6 @@
 #include "formats/archives/wad.h"
 
 #include <limits>
-#include <optional>
 
 #include "base/text.h"
 
@@ -13,8 +12,14 @@ constexpr std::string_view kWad3Magic = "WAD3";
 constexpr std::size_t kWadHeaderBytes = 12;
 constexpr std::size_t kRecordBytes = 32;
 
-// Reads a table entry. Returns nullopt if the lump is compressed or not inside of `wad`.
-std::optional<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad) {
+// Returns the part of `wad` that a table entry names; nothing if it is not inside of `wad`.
+base::Bytes find_data(base::Bytes wad, std::int32_t offset, std::int32_t size) {
+  const bool is_inside =
+      offset >= 0 && size >= 0 && std::uint64_t(offset) + std::uint64_t(size) <= wad.size();
+  return is_inside ? wad.subspan(std::size_t(offset), std::size_t(size)) : base::Bytes{};
+}
+
+WadLump read_record(base::ByteReader& io_reader, base::Bytes wad) {
   const std::int32_t offset = io_reader.i32();
   const std::int32_t size = io_reader.i32();
   io_reader.i32();  // the size after decompression
@@ -22,10 +27,7 @@ std::optional<WadLump> read_record(base::ByteReader& io_reader, base::Bytes wad)
   const std::uint8_t compression = io_reader.u8();
   io_reader.take(2);  // padding
   std::string name = io_reader.fixed_text(kWadNameChars);
-  const bool is_inside =
-      offset >= 0 && size >= 0 && std::uint64_t(offset) + std::uint64_t(size) <= wad.size();
-  if (compression != 0 || !is_inside) return std::nullopt;
-  return WadLump{std::move(name), type, wad.subspan(std::size_t(offset), std::size_t(size))};
+  return {std::move(name), type, compression == 0 ? find_data(wad, offset, size) : base::Bytes{}};
 }
 
 }  // namespace
@@ -46,8 +48,7 @@ base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
   reader.seek(std::size_t(table_offset));
   std::vector<WadLump> lumps;
   lumps.reserve(std::size_t(count));
-  for (std::size_t i = 0; i < std::size_t(count); ++i)
-    if (std::optional<WadLump> lump = read_record(reader, bytes)) lumps.push_back(std::move(*lump));
+  for (std::size_t i = 0; i < std::size_t(count); ++i) lumps.push_back(read_record(reader, bytes));
   return lumps;
 }
 

@@ -42,8 +42,9 @@ struct WadLump {
   base::Bytes data;
 };
 
-// Returns the lumps in file order. Lumps are inside of `bytes` and may overlap. Ignores lumps that are not
-// inside, and compressed ones, which no known tool writes: a game may never use them.
+// Returns the lumps in file order. Lumps are inside of `bytes` and may overlap. A lump that is not inside, or
+// is compressed, which no known tool writes, has no data: a game may never use it, and its reader reports
+// the error when it does.
 base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes);
 
 // Checks the first four bytes only.

@@ -129,7 +129,7 @@ TEST(Wad, RejectsHostileNumbers) {
 }
 
 // A game may never use such a lump.
-TEST(Wad, IgnoresLumpsThatCannotBeRead) {
+TEST(Wad, EmptiesLumpsThatCannotBeRead) {
   const base::ByteVector valid = hand_made_wad();
   for (const base::ByteVector& bytes : {test::with_number(valid, kRecord, std::int32_t{-1}),
                                         test::with_number(valid, kRecord, std::int32_t{45}),
@@ -137,7 +137,9 @@ TEST(Wad, IgnoresLumpsThatCannotBeRead) {
                                         test::with_number(valid, kRecord + 13, std::uint8_t{1})}) {
     const auto lumps = read_wad(bytes);
     ASSERT_TRUE(lumps.ok()) << lumps.error().message();
-    EXPECT_TRUE(lumps->empty());
+    ASSERT_EQ(lumps->size(), 1u);
+    EXPECT_EQ(lumps->at(0).name, "Logo");
+    EXPECT_TRUE(lumps->at(0).data.empty());
   }
 }
 
