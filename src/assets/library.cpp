@@ -51,6 +51,10 @@ base::Result<formats::Spr> Library::sprite(std::string_view path) const {
   return read_as(files_, path, formats::read_spr);
 }
 
+base::Result<formats::Image> Library::image(std::string_view path) const {
+  return read_as(files_, path, formats::read_png);
+}
+
 base::Result<formats::Wav> Library::sound(std::string_view name) const {
   return read_as(files_, fmt::format("sound/{}", name), formats::read_wav);
 }

@@ -47,6 +47,8 @@ class Library {
   // Loads gfx/env/NAMErt.tga and so on, or .png: right (+x), back, left, front, up, down. Missing and damaged
   // sides are empty images (0 x 0), with a line in `io_notes` for each.
   std::array<formats::Image, 6> skybox(std::string_view name, std::vector<std::string>& io_notes) const;
+  // `path`: a PNG file, such as "gfx/marks/smile.png".
+  base::Result<formats::Image> image(std::string_view path) const;
   // `name`: as in QuakeC, relative to sound/: "weapons/rocket1i.wav".
   base::Result<formats::Wav> sound(std::string_view name) const;
   // Finds music/trackNN with the extension .ogg, .opus, .flac, .mp3, or .wav (first match) in the highest

@@ -1,5 +1,7 @@
 #include "render/marks.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "base/hash.h"
 
@@ -16,6 +18,10 @@ std::uint64_t hash_marks(std::span<const Mark> marks) {
         hash, base::float_bits(mark.position_model.x) << 32 | base::float_bits(mark.position_model.y));
     hash =
         base::hash_with(hash, base::float_bits(mark.position_model.z) << 32 | base::float_bits(mark.radius));
+    if (mark.kind != MarkKind::kPicture) continue;
+    hash = base::hash_with(hash, mark.picture->hash());
+    hash = base::hash_with(hash, base::float_bits(mark.up_model.x) << 32 | base::float_bits(mark.up_model.y));
+    hash = base::hash_with(hash, base::float_bits(mark.up_model.z));
   }
   return hash == 0 ? 1 : hash;
 }
@@ -23,18 +29,40 @@ std::uint64_t hash_marks(std::span<const Mark> marks) {
 }  // namespace
 
 void MarkSet::add(world::FaceIndex face, const Mark& mark) {
-  // The new mark is appended even when the face is full: the oldest one is removed first, so `marks` never
-  // grows beyond its first allocation.
+  // When the face is full, a mark is removed before the new one is appended, so `marks` never grows beyond
+  // its first allocation.
   DCHECK(mark.radius >= 0.5f && mark.radius <= 128.0f);
+  DCHECK((mark.kind == MarkKind::kPicture) == (mark.picture != nullptr));
   FaceMarks& on_face = faces_[static_cast<std::uint32_t>(face)];
   if (on_face.marks.empty()) on_face.marks.reserve(kMarksPerFace);
   if (on_face.marks.size() == kMarksPerFace) {
-    on_face.marks.erase(on_face.marks.begin());
+    auto removed = std::find_if(on_face.marks.begin(), on_face.marks.end(),
+                                [](const Mark& old) { return !old.is_lasting; });
+    if (removed == on_face.marks.end()) {
+      if (!mark.is_lasting) return;
+      removed = on_face.marks.begin();
+    }
+    on_face.marks.erase(removed);
     --size_;
   }
   on_face.marks.push_back(mark);
   ++size_;
   on_face.revision = hash_marks(on_face.marks);
+}
+
+void MarkSet::remove_shots() {
+  size_ = 0;
+  for (auto face = faces_.begin(); face != faces_.end();) {
+    FaceMarks& on_face = face->second;
+    std::erase_if(on_face.marks, [](const Mark& mark) { return !mark.is_lasting; });
+    if (on_face.marks.empty()) {
+      face = faces_.erase(face);
+      continue;
+    }
+    on_face.revision = hash_marks(on_face.marks);
+    size_ += on_face.marks.size();
+    ++face;
+  }
 }
 
 void MarkSet::clear() {

@@ -53,10 +53,11 @@ math::Vec3d find_nearest_point(const Level& level, const Face& face, const math:
   return inside ? foot : nearest;
 }
 
-std::span<const NearFace> NearFaceFinder::find(const Level& level, const math::Vec3d& point, double reach) {
+std::span<const NearFace> NearFaceFinder::find(const Level& level, ModelIndex model, const math::Vec3d& point,
+                                               double reach) {
   found_.clear();
   // An explicit stack: members keep their memory, and deep trees cannot overflow it.
-  to_visit_.assign(1, level.world().head);
+  to_visit_.assign(1, level.models[base::to_size(model)].head);
   while (!to_visit_.empty()) {
     const Child child = to_visit_.back();
     to_visit_.pop_back();

@@ -1,8 +1,8 @@
-// Geometry of faces, and a search for the faces of the world near a point, for example for bullet holes.
+// Geometry of faces, and a search for the faces near a point, for example for bullet holes.
 //
-// Method: walk the BSP tree, and enter both children of every node whose plane is within reach of the point,
-// otherwise only the child on the point's side. A face lies in its node's plane, and every part of space
-// within reach of the point is visited, so no face is missed.
+// Method: walk the BSP tree of the world or of a brush model, and enter both children of every node whose
+// plane is within reach of the point, otherwise only the child on the point's side. A face lies in its node's
+// plane, and every part of space within reach of the point is visited, so no face is missed.
 //
 //             plane          reach > distance to the plane: test the node's faces, visit both sides
 //      front    |    back
@@ -35,16 +35,17 @@ FacePlane compute_face_plane(const Level& level, const Face& face);
 // Returns the point of the face (a convex polygon with at least one vertex) that is nearest to `point`.
 math::Vec3d find_nearest_point(const Level& level, const Face& face, const math::Vec3d& point);
 
-// Finds faces of the world (model 0) by position. Reuses its memory between queries.
+// Finds faces of one model by position. Reuses its memory between queries.
 class NearFaceFinder {
  public:
   // A point up to this far behind a face's plane, in units, still counts as in front, because network
   // messages round positions to 1/8 unit on each axis.
   static constexpr double kMaxDistanceBehind = 0.25;
 
-  // Returns all faces that face `point` and are within `reach` units of it, in the tree's order. The result
-  // is valid until the next call.
-  std::span<const NearFace> find(const Level& level, const math::Vec3d& point, double reach);
+  // Returns all faces of `model` that face `point` and are within `reach` units of it, in the tree's order.
+  // Everything is in the model's space. The result is valid until the next call.
+  std::span<const NearFace> find(const Level& level, ModelIndex model, const math::Vec3d& point,
+                                 double reach);
 
  private:
   std::vector<Child> to_visit_;

@@ -74,9 +74,9 @@ const NamesByName& allowed_stages() {
 
 // The headers of render's root that a stage may include: what goes into a frame and what comes out.
 const Names& frame_headers() {
-  static const Names names = {"render/alias_model.h", "render/draw_list.h", "render/frame_buffer.h",
-                              "render/frame_stats.h", "render/marks.h",     "render/scene.h",
-                              "render/settings.h"};
+  static const Names names = {"render/alias_model.h", "render/draw_list.h",    "render/frame_buffer.h",
+                              "render/frame_stats.h", "render/mark_picture.h", "render/marks.h",
+                              "render/scene.h",       "render/settings.h"};
   return names;
 }
 

@@ -13,6 +13,13 @@ std::span<const GoldenScene> golden_scenes() {
        PixelFormat::kRgb, draw_dynamic_lights},
       {"marks", "a corner: a scorch over both walls, bullet holes on the left one, blood on the right one",
        PixelFormat::kIndexed, draw_marks},
+      {"marks_on_mover",
+       "a door in the air, turned and tilted: a half clear F upright on it and leaning with it, another cut "
+       "off "
+       "at its edge, three bullet holes",
+       PixelFormat::kRgb, draw_marks_on_mover},
+      {"marks_on_mover_indexed", "the same in the palette's colors", PixelFormat::kIndexed,
+       draw_marks_on_mover},
       {"see_through",
        "a pool whose ground shows through, a ball half in the water, a grating before it and a glassy one "
        "behind",

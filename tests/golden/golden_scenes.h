@@ -29,6 +29,7 @@ void draw_hall(render::FrameBuffer& io_frame);
 void draw_court(render::FrameBuffer& io_frame);
 void draw_dynamic_lights(render::FrameBuffer& io_frame);
 void draw_marks(render::FrameBuffer& io_frame);
+void draw_marks_on_mover(render::FrameBuffer& io_frame);
 void draw_see_through(render::FrameBuffer& io_frame);
 void draw_fog(render::FrameBuffer& io_frame);
 void draw_skybox(render::FrameBuffer& io_frame);

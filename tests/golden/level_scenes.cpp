@@ -1,9 +1,11 @@
 // Golden pictures of the level, and of effects on its faces.
 #include "artgen/palette.h"
+#include "artgen/small_level.h"
 #include "client/effects/hit_marks.h"
 #include "client/view/view_tint.h"
 #include "golden/golden_scenes.h"
 #include "golden/golden_stage.h"
+#include "math/angles.h"
 #include "support/models/drawable_models.h"
 
 namespace temblor::test {
@@ -23,6 +25,18 @@ formats::Image checkered(std::uint32_t red, std::uint32_t green, std::uint32_t b
       image.pixels.push_back(0xff000000u | (red * tone / 255) << 16 | (green * tone / 255) << 8 |
                              blue * tone / 255);
     }
+  return image;
+}
+
+// A letter without symmetry in red, on yellow that is half clear.
+formats::Image letter_f_image() {
+  constexpr std::array<std::string_view, 7> kRows = {".....", ".###.", ".#...", ".##..",
+                                                     ".#...", ".#...", "....."};
+  constexpr std::uint32_t kDot = 8;
+  formats::Image image{kRows[0].size() * kDot, kRows.size() * kDot, {}};
+  for (std::uint32_t y = 0; y < image.height; ++y)
+    for (std::uint32_t x = 0; x < image.width; ++x)
+      image.pixels.push_back(kRows[y / kDot][x / kDot] == '#' ? 0xffd02010u : 0x80f0e040u);
   return image;
 }
 
@@ -71,13 +85,41 @@ void draw_marks(render::FrameBuffer& io_frame) {
   client::HitMarks hits;
   render::MarkSet marks;
   const auto hit = [&](render::MarkKind kind, const math::Vec3& at, float radius) {
-    hits.add(stage.level(), {kind, at, 8, radius, static_cast<std::uint32_t>(marks.size() + 1)}, marks);
+    hits.add(stage.level(), {}, {kind, at, 8, radius, static_cast<std::uint32_t>(marks.size() + 1)}, marks);
   };
   hit(render::MarkKind::kScorch, {1404, 636, -50}, 32);
   for (int i = 0; i < 6; ++i) hit(render::MarkKind::kBulletHole, {1346 + 7 * i, 638, -80 + 23 * (i % 3)}, 4);
   hit(render::MarkKind::kSplatter, {1406, 598, -80}, 16);
   hit(render::MarkKind::kSplatter, {1406, 583, -40}, 9);
   render::Scene scene = stage.scene({.origin_world = {1332, 564, -56}, .angles_deg = {4, 45, 0}});
+  scene.marks = &marks;
+  stage.draw(scene, io_frame);
+}
+
+void draw_marks_on_mover(render::FrameBuffer& io_frame) {
+  GoldenStage stage;
+  client::HitMarks hits;
+  render::MarkSet marks;
+  // All hits are on the closed door, where it was compiled.
+  const math::Bounds box = artgen::small_level_door();
+  const math::Vec3 middle = (box.mins + box.maxs) * 0.5f, front(box.mins.x - 1, middle.y, middle.z);
+  const auto hit = [&](render::MarkKind kind, const math::Vec3& from_middle, float radius) {
+    client::Hit on_door{kind, front + from_middle, 8, radius, static_cast<std::uint32_t>(marks.size() + 1)};
+    if (kind == render::MarkKind::kPicture)
+      on_door.picture = std::make_shared<const render::MarkPicture>(letter_f_image());
+    hits.add_to_model(stage.level(), stage.door().model, on_door, marks);
+  };
+  hit(render::MarkKind::kPicture, {0, 26, 8}, 24);
+  hit(render::MarkKind::kPicture, {0, -60, 40}, 20);
+  for (int i = 0; i < 3; ++i) hit(render::MarkKind::kBulletHole, {0, -26 - 18 * (i % 2), -40 + 20 * i}, 9);
+  render::BrushModelInstance door = stage.door();
+  door.angles_deg = {20, 35, 15};
+  const math::Basis basis = math::basis_from_angles(door.angles_deg);
+  const math::Vec3d turned(basis.forward * double{middle.x} - basis.right * double{middle.y} +
+                           basis.up * double{middle.z});
+  door.origin_world = math::Vec3(math::Vec3d(300, 256, 80) - turned);
+  render::Scene scene = stage.scene({.origin_world = {160, 256, 110}, .angles_deg = {10, 0, 0}});
+  scene.brush_models = {&door, 1};
   scene.marks = &marks;
   stage.draw(scene, io_frame);
 }

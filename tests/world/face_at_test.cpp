@@ -57,16 +57,16 @@ struct Counts {
   int found = 0, several = 0;
 };
 
-void expect_as_by_looking_at_all(const TestLevel& test_level, const math::Vec3d& point, double reach,
-                                 NearFaceFinder& io_faces, Counts& io_counts) {
+void expect_as_by_looking_at_all(const TestLevel& test_level, ModelIndex number, const math::Vec3d& point,
+                                 double reach, NearFaceFinder& io_faces, Counts& io_counts) {
   constexpr double kUnsure = 0.01;
   const Level& level = *test_level.level;
   std::map<std::uint32_t, NearFace> found;
-  for (const NearFace& near : io_faces.find(level, point, reach)) {
+  for (const NearFace& near : io_faces.find(level, number, point, reach)) {
     EXPECT_TRUE(found.emplace(static_cast<std::uint32_t>(near.face), near).second) << "found twice";
   }
-  const Model& world = level.world();
-  for (std::uint32_t i = world.first_face; i < world.first_face + world.face_count; ++i) {
+  const Model& model = level.models[base::to_size(number)];
+  for (std::uint32_t i = model.first_face; i < model.first_face + model.face_count; ++i) {
     const Face& face = level.faces[i];
     const Plane& plane = level.planes[face.plane];
     const double in_front =
@@ -90,41 +90,48 @@ void expect_as_by_looking_at_all(const TestLevel& test_level, const math::Vec3d&
 }
 
 // Choose points near a face: most other points have no face within reach.
-math::Vec3d place_near_a_face(const Level& level, test::Random& io_random) {
-  const Model& world = level.world();
-  const Face& face = level.faces[world.first_face + io_random.below(world.face_count)];
+math::Vec3d place_near_a_face(const Level& level, ModelIndex number, test::Random& io_random) {
+  const Model& model = level.models[base::to_size(number)];
+  const Face& face = level.faces[model.first_face + io_random.below(model.face_count)];
   const std::vector<math::Vec3d> polygon = corners(level, face);
   const math::Vec3d middle = (polygon[0] + polygon[io_random.below(polygon.size())]) * 0.5;
   return middle + math::Vec3d(io_random.in_cube(io_random.log_uniform(0.1, 40)));
 }
 
-void expect_level(const TestLevel& level, int points) {
+void expect_model(const TestLevel& level, ModelIndex model, int points) {
   test::Random random(1);
   NearFaceFinder faces;
   Counts counts;
   for (int i = 0; i < points; ++i)
-    expect_as_by_looking_at_all(level, place_near_a_face(*level.level, random), random.log_uniform(0.5, 60),
-                                faces, counts);
+    expect_as_by_looking_at_all(level, model, place_near_a_face(*level.level, model, random),
+                                random.log_uniform(0.5, 60), faces, counts);
   EXPECT_GT(counts.found, points / 2);
   EXPECT_GT(counts.several, points / 10);
 }
 
 TEST(NearFaceFinder, SmallLevelAsByLookingAtAll) {
-  expect_level(small_test_level(), test::effort(1000, 200));
+  expect_model(small_test_level(), ModelIndex{0}, test::effort(1000, 200));
+}
+
+TEST(NearFaceFinder, BrushModelsAsByLookingAtAll) {
+  const TestLevel level = small_test_level();
+  ASSERT_GT(level.level->models.size(), 1u);
+  for (std::size_t model = 1; model < level.level->models.size(); ++model)
+    expect_model(level, base::to_index<ModelIndex>(model), test::effort(200, 50));
 }
 
 TEST(NearFaceFinder, StockLevelsAsByLookingAtAll) {
   DATA_FOLDER_OR_SKIP(data);
-  for (const TestLevel& level : stock_levels(data)) expect_level(level, test::effort(200, 20));
+  for (const TestLevel& level : stock_levels(data)) expect_model(level, ModelIndex{0}, test::effort(200, 20));
 }
 
 TEST(NearFaceFinder, NowhereIsNearNothing) {
   NearFaceFinder faces;
   const TestLevel level = small_test_level();
   const double infinite = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(faces.find(*level.level, math::Vec3d(1e9), 5).empty());
-  EXPECT_TRUE(faces.find(*level.level, math::Vec3d(std::nan("")), 5).empty());
-  EXPECT_TRUE(faces.find(*level.level, math::Vec3d(infinite), 5).empty());
+  EXPECT_TRUE(faces.find(*level.level, ModelIndex{0}, math::Vec3d(1e9), 5).empty());
+  EXPECT_TRUE(faces.find(*level.level, ModelIndex{0}, math::Vec3d(std::nan("")), 5).empty());
+  EXPECT_TRUE(faces.find(*level.level, ModelIndex{0}, math::Vec3d(infinite), 5).empty());
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ base::Result<DemoIndex> DemoIndex::make(DemoPlayer& io_player) {
   TRY(index.length_, io_player.play_to_end([&] {
     const Events& events = io_player.state().events();
     index.add(io_player, effects, static_sounds);
+    if (!events.marks.empty()) index.mark_times_s_.push_back(io_player.packet_time_s());
     Effects::count(events, effects);
     append_static_sounds(events, static_sounds);
   }));
@@ -65,6 +66,12 @@ const DemoIndex::Entry& DemoIndex::find_level_start(double time_s) const {
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
     if (entry->begins_level && entry->time_s < time_s) return *entry;
   return entries_.front();
+}
+
+bool DemoIndex::has_marks_before(double time_s) const {
+  const auto first =
+      std::lower_bound(mark_times_s_.begin(), mark_times_s_.end(), find_level_start(time_s).time_s);
+  return first != mark_times_s_.end() && *first < time_s;
 }
 
 }  // namespace temblor::client

@@ -45,6 +45,8 @@ class DemoIndex {
   std::size_t memory_bytes() const { return bytes_; }
   // The start of the level that is shown at that time.
   const Entry& find_level_start(double time_s) const;
+  // Whether the game has asked for marks in that level before that time.
+  bool has_marks_before(double time_s) const;
 
  private:
   void add(const DemoPlayer& player, const EffectCounts& effects,
@@ -55,7 +57,8 @@ class DemoIndex {
   DemoLength length_;
   std::vector<Entry> entries_;  // sorted by time; the first is the first packet
   std::vector<double> packet_times_s_;
-  std::size_t bytes_ = 0;  // of all entries
+  std::vector<double> mark_times_s_;  // of the packets that ask for marks, never decreasing
+  std::size_t bytes_ = 0;             // of all entries
   double spacing_s_ = 4;
 };
 

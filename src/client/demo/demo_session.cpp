@@ -68,15 +68,16 @@ base::Result<bool> DemoSession::step(int packets, const PresentationSettings& se
 
 // With marks, the whole level must be replayed with effects, as they stay until the level ends.
 base::Status DemoSession::restore_before(double time_s, const PresentationSettings& settings) {
+  const bool has_marks = settings.effects.marks || index_.has_marks_before(time_s);
   const DemoIndex::Entry& from =
-      settings.effects.marks ? index_.find_level_start(time_s) : index_.find_entry_before(time_s, kLeadIn_s);
+      has_marks ? index_.find_level_start(time_s) : index_.find_entry_before(time_s, kLeadIn_s);
   player_->restore(from.place);
   EffectCounts effects = from.effects;
   static_sounds_ = from.static_sounds;
   has_begun_ = true;
   has_ended_ = false;
   time_s_ = from.time_s;
-  const double lead_in_s = settings.effects.marks ? from.time_s : time_s - kLeadIn_s;
+  const double lead_in_s = has_marks ? from.time_s : time_s - kLeadIn_s;
   while (player_->packet_time_s() < lead_in_s) {
     Events& events = player_->state().events();
     Effects::count(events, effects);

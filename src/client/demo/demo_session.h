@@ -16,7 +16,7 @@ namespace temblor::client {
 
 // Times are on the demo's clock (see DemoPlayer), from begin_s() to end_s(). The picture at a time does not
 // depend on how it was reached: after a seek, the seconds before it are replayed unseen, and the whole level
-// with bullet marks, as those stay. Only the trail of something that has flown for longer may have its
+// if there are marks, as those stay. Only the trail of something that has flown for longer may have its
 // particles elsewhere.
 //
 //   seek:  restore an entry of the index -> replay unseen with effects -> show

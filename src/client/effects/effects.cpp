@@ -89,6 +89,32 @@ std::optional<Hit> find_hit(const net::Particles& burst) {
   return Hit{render::MarkKind::kSplatter, burst.origin, 48, radius};
 }
 
+// Game code knows the surface that it wants marked only as exactly as a message's coordinates.
+constexpr float kReachOfRequests = 16;
+
+// Returns the mark that the game asks for; nothing if its picture is missing.
+std::optional<Hit> find_hit(const net::MarkRequest& request, const MarkPictures* pictures) {
+  Hit hit{.origin_world = request.origin,
+          .reach = kReachOfRequests,
+          .radius = request.radius,
+          .turn_deg = request.turn_deg,
+          .is_lasting = true};
+  for (const float number : {request.origin.x, request.origin.y, request.origin.z})
+    hit.seed = static_cast<std::uint32_t>(base::hash_with(hit.seed, base::float_bits(number)));
+  if (request.picture == "*hole") {
+    hit.kind = render::MarkKind::kBulletHole;
+  } else if (request.picture == "*scorch") {
+    hit.kind = render::MarkKind::kScorch;
+  } else if (request.picture == "*blood") {
+    hit.kind = render::MarkKind::kSplatter;
+  } else {
+    hit.kind = render::MarkKind::kPicture;
+    if (pictures != nullptr) hit.picture = pictures->find(request.picture);
+    if (hit.picture == nullptr) return std::nullopt;
+  }
+  return hit;
+}
+
 }  // namespace
 
 float compute_rotated_yaw_deg(double time_s) {
@@ -106,6 +132,8 @@ struct Effects::State {
   void begin(const TempEntity& what, const EffectsInput& input);
   void begin(const net::Particles& what, const EffectsInput& input);
   void mark(std::optional<Hit> hit, const EffectsInput& input);
+  void mark(const net::MarkRequest& request, const EffectsInput& input);
+  std::span<const render::BrushModelInstance> find_movers(const EffectsInput& input);
   // Effects that entities have as long as they exist: trails, glow and muzzle flashes.
   void advance_entities(const EffectsInput& input);
   void emit_trail(const InterpolatedEntity& entity, TrailKind kind, double time_s);
@@ -125,6 +153,8 @@ struct Effects::State {
   Beams beams;
   HitMarks hit_marks;
   render::MarkSet marks;
+  bool has_shot_marks = false;
+  std::vector<render::BrushModelInstance> movers;  // scratch of find_movers()
   // The time of the last advance(); nothing at the start of a level.
   std::optional<double> last_time_s;
 };
@@ -135,6 +165,7 @@ void Effects::State::clear() {
   lights.clear();
   beams.clear();
   marks.clear();
+  has_shot_marks = false;
   last_time_s.reset();
 }
 
@@ -147,6 +178,7 @@ void Effects::State::handle_events(const Events& events, const EffectsInput& inp
     begin(what, input);
     if (makes_marks) mark(find_hit(what), input);
   }
+  for (const net::MarkRequest& request : events.marks) mark(request, input);
 }
 
 void Effects::State::begin(const net::Particles& what, const EffectsInput& input) {
@@ -198,7 +230,34 @@ void Effects::State::begin(const TempEntity& what, const EffectsInput& input) {
 void Effects::State::mark(std::optional<Hit> hit, const EffectsInput& input) {
   if (!hit) return;
   hit->seed = static_cast<std::uint32_t>(base::mix_bits(++count.hits));
-  hit_marks.add(input.level, *hit, marks);
+  has_shot_marks = true;
+  hit_marks.add(input.level, find_movers(input), *hit, marks);
+}
+
+// The marks of a game do not depend on what is in view if it names the model.
+void Effects::State::mark(const net::MarkRequest& request, const EffectsInput& input) {
+  const std::optional<Hit> hit = find_hit(request, input.mark_pictures);
+  if (!hit) return;
+  if (!request.model) {
+    hit_marks.add(input.level, find_movers(input), *hit, marks);
+    return;
+  }
+  const auto model = static_cast<world::ModelIndex>(*request.model);
+  if (std::find(input.submodels.begin(), input.submodels.end(), model) != input.submodels.end())
+    hit_marks.add_to_model(input.level, model, *hit, marks);
+}
+
+// The brush models in view, where they are drawn.
+std::span<const render::BrushModelInstance> Effects::State::find_movers(const EffectsInput& input) {
+  movers.clear();
+  for (const InterpolatedEntity& entity : input.entities) {
+    if (entity.model >= input.submodels.size() || entity.alpha <= 0) continue;
+    const world::ModelIndex model = input.submodels[entity.model];
+    const auto is_same = [&](const render::BrushModelInstance& other) { return other.model == model; };
+    if (model == world::ModelIndex{0} || std::any_of(movers.begin(), movers.end(), is_same)) continue;
+    movers.push_back({model, entity.origin_world, entity.angles_deg});
+  }
+  return movers;
 }
 
 // Entities are sorted by number, and static ones (torches) come last. They never move, so they are skipped.
@@ -282,7 +341,10 @@ void Effects::count(const Events& events, EffectCounts& io_counts) {
 void Effects::advance(const Events& events, const EffectsInput& input, const EffectsSettings& settings) {
   State& state = *state_;
   if (state.last_time_s && input.time_s < *state.last_time_s) state.clear();
-  if (!settings.marks && state.marks.size() > 0) state.marks.clear();
+  if (!settings.marks && state.has_shot_marks) {
+    state.marks.remove_shots();
+    state.has_shot_marks = false;
+  }
   // Two frames at the same time (a paused game) must not emit trails twice.
   const bool time_passed = !state.last_time_s || input.time_s > *state.last_time_s;
   state.particles.set_capacity(settings.max_particles);

@@ -15,6 +15,7 @@
 #include <span>
 
 #include "client/effects/beams.h"
+#include "client/effects/mark_pictures.h"
 #include "client/session/client_state.h"
 #include "client/session/interpolated_entity.h"
 #include "render/scene.h"
@@ -24,7 +25,7 @@ namespace temblor::client {
 
 struct EffectsSettings {
   std::size_t max_particles = 16384;  // r_particles_max; further particles are dropped
-  bool marks = false;                 // r_marks; turning it off removes all marks
+  bool marks = false;                 // r_marks: marks of shots; turning it off removes them
   bool muzzle_flashes = true;         // shots light up the level
 };
 
@@ -39,6 +40,11 @@ struct EffectsInput {
   std::uint32_t view_entity;
   // The predicted place of the view entity, where its lights and beams are; nothing without prediction.
   std::optional<math::Vec3> predicted_origin_world{};
+  // By precache number: the level's own brush models, which can carry marks; the world (0) for other models.
+  // Marks belong to faces, so models that several entities share, such as boxes of shells, get none.
+  std::span<const world::ModelIndex> submodels{};
+  // For the marks that the game asks for; null: none.
+  const MarkPictures* mark_pictures = nullptr;
 };
 
 // The yaw of models that rotate on the spot, such as items (formats::kMdlRotate), in [0, 360): 100 degrees a

@@ -1,8 +1,11 @@
 // Applies server messages to a ClientState: one overload of Apply::operator() per message type, grouped
 // by subject. Every number from a message is checked before it is used as an index.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
+#include "base/text.h"
 #include "client/session/client_state.h"
 
 namespace temblor::client {
@@ -12,6 +15,8 @@ namespace {
 // Limits on what a server can make the client store: a line of commands, and static entities or sounds of a
 // level. (Stock Quake allowed 128 static entities.)
 constexpr std::size_t kMaxCommandChars = 8192, kMaxStatics = 8192;
+// Characters of a wrong line that a message repeats.
+constexpr std::size_t kMaxQuotedChars = 80;
 
 // Returns the error for messages that need a level.
 base::Status make_too_early_error(const char* what) {
@@ -151,8 +156,8 @@ struct ClientState::Apply {
   }
 
   // Collects text to whole lines: a line may arrive in pieces, and a piece may contain several lines. "bf" is
-  // the bonus flash; lines that begin with "//" are comments, with which Temblor servers talk to the
-  // Connection.
+  // the bonus flash; lines that begin with "//" are comments: requests for marks, and those with which
+  // Temblor servers talk to the Connection.
   base::Status operator()(const net::StuffText& stuffed) {
     for (const char c : stuffed.text) {
       if (c != '\n') {
@@ -162,11 +167,23 @@ struct ClientState::Apply {
       }
       if (state.command_line_ == "bf")
         ++events.bonus_flashes;
+      else if (net::is_mark_request(state.command_line_))
+        add_mark_request(state.command_line_);
       else if (!state.command_line_.starts_with("//"))
         events.commands.push_back(state.command_line_);
       state.command_line_.clear();
     }
     return base::Ok{};
+  }
+
+  // Errors reach the console, as they help the author of the game code.
+  void add_mark_request(std::string_view line) {
+    base::Result<net::MarkRequest> request = net::read_mark_request(line);
+    if (request.ok())
+      events.marks.push_back(std::move(request).value());
+    else
+      events.prints.push_back(
+          fmt::format("\"{}\": {}\n", base::quotable(line, kMaxQuotedChars), request.error().message()));
   }
 
   // The original's shareware version opened its help pages.

@@ -27,6 +27,7 @@ void Events::clear() {
   sounds.clear();
   stopped_sounds.clear();
   static_sounds.clear();
+  marks.clear();
   prints.clear();
   commands.clear();
   bonus_flashes = 0;
@@ -55,7 +56,8 @@ std::size_t ClientState::memory_bytes() const {
          count_bytes(game_.sounds) + count_bytes(game_.players) + game_.ending_text.size() +
          game_.center_text.size() + count_bytes(e.temp_entities) + count_bytes(e.particles) +
          count_bytes(e.damages) + count_bytes(e.sounds) + count_bytes(e.stopped_sounds) +
-         count_bytes(e.static_sounds) + count_bytes(e.prints) + count_bytes(e.commands);
+         count_bytes(e.static_sounds) + count_bytes(e.marks) + count_bytes(e.prints) +
+         count_bytes(e.commands);
 }
 
 void ClientState::end_packet() {

@@ -21,6 +21,7 @@
 #include "client/session/entity_table.h"
 #include "client/session/interpolated_entity.h"
 #include "client/session/interpolation.h"
+#include "net/protocol/mark_request.h"
 #include "net/protocol/server_message.h"
 #include "world/animation.h"
 
@@ -121,6 +122,7 @@ struct Events {
   std::vector<net::Sound> sounds;
   std::vector<net::StopSound> stopped_sounds;  // take effect after all of `sounds`
   std::vector<net::SpawnStaticSound> static_sounds;
+  std::vector<net::MarkRequest> marks;
   std::vector<std::string> prints;    // text for the console, byte for byte
   std::vector<std::string> commands;  // console lines that the server sent, without line ends
   int bonus_flashes = 0;              // svc_bonus messages and "bf" lines

@@ -113,9 +113,13 @@ base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::s
   table.placeholder_ = render::make_alias_model(make_placeholder_model(), "missing model");
   table.load_models(library, loaded.level, names, io_notes);
   table.load_beams(library);
-  for (const ClientModel& model : table.models_) {
+  for (std::size_t number = 0; number < names.size(); ++number) {
+    const ClientModel& model = table.models_[number];
     const auto* alias = std::get_if<AliasModelPtr>(&model);
     table.flags_.push_back(alias != nullptr ? render::find_model_flags(**alias) : 0);
+    const auto* brush_model = std::get_if<world::ModelIndex>(&model);
+    const bool is_submodel = brush_model != nullptr && names[number].starts_with('*');
+    table.submodels_.push_back(is_submodel ? *brush_model : world::ModelIndex{0});
   }
   return table;
 }

@@ -45,6 +45,8 @@ class ModelTable {
   const AliasModelPtr& beam(BeamModel beam) const { return beams_[static_cast<std::size_t>(beam)]; }
   // formats::MdlFlags by model number; 0 for models that are not alias models.
   std::span<const std::uint32_t> flags() const { return flags_; }
+  // By model number: the submodel of the level that "*N" names; the world (0) for all other models.
+  std::span<const world::ModelIndex> submodels() const { return submodels_; }
 
  private:
   void load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
@@ -54,6 +56,7 @@ class ModelTable {
   std::shared_ptr<const world::Level> level_;
   std::vector<ClientModel> models_;
   std::vector<std::uint32_t> flags_;
+  std::vector<world::ModelIndex> submodels_;
   std::array<AliasModelPtr, 4> beams_;
   ClientModel placeholder_;
 };

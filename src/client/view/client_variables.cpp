@@ -54,7 +54,7 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
       variables.add_int("r_particles_max", static_cast<std::int64_t>(defaults.effects.max_particles), 0,
                         1 << 20, "Maximum number of particles.");
   marks_ = variables.add_bool("r_marks", defaults.effects.marks,
-                              "Shots leave bullet holes, scorches and blood on walls.");
+                              "Shots leave bullet holes, scorches and blood on walls, doors and lifts.");
   bob_ = factor("v_bob", defaults.view.bob, 4, "View bob while walking. 1: original strength.");
   roll_ = factor("v_roll", defaults.view.roll, 4, "How far the view leans when strafing.");
   kick_ = factor("v_kick", defaults.view.kick, 4, "How hard damage and recoil shake the view.");

@@ -1,5 +1,7 @@
 #include "client/view/presentation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -8,6 +10,7 @@ namespace temblor::client {
 Presentation::Presentation(const assets::Library& library)
     : library_(library),
       pictures_(library.pictures(notes_)),
+      mark_pictures_(MarkPictures::load(library, notes_)),
       hud_(pictures_, assets::find_mission_pack(library.files())),
       audio_scene_(library) {}
 
@@ -15,6 +18,7 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
   scene_ = {};
   models_.reset();
   pvs_leaf_.reset();
+  missing_marks_.clear();
   TRY(ModelTable models, ModelTable::load(library_, game.models, notes_));
   models_.emplace(std::move(models));
   model_names_ = game.models;
@@ -74,6 +78,20 @@ void Presentation::apply_environment(const Game& game, double time_s, const Pres
   scene_.skybox = settings.skybox && !skybox_name_.empty() ? &skybox_ : nullptr;
 }
 
+// Each name is noted once in a level, for at most as many names as there can be pictures.
+void Presentation::note_missing_marks(const Events& events) {
+  for (const net::MarkRequest& request : events.marks) {
+    if (request.picture.starts_with('*') || mark_pictures_.find(request.picture) != nullptr) continue;
+    if (missing_marks_.size() == MarkPictures::kMaxPictures ||
+        std::find(missing_marks_.begin(), missing_marks_.end(), request.picture) != missing_marks_.end())
+      continue;
+    missing_marks_.push_back(request.picture);
+    notes_.push_back(fmt::format(
+        "the game asked for the mark \"{0}\", but no game directory has a usable gfx/marks/{0}.png",
+        request.picture));
+  }
+}
+
 // Advances effects, view and heads-up display to the time, and returns what there is to see. The order
 // matters: the prediction comes first, as effects and view start at the predicted place.
 Presentation::FrameView Presentation::advance_parts(ClientState& io_state, double time_s,
@@ -88,8 +106,10 @@ Presentation::FrameView Presentation::advance_parts(ClientState& io_state, doubl
   if (prediction_ && settings.predict) moment.own = prediction_->advance(io_state, level, entities);
   std::optional<math::Vec3> predicted_origin_world;
   if (moment.own) predicted_origin_world = moment.own->origin_world;
+  note_missing_marks(io_state.events());
   effects_.advance(io_state.events(),
-                   {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world},
+                   {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world,
+                    models_->submodels(), &mark_pictures_},
                    settings.effects);
   PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   if (settings.camera)

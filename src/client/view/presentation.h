@@ -100,6 +100,7 @@ class Presentation {
   base::Status begin_level(const Game& game, const PresentationSettings& settings);
   void begin_sound(const Game& game, const PresentationSettings& settings);
   void reset_effects();
+  void note_missing_marks(const Events& events);
   // The entities and the view of a frame, for make_scene().
   struct FrameView {
     std::span<const InterpolatedEntity> entities;
@@ -114,6 +115,9 @@ class Presentation {
   const assets::Library& library_;
   std::vector<std::string> notes_;  // declared before pictures_, which adds to it
   assets::Pictures pictures_;
+  MarkPictures mark_pictures_;
+  // The missing pictures of marks that were noted in this level.
+  std::vector<std::string> missing_marks_;
   std::optional<ModelTable> models_;
   // The server's names of models_.
   std::vector<std::string> model_names_;

@@ -80,12 +80,15 @@ class Builder {
     });
     const std::span<std::int16_t> row_light = row_samples(1);
     const std::span<std::uint8_t> texels = row_of_texels<std::uint8_t>();
+    // Without marks, which must not cover holes.
+    const std::span<std::uint8_t> unmarked = row_of_texels<std::uint8_t>();
     auto* out = reinterpret_cast<std::uint8_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
       texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
         std::memcpy(&texels[x], run, count);
       });
       if (shows_only_light()) replace_texels(texels, texels, tables_.gray);
+      if (has_holes()) std::copy_n(texels.begin(), width(), unmarked.begin());
       if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, texels);
       interpolate_down(samples, 1, y, row_light);
       const IndexedRow row{texels.data(), row_light.data(),           tables_.colormap.rows.data(),
@@ -93,7 +96,7 @@ class Builder {
       simd_ ? build_indexed_row_simd(row) : build_indexed_row_scalar(row);
       if (has_holes())
         for (std::size_t x = 0; x < width(); ++x)
-          if (texels[x] == kClearIndex) out[x] = kClearIndex;
+          if (unmarked[x] == kClearIndex) out[x] = kClearIndex;
     }
   }
 

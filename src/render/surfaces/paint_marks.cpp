@@ -57,14 +57,28 @@ math::Vec2d random_turn(std::uint64_t hash) {
   return {cosine * sign, sine * sign};
 }
 
+// The sizes of a shape or picture.
+struct ShapeSizes {
+  int side = MarkShapes::kSide;  // texels of the largest size, from -1 to 1
+  int levels = MarkShapes::kLevels;
+};
+
+ShapeSizes shape_sizes(const Mark& mark) {
+  if (mark.kind != MarkKind::kPicture) return {};
+  return {mark.picture->longer_side(), mark.picture->level_count()};
+}
+
 // The smallest size of the shape at which a step of one texel of the block skips no texel of the shape.
-int shape_level(double texel_size) {
+int shape_level(const ShapeSizes& sizes, double texel_size) {
   constexpr double kLargest = 2;
-  double shape_texels = texel_size * MarkShapes::kSide / 2;
+  double shape_texels = texel_size * sizes.side / 2;
   int level = 0;
-  for (; level < MarkShapes::kLevels - 1 && shape_texels > kLargest; ++level) shape_texels /= 2;
+  for (; level < sizes.levels - 1 && shape_texels > kLargest; ++level) shape_texels /= 2;
   return level;
 }
+
+// The distance from the center to the corners of a picture, relative to half its side.
+constexpr double kCorner = 1.4142135623730951;
 
 std::int32_t to_texel(double position, std::int32_t size) {
   return static_cast<std::int32_t>(std::clamp(position, 0.0, static_cast<double>(size)));
@@ -86,18 +100,21 @@ class MarkPlacer {
     const double radius = static_cast<double>(mark.radius);
     if (!std::isfinite(s) || !std::isfinite(t) || !(radius > 0)) return std::nullopt;
 
-    const math::Vec3d across = glm::normalize(steps_.s);
-    const math::Vec3d along = glm::cross(placed_.normal, across);
     const std::uint64_t hash = base::mix_bits(mark.seed + std::uint64_t{1});
-    const math::Vec2d turn = random_turn(hash) / radius;
-    const math::Vec3d u_axis = across * turn.x - along * turn.y, v_axis = across * turn.y + along * turn.x;
+    const bool is_picture = mark.kind == MarkKind::kPicture;
+    const std::optional<MarkAxes> axes = is_picture ? picture_axes(mark) : shape_axes(hash);
+    if (!axes) return std::nullopt;
+    const math::Vec3d u_axis = axes->u / radius, v_axis = axes->v / radius;
 
     PlacedMark out;
     out.kind = mark.kind;
+    out.picture = mark.picture.get();
     out.variant = static_cast<int>(hash >> 8 & 0xff) % MarkShapes::kVariants;
     const math::Vec2d u(glm::dot(u_axis, steps_.s) * texel_, glm::dot(u_axis, steps_.t) * texel_);
     const math::Vec2d v(glm::dot(v_axis, steps_.s) * texel_, glm::dot(v_axis, steps_.t) * texel_);
-    out.level = shape_level(std::max(glm::length(math::Vec2d(u.x, v.x)), glm::length(math::Vec2d(u.y, v.y))));
+    const ShapeSizes sizes = shape_sizes(mark);
+    out.level =
+        shape_level(sizes, std::max(glm::length(math::Vec2d(u.x, v.x)), glm::length(math::Vec2d(u.y, v.y))));
     // From the mark to the center of the block's first texel, in texels of the block.
     const math::Vec2d offset((first_.x - s) / texel_ + 0.5, (first_.y - t) / texel_ + 0.5);
     out.u_first = static_cast<float>(glm::dot(u, offset));
@@ -107,7 +124,7 @@ class MarkPlacer {
     out.v_per_column = static_cast<float>(v.x);
     out.v_per_row = static_cast<float>(v.y);
     // Interpolation extends the shape by up to one texel of its size beyond the radius.
-    const double reach = radius * (1 + std::ldexp(1.0, out.level + 1) / MarkShapes::kSide);
+    const double reach = radius * ((is_picture ? kCorner : 1) + std::ldexp(1.0, out.level + 1) / sizes.side);
     const double reach_s = reach * glm::length(placed_.s_axis) / texel_,
                  reach_t = reach * glm::length(placed_.t_axis) / texel_;
     out.left = to_texel(-offset.x - reach_s, shape_.width);
@@ -119,6 +136,26 @@ class MarkPlacer {
   }
 
  private:
+  // Unit vectors in the face's plane along which u and v increase.
+  struct MarkAxes {
+    math::Vec3d u, v;
+  };
+  MarkAxes shape_axes(std::uint64_t hash) const {
+    const math::Vec3d across = glm::normalize(steps_.s);
+    const math::Vec3d along = glm::cross(placed_.normal, across);
+    const math::Vec2d turn = random_turn(hash);
+    return {across * turn.x - along * turn.y, across * turn.y + along * turn.x};
+  }
+  // Nothing if the picture's upper edge has no direction in the plane.
+  std::optional<MarkAxes> picture_axes(const Mark& mark) const {
+    const math::Vec3d wanted(mark.up_model);
+    const math::Vec3d up = wanted - placed_.normal * glm::dot(placed_.normal, wanted);
+    constexpr double kShortest = 1e-4;  // relative
+    const double length = glm::length(up);
+    if (!(length > kShortest * glm::length(wanted))) return std::nullopt;
+    return MarkAxes{glm::cross(up / length, placed_.normal), -up / length};
+  }
+
   const FacePlacement& placed_;
   const TexelSteps& steps_;
   const math::Vec2d first_;
@@ -130,8 +167,9 @@ class MarkPlacer {
 
 // For every ink color and opacity step, the palette entry nearest to the blend with each palette entry.
 MarkTables::MarkTables(const ColorTables& tables)
-    : indices_(std::size_t{MarkShapes::kKinds} * kShades * kOpacities * 256) {
-  const PaletteMatch& match = tables.match;
+    : palette_(tables.palette),
+      match_(tables.match),
+      indices_(std::size_t{MarkShapes::kKinds} * kShades * kOpacities * 256) {
   std::uint8_t* out = indices_.data();
   for (int kind = 0; kind < MarkShapes::kKinds; ++kind)
     for (int shade = 0; shade < kShades; ++shade) {
@@ -140,9 +178,9 @@ MarkTables::MarkTables(const ColorTables& tables)
       for (int step = 0; step < kOpacities; ++step)
         for (std::size_t index = 0; index < 256; ++index) {
           const int opacity = step * kOpaque256 / (kOpacities - 1);
-          const bool glows = match.is_fullbright(index) && glows_through(opacity);
+          const bool glows = match_.is_fullbright(index) && glows_through(opacity);
           *out++ = step == 0 ? static_cast<std::uint8_t>(index)
-                             : match(blend_colors(ink, tables.palette[index], opacity), glows);
+                             : match_(blend_colors(ink, palette_[index], opacity), glows);
         }
     }
 }
@@ -155,10 +193,19 @@ std::uint8_t MarkTables::over(MarkKind kind, MarkTexel texel, std::uint8_t index
 }
 
 std::uint32_t MarkTables::over(MarkKind kind, MarkTexel texel, std::uint32_t under) const {
-  const int opacity = opacity_256(texel.opacity);
-  if (opacity == 0) return under;
-  const bool glows = under >> 24 == 0 && glows_through(opacity);
-  const std::uint32_t blend = blend_rgb(to_rgb(ink_color(kind, texel.shade)), under, opacity);
+  return over(PictureTexel{ink_color(kind, texel.shade), opacity_256(texel.opacity)}, under);
+}
+
+std::uint8_t MarkTables::over(const PictureTexel& texel, std::uint8_t index) const {
+  if (texel.opacity_256 == 0) return index;
+  const bool glows = match_.is_fullbright(index) && glows_through(texel.opacity_256);
+  return match_(blend_colors(texel.color, palette_[index], texel.opacity_256), glows);
+}
+
+std::uint32_t MarkTables::over(const PictureTexel& texel, std::uint32_t under) const {
+  if (texel.opacity_256 == 0) return under;
+  const bool glows = under >> 24 == 0 && glows_through(texel.opacity_256);
+  const std::uint32_t blend = blend_rgb(to_rgb(texel.color), under, texel.opacity_256);
   return glows ? blend & 0xffffffu : blend;
 }
 
@@ -185,13 +232,15 @@ void paint_marks(const MarkTables& look, std::span<const PlacedMark> marks, std:
     const auto row = static_cast<float>(y);
     for (std::int32_t x = mark.left; x < mark.right; ++x) {
       const auto column = static_cast<float>(x);
-      const MarkTexel texel =
-          look.shapes().at(mark.kind, mark.variant, mark.level,
-                           mark.u_first + column * mark.u_per_column + row * mark.u_per_row,
-                           mark.v_first + column * mark.v_per_column + row * mark.v_per_row);
-      if (!(texel.opacity > 0)) continue;
+      const float u = mark.u_first + column * mark.u_per_column + row * mark.u_per_row;
+      const float v = mark.v_first + column * mark.v_per_column + row * mark.v_per_row;
       Texel& under = io_row[static_cast<std::size_t>(x)];
-      under = look.over(mark.kind, texel, under);
+      if (mark.picture != nullptr) {
+        under = look.over(mark.picture->at(mark.level, u, v), under);
+        continue;
+      }
+      const MarkTexel texel = look.shapes().at(mark.kind, mark.variant, mark.level, u, v);
+      if (texel.opacity > 0) under = look.over(mark.kind, texel, under);
     }
   }
 }

@@ -19,7 +19,8 @@
 
 namespace temblor::render {
 
-// Shapes and inks as lookup tables. Made once per palette; takes some milliseconds.
+// Shapes and inks as lookup tables, and the palette for pictures. Made once per palette; takes some
+// milliseconds.
 class MarkTables {
  public:
   static constexpr int kShades = 4, kOpacities = 17;
@@ -31,15 +32,21 @@ class MarkTables {
   std::uint8_t over(MarkKind kind, MarkTexel texel, std::uint8_t index) const;
   // Blends a mark over a color. Both colors are in the format of ColorTables::surface_rgb.
   std::uint32_t over(MarkKind kind, MarkTexel texel, std::uint32_t under) const;
+  // The same for pictures.
+  std::uint8_t over(const PictureTexel& texel, std::uint8_t index) const;
+  std::uint32_t over(const PictureTexel& texel, std::uint32_t under) const;
 
  private:
   MarkShapes shapes_;
+  formats::Palette palette_;
+  PaletteMatch match_;
   std::vector<std::uint8_t> indices_;  // by kind, shade, opacity, index
 };
 
-// A mark on the texels of one block: a shape that is moved, turned, and stretched.
+// A mark on the texels of one block: a shape or picture that is moved, turned, and stretched.
 struct PlacedMark {
   MarkKind kind{};
+  const MarkPicture* picture = nullptr;  // only for kPicture
   int variant = 0, level = 0;
   // The texels of the block that it may cover; right and bottom are exclusive.
   std::int32_t left = 0, right = 0, top = 0, bottom = 0;

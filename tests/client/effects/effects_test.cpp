@@ -1,5 +1,6 @@
 #include "client/effects/effects.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/check.h"
 #include "client/effects/dynamic_lights.h"
 #include "formats/models/mdl.h"
 #include "support/allocation_counter.h"
@@ -263,19 +265,22 @@ TEST(Effects, RewindingAndNewLevelsEndAllEffects) {
   }
 }
 
-TEST(Effects, MarksAppearOnlyIfEnabled) {
-  // The first floor of the world.
+// Four units above the middle of the first floor of the world.
+math::Vec3 place_above_floor() {
   const world::Face* floor = nullptr;
   for (const world::Face& face : level().faces)
     if (floor == nullptr && face.kind == world::FaceKind::kLit && !face.back_side &&
         level().planes[face.plane].normal.z == 1)
       floor = &face;
-  ASSERT_NE(floor, nullptr);
+  CHECK(floor != nullptr);
   math::Vec3 sum(0.0f);
   for (std::uint32_t i = 0; i < floor->surfedge_count; ++i)
     sum += level().vertices[level().surfedge_start(floor->first_surfedge + i)];
-  const math::Vec3 above = sum / static_cast<float>(floor->surfedge_count) + math::Vec3(0, 0, 4);
+  return sum / static_cast<float>(floor->surfedge_count) + math::Vec3(0, 0, 4);
+}
 
+TEST(Effects, MarksAppearOnlyIfEnabled) {
+  const math::Vec3 above = place_above_floor();
   const std::vector<std::pair<Events, std::size_t>> cases = {
       {event(TempEntity{.kind = TempEntityKind::kGunshot, .origin = above}), 1},
       {event(TempEntity{.kind = TempEntityKind::kExplosion, .origin = above}), 1},
@@ -294,6 +299,51 @@ TEST(Effects, MarksAppearOnlyIfEnabled) {
     advance(with, 2, {}, {}, {});
     EXPECT_EQ(with.marks().size(), 0u);
   }
+}
+
+Events request(const std::string& words) {
+  Events events;
+  events.marks.push_back(net::read_mark_request("//temblor mark " + words).value());
+  return events;
+}
+
+TEST(Effects, TheGameCanAskForMarks) {
+  // The number of the door's model in the precache list.
+  const std::vector<world::ModelIndex> submodels = {{}, {}, {}, {}, world::ModelIndex{1}};
+  const world::Model& door = level().models[1];
+  const math::Vec3 mins = door.bounds.mins, maxs = door.bounds.maxs;
+  const auto count_on_door = [&](const Effects& effects) {
+    std::size_t count = 0;
+    for (std::uint32_t i = door.first_face; i < door.first_face + door.face_count; ++i)
+      count += effects.marks().marks_on_face(base::to_index<world::FaceIndex>(i)).size();
+    return count;
+  };
+  const auto count_after = [&](const std::string& words) {
+    Effects effects;
+    effects.advance(request(words), {level(), 1, {}, kFlags, kPlayer, {}, submodels}, {});
+    return count_on_door(effects);
+  };
+  const std::string at_door =
+      fmt::format("{} {} {} 8 0", (mins.x + maxs.x) / 2, mins.y - 1, (mins.z + maxs.z) / 2);
+  EXPECT_GT(count_after("*scorch " + at_door + " *1"), 0u);
+  EXPECT_EQ(count_after("*scorch " + at_door), 0u) << "the door is not in view";
+  EXPECT_EQ(count_after("*scorch " + at_door + " *2"), 0u);
+  EXPECT_EQ(count_after("missing " + at_door + " *1"), 0u);
+}
+
+TEST(Effects, MarksOfTheGameStayWithoutMarksOfShots) {
+  Effects effects;
+  const math::Vec3 above = place_above_floor();
+  const Events events = request(fmt::format("*blood {} {} {} 8", above.x, above.y, above.z));
+  const auto step = [&](double time_s, const Events& now, bool marks) {
+    effects.advance(now, {level(), time_s, {}, kFlags, kPlayer}, {.marks = marks});
+    return effects.marks().size();
+  };
+  const std::size_t asked_for = step(1, events, false);
+  EXPECT_GT(asked_for, 0u);
+  EXPECT_GT(step(2, event(TempEntity{.kind = TempEntityKind::kGunshot, .origin = above}), true), asked_for);
+  EXPECT_EQ(step(3, {}, false), asked_for);
+  EXPECT_EQ(step(2, {}, false), 0u) << "time ran back";
 }
 
 TEST(Effects, AllocateNothingInTheSteadyState) {

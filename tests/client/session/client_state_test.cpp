@@ -118,6 +118,18 @@ TEST(ClientState, StuffedLinesAreJoinedAndFlashesExtracted) {
   EXPECT_EQ(state.events().bonus_flashes, 4);
 }
 
+TEST(ClientState, CollectsRequestsForMarks) {
+  ClientState state = state_in_level();
+  apply(state, {net::StuffText{"//temblor mark smile 1 2 "}, net::StuffText{"3 4\n//temblor other\n"},
+                net::StuffText{"//temblor mark ../smile 1 2 3 4\n"}});
+  EXPECT_THAT(state.events().marks, ElementsAre(net::MarkRequest{"smile", {1, 2, 3}, 4}));
+  EXPECT_THAT(state.events().commands, IsEmpty());
+  ASSERT_EQ(state.events().prints.size(), 1u);
+  EXPECT_NE(state.events().prints[0].find("bad picture name \"../smile\""), std::string::npos);
+  state.events().clear();
+  EXPECT_THAT(state.events().marks, IsEmpty());
+}
+
 TEST(ClientState, EventsAreKeptUntilCleared) {
   ClientState state = state_in_level();
   net::TempEntity explosion;

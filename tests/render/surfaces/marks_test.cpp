@@ -36,6 +36,64 @@ TEST(Marks, TheOldestGivesWay) {
   EXPECT_EQ(set.revision(kFace), 0u);
 }
 
+Mark lasting_at(float x) {
+  Mark mark = mark_at(x);
+  mark.is_lasting = true;
+  return mark;
+}
+
+std::vector<float> places(const MarkSet& set) {
+  std::vector<float> result;
+  for (const Mark& mark : set.marks_on_face(kFace)) result.push_back(mark.position_model.x);
+  return result;
+}
+
+TEST(Marks, ShotsDoNotReplaceLastingOnes) {
+  MarkSet set;
+  const auto full = static_cast<int>(MarkSet::kMarksPerFace);
+  set.add(kFace, lasting_at(100));
+  for (int i = 0; i < 2 * full; ++i) set.add(kFace, mark_at(static_cast<float>(i)));
+  EXPECT_EQ(places(set).size(), MarkSet::kMarksPerFace);
+  EXPECT_EQ(places(set).front(), 100);
+  for (int i = 0; i < full + 2; ++i) set.add(kFace, lasting_at(static_cast<float>(200 + i)));
+  EXPECT_EQ(places(set).size(), MarkSet::kMarksPerFace);
+  EXPECT_EQ(places(set).front(), 202);  // older lasting ones gave way to newer ones
+  const std::uint64_t revision = set.revision(kFace);
+  set.add(kFace, mark_at(1));
+  EXPECT_EQ(set.revision(kFace), revision);
+}
+
+TEST(Marks, OfShotsCanBeRemoved) {
+  MarkSet set, expected;
+  set.add(kFace, mark_at(1));
+  set.add(kFace, lasting_at(2));
+  set.add(kOther, mark_at(3));
+  set.remove_shots();
+  expected.add(kFace, lasting_at(2));
+  EXPECT_EQ(set.size(), 1u);
+  EXPECT_EQ(set.revision(kFace), expected.revision(kFace));
+  EXPECT_EQ(set.revision(kOther), 0u);
+}
+
+Mark picture_at(std::uint32_t pixel, const math::Vec3& up) {
+  Mark mark{.kind = MarkKind::kPicture, .position_model = {1, 2, 3}};
+  mark.picture = std::make_shared<const MarkPicture>(formats::Image{1, 1, {pixel}});
+  mark.up_model = up;
+  return mark;
+}
+
+TEST(Marks, PicturesDifferByPixelsAndDirection) {
+  const auto revision = [](const Mark& mark) {
+    MarkSet set;
+    set.add(kFace, mark);
+    return set.revision(kFace);
+  };
+  const std::uint64_t first = revision(picture_at(0xff102030u, {0, 0, 1}));
+  EXPECT_EQ(first, revision(picture_at(0xff102030u, {0, 0, 1})));
+  EXPECT_NE(first, revision(picture_at(0xff102031u, {0, 0, 1})));
+  EXPECT_NE(first, revision(picture_at(0xff102030u, {0, 1, 0})));
+}
+
 TEST(Marks, EqualMarksHaveEqualRevisionsInAnySet) {
   MarkSet one, two;
   // The second set reaches the same marks in another way: older ones were replaced.

@@ -196,6 +196,132 @@ TEST(Marks, LookAlikeOnEveryMipLevel) {
     }
 }
 
+// The floor of gray_level() is seen from above: x is to the right, y up.
+Mark picture_on_floor(const formats::Image& image, const math::Vec3& center, float radius) {
+  Mark mark{.kind = MarkKind::kPicture, .position_model = center, .radius = radius};
+  mark.picture = std::make_shared<const render::MarkPicture>(image);
+  mark.up_model = {0, 1, 0};
+  return mark;
+}
+
+formats::Image random_image(std::uint32_t width, std::uint32_t height, Random& io_random) {
+  formats::Image image{width, height, {}};
+  for (std::uint32_t i = 0; i < width * height; ++i)
+    image.pixels.push_back(static_cast<std::uint32_t>(io_random.bits()) | 0xff000000u);
+  return image;
+}
+
+std::uint32_t blended(std::uint32_t over, std::uint32_t under, double opacity, int shift) {
+  const double mean = static_cast<double>(over >> shift & 255) * opacity +
+                      static_cast<double>(under >> shift & 255) * (1 - opacity);
+  return static_cast<std::uint32_t>(std::lround(mean));
+}
+
+// There are as many texels as pixels, so every pixel is seen exactly as it is in the file.
+TEST(MarkPictures, ShowEveryPixel) {
+  for (const auto& [width, height] : {std::pair{64u, 64u}, {50u, 20u}, {7u, 36u}}) {
+    Random random(width);
+    formats::Image image = random_image(width, height, random);
+    for (std::uint32_t& pixel : image.pixels)
+      pixel &= 0xffffffu | static_cast<std::uint32_t>(random.below(3) * 0x7f) << 24;
+    const DrawableLevel drawable = gray_level(0, 256, 1);
+    const auto longer = static_cast<float>(std::max(width, height));
+    // Even sides lie around a corner of texels, odd ones around the middle of one.
+    const math::Vec3 center(100 + static_cast<float>(width % 2) / 2, 90 + static_cast<float>(height % 2) / 2,
+                            0);
+    const Mark mark = picture_on_floor(image, center, longer / 2);
+    const Block block = build(drawable, {&mark, 1}, PixelFormat::kRgb, 0);
+    const int left = 100 - static_cast<int>(width) / 2, bottom = 90 - static_cast<int>(height) / 2;
+    for (int y = 0; y < 256; ++y)
+      for (int x = 0; x < 256; ++x) {
+        const int column = x - left, row = static_cast<int>(height) - 1 - (y - bottom);
+        std::uint32_t pixel = 0;
+        if (column >= 0 && row >= 0 && column < static_cast<int>(width) && row < static_cast<int>(height))
+          pixel = image.pixels[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)];
+        const double opacity = static_cast<double>(pixel >> 24) / 255;
+        for (const int shift : {0, 8, 16})
+          ASSERT_NEAR(block.at(x, y) >> shift & 255, blended(pixel, kGrayRgb, opacity, shift), 2)
+              << width << " x " << height << ": " << x << ", " << y;
+      }
+  }
+}
+
+TEST(MarkPictures, ShowTheNearestColorsOfThePalette) {
+  Random random(3);
+  const formats::Image image = random_image(32, 32, random);
+  const DrawableLevel drawable = gray_level(0, 64, 1);
+  const Mark mark = picture_on_floor(image, {32, 32, 0}, 16);
+  const Block block = build(drawable, {&mark, 1}, PixelFormat::kIndexed, 0);
+  const auto distance = [](std::uint32_t a, formats::Rgb b) {
+    const int r = static_cast<int>(a >> 16 & 255) - b.r, g = static_cast<int>(a >> 8 & 255) - b.g,
+              blue = static_cast<int>(a & 255) - b.b;
+    return r * r + g * g + blue * blue;
+  };
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const std::uint32_t pixel = image.pixels[static_cast<std::size_t>((31 - y) * 32 + x)];
+      int least = 1 << 30;
+      for (int i = 0; i < 224; ++i)
+        least = std::min(least, distance(pixel, drawable.palette[static_cast<std::size_t>(i)]));
+      const std::uint32_t shown = block.at(16 + x, 16 + y);
+      const formats::Rgb color{static_cast<std::uint8_t>(shown >> 16 & 255),
+                               static_cast<std::uint8_t>(shown >> 8 & 255),
+                               static_cast<std::uint8_t>(shown & 255)};
+      ASSERT_EQ(distance(pixel, color), least) << x << ", " << y;
+    }
+}
+
+TEST(MarkPictures, LookAlikeOnEveryMipLevel) {
+  // Smooth, so that a texel of a mip level is the mean of those under it.
+  formats::Image image{128, 128, {}};
+  for (std::uint32_t y = 0; y < 128; ++y)
+    for (std::uint32_t x = 0; x < 128; ++x) image.pixels.push_back(0xff000000u | x << 17 | y << 9 | 40);
+  const DrawableLevel drawable = gray_level(0, 256, 1);
+  const Mark mark = picture_on_floor(image, {128, 128, 0}, 64);
+  const Block full = build(drawable, {&mark, 1}, PixelFormat::kRgb, 0);
+  for (int mip = 1; mip < 4; ++mip) {
+    const Block block = build(drawable, {&mark, 1}, PixelFormat::kRgb, mip);
+    const int side = 1 << mip, first = 64 / side + 1, last = 192 / side - 1;
+    for (int y = first; y < last; ++y)
+      for (int x = first; x < last; ++x) {
+        double mean = 0;
+        for (int i = 0; i < side * side; ++i)
+          mean += green(full.at(x * side + i % side, y * side + i / side)) / (side * side);
+        ASSERT_NEAR(green(block.at(x, y)), mean, 3) << mip << ": " << x << ", " << y;
+      }
+  }
+}
+
+// The face lies in the plane that the upper edge points out of.
+TEST(MarkPictures, WithoutADirectionAreNone) {
+  const DrawableLevel drawable = gray_level(0, 64, 1);
+  Mark mark = picture_on_floor({1, 1, {0xffff0000u}}, {30, 30, 0}, 20);
+  for (const math::Vec3& up : {math::Vec3(0, 0, 1), math::Vec3(0), math::Vec3(std::nanf(""))}) {
+    mark.up_model = up;
+    for (const std::uint32_t texel : build(drawable, {&mark, 1}, PixelFormat::kRgb, 0).texels)
+      ASSERT_EQ(texel, kGrayRgb);
+  }
+}
+
+// Both formats keep the holes of a grating.
+TEST(Marks, LeaveHolesOpen) {
+  DrawableLevel drawable = gray_level(0, 64, 1);
+  world::Level level = *drawable.level;
+  level.textures[0].kind = world::TextureKind::kCutout;
+  for (auto& mip : level.textures[0].mips)
+    for (std::size_t i = 0; i < mip.size(); i += 2) mip[i] = 255;
+  drawable.level = std::make_shared<const world::Level>(level);
+  const std::vector<Mark> marks = {{.position_model = {30, 30, 0}, .radius = 25},
+                                   picture_on_floor({1, 1, {0xffff0000u}}, {30, 30, 0}, 20)};
+  const std::uint32_t clear = render::to_rgb(drawable.palette[255]);
+  for (const PixelFormat format : kFormats) {
+    const Block block = build(drawable, marks, format, 0);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; x += 2) ASSERT_EQ(block.at(x, y), format == PixelFormat::kRgb ? 0 : clear);
+    EXPECT_NE(block.at(31, 30), kGrayRgb);
+  }
+}
+
 TEST(Marks, WithSeedsOfTheirOwnLookDifferent) {
   const DrawableLevel drawable = gray_level(0, 256, 1);
   for (const MarkKind kind : kKinds) {
