@@ -306,6 +306,7 @@ std::vector<MenuCommand> menu_commands() {
   return {{"menu_main", MenuPage::kMain},
           {"menu_singleplayer", MenuPage::kSinglePlayer},
           {"menu_newgame", MenuPage::kNewGame},
+          {"menu_skill", MenuPage::kSkill},
           {"menu_load", MenuPage::kLoad},
           {"menu_save", MenuPage::kSave},
           {"menu_levels", MenuPage::kLevels},

@@ -31,6 +31,7 @@ enum class MenuPage {
   kMain,
   kSinglePlayer,
   kNewGame,
+  kSkill,
   kLoad,
   kSave,
   kLevels,
@@ -78,7 +79,7 @@ class Menu {
   Menu& operator=(Menu&&) noexcept;
 
   // Opens a page in place of all that are open. kQuit runs `quit` without a page if no progress would be
-  // lost; kNewGame starts a game without a page if there is nothing to choose.
+  // lost.
   void open(MenuPage page = MenuPage::kMain);
   // Shows a notice above the open page; opens the main page first if the menu is closed.
   void show_notice(Notice notice);

@@ -21,6 +21,7 @@ struct MenuLevel {
 };
 struct MenuEpisode {
   std::string title, first_level;
+  std::string level_title = {};  // of the first level
 };
 struct MenuSave {
   std::string name, level_title;
@@ -47,7 +48,8 @@ struct MenuContent {
   // The level from above; null if there is none, or none yet. Called in every frame, for the selected level
   // only.
   std::function<const formats::Picture*(std::string_view level)> level_picture;
-  // Without episodes a new game starts in the level "start", where the player chooses.
+  // The places where a new game can start. Without them, it starts in the level "start", where the player
+  // chooses.
   std::function<std::vector<MenuEpisode>()> episodes;
   // Saved games, newest first, and their screenshots.
   std::function<std::vector<MenuSave>()> saves;

@@ -100,14 +100,19 @@ Page make_main_page(const PageContext& context);
 Page make_help_page(const PageContext& context);
 
 Page make_single_player_page(const PageContext& context);
-// Opens the new-game page, or starts a game if there is nothing to choose.
-Outcome start_new_game(const PageContext& context);
+// Starts a game on a level; with the skill of the variable `skill` if none is given.
+Outcome start_single_player(const PageContext& context, const std::string& level,
+                            std::optional<std::size_t> skill = std::nullopt);
+// The first page of a new game: the episodes if there are several, otherwise the page of find_skill_page().
+PageMaker find_new_game_page(const PageContext& context);
+// The choice of the skill for a game that begins in the level "start"; the list of levels, which has that
+// choice, for data without that level.
+PageMaker find_skill_page(const PageContext& context);
 // A row of a list of levels, with the level's title and picture beside the list.
 std::unique_ptr<Row> make_level_row(const MenuContent& content, const MenuLevel& level,
                                     std::function<Outcome()> choose);
 // Null if the variable `skill` is not registered.
 std::unique_ptr<Row> make_skill_row(const PageContext& context);
-Page make_new_game_page(const PageContext& context);
 Page make_load_page(const PageContext& context);
 Page make_save_page(const PageContext& context);
 Page make_levels_page(const PageContext& context);

@@ -236,11 +236,10 @@ void add_screen_commands(Host& io_host) {
   for (const client::MenuCommand& menu : client::menu_commands())
     add(menu.name, make_menu_help(menu.name),
         [page = menu.page](Host& host, Arguments) { open_menu(host, page); });
-  // Other engines' names for some of them. The page of a new game has the choice of the skill.
-  constexpr std::array<std::pair<std::string_view, client::MenuPage>, 5> kOtherNames = {{
+  // Other engines' names for some of them.
+  constexpr std::array<std::pair<std::string_view, client::MenuPage>, 4> kOtherNames = {{
       {"menu_maps", client::MenuPage::kLevels},
       {"menu_mods", client::MenuPage::kGameFolders},
-      {"menu_skill", client::MenuPage::kNewGame},
       {"menu_credits", client::MenuPage::kHelp},
       {"slist", client::MenuPage::kJoin},
   }};

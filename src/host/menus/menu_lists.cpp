@@ -8,6 +8,7 @@
 #include "formats/game/sav.h"
 #include "formats/levels/entities.h"
 #include "host/frame/host_parts.h"
+#include "host/menus/episodes.h"
 #include "host/session/games.h"
 #include "vfs/disk.h"
 
@@ -73,6 +74,19 @@ std::vector<client::MenuLevel> MenuLists::levels() {
     if (!name.starts_with("b_")) levels_.push_back({name, level_title(name)});
   }
   return levels_;
+}
+
+// Only levels that come with the level "start" belong to the game: below a mission pack are also the episodes
+// of the game that it extends.
+std::vector<client::MenuEpisode> MenuLists::episodes() {
+  const vfs::FileSystem& files = data_.library.files();
+  const std::optional<std::size_t> game = files.find_game("maps/start.bsp");
+  std::vector<client::MenuLevel> levels_of_game = levels();
+  if (game)
+    std::erase_if(levels_of_game, [&](const client::MenuLevel& level) {
+      return files.find_game("maps/" + level.name + ".bsp") != game;
+    });
+  return find_episodes(levels_of_game);
 }
 
 const std::string& MenuLists::level_title(const std::string& level) {
@@ -146,7 +160,7 @@ client::MenuContent MenuLists::content() {
       .levels = [this] { return levels(); },
       .level_picture =
           [this](std::string_view level) { return thumbnails_.level_picture(std::string(level)); },
-      .episodes = {},
+      .episodes = [this] { return episodes(); },
       .saves = [this] { return saves(); },
       .save_picture = [this](std::string_view save) { return thumbnails_.save_picture(std::string(save)); },
       .demos = [this] { return demos(); },

@@ -32,6 +32,7 @@ class MenuLists {
 
  private:
   std::vector<client::MenuLevel> levels();
+  std::vector<client::MenuEpisode> episodes();
   // The title of a level by its name, "e1m1". Empty if the level has no title or does not exist. Each level
   // is read only once.
   const std::string& level_title(const std::string& level);

@@ -101,7 +101,8 @@ client::MenuContent MenuDriver::some_content() {
     return levels;
   };
   content.episodes = [] {
-    return std::vector<client::MenuEpisode>{{"First Episode", "e1m1"}, {"Second Episode", "e1m9"}};
+    return std::vector<client::MenuEpisode>{{"Episode 1", "e1m1", "The Level of Number 1"},
+                                            {"Episode 2", "e1m9", "The Level of Number 9"}};
   };
   content.saves = [] {
     return std::vector<client::MenuSave>{{"s0", "The Level of Number 1", 754, 12, 30},

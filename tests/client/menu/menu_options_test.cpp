@@ -86,7 +86,7 @@ TEST_F(MenuOptions, LeaveOutUnregisteredVariables) {
     }
     render::DrawList list;
     menu.draw(320, 200, 0, list);
-    EXPECT_EQ(list.commands.empty(), page == MenuPage::kNewGame) << "a new game starts at once";
+    EXPECT_FALSE(list.commands.empty());
     menu.close();
   }
   EXPECT_NE(variables.find("gamma")->number, 1) << "the registered one can be changed";

@@ -33,7 +33,8 @@ struct Path {
 const std::vector<Path>& all_paths() {
   static const std::vector<Path> paths = {
       {{"Single player"}, "New game"},
-      {{"Single player", "New game"}, "First Episode"},
+      {{"Single player", "New game"}, "Episode 1"},
+      {{"Single player", "New game", "Episode 1"}, "Nightmare"},
       {{"Single player", "Load game"}, "quick"},
       {{"Single player", "Save game"}, "New save"},
       {{"Single player", "Levels"}, "e1m1"},
@@ -115,14 +116,24 @@ TEST(Menu, StartsAGameWithEpisodeAndSkill) {
   MenuDriver hand;
   hand.menu().open();
   ASSERT_TRUE(hand.choose("Single player") && hand.choose("New game"));
-  ASSERT_TRUE(hand.go_to("Skill"));
-  EXPECT_THAT(hand.selected(), HasSubstr("normal"));
-  hand.press(Key::kRightArrow);
-  EXPECT_THAT(hand.selected(), HasSubstr("hard"));
-  EXPECT_EQ(hand.variables().find("skill")->text, "2");
-  ASSERT_TRUE(hand.choose("Second"));
-  EXPECT_THAT(hand.commands(), ElementsAre("maxplayers 1", "deathmatch 0", "coop 0", "map e1m9"));
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("Episode 1"), HasSubstr("The Level of Number 9")));
+  ASSERT_TRUE(hand.choose("Episode 2"));
+  EXPECT_THAT(hand.selected(), HasSubstr("Normal")) << "the skill of the last game";
+  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("Easy"), HasSubstr("Hard"), HasSubstr("Nightmare")));
+  EXPECT_THAT(hand.commands(), IsEmpty());
+  ASSERT_TRUE(hand.choose("Hard"));
+  EXPECT_THAT(hand.commands(), ElementsAre("skill 2", "maxplayers 1", "deathmatch 0", "coop 0", "map e1m9"));
   EXPECT_FALSE(hand.menu().is_open());
+}
+
+TEST(Menu, SelectsTheChosenSkill) {
+  MenuDriver hand;
+  for (const auto& [skill, label] :
+       {std::pair{"0", "Easy"}, {"1.4", "Normal"}, {"2", "Hard"}, {"3", "Nightmare"}}) {
+    ASSERT_TRUE(hand.variables().set("skill", skill).ok());
+    hand.menu().open(MenuPage::kSkill);
+    EXPECT_THAT(hand.selected(), HasSubstr(label));
+  }
 }
 
 TEST(Menu, StartsInTheLevelStartWithoutEpisodes) {
@@ -130,16 +141,30 @@ TEST(Menu, StartsInTheLevelStartWithoutEpisodes) {
   content.episodes = {};
   MenuDriver hand(content);
   hand.menu().open();
-  ASSERT_TRUE(hand.choose("Single player") && hand.choose("New game"));
-  EXPECT_THAT(hand.commands(), Contains("map start"));
-  EXPECT_FALSE(hand.menu().is_open());
-  hand.menu().open(MenuPage::kNewGame);
-  EXPECT_THAT(hand.commands(), Contains("map start"));
+  ASSERT_TRUE(hand.choose("Single player") && hand.choose("New game") && hand.choose("Easy"));
+  EXPECT_THAT(hand.commands(), IsSupersetOf({"skill 0", "map start"}));
   EXPECT_FALSE(hand.menu().is_open());
   content.levels = [] { return std::vector<MenuLevel>{{"dm1", ""}}; };
-  MenuDriver without(content);
-  without.menu().open(MenuPage::kNewGame);
-  EXPECT_THAT(without.all_text(), HasSubstr("dm1")) << "a mod without a level \"start\" shows its levels";
+  for (const MenuPage page : {MenuPage::kNewGame, MenuPage::kSkill}) {
+    MenuDriver without(content);
+    without.menu().open(page);
+    EXPECT_THAT(without.all_text(), AllOf(HasSubstr("dm1"), HasSubstr("Skill")))
+        << "a mod without a level \"start\" shows its levels";
+  }
+}
+
+// The skill of the running game does not change if the player stays in it.
+TEST(Menu, AsksBeforeANewGameEndsAnother) {
+  MenuContent content = MenuDriver::some_content();
+  content.unsaved = [] { return std::string("You have not saved for 3 minutes."); };
+  MenuDriver hand(content);
+  hand.menu().open(MenuPage::kSkill);
+  ASSERT_TRUE(hand.choose("Nightmare"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("Start a new game anyway?"));
+  ASSERT_TRUE(hand.choose("No"));
+  EXPECT_THAT(hand.commands(), IsEmpty());
+  ASSERT_TRUE(hand.choose("Nightmare") && hand.choose("Yes"));
+  EXPECT_THAT(hand.commands(), IsSupersetOf({"skill 3", "map start"}));
 }
 
 TEST(Menu, LoadsAndSaves) {

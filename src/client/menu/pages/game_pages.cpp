@@ -6,22 +6,11 @@
 #include <set>
 
 #include "client/menu/page.h"
-#include "client/menu/rows/option_rows.h"
 #include "client/menu/rows/plain_rows.h"
 #include "command/text.h"
 
 namespace temblor::client {
 namespace {
-
-constexpr std::string_view kSkills[] = {"easy", "normal", "hard", "nightmare"};
-
-// Sets the game mode too, as the last game may have been a multiplayer one.
-Outcome start_single_player(const PageContext& context, const std::string& level) {
-  return confirm_if_unsaved(
-      context, "Start a new game anyway?",
-      {.commands = {"maxplayers 1", "deathmatch 0", "coop 0", command::join_words({"map", level})},
-       .leaving = Leaving::kClose});
-}
 
 std::string title_or_name(const std::string& title, const std::string& name) {
   return title.empty() ? name : title;
@@ -79,10 +68,6 @@ std::unique_ptr<Row> make_level_row(const MenuContent& content, const MenuLevel&
                 .choose = std::move(choose)});
 }
 
-std::unique_ptr<Row> make_skill_row(const PageContext& context) {
-  return make_option_row(context.variables, {.variable = "skill", .label = "Skill", .names = kSkills});
-}
-
 Page make_single_player_page(const PageContext& context) {
   Page page;
   page.title = "Single player";
@@ -93,30 +78,6 @@ Page make_single_player_page(const PageContext& context) {
   if (call_or_default(context.content.can_save))
     page.rows.push_back(make_page_link(context, "Save game", MenuPage::kSave));
   page.rows.push_back(make_page_link(context, "Levels", MenuPage::kLevels));
-  return page;
-}
-
-// Games without episodes have a level "start" in which the player chooses; a game without that one shows its
-// levels.
-Outcome start_new_game(const PageContext& context) {
-  constexpr std::string_view kStart = "start";
-  if (!call_or_default(context.content.episodes).empty()) return {.page = make_new_game_page};
-  const std::vector<MenuLevel> levels = call_or_default(context.content.levels);
-  const bool has_start = levels.empty() || std::any_of(levels.begin(), levels.end(),
-                                                       [&](const MenuLevel& l) { return l.name == kStart; });
-  return has_start ? start_single_player(context, std::string(kStart)) : Outcome{.page = make_levels_page};
-}
-
-Page make_new_game_page(const PageContext& context) {
-  Page page;
-  page.title = "New game";
-  page.add(make_skill_row(context));
-  page.rows.push_back(std::make_unique<HeadingRow>("Start at"));
-  page.first_choice = page.rows.size();
-  for (const MenuEpisode& episode : call_or_default(context.content.episodes))
-    page.rows.push_back(std::make_unique<ListRow>(ListEntry{
-        .left = title_or_name(episode.title, episode.first_level),
-        .choose = [context, episode] { return start_single_player(context, episode.first_level); }}));
   return page;
 }
 

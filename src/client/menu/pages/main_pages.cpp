@@ -8,12 +8,14 @@ namespace temblor::client {
 
 namespace {
 
-PageMaker find_page_maker(MenuPage page) {
+PageMaker find_page_maker(const PageContext& context, MenuPage page) {
   switch (page) {
     case MenuPage::kSinglePlayer:
       return make_single_player_page;
     case MenuPage::kNewGame:
-      return make_new_game_page;
+      return find_new_game_page(context);
+    case MenuPage::kSkill:
+      return find_skill_page(context);
     case MenuPage::kLoad:
       return make_load_page;
     case MenuPage::kSave:
@@ -62,15 +64,14 @@ Outcome quit(const PageContext& context) {
 
 }  // namespace
 
-// Quit and new game may need no page. Opening the join page starts a search, so that servers answer while the
+// Quit may need no page. Opening the join page starts a search, so that servers answer while the
 // player reads.
 Outcome open_page(const PageContext& context, MenuPage page) {
   if (page == MenuPage::kQuit) return quit(context);
-  if (page == MenuPage::kNewGame) return start_new_game(context);
   if (page == MenuPage::kJoin && context.content.search_servers) context.content.search_servers();
   // Choices that were not applied are forgotten.
   if (page == MenuPage::kVideo) context.choices.video.reset();
-  return {.page = find_page_maker(page)};
+  return {.page = find_page_maker(context, page)};
 }
 
 std::unique_ptr<Row> make_page_link(const PageContext& context, std::string label, MenuPage page,
