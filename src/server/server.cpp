@@ -47,6 +47,19 @@ void shut_down(Server& io_server, std::string_view reason) {
   io_server.endpoint.update(io_server.clock.now_s);
 }
 
+base::Status set_max_clients(Server& io_server, std::uint32_t count) {
+  if (io_server.game)
+    return base::error(base::ErrorCode::kUsage,
+                       "the number of players is fixed while a level runs; set it in server.cfg or with "
+                       "--maxclients {}",
+                       count);
+  io_server.setup.max_clients = count;
+  io_server.endpoint.set_max_connections(count);
+  io_server.clients.set_size(count);
+  io_server.tick_inputs = std::vector<PlayerInput>(count);
+  return base::Ok{};
+}
+
 void set_paused(Server& io_server, bool is_paused) {
   if (is_paused == io_server.clock.is_paused) return;
   io_server.clock.is_paused = is_paused;

@@ -119,6 +119,10 @@ void set_paused(Server& io_server, bool is_paused);
 // Sends `reason` to all clients and disconnects them. The server must not be used afterwards.
 void shut_down(Server& io_server, std::string_view reason);
 
+// Changes the number of player slots, 1 to 255. Fails with kUsage once a level runs, because game code and
+// players have used the number.
+base::Status set_max_clients(Server& io_server, std::uint32_t count);
+
 // --- Levels. If the level or the game's code cannot be used, these fail, and the running level continues.
 
 // Starts a new game on this level: every player begins with what a new player has.

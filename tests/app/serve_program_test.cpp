@@ -109,6 +109,27 @@ TEST(ServeProgram, SaysWhatToDoAboutUnusablePorts) {
   EXPECT_THAT(busy.err, HasSubstr("--port"));
 }
 
+// In order of increasing priority: server.cfg, --maxclients, --exec. None works once the level runs.
+TEST(ServeProgram, MaxplayersSetsTheSlots) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_GAME();
+  const TemporaryFolder folder;
+  std::filesystem::create_directory_symlink(data / "id1", folder.path() / "id1");
+  folder.write("mod/server.cfg", "maxplayers 0\nmaxplayers many\nmaxplayers 3\n");
+  const std::string start = "printf 'maxplayers 9\\nmaxplayers\\nquit\\n' | SERVE --game mod";
+  const ShellRun file = run_script(folder.path(), start + "\n");
+  EXPECT_EQ(file.exit_status, 0) << file.out;
+  EXPECT_THAT(file.out, HasSubstr("up to 3 players, level start"));
+  EXPECT_THAT(file.out, HasSubstr("server.cfg:1: maxplayers: \"0\" is not a number from 1 to 255"));
+  EXPECT_THAT(file.out, HasSubstr("server.cfg:2: maxplayers: \"many\" is not a number"));
+  EXPECT_THAT(file.out, HasSubstr("maxplayers is 3."));
+  EXPECT_THAT(file.out, HasSubstr("--maxclients 9")) << "the error says how to do it";
+  const ShellRun option = run_script(folder.path(), start + " --maxclients 5\n");
+  EXPECT_THAT(option.out, HasSubstr("up to 5 players, level start"));
+  const ShellRun stock = run_script(folder.path(), start + " --maxclients 5 +maxplayers 1\n");
+  EXPECT_THAT(stock.out, HasSubstr("up to 1 player, level start"));
+}
+
 TEST(ServeProgram, ErrorsOfTheConfigurationNameFileAndLine) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_GAME();

@@ -137,10 +137,10 @@ Command* add_serve_command(Command& program, ServeOptions& io_options) {
   command->add_option("--host", io_options.host, "Listen only on this address")->type_name("ADDRESS");
   command
       ->add_option("--maxclients", io_options.max_clients,
-                   "Maximum number of players, up to 255; stock clients refuse more than 16")
+                   "Maximum number of players, up to 255 (default: maxplayers of server.cfg, or 8); stock "
+                   "clients refuse more than 16")
       ->type_name("N")
-      ->check(in_range(1, 255))
-      ->capture_default_str();
+      ->check(in_range(1, 255));
   command->add_option("--progs", io_options.program, "Game code (default: progs.dat of the game directories)")
       ->type_name("FILE");
   command->add_option("--exec", io_options.execute, "Run console commands before the first level; repeatable")
@@ -166,7 +166,6 @@ base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
        .settings = settings,
        .sockets = std::move(sockets),
        .wire = make_wire_settings(),
-       .max_clients = options.max_clients,
        .program_file = options.program,
        .write_folder = library.files().folders().back(),
        .write_file = [](const std::filesystem::path& file,
@@ -174,17 +173,18 @@ base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
        .print = print_text,
        .seed = make_seed()});
   server.console.set_loader([&](std::string_view name) { return read_configuration(library.files(), name); });
-  // In order of increasing priority: server.cfg, --set, --exec.
+  // In order of increasing priority: server.cfg, --set and --maxclients, --exec.
   if (library.files().contains(kConfiguration)) {
     server.console.append(fmt::format("exec {}", kConfiguration));
     server.console.run();
     TRY_STATUS(apply_options(common, std::nullopt, settings.variables()));
   }
+  if (options.max_clients > 0) TRY_STATUS(server::set_max_clients(server, options.max_clients));
   for (const std::string& line : options.execute) server.console.append(line);
   server.console.run();
   TRY_STATUS(server::start_map(server, options.map));
   print_text(fmt::format("{}: UDP port {}, up to {}, level {}, protocol {}\n", settings.host_name(), port,
-                         base::counted(options.max_clients, "player"), options.map,
+                         base::counted(server.setup.max_clients, "player"), options.map,
                          static_cast<int>(server.game->setup().dialect.protocol)));
   serve(server, options);
   return base::Ok{};

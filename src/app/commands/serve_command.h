@@ -22,8 +22,8 @@ struct ServeOptions {
   std::uint16_t port = 26000;
   // Numeric address to listen on; empty: all addresses of the machine.
   std::string host;
-  // 1 to 255; 1 starts a single-player game.
-  std::uint32_t max_clients = 8;
+  // 1 to 255; 1 starts a single-player game. 0: as `maxplayers` in server.cfg says.
+  std::uint32_t max_clients = 0;
   // Path of a progs.dat; empty: the one in the game directories.
   std::string program;
   // Console commands to run before the first level.

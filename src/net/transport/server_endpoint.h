@@ -127,6 +127,8 @@ class ServerEndpoint {
 
   // Changes ServerEndpointSettings::timeout_s.
   void set_timeout(double timeout_s) { settings_.timeout_s = timeout_s; }
+  // Connections above the limit stay.
+  void set_max_connections(std::size_t count) { settings_.max_connections = count; }
   // Applies the message limits of `protocol` to all connections (message_limits_for()).
   void set_protocol(Protocol protocol);
   // Limits for messages to this connection; those of a remote peer if it has ended.

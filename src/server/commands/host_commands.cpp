@@ -238,6 +238,17 @@ void load(Server& io_server, Arguments arguments) {
   if (status.ok()) print(io_server, "Loaded.\n");
 }
 
+void max_players(Server& io_server, Arguments arguments) {
+  if (arguments.size() < 2)
+    return print(io_server, fmt::format("maxplayers is {}.\n", io_server.setup.max_clients));
+  constexpr int kMaxClients = 255;
+  const std::optional<std::int64_t> count = command::parse_whole_number(arguments[1]);
+  if (!count || *count < 1 || *count > kMaxClients)
+    return io_server.console.print_error(
+        fmt::format("maxplayers: \"{}\" is not a number from 1 to {}", arguments[1], kMaxClients));
+  print_error(io_server, set_max_clients(io_server, static_cast<std::uint32_t>(*count)));
+}
+
 }  // namespace
 
 void add_host_commands(Server& io_server) {
@@ -257,6 +268,9 @@ void add_host_commands(Server& io_server) {
   add("restart", "Restarts the level.", 0, [](Server& s, Arguments) { print_level(s, restart_level(s)); });
   add("reload", "Reloads game code and the level from disk.", 0,
       [](Server& s, Arguments) { print_error(s, reload_level(s)); });
+  add("maxplayers",
+      "maxplayers N: sets the number of player slots, before the first level; without N, shows it.", 0,
+      max_players);
   add("save", "save NAME: saves a single-player game.", 1,
       [](Server& s, Arguments words) { print_error(s, save_game(s, words[1])); });
   add("load", "load NAME: loads a saved game.", 1, load);

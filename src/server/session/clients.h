@@ -27,6 +27,8 @@ class Clients {
   Clients(net::ServerEndpoint& io_endpoint, std::size_t count) : endpoint_(io_endpoint), clients_(count) {}
 
   std::size_t size() const { return clients_.size(); }
+  // Only while all slots are free.
+  void set_size(std::size_t count) { clients_ = std::vector<Client>(count); }
   Client& operator[](std::size_t slot) { return clients_[slot]; }
   const Client& operator[](std::size_t slot) const { return clients_[slot]; }
   std::span<Client> all() { return clients_; }
