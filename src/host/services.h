@@ -30,6 +30,8 @@ struct Services {
   std::function<base::Result<std::unique_ptr<platform::DatagramSocket>>(std::uint16_t port)> open_socket{};
   // Resolves "HOST" or "HOST:PORT". Null: there is no network.
   std::function<base::Result<platform::Address>(std::string_view host, std::uint16_t default_port)> look_up{};
+  // Whether the address is of this machine. Null: only loopback addresses are.
+  std::function<bool(const platform::Address&)> is_own_host{};
   // Null: no sound.
   std::function<base::Result<std::unique_ptr<platform::AudioDevice>>(platform::AudioFill fill)> open_audio{};
   // Replaces a file as a whole, or leaves the old one.

@@ -81,6 +81,15 @@ TEST(UdpSocket, PortInUseIsAnError) {
   EXPECT_EQ(open_udp_socket({.host = "localhost"}).error().code, base::ErrorCode::kUsage);
 }
 
+TEST(UdpSocket, KnowsItsOwnHost) {
+  EXPECT_TRUE(is_own_host(ip4_address({127, 0, 0, 1}, 26000)));
+  const auto taken = open_test_socket({.host = "127.0.0.1"});
+  EXPECT_TRUE(is_own_host(taken->local_address())) << "the port does not matter";
+  // Addresses for documentation belong to no machine.
+  EXPECT_FALSE(is_own_host(ip4_address({192, 0, 2, 1}, 26000)));
+  EXPECT_FALSE(is_own_host(*parse_host("2001:db8::1", 26000)));
+}
+
 TEST(UdpSocket, LooksUpHosts) {
   EXPECT_EQ(*look_up("10.0.0.1", 26000), ip4_address({10, 0, 0, 1}, 26000));
   EXPECT_EQ(*look_up("localhost:5", 26000), ip4_address({127, 0, 0, 1}, 5));

@@ -50,6 +50,7 @@ host::Services make_services(platform::Window& window, bool silent) {
       .open_socket = [](std::uint16_t port) { return platform::posix::open_udp_socket({.port = port}); },
       .look_up = [](std::string_view host,
                     std::uint16_t default_port) { return platform::posix::look_up(host, default_port); },
+      .is_own_host = platform::posix::is_own_host,
       .write_file = [](const std::filesystem::path& file,
                        base::Bytes bytes) { return replace_file(file, bytes, Remedy::kNone); },
       .print_line = print_line,

@@ -14,6 +14,7 @@ constexpr double kSearchTime_s = 5;  // later replies are ignored
 
 base::Status ServerSearch::begin(double now_s) {
   found_.clear();
+  addresses_.clear();
   if (!services_.open_socket) return base::error(base::ErrorCode::kUsage, "no network is available");
   TRY(socket_, services_.open_socket(0));
   TRY(const base::ByteVector request, net::write_control_packet(net::ServerInfoRequest{}));
@@ -24,6 +25,17 @@ base::Status ServerSearch::begin(double now_s) {
   return base::Ok{};
 }
 
+bool ServerSearch::is_own(const platform::Address& address) const {
+  return address.is_loopback() || (services_.is_own_host && services_.is_own_host(address));
+}
+
+// Names do not tell servers apart: most hosts never change them.
+bool ServerSearch::is_known(const platform::Address& address) const {
+  return std::any_of(addresses_.begin(), addresses_.end(), [&](const platform::Address& known) {
+    return known == address || (known.port == address.port && is_own(known) && is_own(address));
+  });
+}
+
 bool ServerSearch::update(double now_s) {
   if (!socket_) return false;
   bool has_changed = false;
@@ -31,16 +43,9 @@ bool ServerSearch::update(double now_s) {
     const base::Result<net::ControlPacket> packet = net::read_control_packet(datagram->bytes);
     if (!packet.ok()) continue;
     const auto* const reply = std::get_if<net::ServerInfoReply>(&*packet);
-    const std::string address = platform::to_text(datagram->from);
-    // A server on this machine replies to both requests, from two addresses: recognize it by name and level.
-    const auto is_known = [&](const client::MenuServer& server) {
-      return server.address == address ||
-             (reply != nullptr && server.name == reply->host_name && server.level == reply->map);
-    };
-    if (reply == nullptr || found_.size() >= kMaxServers ||
-        std::any_of(found_.begin(), found_.end(), is_known))
-      continue;
-    found_.push_back({.address = address,
+    if (reply == nullptr || found_.size() >= kMaxServers || is_known(datagram->from)) continue;
+    addresses_.push_back(datagram->from);
+    found_.push_back({.address = platform::to_text(datagram->from),
                       .name = std::string(reply->host_name),
                       .level = std::string(reply->map),
                       .players = reply->players,

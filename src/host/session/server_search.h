@@ -2,7 +2,8 @@
 //
 // The request and the reply are the control packets of the stock game (net/transport/control.h), so stock
 // servers are found as well. Only servers at the default port reply. The ping of a server is the time until
-// its reply.
+// its reply. A server on this machine replies twice, from two of its addresses; the list keeps the first
+// reply.
 #pragma once
 
 #include <map>
@@ -11,6 +12,7 @@
 
 #include "client/menu/menu_content.h"
 #include "host/services.h"
+#include "platform/address.h"
 
 namespace temblor::host {
 
@@ -28,12 +30,16 @@ class ServerSearch {
   const std::vector<client::MenuServer>& found() const { return found_; }
 
  private:
+  bool is_own(const platform::Address& address) const;
+  bool is_known(const platform::Address& address) const;
+
   // Bounds the list, in case a peer sends replies without end.
   static constexpr std::size_t kMaxServers = 256;
 
   Services& services_;
   std::unique_ptr<platform::DatagramSocket> socket_;  // null: not searching
   double request_s_ = 0;                              // when the request was sent
+  std::vector<platform::Address> addresses_;          // of found_
   std::vector<client::MenuServer> found_;
 };
 

@@ -163,6 +163,12 @@ base::Result<std::unique_ptr<DatagramSocket>> open_udp_socket(const UdpOptions& 
   return dual_stack.ok() ? std::move(dual_stack) : open_with_family(all_interfaces, AF_INET);
 }
 
+// The system lets a socket receive only at the machine's own addresses.
+bool is_own_host(const Address& address) {
+  const Address any_port{address.host, 0, address.scope};
+  return open_with_family(any_port, address.is_ip4() ? AF_INET : AF_INET6).ok();
+}
+
 base::Result<Address> look_up(std::string_view host_and_port, std::uint16_t default_port) {
   TRY(const HostAndPort parts, split_host_and_port(host_and_port));
   const std::uint16_t port = parts.port.value_or(default_port);

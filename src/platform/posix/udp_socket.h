@@ -20,6 +20,9 @@ struct UdpOptions {
 // if the host is not numeric.
 base::Result<std::unique_ptr<DatagramSocket>> open_udp_socket(const UdpOptions& options);
 
+// Whether the host is an address of this machine, of any of its interfaces. The port does not matter.
+bool is_own_host(const Address& address);
+
 // Resolves "HOST" or "HOST:PORT", where the host is a name or a numeric address. If a name has addresses of
 // both kinds, the result is IPv4. This may block for seconds while the system asks a name server. Fails with
 // kNotFound if the name is unknown.
