@@ -75,8 +75,9 @@ class Window {
 
   // 0 if it is unknown.
   virtual double refresh_rate_hz() const = 0;
-  // The full-screen modes of the current display, largest first.
-  virtual std::vector<PixelSize> full_screen_sizes() const = 0;
+  // The full-screen modes of a display, largest first. Displays are numbered from 0, as in WindowSettings;
+  // the main display stands for unknown numbers.
+  virtual std::vector<PixelSize> full_screen_sizes(int display) const = 0;
   // The number of displays.
   virtual int displays() const = 0;
   // How pictures reach the screen, for a person: "x11, shared memory".

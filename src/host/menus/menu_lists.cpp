@@ -168,7 +168,7 @@ client::MenuContent MenuLists::content() {
       .servers = [host] { return host->search.found(); },
       .search_servers = [host] { search_servers(*host); },
       .displays = [host] { return host->services.window.displays(); },
-      .display_sizes = [host](int) { return host->services.window.full_screen_sizes(); },
+      .display_sizes = [host](int display) { return host->services.window.full_screen_sizes(display); },
       .game_runs = [host] { return host->game.session->is_playing(); },
       .can_save = [host] { return can_save(*host); },
       .unsaved = [host] { return find_unsaved_progress(*host); },

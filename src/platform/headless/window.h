@@ -51,7 +51,7 @@ class HeadlessWindow : public Window {
   void set_clipboard(std::string_view text) override { clipboard_ = text; }
   void rumble(float, float, double) override {}
   double refresh_rate_hz() const override { return 0; }
-  std::vector<PixelSize> full_screen_sizes() const override { return {settings_.size}; }
+  std::vector<PixelSize> full_screen_sizes(int /*display*/) const override { return {settings_.size}; }
   int displays() const override { return 1; }
   std::string describe() const override { return "no display"; }
 

@@ -54,7 +54,7 @@ class SdlWindow : public Window {
   void set_clipboard(std::string_view text) override { SDL_SetClipboardText(std::string(text).c_str()); }
   void rumble(float low, float high, double seconds) override { gamepads_.rumble(low, high, seconds); }
   double refresh_rate_hz() const override;
-  std::vector<PixelSize> full_screen_sizes() const override;
+  std::vector<PixelSize> full_screen_sizes(int display) const override;
   int displays() const override { return std::max(1, SDL_GetNumVideoDisplays()); }
   std::string describe() const override { return presenter_->describe(); }
 
@@ -195,9 +195,9 @@ double SdlWindow::refresh_rate_hz() const {
   return display >= 0 && SDL_GetCurrentDisplayMode(display, &mode) == 0 ? mode.refresh_rate : 0;
 }
 
-std::vector<PixelSize> SdlWindow::full_screen_sizes() const {
+std::vector<PixelSize> SdlWindow::full_screen_sizes(int wanted_display) const {
   std::vector<PixelSize> sizes;
-  const int display = std::max(0, SDL_GetWindowDisplayIndex(window_.get()));
+  const int display = find_display(wanted_display);
   for (int i = 0; i < SDL_GetNumDisplayModes(display); ++i) {
     SDL_DisplayMode mode;
     if (SDL_GetDisplayMode(display, i, &mode) != 0) continue;
