@@ -303,28 +303,17 @@ double Menu::State::number(std::string_view variable, double fallback) const {
 }
 
 std::vector<MenuCommand> menu_commands() {
-  return {{"menu_main", MenuPage::kMain},
-          {"menu_singleplayer", MenuPage::kSinglePlayer},
-          {"menu_newgame", MenuPage::kNewGame},
-          {"menu_skill", MenuPage::kSkill},
-          {"menu_load", MenuPage::kLoad},
-          {"menu_save", MenuPage::kSave},
-          {"menu_levels", MenuPage::kLevels},
-          {"menu_multiplayer", MenuPage::kMultiplayer},
-          {"menu_join", MenuPage::kJoin},
-          {"menu_host", MenuPage::kHost},
-          {"menu_setup", MenuPage::kPlayer},
-          {"menu_options", MenuPage::kOptions},
-          {"menu_video", MenuPage::kVideo},
-          {"menu_screen", MenuPage::kScreen},
-          {"menu_sound", MenuPage::kSound},
-          {"menu_controls", MenuPage::kControls},
-          {"menu_keys", MenuPage::kKeys},
-          {"menu_accessibility", MenuPage::kAccessibility},
-          {"menu_games", MenuPage::kGameFolders},
-          {"menu_demos", MenuPage::kDemos},
-          {"help_menu", MenuPage::kHelp},
-          {"menu_quit", MenuPage::kQuit}};
+  return {{"menu_main", MenuPage::kMain},         {"menu_singleplayer", MenuPage::kSinglePlayer},
+          {"menu_newgame", MenuPage::kNewGame},   {"menu_skill", MenuPage::kSkill},
+          {"menu_load", MenuPage::kLoad},         {"menu_save", MenuPage::kSave},
+          {"menu_levels", MenuPage::kLevels},     {"menu_multiplayer", MenuPage::kMultiplayer},
+          {"menu_join", MenuPage::kJoin},         {"menu_host", MenuPage::kHost},
+          {"menu_setup", MenuPage::kPlayer},      {"menu_options", MenuPage::kOptions},
+          {"menu_video", MenuPage::kVideo},       {"menu_screen", MenuPage::kScreen},
+          {"menu_sound", MenuPage::kSound},       {"menu_controls", MenuPage::kControls},
+          {"menu_keys", MenuPage::kKeys},         {"menu_accessibility", MenuPage::kAccessibility},
+          {"menu_games", MenuPage::kGameFolders}, {"menu_demos", MenuPage::kDemos},
+          {"help_menu", MenuPage::kHelp},         {"menu_quit", MenuPage::kQuit}};
 }
 
 Menu::Menu(command::Variables& io_variables, const assets::Pictures& pictures, MenuContent content)
