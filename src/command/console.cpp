@@ -127,8 +127,13 @@ bool Console::count_expansion(std::string_view name, std::string_view text) {
 
 void Console::print_error(std::string_view line) {
   if (!is_in_file()) return print(line);
-  ++errors_in_files_;
+  ++errors_in_files_[place_.file];
   print(fmt::format("{}:{}: {}", base::quotable(place_.file), place_.line, line));
+}
+
+std::size_t Console::errors_in_file(std::string_view file) const {
+  const auto found = errors_in_files_.find(file);
+  return found == errors_in_files_.end() ? 0 : found->second;
 }
 
 void Console::print_if_error(const base::Status& status) {

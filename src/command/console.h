@@ -58,6 +58,9 @@ class Console {
   // without a handler, the console prints an error.
   using UnknownName = std::function<bool(Arguments)>;
   void set_unknown_handler(UnknownName handler) { unknown_handler_ = std::move(handler); }
+  // Called by `set` with NAME VALUE, for a name that is unknown; returns whether it stands for something else
+  // than a new variable.
+  void set_foreign_setter(UnknownName setter) { foreign_setter_ = std::move(setter); }
   // Without a loader, `exec` reports that there are no files.
   void set_loader(Loader loader) { loader_ = std::move(loader); }
 
@@ -75,8 +78,8 @@ class Console {
 
   // Prints an error of the running command, with its file and line. Registered commands use this too.
   void print_error(std::string_view line);
-  // Number of errors so far in commands of files.
-  std::size_t errors_in_files() const { return errors_in_files_; }
+  // Number of errors so far in commands of a file.
+  std::size_t errors_in_file(std::string_view file) const;
   // Returns whether the running command comes from a file.
   bool is_in_file() const { return !place_.file.empty(); }
   // The file of the running command; empty: none.
@@ -164,6 +167,7 @@ class Console {
   Output output_;
   Loader loader_;
   UnknownName unknown_handler_;
+  UnknownName foreign_setter_;
   std::map<std::string, RegisteredCommand, std::less<>> commands_;  // by name in lower case
   std::map<std::string, std::string, std::less<>> aliases_;         // name in lower case to text
   // Pending commands, after done_ characters that were run.
@@ -173,7 +177,7 @@ class Console {
   std::vector<Part> parts_;
   Place place_;           // of the running command
   bool waiting_ = false;  // `wait` was run: stop until the next run()
-  std::size_t errors_in_files_ = 0;
+  std::map<std::string, std::size_t, std::less<>> errors_in_files_;
   int expansions_ = 0;  // since the start of run()
   std::size_t expanded_chars_ = 0;
 };

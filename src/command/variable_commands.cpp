@@ -28,9 +28,10 @@ std::string format_number(const Variable& variable, double number) {
 void Console::add_variable_commands() {
   constexpr Kinds kNothing{.commands = false, .aliases = false, .variables = false};
   constexpr Kinds kVariables{.commands = false, .aliases = false};
-  add_member("set", "set NAME VALUE sets a variable.", &Console::set_command, kVariables);
-  add_member("seta", "seta NAME VALUE is the same as set: all settings are saved.", &Console::set_command,
+  add_member("set", "set NAME VALUE sets a variable; makes it if there is none.", &Console::set_command,
              kVariables);
+  add_member("seta", "seta NAME VALUE is the same, and the variable is saved with the settings.",
+             &Console::set_command, kVariables);
   add_member("toggle", "toggle NAME switches a variable between 0 and 1, or to the next of its choices.",
              &Console::toggle_command, kVariables);
   add_member("cycle",
@@ -58,7 +59,16 @@ void Console::variable_command(const Variable& variable, Arguments arguments) {
 
 void Console::set_command(Arguments arguments) {
   if (arguments.size() != 3) return print_error(fmt::format("usage: {} NAME VALUE", arguments[0]));
-  print_if_error(variables_.set(arguments[1], arguments[2]));
+  const std::string name = base::to_lower(arguments[1]);
+  if (commands_.contains(name) || aliases_.contains(name))
+    return print_error(fmt::format("\"{}\" is not a variable", base::quotable(arguments[1])));
+  if (variables_.find(name) != nullptr) {
+    print_if_error(variables_.set(name, arguments[2]));
+  } else {
+    if (foreign_setter_ && foreign_setter_(arguments.subspan(1))) return;
+    print_if_error(variables_.make(arguments[1], arguments[2]));
+  }
+  if (base::equal_ignoring_case(arguments[0], "seta")) variables_.keep(name);
 }
 
 void Console::toggle_command(Arguments arguments) {

@@ -187,6 +187,31 @@ base::Status Variables::set(std::string_view name, std::string_view value) {
   return base::Ok{};
 }
 
+base::Status Variables::make(std::string_view name, std::string_view value) {
+  constexpr std::string_view kSeparators = "\"{};()'";
+  const bool is_readable = std::ranges::all_of(
+      name, [&](char c) { return c > ' ' && c < 127 && kSeparators.find(c) == std::string_view::npos; });
+  if (name.empty() || name.size() > kMaxUserMadeChars || !is_readable || name.starts_with("//") ||
+      name.starts_with('+') || name.starts_with('-'))
+    return base::error(ErrorCode::kUsage, "\"{}\" cannot be the name of a variable", base::quotable(name));
+  if (user_made_ >= kMaxUserMade)
+    return base::error(ErrorCode::kTooLarge, "there are already {} variables made by set", kMaxUserMade);
+  Variable variable;
+  variable.name = name;
+  variable.help = "Made by set.";
+  variable.is_user_made = true;
+  add(std::move(variable));
+  ++user_made_;
+  return set(name, value);
+}
+
+void Variables::keep(std::string_view name) {
+  if (const std::optional<VariableIndex> index = find_index(name)) {
+    Variable& variable = variables_[base::to_size(*index)];
+    variable.is_kept = variable.is_user_made;
+  }
+}
+
 base::Status Variables::set_assignment(std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos || equals == 0)

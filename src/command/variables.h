@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <span>
@@ -38,10 +39,15 @@ struct Variable {
   std::vector<std::string> choices;  // kChoice: allowed values
   double number = 0;                 // kBool: 0 or 1; kInt, kFloat: value; kChoice: index in choices
   std::uint64_t version = 0;         // Variables::version() just after the last change; 0: never changed
+  bool is_user_made = false;         // by make()
+  bool is_kept = false;              // user-made: config files must contain it (`seta`)
 };
 
 class Variables {
  public:
+  static constexpr std::size_t kMaxUserMade = 1024;
+  static constexpr std::size_t kMaxUserMadeChars = 64;  // of a name
+
   // Register a variable. CHECK that the name is new and the default is valid.
   VariableIndex add_bool(std::string_view name, bool value, std::string_view help);
   VariableIndex add_int(std::string_view name, std::int64_t value, std::int64_t min, std::int64_t max,
@@ -63,11 +69,16 @@ class Variables {
   // and kUsage for an invalid value; the variable keeps its value then. Setting the current value does not
   // change version().
   base::Status set(std::string_view name, std::string_view value);
+  // Makes a text variable for a name that is not registered, with an empty default, and sets it. Fails with
+  // kUsage for a name that the console could not read back, and with kTooLarge above kMaxUserMade.
+  base::Status make(std::string_view name, std::string_view value);
+  // Marks a user-made variable for config files. Ignores others.
+  void keep(std::string_view name);
   // Sets from "NAME=VALUE", as on the command line. VALUE may be empty or contain '='.
   base::Status set_assignment(std::string_view assignment);
   base::Status reset(std::string_view name);
 
-  // Returns null if there is no such variable. Valid until the next one is added.
+  // Returns null if there is no such variable.
   const Variable* find(std::string_view name) const;
   const Variable& get(VariableIndex index) const { return variables_[base::to_size(index)]; }
   // Sorted by name.
@@ -88,10 +99,11 @@ class Variables {
   std::optional<VariableIndex> find_index(std::string_view name) const;
   const Variable& get_typed(VariableIndex index, VariableType type) const;
 
-  std::vector<Variable> variables_;
+  std::deque<Variable> variables_;                             // which stay in place when one is added
   std::map<std::string, VariableIndex, std::less<>> by_name_;  // by name in lower case
   std::map<std::string, VariableIndex, std::less<>> aliases_;  // by former name in lower case
   std::uint64_t version_ = 0;
+  std::size_t user_made_ = 0;
 };
 
 // Returns whether set() with this value would change nothing, however the value is written.

@@ -48,6 +48,9 @@ base::Result<HostPointer> start_host(Services services, const HostVariables& var
                                [&host](std::string_view line) { print_line(host, line); });
   client::add_input_commands(host.console.commands, host.input.player, host.input.event_time_s);
   add_host_commands(host);
+  host.console.commands.set_foreign_setter([&host](command::Console::Arguments arguments) {
+    return host.console.foreign_names.set_known(arguments);
+  });
   host.console.commands.set_unknown_handler([&host](command::Console::Arguments arguments) {
     return host.console.foreign_names.handle(arguments);
   });

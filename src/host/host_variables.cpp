@@ -225,6 +225,9 @@ std::string HostVariables::to_text(const Overrides& overrides) const {
     if (value != variable.default_text)
       text += fmt::format("{}\n", command::join_words({variable.name, value}));
   }
+  for (const command::Variable* variable : variables_->all())
+    if (variable->is_kept && variable->text != variable->default_text)
+      text += fmt::format("{}\n", command::join_words({"seta", variable->name, variable->text}));
   return text;
 }
 

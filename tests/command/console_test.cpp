@@ -233,7 +233,7 @@ TEST_F(ConsoleTest, ExecReportsOnceWhenTyped) {
 
 TEST_F(ConsoleTest, ErrorsInFilesNameFileAndLine) {
   files_["a.cfg"] =
-      "// a comment\n\nnote 1; fly high; sensitivity 99\nset nothing 1\r\nwait\n"
+      "// a comment\n\nnote 1; fly high; sensitivity 99\ntoggle nothing\r\nwait\n"
       "exec b.cfg; walk\nalias hop \"note 2; skip\"\nexec none.cfg";
   files_["b.cfg"] = "\nrun away // no newline after it";
   run("exec a.cfg; jump");

@@ -84,6 +84,35 @@ TEST_F(VariableCommands, SetaIsSet) {
   EXPECT_EQ(run("seta gamma").size(), 1u);
 }
 
+TEST_F(VariableCommands, SetMakesAVariable) {
+  EXPECT_THAT(run("set Mod_Mode 2; seta mod_mode 3; mod_mode"), ElementsAre("\"Mod_Mode\" is \"3\""));
+  EXPECT_TRUE(variables_.find("MOD_MODE")->is_kept);
+  EXPECT_THAT(run("set hint \"two words\"; set hint a; reset hint"), IsEmpty());
+  EXPECT_FALSE(variables_.find("hint")->is_kept);
+  EXPECT_EQ(value("hint"), "");
+  EXPECT_THAT(run("seta gamma 1"), IsEmpty());
+  EXPECT_FALSE(variables_.find("gamma")->is_kept)
+      << "registered ones are saved if they differ from their default";
+}
+
+TEST_F(VariableCommands, SetRefusesNamesThatCannotBeVariables) {
+  run("alias short echo");
+  for (const char* wrong : {"set echo 1", "set short 1", "set +jump 1", "set -jump 1", "set \"a b\" 1",
+                            "set \"a;b\" 1", "set \"\" 1", "set \"//a\" 1", "set \"\xe9\" 1"})
+    EXPECT_EQ(run(wrong).size(), 1u) << wrong;
+  EXPECT_EQ(run("set " + std::string(65, 'a') + " 1").size(), 1u);
+  EXPECT_THAT(run("set " + std::string(64, 'a') + " 1"), IsEmpty());
+}
+
+TEST_F(VariableCommands, SetMakesALimitedNumber) {
+  for (std::size_t i = 0; i < Variables::kMaxUserMade; ++i) {
+    const std::string name = "v" + std::to_string(i);
+    ASSERT_TRUE(variables_.make(name, "1").ok());
+  }
+  EXPECT_THAT(run("set one_more 1"), ElementsAre(HasSubstr("already 1024 variables")));
+  EXPECT_THAT(run("set v0 2"), IsEmpty());
+}
+
 TEST_F(VariableCommands, ResetallResetsAll) {
   run("gamma 2; viewsize 60; crosshair 1; color blue; name x; resetall");
   for (const Variable* variable : variables_.all()) EXPECT_EQ(variable->text, variable->default_text);

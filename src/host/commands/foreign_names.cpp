@@ -46,7 +46,8 @@ constexpr std::string_view kIgnored =
     "m_filter snd_mixspeed snd_speed snd_filterquality snd_show ambient_fade nosound precache "
     "bgmbuffer loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater r_showtris "
     "scr_sbar fov_adapt sv_altnoclip pr_engine con_logcenterprint v_centermove skyroom rate "
-    "heartbeat tp_msg loc team skin setinfo serverinfo user observe ";
+    "heartbeat tp_msg loc team skin setinfo serverinfo user observe listen test test2 viewmodel "
+    "viewframe viewnext viewprev language ";
 
 // Config files contain all settings of other renderers and of their windows. A typed vid_ name may be a
 // mistyped one of ours.
@@ -61,20 +62,26 @@ bool is_number(const command::Variable& variable) {
 
 }  // namespace
 
-bool ForeignNames::handle(Arguments arguments) {
+bool ForeignNames::set_known(Arguments arguments) {
   const std::string name = base::to_lower(arguments[0]);
   if (set_converted(name, arguments) || set_counterpart(name, arguments)) return true;
-  const bool is_developer = variables_.find("developer")->number != 0;
-  if (is_ignored(name, console_.is_in_file())) {
-    if (is_developer && reported_.insert(name).second)
-      console_.print_error(fmt::format("\"{}\" is a setting of other engines that has no counterpart here",
-                                       base::quotable(name)));
-    return true;
-  }
-  // An unknown name in our own file means that the file is damaged.
-  if (!console_.is_in_file() || console_.file() == kConfigurationFile || is_developer) return false;
-  if (unknown_++ == 0) first_unknown_ = name;
+  if (!is_ignored(name, console_.is_in_file())) return false;
+  if (is_developer() && reported_.insert(name).second)
+    console_.print_error(fmt::format("\"{}\" is a setting of other engines that has no counterpart here",
+                                     base::quotable(name)));
   return true;
+}
+
+bool ForeignNames::handle(Arguments arguments) {
+  if (set_known(arguments)) return true;
+  // An unknown name in our own file means that the file is damaged.
+  if (!console_.is_in_file() || console_.file() == kConfigurationFile || is_developer()) return false;
+  if (unknown_++ == 0) first_unknown_ = base::to_lower(arguments[0]);
+  return true;
+}
+
+bool ForeignNames::is_developer() const {
+  return variables_.find("developer")->number != 0;
 }
 
 // _cl_name is a text. _cl_color holds both colors: 16 * shirt + trousers. vid_fullscreen is a mode of ours.

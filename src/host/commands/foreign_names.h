@@ -26,11 +26,14 @@ class ForeignNames {
   // Handles a command whose name is neither a command, nor an alias, nor a variable of ours. false: it is an
   // error that the console should report.
   bool handle(Arguments arguments);
+  // Handles NAME VALUE if the name is known from other engines; false: it is not.
+  bool set_known(Arguments arguments);
 
   // Returns a line about the unknown names in config files since the last call; empty: there were none.
   std::string take_report();
 
  private:
+  bool is_developer() const;
   // Handles names whose values need more than a factor.
   bool set_converted(std::string_view name, Arguments arguments);
   // Sets our variable that corresponds to the name, or explains it. false: there is none.
