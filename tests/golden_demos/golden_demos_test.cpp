@@ -45,9 +45,9 @@ void write_golden(const std::map<std::string, Hashes>& golden) {
 
 // Returns the names after `startdemos` in quake.rc.
 std::vector<std::string> list_shipped_demos() {
-  std::istringstream words(read_text(fs::path(TEMBLOR_SHIPPED_FOLDER) / "id1/quake.rc"));
-  std::string command;
-  words >> command;
+  const std::string script = read_text(fs::path(TEMBLOR_SHIPPED_FOLDER) / "id1/quake.rc");
+  constexpr std::string_view kCommand = "startdemos ";
+  std::istringstream words(script.substr(script.find(kCommand) + kCommand.size()));
   std::vector<std::string> names;
   for (std::string name; words >> name;) names.push_back(name);
   return names;

@@ -53,9 +53,11 @@ void HeadlessHost::start(std::vector<std::string> commands,
   host_ = std::move(*started);
 }
 
-void HeadlessHost::restart(std::function<base::Status(command::Variables&)> command_line) {
+void HeadlessHost::restart(std::function<base::Status(command::Variables&)> command_line,
+                           std::vector<std::string> commands) {
   lines_.clear();
-  start(start_commands_, command_line);
+  commands.insert(commands.begin(), start_commands_.begin(), start_commands_.end());
+  start(std::move(commands), command_line);
 }
 
 void HeadlessHost::run(double seconds, double frame_s) {

@@ -27,7 +27,9 @@ class HeadlessHost {
   // The game has the level "small". Needs the QuakeC compiler. The first frame runs `commands`.
   explicit HeadlessHost(std::vector<std::string> commands = {}, platform::PixelSize size = {320, 200});
   // Starts the program again with the same game folder. `command_line` is HostOptions::apply_overrides.
-  void restart(std::function<base::Status(command::Variables&)> command_line = nullptr);
+  // The first frame runs `commands`.
+  void restart(std::function<base::Status(command::Variables&)> command_line = nullptr,
+               std::vector<std::string> commands = {});
 
   // Runs frames at an even rate.
   void run(double seconds, double frame_s = 1.0 / 72);

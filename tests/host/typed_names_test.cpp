@@ -23,7 +23,7 @@ constexpr const char* kNames =
     "scr_centertime scr_printspeed snd_mixspeed snd_waterfx ambient_fade user users setinfo "
     "serverinfo rate team skin observe tp_msg loc r_fastsky r_skyalpha r_skyfog ping tell heartbeat "
     "addip listip "
-    "menu_skill menu_credits slist "
+    "menu_skill menu_credits slist stuffcmds viewmodel viewframe listen test language "
     "killserver";
 
 TEST(TypedNames, AreKnown) {

@@ -145,7 +145,11 @@ std::vector<Key> Bindings::find_keys(std::string_view commands) const {
 }
 
 std::string Bindings::to_text() const {
-  std::string text = "unbindall\n";
+  return "unbindall\n" + bind_lines();
+}
+
+std::string Bindings::bind_lines() const {
+  std::string text;
   for (std::size_t i = 0; i < commands_.size(); ++i)
     if (!commands_[i].empty())
       text +=

@@ -30,6 +30,8 @@ class Bindings {
   std::vector<platform::Key> find_keys(std::string_view commands) const;
   // Console text that recreates these bindings and removes all others.
   std::string to_text() const;
+  // Returns only the bind commands, one on each line.
+  std::string bind_lines() const;
 
  private:
   std::array<std::string, platform::kKeys> commands_;

@@ -187,6 +187,21 @@ void seek(Host& io_host, Arguments arguments) {
                          seek_demo(io_host, (is_relative ? demo->time_s() : demo->begin_s()) + *number_s));
 }
 
+// In quake.rc, a game or demo of the command line may still follow. Later, as in stock Quake, a game goes on.
+void start_demos(Host& io_host, Arguments arguments) {
+  if (arguments.size() < 2) return print_line(io_host, "startdemos NAME...");
+  std::vector<std::string> demos(arguments.begin() + 1, arguments.end());
+  if (!io_host.game.has_begun)
+    io_host.game.startup.demos = std::move(demos);
+  else if (io_host.game.session->connection() == nullptr)
+    attract(io_host, std::move(demos));
+}
+
+void run_command_line_again(Host& io_host, Arguments) {
+  if (io_host.game.startup.is_running) return;
+  for (const std::string& line : io_host.options.commands) io_host.console.commands.append(line);
+}
+
 void add_demo_commands(Host& io_host) {
   const auto add = make_adder(io_host);
   add_named(io_host, "playdemo",
@@ -196,11 +211,7 @@ void add_demo_commands(Host& io_host) {
   add_named(io_host, "record", "record NAME: records a demo until you type stop.", record_demo);
   add("stop", "Stops recording and saves the demo.",
       [](Host& host, Arguments) { print_if_command_error(host, stop_recording(host)); });
-  add("startdemos", "startdemos NAME...: plays demos behind the menu in an endless loop.",
-      [](Host& host, Arguments arguments) {
-        if (arguments.size() < 2) return print_line(host, "startdemos NAME...");
-        attract(host, {arguments.begin() + 1, arguments.end()});
-      });
+  add("startdemos", "startdemos NAME...: plays demos behind the menu in an endless loop.", start_demos);
   add("stopdemo", "Stops the demo that is playing.", [](Host& host, Arguments) { stop_demo(host); });
   add("demo_pause", "Pauses or resumes a demo.", [](Host& host, Arguments arguments) {
     if (client::DemoSession* const demo = find_demo(host, arguments)) demo->pause(!demo->is_paused());
@@ -296,6 +307,9 @@ void add_game_commands(Host& io_host) {
   add_named(io_host, "save", "save NAME: saves a single-player game.", save_game);
   add_named(io_host, "load", "load NAME: loads a saved game.", load_game);
   add_named(io_host, "connect", "connect HOST[:PORT]: joins a game on a server.", connect_to_server);
+  add("stuffcmds",
+      "Runs the commands of the command line again. In quake.rc it does nothing: they run after it.",
+      run_command_line_again);
   add("reconnect", "Joins the last server again.", [](Host& host, Arguments) {
     const std::string address = host.game.last_server;
     if (address.empty()) return print_command_error(host, "reconnect: you have not joined a server yet");

@@ -90,6 +90,13 @@ struct HostInput {
   } server_turn;
 };
 
+// The state of quake.rc; see session/configure.h.
+struct StartupScript {
+  bool is_running = false;
+  bool has_configured = false;     // temblor.cfg or config.cfg has run
+  std::vector<std::string> demos;  // named by `startdemos`
+};
+
 // Everything that depends on the game folders. Members refer to those above them, so a switch to other game
 // folders destroys them from the bottom up (session/configure.h).
 struct LoadedGame {
@@ -103,6 +110,7 @@ struct LoadedGame {
   // The first frame's commands have run, including those of the command line. Until then it is not known
   // whether a game or a demo starts.
   bool has_begun = false;
+  StartupScript startup;
 };
 
 // A benchmark: a demo that is played as fast as possible, one packet per frame.

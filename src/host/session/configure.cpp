@@ -34,26 +34,69 @@ void report_damaged_configuration(Host& io_host, std::size_t wrong_lines) {
   io_host.notices.push_back({"Damaged settings", text, {{"Options", client::MenuPage::kOptions}}});
 }
 
-// Runs a file at once, before anything that is queued after it.
-void run_file(Host& io_host, std::string_view file) {
-  io_host.console.commands.append(command::join_words({"exec", std::string(file)}));
-  io_host.console.commands.run();
+// Stock data has this script in quake.rc; `stuffcmds` marks where the commands of the command line run.
+constexpr std::string_view kStartupFile = "quake.rc";
+constexpr std::string_view kStockStartup =
+    "exec default.cfg\nexec config.cfg\nexec autoexec.cfg\nstuffcmds\nstartdemos demo1 demo2 demo3\n";
+
+// A game's default.cfg is for the additional keys that it binds. Our bindings override it.
+std::string default_commands(const GameData& data) {
+  const base::Result<std::string> text = read_commands(data, "default.cfg");
+  client::Bindings own;
+  own.add_defaults();
+  return (text.ok() ? *text + "\n" : "") + own.bind_lines();
 }
 
-void run_configuration_files(Host& io_host) {
+// Returns the text of a file that the startup script runs. Scripts name the files of stock Quake, which need
+// not exist.
+base::Result<std::string> read_startup_file(Host& io_host, std::string_view name) {
   const GameData& data = *io_host.game.data;
+  if (name == "default.cfg") return default_commands(data);
+  if (name == "config.cfg") {
+    io_host.game.startup.has_configured = true;
+    const std::optional<std::string> file = configuration_to_run(data);
+    if (!file) return std::string();
+    return *file == name ? read_commands(data, name) : command::join_words({"exec", *file});
+  }
+  if (name == "autoexec.cfg" && !has_commands(data, name)) return std::string();
+  return read_commands(data, name);
+}
+
+base::Result<std::string> read_console_file(Host& io_host, std::string_view name) {
+  if (name == kConfigurationFile) {
+    TRY(ReadConfiguration configuration, read_configuration(*io_host.game.data));
+    return std::move(configuration.text);
+  }
+  return io_host.game.startup.is_running ? read_startup_file(io_host, name)
+                                         : read_commands(*io_host.game.data, name);
+}
+
+// Runs commands at once, before anything that is queued after them. `wait` has no frames to wait for. An
+// alias that waits and calls itself goes on in the frames.
+void run_at_once(Host& io_host, std::string_view commands) {
+  constexpr int kMaxWaits = 100;
+  command::Console& console = io_host.console.commands;
+  console.append(commands);
+  console.run();
+  for (int waits = 0; console.has_pending() && waits < kMaxWaits; ++waits) console.run();
+}
+
+// The player's settings are read even if a mod's script does not ask for them: they are written at the end.
+void run_startup_script(Host& io_host) {
+  StartupScript& startup = io_host.game.startup;
   client::Bindings& bindings = io_host.input.bindings;
   bindings.unbind_all();
-  // A game's own default.cfg comes first, for the additional keys that it binds. Our defaults override it.
-  if (data.library.files().contains("default.cfg")) run_file(io_host, "default.cfg");
   bindings.add_defaults();
-  if (const std::optional<std::string> file = configuration_to_run(data)) {
-    const std::size_t errors = io_host.console.commands.errors_in_files();
-    run_file(io_host, *file);
-    if (*file == kConfigurationFile)
-      report_damaged_configuration(io_host, io_host.console.commands.errors_in_files() - errors);
-  }
-  if (has_commands(data, "autoexec.cfg")) run_file(io_host, "autoexec.cfg");
+  startup = {};
+  startup.is_running = true;
+  const std::size_t errors = io_host.console.commands.errors_in_file(kConfigurationFile);
+  const bool has_script = has_commands(*io_host.game.data, kStartupFile);
+  run_at_once(io_host, has_script ? command::join_words({"exec", std::string(kStartupFile)}) : kStockStartup);
+  if (!startup.has_configured) run_at_once(io_host, "exec config.cfg");
+  startup.is_running = false;
+  if (configuration_to_run(*io_host.game.data) == kConfigurationFile)
+    report_damaged_configuration(io_host,
+                                 io_host.console.commands.errors_in_file(kConfigurationFile) - errors);
   report_unknown_names(io_host);
 }
 
@@ -74,12 +117,9 @@ base::Status run_configuration(Host& io_host) {
   // Discard the settings of the previous game folders. The command line's values are applied again below.
   io_host.overrides.release_changed(variables);
   io_host.variables.reset();
-  io_host.console.commands.set_loader([&io_host](std::string_view name) -> base::Result<std::string> {
-    if (name != kConfigurationFile) return read_commands(*io_host.game.data, name);
-    TRY(ReadConfiguration configuration, read_configuration(*io_host.game.data));
-    return std::move(configuration.text);
-  });
-  run_configuration_files(io_host);
+  io_host.console.commands.set_loader(
+      [&io_host](std::string_view name) { return read_console_file(io_host, name); });
+  run_startup_script(io_host);
   if (io_host.options.apply_overrides)
     TRY_STATUS(io_host.overrides.apply(io_host.options.apply_overrides, variables));
   io_host.console.ui.load_history(read_history(*io_host.game.data));

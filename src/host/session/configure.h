@@ -14,11 +14,16 @@ struct Host;
 // Creates the session and the menus for LoadedGame::data, which must be open.
 void load_game_folders(Host& io_host);
 
-// Resets all variables and bindings, then runs the configuration files. Later ones win:
+// Resets all variables and bindings, then runs quake.rc, or without that file the script of stock Quake.
+// Later commands win:
 //
-//   defaults -> default.cfg -> our key bindings -> temblor.cfg or config.cfg -> autoexec.cfg -> command line
-//
-// Stock Quake runs the same files from quake.rc, whose order a mod can change; here the order is fixed.
+//   our key bindings
+//   quake.rc: exec default.cfg     the game's file, then our key bindings again
+//             exec config.cfg      temblor.cfg, or config.cfg if that does not exist
+//             exec autoexec.cfg
+//             stuffcmds            does nothing: the commands of the command line run after the script
+//             startdemos ...       remembers the demos for the first frame without a game
+//   command line
 // Afterwards applies the window settings and queues the commands of HostOptions. Fails only if the command
 // line's settings are wrong.
 base::Status run_configuration(Host& io_host);

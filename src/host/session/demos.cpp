@@ -140,24 +140,10 @@ base::Status advance_demo(Host& io_host) {
   return base::Ok{};
 }
 
-// quake.rc is read for this one command only. The rest of it runs the configuration files, whose order is
-// fixed here (run_configuration()).
-std::vector<std::string> find_attract_demos(const GameData& data) {
-  constexpr std::string_view kCommand = "startdemos";
-  if (const base::Result<std::string> text = read_commands(data, "quake.rc"); text.ok()) {
-    std::istringstream lines(*text);
-    for (std::string line; std::getline(lines, line);)
-      if (std::vector<std::string> words = command::split_words(line);
-          words.size() > 1 && words.front() == kCommand)
-        return {words.begin() + 1, words.end()};
-  }
-  std::vector<std::string> names;
-  for (const char* const name : {"demo1", "demo2", "demo3"})
-    if (data.library.files().contains(with_suffix(name))) names.emplace_back(name);
-  return names;
-}
-
 void attract(Host& io_host, std::vector<std::string> demos) {
+  std::erase_if(demos, [&](const std::string& name) {
+    return !io_host.game.data->library.files().contains(with_suffix(name));
+  });
   io_host.demos.attract_loop = std::move(demos);
   attract_next(io_host);
 }

@@ -32,10 +32,8 @@ base::Status seek_demo(Host& io_host, double time_s);
 // of the attract loop or opens the menu.
 base::Status advance_demo(Host& io_host);
 
-// Returns the demos for attract(): those that `startdemos` in quake.rc names, otherwise those of demo1 to
-// demo3 that exist. Empty if there are none.
-std::vector<std::string> find_attract_demos(const GameData& data);
-// Plays demos behind the menu in an endless loop until something else starts. Any key opens the menu.
+// Plays demos behind the menu in an endless loop until something else starts. Any key opens the menu. Leaves
+// out demos that do not exist: many scripts name demo1 to demo3 from habit.
 void attract(Host& io_host, std::vector<std::string> demos);
 
 // Starts to record the game as NAME.dem. In a single-player game the demo starts at once. In other games it
