@@ -137,7 +137,7 @@ base::Status Game::set_up_world() {
 // Spawn functions may precache; nothing may afterward, because clients load the list as they join. The two
 // ticks let items and monsters drop to the floor, so that baselines contain where they come to rest.
 base::Status Game::spawn_level() {
-  const SpawnRules rules{.skill = setup_.skill, .deathmatch = setup_.kind == GameKind::kDeathmatch};
+  const world::SpawnRules rules{.skill = setup_.skill, .deathmatch = setup_.kind == GameKind::kDeathmatch};
   TRY(spawn_report_,
       spawn_entities(world_, machine_, setup_.level->entities, rules, [&] { mark_signon_end(); }));
   precache_.is_open = false;

@@ -11,15 +11,6 @@
 namespace temblor::server {
 namespace {
 
-// Bits of spawnflags that exclude an entity from a skill or from deathmatch.
-constexpr int kNotEasy = 256, kNotMedium = 512, kNotHard = 1024, kNotDeathmatch = 2048;
-
-bool is_excluded(int spawn_flags, const SpawnRules& rules) {
-  if (rules.deathmatch) return (spawn_flags & kNotDeathmatch) != 0;
-  const int flag = rules.skill <= 0 ? kNotEasy : rules.skill == 1 ? kNotMedium : kNotHard;
-  return (spawn_flags & flag) != 0;
-}
-
 // Keys for map compilers or clients. Game code does not need a field for them.
 bool is_for_others(std::string_view key) {
   constexpr std::array<std::string_view, 10> kKeys = {"wad",        "mapversion", "fog",        "sky",
@@ -89,7 +80,8 @@ std::string describe_unknown_class(std::string_view class_name, std::size_t numb
 
 // The first entity is the world, which is never excluded, and is spawned like the others.
 base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_machine,
-                                         std::span<const formats::Entity> entities, const SpawnRules& rules,
+                                         std::span<const formats::Entity> entities,
+                                         const world::SpawnRules& rules,
                                          base::FunctionRef<void()> after_each) {
   SpawnReport report;
   Notes notes;
@@ -101,7 +93,7 @@ base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_ma
     }
     TRY_STATUS(set_keys(io_machine, io_world.edicts[index], entities[i], notes));
     const Edict edict = io_world.edicts[index];
-    if (i > 0 && is_excluded(edict.whole(field::kSpawnFlags), rules)) {
+    if (i > 0 && world::is_excluded(edict.whole(field::kSpawnFlags), rules)) {
       remove(io_world, index);
       ++report.filtered;
       continue;

@@ -12,13 +12,9 @@
 #include "formats/levels/entities.h"
 #include "server/game/game_world.h"
 #include "vm/machine.h"
+#include "world/spawn_rules.h"
 
 namespace temblor::server {
-
-struct SpawnRules {
-  int skill = 1;  // 0 to 3
-  bool deathmatch = false;
-};
 
 struct SpawnReport {
   std::size_t spawned = 0;
@@ -33,7 +29,8 @@ struct SpawnReport {
 // those without a spawn function, are removed. `after_each` runs after each spawn function. Fails if QuakeC
 // does, or if there are too many entities.
 base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_machine,
-                                         std::span<const formats::Entity> entities, const SpawnRules& rules,
+                                         std::span<const formats::Entity> entities,
+                                         const world::SpawnRules& rules,
                                          base::FunctionRef<void()> after_each);
 
 }  // namespace temblor::server
