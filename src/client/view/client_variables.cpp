@@ -93,17 +93,18 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
   variables.add_alias("crosshair_colour", "crosshair_color");  // old spelling
   variables.add_alias("scr_safecolours", "scr_safecolors");    // old spelling
   show_weapon_ = variables.add_bool("r_drawviewmodel", defaults.show_weapon, "Shows your weapon.");
-  water_alpha_ =
-      factor("r_wateralpha", defaults.liquid_alpha.water, 1, "Opacity of water, unless the level sets it.");
-  slime_alpha_ =
-      factor("r_slimealpha", defaults.liquid_alpha.slime, 1, "Opacity of slime, unless the level sets it.");
-  lava_alpha_ =
-      factor("r_lavaalpha", defaults.liquid_alpha.lava, 1, "Opacity of lava, unless the level sets it.");
-  teleport_alpha_ = factor("r_telealpha", defaults.liquid_alpha.teleport, 1,
+  water_alpha_ = factor("r_wateralpha", defaults.environment.liquid_alpha.water, 1,
+                        "Opacity of water, unless the level sets it.");
+  slime_alpha_ = factor("r_slimealpha", defaults.environment.liquid_alpha.slime, 1,
+                        "Opacity of slime, unless the level sets it.");
+  lava_alpha_ = factor("r_lavaalpha", defaults.environment.liquid_alpha.lava, 1,
+                       "Opacity of lava, unless the level sets it.");
+  teleport_alpha_ = factor("r_telealpha", defaults.environment.liquid_alpha.teleport, 1,
                            "Opacity of teleporters, unless the level sets it.");
-  fog_ = variables.add_bool("r_fog", defaults.fog, "Shows fog where the level or server wants it.");
-  skybox_ =
-      variables.add_bool("r_skybox", defaults.skybox, "Shows skyboxes where the level or server wants them.");
+  fog_ =
+      variables.add_bool("r_fog", defaults.environment.fog, "Shows fog where the level or server wants it.");
+  skybox_ = variables.add_bool("r_skybox", defaults.environment.skybox,
+                               "Shows skyboxes where the level or server wants them.");
   subtitles_ = variables.add_bool("scr_subtitles", defaults.subtitles,
                                   "Shows captions for sounds from outside your view.");
   sound_volume_ = variables.add_float("volume", 0.7, 0, 1, "Volume of sound effects.");
@@ -145,10 +146,10 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.hud.letters_per_second = variables.float_value(print_speed_);
   settings.hud.safe_colors = variables.bool_value(safe_colors_);
   settings.show_weapon = variables.bool_value(show_weapon_);
-  settings.liquid_alpha = {factor(water_alpha_), factor(slime_alpha_), factor(lava_alpha_),
-                           factor(teleport_alpha_)};
-  settings.fog = variables.bool_value(fog_);
-  settings.skybox = variables.bool_value(skybox_);
+  settings.environment.liquid_alpha = {factor(water_alpha_), factor(slime_alpha_), factor(lava_alpha_),
+                                       factor(teleport_alpha_)};
+  settings.environment.fog = variables.bool_value(fog_);
+  settings.environment.skybox = variables.bool_value(skybox_);
   settings.subtitles = variables.bool_value(subtitles_);
   settings.volumes = {factor(sound_volume_), factor(ambient_level_), factor(music_volume_),
                       factor(muffled_underwater_)};

@@ -28,7 +28,7 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
     client_settings_.no_lerp_models.push_back(std::find(settings.no_lerp_models.begin(),
                                                         settings.no_lerp_models.end(),
                                                         name) != settings.no_lerp_models.end());
-  environment_ = parse_environment(*models_->level());
+  environment_.begin_level(*models_->level());
   scene_builder_.begin_level();
   reset_effects();
   begin_sound(game, settings);
@@ -60,22 +60,6 @@ base::Status Presentation::resume(ClientState& io_state, const EffectCounts& bef
 void Presentation::begin_sound(const Game& game, const PresentationSettings& settings) {
   has_sound_ = settings.sound;
   if (has_sound_) audio_scene_.begin_level(game);
-}
-
-// Messages of the server override the level's sky and fog. The skybox is loaded only when its name changes.
-void Presentation::apply_environment(const Game& game, double time_s, const PresentationSettings& settings) {
-  scene_.liquid_alpha = environment_.liquid_alpha(settings.liquid_alpha);
-  if (settings.fog) {
-    const net::Fog fog = compute_fog(game, {environment_.fog.density, environment_.fog.color, 0}, time_s);
-    scene_.fog = {fog.density, fog.color};
-  }
-  const std::string& skybox = game.skybox ? *game.skybox : environment_.skybox;
-  if (skybox != skybox_name_) {
-    skybox_name_ = skybox;
-    skybox_ = {};
-    if (!skybox.empty()) skybox_.sides = library_.skybox(skybox, notes_);
-  }
-  scene_.skybox = settings.skybox && !skybox_name_.empty() ? &skybox_ : nullptr;
 }
 
 // Each name is noted once in a level, for at most as many names as there can be pictures.
@@ -147,7 +131,7 @@ void Presentation::make_scene(const ClientState& state, double time_s, const Fra
   lights_.assign(scene_.lights.begin(), scene_.lights.end());
   scene_.frame_number = ++frame_number_;
   scene_.light_before = is_first_scene ? nullptr : &light_before_;
-  apply_environment(game, time_s, settings);
+  environment_.apply({library_, game, time_s}, settings.environment, notes_, scene_);
 }
 
 base::Status Presentation::advance(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,

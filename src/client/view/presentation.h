@@ -20,13 +20,13 @@
 #include "client/effects/effects.h"
 #include "client/hud/hud.h"
 #include "client/hud/subtitles.h"
-#include "client/prediction/level_environment.h"
 #include "client/prediction/prediction.h"
 #include "client/session/client_state.h"
 #include "client/session/model_table.h"
 #include "client/view/audio_scene.h"
 #include "client/view/scene_builder.h"
 #include "client/view/scene_choices.h"
+#include "client/view/scene_environment.h"
 #include "client/view/view.h"
 #include "render/draw_list.h"
 #include "render/scene.h"
@@ -46,9 +46,7 @@ struct PresentationSettings {
   ViewSettings view;
   HudSettings hud;
   bool show_weapon = true;
-  // For liquids without an opacity in the level.
-  render::LiquidAlpha liquid_alpha;
-  bool fog = true, skybox = true;
+  EnvironmentSettings environment;
   SceneChoices choices;
   // Load sounds and fill audio_scene(). Takes effect at the next level.
   bool sound = false;
@@ -110,7 +108,6 @@ class Presentation {
                           const PresentationSettings& settings);
   void make_scene(const ClientState& state, double time_s, const FrameView& frame_view,
                   const PresentationSettings& settings);
-  void apply_environment(const Game& game, double time_s, const PresentationSettings& settings);
 
   const assets::Library& library_;
   std::vector<std::string> notes_;  // declared before pictures_, which adds to it
@@ -131,11 +128,9 @@ class Presentation {
   AudioScene audio_scene_;
   // Whether this level has sound: the setting at its start.
   bool has_sound_ = false;
-  LevelEnvironment environment_;
+  SceneEnvironment environment_;
   // The leaf whose potentially visible set is locked (SceneChoices::locks_pvs).
   std::optional<world::LeafIndex> pvs_leaf_;
-  std::string skybox_name_;
-  render::Skybox skybox_;
   render::Scene scene_;
   // The lights of this scene and of the previous one.
   std::vector<render::DynamicLight> lights_, lights_before_;

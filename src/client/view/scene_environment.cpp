@@ -1,0 +1,25 @@
+#include "client/view/scene_environment.h"
+
+namespace temblor::client {
+
+void SceneEnvironment::apply(const Moment& moment, const EnvironmentSettings& settings,
+                             std::vector<std::string>& io_notes, render::Scene& io_scene) {
+  io_scene.liquid_alpha = level_.liquid_alpha(settings.liquid_alpha);
+  if (settings.fog) {
+    const net::Fog fog = compute_fog(moment.game, {level_.fog.density, level_.fog.color, 0}, moment.time_s);
+    io_scene.fog = {fog.density, fog.color};
+  }
+  const std::string& skybox = moment.game.skybox ? *moment.game.skybox : level_.skybox;
+  if (!settings.skybox || skybox.empty()) {
+    io_scene.skybox = nullptr;
+    return;
+  }
+  if (skybox != skybox_name_) {
+    skybox_name_ = skybox;
+    skybox_ = {};
+    skybox_.sides = moment.library.skybox(skybox, io_notes);
+  }
+  io_scene.skybox = &skybox_;
+}
+
+}  // namespace temblor::client

@@ -1,0 +1,48 @@
+// The sky, fog, and liquid opacity of scenes: those of the level, unless messages of the server replace them
+// or the player turns them off.
+//
+//   worldspawn -> LevelEnvironment --+
+//   Game (messages of the server) ---+--> apply() -> Scene::skybox, fog, liquid_alpha
+//   EnvironmentSettings -------------+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assets/library.h"
+#include "client/prediction/level_environment.h"
+#include "client/session/client_state.h"
+#include "render/scene.h"
+#include "world/level.h"
+
+namespace temblor::client {
+
+// The player's choices.
+struct EnvironmentSettings {
+  // For liquids without an opacity in the level.
+  render::LiquidAlpha liquid_alpha;
+  bool fog = true, skybox = true;
+};
+
+class SceneEnvironment {
+ public:
+  void begin_level(const world::Level& level) { level_ = parse_environment(level); }
+
+  // The source of skyboxes, and the game at a time. A default Game has no messages: the level decides.
+  struct Moment {
+    const assets::Library& library;
+    const Game& game;
+    double time_s;
+  };
+  // Sets the environment of the scene, which refers to the skybox in this object. A skybox is loaded only
+  // when its name changes; each side that is missing is a line in `io_notes`.
+  void apply(const Moment& moment, const EnvironmentSettings& settings, std::vector<std::string>& io_notes,
+             render::Scene& io_scene);
+
+ private:
+  LevelEnvironment level_;
+  std::string skybox_name_;
+  render::Skybox skybox_;
+};
+
+}  // namespace temblor::client
