@@ -126,6 +126,15 @@ base::Status FileSystem::mount_over(std::size_t game, const fs::path& folder) {
   return fs::is_directory(folder, ignored) ? mount_loose_files(folder, game) : base::Ok{};
 }
 
+// It counts as a file of the last game.
+void FileSystem::mount_file(std::string_view name, const fs::path& path) {
+  add_file(name, {.path = path, .game = folders_.empty() ? 0 : folders_.size() - 1});
+}
+
+void FileSystem::hide_file(std::string_view name) {
+  if (const std::optional<std::string> normalized = normalize_name(name)) files_.erase(*normalized);
+}
+
 base::Status FileSystem::mount_loose_files(const fs::path& folder, std::size_t game) {
   struct Pending {
     fs::path path;

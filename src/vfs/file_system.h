@@ -3,6 +3,7 @@
 //
 // Search order, highest priority first:
 //
+//   files of mount_file()
 //   last game folder      files of mount_over()
 //                         *.pk3, in reverse alphabetical order
 //                         pakN.pak ... pak1.pak, pak0.pak (N: the last number before the first missing one)
@@ -54,6 +55,12 @@ class FileSystem {
   // Mounts the loose files of another folder above the files and archives of game number `game`. Does not
   // change folders(). A missing folder counts as empty.
   base::Status mount_over(std::size_t game, const std::filesystem::path& folder);
+
+  // Mounts a file from anywhere on disk under this name, above all files of the game folders. Ignores a name
+  // that no lookup can find.
+  void mount_file(std::string_view name, const std::filesystem::path& path);
+  // Removes a file from view, in whatever game folder it is.
+  void hide_file(std::string_view name);
 
   // Reads a file. A kNotFound error lists the folders that were searched.
   base::Result<base::ByteVector> read(std::string_view name) const;

@@ -163,6 +163,25 @@ TEST(FileSystem, MountOverHidesItsGameOnly) {
   EXPECT_TRUE(files.mount_over(1, elsewhere.path() / "not there").ok());
 }
 
+TEST(FileSystem, MountsASingleFileAboveAllOthers) {
+  const test::TemporaryFolder base_folder, elsewhere;
+  base_folder.write("id1/pak0.pak", make_pak({{"maps/a.bsp", "id1's"}, {"maps/a.lit", "id1's"}}));
+  base_folder.write("mod/maps/a.bsp", "the mod's");
+  elsewhere.write("level.bsp", "my");
+  FileSystem files = open_or_die(base_folder, {"mod"});
+  files.mount_file("maps/A.bsp", elsewhere.path() / "level.bsp");
+  EXPECT_EQ(get_text(files, "maps/a.bsp"), "my");
+  EXPECT_EQ(files.find_game("maps/a.bsp"), 1u);
+  EXPECT_EQ(files.where("maps/a.bsp"), (elsewhere.path() / "level.bsp").string());
+  files.mount_file("../a.bsp", elsewhere.path() / "level.bsp");
+  EXPECT_FALSE(files.contains("../a.bsp"));
+  files.hide_file("MAPS/a.lit");
+  EXPECT_FALSE(files.contains("maps/a.lit"));
+  FileSystem none;
+  none.mount_file("maps/a.bsp", elsewhere.path() / "level.bsp");
+  EXPECT_EQ(get_text(none, "maps/a.bsp"), "my");
+}
+
 TEST(FileSystem, ListsSortedWithoutDuplicates) {
   const test::TemporaryFolder base_folder;
   base_folder.write("id1/maps/B.bsp", "");
