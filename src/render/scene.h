@@ -153,6 +153,9 @@ struct Scene {
   LiquidAlpha liquid_alpha{};
   // Draws what can be seen from this leaf instead of the eye's; none: the eye's.
   std::optional<world::LeafIndex> pvs_leaf{};
+  // True: faces whose front is sky or solid space are left out. From above they would hide the rooms, because
+  // some compilers keep the outside of sky brushes.
+  bool is_overview = false;
   // True: the finished view is warped.
   bool underwater = false;
   Tint tint{};

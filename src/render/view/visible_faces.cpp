@@ -41,25 +41,30 @@ bool has_pvs(const world::Level& level, world::LeafIndex eye) {
 // deep.
 class TreeWalk {
  public:
-  TreeWalk(const world::Level& level, const LevelTables& tables, const ViewFrame& view, bool draws_faces,
+  TreeWalk(const FrameContext& context, const ViewFrame& view, const LevelTables& tables,
            std::span<const FaceOpacity> opacities, base::Arena& arena)
-      : level_(level),
+      : level_(context.level()),
         tables_(tables),
         view_(view),
-        draws_faces_(draws_faces),
+        draws_faces_(context.settings.draw_world),
+        is_overview_(context.scene.is_overview),
         opacities_(opacities),
-        face_marked_(arena.allocate_filled<std::uint8_t>(level.faces.size(), 0)),
-        node_marked_(arena.allocate_filled<std::uint8_t>(level.nodes.size(), 0)),
-        leaf_visible_(arena.allocate_filled<std::uint8_t>(level.leaves.size(), 0)),
-        leaf_keys_(arena.allocate_filled<SortKey>(level.leaves.size(), kNotVisited)),
+        face_marked_(arena.allocate_filled<std::uint8_t>(level_.faces.size(), 0)),
+        node_marked_(arena.allocate_filled<std::uint8_t>(level_.nodes.size(), 0)),
+        leaf_visible_(arena.allocate_filled<std::uint8_t>(level_.leaves.size(), 0)),
+        leaf_keys_(arena.allocate_filled<SortKey>(level_.leaves.size(), kNotVisited)),
         faces_(arena, 1024),
         deferred_faces_(arena, 64),
         open_(arena, 256) {}
 
-  // Marks a leaf, its faces, and its ancestors, up to the first ancestor that is already marked.
+  // Marks a leaf, its faces, and its ancestors, up to the first ancestor that is already marked. A leaf lists
+  // the faces whose front is in it.
   void mark_leaf(std::size_t leaf) {
-    leaf_visible_[leaf] = 1;
     const world::Leaf& marked = level_.leaves[leaf];
+    if (is_overview_ &&
+        (marked.contents == world::Contents::kSky || marked.contents == world::Contents::kSolid))
+      return;
+    leaf_visible_[leaf] = 1;
     for (std::uint32_t i = 0; i < marked.marked_face_count; ++i) {
       std::uint8_t& mark = face_marked_[base::to_size(level_.marked_faces[marked.first_marked_face + i])];
       faces_in_pvs_ += mark == 0;
@@ -159,7 +164,7 @@ class TreeWalk {
   const world::Level& level_;
   const LevelTables& tables_;
   const ViewFrame& view_;
-  const bool draws_faces_;
+  const bool draws_faces_, is_overview_;
   std::span<const FaceOpacity> opacities_;
   std::span<std::uint8_t> face_marked_, node_marked_, leaf_visible_;
   std::span<SortKey> leaf_keys_;
@@ -174,8 +179,7 @@ class TreeWalk {
 VisibleFaces find_visible_faces(const FrameContext& context, const ViewFrame& view,
                                 const LevelTables& tables) {
   const world::Level& level = context.level();
-  TreeWalk walk(level, tables, view, context.settings.draw_world,
-                world_opacities(context.scene, context.arena()), context.arena());
+  TreeWalk walk(context, view, tables, world_opacities(context.scene, context.arena()), context.arena());
   const world::LeafIndex pvs_leaf = context.scene.pvs_leaf.value_or(view.eye_leaf);
   if (context.settings.use_pvs && view.perspective && has_pvs(level, pvs_leaf)) {
     world::decompress_pvs(level, pvs_leaf, context.arenas.pvs_row);
