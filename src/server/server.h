@@ -151,6 +151,8 @@ bool can_resume_from_save(const Server& server);
 
 // --- Clients and the host.
 
+// Appends the last tick's updates of all visible entities, of which a player is sent only those in sight.
+void write_visible_entities(const Server& server, base::ByteWriter& io_writer);
 // Disconnects a client. The client and the host see the `reason`.
 void drop_client(Server& io_server, std::size_t slot, std::string_view reason);
 // Records what this player sees and hears, as NAME.dem in the write folder.

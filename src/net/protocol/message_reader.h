@@ -27,6 +27,10 @@ namespace temblor::net {
 // may write them byte by byte. Allocates no memory once warm.
 class MessageReader {
  public:
+  MessageReader() = default;
+  // Starts in the middle of a connection that speaks this dialect.
+  explicit MessageReader(const Dialect& dialect) : dialect_(dialect) {}
+
   // Starts reading a packet or demo record. `bytes` must outlive the messages read from it. `offset_in_file`
   // is added to the offsets in error messages.
   void begin(base::Bytes bytes, std::size_t offset_in_file = 0);

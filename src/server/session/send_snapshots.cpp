@@ -158,6 +158,12 @@ void send_snapshots(Server& io_server) {
   game.outbox().clear_tick();
 }
 
+void write_visible_entities(const Server& server, base::ByteWriter& io_writer) {
+  const Snapshot& snapshot = server.buffers.snapshot;
+  for (const Snapshot::Entity& entity : snapshot.entities)
+    if (entity.is_visible) io_writer.bytes(snapshot.entity_bytes(entity));
+}
+
 // Bots appear in the list of clients so that score boards, `status` and browsers show them.
 void update_bot_clients(Server& io_server) {
   Game& game = *io_server.game;
