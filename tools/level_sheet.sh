@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: tools/level_sheet.sh LEVEL OUT.jpg [BSP]: draws a contact sheet of a level from the views in tools/level_views.txt.
-# BSP replaces the shipped level. Items, monsters, and flames are missing, because game code creates them.
+# BSP replaces the shipped level.
 set -euo pipefail
 
 if [ $# -lt 2 ]; then
@@ -18,7 +18,7 @@ tiles=()
 while read -r of place angles; do
   if [ "$of" != "$level" ]; then continue; fi
   tile=$folder/$(printf %03d ${#tiles[@]}).png
-  "$build/temblor" --basedir "$build/game" render --map "$map" --pos="$place" --angles="$angles,0" --size 640x360 \
+  "$build/temblor" --basedir "$build/game" render --map "$map" --entities --pos="$place" --angles="$angles,0" --size 640x360 \
     --time 3 -o "$tile" >/dev/null
   tiles+=("$tile")
 done <"$here/level_views.txt"

@@ -80,7 +80,7 @@ base::Status run(const Commands& commands) {
   const host::HostVariables settings(variables);
   if (commands.render_command->parsed()) {
     TRY_STATUS(apply_options(commands.common, commands.render.frame.threads, variables));
-    return run_render(commands.render, commands.common.folders, settings.presentation(), settings.render());
+    return run_render(commands.render, commands.common.folders, settings);
   }
   if (commands.bench_command->parsed()) {
     TRY_STATUS(apply_options(commands.common, commands.bench.frame.threads, variables));

@@ -11,11 +11,11 @@
 #include "app/bench/allocation_counter.h"
 #include "app/bench/distribution.h"
 #include "app/bench/fill_baseline.h"
-#include "app/bench/viewpoints.h"
 #include "app/commands/options.h"
-#include "app/files/level_scene.h"
 #include "app/files/picture_file.h"
 #include "app/files/progress.h"
+#include "app/level/level_scene.h"
+#include "app/level/viewpoints.h"
 #include "artgen/small_level.h"
 #include "support/random.h"
 
@@ -195,6 +195,20 @@ TEST(LevelScene, ContainsTheVisibleBrushModels) {
     origins.push_back(instance.origin_world);
   }
   EXPECT_THAT(origins, ElementsAre(math::Vec3(0.0f), math::Vec3(1, 2, 3), math::Vec3(0.0f)));
+}
+
+TEST(LevelScene, SwitchedLightsStartAsTheMapperWants) {
+  const LevelScene scene = make_level_scene(level_with_entities(R"({"classname" "worldspawn"}
+    {"classname" "light" "targetname" "a" "style" "32"}
+    {"classname" "light_torch" "targetname" "b" "style" "33" "spawnflags" "1"}
+    {"classname" "light" "style" "34" "spawnflags" "1"}
+    {"classname" "light" "targetname" "d" "style" "35" "spawnflags" "513"}
+    {"classname" "light" "targetname" "e" "style" "2" "spawnflags" "1"}
+    {"classname" "light" "targetname" "f" "style" "64" "spawnflags" "1"})"));
+  world::LightStylePatterns expected = world::make_standard_light_styles();
+  expected[32] = "m";
+  expected[33] = "a";
+  EXPECT_EQ(scene.light_styles, expected);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/demo/demo_loading.h"
-#include "app/files/level_loading.h"
+#include "app/level/level_loading.h"
 #include "base/result.h"
 #include "client/view/presentation.h"
 #include "render/renderer.h"

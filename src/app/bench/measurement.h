@@ -14,7 +14,7 @@
 #include "app/bench/distribution.h"
 #include "app/commands/options.h"
 #include "app/demo/demo_loading.h"
-#include "app/files/level_loading.h"
+#include "app/level/level_loading.h"
 #include "base/result.h"
 #include "client/view/presentation.h"
 #include "render/renderer.h"

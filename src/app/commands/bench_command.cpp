@@ -9,7 +9,7 @@
 #include "app/bench/measurement_output.h"
 #include "app/commands/command_line.h"
 #include "app/files/diagnostics.h"
-#include "app/files/level_loading.h"
+#include "app/level/level_loading.h"
 
 namespace temblor::app {
 namespace {

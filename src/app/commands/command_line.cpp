@@ -108,6 +108,7 @@ template Option* Command::add_option(const std::string&, double&, const std::str
 template Option* Command::add_option(const std::string&, std::uint16_t&, const std::string&);
 template Option* Command::add_option(const std::string&, std::uint32_t&, const std::string&);
 template Option* Command::add_option(const std::string&, std::optional<int>&, const std::string&);
+template Option* Command::add_option(const std::string&, std::optional<double>&, const std::string&);
 template Option* Command::add_option(const std::string&, std::filesystem::path&, const std::string&);
 template Option* Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
 template Option* Command::add_option(const std::string&, std::vector<std::filesystem::path>&,

@@ -74,7 +74,7 @@ class Command {
   Command* add_subcommand(const std::string& name, const std::string& description);
   // `io_value` receives the option's value; its current value is the default. It must live until parse(). T
   // may be std::string, int, double, float, std::uint16_t, std::uint32_t, std::filesystem::path,
-  // std::optional<int>, or a vector of strings or paths.
+  // std::optional<int>, std::optional<double>, or a vector of strings or paths.
   template <typename T>
   Option* add_option(const std::string& name, T& io_value, const std::string& help);
   Option* add_flag(const std::string& name, bool& io_value, const std::string& help);

@@ -1,15 +1,10 @@
 #include "app/commands/render_command.h"
 
-#include "app/bench/frame_report.h"
-#include "app/bench/viewpoints.h"
 #include "app/commands/command_line.h"
 #include "app/demo/film.h"
 #include "app/demo/render_demo.h"
-#include "app/files/diagnostics.h"
-#include "app/files/level_loading.h"
-#include "app/files/level_scene.h"
-#include "app/files/progress.h"
-#include "math/angles.h"
+#include "app/level/render_level.h"
+#include "client/view/presentation.h"
 
 namespace temblor::app {
 namespace {
@@ -18,13 +13,14 @@ using base::ErrorCode;
 
 constexpr const char* kRenderHelpFooter =
     R"(Without --pos and --angles, the camera shows a player's view at the start of the level, or with an
-orthographic projection the whole level from above.
+orthographic projection the whole level from above, without its ceilings and its sky.
 `temblor --help` describes --basedir, --game, --set, and --show.
 
 Examples:
   temblor render -o small_level.png
   temblor --basedir ~/quake render --map start -o start.png
   temblor --basedir ~/quake render --map e1m1 --pos 480,-352,110 --angles 10,90,0 --size 1920x1080 -o hall.png
+  temblor --basedir ~/quake render --map e1m1 --entities --skill 2 -o hard.png
   temblor --basedir ~/quake render --map e1m1 --projection orthographic --size 2048x2048 -o plan.png
   temblor --basedir ~/quake --show mips render --map e1m1 --color indexed --stats -o mips.png
   temblor --basedir ~/quake render --map start --frames 360 --turn 1 -o turn.mp4
@@ -37,25 +33,6 @@ base::Result<render::Projection> parse_projection(std::string_view text) {
   if (text == "perspective") return render::Projection::kPerspective;
   if (text == "orthographic") return render::Projection::kOrthographic;
   return base::error(ErrorCode::kUsage, "\"{}\" is neither perspective nor orthographic", text);
-}
-
-// Returns the camera of the first frame: as --pos and --angles say, otherwise at the level's start or above
-// it.
-render::Camera make_first_camera(const RenderOptions& options, const world::Level& level) {
-  const bool from_above = options.projection == render::Projection::kOrthographic;
-  const Viewpoint viewpoint = from_above ? Viewpoint{"", level_center(level), math::Vec3(90.0f, 0.0f, 0.0f)}
-                                         : find_start_viewpoint(level);
-  render::Camera camera;
-  camera.angles_deg = options.angles_deg.value_or(viewpoint.angles_deg);
-  // An orthographic camera sees the same area at any distance, so move it back by the level's diagonal, until
-  // everything is in front of it.
-  const math::Vec3 back(from_above
-                            ? math::basis_from_angles(camera.angles_deg).forward * level_diagonal(level)
-                            : math::Vec3d(0.0));
-  camera.origin_world = options.position_world.value_or(viewpoint.eye_world - back);
-  camera.fov_deg = options.frame.fov_deg;
-  camera.projection = options.projection;
-  return camera;
 }
 
 // Returns an error if the output does not fit the other options, before anything is loaded.
@@ -76,43 +53,51 @@ base::Status check_names(const RenderOptions& options) {
   return base::Ok{};
 }
 
-// Renders the frames of a level, whose camera turns by --turn from one frame to the next. The first frame may
-// be later than 0, so the angle is computed from the frame's number.
-base::Status render_map(const RenderOptions& options, const GameFolders& folders,
-                        const render::Settings& settings) {
-  TRY(const LoadedMap loaded, load_map(folders, options.map));
-  for (const std::string& note : loaded.notes) print_note(note);
-  const LevelScene level_scene = make_level_scene(loaded.level);
-  render::Camera camera = make_first_camera(options, *loaded.level);
-  render::Renderer renderer(loaded.look.palette, loaded.look.colormap);
-  render::FrameBuffer frame(options.frame.size.width, options.frame.size.height, options.frame.format);
-  TRY(Film film,
-      Film::open(options.out, {options.frame.size, options.frames_per_second}, loaded.look.palette));
-  Progress progress("frames");
-  const FrameRange frames = options.frame_range.value_or(FrameRange{0, 1});
-  const float first_yaw_deg = camera.angles_deg.y;
-  for (std::size_t i = frames.first; i < frames.end; ++i) {
-    camera.angles_deg.y = first_yaw_deg + static_cast<float>(options.turn_deg * static_cast<double>(i));
-    const render::FrameStats stats =
-        renderer.render(make_scene(level_scene, camera, options.time_s), settings, frame);
-    TRY_STATUS(film.add(frame));
-    if (options.stats) fmt::print("frame {}\n{}", i, describe_frame(stats, frame.pixel_count()));
-    progress.update(i - frames.first + 1, frames.end - frames.first);
-  }
-  return film.finish();
+// --skill and --deathmatch are console variables, so that --set, too, can choose the entities.
+base::Status apply_game_options(const RenderOptions& options, command::Variables& io_variables) {
+  if (options.skill) TRY_STATUS(io_variables.set("skill", std::to_string(*options.skill)));
+  if (options.deathmatch) TRY_STATUS(io_variables.set("deathmatch", "1"));
+  return base::Ok{};
+}
+
+// Adds the options that say what is drawn.
+void add_source_options(Command& command, RenderOptions& io_options) {
+  const Option* map = command
+                          .add_option("--map", io_options.map,
+                                      "Level of the game, or a .bsp file (default: a small built-in level)")
+                          ->type_name("NAME");
+  const Option* demo = command.add_option("--demo", io_options.demo, "Demo of the game, or a .dem file")
+                           ->type_name("NAME")
+                           ->excludes(map);
+  const Option* entities =
+      command
+          .add_flag("--entities", io_options.entities,
+                    "Run the game for a second, and also draw monsters, items, torches, and "
+                    "everything else that game code creates")
+          ->needs(map)
+          ->excludes(demo);
+  command
+      .add_option("--progs", io_options.program,
+                  "Game code for --entities (default: progs.dat of the game directories)")
+      ->type_name("FILE")
+      ->needs(entities);
+  command
+      .add_option("--skill", io_options.skill, "Skill of the level: 0 easy, 1 normal, 2 hard, 3 nightmare")
+      ->type_name("N")
+      ->check(in_range(0, 3))
+      ->default_str("1")
+      ->excludes(demo);
+  command
+      .add_flag("--deathmatch", io_options.deathmatch,
+                "Show the level of a deathmatch, not of a single player")
+      ->excludes(demo);
 }
 
 }  // namespace
 
 Command* add_render_command(Command& program, RenderOptions& io_options) {
   Command* command = program.add_subcommand("render", "Render pictures and films without a display");
-  command
-      ->add_option("--map", io_options.map,
-                   "Level of the game, or a .bsp file (default: a small built-in level)")
-      ->type_name("NAME");
-  command->add_option("--demo", io_options.demo, "Demo of the game, or a .dem file")
-      ->type_name("NAME")
-      ->excludes("--map");
+  add_source_options(*command, io_options);
   add_parsed_option(*command, "--pos", io_options.position_world, parse_vec3, "Camera position")
       ->type_name("X,Y,Z");
   add_parsed_option(*command, "--angles", io_options.angles_deg, parse_vec3,
@@ -125,7 +110,8 @@ Command* add_render_command(Command& program, RenderOptions& io_options) {
       ->default_str("perspective");
   command
       ->add_option("--time", io_options.time_s,
-                   "Level time, for light styles, liquids, sky, and animated textures")
+                   "Level time, for light styles, liquids, sky, and animated textures (default: 0, or with "
+                   "--entities the game's)")
       ->type_name("SECONDS")
       ->check(in_range(0.0, 1e9));
   add_parsed_option(*command, "--frames", io_options.frame_range, parse_frame_range,
@@ -149,10 +135,11 @@ Command* add_render_command(Command& program, RenderOptions& io_options) {
 }
 
 base::Status run_render(const RenderOptions& options, const GameFolders& folders,
-                        const client::PresentationSettings& presentation, const render::Settings& settings) {
+                        const host::HostVariables& settings) {
   TRY_STATUS(check_names(options));
-  if (!options.demo.empty()) return render_demo(options, folders, presentation, settings);
-  return render_map(options, folders, settings);
+  if (!options.demo.empty()) return render_demo(options, folders, settings.presentation(), settings.render());
+  TRY_STATUS(apply_game_options(options, settings.variables()));
+  return render_level(options, folders, settings);
 }
 
 }  // namespace temblor::app

@@ -7,6 +7,7 @@
 
 #include "math/vec.h"
 #include "world/level.h"
+#include "world/spawn_rules.h"
 
 namespace temblor::app {
 
@@ -21,8 +22,9 @@ struct Viewpoint {
   math::Vec3 angles_deg{0.0f};
 };
 
-// Returns the first info_player_start; otherwise another viewpoint; otherwise the center of the level.
-Viewpoint find_start_viewpoint(const world::Level& level);
+// Returns the first info_player_start (in deathmatch, the first info_player_deathmatch) that `rules` do not
+// exclude; otherwise another viewpoint; otherwise the center of the level.
+Viewpoint find_start_viewpoint(const world::Level& level, const world::SpawnRules& rules = {});
 
 // Returns every player start (single player, cooperative, deathmatch), teleport destination, and intermission
 // camera, in the order of the level's entities; find_start_viewpoint() if there is none.

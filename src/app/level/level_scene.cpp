@@ -1,4 +1,4 @@
-#include "app/files/level_scene.h"
+#include "app/level/level_scene.h"
 
 #include <charconv>
 #include <optional>
@@ -26,12 +26,28 @@ std::optional<world::ModelIndex> find_brush_model(const world::Level& level, con
   return static_cast<world::ModelIndex>(number);
 }
 
+// A light that triggers switch has a light style of its own, which game code sets: to normal light, or to
+// none if the light starts off.
+void apply_switched_light(const formats::Entity& entity, world::LightStylePatterns& io_styles) {
+  constexpr float kFirstSwitched = 32;
+  constexpr int kStartsOff = 1;
+  const float style = entity.find_number("style").value_or(0);
+  if (!entity.classname().starts_with("light") || !entity.find("targetname") || !(style >= kFirstSwitched) ||
+      !(style < static_cast<float>(io_styles.size())))
+    return;
+  const bool is_off = (world::spawn_flags(entity) & kStartsOff) != 0;
+  io_styles[static_cast<std::size_t>(style)] = is_off ? "a" : "m";
+}
+
 }  // namespace
 
 // Moving parts are drawn where the editor placed them, because no game code runs that could move them.
-LevelScene make_level_scene(std::shared_ptr<const world::Level> level) {
+LevelScene make_level_scene(std::shared_ptr<const world::Level> level, const world::SpawnRules& rules) {
   LevelScene scene;
+  scene.light_styles = world::make_standard_light_styles();
   for (const formats::Entity& entity : level->entities) {
+    if (world::is_excluded(entity, rules)) continue;
+    apply_switched_light(entity, scene.light_styles);
     const auto model = find_brush_model(*level, entity);
     if (!model || !is_shown(entity.classname())) continue;
     render::BrushModelInstance instance;
@@ -40,17 +56,17 @@ LevelScene make_level_scene(std::shared_ptr<const world::Level> level) {
     scene.brush_models.push_back(instance);
   }
   scene.level = std::move(level);
-  scene.light_styles = world::make_standard_light_styles();
   return scene;
 }
 
-render::Scene make_scene(const LevelScene& level_scene, const render::Camera& camera, double time_s) {
+render::Scene make_scene(const LevelScene& level_scene, const render::Camera& camera, double time_s,
+                         world::LightStyleMode light_styles) {
   render::Scene scene;
   scene.level = level_scene.level.get();
   scene.camera = camera;
   scene.brush_models = level_scene.brush_models;
   scene.time_s = time_s;
-  scene.light_styles = world::compute_light_styles(level_scene.light_styles, time_s);
+  scene.light_styles = world::compute_light_styles(level_scene.light_styles, time_s, light_styles);
   return scene;
 }
 

@@ -1,7 +1,8 @@
-#include "app/bench/viewpoints.h"
+#include "app/level/viewpoints.h"
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace temblor::app {
 namespace {
@@ -45,10 +46,12 @@ double level_diagonal(const world::Level& level) {
 }
 
 // Classes in order of preference, then entities in order of the level.
-Viewpoint find_start_viewpoint(const world::Level& level) {
-  for (const std::string_view wanted : kViewpointClasses)
+Viewpoint find_start_viewpoint(const world::Level& level, const world::SpawnRules& rules) {
+  std::array classes = kViewpointClasses;
+  if (rules.deathmatch) std::swap(classes[0], classes[1]);
+  for (const std::string_view wanted : classes)
     for (const formats::Entity& entity : level.entities)
-      if (entity.classname() == wanted)
+      if (entity.classname() == wanted && !world::is_excluded(entity, rules))
         if (auto viewpoint = make_viewpoint(entity)) return *viewpoint;
   return Viewpoint{"level center", level_center(level), math::Vec3(0.0f)};
 }

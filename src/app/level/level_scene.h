@@ -8,6 +8,7 @@
 #include "render/scene.h"
 #include "world/animation.h"
 #include "world/level.h"
+#include "world/spawn_rules.h"
 
 namespace temblor::app {
 
@@ -17,11 +18,12 @@ struct LevelScene {
   world::LightStylePatterns light_styles;
 };
 
-// Places every entity with a model "*N" at its `origin`, except those that are invisible in the game:
-// triggers, and gates of unfinished episodes.
-LevelScene make_level_scene(std::shared_ptr<const world::Level> level);
+// Places every entity with a model "*N" at its `origin`, except those that `rules` exclude, and those that
+// are invisible in the game: triggers, and gates of unfinished episodes.
+LevelScene make_level_scene(std::shared_ptr<const world::Level> level, const world::SpawnRules& rules = {});
 
 // Returns the scene that `camera` sees, `time_s` seconds into the level. Valid while `level_scene` lives.
-render::Scene make_scene(const LevelScene& level_scene, const render::Camera& camera, double time_s);
+render::Scene make_scene(const LevelScene& level_scene, const render::Camera& camera, double time_s,
+                         world::LightStyleMode light_styles = world::LightStyleMode::kFlickering);
 
 }  // namespace temblor::app
