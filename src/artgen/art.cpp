@@ -84,7 +84,8 @@ std::span<const ArtMaker> art_makers() {
       {"picture", make_picture},     {"wadpicture", make_wad_picture},
       {"pictures", make_pictures},   {"wadpictures", make_wad_pictures},
       {"sprite", make_sprite},       {"icon", make_icon},
-      {"sound", make_sound_file},    {"music", make_music_file},
+      {"mark", make_mark},           {"sound", make_sound_file},
+      {"music", make_music_file},
   };
   return kMakers;
 }

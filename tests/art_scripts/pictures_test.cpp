@@ -1,4 +1,5 @@
 // Compares pictures with the meaning of their scripts, and checks the pictures of the shipped game.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -177,6 +178,20 @@ TEST(Pictures, IconsKeepTheirTransparency) {
   EXPECT_EQ(image->pixels[16 * 32 + 16] >> 24, 255u);
 }
 
+TEST(Pictures, MarksAreInTrueColorWithTransparency) {
+  const auto art = build_art("mark m_1 32x16\n  box 8,4 24,12 color=gold opacity=0.5\n");
+  ASSERT_TRUE(art.ok()) << art.error().message();
+  const auto image = formats::read_png(find_file(*art, "gfx/marks/m_1.png"));
+  ASSERT_TRUE(image.ok());
+  EXPECT_EQ(image->width, 32u);
+  EXPECT_EQ(image->height, 16u);
+  EXPECT_EQ(image->pixels[0] >> 24, 0u);
+  EXPECT_NEAR(image->pixels[8 * 32 + 16] >> 24, 128, 1);
+  EXPECT_EQ(error_message("mark Smile 8x8\n  fill\n"),
+            "test.script: line 1: mark: a mark's name has only lower-case letters, digits, _ and -");
+  EXPECT_THAT(error_message("mark m 257x8\n  fill\n"), testing::HasSubstr("256"));
+}
+
 TEST(Pictures, ErrorsNameTheLine) {
   EXPECT_EQ(error_message("picture p 8x8\n  boxx 0,0 1,1\n"),
             "test.script: line 2: boxx: unknown keyword; pictures have box, disc, ellipse, ring, arc, "
@@ -266,6 +281,21 @@ TEST_F(ShippedPictures, IconsAndTitlesHaveTransparentBackgrounds) {
     const auto picture = stock_picture(name);
     ASSERT_TRUE(picture.ok()) << name;
     EXPECT_EQ(std::count(picture->pixels.begin(), picture->pixels.end(), kTransparent), 0) << name;
+  }
+}
+
+// The list of docs/modding.md. A mark without clear and opaque pixels would hide the wall, or nothing.
+TEST_F(ShippedPictures, MarksAreShapesOnAClearBackground) {
+  for (const std::string name : {"arrow", "crack", "hand", "skull", "tremor"}) {
+    const auto image = formats::read_png(find_file(art_, "gfx/marks/" + name + ".png"));
+    ASSERT_TRUE(image.ok()) << name;
+    const auto opaque = std::count_if(image->pixels.begin(), image->pixels.end(),
+                                      [](std::uint32_t pixel) { return pixel >> 24 > 127; });
+    const auto share = static_cast<double>(opaque) / static_cast<double>(image->pixels.size());
+    EXPECT_GT(share, 0.05) << name;
+    EXPECT_LT(share, 0.7) << name;
+    for (const std::size_t corner : {std::size_t{0}, image->pixels.size() - 1})
+      EXPECT_EQ(image->pixels[corner] >> 24, 0u) << name;
   }
 }
 

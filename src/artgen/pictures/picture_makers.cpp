@@ -126,6 +126,10 @@ base::Result<std::vector<ArtPart>> make_set(const ScriptLine& asset, Target posi
   return parts;
 }
 
+bool is_in_mark_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+
 formats::SprOrientation read_facing(Arguments& io_arguments) {
   const std::string facing = io_arguments.text("facing", "view");
   if (facing == "upright") return formats::SprOrientation::kParallelUpright;
@@ -186,6 +190,22 @@ base::Result<std::vector<ArtPart>> make_icon(const ScriptLine& asset) {
   const auto pixels = static_cast<std::uint32_t>(side);
   TRY(base::ByteVector bytes, formats::write_png(formats::Image{pixels, pixels, to_true_color(canvas)}));
   return std::vector<ArtPart>{{fmt::format("icon/{}.png", name), std::move(bytes)}};
+}
+
+base::Result<std::vector<ArtPart>> make_mark(const ScriptLine& asset) {
+  constexpr std::int32_t kMaxMarkSide = 256;  // pixels; the game shows no larger ones
+  Arguments arguments(asset);
+  const std::string name = arguments.text();
+  if (!std::all_of(name.begin(), name.end(), is_in_mark_name))
+    arguments.set_error("a mark's name has only lower-case letters, digits, _ and -");
+  const auto [width, height] = arguments.size(kMaxMarkSide);
+  TRY_STATUS(arguments.finish());
+  Canvas canvas(width, height, choose_fineness(width, height));
+  TRY_STATUS(draw(asset.below, {}, canvas));
+  TRY(base::ByteVector bytes,
+      formats::write_png(formats::Image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                                        to_true_color(canvas)}));
+  return std::vector<ArtPart>{{fmt::format("gfx/marks/{}.png", name), std::move(bytes)}};
 }
 
 }  // namespace temblor::artgen

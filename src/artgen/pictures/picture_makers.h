@@ -20,5 +20,7 @@ base::Result<std::vector<ArtPart>> make_wad_pictures(const ScriptLine& asset);
 base::Result<std::vector<ArtPart>> make_sprite(const ScriptLine& asset);
 // icon NAME 256: the true-color picture icon/NAME.png with this side, drawn in 64 x 64 coordinates.
 base::Result<std::vector<ArtPart>> make_icon(const ScriptLine& asset);
+// mark NAME 64x64: the true-color picture gfx/marks/NAME.png, which levels and game code show on walls.
+base::Result<std::vector<ArtPart>> make_mark(const ScriptLine& asset);
 
 }  // namespace temblor::artgen
