@@ -41,6 +41,11 @@ int run(int argument_count, char** arguments) {
   program.add_option("--deathmatch", setup.session.bots, "Number of bots to play against until the limit")
       ->check(CLI::Range(1, 15));
   program.add_option("--limit", setup.limit_s, "Limit of game time in seconds")->capture_default_str();
+  program
+      .add_option("--protocol", setup.session.protocol,
+                  "Protocol of the game and its demo; the oldest has no sizes of models")
+      ->check(CLI::IsMember({"auto", "15", "666", "999"}))
+      ->capture_default_str();
   program.add_option("--exit", setup.exit_map, "Take the exit to this level");
   program.add_option("--waypoints", waypoints, "Points to visit first: X Y Z X Y Z ...");
   program.add_option("--record", record, "Record a demo of the first player");

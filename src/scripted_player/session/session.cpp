@@ -43,6 +43,7 @@ base::Status Session::begin(const SessionSetup& setup) {
   TRY_STATUS(variables_.set("deathmatch", setup.bots > 0 ? "1" : "0"));
   TRY_STATUS(variables_.set("bot_fill", std::to_string(setup.bots)));
   TRY_STATUS(variables_.set("sv_cheats", setup.can_cheat ? "1" : "0"));
+  TRY_STATUS(variables_.set("sv_protocol", setup.protocol));
   TRY_STATUS(server::start_map(*server_, setup.map));
   if (setup.bots > 0) {
     // Give the first bot time to explore the level before the other players join.
