@@ -74,8 +74,11 @@ base::Result<bool> DemoPlayer::read_packet() {
   return !now_.has_ended;
 }
 
+// A packet without a time, for example with only text, belongs to the end of the one before.
 base::Result<bool> DemoPlayer::begin_packet() {
+  const double previous_time_s = now_.state.time_s();
   TRY(const bool goes_on, read_packet());
+  if (now_.state.time_s() == previous_time_s) return goes_on;
   const PacketWindow window = make_packet_window(now_.state.previous_time_s(), now_.state.time_s());
   now_.server_time_s = std::min(window.begin_s, window.end_s);
   return goes_on;

@@ -99,6 +99,7 @@ struct ClientState::Apply {
     events.sounds.clear();
     events.stopped_sounds.clear();
     events.static_sounds.clear();
+    events.marks.clear();
     events.bonus_flashes = 0;
     events.new_level = true;
   }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "client/demo/demo_builder.h"
 #include "client/session/messages.h"
@@ -117,6 +118,18 @@ TEST(DemoPlayer, RecordsWithoutATimeDoNotStopIt) {
   EXPECT_THAT(player.state().events().prints, ElementsAre("one\n", "two\n"));
   EXPECT_EQ(player_x(player), 12);
   EXPECT_EQ(yaw_deg(player), 15) << "interpolated from packet to packet";
+}
+
+TEST(DemoPlayer, RecordsWithoutATimeDoNotTurnTimeBack) {
+  DemoBuilder demo = walk(2);
+  demo.record({net::StuffText{"bf\n"}});
+  demo.packet(1.125f, {update_at(1, kPlayerModel, {16, 0, 0})});
+  DemoPlayer player = play(demo.bytes());
+  std::vector<double> times_s;
+  while (player.begin_packet().value()) times_s.push_back(player.server_time_s());
+  // The first packet, the start of the second, the end of the second with the text, the start of the third.
+  ASSERT_TRUE(player.state().events().bonus_flashes == 1);
+  EXPECT_THAT(times_s, ElementsAre(1, 1, 1.0625, 1.0625));
 }
 
 TEST(DemoPlayer, TheClockContinuesThroughLevelChanges) {

@@ -126,6 +126,10 @@ TEST(ClientState, CollectsRequestsForMarks) {
   EXPECT_THAT(state.events().commands, IsEmpty());
   ASSERT_EQ(state.events().prints.size(), 1u);
   EXPECT_NE(state.events().prints[0].find("bad picture name \"../smile\""), std::string::npos);
+  apply(state, {server_info()});
+  EXPECT_THAT(state.events().marks, IsEmpty()) << "the level with the mark is over";
+  apply(state, {net::StuffText{"//temblor mark smile 1 2 3 4\n"}});
+  EXPECT_EQ(state.events().marks.size(), 1u);
   state.events().clear();
   EXPECT_THAT(state.events().marks, IsEmpty());
 }
