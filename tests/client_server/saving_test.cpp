@@ -14,14 +14,16 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+std::string replace_once(std::string program, const std::string& old, const std::string& now) {
+  const std::size_t at = program.find(old);
+  CHECK(at != std::string::npos);
+  return program.replace(at, old.size(), now);
+}
+
 // The small program, in which a dead player who presses a button restarts the level.
 std::string mortal_program() {
-  std::string program = small_program();
-  const std::string nothing = "void() PlayerPreThink = {};";
-  const std::size_t at = program.find(nothing);
-  CHECK(at != std::string::npos);
-  return program.replace(
-      at, nothing.size(),
+  return replace_once(
+      small_program(), "void() PlayerPreThink = {};",
       "void() PlayerPreThink = { if (self.health <= 0 && !self.deadflag) "
       "if (self.button0 || self.button2) { self.deadflag = 2; localcmd(\"restart\\n\"); } };");
 }
@@ -125,6 +127,26 @@ TEST(Saving, AMissingSaveIsTriedOnlyOnce) {
   served.run(0.5, kFire);
   served.run(0.5);
   EXPECT_EQ(served.game().player(0)[server::field::kHealth], 100);
+}
+
+// The level shows a mark a moment after its start, when its movers exist, as the shipped game's info_mark
+// does.
+TEST(Saving, ALoadedGameShowsTheMarksOfItsLevel) {
+  SKIP_WITHOUT_QUAKEC();
+  const std::string program = replace_once(
+      small_program(), "void() info_player_start = {};",
+      "void() mark_appears = { WriteByte(3, 9); WriteString(3, \"//temblor mark smile 1 2 3 4\\n\"); };"
+      "void() info_player_start = { self.think = mark_appears; self.nextthink = time + 0.1; };");
+  ServedGame served(program, {.max_clients = 1});
+  const std::size_t me = served.add_client("one");
+  ASSERT_TRUE(served.run_until_playing(me));
+  EXPECT_EQ(served.marks(me), 1u);
+  served.command("save quick");
+  served.run(0.1);
+  EXPECT_EQ(served.marks(me), 1u);
+  served.command("load quick");
+  served.run(3);
+  EXPECT_EQ(served.marks(me), 2u) << "once again";
 }
 
 TEST(Saving, WithoutAutoloadDeadPlayersRestart) {

@@ -116,6 +116,7 @@ std::size_t ServedGame::add_client(std::string name) {
                                            client::PlayerSettings{std::move(name), 4, 7}));
   prints_.emplace_back();
   sounds_.push_back(0);
+  marks_.push_back(0);
   clients_.back()->connect(server_address_, now_s_);
   return clients_.size() - 1;
 }
@@ -141,6 +142,7 @@ void ServedGame::run(double seconds, const net::Move& move) {
       clients_[i]->send_move(move);
       for (const std::string& text : clients_[i]->state().events().prints) prints_[i] += text;
       sounds_[i] += clients_[i]->state().events().sounds.size();
+      marks_[i] += clients_[i]->state().events().marks.size();
       clients_[i]->state().events().clear();
     }
   }

@@ -56,8 +56,9 @@ class ServedGame {
   // Everything that the server printed, and everything that it printed to this client.
   const std::string& console() const { return console_; }
   const std::string& prints(std::size_t client) const { return prints_[client]; }
-  // Sounds that this client was sent.
+  // Sounds that this client was sent, and marks that it was asked for.
   std::size_t sounds(std::size_t client) const { return sounds_[client]; }
+  std::size_t marks(std::size_t client) const { return marks_[client]; }
   command::Variables& variables() { return variables_; }
   BadNetwork& network() { return network_; }
   const TemporaryFolder& folder() const { return game_folder_.folder(); }
@@ -81,7 +82,7 @@ class ServedGame {
   std::unique_ptr<server::Server> server_;
   std::vector<std::unique_ptr<client::Connection>> clients_;
   std::vector<std::string> prints_;
-  std::vector<std::size_t> sounds_;
+  std::vector<std::size_t> sounds_, marks_;
   std::string console_;
   double now_s_ = kBegin_s;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();

@@ -5,12 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <set>
+#include <span>
 
+#include "client/demo/demo_session.h"
 #include "scripted_player/session/run.h"
 
 namespace temblor::test {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 struct Game {
@@ -122,6 +126,37 @@ TEST(ShippedGallery, CanBeTouredBayByBay) {
   EXPECT_TRUE(report.reached_exit) << player::as_text(report);
   EXPECT_THAT(report.problems, IsEmpty());
   EXPECT_GT(report.kills, 0) << "the gratings of the last bay did not open";
+}
+
+// The kinds of marks on the faces of some models.
+std::set<render::MarkKind> list_kinds(const render::MarkSet& marks, std::span<const world::Model> models) {
+  std::set<render::MarkKind> kinds;
+  for (const world::Model& model : models)
+    for (std::uint32_t i = 0; i < model.face_count; ++i)
+      for (const render::Mark& mark :
+           marks.marks_on_face(base::to_index<world::FaceIndex>(model.first_face + i)))
+        kinds.insert(mark.kind);
+  return kinds;
+}
+
+TEST(ShippedGallery, ShowsMarksFromTheStart) {
+  if (!is_built("gallery")) GTEST_SKIP() << "gallery has not been built";
+  player::RunSetup setup = make_run_setup({"gallery", 1, 0}, 1);
+  setup.records = true;
+  setup.limit_s = 1;
+  const player::RunReport report = player::play_level(setup).value();
+  const assets::Library library(vfs::FileSystem::open(TEMBLOR_SHIPPED_FOLDER).value());
+  client::Presentation presentation(library);
+  auto session = client::DemoSession::open(report.demo, "gallery.dem", presentation).value();
+  ASSERT_TRUE(session.seek(session.begin_s() + 0.5, {}).value());
+  EXPECT_THAT(presentation.take_notes(), IsEmpty()) << "a picture may be missing";
+  const std::span<const world::Model> models = presentation.scene().level->models;
+  using enum render::MarkKind;
+  EXPECT_THAT(list_kinds(*presentation.scene().marks, models.first(1)),
+              ElementsAre(kBulletHole, kScorch, kSplatter, kPicture));
+  EXPECT_THAT(list_kinds(*presentation.scene().marks, models.subspan(1)),
+              ElementsAre(kBulletHole, kSplatter, kPicture))
+      << "the board";
 }
 
 }  // namespace

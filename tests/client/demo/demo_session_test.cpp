@@ -1,6 +1,7 @@
 // Compares seeking in demos with playing the same demos from the start.
 #include "client/demo/demo_session.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 #include <tuple>
 #include <vector>
 
+#include "assets/assets.h"
 #include "client/demo/demo_builder.h"
 #include "client/view/free_camera.h"
 #include "support/effort.h"
@@ -207,6 +209,52 @@ TEST(DemoSession, SeekingWithMarksIsExact) {
     EXPECT_EQ(sought.presentation.scene().marks->size(), played.presentation.scene().marks->size()) << second;
   }
   EXPECT_GT(played.presentation.scene().marks->size(), 0u);
+}
+
+// The demo with marks that the game asks for: on the floor as the level begins, and on the door after 10
+// seconds, in records without a time.
+base::ByteVector bytes_with_marks() {
+  constexpr std::size_t kSignonRecords = 2, kLaterRecords = 203;
+  const Played plain(made_game().path(), made_bytes());
+  const math::Bounds door =
+      assets::load_level(plain.library.files(), "small").value().level->models[1].bounds;
+  const auto make_record = [](const std::string& line) {
+    base::ByteWriter writer;
+    EXPECT_TRUE(net::write_message(net::StuffText{line}, {}, writer).ok());
+    return std::move(writer).take();
+  };
+  const base::ByteVector bytes = made_bytes();
+  formats::DemReader reader = formats::DemReader::open(bytes).value();
+  formats::DemWriter marked;
+  std::size_t records = 0;
+  for (auto record = reader.next().value(); record; record = reader.next().value()) {
+    marked.add(record->view_angles_deg, record->message);
+    if (++records == kSignonRecords) marked.add({}, make_record("//temblor mark *scorch 210 220 1 24\n"));
+    if (records == kLaterRecords)
+      marked.add(
+          record->view_angles_deg,
+          make_record(fmt::format("//temblor mark *hole {} {} {} 8 0 *1\n", (door.mins.x + door.maxs.x) / 2,
+                                  door.mins.y - 1, (door.mins.z + door.maxs.z) / 2)));
+  }
+  return std::move(marked).take();
+}
+
+TEST(DemoSession, MarksOfTheGameAreThereAfterSeeking) {
+  const base::ByteVector bytes = bytes_with_marks();
+  Played played(made_game().path(), bytes), sought(made_game().path(), bytes);
+  const PresentationSettings settings;
+  const auto count = [](const Played& of) { return of.presentation.scene().marks->size(); };
+  Random random(6);
+  ASSERT_TRUE(played.session.advance(0, settings).value());
+  const std::size_t at_first = count(played);
+  EXPECT_GT(at_first, 0u);
+  for (int second = 1; second < 16; ++second) {
+    ASSERT_TRUE(played.session.advance(1, settings).value());
+    EXPECT_EQ(count(played) > at_first, second >= 10) << second;
+    ASSERT_TRUE(sought.session.seek(random.uniform(0, 20), settings).ok());
+    ASSERT_TRUE(sought.session.seek(played.session.time_s(), settings).value());
+    EXPECT_EQ(count(sought), count(played)) << second;
+  }
 }
 
 // Exact where no trail is drawn.
