@@ -93,6 +93,8 @@ class Channel {
   // True if the queue is empty, so that the next reliable message leaves at once.
   bool can_send_reliable() const { return queued_sizes_.empty(); }
   std::size_t queued_bytes() const { return queued_.size(); }
+  // How many fragments the peer has acknowledged.
+  std::uint32_t acknowledged_fragments() const { return fragment_sequence_; }
   // Returns kTooLarge and sends nothing if the message exceeds the peer's limit.
   base::Status send_unreliable(base::Bytes message, Sink send);
   // Sends the fragment in flight again if its acknowledgment is overdue. Call it every tick.

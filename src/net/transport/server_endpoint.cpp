@@ -14,6 +14,10 @@ namespace {
 
 // A connection request that repeats within this time is a resend, because our reply was lost.
 constexpr double kRepeatedRequest_s = 2;
+// A full server gives the place of a connection that has been silent for this time to a newcomer from the
+// same host, which probably is the same player after a crash. Clients that load a level send something every
+// five seconds.
+constexpr double kReplaceableSilence_s = 10;
 
 base::ByteVector make_server_message_bytes(const ServerMessage& message) {
   base::ByteWriter writer;
@@ -55,17 +59,22 @@ void ServerEndpoint::update(double now_s) {
     half_open.channel.update(now_s, SendTo{*sockets_[half_open.socket], half_open.address});
   disconnect_resender_.update(now_s);
   // drop() removes connections, so it must not run inside the loop.
-  std::vector<ConnectionId> silent;
+  std::vector<ConnectionId> silent, without_answer;
   for (Connection& connection : connections_) {
     connection.channel.update(now_s, SendTo{*sockets_[connection.peer.socket], connection.peer.address});
-    if (now_s - connection.last_received_s > settings_.timeout_s) silent.push_back(connection.id);
+    if (now_s - connection.last_received_s > settings_.timeout_s)
+      silent.push_back(connection.id);
+    else if (!answers_in_time(connection))
+      without_answer.push_back(connection.id);
   }
   for (const ConnectionId id : silent) drop(id, "timed out");
+  for (const ConnectionId id : without_answer) drop(id, "does not answer");
 }
 
 base::Status ServerEndpoint::send_reliable(ConnectionId connection, base::Bytes message) {
   Connection* found = find(connection);
   if (found == nullptr) return base::error(base::ErrorCode::kNotFound, "the connection has ended");
+  if (!found->first_message_s) found->first_message_s = now_s_;
   return found->channel.send_reliable(message, now_s_,
                                       SendTo{*sockets_[found->peer.socket], found->peer.address});
 }
@@ -141,6 +150,11 @@ std::optional<platform::Address> ServerEndpoint::peer_address(ConnectionId conne
   return found == nullptr ? std::nullopt : std::optional(found->peer.address);
 }
 
+std::optional<double> ServerEndpoint::last_packet_s(ConnectionId connection) const {
+  const Connection* found = find(connection);
+  return found == nullptr ? std::nullopt : std::optional(found->last_received_s);
+}
+
 const Channel* ServerEndpoint::find_channel(ConnectionId connection) const {
   const Connection* found = find(connection);
   return found == nullptr ? nullptr : &found->channel;
@@ -197,8 +211,7 @@ void ServerEndpoint::handle_connect_request(const Peer& from, const ConnectReque
     drop(connection->id, "reconnected");
   }
   if (half_open_.find(from.address) != nullptr) return accept(from);
-  if (connections_.size() >= settings_.max_connections)
-    return reject(from, "Server is full.\n", request_bytes);
+  if (!can_take(from.address)) return reject(from, "Server is full.\n", request_bytes);
   start_handshake(from);
 }
 
@@ -240,9 +253,13 @@ void ServerEndpoint::handle_connection_packet(Connection& connection, base::Byte
   if (message->has_value()) queue_message(connection.id, **message);
 }
 
-// The peer leaves the half-open state by an acknowledgment of svc_nop or by a message; with `challenge`, it
-// must also return a cookie, which goes out at that moment.
+// The peer leaves the half-open state by an acknowledgment of svc_nop; with `challenge`, it must also return
+// a cookie, which goes out at that moment. Earlier data is ignored without an acknowledgment, so that a
+// client that missed svc_nop sends it again.
 void ServerEndpoint::handle_half_open_packet(HalfOpen& half_open, base::Bytes packet) {
+  const auto header = read_packet_header(packet);
+  const bool is_probed = half_open.channel.acknowledged_fragments() > 0;
+  if (header.ok() && header->kind != PacketKind::kAck && !is_probed) return;
   const auto message =
       half_open.channel.receive(packet, now_s_, SendTo{*sockets_[half_open.socket], half_open.address});
   if (!message.ok()) {
@@ -250,7 +267,7 @@ void ServerEndpoint::handle_half_open_packet(HalfOpen& half_open, base::Bytes pa
     if (message.error().code == base::ErrorCode::kTooLarge) half_open_.remove(half_open.address);
     return;
   }
-  if (!message->has_value() && !half_open.channel.can_send_reliable()) return;  // not acknowledged yet
+  if (half_open.channel.acknowledged_fragments() == 0) return;
   const ChannelMessage first_message = message->value_or(ChannelMessage{});
   if (!settings_.challenge || half_open.address.is_local()) return promote(half_open, first_message);
   if (half_open.cookie.empty()) return send_challenge(half_open);
@@ -274,11 +291,18 @@ void ServerEndpoint::handle_unverified_packet(const Peer& from) {
 // `first_message` may refer to the channel of `half_open`, so it is copied before the entry is removed.
 void ServerEndpoint::promote(const HalfOpen& half_open, const ChannelMessage& first_message) {
   const Peer peer{half_open.address, half_open.socket};
-  if (connections_.size() >= settings_.max_connections) {
+  if (!can_take(peer.address)) {
     send_disconnect(peer, half_open.channel, "Server is full.");
   } else {
+    if (connections_.size() >= settings_.max_connections)
+      drop(find_replaceable(peer.address)->id, "replaced by a new connection from its address");
     const ConnectionId id{next_id_++};
-    connections_.push_back({id, peer, half_open.channel, half_open.began_s, now_s_});
+    connections_.push_back({.id = id,
+                            .peer = peer,
+                            .channel = half_open.channel,
+                            .accepted_s = half_open.began_s,
+                            .last_received_s = now_s_,
+                            .handshake_fragments = half_open.channel.acknowledged_fragments()});
     connections_.back().channel.set_sent_limits(message_limits_for(protocol_, find_peer_place(peer.address)));
     events_.push_back(PeerConnected{id, peer.address});
     if (!first_message.bytes.empty()) queue_message(id, first_message);
@@ -388,6 +412,28 @@ ServerEndpoint::Connection* ServerEndpoint::find(const platform::Address& addres
   for (Connection& candidate : connections_)
     if (candidate.peer.address == address) return &candidate;
   return nullptr;
+}
+
+// The one that has been silent for longest.
+const ServerEndpoint::Connection* ServerEndpoint::find_replaceable(const platform::Address& newcomer) const {
+  const Connection* found = nullptr;
+  for (const Connection& candidate : connections_) {
+    const bool is_silent = now_s_ - candidate.last_received_s >= kReplaceableSilence_s;
+    if (!is_silent || newcomer.is_local() || !candidate.peer.address.same_host(newcomer)) continue;
+    if (found == nullptr || candidate.last_received_s < found->last_received_s) found = &candidate;
+  }
+  return found;
+}
+
+bool ServerEndpoint::can_take(const platform::Address& newcomer) const {
+  return connections_.size() < settings_.max_connections || find_replaceable(newcomer) != nullptr;
+}
+
+// A player in this process may stop, for example in a debugger.
+bool ServerEndpoint::answers_in_time(const Connection& connection) const {
+  if (connection.peer.address.is_local() || !connection.first_message_s) return true;
+  return connection.channel.acknowledged_fragments() != connection.handshake_fragments ||
+         now_s_ - *connection.first_message_s <= settings_.answer_timeout_s;
 }
 
 bool ServerEndpoint::has_connection_of_host(const platform::Address& address) const {

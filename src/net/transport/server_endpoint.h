@@ -4,15 +4,18 @@
 //
 // A peer is an address and a port. Every peer starts unverified, because anybody can forge a sender address:
 //
-//   unverified --- CCREQ_CONNECT ---> half open --- ack or message ---> connection
+//   unverified --- CCREQ_CONNECT ---> half open --- ack ---> connection
 //                  (CCREP_ACCEPT)     (svc_nop)     (and the cookie, if `challenge` is set)
 //
 // - CCREP_ACCEPT names the port that the request came to. All clients share this port, so NAT and containers
 //   need to forward only one.
 // - A half-open peer (admission/half_open.h) gets one reliable byte, svc_nop. Its acknowledgment shows that
 //   the peer receives packets at this address. Until then the peer never gets a packet larger than its
-//   request, except replies to queries, which have budgets (admission/unverified_peer_limits.h).
-// - A connection has a rate limit for packets, and ends after timeout_s of silence.
+//   request, except replies to queries, which have budgets (admission/unverified_peer_limits.h), and its data
+//   is ignored: a client repeats what is reliable.
+// - A connection has a rate limit for packets, and ends after timeout_s of silence. It must acknowledge
+//   something of its first reliable message within answer_timeout_s. Clients do that before they load a
+//   level.
 // - Packets of ended connections are answered with the disconnect message again (disconnect_resender.h).
 //
 // The endpoint reads no clock: callers pass the time in seconds, which never goes back.
@@ -47,6 +50,7 @@ struct ServerEndpointSettings {
   std::size_t max_connections = 16;
   double timeout_s = 300;           // ends a connection after this much silence
   double half_open_timeout_s = 10;  // forgets a half-open peer after this time
+  double answer_timeout_s = 5;  // ends a connection that acknowledges nothing of its first reliable message
   // Port that CCREP_ACCEPT names instead of the socket's own; for servers behind NAT. 0: the socket's own
   // port.
   std::uint16_t announced_port = 0;
@@ -156,6 +160,8 @@ class ServerEndpoint {
   std::size_t connections() const { return connections_.size(); }
   // nullopt if the connection has ended.
   std::optional<platform::Address> peer_address(ConnectionId connection) const;
+  // When the last packet of the connection arrived; nullopt if it has ended.
+  std::optional<double> last_packet_s(ConnectionId connection) const;
   // Returns null if the connection has ended. Valid until the next non-const call.
   const Channel* find_channel(ConnectionId connection) const;
   const ServerEndpointStatistics& statistics() const { return statistics_; }
@@ -173,6 +179,8 @@ class ServerEndpoint {
     Channel channel;
     double accepted_s = 0, last_received_s = 0;
     TokenBucket packets{};
+    std::uint32_t handshake_fragments = 0;    // acknowledged before it became a connection
+    std::optional<double> first_message_s{};  // when its first reliable message was sent
   };
   struct ReceivedPacket {
     Peer from;
@@ -213,6 +221,10 @@ class ServerEndpoint {
   Connection* find(ConnectionId connection);
   const Connection* find(ConnectionId connection) const;
   Connection* find(const platform::Address& address);
+  // The connection that gives its place to a newcomer from this address. Null if there is none.
+  const Connection* find_replaceable(const platform::Address& newcomer) const;
+  bool can_take(const platform::Address& newcomer) const;
+  bool answers_in_time(const Connection& connection) const;
   bool has_connection_of_host(const platform::Address& address) const;
   bool is_banned(const platform::Address& address) const;
 

@@ -93,7 +93,7 @@ TEST(Endpoints, DisconnectReachesPeer) {
   };
   tick();
   EXPECT_THAT(client.taken(), ElementsAre("+", "R:\x01"));
-  EXPECT_THAT(server.taken(), ElementsAre("+1", "1U:\x01"));
+  EXPECT_THAT(server.taken(), ElementsAre("+1"));  // the client's nop came before its acknowledgment
   server.endpoint.disconnect_all("the server ends");
   tick();
   EXPECT_THAT(client.taken(), ElementsAre(StartsWith("U:\x08the server ends\n")));

@@ -94,14 +94,22 @@ TEST(ServerEndpoint, CompletesHandshakeOfStockClient) {
   EXPECT_THAT(client.received(), ElementsAre("\0\x09\0\x0d\0\0\0\x01hello"s));
 }
 
-TEST(ServerEndpoint, DataCompletesHandshakeToo) {
+// Data proves nothing, because a forger can send it blindly. It is not acknowledged, so a client repeats it.
+TEST(ServerEndpoint, OnlyAcknowledgmentCompletesHandshake) {
   Bench bench;
   BarePeer client(bench.network, host(2, 5000));
   client.send(kConnect);
   bench.tick();
+  client.received();
   client.send(unreliable(0, "x"));
+  client.send(reliable(0, "y"));
   bench.tick();
-  EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "1U:x"));
+  EXPECT_THAT(bench.server.taken(), IsEmpty());
+  EXPECT_THAT(client.received(), IsEmpty());
+  client.send(kAck);
+  client.send(reliable(0, "y"));
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("+1", "1R:y"));
 }
 
 TEST(ServerEndpoint, AcceptsLongerRequestOfProQuake) {
@@ -273,6 +281,60 @@ TEST(ServerEndpoint, SilentConnectionsTimeOut) {
   const auto lines = bench.server.taken();
   EXPECT_EQ(std::count(lines.begin(), lines.end(), "-1 timed out"), 1);
   EXPECT_EQ(bench.server.endpoint.connections(), 1u);
+}
+
+// It keeps sending, but never acknowledges the server's first message.
+TEST(ServerEndpoint, PeerThatAcknowledgesNothingIsDroppedAfterFiveSeconds) {
+  Bench bench;
+  BarePeer bad(bench.network, host(2, 1)), slow(bench.network, host(3, 1)), idle(bench.network, host(4, 1));
+  bench.connect(bad);
+  bench.connect(slow);
+  bench.connect(idle);  // is sent nothing that it could acknowledge
+  bench.server.taken();
+  ASSERT_TRUE(bench.server.send(1, std::string(3000, 'a')));
+  ASSERT_TRUE(bench.server.send(2, std::string(3000, 'a')));
+  slow.send("\0\x02\0\x08\0\0\0\x01"s);  // of the first fragment of three
+  for (int i = 0; i < 49; ++i) {
+    bad.send(unreliable(i, "garbage"));
+    bench.tick(0.1);
+  }
+  EXPECT_EQ(bench.server.endpoint.connections(), 3u);
+  bench.server.taken();
+  bench.tick(0.2);
+  bench.tick(60);
+  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 does not answer"));
+  EXPECT_EQ(bench.server.endpoint.connections(), 2u);
+}
+
+// A crashed client may come back from another port while its old connection still waits for packets.
+TEST(ServerEndpoint, FullServerReplacesSilentConnectionOfSameHost) {
+  Bench bench({.max_connections = 2});
+  BarePeer crashed(bench.network, host(2, 1)), lively(bench.network, host(3, 1));
+  bench.connect(crashed);
+  bench.connect(lively);
+  bench.server.taken();
+  bench.tick(9);
+  lively.send(unreliable(0, ""));
+  BarePeer early(bench.network, host(2, 2)), outsider(bench.network, host(4, 1)),
+      back(bench.network, host(2, 3)), neighbor(bench.network, host(3, 2));
+  early.send(kConnect);
+  bench.tick(0);
+  EXPECT_THAT(early.received(), ElementsAre(HasSubstr("Server is full.")));
+  bench.tick(2);
+  for (BarePeer* peer : {&outsider, &neighbor}) {
+    bench.connect(*peer);
+    bench.tick();
+  }
+  EXPECT_EQ(bench.server.endpoint.peer_address(ConnectionId{1}), host(2, 1));
+  // A forged request changes nothing before its acknowledgment.
+  back.send(kConnect);
+  bench.tick();
+  EXPECT_EQ(bench.server.endpoint.peer_address(ConnectionId{1}), host(2, 1));
+  bench.server.taken();
+  back.send(kAck);
+  bench.tick();
+  EXPECT_THAT(bench.server.taken(), ElementsAre("-1 replaced by a new connection from its address", "+3"));
+  EXPECT_EQ(bench.server.endpoint.peer_address(ConnectionId{2}), host(3, 1));
 }
 
 TEST(ServerEndpoint, BansRejectAndDisconnect) {
