@@ -57,6 +57,7 @@ void step_server(Server& io_server, double now_s) {
   io_server.console.run();
   send_changed_rules(io_server);
   play_due_ticks(io_server);
+  replace_dead_connections(io_server);
   drop_failed_clients(io_server);
   send_packets(io_server);
   autosave_if_due(io_server);

@@ -13,6 +13,7 @@
 namespace temblor::test {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // A client that sends nothing on its own, and stores the names of levels and all text that it is sent.
@@ -131,6 +132,142 @@ TEST(Joining, AClientThatConnectsDuringALevelChangeGetsThere) {
   }
   served.run(5);
   EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).disconnect_reason() << served.console();
+}
+
+// Players of one host, whose connections the test can cut off without a word, as a crash does.
+class PlayersOfOneHost {
+ public:
+  void join(std::string name) {
+    const auto port = static_cast<std::uint16_t>(5000 + players_.size());
+    players_.push_back({std::make_unique<client::Connection>(
+                            served_.network().open(platform::ip4_address({10, 0, 8, 8}, port)),
+                            client::PlayerSettings{std::move(name), 1, 2}),
+                        false});
+    players_.back().connection->connect(kServedAddress, served_.now_s());
+  }
+  void kill(std::size_t player) { players_[player].is_dead = true; }
+  void revive(std::size_t player) { players_[player].is_dead = false; }
+  bool is_playing(std::size_t player) const { return players_[player].connection->is_playing(); }
+
+  void run(double seconds) {
+    for (const double until_s = served_.now_s() + seconds; served_.now_s() < until_s;) {
+      served_.run(1.0 / 72);
+      for (Player& player : players_) {
+        if (player.is_dead) continue;
+        player.connection->update(served_.now_s());
+        player.connection->send_move({});
+        player.connection->state().events().clear();
+      }
+    }
+  }
+  // The names of all players in the order of their slots.
+  std::vector<std::string> names() {
+    std::vector<std::string> names;
+    for (const server::Client& client : served_.server().clients.all())
+      if (!client.is_free()) names.push_back(client.name);
+    return names;
+  }
+  ServedGame& served() { return served_; }
+
+ private:
+  struct Player {
+    std::unique_ptr<client::Connection> connection;
+    bool is_dead = false;
+  };
+  ServedGame served_;
+  std::vector<Player> players_;
+};
+
+TEST(Joining, AKilledPlayerWhoComesBackHasItsNameAgain) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayersOfOneHost players;
+  players.join("joe");
+  players.run(2);
+  ASSERT_THAT(players.names(), ElementsAre("joe"));
+  players.kill(0);
+  players.run(0.3);
+  players.join("Joe");
+  players.run(1);
+  EXPECT_THAT(players.names(), ElementsAre("joe", "Joe (2)"));  // the old one may only be slow
+  players.run(1.5);
+  EXPECT_THAT(players.names(), ElementsAre("Joe"));
+  EXPECT_TRUE(players.is_playing(1));
+  EXPECT_THAT(players.served().console(), HasSubstr("came back with another connection"));
+}
+
+TEST(Joining, TwoPlayersOfOneNameAndHostKeepTheirPlaces) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayersOfOneHost players;
+  players.join("player");
+  players.run(2);
+  players.join("player");
+  players.run(10);
+  EXPECT_THAT(players.names(), ElementsAre("player", "player (2)"));
+  // Neither a stall after both have joined nor a slow level change makes room for the other.
+  players.kill(0);
+  players.run(20);
+  EXPECT_THAT(players.names(), ElementsAre("player", "player (2)"));
+  players.revive(0);
+  players.run(1);
+  players.served().command("changelevel small");
+  players.run(0.05);
+  players.kill(0);
+  players.run(20);
+  EXPECT_THAT(players.names(), ElementsAre("player", "player (2)"));
+  players.revive(0);
+  players.run(3);
+  EXPECT_TRUE(players.is_playing(0) && players.is_playing(1));
+}
+
+TEST(Joining, AnotherHostCannotReplaceAKilledPlayer) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayersOfOneHost players;
+  players.join("joe");
+  players.run(2);
+  players.kill(0);
+  players.run(3);
+  players.served().add_client("joe");
+  players.run(5);
+  EXPECT_THAT(players.names(), ElementsAre("joe", "joe (2)"));
+}
+
+// It completes the handshake and then sends bytes that no client sends.
+TEST(Joining, ANewcomerThatSendsGarbageIsDropped) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const auto socket = served.network().open(platform::ip4_address({10, 0, 9, 9}, 4000));
+  const auto send = [&](std::string_view bytes) { socket->send(kServedAddress, base::as_bytes(bytes)); };
+  using namespace std::string_view_literals;
+  send("\x80\0\0\x0c\x01QUAKE\0\x03"sv);
+  served.run(0.1);
+  send("\0\x02\0\x08\0\0\0\0"sv);
+  served.run(0.1);
+  ASSERT_EQ(served.server().endpoint.connections(), 1u);
+  send("\0\x10\0\x0c\0\0\0\0\xde\xad\xbe\xef"sv);
+  served.run(0.1);
+  EXPECT_EQ(served.server().endpoint.connections(), 0u);
+  EXPECT_THAT(served.console(), HasSubstr("sent an unreadable message"));
+}
+
+// Stock clients acknowledge the level's files before they load them.
+TEST(Joining, ANewcomerMayLoadForLongButMustAcknowledge) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  SlowClient slow(served);
+  const auto silent = served.network().open(platform::ip4_address({10, 0, 9, 8}, 4000));
+  using namespace std::string_view_literals;
+  silent->send(kServedAddress, base::as_bytes("\x80\0\0\x0c\x01QUAKE\0\x03"sv));
+  slow.run(0.1);
+  silent->send(kServedAddress, base::as_bytes("\0\x02\0\x08\0\0\0\0"sv));
+  slow.run(4);
+  EXPECT_EQ(served.server().endpoint.connections(), 2u);
+  slow.run(2);
+  EXPECT_EQ(served.server().endpoint.connections(), 1u);
+  EXPECT_THAT(served.console(), HasSubstr("does not answer"));
+  served.run(30);  // the slow one sends nothing now
+  slow.say("prespawn");
+  slow.run(1);
+  EXPECT_EQ(slow.signon, 2);
 }
 
 }  // namespace

@@ -17,10 +17,8 @@
 namespace temblor::server {
 namespace {
 
-// Limits of stock clients: score boards, and colors of shirts and pants.
-constexpr std::size_t kMaxNameChars = 15;
 constexpr std::size_t kMaxSayChars = 200;
-constexpr int kMaxColor = 13;
+constexpr int kMaxColor = 13;  // of shirts and pants in stock clients
 // Beyond the largest level that any format can hold.
 constexpr double kMaxPlace_units = 1 << 20;
 
@@ -53,36 +51,10 @@ std::string to_one_line(std::string_view text) {
   return line;
 }
 
-// `wanted`, followed by a number if another player already has this name: "player (2)".
-std::string make_unique_name(std::span<const Client> clients, std::size_t slot, const std::string& wanted) {
-  const auto is_taken = [&](const std::string& name) {
-    for (std::size_t other = 0; other < clients.size(); ++other)
-      if (other != slot && !clients[other].is_free() && base::equal_ignoring_case(clients[other].name, name))
-        return true;
-    return false;
-  };
-  if (wanted == Client::kNoName) return wanted;
-  std::string name = wanted;
-  for (int number = 2; is_taken(name); ++number) {
-    const std::string mark = fmt::format(" ({})", number);
-    name = wanted.substr(0, kMaxNameChars - mark.size()) + mark;
-  }
-  return name;
-}
-
 // Without a name, shows the current one, like a console variable.
 void name_command(const Caller& caller) {
   if (caller.words.size() < 2) return caller.print(fmt::format("\"name\" is \"{}\"\n", caller.client().name));
-  Client& client = caller.client();
-  const std::string name =
-      make_unique_name(caller.server.clients.all(), caller.slot, presentable_name(caller.rest()));
-  if (name == client.name) return;
-  if (client.is_in_game() && client.name != Client::kNoName)
-    print(caller.server, fmt::format("{} is now {}\n", client.name, name));
-  client.name = name;
-  if (client.is_in_game() && !caller.server.game->set_player_look(caller.slot, name, client.colors).ok())
-    client.drop_reason = "there is no memory for its name";
-  caller.server.clients.send_to_all(net::UpdateName{static_cast<std::uint8_t>(caller.slot), name});
+  set_player_name(caller.server, caller.slot, presentable_name(caller.rest()));
 }
 
 // One number sets both colors.
@@ -282,7 +254,7 @@ std::string presentable_name(std::string_view wanted) {
   for (const char c : wanted) {
     const auto value = static_cast<unsigned char>(c);
     // 128 and above are characters of the game's own font.
-    if (name.size() < kMaxNameChars && value >= 32 && value != 127 && c != '"' && c != ';') name += c;
+    if (name.size() < Client::kMaxNameChars && value >= 32 && value != 127 && c != '"' && c != ';') name += c;
   }
   while (name.ends_with(' ')) name.pop_back();
   while (name.starts_with(' ')) name.erase(0, 1);

@@ -52,15 +52,18 @@ struct CommandLimit {
 
 struct Client {
   static constexpr const char* kNoName = "unconnected";
+  static constexpr std::size_t kMaxNameChars = 15;  // that the score boards of stock clients show
 
   ClientStage stage = ClientStage::kFree;
   net::ConnectionId connection{};
   std::string address;  // as text, for the host; "bot" for bots
   std::string name = kNoName;
+  std::string wanted_name{};     // as the client sent it; `name` may have a number behind it
   std::uint8_t colors = 0;       // shirt << 4 | pants
   SpawnParameters parameters{};  // with which the player enters the next level
   double joined_at_s = 0;        // by the server's clock
   std::int16_t sent_frags = 0;   // what the score boards show
+  bool has_spawned = false;      // in any level since it connected
   bool loads_old_level = false;  // the level changed again before the client had loaded it
   // If not empty, drop_failed_clients() drops the client at the end of the step. Functions set it instead of
   // dropping the client, because their callers may still use the slot.

@@ -63,6 +63,10 @@ void handle_packet_head(Client& io_client, const net::NumberedPacket& head) {
   if (head.received_snapshot) io_client.sent_snapshots->acknowledge(*head.received_snapshot);
 }
 
+std::string make_unreadable_reason(const base::Error& error) {
+  return fmt::format("sent an unreadable message: {}", error.what);
+}
+
 // Lets game code handle the line, if it has a function for that (KRIMZON_SV_PARSECLIENTCOMMAND). false: it
 // has none, and the server handles the line.
 bool offer_command_to_game(Server& io_server, std::size_t slot, std::string_view line) {
@@ -117,10 +121,14 @@ void handle_command(Server& io_server, std::size_t slot, std::string_view line) 
 }
 
 // An unreliable packet from a client that does not play yet. Only a disconnect counts: its moves belong to
-// the previous level, and may be in another protocol.
+// the previous level, and may be in another protocol. A newcomer has no previous level, so it must be
+// readable.
 void handle_early_packet(Server& io_server, std::size_t slot, net::ClientMessageReader& io_reader) {
+  Client& client = io_server.clients[slot];
   const auto message = io_reader.next();
-  if (message.ok() && *message && std::holds_alternative<net::Disconnect>(**message))
+  if (!message.ok() && !client.has_spawned)
+    client.drop_reason = make_unreadable_reason(message.error());
+  else if (message.ok() && *message && std::holds_alternative<net::Disconnect>(**message))
     drop_client(io_server, slot, "left");
 }
 
@@ -136,7 +144,7 @@ void handle_packet(Server& io_server, std::size_t slot, base::Bytes bytes, bool 
   while (true) {
     const auto message = reader.next();
     if (!message.ok()) {
-      client.drop_reason = fmt::format("sent an unreadable message: {}", message.error().what);
+      client.drop_reason = make_unreadable_reason(message.error());
       return;
     }
     if (!message->has_value()) break;

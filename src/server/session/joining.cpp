@@ -52,6 +52,7 @@ base::Status spawn_client(Server& io_server, std::size_t slot) {
     TRY_STATUS(io_server.game->spawn_client(slot, client.parameters, client.name, client.colors));
   io_server.resuming_players[slot] = false;
   client.stage = ClientStage::kSpawned;
+  client.has_spawned = true;
   TRY(std::vector<base::ByteVector> parts,
       make_state_messages(*io_server.game, io_server.clients.all(), slot));
   for (base::ByteVector& part : parts) io_server.clients.queue_alone(slot, std::move(part));

@@ -1,7 +1,7 @@
 // The stages of a server's step and tick, in the order in which they run, and the functions that they share.
 // All of them act on one `Server`; each group is one source file of this folder.
-//    step_server():  receive_packets, console, send_changed_rules, ticks, drop_failed_clients, send_packets,
-//                    autosave_if_due
+//    step_server():  receive_packets, console, send_changed_rules, ticks, replace_dead_connections,
+//                    drop_failed_clients, send_packets, autosave_if_due
 //    server_tick():  play_moves, send_move_parameters, Game::tick, update_bot_clients, send_snapshots,
 //                    handle_game_requests
 #pragma once
@@ -54,6 +54,13 @@ base::Status spawn_client(Server& io_server, std::size_t slot);
 void begin_play(Server& io_server, std::size_t slot);
 // Takes the player out of the game; its client stays connected.
 void disconnect_player(Server& io_server, std::size_t slot);
+
+// --- player_names.cpp
+
+// Names a client as it wants. If another player has the name, a number follows: "player (2)".
+void set_player_name(Server& io_server, std::size_t slot, const std::string& wanted);
+// Drops connections whose players have come back with another one, and gives these the names that they want.
+void replace_dead_connections(Server& io_server);
 
 // --- player_moves.cpp: from packets to the game. The path of a move:
 //   net::Move -> PlayerInput -> Client::moves (a MoveQueue) -> play_moves() -> Game::play_move() or tick()
