@@ -80,6 +80,26 @@ TEST(Host, KeysMoveThePlayer) {
   EXPECT_LT(glm::length(math::Vec2(velocity)), 1);
 }
 
+// The tick of the first frame after the key already moves the player, at its full acceleration.
+TEST(Host, AKeyReachesThePhysicsInItsFrame) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game({"map small", "host_parallel 0"});
+  ASSERT_TRUE(game.run_until_playing());
+  game.run(0.5);
+  const auto speed = [&] {
+    return glm::length(math::Vec2(game.session().server()->game->player(0)[server::field::kVelocity]));
+  };
+  for (const bool is_typed : {false, true}) {
+    ASSERT_LT(speed(), 1e-3f);
+    is_typed ? game.command("+forward") : game.press(Key{'w'});
+    game.run(1.0 / 72 - 1e-9);
+    // 10 sv_accelerate * 320 sv_maxspeed / 72, without friction because the player stood.
+    EXPECT_NEAR(speed(), 320 * 10 / 72.0f, 0.5f) << is_typed;
+    is_typed ? game.command("-forward") : game.release(Key{'w'});
+    game.run(1);
+  }
+}
+
 TEST(Host, ReleasesKeysWhenFocusIsLost) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game({"map small"});

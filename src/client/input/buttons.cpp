@@ -32,7 +32,7 @@ ButtonName button_name(Button button) {
 // A key that joins others only becomes one more holder: the action has begun already.
 void ButtonState::press(int holder, double time_s) {
   if (std::find(holders_.begin(), holders_.end(), holder) != holders_.end()) return;
-  if (holders_.empty()) counted_to_s_ = time_s;
+  if (holders_.empty()) counted_to_s_ = pressed_s_ = time_s;
   holders_.push_back(holder);
   was_pressed_ = true;
 }
@@ -43,7 +43,9 @@ void ButtonState::release(int holder, double time_s) {
     holders_.clear();
   else
     std::erase(holders_, holder);
-  if (holders_.empty()) held_s_ += std::max(0.0, time_s - counted_to_s_);
+  if (!holders_.empty()) return;
+  held_s_ += std::max(0.0, time_s - counted_to_s_);
+  was_tapped_ |= time_s <= pressed_s_;
 }
 
 bool ButtonState::take_was_down() {
@@ -52,10 +54,14 @@ bool ButtonState::take_was_down() {
 
 // Time is counted up to `time_s`; what follows belongs to the next call.
 double ButtonState::take_held_s(double time_s) {
-  if (is_down() && time_s > counted_to_s_) {
-    held_s_ += time_s - counted_to_s_;
-    counted_to_s_ = time_s;
+  const double uncounted_s = std::max(0.0, time_s - counted_to_s_);
+  if (is_down()) {
+    held_s_ += uncounted_s;
+    counted_to_s_ = std::max(counted_to_s_, time_s);
+  } else if (was_tapped_) {
+    held_s_ += uncounted_s / 2;
   }
+  was_tapped_ = false;
   return std::exchange(held_s_, 0.0);
 }
 

@@ -38,8 +38,8 @@ struct ButtonName {
 ButtonName button_name(Button button);
 
 // One action, held by any number of keys. It adds up how long it was held between the times of the key
-// events, so the total is exact and does not depend on how often it is read. Stock Quake estimated the share
-// of a frame as 0, 1/4, 1/2, 3/4 or 1.
+// events, so the total does not depend on how often it is read. A press and release at the same time are a
+// tap of unknown length, which counts half of the time until the next take_held_s().
 class ButtonState {
  public:
   // A key or a typed command starts the action. `holder`: the key's number; 0 for a typed command. Does
@@ -59,8 +59,10 @@ class ButtonState {
  private:
   std::vector<int> holders_;
   bool was_pressed_ = false;
-  // Up to when held_s_ counts; valid while down.
+  bool was_tapped_ = false;  // since take_held_s()
+  // Up to when held_s_ counts; valid while down, or after a tap.
   double counted_to_s_ = 0;
+  double pressed_s_ = 0;
   // Seconds not yet returned by take_held_s().
   double held_s_ = 0;
 };

@@ -23,7 +23,7 @@ class InputVariables {
 };
 
 // Registers +forward, -forward and so on for each Button, and impulse, centerview and force_centerview.
-// `event_time_s` is read when a command runs: the time of the event that runs it. It and `io_input` must
+// `event_time_s` is read when a command runs: the time from which it counts. It and `io_input` must
 // outlive the console.
 void add_input_commands(command::Console& io_console, PlayerInput& io_input, const double& event_time_s);
 

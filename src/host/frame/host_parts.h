@@ -68,8 +68,11 @@ struct HostConsole {
 
 struct HostInput {
   std::vector<platform::InputEvent> events;  // of this frame
-  double event_time_s = 0;                   // of the event that is being handled
-  std::optional<double> oldest_event_s;      // of this frame
+  // From when the keys and commands of this frame count: the last frame. A window reports a key only when it
+  // is asked, once a frame, so the key was pressed before that. Counting from now would delay each by a
+  // frame.
+  double event_time_s = 0;
+  std::optional<double> oldest_event_s;  // of this frame
   client::Bindings bindings;
   client::HeldKeys held;
   client::PlayerInput player;

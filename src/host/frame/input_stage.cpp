@@ -91,7 +91,6 @@ void handle_close_request(Host& io_host) {
 
 void handle_event(Host& io_host, const platform::InputEvent& event) {
   HostInput& input = io_host.input;
-  input.event_time_s = event.time_s;
   if (!input.oldest_event_s) input.oldest_event_s = event.time_s;
   const bool was_in_game = is_in_game(io_host);
   if (pass_to_overlays(io_host, event)) {
@@ -141,8 +140,8 @@ void read_input(Host& io_host) {
   input.events.clear();
   io_host.services.window.poll(input.events);
   input.oldest_event_s.reset();
+  input.event_time_s = io_host.timing.now_s - io_host.timing.measured.frame_s;
   for (const platform::InputEvent& event : input.events) handle_event(io_host, event);
-  input.event_time_s = io_host.timing.now_s;
 }
 
 }  // namespace temblor::host

@@ -84,9 +84,9 @@ void send_moves(Host& io_host, const client::InputSettings& settings) {
   HostInput& input = io_host.input;
   Session& session = *io_host.game.session;
   const double now_s = io_host.timing.now_s;
-  int due = session.count_due_moves(now_s);
-  net::Move move =
-      due > 0 ? input.player.take_move(now_s, settings) : input.player.peek_move(now_s, settings);
+  net::Move move = input.player.peek_move(now_s, settings);
+  int due = session.count_due_moves(move, now_s);
+  if (due > 0) move = input.player.take_move(now_s, settings);
   // A slow frame covers several ticks. All of them get the same move, but its impulse only once.
   for (; due > 0; --due) {
     session.send_move(move, now_s);

@@ -7,8 +7,6 @@
 namespace temblor::host {
 namespace {
 
-// The stock game draws at most 72 frames per second, and its clients send one move per frame.
-constexpr double kMoveInterval_s = 1.0 / 72;
 constexpr std::uint16_t kServerLoopbackPort = 1;
 
 net::ServerEndpointSettings make_endpoint_settings(const Services& services) {
@@ -119,19 +117,18 @@ double Session::move_clock_s(double now_s) const {
 
 // A server that numbers moves simulates exactly one per tick. With our own server, the moves are aligned with
 // its ticks: each is sent in the frame that runs its tick, just before it, with the newest input.
-int Session::count_due_moves(double now_s) {
+int Session::count_due_moves(const net::Move& next, double now_s) {
   if (!is_playing()) return 0;
   const double clock_s = move_clock_s(now_s);
   const double until_tick_s = server_ ? server::time_until_next_tick_s(*server_, clock_s) : 0;
-  if (!connection_->move_parameters())
-    return until_tick_s <= 0 && (server_ || now_s - moved_s_ >= kMoveInterval_s);
+  if (!connection_->move_parameters()) return server_ ? until_tick_s <= 0 : move_pacer_.is_due(next, now_s);
   if (until_tick_s > 0)
     connection_->align_moves(clock_s + until_tick_s - connection_->move_parameters()->tick_s);
   return connection_->count_due_moves(clock_s);
 }
 
 void Session::send_move(net::Move move, double now_s) {
-  moved_s_ = now_s;
+  move_pacer_.note_sent(move, now_s);
   connection_->send_move(move);
 }
 

@@ -19,6 +19,7 @@
 #include "client/input/player_input.h"
 #include "client/session/connection.h"
 #include "host/services.h"
+#include "host/session/move_pacer.h"
 #include "net/transport/loopback.h"
 #include "server/server.h"
 
@@ -61,8 +62,8 @@ class Session {
   // snapshot late, and entities move smoothly between two known positions.
   double time_s() const { return time_s_; }
   // The number of moves to send now: one before each tick of our own server or of a server that numbers
-  // moves, 72 per second to others.
-  int count_due_moves(double now_s);
+  // moves; for others see move_pacer.h. `next` is the move that would be sent.
+  int count_due_moves(const net::Move& next, double now_s);
   void send_move(net::Move move, double now_s);
   // The clock for the times of moves: that of our own server, otherwise the window's.
   double move_clock_s(double now_s) const;
@@ -87,9 +88,9 @@ class Session {
   std::string server_output_;
   std::optional<client::Connection> connection_;
   std::optional<base::ByteVector> lost_recording_;
-  double now_s_ = 0;         // when read() was last called
-  double time_s_ = 0;        // see time_s()
-  double moved_s_ = 0;       // when send_move() was last called
+  double now_s_ = 0;   // when read() was last called
+  double time_s_ = 0;  // see time_s()
+  MovePacer move_pacer_;
   double server_now_s_ = 0;  // our own server's clock
   double stepped_s_ = 0;     // when step_server() was last called
 };

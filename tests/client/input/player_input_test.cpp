@@ -34,6 +34,21 @@ TEST(ButtonState, APressBetweenTwoMovesIsNotLost) {
   EXPECT_FALSE(button.take_was_down());
 }
 
+TEST(ButtonState, ATapOfUnknownLengthCountsHalfOfTheFrame) {
+  ButtonState button;
+  button.press(kKey, 1.0);
+  button.release(kKey, 1.0);
+  EXPECT_DOUBLE_EQ(button.take_held_s(1.5), 0.25);
+  EXPECT_DOUBLE_EQ(button.take_held_s(2.0), 0);
+  // A second press in the same frame holds it.
+  button.press(kKey, 2.0);
+  button.release(kKey, 2.0);
+  button.press(kKey, 2.0);
+  EXPECT_DOUBLE_EQ(button.take_held_s(2.5), 0.5);
+  button.release(kKey, 2.5);
+  EXPECT_DOUBLE_EQ(button.take_held_s(3.0), 0);
+}
+
 TEST(ButtonState, ATypedReleaseReleasesAllKeys) {
   ButtonState button;
   button.press(kKey, 0);
