@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "app/files/atomic_write.h"
 #include "app/files/picture_file.h"
 #include "base/text.h"
 #include "render/present.h"
@@ -103,10 +104,7 @@ base::Status Film::start_y4m() {
 }
 
 base::Error Film::cannot_write() const {
-  base::Error error = base::error(ErrorCode::kIo, "cannot write ({}); choose another output with -o",
-                                  std::generic_category().message(errno));
-  error.file = name_;
-  return error;
+  return make_write_error(name_, std::generic_category().message(errno), Remedy::kOtherOutput);
 }
 
 std::span<const std::uint32_t> Film::expand_colors(const render::FrameBuffer& frame) {

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/files/atomic_write.h"
 #include "formats/sounds/wav.h"
 
 namespace temblor::app {
@@ -27,10 +28,7 @@ std::int16_t to_int16(float sample) {
 }  // namespace
 
 base::Error SoundFile::cannot_write() const {
-  base::Error error = base::error(base::ErrorCode::kIo, "cannot write ({}); choose another output with -o",
-                                  std::generic_category().message(errno));
-  error.file = path_;
-  return error;
+  return make_write_error(path_, std::generic_category().message(errno), Remedy::kOtherOutput);
 }
 
 base::Status SoundFile::write_header() {

@@ -13,14 +13,6 @@
 namespace temblor::app {
 namespace {
 
-// Returns an error that says why, and what to do about it.
-base::Error cannot_write(const std::filesystem::path& path, const std::string& reason, Remedy remedy) {
-  return {base::ErrorCode::kIo,
-          fmt::format("cannot write ({}){}", reason,
-                      remedy == Remedy::kOtherOutput ? "; choose another output with -o" : ""),
-          path.string()};
-}
-
 // Writes the file. Returns the system's error message if any byte could not be written.
 std::optional<std::string> write_bytes(const std::filesystem::path& path, base::Bytes bytes) {
   errno = 0;
@@ -28,6 +20,15 @@ std::optional<std::string> write_bytes(const std::filesystem::path& path, base::
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   file.close();
   return file ? std::nullopt : std::optional(std::generic_category().message(errno));
+}
+
+base::Status make_parent_folder(const std::filesystem::path& path, Remedy remedy) {
+  const std::filesystem::path folder = path.parent_path();
+  std::error_code failure;
+  if (remedy != Remedy::kNone || folder.empty() || std::filesystem::is_directory(folder, failure))
+    return base::Ok{};
+  std::filesystem::create_directories(folder, failure);
+  return failure ? base::Status(make_write_error(path, failure.message(), remedy)) : base::Ok{};
 }
 
 // Returns the target of a symbolic link, so that the link itself is kept; any other path unchanged.
@@ -39,6 +40,20 @@ std::filesystem::path resolve_link(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+base::Error make_write_error(const std::filesystem::path& path, const std::string& reason, Remedy remedy) {
+  const std::filesystem::path folder = path.parent_path();
+  const bool has_output = remedy == Remedy::kOtherOutput;
+  std::error_code ignored;
+  if (has_output && !folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    return {base::ErrorCode::kIo,
+            fmt::format("the folder {} does not exist; create it, or choose another output with -o",
+                        folder.string()),
+            path.string()};
+  return {base::ErrorCode::kIo,
+          fmt::format("cannot write ({}){}", reason, has_output ? "; choose another output with -o" : ""),
+          path.string()};
+}
 
 base::Result<FileChange> FileChange::replacement(const std::filesystem::path& path, base::Bytes bytes,
                                                  Remedy remedy) {
@@ -52,10 +67,12 @@ base::Result<FileChange> FileChange::replacement(const std::filesystem::path& pa
     return change;
   }
   change.target_ = resolve_link(path);
+  TRY_STATUS(make_parent_folder(change.target_, remedy));
   // The process id keeps two programs that write the same file from sharing a temporary file.
   change.temporary_ = change.target_;
   change.temporary_ += fmt::format(".{}.new", getpid());
-  if (const auto reason = write_bytes(change.temporary_, bytes)) return cannot_write(path, *reason, remedy);
+  if (const auto reason = write_bytes(change.temporary_, bytes))
+    return make_write_error(path, *reason, remedy);
   return change;
 }
 
@@ -90,13 +107,13 @@ base::Status FileChange::commit() {
   std::error_code failure;
   if (device_bytes_) {
     const auto reason = write_bytes(path_, *device_bytes_);
-    return reason ? base::Status(cannot_write(path_, *reason, remedy_)) : base::Ok{};
+    return reason ? base::Status(make_write_error(path_, *reason, remedy_)) : base::Ok{};
   }
   if (temporary_.empty())
     std::filesystem::remove(target_, failure);
   else
     std::filesystem::rename(temporary_, target_, failure);
-  if (failure) return cannot_write(path_, failure.message(), remedy_);
+  if (failure) return make_write_error(path_, failure.message(), remedy_);
   temporary_.clear();
   return base::Ok{};
 }

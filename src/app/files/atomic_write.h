@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "base/bytes.h"
 #include "base/result.h"
@@ -17,9 +18,14 @@ namespace temblor::app {
 // choose.
 enum class Remedy { kOtherOutput, kNone };
 
+// Returns the kIo error for a file that cannot be written: its name, the system's reason, and the remedy. For
+// an output in a folder that does not exist, it says so instead.
+base::Error make_write_error(const std::filesystem::path& path, const std::string& reason, Remedy remedy);
+
 // Replaces or creates a file atomically. If several programs write it at once, the last rename wins. A
-// symbolic link is kept and its target replaced; a device or a pipe is written to directly. Errors are kIo
-// and name the file.
+// symbolic link is kept and its target replaced; a device or a pipe is written to directly. The folder of a
+// file is made only with Remedy::kNone, because a misspelled folder of an output would go unnoticed. Errors
+// are kIo and name the file.
 base::Status replace_file(const std::filesystem::path& path, base::Bytes bytes,
                           Remedy remedy = Remedy::kOtherOutput);
 

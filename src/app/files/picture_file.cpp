@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "app/files/atomic_write.h"
 #include "base/text.h"
 #include "formats/images/png.h"
 
@@ -21,29 +22,13 @@ base::Error make_picture_name_error(const std::string& pattern) {
                      "-o {}: the name of a picture must end in .png and may contain one %d or %05d", pattern);
 }
 
-// Returns an error that says what to do: create the folder, or choose another output.
-base::Error cannot_write(const std::string& path, int system_error) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code ignored;
-  const bool folder_missing = !folder.empty() && !std::filesystem::is_directory(folder, ignored);
-  base::Error error =
-      folder_missing
-          ? base::error(ErrorCode::kIo,
-                        "the folder {} does not exist; create it, or choose another output with -o",
-                        folder.string())
-          : base::error(ErrorCode::kIo, "cannot write ({}); choose another output with -o",
-                        std::generic_category().message(system_error));
-  error.file = path;
-  return error;
-}
-
 // Writes the file in place. Pictures are not replaced atomically, because a sequence may have thousands.
 base::Status write_file(const std::string& path, base::Bytes bytes) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) return cannot_write(path, errno);
+  if (!file) return make_write_error(path, std::generic_category().message(errno), Remedy::kOtherOutput);
   return base::Ok{};
 }
 

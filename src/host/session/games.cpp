@@ -134,7 +134,7 @@ base::Status write_screenshot(Host& io_host, std::string_view file) {
   TRY(const base::ByteVector png,
       formats::write_png(pixels, screen.frame().width(), screen.frame().height()));
   TRY_STATUS(io_host.services.write_file(path, png));
-  print_line(io_host, fmt::format("Screenshot saved: {}", path.filename().string()));
+  print_line(io_host, fmt::format("Screenshot saved: {}", path.string()));
   return base::Ok{};
 }
 

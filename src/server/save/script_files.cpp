@@ -1,6 +1,7 @@
 #include "server/save/script_files.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -59,6 +60,10 @@ std::optional<std::string> read_disk(const std::filesystem::path& path) {
   return text;
 }
 
+base::Error cannot_write(const std::filesystem::path& path, const std::string& reason) {
+  return base::error(ErrorCode::kIo, "{}: cannot write ({})", path.string(), reason);
+}
+
 }  // namespace
 
 base::Result<ScriptFiles::File*> ScriptFiles::find(int handle) {
@@ -91,9 +96,11 @@ base::Result<int> ScriptFiles::open(std::string_view name, ScriptFileMode mode) 
     file.path = data_folder_ / inside;
     std::error_code error;
     std::filesystem::create_directories(file.path.parent_path(), error);
+    if (error) return cannot_write(file.path, error.message());
     const auto flags = mode == ScriptFileMode::kAppend ? std::ios::app : std::ios::trunc;
+    errno = 0;
     if (!std::ofstream(file.path, std::ios::binary | flags))
-      return base::error(ErrorCode::kIo, "data/{} cannot be written", inside);
+      return cannot_write(file.path, std::generic_category().message(errno));
     const auto size = std::filesystem::file_size(file.path, error);
     if (!error) file.at = static_cast<std::size_t>(size);
   }
@@ -104,12 +111,12 @@ base::Result<int> ScriptFiles::open(std::string_view name, ScriptFileMode mode) 
 // The file is opened for each flush only, so that it can be read from outside while the game runs.
 base::Status ScriptFiles::flush(File& io_file) {
   if (io_file.mode == ScriptFileMode::kRead || io_file.text.empty()) return base::Ok{};
+  errno = 0;
   std::ofstream stream(io_file.path, std::ios::binary | std::ios::app);
   stream << io_file.text << std::flush;
   io_file.at += io_file.text.size();
   io_file.text.clear();
-  if (!stream)
-    return base::error(ErrorCode::kIo, "data/{} cannot be written", io_file.path.filename().string());
+  if (!stream) return cannot_write(io_file.path, std::generic_category().message(errno));
   return base::Ok{};
 }
 

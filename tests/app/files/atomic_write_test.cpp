@@ -39,6 +39,17 @@ TEST(ReplaceFile, FollowsLinks) {
   EXPECT_EQ(read_text(file), "new");
 }
 
+TEST(ReplaceFile, MakesTheFolderOfAFileThatTheProgramNames) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "player" / "id1" / "quick.sav";
+  ASSERT_TRUE(app::replace_file(file, base::as_bytes("saved"), app::Remedy::kNone).ok());
+  EXPECT_EQ(read_text(file), "saved");
+  const base::Status status =
+      app::replace_file(file / "below_a_file" / "x", base::as_bytes("new"), app::Remedy::kNone);
+  ASSERT_FALSE(status.ok());
+  EXPECT_THAT(status.error().message(), ::testing::HasSubstr("cannot write (Not a directory)"));
+}
+
 TEST(ReplaceFile, FailsForAnInvalidPath) {
   const TemporaryFolder folder;
   const base::Status status = app::replace_file(folder.path() / "none" / "level.bsp", base::as_bytes("new"));
