@@ -23,6 +23,13 @@ bool is_in_wall(server::GameWorld& io_world, const server::Edict& edict) {
       .trace.start_solid;
 }
 
+// Returns whether a monster that cannot swim is in a liquid, where it has nowhere to go while the player
+// swims above.
+bool is_at_the_bottom(const server::Edict& monster) {
+  constexpr float kEmpty = -1;  // contents
+  return monster[field::kWaterType] < kEmpty && !monster.has_flag(server::flag::kSwim);
+}
+
 }  // namespace
 
 MonsterWatch::MonsterWatch(server::Game& io_game) : fields_(io_game.machine().program()) {}
@@ -76,7 +83,8 @@ void MonsterWatch::look(server::Game& io_game, double now_s) {
     watched.attack_times.insert(fields_.number(edict, "attack_finished"));
     if (glm::distance(math::Vec2(at), math::Vec2(watched.at)) > kMoved_units ||
         watched.animations.size() > 1 || watched.attack_times.size() > 1 ||
-        edict[field::kHealth] != watched.health || plays_action(io_game, edict) || !fights(io_game, edict)) {
+        edict[field::kHealth] != watched.health || plays_action(io_game, edict) || is_at_the_bottom(edict) ||
+        !fights(io_game, edict)) {
       watched.at = at;
       watched.health = edict[field::kHealth];
       watched.since_s = now_s;

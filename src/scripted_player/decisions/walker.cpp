@@ -24,6 +24,7 @@ constexpr float kLookAhead_units = 160;
 constexpr double kStuck_s = 0.9, kWriggle_s = 0.35;
 constexpr float kStuck_units = 14;
 constexpr int kMaxStuck = 4;
+constexpr int kMaxStepsBack = 30;  // of a route
 // Limits for a link without and with a wait for a mover.
 constexpr double kMaxWay_s = 8, kMaxWait_s = 40, kPatience_s = 5;
 constexpr float kRunUp_units = 88;
@@ -57,6 +58,7 @@ math::Vec3 velocity_to_stand_at(const Self& self, const math::Vec3& at) {
 }  // namespace
 
 void Walker::follow(Route route, double now_s) {
+  steps_back_ = 0;
   route_ = std::move(route);
   index_ = 0;
   stuck_ = 0;
@@ -110,6 +112,47 @@ bool Walker::waits_for_mover(const Link& link) const {
     return mover.kind == MoverKind::kLift || mover.kind == MoverKind::kTrain || (condition.states & 1) != 0 ||
            !(mover.opens_automatically || mover.key != 0);
   });
+}
+
+// Returns whether a train on which the link depends passes through the place on its way between two
+// of its states.
+bool Walker::is_in_way(const Link& link, const math::Vec3& at) const {
+  // Half the player's width and some space to stop.
+  constexpr math::Vec3 kBelow(28, 28, 32), kAbove(28, 28, 24);
+  for (const MoverCondition& condition : link.conditions) {
+    if (condition.mover < 0) continue;
+    const Mover& mover = space_->facts().movers[static_cast<std::size_t>(condition.mover)];
+    if (mover.kind != MoverKind::kTrain) continue;  // lifts turn back when they meet a player
+    for (const MoverPart& part : mover.parts)
+      for (std::size_t i = 0; i < part.places.size(); ++i) {
+        const math::Vec3& from = part.places[i];
+        const math::Vec3& to = part.places[(i + 1) % part.places.size()];
+        if (boxes_overlap(
+                {part.box.mins + glm::min(from, to) - kBelow, part.box.maxs + glm::max(from, to) + kAbove},
+                {at, at}))
+          return true;
+      }
+  }
+  return false;
+}
+
+// Returns the number of places along the route to the nearest one out of the way of the movers, negative:
+// back. 0: the player is not in their way, or there is no such place.
+int Walker::count_steps_out_of_way(const Self& self, const Link& link) const {
+  constexpr int kMaxSteps = 40;
+  if (!is_in_way(link, self.origin)) return 0;
+  const int index = static_cast<int>(index_), last = static_cast<int>(route_->links.size());
+  bool can_go_on = true, can_go_back = true;
+  for (int steps = 1; steps <= kMaxSteps; ++steps) {
+    can_go_on = can_go_on && index + steps <= last && is_plain(static_cast<std::size_t>(index + steps - 1));
+    can_go_back = can_go_back && index - steps >= 0 && is_plain(static_cast<std::size_t>(index - steps));
+    const auto is_out = [&](int i) {
+      return !is_in_way(link, graph_->place(route_->places[static_cast<std::size_t>(i)]).at);
+    };
+    if (can_go_on && is_out(index + steps)) return steps;
+    if (can_go_back && is_out(index - steps)) return -steps;
+  }
+  return 0;
 }
 
 WalkResult Walker::give_up_route(float penalize_link) {
@@ -227,16 +270,28 @@ bool Walker::missed_ride(const Place& from) const {
          movers_->state(from.mover) != from.state;
 }
 
-// Waits in front of a mover, or heads for the farthest place ahead in a straight line. The view looks up to
-// ten places ahead, as people look where they go.
-void Walker::steer_plain(server::Game& io_game, const Self& self, Steering& out) {
-  const Link& link = route_->links[index_];
+// Waits in front of a mover, and goes back if it is coming.
+void Walker::wait_for_mover(const Self& self, const Link& link, bool goes_back, Steering& out) {
   const math::Vec3 here = graph_->place(route_->places[index_]).at;
-  if (waits_for_mover(link)) {
+  out.look_at = graph_->place(link.to).at + kEyeHeight;
+  if (!goes_back) {
     out.velocity = compute_wish(velocity_to_stand_at(self, here), self.velocity);
-    out.look_at = graph_->place(link.to).at + kEyeHeight;
     return;
   }
+  const math::Vec3 back = graph_->place(route_->places[index_ - 1]).at;
+  out.velocity = compute_wish(horizontal_direction(self.origin, back) * kRunSpeed, self.velocity);
+  if (horizontal_distance(self.origin, back) >= 16) return;
+  --index_;
+  ++steps_back_;
+}
+
+// Waits for a mover unless the way on is the shortest out of its way, or heads for the farthest place ahead
+// in a straight line. The view looks up to ten places ahead, as people look where they go.
+void Walker::steer_plain(server::Game& io_game, const Self& self, Steering& out) {
+  const Link& link = route_->links[index_];
+  const bool waits = waits_for_mover(link);
+  const int steps_out = waits && steps_back_ < kMaxStepsBack ? count_steps_out_of_way(self, link) : 0;
+  if (waits && steps_out <= 0) return wait_for_mover(self, link, steps_out < 0, out);
   // Head for the farthest place ahead that can be reached in a straight line.
   std::size_t last = index_ + 1;
   while (last < route_->links.size() && last < index_ + kLookAhead && is_plain(last) &&

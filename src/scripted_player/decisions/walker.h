@@ -56,6 +56,9 @@ class Walker {
   void steer_in_air(const Self& self, const math::Vec3& landing, Steering& out) const;
   bool missed_ride(const Place& from) const;
   bool waits_for_mover(const Link& link) const;
+  bool is_in_way(const Link& link, const math::Vec3& at) const;
+  int count_steps_out_of_way(const Self& self, const Link& link) const;
+  void wait_for_mover(const Self& self, const Link& link, bool goes_back, Steering& out);
   bool is_stuck(const Self& self, double now_s, bool waits);
   WalkResult give_up_route(float penalize_link);
 
@@ -68,6 +71,9 @@ class Walker {
   // Index in the route of the last place that was passed, and the time of that.
   std::size_t index_ = 0;
   double passed_s_ = 0;
+  // Places of the route that the player has gone back. Limited: two players could chase each other to and
+  // fro.
+  int steps_back_ = 0;
   // Has waited so long that movers near the link no longer matter.
   bool is_impatient_ = false;
   bool was_in_air_ = false;
