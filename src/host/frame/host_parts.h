@@ -68,9 +68,7 @@ struct HostConsole {
 
 struct HostInput {
   std::vector<platform::InputEvent> events;  // of this frame
-  // From when the keys and commands of this frame count: the last frame. A window reports a key only when it
-  // is asked, once a frame, so the key was pressed before that. Counting from now would delay each by a
-  // frame.
+  // From when the key or command that is being handled counts.
   double event_time_s = 0;
   std::optional<double> oldest_event_s;  // of this frame
   client::Bindings bindings;

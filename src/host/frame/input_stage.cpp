@@ -89,9 +89,18 @@ void handle_close_request(Host& io_host) {
     open_menu(io_host, client::MenuPage::kQuit);
 }
 
+// Returns from when an event counts. Some systems do not say when it happened, only when the window read it,
+// in this frame: then it happened some time after the last frame, and counting from now would delay each by a
+// frame.
+double find_start_s(const FrameTiming& timing, const platform::InputEvent& event) {
+  const double last_frame_s = timing.now_s - timing.measured.frame_s;
+  return event.time_s < timing.now_s ? std::max(event.time_s, last_frame_s) : last_frame_s;
+}
+
 void handle_event(Host& io_host, const platform::InputEvent& event) {
   HostInput& input = io_host.input;
-  if (!input.oldest_event_s) input.oldest_event_s = event.time_s;
+  input.oldest_event_s = std::min(input.oldest_event_s.value_or(event.time_s), event.time_s);
+  input.event_time_s = find_start_s(io_host.timing, event);
   const bool was_in_game = is_in_game(io_host);
   if (pass_to_overlays(io_host, event)) {
     // The game will not see the releases of the keys that were held when the overlay opened.
@@ -140,8 +149,9 @@ void read_input(Host& io_host) {
   input.events.clear();
   io_host.services.window.poll(input.events);
   input.oldest_event_s.reset();
-  input.event_time_s = io_host.timing.now_s - io_host.timing.measured.frame_s;
   for (const platform::InputEvent& event : input.events) handle_event(io_host, event);
+  // For commands that are typed or come from files.
+  input.event_time_s = io_host.timing.now_s - io_host.timing.measured.frame_s;
 }
 
 }  // namespace temblor::host

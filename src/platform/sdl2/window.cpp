@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "platform/sdl2/event_times.h"
 #include "platform/sdl2/gamepads.h"
 #include "platform/sdl2/keys.h"
 #include "platform/sdl2/library.h"
@@ -69,6 +70,7 @@ class SdlWindow : public Window {
   WindowHandle window_;
   std::unique_ptr<PicturePresenter> presenter_;
   Gamepads gamepads_;
+  EventTimes event_times_;
   bool captured_ = false;
 };
 
@@ -112,7 +114,7 @@ base::Status SdlWindow::set_mode(const WindowSettings& settings) {
 
 void SdlWindow::poll(std::vector<InputEvent>& io_events) {
   SDL_Event event;
-  while (SDL_PollEvent(&event) != 0) take(event, now_s(), io_events);
+  while (SDL_PollEvent(&event) != 0) take(event, event_times_.take(event, now_s()), io_events);
 }
 
 void SdlWindow::take(const SDL_Event& event, double time_s, std::vector<InputEvent>& io_events) {

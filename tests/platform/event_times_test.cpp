@@ -1,0 +1,62 @@
+#include "platform/sdl2/event_times.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "platform/sdl2/window.h"
+
+namespace temblor::platform::sdl2 {
+namespace {
+
+TEST(EventTimes, AgesWrapAround) {
+  EXPECT_DOUBLE_EQ(compute_age_s(1000, 1250), 0.25);
+  EXPECT_DOUBLE_EQ(compute_age_s(0xffffff00u, 0x20u), 0.288);
+  EXPECT_DOUBLE_EQ(compute_age_s(1000, 1000), 0);
+}
+
+// The server of another machine has a clock of its own.
+TEST(EventTimes, AgesOfAnotherClockAreZero) {
+  EXPECT_EQ(compute_age_s(1000, 2500), 0);
+  EXPECT_EQ(compute_age_s(1001, 1000), 0);
+}
+
+// Presses a key by XTEST, and looks at it 300 ms later.
+TEST(EventTimes, AKeyHappensWhenItIsPressed) {
+  if (std::system("command -v xvfb-run xauth xdotool >/dev/null") != 0)
+    GTEST_SKIP() << "a display (xvfb, xauth) or xdotool is not installed";
+  if (std::getenv("DISPLAY") == nullptr) {
+    const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+    EXPECT_EQ(std::system(("xvfb-run -a '" + self + "' --gtest_filter=EventTimes.AKey* >&2").c_str()), 0);
+    return;
+  }
+  auto window = open_window("Times", {.size = {320, 200}});
+  ASSERT_TRUE(window.ok()) << window.error().message();
+  std::vector<InputEvent> events;
+  const auto wait = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
+  for (int i = 0; i < 10; ++i) {  // until the window has the focus
+    wait(50);
+    (*window)->poll(events);
+  }
+  events.clear();
+  const double before_s = (*window)->now_s();
+  ASSERT_EQ(std::system("xdotool search --name Times windowfocus; xdotool key x"), 0);
+  const double pressed_s = (*window)->now_s();
+  wait(300);
+  (*window)->poll(events);
+  std::size_t keys = 0;
+  for (const InputEvent& event : events) {
+    if (!std::holds_alternative<KeyChange>(event.what)) continue;
+    ++keys;
+    EXPECT_GE(event.time_s, before_s - 0.002);
+    EXPECT_LE(event.time_s, pressed_s + 0.1) << "not when the window read it";
+  }
+  EXPECT_EQ(keys, 2u);
+}
+
+}  // namespace
+}  // namespace temblor::platform::sdl2
