@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "game/room_level.h"
 
 namespace temblor::test {
@@ -47,6 +49,65 @@ TEST_F(OnlyRegistered, FiresWithTheMarkOfTheRegisteredGame) {
   EXPECT_EQ(game_->variable("registered"), 1);
   EXPECT_TRUE(was_used());
   EXPECT_THAT(game_->errors(), IsEmpty());
+}
+
+// The hall as e1m7, whose exit leads back to the level start.
+class EpisodeEnd : public ::testing::Test {
+ protected:
+  EpisodeEnd()
+      : data_(hall_text({0, -128, 0}, {600, 128, 128}, {},
+                        entity_text("trigger_changelevel", "\"map\" \"start\"",
+                                    box_text({300, -128, 0}, {320, 128, 128}, "wall")))) {}
+
+  // Leaves the level, and presses a button until the next one is requested. Returns the messages that each
+  // press led to: f for a finale, s for the order form.
+  std::string leave(std::string_view map, server::GameKind kind = server::GameKind::kSingle) {
+    const std::filesystem::path maps = data_.path() / "id1/maps";
+    std::filesystem::copy_file(maps / "room.bsp", maps / (std::string(map) + ".bsp"));
+    PlayedLevel game(data_.path(), map, kProgs, {.kind = kind});
+    game.join(0);
+    game.run(0.5);
+    game.put(game.player(0), {310, 0, 25});
+    game.run(1);
+    std::string shown;
+    for (int press = 0; press < 6 && !game.change_level(); ++press) {
+      const std::size_t before = game.said().size();
+      game.run(6);
+      game.input(0).buttons = 1;
+      game.run(0.2);
+      game.input(0).buttons = 0;
+      const std::string said = game.said().substr(before);
+      if (said.starts_with("\x1f")) {
+        shown += 'f';
+        text_ = said.substr(1, said.find('\0') - 1);
+      } else if (said.starts_with("\x21")) {
+        shown += 's';
+      }
+    }
+    EXPECT_EQ(game.change_level(), "start");
+    EXPECT_THAT(game.errors(), IsEmpty());
+    return shown;
+  }
+
+  RoomData data_;
+  std::string text_;
+};
+
+TEST_F(EpisodeEnd, OffersTheRegisteredGameWithoutIt) {
+  EXPECT_EQ(leave("e1m7"), "fs");
+  EXPECT_THAT(text_, ::testing::HasSubstr("registered game"));
+}
+
+TEST_F(EpisodeEnd, ReturnsToTheHallInTheRegisteredGame) {
+  data_.folder().write("id1/gfx/pop.lmp", std::string(256, '\0'));
+  EXPECT_EQ(leave("e1m7"), "f");
+  EXPECT_THAT(text_, ::testing::HasSubstr("hall"));
+  EXPECT_EQ(leave("e4m7"), "f");
+}
+
+TEST_F(EpisodeEnd, ShowsOnlyScoresElsewhere) {
+  EXPECT_EQ(leave("e1m6"), "");
+  EXPECT_EQ(leave("e1m7", server::GameKind::kDeathmatch), "");
 }
 
 }  // namespace
