@@ -29,6 +29,12 @@ TEST(ForeignNames, SetTheSameSettingInItsUnit) {
   EXPECT_EQ(number(host, "r_use_pvs"), 0);
   EXPECT_EQ(number(host, "v_roll"), 0);
   EXPECT_EQ(count_lines(host, "unknown"), 0u);
+  host.command("r_showtris 1");
+  host.run(0.1);
+  EXPECT_EQ(host.variables().variables().find("r_show")->text, "edges");
+  host.command("r_showtris 0");
+  host.run(0.1);
+  EXPECT_EQ(host.variables().variables().find("r_show")->text, "picture");
   host.command("cl_bob");
   host.run(0.1);
   EXPECT_TRUE(host.has_printed("\"cl_bob\" is called \"v_bob\" here"));

@@ -35,6 +35,15 @@ constexpr std::array kCounterparts = {
     Counterpart{"host_speeds", "r_speeds", 2},
 };
 
+// 0 sets our variable to `off`, other numbers set it to `on`.
+struct Switch {
+  std::string_view foreign, own, off, on;
+};
+constexpr std::array kSwitches = {
+    Switch{"vid_fullscreen", "vid_mode", "window", "fullscreen"},
+    Switch{"r_showtris", "r_show", "picture", "edges"},
+};
+
 // Settings without a counterpart, each with a space before and after it.
 constexpr std::string_view kIgnored =
     " "
@@ -44,7 +53,7 @@ constexpr std::string_view kIgnored =
     "v_iyaw_cycle v_iroll_cycle v_ipitch_cycle v_iyaw_level v_iroll_level v_ipitch_level scr_ofsx "
     "scr_ofsy scr_ofsz scr_showram scr_showturtle scr_showpause scr_conwidth scr_menubgalpha "
     "m_filter snd_mixspeed snd_speed snd_filterquality snd_show ambient_fade nosound precache "
-    "bgmbuffer loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater r_showtris "
+    "bgmbuffer loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater "
     "scr_sbar fov_adapt sv_altnoclip pr_engine con_logcenterprint v_centermove skyroom rate "
     "heartbeat tp_msg loc team skin setinfo serverinfo user observe listen test test2 viewmodel "
     "viewframe viewnext viewprev language ";
@@ -84,11 +93,13 @@ bool ForeignNames::is_developer() const {
   return variables_.find("developer")->number != 0;
 }
 
-// _cl_name is a text. _cl_color holds both colors: 16 * shirt + trousers. vid_fullscreen is a mode of ours.
+// _cl_name is a text. _cl_color holds both colors: 16 * shirt + trousers. Switches are choices of ours.
 bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
   constexpr std::int64_t kMaxColors = 255, kLastColor = 13;  // the rows above are full-bright
+  const auto* const found_switch = std::ranges::find(kSwitches, name, &Switch::foreign);
   const bool is_name = name == "_cl_name", is_color = name == "_cl_color";
-  if (!is_name && !is_color && name != "vid_fullscreen") return false;
+  const bool is_switch = found_switch != kSwitches.end();
+  if (!is_name && !is_color && !is_switch) return false;
   const std::string value = arguments.size() > 1 ? arguments[1] : "";
   const auto set = [&](std::string_view own, std::string_view text) {
     if (const base::Status status = variables_.set(own, text); !status.ok())
@@ -100,7 +111,7 @@ bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
   }
   const auto number = command::parse_whole_number(value);
   if (is_name || !number || *number < 0 || *number > kMaxColors) {
-    const std::string_view own = is_name ? "name" : is_color ? "topcolor and bottomcolor" : "vid_mode";
+    const std::string_view own = is_name ? "name" : is_color ? "topcolor and bottomcolor" : found_switch->own;
     console_.print_error(
         fmt::format("\"{}\" is called {} here{}", name, own,
                     is_name ? "" : fmt::format("; it takes a number from 0 to {}", kMaxColors)));
@@ -108,7 +119,7 @@ bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
     set("topcolor", std::to_string(std::min(*number / 16, kLastColor)));
     set("bottomcolor", std::to_string(std::min(*number % 16, kLastColor)));
   } else {
-    set("vid_mode", *number == 0 ? "window" : "fullscreen");
+    set(found_switch->own, *number == 0 ? found_switch->off : found_switch->on);
   }
   return true;
 }
