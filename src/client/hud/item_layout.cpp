@@ -67,7 +67,7 @@ constexpr ItemIcon ammo(std::uint32_t item, const char* picture) {
 }
 constexpr ItemIcon kStockAmmo[] = {ammo(kItemShells, "sb_shells"), ammo(kItemNails, "sb_nails"),
                                    ammo(kItemRockets, "sb_rocket"), ammo(kItemCells, "sb_cells")};
-// The last two pictures seem to be exchanged, but all engines that we tried show them so.
+// The last two pictures seem to be exchanged, but QuakeSpasm shows them so.
 constexpr ItemIcon kRogueAmmo[] = {ammo(kRogueShells, "sb_shells"),         ammo(kRogueNails, "sb_nails"),
                                    ammo(kRogueRockets, "sb_rocket"),        ammo(kRogueCells, "sb_cells"),
                                    ammo(kRogueLavaNails, "r_ammolava"),     ammo(kRoguePlasma, "r_ammomulti"),
