@@ -73,7 +73,7 @@ TEST(PlayProgram, PlaysASession) {
 type() { xdotool key grave; sleep 0.6; xdotool type --delay 20 "$1"; xdotool key Return; sleep 0.5; xdotool key grave; sleep 1; }
 PLAY --size 640x480 & game=$!
 xdotool search --sync --name Temblor >/dev/null; sleep 2
-xdotool key Return; sleep 0.5; xdotool key Return; sleep 3
+xdotool key Return; sleep 0.5; xdotool key Return; sleep 0.5; xdotool key Return; sleep 3
 xdotool key F12; sleep 0.5
 xdotool keydown w; sleep 0.5; xdotool keyup w
 xdotool mousemove_relative 300 0; sleep 0.3

@@ -58,7 +58,10 @@ base::Result<std::string> read_startup_file(Host& io_host, std::string_view name
     if (!file) return std::string();
     return *file == name ? read_commands(data, name) : command::join_words({"exec", *file});
   }
-  if (name == "autoexec.cfg" && !has_commands(data, name)) return std::string();
+  if (!has_commands(data, name)) {
+    if (name == kStartupFile) return std::string(kStockStartup);
+    if (name == "autoexec.cfg") return std::string();
+  }
   return read_commands(data, name);
 }
 
@@ -90,8 +93,7 @@ void run_startup_script(Host& io_host) {
   startup = {};
   startup.is_running = true;
   const std::size_t errors = io_host.console.commands.errors_in_file(kConfigurationFile);
-  const bool has_script = has_commands(*io_host.game.data, kStartupFile);
-  run_at_once(io_host, has_script ? command::join_words({"exec", std::string(kStartupFile)}) : kStockStartup);
+  run_at_once(io_host, command::join_words({"exec", std::string(kStartupFile)}));
   if (!startup.has_configured) run_at_once(io_host, "exec config.cfg");
   startup.is_running = false;
   if (configuration_to_run(*io_host.game.data) == kConfigurationFile)
