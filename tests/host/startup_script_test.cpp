@@ -101,6 +101,16 @@ TEST_F(StartupScript, RunsTheCommandLineAfterIt) {
   EXPECT_EQ(text("fov"), "70");
 }
 
+TEST_F(StartupScript, TheCommandLineMayContainStuffcmds) {
+  start({});
+  host_.restart(nullptr, {"inc sensitivity 1; stuffcmds"});
+  host_.run(0.2);
+  const std::string once = text("sensitivity");
+  host_.command("stuffcmds");
+  host_.run(0.2);
+  EXPECT_NE(text("sensitivity"), once);
+}
+
 TEST_F(StartupScript, SetaKeepsAVariableOfTheMod) {
   start({{"default.cfg", "set mod_hint first\nseta mod_mode 2\n"}});
   EXPECT_EQ(text("mod_hint"), "first");

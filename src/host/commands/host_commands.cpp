@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "assets/mission_pack.h"
 #include "base/text.h"
@@ -197,8 +198,10 @@ void start_demos(Host& io_host, Arguments arguments) {
     attract(io_host, std::move(demos));
 }
 
+// The command line may contain this command, so it runs once a frame at most.
 void run_command_line_again(Host& io_host, Arguments) {
-  if (io_host.game.startup.is_running) return;
+  StartupScript& startup = io_host.game.startup;
+  if (!io_host.game.has_begun || std::exchange(startup.has_stuffed, true)) return;
   for (const std::string& line : io_host.options.commands) io_host.console.commands.append(line);
 }
 

@@ -95,6 +95,7 @@ struct HostInput {
 struct StartupScript {
   bool is_running = false;
   bool has_configured = false;     // temblor.cfg or config.cfg has run
+  bool has_stuffed = false;        // `stuffcmds` has run in this frame
   std::vector<std::string> demos;  // named by `startdemos`
 };
 

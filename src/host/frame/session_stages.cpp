@@ -100,6 +100,7 @@ void send_moves(Host& io_host, const client::InputSettings& settings) {
 void run_commands(Host& io_host) {
   LoadedGame& game = io_host.game;
   io_host.console.commands.run();
+  game.startup.has_stuffed = false;
   report_unknown_names(io_host);
   if (!std::exchange(game.has_begun, true)) show_attract_mode(io_host);
   if (std::optional<std::vector<std::string>> games = std::exchange(game.requested_games, std::nullopt))
