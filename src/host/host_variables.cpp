@@ -49,7 +49,8 @@ struct HostVariables::Registered {
   server::ServerVariables server;
   command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
       max_fps, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble, parallel,
-      show_speed, show_latency, show_clock, show_player_speed, show_renderer, stuffed_text, max_players, port;
+      show_speed, show_latency, show_clock, show_player_speed, show_renderer, stuffed_text, max_players, port,
+      start_demos;
   std::vector<std::string> saved;  // the names of the player's own variables
 };
 
@@ -104,6 +105,7 @@ HostVariables::Registered::Registered(command::Variables& variables)
   show_renderer = variables.add_int("r_speeds", 0, 0, 2,
                                     "Shows what the renderer draws in a frame; 2: and how long it takes.");
 
+  start_demos = variables.add_bool("cl_startdemos", true, "Plays demos behind the menu at the start.");
   stuffed_text = variables.add_int("cl_stufftext", 1, 0, 2,
                                    "Commands that servers on other machines may run here. 0: none; 1: "
                                    "harmless ones; 2: all.");
@@ -158,6 +160,10 @@ std::uint16_t HostVariables::port() const {
 
 bool HostVariables::is_parallel() const {
   return variables_->bool_value(registered_->parallel);
+}
+
+bool HostVariables::plays_start_demos() const {
+  return variables_->bool_value(registered_->start_demos);
 }
 
 ReadoutSettings HostVariables::readouts() const {

@@ -67,6 +67,7 @@ class HostVariables {
   std::uint32_t max_players() const;  // of the next game that is started on this machine; 1: single player
   std::uint16_t port() const;         // UDP port of games that others may join; 0: any free port
   bool is_parallel() const;           // server ticks may run in parallel with drawing
+  bool plays_start_demos() const;     // behind the menu, when the program starts
   ReadoutSettings readouts() const;
   StuffedTextRule stuffed_text() const;
 

@@ -158,6 +158,10 @@ TEST(HostDemos, AttractModeDefaultsToDemo1To3) {
   game.command("stopdemo");
   game.run(0.1);
   EXPECT_EQ(game.demo(), nullptr);
+  game.folder().write("id1/autoexec.cfg", std::string_view("cl_startdemos 0\n"));
+  game.restart();
+  game.run(0.1);
+  EXPECT_EQ(game.demo(), nullptr);
 }
 
 }  // namespace

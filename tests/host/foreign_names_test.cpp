@@ -35,6 +35,10 @@ TEST(ForeignNames, SetTheSameSettingInItsUnit) {
   host.command("r_showtris 0");
   host.run(0.1);
   EXPECT_EQ(host.variables().variables().find("r_show")->text, "picture");
+  host.command("joy_deadzone 0.25");
+  host.run(0.1);
+  EXPECT_EQ(number(host, "joy_deadzone_look"), 0.25);
+  EXPECT_EQ(number(host, "joy_deadzone_move"), 0.25) << "a name with two counterparts";
   host.command("cl_bob");
   host.run(0.1);
   EXPECT_TRUE(host.has_printed("\"cl_bob\" is called \"v_bob\" here"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/commands/configuration.h"
+#include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "support/game_data.h"
 #include "support/programs/quakec.h"
@@ -42,6 +43,22 @@ TEST(Settings, CommandLineHoldsForOneRun) {
   EXPECT_EQ(value(host, "sensitivity"), "6") << "a value that the player changed is saved";
   EXPECT_EQ(value(host, "zoom_fov"), "30") << "the player never changed it";
   EXPECT_EQ(value(host, "zoom_speed"), "4");
+}
+
+TEST(Settings, AreCopiedToTheNamedFile) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost host({"fov 100; bind F7 god; writeconfig Mine; writeconfig old.CFG"});
+  host.run(0.1);
+  const std::filesystem::path folder = host.folder().path() / "id1";
+  EXPECT_TRUE(host.has_printed("Settings saved: " + (folder / "mine.cfg").string()));
+  ASSERT_TRUE(std::filesystem::exists(folder / "old.cfg"));
+  host.command("fov 90; unbind F7; exec mine.cfg; writeconfig ../../out; writeconfig /tmp/out");
+  host.run(0.1);
+  EXPECT_EQ(value(host, "fov"), "100");
+  EXPECT_FALSE(host.host().input.bindings.find_keys("god").empty());
+  EXPECT_TRUE(host.has_printed("\"../../out\" is not a valid file name"));
+  EXPECT_TRUE(host.has_printed("\"/tmp/out\" is not a valid file name"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "../../out.cfg"));
 }
 
 // --- Several games.

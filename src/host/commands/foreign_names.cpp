@@ -15,7 +15,7 @@
 namespace temblor::host {
 namespace {
 
-// Our variable has the value factor * VALUE + offset.
+// Our variable has the value factor * VALUE + offset. A name may have several counterparts.
 struct Counterpart {
   std::string_view foreign, own;
   double factor = 1, offset = 0;
@@ -32,6 +32,8 @@ constexpr std::array kCounterparts = {
     Counterpart{"r_novis", "r_use_pvs", -1, 1},
     Counterpart{"host_autosave", "sv_autosave"},
     Counterpart{"sfxvolume", "volume"},
+    Counterpart{"joy_deadzone", "joy_deadzone_look"},
+    Counterpart{"joy_deadzone", "joy_deadzone_move"},
     Counterpart{"host_speeds", "r_speeds", 2},
 };
 
@@ -53,7 +55,8 @@ constexpr std::string_view kIgnored =
     "v_iyaw_cycle v_iroll_cycle v_ipitch_cycle v_iyaw_level v_iroll_level v_ipitch_level scr_ofsx "
     "scr_ofsy scr_ofsz scr_showram scr_showturtle scr_showpause scr_conwidth scr_menubgalpha "
     "m_filter snd_mixspeed snd_speed snd_filterquality snd_show ambient_fade nosound precache "
-    "bgmbuffer loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater "
+    "_snd_mixahead bgm_extmusic bgmbuffer cfg_unbindall external_ents external_vis joy_deadzone_trigger "
+    "r_viewmodel_quake sv_fishfix loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater "
     "scr_sbar fov_adapt sv_altnoclip pr_engine con_logcenterprint v_centermove skyroom rate "
     "heartbeat tp_msg loc team skin setinfo serverinfo user observe listen test test2 viewmodel "
     "viewframe viewnext viewprev language ";
@@ -125,22 +128,25 @@ bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
 }
 
 bool ForeignNames::set_counterpart(std::string_view name, Arguments arguments) {
-  const auto found = std::find_if(kCounterparts.begin(), kCounterparts.end(),
-                                  [&](const Counterpart& entry) { return entry.foreign == name; });
-  if (found == kCounterparts.end()) return false;
-  const command::Variable& own = *variables_.find(found->own);
   const auto value = arguments.size() > 1 ? command::parse_number(arguments[1]) : std::nullopt;
-  if (!value) {
-    console_.print_error(fmt::format("\"{}\" is called \"{}\" here; it is \"{}\"", name, own.name, own.text));
-    return true;
+  bool is_found = false;
+  for (const Counterpart& counterpart : kCounterparts) {
+    if (counterpart.foreign != name) continue;
+    is_found = true;
+    const command::Variable& own = *variables_.find(counterpart.own);
+    if (!value) {
+      console_.print_error(
+          fmt::format("\"{}\" is called \"{}\" here; it is \"{}\"", name, own.name, own.text));
+      continue;
+    }
+    const double wanted = *value * counterpart.factor + counterpart.offset;
+    const base::Status status =
+        variables_.set(own.name, is_number(own) ? fmt::format("{:g}", std::clamp(wanted, own.min, own.max))
+                                 : wanted != 0  ? "1"
+                                                : "0");
+    if (!status.ok()) console_.print_error(status.error().message());
   }
-  const double wanted = *value * found->factor + found->offset;
-  const base::Status status =
-      variables_.set(own.name, is_number(own) ? fmt::format("{:g}", std::clamp(wanted, own.min, own.max))
-                               : wanted != 0  ? "1"
-                                              : "0");
-  if (!status.ok()) console_.print_error(status.error().message());
-  return true;
+  return is_found;
 }
 
 std::string ForeignNames::take_report() {

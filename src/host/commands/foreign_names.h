@@ -36,7 +36,7 @@ class ForeignNames {
   bool is_developer() const;
   // Handles names whose values need more than a factor.
   bool set_converted(std::string_view name, Arguments arguments);
-  // Sets our variable that corresponds to the name, or explains it. false: there is none.
+  // Sets our variables that correspond to the name, or names them. false: there are none.
   bool set_counterpart(std::string_view name, Arguments arguments);
 
   command::Console& console_;

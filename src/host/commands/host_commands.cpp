@@ -340,8 +340,11 @@ void add_game_commands(Host& io_host) {
         for (const std::filesystem::path& folder : host.game.data->library.files().folders())
           print_line(host, folder.string());
       });
-  add("writeconfig", "Saves the settings now instead of at the end.",
-      [](Host& host, Arguments) { print_if_command_error(host, save_configuration(host)); });
+  add("writeconfig", "writeconfig [FILE]: saves the settings now, or a copy of them in another .cfg file.",
+      [](Host& host, Arguments arguments) {
+        print_if_command_error(
+            host, write_configuration(host, arguments.size() > 1 ? arguments[1] : kConfigurationFile));
+      });
   add("cmd", "cmd TEXT: sends a command to the server as it is.", [](Host& host, Arguments arguments) {
     if (arguments.size() < 2) return print_command_error(host, "cmd TEXT: name a command of the server");
     if (client::Connection* const connection = host.game.session->connection())

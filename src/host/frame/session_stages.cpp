@@ -21,7 +21,7 @@ constexpr double kSameTurn_s = 0.1;
 void show_attract_mode(Host& io_host) {
   const bool is_busy = io_host.demos.session || io_host.game.session->connection() != nullptr;
   if (is_busy || io_host.wants_to_quit) return;
-  attract(io_host, std::move(io_host.game.startup.demos));
+  if (io_host.variables.plays_start_demos()) attract(io_host, std::move(io_host.game.startup.demos));
   io_host.game.menu->open();
 }
 

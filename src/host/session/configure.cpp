@@ -9,6 +9,7 @@
 #include "host/commands/configuration.h"
 #include "host/frame/host_parts.h"
 #include "host/session/games.h"
+#include "vfs/file_system.h"
 
 namespace temblor::host {
 namespace {
@@ -32,6 +33,10 @@ void report_damaged_configuration(Host& io_host, std::size_t wrong_lines) {
   for (std::string line; std::getline(lines, line);)
     if (!line.empty()) print_line(io_host, line);
   io_host.notices.push_back({"Damaged settings", text, {{"Options", client::MenuPage::kOptions}}});
+}
+
+std::string current_configuration(const Host& host) {
+  return configuration_text(host.input.bindings, host.variables, host.overrides);
 }
 
 // Stock data has this script in quake.rc; `stuffcmds` marks where the commands of the command line run.
@@ -154,12 +159,23 @@ base::Status change_games(Host& io_host, std::vector<std::string> games) {
 
 base::Status save_configuration(Host& io_host) {
   const std::filesystem::path& folder = io_host.game.data->write_folder;
-  const std::string text = configuration_text(io_host.input.bindings, io_host.variables, io_host.overrides);
-  TRY_STATUS(io_host.services.write_file(folder / kConfigurationFile, base::as_bytes(text)));
+  TRY_STATUS(io_host.services.write_file(folder / kConfigurationFile,
+                                         base::as_bytes(current_configuration(io_host))));
   const std::string history = io_host.console.ui.history_text();
   // Do not overwrite the history of an earlier run with nothing.
   if (history.empty()) return base::Ok{};
   return io_host.services.write_file(folder / kHistoryFile, base::as_bytes(history));
+}
+
+base::Status write_configuration(Host& io_host, std::string_view file) {
+  constexpr std::string_view kSuffix = ".cfg";
+  const std::optional<std::string> name =
+      vfs::normalize_name(fmt::format("{}{}", file, base::to_lower(file).ends_with(kSuffix) ? "" : kSuffix));
+  if (!name) return base::error(base::ErrorCode::kUsage, "\"{}\" is not a valid file name", file);
+  const std::filesystem::path path = io_host.game.data->write_folder / *name;
+  TRY_STATUS(io_host.services.write_file(path, base::as_bytes(current_configuration(io_host))));
+  print_line(io_host, fmt::format("Settings saved: {}", path.string()));
+  return base::Ok{};
 }
 
 }  // namespace temblor::host

@@ -35,4 +35,8 @@ base::Status change_games(Host& io_host, std::vector<std::string> games);
 // Writes the configuration and the console's history to the write folder. An empty history is not written.
 base::Status save_configuration(Host& io_host);
 
+// Writes the configuration to a file in the write folder, adds ".cfg" to a name that lacks it, and prints the
+// file's path. Fails with kUsage if the name leads out of the folder.
+base::Status write_configuration(Host& io_host, std::string_view file);
+
 }  // namespace temblor::host
