@@ -33,6 +33,7 @@ constexpr Target kTargets[] = {
     {"sav", fuzz_sav},
     {"spr", fuzz_spr},
     {"tga", fuzz_tga},
+    {"vis_patch", fuzz_vis_patch},
     {"visibility_state", fuzz_visibility_state},
     {"wad", fuzz_wad},
     {"wav", fuzz_wav},

@@ -48,6 +48,7 @@ int fuzz_demo_writer(const std::uint8_t* data, std::size_t size);
 int fuzz_sav(const std::uint8_t* data, std::size_t size);
 int fuzz_spr(const std::uint8_t* data, std::size_t size);
 int fuzz_tga(const std::uint8_t* data, std::size_t size);
+int fuzz_vis_patch(const std::uint8_t* data, std::size_t size);
 int fuzz_visibility_state(const std::uint8_t* data, std::size_t size);
 int fuzz_wad(const std::uint8_t* data, std::size_t size);
 int fuzz_wav(const std::uint8_t* data, std::size_t size);

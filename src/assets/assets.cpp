@@ -7,37 +7,13 @@
 #include <set>
 #include <utility>
 
+#include "assets/level/additions.h"
 #include "base/text.h"
 #include "formats/levels/bsp.h"
-#include "formats/levels/lit.h"
 #include "vfs/disk.h"
 
 namespace temblor::assets {
 namespace {
-
-// The bytes of a file, and its name in messages.
-struct NamedBytes {
-  std::string name;
-  base::ByteVector bytes;
-};
-
-// Reads colored light that matches the level. Returns nullopt and adds a note if the file is damaged or was
-// made for another version of the level.
-std::optional<formats::Lit> read_matching_lit(const NamedBytes& file, const formats::Bsp& bsp,
-                                              std::vector<std::string>& io_notes) {
-  base::Result<formats::Lit> lit = formats::read_lit(file.bytes).with_file(file.name);
-  if (!lit.ok()) {
-    io_notes.push_back(fmt::format("{}; colored light is ignored", lit.error().message()));
-    return std::nullopt;
-  }
-  if (lit->samples.size() != bsp.lighting.size() * 3) {
-    io_notes.push_back(
-        fmt::format("{}: {} bytes of light, but this version of the level needs {}; colored light is ignored",
-                    file.name, lit->samples.size(), bsp.lighting.size() * 3));
-    return std::nullopt;
-  }
-  return std::move(lit).value();
-}
 
 // Adds one note with the names of all missing textures that a face uses. A level may list textures that no
 // face uses; those do not matter.
@@ -57,16 +33,16 @@ void note_missing_textures(const world::Level& level, std::vector<std::string>& 
       fmt::format("{}: missing textures, drawn as a checkerboard: {}", level.name, fmt::join(shown, ", ")));
 }
 
-// The common end of both ways to load a level: parses the bytes, attaches the light, collects the notes.
-base::Result<LoadedLevel> make_loaded_level(std::string name, NamedBytes bsp_file,
-                                            const std::optional<NamedBytes>& lit_file) {
-  TRY(formats::Bsp bsp, formats::read_bsp(bsp_file.bytes).with_file(bsp_file.name));
-  bsp_file.bytes = {};  // do not keep a large level twice
+// The common end of both ways to load a level: parses the bytes, applies the files next to it, and collects
+// the notes. `file`: its name in messages.
+base::Result<LoadedLevel> make_loaded_level(std::string name, base::ByteVector bytes, const std::string& file,
+                                            const AdditionReader& read) {
+  TRY(formats::Bsp bsp, formats::read_bsp(bytes).with_file(file));
+  bytes = {};  // do not keep a large level twice
   LoadedLevel loaded;
-  std::optional<formats::Lit> lit;
-  if (lit_file) lit = read_matching_lit(*lit_file, bsp, loaded.notes);
+  const std::optional<formats::Lit> lit = apply_additions(read, name, bsp, loaded.notes);
   TRY(loaded.level,
-      world::make_level(std::move(bsp), std::move(name), lit ? &*lit : nullptr).with_file(bsp_file.name));
+      world::make_level(std::move(bsp), std::move(name), lit ? &*lit : nullptr).with_file(file));
   note_missing_textures(*loaded.level, loaded.notes);
   return loaded;
 }
@@ -75,28 +51,27 @@ base::Result<LoadedLevel> make_loaded_level(std::string name, NamedBytes bsp_fil
 
 base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_view map_name) {
   const std::string bsp_name = fmt::format("maps/{}.bsp", map_name);
-  const std::string lit_name = fmt::format("maps/{}.lit", map_name);
   TRY(base::ByteVector bytes, files.read(bsp_name));
-  std::optional<NamedBytes> lit;
-  // A .lit in a lower game folder belongs to the level that this one hides. Stock levels and mods often share
+  // A file in a lower game folder belongs to the level that this one hides. Stock levels and mods often share
   // names.
-  if (files.contains(lit_name) && files.find_game(lit_name) >= files.find_game(bsp_name)) {
-    TRY(base::ByteVector lit_bytes, files.read(lit_name));
-    lit = NamedBytes{files.describe(lit_name), std::move(lit_bytes)};
-  }
-  return make_loaded_level(std::string(map_name), {files.describe(bsp_name), std::move(bytes)}, lit);
+  const auto read = [&](std::string_view suffix) -> std::optional<Addition> {
+    const std::string name = fmt::format("maps/{}{}", map_name, suffix);
+    if (!files.contains(name) || files.find_game(name) < files.find_game(bsp_name)) return std::nullopt;
+    return Addition{files.describe(name), files.read(name)};
+  };
+  return make_loaded_level(std::string(map_name), std::move(bytes), files.describe(bsp_name), read);
 }
 
 base::Result<LoadedLevel> load_level_file(const std::filesystem::path& path) {
   TRY(base::ByteVector bytes, vfs::read_disk_file(path));
-  std::filesystem::path lit_path = path;
-  lit_path.replace_extension(".lit");
-  std::optional<NamedBytes> lit;
-  if (base::Result<base::ByteVector> lit_bytes = vfs::read_disk_file(lit_path); lit_bytes.ok())
-    lit = NamedBytes{lit_path.string(), std::move(lit_bytes).value()};
-  else if (lit_bytes.error().code != base::ErrorCode::kNotFound)
-    return lit_bytes.error();
-  return make_loaded_level(path.stem().string(), {path.string(), std::move(bytes)}, lit);
+  const auto read = [&](std::string_view suffix) -> std::optional<Addition> {
+    std::filesystem::path file = path;
+    file.replace_extension(suffix);
+    base::Result<base::ByteVector> content = vfs::read_disk_file(file);
+    if (!content.ok() && content.error().code == base::ErrorCode::kNotFound) return std::nullopt;
+    return Addition{file.string(), std::move(content)};
+  };
+  return make_loaded_level(path.stem().string(), std::move(bytes), path.string(), read);
 }
 
 base::Result<Look> load_look(const vfs::FileSystem& files) {

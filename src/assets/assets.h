@@ -3,7 +3,7 @@
 //
 //   maps/NAME.bsp -> formats::read_bsp() --+
 //                                          +--> world::make_level() --> LoadedLevel (level, notes)
-//   maps/NAME.lit -> formats::read_lit() --+
+//   .ent, .vis, .lit (level/additions.h) --+
 //
 // A problem that leaves the level playable becomes a note instead of an error, because many released levels
 // have one.
@@ -30,12 +30,12 @@ struct LoadedLevel {
   std::vector<std::string> notes;
 };
 
-// Loads maps/NAME.bsp, and maps/NAME.lit if that is in the same or a higher game folder; ignores a .lit that
-// does not match, with a note. `map_name`: "start", not "maps/start.bsp". Returns kNotFound if there is no
+// Loads maps/NAME.bsp with the files next to it that replace parts of it, if they are in the same or a higher
+// game folder. `map_name`: "start", not "maps/start.bsp". Returns kNotFound if there is no
 // such level, and the reader's error if it is damaged; errors name the file. Thread-safe.
 base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_view map_name);
 
-// Loads a .bsp from any path on disk, with the .lit next to it if there is one. For tools.
+// Loads a .bsp from any path on disk, with the files next to it. For tools.
 base::Result<LoadedLevel> load_level_file(const std::filesystem::path& path);
 
 // The colors of the game: the palette translates indices to RGB, the colormap shades indices by light level.

@@ -6,9 +6,11 @@
 #include "artgen/small_level.h"
 #include "formats/archives/pak.h"
 #include "formats/levels/bsp.h"
+#include "formats/levels/entities.h"
 #include "formats/levels/lit.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/levels/vis_patch_bytes.h"
 #include "support/mutations.h"
 #include "support/programs/temporary_folder.h"
 
@@ -130,6 +132,74 @@ TEST(LoadLevelFile, LoadsLightNextToLevel) {
   ASSERT_TRUE(colored.ok());
   EXPECT_THAT(colored->level->light_rgb, ::testing::Each(9));
 }
+
+// The files next to a level that replace parts of it, in a folder of the game or on disk.
+class LevelAdditions : public ::testing::TestWithParam<bool> {
+ protected:
+  LevelAdditions() { folder_.write("id1/maps/tiny.bsp", pack_bytes(bsp_)); }
+  void add(const std::string& suffix, const base::ByteVector& bytes) {
+    folder_.write("id1/maps/tiny" + suffix, bytes);
+  }
+  LoadedLevel load() const {
+    auto loaded = GetParam() ? load_level(open_or_die(folder_), "tiny")
+                             : load_level_file(folder_.path() / "id1/maps/tiny.bsp");
+    CHECK(loaded.ok(), "{}", loaded.error().message());
+    return std::move(loaded).value();
+  }
+
+  formats::Bsp bsp_ = tiny_level();
+  test::TemporaryFolder folder_;
+};
+
+TEST_P(LevelAdditions, ReplaceEntities) {
+  add(".ent", test::to_bytes("{\n\"classname\" \"worldspawn\"\n\"message\" \"patched\"\n}\n{ \"classname\" "
+                             "\"light\" }\n"));
+  const LoadedLevel loaded = load();
+  ASSERT_EQ(loaded.level->entities.size(), 2u);
+  EXPECT_EQ(loaded.level->entities[0].find("message"), "patched");
+  EXPECT_THAT(loaded.notes, IsEmpty());
+}
+
+TEST_P(LevelAdditions, IgnoreEntitiesThatAreDamagedOrMissing) {
+  for (const char* const text : {"{ \"classname\"", "", "// nothing\n"}) {
+    add(".ent", test::to_bytes(text));
+    const LoadedLevel loaded = load();
+    EXPECT_EQ(loaded.level->entities, formats::read_entities(bsp_.entities).value()) << text;
+    EXPECT_THAT(loaded.notes, ElementsAre(AllOf(HasSubstr("tiny.ent"), HasSubstr("ignored")))) << text;
+  }
+}
+
+// A level without visibility, and a patch with that of the complete level.
+TEST_P(LevelAdditions, ReplaceVisibility) {
+  std::vector<std::int32_t> offsets;
+  for (formats::BspLeaf& leaf : bsp_.leaves) offsets.push_back(leaf.visibility_offset);
+  const world::Level complete = *load().level;
+  ASSERT_FALSE(bsp_.visibility.empty());
+  add(".vis", test::vis_patch_bytes("TINY.BSP", bsp_.visibility, offsets));
+  for (formats::BspLeaf& leaf : bsp_.leaves) leaf.visibility_offset = -1;
+  bsp_.visibility.clear();
+  add(".bsp", pack_bytes(bsp_));
+  const LoadedLevel loaded = load();
+  EXPECT_THAT(loaded.notes, IsEmpty());
+  EXPECT_EQ(loaded.level->visibility, complete.visibility);
+  ASSERT_EQ(loaded.level->leaves.size(), complete.leaves.size());
+  for (std::size_t leaf = 0; leaf < complete.leaves.size(); ++leaf)
+    EXPECT_EQ(loaded.level->leaves[leaf].visibility_offset, complete.leaves[leaf].visibility_offset) << leaf;
+}
+
+TEST_P(LevelAdditions, IgnoreVisibilityOfOtherLevels) {
+  const std::vector<std::int32_t> offsets(bsp_.leaves.size(), -1), too_few(bsp_.leaves.size() - 1, -1);
+  for (const base::ByteVector& patch :
+       {test::vis_patch_bytes("other.bsp", {}, offsets), test::vis_patch_bytes("tiny.bsp", {}, too_few),
+        test::to_bytes("no patch")}) {
+    add(".vis", patch);
+    const LoadedLevel loaded = load();
+    EXPECT_EQ(loaded.level->visibility, bsp_.visibility);
+    EXPECT_THAT(loaded.notes, ElementsAre(AllOf(HasSubstr("tiny.vis"), HasSubstr("ignored"))));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, LevelAdditions, ::testing::Bool());
 
 TEST(LoadLevelFile, ErrorsNameTheFile) {
   const test::TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// Levels (.bsp), their colored light (.lit), and their entity text (.ent).
+// Levels (.bsp), their colored light (.lit), their visibility patches (.vis), and their entity text (.ent).
 #include <fmt/format.h>
 
 #include <map>
@@ -7,9 +7,11 @@
 #include <string>
 
 #include "app/inspect/inspection.h"
+#include "base/text.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/entities.h"
 #include "formats/levels/lit.h"
+#include "formats/levels/vis_patch.h"
 #include "world/level.h"
 
 namespace temblor::app {
@@ -93,6 +95,16 @@ base::Result<Inspection> inspect_bsp(base::Bytes bytes) {
 base::Result<Inspection> inspect_lit(base::Bytes bytes) {
   TRY(const formats::Lit lit, formats::read_lit(bytes));
   return Inspection{{"light samples", lit.samples.size() / 3}, {"problems", Inspection::array()}};
+}
+
+base::Result<Inspection> inspect_vis(base::Bytes bytes) {
+  TRY(const std::vector<formats::VisPatch> patches, formats::read_vis_patches(bytes));
+  Inspection levels = Inspection::array();
+  for (const formats::VisPatch& patch : patches)
+    levels.push_back({{"level", base::printable(patch.level)},
+                      {"leaves", patch.leaf_offsets.size()},
+                      {"visibility bytes", patch.visibility.size()}});
+  return Inspection{{"levels", levels}, {"problems", Inspection::array()}};
 }
 
 base::Result<Inspection> inspect_entities(base::Bytes bytes) {

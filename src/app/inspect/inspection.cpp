@@ -34,12 +34,27 @@ enum class Format {
   kWad3,
   kMap,
   kProgs,
-  kWav
+  kWav,
+  kVis
 };
 
-constexpr std::array<const char*, 16> kFormatNames = {
-    "level",    "colored light", "entity text", "PAK",  "PK3",  "WAD2", "picture",         "palette",
-    "colormap", "model",         "sprite",      "demo", "WAD3", "map",  "compiled QuakeC", "sound"};
+constexpr std::array<const char*, 17> kFormatNames = {"level",
+                                                      "colored light",
+                                                      "entity text",
+                                                      "PAK",
+                                                      "PK3",
+                                                      "WAD2",
+                                                      "picture",
+                                                      "palette",
+                                                      "colormap",
+                                                      "model",
+                                                      "sprite",
+                                                      "demo",
+                                                      "WAD3",
+                                                      "map",
+                                                      "compiled QuakeC",
+                                                      "sound",
+                                                      "visibility patches"};
 
 // Detects formats that start with a magic number.
 std::optional<Format> detect_format_by_content(base::Bytes bytes) {
@@ -81,8 +96,9 @@ std::optional<Format> detect_format_by_name(const std::filesystem::path& path, s
     std::string_view text;
     Format format;
   };
-  constexpr std::array<Extension, 12> kExtensions = {{{".bsp", Format::kBsp},
+  constexpr std::array<Extension, 13> kExtensions = {{{".bsp", Format::kBsp},
                                                       {".lit", Format::kLit},
+                                                      {".vis", Format::kVis},
                                                       {".ent", Format::kEntities},
                                                       {".pak", Format::kPak},
                                                       {".pk3", Format::kPk3},
@@ -105,6 +121,8 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_bsp(bytes);
     case Format::kLit:
       return inspect_lit(bytes);
+    case Format::kVis:
+      return inspect_vis(bytes);
     case Format::kEntities:
       return inspect_entities(bytes);
     case Format::kMap:
@@ -161,7 +179,7 @@ base::Result<Inspection> inspect_content(const std::filesystem::path& path, Insp
   if (!format)
     return base::error(
         ErrorCode::kUnsupported,
-        "unknown format; known are .bsp, .map, .lit, .ent, .pak, .pk3, .wad, .lmp, .mdl, .spr, .dem, "
+        "unknown format; known are .bsp, .map, .lit, .vis, .ent, .pak, .pk3, .wad, .lmp, .mdl, .spr, .dem, "
         ".dat, and .wav");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));

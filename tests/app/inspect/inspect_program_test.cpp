@@ -16,6 +16,7 @@
 #include "formats/sounds/wav.h"
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
+#include "support/levels/vis_patch_bytes.h"
 #include "support/models/small_models.h"
 #include "support/programs/progs_builder.h"
 #include "support/programs/small_game.h"
@@ -93,6 +94,10 @@ TEST_F(InspectProgram, ContentOverridesTheName) {
 TEST_F(InspectProgram, LightAndEntities) {
   const formats::Lit lit{std::vector<std::uint8_t>(3 * 77)};
   EXPECT_EQ(inspect("x.lit", formats::write_lit(lit)).at("light samples"), 77);
+  const json level = inspect("x.vis", vis_patch_bytes("e1m1.bsp", {1, 2, 3, 4, 5}, {-1})).at("levels").at(0);
+  EXPECT_EQ(level.at("level"), "e1m1.bsp");
+  EXPECT_EQ(level.at("leaves"), 1);
+  EXPECT_EQ(level.at("visibility bytes"), 5);
   const json entities =
       inspect("x.ent", base::as_bytes("{ \"classname\" \"light\" }\n{ }\n{\"classname\" \"light\"}"));
   EXPECT_EQ(entities.at("count"), 3);
