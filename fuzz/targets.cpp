@@ -22,6 +22,7 @@ constexpr Target kTargets[] = {
     {"light_shard", fuzz_light_shard},
     {"lit", fuzz_lit},
     {"map", fuzz_map},
+    {"md5", fuzz_md5},
     {"mdl", fuzz_mdl},
     {"message", fuzz_message},
     {"pak", fuzz_pak},

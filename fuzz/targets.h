@@ -36,6 +36,7 @@ int fuzz_light_cache(const std::uint8_t* data, std::size_t size);
 int fuzz_light_shard(const std::uint8_t* data, std::size_t size);
 int fuzz_lit(const std::uint8_t* data, std::size_t size);
 int fuzz_map(const std::uint8_t* data, std::size_t size);
+int fuzz_md5(const std::uint8_t* data, std::size_t size);
 int fuzz_mdl(const std::uint8_t* data, std::size_t size);
 int fuzz_message(const std::uint8_t* data, std::size_t size);
 int fuzz_pak(const std::uint8_t* data, std::size_t size);

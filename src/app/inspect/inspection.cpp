@@ -35,10 +35,12 @@ enum class Format {
   kMap,
   kProgs,
   kWav,
-  kVis
+  kVis,
+  kMd5Model,
+  kMd5Animation
 };
 
-constexpr std::array<const char*, 17> kFormatNames = {"level",
+constexpr std::array<const char*, 19> kFormatNames = {"level",
                                                       "colored light",
                                                       "entity text",
                                                       "PAK",
@@ -54,7 +56,9 @@ constexpr std::array<const char*, 17> kFormatNames = {"level",
                                                       "map",
                                                       "compiled QuakeC",
                                                       "sound",
-                                                      "visibility patches"};
+                                                      "visibility patches",
+                                                      "MD5 model",
+                                                      "MD5 animation"};
 
 // Detects formats that start with a magic number.
 std::optional<Format> detect_format_by_content(base::Bytes bytes) {
@@ -96,7 +100,7 @@ std::optional<Format> detect_format_by_name(const std::filesystem::path& path, s
     std::string_view text;
     Format format;
   };
-  constexpr std::array<Extension, 13> kExtensions = {{{".bsp", Format::kBsp},
+  constexpr std::array<Extension, 15> kExtensions = {{{".bsp", Format::kBsp},
                                                       {".lit", Format::kLit},
                                                       {".vis", Format::kVis},
                                                       {".ent", Format::kEntities},
@@ -104,6 +108,8 @@ std::optional<Format> detect_format_by_name(const std::filesystem::path& path, s
                                                       {".pk3", Format::kPk3},
                                                       {".wad", Format::kWad},
                                                       {".mdl", Format::kMdl},
+                                                      {".md5mesh", Format::kMd5Model},
+                                                      {".md5anim", Format::kMd5Animation},
                                                       {".spr", Format::kSpr},
                                                       {".dem", Format::kDem},
                                                       {".map", Format::kMap},
@@ -142,6 +148,10 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_dem(bytes);
     case Format::kMdl:
       return inspect_mdl(bytes);
+    case Format::kMd5Model:
+      return inspect_md5_model(bytes);
+    case Format::kMd5Animation:
+      return inspect_md5_animation(bytes);
     case Format::kSpr:
       return inspect_spr(bytes);
     case Format::kProgs:
@@ -177,10 +187,10 @@ base::Result<Inspection> inspect_content(const std::filesystem::path& path, Insp
     if (!format) format = detect_format_by_name(path, bytes.size());
   }
   if (!format)
-    return base::error(
-        ErrorCode::kUnsupported,
-        "unknown format; known are .bsp, .map, .lit, .vis, .ent, .pak, .pk3, .wad, .lmp, .mdl, .spr, .dem, "
-        ".dat, and .wav");
+    return base::error(ErrorCode::kUnsupported,
+                       "unknown format; known are .bsp, .map, .lit, .vis, .ent, .pak, .pk3, .wad, .lmp, "
+                       ".mdl, .md5mesh, .md5anim, .spr, .dem, "
+                       ".dat, and .wav");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));
 }

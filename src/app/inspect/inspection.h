@@ -33,6 +33,8 @@ base::Result<Inspection> inspect_palette(base::Bytes bytes);
 base::Result<Inspection> inspect_colormap(base::Bytes bytes);
 base::Result<Inspection> inspect_dem(base::Bytes bytes);
 base::Result<Inspection> inspect_mdl(base::Bytes bytes);
+base::Result<Inspection> inspect_md5_model(base::Bytes bytes);
+base::Result<Inspection> inspect_md5_animation(base::Bytes bytes);
 base::Result<Inspection> inspect_spr(base::Bytes bytes);
 base::Result<Inspection> inspect_wav(base::Bytes bytes);
 base::Result<Inspection> inspect_progs(base::Bytes bytes);

@@ -91,6 +91,17 @@ TEST_F(InspectProgram, ContentOverridesTheName) {
   EXPECT_EQ(inspect("level.wad", game.level_bytes(formats::BspVersion::k29)).at("format"), "level");
 }
 
+TEST_F(InspectProgram, Md5Models) {
+  const std::filesystem::path seeds = std::filesystem::path(TEMBLOR_SOURCE_DIR) / "fuzz/corpus/md5";
+  const json model = inspect("arm.md5mesh", read_file(seeds / "arm.md5mesh"));
+  EXPECT_EQ(model.at("joints").size(), 2);
+  EXPECT_EQ(model.at("meshes").at(0).at("weights"), 4);
+  EXPECT_NEAR(model.at("meshes").at(0).at("maxs").at(1).get<double>(), 2, 1e-5);
+  const json animation = inspect("arm.md5anim", read_file(seeds / "arm.md5anim"));
+  EXPECT_EQ(animation.at("counts").at("frames"), 2);
+  EXPECT_EQ(animation.at("joints").at(1).at("name"), "hand");
+}
+
 TEST_F(InspectProgram, LightAndEntities) {
   const formats::Lit lit{std::vector<std::uint8_t>(3 * 77)};
   EXPECT_EQ(inspect("x.lit", formats::write_lit(lit)).at("light samples"), 77);
