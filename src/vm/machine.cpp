@@ -32,6 +32,11 @@ Machine::Machine(std::shared_ptr<const Program> program, Limits limits)
       counters_(program_->progs().functions.size()) {
   CHECK(limits.entity_bytes / sizeof(std::uint32_t) <= kFirstGlobalPointer);
   globals_.resize(globals_.size() + kSpareWords);
+  // In programs of version 6, fteqcc lets arrays use operations that the original lacks while this variable
+  // is set, because an engine that has them sets it.
+  if (const formats::ProgsDefinition* fast_arrays = program_->find_global("__ext__fasttrackarrays");
+      fast_arrays != nullptr && fast_arrays->type == formats::ProgsType::kFloat)
+    set_global_float(base::to_index<GlobalIndex>(fast_arrays->offset), 1);
   for (std::size_t i = 0; i < counters_.size(); ++i) counters_[i].function = base::to_index<FunctionIndex>(i);
 }
 

@@ -79,7 +79,8 @@ class Machine {
 
   static constexpr int kMaxParameters = 8;
 
-  // Starts with the program's initial globals, and with the world as the only entity.
+  // Starts with the program's initial globals, except that __ext__fasttrackarrays is 1, and with the world as
+  // the only entity.
   explicit Machine(std::shared_ptr<const Program> program, Limits limits = {});
 
   const Program& program() const { return *program_; }
