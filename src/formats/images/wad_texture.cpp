@@ -20,6 +20,16 @@ std::size_t mip_texels(std::uint32_t width, std::uint32_t height, std::size_t le
 
 }  // namespace
 
+std::vector<std::uint8_t> sample_mip(std::span<const std::uint8_t> mip0, std::uint32_t width,
+                                     std::uint32_t height, std::size_t level) {
+  std::vector<std::uint8_t> texels;
+  texels.reserve(mip_texels(width, height, level));
+  for (std::size_t y = 0; y < height >> level; ++y)
+    for (std::size_t x = 0; x < width >> level; ++x)
+      texels.push_back(mip0[(y << level) * width + (x << level)]);
+  return texels;
+}
+
 base::Result<WadTexture> read_wad_texture(base::Bytes lump) {
   base::ByteReader reader(lump);
   WadTexture texture;
@@ -35,9 +45,15 @@ base::Result<WadTexture> read_wad_texture(base::Bytes lump) {
                            texture.width, texture.height, kMaxTextureSide);
   for (std::size_t level = 0; level < offsets.size(); ++level) {
     const std::size_t texels = mip_texels(texture.width, texture.height, level);
-    if (offsets[level] > lump.size() || texels > lump.size() - offsets[level])
-      return base::malformed("texture \"{}\": mip {} at offset {} with {} texels lies outside it ({} bytes)",
-                             base::printable(texture.name), level, offsets[level], texels, lump.size());
+    const bool is_inside = offsets[level] >= kMiptexHeaderBytes && offsets[level] <= lump.size() &&
+                           texels <= lump.size() - offsets[level];
+    if (!is_inside && level == 0)
+      return base::malformed("texture \"{}\": mip 0 at offset {} with {} texels lies outside of its {} bytes",
+                             base::printable(texture.name), offsets[level], texels, lump.size());
+    if (!is_inside) {
+      texture.mips[level] = sample_mip(texture.mips[0], texture.width, texture.height, level);
+      continue;
+    }
     const auto mip = base::as_u8(lump.subspan(offsets[level], texels));
     texture.mips[level].assign(mip.begin(), mip.end());
   }

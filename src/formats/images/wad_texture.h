@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,12 @@ struct WadTexture {
   bool operator==(const WadTexture&) const = default;
 };
 
-// Mip levels must be inside of the lump, in any order.
+// Returns a smaller mip level, (width >> level) x (height >> level) texels of `mip0`, for files that lack it.
+std::vector<std::uint8_t> sample_mip(std::span<const std::uint8_t> mip0, std::uint32_t width,
+                                     std::uint32_t height, std::size_t level);
+
+// Mip levels may be in any order. The largest must be inside of the lump; a smaller one that is not is
+// sampled from it.
 base::Result<WadTexture> read_wad_texture(base::Bytes lump);
 
 // Returns kUsage for a side out of range, kTooLarge for a name over 16 characters. CHECKs the sizes of the

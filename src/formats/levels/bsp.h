@@ -177,7 +177,9 @@ struct Bsp {
 // Normalizes on the way, without loss: the entity text ends at its first zero; in a level without visibility,
 // every leaf's offset becomes -1; in a level without clipnodes, hulls 1-3 become empty contents; a plane of
 // type 0-2 whose normal is not that axis gets type 3-5; bounds are clamped to +-kBspMaxCoordinate; texture
-// names are truncated to 15 characters; bytes after the last lump that are not BSPX are ignored.
+// names are truncated to 15 characters; bytes after the last lump that are not BSPX are ignored. Replaces
+// what a game does not need: records that it never reaches (bsp/unused.h), damaged textures (bsp/textures.h),
+// and damaged BSPX lumps.
 base::Result<Bsp> read_bsp(base::Bytes bytes);
 
 // Writes a level as `version`, without validation. Returns kTooLarge with lump, record, and field if a number

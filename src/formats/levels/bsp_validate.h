@@ -1,5 +1,5 @@
 // Validation of a level. Every Bsp from read_bsp() satisfies these rules, so no other code needs to check
-// them. (It replaces a few damaged records if no other record refers to them: bsp/unused.h.)
+// them. (If a rule is broken, it first replaces the records that no game reaches: bsp/unused.h.)
 //
 // numbers    finite, coordinates, axes and offsets within +-kBspMaxCoordinate
 // planes     normals of length 1 (to 1 %); type 0-5; types 0-2 have exactly that axis, positive, as normal

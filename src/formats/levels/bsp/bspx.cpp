@@ -9,24 +9,21 @@ constexpr std::size_t kEntryBytes = kLumpNameBytes + 8;
 
 }  // namespace
 
-base::Result<std::vector<BspxLump>> read_bspx(base::Bytes file, std::size_t lumps_end) {
-  std::vector<BspxLump> lumps;
+std::vector<BspxLump> read_bspx(base::Bytes file, std::size_t lumps_end) {
   base::ByteReader reader(file);
   reader.seek((lumps_end + 3) / 4 * 4);
-  if (base::as_text(reader.take(kMark.size())) != kMark) return lumps;
+  if (base::as_text(reader.take(kMark.size())) != kMark) return {};
   const std::uint32_t count = reader.u32();
-  if (!reader.ok() || count > reader.remaining() / kEntryBytes)
-    return base::malformed("BSPX: {} lumps do not fit before the end of the file", count);
+  if (!reader.ok() || count > reader.remaining() / kEntryBytes) return {};
 
+  std::vector<BspxLump> lumps;
   std::uint64_t total = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     std::string name = reader.fixed_text(kLumpNameBytes);
     const std::uint32_t offset = reader.u32(), size = reader.u32();
+    const bool is_inside = std::uint64_t{offset} + size <= file.size();
+    if (!is_inside || total + size > file.size()) continue;
     total += size;
-    if (std::uint64_t{offset} + size > file.size())
-      return base::malformed("BSPX: lump {} \"{}\": {} bytes at offset {:#x} extend past the end of the file",
-                             i, name, size, offset);
-    if (total > file.size()) return base::malformed("BSPX: lumps overlap: their total size exceeds the file");
     const base::Bytes data = size == 0 ? base::Bytes{} : file.subspan(offset, size);
     lumps.push_back({std::move(name), base::ByteVector(data.begin(), data.end())});
   }

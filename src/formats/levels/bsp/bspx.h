@@ -15,8 +15,10 @@
 
 namespace temblor::formats::bsp_file {
 
-// `lumps_end`: end of the last regular lump. Returns no lumps if "BSPX" is not there.
-base::Result<std::vector<BspxLump>> read_bspx(base::Bytes file, std::size_t lumps_end);
+// `lumps_end`: end of the last regular lump. Returns no lumps if "BSPX" is not there, or if their list
+// exceeds the file. Leaves out lumps outside of the file, and those with which the total size would exceed
+// the file.
+std::vector<BspxLump> read_bspx(base::Bytes file, std::size_t lumps_end);
 
 // Appends the lumps to a file whose regular lumps are complete; appends nothing for an empty list. Returns
 // kTooLarge for a name over 24 characters.

@@ -1,5 +1,5 @@
 // Reads a level: the header, the records of each lump (records.h), and BSPX; then validates all with
-// find_fault().
+// find_fault(), without the records that no game reaches.
 #include <algorithm>
 #include <glm/common.hpp>
 #include <span>
@@ -17,7 +17,6 @@ namespace bsp_file {
 namespace {
 
 constexpr std::int32_t kEmptyContents = -1;
-constexpr int kMaxUnusedFaults = 64;
 
 math::Vec3 axis_normal(std::int32_t axis) {
   math::Vec3 normal(0.0f);
@@ -103,21 +102,6 @@ std::size_t end_of_lumps(const Header& header) {
   return end;
 }
 
-// Fails if a face has a damaged texture. Other ones stay absent.
-base::Status check_textures(const Bsp& bsp, std::span<const DamagedTexture> damaged) {
-  if (damaged.empty()) return base::Ok{};
-  std::vector<bool> is_used(bsp.miptexes.size());
-  for (const BspFace& face : bsp.faces) {
-    if (face.texinfo >= bsp.texinfos.size()) continue;  // find_fault() reports it
-    const std::int32_t miptex = bsp.texinfos[face.texinfo].miptex;
-    if (miptex >= 0 && static_cast<std::size_t>(miptex) < is_used.size())
-      is_used[static_cast<std::size_t>(miptex)] = true;
-  }
-  for (const DamagedTexture& texture : damaged)
-    if (is_used[texture.index]) return texture.error;
-  return base::Ok{};
-}
-
 base::Result<Bsp> read_lumps(base::Bytes file, const Header& header) {
   const LumpReader lumps(file, header);
   Bsp bsp;
@@ -125,8 +109,7 @@ base::Result<Bsp> read_lumps(base::Bytes file, const Header& header) {
   const std::string_view text = base::as_text(lumps.bytes(BspLump::kEntities));
   bsp.entities = text.substr(0, text.find('\0'));
   TRY(bsp.planes, lumps.records<BspPlane>(BspLump::kPlanes));
-  TRY(Textures textures, read_textures(lumps.bytes(BspLump::kTextures), header[BspLump::kTextures].offset));
-  bsp.miptexes = std::move(textures.textures);
+  TRY(bsp.miptexes, read_textures(lumps.bytes(BspLump::kTextures)));
   TRY(bsp.vertices, lumps.records<math::Vec3>(BspLump::kVertices));
   bsp.visibility = lumps.numbers(BspLump::kVisibility);
   TRY(bsp.nodes, lumps.records<BspNode>(BspLump::kNodes));
@@ -139,8 +122,7 @@ base::Result<Bsp> read_lumps(base::Bytes file, const Header& header) {
   TRY(bsp.edges, lumps.records<BspEdge>(BspLump::kEdges));
   TRY(bsp.surfedges, lumps.records<std::int32_t>(BspLump::kSurfedges));
   TRY(bsp.models, lumps.records<BspModel>(BspLump::kModels));
-  TRY(bsp.bspx, read_bspx(file, end_of_lumps(header)));
-  TRY_STATUS(check_textures(bsp, textures.damaged));
+  bsp.bspx = read_bspx(file, end_of_lumps(header));
   return bsp;
 }
 
@@ -217,14 +199,13 @@ base::Result<Bsp> read_bsp(base::Bytes bytes) {
   TRY(Bsp bsp, bsp_file::read_lumps(bytes, header));
   bsp_file::correct_plane_types(bsp.planes);
   bsp_file::clear_offsets_into_empty_lumps(bsp);
-  // Each turn validates the whole level, so the number of turns is limited.
-  for (int unused = 0;; ++unused) {
-    const auto fault = find_fault(bsp);
-    if (!fault) return bsp;
-    if (unused >= bsp_file::kMaxUnusedFaults || !fault->record ||
-        !bsp_file::reset_if_unused(bsp, fault->lump, *fault->record))
-      return bsp_file::describe(*fault, header);
+  auto fault = find_fault(bsp);
+  if (fault) {
+    bsp_file::reset_unused(bsp);
+    fault = find_fault(bsp);
   }
+  if (fault) return bsp_file::describe(*fault, header);
+  return bsp;
 }
 
 }  // namespace temblor::formats

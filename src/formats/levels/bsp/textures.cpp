@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "formats/images/wad_texture.h"
 #include "formats/levels/bsp_validate.h"
 
 namespace temblor::formats::bsp_file {
@@ -11,6 +12,7 @@ namespace {
 constexpr std::size_t kMiptexNameBytes = 16;
 constexpr std::size_t kTextureHeaderBytes = kMiptexNameBytes + 6 * 4;
 constexpr std::int32_t kNotPresent = -1;
+constexpr std::uint32_t kSomeTextureSize = 16;
 
 bool is_texture_size(std::uint32_t size) {
   return size >= 1 && size <= kBspMaxTextureSize;
@@ -20,31 +22,38 @@ std::size_t mip_bytes(const BspMiptex& texture, std::size_t mip) {
   return std::size_t{texture.width >> mip} * (texture.height >> mip);
 }
 
-// Reads one texture. `io_budget_bytes`: the remaining limit for the total size of all textures, so that many
-// textures that share the same texels cannot exhaust memory.
-base::Result<BspMiptex> read_texture(base::Bytes lump, std::size_t offset, std::size_t& io_budget_bytes) {
-  base::ByteReader reader(lump);
-  reader.seek(offset);
+// A texture without mip levels, whose faces are drawn as a checkerboard.
+BspMiptex make_without_texels(std::string name, std::uint32_t width, std::uint32_t height) {
   BspMiptex texture;
   texture.present = true;
-  texture.name = reader.fixed_text(kMiptexNameBytes).substr(0, kMiptexNameBytes - 1);
-  texture.width = reader.u32();
-  texture.height = reader.u32();
+  texture.name = std::move(name);
+  texture.width = is_texture_size(width) ? width : kSomeTextureSize;
+  texture.height = is_texture_size(height) ? height : kSomeTextureSize;
+  return texture;
+}
+
+// Reads one texture. `io_budget_bytes`: the remaining limit for the total size of all textures, so that many
+// textures that share the same texels cannot exhaust memory.
+BspMiptex read_texture(base::Bytes lump, std::size_t offset, std::size_t& io_budget_bytes) {
+  base::ByteReader reader(lump);
+  reader.seek(offset);
+  std::string name = reader.fixed_text(kMiptexNameBytes).substr(0, kMiptexNameBytes - 1);
+  const std::uint32_t width = reader.u32(), height = reader.u32();
   std::array<std::uint32_t, 4> mip_offsets{};
   for (std::uint32_t& mip_offset : mip_offsets) mip_offset = reader.u32();
-  if (!reader.ok()) return base::malformed("its header reaches past the end of the lump");
-  if (!is_texture_size(texture.width) || !is_texture_size(texture.height))
-    return base::malformed("size {} x {} is not within 1 to {}", texture.width, texture.height,
-                           kBspMaxTextureSize);
-  if (mip_offsets == std::array<std::uint32_t, 4>{}) return texture;
+  if (!reader.ok()) return {};
 
+  BspMiptex texture = make_without_texels(std::move(name), width, height);
+  if (texture.width != width || texture.height != height) return texture;
   for (std::size_t mip = 0; mip < 4; ++mip) {
     const std::size_t begin = offset + mip_offsets[mip], size = mip_bytes(texture, mip);
-    if (mip_offsets[mip] < kTextureHeaderBytes || begin > lump.size() || size > lump.size() - begin)
-      return base::malformed("mip level {} ({} x {} at {:#x} from the texture's start) lies outside its data",
-                             mip, texture.width >> mip, texture.height >> mip, mip_offsets[mip]);
-    if (size > io_budget_bytes)
-      return base::malformed("textures overlap: together they are larger than the lump");
+    const bool is_inside = mip_offsets[mip] >= kTextureHeaderBytes && begin <= lump.size() &&
+                           size <= std::min(lump.size() - begin, io_budget_bytes);
+    if (!is_inside && mip == 0) return texture;
+    if (!is_inside) {
+      texture.mips[mip] = sample_mip(texture.mips[0], width, height, mip);
+      continue;
+    }
     io_budget_bytes -= size;
     const auto texels = base::as_u8(lump.subspan(begin, size));
     texture.mips[mip].assign(texels.begin(), texels.end());
@@ -71,10 +80,9 @@ base::Status write_texture(base::ByteWriter& writer, const BspMiptex& texture) {
 
 }  // namespace
 
-base::Result<Textures> read_textures(base::Bytes lump, std::size_t lump_offset) {
-  Textures result;
-  std::vector<BspMiptex>& textures = result.textures;
-  if (lump.empty()) return result;
+base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump) {
+  std::vector<BspMiptex> textures;
+  if (lump.empty()) return textures;
   base::ByteReader reader(lump);
   const std::uint32_t count = reader.u32();
   if (!reader.ok() || count > reader.remaining() / 4)
@@ -84,22 +92,12 @@ base::Result<Textures> read_textures(base::Bytes lump, std::size_t lump_offset) 
   std::size_t budget_bytes = lump.size();
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::int32_t offset = reader.i32();
-    if (offset == kNotPresent) {
-      textures.emplace_back();
-      continue;
-    }
-    // A negative offset becomes a huge one, which read_texture() rejects.
-    auto texture = read_texture(lump, static_cast<std::uint32_t>(offset), budget_bytes);
-    if (!texture) {
-      base::Error error =
-          base::malformed("lump textures: texture {} at offset {:#x}: {}", i,
-                          lump_offset + static_cast<std::uint32_t>(offset), texture.error().what);
-      if (result.damaged.size() >= kMaxDamagedTextures) return error;
-      result.damaged.push_back({i, std::move(error)});
-    }
-    textures.push_back(texture ? std::move(texture).value() : BspMiptex{});
+    // Any other negative offset becomes a huge one, where no header is.
+    textures.push_back(offset == kNotPresent
+                           ? BspMiptex{}
+                           : read_texture(lump, static_cast<std::uint32_t>(offset), budget_bytes));
   }
-  return result;
+  return textures;
 }
 
 base::Status write_textures(base::ByteWriter& writer, const std::vector<BspMiptex>& textures) {

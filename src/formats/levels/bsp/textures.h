@@ -18,22 +18,11 @@
 
 namespace temblor::formats::bsp_file {
 
-// A texture whose size is not 1..kBspMaxTextureSize, or whose data exceed the lump, alone or together with
-// those of the textures before it.
-struct DamagedTexture {
-  std::size_t index = 0;
-  base::Error error;
-};
-
-struct Textures {
-  std::vector<BspMiptex> textures;  // damaged ones are not present
-  std::vector<DamagedTexture> damaged;
-};
-
-// `lump_offset`: of the lump in the file, for error messages. Returns an error if the table exceeds the lump,
-// or if more than kMaxDamagedTextures are damaged.
-constexpr std::size_t kMaxDamagedTextures = 64;
-base::Result<Textures> read_textures(base::Bytes lump, std::size_t lump_offset);
+// Returns an error if the table exceeds the lump. A texture whose header is outside of the lump is not
+// present. One whose size is not 1..kBspMaxTextureSize, or whose mip 0 exceeds the lump, alone or together
+// with the textures before it, keeps its name and has no mip levels. If only a smaller mip level is outside,
+// it is sampled from mip 0, because other engines never read it.
+base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump);
 
 // Returns kTooLarge for a name over 15 characters.
 base::Status write_textures(base::ByteWriter& writer, const std::vector<BspMiptex>& textures);

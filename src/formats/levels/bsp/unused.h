@@ -1,14 +1,18 @@
-// Records of a level that nothing refers to. Compilers and editors leave damaged ones behind.
+// Records of a level that no game reaches. Compilers and editors leave damaged ones behind.
 #pragma once
-
-#include <cstddef>
 
 #include "formats/levels/bsp.h"
 
 namespace temblor::formats::bsp_file {
 
-// Replaces a plane, vertex, texinfo, edge, or surfedge by a valid one if no other record refers to it.
-// Returns false without a change if one does, or for other lumps. `record` must exist.
-bool reset_if_unused(Bsp& io_bsp, BspLump lump, std::size_t record);
+// Replaces every record that no model leads to by a valid one:
+//
+//   models --> nodes --> leaves --> marksurfaces --> faces --> surfedges --> edges --> vertices
+//        \--> clipnodes                                   \--> planes, texinfo
+//
+// A reachable node or clipnode also leads to its plane; a model other than the world, and a node, to its
+// faces. Appends a few records that the replacements refer to. Follows only indices that are in range, in
+// time proportional to the level, so the level need not be valid.
+void reset_unused(Bsp& io_bsp);
 
 }  // namespace temblor::formats::bsp_file
