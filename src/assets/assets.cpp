@@ -43,6 +43,8 @@ base::Result<LoadedLevel> make_loaded_level(std::string name, base::ByteVector b
   const std::optional<formats::Lit> lit = apply_additions(read, name, bsp, loaded.notes);
   TRY(loaded.level,
       world::make_level(std::move(bsp), std::move(name), lit ? &*lit : nullptr).with_file(file));
+  for (const std::string& note : loaded.level->notes)
+    loaded.notes.push_back(fmt::format("{}: {}", file, note));
   note_missing_textures(*loaded.level, loaded.notes);
   return loaded;
 }

@@ -3,6 +3,8 @@
 // numbers.
 #include "world/level.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "world/loading/faces.h"
@@ -90,11 +92,14 @@ base::Status take_light(formats::Bsp& io_bsp, const formats::Lit* lit, Level& io
                              lit->samples.size(), io_level.light.size(), rgb_size);
     io_level.light_rgb = lit->samples;
   } else if (const formats::BspxLump* lump = io_bsp.find_bspx("RGBLIGHTING")) {
-    if (lump->data.size() != rgb_size)
-      return base::malformed("lump RGBLIGHTING: {} bytes of color, but the level's {} light samples need {}",
-                             lump->data.size(), io_level.light.size(), rgb_size);
-    const auto samples = base::as_u8(lump->data);
-    io_level.light_rgb.assign(samples.begin(), samples.end());
+    if (lump->data.size() == rgb_size) {
+      const auto samples = base::as_u8(lump->data);
+      io_level.light_rgb.assign(samples.begin(), samples.end());
+    } else {
+      io_level.notes.push_back(fmt::format(
+          "lump RGBLIGHTING: {} bytes of color, but the level's {} light samples need {}; it is ignored",
+          lump->data.size(), io_level.light.size(), rgb_size));
+    }
   }
   return base::Ok{};
 }
@@ -105,7 +110,10 @@ base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::str
                                                       const formats::Lit* lit) {
   auto level = std::make_shared<Level>();
   level->name = std::move(name);
-  TRY(level->entities, formats::read_entities(bsp.entities));
+  formats::EntityText text = formats::read_faulty_entities(bsp.entities);
+  level->entities = std::move(text.entities);
+  if (!text.first_fault.empty())
+    level->notes.push_back(fmt::format("lump entities: {}; it is passed over", text.first_fault));
   take_geometry(bsp, *level);
   TRY_STATUS(take_light(bsp, lit, *level));
   level->textures = make_textures(bsp.miptexes);

@@ -189,6 +189,7 @@ struct Level {
   bool has_light = false;                // false: the level was never lit; every face is drawn full-bright
   std::vector<std::uint8_t> light;       // gray samples, 0 to 255
   std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty if the level has no colored light
+  std::vector<std::string> notes;        // faults of the file that were passed over
 
   const Face& face(FaceIndex index) const { return faces[base::to_size(index)]; }
   const Leaf& leaf(LeafIndex index) const { return leaves[base::to_size(index)]; }
@@ -207,9 +208,9 @@ struct Level {
 };
 
 // Makes a level from `bsp`, which read_bsp() must have validated. Colored light comes from `lit` if given,
-// else from the BSPX lump RGBLIGHTING, else there is none; a wrong size of either is an error. Also fails if
-// the entity text does not parse, if a face's light is outside of the samples or has a style above 63, or if
-// a face is larger than any real level's (over 2^20 texels).
+// else from the BSPX lump RGBLIGHTING, else there is none. `lit` must have the right size; a lump of another
+// size is ignored, with a note, and so are faults of the entity text. Fails if a face's light is outside of
+// the samples or has a style above 63, or if a face is larger than any real level's (over 2^20 texels).
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
                                                       const formats::Lit* lit = nullptr);
 

@@ -160,8 +160,16 @@ TEST_P(LevelAdditions, ReplaceEntities) {
   EXPECT_THAT(loaded.notes, IsEmpty());
 }
 
-TEST_P(LevelAdditions, IgnoreEntitiesThatAreDamagedOrMissing) {
-  for (const char* const text : {"{ \"classname\"", "", "// nothing\n"}) {
+TEST_P(LevelAdditions, ReplaceEntitiesInSpiteOfAFault) {
+  add(".ent", test::to_bytes("{ \"classname\" \"worldspawn\"\n\"message\" \"patched\"\n"));
+  const LoadedLevel loaded = load();
+  ASSERT_EQ(loaded.level->entities.size(), 1u);
+  EXPECT_EQ(loaded.level->entities[0].find("message"), "patched");
+  EXPECT_THAT(loaded.notes, ElementsAre(AllOf(HasSubstr("tiny.ent: "), HasSubstr("line "))));
+}
+
+TEST_P(LevelAdditions, IgnoreTextWithoutEntities) {
+  for (const char* const text : {"no braces", "", "// nothing\n"}) {
     add(".ent", test::to_bytes(text));
     const LoadedLevel loaded = load();
     EXPECT_EQ(loaded.level->entities, formats::read_entities(bsp_.entities).value()) << text;
@@ -200,6 +208,25 @@ TEST_P(LevelAdditions, IgnoreVisibilityOfOtherLevels) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, LevelAdditions, ::testing::Bool());
+
+TEST(LoadLevelFile, IgnoresUnreadableLightWithNote) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("tiny.bsp", pack_bytes(tiny_level()));
+  folder.write("tiny.lit/inside", test::to_bytes("a folder"));
+  const auto loaded = load_level_file(path);
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+  EXPECT_THAT(loaded->notes, ElementsAre(AllOf(HasSubstr("tiny.lit"), HasSubstr("ignored"))));
+}
+
+TEST(LoadLevelFile, NotesNameTheFile) {
+  const test::TemporaryFolder folder;
+  formats::Bsp bsp = tiny_level();
+  bsp.entities += "{ \"classname\"";
+  const auto loaded = load_level_file(folder.write("tiny.bsp", pack_bytes(bsp)));
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message();
+  EXPECT_THAT(loaded->notes, ElementsAre(AllOf(HasSubstr("tiny.bsp: lump entities: line "),
+                                               HasSubstr("the key \"classname\" has no value"))));
+}
 
 TEST(LoadLevelFile, ErrorsNameTheFile) {
   const test::TemporaryFolder folder;

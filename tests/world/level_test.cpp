@@ -1,6 +1,7 @@
 // Tests the data that make_level() copies from the file, and the source of the light.
 #include "world/level.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,6 +12,10 @@
 
 namespace temblor::world {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 void expect_same_structure(const TestLevel& test) {
   const formats::Bsp& bsp = test.bsp;
@@ -85,19 +90,28 @@ TEST(MakeLevel, TakesColoredLightFromTheLitFileThenFromBspx) {
   EXPECT_EQ((*make_level(colored, "both", &lit))->light_rgb, lit.samples);
 }
 
-TEST(MakeLevel, ColoredLightOfTheWrongSizeIsAnError) {
+TEST(MakeLevel, ColoredLightOfTheWrongSizeIsAnErrorOrIgnored) {
   formats::Bsp bsp = artgen::make_small_level({.colored_light = true, .tiny = true});
   formats::Lit lit;
   lit.samples.resize(bsp.lighting.size() * 3 + 3);
   EXPECT_FALSE(make_level(bsp, "lit too long", &lit).ok());
   bsp.bspx[0].data.pop_back();
-  EXPECT_FALSE(make_level(bsp, "lump too short").ok());
+  const auto level = make_level(bsp, "lump too short");
+  ASSERT_TRUE(level.ok()) << level.error().message();
+  EXPECT_TRUE((*level)->light_rgb.empty());
+  EXPECT_THAT((*level)->notes, ElementsAre(HasSubstr("lump RGBLIGHTING: ")));
 }
 
-TEST(MakeLevel, EntityTextThatDoesNotParseIsAnError) {
+TEST(MakeLevel, FaultsOfEntityTextAreNoted) {
   formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+  EXPECT_THAT(make_level(bsp, "whole").value()->notes, IsEmpty());
   bsp.entities = "{ \"classname\" \"worldspawn\"";
-  EXPECT_FALSE(make_level(bsp, "open brace").ok());
+  const auto level = make_level(bsp, "open brace");
+  ASSERT_TRUE(level.ok()) << level.error().message();
+  ASSERT_EQ((*level)->entities.size(), 1u);
+  EXPECT_EQ((*level)->entities[0].classname(), "worldspawn");
+  EXPECT_THAT((*level)->notes,
+              ElementsAre("lump entities: line 1: this entity is never closed; it is passed over"));
 }
 
 }  // namespace

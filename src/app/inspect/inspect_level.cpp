@@ -54,7 +54,7 @@ Inspection list_styles(const formats::Bsp& bsp) {
 
 // Lists faults of a level that can still be played.
 Inspection find_problems(const formats::Bsp& bsp, const world::Level& level) {
-  Inspection problems = Inspection::array();
+  Inspection problems(level.notes);
   std::set<std::string> missing;
   for (const world::Face& face : level.faces)
     if (level.texture(face.texture).missing) missing.insert(level.texture(face.texture).name);
@@ -108,8 +108,9 @@ base::Result<Inspection> inspect_vis(base::Bytes bytes) {
 }
 
 base::Result<Inspection> inspect_entities(base::Bytes bytes) {
-  TRY(const std::vector<formats::Entity> entities, formats::read_entities(base::as_text(bytes)));
+  const auto [entities, first_fault] = formats::read_faulty_entities(base::as_text(bytes));
   Inspection problems = Inspection::array();
+  if (!first_fault.empty()) problems.push_back(first_fault);
   if (entities.empty() || entities[0].classname() != "worldspawn")
     problems.push_back("the first entity is not worldspawn");
   return Inspection{{"count", entities.size()}, {"classes", count_classes(entities)}, {"problems", problems}};

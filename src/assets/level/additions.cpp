@@ -12,13 +12,16 @@
 namespace temblor::assets {
 namespace {
 
-// The text ends at its first zero, as in the level itself.
-base::Status replace_entities(base::Bytes bytes, formats::Bsp& io_bsp) {
+// Keeps the entities around a fault in the text, as the level's own text is read. The text ends at its first
+// zero.
+base::Status replace_entities(const std::string& file, base::Bytes bytes, formats::Bsp& io_bsp,
+                              std::vector<std::string>& io_notes) {
   std::string_view text = base::as_text(bytes);
   text = text.substr(0, text.find('\0'));
-  TRY(const std::vector<formats::Entity> entities, formats::read_entities(text));
-  if (entities.empty()) return base::malformed("there are no entities");
-  io_bsp.entities = text;
+  const formats::EntityText read = formats::read_faulty_entities(text);
+  if (read.entities.empty()) return base::malformed("there are no entities");
+  if (!read.first_fault.empty()) io_notes.push_back(fmt::format("{}: {}", file, read.first_fault));
+  io_bsp.entities = read.first_fault.empty() ? std::string(text) : formats::write_entities(read.entities);
   return base::Ok{};
 }
 
@@ -49,15 +52,17 @@ std::optional<formats::Lit> apply_additions(const AdditionReader& read, std::str
   const auto apply_file = [&](std::string_view suffix, std::string_view consequence, const auto& apply) {
     const std::optional<Addition> file = read(suffix);
     if (!file) return;
-    base::Status status = file->bytes.ok() ? apply(*file->bytes) : base::Status(file->bytes.error());
+    base::Status status =
+        file->bytes.ok() ? apply(file->name, *file->bytes) : base::Status(file->bytes.error());
     status = std::move(status).with_file(file->name);
     if (!status.ok()) io_notes.push_back(fmt::format("{}; {}", status.error().message(), consequence));
   };
-  apply_file(".ent", "these entities are ignored",
-             [&](base::Bytes bytes) { return replace_entities(bytes, io_bsp); });
+  apply_file(".ent", "these entities are ignored", [&](const std::string& file, base::Bytes bytes) {
+    return replace_entities(file, bytes, io_bsp, io_notes);
+  });
   apply_file(".vis", "this visibility is ignored",
-             [&](base::Bytes bytes) { return replace_visibility(bytes, name, io_bsp); });
-  apply_file(".lit", "colored light is ignored", [&](base::Bytes bytes) -> base::Status {
+             [&](const std::string&, base::Bytes bytes) { return replace_visibility(bytes, name, io_bsp); });
+  apply_file(".lit", "colored light is ignored", [&](const std::string&, base::Bytes bytes) -> base::Status {
     TRY(lit, read_matching_lit(bytes, io_bsp));
     return base::Ok{};
   });

@@ -7,6 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <span>
+#include <utility>
+
+#include "base/text.h"
 
 namespace temblor::formats {
 namespace {
@@ -25,12 +28,12 @@ struct Token {
   std::size_t line = 1;   // of its first character
 };
 
-// Splits entity text into braces and texts, and counts lines for errors.
+// Splits entity text into braces and texts, counts lines, and keeps the first fault.
 class Tokenizer {
  public:
   explicit Tokenizer(std::string_view text) : rest_(text.substr(0, text.find('\0'))) {}
 
-  base::Result<Token> next() {
+  Token next() {
     skip_space_and_comments();
     Token token{Token::Kind::kEnd, {}, line_};
     if (rest_.empty()) return token;
@@ -48,12 +51,17 @@ class Tokenizer {
     }
     take(1);
     const std::size_t end = rest_.find('"');
-    if (end == std::string_view::npos)
-      return base::malformed("line {}: this quote is never closed", token.line);
-    token.text = take(end);
-    take(1);
+    if (end == std::string_view::npos) add_fault("line {}: this quote is never closed", token.line);
+    token.text = take(std::min(end, rest_.size()));
+    take(std::min<std::size_t>(1, rest_.size()));
     return token;
   }
+
+  template <typename... Args>
+  void add_fault(fmt::format_string<Args...> format, Args&&... args) {
+    if (first_fault_.empty()) first_fault_ = fmt::format(format, std::forward<Args>(args)...);
+  }
+  const std::string& first_fault() const { return first_fault_; }
 
  private:
   std::string_view take(std::size_t count) {
@@ -66,36 +74,46 @@ class Tokenizer {
     while (true) {
       const auto end = std::ranges::find_if_not(rest_, is_space);
       take(static_cast<std::size_t>(end - rest_.begin()));
-      if (!rest_.starts_with("//")) return;
-      take(std::min(rest_.find('\n'), rest_.size()));
+      if (rest_.starts_with("//")) {
+        take(std::min(rest_.find('\n'), rest_.size()));
+      } else if (rest_.starts_with("/*")) {
+        take(2);
+        take(std::min(rest_.find("*/"), rest_.size()));
+        take(std::min<std::size_t>(2, rest_.size()));
+      } else {
+        return;
+      }
     }
   }
 
   std::string_view rest_;
   std::size_t line_ = 1;
+  std::string first_fault_;
 };
 
-// Reads the rest of an entity after its opening brace on line `opened_on`.
-base::Result<Entity> read_entity(Tokenizer& tokens, std::size_t opened_on) {
+// Reads the rest of an entity after its opening brace, which is `io_token`. Sets it to the first token that
+// does not belong to the entity.
+Entity read_entity(Tokenizer& io_tokens, Token& io_token) {
+  const std::size_t opened_on = io_token.line;
   Entity entity;
-  while (true) {
-    TRY(const Token key, tokens.next());
-    switch (key.kind) {
-      case Token::Kind::kEnd:
-        return base::malformed("line {}: this entity is never closed", opened_on);
-      case Token::Kind::kOpen:
-        return base::malformed("line {}: an entity starts inside of the one from line {}", key.line,
-                               opened_on);
-      case Token::Kind::kClose:
-        return entity;
-      case Token::Kind::kText:
-        break;
+  io_token = io_tokens.next();
+  while (io_token.kind == Token::Kind::kText) {
+    const Token key = io_token;
+    io_token = io_tokens.next();
+    if (io_token.kind != Token::Kind::kText) {
+      io_tokens.add_fault("line {}: the key \"{}\" has no value", key.line, base::printable(key.text));
+      break;
     }
-    TRY(const Token value, tokens.next());
-    if (value.kind != Token::Kind::kText)
-      return base::malformed("line {}: the key \"{}\" has no value", key.line, key.text);
-    entity.pairs.emplace_back(key.text, value.text);
+    entity.pairs.emplace_back(key.text, io_token.text);
+    io_token = io_tokens.next();
   }
+  if (io_token.kind == Token::Kind::kEnd)
+    io_tokens.add_fault("line {}: this entity is never closed", opened_on);
+  else if (io_token.kind == Token::Kind::kOpen)
+    io_tokens.add_fault("line {}: an entity starts inside of the one from line {}", io_token.line, opened_on);
+  else
+    io_token = io_tokens.next();
+  return entity;
 }
 
 // Parses numbers separated by white space. Returns false unless there are exactly as many as requested, all
@@ -139,17 +157,26 @@ std::optional<float> Entity::find_number(std::string_view key) const {
   return number[0];
 }
 
-base::Result<std::vector<Entity>> read_entities(std::string_view text) {
-  std::vector<Entity> entities;
+EntityText read_faulty_entities(std::string_view text) {
+  EntityText result;
   Tokenizer tokens(text);
-  while (true) {
-    TRY(const Token token, tokens.next());
-    if (token.kind == Token::Kind::kEnd) return entities;
-    if (token.kind != Token::Kind::kOpen)
-      return base::malformed("line {}: expected the opening brace of an entity", token.line);
-    TRY(Entity entity, read_entity(tokens, token.line));
-    entities.push_back(std::move(entity));
+  Token token = tokens.next();
+  while (token.kind != Token::Kind::kEnd) {
+    if (token.kind == Token::Kind::kOpen) {
+      result.entities.push_back(read_entity(tokens, token));
+    } else {
+      tokens.add_fault("line {}: expected the opening brace of an entity", token.line);
+      token = tokens.next();
+    }
   }
+  result.first_fault = tokens.first_fault();
+  return result;
+}
+
+base::Result<std::vector<Entity>> read_entities(std::string_view text) {
+  EntityText result = read_faulty_entities(text);
+  if (!result.first_fault.empty()) return base::malformed("{}", result.first_fault);
+  return std::move(result.entities);
 }
 
 std::string write_entities(const std::vector<Entity>& entities) {

@@ -36,9 +36,22 @@ struct Entity {
   bool operator==(const Entity&) const = default;
 };
 
+// Entities, and the first fault of their text with its line; empty: none.
+struct EntityText {
+  std::vector<Entity> entities;
+  std::string first_fault;
+};
+
 // Parses entity text. Keys and values are quoted, and may contain anything except quotes (backslashes are not
 // escapes); or they are bare words up to white space, a brace, or a quote. Comments run from // to the end of
-// the line. The text ends at its first zero byte. Errors name the line.
+// the line, or from /* to */. The text ends at its first zero byte.
+//
+// Passes over faults, so that a level with a damaged entity can be played: an entity also ends at the next
+// opening brace and at the end of the text, a quote also ends at the end of the text, a key without a value
+// is left out, and so is text outside of entities.
+EntityText read_faulty_entities(std::string_view text);
+
+// The same, but a fault is an error, for programs that write the text again.
 base::Result<std::vector<Entity>> read_entities(std::string_view text);
 
 // Writes entity text. If no key or value contains a quote or zero byte, the text reads back as equal

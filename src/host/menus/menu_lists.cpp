@@ -42,9 +42,10 @@ std::string read_title(const vfs::FileSystem& files, const std::string& file) {
   reader.u32();  // the version; in all versions the first lump holds the entities
   const std::uint32_t offset = reader.u32(), size = reader.u32();
   if (!reader.ok() || offset > bytes->size() || size > bytes->size() - offset) return {};
-  const auto entities = formats::read_entities(base::as_text(base::Bytes(*bytes).subspan(offset, size)));
-  if (!entities.ok() || entities->empty()) return {};
-  return std::string(entities->front().find("message").value_or(""));
+  const std::vector<formats::Entity> entities =
+      formats::read_faulty_entities(base::as_text(base::Bytes(*bytes).subspan(offset, size))).entities;
+  if (entities.empty()) return {};
+  return std::string(entities.front().find("message").value_or(""));
 }
 
 }  // namespace

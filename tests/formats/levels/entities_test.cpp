@@ -1,5 +1,6 @@
 #include "formats/levels/entities.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace temblor::formats {
 namespace {
 
 using namespace std::string_literals;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
 std::vector<Entity> read(std::string_view text) {
@@ -84,6 +87,42 @@ TEST(Entities, ErrorsNameTheLine) {
   EXPECT_EQ(error_of_entities("{\n\"a\" \"b\"\n\"c\"\n}"), "line 3: the key \"c\" has no value");
   EXPECT_EQ(error_of_entities("{\n\"c\""), "line 2: the key \"c\" has no value");
   EXPECT_EQ(error_of_entities("{\n\"two\nlines\" \"b\"\n\"open"), "line 4: this quote is never closed");
+}
+
+// The entities, one line for each: "k=v k=v".
+std::vector<std::string> faulty(std::string_view text) {
+  const EntityText result = read_faulty_entities(text);
+  EXPECT_EQ(result.first_fault, error_of_entities(text) == "no error" ? "" : error_of_entities(text));
+  std::vector<std::string> lines;
+  for (const Entity& entity : result.entities) {
+    std::string& line = lines.emplace_back();
+    for (const auto& [key, value] : entity.pairs) line += (line.empty() ? "" : " ") + key + "=" + value;
+  }
+  return lines;
+}
+
+TEST(Entities, BlockCommentsAreSkipped) {
+  EXPECT_THAT(faulty("/* one } \" */{/**/\"a\"/* \n* / */\"b\"} /* not closed {"), ElementsAre("a=b"));
+  EXPECT_EQ(error_of_entities("/*\n\n*/ x"), "line 3: expected the opening brace of an entity");
+  EXPECT_THAT(faulty("/*/{}"), IsEmpty());
+}
+
+TEST(Entities, FaultsArePassedOver) {
+  EXPECT_THAT(faulty("{\"a\" \"b\"} {\"c\" \"d\""), ElementsAre("a=b", "c=d"));
+  EXPECT_THAT(faulty("{\"a\" \"b\""), ElementsAre("a=b"));
+  EXPECT_THAT(faulty("{\"a\" \"b"), ElementsAre("a=b"));
+  EXPECT_THAT(faulty("{\"a\" \""), ElementsAre("a="));
+  EXPECT_THAT(faulty("{\"a\" \"b\" \"c\"} {\"d\" \"e\"}"), ElementsAre("a=b", "d=e"));
+  EXPECT_THAT(faulty("{\"a\" \"b\" \"c"), ElementsAre("a=b"));
+  EXPECT_THAT(faulty("{\"a\" \"b\" {\"c\" \"d\"} {\"e\" \"f\"}"), ElementsAre("a=b", "c=d", "e=f"));
+  EXPECT_THAT(faulty("{\"a\" {\"c\" \"d\"}"), ElementsAre("", "c=d"));
+  EXPECT_THAT(faulty("} x {\"a\" \"b\"} } \"y\" {\"c\" \"d\"} z"), ElementsAre("a=b", "c=d"));
+  EXPECT_THAT(faulty("{\"message\" \"say \\\"hi\\\"\"}"), ElementsAre("message=say \\ hi\\="));
+}
+
+TEST(Entities, OddKeysAreKept) {
+  EXPECT_THAT(faulty("{\"\" \"v\" \"_x\" \"1\" \"angle \" \"2\" \"two words\" \"3\" ( 4 }"),
+              ElementsAre("=v _x=1 angle =2 two words=3 (=4"));
 }
 
 TEST(Entities, FindTakesTheFirstOfEqualKeys) {
@@ -161,11 +200,14 @@ TEST(Entities, SurvivesRandomText) {
     test::Random random(static_cast<std::uint64_t>(seed));
     std::string text;
     for (std::size_t i = random.below(12); i > 0; --i) {
-      constexpr std::string_view kParts[] = {"{",  "}",  "\"", "a", "\"b\" ",
-                                             "//", "\n", "\\", " ", "{\"c\" d}"};
+      constexpr std::string_view kParts[] = {"{",  "}",  "\"", "a",         "\"b\" ", "//",
+                                             "\n", "\\", " ",  "{\"c\" d}", "/*",     "*/"};
       text += kParts[random.below(std::size(kParts))];
     }
+    const EntityText faulty_text = read_faulty_entities(text);
+    EXPECT_TRUE(read(write_entities(faulty_text.entities)) == faulty_text.entities) << "seed " << seed;
     const auto entities = read_entities(text);
+    EXPECT_EQ(entities.ok(), faulty_text.first_fault.empty()) << "seed " << seed;
     if (!entities.ok()) {
       EXPECT_EQ(entities.error().what.substr(0, 5), "line ") << "seed " << seed;
       continue;
