@@ -11,7 +11,7 @@ namespace temblor::formats {
 namespace {
 
 constexpr std::string_view kSavVersion = "5";
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kSavBlanks = " \t\r\n";
 constexpr float kMaxSkill = 3;
 
 // Reads lines, then blocks, and counts the lines for errors.
@@ -36,14 +36,25 @@ class SavReader {
     return text;
   }
 
-  base::Result<float> number(std::string_view what) {
+  // Reads a line without the blanks around its text. Skips empty lines, as stock engines do.
+  base::Result<std::string_view> text_line(std::string_view what) {
+    skip(std::min(rest_.find_first_not_of(kSavBlanks), rest_.size()));
     TRY(std::string_view text, whole_line(what));
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    while (text.starts_with(' ')) text.remove_prefix(1);
+    return text.substr(0, text.find_last_not_of(kSavBlanks) + 1);
+  }
+
+  // The number may be infinite or NaN.
+  base::Result<float> number(std::string_view what) {
+    TRY(const std::string_view text, text_line(what));
     float value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    if (code != std::errc{} || end != text.data() + text.size())
       return base::malformed("line {}: {} must be a number, not \"{}\"", line_ - 1, what, text.substr(0, 40));
+    return value;
+  }
+  base::Result<float> finite_number(std::string_view what) {
+    TRY(const float value, number(what));
+    if (!std::isfinite(value)) return base::malformed("line {}: {} is {}", line_ - 1, what, value);
     return value;
   }
 
@@ -74,9 +85,15 @@ class SavReader {
   }
   void skip_blanks() {
     while (true) {
-      skip(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
-      if (!rest_.starts_with("//")) return;
-      skip(std::min(rest_.find('\n'), rest_.size()));
+      skip(std::min(rest_.find_first_not_of(kSavBlanks), rest_.size()));
+      if (rest_.starts_with("//")) {
+        skip(std::min(rest_.find('\n'), rest_.size()));
+      } else if (rest_.starts_with("/*")) {
+        const std::size_t end = rest_.find("*/", 2);
+        skip(end == std::string_view::npos ? rest_.size() : end + 2);
+      } else {
+        return;
+      }
     }
   }
   base::Result<std::string> quoted(std::string_view what) {
@@ -130,12 +147,14 @@ base::Result<Sav> read_sav(std::string_view text) {
   while (sav.comment.ends_with(' ')) sav.comment.pop_back();  // the file pads it to its full length
   for (float& parameter : sav.spawn_parameters) {
     TRY(parameter, reader.number("a spawn parameter"));
+    if (!std::isfinite(parameter))
+      parameter = 0;  // game code may leave anything in those that it does not use
   }
-  TRY(const float skill, reader.number("the skill"));
+  TRY(const float skill, reader.finite_number("the skill"));
   sav.skill = static_cast<int>(std::clamp(std::floor(skill + 0.1f), 0.0f, kMaxSkill));
-  TRY(const std::string_view map, reader.whole_line("the level's name"));
+  TRY(const std::string_view map, reader.text_line("the level's name"));
   sav.map = map;
-  TRY(sav.time_s, reader.number("the time"));
+  TRY(sav.time_s, reader.finite_number("the time"));
   for (std::string& style : sav.light_styles) {
     TRY(const std::string_view pattern, reader.whole_line("a light style"));
     style = pattern;

@@ -44,9 +44,10 @@ struct Sav {
   bool operator==(const Sav&) const = default;
 };
 
-// Reads a saved game. Errors name the line. Skips comments from // to the end of the line; modern engines
-// append such comments and extra blocks after the entities. The skill is rounded down after adding 0.1, and
-// clamped to 0 to 3.
+// Reads a saved game. Errors name the line. Skips empty lines before numbers and the level's name, and
+// comments between blocks, from // to the end of the line and from /* to */: DarkPlaces writes a long one
+// after the entities. A spawn parameter that is not finite becomes 0. The skill is rounded down after adding
+// 0.1, and clamped to 0 to 3.
 base::Result<Sav> read_sav(std::string_view text);
 
 // Writes an empty light style as "m", as stock engines do: their readers skip empty lines. Returns kUsage if

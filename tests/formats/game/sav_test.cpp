@@ -70,14 +70,47 @@ TEST(Sav, ReadsStockFile) {
 TEST(Sav, AcceptsOtherLineEndsAndTrailingText) {
   std::string text;
   for (const char c : stock_text()) text += c == '\n' ? "\r\n" : std::string(1, c);
-  text += "// what another engine adds\n/* but not this */";
-  const auto with_rest = formats::read_sav(text);
-  ASSERT_FALSE(with_rest.ok());
-  EXPECT_THAT(with_rest.error().what, HasSubstr("line"));
-  const auto sav = formats::read_sav(text.substr(0, text.find("/*")));
+  text += "// what another engine adds\n";
+  const auto sav = formats::read_sav(text);
   ASSERT_TRUE(sav.ok()) << sav.error().message();
-  EXPECT_EQ(sav->map, "e1m1");
-  EXPECT_EQ(sav->entities.size(), 3u);
+  EXPECT_EQ(*sav, formats::read_sav(stock_text()).value());
+  EXPECT_FALSE(formats::read_sav(text + "more").ok());
+}
+
+// DarkPlaces writes such a comment after the entities.
+TEST(Sav, SkipsBlockComments) {
+  const std::string comment =
+      "/*\n// DarkPlaces extended savegame\nsv.lightstyles 0 m\nsv.model_precache 1 maps/start.bsp\n"
+      "sv.sound_precache 1 { \"x\n*/\n";
+  const formats::Sav expected = formats::read_sav(stock_text()).value();
+  for (const std::string& text : {stock_text() + comment, stock_text() + comment + comment + "/* not closed",
+                                  stock_text().replace(stock_text().find("{\n\"cl"), 0, comment)}) {
+    const auto sav = formats::read_sav(text);
+    ASSERT_TRUE(sav.ok()) << sav.error().message();
+    EXPECT_EQ(*sav, expected);
+  }
+}
+
+// Other engines read the header with scanf(), which skips white space.
+TEST(Sav, SkipsWhiteSpaceInTheHeader) {
+  std::string text = stock_text();
+  text.replace(text.find("2\ne1m1\n63.512894\n"), 17, "\n 2 \n\n\te1m1 \n\r\n 63.512894\t\n");
+  const auto sav = formats::read_sav(text);
+  ASSERT_TRUE(sav.ok()) << sav.error().message();
+  EXPECT_EQ(*sav, formats::read_sav(stock_text()).value());
+}
+
+TEST(Sav, SpawnParametersNeedNotBeFinite) {
+  for (const std::string number : {"nan", "-nan", "inf", "-inf"}) {
+    std::string text = stock_text();
+    text.replace(text.find("100.000000"), 10, number);
+    const auto sav = formats::read_sav(text);
+    ASSERT_TRUE(sav.ok()) << sav.error().message();
+    EXPECT_EQ(sav->spawn_parameters[1], 0);
+  }
+  std::string text = stock_text();
+  text.replace(text.find("63.512894"), 9, "nan");
+  EXPECT_THAT(formats::read_sav(text).error().what, HasSubstr("line 21: the time is nan"));
 }
 
 TEST(Sav, RoundTrips) {
