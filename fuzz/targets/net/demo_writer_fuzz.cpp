@@ -71,7 +71,7 @@ int temblor::fuzz::fuzz_demo_writer(const std::uint8_t* data, std::size_t size) 
     if (!packet.ok() || !packet->has_value()) break;
     base::ByteWriter writer;
     messages += rewrite(**packet, reader, writer);
-    if (writer.size() > formats::kMaxDemMessage) return 0;  // wider numbers can exceed a packet's size
+    if (writer.size() > formats::kMaxStockDemMessage) return 0;  // wider numbers can exceed a packet's size
     written.add((*packet)->view_angles_deg, writer.view());
   }
   const base::ByteVector dem = std::move(written).take();

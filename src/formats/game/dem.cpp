@@ -2,32 +2,42 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "base/check.h"
-#include "base/text.h"
 
 namespace temblor::formats {
 namespace {
 
-// Longer than any 32-bit number with sign and line end.
-constexpr std::size_t kMaxTrackLine = 16;
+// Longer than any line that another program writes; a file of another kind may have no line end at all.
+constexpr std::size_t kMaxTrackLine = 64;
+constexpr std::string_view kBlanks = " \t\r", kTrackChars = " \t\r+-0123456789";
+constexpr int kNoTrack = -1;
+
+// Other engines also play demos whose line has blanks, too many digits, or none.
+int parse_track(std::string_view line) {
+  const std::size_t begin = std::min(line.find_first_not_of(kBlanks), line.size());
+  line = line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
+  if (line.starts_with('+')) line.remove_prefix(1);
+  int track = kNoTrack;
+  const auto [rest, fault] = std::from_chars(line.data(), line.data() + line.size(), track);
+  return fault == std::errc{} && rest == line.data() + line.size() ? track : kNoTrack;
+}
 
 }  // namespace
 
 base::Result<DemReader> DemReader::open(base::Bytes bytes) {
   const std::string_view start = base::as_text(bytes).substr(0, kMaxTrackLine);
   const std::size_t line_end = start.find('\n');
-  if (line_end == std::string_view::npos)
-    return base::malformed("not a demo: the first line is not a track number within {} bytes", kMaxTrackLine);
-  std::string_view line = start.substr(0, line_end);
-  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (line_end == std::string_view::npos ||
+      start.substr(0, line_end).find_first_not_of(kTrackChars) != std::string_view::npos)
+    return base::malformed("not a demo: the first {} bytes have no line with the number of a CD track",
+                           start.size());
   DemReader recording(bytes);
-  const auto [rest, fault] = std::from_chars(line.data(), line.data() + line.size(), recording.forced_track_);
-  if (fault != std::errc{} || rest != line.data() + line.size())
-    return base::malformed("not a demo: the first line is \"{}\", not a track number", base::printable(line));
+  recording.forced_track_ = parse_track(start.substr(0, line_end));
   recording.reader_.seek(line_end + 1);
   return recording;
 }
@@ -51,9 +61,7 @@ base::Result<std::optional<DemMessage>> DemReader::next() {
     return Message{};
   }
   for (int axis = 0; axis < 3; ++axis)
-    if (!std::isfinite(message.view_angles_deg[axis]))
-      return base::malformed("message at offset {}: view angle {} is {}", reader_.offset(), axis,
-                             message.view_angles_deg[axis]);
+    if (!std::isfinite(message.view_angles_deg[axis])) message.view_angles_deg[axis] = 0;
   reader_ = record;
   return Message{message};
 }

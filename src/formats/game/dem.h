@@ -23,8 +23,8 @@
 
 namespace temblor::formats {
 
-// Bytes of messages in a record. Protocol 15 allows 8000; extended protocols have larger packets.
-constexpr std::size_t kMaxDemMessage = 64000;
+// Bytes of messages in a record. Protocol 15 allows 8000; QuakeSpasm plays 64000, and DarkPlaces 65536.
+constexpr std::size_t kMaxDemMessage = 65536, kMaxStockDemMessage = 64000;
 
 // A record. `message` may contain several messages, or none.
 struct DemMessage {
@@ -36,13 +36,15 @@ struct DemMessage {
 // Reads a demo record by record. `bytes` must outlive the reader and its messages.
 class DemReader {
  public:
-  // Returns kMalformed if the first line is not a track number.
+  // Returns kMalformed if the first line has other characters than those of a number. If they are not one,
+  // the track is -1.
   static base::Result<DemReader> open(base::Bytes bytes);
 
   // The CD track to play instead of the server's; -1: none.
   int forced_track() const { return forced_track_; }
   // Returns the next record, or nullopt at the end. If the last record is incomplete, ends before it and sets
-  // is_truncated(). Returns kMalformed with the offset for a size out of range.
+  // is_truncated(). A view angle that is not finite becomes 0. Returns kMalformed with the offset for a size
+  // out of range.
   base::Result<std::optional<DemMessage>> next();
   bool is_truncated() const { return is_truncated_; }
   // Bytes read, and total bytes; for progress displays.

@@ -7,7 +7,7 @@ namespace temblor::net {
 
 void DemoWriter::add(const math::Vec3& view_angles_deg, base::Bytes messages) {
   // A client cannot have accepted a packet that is too long for a demo record.
-  if (messages.empty() || messages.size() > formats::kMaxDemMessage || is_full()) return;
+  if (messages.empty() || messages.size() > formats::kMaxStockDemMessage || is_full()) return;
   writer_.add(view_angles_deg, messages);
   bytes_ += messages.size();
 }

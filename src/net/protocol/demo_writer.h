@@ -14,7 +14,7 @@ class DemoWriter {
   static constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
   // Adds the messages of one packet, and the view angles of the player at that time. Ignores empty packets,
-  // and packets longer than formats::kMaxDemMessage.
+  // and packets longer than formats::kMaxStockDemMessage.
   void add(const math::Vec3& view_angles_deg, base::Bytes messages);
   bool is_full() const { return bytes_ >= kMaxBytes; }
   bool is_empty() const { return bytes_ == 0; }

@@ -37,7 +37,7 @@ TEST(DemoWriter, WritesMessagesAndEnd) {
 TEST(DemoWriter, SkipsEmptyAndOversizedPackets) {
   DemoWriter recording;
   recording.add({0, 0, 0}, {});
-  recording.add({0, 0, 0}, base::ByteVector(formats::kMaxDemMessage + 1, std::byte{1}));
+  recording.add({0, 0, 0}, base::ByteVector(formats::kMaxStockDemMessage + 1, std::byte{1}));
   EXPECT_TRUE(recording.is_empty());
   const base::ByteVector bytes = std::move(recording).finish();
   EXPECT_THAT(list_messages(bytes), ElementsAre(kEnd));
@@ -45,7 +45,7 @@ TEST(DemoWriter, SkipsEmptyAndOversizedPackets) {
 
 TEST(DemoWriter, FullDemoStillEnds) {
   DemoWriter recording;
-  const base::ByteVector longest(formats::kMaxDemMessage, std::byte{1});
+  const base::ByteVector longest(formats::kMaxStockDemMessage, std::byte{1});
   std::size_t added = 0;
   for (; !recording.is_full(); ++added) recording.add({0, 0, 0}, longest);
   recording.add({0, 0, 0}, kNopMessage);
