@@ -18,7 +18,7 @@ struct Image {
 };
 
 // Reads color-mapped, true-color, and gray TGA files of 8 to 32 bits, with or without run-length encoding.
-// image_tga.cpp shows the layout.
+// image_tga.cpp shows the layout, and which faults are passed over.
 base::Result<Image> read_tga(base::Bytes bytes);
 // Writes 32 bits per pixel, without compression.
 base::ByteVector write_tga(const Image& image);

@@ -1,4 +1,7 @@
-// TGA after the Truevision specification of 1991, without interleaved rows, which no known tool writes.
+// TGA after the Truevision specification of 1991. Interleaved rows are read as ordinary ones, as other
+// engines do: no known tool writes them, but some set their bits. Faults that leave most of the picture
+// intact are passed over: pixels after the end of a truncated file are transparent, colors outside of the map
+// are black, and a run may be longer than the picture.
 //
 //   header, 18 bytes    0  id size u8             bytes after the header, skipped
 //                       1  has color map u8
@@ -8,7 +11,7 @@
 //                      12  width u16, height u16
 //                      16  bits of a pixel u8
 //                      17  descriptor u8          bits 0-3 alpha bits, 4 right to left, 5 top to bottom, 6-7
-//                                                 interleaving
+//                                                 interleaving, ignored
 //   id | color map | pixels
 //
 // Coded pixels are packets: a byte with the number of pixels - 1 in its low 7 bits, then one pixel that
@@ -26,7 +29,7 @@ using base::ErrorCode;
 
 constexpr std::size_t kTgaHeaderBytes = 18;
 constexpr std::uint8_t kRunLengthCoded = 8;  // flag of the image type
-constexpr std::uint8_t kAlphaBits = 0x0f, kRightToLeft = 0x10, kTopToBottom = 0x20, kInterleaved = 0xc0;
+constexpr std::uint8_t kAlphaBits = 0x0f, kRightToLeft = 0x10, kTopToBottom = 0x20;
 constexpr std::size_t kMaxPacketPixels = 128;
 
 enum class Colors : std::uint8_t { kMapped = 1, kTrue = 2, kGray = 3 };
@@ -99,15 +102,13 @@ base::Result<TgaHeader> read_header(base::ByteReader& io_reader) {
   if (!are_pixel_bits(header.colors, header.pixel_bits))
     return base::error(ErrorCode::kUnsupported, "TGA of type {} with {} bits per pixel", type,
                        header.pixel_bits);
-  if ((header.descriptor & kInterleaved) != 0)
-    return base::error(ErrorCode::kUnsupported, "TGA with interleaved rows");
   if (header.width == 0 || header.height == 0 || header.width > kMaxImageSide ||
       header.height > kMaxImageSide)
     return base::malformed("TGA of {} x {} pixels, sides are 1 to {}", header.width, header.height,
                            kMaxImageSide);
   if (header.colors == Colors::kMapped && !header.has_map)
     return base::malformed("TGA of type {} without a color map", type);
-  if (header.has_map && !are_color_bits(header.map_bits))
+  if (header.colors == Colors::kMapped && !are_color_bits(header.map_bits))
     return base::error(ErrorCode::kUnsupported, "TGA with a color map of {} bits per entry", header.map_bits);
   return header;
 }
@@ -122,15 +123,23 @@ base::Result<std::vector<std::uint32_t>> read_map(base::ByteReader& io_reader, c
   if (io_reader.remaining() < header.map_bytes())
     return base::malformed("TGA: the color map at offset {:#x} needs {} bytes, only {} are left",
                            io_reader.offset(), header.map_bytes(), io_reader.remaining());
+  if (header.colors != Colors::kMapped) {
+    io_reader.take(header.map_bytes());
+    return map;
+  }
   map.reserve(header.map_entries);
   for (std::size_t i = 0; i < header.map_entries; ++i)
     map.push_back(read_color(io_reader, header.map_bits, has_alpha(header)));
   return map;
 }
 
-// Reads the next pixel. Returns zero past the end; the caller checks the reader.
-base::Result<std::uint32_t> read_pixel(base::ByteReader& io_reader, const TgaHeader& header,
-                                       std::span<const std::uint32_t> map) {
+// Reads the next pixel. Returns transparent black past the end; the caller checks the reader.
+std::uint32_t read_pixel(base::ByteReader& io_reader, const TgaHeader& header,
+                         std::span<const std::uint32_t> map) {
+  if (io_reader.remaining() < header.pixel_bytes()) {
+    io_reader.take(header.pixel_bytes());
+    return 0;
+  }
   switch (header.colors) {
     case Colors::kTrue:
       return read_color(io_reader, header.pixel_bits, has_alpha(header));
@@ -139,47 +148,35 @@ base::Result<std::uint32_t> read_pixel(base::ByteReader& io_reader, const TgaHea
     case Colors::kMapped:
       break;
   }
-  const std::size_t offset = io_reader.offset();
   const std::uint32_t index = header.pixel_bits == 8 ? io_reader.u8() : io_reader.u16();
-  if (!io_reader.ok()) return std::uint32_t{0};
-  if (index < header.map_first || index - header.map_first >= map.size())
-    return base::malformed("TGA: pixel at offset {:#x} has color {}, the map {} from {} on", offset, index,
-                           map.size(), header.map_first);
-  return map[index - header.map_first];
+  const bool is_in_map = index >= header.map_first && index - header.map_first < map.size();
+  return is_in_map ? map[index - header.map_first] : pack_argb(255, 0, 0, 0);
 }
 
-// Returns the minimum size of the pixel data, so that a short file cannot request a large image.
+// Returns the minimum size of the pixel data.
 std::size_t min_pixel_bytes(const TgaHeader& header) {
   if (!header.coded) return header.pixel_count() * header.pixel_bytes();
   return (header.pixel_count() + kMaxPacketPixels - 1) / kMaxPacketPixels * (1 + header.pixel_bytes());
 }
 
-// Returns the pixels in file order. An image without run-length coding is read as packets of one pixel.
+// Returns the pixels in file order. An image without run-length coding is read as packets of one pixel. At
+// least half of the data must be there, so that a short file cannot request a large image.
 base::Result<std::vector<std::uint32_t>> read_pixels(base::ByteReader& io_reader, const TgaHeader& header,
                                                      std::span<const std::uint32_t> map) {
-  const std::size_t offset = io_reader.offset(), left = io_reader.remaining();
-  const auto truncated = [&] {
+  if (io_reader.remaining() < (min_pixel_bytes(header) + 1) / 2)
     return base::malformed(
-        "TGA of {} x {} pixels: data at offset {:#x} does not fit into the remaining {} bytes", header.width,
-        header.height, offset, left);
-  };
-  if (left < min_pixel_bytes(header)) return truncated();
+        "TGA of {} x {} pixels: more than half of the data at offset {:#x} is missing, only {} bytes remain",
+        header.width, header.height, io_reader.offset(), io_reader.remaining());
   std::vector<std::uint32_t> pixels;
   pixels.reserve(header.pixel_count());
-  while (pixels.size() < header.pixel_count()) {
-    const std::size_t packet_offset = io_reader.offset();
+  while (io_reader.ok() && pixels.size() < header.pixel_count()) {
     const std::uint8_t head = header.coded ? io_reader.u8() : std::uint8_t{0};
-    const std::size_t count = (head & 0x7fu) + 1;
-    if (count > header.pixel_count() - pixels.size())
-      return base::malformed("TGA: packet at offset {:#x} has {} pixels, {} are missing", packet_offset,
-                             count, header.pixel_count() - pixels.size());
     const bool repeated = (head & 0x80) != 0;
-    for (std::size_t i = 0; i < (repeated ? 1 : count); ++i) {
-      TRY(const std::uint32_t pixel, read_pixel(io_reader, header, map));
-      pixels.insert(pixels.end(), repeated ? count : 1, pixel);
-    }
-    if (!io_reader.ok()) return truncated();
+    const std::size_t count = std::min<std::size_t>((head & 0x7fu) + 1, header.pixel_count() - pixels.size());
+    for (std::size_t i = 0; i < (repeated ? 1 : count); ++i)
+      pixels.insert(pixels.end(), repeated ? count : 1, read_pixel(io_reader, header, map));
   }
+  pixels.resize(header.pixel_count());
   return pixels;
 }
 
