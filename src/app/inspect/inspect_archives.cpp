@@ -67,11 +67,12 @@ base::Result<Inspection> inspect_pak(const std::filesystem::path& path) {
 base::Result<Inspection> inspect_pk3(base::ByteVector bytes) {
   TRY(const formats::Pk3 pk3, formats::read_pk3(std::move(bytes)));
   Inspection files = Inspection::array();
-  Inspection problems = Inspection::array();
+  Inspection problems(std::vector<std::string>(pk3.left_out().begin(), pk3.left_out().end()));
   for (std::size_t i = 0; i < pk3.entries().size(); ++i) {
     const formats::Pk3Entry& entry = pk3.entries()[i];
     files.push_back({{"name", entry.name}, {"bytes", entry.size}});
-    if (const auto unpacked = pk3.read(i); !unpacked.ok()) problems.push_back(unpacked.error().message());
+    const auto unpacked = pk3.read(i, formats::Pk3::Checksum::kVerify);
+    if (!unpacked.ok()) problems.push_back(unpacked.error().message());
   }
   return Inspection{{"count", pk3.entries().size()}, {"files", files}, {"problems", problems}};
 }

@@ -1,11 +1,12 @@
 // PK3 archives: zip files with another extension, as later engines use them. Supports stored and deflated
-// entries; no encryption, no zip64. Built on libzip, with our own limits against zip bombs and damaged
+// entries, also with zip64 records. Built on libzip, with our own limits against zip bombs and damaged
 // directories:
 //
 //   | local header, packed data | local header, packed data | ... | central directory | end record |
 //
-// Reading starts at the end record, which has the place of the central directory. The whole archive stays in
-// memory; entries are unpacked when they are read.
+// Reading starts at the end record, which has the place of the central directory. Bytes before the archive
+// (a program that unpacks it) and after it are ignored. The whole archive stays in memory; entries are
+// unpacked when they are read.
 #pragma once
 
 #include <cstddef>
@@ -42,23 +43,28 @@ class Pk3 {
 
   // Files in the order of the zip directory, without folders. Names may repeat; the last one counts.
   std::span<const Pk3Entry> entries() const { return entries_; }
+  // The reasons why other files were left out.
+  std::span<const std::string> left_out() const { return left_out_; }
 
-  // Unpacks entries()[position]; CHECKs the position. Returns kMalformed if the data is damaged or its size
-  // differs from the directory. Thread-safe.
-  base::Result<base::ByteVector> read(std::size_t position) const;
+  // Unpacks entries()[position]; CHECKs the position. Returns kMalformed if the data cannot be unpacked or
+  // its size differs from the directory. A wrong checksum is an error only on request: other engines do not
+  // compute it. Thread-safe.
+  enum class Checksum { kIgnore, kVerify };
+  base::Result<base::ByteVector> read(std::size_t position, Checksum checksum = Checksum::kIgnore) const;
 
  private:
   friend base::Result<Pk3> read_pk3(base::ByteVector bytes, const Pk3Limits& limits);
   struct Zip;
-  Pk3(std::unique_ptr<Zip> zip, std::vector<Pk3Entry> entries);
+  Pk3(std::unique_ptr<Zip> zip, std::vector<Pk3Entry> entries, std::vector<std::string> left_out);
 
   std::unique_ptr<Zip> zip_;
   std::vector<Pk3Entry> entries_;
+  std::vector<std::string> left_out_;
 };
 
-// Opens an archive and checks its directory. Returns kUnsupported for encryption, zip64, and compression
-// methods other than deflate; kTooLarge above a limit; kMalformed for a name that leaves the folder, or an
-// impossible size.
+// Opens an archive and checks its directory. Leaves out files that are encrypted or compressed by a method
+// other than deflate, and those with a name that leaves the folder or an impossible size. Returns kTooLarge
+// above a limit, and kMalformed if there is no directory.
 base::Result<Pk3> read_pk3(base::ByteVector bytes, const Pk3Limits& limits = {});
 
 // Packs files in the given order. The result is reproducible: all entries have the date 1980-01-01. Names

@@ -106,31 +106,42 @@ void expect_refused(base::ByteVector bytes, base::ErrorCode code, const char* me
   EXPECT_THAT(pk3.error().what, HasSubstr(message));
 }
 
-TEST(Pk3, RejectsNamesThatLeaveFolder) {
+// Puts the entry between two others, which must stay readable, and returns the reason.
+std::string reason_to_leave_out(const ZipByHand& entry) {
+  const auto pk3 = read_pk3(
+      make_zip(std::vector<ZipByHand>{{.name = "a", .data = "one"}, entry, {.name = "b", .data = "two"}}));
+  EXPECT_TRUE(pk3.ok()) << pk3.error().message();
+  if (!pk3.ok()) return "";
+  EXPECT_EQ(pk3->entries().size(), 2u);
+  EXPECT_EQ(pk3->left_out().size(), 1u);
+  if (pk3->entries().size() != 2 || pk3->left_out().size() != 1) return "";
+  EXPECT_EQ(*pk3->read(0), test::to_bytes("one"));
+  EXPECT_EQ(*pk3->read(1), test::to_bytes("two"));
+  return pk3->left_out()[0];
+}
+
+TEST(Pk3, LeavesOutNamesThatLeaveTheFolder) {
   for (const char* name : {"../x", "/etc/passwd", "a/../../x", "..\\x", "c:\\x", "a//b", "./a", "a\nb"})
-    expect_refused(make_zip_of_one({.name = name, .data = "x"}), base::ErrorCode::kMalformed,
-                   "leads outside");
+    EXPECT_THAT(reason_to_leave_out({.name = name, .data = "x"}), HasSubstr("leads outside"));
 }
 
-TEST(Pk3, RejectsEncryptedEntries) {
-  expect_refused(
-      make_zip_of_one({.name = "secret", .data = std::string(20, 'x'), .flags = 1, .claimed_size = 8}),
-      base::ErrorCode::kUnsupported, "\"secret\" is encrypted");
+TEST(Pk3, LeavesOutEncryptedEntries) {
+  EXPECT_THAT(
+      reason_to_leave_out({.name = "secret", .data = std::string(20, 'x'), .flags = 1, .claimed_size = 8}),
+      HasSubstr("\"secret\" is encrypted"));
 }
 
-TEST(Pk3, RejectsOtherCompressionMethods) {
-  expect_refused(make_zip_of_one({.name = "f", .data = "BZh91", .method = 12, .claimed_size = 5}),
-                 base::ErrorCode::kUnsupported, "compression method 12");
+TEST(Pk3, LeavesOutOtherCompressionMethods) {
+  EXPECT_THAT(reason_to_leave_out({.name = "f", .data = "BZh91", .method = 12, .claimed_size = 5}),
+              HasSubstr("compression method 12"));
 }
 
-TEST(Pk3, RejectsImpossibleSizes) {
-  expect_refused(
-      make_zip_of_one({.name = "f", .data = "12345678", .method = 8, .claimed_size = 8 * 1032 + 1}),
-      base::ErrorCode::kMalformed, "cannot come out");
-  expect_refused(make_zip_of_one({.name = "f", .data = "1", .claimed_size = 0xfffffffe}),
-                 base::ErrorCode::kMalformed, "cannot come out");
-  expect_refused(make_zip_of_one({.name = "f", .data = "1", .claimed_packed_size = 0x7fffffff}),
-                 base::ErrorCode::kMalformed, "cannot come out");
+TEST(Pk3, LeavesOutImpossibleSizes) {
+  for (const ZipByHand& entry :
+       {ZipByHand{.name = "f", .data = "12345678", .method = 8, .claimed_size = 8 * 1032 + 1},
+        ZipByHand{.name = "f", .data = "1", .claimed_size = 0xfffffffe},
+        ZipByHand{.name = "f", .data = "1", .claimed_packed_size = 0x7fffffff}})
+    EXPECT_THAT(reason_to_leave_out(entry), HasSubstr("cannot come out"));
 }
 
 TEST(Pk3, RejectsZipBombByTotalSize) {
@@ -164,25 +175,89 @@ TEST(Pk3, RejectsEntryLargerThanDeclared) {
   EXPECT_FALSE(pk3->read(0).ok());
 }
 
-TEST(Pk3, RejectsWrongChecksum) {
+// DarkPlaces does not compute checksums.
+TEST(Pk3, WrongChecksumIsAnErrorOnRequest) {
   const auto pk3 = read_pk3(make_zip_of_one({.name = "f", .data = "abc", .claimed_crc = 1}));
   ASSERT_TRUE(pk3.ok());
-  const auto data = pk3->read(0);
+  EXPECT_EQ(*pk3->read(0), test::to_bytes("abc"));
+  const auto data = pk3->read(0, Pk3::Checksum::kVerify);
   ASSERT_FALSE(data.ok());
   EXPECT_THAT(data.error().what, HasSubstr("\"f\""));
 }
 
-TEST(Pk3, RejectsHugeDirectoryBeforeParsing) {
-  const base::ByteVector valid = make_zip_of_one({.name = "f", .data = "abc"});
-  const std::size_t field = valid.size() - test::kZipEndRecordBytes + test::kZipEndDirectorySizeField;
-  expect_refused(test::with_number(valid, field, 0x7fffffffu), base::ErrorCode::kTooLarge, "directory of");
+void expect_one_file(base::ByteVector bytes) {
+  const auto pk3 = read_pk3(std::move(bytes));
+  ASSERT_TRUE(pk3.ok()) << pk3.error().message();
+  ASSERT_EQ(pk3->entries().size(), 1u);
+  EXPECT_EQ(*pk3->read(0, Pk3::Checksum::kVerify), test::to_bytes("abc"));
 }
 
-TEST(Pk3, Zip64IsRejected) {
-  base::ByteVector bytes = make_zip_of_one({.name = "f", .data = "abc"});
-  const base::ByteVector locator = test::to_bytes(std::string("PK\6\7") + std::string(16, '\0'));
-  bytes.insert(bytes.end() - test::kZipEndRecordBytes, locator.begin(), locator.end());
-  expect_refused(bytes, base::ErrorCode::kUnsupported, "zip64");
+base::ByteVector join(base::ByteVector first, const base::ByteVector& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+TEST(Pk3, BytesAroundTheArchiveAreIgnored) {
+  const base::ByteVector zip = make_zip_of_one({.name = "f", .data = "abc"});
+  expect_one_file(join(zip, test::to_bytes(std::string(1000, 'x'))));
+  expect_one_file(join(test::to_bytes("#!/bin/sh\n"), zip));
+  expect_one_file(join(base::ByteVector(70000, std::byte{7}), zip));
+  const std::size_t comment_field = zip.size() - 2;
+  const std::string comment = "a comment with PK\5\6 inside, which is longer than an end record";
+  expect_one_file(join(test::with_number(zip, comment_field, static_cast<std::uint16_t>(comment.size())),
+                       test::to_bytes(comment)));
+}
+
+// The zip64 records of an archive with one directory record.
+base::ByteVector with_zip64(const base::ByteVector& zip, std::uint64_t entries, std::uint64_t extra_bytes) {
+  base::ByteReader end(zip);
+  const std::size_t end_record = zip.size() - test::kZipEndRecordBytes;
+  end.seek(end_record + test::kZipEndDirectorySizeField);
+  const std::uint32_t size = end.u32(), offset = end.u32();
+  base::ByteWriter writer;
+  writer.bytes(base::Bytes(zip).first(end_record));
+  writer.u32(0x06064b50);
+  writer.write<std::uint64_t>(44);  // bytes of this record after the field
+  writer.u16(45);                   // version made by, version needed
+  writer.u16(45);
+  writer.u32(0);  // disks
+  writer.u32(0);
+  writer.write(entries);
+  writer.write(entries);
+  writer.write<std::uint64_t>(size + extra_bytes);
+  writer.write<std::uint64_t>(offset);
+  writer.u32(0x07064b50);
+  writer.u32(0);  // disk
+  writer.write<std::uint64_t>(end_record);
+  writer.u32(1);  // disks
+  writer.bytes(base::Bytes(zip).subspan(end_record));
+  return std::move(writer).take();
+}
+
+TEST(Pk3, ReadsZip64) {
+  base::ByteVector zip = with_zip64(make_zip_of_one({.name = "f", .data = "abc"}), 1, 0);
+  expect_one_file(zip);
+  // The same, with all numbers of the end record in the zip64 record.
+  const std::size_t end_record = zip.size() - test::kZipEndRecordBytes;
+  for (const std::size_t field : {8u, 10u})
+    zip = test::with_number(zip, end_record + field, std::uint16_t{0xffff});
+  for (const std::size_t field : {12u, 16u}) zip = test::with_number(zip, end_record + field, 0xffffffffu);
+  expect_one_file(zip);
+}
+
+TEST(Pk3, RejectsHugeZip64DirectoryBeforeParsing) {
+  const base::ByteVector zip = make_zip_of_one({.name = "f", .data = "abc"});
+  expect_refused(with_zip64(zip, 1, 0x7fffffff), base::ErrorCode::kTooLarge, "directory of");
+  expect_refused(with_zip64(zip, std::uint64_t{1} << 40, 0), base::ErrorCode::kMalformed, "do not fit");
+}
+
+TEST(Pk3, RejectsHugeDirectoryBeforeParsing) {
+  base::ByteVector bytes((std::size_t{32} << 20) + 1000);
+  const base::ByteVector valid = make_zip_of_one({.name = "f", .data = "abc"});
+  bytes.insert(bytes.end(), valid.begin(), valid.end());
+  const std::size_t field = bytes.size() - test::kZipEndRecordBytes + test::kZipEndDirectorySizeField;
+  expect_refused(test::with_number(bytes, field, (32u << 20) + 1), base::ErrorCode::kTooLarge,
+                 "directory of");
 }
 
 TEST(Pk3, RejectsEveryTruncation) {
@@ -202,7 +277,7 @@ TEST(Pk3, FlippedBitsFailOrKeepBytes) {
     const auto pk3 = read_pk3(test::with_flipped_bits(*valid, random));
     if (!pk3.ok()) continue;
     for (std::size_t k = 0; k < pk3->entries().size(); ++k) {
-      const auto data = pk3->read(k);
+      const auto data = pk3->read(k, Pk3::Checksum::kVerify);
       if (!data.ok() || data->empty()) continue;
       // The checksum does not protect names, dates, and similar fields.
       EXPECT_TRUE(*data == content || *data == test::to_bytes("xyz")) << "damage " << i;
