@@ -31,6 +31,7 @@ constexpr Target kTargets[] = {
     {"pk3", fuzz_pk3},
     {"png", fuzz_png},
     {"progs", fuzz_progs},
+    {"pts", fuzz_pts},
     {"sav", fuzz_sav},
     {"spr", fuzz_spr},
     {"tga", fuzz_tga},

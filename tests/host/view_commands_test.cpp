@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "client/session/client_state.h"
+#include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "host/session/session.h"
 #include "server/game/entity_fields.h"
@@ -81,11 +82,36 @@ TEST_F(ViewCommands, ListsEntitiesOfClientAndServer) {
   EXPECT_TRUE(game_->has_printed("numbers in use"));
 }
 
+TEST_F(ViewCommands, PointfileShowsTheLineUntilTheLevelEnds) {
+  const auto count = [&] { return game_->host().game.data->presentation.scene().particles.size(); };
+  type("pointfile");
+  EXPECT_TRUE(game_->has_printed("pointfile: there is no " +
+                                 (game_->folder().path() / "id1/maps/small.pts").string()));
+  EXPECT_EQ(count(), 0u);
+  game_->folder().write("id1/maps/small.pts", "0 0 40\n160 0 40\n");
+  type("pointfile");
+  EXPECT_TRUE(game_->has_printed("small.pts: 2 points"));
+  EXPECT_EQ(count(), 11u);
+  game_->run(20);
+  EXPECT_EQ(count(), 11u);
+  type("restart");
+  ASSERT_TRUE(game_->run_until_playing());
+  EXPECT_EQ(count(), 0u);
+}
+
+TEST_F(ViewCommands, PointfileNamesTheDamagedLine) {
+  game_->folder().write("id1/maps/small.pts", "0 0 40\n160 0\n");
+  type("pointfile");
+  EXPECT_TRUE(game_->has_printed("small.pts: line 2: \"160 0\" is not a point"));
+  EXPECT_EQ(game_->host().game.data->presentation.scene().particles.size(), 0u);
+}
+
 TEST(ViewCommandsWithoutGame, SayWhatIsMissing) {
   HeadlessHost game;
-  for (const char* line : {"fog 1", "sky x", "bf", "entities"}) game.command(line);
+  for (const char* line : {"fog 1", "sky x", "bf", "pointfile", "entities"}) game.command(line);
   game.run(0.1);
   EXPECT_TRUE(game.has_printed("fog: start or join a game first"));
+  EXPECT_TRUE(game.has_printed("pointfile: start or join a game first"));
   EXPECT_TRUE(game.has_printed("entities: start or join a game first"));
 }
 

@@ -179,6 +179,7 @@ void Effects::State::handle_events(const Events& events, const EffectsInput& inp
     if (makes_marks) mark(find_hit(what), input);
   }
   for (const net::MarkRequest& request : events.marks) mark(request, input);
+  spawn_point_trail(particles, events.leak_path, input.time_s);
 }
 
 void Effects::State::begin(const net::Particles& what, const EffectsInput& input) {

@@ -150,4 +150,29 @@ void show_bright_field(ParticlePool& io_pool, double time_s, const math::Vec3& o
   }
 }
 
+// White and the yellow of sparks take turns, so that the line stands out from most walls.
+void spawn_point_trail(ParticlePool& io_pool, std::span<const math::Vec3> points_world, double time_s) {
+  constexpr double kApart = 16;
+  constexpr float kStays_s = 1e6f;
+  constexpr std::uint8_t kWhite = 15, kYellow = 0x6f;
+  std::size_t count = 0;
+  const auto add = [&](const math::Vec3d& at) {
+    ParticleSpawn particle;
+    particle.origin_world = math::Vec3(at);
+    particle.born_s = time_s;
+    particle.life_s = kStays_s;
+    particle.color = ++count % 2 == 0 ? kYellow : kWhite;
+    return io_pool.add(particle);
+  };
+  double next = 0;  // from the start of the piece
+  for (std::size_t i = 1; i < points_world.size(); ++i) {
+    const math::Vec3d from(points_world[i - 1]), to(points_world[i]);
+    const double length = glm::distance(from, to);
+    for (; next < length; next += kApart)
+      if (!add(from + (to - from) * (next / length))) return;
+    next -= length;
+  }
+  if (!points_world.empty()) add(math::Vec3d(points_world.back()));
+}
+
 }  // namespace temblor::client

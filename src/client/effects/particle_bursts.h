@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "client/effects/effect_random.h"
 #include "client/effects/particles.h"
@@ -35,5 +36,9 @@ void spawn_lava_splash(const BurstContext& context, const math::Vec3& origin_wor
 // The effect EF_BRIGHTFIELD: 162 particles that wander on and around a ball of 64 units. A cloud rather than
 // a burst: its particles last for one frame, so call it in every frame in which it is visible.
 void show_bright_field(ParticlePool& io_pool, double time_s, const math::Vec3& origin_world);
+
+// A line through the points: a particle every 16 units that stays until the level ends. The line ends where
+// the pool is full.
+void spawn_point_trail(ParticlePool& io_pool, std::span<const math::Vec3> points_world, double time_s);
 
 }  // namespace temblor::client

@@ -100,6 +100,7 @@ struct ClientState::Apply {
     events.stopped_sounds.clear();
     events.static_sounds.clear();
     events.marks.clear();
+    events.leak_path.clear();
     events.bonus_flashes = 0;
     events.new_level = true;
   }

@@ -28,6 +28,7 @@ void Events::clear() {
   stopped_sounds.clear();
   static_sounds.clear();
   marks.clear();
+  leak_path.clear();
   prints.clear();
   commands.clear();
   bonus_flashes = 0;

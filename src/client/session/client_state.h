@@ -123,6 +123,7 @@ struct Events {
   std::vector<net::StopSound> stopped_sounds;  // take effect after all of `sounds`
   std::vector<net::SpawnStaticSound> static_sounds;
   std::vector<net::MarkRequest> marks;
+  std::vector<math::Vec3> leak_path;  // corners of a line to show until the end of the level
   std::vector<std::string> prints;    // text for the console, byte for byte
   std::vector<std::string> commands;  // console lines that the server sent, without line ends
   int bonus_flashes = 0;              // svc_bonus messages and "bf" lines

@@ -4,20 +4,25 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/text.h"
 #include "command/text.h"
+#include "formats/levels/pts.h"
 #include "host/commands/command_adder.h"
 #include "host/commands/shown_state.h"
 #include "host/frame/host_parts.h"
+#include "vfs/disk.h"
 
 namespace temblor::host {
 namespace {
 
 using Arguments = command::Console::Arguments;
+
+constexpr std::uint64_t kMaxLeakPathBytes = 1 << 24;
 
 // All arguments as numbers; nothing if one of them is none.
 std::optional<std::vector<float>> parse_numbers(Arguments arguments) {
@@ -96,6 +101,31 @@ void list_entities(Host& io_host, Arguments arguments) {
   print_line(io_host, fmt::format("{} {}", count, count == 1 ? "entity" : "entities"));
 }
 
+// Compilers write the path beside the level, often after the game began, so the disk comes first. The level
+// may also be in an archive.
+void show_leak_path(Host& io_host, Arguments arguments) {
+  client::ClientState* const state = find_shown_state(io_host, arguments);
+  if (state == nullptr) return;
+  const std::vector<std::string>& models = state->game().models;
+  const std::string level = models.size() > 1 ? models[1] : "";
+  const std::string name = base::printable(std::filesystem::path(level).replace_extension(".pts").string());
+  const vfs::FileSystem& files = io_host.game.data->library.files();
+  std::filesystem::path file = files.where(level);
+  const bool is_loose = file.extension() == ".bsp";
+  const std::string shown = is_loose ? file.replace_extension(".pts").string() : name;
+  const base::Result<base::ByteVector> bytes =
+      is_loose ? vfs::read_disk_file(file, kMaxLeakPathBytes) : files.read(name);
+  if (!bytes.ok())
+    return io_host.console.commands.print_error(
+        bytes.error().code == base::ErrorCode::kNotFound
+            ? fmt::format("pointfile: there is no {}. Compilers write one for a level that leaks", shown)
+            : bytes.error().message());
+  base::Result<std::vector<math::Vec3>> points = formats::read_pts(base::as_text(*bytes)).with_file(shown);
+  if (!points.ok()) return io_host.console.commands.print_error(points.error().message());
+  print_line(io_host, fmt::format("{}: {}", shown, base::counted(points->size(), "point")));
+  state->events().leak_path = std::move(points).value();
+}
+
 }  // namespace
 
 void add_view_commands(Host& io_host) {
@@ -105,6 +135,8 @@ void add_view_commands(Host& io_host) {
   add("v_cshift", "v_cshift RED GREEN BLUE OPACITY: tints the view, until you leave the game; 0 to 255.",
       tint_command);
   add("bf", "Flashes the screen, as when you pick something up.", flash_command);
+  add("pointfile", "Shows where the level leaks: the line from maps/NAME.pts, until the level ends.",
+      show_leak_path);
   add("entities", "Lists the entities that the server has sent.", list_entities);
 }
 

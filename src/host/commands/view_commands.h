@@ -1,6 +1,6 @@
-// Console commands that change the fog, the sky, and the tint of the level that is shown, and that list what
-// the client knows of it: fog, sky, v_cshift, bf, entities. The names and arguments are those of other
-// engines.
+// Console commands that change the fog, the sky, and the tint of the level that is shown, and that show or
+// list what is known of it: fog, sky, v_cshift, bf, pointfile, entities. The names and arguments are those of
+// other engines.
 #pragma once
 
 namespace temblor::host {

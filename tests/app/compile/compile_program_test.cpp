@@ -11,6 +11,7 @@
 #include "app/program.h"
 #include "artgen/palette.h"
 #include "formats/images/png.h"
+#include "formats/levels/pts.h"
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
 
@@ -84,7 +85,12 @@ TEST_F(CompileProgram, ReportsALeakAndWritesItsPath) {
   EXPECT_THAT(run.err, HasSubstr(fmt::format("entity 1 (info_player_start) at 0 0 32, line {} of the map",
                                              1 + std::count(world.begin(), world.end(), '\n'))));
   EXPECT_THAT(run.err, HasSubstr("leak.pts"));
-  EXPECT_THAT(read_text(folder_.path() / "leak.pts"), HasSubstr("0.00 0.00 32.00\n"));
+  const std::string path = read_text(folder_.path() / "leak.pts");
+  EXPECT_THAT(path, HasSubstr("0.00 0.00 32.00\n"));
+  const auto points = formats::read_pts(path);
+  ASSERT_TRUE(points.ok()) << points.error().message();
+  EXPECT_EQ(points->front(), math::Vec3(0, 0, 32)) << "`pointfile` draws from here";
+  EXPECT_LT(points->back().x, -128) << "to the void";
   EXPECT_THAT(run.err, HasSubstr("leak.leak.png"));
   const Png picture = read_png(folder_.path() / "leak.leak.png");
   const auto has_pixel = [&](int red, int green, int blue) {

@@ -189,5 +189,24 @@ TEST(ParticleBursts, TheSameSeedMakesTheSameBurst) {
   EXPECT_NE(Burst(make, 7).places(), Burst(make, 8).places());
 }
 
+TEST(ParticleBursts, PointTrailHasAParticleEvery16Units) {
+  const std::vector<math::Vec3> corners = {kOrigin, kOrigin + math::Vec3(40, 0, 0),
+                                           kOrigin + math::Vec3(40, 0, 0), kOrigin + math::Vec3(40, 30, 0)};
+  Burst burst([&](const BurstContext& context) { spawn_point_trail(context.pool, corners, context.time_s); });
+  const auto at = [](float x, float y) { return math::Vec3(x, y, 0); };
+  EXPECT_THAT(burst.places(),
+              testing::ElementsAre(at(0, 0), at(16, 0), at(32, 0), at(40, 8), at(40, 24), at(40, 30)));
+  EXPECT_EQ(burst.alive_at(86400), 6u) << "a day later";
+  Burst empty([](const BurstContext& context) { spawn_point_trail(context.pool, {}, context.time_s); });
+  EXPECT_EQ(empty.pool.size(), 0u);
+}
+
+TEST(ParticleBursts, PointTrailEndsWhereThePoolIsFull) {
+  const std::vector<math::Vec3> corners = {math::Vec3(0), math::Vec3(3e38f, 0, 0)};
+  Burst burst([&](const BurstContext& context) { spawn_point_trail(context.pool, corners, context.time_s); });
+  EXPECT_EQ(burst.pool.size(), 4096u);
+  EXPECT_EQ(burst.pool.cloud().x.back(), 4095 * 16);
+}
+
 }  // namespace
 }  // namespace temblor::client
