@@ -27,9 +27,9 @@ constexpr std::array<std::string_view, 3> kModes = {"window", "borderless", "ful
 constexpr std::array<std::string_view, 2> kColors = {"rgb", "indexed"};
 
 // Settings that would confuse a player who finds them again the next day.
-constexpr auto kDebugging =
-    std::to_array<std::string_view>({"r_show", "r_speeds", "r_drawworld", "r_drawentities", "r_fullbright",
-                                     "r_lightmap", "r_lockpvs", "chase_active", "maxplayers"});
+constexpr auto kDebugging = std::to_array<std::string_view>(
+    {"r_show", "r_speeds", "r_drawworld", "r_drawentities", "r_fullbright", "r_lightmap", "r_lockpvs",
+     "r_showbboxes", "chase_active", "maxplayers"});
 
 std::vector<std::string> list_names(const command::Variables& variables) {
   std::vector<std::string> names;

@@ -8,6 +8,7 @@
 #include "render/frame/resolve_settings.h"
 #include "render/frame/stage_clock.h"
 #include "render/screen/debug_view.h"
+#include "render/screen/draw_lines.h"
 #include "render/screen/draw_overlay.h"
 
 namespace temblor::render {
@@ -40,6 +41,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   draw_debug_view(settings.show,
                   {*scene.level, record.view, record.edges, record.spans, record.surfaces.draws},
                   caches.colors.palette, io_frame);
+  draw_lines(scene.lines, record.view, caches.colors.palette, io_frame);
   return collect_frame_stats(record, scene);
 }
 

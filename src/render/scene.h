@@ -10,6 +10,7 @@
 #include <span>
 
 #include "formats/images/image.h"
+#include "formats/images/palette.h"
 #include "formats/models/spr.h"
 #include "math/vec.h"
 #include "render/alias_model.h"
@@ -125,6 +126,12 @@ struct Skybox {
   std::shared_ptr<const SkyboxIdentity> identity = std::make_shared<const SkyboxIdentity>();
 };
 
+// A line of one pixel's width over the finished view, for debugging. Neither walls nor models hide it.
+struct Line {
+  math::Vec3 from_world{0.0f}, to_world{0.0f};
+  formats::Rgb color{255, 255, 255};
+};
+
 // A color blended over the finished view: damage, pickups, the inside of liquids.
 struct Tint {
   math::Vec3 color{0.0f};  // 0 to 255
@@ -146,6 +153,7 @@ struct Scene {
   const AliasInstance* view_weapon = nullptr;
   std::span<const SpriteInstance> sprites{};
   ParticleCloud particles{};
+  std::span<const Line> lines{};
   std::span<const DynamicLight> lights{};
   const MarkSet* marks = nullptr;  // null: none
   const Skybox* skybox = nullptr;  // null: the sky's texture

@@ -1,12 +1,14 @@
 // fog, sky, setpos, entities, and edicts, typed in a running game.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "client/session/client_state.h"
 #include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "host/session/session.h"
+#include "platform/posix/udp_socket.h"
 #include "server/game/entity_fields.h"
 #include "server/server.h"
 #include "support/programs/quakec.h"
@@ -104,6 +106,48 @@ TEST_F(ViewCommands, PointfileNamesTheDamagedLine) {
   type("pointfile");
   EXPECT_TRUE(game_->has_printed("small.pts: line 2: \"160 0\" is not a point"));
   EXPECT_EQ(game_->host().game.data->presentation.scene().particles.size(), 0u);
+}
+
+TEST_F(ViewCommands, ShowbboxesDrawsTheBoxesOfEntities) {
+  const auto count = [&] { return game_->host().game.data->presentation.scene().lines.size(); };
+  EXPECT_EQ(count(), 0u);
+  type("r_showbboxes 1");
+  const std::size_t all = count();
+  EXPECT_GT(all, 0u);
+  // A cross for an entity without size.
+  ASSERT_TRUE(game_->session().server()->game->world().edicts.spawn(10).ok());
+  game_->run(0.1);
+  EXPECT_EQ(count(), all + 3);
+  type("r_showbboxes 0");
+  EXPECT_EQ(count(), 0u);
+  EXPECT_FALSE(game_->has_printed("r_showbboxes shows no boxes"));
+}
+
+TEST_F(ViewCommands, ShowbboxesSaysOnceWhyThereAreNone) {
+  type("record short");
+  game_->run(3);
+  type("stop; r_showbboxes 1; playdemo short");
+  EXPECT_TRUE(game_->host().game.data->presentation.scene().lines.empty());
+  const auto count = [&] {
+    return std::ranges::count_if(game_->lines(), [](const std::string& line) {
+      return line == "r_showbboxes shows no boxes: a demo does not contain them";
+    });
+  };
+  EXPECT_EQ(count(), 1);
+  type("r_showbboxes 0");
+  type("r_showbboxes 1");
+  EXPECT_EQ(count(), 2);
+}
+
+TEST_F(ViewCommands, ShowbboxesIsForGamesAlone) {
+  game_->host().services.open_socket = [](std::uint16_t) {
+    return platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+  };
+  type("maxplayers 2; map small; r_showbboxes 1");
+  ASSERT_TRUE(game_->run_until_playing());
+  game_->run(0.3);
+  EXPECT_TRUE(game_->host().game.data->presentation.scene().lines.empty());
+  EXPECT_TRUE(game_->has_printed("they show other players through walls"));
 }
 
 TEST(ViewCommandsWithoutGame, SayWhatIsMissing) {

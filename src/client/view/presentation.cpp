@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "client/view/box_lines.h"
+
 namespace temblor::client {
 
 Presentation::Presentation(const assets::Library& library)
@@ -123,6 +125,8 @@ void Presentation::make_scene(const ClientState& state, double time_s, const Fra
        settings.camera.has_value() || settings.choices.chase.has_value(), settings.choices.light_styles},
       notes_);
   apply_choices(settings.choices, scene_);
+  make_box_lines(settings.boxes, lines_);
+  scene_.lines = lines_;
   if (!settings.choices.locks_pvs)
     pvs_leaf_.reset();
   else if (!pvs_leaf_)

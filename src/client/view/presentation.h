@@ -53,6 +53,8 @@ struct PresentationSettings {
   audio::Volumes volumes;
   // Captions for sounds from outside the view.
   bool subtitles = false;
+  // Drawn as lines over the view: the boxes of the local server's entities.
+  std::vector<math::Bounds> boxes;
   // A camera that replaces the player's view.
   std::optional<render::Camera> camera;
 };
@@ -134,6 +136,7 @@ class Presentation {
   render::Scene scene_;
   // The lights of this scene and of the previous one.
   std::vector<render::DynamicLight> lights_, lights_before_;
+  std::vector<render::Line> lines_;
   render::SceneLight light_before_;
   std::uint32_t frame_number_ = 0;
   render::DrawList draw_list_;

@@ -21,6 +21,8 @@ SceneChoiceVariables::SceneChoiceVariables(command::Variables& variables) {
   water_warp_ = variables.add_bool("r_waterwarp", defaults.warps_underwater, "Warps the view under water.");
   lock_pvs_ = variables.add_bool("r_lockpvs", defaults.locks_pvs,
                                  "Draws only what was visible from where you were when you set it to 1.");
+  boxes_ = variables.add_bool("r_showbboxes", defaults.boxes,
+                              "Shows the boxes with which entities collide, also through walls; alone only.");
   flat_light_styles_ =
       variables.add_int("r_flatlightstyles", 0, 0, 2,
                         "Lights do not flicker. 1: at their mean brightness, 2: at their highest.");
@@ -40,6 +42,7 @@ SceneChoices SceneChoiceVariables::read(const command::Variables& variables) con
   choices.dynamic_lights = variables.bool_value(dynamic_lights_);
   choices.warps_underwater = variables.bool_value(water_warp_);
   choices.locks_pvs = variables.bool_value(lock_pvs_);
+  choices.boxes = variables.bool_value(boxes_);
   choices.light_styles = static_cast<world::LightStyleMode>(variables.int_value(flat_light_styles_));
   if (variables.bool_value(chase_active_))
     choices.chase = ChaseCamera{number(chase_back_), number(chase_up_), number(chase_right_)};

@@ -20,6 +20,8 @@ struct SceneChoices {
   bool entities = true, particles = true, dynamic_lights = true;
   // False: the view is not warped under water.
   bool warps_underwater = true;
+  // Shows the boxes of entities; the caller supplies them (PresentationSettings::boxes).
+  bool boxes = false;
   // Draws what was visible when this became true, wherever the eye goes.
   bool locks_pvs = false;
   world::LightStyleMode light_styles = world::LightStyleMode::kFlickering;
@@ -32,8 +34,8 @@ class SceneChoiceVariables {
   SceneChoices read(const command::Variables& variables) const;
 
  private:
-  command::VariableIndex entities_, particles_, dynamic_lights_, water_warp_, lock_pvs_, flat_light_styles_,
-      chase_active_, chase_back_, chase_up_, chase_right_;
+  command::VariableIndex entities_, particles_, dynamic_lights_, water_warp_, lock_pvs_, boxes_,
+      flat_light_styles_, chase_active_, chase_back_, chase_up_, chase_right_;
 };
 
 // Moves the view's camera behind the player, in front of any wall there, and turns it to what the player

@@ -156,6 +156,8 @@ struct HostVideo {
   render::Tint server_tint;  // v_cshift
   SpeedMeter meter;
   bool was_shown = true;  // the last frame reached the window
+  // The console has said why r_showbboxes shows nothing.
+  bool has_explained_boxes = false;
 };
 
 struct HostSound {

@@ -1,0 +1,17 @@
+// Lines over the finished view: Scene::lines. They are one pixel wide, and nothing hides them.
+#pragma once
+
+#include <span>
+
+#include "formats/images/palette.h"
+#include "render/frame_buffer.h"
+#include "render/scene.h"
+#include "render/view/view_frame.h"
+
+namespace temblor::render {
+
+// Indexed frames show the nearest palette entry.
+void draw_lines(std::span<const Line> lines, const ViewFrame& view, const formats::Palette& palette,
+                FrameBuffer& io_frame);
+
+}  // namespace temblor::render
