@@ -148,9 +148,11 @@ struct Scene {
   Camera camera{};
   std::span<const BrushModelInstance> brush_models{};
   std::span<const AliasInstance> alias_models{};
-  // The view model. Drawn over all other models with a fixed field of view, and never hidden by anything.
-  // origin_world and angles_deg are in world space. Null: none.
+  // The view model. Drawn over all other models with a field of view of its own, and never hidden by
+  // anything. origin_world and angles_deg are in world space. Null: none.
   const AliasInstance* view_weapon = nullptr;
+  // The view model's field of view, as in Camera; 0: the camera's.
+  float weapon_fov_deg = 90;
   std::span<const SpriteInstance> sprites{};
   ParticleCloud particles{};
   std::span<const Line> lines{};

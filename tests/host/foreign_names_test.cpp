@@ -39,6 +39,12 @@ TEST(ForeignNames, SetTheSameSettingInItsUnit) {
   host.run(0.1);
   EXPECT_EQ(number(host, "joy_deadzone_look"), 0.25);
   EXPECT_EQ(number(host, "joy_deadzone_move"), 0.25) << "a name with two counterparts";
+  host.command("cl_gun_fovscale 0");
+  host.run(0.1);
+  EXPECT_EQ(number(host, "r_viewmodel_fov"), 0);
+  host.command("cl_gun_fovscale 1");
+  host.run(0.1);
+  EXPECT_EQ(number(host, "r_viewmodel_fov"), 90);
   host.command("cl_bob");
   host.run(0.1);
   EXPECT_TRUE(host.has_printed("\"cl_bob\" is called \"v_bob\" here"));

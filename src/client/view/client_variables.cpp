@@ -93,6 +93,9 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
   variables.add_alias("crosshair_colour", "crosshair_color");  // old spelling
   variables.add_alias("scr_safecolours", "scr_safecolors");    // old spelling
   show_weapon_ = variables.add_bool("r_drawviewmodel", defaults.show_weapon, "Shows your weapon.");
+  weapon_fov_ = variables.add_float("r_viewmodel_fov", static_cast<double>(defaults.weapon_fov_deg), 0, 170,
+                                    "Field of view of your weapon. 90: it looks the same with any fov; 0: "
+                                    "that of the view.");
   water_alpha_ = factor("r_wateralpha", defaults.environment.liquid_alpha.water, 1,
                         "Opacity of water, unless the level sets it.");
   slime_alpha_ = factor("r_slimealpha", defaults.environment.liquid_alpha.slime, 1,
@@ -146,6 +149,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.hud.letters_per_second = variables.float_value(print_speed_);
   settings.hud.safe_colors = variables.bool_value(safe_colors_);
   settings.show_weapon = variables.bool_value(show_weapon_);
+  settings.weapon_fov_deg = factor(weapon_fov_);
   settings.environment.liquid_alpha = {factor(water_alpha_), factor(slime_alpha_), factor(lava_alpha_),
                                        factor(teleport_alpha_)};
   settings.environment.fog = variables.bool_value(fog_);

@@ -124,6 +124,7 @@ void Presentation::make_scene(const ClientState& state, double time_s, const Fra
        settings.show_weapon && game.ending == Ending::kNone,
        settings.camera.has_value() || settings.choices.chase.has_value(), settings.choices.light_styles},
       notes_);
+  scene_.weapon_fov_deg = settings.weapon_fov_deg;
   apply_choices(settings.choices, scene_);
   make_box_lines(settings.boxes, lines_);
   scene_.lines = lines_;

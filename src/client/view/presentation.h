@@ -46,6 +46,8 @@ struct PresentationSettings {
   ViewSettings view;
   HudSettings hud;
   bool show_weapon = true;
+  // The weapon's field of view; 0: the view's.
+  float weapon_fov_deg = 90;
   EnvironmentSettings environment;
   SceneChoices choices;
   // Load sounds and fill audio_scene(). Takes effect at the next level.

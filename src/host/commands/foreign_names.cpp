@@ -43,6 +43,8 @@ struct Switch {
 };
 constexpr std::array kSwitches = {
     Switch{"vid_fullscreen", "vid_mode", "window", "fullscreen"},
+    // 1 corrects the weapon's look for the field of view of the game.
+    Switch{"cl_gun_fovscale", "r_viewmodel_fov", "0", "90"},
     Switch{"r_showtris", "r_show", "picture", "edges"},
 };
 
@@ -51,7 +53,7 @@ constexpr std::string_view kIgnored =
     " "
     "r_scale r_softemu r_shadows r_waterquality r_oldwater r_oldskyleaf r_fastsky r_skyalpha "
     "r_skyfog r_sky_quality r_stereo r_noshadow_list r_clearcolor r_overbright "
-    "r_overbright_models r_quadparticles cl_gun_fovscale cl_bobcycle cl_bobup cl_rollspeed "
+    "r_overbright_models r_quadparticles cl_bobcycle cl_bobup cl_rollspeed "
     "v_iyaw_cycle v_iroll_cycle v_ipitch_cycle v_iyaw_level v_iroll_level v_ipitch_level scr_ofsx "
     "scr_ofsy scr_ofsz scr_showram scr_showturtle scr_showpause scr_conwidth scr_menubgalpha "
     "m_filter snd_mixspeed snd_speed snd_filterquality snd_show ambient_fade nosound precache "

@@ -12,8 +12,6 @@ namespace temblor::render {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // An affine transform.
 struct Affine {
   math::Vec3d columns[3], offset;
@@ -92,9 +90,7 @@ void set_projection(const ViewFrame& view, AliasRole role, AliasPlacement& io_pl
   io_placement.pixels_per_unit = static_cast<float>(view.pixels_per_unit);
   io_placement.depth_scale = 1;
   if (role != AliasRole::kViewWeapon) return;
-  const double reference_width = std::min<double>(view.width, view.height * 4.0 / 3.0);
-  io_placement.pixels_per_unit =
-      static_cast<float>(reference_width / 2 / std::tan(kWeaponFovDeg * kPi / 360));
+  io_placement.pixels_per_unit = static_cast<float>(view.weapon_pixels_per_unit);
   io_placement.depth_scale = kWeaponDepthScale;
 }
 

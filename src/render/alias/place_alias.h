@@ -9,9 +9,6 @@
 
 namespace temblor::render {
 
-// The view model is drawn with this field of view (for a 4:3 picture) whatever the camera's, so that it
-// always looks the same.
-constexpr double kWeaponFovDeg = 90;
 // The view model's 1/z is multiplied by this. It reaches at most 256 units, so it is nearer than the level's
 // nearest point, 1 / kNearPlane.
 constexpr float kWeaponDepthScale = 4096;

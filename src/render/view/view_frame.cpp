@@ -43,6 +43,8 @@ ViewFrame make_view_frame(const Scene& scene, int width, int height) {
   else
     view.pixels_per_unit = camera.units_per_pixel > 0 ? 1.0 / camera.units_per_pixel
                                                       : fitting_scale(*scene.level, view.axes, width, height);
+  const float weapon_fov_deg = scene.weapon_fov_deg > 0 ? scene.weapon_fov_deg : camera.fov_deg;
+  view.weapon_pixels_per_unit = perspective_scale(weapon_fov_deg, width, height);
   view.eye_leaf = world::find_leaf(*scene.level, camera.origin_world);
 
   // One pixel of slack around the picture: a node is culled only when it cannot cover the center of any

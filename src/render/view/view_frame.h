@@ -58,6 +58,8 @@ struct ViewFrame {
   // Perspective: at distance 1. Orthographic: everywhere.
   double pixels_per_unit = 0;
   double center_x = 0, center_y = 0;
+  // The view model's focal length in pixels. It is always drawn in perspective.
+  double weapon_pixels_per_unit = 0;
   double near_z = kNearPlane;
   // In the order of ClipFlags. There is no far plane.
   std::array<FrustumPlane, 5> frustum;
@@ -76,7 +78,7 @@ struct ViewFrame {
   double depth(double view_z) const { return perspective ? 1.0 / view_z : -view_z; }
 };
 
-// Clamps the field of view to 10 to 170 degrees. `width` and `height` are the frame's, at least 1.
+// Clamps fields of view to 10 to 170 degrees. `width` and `height` are the frame's, at least 1.
 ViewFrame make_view_frame(const Scene& scene, int width, int height);
 
 // ViewFrame::depth, at each pixel, of the plane normal . p = distance (world space). The plane must not

@@ -353,6 +353,40 @@ TEST(AliasModels, ViewWeaponLooksTheSameInEveryFieldOfViewAndBeforeEveryWall) {
   }
 }
 
+// With a field of view of its own, the weapon covers the pixels that it would cover as a model of the level
+// that is seen with that field of view; with 0, those of the camera's.
+TEST(ViewWeapon, HasTheFieldOfViewThatTheSceneAsksFor) {
+  const DrawableLevel drawable = small_level();
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  const auto model = small_model(sphere_mdl(), 8);
+  render::AliasInstance weapon;
+  weapon.model = model.get();
+  weapon.full_bright = true;
+  const auto find_covered = [&](float camera_fov_deg, float weapon_fov_deg, bool is_weapon) {
+    render::Scene scene;
+    scene.level = drawable.level.get();
+    scene.camera = {.origin_world = math::Vec3(0, 0, 64), .fov_deg = camera_fov_deg};
+    const render::FrameBuffer without = drawn(renderer, scene, {}, render::PixelFormat::kIndexed);
+    weapon.origin_world = scene.camera.origin_world + math::Vec3(24, 3, -8);
+    scene.weapon_fov_deg = weapon_fov_deg;
+    if (is_weapon)
+      scene.view_weapon = &weapon;
+    else
+      scene.alias_models = {&weapon, 1};
+    const render::FrameBuffer frame = drawn(renderer, scene, {}, render::PixelFormat::kIndexed);
+    std::vector<bool> covered;
+    for (std::size_t i = 0; i < frame.pixel_count(); ++i)
+      covered.push_back(frame.depth()[i] != without.depth()[i]);
+    return covered;
+  };
+  for (const float fov_deg : {40.0f, 90.0f, 110.0f, 150.0f}) {
+    const std::vector<bool> expected = find_covered(fov_deg, 90, false);
+    EXPECT_GT(std::ranges::count(expected, true), 20);
+    EXPECT_EQ(find_covered(75, fov_deg, true), expected) << fov_deg;
+    EXPECT_EQ(find_covered(fov_deg, 0, true), expected) << fov_deg;
+  }
+}
+
 TEST(AliasModels, OfAWarmFrameAllocateNothing) {
   const DrawableLevel drawable = small_level();
   for (const int threads : {1, 2}) {
