@@ -20,7 +20,7 @@ constexpr double kPainSeconds = 0.2, kHintAfterSeconds = 1;
 // The score bar replaces the status bar while the player is dead or looks at the scores.
 void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
                const HudSettings& settings, assets::MissionPack pack) {
-  const BarLook look{settings.opacity, settings.safe_colors, pack};
+  const BarLook look{settings.opacity, settings.safe_colors, pack, settings.teamplay};
   const Panel bar = panel.at_bottom(kBarHeight);
   if (settings.status_bar == StatusBar::kNone) {
     if (settings.shows_scores) draw_level_scores(bar, game, time_s, settings.opacity);

@@ -35,6 +35,9 @@ struct HudSettings {
   bool shows_scores = false;
   // The hints for a dead player, in lines; the text must stay alive while drawing.
   std::string_view death_hint{};
+  // The rule of that name, for Dissolution of Eternity's games of teams. Servers do not send it, so this is
+  // the player's own variable, as in other engines.
+  int teamplay = 0;
   // Adds marks to information that the original shows only by color.
   bool safe_colors = false;
 };

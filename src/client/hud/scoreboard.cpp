@@ -135,6 +135,26 @@ void draw_leaders(const Panel& inventory, const Game& game) {
   }
 }
 
+// Places and digits are those that QuakeSpasm 0.95 showed. White digits would be invisible on a white shirt.
+void draw_team_frame(const Panel& bar, const Game& game) {
+  constexpr int kX = 112, kInnerX = 113, kInnerY = 3, kWidth = 22, kHalf = 9, kDigitWidth = 7;
+  constexpr std::uint8_t kSmallZero = 18;
+  bar.draw_picture(kTeamFramePicture, kX, 0);
+  const std::size_t viewer = game.view_entity - std::size_t{1};
+  if (viewer >= game.players.size()) return;
+  const Player& player = game.players[viewer];
+  bar.fill(kInnerX, kInnerY, kWidth, kHalf, get_middle_shade(player.shirt));
+  bar.fill(kInnerX, kInnerY + kHalf, kWidth, kHalf, get_middle_shade(player.pants));
+  const std::string frags = align_right(player.frags, kFragDigits);
+  for (std::size_t i = 0; i < frags.size(); ++i) {
+    const char digit = frags[i];
+    const bool needs_small = player.shirt == 0 && digit >= '0' && digit <= '9';
+    if (digit != ' ')
+      bar.draw_character(static_cast<std::uint8_t>(needs_small ? kSmallZero + digit - '0' : digit),
+                         kInnerX + static_cast<int>(i) * kDigitWidth, kInnerY);
+  }
+}
+
 void draw_ranking(const Panel& screen, const Game& game) {
   // Players beyond the bottom of the screen are not shown.
   constexpr int kTitleY = 8, kFirstY = 40, kApart = 10;

@@ -189,6 +189,13 @@ void draw_ammo_counts(const Panel& inventory, const Game& game) {
   }
 }
 
+// Dissolution of Eternity's games of teams with flags (teamplay 4 to 6) show the team's colors instead of the
+// face.
+bool shows_team_frame(const Panel& bar, const Game& game, BarLook look) {
+  return look.pack == assets::MissionPack::kRogue && game.players.size() > 1 && look.teamplay >= 4 &&
+         look.teamplay <= 6 && bar.has_picture(kTeamFramePicture);
+}
+
 }  // namespace
 
 void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, BarLook look) {
@@ -197,7 +204,10 @@ void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, 
   bar.draw_picture("sbar", 0, 0, look.opacity);
   draw_icons(bar, game, layout.bar, look.safe_colors);
   draw_armor(bar, game, layout.armors, look.safe_colors);
-  bar.draw_picture(find_face_picture(game, time_s < times.pain_until_s), kFaceX, 0);
+  if (shows_team_frame(bar, game, look))
+    draw_team_frame(bar, game);
+  else
+    bar.draw_picture(find_face_picture(game, time_s < times.pain_until_s), kFaceX, 0);
   draw_number(bar, game.stat(Stat::kHealth), kLowHealth, kHealthX, look.safe_colors);
   draw_ammo(bar, game, layout.ammo, look.safe_colors);
 }

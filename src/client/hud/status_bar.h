@@ -20,6 +20,8 @@ struct BarLook {
   bool safe_colors = false;
   // Decides the items' bits and places.
   assets::MissionPack pack = assets::MissionPack::kNone;
+  // The rule of that name.
+  int teamplay = 0;
 };
 
 // Draws armor, face, health and ammo with their numbers. `bar`: a panel kBarHeight high.

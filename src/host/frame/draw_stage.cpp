@@ -114,6 +114,7 @@ void update_presentation_settings(Host& io_host) {
   settings.view.open_tint = io_host.video.server_tint;
   update_entity_boxes(io_host, settings);
   settings.sound = io_host.sound.output.has_value();
+  settings.hud.teamplay = static_cast<int>(io_host.variables.variables().find("teamplay")->number);
   settings.hud.death_hint = choose_death_hint(io_host);
   settings.hud.shows_scores = io_host.input.player.buttons()[client::Button::kScores].is_down();
 }

@@ -161,6 +161,48 @@ TEST(RogueHud, ShowsItsAmmoArmorAndPowerups) {
   EXPECT_THAT(visible_items(MissionPack::kRogue, bit(31) | bit(11), kRogueAxe), IsEmpty());
 }
 
+// The characters and fills on top of the team frame: "CODE X Y" and "fill COLOR X Y".
+std::vector<std::string> team_frame_parts(MissionPack pack, const Player& player, int teamplay,
+                                          std::size_t players = 4) {
+  static const PackArt art({"r_teambord"});
+  Game game = game_with_items(0, kRogueAxe);
+  game.players.assign(players, {});
+  game.players[0] = player;
+  game.view_entity = 1;
+  render::DrawList list;
+  Hud(art.pictures(), pack).draw(game, 1000, 320, 200, {.teamplay = teamplay}, list);
+  std::vector<std::string> parts;
+  for (const render::DrawCommand& command : list.commands) {
+    const int x = command.area.x, y = command.area.y - 176;
+    if (x < 112 || x >= 136 || y < 0) continue;
+    if (command.picture == nullptr)
+      parts.push_back(
+          fmt::format("fill {} {} {} {}x{}", command.fill, x, y, command.area.width, command.area.height));
+    else if (command.picture == &art.pictures().characters())
+      parts.push_back(fmt::format("char {} {} {}", command.part_x / 8 + command.part_y / 8 * 16, x, y));
+    else
+      parts.push_back(fmt::format("{} {} {}", art.name(command.picture), x, y));
+  }
+  return parts;
+}
+
+TEST(RogueHud, TeamsWithFlagsSeeTheirColorsInsteadOfAFace) {
+  const Player red{.name = "a", .frags = -12, .shirt = 4, .pants = 12};
+  using ::testing::ElementsAre;
+  for (const int teamplay : {4, 5, 6})
+    EXPECT_THAT(team_frame_parts(MissionPack::kRogue, red, teamplay),
+                ElementsAre("r_teambord 112 0", "fill 72 113 3 22x9", "fill 200 113 12 22x9", "char 45 113 3",
+                            "char 49 120 3", "char 50 127 3"));
+  const Player white{.name = "a", .frags = 123, .shirt = 0, .pants = 12};
+  EXPECT_THAT(team_frame_parts(MissionPack::kRogue, white, 4),
+              ElementsAre("r_teambord 112 0", "fill 8 113 3 22x9", "fill 200 113 12 22x9", "char 19 113 3",
+                          "char 20 120 3", "char 21 127 3"));
+  for (const int teamplay : {0, 1, 3, 7})
+    EXPECT_THAT(team_frame_parts(MissionPack::kRogue, red, teamplay), ElementsAre("face1 112 0"));
+  EXPECT_THAT(team_frame_parts(MissionPack::kRogue, red, 4, 1), ElementsAre("face1 112 0")) << "alone";
+  EXPECT_THAT(team_frame_parts(MissionPack::kHipnotic, red, 4), ElementsAre("face1 112 0"));
+}
+
 // The server may be of another game, and a mod's gfx.wad may lack the pictures of its pack.
 TEST(MissionPackHud, WithstandsOtherServersAndPictures) {
   const PackArt stock({});
