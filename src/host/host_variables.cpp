@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 2> kColors = {"rgb", "indexed"};
 // Settings that would confuse a player who finds them again the next day.
 constexpr auto kDebugging = std::to_array<std::string_view>(
     {"r_show", "r_speeds", "r_drawworld", "r_drawentities", "r_fullbright", "r_lightmap", "r_lockpvs",
-     "r_showbboxes", "chase_active", "maxplayers"});
+     "r_showbboxes", "host_timescale", "chase_active", "maxplayers"});
 
 std::vector<std::string> list_names(const command::Variables& variables) {
   std::vector<std::string> names;
@@ -48,9 +48,9 @@ struct HostVariables::Registered {
   client::ConsoleVariables console;
   server::ServerVariables server;
   command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
-      max_fps, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble, parallel,
-      show_speed, show_latency, show_clock, show_player_speed, show_renderer, stuffed_text, max_players, port,
-      start_demos;
+      max_fps, time_scale, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble,
+      parallel, show_speed, show_latency, show_clock, show_player_speed, show_renderer, stuffed_text,
+      max_players, port, start_demos;
   std::vector<std::string> saved;  // the names of the player's own variables
 };
 
@@ -76,6 +76,9 @@ HostVariables::Registered::Registered(command::Variables& variables)
       variables.add_float("vid_target_fps", 60, 10, 1000, "Target frame rate of the dynamic resolution.");
   max_fps =
       variables.add_float("host_maxfps", 0, 0, 10000, "Maximum frame rate; 0: the display's refresh rate.");
+  time_scale = variables.add_float("host_timescale", 0, 0, 10,
+                                   "Speed of a local game or a demo: 0.5 is half speed; 0: normal. Not with "
+                                   "other players.");
   gamma = variables.add_float("gamma", 1, 0.3, 2, "Gamma; below 1 brightens dark areas.");
   contrast = variables.add_float("contrast", 1, 0.5, 2, "Contrast: multiplies each color.");
   brightness =
@@ -164,6 +167,11 @@ bool HostVariables::is_parallel() const {
 
 bool HostVariables::plays_start_demos() const {
   return variables_->bool_value(registered_->start_demos);
+}
+
+double HostVariables::time_scale() const {
+  const double scale = variables_->float_value(registered_->time_scale);
+  return scale > 0 ? scale : 1;
 }
 
 ReadoutSettings HostVariables::readouts() const {

@@ -68,6 +68,7 @@ class HostVariables {
   std::uint16_t port() const;         // UDP port of games that others may join; 0: any free port
   bool is_parallel() const;           // server ticks may run in parallel with drawing
   bool plays_start_demos() const;     // behind the menu, when the program starts
+  double time_scale() const;          // wanted speed of a local game or demo; 1: normal
   ReadoutSettings readouts() const;
   StuffedTextRule stuffed_text() const;
 

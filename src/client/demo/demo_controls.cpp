@@ -119,7 +119,7 @@ base::Result<bool> DemoControls::advance(double elapsed_s, PresentationSettings 
     fly(elapsed_s, settings, shown);
     if (has_camera_) presentation.camera = camera_.camera();
   }
-  base::Result<bool> result = advance_session(elapsed_s, presentation, io_session);
+  base::Result<bool> result = advance_session(elapsed_s * settings.time_scale, presentation, io_session);
   toggles_pause_ = seeks_begin_ = seeks_end_ = resets_speed_ = false;
   speed_steps_ = packet_steps_ = 0;
   seek_offset_s_ = 0;

@@ -24,6 +24,8 @@ class DemoControls {
     float turn_deg_per_count = 0.066f;
     // Units per second; Shift makes it four times as fast.
     float fly_speed = 400;
+    // Demo time per real time, besides the demo's own speed (host_timescale).
+    double time_scale = 1;
   };
 
   // Returns whether the event was used. Releases never are, as other parts of the client may wait for them

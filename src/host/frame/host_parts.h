@@ -52,7 +52,10 @@ namespace temblor::host {
 struct FrameTiming {
   FrameLimiter limiter;
   FrameTimes measured;
-  double now_s = 0;  // the window's clock at the start of this frame
+  double now_s = 0;       // the window's clock at the start of this frame
+  double time_scale = 1;  // game time per real time in this frame
+  // The console has said why host_timescale is ignored.
+  bool has_explained_time_scale = false;
   // The limiter had to wait for this frame: the machine is faster than the frame rate limit.
   bool has_time_to_spare = false;
 };

@@ -7,6 +7,7 @@
 #include "command/text.h"
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
+#include "host/frame/time_scale.h"
 #include "host/session/configure.h"
 #include "host/session/demos.h"
 
@@ -128,6 +129,8 @@ void apply_variables(Host& io_host) {
 
 void read_network(Host& io_host) {
   Session& session = *io_host.game.session;
+  io_host.timing.time_scale = choose_time_scale(io_host);
+  session.set_time_scale(io_host.timing.time_scale);
   const bool was_playing = session.is_playing(), was_own = session.server() != nullptr;
   if (const std::optional<std::string> reason = session.read(io_host.timing.now_s)) {
     print_line(io_host, *reason);

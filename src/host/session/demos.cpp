@@ -130,7 +130,8 @@ base::Status advance_demo(Host& io_host) {
   base::Result<bool> continues =
       demos.timed ? demos.session->step(1, settings)
                   : demos.controls.advance(passed_s, settings,
-                                           {.turn_deg_per_count = input.sensitivity * input.mouse_yaw_deg},
+                                           {.turn_deg_per_count = input.sensitivity * input.mouse_yaw_deg,
+                                            .time_scale = io_host.timing.time_scale},
                                            presentation, *demos.session);
   for (const std::string& note : presentation.take_notes()) print_line(io_host, note);
   if (!continues.ok()) return continues.error();

@@ -105,14 +105,14 @@ std::optional<std::string> Session::read(double now_s) {
   // Advance at the rate of our own clock, so that network jitter does not show, but stay between the last two
   // snapshots.
   const client::ClientState& state = connection_->state();
-  time_s_ = std::clamp(time_s_ + passed_s, state.previous_time_s(),
+  time_s_ = std::clamp(time_s_ + passed_s * time_scale_, state.previous_time_s(),
                        std::max(state.previous_time_s(), state.time_s()));
   return std::nullopt;
 }
 
 // step_server() runs at the end of a frame, so its clock is extended to the current time.
 double Session::move_clock_s(double now_s) const {
-  return server_ ? server_now_s_ + (now_s - stepped_s_) : now_s;
+  return server_ ? server_now_s_ + (now_s - stepped_s_) * time_scale_ : now_s;
 }
 
 // A server that numbers moves simulates exactly one per tick. With our own server, the moves are aligned with
@@ -134,7 +134,7 @@ void Session::send_move(net::Move move, double now_s) {
 
 void Session::step_server(double now_s, bool halted) {
   if (!server_) return;
-  if (!halted) server_now_s_ += std::max(0.0, now_s - stepped_s_);
+  if (!halted) server_now_s_ += std::max(0.0, now_s - stepped_s_) * time_scale_;
   stepped_s_ = now_s;
   server::step_server(*server_, server_now_s_);
 }

@@ -67,6 +67,8 @@ class Session {
   void send_move(net::Move move, double now_s);
   // The clock for the times of moves: that of our own server, otherwise the window's.
   double move_clock_s(double now_s) const;
+  // Game time per real time from now on, on our own server's clock.
+  void set_time_scale(double scale) { time_scale_ = scale; }
   // Runs our own server up to this time; does nothing without one. If `halted`, its clock stands still, but
   // it still receives and sends packets, so that the connection does not time out. May run on another thread
   // while nothing else of this object is called.
@@ -91,6 +93,7 @@ class Session {
   double now_s_ = 0;   // when read() was last called
   double time_s_ = 0;  // see time_s()
   MovePacer move_pacer_;
+  double time_scale_ = 1;
   double server_now_s_ = 0;  // our own server's clock
   double stepped_s_ = 0;     // when step_server() was last called
 };
