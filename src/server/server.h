@@ -49,6 +49,7 @@ struct ServerSetup {
   // Replaces a file as a whole, or leaves the old one.
   std::function<base::Status(const std::filesystem::path& file, base::Bytes bytes)> write_file{};
   std::function<void(std::string_view text)> print;  // to the host's console; text includes its newlines
+  std::string version = "Temblor";                   // that the command `version` prints
   // Also print who joins and chats, and which entities of a level have no spawn function. A host who also
   // plays leaves this off, because the client shows the same.
   bool prints_events = true;

@@ -171,6 +171,7 @@ base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
        .write_file = [](const std::filesystem::path& file,
                         base::Bytes bytes) { return replace_file(file, bytes, Remedy::kNone); },
        .print = print_text,
+       .version = "Temblor " TEMBLOR_VERSION,
        .seed = make_seed()});
   server.console.set_loader([&](std::string_view name) { return read_configuration(library.files(), name); });
   // In order of increasing priority: server.cfg, --set and --maxclients, --exec.

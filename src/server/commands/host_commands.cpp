@@ -142,6 +142,21 @@ void say(Server& io_server, Arguments arguments) {
   print_event(io_server, text);
 }
 
+void tell(Server& io_server, Arguments arguments) {
+  const base::Result<std::size_t> slot = find_player(io_server, arguments);
+  if (!slot.ok()) return io_server.console.print_error(slot.error().message());
+  io_server.clients.print(
+      *slot, fmt::format("{}:{}\n", io_server.settings().host_name(), join_words_from(arguments, 2)));
+}
+
+void list_pings(Server& io_server) {
+  print(io_server, "Client ping times:\n");
+  for (const Client& client : io_server.clients.all())
+    if (!client.is_free())
+      print(io_server, fmt::format("{:4} {}\n", static_cast<int>(std::lround(client.mean_ping_s() * 1000)),
+                                   client.name));
+}
+
 // Files that begin with "b_" are models of items, such as boxes of ammunition.
 void list_maps(Server& io_server) {
   for (const std::string& file : io_server.setup.library.files().list("maps/", ".bsp")) {
@@ -296,7 +311,14 @@ void add_host_commands(Server& io_server) {
   add("addip", "addip ADDRESS or ADDRESS/BITS: refuses connections; addip alone lists bans.", 0, ban);
   add("removeip", "removeip ADDRESS or ADDRESS/BITS: lifts a ban.", 1, unban);
   add("listip", "Lists the bans.", 0, [](Server& s, Arguments words) { ban(s, words.first(1)); });
-  add("quit", "Shuts the server down.", 0, [](Server& s, Arguments) { s.wants_to_quit = true; });
+  add("tell", "tell NAME or #NUMBER TEXT: sends a chat line to one player.", 2, tell);
+  add("ping", "Shows every player's ping.", 0, [](Server& s, Arguments) { list_pings(s); });
+  add("version", "Shows the version of Temblor.", 0,
+      [](Server& s, Arguments) { print(s, s.setup.version + "\n"); });
+  add("heartbeat", "Does nothing: Temblor uses no master server.", 0,
+      [](Server& s, Arguments) { print(s, "There is no master server. Players join by address.\n"); });
+  for (const char* const name : {"quit", "killserver"})
+    add(name, "Shuts the server down.", 0, [](Server& s, Arguments) { s.wants_to_quit = true; });
 }
 
 }  // namespace temblor::server
