@@ -59,7 +59,7 @@ class Window {
   // False while the window is minimized: there is no need to draw.
   virtual bool is_visible() const = 0;
   // Shows the picture, stretched over the whole window. With vsync, it returns when the display has accepted
-  // the picture. The jobs share the work of copying.
+  // or shown the picture. The jobs share the work of copying.
   virtual base::Status present(const Picture& picture, base::Jobs& jobs) = 0;
 
   // Hides the pointer and reports relative movement, unaffected by the desktop's acceleration and edges.
@@ -80,7 +80,7 @@ class Window {
   virtual std::vector<PixelSize> full_screen_sizes(int display) const = 0;
   // The number of displays.
   virtual int displays() const = 0;
-  // How pictures reach the screen, for a person: "x11, shared memory".
+  // How pictures reach the screen, for a person: "x11, shared memory, vsync off".
   virtual std::string describe() const = 0;
 };
 

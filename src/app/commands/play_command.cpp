@@ -135,6 +135,7 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
                        "no display for a window ({}); `temblor render` makes pictures and films without one",
                        opened.error().message());
   const std::unique_ptr<platform::Window> window = std::move(*opened);
+  print_line(fmt::format("display: {}", window->describe()));
   host::HostOptions host_options{
       .folders = folders,
       .program_file = options.program.empty() ? watch.program() : options.program,

@@ -2,27 +2,14 @@
 
 #include <SDL_opengl.h>
 
-#include <algorithm>
 #include <array>
-#include <cstring>
 #include <string_view>
 
 #include "platform/sdl2/library.h"
+#include "platform/sdl2/picture_surface.h"
 
 namespace temblor::platform::sdl2 {
 namespace {
-
-struct FreeSurface {
-  void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
-};
-using Surface = std::unique_ptr<SDL_Surface, FreeSurface>;
-
-// Wraps the picture's pixels in a surface without a copy. SDL only reads from it, so the const_cast is safe.
-Surface wrap_picture(const Picture& picture) {
-  return Surface(SDL_CreateRGBSurfaceWithFormatFrom(
-      const_cast<std::uint32_t*>(picture.pixels.data()), picture.size.width, picture.size.height, 32,
-      picture.size.width * static_cast<int>(sizeof(std::uint32_t)), SDL_PIXELFORMAT_RGB888));
-}
 
 // Copies each picture into the window's surface, and stretches it there if the sizes differ.
 class SurfacePresenter : public PicturePresenter {
@@ -33,47 +20,18 @@ class SurfacePresenter : public PicturePresenter {
     // SDL owns the surface and replaces it when the window's size changes, so ask for it in every frame.
     SDL_Surface* const surface = SDL_GetWindowSurface(window_);
     if (surface == nullptr) return sdl_error("the window's surface");
-    // Same size and pixel format: plain copies of rows are enough.
-    const bool is_same = surface->w == picture.size.width && surface->h == picture.size.height &&
-                         surface->format->BytesPerPixel == sizeof(std::uint32_t) &&
-                         surface->format->Rmask == 0xff0000 && surface->format->Bmask == 0xff;
-    if (is_same)
-      copy_rows(picture, jobs, *surface);
-    else if (!draw_scaled(picture, surface))
-      return sdl_error("the window's surface");
+    TRY_STATUS(draw_picture(picture, jobs, *surface));
     if (SDL_UpdateWindowSurface(window_) != 0) return sdl_error("the window's surface");
     return base::Ok{};
   }
 
-  // A surface has no vsync of its own: the display's compositor shows it with its next frame.
+  // SDL copies the surface at once, whatever the display is showing.
   void set_vsync(bool) override {}
   std::string describe() const override {
-    return fmt::format("{}, shared memory", SDL_GetCurrentVideoDriver());
+    return fmt::format("{}, window surface, without vsync", SDL_GetCurrentVideoDriver());
   }
 
  private:
-  // Copies a picture of the window's size. Each job copies a slice of rows.
-  static void copy_rows(const Picture& picture, base::Jobs& jobs, SDL_Surface& io_surface) {
-    const auto width = static_cast<std::size_t>(picture.size.width);
-    const auto height = static_cast<std::size_t>(picture.size.height);
-    const auto pitch = static_cast<std::size_t>(io_surface.pitch);
-    const auto slices = std::min(height, static_cast<std::size_t>(jobs.threads()));
-    auto* const pixels = static_cast<std::uint8_t*>(io_surface.pixels);
-    jobs.parallel_for(slices, [&](std::size_t slice) {
-      for (std::size_t y = height * slice / slices; y < height * (slice + 1) / slices; ++y)
-        std::memcpy(pixels + y * pitch, picture.pixels.data() + y * width, width * sizeof(std::uint32_t));
-    });
-  }
-
-  bool draw_scaled(const Picture& picture, SDL_Surface* io_surface) {
-    const Surface source = wrap_picture(picture);
-    if (!source) return false;
-    // The linear filter needs equal pixel formats on both sides.
-    if (io_surface->format->format == SDL_PIXELFORMAT_RGB888)
-      return SDL_SoftStretchLinear(source.get(), nullptr, io_surface, nullptr) == 0;
-    return SDL_BlitScaled(source.get(), nullptr, io_surface, nullptr) == 0;
-  }
-
   SDL_Window* window_;
 };
 
@@ -106,18 +64,22 @@ class RendererPresenter : public PicturePresenter {
     return base::Ok{};
   }
 
-  void set_vsync(bool vsync) override { SDL_RenderSetVSync(renderer_.get(), vsync ? 1 : 0); }
+  void set_vsync(bool vsync) override {
+    has_vsync_ = SDL_RenderSetVSync(renderer_.get(), vsync ? 1 : 0) == 0 && vsync;
+  }
 
   std::string describe() const override {
     SDL_RendererInfo info;
     const bool is_known = SDL_GetRendererInfo(renderer_.get(), &info) == 0;
-    return fmt::format("{}, {}", SDL_GetCurrentVideoDriver(), is_known ? info.name : "renderer");
+    return fmt::format("{}, {} renderer, {} vsync", SDL_GetCurrentVideoDriver(),
+                       is_known ? info.name : "unknown", has_vsync_ ? "with" : "without");
   }
 
  private:
   std::unique_ptr<SDL_Renderer, DestroyRenderer> renderer_;
   std::unique_ptr<SDL_Texture, DestroyTexture> texture_;
   PixelSize size_;
+  bool has_vsync_ = false;
 };
 
 // SDL reports every OpenGL renderer as accelerated, even Mesa's renderers on the CPU, so the driver's name

@@ -1,9 +1,10 @@
-// The two ways to bring a finished picture to the screen.
+// The ways to bring a finished picture to the screen.
 //
-//   surface:   picture --scale on the CPU--> memory shared with the window --> display
-//   renderer:  picture --copy--> texture --scale by SDL's renderer (GPU)--> display
+//   x11_presenter.h   picture --scale on the CPU--> memory shared with the X server --Present--> window
+//   surface           picture --scale on the CPU--> surface of SDL --> window
+//   renderer          picture --copy--> texture --scale by SDL's renderer (GPU)--> window
 //
-// The surface needs no graphics driver; the renderer scales without CPU time and can wait for vsync.
+// The first two need no graphics driver. The renderer scales without CPU time. The surface has no vsync.
 #pragma once
 
 #include <SDL.h>
@@ -20,6 +21,7 @@ class PicturePresenter {
   virtual ~PicturePresenter() = default;
   virtual base::Status present(const Picture& picture, base::Jobs& jobs) = 0;
   virtual void set_vsync(bool vsync) = 0;
+  // How pictures reach the window, and whether with vsync, for a person.
   virtual std::string describe() const = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "platform/sdl2/keys.h"
 #include "platform/sdl2/library.h"
 #include "platform/sdl2/presenters.h"
+#include "platform/sdl2/x11_presenter.h"
 
 namespace temblor::platform::sdl2 {
 namespace {
@@ -231,10 +232,12 @@ base::Result<std::unique_ptr<Window>> open_window(const std::string& title, cons
   WindowHandle window(SDL_CreateWindow(title.c_str(), place, place, settings.size.width, settings.size.height,
                                        SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
   if (!window) return sdl_error("opening a window");
-  // A renderer on hardware, then shared memory, then any renderer (Wayland without graphics hardware).
+  // A renderer on hardware, then shared memory, with vsync if possible, then any renderer (Wayland without
+  // graphics hardware).
   std::unique_ptr<PicturePresenter> pictures;
   if (presenter != Presenter::kSharedMemory)
     pictures = make_renderer_presenter(window.get(), presenter == Presenter::kAuto);
+  if (!pictures) pictures = make_x11_presenter(window.get());
   if (!pictures) pictures = make_surface_presenter(window.get());
   if (!pictures) pictures = make_renderer_presenter(window.get(), false);
   if (!pictures) return sdl_error("showing pictures in the window");

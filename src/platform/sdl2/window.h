@@ -9,8 +9,7 @@
 namespace temblor::platform::sdl2 {
 
 // How pictures reach the window (presenters.h). kAuto uses the renderer if it is hardware, because it scales
-// at no cost to us and supports vsync. Otherwise it uses shared memory: a software renderer would take more
-// time than our frame.
+// at no cost to us. Otherwise it uses shared memory: a software renderer would take more time than our frame.
 enum class Presenter { kAuto, kSharedMemory, kRenderer };
 
 // Opens a window. Fails if there is no display.
