@@ -23,6 +23,7 @@ bench:
 	cmake --build --preset release --target temblor benchmarks game shipped_game game_tours
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
 	tools/measure_game.sh
+	tools/measure_latency.sh
 	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)
 	build/release/bench/kernel_bench
 	build/release/bench/vm_bench
