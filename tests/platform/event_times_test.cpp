@@ -25,37 +25,59 @@ TEST(EventTimes, AgesOfAnotherClockAreZero) {
   EXPECT_EQ(compute_age_s(1001, 1000), 0);
 }
 
-// Presses a key by XTEST, and looks at it 300 ms later.
-TEST(EventTimes, AKeyHappensWhenItIsPressed) {
-  if (std::system("command -v xvfb-run xauth xdotool >/dev/null") != 0)
-    GTEST_SKIP() << "a display (xvfb, xauth) or xdotool is not installed";
-  if (std::getenv("DISPLAY") == nullptr) {
-    const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-    EXPECT_EQ(std::system(("xvfb-run -a '" + self + "' --gtest_filter=EventTimes.AKey* >&2").c_str()), 0);
-    return;
-  }
+// Sends input by XTEST, and reads it 300 ms later. Expects `count` events of this kind, at the time of the
+// command.
+template <typename Kind>
+void expect_times_of_input(const char* command, bool captured, std::size_t count) {
   auto window = open_window("Times", {.size = {320, 200}});
   ASSERT_TRUE(window.ok()) << window.error().message();
   std::vector<InputEvent> events;
   const auto wait = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
-  for (int i = 0; i < 10; ++i) {  // until the window has the focus
+  for (int i = 0; i < 20; ++i) {  // until the window has the focus
     wait(50);
     (*window)->poll(events);
+    if (i == 10) {
+      ASSERT_EQ(std::system("xdotool search --name Times windowfocus"), 0);
+    } else if (i == 15) {
+      (*window)->capture_mouse(captured);
+    }
   }
   events.clear();
   const double before_s = (*window)->now_s();
-  ASSERT_EQ(std::system("xdotool search --name Times windowfocus; xdotool key x"), 0);
-  const double pressed_s = (*window)->now_s();
+  ASSERT_EQ(std::system(command), 0);
+  const double sent_s = (*window)->now_s();
   wait(300);
   (*window)->poll(events);
-  std::size_t keys = 0;
+  std::size_t found = 0;
   for (const InputEvent& event : events) {
-    if (!std::holds_alternative<KeyChange>(event.what)) continue;
-    ++keys;
+    if (!std::holds_alternative<Kind>(event.what)) continue;
+    ++found;
     EXPECT_GE(event.time_s, before_s - 0.002);
-    EXPECT_LE(event.time_s, pressed_s + 0.1) << "not when the window read it";
+    EXPECT_LE(event.time_s, sent_s + 0.1) << "not when the window read it";
   }
-  EXPECT_EQ(keys, 2u);
+  EXPECT_EQ(found, count);
+}
+
+#define RUN_ON_DISPLAY()                                                                      \
+  if (std::system("command -v xvfb-run xauth xdotool >/dev/null") != 0)                       \
+    GTEST_SKIP() << "a display (xvfb, xauth) or xdotool is not installed";                    \
+  if (std::getenv("DISPLAY") == nullptr) {                                                    \
+    const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();        \
+    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name(); \
+    const std::string line = "xvfb-run -a '" + self + "' --gtest_filter=EventTimes." + name;  \
+    EXPECT_EQ(std::system((line + " >&2").c_str()), 0);                                       \
+    return;                                                                                   \
+  }
+
+TEST(EventTimes, AKeyHappensWhenItIsPressed) {
+  RUN_ON_DISPLAY();
+  expect_times_of_input<KeyChange>("xdotool key x", false, 2);
+}
+
+TEST(EventTimes, RelativeMovementHappensWhenTheMouseMoves) {
+  RUN_ON_DISPLAY();
+  expect_times_of_input<MouseMoved>("xdotool mousemove_relative 20 5; xdotool mousemove_relative -- -7 3",
+                                    true, 2);
 }
 
 }  // namespace

@@ -1,9 +1,14 @@
 #include "platform/sdl2/event_times.h"
 
 #include <SDL_events.h>
+#include <SDL_mouse.h>
 #include <SDL_syswm.h>
+#ifdef SDL_VIDEO_DRIVER_X11
+#include <X11/extensions/XInput2.h>
+#endif
 
 #include <chrono>
+#include <utility>
 
 namespace temblor::platform::sdl2 {
 namespace {
@@ -42,12 +47,64 @@ std::uint32_t monotonic_ms() {
 
 EventTimes::EventTimes() {
   SDL_EventState(SDL_SYSWMEVENT, SDL_ENABLE);
+  SDL_AddEventWatch(watch, this);
+}
+
+EventTimes::~EventTimes() {
+  SDL_DelEventWatch(watch, this);
+}
+
+// Other threads of SDL send other events, so this changes the object only for those of the display.
+int EventTimes::watch(void* self, SDL_Event* event) {
+  EventTimes& times = *static_cast<EventTimes*>(self);
+  if (event->type == SDL_MOUSEMOTION) times.watch_movement(*event);
+#ifdef SDL_VIDEO_DRIVER_X11
+  if (event->type != SDL_SYSWMEVENT || event->syswm.msg->subsystem != SDL_SYSWM_X11) return 0;
+  const XEvent& x = event->syswm.msg->msg.x11.event;
+  // SDL asks for generic events of XInput 2 only.
+  if (x.type == GenericEvent && x.xcookie.evtype == XI_RawMotion && x.xcookie.data != nullptr)
+    times.watch_raw_movement(
+        static_cast<std::uint32_t>(static_cast<const XIRawEvent*>(x.xcookie.data)->time));
+#endif
+  return 0;
+}
+
+void EventTimes::watch_movement(const SDL_Event& event) {
+  if (SDL_GetRelativeMouseMode() == SDL_FALSE) return;
+  movements_.push_back(
+      {event.motion.xrel, event.motion.yrel, event.motion.timestamp, std::exchange(next_time_ms_, {})});
+  if (movements_.back().server_time_ms) last_time_ms_ = movements_.back().server_time_ms;
+}
+
+// X sends each event twice, with the same time: for the mouse, and for the pointer that all mice share. SDL
+// ignores the second.
+void EventTimes::watch_raw_movement(std::uint32_t server_time_ms) {
+  if (SDL_GetRelativeMouseMode() == SDL_FALSE) return;
+  if (!movements_.empty() && !movements_.back().server_time_ms) {
+    movements_.back().server_time_ms = last_time_ms_ = server_time_ms;
+  } else if (last_time_ms_ != server_time_ms) {
+    next_time_ms_ = server_time_ms;
+  }
+}
+
+// The program may have dropped earlier movements.
+std::optional<std::uint32_t> EventTimes::take_movement_time(const SDL_Event& event) {
+  while (!movements_.empty()) {
+    const Movement movement = movements_.front();
+    movements_.pop_front();
+    if (movement.right == event.motion.xrel && movement.down == event.motion.yrel &&
+        movement.sdl_time_ms == event.motion.timestamp)
+      return movement.server_time_ms;
+  }
+  return std::nullopt;
 }
 
 double EventTimes::take(const SDL_Event& event, double now_s) {
   if (event.type == SDL_SYSWMEVENT) server_time_ms_ = find_server_time_ms(event.syswm);
-  if (!server_time_ms_ || !is_of_keyboard_or_mouse(event.type)) return now_s;
-  return now_s - compute_age_s(*server_time_ms_, monotonic_ms());
+  const bool is_relative = event.type == SDL_MOUSEMOTION && SDL_GetRelativeMouseMode() == SDL_TRUE;
+  const std::optional<std::uint32_t> time_ms = is_relative ? take_movement_time(event) : server_time_ms_;
+  if (!time_ms || !is_of_keyboard_or_mouse(event.type)) return now_s;
+  return now_s - compute_age_s(*time_ms, monotonic_ms());
 }
 
 double compute_age_s(std::uint32_t server_time_ms, std::uint32_t now_ms) {

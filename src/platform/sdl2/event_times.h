@@ -6,11 +6,15 @@
 //
 //   SDL_SYSWMEVENT (X: time)   SDL_KEYDOWN   SDL_TEXTINPUT   SDL_SYSWMEVENT (X: time)   SDL_KEYUP
 //
-// Without an X server, and for relative mouse movement, whose X events have no time that SDL passes on,
-// events happen when they are read.
+// Relative movement is different: SDL sends its own event before X's (Debian 12; others may send it after),
+// and frees X's data, with the time, before the program gets either. So both are watched while SDL sends
+// them, and the times are kept until the program takes the movement.
+//
+// SDL 2 reads Wayland's events without their times, so there events happen when they are read.
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 
 union SDL_Event;
@@ -21,13 +25,31 @@ class EventTimes {
  public:
   // Asks SDL for the events of the X server.
   EventTimes();
+  ~EventTimes();
+  EventTimes(const EventTimes&) = delete;
+  EventTimes& operator=(const EventTimes&) = delete;
 
   // Takes an event that SDL has returned at `now_s`. Returns when it happened, on the clock of `now_s`.
   double take(const SDL_Event& event, double now_s);
 
  private:
+  // Called by SDL while it sends an event. `self` is this object.
+  static int watch(void* self, SDL_Event* event);
+  void watch_movement(const SDL_Event& event);
+  void watch_raw_movement(std::uint32_t server_time_ms);
+  std::optional<std::uint32_t> take_movement_time(const SDL_Event& event);
+
   // The time of the last event of the X server; nothing if it has none.
   std::optional<std::uint32_t> server_time_ms_;
+  // Relative movement that SDL has sent and the program has not taken.
+  struct Movement {
+    int right = 0, down = 0;
+    std::uint32_t sdl_time_ms = 0;
+    std::optional<std::uint32_t> server_time_ms;
+  };
+  std::deque<Movement> movements_;
+  // The time of an event of X before the one that SDL makes of it, and that of the last movement.
+  std::optional<std::uint32_t> next_time_ms_, last_time_ms_;
 };
 
 // Returns how long ago the server's time was, in seconds. Both times are in milliseconds and wrap around.
