@@ -42,7 +42,7 @@ TEST(ForeignNames, SetTheSameSettingInItsUnit) {
   host.command("cl_gun_fovscale 0");
   host.run(0.1);
   EXPECT_EQ(number(host, "r_viewmodel_fov"), 0);
-  host.command("cl_gun_fovscale 1");
+  host.command("cl_gun_fovscale 0.5");
   host.run(0.1);
   EXPECT_EQ(number(host, "r_viewmodel_fov"), 90);
   host.command("cl_bob");
@@ -78,7 +78,7 @@ TEST(ForeignNames, RejectValuesThatMeanNothing) {
   EXPECT_EQ(number(host, "bottomcolor"), 3);
   EXPECT_EQ(count_lines(host, "it takes a number from 0 to 255"), 3u);
   EXPECT_TRUE(host.has_printed("\"_cl_name\" is called name here"));
-  host.command("_cl_color 255; vid_fullscreen maybe");
+  host.command("_cl_color 255; _cl_color 3.5; vid_fullscreen maybe");
   host.run(0.1);
   EXPECT_EQ(number(host, "topcolor"), 13);
   EXPECT_EQ(host.variables().variables().find("vid_mode")->text, "window");

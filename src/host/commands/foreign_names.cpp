@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -100,7 +100,7 @@ bool ForeignNames::is_developer() const {
 
 // _cl_name is a text. _cl_color holds both colors: 16 * shirt + trousers. Switches are choices of ours.
 bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
-  constexpr std::int64_t kMaxColors = 255, kLastColor = 13;  // the rows above are full-bright
+  constexpr int kMaxColors = 255, kLastColor = 13;  // the rows above are full-bright
   const auto* const found_switch = std::ranges::find(kSwitches, name, &Switch::foreign);
   const bool is_name = name == "_cl_name", is_color = name == "_cl_color";
   const bool is_switch = found_switch != kSwitches.end();
@@ -114,15 +114,17 @@ bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
     set("name", value);
     return true;
   }
-  const auto number = command::parse_whole_number(value);
-  if (is_name || !number || *number < 0 || *number > kMaxColors) {
+  const std::optional<double> number = command::parse_number(value);
+  const bool is_whole = number && *number == std::floor(*number);
+  if (is_name || !number || *number < 0 || *number > kMaxColors || (is_color && !is_whole)) {
     const std::string_view own = is_name ? "name" : is_color ? "topcolor and bottomcolor" : found_switch->own;
     console_.print_error(
         fmt::format("\"{}\" is called {} here{}", name, own,
                     is_name ? "" : fmt::format("; it takes a number from 0 to {}", kMaxColors)));
   } else if (is_color) {
-    set("topcolor", std::to_string(std::min(*number / 16, kLastColor)));
-    set("bottomcolor", std::to_string(std::min(*number % 16, kLastColor)));
+    const int colors = static_cast<int>(*number);
+    set("topcolor", std::to_string(std::min(colors / 16, kLastColor)));
+    set("bottomcolor", std::to_string(std::min(colors % 16, kLastColor)));
   } else {
     set(found_switch->own, *number == 0 ? found_switch->off : found_switch->on);
   }
