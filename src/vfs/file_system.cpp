@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <system_error>
 #include <utility>
 
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 using base::ErrorCode;
 
 constexpr std::string_view kFirstGame = "id1";
+constexpr std::string_view kReleaseFolder = "rerelease";
 
 struct FolderEntry {
   std::string name;  // as on disk
@@ -42,15 +44,20 @@ base::Result<std::vector<FolderEntry>> list_folder(const fs::path& folder) {
   return entries;
 }
 
-// Finds the folder `name` in base_folder, ignoring case.
-base::Result<fs::path> find_game_folder(const fs::path& base_folder, const std::string& name) {
-  if (!formats::is_contained_name(name) || name.find('/') != std::string::npos)
-    return base::error(ErrorCode::kUsage, "\"{}\" is not the name of a game folder", base::printable(name));
-  TRY(const std::vector<FolderEntry> entries, list_folder(base_folder));
+// Finds the folder of that name, ignoring case; null if there is none.
+const FolderEntry* find_folder(const std::vector<FolderEntry>& entries, std::string_view name) {
   const FolderEntry* found = nullptr;
   for (const FolderEntry& entry : entries)
     if (entry.is_folder && base::equal_ignoring_case(entry.name, name) && (!found || entry.name == name))
       found = &entry;
+  return found;
+}
+
+base::Result<fs::path> find_game_folder(const fs::path& base_folder, const std::string& name) {
+  if (!formats::is_contained_name(name) || name.find('/') != std::string::npos)
+    return base::error(ErrorCode::kUsage, "\"{}\" is not the name of a game folder", base::printable(name));
+  TRY(const std::vector<FolderEntry> entries, list_folder(base_folder));
+  const FolderEntry* const found = find_folder(entries, name);
   if (!found)
     return base::Error{ErrorCode::kNotFound,
                        fmt::format("no game folder \"{}\" here; check --basedir and --game", name),
@@ -70,18 +77,34 @@ std::vector<fs::path> find_paks(const std::vector<FolderEntry>& entries) {
   }
 }
 
-std::vector<fs::path> find_pk3s(const std::vector<FolderEntry>& entries) {
+// Finds the archives with one of these extensions, sorted by name.
+std::vector<fs::path> find_zips(const std::vector<FolderEntry>& entries,
+                                std::initializer_list<std::string_view> extensions) {
   std::vector<std::pair<std::string, fs::path>> found;
-  for (const FolderEntry& entry : entries)
-    if (const std::string name = base::to_lower(entry.name); !entry.is_folder && name.ends_with(".pk3"))
+  for (const FolderEntry& entry : entries) {
+    const std::string name = base::to_lower(entry.name);
+    const auto has = [&](std::string_view extension) { return name.ends_with(extension); };
+    if (!entry.is_folder && std::any_of(extensions.begin(), extensions.end(), has))
       found.emplace_back(name, entry.path);
+  }
   std::sort(found.begin(), found.end());
-  std::vector<fs::path> pk3s;
-  for (auto& [name, path] : found) pk3s.push_back(std::move(path));
-  return pk3s;
+  std::vector<fs::path> zips;
+  for (auto& [name, path] : found) zips.push_back(std::move(path));
+  return zips;
 }
 
 }  // namespace
+
+fs::path find_id1_parent(const fs::path& base_folder) {
+  const auto find = [](const fs::path& folder, std::string_view name) -> std::optional<fs::path> {
+    const base::Result<std::vector<FolderEntry>> entries = list_folder(folder);
+    const FolderEntry* const found = entries.ok() ? find_folder(*entries, name) : nullptr;
+    return found == nullptr ? std::nullopt : std::optional(found->path);
+  };
+  if (find(base_folder, kFirstGame)) return base_folder;
+  const std::optional<fs::path> release = find(base_folder, kReleaseFolder);
+  return release && find(*release, kFirstGame) ? *release : base_folder;
+}
 
 std::optional<std::string> normalize_name(std::string_view name) {
   std::string normalized = base::to_lower(name);
@@ -102,9 +125,12 @@ base::Result<FileSystem> FileSystem::open(const fs::path& base_folder, std::span
     names.push_back(game);
   }
   names.insert(names.begin(), std::string(kFirstGame));
+  const fs::path parent = find_id1_parent(base_folder);
   FileSystem files;
+  TRY(const std::vector<FolderEntry> shared, list_folder(parent));
+  for (const fs::path& path : find_zips(shared, {".kpf"})) TRY_STATUS(files.mount_zip(path, 0));
   for (const std::string& name : names) {
-    TRY(const fs::path folder, find_game_folder(base_folder, name));
+    TRY(const fs::path folder, find_game_folder(parent, name));
     TRY_STATUS(files.mount_game(folder));
   }
   return files;
@@ -116,7 +142,8 @@ base::Status FileSystem::mount_game(const fs::path& folder) {
   TRY_STATUS(mount_loose_files(folder, folders_.size() - 1));
   TRY(const std::vector<FolderEntry> entries, list_folder(folder));
   for (const fs::path& path : find_paks(entries)) TRY_STATUS(mount_pak(path));
-  for (const fs::path& path : find_pk3s(entries)) TRY_STATUS(mount_pk3(path));
+  for (const fs::path& path : find_zips(entries, {".pk3", ".kpf"}))
+    TRY_STATUS(mount_zip(path, folders_.size() - 1));
   return base::Ok{};
 }
 
@@ -179,14 +206,13 @@ base::Status FileSystem::mount_pak(const fs::path& path) {
   return base::Ok{};
 }
 
-base::Status FileSystem::mount_pk3(const fs::path& path) {
+base::Status FileSystem::mount_zip(const fs::path& path, std::size_t game) {
   TRY(base::ByteVector bytes, read_disk_file(path, kMaxPk3Bytes - pk3_bytes_));
   pk3_bytes_ += bytes.size();
   TRY(formats::Pk3 opened, formats::read_pk3(std::move(bytes)).with_file(path.string()));
   const auto pk3 = std::make_shared<const formats::Pk3>(std::move(opened));
   for (std::size_t i = 0; i < pk3->entries().size(); ++i)
-    add_file(pk3->entries()[i].name,
-             {.path = path, .pk3 = pk3, .pk3_position = i, .game = folders_.size() - 1});
+    add_file(pk3->entries()[i].name, {.path = path, .pk3 = pk3, .pk3_position = i, .game = game});
   return base::Ok{};
 }
 

@@ -5,11 +5,15 @@
 //
 //   files of mount_file()
 //   last game folder      files of mount_over()
-//                         *.pk3, in reverse alphabetical order
+//                         *.pk3 and *.kpf, in reverse alphabetical order
 //                         pakN.pak ... pak1.pak, pak0.pak (N: the last number before the first missing one)
 //                         loose files
 //   ...                   the same for each earlier game
 //   id1                   the same
+//   base folder           *.kpf, in reverse alphabetical order
+//
+// The 2021 release keeps what all its games share in QuakeEX.kpf next to them. KPF archives are zip files
+// like PK3; those in a game folder count as PK3.
 //
 // So archives hide loose files of the same folder, as in the original engine.
 //
@@ -38,6 +42,10 @@ namespace temblor::vfs {
 // Limit for all *.pk3 together, which are kept in memory. Each single file has at most kMaxFileBytes.
 constexpr std::uint64_t kMaxPk3Bytes = std::uint64_t{1} << 30;
 
+// Returns the folder that holds id1: `base_folder` itself, or the folder "rerelease" in it if only that one
+// has an id1. Stores with the 2021 release install it that way, next to the game of 1996.
+std::filesystem::path find_id1_parent(const std::filesystem::path& base_folder);
+
 // Returns the name in the form that lookups use: lower case, '/' between parts. Returns nullopt for names
 // that are empty, absolute, or contain "..".
 std::optional<std::string> normalize_name(std::string_view name);
@@ -46,9 +54,9 @@ std::optional<std::string> normalize_name(std::string_view name);
 // later. Const functions are thread-safe.
 class FileSystem {
  public:
-  // Mounts id1 and `games`, which are case-insensitive names of folders in base_folder ("id1" may be
-  // omitted). Returns kNotFound if the base folder, id1, or a game does not exist, kUsage for an invalid
-  // name, and an error that names the archive if one is damaged.
+  // Mounts id1 and `games`, which are case-insensitive names of folders in find_id1_parent(base_folder)
+  // ("id1" may be omitted). Returns kNotFound if the base folder, id1, or a game does not exist, kUsage for
+  // an invalid name, and an error that names the archive if one is damaged.
   static base::Result<FileSystem> open(const std::filesystem::path& base_folder,
                                        std::span<const std::string> games = {});
 
@@ -101,7 +109,8 @@ class FileSystem {
   base::Status mount_game(const std::filesystem::path& folder);
   base::Status mount_loose_files(const std::filesystem::path& folder, std::size_t game);
   base::Status mount_pak(const std::filesystem::path& path);
-  base::Status mount_pk3(const std::filesystem::path& path);
+  // Mounts a zip file as part of this game.
+  base::Status mount_zip(const std::filesystem::path& path, std::size_t game);
   // Mounts a file. It replaces one of the same or a lower game, but not one of a higher game.
   void add_file(std::string_view name, File file);
   const File* find(std::string_view name) const;

@@ -226,6 +226,54 @@ TEST(FileSystem, ReaderOutlivesFileSystem) {
   EXPECT_FALSE(readers.back().second().ok());
 }
 
+// The layout of the 2021 release: QuakeEX.kpf next to the games.
+void write_release(const test::TemporaryFolder& folder, const std::string& prefix) {
+  folder.write(prefix + "QuakeEX.kpf",
+               make_pk3({{"localization/loc_english.txt", "shared"}, {"a.txt", "shared"}}));
+  folder.write(prefix + "id1/pak0.pak", make_pak({{"a.txt", "id1"}}));
+  folder.write(prefix + "mg1/pak0.pak", make_pak({{"b.txt", "mg1"}}));
+}
+
+TEST(FileSystem, FindsTheReleaseBelowItsFolder) {
+  const test::TemporaryFolder base_folder;
+  write_release(base_folder, "Rerelease/");
+  for (const fs::path& folder : {base_folder.path(), base_folder.path() / "Rerelease"}) {
+    const auto files = FileSystem::open(folder, std::vector<std::string>{"mg1"});
+    ASSERT_TRUE(files.ok()) << files.error().message();
+    EXPECT_EQ(get_text(*files, "Localization/loc_english.txt"), "shared");
+    EXPECT_EQ(files->find_game("localization/loc_english.txt"), 0u);
+    EXPECT_EQ(get_text(*files, "a.txt"), "id1") << "a game hides what all games share";
+    EXPECT_EQ(get_text(*files, "b.txt"), "mg1");
+    EXPECT_EQ(files->folders()[0], base_folder.path() / "Rerelease/id1");
+  }
+  // The game of 1996, which stores install next to the release, is the folder's own game.
+  base_folder.write("id1/a.txt", "1996");
+  EXPECT_EQ(get_text(open_or_die(base_folder), "a.txt"), "1996");
+  EXPECT_FALSE(open_or_die(base_folder).contains("localization/loc_english.txt"));
+}
+
+TEST(FileSystem, KpfInAGameCountsAsPk3) {
+  const test::TemporaryFolder base_folder;
+  base_folder.write("id1/a.KPF", make_pk3({{"a.txt", "kpf"}, {"b.txt", "kpf"}}));
+  base_folder.write("id1/b.pk3", make_pk3({{"a.txt", "pk3"}}));
+  const FileSystem files = open_or_die(base_folder);
+  EXPECT_EQ(get_text(files, "a.txt"), "pk3");
+  EXPECT_EQ(get_text(files, "b.txt"), "kpf");
+}
+
+TEST(FileSystem, NamesADamagedKpf) {
+  const base::ByteVector whole = make_pk3({{"localization/loc_english.txt", std::string(10000, 'x')}});
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, whole.size() / 2, whole.size() - 1}) {
+    const test::TemporaryFolder base_folder;
+    base_folder.write("id1/a.txt", "id1");
+    base_folder.write("QuakeEX.kpf",
+                      base::ByteVector(whole.begin(), whole.begin() + static_cast<long>(size)));
+    const auto files = FileSystem::open(base_folder.path());
+    ASSERT_FALSE(files.ok()) << size;
+    EXPECT_THAT(files.error().message(), HasSubstr((base_folder.path() / "QuakeEX.kpf").string()));
+  }
+}
+
 TEST(FileSystem, MissingFoldersAreErrors) {
   const test::TemporaryFolder base_folder;
   const auto none = FileSystem::open(base_folder.path() / "nowhere");

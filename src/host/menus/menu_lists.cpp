@@ -139,7 +139,7 @@ std::vector<client::MenuGameFolder> MenuLists::game_folders() const {
   std::vector<client::MenuGameFolder> folders;
   std::error_code failure;
   const auto in_use = data_.library.files().folders();
-  for (const auto& entry : std::filesystem::directory_iterator(host_.options.folders.base_folder, failure)) {
+  for (const auto& entry : std::filesystem::directory_iterator(in_use.front().parent_path(), failure)) {
     std::error_code ignored;
     const std::string name = entry.path().filename().string();
     if (!entry.is_directory(ignored) || name.starts_with('.')) continue;
