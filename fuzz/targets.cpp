@@ -21,6 +21,7 @@ constexpr Target kTargets[] = {
     {"light_cache", fuzz_light_cache},
     {"light_shard", fuzz_light_shard},
     {"lit", fuzz_lit},
+    {"localization", fuzz_localization},
     {"map", fuzz_map},
     {"md5", fuzz_md5},
     {"mdl", fuzz_mdl},
