@@ -86,7 +86,8 @@ Game::Game(GameSetup setup, GameServices services)
                   requests_.player_commands.push_back({player, std::string(line)});
               },
           .bot_services = bot_services(),
-          .find_pack = [this](std::string_view file) { return services_.library.files().where(file); }},
+          .find_pack = [this](std::string_view file) { return services_.library.files().where(file); },
+          .localization = setup_.localization.get()},
       mission_pack_(assets::find_mission_pack(services_.library.files())),
       items2_field_(float_field(*setup_.program, "items2")),
       look_fields_(*setup_.program),
@@ -203,6 +204,10 @@ void Game::apply_input(std::size_t slot, const PlayerInput& input) {
   edict.set(field::kButton2, static_cast<float>(input.buttons >> 1 & 1));
   if (input.impulse != 0) edict.set(field::kImpulse, static_cast<float>(input.impulse));
   move_player(world_, edict.index(), input.command);
+}
+
+std::string Game::localize(std::string_view text) const {
+  return setup_.localization ? setup_.localization->localize(text) : std::string(text);
 }
 
 SpawnParameters Game::parameters() const {

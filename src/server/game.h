@@ -48,6 +48,7 @@ struct GameSetup {
   double tick_s = 1.0 / 72;
   math::PhysicsSettings settings{};
   vm::Limits limits{};
+  std::shared_ptr<const formats::Localization> localization{};  // null: there are no localized texts
 };
 
 // The services of the server that runs a game. All of them must outlive the game.
@@ -139,6 +140,8 @@ class Game {
   assets::MissionPack mission_pack() const { return mission_pack_; }
   // After a failure: the player on whose behalf QuakeC ran, if there was one.
   std::optional<std::size_t> blamed_player() const;
+  // Replaces the key of a localized text ("$map_start") by the text.
+  std::string localize(std::string_view text) const;
   // Fields with which the program changes how entities look (alpha, scale).
   const LookFields& look_fields() const { return look_fields_; }
   // A hash of the whole state. Equal seeds and inputs give equal hashes.

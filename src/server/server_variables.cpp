@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "assets/localization.h"
+
 namespace temblor::server {
 namespace {
 
@@ -55,7 +57,7 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
   v.add_int("bot_skill", 1, 0, 3, "Skill of bots: 0 easy, 1 normal, 2 hard, 3 expert (for game code).");
   v.add_float("sv_aim", 0.93, -1, 2,
               "Cosine of the angle within which shots are aimed at a target; above 1: never.");
-  for (const std::string_view name : {"gamecfg", "nomonsters", "temp1", "campaign"})
+  for (const std::string_view name : {"gamecfg", "nomonsters", "temp1", "campaign", "horde"})
     v.add_float(name, 0, -kHuge, kHuge, "A number for game code.");
   for (const std::string_view name : {"scratch1", "scratch2", "scratch3", "scratch4", "saved1", "saved2",
                                       "saved3", "saved4", "savedgamecfg"})
@@ -88,6 +90,10 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
   protocol_ = v.add_choice("sv_protocol", kProtocols,
                            "Protocol of the next level; auto: the oldest one that can express the level.");
   host_name_ = v.add_text("hostname", "Temblor", "The server's name in server browsers.");
+  language_ = v.add_text("language", assets::kDefaultLanguage,
+                         "Language of the texts of games that have several: english, french, german, "
+                         "italian, spanish, and others. A server's players read the server's language, from "
+                         "the next level on.");
   timeout_ =
       v.add_float("net_messagetimeout", 300, 1, 86400, "Seconds after which a silent client is dropped.");
   rcon_password_ = v.add_text("rcon_password", "",
@@ -178,6 +184,10 @@ std::optional<net::Protocol> ServerVariables::protocol() const {
     default:
       return std::nullopt;
   }
+}
+
+const std::string& ServerVariables::language() const {
+  return variables_->text_value(language_);
 }
 
 std::string ServerVariables::host_name() const {

@@ -33,6 +33,8 @@ class ServerVariables {
   bool autoloads() const;
   // The protocol that the host has chosen. Empty: the one that the level needs.
   std::optional<net::Protocol> protocol() const;
+  // The language of localized texts, from the next level on.
+  const std::string& language() const;
   std::string host_name() const;
   // Seconds after which a silent client is dropped.
   float timeout_s() const;
@@ -54,7 +56,7 @@ class ServerVariables {
   command::VariableIndex gravity_, max_velocity_, friction_, edge_friction_, stop_speed_, accelerate_,
       max_speed_, no_step_;
   command::VariableIndex skill_, deathmatch_, coop_, tick_rate_, autosave_, autoload_, protocol_, host_name_,
-      timeout_, rcon_password_, cheats_, reload_, pausable_, frame_time_, ideal_pitch_scale_,
+      language_, timeout_, rcon_password_, cheats_, reload_, pausable_, frame_time_, ideal_pitch_scale_,
       reliable_updates_, max_rate_;
 };
 

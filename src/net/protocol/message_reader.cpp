@@ -122,7 +122,9 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
       f.text("achievement name");
       return Ignored{static_cast<std::uint8_t>(id)};
     case MessageId::kLocalSound:
-      skip_local_sound(f);
+      return read_local_sound(f);
+    case MessageId::kLevelCompleted:
+    case MessageId::kBackToLobby:
       return Ignored{static_cast<std::uint8_t>(id)};
     case MessageId::kServerInfo:
     case MessageId::kEntityUpdate:

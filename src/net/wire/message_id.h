@@ -50,6 +50,8 @@ enum class MessageId : std::uint8_t {
   kSpawnStaticSound2 = 44,
   // 2021 re-release; only the messages whose length is known.
   kAchievement = 52,
+  kLevelCompleted = 54,
+  kBackToLobby = 55,
   kLocalSound = 56,
   // 128 to 255: an entity update, whose low seven bits are flags.
   kEntityUpdate = 128,

@@ -71,13 +71,13 @@ SpawnStaticSound read_static_sound(bool wide, FieldReader& io_fields) {
   return sound;
 }
 
-void skip_local_sound(FieldReader& io_fields) {
+Sound read_local_sound(FieldReader& io_fields) {
   const std::uint32_t flags = io_fields.u8();
   io_fields.check_flags(flags, kLocalSoundFlags);
-  if (flags & kLargeSound)
-    io_fields.u16();
-  else
-    io_fields.u8();
+  Sound sound;
+  sound.attenuation = 0;
+  sound.sound = flags & kLargeSound ? io_fields.u16() : io_fields.u8();
+  return sound;
 }
 
 // Volume and attenuation are omitted if their bytes are those of the defaults. The wide forms are used only

@@ -18,8 +18,8 @@ Sound read_sound(FieldReader& io_fields);
 StopSound read_stop_sound(FieldReader& io_fields);
 // `wide`: FitzQuake's form with a 16-bit sound number.
 SpawnStaticSound read_static_sound(bool wide, FieldReader& io_fields);
-// Skips a svc_localsound of the 2021 re-release.
-void skip_local_sound(FieldReader& io_fields);
+// Reads a svc_localsound of the 2021 re-release: a sound that is equally loud everywhere.
+Sound read_local_sound(FieldReader& io_fields);
 
 // Write whole messages.
 void write_sound(const Sound& message, FieldWriter& io_fields);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "command/variables.h"
+#include "formats/game/localization.h"
 #include "server/game/game_random.h"
 #include "server/game/game_world.h"
 #include "server/game/outbox.h"
@@ -58,6 +59,12 @@ struct BotServices {
   std::function<PlayerType(std::size_t slot)> player_type{};
 };
 
+// A text that ends a level or an episode (svc_finale, svc_cutscene). Clients show it letter by letter.
+struct ClosingText {
+  double since_s = 0;  // of the game's time
+  std::size_t letters = 0;
+};
+
 // Everything that built-in functions act on. References must outlive the machine's calls. Functions that are
 // not set mean that the server lacks that feature.
 struct BuiltinContext {
@@ -91,6 +98,9 @@ struct BuiltinContext {
   BotServices bot_services{};
   // DP_QC_WHICHPACK: the name of the archive or folder that contains a file of the game; empty if none does.
   std::function<std::string(std::string_view file)> find_pack{};
+  // Texts for "$key" in what game code prints. Null: there are none.
+  const formats::Localization* localization = nullptr;
+  std::optional<ClosingText> closing_text{};
   std::vector<std::string> tokens{};  // of the last tokenize()
   // Warnings that were printed and are not repeated (see Call::warn_once()).
   std::set<std::string, std::less<>> warned{};

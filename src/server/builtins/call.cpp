@@ -1,5 +1,7 @@
 #include "server/builtins/call.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "base/text.h"
@@ -30,6 +32,23 @@ std::string Call::joined_text(int first) const {
   std::string joined;
   for (int i = first; i < machine.parameter_count(); ++i) joined += text(i);
   return joined;
+}
+
+std::vector<std::string> Call::localized_texts(int first) const {
+  const formats::Localization none;
+  const formats::Localization& known = game.localization == nullptr ? none : *game.localization;
+  std::vector<std::string> texts;
+  for (int i = first; i < machine.parameter_count(); ++i) texts.push_back(known.localize(text(i)));
+  return texts;
+}
+
+std::string Call::localized_text(int first) const {
+  const bool is_key = first < machine.parameter_count() && game.localization != nullptr &&
+                      game.localization->has_text_for(text(first));
+  const std::vector<std::string> texts = localized_texts(first);
+  if (is_key && texts[0].find('{') != std::string::npos)
+    return formats::fill_places(texts[0], std::span(texts).subspan(1));
+  return fmt::format("{}", fmt::join(texts, ""));
 }
 
 // Text variables count, too, because registercvar() makes all of a program's variables text.

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "server/builtins/builtins.h"
@@ -64,6 +65,10 @@ class Call {
   void print(std::string_view text) const {
     if (game.print) game.print(text);
   }
+  // The texts from this parameter on. Keys of localized texts ("$qc_died") are replaced by the texts.
+  std::vector<std::string> localized_texts(int first) const;
+  // All of them, joined. If the first one was a key, its places ({0}) are filled with the others instead.
+  std::string localized_text(int first) const;
   // ", in FUNCTION (FILE:LINE), statement N": where QuakeC called this function; empty if it was not called
   // by QuakeC.
   std::string call_site() const;

@@ -1,7 +1,8 @@
 // Built-in functions of the 2021 re-release. Its programs declare them with number 0 and a name. Functions
 // that this server cannot provide return an answer with which programs can go on.
-#include <algorithm>
-#include <charconv>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "server/builtins/families.h"
 #include "server/builtins/text/player_text.h"
@@ -9,28 +10,11 @@
 namespace temblor::server {
 namespace {
 
-// Replaces {0} in the text of parameter `first` by the text after it, {1} by the next one, and so on. If the
-// text has no such marks, the other texts are appended, as in stock functions.
+// Like localized_text(), but places are filled in a text that is no key, too.
 std::string filled_text(const Call& call, int first) {
-  if (first >= call.machine.parameter_count()) return "";
-  std::string_view text = call.text(first);
-  if (text.find('{') == std::string_view::npos) return call.joined_text(first);
-  std::string filled;
-  while (!text.empty()) {
-    const std::size_t open = std::min(text.find('{'), text.size());
-    filled += text.substr(0, open);
-    text.remove_prefix(open);
-    if (text.empty()) break;
-    int number = -1;
-    const char* const end = text.data() + text.size();
-    const auto [close, error] = std::from_chars(text.data() + 1, end, number);
-    const bool is_place = error == std::errc{} && close != end && *close == '}' && number >= 0 &&
-                          number < call.machine.parameter_count() - first - 1;
-    if (is_place) filled += call.text(first + 1 + number);
-    if (!is_place) filled += '{';
-    text.remove_prefix(is_place ? static_cast<std::size_t>(close + 1 - text.data()) : 1);
-  }
-  return filled;
+  const std::vector<std::string> texts = call.localized_texts(first);
+  if (texts.empty() || texts[0].find('{') == std::string::npos) return call.localized_text(first);
+  return formats::fill_places(texts[0], std::span(texts).subspan(1));
 }
 
 // ex_bprint(text, ...): prints to all players.
@@ -69,8 +53,23 @@ base::Status ex_localsound(Call& io_call) {
   return base::Ok{};
 }
 
-// The answers are constant: the server does not know whether a player has read a closing text, has no special
-// flags for players, and no map of paths for bots (game code then finds its own way).
+// ex_finaleFinished(): 1 when clients have written all letters of the closing text; 0 if there is none.
+base::Status ex_finale_finished(Call& io_call) {
+  constexpr double kLettersPerSecond = 8;  // of stock clients
+  const std::optional<ClosingText>& text = io_call.game.closing_text;
+  const bool is_finished =
+      text && io_call.world.time_s >= text->since_s + static_cast<double>(text->letters) / kLettersPerSecond;
+  io_call.machine.return_float(is_finished ? 1 : 0);
+  return base::Ok{};
+}
+
+// ex_draw_point() and so on: lines and shapes for developers, which our clients do not draw.
+base::Status draw_nothing(Call&) {
+  return base::Ok{};
+}
+
+// The answers are constant: there are no special flags for players, and no map of paths for bots (game code
+// then finds its own way).
 base::Status none(Call& io_call) {
   io_call.machine.return_float(0);
   return base::Ok{};
@@ -80,10 +79,24 @@ base::Status none(Call& io_call) {
 
 std::span<const BuiltinEntry> rerelease_builtins() {
   static constexpr BuiltinEntry kEntries[] = {
-      {0, "ex_bprint", ex_bprint},           {0, "ex_sprint", ex_sprint},
-      {0, "ex_centerprint", ex_centerprint}, {0, "ex_localsound", ex_localsound},
-      {0, "ex_finaleFinished", none},        {0, "ex_CheckPlayerEXFlags", none},
+      {0, "ex_bprint", ex_bprint},
+      {0, "ex_sprint", ex_sprint},
+      {0, "ex_centerprint", ex_centerprint},
+      {0, "ex_localsound", ex_localsound},
+      {0, "ex_finaleFinished", ex_finale_finished},
+      {0, "ex_CheckPlayerEXFlags", none},
       {0, "ex_walkpathtogoal", none},
+      {0, "ex_bot_movetopoint", none},
+      {0, "ex_bot_followentity", none},
+      {0, "ex_draw_point", draw_nothing},
+      {0, "ex_draw_line", draw_nothing},
+      {0, "ex_draw_arrow", draw_nothing},
+      {0, "ex_draw_ray", draw_nothing},
+      {0, "ex_draw_circle", draw_nothing},
+      {0, "ex_draw_bounds", draw_nothing},
+      {0, "ex_draw_worldtext", draw_nothing},
+      {0, "ex_draw_sphere", draw_nothing},
+      {0, "ex_draw_cylinder", draw_nothing},
   };
   return kEntries;
 }

@@ -34,7 +34,13 @@ base::Status cvar_string(Call& io_call) {
 }
 
 // cvar_set(name, value): an unknown variable or a bad value prints a warning, but does not end the game.
+// Programs set the switches of other engines' physics, which are variables of their own from then on.
 base::Status cvar_set(Call& io_call) {
+  command::Variables& variables = io_call.game.variables;
+  const std::string_view name = io_call.text(0);
+  if (name.starts_with("sv_gameplayfix_") && is_variable_name(name) && variables.find(name) == nullptr &&
+      variables.all().size() < kMaxVariables)
+    variables.add_text(name, "0", "A switch of other engines' physics, which game code has set.");
   const base::Status set = io_call.game.variables.set(io_call.text(0), io_call.text(1));
   if (!set.ok()) io_call.warn_once(base::printable(set.error().message()));
   return base::Ok{};

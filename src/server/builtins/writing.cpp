@@ -48,9 +48,31 @@ base::Status write_angle(Call& io_call) {
   return base::Ok{};
 }
 
+// Whether the last byte is the number of this message. It may also be the last byte of something else.
+bool ends_with(const base::ByteWriter& writer, std::uint8_t message) {
+  return writer.size() > 0 && writer.view().back() == std::byte{message};
+}
+
+// A localized text that stock clients have room for; other texts are left alone.
+std::string localize(const Call& call, std::string_view text) {
+  constexpr std::size_t kMaxStockText = 2047;
+  const formats::Localization* const known = call.game.localization;
+  if (known == nullptr || !known->has_text_for(text)) return std::string(text);
+  return known->localize(text).substr(0, kMaxStockText);
+}
+
+// The 2021 release's programs also send the names of achievements. Clients of other games would take that
+// message for another one, and leave.
 base::Status write_string(Call& io_call) {
-  const std::string_view text = io_call.text(1);
+  constexpr std::uint8_t kFinale = 31, kCutScene = 34, kAchievement = 52;
+  const std::string text = localize(io_call, io_call.text(1));
   TRY(base::ByteWriter* const writer, destination(io_call, text.size() + 1));
+  if (text.starts_with("ACH_") && ends_with(*writer, kAchievement)) {
+    writer->truncate(writer->size() - 1);
+    return base::Ok{};
+  }
+  if (ends_with(*writer, kFinale) || ends_with(*writer, kCutScene))
+    io_call.game.closing_text = {.since_s = io_call.world.time_s, .letters = text.size()};
   writer->bytes(base::as_bytes(text));
   writer->u8(0);
   return base::Ok{};

@@ -116,7 +116,11 @@ class Edict {
     const float value = (*this)[f];
     return value > -2e9f && value < 2e9f ? static_cast<int>(value) : 0;
   }
-  MoveType move_type() const { return static_cast<MoveType>(whole(field::kMoveType)); }
+  MoveType move_type() const {
+    constexpr int kGib = 11;  // of the 2021 release's programs
+    const int number = whole(field::kMoveType);
+    return number == kGib ? MoveType::kBounce : static_cast<MoveType>(number);
+  }
   Solid solid() const { return static_cast<Solid>(whole(field::kSolid)); }
   int flags() const { return whole(field::kFlags); }
   bool has_flag(int flag) const { return (flags() & flag) != 0; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "assets/localization.h"
 #include "base/hash.h"
 #include "formats/game/lno.h"
 #include "formats/game/progs.h"
@@ -80,6 +81,8 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
   settings.set_registered(services.library.files().contains(assets::kRegisteredMark));
   LoadedGame result;
   result.notes = std::move(loaded.notes);
+  const auto localization = std::make_shared<const formats::Localization>(
+      assets::load_localization(services.library.files(), settings.language(), result.notes));
   constexpr std::array kOldestFirst = {net::Protocol::kNetQuake, net::Protocol::kFitzQuake,
                                        net::Protocol::kRmq};
   for (const net::Protocol protocol : kOldestFirst) {
@@ -98,7 +101,8 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
                                                             .server_flags = request.server_flags,
                                                             .seed = request.seed,
                                                             .tick_s = settings.tick_s(),
-                                                            .settings = settings.physics()},
+                                                            .settings = settings.physics(),
+                                                            .localization = localization},
                                                            services);
     // It may have failed because the protocol has too few numbers for models or sounds.
     if (!game.ok() && !is_last) continue;

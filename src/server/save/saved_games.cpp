@@ -34,7 +34,8 @@ base::Status check_can_save(const Server& server) {
 
 // "The Copperworks kills: 12/ 30", as stock menus show it.
 std::string make_comment(Game& io_game) {
-  const std::string_view level = io_game.machine().text(io_game.world().edicts.world()[field::kMessage]);
+  const std::string level =
+      io_game.localize(io_game.machine().text(io_game.world().edicts.world()[field::kMessage]));
   const auto total = [&](vm::GlobalIndex i) { return sent_u16(io_game.machine().global_float(i)); };
   return fmt::format("{:<22.22} kills:{:3}/{:3}", level, total(global::kKilledMonsters),
                      total(global::kTotalMonsters));

@@ -82,12 +82,13 @@ base::Result<base::ByteVector> make_level_message(Game& io_game, std::size_t slo
   const GameSetup& setup = io_game.setup();
   const Edict world = io_game.world().edicts.world();
 
+  const std::string level_name = io_game.localize(io_game.machine().text(world[field::kMessage]));
   MessageList messages(setup.dialect);
   TRY_STATUS(messages.add(
       net::ServerInfo{.dialect = setup.dialect,
                       .max_clients = static_cast<std::uint8_t>(setup.max_clients),
                       .game_type = static_cast<std::uint8_t>(setup.kind == GameKind::kDeathmatch ? 1 : 0),
-                      .level_name = io_game.machine().text(world[field::kMessage]),
+                      .level_name = level_name,
                       .models = models,
                       .sounds = sounds}));
   const std::uint8_t track = music_track(world);

@@ -137,7 +137,8 @@ TEST(MessageBytes, NamesMatchProtocol) {
       {BonusFlash{}, "svc_bf"},
       {Fog{}, "svc_fog"},
       {Ignored{52}, "svc_achievement"},
-      {Ignored{56}, "svc_localsound"},
+      {Ignored{54}, "svc_levelcompleted"},
+      {Ignored{55}, "svc_backtolobby"},
   };
   for (const auto& [message, name] : names) EXPECT_EQ(message_name(message), name);
 }
@@ -429,10 +430,11 @@ TEST(MessageBytes, AcceptsFitzQuakeMessagesInProtocol15) {
   }
 }
 
-TEST(MessageBytes, SkipsMessagesOf2021WithKnownLength) {
+TEST(MessageBytes, ReadsMessagesOf2021WithKnownLength) {
   expect_read(k666, Packet{52}.text("ACH_X").add({0}), Ignored{52});
-  expect_read(k666, {56, 0, 7}, Ignored{56});
-  expect_read(k666, {56, 16, 7, 1}, Ignored{56});
+  for (const std::uint8_t id : {std::uint8_t{54}, std::uint8_t{55}}) expect_read(k666, {id}, Ignored{id});
+  expect_read(k666, {56, 0, 7}, Sound{.attenuation = 0, .sound = 7});
+  expect_read(k666, {56, 16, 7, 1}, Sound{.attenuation = 0, .sound = 263});
   base::ByteWriter writer;
   EXPECT_TRUE(write_message(Ignored{52}, k666, writer).ok());
   EXPECT_EQ(writer.size(), 0u);

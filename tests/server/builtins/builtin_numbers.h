@@ -119,7 +119,8 @@ constexpr BuiltinNumber kExtensionBuiltins[] = {
     {627, "sprintf"},
 };
 
-constexpr std::string_view kNamedBuiltins[] = {"ex_bprint", "ex_sprint", "ex_centerprint", "ex_localsound"};
+constexpr std::string_view kNamedBuiltins[] = {"ex_bprint", "ex_sprint", "ex_centerprint", "ex_localsound",
+                                               "ex_finaleFinished"};
 
 // Functions of a Stage's program exist for the numbers 0 to this.
 constexpr int kMaxBuiltin = 700;

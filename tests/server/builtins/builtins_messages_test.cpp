@@ -93,6 +93,62 @@ TEST(RereleasePrints, PlacesAreFilled) {
   EXPECT_THAT(texts_in<net::CenterPrint>(*stage.outbox.reliable_to(Stage::kPlayer2)), ElementsAre("out!"));
 }
 
+// Keys in any place, with and without places to fill.
+TEST(LocalizedPrints, ClientsGetTextsInsteadOfKeys) {
+  const formats::Localization texts(formats::Localization::Texts{{"hi", "Hello"},
+                                                                 {"ogre", "an ogre"},
+                                                                 {"died", "{0} was killed by {1}\n"},
+                                                                 {"end", std::string(3000, 'x')}});
+  Stage stage;
+  stage.context.localization = &texts;
+  stage.run("bprint", "$hi");
+  stage.run("bprint", "$hi", "\n");
+  stage.run("bprint", "Joe killed ", "$ogre");
+  stage.run("bprint", "$died", "Joe", "$ogre");
+  stage.run("bprint", "{0}", "$unknown");
+  stage.run("ex_bprint", "$died", "$ogre", "{0}");
+  stage.run("ex_bprint", "by {0}", "$ogre");
+  EXPECT_THAT(texts_in<net::Print>(stage.outbox.reliable()),
+              ElementsAre("Hello", "Hello\n", "Joe killed an ogre", "Joe was killed by an ogre\n",
+                          "{0}$unknown", "an ogre was killed by {0}\n", "by an ogre"));
+  stage.run("sprint", Stage::kPlayer1, "$hi");
+  stage.run("ex_sprint", Stage::kPlayer1, "$hi");
+  EXPECT_THAT(texts_in<net::Print>(*stage.outbox.reliable_to(Stage::kPlayer1)),
+              ElementsAre("Hello", "Hello"));
+  stage.run("centerprint", Stage::kPlayer2, "$hi");
+  stage.run("ex_centerprint", Stage::kPlayer2, "$died", "A", "B");
+  EXPECT_THAT(texts_in<net::CenterPrint>(*stage.outbox.reliable_to(Stage::kPlayer2)),
+              ElementsAre("Hello", "A was killed by B\n"));
+  stage.run("WriteByte", 3, 31);
+  stage.run("WriteString", 3, "$end");
+  stage.run("WriteByte", 0, 26);
+  stage.run("WriteString", 0, "$ogre");
+  EXPECT_THAT(texts_in<net::Finale>(stage.outbox.signon()), ElementsAre(std::string(2047, 'x')));
+  EXPECT_THAT(texts_in<net::CenterPrint>(stage.outbox.broadcast()), ElementsAre("an ogre"));
+}
+
+TEST(RereleasePrints, TheFinaleEndsWithItsLastLetter) {
+  Stage stage;
+  EXPECT_EQ(stage.number("ex_finaleFinished"), 0);
+  stage.run("WriteByte", 2, 31);
+  stage.run("WriteString", 2, "sixteen letters.");
+  const double began_s = stage.world.time_s;
+  stage.world.time_s = began_s + 1.9;
+  EXPECT_EQ(stage.number("ex_finaleFinished"), 0);
+  stage.world.time_s = began_s + 2;
+  EXPECT_EQ(stage.number("ex_finaleFinished"), 1);
+}
+
+// Stock clients would read them as something else.
+TEST(RereleaseMessages, AchievementsAreNotSent) {
+  Stage stage;
+  stage.run("WriteByte", 2, 1);
+  stage.run("WriteByte", 2, 52);
+  stage.run("WriteString", 2, "ACH_COMPLETE_E1M1");
+  stage.run("WriteString", 2, "ACH_");
+  EXPECT_THAT(numbers_in(stage.outbox.reliable()), ElementsAre(1, 'A', 'C', 'H', '_', 0));
+}
+
 TEST(RereleasePrints, LocalsoundIsForOne) {
   Stage stage;
   stage.run("precache_sound", "a.wav");

@@ -43,6 +43,9 @@ TEST_F(Settings, CvarSetKeepsWhatDoesNotFit) {
   stage.run("cvar_set", "sv_gravity", "heavy");
   EXPECT_EQ(stage.number("cvar", "sv_gravity"), 100);
   stage.run("cvar_set", "no_such_thing", "1");
+  EXPECT_EQ(stage.number("cvar", "sv_gameplayfix_random"), 0);
+  stage.run("cvar_set", "sv_gameplayfix_random", "2");
+  EXPECT_EQ(stage.number("cvar", "sv_gameplayfix_random"), 2);
   EXPECT_THAT(stage.printed, HasSubstr("sv_gravity"));
   EXPECT_THAT(stage.printed, HasSubstr("no_such_thing"));
 }

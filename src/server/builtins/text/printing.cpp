@@ -1,4 +1,5 @@
-// Built-in functions that print to players and to the server's console. Several texts are joined.
+// Built-in functions that print to players and to the server's console. Several texts are joined. Clients get
+// keys of localized texts as text, because stock clients do not know the keys.
 #include "server/builtins/families.h"
 #include "server/builtins/text/player_text.h"
 
@@ -7,19 +8,19 @@ namespace {
 
 base::Status bprint(Call& io_call) {
   Outbox& outbox = io_call.game.outbox;
-  write_text<net::Print>(io_call.joined_text(0), outbox, outbox.reliable());
+  write_text<net::Print>(io_call.localized_text(0), outbox, outbox.reliable());
   return base::Ok{};
 }
 
 base::Status sprint(Call& io_call) {
   TRY(base::ByteWriter* const writer, player_buffer(io_call));
-  if (writer != nullptr) write_text<net::Print>(io_call.joined_text(1), io_call.game.outbox, *writer);
+  if (writer != nullptr) write_text<net::Print>(io_call.localized_text(1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 
 base::Status centerprint(Call& io_call) {
   TRY(base::ByteWriter* const writer, player_buffer(io_call));
-  if (writer != nullptr) write_center_text(io_call.joined_text(1), io_call.game.outbox, *writer);
+  if (writer != nullptr) write_center_text(io_call.localized_text(1), io_call.game.outbox, *writer);
   return base::Ok{};
 }
 
