@@ -28,8 +28,22 @@ namespace temblor::host {
 struct Services;      // host/services.h
 class HostVariables;  // host/host_variables.h
 
+// Game data that the player can choose in the menu.
+struct GameSource {
+  std::string name;   // the argument of the command `basedir`
+  std::string title;  // for people
+  std::filesystem::path base_folder;
+  bool is_installed = false;  // see GameFolders
+};
+
 struct HostOptions {
   GameFolders folders;
+  // Game data to choose from; empty: there is no choice.
+  std::vector<GameSource> sources{};
+  // Opens the menu of the sources at the start, unless the command line starts a game.
+  bool asks_for_source = false;
+  // Stores the player's choice, an argument of `basedir`, for the next run. Null: it cannot be stored.
+  std::function<base::Status(std::string_view name)> remember_source{};
   std::filesystem::path program_file{};  // the game's code; empty: progs.dat of the game folders
   std::vector<std::string> commands{};   // run after the configuration files
   std::string version{};                 // "Temblor 1.0", shown in the console

@@ -182,7 +182,8 @@ TEST(PlayProgram, WritesNothingIntoAnInstalledGame) {
                         std::filesystem::copy_options::recursive);
   prefix.write("home/readme", "");
   const std::string line = "cd '" + prefix.path().string() +
-                           "/home' && ASAN_OPTIONS=detect_leaks=0 XDG_DATA_HOME=\"$PWD\" xvfb-run -a "
+                           "/home' && ASAN_OPTIONS=detect_leaks=0 HOME=\"$PWD\" XDG_DATA_HOME=\"$PWD\" "
+                           "XDG_CONFIG_HOME=\"$PWD\" env -u TEMBLOR_DATA xvfb-run -a "
                            "../bin/temblor play --nosound --duration 2 >out 2>&1";
   EXPECT_EQ(std::system(line.c_str()), 0) << read_text(prefix.path() / "home/out");
   EXPECT_TRUE(std::filesystem::exists(prefix.path() / "home/temblor/id1/temblor.cfg"));

@@ -36,11 +36,13 @@ std::string read_text(const std::filesystem::path& path) {
 
 namespace {
 
+// `before`: words of the shell before the program's.
 ProgramRun run(const std::filesystem::path& program, const std::filesystem::path& folder,
-               const std::vector<std::string>& words) {
+               const std::vector<std::string>& words, const std::string& before = "") {
   const TemporaryFolder outputs;
   const std::filesystem::path out = outputs.path() / "out", err = outputs.path() / "err";
-  std::string command = fmt::format("cd {} && {}", quoted(folder.string()), quoted(program.string()));
+  std::string command =
+      fmt::format("cd {} && {}{}", quoted(folder.string()), before, quoted(program.string()));
   for (const std::string& word : words) command.append(fmt::format(" {}", quoted(word)));
   command.append(fmt::format(" >{} 2>{} </dev/null", quoted(out.string()), quoted(err.string())));
   const int status = std::system(command.c_str());
@@ -62,7 +64,9 @@ ProgramRun run_program_alone(const std::filesystem::path& folder, const std::vec
   const TemporaryFolder elsewhere;
   const std::filesystem::path program = elsewhere.path() / "temblor";
   std::filesystem::copy_file(TEMBLOR_PROGRAM, program);
-  return run(program, folder, words);
+  return run(program, folder, words,
+             fmt::format("env -u TEMBLOR_DATA -u XDG_CONFIG_HOME -u XDG_DATA_HOME HOME={} ",
+                         quoted(elsewhere.path().string())));
 }
 
 bool is_one_error_line(std::string_view text) {

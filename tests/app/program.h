@@ -16,7 +16,7 @@ struct ProgramRun {
 
 // Runs it in `folder`. The words are passed unchanged; the shell does not interpret them.
 ProgramRun run_program(const std::filesystem::path& folder, const std::vector<std::string>& words);
-// The same with a copy of the program that is not beside the shipped game.
+// The same with a copy of the program that is not beside the shipped game, by a user without game data.
 ProgramRun run_program_alone(const std::filesystem::path& folder, const std::vector<std::string>& words);
 
 // Returns a whole file. CHECKs that it exists.

@@ -11,6 +11,7 @@
 #include "app/files/game_files.h"
 #include "app/files/interrupt.h"
 #include "app/files/system.h"
+#include "app/installs/game_choice.h"
 #include "command/text.h"
 #include "host/host.h"
 #include "host/host_variables.h"
@@ -65,11 +66,14 @@ host::Services make_services(platform::Window& window, bool silent) {
 
 // Returns the folder for settings and saved games when the game directory is not writable (XDG base
 // directories).
-std::filesystem::path user_folder() {
-  const char* const data = std::getenv("XDG_DATA_HOME");
-  if (data != nullptr && *data != 0) return std::filesystem::path(data) / "temblor";
-  const char* const home = std::getenv("HOME");
-  return home != nullptr ? std::filesystem::path(home) / ".local/share/temblor" : std::filesystem::path();
+std::filesystem::path user_folder(const UserFolders& user) {
+  return user.data.empty() ? std::filesystem::path() : user.data / "temblor";
+}
+
+base::Status remember_choice(const UserFolders& user, std::string_view name) {
+  const std::filesystem::path file = find_choice_file(user);
+  if (file.empty()) return base::error(base::ErrorCode::kIo, "the choice cannot be stored: HOME is not set");
+  return write_choice(file, name);
 }
 
 // Returns the console commands to run at the start: --exec, then --map, --demo, and --connect.
@@ -124,9 +128,11 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
                       const host::HostVariables& variables) {
   Interrupt interrupt;
   TRY_STATUS(apply_command_line(options, common, variables.variables()));
-  TRY(const std::filesystem::path base_folder, find_base_folder(common.folders));
-  const host::GameFolders folders{base_folder, common.folders.games, user_folder(),
-                                  is_installed_game(base_folder)};
+  const UserFolders user = find_user_folders();
+  TRY(GameChoice choice, choose_game(common.folders, user));
+  if (!choice.warning.empty()) print_line(choice.warning);
+  const host::GameFolders folders{choice.base_folder, common.folders.games, user_folder(user),
+                                  is_installed_game(choice.base_folder)};
   TRY(PlayWatch watch, PlayWatch::begin(options.watch, folders));
   base::Result<std::unique_ptr<platform::Window>> opened =
       platform::sdl2::open_window("Temblor", variables.window());
@@ -138,6 +144,9 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
   print_line(fmt::format("display: {}", window->describe()));
   host::HostOptions host_options{
       .folders = folders,
+      .sources = std::move(choice.sources),
+      .asks_for_source = choice.asks,
+      .remember_source = [&](std::string_view name) { return remember_choice(user, name); },
       .program_file = options.program.empty() ? watch.program() : options.program,
       .commands = list_first_commands(options, watch.level()),
       .version = "Temblor " TEMBLOR_VERSION,

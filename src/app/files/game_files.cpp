@@ -34,12 +34,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// Returns whether neither --basedir nor the current directory names game data.
-bool has_no_game_data(const GameFolders& folders) {
-  std::error_code ignored;
-  return folders.base_folder.empty() && !std::filesystem::is_directory("id1", ignored);
-}
-
 // Locations of the shipped game relative to the program: in a build tree or an unpacked archive, and after
 // `make install` or in a package.
 constexpr const char* kInstalledGame = "../share/games/temblor";
@@ -61,6 +55,11 @@ std::optional<std::filesystem::path> find_shipped_game() {
 }
 
 }  // namespace
+
+bool has_no_game_data(const GameFolders& folders) {
+  std::error_code ignored;
+  return folders.base_folder.empty() && !std::filesystem::is_directory("id1", ignored);
+}
 
 // --basedir is not checked here; opening its files fails with a better message.
 base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders) {

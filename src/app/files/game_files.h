@@ -13,6 +13,8 @@
 
 namespace temblor::app {
 
+// Returns whether neither --basedir nor the current directory names game data.
+bool has_no_game_data(const GameFolders& folders);
 // Returns the directory that contains id1: --basedir, or the current directory if it contains id1, or that of
 // the shipped game, beside the program or where it is installed. Otherwise kNotFound with advice.
 base::Result<std::filesystem::path> find_base_folder(const GameFolders& folders);

@@ -47,6 +47,7 @@ enum class MenuPage {
   kKeys,
   kAccessibility,
   kGameFolders,
+  kGameData,
   kDemos,
   kHelp,
   kQuit,

@@ -36,6 +36,11 @@ struct MenuGameFolder {
   std::string name, title;
   bool in_use = false;
 };
+// Game data: the shipped game, or one that the player has installed. `name` is the argument of `basedir`.
+struct MenuGameData {
+  std::string name, title, folder;
+  bool in_use = false;
+};
 struct MenuServer {
   std::string address, name, level;
   int players = 0, max_players = 0, ping_ms = 0;
@@ -56,6 +61,7 @@ struct MenuContent {
   std::function<const formats::Picture*(std::string_view save)> save_picture;
   std::function<std::vector<MenuDemo>()> demos;
   std::function<std::vector<MenuGameFolder>()> game_folders;
+  std::function<std::vector<MenuGameData>()> game_data;
 
   // The servers that have answered so far.
   std::function<std::vector<MenuServer>()> servers;

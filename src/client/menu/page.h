@@ -117,6 +117,7 @@ Page make_load_page(const PageContext& context);
 Page make_save_page(const PageContext& context);
 Page make_levels_page(const PageContext& context);
 Page make_game_folders_page(const PageContext& context);
+Page make_game_data_page(const PageContext& context);
 Page make_demos_page(const PageContext& context);
 
 Page make_multiplayer_page(const PageContext& context);

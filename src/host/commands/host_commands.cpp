@@ -303,6 +303,25 @@ std::vector<std::string> list_games(Arguments words) {
   return packs;
 }
 
+// The switch waits for the end of the frame's commands, like that of `game`.
+void choose_source(Host& io_host, Arguments arguments) {
+  const std::vector<GameSource>& sources = io_host.options.sources;
+  if (arguments.size() < 2) {
+    print_line(io_host, fmt::format("Playing {}", io_host.options.folders.base_folder.string()));
+    for (const GameSource& source : sources)
+      print_line(io_host, fmt::format("basedir {}: {}", command::join_words({source.name}), source.title));
+    return;
+  }
+  if (arguments.size() > 2)
+    return print_command_error(io_host, "basedir takes one folder. Put quotes around a name with spaces.");
+  const auto found = std::find_if(sources.begin(), sources.end(),
+                                  [&](const GameSource& source) { return source.name == arguments[1]; });
+  std::error_code failure;
+  const std::filesystem::path folder = std::filesystem::absolute(arguments[1], failure);
+  io_host.game.requested_source =
+      found != sources.end() ? *found : GameSource{folder.string(), folder.string(), folder};
+}
+
 void add_game_commands(Host& io_host) {
   const auto add = make_adder(io_host);
   add_named(io_host, "map", "map NAME: starts a new game on a level. Type maps to list all levels.",
@@ -340,6 +359,10 @@ void add_game_commands(Host& io_host) {
         for (const std::filesystem::path& folder : host.game.data->library.files().folders())
           print_line(host, folder.string());
       });
+  add("basedir",
+      "basedir FOLDER: plays the game data in this folder, now and from the next start on; `basedir temblor` "
+      "is Temblor's own game. Without an argument: lists the game data that was found.",
+      choose_source);
   add("writeconfig", "writeconfig [FILE]: saves the settings now, or a copy of them in another .cfg file.",
       [](Host& host, Arguments arguments) {
         print_if_command_error(

@@ -112,6 +112,8 @@ struct LoadedGame {
   std::string last_server{};  // that the player has joined, for `reconnect`
   // Game folders to switch to after this frame's commands. An empty list is id1 alone; none: no switch.
   std::optional<std::vector<std::string>> requested_games;
+  // Game data to switch to, in the same way.
+  std::optional<GameSource> requested_source;
   // The first frame's commands have run, including those of the command line. Until then it is not known
   // whether a game or a demo starts.
   bool has_begun = false;

@@ -103,9 +103,15 @@ void run_commands(Host& io_host) {
   io_host.console.commands.run();
   game.startup.has_stuffed = false;
   report_unknown_names(io_host);
-  if (!std::exchange(game.has_begun, true)) show_attract_mode(io_host);
+  if (!std::exchange(game.has_begun, true)) {
+    show_attract_mode(io_host);
+    if (std::exchange(io_host.options.asks_for_source, false) && game.menu->is_open())
+      open_menu(io_host, client::MenuPage::kGameData);
+  }
   if (std::optional<std::vector<std::string>> games = std::exchange(game.requested_games, std::nullopt))
     print_if_error(io_host, change_games(io_host, std::move(*games)));
+  if (const std::optional<GameSource> source = std::exchange(game.requested_source, std::nullopt))
+    print_if_error(io_host, change_source(io_host, *source));
 }
 
 void apply_variables(Host& io_host) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "assets/localization.h"
 #include "formats/game/sav.h"
 #include "formats/levels/entities.h"
 #include "host/frame/host_parts.h"
@@ -93,7 +94,13 @@ std::vector<client::MenuEpisode> MenuLists::episodes() {
 const std::string& MenuLists::level_title(const std::string& level) {
   const auto [entry, is_new] = titles_.try_emplace(level);
   const std::string file = "maps/" + level + ".bsp";
-  if (is_new && data_.library.files().contains(file)) entry->second = read_title(data_.library.files(), file);
+  if (!is_new || !data_.library.files().contains(file)) return entry->second;
+  if (!localization_) {
+    std::vector<std::string> notes;  // the server prints them when a level starts
+    const command::Variable* const language = host_.variables.variables().find("language");
+    localization_ = assets::load_localization(data_.library.files(), language->text, notes);
+  }
+  entry->second = localization_->localize(read_title(data_.library.files(), file));
   return entry->second;
 }
 
@@ -155,6 +162,14 @@ std::vector<client::MenuGameFolder> MenuLists::game_folders() const {
   return folders;
 }
 
+std::vector<client::MenuGameData> MenuLists::game_data() const {
+  std::vector<client::MenuGameData> list;
+  for (const GameSource& source : host_.options.sources)
+    list.push_back({source.name, source.title, source.base_folder.string(),
+                    source.base_folder == host_.options.folders.base_folder});
+  return list;
+}
+
 client::MenuContent MenuLists::content() {
   Host* const host = &host_;
   return {
@@ -166,6 +181,7 @@ client::MenuContent MenuLists::content() {
       .save_picture = [this](std::string_view save) { return thumbnails_.save_picture(std::string(save)); },
       .demos = [this] { return demos(); },
       .game_folders = [this] { return game_folders(); },
+      .game_data = [this] { return game_data(); },
       .servers = [host] { return host->search.found(); },
       .search_servers = [host] { search_servers(*host); },
       .displays = [host] { return host->services.window.displays(); },

@@ -6,10 +6,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "client/menu/menu_content.h"
+#include "formats/game/localization.h"
 #include "host/menus/thumbnails.h"
 
 namespace temblor::host {
@@ -29,6 +31,8 @@ class MenuLists {
   std::vector<client::MenuDemo> demos() const;
   // The folders below base_folder that look like a game, sorted by name.
   std::vector<client::MenuGameFolder> game_folders() const;
+  // HostOptions::sources.
+  std::vector<client::MenuGameData> game_data() const;
 
  private:
   std::vector<client::MenuLevel> levels();
@@ -41,6 +45,7 @@ class MenuLists {
   Thumbnails thumbnails_;
   std::vector<client::MenuLevel> levels_;  // cached
   std::map<std::string, std::string> titles_;
+  std::optional<formats::Localization> localization_;  // of the titles; loaded with the first one
 };
 
 // Returns the names of the files in the write folder that end with `suffix` (".sav"), without it, newest

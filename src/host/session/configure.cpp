@@ -138,11 +138,12 @@ base::Status run_configuration(Host& io_host) {
   return base::Ok{};
 }
 
-base::Status change_games(Host& io_host, std::vector<std::string> games) {
+namespace {
+
+// Switches to these folders, or fails before anything has changed.
+base::Status change_folders(Host& io_host, GameFolders folders) {
   // The settings belong to the old folders: save them before the write folder changes.
   TRY_STATUS(save_configuration(io_host));
-  GameFolders folders = io_host.options.folders;
-  folders.games = std::move(games);
   TRY(std::unique_ptr<GameData> data, GameData::open(folders));
   // Nothing below can fail because of the folders. Destroy users before the data that they refer to.
   disconnect(io_host);
@@ -155,6 +156,27 @@ base::Status change_games(Host& io_host, std::vector<std::string> games) {
   io_host.options.commands.clear();
   load_game_folders(io_host);
   return run_configuration(io_host);
+}
+
+}  // namespace
+
+base::Status change_games(Host& io_host, std::vector<std::string> games) {
+  GameFolders folders = io_host.options.folders;
+  folders.games = std::move(games);
+  return change_folders(io_host, std::move(folders));
+}
+
+base::Status change_source(Host& io_host, const GameSource& source) {
+  GameFolders folders = io_host.options.folders;
+  folders.base_folder = source.base_folder;
+  folders.games.clear();
+  folders.is_installed = source.is_installed;
+  if (folders != io_host.options.folders) {
+    TRY_STATUS(change_folders(io_host, std::move(folders)));
+    // The game code of the command line belongs to the first game data.
+    io_host.options.program_file.clear();
+  }
+  return io_host.options.remember_source ? io_host.options.remember_source(source.name) : base::Ok{};
 }
 
 base::Status save_configuration(Host& io_host) {

@@ -10,6 +10,7 @@
 namespace temblor::host {
 
 struct Host;
+struct GameSource;  // host/host.h
 
 // Creates the session and the menus for LoadedGame::data, which must be open.
 void load_game_folders(Host& io_host);
@@ -31,6 +32,10 @@ base::Status run_configuration(Host& io_host);
 // Switches to other game folders without a restart. Saves the configuration of the old ones and ends the
 // running game. If the new folders cannot be read, fails and the game continues.
 base::Status change_games(Host& io_host, std::vector<std::string> games);
+
+// Switches to other game data, without its mods, and stores the choice for the next run. If it cannot be
+// read, fails and the game continues.
+base::Status change_source(Host& io_host, const GameSource& source);
 
 // Writes the configuration and the console's history to the write folder. An empty history is not written.
 base::Status save_configuration(Host& io_host);

@@ -46,6 +46,8 @@ PageMaker find_page_maker(const PageContext& context, MenuPage page) {
       return make_accessibility_page;
     case MenuPage::kGameFolders:
       return make_game_folders_page;
+    case MenuPage::kGameData:
+      return make_game_data_page;
     case MenuPage::kDemos:
       return make_demos_page;
     case MenuPage::kHelp:

@@ -149,6 +149,7 @@ Page make_options_page(const PageContext& context) {
   add_link("Controls", MenuPage::kControls);
   add_link("Keys", MenuPage::kKeys);
   add_link("Accessibility", MenuPage::kAccessibility);
+  if (!call_or_default(context.content.game_data).empty()) add_link("Game data", MenuPage::kGameData);
   page.rows.push_back(std::make_unique<ActionRow>(
       "Console", [] { return Outcome{.commands = {"toggleconsole"}, .leaving = Leaving::kClose}; }));
   return page;
