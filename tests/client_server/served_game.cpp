@@ -74,6 +74,7 @@ ServedGame::ServedGame(std::string_view program, const ServedGameOptions& option
     game_folder_.folder().write(options.mod + "/mod.txt", std::string_view("a folder exists by its files"));
     games.push_back(options.mod);
   }
+  for (const auto& [name, text] : options.files) game_folder_.folder().write(name, text);
   auto files = vfs::FileSystem::open(game_folder_.path(), games);
   CHECK(files.ok(), "{}", files.error().message());
   library_ = std::make_unique<assets::Library>(std::move(*files));

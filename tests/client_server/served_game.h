@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "assets/library.h"
@@ -32,6 +33,8 @@ struct ServedGameOptions {
   std::uint64_t seed = 1;
   // A game folder on top of id1; empty: none.
   std::string mod{};
+  // More files of the base folder, by name: "id1/my.cfg".
+  std::vector<std::pair<std::string, std::string>> files{};
   // UDP on this machine and its clock, instead of the test's own.
   bool is_real = false;
 };

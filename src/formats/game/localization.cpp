@@ -83,18 +83,12 @@ std::uint32_t take_character(std::string_view& io_text) {
   return code_point;
 }
 
-// Takes one character after a backslash off the front.
+// Reads what follows a backslash. Before any other character, the backslash stands for itself.
 void take_escaped(std::string_view& io_text, std::string& io_value) {
-  const char escaped = io_text.front();
-  io_text.remove_prefix(1);
-  if (escaped == 'n')
-    io_value += '\n';
-  else if (escaped == 't')
-    io_value += '\t';
-  else if (escaped == '"' || escaped == '\\')
-    io_value += escaped;
-  else
-    io_value.append({'\\', escaped});
+  constexpr std::string_view kEscapes = "nt\"\\", kMeanings = "\n\t\"\\";
+  const std::size_t escape = io_text.empty() ? std::string_view::npos : kEscapes.find(io_text.front());
+  io_value += escape == std::string_view::npos ? '\\' : kMeanings[escape];
+  if (escape != std::string_view::npos) io_text.remove_prefix(1);
 }
 
 // `text` begins after the opening quote. Returns nullopt if there is no closing one.
@@ -103,7 +97,7 @@ std::optional<std::string> read_quoted(std::string_view text) {
   while (!text.empty()) {
     const std::uint32_t character = take_character(text);
     if (character == '"') return value;
-    if (character == '\\' && !text.empty())
+    if (character == '\\')
       take_escaped(text, value);
     else if (character < 0x80)
       value += static_cast<char>(character);

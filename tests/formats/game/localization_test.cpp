@@ -40,6 +40,7 @@ TEST(Localization, UnescapesTexts) {
   EXPECT_EQ(read_text(R"("a\nb\tc\"d\\e")"), "a\nb\tc\"d\\e");
   EXPECT_EQ(read_text(R"("\q // no comment")"), "\\q // no comment");
   EXPECT_EQ(read_text(R"("")"), "");
+  EXPECT_EQ(read_text("\"\\ü\""), "\\u");
 }
 
 TEST(Localization, UsesTheLettersOfTheGame) {
