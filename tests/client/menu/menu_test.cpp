@@ -470,6 +470,24 @@ TEST(Menu, PlaysDemosAndSwitchesMods) {
   EXPECT_THAT(hand.commands(), ElementsAre("game mymod"));
 }
 
+TEST(Menu, OffersGameDataOnlyIfThereIsAChoice) {
+  MenuDriver without;
+  without.menu().open(MenuPage::kOptions);
+  EXPECT_FALSE(without.go_to("Game data"));
+  MenuContent content = MenuDriver::some_content();
+  content.game_data = [] {
+    return std::vector<MenuGameData>{{"temblor", "Temblor's own game", "/usr/share/games/temblor", false},
+                                     {"/my games/Quake", "Quake (Steam)", "/my games/Quake", true}};
+  };
+  MenuDriver hand(content);
+  hand.menu().open(MenuPage::kOptions);
+  ASSERT_TRUE(hand.choose("Game data"));
+  EXPECT_THAT(hand.selected(), StartsWith("Quake (Steam)")) << "the game that is in use";
+  ASSERT_TRUE(hand.choose("Quake (Steam)"));
+  EXPECT_THAT(hand.commands(), ElementsAre("basedir \"/my games/Quake\""));
+  EXPECT_FALSE(hand.menu().is_open());
+}
+
 TEST(Menu, RefreshKeepsTheSelectionAndTheEditedText) {
   std::vector<MenuServer> servers;
   MenuContent content = MenuDriver::some_content();

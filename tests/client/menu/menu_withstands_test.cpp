@@ -44,6 +44,9 @@ MenuContent hostile_content() {
   };
   content.demos = [=] { return std::vector<MenuDemo>{{control, long_title}, {"", words}}; };
   content.game_folders = [=] { return std::vector<MenuGameFolder>{{long_title, control, true}}; };
+  content.game_data = [=] {
+    return std::vector<MenuGameData>{{control, long_title, words, true}, {"", "", "", true}};
+  };
   content.servers = [=] {
     return std::vector<MenuServer>{{control, long_title, long_title, -1, 999999999, -5},
                                    {"", "", "", 0, 0, 0}};

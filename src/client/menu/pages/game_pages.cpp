@@ -174,7 +174,6 @@ Page make_game_folders_page(const PageContext& context) {
 Page make_game_data_page(const PageContext& context) {
   Page page;
   page.title = "Choose your game";
-  page.text = "Temblor can play its own game or one that you own. You can change this later under Options.";
   page.empty_text = "No other game found. Start Temblor with --basedir FOLDER.";
   for (const MenuGameData& data : call_or_default(context.content.game_data)) {
     if (data.in_use) page.first_choice = page.rows.size();
@@ -185,7 +184,7 @@ Page make_game_data_page(const PageContext& context) {
               context, "Switch anyway?",
               {.commands = {command::join_words({"basedir", name})}, .leaving = Leaving::kClose});
         },
-        data.folder));
+        fmt::format("{}. You can change this later under Options, Game data.", data.folder)));
   }
   return page;
 }
