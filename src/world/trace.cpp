@@ -23,26 +23,29 @@ constexpr std::array<math::Bounds, 3> kHullBoxes = {{
     {{-32, -32, -24}, {32, 32, 64}},
 }};
 
-// A common view of the nodes and leaves of hull 0 and the clipnodes of the other hulls.
+// A common view of the nodes and leaves of hull 0 and the clipnodes of the other hulls and of parts of hulls.
 class HullTree {
  public:
-  HullTree(const Level& level, ModelIndex model_index, Hull hull) : level_(level), hull_(hull) {
+  HullTree(const Level& level, ModelIndex model_index, Hull hull)
+      : level_(level), clipnodes_(level.clipnodes), is_drawn_(hull == Hull::kPoint) {
     const Model& model = level.models[base::to_size(model_index)];
-    head_ = hull == Hull::kPoint ? model.head.value : model.clip_heads[static_cast<std::size_t>(hull) - 1];
+    head_ = is_drawn_ ? model.head.value : model.clip_heads[static_cast<std::size_t>(hull) - 1];
   }
+  HullTree(const Level& level, const HullPart& part)
+      : level_(level), clipnodes_(part.clipnodes), is_drawn_(false), head_(part.head) {}
 
   // A position in the tree: >= 0 is a node, < 0 is a leaf or contents.
   std::int32_t head() const { return head_; }
   const Plane& plane(std::int32_t node) const {
     const auto i = static_cast<std::size_t>(node);
-    return level_.planes[hull_ == Hull::kPoint ? level_.nodes[i].plane : level_.clipnodes[i].plane];
+    return level_.planes[is_drawn_ ? level_.nodes[i].plane : clipnodes_[i].plane];
   }
   std::int32_t child(std::int32_t node, std::size_t side) const {
     const auto i = static_cast<std::size_t>(node);
-    return hull_ == Hull::kPoint ? level_.nodes[i].children[side].value : level_.clipnodes[i].children[side];
+    return is_drawn_ ? level_.nodes[i].children[side].value : clipnodes_[i].children[side];
   }
   Contents contents_at_end(std::int32_t end) const {
-    if (hull_ == Hull::kPoint) return level_.leaf(Child{end}.leaf()).contents;
+    if (is_drawn_) return level_.leaf(Child{end}.leaf()).contents;
     return static_cast<Contents>(end);
   }
 
@@ -53,7 +56,8 @@ class HullTree {
 
  private:
   const Level& level_;
-  Hull hull_;
+  std::span<const Clipnode> clipnodes_;
+  bool is_drawn_;  // the tree of nodes and leaves that is drawn
   std::int32_t head_;
 };
 
@@ -145,17 +149,7 @@ void stop_at(const HullTree& tree, const Crossing& crossing, Trace& io_trace) {
   io_trace.fraction = static_cast<float>(crossing.piece.fraction(along));
 }
 
-}  // namespace
-
-HullChoice choose_hull(const math::Vec3& box_mins, const math::Vec3& box_maxs) {
-  const float width = box_maxs.x - box_mins.x;
-  const Hull hull = width < 3 ? Hull::kPoint : width <= 32 ? Hull::kPlayer : Hull::kLarge;
-  return {hull, box_mins - kHullBoxes[static_cast<std::size_t>(hull)].mins};
-}
-
-Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Vec3& start,
-                 const math::Vec3& end) {
-  const HullTree tree(level, model, hull);
+Trace trace_tree(const HullTree& tree, const math::Vec3& start, const math::Vec3& end) {
   Trace trace;
   trace.end = end;
   trace.all_solid = true;
@@ -179,6 +173,23 @@ Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Ve
   return trace;
 }
 
+}  // namespace
+
+HullChoice choose_hull(const math::Vec3& box_mins, const math::Vec3& box_maxs) {
+  const float width = box_maxs.x - box_mins.x;
+  const Hull hull = width < 3 ? Hull::kPoint : width <= 32 ? Hull::kPlayer : Hull::kLarge;
+  return {hull, box_mins - kHullBoxes[static_cast<std::size_t>(hull)].mins};
+}
+
+Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Vec3& start,
+                 const math::Vec3& end) {
+  return trace_tree(HullTree(level, model, hull), start, end);
+}
+
+Trace trace_line(const Level& level, const HullPart& part, const math::Vec3& start, const math::Vec3& end) {
+  return trace_tree(HullTree(level, part), start, end);
+}
+
 Trace trace_box_through_model(const Level& level, ModelIndex model, const math::Vec3& model_origin,
                               const math::Bounds& box, const math::Vec3& start, const math::Vec3& end) {
   const HullChoice choice = choose_hull(box.mins, box.maxs);
@@ -191,6 +202,10 @@ Trace trace_box_through_model(const Level& level, ModelIndex model, const math::
 Contents hull_contents(const Level& level, ModelIndex model, Hull hull, const math::Vec3& point) {
   const HullTree tree(level, model, hull);
   return tree.contents_below(tree.head(), math::Vec3d(point));
+}
+
+Contents hull_contents(const Level& level, const HullPart& part, const math::Vec3& point) {
+  return HullTree(level, part).contents_below(part.head, math::Vec3d(point));
 }
 
 }  // namespace temblor::world

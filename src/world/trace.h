@@ -11,6 +11,8 @@
 // brush models have hulls; callers clip against the boxes of other entities themselves.
 #pragma once
 
+#include <span>
+
 #include "world/level.h"
 
 namespace temblor::world {
@@ -53,5 +55,14 @@ Trace trace_box_through_model(const Level& level, ModelIndex model, const math::
 // Returns the contents at a point of a model's hull, in the model's space. A point on a plane counts as in
 // front.
 Contents hull_contents(const Level& level, ModelIndex model, Hull hull, const math::Vec3& point);
+
+// The part of a hull that lies in a box (hull_cells.h), as a tree whose planes are the level's. The tree and
+// the level must outlive it. The functions above are defined for it, too, if the whole path is in the box.
+struct HullPart {
+  std::span<const Clipnode> clipnodes;
+  std::int32_t head;  // >= 0: index of a clipnode; < 0: the whole box has these contents
+};
+Trace trace_line(const Level& level, const HullPart& part, const math::Vec3& start, const math::Vec3& end);
+Contents hull_contents(const Level& level, const HullPart& part, const math::Vec3& point);
 
 }  // namespace temblor::world

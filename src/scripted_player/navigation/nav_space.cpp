@@ -26,9 +26,8 @@ constexpr float kSteerSpeed = 30;
 // Returns whether the box of the line touches `box`. A cheap test before a trace through the box's model.
 bool may_touch(const math::Bounds& box, const math::Vec3& start, const math::Vec3& end) {
   const math::Vec3 low = glm::min(start, end), high = glm::max(start, end);
-  for (int axis = 0; axis < 3; ++axis)
-    if (low[axis] > box.maxs[axis] || high[axis] < box.mins[axis]) return false;
-  return true;
+  return low.x <= box.maxs.x && low.y <= box.maxs.y && low.z <= box.maxs.z && high.x >= box.mins.x &&
+         high.y >= box.mins.y && high.z >= box.mins.z;
 }
 
 math::Bounds grow_by_player(const math::Bounds& box) {
@@ -75,7 +74,10 @@ class FlightEnvironment : public movement::Environment {
 }  // namespace
 
 NavSpace::NavSpace(std::shared_ptr<const world::Level> level, const LevelFacts& facts)
-    : level_(std::move(level)), facts_(&facts) {
+    : level_(std::move(level)),
+      facts_(&facts),
+      player_hull_(*level_, world::ModelIndex{0}, world::Hull::kPlayer),
+      point_hull_(*level_, world::ModelIndex{0}, world::Hull::kPoint) {
   for (std::size_t i = 0; i < facts.movers.size(); ++i) {
     math::Bounds reach = mover_box(static_cast<int>(i), 0);
     for (int state = 1; state < facts.movers[i].states; ++state) {
@@ -84,6 +86,11 @@ NavSpace::NavSpace(std::shared_ptr<const world::Level> level, const LevelFacts& 
     }
     reach_.push_back(grow_by_player(reach));
   }
+  for (const StaticModel& still : facts.static_models) {
+    const math::Bounds& box = level_->models[base::to_size(still.model)].bounds;
+    static_model_reach_.push_back(grow_by_player({box.mins + still.origin, box.maxs + still.origin}));
+  }
+  for (const math::Bounds& box : facts.static_boxes) static_box_reach_.push_back(grow_by_player(box));
 }
 
 math::Bounds NavSpace::part_box(const MoverPart& part, int state) {
@@ -101,23 +108,30 @@ math::Bounds NavSpace::mover_box(int mover, int state) const {
   return box;
 }
 
+// The hull has the size of the player's box, so positions need no offset.
+world::Trace NavSpace::trace_world(const math::Vec3& start, const math::Vec3& end) const {
+  world::Trace trace = player_hull_.trace_line(start, end);
+  if (trace.fraction == 1) trace.end = end;
+  return trace;
+}
+
 // Keeps the nearest hit of: the world, static models, static boxes, and the parts of the movers in their
 // states.
 NavTrace NavSpace::trace(const math::Vec3& start, const math::Vec3& end,
                          std::span<const MoverPlace> movers) const {
-  NavTrace nearest{
-      world::trace_box_through_model(*level_, world::ModelIndex{0}, {0, 0, 0}, kPlayerBox, start, end), -1};
-  for (const StaticModel& still : facts_->static_models) {
-    const math::Bounds& box = level_->models[base::to_size(still.model)].bounds;
-    if (!may_touch(grow_by_player({box.mins + still.origin, box.maxs + still.origin}), start, end)) continue;
+  NavTrace nearest{trace_world(start, end), -1};
+  for (std::size_t i = 0; i < static_model_reach_.size(); ++i) {
+    if (!may_touch(static_model_reach_[i], start, end)) continue;
+    const StaticModel& still = facts_->static_models[i];
     keep_nearer(world::trace_box_through_model(*level_, still.model, still.origin, kPlayerBox, start, end),
                 -1, nearest);
   }
-  for (const math::Bounds& box : facts_->static_boxes) {
+  for (std::size_t i = 0; i < static_box_reach_.size(); ++i) {
+    if (!may_touch(static_box_reach_[i], start, end)) continue;
     // A box against a box is a line against the sum of both.
+    const math::Bounds& box = facts_->static_boxes[i];
     const math::Bounds grown{box.mins - kPlayerBox.maxs, box.maxs - kPlayerBox.mins};
-    if (may_touch(grow_by_player(box), start, end))
-      keep_nearer(server::trace_box(grown, start, end), -1, nearest);
+    keep_nearer(server::trace_box(grown, start, end), -1, nearest);
   }
   for (const MoverPlace& place : movers) {
     const Mover& mover = facts_->movers[static_cast<std::size_t>(place.mover)];
@@ -166,8 +180,7 @@ bool NavSpace::is_line_free_of_movers(const math::Vec3& from, const math::Vec3& 
 }
 
 world::Contents NavSpace::contents(const math::Vec3& point) const {
-  const world::Contents contents =
-      world::hull_contents(*level_, world::ModelIndex{0}, world::Hull::kPoint, point);
+  const world::Contents contents = point_hull_.contents(point);
   return contents <= world::Contents::kCurrent0 ? world::Contents::kWater : contents;
 }
 

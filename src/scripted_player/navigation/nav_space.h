@@ -12,6 +12,7 @@
 
 #include "movement/slide.h"
 #include "scripted_player/navigation/level_facts.h"
+#include "world/hull_cells.h"
 #include "world/level.h"
 #include "world/trace.h"
 
@@ -65,10 +66,17 @@ class NavSpace {
   math::Bounds mover_box(int mover, int state) const;
 
  private:
+  // The same as world::trace_box_through_model() for the player's box and the world.
+  world::Trace trace_world(const math::Vec3& start, const math::Vec3& end) const;
+
   std::shared_ptr<const world::Level> level_;
   const LevelFacts* facts_;
+  // The world's hulls. Queries fill them, so one thread at a time may use a NavSpace.
+  mutable world::HullCells player_hull_, point_hull_;
   // By mover: the origins at which a player may touch it in any of its states.
   std::vector<math::Bounds> reach_;
+  // The same by static model and static box.
+  std::vector<math::Bounds> static_model_reach_, static_box_reach_;
 };
 
 // A jump, fall, or push.
