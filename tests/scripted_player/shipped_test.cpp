@@ -33,8 +33,15 @@ std::uint64_t seeds() {
   return text != nullptr ? std::strtoull(text, nullptr, 10) : 1;
 }
 
+// All games of this process share it, because most of them need the same few graphs.
+player::GraphCache& graphs() {
+  static player::GraphCache graphs;
+  return graphs;
+}
+
 player::RunSetup make_run_setup(const Game& game, std::uint64_t seed) {
   player::RunSetup setup;
+  setup.graphs = &graphs();
   setup.session.base_folder = TEMBLOR_SHIPPED_FOLDER;
   setup.session.map = game.map;
   setup.session.skill = game.skill;

@@ -2,7 +2,7 @@
 
 namespace temblor::player {
 
-std::unique_ptr<const LevelMap> LevelMap::make(server::Game& io_game) {
+std::unique_ptr<const LevelMap> LevelMap::make(server::Game& io_game, GraphCache* io_graphs) {
   std::vector<math::Vec3> starts;
   for (std::size_t slot = 0; slot < io_game.setup().max_clients; ++slot) {
     const server::Edict player = io_game.player(slot);
@@ -19,7 +19,7 @@ std::unique_ptr<const LevelMap> LevelMap::make(server::Game& io_game) {
       // Game code spawns players 1 unit above the start point, so that they are not stuck in the floor.
       starts.push_back(io_game.world().edicts[entity][server::field::kOrigin] + math::Vec3(0, 0, 1));
   }
-  return std::unique_ptr<const LevelMap>(new LevelMap(io_game, starts));
+  return std::unique_ptr<const LevelMap>(new LevelMap(io_game, starts, io_graphs));
 }
 
 }  // namespace temblor::player

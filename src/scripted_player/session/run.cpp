@@ -34,7 +34,7 @@ class Run {
     while (session_->now_s() - began_s_ < kRunSettle_s && session_->has_game()) step();
     if (!session_->has_game()) return failed();
     map_name_ = session_->game().setup().map_name;
-    map_ = LevelMap::make(session_->game());
+    map_ = LevelMap::make(session_->game(), setup_.graphs);
     report_.places = map_->graph.places().size();
     report_.links = map_->graph.link_count();
     if (setup_.lists_places) list_places();

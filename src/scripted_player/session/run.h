@@ -13,6 +13,7 @@
 
 #include "base/result.h"
 #include "scripted_player/decisions/brain.h"
+#include "scripted_player/navigation/graph_cache.h"
 #include "scripted_player/session/session.h"
 
 namespace temblor::player {
@@ -36,6 +37,8 @@ struct RunSetup {
   std::string exit_map{};
   // Fill RunReport::place_list.
   bool lists_places = false;
+  // Graphs of earlier runs, which may be the same; null: none.
+  GraphCache* graphs = nullptr;
   // Called every few seconds of game time with each player's position and task; may be empty.
   std::function<void(std::string_view line)> on_status{};
 };
