@@ -1,7 +1,6 @@
 #include "scripted_player/navigation/router.h"
 
 #include <algorithm>
-#include <queue>
 
 namespace temblor::player {
 namespace {
@@ -68,21 +67,17 @@ bool Router::has_penalties(std::uint32_t from) const {
   return first != penalties_.end() && first->first.first == from;
 }
 
-// Fills costs_, came_from_, and came_by_. The heap may hold outdated entries of a place that was reached more
-// cheaply later; they are skipped when they come up, which is simpler than decreasing keys in place.
+// Fills costs_ and came_by_. The heap may hold outdated entries of a place that was reached more cheaply
+// later; they are skipped when they come up, which is simpler than decreasing keys in place.
 void Router::search(std::uint32_t from, const RouteRules& rules) {
-  const std::size_t count = graph_->places().size();
-  costs_.assign(count, kUnreached);
-  came_from_.assign(count, 0);
-  came_by_.assign(count, 0);
+  costs_.assign(graph_->places().size(), kUnreached);
+  came_by_.resize(costs_.size());
   has_reached_ = false;
-  using Entry = std::pair<float, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  open_.clear();
   costs_[from] = 0;
-  open.push({0, from});
-  while (!open.empty()) {
-    const auto [cost, at] = open.top();
-    open.pop();
+  open_.push(0, from);
+  while (!open_.is_empty()) {
+    const auto [cost, at] = open_.pop();
     if (cost > costs_[at] || cost > rules.max_cost) continue;
     if (stops_at_goal_ && is_goal_[at]) {
       reached_goal_ = at;
@@ -102,9 +97,8 @@ void Router::search(std::uint32_t from, const RouteRules& rules) {
                                   : link.cost;
       if (link_cost >= kUnreached || cost + link_cost >= costs_[to]) continue;
       costs_[to] = cost + link_cost;
-      came_from_[to] = at;
-      came_by_[to] = i - first;
-      open.push({cost + link_cost, to});
+      came_by_[to] = i;
+      open_.push(cost + link_cost, to);
     }
   }
 }
@@ -112,7 +106,6 @@ void Router::search(std::uint32_t from, const RouteRules& rules) {
 void Router::survey(std::uint32_t from) {
   search(from, {});
   surveyed_costs_ = costs_;
-  surveyed_from_ = came_from_;
   surveyed_by_ = came_by_;
   surveyed_start_ = from;
 }
@@ -126,18 +119,21 @@ std::optional<Route> Router::find_surveyed(std::span<const std::uint32_t> goals)
     best = goal;
   }
   if (best_cost >= kUnreached) return std::nullopt;
-  return trace_back(surveyed_start_, best, surveyed_costs_, surveyed_from_, surveyed_by_);
+  return trace_back(surveyed_start_, best, surveyed_costs_, surveyed_by_);
 }
 
-// Follows the previous places from the goal back to the start, then reverses the result.
+// Follows the links from the goal back to the start, then reverses the result.
 Route Router::trace_back(std::uint32_t from, std::uint32_t to, std::span<const float> costs,
-                         std::span<const std::uint32_t> came_from,
                          std::span<const std::uint32_t> came_by) const {
   Route route;
   route.cost = costs[to];
-  for (std::uint32_t at = to; at != from; at = came_from[at]) {
+  for (std::uint32_t at = to; at != from;) {
+    const std::uint32_t link = came_by[at];
     route.places.push_back(at);
-    route.links.push_back(graph_->place(came_from[at]).links[came_by[at]]);
+    // The place whose links include this one.
+    at = static_cast<std::uint32_t>(std::upper_bound(first_links_.begin(), first_links_.end(), link) -
+                                    first_links_.begin() - 1);
+    route.links.push_back(graph_->place(at).links[link - first_links_[at]]);
   }
   route.places.push_back(from);
   std::reverse(route.places.begin(), route.places.end());
@@ -154,7 +150,7 @@ std::optional<Route> Router::find(std::uint32_t from, std::span<const std::uint3
   stops_at_goal_ = false;
   for (const std::uint32_t goal : goals) is_goal_[goal] = false;
   if (!has_reached_) return std::nullopt;
-  Route route = trace_back(from, reached_goal_, costs_, came_from_, came_by_);
+  Route route = trace_back(from, reached_goal_, costs_, came_by_);
   // The planner opens the first locked mover, because the player meets it first.
   for (const Link& link : route.links)
     for (const MoverCondition& condition : link.conditions)

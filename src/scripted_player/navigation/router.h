@@ -1,6 +1,6 @@
 // Finds the cheapest route through the graph of a level, for the current states of its movers.
 //
-// Method: Dijkstra's algorithm (Numerische Mathematik 1, 1959) with a binary heap. A link whose mover
+// Method: Dijkstra's algorithm (Numerische Mathematik 1, 1959) with a heap (route_heap.h). A link whose mover
 // conditions are not met costs more, if the mover will get there without help, or cannot be used. Links that
 // have failed in the game carry penalties, so that the next route avoids them.
 #pragma once
@@ -13,6 +13,7 @@
 
 #include "scripted_player/navigation/mover_watch.h"
 #include "scripted_player/navigation/nav_graph.h"
+#include "scripted_player/navigation/route_heap.h"
 
 namespace temblor::player {
 
@@ -59,7 +60,7 @@ class Router {
 
  private:
   Route trace_back(std::uint32_t from, std::uint32_t to, std::span<const float> costs,
-                   std::span<const std::uint32_t> came_from, std::span<const std::uint32_t> came_by) const;
+                   std::span<const std::uint32_t> came_by) const;
   void search(std::uint32_t from, const RouteRules& rules);
   float compute_cost(std::uint32_t from, const Link& link, const RouteRules& rules) const;
   bool has_penalties(std::uint32_t from) const;
@@ -80,12 +81,15 @@ class Router {
   using Penalties = std::map<std::pair<std::uint32_t, std::uint32_t>, float>;
   Penalties penalties_, permanent_penalties_;
   std::optional<std::pair<std::uint32_t, std::uint32_t>> last_penalized_;
-  // Results of the last search, by place: cost, previous place, and index of the link there.
+  // Results of the last search, by place: cost, and if it was reached, the index of the link that leads
+  // there.
   std::vector<float> costs_;
-  std::vector<std::uint32_t> came_from_, came_by_;
+  std::vector<std::uint32_t> came_by_;
+  // Places that were reached and may lead on.
+  RouteHeap open_;
   // The same for the last survey.
   std::vector<float> surveyed_costs_;
-  std::vector<std::uint32_t> surveyed_from_, surveyed_by_;
+  std::vector<std::uint32_t> surveyed_by_;
   std::uint32_t surveyed_start_ = 0;
   // By place: goals of the current search, which ends at the first of them if stops_at_goal_.
   std::vector<bool> is_goal_;
