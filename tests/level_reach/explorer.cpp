@@ -4,8 +4,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "world/trace.h"
-
 namespace temblor::test {
 namespace {
 
@@ -22,10 +20,6 @@ std::uint64_t find_cell(const math::Vec3& position) {
     key = (key << 21) | static_cast<std::uint64_t>(
                             static_cast<std::int64_t>(std::floor(position[axis] / kCell)) + (1 << 20));
   return key;
-}
-
-world::Trace trace(const world::Level& level, const math::Vec3& from, const math::Vec3& to) {
-  return world::trace_line(level, ModelIndex{0}, Hull::kPlayer, from, to);
 }
 
 bool overlap(const math::Bounds& a, const math::Bounds& b) {
@@ -76,7 +70,10 @@ math::Bounds entity_box(const world::Level& level, const formats::Entity& entity
   return {origin - 16.0f, origin + 16.0f};
 }
 
-Explorer::Explorer(const world::Level& level) : level_(level) {
+Explorer::Explorer(const world::Level& level)
+    : level_(level),
+      player_hull_(level, ModelIndex{0}, Hull::kPlayer),
+      point_hull_(level, ModelIndex{0}, Hull::kPoint) {
   collect_links();
 }
 
@@ -115,13 +112,16 @@ bool Explorer::touches(const math::Bounds& box) const {
                      [&](const math::Vec3& position) { return overlap(box_at(position), box); });
 }
 
-bool Explorer::is_water(const math::Vec3& position) const {
-  return world::hull_contents(level_, ModelIndex{0}, Hull::kPoint, position) == world::Contents::kWater;
+world::Trace Explorer::trace(const math::Vec3& from, const math::Vec3& to) {
+  return player_hull_.trace_line(from, to);
 }
 
-bool Explorer::is_deadly(const math::Vec3& position) const {
-  const world::Contents contents =
-      world::hull_contents(level_, ModelIndex{0}, Hull::kPoint, position - math::Vec3(0, 0, 20));
+bool Explorer::is_water(const math::Vec3& position) {
+  return point_hull_.contents(position) == world::Contents::kWater;
+}
+
+bool Explorer::is_deadly(const math::Vec3& position) {
+  const world::Contents contents = point_hull_.contents(position - math::Vec3(0, 0, 20));
   return contents == world::Contents::kLava || contents == world::Contents::kSlime;
 }
 
@@ -151,10 +151,10 @@ void Explorer::follow_links(const math::Vec3& position) {
 }
 
 void Explorer::walk(const math::Vec3& position, const math::Vec3& direction) {
-  const world::Trace level_trace = trace(level_, position, position + direction * kCell);
+  const world::Trace level_trace = trace(position, position + direction * kCell);
   if (level_trace.fraction == 1) return land(level_trace.end);
-  const math::Vec3 up = trace(level_, position, position + math::Vec3(0, 0, kStep)).end;
-  const math::Vec3 over = trace(level_, up, up + direction * kCell).end;
+  const math::Vec3 up = trace(position, position + math::Vec3(0, 0, kStep)).end;
+  const math::Vec3 over = trace(up, up + direction * kCell).end;
   land(over);
   land(level_trace.end);
 }
@@ -164,8 +164,8 @@ void Explorer::fly(math::Vec3 position, math::Vec3 velocity) {
   for (int i = 0; i < 250; ++i) {
     velocity.z -= kGravity * kTick;
     const math::Vec3 across(velocity.x * kTick, velocity.y * kTick, 0);
-    position = trace(level_, position, position + across).end;
-    const world::Trace fall = trace(level_, position, position + math::Vec3(0, 0, velocity.z * kTick));
+    position = trace(position, position + across).end;
+    const world::Trace fall = trace(position, position + math::Vec3(0, 0, velocity.z * kTick));
     position = fall.end;
     if (fall.fraction < 1 && velocity.z < 0) return land(position);
     if (fall.fraction < 1) velocity.z = 0;
@@ -179,15 +179,14 @@ void Explorer::fly(math::Vec3 position, math::Vec3 velocity) {
 void Explorer::swim(const math::Vec3& position) {
   for (const math::Vec3& direction : list_directions()) {
     for (const float rise : {-1.0f, 0.0f, 1.0f}) {
-      const math::Vec3 to =
-          trace(level_, position, position + (direction + math::Vec3(0, 0, rise)) * kCell).end;
+      const math::Vec3 to = trace(position, position + (direction + math::Vec3(0, 0, rise)) * kCell).end;
       if (is_water(to)) land(to);
     }
-    const math::Vec3 up = trace(level_, position, position + math::Vec3(0, 0, 56)).end;
-    if (!is_water(up + math::Vec3(0, 0, 8))) land(trace(level_, up, up + direction * 24.0f).end);
+    const math::Vec3 up = trace(position, position + math::Vec3(0, 0, 56)).end;
+    if (!is_water(up + math::Vec3(0, 0, 8))) land(trace(up, up + direction * 24.0f).end);
   }
   for (const float rise : {-kCell, kCell}) {
-    const math::Vec3 to = trace(level_, position, position + math::Vec3(0, 0, rise)).end;
+    const math::Vec3 to = trace(position, position + math::Vec3(0, 0, rise)).end;
     if (is_water(to)) land(to);
   }
 }
@@ -197,7 +196,7 @@ void Explorer::land(const math::Vec3& position) {
   math::Vec3 at = position;
   if (!is_water(at)) {
     for (int i = 0; i < 1024; ++i) {
-      const world::Trace fall = trace(level_, at, at - math::Vec3(0, 0, 8));
+      const world::Trace fall = trace(at, at - math::Vec3(0, 0, 8));
       if (fall.start_solid) return;
       at = fall.end;
       if (fall.fraction < 1 || is_water(at)) break;

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "world/hull_cells.h"
 #include "world/level.h"
 
 namespace temblor::test {
@@ -37,10 +38,12 @@ class Explorer {
   void swim(const math::Vec3& position);
   void land(const math::Vec3& position);
   void follow_links(const math::Vec3& position);
-  bool is_water(const math::Vec3& position) const;
-  bool is_deadly(const math::Vec3& position) const;
+  world::Trace trace(const math::Vec3& from, const math::Vec3& to);
+  bool is_water(const math::Vec3& position);
+  bool is_deadly(const math::Vec3& position);
 
   const world::Level& level_;
+  world::HullCells player_hull_, point_hull_;
   std::vector<Link> links_;
   std::unordered_set<std::uint64_t> visited_;
   std::vector<math::Vec3> positions_, pending_;
