@@ -32,9 +32,9 @@ std::string_view find_key(std::string_view text) {
 }
 
 std::string_view trim(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
-  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+  constexpr std::string_view kLineBlanks = " \t\r";
+  const std::size_t begin = std::min(text.find_first_not_of(kLineBlanks), text.size());
+  return text.substr(begin, text.find_last_not_of(kLineBlanks) + 1 - begin);
 }
 
 // The letters U+00C0 to U+00FF without their accents, in order. Two letters stand for one where readers
