@@ -158,8 +158,8 @@ struct ClientState::Apply {
   }
 
   // Collects text to whole lines: a line may arrive in pieces, and a piece may contain several lines. "bf" is
-  // the bonus flash; lines that begin with "//" are comments: requests for marks, and those with which
-  // Temblor servers talk to the Connection.
+  // the bonus flash; lines that begin with "//" are comments: requests for marks, stats of the game's own,
+  // and those with which Temblor servers talk to the Connection.
   base::Status operator()(const net::StuffText& stuffed) {
     for (const char c : stuffed.text) {
       if (c != '\n') {
@@ -171,6 +171,8 @@ struct ClientState::Apply {
         ++events.bonus_flashes;
       else if (net::is_mark_request(state.command_line_))
         add_mark_request(state.command_line_);
+      else if (net::is_game_stat(state.command_line_))
+        set_game_stat(state.command_line_);
       else if (!state.command_line_.starts_with("//"))
         events.commands.push_back(state.command_line_);
       state.command_line_.clear();
@@ -178,14 +180,30 @@ struct ClientState::Apply {
     return base::Ok{};
   }
 
+  void set_game_stat(std::string_view line) {
+    base::Result<net::GameStat> stat = net::read_game_stat(line);
+    if (!stat.ok()) {
+      print_problem(line, stat.error());
+    } else if (const auto* whole = std::get_if<std::int32_t>(&stat->value)) {
+      game.stats[stat->number] = *whole;
+      game.game_stats.erase(stat->number);
+    } else {
+      game.game_stats[stat->number] = std::move(stat->value);
+    }
+  }
+
   // Errors reach the console, as they help the author of the game code.
+  void print_problem(std::string_view line, const base::Error& error) {
+    events.prints.push_back(
+        fmt::format("\"{}\": {}\n", base::quotable(line, kMaxQuotedChars), error.message()));
+  }
+
   void add_mark_request(std::string_view line) {
     base::Result<net::MarkRequest> request = net::read_mark_request(line);
     if (request.ok())
       events.marks.push_back(std::move(request).value());
     else
-      events.prints.push_back(
-          fmt::format("\"{}\": {}\n", base::quotable(line, kMaxQuotedChars), request.error().message()));
+      print_problem(line, request.error());
   }
 
   // The original's shareware version opened its help pages.
@@ -209,9 +227,8 @@ struct ClientState::Apply {
   }
 
   base::Status operator()(const net::UpdateStat& update) {
-    if (update.stat >= net::kStats)
-      return base::malformed("stat {}, expected 0 to {}", update.stat, net::kStats - 1);
     game.stats[update.stat] = update.value;
+    game.game_stats.erase(update.stat);
     return base::Ok{};
   }
   base::Status count(Stat stat) {

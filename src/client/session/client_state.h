@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,7 @@
 #include "client/session/entity_table.h"
 #include "client/session/interpolated_entity.h"
 #include "client/session/interpolation.h"
+#include "net/protocol/game_stat.h"
 #include "net/protocol/mark_request.h"
 #include "net/protocol/server_message.h"
 #include "world/animation.h"
@@ -84,6 +86,8 @@ struct Game {
   int signon = 0;
   std::uint16_t view_entity = 0;
   std::array<std::int32_t, net::kStats> stats{};
+  // Stats of the game's own that are not whole numbers, for HUD programs.
+  std::map<std::uint8_t, net::StatValue> game_stats;
   net::ClientData data;  // from the last packet
   world::LightStylePatterns light_styles;
   // The angles that the server last set.

@@ -20,7 +20,7 @@ namespace temblor::net {
 constexpr int kMaxEntities = 32000;
 constexpr int kMaxModels = 4096, kMaxSounds = 2048;  // names in a precache list
 constexpr int kMaxClients = 255;
-constexpr int kStats = 32;  // values in the client's status array
+constexpr int kStats = 256;  // values in the client's status array; stock clients have 32
 
 struct Nop {};
 struct Disconnect {};  // the server ended the connection, or a demo ends

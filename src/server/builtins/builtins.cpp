@@ -14,7 +14,7 @@ constexpr std::span<const BuiltinEntry> (*kFamilies[])() = {
     vector_builtins,    number_builtins,    entity_builtins,   finding_builtins,  tracing_builtins,
     aiming_builtins,    movement_builtins,  precache_builtins, effect_builtins,   printing_builtins,
     writing_builtins,   text_builtins,      file_builtins,     variable_builtins, level_builtins,
-    debugging_builtins, rerelease_builtins, bot_builtins,
+    debugging_builtins, rerelease_builtins, bot_builtins,      stat_builtins,
 };
 
 // Extensions that every server has. has_extension() knows those that depend on its settings.

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,6 +17,7 @@
 
 #include "command/variables.h"
 #include "formats/game/localization.h"
+#include "net/protocol/game_stat.h"
 #include "server/game/game_random.h"
 #include "server/game/game_world.h"
 #include "server/game/outbox.h"
@@ -65,6 +67,17 @@ struct ClosingText {
   std::size_t letters = 0;
 };
 
+// A value that clientstat() or globalstat() has chosen for players' HUD programs.
+struct SentStat {
+  enum class Type { kText, kFloat, kVector, kWord };
+  Type type = Type::kFloat;
+  std::uint32_t word = 0;  // the field of the player, or the global
+  bool is_global = false;
+};
+
+// The stat's value for this player now.
+net::StatValue read_sent_stat(const SentStat& stat, const vm::Machine& machine, vm::EntityIndex player);
+
 // Everything that built-in functions act on. References must outlive the machine's calls. Functions that are
 // not set mean that the server lacks that feature.
 struct BuiltinContext {
@@ -101,7 +114,8 @@ struct BuiltinContext {
   // Texts for "$key" in what game code prints. Null: there are none.
   const formats::Localization* localization = nullptr;
   std::optional<ClosingText> closing_text{};
-  std::vector<std::string> tokens{};  // of the last tokenize()
+  std::vector<std::string> tokens{};              // of the last tokenize()
+  std::map<std::uint8_t, SentStat> sent_stats{};  // by number
   // Warnings that were printed and are not repeated (see Call::warn_once()).
   std::set<std::string, std::less<>> warned{};
 };

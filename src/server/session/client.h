@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "base/bytes.h"
 #include "net/delta/sent_snapshots.h"
+#include "net/protocol/game_stat.h"
 #include "net/protocol/numbered_moves.h"
 #include "net/transport/server_endpoint.h"
 #include "server/session/client_datagram.h"
@@ -72,6 +74,7 @@ struct Client {
   // Input.
   MoveQueue moves;
   std::optional<net::MoveParameters> sent_move_parameters{};  // in this level
+  std::map<std::uint8_t, net::StatValue> sent_stats{};        // of the game's own, in this level
   CommandLimit commands;
   std::array<float, 16> pings_s{};  // a ring buffer
   std::size_t ping_count = 0;       // since the client joined

@@ -47,6 +47,22 @@ void send_frags(Server& io_server) {
   }
 }
 
+// Sends the game's own stats that have changed, to clients that number their moves: only they read these
+// lines. A client that still waits for earlier messages gets the newest values later.
+void send_game_stats(Server& io_server, std::size_t slot) {
+  constexpr std::size_t kMaxWaitingBytes = 1024;
+  Game& game = *io_server.game;
+  Client& client = io_server.clients[slot];
+  if (!client.moves.is_numbered() || client.queued_bytes > kMaxWaitingBytes) return;
+  for (const auto& [number, stat] : game.context().sent_stats) {
+    net::StatValue value = read_sent_stat(stat, game.machine(), Game::player_index(slot));
+    const auto [sent, is_new] = client.sent_stats.try_emplace(number);
+    if (!is_new && sent->second == value) continue;
+    sent->second = std::move(value);
+    io_server.clients.send(slot, net::StuffText{net::format_game_stat({number, sent->second})});
+  }
+}
+
 // Whether this client gets a snapshot in this tick: not while a reliable one is still in flight, and not if
 // it has got more bytes than sv_maxrate allows. Called once per tick, because it counts the bytes.
 bool take_snapshot_turn(Server& io_server, std::size_t slot) {
@@ -147,6 +163,7 @@ void send_snapshots(Server& io_server) {
     Client& client = io_server.clients[slot];
     queue_reliable_messages(io_server, slot);
     if (client.stage != ClientStage::kPlaying) continue;
+    send_game_stats(io_server, slot);
     if (io_server.recorder && io_server.recorder->slot() == slot)
       record_messages(io_server, slot, io_server.clients.take_recorded());
     if (take_snapshot_turn(io_server, slot))

@@ -222,7 +222,7 @@ TEST(DemoPlayer, DamageInAPacketKeepsTheEntitiesOfTheLastOne) {
   demo.signon(server_info());
   const auto first = update_at(1, kPlayerModel, {}), second = update_at(2, kOgreModel, {});
   demo.packet(1, {first, second});
-  demo.packet(1.0625f, {first, net::UpdateStat{200, 0}, second});
+  demo.packet(1.0625f, {first, net::UpdateFrags{200, 0}, second});
   DemoPlayer player = play(demo.bytes());
   ASSERT_TRUE(player.read_packet().value());
   ASSERT_FALSE(player.read_packet().ok());

@@ -96,6 +96,20 @@ TEST(ClientState, MonstersAndSecretsAreCounted) {
   EXPECT_EQ(state.game().stat(Stat::kMonsters), kMost);
 }
 
+TEST(ClientState, GamesHaveStatsOfTheirOwn) {
+  ClientState state = state_in_level();
+  apply(state, {net::UpdateStat{255, -7}, net::StuffText{"//temblor stat 40 f 1.5\n//temblor stat 41 i 9\n"},
+                net::StuffText{"//temblor stat 42 s aGk\n//temblor stat 3 i 1\n"}});
+  EXPECT_EQ(state.game().stats[255], -7);
+  EXPECT_EQ(state.game().game_stats.at(40), net::StatValue(1.5f));
+  EXPECT_EQ(state.game().stats[41], 9);
+  EXPECT_EQ(state.game().game_stats.at(42), net::StatValue(std::string("hi")));
+  ASSERT_EQ(state.events().prints.size(), 1u) << "stat 3 belongs to the engine";
+  EXPECT_TRUE(state.events().commands.empty());
+  apply(state, {net::UpdateStat{40, 2}});
+  EXPECT_FALSE(state.game().game_stats.contains(40)) << "it is a whole number now";
+}
+
 TEST(ClientState, PlayersHaveNamesFragsAndColors) {
   ClientState state = state_in_level();
   apply(state, {net::UpdateName{2, "Ranger"}, net::UpdateFrags{2, -3}, net::UpdateColors{2, 0xd4}});
@@ -234,7 +248,6 @@ TEST(ClientState, NumbersOutOfRangeAreErrorsWithoutEffect) {
   expect_error(state, net::UpdateName{4, "x"}, "player slot 4, but the server has 4");
   expect_error(state, net::UpdateFrags{4, 1}, "player slot 4");
   expect_error(state, net::UpdateColors{255, 1}, "player slot 255");
-  expect_error(state, net::UpdateStat{32, 1}, "stat 32, expected 0 to 31");
   expect_error(state, net::LightStyle{64, "a"}, "light style 64, expected 0 to 63");
   expect_error(state, net::SignonNumber{5}, "signon 5");
   expect_error(state, net::Time{-1}, "-1 s, expected 0 to");

@@ -117,6 +117,8 @@ constexpr BuiltinNumber kExtensionBuiltins[] = {
     {441, "tokenize"},
     {442, "argv"},
     {627, "sprintf"},
+    {232, "clientstat"},
+    {233, "globalstat"},
 };
 
 constexpr std::string_view kNamedBuiltins[] = {"ex_bprint", "ex_sprint", "ex_centerprint", "ex_localsound",

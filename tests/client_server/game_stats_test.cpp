@@ -1,0 +1,114 @@
+// Stats that game code chooses with clientstat() and globalstat(), from the server's QuakeC to the clients.
+#include <gtest/gtest.h>
+
+#include "client_server/served_game.h"
+#include "server/game/entity_fields.h"
+#include "support/programs/quakec.h"
+
+namespace temblor::test {
+namespace {
+
+constexpr std::string_view kStatBuiltins = R"(
+void(float number, float type, ...) clientstat = #232;
+void(float number, float type, string name) globalstat = #233;
+.float courage;
+.string quest;
+.vector goal;
+.entity rival;
+float weather;
+string news;
+)";
+
+// The game with these lines in worldspawn.
+std::string program_with_stats(std::string_view lines) {
+  std::string program = small_program(kStatBuiltins);
+  constexpr std::string_view kPlace = "  lightstyle(1, \"az\");\n";
+  return program.insert(program.find(kPlace), lines);
+}
+
+constexpr std::string_view kStats = R"(
+  clientstat(32, 2, courage);
+  clientstat(33, 1, quest);
+  clientstat(40, 3, goal);
+  clientstat(50, 4, rival);
+  globalstat(254, 2, "weather");
+  globalstat(255, 1, "news");
+  weather = 0.25;
+  news = "two\nlines; quit";
+)";
+
+float number(const client::Game& game, std::uint8_t stat) {
+  return std::get<float>(game.game_stats.at(stat));
+}
+std::string text(const client::Game& game, std::uint8_t stat) {
+  return std::get<std::string>(game.game_stats.at(stat));
+}
+
+void set_word(ServedGame& io_game, std::string_view field, std::uint32_t word) {
+  const auto* definition = io_game.game().machine().program().find_field(field);
+  io_game.game().machine().entity(server::Game::player_index(0))[definition->offset] = word;
+}
+
+TEST(GameStats, ArriveWithTheirTypes) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(program_with_stats(kStats), {.max_clients = 2});
+  served.add_client("player");
+  ASSERT_TRUE(served.run_until_playing(0));
+  served.run(0.5);
+  set_word(served, "courage", std::bit_cast<std::uint32_t>(7.5f));
+  set_word(served, "goal_y", std::bit_cast<std::uint32_t>(-2.0f));
+  set_word(served, "rival", 2);
+  served.run(0.5);
+  const client::Game& game = served.client(0).state().game();
+  EXPECT_EQ(number(game, 32), 7.5f);
+  EXPECT_EQ(text(game, 33), "");
+  EXPECT_EQ(number(game, 40), 0);
+  EXPECT_EQ(number(game, 41), -2);
+  EXPECT_EQ(number(game, 42), 0);
+  EXPECT_EQ(game.stats[50], 2);
+  EXPECT_EQ(number(game, 254), 0.25f);
+  EXPECT_EQ(text(game, 255), "two\nlines; quit");
+  EXPECT_TRUE(served.client(0).take_commands().empty()) << "no stat is a command";
+}
+
+// Each player gets its own values; one who joins later gets those that others have already.
+TEST(GameStats, BelongToEachPlayer) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(program_with_stats(kStats), {.max_clients = 2});
+  served.add_client("first");
+  ASSERT_TRUE(served.run_until_playing(0));
+  set_word(served, "courage", std::bit_cast<std::uint32_t>(3.0f));
+  served.run(0.5);
+  served.add_client("second");
+  ASSERT_TRUE(served.run_until_playing(1));
+  served.run(0.5);
+  EXPECT_EQ(number(served.client(0).state().game(), 32), 3);
+  EXPECT_EQ(number(served.client(1).state().game(), 32), 0);
+  EXPECT_EQ(number(served.client(1).state().game(), 254), 0.25f);
+}
+
+// A value that changes in every tick must not fill the queue of reliable messages.
+TEST(GameStats, ThatChangeAlwaysArriveOverABadNetwork) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(program_with_stats("globalstat(99, 2, \"time\");\n"),
+                    {.conditions = {.loss = 0.2, .delay_s = 0.1}});
+  served.add_client("player");
+  ASSERT_TRUE(served.run_until_playing(0));
+  served.run(20);
+  EXPECT_NEAR(number(served.client(0).state().game(), 99), served.game().time_s(), 3);
+  EXPECT_LT(served.server().clients[0].queued_bytes, 4096u);
+}
+
+TEST(GameStats, WithBadNumbersOrNamesOnlyWarn) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(
+      program_with_stats("clientstat(31, 2, courage); globalstat(256, 2, \"weather\");\n"
+                         "globalstat(60, 2, \"nothing\"); clientstat(255, 3, goal);\n"));
+  EXPECT_NE(served.console().find("stat 31 is not 32 to 255"), std::string::npos) << served.console();
+  EXPECT_NE(served.console().find("stat 256 is not 32 to 255"), std::string::npos);
+  EXPECT_NE(served.console().find("no global \"nothing\""), std::string::npos);
+  EXPECT_EQ(served.game().context().sent_stats.size(), 1u);
+}
+
+}  // namespace
+}  // namespace temblor::test
