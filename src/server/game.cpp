@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "builtins/script_files.h"
 #include "server/game/server_models.h"
 
 namespace temblor::server {
@@ -72,21 +73,24 @@ Game::Game(GameSetup setup, GameServices services)
           .precache = precache_,
           .requests = requests_,
           .random = random_,
-          .variables = services_.io_variables,
-          .files =
-              ScriptFiles(services_.data_folder,
-                          [this](std::string_view name) { return services_.library.files().read(name); }),
+          .shared = {.variables = services_.io_variables,
+                     .random = [this] { return random_.next_fraction(); },
+                     .time_s = [this] { return world_.time_s; },
+                     .files = builtins::ScriptFiles(
+                         services_.data_folder,
+                         [this](std::string_view name) { return services_.library.files().read(name); }),
+                     .print = services_.print,
+                     .find_pack =
+                         [this](std::string_view file) { return services_.library.files().where(file); }},
           .light_styles = world::make_standard_light_styles(),
           .spawn_parameters = std::vector<SpawnParameters>(setup_.max_clients),
           .load_model = [this](std::string_view name) { return load_server_model(services_.library, name); },
-          .print = services_.print,
           .client_command =
               [this](vm::EntityIndex player, std::string_view line) {
                 if (requests_.player_commands.size() < Requests::kMaxPlayerCommands)
                   requests_.player_commands.push_back({player, std::string(line)});
               },
           .bot_services = bot_services(),
-          .find_pack = [this](std::string_view file) { return services_.library.files().where(file); },
           .localization = setup_.localization.get()},
       mission_pack_(assets::find_mission_pack(services_.library.files())),
       items2_field_(float_field(*setup_.program, "items2")),

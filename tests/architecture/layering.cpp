@@ -26,10 +26,13 @@ NamesByName make_allowed_folders() {
       {"net", {"formats", "platform", "math", "base"}},
       {"render", {"world", "formats", "math", "base"}},
       {"audio", {"formats", "math", "base"}},
-      {"server", {"vm", "world", "movement", "net", "assets", "command", "formats", "math", "base"}},
+      // Built-in functions of QuakeC that server and client share.
+      {"builtins", {"vm", "command", "formats", "math", "base"}},
+      {"server",
+       {"builtins", "vm", "world", "movement", "net", "assets", "command", "formats", "math", "base"}},
       {"client",
-       {"net", "world", "movement", "assets", "command", "platform", "render", "audio", "formats", "math",
-        "base"}},
+       {"net", "world", "movement", "assets", "command", "platform", "render", "audio", "builtins", "vm",
+        "formats", "math", "base"}},
       {"compiler", {"world", "formats", "math", "base"}},
       {"artgen", {"formats", "math", "base"}},
   };

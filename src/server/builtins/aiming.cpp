@@ -75,7 +75,7 @@ math::Vec3 unit(const math::Vec3& vector) {
 
 // The original's default where the variable does not exist (in tests, for example).
 float aim_limit(Call& io_call) {
-  return io_call.game.variables.find("sv_aim") == nullptr ? 0.93f : io_call.variable("sv_aim");
+  return io_call.context.variables.find("sv_aim") == nullptr ? 0.93f : io_call.variable("sv_aim");
 }
 
 // The target that is closest to the direction of view, within sv_aim (a cosine), and that a shot can reach.

@@ -11,17 +11,16 @@ namespace temblor::server {
 namespace {
 
 constexpr std::span<const BuiltinEntry> (*kFamilies[])() = {
-    vector_builtins,    number_builtins,    entity_builtins,   finding_builtins,  tracing_builtins,
-    aiming_builtins,    movement_builtins,  precache_builtins, effect_builtins,   printing_builtins,
-    writing_builtins,   text_builtins,      file_builtins,     variable_builtins, level_builtins,
+    vector_builtins,    entity_builtins,    finding_builtins,  tracing_builtins,
+    aiming_builtins,    movement_builtins,  precache_builtins, effect_builtins,
+    printing_builtins,  writing_builtins,   command_builtins,  level_builtins,
     debugging_builtins, rerelease_builtins, bot_builtins,      stat_builtins,
 };
 
 // Extensions that every server has. has_extension() knows those that depend on its settings.
 constexpr std::string_view kExtensions[] = {
-    "DP_QC_SINCOSSQRTPOW", "DP_QC_MINMAXBOUND", "DP_QC_RANDOMVEC",  "DP_QC_TRACEBOX",  "DP_QC_ETOS",
-    "DP_REGISTERCVAR",     "DP_QC_FINDFLOAT",   "DP_QC_COPYENTITY", "DP_QC_FINDCHAIN", "DP_QC_FINDCHAINFLOAT",
-    "DP_QC_CVAR_STRING",   "DP_QC_FINDFLAGS",   "DP_QC_SPRINTF",
+    "DP_QC_TRACEBOX",  "DP_QC_FINDFLOAT",      "DP_QC_COPYENTITY",
+    "DP_QC_FINDCHAIN", "DP_QC_FINDCHAINFLOAT", "DP_QC_FINDFLAGS",
 };
 
 }  // namespace
@@ -29,6 +28,7 @@ constexpr std::string_view kExtensions[] = {
 void add_builtins(vm::Machine& io_machine, BuiltinContext& io_context) {
   const base::Status fits = check_system_definitions(io_machine.program());
   CHECK(fits.ok(), "{}", fits.error().message());
+  builtins::add_builtins(io_machine, io_context.shared);
   for (const auto family : kFamilies)
     for (const BuiltinEntry& entry : family()) {
       const auto run = [&io_context, &entry](vm::Machine&) {
@@ -43,13 +43,12 @@ void add_builtins(vm::Machine& io_machine, BuiltinContext& io_context) {
 }
 
 bool has_extension(const BuiltinContext& context, std::string_view name) {
-  if (base::equal_ignoring_case(name, "FRIK_FILE")) return context.files.can_write();
+  if (builtins::has_extension(context.shared, name)) return true;
   if (base::equal_ignoring_case(name, "KRIMZON_SV_PARSECLIENTCOMMAND"))
     return static_cast<bool>(context.client_command);
   if (base::equal_ignoring_case(name, "DP_SV_BOTCLIENT") ||
       base::equal_ignoring_case(name, "DP_SV_DROPCLIENT"))
     return static_cast<bool>(context.bot_services.spawn_bot);
-  if (base::equal_ignoring_case(name, "DP_QC_WHICHPACK")) return static_cast<bool>(context.find_pack);
   return std::any_of(std::begin(kExtensions), std::end(kExtensions),
                      [&](std::string_view known) { return base::equal_ignoring_case(name, known); });
 }

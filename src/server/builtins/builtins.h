@@ -11,17 +11,15 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "command/variables.h"
+#include "builtins/call.h"
 #include "formats/game/localization.h"
 #include "net/protocol/game_stat.h"
 #include "server/game/game_random.h"
 #include "server/game/game_world.h"
 #include "server/game/outbox.h"
-#include "server/save/script_files.h"
 #include "vm/machine.h"
 #include "world/animation.h"
 
@@ -87,8 +85,7 @@ struct BuiltinContext {
   Precache& precache;
   Requests& requests;
   GameRandom& random;
-  command::Variables& variables;
-  ScriptFiles files{};  // FRIK_FILE
+  builtins::Context shared;  // of the functions that the client has too
   world::LightStylePatterns light_styles{};
   // By client slot, for the next level: setspawnparms() copies them into parm1 to parm16. Zeros for slots
   // that do not exist.
@@ -97,9 +94,6 @@ struct BuiltinContext {
   // continues with a placeholder. Not set: there are no files, and every model that is not in
   // GameWorld::models is an error.
   std::function<base::Result<ServerModel>(std::string_view name)> load_model{};
-  // Prints text on the server's own console, exactly as QuakeC made it (including newlines). Not set: it is
-  // not shown.
-  std::function<void(std::string_view text)> print{};
   // The player that checkclient() may return now, since when, and what can be seen from there.
   vm::EntityIndex check_client{};
   double check_client_since_s = 0;
@@ -109,15 +103,10 @@ struct BuiltinContext {
   std::function<void(vm::EntityIndex player, std::string_view command)> client_command{};
   // Empty functions: checkextension() says that there are no bots.
   BotServices bot_services{};
-  // DP_QC_WHICHPACK: the name of the archive or folder that contains a file of the game; empty if none does.
-  std::function<std::string(std::string_view file)> find_pack{};
   // Texts for "$key" in what game code prints. Null: there are none.
   const formats::Localization* localization = nullptr;
   std::optional<ClosingText> closing_text{};
-  std::vector<std::string> tokens{};              // of the last tokenize()
   std::map<std::uint8_t, SentStat> sent_stats{};  // by number
-  // Warnings that were printed and are not repeated (see Call::warn_once()).
-  std::set<std::string, std::less<>> warned{};
 };
 
 // Makes all built-in functions known to the machine. `io_context` must outlive the machine's calls. CHECKs

@@ -64,9 +64,9 @@ base::Status eprint(Call& io_call) {
 
 // traceon(): prints each statement that runs from now on, until traceoff().
 base::Status traceon(Call& io_call) {
-  if (!io_call.game.print) return base::Ok{};
-  io_call.machine.set_tracer([&game = io_call.game](std::string_view line) {
-    if (game.print) game.print(fmt::format("{}\n", line));
+  if (!io_call.context.print) return base::Ok{};
+  io_call.machine.set_tracer([&context = io_call.context](std::string_view line) {
+    if (context.print) context.print(fmt::format("{}\n", line));
   });
   return base::Ok{};
 }

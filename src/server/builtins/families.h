@@ -9,7 +9,6 @@
 namespace temblor::server {
 
 std::span<const BuiltinEntry> vector_builtins();
-std::span<const BuiltinEntry> number_builtins();
 std::span<const BuiltinEntry> entity_builtins();
 std::span<const BuiltinEntry> finding_builtins();
 std::span<const BuiltinEntry> tracing_builtins();
@@ -19,9 +18,7 @@ std::span<const BuiltinEntry> precache_builtins();
 std::span<const BuiltinEntry> effect_builtins();  // sounds, particles, light styles
 std::span<const BuiltinEntry> printing_builtins();
 std::span<const BuiltinEntry> writing_builtins();  // messages, value by value
-std::span<const BuiltinEntry> text_builtins();
-std::span<const BuiltinEntry> file_builtins();
-std::span<const BuiltinEntry> variable_builtins();
+std::span<const BuiltinEntry> command_builtins();
 std::span<const BuiltinEntry> level_builtins();
 std::span<const BuiltinEntry> debugging_builtins();
 std::span<const BuiltinEntry> rerelease_builtins();  // called by name only

@@ -1,22 +1,11 @@
-// Built-in functions for directions and lengths.
-#include <cmath>
-#include <numbers>
-
+// The built-in function that turns angles into the directions v_forward, v_right, and v_up, which every
+// program of the server has at the same place.
 #include "math/angles.h"
 #include "server/builtins/families.h"
 
 namespace temblor::server {
 namespace {
 
-// The yaw of (x, y): counterclockwise from +x, in whole degrees from 0 to 359. It is cut toward 0, so that an
-// angle just below 360 gives 359, and one just below 0 gives 0.
-float whole_degrees(float x, float y) {
-  const double degrees = std::atan2(double{y}, double{x}) * (180 / std::numbers::pi);
-  const int whole = to_whole(static_cast<float>(std::trunc(degrees)));
-  return static_cast<float>(whole < 0 ? whole + 360 : whole);
-}
-
-// makevectors(angles): sets v_forward, v_right and v_up.
 base::Status makevectors(Call& io_call) {
   const math::Basis basis = math::basis_from_angles(io_call.vector(0));
   io_call.machine.set_global_vector(global::kForward, math::Vec3(basis.forward));
@@ -25,57 +14,10 @@ base::Status makevectors(Call& io_call) {
   return base::Ok{};
 }
 
-// normalize(vector): the zero vector stays as it is.
-base::Status normalize(Call& io_call) {
-  const math::Vec3 vector = io_call.vector(0);
-  const float length = std::sqrt(glm::dot(vector, vector));
-  io_call.machine.return_vector(length == 0 ? math::Vec3(0.0f) : vector * (1 / length));
-  return base::Ok{};
-}
-
-base::Status vlen(Call& io_call) {
-  const math::Vec3 vector = io_call.vector(0);
-  io_call.machine.return_float(std::sqrt(glm::dot(vector, vector)));
-  return base::Ok{};
-}
-
-// vectoyaw(vector): its direction in the horizontal plane.
-base::Status vectoyaw(Call& io_call) {
-  const math::Vec3 vector = io_call.vector(0);
-  io_call.machine.return_float(whole_degrees(vector.x, vector.y));
-  return base::Ok{};
-}
-
-// vectoangles(vector): pitch is positive upward here, as in the angles of models. Angles of views are the
-// reverse.
-base::Status vectoangles(Call& io_call) {
-  const math::Vec3 vector = io_call.vector(0);
-  math::Vec3 angles(vector.z > 0 ? 90.0f : 270.0f, 0, 0);
-  if (vector.x != 0 || vector.y != 0) {
-    const float along = std::sqrt(vector.x * vector.x + vector.y * vector.y);
-    angles = {whole_degrees(along, vector.z), whole_degrees(vector.x, vector.y), 0};
-  }
-  io_call.machine.return_vector(angles);
-  return base::Ok{};
-}
-
-// randomvec(): a point within one unit of the origin, uniformly distributed (by rejection).
-base::Status randomvec(Call& io_call) {
-  math::Vec3 vector;
-  do {
-    for (int axis = 0; axis < 3; ++axis) vector[axis] = io_call.game.random.next_fraction() * 2 - 1;
-  } while (glm::dot(vector, vector) > 1);
-  io_call.machine.return_vector(vector);
-  return base::Ok{};
-}
-
 }  // namespace
 
 std::span<const BuiltinEntry> vector_builtins() {
-  static constexpr BuiltinEntry kEntries[] = {
-      {1, "makevectors", makevectors}, {9, "normalize", normalize},      {12, "vlen", vlen},
-      {13, "vectoyaw", vectoyaw},      {51, "vectoangles", vectoangles}, {91, "randomvec", randomvec},
-  };
+  static constexpr BuiltinEntry kEntries[] = {{1, "makevectors", makevectors}};
   return kEntries;
 }
 

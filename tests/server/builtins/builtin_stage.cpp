@@ -113,8 +113,8 @@ Stage::Stage(const net::Dialect& dialect, std::shared_ptr<const vm::Program> pro
               .precache = precache,
               .requests = requests,
               .random = random,
-              .variables = variables} {
-  context.print = [this](std::string_view text) { printed += text; };
+              .shared = {.variables = variables, .random = [this] { return random.next_fraction(); }}} {
+  context.shared.print = [this](std::string_view text) { printed += text; };
   server::add_builtins(machine, context);
   world.edicts.world().set(server::field::kModelIndex, 1);
   world.edicts.world().set(server::field::kSolid, static_cast<float>(server::Solid::kBsp));

@@ -55,7 +55,8 @@ TEST(HostileBuiltins, NothingButErrors) {
     fill_world(stage, random);
     for (int i = 0; i < 400; ++i) {
       const int number = 1 + static_cast<int>(random.below(120));
-      const int rare[] = {400, 402, 403, 440, 441, 442, 448, 449, 627};
+      const int rare[] = {400, 402, 403, 440, 441, 442, 448, 449, 627, 221, 223, 224, 225, 226, 228, 232, 233,
+                          260, 245, 218, 460, 463, 464, 465, 467, 468, 469, 479, 484, 497, 511, 514, 605};
       set_bad_parameters(stage, random);
       stage.machine.set_global_entity(server::global::kMessageEntity, vm::EntityIndex{bad_word(random) % 4});
       stage.machine.set_global_entity(server::global::kSelf, vm::EntityIndex{bad_word(random) % 9});

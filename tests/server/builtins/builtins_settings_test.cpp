@@ -106,12 +106,12 @@ TEST_F(Settings, CheckextensionSaysWhatWorks) {
        {"", "DP_QC", "DP_QC_SPRINTF2", "FTE_CSQC", "FRIK_FILE", "KRIMZON_SV_PARSECLIENTCOMMAND",
         "DP_SV_BOTCLIENT", "DP_SV_DROPCLIENT", "DP_QC_WHICHPACK"})
     EXPECT_EQ(stage.number("checkextension", name), 0) << name;
-  stage.context.files = server::ScriptFiles("somewhere", nullptr);
+  stage.context.shared.files = builtins::ScriptFiles("somewhere", nullptr);
   stage.context.client_command = [](vm::EntityIndex, std::string_view) {};
   EXPECT_EQ(stage.number("checkextension", "FRIK_FILE"), 1);
   EXPECT_EQ(stage.number("checkextension", "KRIMZON_SV_PARSECLIENTCOMMAND"), 1);
   stage.context.bot_services.spawn_bot = [] { return base::Result(vm::kWorld); };
-  stage.context.find_pack = [](std::string_view) { return std::string(); };
+  stage.context.shared.find_pack = [](std::string_view) { return std::string(); };
   for (const char* name : {"DP_SV_BOTCLIENT", "DP_SV_DROPCLIENT", "DP_QC_WHICHPACK"})
     EXPECT_EQ(stage.number("checkextension", name), 1) << name;
 }
@@ -139,7 +139,7 @@ TEST_F(Settings, BotsComeAndGoAndAreKnownAsSuch) {
 
 TEST_F(Settings, WhichpackSaysWhereAFileIs) {
   EXPECT_EQ(stage.text("whichpack", "progs/a.mdl"), "");
-  stage.context.find_pack = [](std::string_view file) {
+  stage.context.shared.find_pack = [](std::string_view file) {
     return std::string(file == "progs/a.mdl" ? "id1/pak0.pak" : "");
   };
   EXPECT_EQ(stage.text("whichpack", "progs/a.mdl"), "id1/pak0.pak");
@@ -159,7 +159,7 @@ TEST_F(Settings, ClientcommandIsDoneForAPlayer) {
 
 class Files : public ::testing::Test {
  protected:
-  Files() { stage.context.files = server::ScriptFiles(folder.path() / "data", nullptr); }
+  Files() { stage.context.shared.files = builtins::ScriptFiles(folder.path() / "data", nullptr); }
   TemporaryFolder folder;
   Stage stage;
 };

@@ -4,7 +4,7 @@
 #include <bit>
 #include <span>
 
-#include "server/builtins/text/number_text.h"
+#include "builtins/number_text.h"
 
 namespace temblor::server {
 namespace {
@@ -23,9 +23,9 @@ std::string value_text(const vm::Machine& machine, ProgsType type, std::span<con
     case ProgsType::kString:
       return fmt::format("\"{}\"", machine.text(vm::StringIndex{word}));
     case ProgsType::kFloat:
-      return number_text(std::bit_cast<float>(word));
+      return builtins::number_text(std::bit_cast<float>(word));
     case ProgsType::kVector:
-      return vector_text(
+      return builtins::vector_text(
           {std::bit_cast<float>(words[0]), std::bit_cast<float>(words[1]), std::bit_cast<float>(words[2])});
     case ProgsType::kEntity:
       return fmt::format("entity {}", word);

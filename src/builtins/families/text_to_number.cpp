@@ -1,10 +1,10 @@
-#include "server/builtins/text/text_to_number.h"
+#include "builtins/families/text_to_number.h"
 
 #include <algorithm>
 #include <charconv>
 #include <limits>
 
-namespace temblor::server {
+namespace temblor::builtins {
 namespace {
 
 bool is_blank(char c) {
@@ -37,4 +37,4 @@ math::Vec3 vector_from(std::string_view text) {
   return value;
 }
 
-}  // namespace temblor::server
+}  // namespace temblor::builtins

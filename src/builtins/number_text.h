@@ -9,7 +9,7 @@
 
 #include "math/vec.h"
 
-namespace temblor::server {
+namespace temblor::builtins {
 
 // "12", "-3", "  0.5": a whole number as it is; another one with one decimal, in at least five characters.
 inline std::string number_text(float value) {
@@ -22,4 +22,4 @@ inline std::string vector_text(const math::Vec3& value) {
   return fmt::format("'{:>5.1f} {:>5.1f} {:>5.1f}'", value.x, value.y, value.z);
 }
 
-}  // namespace temblor::server
+}  // namespace temblor::builtins

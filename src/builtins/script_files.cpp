@@ -1,4 +1,4 @@
-#include "server/save/script_files.h"
+#include "builtins/script_files.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-namespace temblor::server {
+namespace temblor::builtins {
 namespace {
 
 using base::ErrorCode;
@@ -168,4 +168,4 @@ base::Status ScriptFiles::close_all() {
   return first;
 }
 
-}  // namespace temblor::server
+}  // namespace temblor::builtins

@@ -1,5 +1,5 @@
 // Files of game code: below the data folder, and nowhere else.
-#include "server/save/script_files.h"
+#include "builtins/script_files.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,7 +8,7 @@
 #include "support/game_data.h"
 #include "support/programs/temporary_folder.h"
 
-namespace temblor::server {
+namespace temblor::builtins {
 namespace {
 
 using base::ErrorCode;
@@ -158,4 +158,4 @@ TEST(ScriptFiles, WithoutAFolderNothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace temblor::server
+}  // namespace temblor::builtins

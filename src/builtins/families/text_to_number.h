@@ -6,11 +6,11 @@
 
 #include "math/vec.h"
 
-namespace temblor::server {
+namespace temblor::builtins {
 
 // 0 if there is no number. Numbers beyond the range of float become its largest.
 float number_from(std::string_view text);
 // Reads "'1 2 3'" or "1 2 3". Missing components are 0.
 math::Vec3 vector_from(std::string_view text);
 
-}  // namespace temblor::server
+}  // namespace temblor::builtins

@@ -7,7 +7,7 @@
 
 #include "vm/machine.h"
 
-namespace temblor::server {
+namespace temblor::builtins {
 
 // A directive is %[index$][flags][width][.precision][length]conversion; width and precision may be "*", which
 // reads them from the next value.
@@ -21,4 +21,4 @@ namespace temblor::server {
 constexpr std::size_t kMaxFormattedChars = std::size_t{1} << 16;
 std::string format_parameters(std::string_view format, vm::Machine& io_machine, int first);
 
-}  // namespace temblor::server
+}  // namespace temblor::builtins

@@ -1,8 +1,8 @@
-// FRIK_FILE: built-in functions for text files of game code (save/script_files.h). A mistake in a call ends
+// FRIK_FILE: built-in functions for text files of game code (script_files.h). A mistake in a call ends
 // the game; a failure of the disk prints a warning.
-#include "server/builtins/families.h"
+#include "builtins/families/families.h"
 
-namespace temblor::server {
+namespace temblor::builtins {
 namespace {
 
 // For a file that is not open, or open the other way.
@@ -16,7 +16,7 @@ base::Status fopen(Call& io_call) {
   if (mode != 0 && mode != 1 && mode != 2)
     return io_call.error("mode {} is not 0 (read), 1 (append) or 2 (write)", mode);
   const base::Result<int> handle =
-      io_call.game.files.open(io_call.text(0), static_cast<ScriptFileMode>(to_whole(mode)));
+      io_call.context.files.open(io_call.text(0), static_cast<ScriptFileMode>(to_whole(mode)));
   // It is normal that a file to read does not exist. Print every other error.
   if (!handle.ok() && handle.error().code != base::ErrorCode::kNotFound)
     io_call.warn_once(handle.error().message());
@@ -26,7 +26,7 @@ base::Status fopen(Call& io_call) {
 
 // fclose(handle)
 base::Status fclose(Call& io_call) {
-  const base::Status closed = io_call.game.files.close(io_call.whole(0));
+  const base::Status closed = io_call.context.files.close(io_call.whole(0));
   if (closed.ok()) return closed;
   if (closed.error().code == base::ErrorCode::kUsage) return misuse(io_call, closed.error());
   io_call.warn_once(closed.error().message());
@@ -36,7 +36,7 @@ base::Status fclose(Call& io_call) {
 // fgets(handle): the next line without its newline. At the end of the file it returns the empty string, as
 // for an empty line.
 base::Status fgets(Call& io_call) {
-  const auto line = io_call.game.files.read_line(io_call.whole(0));
+  const auto line = io_call.context.files.read_line(io_call.whole(0));
   if (!line.ok()) return misuse(io_call, line.error());
   if (line->has_value()) return io_call.return_text(**line);
   io_call.machine.return_string(vm::kEmptyString);
@@ -45,7 +45,7 @@ base::Status fgets(Call& io_call) {
 
 // fputs(handle, text, ...)
 base::Status fputs(Call& io_call) {
-  const base::Status written = io_call.game.files.write(io_call.whole(0), io_call.joined_text(1));
+  const base::Status written = io_call.context.files.write(io_call.whole(0), io_call.joined_text(1));
   if (written.ok()) return written;
   if (written.error().code == base::ErrorCode::kUsage) return misuse(io_call, written.error());
   io_call.warn_once(written.error().message());
@@ -54,18 +54,18 @@ base::Status fputs(Call& io_call) {
 
 // whichpack(name): the archive or folder that a file of the game is in; empty if there is no such file.
 base::Status whichpack(Call& io_call) {
-  return io_call.return_text(io_call.game.find_pack ? io_call.game.find_pack(io_call.text(0))
-                                                    : std::string());
+  return io_call.return_text(io_call.context.find_pack ? io_call.context.find_pack(io_call.text(0))
+                                                       : std::string());
 }
 
 }  // namespace
 
-std::span<const BuiltinEntry> file_builtins() {
-  static constexpr BuiltinEntry kEntries[] = {
+std::span<const Entry> file_builtins() {
+  static constexpr Entry kEntries[] = {
       {110, "fopen", fopen}, {111, "fclose", fclose},       {112, "fgets", fgets},
       {113, "fputs", fputs}, {503, "whichpack", whichpack},
   };
   return kEntries;
 }
 
-}  // namespace temblor::server
+}  // namespace temblor::builtins

@@ -1,4 +1,4 @@
-#include "server/builtins/text/printf_format.h"
+#include "builtins/families/printf_format.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <optional>
 
-namespace temblor::server {
+namespace temblor::builtins {
 namespace {
 
 // Bounds the memory that a short format can ask for.
@@ -221,4 +221,4 @@ std::string format_parameters(std::string_view format, vm::Machine& io_machine, 
   return Formatter(format, io_machine, first).run();
 }
 
-}  // namespace temblor::server
+}  // namespace temblor::builtins

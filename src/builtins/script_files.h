@@ -13,7 +13,7 @@
 #include "base/bytes.h"
 #include "base/result.h"
 
-namespace temblor::server {
+namespace temblor::builtins {
 
 enum class ScriptFileMode : int { kRead = 0, kAppend = 1, kWrite = 2 };
 
@@ -67,4 +67,4 @@ class ScriptFiles {
   std::size_t written_bytes_ = 0;
 };
 
-}  // namespace temblor::server
+}  // namespace temblor::builtins
