@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "formats/images/palette.h"
@@ -19,6 +20,12 @@ struct ScreenRect {
 // Maps a palette index to the palette index that is drawn, for example to show a player's own colors.
 using ColorTranslation = std::array<std::uint8_t, 256>;
 
+// Colors in place of those of the palette, by palette index: for `indexed` and for `rgb` frames (0xffRRGGBB).
+struct ColorTint {
+  ColorTranslation indices{};
+  std::array<std::uint32_t, 256> rgb{};
+};
+
 struct DrawCommand {
   // The picture to draw from; not owned, must live until the list is drawn. Each of its pixels covers a
   // square of `scale` pixels, and pixels of index 255 are transparent. Null: `area` is filled with `fill`.
@@ -27,12 +34,18 @@ struct DrawCommand {
   ScreenRect area;
   // The upper left corner of the part, in pixels of the picture.
   int part_x = 0, part_y = 0;
+  // Not 0: this part of the picture is stretched to `area`, whatever its size, and `scale` is ignored.
+  int part_width = 0, part_height = 0;
   // A whole number, at least 1, so that pictures stay sharp.
   int scale = 1;
   std::uint8_t fill = 0;  // palette index
   float opacity = 1;      // 0 to 1
   // Null: the picture's own colors.
   const ColorTranslation* translation = nullptr;
+  // Null: the palette's colors. Applies to `fill` too, and replaces `translation`.
+  const ColorTint* tint = nullptr;
+  // Nothing is drawn outside of it.
+  std::optional<ScreenRect> clip{};
 };
 
 struct DrawList {

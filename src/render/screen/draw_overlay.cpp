@@ -2,6 +2,7 @@
 #include "render/screen/draw_overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,23 +25,30 @@ struct Clip {
   bool is_empty() const { return x_first >= x_end || y_first >= y_end; }
 };
 
-Clip clip_to_rows(const ScreenRect& area, const FrameBuffer& frame, const Rows& rows) {
-  return {std::max<std::int64_t>(area.x, 0),
-          std::min<std::int64_t>(std::int64_t{area.x} + area.width, frame.width()),
-          std::max<std::int64_t>(area.y, rows.first),
-          std::min<std::int64_t>(std::int64_t{area.y} + area.height, rows.end)};
+Clip intersect(const Clip& clip, const ScreenRect& area) {
+  return {std::max<std::int64_t>(area.x, clip.x_first),
+          std::min<std::int64_t>(std::int64_t{area.x} + area.width, clip.x_end),
+          std::max<std::int64_t>(area.y, clip.y_first),
+          std::min<std::int64_t>(std::int64_t{area.y} + area.height, clip.y_end)};
+}
+
+Clip clip_to_rows(const DrawCommand& command, const FrameBuffer& frame, const Rows& rows) {
+  const Clip clip = intersect({0, frame.width(), rows.first, rows.end}, command.area);
+  return command.clip ? intersect(clip, *command.clip) : clip;
 }
 
 // Writes runs of a palette index to the frame, opaque or blended.
 class IndexedPaint {
  public:
-  IndexedPaint(float opacity, const ColorTables& tables)
-      : table_(opacity < 1 ? tables.blends.table_for(opacity) : nullptr) {}
+  IndexedPaint(const DrawCommand& command, const ColorTables& tables)
+      : table_(command.opacity < 1 ? tables.blends.table_for(command.opacity) : nullptr),
+        translation_(command.tint != nullptr ? &command.tint->indices : command.translation) {}
 
   static std::uint8_t* row(FrameBuffer& frame, std::int64_t y) {
     return frame.indexed().data() + y * frame.width();
   }
   void fill(std::uint8_t index, std::uint8_t* first, std::uint8_t* end) const {
+    if (translation_ != nullptr) index = (*translation_)[index];
     if (table_ == nullptr)
       std::fill(first, end, index);
     else
@@ -49,17 +57,21 @@ class IndexedPaint {
 
  private:
   const std::uint8_t* table_;
+  const ColorTranslation* translation_;
 };
 
 class RgbPaint {
  public:
-  RgbPaint(float opacity, const ColorTables& tables) : opacity_256_(opacity_256(opacity)), tables_(tables) {}
+  RgbPaint(const DrawCommand& command, const ColorTables& tables)
+      : opacity_256_(opacity_256(command.opacity)),
+        colors_(command.tint != nullptr ? command.tint->rgb : tables.rgb),
+        translation_(command.tint == nullptr ? command.translation : nullptr) {}
 
   static std::uint32_t* row(FrameBuffer& frame, std::int64_t y) {
     return frame.rgb().data() + y * frame.width();
   }
   void fill(std::uint8_t index, std::uint32_t* first, std::uint32_t* end) const {
-    const std::uint32_t color = tables_.rgb[index];
+    const std::uint32_t color = colors_[translation_ != nullptr ? (*translation_)[index] : index];
     if (opacity_256_ == kOpaque256)
       std::fill(first, end, color);
     else
@@ -68,7 +80,8 @@ class RgbPaint {
 
  private:
   int opacity_256_;
-  const ColorTables& tables_;
+  const std::array<std::uint32_t, 256>& colors_;
+  const ColorTranslation* translation_;
 };
 
 template <typename Paint>
@@ -92,10 +105,43 @@ void draw_picture(const DrawCommand& command, const Clip& clip, const Paint& pai
     std::int64_t run_end = left + ((clip.x_first - left) / scale + 1) * scale;
     for (std::int64_t x = clip.x_first; x < clip.x_end; x = run_end, run_end += scale, ++source) {
       if (*source == kClear) continue;
-      const std::uint8_t index = command.translation != nullptr ? (*command.translation)[*source] : *source;
-      paint.fill(index, row + x, row + std::min(run_end, clip.x_end));
+      paint.fill(*source, row + x, row + std::min(run_end, clip.x_end));
     }
   }
+}
+
+// Each pixel shows the pixel of the part that is under its center.
+template <typename Paint>
+void draw_stretched(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
+  const formats::Picture& picture = *command.picture;
+  const auto find_source = [](std::int64_t offset, std::int64_t part, std::int64_t size) {
+    return (2 * offset + 1) * part / (2 * size);
+  };
+  for (std::int64_t y = clip.y_first; y < clip.y_end; ++y) {
+    const std::int64_t source_y =
+        command.part_y + find_source(y - command.area.y, command.part_height, command.area.height);
+    const std::uint8_t* const source =
+        picture.pixels.data() + source_y * std::int64_t{picture.width} + command.part_x;
+    auto* const row = Paint::row(io_frame, y);
+    for (std::int64_t x = clip.x_first; x < clip.x_end; ++x) {
+      const std::uint8_t index =
+          source[find_source(x - command.area.x, command.part_width, command.area.width)];
+      if (index != kClear) paint.fill(index, row + x, row + x + 1);
+    }
+  }
+}
+
+bool is_stretched(const DrawCommand& command) {
+  return command.part_width != 0;
+}
+
+void check_stretched(const DrawCommand& command) {
+  const formats::Picture& picture = *command.picture;
+  CHECK(command.part_x >= 0 && command.part_y >= 0 && command.part_width > 0 && command.part_height > 0 &&
+            std::int64_t{command.part_x} + command.part_width <= std::int64_t{picture.width} &&
+            std::int64_t{command.part_y} + command.part_height <= std::int64_t{picture.height},
+        "{}x{} from {},{} of {}x{}", command.part_width, command.part_height, command.part_x, command.part_y,
+        picture.width, picture.height);
 }
 
 // Whole numbers of scaled pixels only, and parts inside their pictures.
@@ -103,6 +149,7 @@ void check_command(const DrawCommand& command) {
   CHECK(command.area.width >= 0 && command.area.height >= 0, "{}x{}", command.area.width,
         command.area.height);
   if (command.picture == nullptr) return;
+  if (is_stretched(command)) return check_stretched(command);
   CHECK(command.scale >= 1, "scale {}", command.scale);
   const formats::Picture& picture = *command.picture;
   const ScreenRect& area = command.area;
@@ -118,10 +165,12 @@ void check_command(const DrawCommand& command) {
 template <typename Paint>
 void draw_rows(const DrawList& list, const ColorTables& tables, const Rows& rows, FrameBuffer& io_frame) {
   for (const DrawCommand& command : list.commands) {
-    const Clip clip = clip_to_rows(command.area, io_frame, rows);
+    const Clip clip = clip_to_rows(command, io_frame, rows);
     if (clip.is_empty() || !(command.opacity > 0)) continue;
-    const Paint paint(command.opacity, tables);
-    if (command.picture != nullptr)
+    const Paint paint(command, tables);
+    if (command.picture != nullptr && is_stretched(command))
+      draw_stretched(command, clip, paint, io_frame);
+    else if (command.picture != nullptr)
       draw_picture(command, clip, paint, io_frame);
     else
       fill_rectangle(command, clip, paint, io_frame);

@@ -39,6 +39,19 @@ int random_scale(Random& random) {
   return 1 + static_cast<int>(random.below(9));
 }
 
+// Gives a part of the picture an area of any size.
+void stretch(render::DrawCommand& io_command, Random& random) {
+  const formats::Picture& picture = *io_command.picture;
+  const auto part = [&](std::uint32_t side, int first) {
+    return 1 + static_cast<int>(random.below(side - static_cast<std::size_t>(first)));
+  };
+  io_command.part_width = part(picture.width, io_command.part_x);
+  io_command.part_height = part(picture.height, io_command.part_y);
+  io_command.area.width = static_cast<int>(random.below(150));
+  io_command.area.height =
+      random.chance(0.1) ? std::numeric_limits<int>::max() : static_cast<int>(random.below(150));
+}
+
 render::DrawCommand random_command(const formats::Picture& picture,
                                    const render::ColorTranslation& translation, Random& random) {
   render::DrawCommand command;
@@ -62,20 +75,55 @@ render::DrawCommand random_command(const formats::Picture& picture,
   command.area.height =
       command.scale * static_cast<int>(random.below(static_cast<std::size_t>(height - command.part_y) + 1));
   if (random.chance(0.3)) command.translation = &translation;
+  if (random.chance(0.3)) stretch(command, random);
   return command;
 }
 
-// The palette index that a command draws at a pixel; 256: none.
+// Some commands have tints, and some are clipped.
+void decorate(render::DrawCommand& io_command, const render::ColorTint& tint, Random& random) {
+  if (random.chance(0.3)) io_command.tint = &tint;
+  if (random.chance(0.3))
+    io_command.clip = {random_corner(random), random_corner(random), static_cast<int>(random.below(100)),
+                       static_cast<int>(random.below(100))};
+}
+
+bool is_inside(const render::ScreenRect& area, int x, int y) {
+  const std::int64_t across = std::int64_t{x} - area.x, down = std::int64_t{y} - area.y;
+  return across >= 0 && down >= 0 && across < area.width && down < area.height;
+}
+
+// The pixel of a part that is under the center of pixel `offset` of an area.
+std::int64_t stretched(std::int64_t offset, int part, int size) {
+  return static_cast<std::int64_t>(
+      std::floor((static_cast<double>(offset) + 0.5) * part / static_cast<double>(size)));
+}
+
+// The palette index that a command draws at a pixel, before a tint or a translation; 256: none.
 int index_at(const render::DrawCommand& command, int x, int y) {
-  const std::int64_t across = std::int64_t{x} - command.area.x, down = std::int64_t{y} - command.area.y;
-  if (across < 0 || down < 0 || across >= command.area.width || down >= command.area.height) return 256;
+  if (!is_inside(command.area, x, y) || (command.clip && !is_inside(*command.clip, x, y))) return 256;
   if (command.picture == nullptr) return command.fill;
-  const std::int64_t column = command.part_x + across / command.scale,
-                     row = command.part_y + down / command.scale;
+  const std::int64_t across = std::int64_t{x} - command.area.x, down = std::int64_t{y} - command.area.y;
+  const bool is_stretched = command.part_width > 0;
+  const std::int64_t column =
+      command.part_x +
+      (is_stretched ? stretched(across, command.part_width, command.area.width) : across / command.scale);
+  const std::int64_t row =
+      command.part_y +
+      (is_stretched ? stretched(down, command.part_height, command.area.height) : down / command.scale);
   const std::uint8_t texel =
       command.picture->pixels[static_cast<std::size_t>(row * std::int64_t{command.picture->width} + column)];
-  if (texel == 255) return 256;
-  return command.translation != nullptr ? (*command.translation)[texel] : texel;
+  return texel == 255 ? 256 : texel;
+}
+
+std::uint8_t indexed_color(const render::DrawCommand& command, int index) {
+  const auto i = static_cast<std::size_t>(index);
+  if (command.tint != nullptr) return command.tint->indices[i];
+  return command.translation != nullptr ? (*command.translation)[i] : static_cast<std::uint8_t>(index);
+}
+
+std::uint32_t rgb_color(const render::DrawCommand& command, int index) {
+  if (command.tint != nullptr) return command.tint->rgb[static_cast<std::size_t>(index)];
+  return some_tables().rgb[indexed_color(command, index)];
 }
 
 // A channel of two blended colors, up to rounding.
@@ -87,9 +135,9 @@ void expect_pixel(const render::DrawCommand& command, int index, std::uint32_t b
   if (index == 256 || !(command.opacity > 0)) {
     ASSERT_EQ(after, before);
   } else if (command.opacity >= 1) {
-    ASSERT_EQ(after, some_tables().rgb[static_cast<std::size_t>(index)]);
+    ASSERT_EQ(after, rgb_color(command, index));
   } else {
-    const std::uint32_t over = some_tables().rgb[static_cast<std::size_t>(index)];
+    const std::uint32_t over = rgb_color(command, index);
     for (int shift = 0; shift < 24; shift += 8)
       ASSERT_TRUE(is_mixed(after >> shift & 255, over >> shift & 255, before >> shift & 255,
                            static_cast<double>(command.opacity)));
@@ -103,9 +151,10 @@ void expect_indexed_pixel(const render::DrawCommand& command, int index, std::ui
   if (index == 256 || !(command.opacity > 0))
     ASSERT_EQ(after, before);
   else if (command.opacity >= 1)
-    ASSERT_EQ(after, index);
+    ASSERT_EQ(after, indexed_color(command, index));
   else
-    ASSERT_EQ(after, some_tables().blends.table_for(command.opacity)[index * 256 + before]);
+    ASSERT_EQ(after,
+              some_tables().blends.table_for(command.opacity)[indexed_color(command, index) * 256 + before]);
 }
 
 TEST(DrawOverlay, PutsEveryPixelWhereItBelongs) {
@@ -116,7 +165,11 @@ TEST(DrawOverlay, PutsEveryPixelWhereItBelongs) {
     const formats::Picture picture = random_picture(random);
     render::ColorTranslation translation;
     for (std::uint8_t& index : translation) index = static_cast<std::uint8_t>(random.bits());
-    const render::DrawCommand command = random_command(picture, translation, random);
+    render::ColorTint tint;
+    for (std::uint8_t& index : tint.indices) index = static_cast<std::uint8_t>(random.bits());
+    for (std::uint32_t& color : tint.rgb) color = static_cast<std::uint32_t>(random.bits()) | 0xff000000u;
+    render::DrawCommand command = random_command(picture, translation, random);
+    decorate(command, tint, random);
     const int width = 1 + static_cast<int>(random.below(120)),
               height = 1 + static_cast<int>(random.below(90));
     render::FrameBuffer indexed(width, height, render::PixelFormat::kIndexed);
@@ -165,6 +218,10 @@ TEST(DrawOverlayDeathTest, RefusesPartsThatThePictureLacks) {
   EXPECT_DEATH(draw({.picture = &picture, .area = {0, 0, 4, 4}, .part_y = -1}), "4x4");
   EXPECT_DEATH(draw({.picture = &picture, .area = {0, 0, 3, 4}, .scale = 2}), "scale");
   EXPECT_DEATH(draw({.picture = &picture, .area = {0, 0, 4, 4}, .scale = 0}), "scale");
+  EXPECT_DEATH(
+      draw({.picture = &picture, .area = {0, 0, 9, 9}, .part_x = 1, .part_width = 4, .part_height = 1}),
+      "4x1");
+  EXPECT_DEATH(draw({.picture = &picture, .area = {0, 0, 9, 9}, .part_width = 4}), "4x0");
   EXPECT_DEATH(draw({.area = {0, 0, -1, 4}}), "-1");
 }
 
