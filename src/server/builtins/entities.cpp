@@ -115,6 +115,11 @@ base::Status copyentity(Call& io_call) {
   return linked(io_call, to);
 }
 
+base::Status num_for_edict(Call& io_call) {
+  TRY(const vm::EntityIndex entity, io_call.entity(0));
+  return io_call.return_number(static_cast<double>(base::to_size(entity)));
+}
+
 }  // namespace
 
 std::span<const BuiltinEntry> entity_builtins() {
@@ -122,7 +127,7 @@ std::span<const BuiltinEntry> entity_builtins() {
       {2, "setorigin", setorigin},     {3, "setmodel", setmodel},
       {4, "setsize", setsize},         {14, "spawn", spawn},
       {15, "remove", remove_entity},   {69, "makestatic", makestatic},
-      {400, "copyentity", copyentity},
+      {400, "copyentity", copyentity}, {512, "num_for_edict", num_for_edict},
   };
   return kEntries;
 }

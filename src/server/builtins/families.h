@@ -16,6 +16,7 @@ std::span<const BuiltinEntry> aiming_builtins();
 std::span<const BuiltinEntry> movement_builtins();
 std::span<const BuiltinEntry> precache_builtins();
 std::span<const BuiltinEntry> effect_builtins();  // sounds, particles, light styles
+std::span<const BuiltinEntry> temporary_effect_builtins();
 std::span<const BuiltinEntry> printing_builtins();
 std::span<const BuiltinEntry> writing_builtins();  // messages, value by value
 std::span<const BuiltinEntry> command_builtins();

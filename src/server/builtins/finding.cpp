@@ -76,6 +76,13 @@ base::Status findchainfloat(Call& io_call) {
   return return_chain(io_call, [&](std::size_t i) { return float_at(io_call, i, field) == wanted; });
 }
 
+base::Status findchainflags(Call& io_call) {
+  TRY(const vm::FieldIndex field, io_call.field(0));
+  const int wanted = io_call.whole(1);
+  return return_chain(io_call,
+                      [&](std::size_t i) { return (to_whole(float_at(io_call, i, field)) & wanted) != 0; });
+}
+
 // findradius(): measures the distance to the middle of each box. Entities that are not solid are skipped.
 base::Status findradius(Call& io_call) {
   const math::Vec3 center = io_call.vector(0);
@@ -105,6 +112,7 @@ std::span<const BuiltinEntry> finding_builtins() {
       {402, "findchain", findchain},
       {403, "findchainfloat", findchainfloat},
       {449, "findflags", findflags},
+      {450, "findchainflags", findchainflags},
   };
   return kEntries;
 }

@@ -42,6 +42,30 @@ TEST_F(Effects, SoundComesFromTheMiddleOfTheBox) {
   EXPECT_EQ(stage.outbox.placed()[0].place, Vec3(256, 256, 80));
 }
 
+TEST_F(Effects, ShortEffectsAreOneCallEach) {
+  using Kind = net::TempEntityKind;
+  const std::pair<const char*, Kind> effects[] = {
+      {"te_gunshot", Kind::kGunshot},           {"te_spike", Kind::kSpike},
+      {"te_superspike", Kind::kSuperSpike},     {"te_explosion", Kind::kExplosion},
+      {"te_tarexplosion", Kind::kTarExplosion}, {"te_wizspike", Kind::kWizSpike},
+      {"te_knightspike", Kind::kKnightSpike},   {"te_lavasplash", Kind::kLavaSplash},
+      {"te_teleport", Kind::kTeleport}};
+  for (const auto& [name, kind] : effects) stage.run(name, Vec3(8, 16, 24));
+  stage.run("te_explosion2", Vec3(8, 16, 24), 5, 300);
+  for (const char* const name : {"te_lightning1", "te_lightning2", "te_lightning3", "te_beam"})
+    stage.run(name, thing, Vec3(8, 16, 24), Vec3(32, 0, 0));
+  const auto sent = messages_in<net::TempEntity>(stage.outbox.placed_bytes());
+  ASSERT_EQ(sent.size(), std::size(effects) + 5);
+  for (const net::TempEntity& effect : sent) EXPECT_EQ(effect.origin, Vec3(8, 16, 24));
+  for (std::size_t i = 0; i < std::size(effects); ++i) EXPECT_EQ(sent[i].kind, effects[i].second);
+  EXPECT_EQ(sent[std::size(effects)].color_count, 300 & 255);
+  EXPECT_EQ(sent.back().kind, Kind::kBeam);
+  EXPECT_EQ(sent.back().end, Vec3(32, 0, 0));
+  EXPECT_EQ(vm::EntityIndex{sent.back().entity}, thing);
+  EXPECT_EQ(stage.outbox.placed().front().place, Vec3(8, 16, 24));
+  EXPECT_FALSE(stage.outbox.placed().back().place) << "a beam is long";
+}
+
 TEST_F(Effects, SoundsOutOfRangeAreErrors) {
   EXPECT_THAT(stage.error("sound", thing, 8, "a.wav", 1, 1),
               HasSubstr("builtin sound: channel 8 is not between 0 and 7"));

@@ -116,6 +116,25 @@ TEST(SharedBuiltins, Calculate) {
   EXPECT_EQ(stage.number("bitshift", 1, 99), stage.number("bitshift", 1, 31));
 }
 
+TEST(SharedBuiltins, NumberEntitiesAndTurnDirections) {
+  Stage stage;
+  const vm::EntityIndex a = stage.spawn(), b = stage.spawn();
+  EXPECT_EQ(stage.number("num_for_edict", b), static_cast<float>(base::to_size(b)));
+  stage.edict(a).set(kScoreField, 6);
+  EXPECT_EQ(stage.entity("findchainflags", kScoreField, 2), a);
+  EXPECT_EQ(stage.entity("findchainflags", kScoreField, 1), vm::kWorld);
+  const auto direction = [&](vm::GlobalIndex global) { return stage.machine.global_vector(global); };
+  for (const math::Vec3& angles : {math::Vec3(0, 30, 0), math::Vec3(-40, 200, 0), math::Vec3(70, 300, 0)}) {
+    stage.run("makevectors", angles);
+    const math::Vec3 forward = direction(server::global::kForward), right = direction(server::global::kRight),
+                     up = direction(server::global::kUp);
+    stage.run("vectorvectors", forward * 7.0f);
+    EXPECT_LT(glm::distance(direction(server::global::kForward), forward), 1e-5f);
+    EXPECT_LT(glm::distance(direction(server::global::kRight), right), 1e-5f);
+    EXPECT_LT(glm::distance(direction(server::global::kUp), up), 1e-5f);
+  }
+}
+
 TEST(SharedBuiltins, KnowVariablesAndFunctions) {
   Stage stage;
   stage.variables.add_float("sv_gravity", 800, 0, 2000, "How hard things fall.");
