@@ -75,7 +75,13 @@ class Call {
   float number_or(int i, float otherwise) const { return i < count() ? number(i) : otherwise; }
   int whole(int i) const { return to_whole(number(i)); }
   math::Vec3 vector(int i) const { return machine.parameter_vector(i); }
-  std::string_view text(int i) const { return machine.parameter_text(i); }
+  // Takes instructions from the call's budget for long texts, because every function reads all of them.
+  std::string_view text(int i) const {
+    constexpr std::size_t kCharsPerInstruction = 16;
+    const std::string_view value = machine.parameter_text(i);
+    machine.charge(value.size() / kCharsPerInstruction);
+    return value;
+  }
   // An entity that exists, free or not.
   base::Result<vm::EntityIndex> entity(int i) const;
   // A field of one word, or the first of a vector's three.

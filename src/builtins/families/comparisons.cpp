@@ -71,7 +71,6 @@ base::Status replace(Call& io_call, bool ignores_case) {
       return io_call.error("the result is longer than {} characters", kMaxReplacedChars);
     at = found + static_cast<std::ptrdiff_t>(search.size());
   }
-  io_call.machine.charge(text.size() * search.size() / 16);
   return io_call.return_text(replaced);
 }
 base::Status strreplace(Call& io_call) {
