@@ -8,6 +8,7 @@
 #include "host/commands/host_commands.h"
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
+#include "host/frame/hud_program_stage.h"
 #include "host/session/configure.h"
 #include "host/session/games.h"
 
@@ -52,7 +53,7 @@ base::Result<HostPointer> start_host(Services services, const HostVariables& var
     return host.console.foreign_names.set_known(arguments);
   });
   host.console.commands.set_unknown_handler([&host](command::Console::Arguments arguments) {
-    return host.console.foreign_names.handle(arguments);
+    return run_hud_program_command(host, arguments) || host.console.foreign_names.handle(arguments);
   });
   if (host.services.open_audio) host.sound.output.emplace(host.services.open_audio);
   TRY_STATUS(run_configuration(host));

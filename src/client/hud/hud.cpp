@@ -22,6 +22,11 @@ void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, doub
                const HudSettings& settings, assets::MissionPack pack) {
   const BarLook look{settings.opacity, settings.safe_colors, pack, settings.teamplay};
   const Panel bar = panel.at_bottom(kBarHeight);
+  if (!settings.parts.bars) {
+    if (settings.parts.scores && settings.shows_scores)
+      draw_level_scores(bar, game, time_s, settings.opacity);
+    return;
+  }
   if (settings.status_bar == StatusBar::kNone) {
     if (settings.shows_scores) draw_level_scores(bar, game, time_s, settings.opacity);
     return;
@@ -49,14 +54,15 @@ void draw_death_hint(const Panel& panel, std::string_view hint) {
 // Draws everything of a running level. The ranking hides center texts, as both are in the middle.
 void draw_play(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
                const HudSettings& settings, assets::MissionPack pack) {
-  if (game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
+  const HudParts& parts = settings.parts;
+  if (parts.crosshair && game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
   draw_bars(panel, game, times, time_s, settings, pack);
   const bool is_dead_in_deathmatch = game.deathmatch && game.stat(Stat::kHealth) <= 0;
-  if (is_dead_in_deathmatch || (settings.shows_scores && game.players.size() > 1))
+  if (parts.scores && (is_dead_in_deathmatch || (settings.shows_scores && game.players.size() > 1)))
     draw_ranking(panel.in_middle(kScreenHeight), game);
-  else if (time_s - game.center_text_since_s < settings.center_text_s)
+  else if (parts.center_text && time_s - game.center_text_since_s < settings.center_text_s)
     draw_center_text(panel, game.center_text);
-  if (game.stat(Stat::kHealth) <= 0 && time_s - times.died_s >= kHintAfterSeconds)
+  if (parts.hints && game.stat(Stat::kHealth) <= 0 && time_s - times.died_s >= kHintAfterSeconds)
     draw_death_hint(panel, settings.death_hint);
 }
 
@@ -100,7 +106,7 @@ void Hud::draw(const Game& game, double time_s, int width, int height, const Hud
       draw_play(panel, game, times_, time_s, settings, pack_);
       break;
     case Ending::kIntermission:
-      draw_intermission(panel, game);
+      if (settings.parts.ending) draw_intermission(panel, game);
       break;
     case Ending::kFinale:
     case Ending::kCutScene:

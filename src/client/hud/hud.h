@@ -14,6 +14,7 @@
 #include "assets/mission_pack.h"
 #include "assets/pictures.h"
 #include "client/hud/crosshair.h"
+#include "client/hud/hud_parts.h"
 #include "client/session/client_state.h"
 #include "render/draw_list.h"
 
@@ -40,6 +41,8 @@ struct HudSettings {
   int teamplay = 0;
   // Adds marks to information that the original shows only by color.
   bool safe_colors = false;
+  // The parts to draw; a HUD program draws the others.
+  HudParts parts{};
 };
 
 // When the things happened that the bar shows, in server time; far in the past for never.

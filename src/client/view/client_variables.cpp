@@ -92,6 +92,9 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
                                     "colors.");
   variables.add_alias("crosshair_colour", "crosshair_color");  // old spelling
   variables.add_alias("scr_safecolours", "scr_safecolors");    // old spelling
+  no_hud_program_ =
+      variables.add_bool("cl_nocsqc", !defaults.runs_hud_program,
+                         "Draws the built-in HUD even if the game brings its own (csprogs.dat).");
   show_weapon_ = variables.add_bool("r_drawviewmodel", defaults.show_weapon, "Shows your weapon.");
   weapon_fov_ = variables.add_float("r_viewmodel_fov", static_cast<double>(defaults.weapon_fov_deg), 0, 170,
                                     "Field of view of your weapon. 90: it looks the same with any fov; 0: "
@@ -148,6 +151,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.hud.center_text_s = variables.float_value(center_time_);
   settings.hud.letters_per_second = variables.float_value(print_speed_);
   settings.hud.safe_colors = variables.bool_value(safe_colors_);
+  settings.runs_hud_program = !variables.bool_value(no_hud_program_);
   settings.show_weapon = variables.bool_value(show_weapon_);
   settings.weapon_fov_deg = factor(weapon_fov_);
   settings.environment.liquid_alpha = {factor(water_alpha_), factor(slime_alpha_), factor(lava_alpha_),

@@ -30,6 +30,7 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
     client_settings_.no_lerp_models.push_back(std::find(settings.no_lerp_models.begin(),
                                                         settings.no_lerp_models.end(),
                                                         name) != settings.no_lerp_models.end());
+  if (hud_program_ != nullptr) hud_program_->begin_level();
   environment_.begin_level(*models_->level());
   scene_builder_.begin_level();
   reset_effects();
@@ -164,7 +165,19 @@ std::vector<std::string> Presentation::take_notes() {
 const render::DrawList& Presentation::draw_list(const ClientState& state, int width, int height,
                                                 const PresentationSettings& settings) {
   draw_list_.clear();
-  hud_.draw(state.game(), time_s_, width, height, settings.hud, draw_list_);
+  HudSettings hud = settings.hud;
+  const HudDrawing* const program = hud_program_ != nullptr ? &hud_program_->drawing() : nullptr;
+  const bool has_program = program != nullptr && program->is_active;
+  if (has_program) {
+    constexpr std::uint8_t kBlack = 0;
+    hud.parts = program->parts;
+    if (!program->shows_view) draw_list_.commands.push_back({.area = {0, 0, width, height}, .fill = kBlack});
+  }
+  hud_.draw(state.game(), time_s_, width, height, hud, draw_list_);
+  if (has_program) {
+    const std::vector<render::DrawCommand>& drawn = hud_program_->draw_list().commands;
+    draw_list_.commands.insert(draw_list_.commands.end(), drawn.begin(), drawn.end());
+  }
   if (settings.subtitles) subtitles_.draw(pictures_, width, height, settings.hud.scale, draw_list_);
   return draw_list_;
 }

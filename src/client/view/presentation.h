@@ -20,6 +20,7 @@
 #include "client/effects/effects.h"
 #include "client/hud/hud.h"
 #include "client/hud/subtitles.h"
+#include "client/hud_program/hud_program.h"
 #include "client/prediction/prediction.h"
 #include "client/session/client_state.h"
 #include "client/session/model_table.h"
@@ -45,6 +46,8 @@ struct PresentationSettings {
   EffectsSettings effects;
   ViewSettings view;
   HudSettings hud;
+  // Let the game's own program draw the HUD, if there is one.
+  bool runs_hud_program = true;
   bool show_weapon = true;
   // The weapon's field of view; 0: the view's.
   float weapon_fov_deg = 90;
@@ -83,6 +86,9 @@ class Presentation {
   // From now on shows the player where `prediction` predicts it, after its begin_frame(); null: where the
   // server's packets place it. The object must stay alive until replaced.
   void set_prediction(Prediction* prediction) { prediction_ = prediction; }
+  // From now on shows what this program drew, where it has drawn; null: the built-in HUD. The object must
+  // stay alive until replaced.
+  void set_hud_program(HudProgram* program) { hud_program_ = program; }
   // Whether a level is loaded.
   bool has_level() const { return models_.has_value(); }
 
@@ -127,6 +133,7 @@ class Presentation {
   View view_;
   Prediction* prediction_ = nullptr;
   Hud hud_;
+  HudProgram* hud_program_ = nullptr;
   Subtitles subtitles_;
   SceneBuilder scene_builder_;
   AudioScene audio_scene_;

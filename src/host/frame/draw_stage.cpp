@@ -10,6 +10,7 @@
 #include "host/frame/entity_boxes.h"
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
+#include "host/frame/hud_program_stage.h"
 #include "host/frame/presentation_settings.h"
 #include "host/session/games.h"
 
@@ -137,6 +138,7 @@ void draw_and_show(Host& io_host) {
   // which the game's code may set meanwhile, so no tick runs while they are open.
   const bool is_parallel = variables.is_parallel() && !io_host.timing.has_time_to_spare &&
                            session.server() != nullptr && is_in_game(io_host);
+  draw_hud_program(io_host, frame.width(), frame.height());
   if (is_parallel) io_host.worker.begin(step);
   draw_frame(io_host, settings, frame);
   times.drawing_s = window.now_s() - start_s;

@@ -26,6 +26,7 @@
 #include "client/console/console_ui.h"
 #include "client/demo/demo_controls.h"
 #include "client/demo/demo_session.h"
+#include "client/hud_program/hud_program.h"
 #include "client/input/bindings.h"
 #include "client/input/player_input.h"
 #include "client/menu/menu.h"
@@ -106,6 +107,7 @@ struct StartupScript {
 // folders destroys them from the bottom up (session/configure.h).
 struct LoadedGame {
   std::unique_ptr<GameData> data;
+  std::unique_ptr<client::HudProgram> hud_program;
   std::unique_ptr<MenuLists> menu_lists;
   std::optional<client::Menu> menu;
   std::unique_ptr<Session> session;

@@ -1,7 +1,8 @@
 // The start of a frame: the wait until it is due, then the window's events. Each event goes to the first part
 // that consumes it:
 //
-//   event -> console (if open) -> menu (if open) -> demo controls -> bindings, mouse, gamepad, window
+//   event -> console (if open) -> menu (if open) -> demo controls -> HUD program -> bindings, mouse, gamepad,
+//   window
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
+#include "host/frame/hud_program_stage.h"
 #include "host/menus/menus.h"
 #include "host/session/games.h"
 
@@ -107,6 +109,7 @@ void handle_event(Host& io_host, const platform::InputEvent& event) {
     if (was_in_game) release_held_keys(io_host);
     return;
   }
+  if (pass_event_to_hud_program(io_host, event)) return;
   if (const auto* key = std::get_if<platform::KeyChange>(&event.what)) {
     handle_key(io_host, *key);
   } else if (const auto* mouse = std::get_if<platform::MouseMoved>(&event.what)) {

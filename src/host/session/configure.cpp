@@ -8,6 +8,7 @@
 #include "command/text.h"
 #include "host/commands/configuration.h"
 #include "host/frame/host_parts.h"
+#include "host/frame/hud_program_stage.h"
 #include "host/session/games.h"
 #include "vfs/file_system.h"
 
@@ -115,6 +116,8 @@ void load_game_folders(Host& io_host) {
   GameData& data = *game.data;
   game.session = std::make_unique<Session>(io_host.services, data.library, data.write_folder,
                                            io_host.variables.server(), io_host.options.program_file);
+  game.hud_program = std::make_unique<client::HudProgram>(hud_program_services(io_host));
+  data.presentation.set_hud_program(game.hud_program.get());
   game.menu_lists = std::make_unique<MenuLists>(io_host, data);
   game.menu.emplace(io_host.variables.variables(), data.presentation.pictures(), game.menu_lists->content());
 }
@@ -150,6 +153,7 @@ base::Status change_folders(Host& io_host, GameFolders folders) {
   io_host.game.menu.reset();
   io_host.game.menu_lists.reset();
   io_host.game.session.reset();
+  io_host.game.hud_program.reset();
   io_host.game.data = std::move(data);
   io_host.options.folders = std::move(folders);
   // The command line's "+map NAME" was meant for the first game only.
