@@ -8,6 +8,7 @@
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
 #include "host/frame/time_scale.h"
+#include "host/menus/menus.h"
 #include "host/session/configure.h"
 #include "host/session/demos.h"
 
