@@ -1,4 +1,4 @@
-// MD5 models, version 10 (Doom 3; the 2021 release of Quake has one for each of its alias models): a mesh
+// MD5 models, version 10 (id Tech 4; the 2021 release of Quake has one for each of its alias models): a mesh
 // whose vertices hang on the joints of a skeleton, and animations that move the joints.
 //
 //   NAME.md5mesh  joints    "NAME" PARENT ( position ) ( orientation )     in model space
