@@ -17,7 +17,7 @@ export SDL_AUDIODRIVER=dummy SDL_VIDEODRIVER=x11
 row() {
   local name=$1
   shift
-  xvfb-run -a -s "-screen 0 1280x720x24" build/release/bench/latency_bench "$name" "$data" "$program" "$@"
+  tests/support/on_display.sh 1280x720x24 build/release/bench/latency_bench "$name" "$data" "$program" "$@"
 }
 
 echo "| program and settings | event | ms: median, 95 of 100, longest | median, frames | ms by scr_showlatency | lost |"

@@ -50,7 +50,10 @@ class PlaySession {
     // SDL loads and unloads libdbus, which leaks. tests/host finds leaks of the game.
     const std::string line = "ASAN_OPTIONS=detect_leaks=0; export ASAN_OPTIONS; cd '" +
                              folder_.path().string() +
-                             "' && xvfb-run -a -s '-screen 0 1024x768x24' sh script.sh >'" + out + "' 2>&1";
+                             "' && '" TEMBLOR_SOURCE_DIR
+                             "/tests/support/on_display.sh"
+                             "' 1024x768x24 sh script.sh >'" +
+                             out + "' 2>&1";
     status_ = std::system(line.c_str());
     return read_text(out);
   }
@@ -183,7 +186,9 @@ TEST(PlayProgram, WritesNothingIntoAnInstalledGame) {
   prefix.write("home/readme", "");
   const std::string line = "cd '" + prefix.path().string() +
                            "/home' && ASAN_OPTIONS=detect_leaks=0 HOME=\"$PWD\" XDG_DATA_HOME=\"$PWD\" "
-                           "XDG_CONFIG_HOME=\"$PWD\" env -u TEMBLOR_DATA xvfb-run -a "
+                           "XDG_CONFIG_HOME=\"$PWD\" env -u TEMBLOR_DATA '" TEMBLOR_SOURCE_DIR
+                           "/tests/support/on_display.sh"
+                           "' 1280x1024x24 "
                            "../bin/temblor play --nosound --duration 2 >out 2>&1";
   EXPECT_EQ(std::system(line.c_str()), 0) << read_text(prefix.path() / "home/out");
   EXPECT_TRUE(std::filesystem::exists(prefix.path() / "home/temblor/id1/temblor.cfg"));

@@ -65,10 +65,11 @@ std::string write_config(const std::string& engine, const std::string& quit,
                          const std::filesystem::path& base, const TemporaryFolder& home) {
   home.write("base/id1/player.cfg", kPlayer + quit + "\n");
   const std::filesystem::path file = home.path() / ("." + engine) / "id1/config.cfg";
-  const std::string run = "mount --bind \"$HOME\" /root && exec xvfb-run -a -s '-screen 0 320x240x24' " +
-                          engine + " -basedir " + base.string() +
+  const std::string run = "mount --bind \"$HOME\" /root && exec " + engine + " -basedir " + base.string() +
                           " -window -width 320 -height 240 -nosound +exec player.cfg";
-  const BackgroundProgram program({"unshare", "--map-root-user", "--mount", "sh", "-c", run}, home.path());
+  const BackgroundProgram program({TEMBLOR_SOURCE_DIR "/tests/support/on_display.sh", "320x240x24", "unshare",
+                                   "--map-root-user", "--mount", "sh", "-c", run},
+                                  home.path());
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   std::string text, before = "-";
   while (std::chrono::steady_clock::now() < end && (text.empty() || text != before)) {

@@ -64,7 +64,10 @@ void expect_times_of_input(const char* command, bool captured, std::size_t count
   if (std::getenv("DISPLAY") == nullptr) {                                                    \
     const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();        \
     const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name(); \
-    const std::string line = "xvfb-run -a '" + self + "' --gtest_filter=EventTimes." + name;  \
+    const std::string line = "'" TEMBLOR_SOURCE_DIR                                           \
+                             "/tests/support/on_display.sh"                                   \
+                             "' 1280x1024x24 '" +                                             \
+                             self + "' --gtest_filter=EventTimes." + name;                    \
     EXPECT_EQ(std::system((line + " >&2").c_str()), 0);                                       \
     return;                                                                                   \
   }

@@ -33,7 +33,9 @@ constexpr std::array<std::uint32_t, 3> kColors = {0xffcc2200, 0xff00bb33, 0xff11
   if (std::getenv("TEMBLOR_TEST_DISPLAY") == nullptr) {                                                 \
     const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();                  \
     const ::testing::TestInfo& info = *::testing::UnitTest::GetInstance()->current_test_info();         \
-    const std::string line = "TEMBLOR_TEST_DISPLAY=1 xvfb-run -a -s '-screen 0 1024x768x24 " +          \
+    const std::string line = "TEMBLOR_TEST_DISPLAY=1 '" TEMBLOR_SOURCE_DIR                              \
+                             "/tests/support/on_display.sh"                                             \
+                             "' '1024x768x24 " +                                                        \
                              std::string(server_options) + "' '" + self +                               \
                              "' --gtest_filter=" + info.test_suite_name() + "." + info.name() + " >&2"; \
     EXPECT_EQ(std::system(line.c_str()), 0);                                                            \

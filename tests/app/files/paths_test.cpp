@@ -84,7 +84,10 @@ class FolderOfGames {
 
 // Writes one file of each kind from a game in a window, and reads them again. `base` names the game's folder.
 std::string make_play_script(const std::string& base) {
-  return "xvfb-run -a \"$T\" --basedir " + base +
+  return "'" TEMBLOR_SOURCE_DIR
+         "/tests/support/on_display.sh"
+         "' 1280x1024x24 \"$T\" --basedir " +
+         base +
          R"( --game mymod play --nosound --size 160x120 --duration 60 --exec '
 host_maxfps 60; alias w "wait; wait; wait; wait; wait; wait; wait; wait; wait; wait"
 map small; w; w; w; screenshot; screenshot shots/named; screenshot twice.png; save first; w; w; load first; w; w

@@ -68,7 +68,10 @@ class Household {
         "cd '" + (path() / "empty").string() +
         "' && env -u TEMBLOR_DATA -u XDG_CONFIG_HOME -u XDG_DATA_HOME HOME='" + (path() / "home").string() +
         "' ASAN_OPTIONS=detect_leaks=0 " + environment +
-        " xvfb-run -a -s '-screen 0 640x480x24' ../bin/temblor " + options +
+        " '" TEMBLOR_SOURCE_DIR
+        "/tests/support/on_display.sh"
+        "' 640x480x24 ../bin/temblor " +
+        options +
         " play --nosound --size 640x480 --duration 60 --exec 'alias w \"wait; wait; wait; wait; wait\"; w; " +
         commands + "; w; w; basedir; quit' >../out 2>&1";
     EXPECT_EQ(std::system(line.c_str()), 0);

@@ -113,9 +113,9 @@ void expect_that_it_signs_on(const ServerEndpointSettings& settings) {
   BareServer server(settings);
   const test::TemporaryFolder home;
   const test::BackgroundProgram client(
-      {"xvfb-run", "-a", "-s", "-screen 0 640x480x24", "darkplaces", "-basedir", data.string(), "-nosound",
-       "-window", "-width", "320", "-height", "240", "+cl_protocol", "QUAKE", "+connect",
-       "127.0.0.1:" + std::to_string(server.port())},
+      {TEMBLOR_SOURCE_DIR "/tests/support/on_display.sh", "640x480x24", "darkplaces", "-basedir",
+       data.string(), "-nosound", "-window", "-width", "320", "-height", "240", "+cl_protocol", "QUAKE",
+       "+connect", "127.0.0.1:" + std::to_string(server.port())},
       home.path());
   const Clock clock;
   const bool begun = clock.run(60, [&](double now_s) {
