@@ -34,6 +34,10 @@ base::ByteVector make_quakeworld_status_request() {
   return make_packet("status", "\n");
 }
 
+bool is_quakeworld_status_request(base::Bytes packet) {
+  return begins_with(packet, "status");
+}
+
 bool is_quakeworld_status(base::Bytes packet) {
   return begins_with(packet, "n\\");
 }

@@ -18,6 +18,7 @@ bool is_quakeworld_join(base::Bytes packet);
 base::ByteVector make_quakeworld_print(std::string_view text);
 
 base::ByteVector make_quakeworld_status_request();
+bool is_quakeworld_status_request(base::Bytes packet);
 // Whether a QuakeWorld server has answered that request.
 bool is_quakeworld_status(base::Bytes packet);
 

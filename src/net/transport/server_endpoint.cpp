@@ -185,6 +185,8 @@ void ServerEndpoint::handle_packet(const ReceivedPacket& packet) {
 void ServerEndpoint::handle_control(const ReceivedPacket& packet) {
   const auto read = read_control_packet(packet.bytes);
   if (!read.ok()) {
+    // Our own client asks every server whether it is one of QuakeWorld.
+    if (is_quakeworld_status_request(packet.bytes)) return;
     ++statistics_.malformed;
     if (is_quakeworld_join(packet.bytes)) explain_to_quakeworld(packet.from, packet.bytes.size());
     return;

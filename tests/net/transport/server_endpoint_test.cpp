@@ -368,6 +368,7 @@ TEST(ServerEndpoint, ExplainsToQuakeWorldClientsThatTheyCannotJoin) {
   EXPECT_THAT(asker.received(),
               ElementsAre("\xff\xff\xff\xffnThis is a Quake server, not QuakeWorld: join it "
                           "with a Quake client.\n"));
+  EXPECT_EQ(bench.server.endpoint.statistics().malformed, 2u) << "our own clients ask for the status, too";
 }
 
 TEST(ServerEndpoint, RepliesToQueries) {
