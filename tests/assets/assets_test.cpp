@@ -168,8 +168,9 @@ TEST_P(LevelAdditions, ReplaceEntitiesInSpiteOfAFault) {
   EXPECT_THAT(loaded.notes, ElementsAre(AllOf(HasSubstr("tiny.ent: "), HasSubstr("line "))));
 }
 
-TEST_P(LevelAdditions, IgnoreTextWithoutEntities) {
-  for (const char* const text : {"no braces", "", "// nothing\n"}) {
+TEST_P(LevelAdditions, IgnoreTextWithoutWorldspawn) {
+  for (const char* const text :
+       {"no braces", "", "// nothing\n", "{ \"classname\"", "{ \"classname\" \"light\" }"}) {
     add(".ent", test::to_bytes(text));
     const LoadedLevel loaded = load();
     EXPECT_EQ(loaded.level->entities, formats::read_entities(bsp_.entities).value()) << text;

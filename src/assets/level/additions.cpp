@@ -19,7 +19,8 @@ base::Status replace_entities(const std::string& file, base::Bytes bytes, format
   std::string_view text = base::as_text(bytes);
   text = text.substr(0, text.find('\0'));
   const formats::EntityText read = formats::read_faulty_entities(text);
-  if (read.entities.empty()) return base::malformed("there are no entities");
+  if (read.entities.empty() || read.entities[0].classname() != "worldspawn")
+    return base::malformed("the first entity is not worldspawn");
   if (!read.first_fault.empty()) io_notes.push_back(fmt::format("{}: {}", file, read.first_fault));
   io_bsp.entities = read.first_fault.empty() ? std::string(text) : formats::write_entities(read.entities);
   return base::Ok{};
