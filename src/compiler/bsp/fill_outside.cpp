@@ -1,12 +1,16 @@
 #include "compiler/bsp/fill_outside.h"
 
-#include <deque>
-#include <limits>
+#include <algorithm>
+
+#include "compiler/bsp/flood.h"
 
 namespace temblor::compiler {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+// No player fits through a narrower opening, and no light is seen through it. Nearly parallel sides of
+// brushes leave such wedges between them, and pieces of brushes that are thinner get lost when the tree is
+// built.
+constexpr double kMinOpening = 0.1;  // units
 
 // The mean of its corners.
 math::Vec3d compute_portal_center(const Winding& winding) {
@@ -15,52 +19,71 @@ math::Vec3d compute_portal_center(const Winding& winding) {
   return sum / static_cast<double>(winding.size());
 }
 
-// A breadth-first search from the outside, so that the path of a leak is a short one.
-struct Flood {
-  std::vector<bool> reached;  // by leaf
-  // By leaf: the portal through which it was reached; kNone: from outside.
-  std::vector<std::uint32_t> through;
+Flood flood_from_outside(const Tree& tree, const PlaneSet& planes, const LeafPortals& portals) {
+  std::vector<std::uint32_t> outermost;
+  for (std::uint32_t leaf = 0; leaf < tree.leaves.size(); ++leaf)
+    if (portals.is_outermost[leaf]) outermost.push_back(leaf);
+  return flood_leaves(tree, planes, portals, outermost, kMinOpening);
+}
+
+std::vector<std::uint32_t> find_leaves_around(const math::Vec3d& point_world, double distance_units,
+                                              const Tree& tree, const PlaneSet& planes) {
+  return tree.leaves_touching({point_world - distance_units, point_world + distance_units}, planes);
+}
+
+// An occupant this near to a leaf may be in it.
+constexpr double kNear = 1;  // units
+
+// Where an occupant is.
+enum class Place {
+  kInside,  // the flood did not get there, or it is in a brush
+  kBorder,  // on the side of a brush that is outside
+  kOutside,
 };
 
-// Floods from the leaves at the edge of the tree's box through all leaves that are not opaque.
-Flood flood(const Tree& tree, const LeafPortals& portals) {
-  std::vector<std::vector<std::uint32_t>> portals_at(tree.leaves.size());
-  for (std::size_t i = 0; i < portals.portals.size(); ++i)
-    for (const std::uint32_t leaf : portals.portals[i].leaves)
-      portals_at[leaf].push_back(static_cast<std::uint32_t>(i));
-  Flood flood{std::vector<bool>(tree.leaves.size(), false),
-              std::vector<std::uint32_t>(tree.leaves.size(), kNone)};
-  std::deque<std::uint32_t> next;
-  const auto reach = [&](std::uint32_t leaf, std::uint32_t portal) {
-    if (flood.reached[leaf] || is_opaque(tree.leaves[leaf].fill)) return;
-    flood.reached[leaf] = true;
-    flood.through[leaf] = portal;
-    next.push_back(leaf);
-  };
-  for (std::uint32_t leaf = 0; leaf < tree.leaves.size(); ++leaf)
-    if (portals.is_outermost[leaf]) reach(leaf, kNone);
-  while (!next.empty()) {
-    const std::uint32_t leaf = next.front();
-    next.pop_front();
-    for (const std::uint32_t portal : portals_at[leaf]) {
-      const auto& sides = portals.portals[portal].leaves;
-      reach(sides[0] == leaf ? sides[1] : sides[0], portal);
-    }
+// An occupant on the border of two leaves may belong to either one.
+Place find_place(const math::Vec3d& occupant_world, const Tree& tree, const PlaneSet& planes,
+                 const Flood& flood) {
+  bool is_reached = false, is_on_brush = false;
+  for (const std::uint32_t leaf : find_leaves_around(occupant_world, kOnPlaneEpsilon, tree, planes)) {
+    is_reached |= flood.reached[leaf];
+    is_on_brush |= is_sealed(tree.leaves[leaf]);
   }
-  return flood;
+  if (!is_reached) return Place::kInside;
+  const auto is_inside = [&](std::uint32_t leaf) {
+    return !flood.reached[leaf] && !is_sealed(tree.leaves[leaf]);
+  };
+  if (std::ranges::any_of(find_leaves_around(occupant_world, kNear, tree, planes), is_inside))
+    return Place::kInside;
+  return is_on_brush ? Place::kBorder : Place::kOutside;
+}
+
+// The occupant through which a level leaks: the first one outside, as more of them would only repeat the
+// message. One on the border counts only if none is inside.
+std::optional<std::size_t> find_leaking_occupant(std::span<const math::Vec3d> occupants, const Tree& tree,
+                                                 const PlaneSet& planes, const Flood& flood) {
+  std::optional<std::size_t> on_border;
+  bool has_inside = false;
+  for (std::size_t i = 0; i < occupants.size(); ++i) {
+    const Place place = find_place(occupants[i], tree, planes, flood);
+    if (place == Place::kOutside) return i;
+    if (place == Place::kBorder && !on_border) on_border = i;
+    has_inside |= place == Place::kInside;
+  }
+  return has_inside ? std::nullopt : on_border;
 }
 
 }  // namespace
 
 std::optional<Leak> fill_outside(Tree& io_tree, const PlaneSet& planes, const LeafPortals& portals,
                                  std::span<const math::Vec3d> occupants) {
-  const Flood found = flood(io_tree, portals);
-  for (std::size_t i = 0; i < occupants.size(); ++i) {
-    std::uint32_t leaf = io_tree.leaf_at(occupants[i], planes);
-    // The first occupant that is reached; more of them would only repeat the message.
-    if (!found.reached[leaf]) continue;
-    Leak leak{i, {occupants[i]}};
-    for (std::uint32_t portal = found.through[leaf]; portal != kNone; portal = found.through[leaf]) {
+  const Flood found = flood_from_outside(io_tree, planes, portals);
+  if (const auto occupant = find_leaking_occupant(occupants, io_tree, planes, found)) {
+    Leak leak{*occupant, {occupants[*occupant]}};
+    const auto leaves = find_leaves_around(occupants[*occupant], kOnPlaneEpsilon, io_tree, planes);
+    std::uint32_t leaf =
+        *std::ranges::find_if(leaves, [&](std::uint32_t near) { return bool{found.reached[near]}; });
+    for (std::uint32_t portal = found.through[leaf]; portal != kNoPortal; portal = found.through[leaf]) {
       const LeafPortal& door = portals.portals[portal];
       leak.path_world.push_back(compute_portal_center(door.winding));
       leaf = door.leaves[0] == leaf ? door.leaves[1] : door.leaves[0];
@@ -71,6 +94,22 @@ std::optional<Leak> fill_outside(Tree& io_tree, const PlaneSet& planes, const Le
   for (std::size_t leaf = 0; leaf < io_tree.leaves.size(); ++leaf)
     if (found.reached[leaf]) io_tree.leaves[leaf] = {Fill::kSolid, Fill::kSolid, {}};
   return std::nullopt;
+}
+
+void fill_pockets(Tree& io_tree, const PlaneSet& planes, const LeafPortals& portals,
+                  std::span<const math::Vec3d> occupants, std::span<const Box> entity_brushes) {
+  std::vector<std::uint32_t> first_leaves;
+  const auto add = [&](const std::vector<std::uint32_t>& leaves) {
+    first_leaves.insert(first_leaves.end(), leaves.begin(), leaves.end());
+  };
+  for (const math::Vec3d& occupant : occupants) add(find_leaves_around(occupant, kNear, io_tree, planes));
+  for (const Box& box : entity_brushes) add(io_tree.leaves_touching(box, planes));
+  const auto is_open = [&](std::uint32_t leaf) { return !is_sealed(io_tree.leaves[leaf]); };
+  if (std::ranges::none_of(first_leaves, is_open)) return;
+  const Flood found = flood_leaves(io_tree, planes, portals, first_leaves, 0);
+  for (std::size_t leaf = 0; leaf < io_tree.leaves.size(); ++leaf)
+    if (!found.reached[leaf] && !is_sealed(io_tree.leaves[leaf]))
+      io_tree.leaves[leaf] = {Fill::kSolid, Fill::kSolid, {}};
 }
 
 }  // namespace temblor::compiler

@@ -1,8 +1,11 @@
-// Finds leaks, and makes the void outside a sealed level solid.
+// Finds leaks, and makes solid what nobody can reach or see: the void outside a sealed level, and pockets in
+// it.
 //
-// The flood begins at the edge of the tree's box and passes through every portal between leaves that nothing
-// opaque fills. It must not reach an entity: qbsp's old trick for telling the inside of a level from the
-// outside. A sealed level loses everything outside, faces included, which roughly halves its size.
+// A flood begins at the edge of the tree's box and passes through every portal between leaves that no opaque
+// structural brush fills, if the portal is at least 0.1 units wide. It must not reach an entity: qbsp's old
+// trick for telling the inside of a level from the outside. A sealed level loses everything outside, faces
+// included, which roughly halves its size. A second flood begins at the entities and finds the pockets, which
+// it does not reach.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +25,15 @@ struct Leak {
 
 // Floods the tree from outside. If no occupant is reached, every reached leaf becomes kSolid without brushes,
 // and the result is empty. If one is reached, or if there are none, nothing changes. Occupants inside opaque
-// leaves are never reached.
+// leaves are never reached, nor are those within 1 unit (a little more in corners) of the inside. One on the
+// outer side of a brush counts only if no occupant is inside.
 std::optional<Leak> fill_outside(Tree& io_tree, const PlaneSet& planes, const LeafPortals& portals,
                                  std::span<const math::Vec3d> occupants);
+
+// Makes each leaf solid that no flood from an occupant or from a brush of an entity reaches. Does nothing if
+// all of them are inside brushes. To be called for the drawn hull of a sealed level; clip hulls keep such
+// places, because a game may move a player into them.
+void fill_pockets(Tree& io_tree, const PlaneSet& planes, const LeafPortals& portals,
+                  std::span<const math::Vec3d> occupants, std::span<const Box> entity_brushes);
 
 }  // namespace temblor::compiler

@@ -60,6 +60,16 @@ bool are_equivalent(const TreeLeaf& a, const TreeLeaf& b) {
   return a.fill == b.fill && a.structure == b.structure && is_blocked(a.fill) && a.fill != Fill::kFence;
 }
 
+// Fills what nobody reaches in the world's drawn hull. Returns its leak.
+std::optional<Leak> fill_world(Tree& io_tree, const LeafPortals& portals, const LevelBrushes& level) {
+  if (auto leak = fill_outside(io_tree, level.planes, portals, level.occupants_world)) return leak;
+  std::vector<Box> entity_brushes;
+  for (std::size_t model = 1; model < level.models.size(); ++model)
+    for (const Brush& brush : level.models[model]) entity_brushes.push_back(brush.box);
+  fill_pockets(io_tree, level.planes, portals, level.occupants_world, entity_brushes);
+  return std::nullopt;
+}
+
 // Makes the drawn hull of a model: its tree, portals and faces.
 Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& level, bool is_world,
                           const DraftOptions& options, DraftMeter& io_meter) {
@@ -69,8 +79,7 @@ Partition partition_drawn(std::span<const Brush> brushes, const LevelBrushes& le
   Tree first = build_first_tree(drawn, level.planes, Cover::kLast, io_meter);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
-  if (is_world && options.fill_outside)
-    made.leak = fill_outside(first, level.planes, first_portals, level.occupants_world);
+  if (is_world && options.fill_outside) made.leak = fill_world(first, first_portals, level);
   const std::vector<TreeFace> faces = make_faces(first, first_portals.portals, drawn);
   SecondTree second = make_second_tree(first, first_portals.portals, drawn, level.planes);
   made.tree = std::move(second.tree);

@@ -357,6 +357,28 @@ std::uint32_t Tree::leaf_at(const math::Vec3d& point, const PlaneSet& planes) co
   return static_cast<std::uint32_t>(~child);
 }
 
+// A leaf near a corner of the box may be on the near side of all planes without touching it.
+std::vector<std::uint32_t> Tree::leaves_touching(const Box& box_world, const PlaneSet& planes) const {
+  const math::Vec3d center = (box_world.mins + box_world.maxs) * 0.5;
+  const math::Vec3d half_size = (box_world.maxs - box_world.mins) * 0.5;
+  std::vector<std::uint32_t> found;
+  std::vector<std::int32_t> pending{root};
+  while (!pending.empty()) {
+    const std::int32_t child = pending.back();
+    pending.pop_back();
+    if (is_leaf(child)) {
+      found.push_back(static_cast<std::uint32_t>(~child));
+      continue;
+    }
+    const TreeNode& node = nodes[static_cast<std::size_t>(child)];
+    const Plane& plane = planes[node.plane];
+    const double distance = plane.distance_to(center), reach = glm::dot(half_size, glm::abs(plane.normal));
+    if (distance >= -reach) pending.push_back(node.children[0]);
+    if (distance <= reach) pending.push_back(node.children[1]);
+  }
+  return found;
+}
+
 Tree build_tree(std::span<const Brush> brushes, const PlaneSet& planes, Cover cover,
                 base::FunctionRef<void(double)> grown) {
   return TreeBuilder(brushes, planes, cover, grown).build();

@@ -40,6 +40,8 @@ struct Tree {
   bool is_leaf(std::int32_t child) const { return child < 0; }
   // The leaf at a point; a point on a plane counts as in front.
   std::uint32_t leaf_at(const math::Vec3d& point, const PlaneSet& planes) const;
+  // The leaves that touch a box, and perhaps some that only come near it.
+  std::vector<std::uint32_t> leaves_touching(const Box& box_world, const PlaneSet& planes) const;
 };
 
 // Which brush that fills a whole node makes all others in it irrelevant, so that the node becomes a leaf at

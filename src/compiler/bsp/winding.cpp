@@ -1,7 +1,9 @@
 #include "compiler/bsp/winding.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace temblor::compiler {
 namespace {
@@ -125,6 +127,22 @@ double area(const Winding& winding) {
   for (std::size_t i = 2; i < winding.size(); ++i)
     sum += glm::cross(winding[i - 1] - winding[0], winding[i] - winding[0]);
   return glm::length(sum) / 2;
+}
+
+// One of the two lines contains a side (Houle and Toussaint, "Computing the width of a set", 1988).
+double compute_width(const Winding& winding) {
+  double width = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < winding.size(); ++i) {
+    const math::Vec3d& begin = winding[i];
+    const math::Vec3d side = winding[i + 1 < winding.size() ? i + 1 : 0] - begin;
+    const double length = glm::length(side);
+    if (length < kOnPlaneEpsilon) continue;
+    double farthest = 0;
+    for (const math::Vec3d& point : winding)
+      farthest = std::max(farthest, glm::length(glm::cross(side, point - begin)) / length);
+    width = std::min(width, farthest);
+  }
+  return std::isfinite(width) ? width : 0;
 }
 
 }  // namespace temblor::compiler

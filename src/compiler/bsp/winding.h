@@ -56,4 +56,7 @@ bool is_tiny(const Winding& winding);
 
 double area(const Winding& winding);  // square units
 
+// The distance between the two nearest parallel lines that have the winding between them, in units.
+double compute_width(const Winding& winding);
+
 }  // namespace temblor::compiler
