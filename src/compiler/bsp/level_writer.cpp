@@ -5,6 +5,10 @@
 namespace temblor::compiler {
 namespace {
 
+// GLQuake and its descendants draw skies and liquids from buffers of 64 vertices, and crash if a face has
+// more.
+constexpr std::size_t kMaxFaceVertices = 60;
+
 // The contents of a leaf as a .bsp numbers them.
 std::int32_t to_contents(Fill fill) {
   switch (fill) {
@@ -113,20 +117,13 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
     const TreeFace& face = faces[i];
     const auto in_sight = [&](std::uint32_t leaf) { return io_parts.leaf_numbers[leaf] != 0; };
     if (loops[i].size() < 3 || std::none_of(face.leaves.begin(), face.leaves.end(), in_sight)) continue;
-    const auto index = static_cast<std::uint32_t>(bsp_.faces.size());
-    formats::BspFace out;
-    out.plane = plane_number(stored(face.plane));
-    out.side = is_flipped(face.plane) ? 1 : 0;
-    out.first_surfedge = static_cast<std::uint32_t>(bsp_.surfedges.size());
-    out.surfedge_count = static_cast<std::uint32_t>(loops[i].size());
-    for (std::size_t k = 0; k < loops[i].size(); ++k)
-      bsp_.surfedges.push_back(surfedge(loops[i][k], loops[i][(k + 1) % loops[i].size()]));
-    bsp_.faces.push_back(out);
-    surface_of_face_.push_back(face.surface);
-    auto& [first, count] = io_parts.first_face_and_count[face.node];
-    if (count++ == 0) first = index;
-    for (const std::uint32_t leaf : face.leaves)
-      if (in_sight(leaf)) marked[io_parts.leaf_numbers[leaf] - io_parts.first_leaf].push_back(index);
+    for (const FaceLoop& loop : split_long_loop(std::move(loops[i]), kMaxFaceVertices, vertices_)) {
+      const std::uint32_t index = add_face(face, loop);
+      auto& [first, count] = io_parts.first_face_and_count[face.node];
+      if (count++ == 0) first = index;
+      for (const std::uint32_t leaf : face.leaves)
+        if (in_sight(leaf)) marked[io_parts.leaf_numbers[leaf] - io_parts.first_leaf].push_back(index);
+    }
   }
   for (std::size_t i = 0; i < marked.size(); ++i) {
     if (marked[i].empty()) continue;
@@ -135,6 +132,20 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
     leaf.marksurface_count = static_cast<std::uint32_t>(marked[i].size());
     bsp_.marksurfaces.insert(bsp_.marksurfaces.end(), marked[i].begin(), marked[i].end());
   }
+}
+
+// Writes one face, and returns its number.
+std::uint32_t LevelWriter::add_face(const TreeFace& face, std::span<const std::uint32_t> loop) {
+  formats::BspFace out;
+  out.plane = plane_number(stored(face.plane));
+  out.side = is_flipped(face.plane) ? 1 : 0;
+  out.first_surfedge = static_cast<std::uint32_t>(bsp_.surfedges.size());
+  out.surfedge_count = static_cast<std::uint32_t>(loop.size());
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    bsp_.surfedges.push_back(surfedge(loop[k], loop[(k + 1) % loop.size()]));
+  bsp_.faces.push_back(out);
+  surface_of_face_.push_back(face.surface);
+  return static_cast<std::uint32_t>(bsp_.faces.size() - 1);
 }
 
 // Writes a subtree, parents before children. Returns its child number and the box around its open leaves.

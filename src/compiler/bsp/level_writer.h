@@ -46,6 +46,7 @@ class LevelWriter {
   };
   void add_leaves(std::int32_t child, ModelParts& io_parts);
   void add_faces(std::span<const TreeFace> faces, ModelParts& io_parts);
+  std::uint32_t add_face(const TreeFace& face, std::span<const std::uint32_t> loop);
   std::pair<std::int32_t, Box> add_node(std::int32_t child, const ModelParts& parts);
   std::int32_t add_clipnode(const Tree& tree, std::int32_t child);
   std::uint32_t plane_number(PlaneIndex plane);

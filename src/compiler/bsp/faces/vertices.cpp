@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace temblor::compiler {
 namespace {
@@ -37,6 +38,34 @@ void find_between(std::uint32_t from, std::uint32_t to, const VertexSet& vertice
   std::sort(out.begin(), out.end(), [](const OnSide& a, const OnSide& b) {
     return a.along != b.along ? a.along < b.along : a.vertex < b.vertex;
   });
+}
+
+// Half of the length of the vector area of a loop: for a loop in a plane, its area.
+double compute_area(std::span<const std::uint32_t> loop, const VertexSet& vertices) {
+  Winding winding;
+  for (const std::uint32_t vertex : loop) winding.push_back(vertices.points()[vertex]);
+  return area(winding);
+}
+
+// Cuts a loop in two, with the same number of vertices. A line along one side would leave a half without
+// area, so the line is chosen whose smaller half is the largest.
+std::pair<FaceLoop, FaceLoop> halve(const FaceLoop& loop, const VertexSet& vertices) {
+  const std::size_t half = loop.size() / 2;
+  std::pair<FaceLoop, FaceLoop> best;
+  double largest = -1;
+  FaceLoop turned = loop;
+  for (std::size_t first = 0; first < loop.size(); ++first) {
+    const auto middle = turned.begin() + static_cast<std::ptrdiff_t>(half);
+    FaceLoop one(turned.begin(), middle + 1), other(middle, turned.end());
+    other.push_back(turned.front());
+    const double smaller = std::min(compute_area(one, vertices), compute_area(other, vertices));
+    if (smaller > largest) {
+      largest = smaller;
+      best = {std::move(one), std::move(other)};
+    }
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  }
+  return best;
 }
 
 }  // namespace
@@ -83,6 +112,23 @@ void close_t_junctions(std::vector<FaceLoop>& io_loops, const VertexSet& vertice
     while (closed.size() > 1 && closed.front() == closed.back()) closed.pop_back();
     loop = closed;
   }
+}
+
+std::vector<FaceLoop> split_long_loop(FaceLoop loop, std::size_t max_vertices, const VertexSet& vertices) {
+  std::vector<FaceLoop> pending, done;
+  pending.push_back(std::move(loop));
+  while (!pending.empty()) {
+    FaceLoop next = std::move(pending.back());
+    pending.pop_back();
+    if (next.size() <= max_vertices) {
+      done.push_back(std::move(next));
+      continue;
+    }
+    auto [one, other] = halve(next, vertices);
+    pending.push_back(std::move(other));
+    pending.push_back(std::move(one));
+  }
+  return done;
 }
 
 }  // namespace temblor::compiler

@@ -1,6 +1,7 @@
 // The vertices of a level, each stored once, and faces as loops of vertices that meet without gaps.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -49,5 +50,9 @@ using FaceLoop = std::vector<std::uint32_t>;
 // an edge have the same vertices along it. Otherwise the background would shine through in single pixels.
 // Removes vertices that are repeated in a row.
 void close_t_junctions(std::vector<FaceLoop>& io_loops, const VertexSet& vertices);
+
+// Splits a convex loop into convex loops of at most `max_vertices` (4 or more) along lines between its
+// vertices.
+std::vector<FaceLoop> split_long_loop(FaceLoop loop, std::size_t max_vertices, const VertexSet& vertices);
 
 }  // namespace temblor::compiler
