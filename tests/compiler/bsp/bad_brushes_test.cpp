@@ -121,6 +121,18 @@ TEST(BadBrushes, TextureTooSmallForItsSideIsStretched) {
   EXPECT_EQ(find_level_fault(*result), "");
 }
 
+// The styles of Quake, of its tools for colors, and of Half-Life.
+TEST(BadMaps, AllWaysToWriteALightAreRead) {
+  for (const char* value : {"300", "255 128 64", "255 128 64 250"})
+    for (const char* key : {"light", "_light"}) {
+      compiler::Warnings warnings;
+      const std::string light =
+          entity_text("light", fmt::format("\"origin\" \"0 0 64\"\n\"{}\" \"{}\"", key, value));
+      ASSERT_TRUE(try_compile_draft(room_text() + light, warnings).ok());
+      EXPECT_EQ(all_of(warnings), "") << key << " " << value;
+    }
+}
+
 TEST(BadMaps, AreReportedAndStillMakeALevel) {
   struct Case {
     std::string text;
@@ -142,7 +154,7 @@ TEST(BadMaps, AreReportedAndStillMakeALevel) {
              "density, or density, red, green and blue; it is ignored"},
         Case{room_text() + entity_text("light", "\"origin\" \"0 0 64\"\n\"light\" \"300 lots\""),
              "value that cannot be read: entity 2 (light), line 57: light is \"300 lots\" but should be a "
-             "number"},
+             "number, or red, green, blue and a number"},
         Case{room_text() + entity_text("light", "\"origin\" \"0 0\""),
              "origin is \"0 0\" but should be three"},
         Case{room_text() +

@@ -32,9 +32,9 @@ constexpr std::string_view kNumbersOfWorld[] = {"anglescale",  "bounce",        
                                                 "sunlight3",   "sunlight_dirt", "sunlight_penumbra",
                                                 "telealpha",   "wateralpha"};
 constexpr std::string_view kNumbersOfLights[] = {
-    "anglescale", "anglesense",    "delay",          "deviance",          "dirt",  "falloff",
-    "light",      "nostaticlight", "samples",        "softangle",         "style", "sun",
-    "sunlight2",  "sunlight3",     "surface_offset", "surface_spotlight", "wait"};
+    "anglescale",        "anglesense", "delay", "deviance", "dirt",      "falloff",   "nostaticlight",
+    "samples",           "softangle",  "style", "sun",      "sunlight2", "sunlight3", "surface_offset",
+    "surface_spotlight", "wait"};
 constexpr std::string_view kNumbersOfBrushes[] = {
     "alpha",       "autominlight", "bounce",      "chop_order",
     "dirt",        "hulls",        "light_alpha", "lightignore",
@@ -92,6 +92,9 @@ class Reader {
             {"fog brighter than white",
              fmt::format("line {}: fog takes its density, then red, green and blue from 0 to 1",
                          entity_.line)});
+    } else if (is_light_ && name == "light") {
+      if (count != 1 && count != 3 && count != 4)
+        warn(key, value, "a number, or red, green, blue and a number");
     } else if (takes(name, kTriplesOfAll, kTriplesOfWorld, kTriplesOfLights, kTriplesOfBrushes)) {
       if (count != 3) warn(key, value, "three numbers");
     } else if (takes(name, kNumbersOfAll, kNumbersOfWorld, kNumbersOfLights, kNumbersOfBrushes)) {
