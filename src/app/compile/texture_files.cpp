@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <system_error>
 #include <utility>
 
@@ -110,12 +111,15 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
     files.add(places.pictures, std::move(wad));
   }
   std::vector<fs::path> folders;
+  std::vector<std::string> wads;
   for (const std::string& wad : places.wads) {
     std::error_code ignored;
-    if (fs::is_directory(wad, ignored)) {
+    if (fs::is_directory(wad, ignored))
       folders.emplace_back(wad);
-      continue;
-    }
+    else
+      wads.push_back(wad);
+  }
+  for (const std::string& wad : std::views::reverse(wads)) {
     io_stamps.push_back(read_file_stamp(wad));
     base::Result<base::ByteVector> file = vfs::read_disk_file(wad);
     if (!file.ok()) {
@@ -126,7 +130,8 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
   }
   const std::string_view key =
       map.entities.empty() ? "" : map.entities.front().fields.find("wad").value_or("");
-  for (const std::string& entry : compiler::split_wad_key(key)) {
+  const std::vector<std::string> entries = compiler::split_wad_key(key);
+  for (const std::string& entry : std::views::reverse(entries)) {
     // Quoted texts are usually cut off sooner, but paths are long.
     constexpr std::size_t kMaxChars = 120;
     const bool is_found = add_first_readable(compiler::wad_candidates(entry, map_path.parent_path(), folders),

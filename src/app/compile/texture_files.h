@@ -1,8 +1,8 @@
 // Finds the files with a map's textures. Sources are searched in this order, and the first with a name wins:
 //
 //   1. --textures: a folder of PNG files
-//   2. --wad: WADs, levels, and folders of WADs
-//   3. the WADs that the map's "wad" key names
+//   2. --wad: WADs and levels, the last one first, as in ericw-tools; and folders of WADs
+//   3. the WADs that the map's "wad" key names, the last one first
 //   4. with Temblor's own palette, the textures of the small built-in level
 //   5. textures.wad of the game directories, the last one first
 #pragma once

@@ -232,6 +232,33 @@ TEST_F(CompileProgram, PicturesInAFolderBecomeTextures) {
   EXPECT_THAT(without.err, HasSubstr("nowhere"));
 }
 
+// The order of ericw-tools, in which mappers list their WADs.
+TEST_F(CompileProgram, TheLastWadWithATextureWins) {
+  for (const std::uint8_t color : std::initializer_list<std::uint8_t>{5, 9, 13}) {
+    const std::string name = fmt::format("art{}", color);
+    std::filesystem::create_directory(folder_.path() / name);
+    const std::vector<std::uint8_t> texels(32 * 16, color);
+    folder_.write(
+        name + "/wall.png",
+        std::string(base::as_text(formats::write_png(texels, 32, 16, artgen::make_palette()).value())));
+    ASSERT_EQ(run_program(folder_.path(), {"compile", "--textures", name, "-o", name + ".wad"}).exit_status,
+              0);
+  }
+  const auto compile = [&](const char* key, std::vector<std::string> more) {
+    std::string map = lit_room();
+    map.insert(map.find("\"worldspawn\"\n") + 13, key);
+    folder_.write("room.map", map);
+    std::vector<std::string> arguments{"compile", "room.map", "--no-light"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run_program(folder_.path(), arguments).exit_status, 0);
+    return read_level("room.bsp").miptexes[0].mips[0][0];
+  };
+  EXPECT_EQ(compile("\"wad\" \"art5.wad;art9.wad\"\n", {}), 9);
+  EXPECT_EQ(compile("\"wad\" \"art9.wad;art5.wad\"\n", {}), 5);
+  EXPECT_EQ(compile("", {"--wad", "art5.wad", "--wad", "art9.wad"}), 9);
+  EXPECT_EQ(compile("\"wad\" \"art9.wad;art5.wad\"\n", {"--wad", "art13.wad"}), 13);
+}
+
 // An existing level is replaced only by a complete one.
 TEST_F(CompileProgram, FailureKeepsTheOldLevel) {
   folder_.write("room.map", lit_room());
