@@ -12,7 +12,7 @@
 namespace temblor::formats {
 namespace {
 
-constexpr bool is_space(char c) {
+constexpr bool is_md5_space(char c) {
   return static_cast<unsigned char>(c) <= ' ';
 }
 constexpr bool is_bracket(char c) {
@@ -52,7 +52,7 @@ std::string_view Md5Scanner::word() {
   const bool is_quoted = rest_.front() == '"';
   if (is_quoted) rest_.remove_prefix(1);
   const auto end = std::ranges::find_if(rest_, [&](char c) {
-    return is_quoted ? c == '"' || c == '\n' : is_space(c) || is_bracket(c) || c == '"';
+    return is_quoted ? c == '"' || c == '\n' : is_md5_space(c) || is_bracket(c) || c == '"';
   });
   auto size = static_cast<std::size_t>(end - rest_.begin());
   if (is_quoted && (end == rest_.end() || *end != '"')) {
@@ -124,7 +124,7 @@ math::Vec3 Md5Scanner::vec3() {
 
 void Md5Scanner::skip_space_and_comments() {
   while (!rest_.empty()) {
-    if (is_space(rest_.front())) {
+    if (is_md5_space(rest_.front())) {
       line_ += rest_.front() == '\n' ? 1 : 0;
       rest_.remove_prefix(1);
     } else if (rest_.starts_with("//")) {
