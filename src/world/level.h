@@ -98,10 +98,26 @@ enum class FaceKind : std::uint8_t {
 constexpr std::uint32_t kNoLight = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint8_t kNoStyle = 255;
 
+// A light map that does not have its samples at every 16th texel (BSPX LMSHIFT, DECOUPLED_LM).
+struct LightGrid {
+  std::int32_t width, height;  // in samples, at least 1
+  // The position in the grid of the face's first texel, and how far it moves for one texel along s and t. The
+  // sample at column x, row y lies where the position is (x, y).
+  math::Vec2d first, per_s, per_t;
+  // How closely the light must be computed: a power of two from 1 to 16. Between multiples of so many texels,
+  // light may be interpolated.
+  std::int32_t texels;
+
+  // The position of a texel that is s, t texels from the face's first one. It may be outside of the grid,
+  // where the light is that of the nearest sample.
+  math::Vec2d position(double s, double t) const { return first + per_s * s + per_t * t; }
+};
+constexpr std::uint32_t kStockGrid = std::numeric_limits<std::uint32_t>::max();
+
 // A convex polygon in a plane. Its vertices run clockwise seen from its front. Its light samples are stored
 // as one grid after another, row by row:
 //
-//   light -> | style 0: light_width() x light_height() samples | style 1 | ... | style_count - 1 |
+//   light -> | style 0: width x height samples (Level::light_size) | style 1 | ... | style_count - 1 |
 //
 // The renderer adds the grids, each multiplied by the current value of its light style.
 struct Face {
@@ -117,7 +133,9 @@ struct Face {
   std::array<std::int32_t, 2> texture_mins;     // s, t of the surface's first texel, multiples of 16
   std::array<std::int32_t, 2> texture_extents;  // size in texels, multiples of 16
 
-  // Size of the light map: one sample at each multiple of 16 texels, both ends included.
+  std::uint32_t light_grid = kStockGrid;  // into Level::light_grids; kStockGrid: a sample every 16 texels
+
+  // Size of a stock light map: one sample at each multiple of 16 texels, both ends included.
   std::int32_t light_width() const { return texture_extents[0] / 16 + 1; }
   std::int32_t light_height() const { return texture_extents[1] / 16 + 1; }
 };
@@ -189,9 +207,15 @@ struct Level {
   bool has_light = false;                // false: the level was never lit; every face is drawn full-bright
   std::vector<std::uint8_t> light;       // gray samples, 0 to 255
   std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty if the level has no colored light
-  std::vector<std::string> notes;        // faults of the file that were passed over
+  std::vector<LightGrid> light_grids;
+  std::vector<std::string> notes;  // faults of the file that were passed over
 
   const Face& face(FaceIndex index) const { return faces[base::to_size(index)]; }
+  // The size of a face's light map in samples.
+  std::array<std::int32_t, 2> light_size(const Face& face) const {
+    if (face.light_grid == kStockGrid) return {face.light_width(), face.light_height()};
+    return {light_grids[face.light_grid].width, light_grids[face.light_grid].height};
+  }
   const Leaf& leaf(LeafIndex index) const { return leaves[base::to_size(index)]; }
   const Node& node(NodeIndex index) const { return nodes[base::to_size(index)]; }
   const Texture& texture(TextureIndex index) const { return textures[base::to_size(index)]; }
@@ -209,8 +233,10 @@ struct Level {
 
 // Makes a level from `bsp`, which read_bsp() must have validated. Colored light comes from `lit` if given,
 // else from the BSPX lump RGBLIGHTING, else there is none. `lit` must have the right size; a lump of another
-// size is ignored, with a note, and so are faults of the entity text. Fails if a face's light is outside of
-// the samples or has a style above 63, or if a face is larger than any real level's (over 2^20 texels).
+// size is ignored, with a note, and so are faults of the entity text. Light maps come from DECOUPLED_LM, else
+// from LMSHIFT, else from the faces; damaged lumps are ignored, with a note. Fails if a face's light is
+// outside of the samples or has a style above 63, or if a face is larger than any real level's (over 2^20
+// texels).
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
                                                       const formats::Lit* lit = nullptr);
 

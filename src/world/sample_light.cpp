@@ -65,23 +65,32 @@ struct SampleStep {
   std::size_t before, after;
   float fraction;
 };
-SampleStep find_samples(double texel, std::int32_t first_texel, std::int32_t samples) {
-  const double position = std::clamp((texel - first_texel) / kTexelsPerSample, 0.0, double{samples - 1.0});
+SampleStep find_samples(double along, std::int32_t samples) {
+  const double position = std::clamp(along, 0.0, double{samples - 1.0});
   const auto before = static_cast<std::size_t>(position);
   return {before, std::min(before + 1, static_cast<std::size_t>(samples - 1)),
           static_cast<float>(position - static_cast<double>(before))};
 }
 
+// Returns the position of a point of the face in its light map: sample (x, y) lies at (x, y).
+math::Vec2d find_light_position(const Level& level, const Face& face, const math::Vec3d& point) {
+  const TextureAxes& axes = level.texture_axes[face.axes];
+  const double s =
+      glm::dot(point, math::Vec3d(axes.s_axis)) + double{axes.s_offset} - double(face.texture_mins[0]);
+  const double t =
+      glm::dot(point, math::Vec3d(axes.t_axis)) + double{axes.t_offset} - double(face.texture_mins[1]);
+  if (face.light_grid == kStockGrid) return {s / kTexelsPerSample, t / kTexelsPerSample};
+  return level.light_grids[face.light_grid].position(s, t);
+}
+
 // Bilinear interpolation between four samples, summed over the face's light styles.
 PointLight interpolate_light(const Level& level, const Face& face, const LightStyleValues& styles,
                              const math::Vec3d& point) {
-  const TextureAxes& axes = level.texture_axes[face.axes];
-  const SampleStep s = find_samples(glm::dot(point, math::Vec3d(axes.s_axis)) + double{axes.s_offset},
-                                    face.texture_mins[0], face.light_width());
-  const SampleStep t = find_samples(glm::dot(point, math::Vec3d(axes.t_axis)) + double{axes.t_offset},
-                                    face.texture_mins[1], face.light_height());
-  const auto width = static_cast<std::size_t>(face.light_width());
-  const std::size_t style_samples = width * static_cast<std::size_t>(face.light_height());
+  const auto [columns, rows] = level.light_size(face);
+  const math::Vec2d position = find_light_position(level, face, point);
+  const SampleStep s = find_samples(position.x, columns), t = find_samples(position.y, rows);
+  const auto width = static_cast<std::size_t>(columns);
+  const std::size_t style_samples = width * static_cast<std::size_t>(rows);
   // Each sample of `light` has `channels` values; this reads number `channel`.
   const auto between = [&](const std::vector<std::uint8_t>& light, std::size_t first, std::size_t channels,
                            std::size_t channel) {

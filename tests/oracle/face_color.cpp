@@ -20,19 +20,25 @@ struct GridPosition {
   std::size_t before, after;
   double fraction;
 };
-GridPosition grid_position(std::int64_t texel, std::int32_t first_texel, std::int32_t count) {
-  const double position =
-      std::clamp(static_cast<double>(texel - first_texel) / kLightGridTexels, 0.0, count - 1.0);
+GridPosition grid_position(double along, std::int32_t count) {
+  const double position = std::clamp(along, 0.0, count - 1.0);
   const auto before = static_cast<std::size_t>(position);
   return {before, std::min(before + 1, static_cast<std::size_t>(count) - 1),
           position - static_cast<double>(before)};
 }
 
+math::Vec2d position_on_light_map(const world::Level& level, const world::Face& face, TexelPosition texel) {
+  const auto s = static_cast<double>(texel.s - face.texture_mins[0]);
+  const auto t = static_cast<double>(texel.t - face.texture_mins[1]);
+  if (face.light_grid == world::kStockGrid) return {s / kLightGridTexels, t / kLightGridTexels};
+  return level.light_grids[face.light_grid].position(s, t);
+}
+
 double light_of_sample(const world::Level& level, const world::Face& face,
                        const world::LightStyleValues& styles, std::size_t column, std::size_t row,
                        LightColor color, std::size_t channel) {
-  const auto width = static_cast<std::size_t>(face.light_width());
-  const auto height = static_cast<std::size_t>(face.light_height());
+  const auto width = static_cast<std::size_t>(level.light_size(face)[0]);
+  const auto height = static_cast<std::size_t>(level.light_size(face)[1]);
   const bool rgb = color == LightColor::kRgb && !level.light_rgb.empty();
   double sum = 0;
   for (std::size_t style = 0; style < face.style_count; ++style) {
@@ -61,8 +67,9 @@ Light sample_light(const world::Level& level, const world::Face& face, const wor
                    TexelPosition position, LightColor color) {
   Light light{};
   if (face.light == world::kNoLight) return light;
-  const GridPosition s = grid_position(position.s, face.texture_mins[0], face.light_width());
-  const GridPosition t = grid_position(position.t, face.texture_mins[1], face.light_height());
+  const math::Vec2d on_map = position_on_light_map(level, face, position);
+  const GridPosition s = grid_position(on_map.x, level.light_size(face)[0]);
+  const GridPosition t = grid_position(on_map.y, level.light_size(face)[1]);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const auto sample = [&](std::size_t column, std::size_t row) {
       return light_of_sample(level, face, styles, column, row, color, channel);

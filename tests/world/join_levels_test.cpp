@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/levels/scaled_light.h"
 #include "support/random.h"
 #include "world/test_levels.h"
 #include "world/trace.h"
@@ -110,6 +111,24 @@ TEST(JoinLevels, LightIsKeptAndGrayLightIsColoredGrayWhereOthersHaveColor) {
       ASSERT_EQ(as_rgb.size(), as_gray.size() * 4);
       for (std::size_t k = 0; k < as_rgb.size(); ++k) EXPECT_EQ(as_rgb[k], as_gray[k / 4]);
     }
+  }
+}
+
+// Joins a level twice whose faces have a sample for every 32 texels.
+TEST(JoinLevels, LightMapsOfOtherResolutionsAreKept) {
+  formats::Bsp bsp = artgen::make_small_level();
+  std::vector<formats::ScaledLightMap> maps;
+  for (const formats::BspFace& face : bsp.faces) maps.push_back({5, face.light_offset, face.styles});
+  formats::set_scaled_light(maps, bsp);
+  const std::shared_ptr<const Level> level = test_level("coarse", bsp).level;
+  ASSERT_FALSE(level->light_grids.empty());
+  const std::shared_ptr<const Level> joined = join_levels(level, {{level}}).level;
+  ASSERT_EQ(joined->light_grids.size(), 2 * level->light_grids.size());
+  for (std::size_t i = 0; i < joined->faces.size(); ++i) {
+    const Face &face = joined->faces[i], &own = level->faces[i % level->faces.size()];
+    EXPECT_EQ(joined->light_size(face), level->light_size(own)) << i;
+    if (own.light_grid == kStockGrid) continue;
+    EXPECT_EQ(joined->light_grids[face.light_grid].first, level->light_grids[own.light_grid].first) << i;
   }
 }
 

@@ -60,8 +60,10 @@ void check_faces(const world::Level& level) {
   for (const world::Face& face : level.faces) {
     CHECK(base::to_size(face.texture) < level.textures.size());
     if (face.light == world::kNoLight) continue;
-    const std::uint64_t samples = static_cast<std::uint64_t>(face.light_width()) *
-                                  static_cast<std::uint64_t>(face.light_height()) * face.style_count;
+    const auto [width, height] = level.light_size(face);
+    CHECK(width >= 1 && height >= 1);
+    const std::uint64_t samples =
+        static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * face.style_count;
     CHECK(face.light + samples <= level.light.size());
   }
   for (std::size_t i = 0; i < level.textures.size(); ++i) {

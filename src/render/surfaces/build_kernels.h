@@ -3,7 +3,7 @@
 // processors.
 //
 // Along a row, light is interpolated between sample columns that are `texels_per_sample` (16, 8, 4, or 2 for
-// mip 0 to 3) texels apart:
+// mip 0 to 3; 1 to 16 for light maps of other resolutions) texels apart:
 //
 //   light     L0              L1              L2
 //   texels    t t t t t t t t t t t t t t t t t

@@ -64,7 +64,8 @@ class Builder {
         simd_(simd_kernels),
         scratch_(scratch),
         face_(level.face(request.face)),
-        grid_(sample_grid(face_, request.tile_s, request.tile_t)),
+        grid_(sample_grid(face_, request.tile_s, request.tile_t,
+                          choose_sample_texels(level, face_, request.mip))),
         drawn_(request.texture != nullptr ? *request.texture : level.texture(request.contents.texture)),
         // Faces start at multiples of 16 texels, so every mip level starts at a whole texel.
         texture_(drawn_, request.mip,
@@ -125,7 +126,7 @@ class Builder {
   }
 
  private:
-  std::int32_t texels_per_sample() const { return kTexelsASample >> request_.mip; }
+  std::int32_t texels_per_sample() const { return grid_.texels >> request_.mip; }
   bool has_holes() const { return drawn_.kind == world::TextureKind::kCutout; }
   bool shows_only_light() const { return request_.contents.light_view == LightView::kLightOnly; }
   // Replaces all texels of a row except for holes.

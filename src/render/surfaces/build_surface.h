@@ -1,14 +1,15 @@
 // Builds one surface block: texture, with marks on it, times light.
 //
-// Light is computed at the samples of the light map (16 texels apart at mip 0) for all styles together. It is
-// interpolated down the sample columns first and then along each row. Numbers per sample, where `sum` is that
-// of LightSums (256: the light as stored):
+// Light is computed at the samples of the light map (16 texels apart at mip 0) for all styles together.
+// (Light maps of other resolutions are resampled at points 1 to 16 texels apart first: light_samples.h.) It
+// is interpolated down the sample columns first and then along each row. Numbers per sample, where `sum` is
+// that of LightSums (256: the light as stored):
 //
 //   indexed: t = max(64, (65280 - sum) >> 2); colormap row = t >> 8, stock Quake's arithmetic
 //   rgb:     h = min(sum, 65280) >> 1, so that 16384 shows a color as it is;
 //            channel = min(255, (2 * color * h + 16384) >> 15), for red, green, and blue
 //
-// Between samples a and b, i of n texels along (n = 16 >> mip):
+// Between samples a and b, i of n texels along (n = 16 >> mip, or fewer):
 //   a + (((b - a) * i * (2048 * 16 / n) + 16384) >> 15)
 //
 // Full-bright palette entries keep their color. Clear texels of alpha-tested textures stay clear: 255 in

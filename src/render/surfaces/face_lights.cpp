@@ -42,9 +42,9 @@ std::optional<FaceLight> light_on_face(const DynamicLight& light, const FacePlac
 
 // The light decreases along both axes, so the sample that is nearest along both axes decides.
 bool reaches(const FaceLight& light, const SampleGrid& grid) {
-  const auto nearest = [](float at, std::int32_t first, std::int32_t count) {
-    const auto begin = static_cast<float>(first * kTexelsASample);
-    const auto end = static_cast<float>((first + count - 1) * kTexelsASample);
+  const auto nearest = [&](float at, std::int32_t first, std::int32_t count) {
+    const auto begin = static_cast<float>(first * grid.texels);
+    const auto end = static_cast<float>((first + count - 1) * grid.texels);
     return std::clamp(at, begin, end);
   };
   const float s = nearest(light.s, grid.first_column, grid.columns);

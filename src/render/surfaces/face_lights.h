@@ -35,11 +35,13 @@ struct FaceLight {
 // Bounds that keep sums of light within 32 bits.
 constexpr float kMaxLight = 65536, kMaxColor = 16;
 
-// A rectangle of a face's light samples, one every 16 texels.
+constexpr std::int32_t kTexelsASample = 16;  // at mip 0
+// A rectangle of the points of a face where light is computed. They are `texels` of mip 0 apart: the samples
+// of a stock light map are every 16 texels.
 struct SampleGrid {
   std::int32_t first_column = 0, first_row = 0, columns = 0, rows = 0;
+  std::int32_t texels = kTexelsASample;
 };
-constexpr std::int32_t kTexelsASample = 16;  // at mip 0
 
 // The distance, in units, from the light's nearest point on the face to texel (s, t) of mip 0.
 inline float distance_on_face(const FaceLight& light, float s, float t) {

@@ -35,6 +35,55 @@ std::span<std::uint32_t> sum_styles(const world::Level& level, const world::Face
   return sums;
 }
 
+// A position between samples of a light map.
+struct BetweenSamples {
+  std::size_t before, after;  // columns or rows
+  std::uint32_t share_q8;     // of `after`, from 0 to 255
+};
+BetweenSamples find_between(double position, std::int32_t count) {
+  const double last = count - 1;
+  const auto position_q8 = static_cast<std::uint32_t>(std::clamp(position, 0.0, last) * 256 + 0.5);
+  const std::size_t before = position_q8 >> 8;
+  return {before, std::min(before + 1, static_cast<std::size_t>(count) - 1), position_q8 & 255};
+}
+
+// Interpolates between four samples of one channel; the result is in 16.16 fixed point.
+std::uint64_t interpolate_q16(const std::uint8_t* samples, std::size_t row_values, std::size_t channels,
+                              const BetweenSamples& x, const BetweenSamples& y) {
+  const std::uint8_t *above = samples + y.before * row_values, *below = samples + y.after * row_values;
+  const std::size_t left = x.before * channels, right = x.after * channels;
+  const std::uint32_t upper = above[left] * (256 - x.share_q8) + above[right] * x.share_q8;
+  const std::uint32_t lower = below[left] * (256 - x.share_q8) + below[right] * x.share_q8;
+  return upper * (256 - y.share_q8) + lower * y.share_q8;
+}
+
+// Does the same as sum_styles() for a light map whose samples do not lie on the grid. Positions are computed,
+// never accumulated, so that adjacent tiles are lit the same along their seam.
+std::span<std::uint32_t> resample_styles(const world::Level& level, const world::Face& face,
+                                         const SampleGrid& grid, const TileLight& light, std::size_t channels,
+                                         base::Arena& arena) {
+  const std::vector<std::uint8_t>& stored = channels == 3 ? level.light_rgb : level.light;
+  const world::LightGrid& map = level.light_grids[face.light_grid];
+  const std::size_t row_values = static_cast<std::size_t>(map.width) * channels;
+  const std::size_t style_values = row_values * static_cast<std::size_t>(map.height);
+  const std::span<std::uint32_t> sums = arena.allocate_filled<std::uint32_t>(
+      static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns) * channels, 0);
+  std::uint32_t* sum = sums.data();
+  for (std::int32_t row = 0; row < grid.rows; ++row)
+    for (std::int32_t column = 0; column < grid.columns; ++column, sum += channels) {
+      const math::Vec2d position =
+          map.position((grid.first_column + column) * grid.texels, (grid.first_row + row) * grid.texels);
+      const BetweenSamples x = find_between(position.x, map.width), y = find_between(position.y, map.height);
+      const std::uint8_t* samples = stored.data() + face.light * channels;
+      for (std::size_t style = 0; style < face.style_count; ++style, samples += style_values)
+        for (std::size_t channel = 0; channel < channels; ++channel) {
+          const std::uint64_t sample_q16 = interpolate_q16(samples + channel, row_values, channels, x, y);
+          sum[channel] += static_cast<std::uint32_t>(sample_q16 * light.style_values[style] >> 16);
+        }
+    }
+  return sums;
+}
+
 bool has_color(const FaceLight& light) {
   return light.color[0] != light.color[1] || light.color[0] != light.color[2];
 }
@@ -49,9 +98,9 @@ void add_light(const FaceLight& light, const SampleGrid& grid, std::size_t chann
                std::span<std::uint32_t> io_sums) {
   std::uint32_t* sum = io_sums.data();
   for (std::int32_t row = 0; row < grid.rows; ++row) {
-    const auto t = static_cast<float>((grid.first_row + row) * kTexelsASample);
+    const auto t = static_cast<float>((grid.first_row + row) * grid.texels);
     for (std::int32_t column = 0; column < grid.columns; ++column, sum += channels) {
-      const auto s = static_cast<float>((grid.first_column + column) * kTexelsASample);
+      const auto s = static_cast<float>((grid.first_column + column) * grid.texels);
       const float distance = distance_on_face(light, s, t);
       if (!(distance < light.reach)) continue;
       const float amount = (light.at_nearest - distance) * 256.0f;
@@ -64,18 +113,26 @@ void add_light(const FaceLight& light, const SampleGrid& grid, std::size_t chann
 
 }  // namespace
 
-SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t) {
-  const std::int32_t column = tile_s * (kTileTexels / kTexelsASample);
-  const std::int32_t row = tile_t * (kTileTexels / kTexelsASample);
-  const std::int32_t most = kTileTexels / kTexelsASample + 1;
-  return {column, row, std::min(face.light_width() - column, most),
-          std::min(face.light_height() - row, most)};
+SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t, std::int32_t texels) {
+  const auto count = [&](std::int32_t extent, int tile) {
+    return std::min(extent - tile * kTileTexels, kTileTexels) / texels + 1;
+  };
+  const std::int32_t samples_per_tile = kTileTexels / texels;
+  return {tile_s * samples_per_tile, tile_t * samples_per_tile, count(face.texture_extents[0], tile_s),
+          count(face.texture_extents[1], tile_t), texels};
+}
+
+std::int32_t choose_sample_texels(const world::Level& level, const world::Face& face, int mip) {
+  if (face.light_grid == world::kStockGrid) return kTexelsASample;
+  return std::max(level.light_grids[face.light_grid].texels, std::int32_t{1} << mip);
 }
 
 LightSums sum_light(const world::Level& level, const world::Face& face, const SampleGrid& grid,
                     const TileLight& light, base::Arena& arena) {
   std::size_t channels = light.colored ? 3 : 1;
-  std::span<std::uint32_t> sums = sum_styles(level, face, grid, light, channels, arena);
+  const bool is_stock = face.light_grid == world::kStockGrid;
+  std::span<std::uint32_t> sums = is_stock ? sum_styles(level, face, grid, light, channels, arena)
+                                           : resample_styles(level, face, grid, light, channels, arena);
   if (channels == 1 && std::any_of(light.lights.begin(), light.lights.end(), has_color)) {
     sums = in_three_channels(sums, arena);
     channels = 3;

@@ -11,8 +11,12 @@
 
 namespace temblor::render {
 
-// The samples that a tile needs, including the one after its last texel.
-SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t);
+// The samples that a tile needs, including the one after its last texel. `texels` between them: a power of
+// two, at most 16.
+SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t, std::int32_t texels = kTexelsASample);
+// The distance of the samples from which a block of a mip level is lit: 16 for stock light maps. A texel of
+// the block needs no more than one sample.
+std::int32_t choose_sample_texels(const world::Level& level, const world::Face& face, int mip);
 
 // The light that falls on the tile.
 struct TileLight {
@@ -32,6 +36,9 @@ struct LightSums {
 //
 //   sample * style value                                            over the face's styles, and
 //   256 * (light at the nearest point - distance on face) * color   over the lights that reach the sample.
+//
+// Samples of light maps that are not stock are interpolated between the four samples around their position,
+// which is rounded to 1/256 of their distance, and rounded down.
 //
 // Has one channel if neither samples nor lights are colored. Lives in `arena`.
 LightSums sum_light(const world::Level& level, const world::Face& face, const SampleGrid& grid,

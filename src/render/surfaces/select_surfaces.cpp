@@ -174,7 +174,8 @@ class SurfaceSelector {
   bool has_dynamic_light(world::FaceIndex number, const FacePlacement& placed) const {
     const world::Face& face = level_.face(number);
     const std::span<const DynamicLight> lights = current_light(number).lights;
-    const SampleGrid whole{0, 0, face.light_width(), face.light_height()};
+    const SampleGrid whole{0, 0, face.texture_extents[0] / kTexelsASample + 1,
+                           face.texture_extents[1] / kTexelsASample + 1};
     return std::any_of(lights.begin(), lights.end(), [&](const DynamicLight& light) {
       const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_color());
       return on_face && reaches(*on_face, whole);

@@ -13,6 +13,7 @@
 #include "formats/images/wad3_texture.h"
 #include "formats/levels/entities.h"
 #include "formats/levels/lit.h"
+#include "formats/levels/scaled_light.h"
 #include "formats/sounds/wav.h"
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
@@ -57,9 +58,25 @@ TEST_F(InspectProgram, LevelsOfAllVersions) {
     EXPECT_EQ(object.at("counts").at("light samples"), level.lighting.size());
     EXPECT_EQ(object.at("entities").at("info_player_start"), 1);
     EXPECT_EQ(object.at("colored light"), true);
+    EXPECT_EQ(object.at("faces with light maps of their own"), 0);
     EXPECT_EQ(object.at("BSPX lumps").at(0).at("name"), "RGBLIGHTING");
     EXPECT_TRUE(object.at("problems").empty()) << object.at("problems");
   }
+}
+
+TEST_F(InspectProgram, LightMapsOfOtherScales) {
+  const SmallGame game;
+  formats::Bsp level = game.level();
+  std::vector<formats::ScaledLightMap> maps;
+  std::size_t lit = 0;
+  for (const formats::BspFace& face : level.faces) {
+    maps.push_back({5, face.light_offset, face.styles});
+    if (face.light_offset >= 0) ++lit;
+  }
+  formats::set_scaled_light(maps, level);
+  const json object = inspect("x.bsp", formats::write_bsp(level, formats::BspVersion::k29).value());
+  EXPECT_EQ(object.at("faces with light maps of their own"), lit);
+  EXPECT_TRUE(object.at("problems").empty()) << object.at("problems");
 }
 
 TEST_F(InspectProgram, Sounds) {

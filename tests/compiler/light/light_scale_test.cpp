@@ -40,6 +40,21 @@ TEST(LightScale, OldEnginesSeeTheUsualLight) {
   EXPECT_TRUE(std::equal(usual.bsp.lighting.begin(), usual.bsp.lighting.end(), scaled.bsp.lighting.begin()));
 }
 
+// The game draws the scaled map: its grid has a luxel for every 4 texels.
+TEST(LightScale, TheGameUsesTheScaledMap) {
+  const LitResult scaled = lit_room("0.25");
+  const auto level = world::make_level(scaled.bsp, "scaled").value();
+  EXPECT_TRUE(level->notes.empty());
+  ASSERT_EQ(level->light_grids.size(), level->faces.size());
+  for (std::size_t i = 0; i < level->faces.size(); ++i) {
+    EXPECT_GT(level->faces[i].light, static_cast<std::uint32_t>(scaled.bsp.faces[i].light_offset));
+    const world::LightGrid& grid = level->light_grids[level->faces[i].light_grid];
+    EXPECT_EQ(grid.per_s, math::Vec2d(0.25, 0));
+    EXPECT_EQ(grid.per_t, math::Vec2d(0, 0.25));
+    EXPECT_EQ(grid.texels, 4);
+  }
+}
+
 TEST(LightScale, IsRoundedToAPowerOfTwo) {
   for (const auto& [scale, shift] :
        {std::pair{"0.5", 3}, {"0.3", 2}, {"0.25", 2}, {"2", 5}, {"0.001", 0}, {"1000", 7}, {"1.3", 4}}) {
@@ -138,7 +153,8 @@ TEST(LightScale, BouncedLightEqualsThatOfTheUsualMap) {
   const auto level = world::make_level(lit.bsp, "scaled").value();
   base::ByteReader offsets = lump(lit.bsp, "LMOFFSET");
   int compared = 0;
-  for (const world::Face& face : level->faces) {
+  for (std::size_t number = 0; number < level->faces.size(); ++number) {
+    const world::Face& face = level->faces[number];
     const std::int32_t offset = offsets.i32();
     const world::TextureAxes& axes = level->texture_axes[face.axes];
     const int low_s = static_cast<int>(std::floor((-64.0 + double{axes.s_offset}) / 8)) * 8;
@@ -148,7 +164,8 @@ TEST(LightScale, BouncedLightEqualsThatOfTheUsualMap) {
       for (int column = 1; column + 1 < face.light_width(); ++column) {
         const int fine_column = (face.texture_mins[0] + column * 16 - low_s) / 8;
         const int fine_row = (face.texture_mins[1] + row * 16 - low_t) / 8;
-        EXPECT_NEAR(level->light[face.light + static_cast<std::size_t>(row * face.light_width() + column)],
+        const int usual = lit.bsp.faces[number].light_offset + row * face.light_width() + column;
+        EXPECT_NEAR(level->light[static_cast<std::size_t>(usual)],
                     level->light[static_cast<std::size_t>(offset + fine_row * width + fine_column)], 1);
         ++compared;
       }

@@ -212,7 +212,7 @@ TEST_P(BuildRows, RgbIsWithinRoundingOfTheProduct) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(TexelsASample, BuildRows, testing::Values(16, 8, 4, 2),
+INSTANTIATE_TEST_SUITE_P(TexelsASample, BuildRows, testing::Values(16, 8, 4, 2, 1),
                          [](const auto& test) { return fmt::format("{}", test.param); });
 
 // The light as stored, half the sum of 128 x 256, leaves every color unchanged.

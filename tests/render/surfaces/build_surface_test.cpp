@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -44,7 +45,9 @@ class SurfaceDefinition {
         level_(*drawable.level),
         request_(request),
         face_(level_.face(request.face)),
-        texels_per_sample_(kTexelsASample >> request.mip) {}
+        own_grid_(face_.light_grid != world::kStockGrid ? &level_.light_grids[face_.light_grid] : nullptr),
+        texels_apart_(own_grid_ != nullptr ? std::max(own_grid_->texels, 1 << request.mip) : kTexelsASample),
+        texels_per_sample_(texels_apart_ >> request.mip) {}
 
   std::uint8_t indexed(int x, int y) const {
     const std::int64_t t = lit(x, y, [&](std::int64_t column, std::int64_t row) {
@@ -83,6 +86,7 @@ class SurfaceDefinition {
 
   // The face's samples, for all of its styles. Past the last sample, the value does not matter.
   std::int64_t light_sum(std::int64_t column, std::int64_t row, int channel) const {
+    if (own_grid_ != nullptr) return own_light_sum(column, row, channel);
     const std::int64_t width = face_.texture_extents[0] / 16 + 1, height = face_.texture_extents[1] / 16 + 1;
     column += request_.tile_s * 16;
     row += request_.tile_t * 16;
@@ -94,6 +98,38 @@ class SurfaceDefinition {
                                      ? level_.light_rgb[static_cast<std::size_t>(sample * 3 + channel)]
                                      : level_.light[static_cast<std::size_t>(sample)];
       sum += value * request_.contents.style_values[static_cast<std::size_t>(style)];
+    }
+    return sum;
+  }
+
+  // The light map's samples around a point that is column, row times texels_apart_ from the tile's first
+  // texel.
+  std::int64_t own_light_sum(std::int64_t column, std::int64_t row, int channel) const {
+    const double s = static_cast<double>(request_.tile_s * 256 + column * texels_apart_);
+    const double t = static_cast<double>(request_.tile_t * 256 + row * texels_apart_);
+    const auto in_256ths = [](double position, std::int32_t count) {
+      return static_cast<std::int64_t>(
+          std::floor(std::min(std::max(position, 0.0), count - 1.0) * 256 + 0.5));
+    };
+    const std::int64_t x =
+        in_256ths(own_grid_->first.x + s * own_grid_->per_s.x + t * own_grid_->per_t.x, own_grid_->width);
+    const std::int64_t y =
+        in_256ths(own_grid_->first.y + s * own_grid_->per_s.y + t * own_grid_->per_t.y, own_grid_->height);
+    std::int64_t sum = 0;
+    for (std::int64_t style = 0; style < face_.style_count; ++style) {
+      std::int64_t weighted = 0;
+      for (const int right : {0, 1})
+        for (const int down : {0, 1}) {
+          const std::int64_t share =
+              (right == 1 ? x % 256 : 256 - x % 256) * (down == 1 ? y % 256 : 256 - y % 256);
+          if (share == 0) continue;
+          const std::int64_t sample =
+              face_.light + (style * own_grid_->height + y / 256 + down) * own_grid_->width + x / 256 + right;
+          weighted += share * (request_.contents.colored
+                                   ? level_.light_rgb[static_cast<std::size_t>(sample * 3 + channel)]
+                                   : level_.light[static_cast<std::size_t>(sample)]);
+        }
+      sum += weighted * request_.contents.style_values[static_cast<std::size_t>(style)] / 65536;
     }
     return sum;
   }
@@ -113,7 +149,8 @@ class SurfaceDefinition {
   const world::Level& level_;
   const BlockRequest& request_;
   const world::Face& face_;
-  const int texels_per_sample_;
+  const world::LightGrid* own_grid_;  // null: a stock light map
+  const int texels_apart_, texels_per_sample_;
 };
 
 // A block in memory of exactly its size and padding.
@@ -209,6 +246,22 @@ std::vector<SmallLevelVariant> lit_variants() {
 INSTANTIATE_TEST_SUITE_P(Variants, SurfacesOfSmallLevel, testing::ValuesIn(lit_variants()),
                          [](const auto& test) { return test.param.name; });
 
+// A light map of any size, turned and scaled in any way.
+world::LightGrid make_random_grid(Random& random) {
+  world::LightGrid grid{};
+  grid.width = static_cast<std::int32_t>(random.log_uniform(1, 100));
+  grid.height = static_cast<std::int32_t>(random.log_uniform(1, 100));
+  const double scale = random.log_uniform(0.005, 2);
+  const auto vector = [&](double size) {
+    return math::Vec2d(random.uniform(-size, size), random.uniform(-size, size));
+  };
+  grid.first = vector(50);
+  grid.per_s = vector(scale);
+  grid.per_t = vector(scale);
+  grid.texels = 1 << random.below(5);
+  return grid;
+}
+
 // One face of any extent, from nothing to several tiles, anywhere in a texture of any size, with random
 // samples and colors.
 DrawableLevel make_random_level(Random& random) {
@@ -228,10 +281,14 @@ DrawableLevel make_random_level(Random& random) {
   const auto sixteens = [&](std::size_t most) { return static_cast<std::int32_t>(16 * random.below(most)); };
   face.texture_mins = {sixteens(100) - 800, sixteens(100) - 800};
   face.texture_extents = {sixteens(random.chance(0.3) ? 40 : 5), sixteens(random.chance(0.3) ? 40 : 5)};
+  if (random.chance(0.5)) {
+    face.light_grid = 0;
+    level.light_grids.push_back(make_random_grid(random));
+  }
   level.faces.push_back(face);
-  const std::size_t samples = face.light + std::size_t{face.style_count} *
-                                               static_cast<std::size_t>(face.light_width()) *
-                                               static_cast<std::size_t>(face.light_height());
+  const auto [width, height] = level.light_size(face);
+  const std::size_t samples = face.light + std::size_t{face.style_count} * static_cast<std::size_t>(width) *
+                                               static_cast<std::size_t>(height);
   for (std::size_t i = 0; i < samples; ++i) level.light.push_back(static_cast<std::uint8_t>(random.bits()));
   if (random.chance(0.5))
     for (std::size_t i = 0; i < samples * 3; ++i)
@@ -246,6 +303,34 @@ DrawableLevel make_random_level(Random& random) {
   for (std::uint8_t& entry : drawable.colormap.rows) entry = static_cast<std::uint8_t>(random.bits());
   drawable.colormap.fullbrights = static_cast<int>(random.below(257));
   return drawable;
+}
+
+// A light map of its own that lies where the stock map lies gives the same block, bit for bit, at every mip
+// level.
+TEST(Surfaces, AreTheSameFromAnEqualGrid) {
+  for (int seed = 0; seed < effort(300, 30); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    const DrawableLevel stock = make_random_level(random);
+    if (stock.level->faces[0].light_grid != world::kStockGrid || !has_surface(stock.level->faces[0]))
+      continue;
+    auto level = std::make_shared<world::Level>(*stock.level);
+    world::Face& face = level->faces[0];
+    face.light_grid = 0;
+    level->light_grids.push_back(
+        {face.light_width(), face.light_height(), {0, 0}, {1.0 / 16, 0}, {0, 1.0 / 16}, 16});
+    BlockRequest request = any_request(*level, world::FaceIndex{0}, random);
+    const render::ColorTables tables = render::make_color_tables(stock.palette, stock.colormap);
+    base::Arena scratch;
+    const SurfaceShape shape = render::surface_shape(face, request.tile_s, request.tile_t, request.mip);
+    for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
+      BuiltBlock expected(shape, format == PixelFormat::kIndexed ? 1 : 4), block = expected;
+      request.block = expected.view();
+      render::build_surface(*stock.level, tables, nullptr, request, format, true, scratch);
+      request.block = block.view();
+      render::build_surface(*level, tables, nullptr, request, format, true, scratch);
+      ASSERT_EQ(block.bytes, expected.bytes) << seed;
+    }
+  }
 }
 
 TEST(Surfaces, OfNoiseAreAsDefined) {
