@@ -2,21 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "artgen/models/reading/values.h"
+#include "artgen/scripts/ramp_names.h"
 #include "base/text.h"
 
 namespace temblor::artgen::pictures {
 namespace {
-
-// In the order of Ramp.
-constexpr std::array<std::string_view, 16> kRampNames = {
-    "gray", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
-    "blue", "purple", "slate", "rust", "skin", "green", "fire", "electric"};
 
 // Nothing if the setting is missing, which means that the ink does not have this part.
 std::optional<Tone> read_tone_if_present(Arguments& io_arguments, std::string_view name,

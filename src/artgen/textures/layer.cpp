@@ -9,16 +9,13 @@
 #include <map>
 #include <string>
 
+#include "artgen/scripts/ramp_names.h"
 #include "base/bytes.h"
 #include "base/hash.h"
 #include "base/text.h"
 
 namespace temblor::artgen {
 namespace {
-
-constexpr std::array<std::string_view, 16> kRampNames = {
-    "gray", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
-    "blue", "purple", "slate", "rust", "skin", "green", "fire", "electric"};
 
 std::string describe_unknown_ramp(std::string_view name) {
   std::string names;

@@ -1,17 +1,11 @@
 #include <fmt/format.h>
 
-#include <array>
-
 #include "artgen/models/reading/read_parts.h"
+#include "artgen/scripts/ramp_names.h"
 #include "base/text.h"
 
 namespace temblor::artgen {
 namespace {
-
-// In the order of Ramp.
-constexpr std::array<std::string_view, 16> kRampNames = {
-    "gray", "brown",  "brick", "sand", "red",  "olive", "gold", "teal",
-    "blue", "purple", "slate", "rust", "skin", "green", "fire", "electric"};
 
 // Gray after an error.
 Ramp read_ramp(Arguments& io_arguments) {
