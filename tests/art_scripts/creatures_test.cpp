@@ -21,6 +21,7 @@
 #include "artgen/art.h"
 #include "artgen/models/model.h"
 #include "artgen/scripts/parts.h"
+#include "base/check.h"
 #include "base/parallel_for.h"
 #include "formats/models/mdl.h"
 #include "support/models/mdl_places.h"
@@ -103,7 +104,8 @@ Played read_played(const std::string& text) {
   return played;
 }
 
-// All models, with very coarse skins, which save time and are not tested here.
+// All models, with very coarse skins, which save time and are not tested here. CHECK, because tests after a
+// failed assertion in SetUpTestSuite() count as skipped.
 class Creatures : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -112,15 +114,15 @@ class Creatures : public ::testing::Test {
     for (const ScriptFile& script : scripts)
       for (const ScriptLine& line : script.assets)
         if (line.keyword == "part") {
-          ASSERT_TRUE(add_part(line, parts).ok());
+          CHECK(add_part(line, parts).ok(), "{}", script.name);
         }
     for (const ScriptFile& script : scripts) {
       for (const ScriptLine& line : script.assets) {
         if (line.keyword != "model") continue;
         const auto whole = expand_parts(line, parts);
-        ASSERT_TRUE(whole.ok()) << script.name << ": " << whole.error().message();
+        CHECK(whole.ok(), "{}: {}", script.name, whole.error().message());
         auto model = read_model(*whole);
-        ASSERT_TRUE(model.ok()) << script.name << ": " << model.error().message();
+        CHECK(model.ok(), "{}: {}", script.name, model.error().message());
         model->density = 0.1;
         mdls()[model->path] = make_mdl(*model);
         models()[model->path] = std::move(model).value();
@@ -128,7 +130,7 @@ class Creatures : public ::testing::Test {
     }
     for (const fs::path& path : list_quakec_files())
       if (const Played read = read_played(read_text(path)); !read.model.empty()) played().push_back(read);
-    ASSERT_EQ(played().size(), 15u);
+    CHECK(played().size() == 15, "{}", played().size());
   }
   static std::map<std::string, Model>& models() {
     static std::map<std::string, Model> all;

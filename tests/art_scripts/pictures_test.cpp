@@ -19,6 +19,7 @@
 #include "artgen/pictures/outline.h"
 #include "artgen/scripts/script.h"
 #include "assets/stock/stock_pictures.h"
+#include "base/check.h"
 #include "base/parallel_for.h"
 #include "formats/archives/wad.h"
 #include "formats/images/image.h"
@@ -212,7 +213,8 @@ TEST(Pictures, ErrorsNameTheLine) {
             "test.script: line 1: wadpictures: at least one style and one drawing are required");
 }
 
-// The shipped scripts, made once for all tests of them.
+// The shipped scripts, made once for all tests of them. CHECK, because tests after a failed assertion in
+// SetUpTestSuite() count as skipped.
 class ShippedPictures : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -224,12 +226,12 @@ class ShippedPictures : public testing::Test {
     for (const fs::path& path : paths) {
       std::ifstream file(path);
       auto things = read_script(std::string(std::istreambuf_iterator<char>(file), {}));
-      ASSERT_TRUE(things.ok()) << path;
+      CHECK(things.ok(), "{}", path.string());
       scripts.push_back({path.filename().string(), std::move(things).value()});
     }
     base::Jobs jobs(2);
     auto art = make_art(scripts, jobs);
-    ASSERT_TRUE(art.ok()) << art.error().message();
+    CHECK(art.ok(), "{}", art.error().message());
     art_ = std::move(art).value();
   }
   static base::Result<formats::Picture> stock_picture(std::string_view name) {
