@@ -14,10 +14,16 @@ namespace {
 
 // Longer than any line that another program writes; a file of another kind may have no line end at all.
 constexpr std::size_t kMaxTrackLine = 64;
-constexpr std::string_view kBlanks = " \t\r", kTrackChars = " \t\r+-0123456789";
+constexpr std::string_view kBlanks = " \t\r";
 constexpr int kNoTrack = -1;
 
-// Other engines also play demos whose line has blanks, too many digits, or none.
+bool is_text(std::string_view line) {
+  return std::all_of(line.begin(), line.end(), [](char c) {
+    return (c >= ' ' && c <= '~') || kBlanks.find(c) != std::string_view::npos;
+  });
+}
+
+// Other engines also play demos whose line has blanks, too many digits, letters, or nothing.
 int parse_track(std::string_view line) {
   const std::size_t begin = std::min(line.find_first_not_of(kBlanks), line.size());
   line = line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
@@ -32,8 +38,7 @@ int parse_track(std::string_view line) {
 base::Result<DemReader> DemReader::open(base::Bytes bytes) {
   const std::string_view start = base::as_text(bytes).substr(0, kMaxTrackLine);
   const std::size_t line_end = start.find('\n');
-  if (line_end == std::string_view::npos ||
-      start.substr(0, line_end).find_first_not_of(kTrackChars) != std::string_view::npos)
+  if (line_end == std::string_view::npos || !is_text(start.substr(0, line_end)))
     return base::malformed("not a demo: the first {} bytes have no line with the number of a CD track",
                            start.size());
   DemReader recording(bytes);

@@ -36,8 +36,7 @@ struct DemMessage {
 // Reads a demo record by record. `bytes` must outlive the reader and its messages.
 class DemReader {
  public:
-  // Returns kMalformed if the first line has other characters than those of a number. If they are not one,
-  // the track is -1.
+  // Returns kMalformed if the first line is not text. If the text is not a number, the track is -1.
   static base::Result<DemReader> open(base::Bytes bytes);
 
   // The CD track to play instead of the server's; -1: none.

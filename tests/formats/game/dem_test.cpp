@@ -100,12 +100,13 @@ TEST(Dem, ReadsFirstLine) {
   EXPECT_EQ(play(base::as_bytes("-1\n")).forced_track, -1);
   for (const char* line : {"12\r\n", "12 \n", " \t12\n", "+12\n", "00000000000000000000000012\n"})
     EXPECT_EQ(play(base::as_bytes(line)).forced_track, 12) << line;
-  for (const char* line : {"\n", "\r\n", "-\n", "2 3\n", "99999999999\n"}) {
+  for (const char* line : {"\n", "\r\n", "-\n", "2 3\n", "99999999999\n", "x\n", "12abc\n", "my demo\n"}) {
     EXPECT_EQ(play(base::as_bytes(line)).error, "") << line;
     EXPECT_EQ(play(base::as_bytes(line)).forced_track, -1) << line;
   }
   for (const std::string& line :
-       {std::string(), std::string("2"), std::string("x\n"), std::string(100, ' ') + "2\n"})
+       {std::string(), std::string("2"), std::string("\x01\n"), std::string("x\xff\n"),
+        std::string("\0\n", 2), std::string(100, ' ') + "2\n"})
     EXPECT_THAT(play(base::as_bytes(line)).error, HasSubstr("not a demo")) << line;
 }
 
