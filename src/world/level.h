@@ -234,9 +234,9 @@ struct Level {
 // Makes a level from `bsp`, which read_bsp() must have validated. Colored light comes from `lit` if given,
 // else from the BSPX lump RGBLIGHTING, else there is none. `lit` must have the right size; a lump of another
 // size is ignored, with a note, and so are faults of the entity text. Light maps come from DECOUPLED_LM, else
-// from LMSHIFT, else from the faces; damaged lumps are ignored, with a note. Fails if a face's light is
-// outside of the samples or has a style above 63, or if a face is larger than any real level's (over 2^20
-// texels).
+// from LMSHIFT, else from the faces; damaged lumps are ignored, with a note. A face whose light is outside of
+// the samples has none, with a note. Fails if light has a style above 63, or if a face is larger than any real
+// level's (over 2^20 texels).
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
                                                       const formats::Lit* lit = nullptr);
 

@@ -171,21 +171,22 @@ TEST(Faces, AreBlackWithoutSamplesInALitLevelUnlessFlagged) {
   EXPECT_EQ(flagged.level->faces[i].kind, FaceKind::kUnlit);
 }
 
-TEST(Faces, LightPastTheEndIsAnError) {
+TEST(Faces, HaveNoLightIfItWouldBePastTheEnd) {
   formats::Bsp bsp = artgen::make_small_level({.tiny = true});
   const std::size_t i = find_lit_face(bsp);
   const Face face = test_level("whole", bsp).level->faces[i];
   const std::size_t samples = static_cast<std::size_t>(face.light_width()) *
                               static_cast<std::size_t>(face.light_height()) * face.style_count;
   bsp.faces[i].light_offset = static_cast<std::int32_t>(bsp.lighting.size() - samples);
-  EXPECT_TRUE(make_level(bsp, "last").ok());
-  ++bsp.faces[i].light_offset;
-  const auto past = make_level(bsp, "past");
-  ASSERT_FALSE(past.ok());
-  EXPECT_NE(past.error().what.find("face " + std::to_string(i) + ":"), std::string::npos)
-      << past.error().what;
-  bsp.faces[i].light_offset = 0x7fffffff;
-  EXPECT_FALSE(make_level(bsp, "far").ok());
+  EXPECT_NE(test_level("last", bsp).level->faces[i].light, kNoLight);
+  for (const std::int32_t offset : {bsp.faces[i].light_offset + 1, 0x7fffffff}) {
+    bsp.faces[i].light_offset = offset;
+    const TestLevel past = test_level("past", bsp);
+    EXPECT_EQ(past.level->faces[i].light, kNoLight);
+    EXPECT_EQ(past.level->faces[i].style_count, 0);
+    ASSERT_EQ(past.level->notes.size(), 1u);
+    EXPECT_EQ(past.level->notes[0].find("1 face with light samples outside of the level's"), 0u);
+  }
 }
 
 TEST(Faces, LightStyleThatNoTableHoldsIsAnError) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "formats/levels/decoupled_light.h"
 #include "formats/levels/scaled_light.h"
 #include "world/animation.h"
@@ -61,20 +62,34 @@ base::Status set_light(const Level& level, const formats::FaceStyles& styles, st
   return base::Ok{};
 }
 
+bool is_outside(const Level& level, const formats::BspFace& bsp_face, std::uint64_t samples) {
+  if (bsp_face.light_offset < 0) return false;
+  const auto styles = std::ranges::find(bsp_face.styles, kNoStyle) - bsp_face.styles.begin();
+  return static_cast<std::uint64_t>(bsp_face.light_offset) + samples * static_cast<std::uint64_t>(styles) >
+         level.light.size();
+}
+
 // The file stores only the offset of the samples; their number follows from the size of the face and the
-// number of its styles. A file made for a face of another size must not read past the samples.
+// number of its styles. A face whose samples would be outside of the level's has none.
 base::Status set_stock_maps(const formats::Bsp& bsp, Level& io_level) {
   std::uint64_t samples = 0;
+  std::size_t outside = 0;
   for (std::size_t i = 0; i < io_level.faces.size(); ++i) {
     Face& face = io_level.faces[i];
     const std::uint64_t own = count_samples(face.light_width(), face.light_height());
-    TRY_STATUS(set_light(io_level, bsp.faces[i].styles, bsp.faces[i].light_offset, own, i, face));
+    const bool has_light = face.kind == FaceKind::kLit && !is_outside(io_level, bsp.faces[i], own);
+    if (face.kind == FaceKind::kLit && !has_light) ++outside;
+    TRY_STATUS(
+        set_light(io_level, bsp.faces[i].styles, has_light ? bsp.faces[i].light_offset : -1, own, i, face));
     if (face.light != kNoLight) samples += own;
     if (samples > io_level.light.size() * kMaxSharing)
       return base::malformed(
           "face {}: the faces up to this one use the level's {} light samples more than {} times", i,
           io_level.light.size(), kMaxSharing);
   }
+  if (outside > 0)
+    io_level.notes.push_back(fmt::format("{} with light samples outside of the level's {}: no light there",
+                                         base::counted(outside, "face"), io_level.light.size()));
   return base::Ok{};
 }
 

@@ -9,8 +9,8 @@ namespace temblor::world {
 
 // Sets styles, light, and light_grid of io_level.faces, and io_level.light_grids. All else in the level must
 // be complete. Uses DECOUPLED_LM, else LMSHIFT, else the faces of the file. A lump that does not fit the
-// level is left out, with a note. Fails if light of the faces themselves is outside of the samples or has a
-// style above 63.
+// level is left out, with a note. A face whose own light is outside of the samples has none, with a note.
+// Fails if light has a style above 63.
 base::Status set_light_maps(const formats::Bsp& bsp, Level& io_level);
 
 }  // namespace temblor::world
