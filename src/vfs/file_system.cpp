@@ -159,7 +159,10 @@ void FileSystem::mount_file(std::string_view name, const fs::path& path) {
 }
 
 void FileSystem::hide_file(std::string_view name) {
-  if (const std::optional<std::string> normalized = normalize_name(name)) files_.erase(*normalized);
+  const std::optional<std::string> normalized = normalize_name(name);
+  if (!normalized) return;
+  files_.erase(*normalized);
+  hidden_.erase(*normalized);
 }
 
 base::Status FileSystem::mount_loose_files(const fs::path& folder, std::size_t game) {
@@ -221,8 +224,15 @@ void FileSystem::add_file(std::string_view name, File file) {
   std::optional<std::string> normalized = normalize_name(name);
   if (!normalized) return;
   const auto found = files_.find(*normalized);
-  if (found != files_.end() && found->second.game > file.game) return;
-  files_.insert_or_assign(std::move(*normalized), std::move(file));
+  if (found == files_.end()) {
+    files_.emplace(std::move(*normalized), std::move(file));
+    return;
+  }
+  if (found->second.game != file.game) {
+    File& lower = found->second.game < file.game ? found->second : file;
+    hidden_[*normalized].insert_or_assign(lower.game, lower);
+  }
+  if (found->second.game <= file.game) found->second = std::move(file);
 }
 
 const FileSystem::File* FileSystem::find(std::string_view name) const {
@@ -271,11 +281,28 @@ std::string FileSystem::where(std::string_view name) const {
   return file == nullptr ? std::string() : file->path.string();
 }
 
+std::string FileSystem::describe(std::string_view name, const File& file) {
+  if (!file.pk3 && !file.range) return file.path.string();
+  return fmt::format("{} in {}", base::printable(name), file.path.string());
+}
+
 std::string FileSystem::describe(std::string_view name) const {
   const File* file = find(name);
-  if (file != nullptr && !file->pk3 && !file->range) return file->path.string();
-  const std::string shown = base::printable(name);
-  return file == nullptr ? shown : fmt::format("{} in {}", shown, file->path.string());
+  return file == nullptr ? base::printable(name) : describe(name, *file);
+}
+
+std::vector<FileSystem::Layer> FileSystem::read_layers(std::string_view name) const {
+  std::vector<Layer> layers;
+  const File* const top = find(name);
+  if (top == nullptr) return layers;
+  const auto add = [&](const File& file) {
+    const std::string description = describe(name, file);
+    layers.push_back({file.game, description, read_file(file, description)});
+  };
+  if (const auto hidden = hidden_.find(*normalize_name(name)); hidden != hidden_.end())
+    for (const auto& [game, file] : hidden->second) add(file);
+  add(*top);
+  return layers;
 }
 
 std::optional<std::size_t> FileSystem::find_game(std::string_view name) const {

@@ -76,6 +76,15 @@ class FileSystem {
   std::function<base::Result<base::ByteVector>()> reader(std::string_view name) const;
   bool contains(std::string_view name) const;
 
+  // A file as one game has it.
+  struct Layer {
+    std::size_t game = 0;     // into folders()
+    std::string description;  // as by describe()
+    base::Result<base::ByteVector> bytes;
+  };
+  // Reads the file of each game that has it, id1 first: for files whose contents add up.
+  std::vector<Layer> read_layers(std::string_view name) const;
+
   // Returns the path of the file, or of its archive; empty if there is no such file.
   std::string where(std::string_view name) const;
 
@@ -114,9 +123,12 @@ class FileSystem {
   // Mounts a file. It replaces one of the same or a lower game, but not one of a higher game.
   void add_file(std::string_view name, File file);
   const File* find(std::string_view name) const;
+  static std::string describe(std::string_view name, const File& file);
 
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, File, std::less<>> files_;  // by normalized name
+  // Files that those of higher games hide: by name, then by game.
+  std::map<std::string, std::map<std::size_t, File>, std::less<>> hidden_;
   std::uint64_t pk3_bytes_ = 0;
 };
 

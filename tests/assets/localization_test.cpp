@@ -41,8 +41,40 @@ TEST(LoadLocalization, MissingFilesAreNoErrors) {
     const Loaded loaded = load(folder, language);
     EXPECT_EQ(loaded.texts.localize("$a"), "hello");
     ASSERT_EQ(loaded.notes.size(), 1u) << language;
+    EXPECT_THAT(loaded.notes[0], HasSubstr("only english"));
     EXPECT_THAT(loaded.notes[0], HasSubstr("texts stay English"));
   }
+}
+
+TEST(LoadLocalization, TextsOfAModAddToThoseOfTheGame) {
+  const test::TemporaryFolder folder;
+  folder.write("id1/localization/loc_english.txt", "a = \"a\"\nb = \"b\"\nc = \"c\"\n");
+  folder.write("id1/localization/loc_german.txt", "a = \"A\"\nb = \"B\"\n");
+  folder.write("mod/localization/loc_english.txt", "b = \"mod b\"\nd = \"mod d\"\n");
+  std::vector<std::string> notes;
+  const std::vector<std::string> games = {"mod"};
+  const vfs::FileSystem files = vfs::FileSystem::open(folder.path(), games).value();
+  EXPECT_EQ(load_localization(files, "german", notes).texts(),
+            (formats::Localization::Texts{{"a", "A"}, {"b", "mod b"}, {"c", "c"}, {"d", "mod d"}}));
+  EXPECT_THAT(notes, ElementsAre());
+  EXPECT_THAT(list_languages(files), ElementsAre("english", "german"));
+}
+
+TEST(LoadLocalization, LanguagesWithoutLettersStayEnglish) {
+  const test::TemporaryFolder folder;
+  folder.write("id1/localization/loc_english.txt", "a = \"hello\"\nb = \"bye\"\n");
+  const auto path = folder.write("id1/localization/loc_japanese.txt", "a = \"鍵\"\nb = \"扉\"\n");
+  folder.write("id1/localization/loc_russian.txt", "a = \"привет\"\n");
+  const Loaded japanese = load(folder, "japanese");
+  EXPECT_EQ(japanese.texts.localize("$a"), "hello");
+  EXPECT_THAT(japanese.notes,
+              ElementsAre(path.string() + ": the game's characters lack the letters of this language: texts "
+                                          "stay English"));
+  EXPECT_EQ(load(folder, "russian").texts.localize("$a"), "privet");
+  EXPECT_THAT(
+      load(folder, "klingon").notes,
+      ElementsAre("there is no language \"klingon\" here, only english, japanese, russian: texts stay "
+                  "English"));
 }
 
 TEST(LoadLocalization, NotesNameFileAndLine) {

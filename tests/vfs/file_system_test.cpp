@@ -163,6 +163,28 @@ TEST(FileSystem, MountOverHidesItsGameOnly) {
   EXPECT_TRUE(files.mount_over(1, elsewhere.path() / "not there").ok());
 }
 
+TEST(FileSystem, ReadsTheLayersOfAFile) {
+  const test::TemporaryFolder base_folder, user_folder;
+  base_folder.write("id1/a.txt", "id1 loose");
+  base_folder.write("id1/pak0.pak", make_pak({{"a.txt", "id1 pak"}, {"b.txt", "b"}}));
+  base_folder.write("low/a.txt", "low");
+  base_folder.write("top/A.TXT", "top");
+  user_folder.write("a.txt", "low of the user");
+  FileSystem files = open_or_die(base_folder, {"low", "top"});
+  ASSERT_TRUE(files.mount_over(1, user_folder.path()).ok());
+  std::vector<std::string> found;
+  for (const FileSystem::Layer& layer : files.read_layers("A.txt"))
+    found.push_back(std::to_string(layer.game) + std::string(base::as_text(layer.bytes.value())));
+  EXPECT_THAT(found, ElementsAre("0id1 pak", "1low of the user", "2top"));
+  EXPECT_EQ(files.read_layers("a.txt")[0].description,
+            "a.txt in " + (base_folder.path() / "id1/pak0.pak").string());
+  EXPECT_EQ(files.read_layers("b.txt").size(), 1u);
+  EXPECT_THAT(files.read_layers("c.txt"), IsEmpty());
+  EXPECT_THAT(files.read_layers("../c.txt"), IsEmpty());
+  files.hide_file("a.txt");
+  EXPECT_THAT(files.read_layers("a.txt"), IsEmpty());
+}
+
 TEST(FileSystem, MountsASingleFileAboveAllOthers) {
   const test::TemporaryFolder base_folder, elsewhere;
   base_folder.write("id1/pak0.pak", make_pak({{"maps/a.bsp", "id1's"}, {"maps/a.lit", "id1's"}}));

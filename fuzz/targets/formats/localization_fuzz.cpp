@@ -22,6 +22,8 @@ int temblor::fuzz::fuzz_localization(const std::uint8_t* data, std::size_t size)
     for (const char c : text) CHECK(static_cast<unsigned char>(c) < 128);
     CHECK(read->localization.localize("$" + key) == text);
     CHECK(fill_places(text, arguments).size() <= kMaxLocalizedBytes);
+    const std::string joined = read->localization.localize_joined("$" + key + "$" + key + " x\n");
+    CHECK(joined.size() <= 2 * kMaxLocalizedBytes + key.size() + 4);
   }
   return 0;
 }

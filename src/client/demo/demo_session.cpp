@@ -17,9 +17,11 @@ constexpr double kLeadIn_s = 6;
 }  // namespace
 
 base::Result<DemoSession> DemoSession::open(base::ByteVector bytes, std::string name,
-                                            Presentation& io_presentation) {
+                                            Presentation& io_presentation,
+                                            std::shared_ptr<const formats::Localization> texts) {
   TRY(DemoPlayer opened, DemoPlayer::open(std::move(bytes), std::move(name)));
   auto player = std::make_unique<DemoPlayer>(std::move(opened));
+  player->state().set_texts(std::move(texts));
   TRY(DemoIndex index, DemoIndex::make(*player));
   DemoSession session(std::move(player), std::move(index), io_presentation);
   session.time_s_ = session.begin_s();

@@ -32,9 +32,10 @@ class DemoSession {
   using Listener = std::function<void(const Events& events, const Game& game, double server_time_s)>;
 
   // Reads the whole demo once. There is nothing to show before the first advance() or seek().
-  // `io_presentation` must outlive the session.
+  // `io_presentation` must outlive the session. `texts`: see ClientState::set_texts().
   static base::Result<DemoSession> open(base::ByteVector bytes, std::string name,
-                                        Presentation& io_presentation);
+                                        Presentation& io_presentation,
+                                        std::shared_ptr<const formats::Localization> texts = nullptr);
   void set_listener(Listener listener) { listener_ = std::move(listener); }
 
   const DemoLength& length() const { return index_.length(); }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 
 #include "base/text.h"
@@ -78,13 +79,14 @@ struct ClientState::Apply {
     game.turns = turns;
     game.dialect = info.dialect;
     game.deathmatch = info.game_type != 0;
-    game.level_name = info.level_name;
+    game.level_name = localize(info.level_name);
     game.models = make_precache_list(info.models);
     game.sounds = make_precache_list(info.sounds);
     game.players.resize(info.max_clients);
     state.previous_time_s_ = 0;
     state.window_ = {};
     state.has_time_ = false;
+    state.pings_ = {};
     state.entities_.begin_level();
     state.weapon_.show(0);
     drop_events_of_old_level();
@@ -132,7 +134,7 @@ struct ClientState::Apply {
   base::Status end_level(Ending ending, std::string_view text) {
     game.ending = ending;
     game.ending_since_s = now_s();
-    game.ending_text = text;
+    game.ending_text = localize(text);
     return base::Ok{};
   }
   base::Status operator()(const net::Intermission&) { return end_level(Ending::kIntermission, ""); }
@@ -146,13 +148,57 @@ struct ClientState::Apply {
 
   // Texts.
 
+  std::string localize(std::string_view text) const {
+    return state.texts_ ? state.texts_->localize_joined(text) : std::string(text);
+  }
+  // Players choose their names, also such that look like a key. Chat begins with another character.
+  bool begins_with_name(std::string_view text) const {
+    return std::any_of(game.players.begin(), game.players.end(), [&](const Player& player) {
+      return !player.name.empty() && text.starts_with(player.name);
+    });
+  }
+
+  // A line of the list is "  48 Ranger\n". Returns whether to hide the text.
+  bool take_ping(std::string_view text) {
+    auto& pings = state.pings_;
+    if (text == "Client ping times:\n") {
+      pings = {.is_expected = false, .is_reading = true, .is_hidden = pings.is_expected};
+      return pings.is_hidden;
+    }
+    if (!pings.is_reading) return false;
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    int ping_ms = 0;
+    const char* const text_end = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), text_end, ping_ms);
+    std::string_view name(end, static_cast<std::size_t>(text_end - end));
+    pings.is_reading =
+        error == std::errc{} && name.starts_with(' ') && name.ends_with('\n') && name.size() > 2;
+    if (!pings.is_reading) return false;
+    name = name.substr(1, name.size() - 2);
+    for (Player& player : game.players)
+      if (player.name == name) player.ping_ms = ping_ms;
+    return pings.is_hidden;
+  }
+
   base::Status operator()(const net::Print& print) {
-    events.prints.emplace_back(print.text);
+    if (take_ping(print.text)) return base::Ok{};
+    events.prints.push_back(begins_with_name(print.text) ? std::string(print.text) : localize(print.text));
+    return base::Ok{};
+  }
+
+  base::Status operator()(const net::BotChat& chat) {
+    TRY_STATUS(check_player("chat", chat.client));
+    std::vector<std::string> texts;
+    for (const std::string_view text : chat.texts) texts.push_back(localize(text));
+    if (texts.empty()) return base::Ok{};
+    constexpr char kChat = 1;  // the console plays a sound, and draws the text in bronze
+    events.prints.push_back(fmt::format("{}{}: {}\n", kChat, game.players[chat.client].name,
+                                        formats::fill_places(texts[0], std::span(texts).subspan(1))));
     return base::Ok{};
   }
 
   base::Status operator()(const net::CenterPrint& print) {
-    game.center_text = print.text;
+    game.center_text = localize(print.text);
     game.center_text_since_s = now_s();
     return base::Ok{};
   }

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@
 #include "client/session/entity_table.h"
 #include "client/session/interpolated_entity.h"
 #include "client/session/interpolation.h"
+#include "formats/game/localization.h"
 #include "net/protocol/game_stat.h"
 #include "net/protocol/mark_request.h"
 #include "net/protocol/server_message.h"
@@ -54,6 +56,8 @@ struct Player {
   std::int16_t frags = 0;
   // Rows of the palette, 0 to 15.
   std::uint8_t shirt = 0, pants = 0;
+  // Milliseconds, as the server last listed them; see ClientState::expect_pings().
+  int ping_ms = 0;
 };
 
 // How the level has ended, if it has: with statistics, with a text under the finale's title, or with only a
@@ -155,6 +159,14 @@ class ClientState {
   // Call after the last message of a packet. Removes the entities that a packet with a time did not mention.
   void end_packet();
 
+  // From now on replaces keys ("$map_start") in what the server sends for people to read; null: leaves them.
+  // Servers that know the texts have replaced them before.
+  void set_texts(std::shared_ptr<const formats::Localization> texts) { texts_ = std::move(texts); }
+
+  // Call after sending the command "ping": the server answers with a print for each player, and the next such
+  // list is not shown. Lists that the player has asked for set Player::ping_ms too.
+  void expect_pings() { pings_ = {.is_expected = true}; }
+
   const Game& game() const { return game_; }
   Events& events() { return events_; }
   const Events& events() const { return events_; }
@@ -180,10 +192,16 @@ class ClientState {
 
   Game game_;
   Events events_;
+  std::shared_ptr<const formats::Localization> texts_;
   std::string command_line_;  // text of an incomplete line
   double previous_time_s_ = 0;
   PacketWindow window_;
   bool has_time_ = false;  // a packet of this level had a time
+  struct {
+    bool is_expected = false;
+    bool is_reading = false;  // the title has arrived, and only lines of the list since
+    bool is_hidden = false;   // the list that is being read was expected
+  } pings_;
   EntityTable entities_;
   FrameChanges weapon_;
 };

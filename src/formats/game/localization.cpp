@@ -50,19 +50,39 @@ struct Substitute {
   std::uint32_t code_point;
   std::string_view text;
 };
-// Punctuation that writers use in place of ASCII, and letters beyond Latin-1.
+// Punctuation that writers use in place of ASCII, and letters for which one of the tables below is too short.
 constexpr std::array kSubstitutes = {
     Substitute{0xa0, " "},    Substitute{0xa1, "!"},    Substitute{0xab, "\""},    Substitute{0xbb, "\""},
-    Substitute{0xbf, "?"},    Substitute{0x152, "OE"},  Substitute{0x153, "oe"},   Substitute{0x2013, "-"},
+    Substitute{0xbf, "?"},    Substitute{0x132, "IJ"},  Substitute{0x133, "ij"},   Substitute{0x152, "OE"},
+    Substitute{0x153, "oe"},  Substitute{0x401, "Yo"},  Substitute{0x451, "yo"},   Substitute{0x2013, "-"},
     Substitute{0x2014, "-"},  Substitute{0x2018, "'"},  Substitute{0x2019, "'"},   Substitute{0x201c, "\""},
     Substitute{0x201d, "\""}, Substitute{0x201e, "\""}, Substitute{0x2026, "..."}, Substitute{0xfeff, ""},
 };
 
-std::string_view to_game_characters(std::uint32_t code_point) {
-  if (code_point >= 0xc0 && code_point <= 0xff) return kLatinLetters[code_point - 0xc0];
+// The letters U+0100 to U+017F, of the other languages with Latin letters, without their accents.
+constexpr std::string_view kMoreLatinLetters =
+    "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlL"
+    "lLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
+static_assert(kMoreLatinLetters.size() == 128);
+
+// The Russian letters U+0410 to U+042F in Latin ones, as maps and newspapers write them; the small letters
+// follow the capitals at U+0430.
+constexpr std::array<std::string_view, 32> kRussianLetters = {
+    "A", "B", "V", "G", "D", "E",  "Zh", "Z",  "I",  "Y",    "K", "L", "M", "N", "O",  "P",   // 410
+    "R", "S", "T", "U", "F", "Kh", "Ts", "Ch", "Sh", "Shch", "",  "Y", "",  "E", "Yu", "Ya",  // 420
+};
+
+// Returns nullopt for a letter that the game's characters cannot write.
+std::optional<std::string> to_game_characters(std::uint32_t code_point) {
+  if (code_point >= 0xc0 && code_point <= 0xff) return std::string(kLatinLetters[code_point - 0xc0]);
   const auto found = std::find_if(kSubstitutes.begin(), kSubstitutes.end(),
                                   [&](const Substitute& entry) { return entry.code_point == code_point; });
-  return found == kSubstitutes.end() ? "?" : found->text;
+  if (found != kSubstitutes.end()) return std::string(found->text);
+  if (code_point >= 0x100 && code_point <= 0x17f)
+    return std::string(1, kMoreLatinLetters[code_point - 0x100]);
+  if (code_point >= 0x410 && code_point <= 0x42f) return std::string(kRussianLetters[code_point - 0x410]);
+  if (code_point >= 0x430 && code_point <= 0x44f) return base::to_lower(kRussianLetters[code_point - 0x430]);
+  return std::nullopt;
 }
 
 // Takes one character off the front. Invalid bytes count as one character each, U+FFFD.
@@ -91,30 +111,39 @@ void take_escaped(std::string_view& io_text, std::string& io_value) {
   if (escape != std::string_view::npos) io_text.remove_prefix(1);
 }
 
+struct QuotedText {
+  std::string text;
+  bool has_unknown_letters = false;  // each is '?' in the text
+};
+
 // `text` begins after the opening quote. Returns nullopt if there is no closing one.
-std::optional<std::string> read_quoted(std::string_view text) {
-  std::string value;
+std::optional<QuotedText> read_quoted(std::string_view text) {
+  QuotedText value;
   while (!text.empty()) {
     const std::uint32_t character = take_character(text);
     if (character == '"') return value;
-    if (character == '\\')
-      take_escaped(text, value);
-    else if (character < 0x80)
-      value += static_cast<char>(character);
-    else
-      value += to_game_characters(character);
+    if (character == '\\') {
+      take_escaped(text, value.text);
+    } else if (character < 0x80) {
+      value.text += static_cast<char>(character);
+    } else {
+      const std::optional<std::string> known = to_game_characters(character);
+      value.text += known.value_or("?");
+      value.has_unknown_letters |= !known;
+    }
   }
   return std::nullopt;
 }
 
 struct Entry {
-  std::string text;
+  QuotedText quoted;
   std::size_t line = 0;
 };
 using Entries = std::map<std::string, Entry, std::less<>>;
 
 struct KeyAndText {
-  std::string key, text;
+  std::string key;
+  QuotedText quoted;
 };
 
 // Reads `key = "text"`.
@@ -130,12 +159,12 @@ base::Result<KeyAndText> read_line(std::string_view line) {
     return base::malformed("\"{}\" is not a key: letters, digits, '_', '-', and '.'", base::quotable(key));
   const std::string_view rest = trim(line.substr(equals + 1));
   if (!rest.starts_with('"')) return base::malformed("{}: no text in quotes after '='", key);
-  std::optional<std::string> text = read_quoted(rest.substr(1));
-  if (!text) return base::malformed("{}: the text has no closing quote", key);
-  if (text->size() > kMaxLocalizedBytes)
+  std::optional<QuotedText> quoted = read_quoted(rest.substr(1));
+  if (!quoted) return base::malformed("{}: the text has no closing quote", key);
+  if (quoted->text.size() > kMaxLocalizedBytes)
     return base::error(ErrorCode::kTooLarge, "{}: a text of {} characters, the limit is {}", key,
-                       text->size(), kMaxLocalizedBytes);
-  return KeyAndText{std::string(key), *std::move(text)};
+                       quoted->text.size(), kMaxLocalizedBytes);
+  return KeyAndText{std::string(key), *std::move(quoted)};
 }
 
 void add_problem(std::size_t line, std::string what, ReadLocalization& io_read) {
@@ -145,8 +174,9 @@ void add_problem(std::size_t line, std::string what, ReadLocalization& io_read) 
 
 // Returns the key that the text refers to, if it is one of the entries and the text is nothing else.
 const Entry* find_reference(const Entries& entries, const Entry& entry) {
-  const std::string_view key = find_key(entry.text);
-  if (key.empty() || key.size() + 1 != entry.text.size()) return nullptr;
+  const std::string& text = entry.quoted.text;
+  const std::string_view key = find_key(text);
+  if (key.empty() || key.size() + 1 != text.size()) return nullptr;
   const auto found = entries.find(key);
   return found == entries.end() ? nullptr : &found->second;
 }
@@ -156,7 +186,7 @@ const std::string* follow_references(const Entries& entries, const Entry& entry)
   const Entry* current = &entry;
   for (int i = 0; i <= kMaxReferences; ++i) {
     const Entry* const next = find_reference(entries, *current);
-    if (next == nullptr) return &current->text;
+    if (next == nullptr) return &current->quoted.text;
     current = next;
   }
   return nullptr;
@@ -169,6 +199,29 @@ std::string Localization::localize(std::string_view text) const {
   const auto found = key.empty() ? texts_.end() : texts_.find(key);
   if (found == texts_.end()) return std::string(text);
   return found->second + std::string(text.substr(1 + key.size()));
+}
+
+std::string Localization::localize_joined(std::string_view text) const {
+  std::string_view key = find_key(text).substr(0, kMaxKeyChars);
+  auto found = texts_.find(key);
+  const auto has_place = [&] { return found->second.find("{0}") != std::string::npos; };
+  if (found != texts_.end() && !has_place()) return localize(text);
+  // An argument in plain letters looks like a part of the key.
+  while (!key.empty() && (found == texts_.end() || !has_place())) {
+    key.remove_suffix(1);
+    found = texts_.find(key);
+  }
+  if (key.empty()) return std::string(text);
+  std::string_view rest = text.substr(1 + key.size());
+  const std::string_view end = rest.substr(std::min(rest.find_last_not_of('\n') + 1, rest.size()));
+  rest.remove_suffix(end.size());
+  std::vector<std::string> arguments;
+  for (rest = trim(rest); !rest.empty();) {
+    const std::string_view argument = rest.substr(0, rest.find('$', 1));
+    rest.remove_prefix(argument.size());
+    arguments.push_back(localize(trim(argument)));
+  }
+  return fill_places(found->second, arguments) + std::string(end);
 }
 
 bool Localization::has_text_for(std::string_view text) const {
@@ -205,15 +258,16 @@ base::Result<ReadLocalization> read_localization(std::string_view text) {
     else if (entries.size() >= kMaxLocalizationEntries && !entries.contains(pair->key))
       add_problem(number, fmt::format("more than {} texts", kMaxLocalizationEntries), read);
     else
-      entries.insert_or_assign(std::move(pair->key), Entry{std::move(pair->text), number});
+      entries.insert_or_assign(std::move(pair->key), Entry{std::move(pair->quoted), number});
   }
   Localization::Texts texts;
+  for (const auto& [key, entry] : entries) read.unknown_letters += entry.quoted.has_unknown_letters;
   for (const auto& [key, entry] : entries) {
     if (const std::string* const end = follow_references(entries, entry))
       texts.emplace(key, *end);
     else
-      add_problem(entry.line, fmt::format("{}: \"{}\" refers to itself", key, base::quotable(entry.text)),
-                  read);
+      add_problem(entry.line,
+                  fmt::format("{}: \"{}\" refers to itself", key, base::quotable(entry.quoted.text)), read);
   }
   read.localization = Localization(std::move(texts));
   return read;

@@ -27,7 +27,7 @@ constexpr std::size_t kMaxLocalizationEntries = std::size_t{1} << 16;
 constexpr std::size_t kMaxLocalizedBytes = 8192;
 
 // The texts of one language, by key without '$', in the game's character set: Latin letters without their
-// accents, and '?' for everything else that is not ASCII.
+// accents, Russian ones in Latin letters, and '?' for everything else that is not ASCII.
 class Localization {
  public:
   using Texts = std::map<std::string, std::string, std::less<>>;
@@ -38,6 +38,9 @@ class Localization {
   // Replaces the key at the start of "$key and more", if it is known. Returns other texts unchanged. The
   // result is not translated again.
   std::string localize(std::string_view text) const;
+  // The same for a text in which a server has joined a key and its arguments: "$qc_got_item$item_health\n",
+  // "$qc_suicidePlayer\n". Places of the key's text are filled; a '$' begins the next argument.
+  std::string localize_joined(std::string_view text) const;
   // Whether localize() would replace a key.
   bool has_text_for(std::string_view text) const;
   // Takes the texts of `other` for all its keys.
@@ -61,6 +64,8 @@ struct ReadLocalization {
   static constexpr std::size_t kMaxProblems = 20;
   std::vector<LocalizationProblem> problems;
   std::size_t problem_count = 0;
+  // How many texts have letters that the game's characters cannot write.
+  std::size_t unknown_letters = 0;
 };
 
 // Returns kTooLarge for more than kMaxLocalizationBytes, kMalformed for text with zero bytes. All other

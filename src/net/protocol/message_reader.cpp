@@ -38,7 +38,18 @@ UpdateName read_update_name(FieldReader& io_fields) {
   return update;
 }
 
-// Reads every message except ServerInfo.
+// The count is signed on the wire. Each text has at least one byte, so the packet's size limits the list.
+BotChat read_bot_chat(FieldReader& io_fields, std::vector<std::string_view>& out_texts) {
+  BotChat chat;
+  chat.client = io_fields.u8();
+  out_texts.clear();
+  for (int left = io_fields.i16(); left > 0 && io_fields.ok(); --left)
+    out_texts.push_back(io_fields.text("text"));
+  chat.texts = out_texts;
+  return chat;
+}
+
+// Reads every message except those with lists.
 ServerMessage read_body(MessageId id, FieldReader& io_fields) {
   FieldReader& f = io_fields;
   switch (id) {
@@ -127,6 +138,7 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
     case MessageId::kBackToLobby:
       return Ignored{static_cast<std::uint8_t>(id)};
     case MessageId::kServerInfo:
+    case MessageId::kBotChat:
     case MessageId::kEntityUpdate:
       break;
   }
@@ -157,10 +169,12 @@ base::Result<std::optional<ServerMessage>> MessageReader::next() {
   if (have == 0) return std::optional<ServerMessage>{};
   const std::uint8_t id = reader_.u8();
   FieldReader fields(reader_, dialect_);
-  // A ServerInfo refers to lists that live in this reader, so read_body() cannot read it.
+  // These two refer to lists that live in this reader, so read_body() cannot read them.
   const bool is_server_info = MessageId{id} == MessageId::kServerInfo;
-  const ServerMessage message =
-      is_server_info ? read_server_info(fields, models_, sounds_) : read_body(MessageId{id}, fields);
+  const ServerMessage message = is_server_info ? read_server_info(fields, models_, sounds_)
+                                : MessageId{id} == MessageId::kBotChat
+                                    ? ServerMessage(read_bot_chat(fields, chat_texts_))
+                                    : read_body(MessageId{id}, fields);
   if (!fields.ok()) {
     reader_ = base::ByteReader({});
     return make_read_error(fields, id, offset_in_file_ + start, have);

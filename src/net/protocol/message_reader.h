@@ -48,6 +48,7 @@ class MessageReader {
   std::size_t offset_in_file_ = 0;
   Dialect dialect_;
   std::vector<std::string_view> models_, sounds_;  // of the last ServerInfo
+  std::vector<std::string_view> chat_texts_;       // of the last BotChat
 };
 
 }  // namespace temblor::net

@@ -98,6 +98,12 @@ class ServerMessageWriter {
   void operator()(const Fog& message) {
     if (is_extended(f_.dialect())) write_fog(message, f_);
   }
+  void operator()(const BotChat& message) {
+    f_.id(MessageId::kBotChat);
+    f_.u8(message.client);
+    f_.i16(static_cast<std::int16_t>(message.texts.size()));
+    for (const std::string_view text : message.texts) f_.text(text);
+  }
   void operator()(const Ignored&) {}
 
  private:

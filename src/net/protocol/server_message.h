@@ -214,6 +214,12 @@ struct Fog {
   math::Vec3 color{0.0f};  // 0 to 1
   float fade_s = 0;        // time of the transition
 };
+// A bot says something (2021 re-release): the first text is what it says, or the key of that text, and its
+// places ({0}) take the others.
+struct BotChat {
+  std::uint8_t client = 0;
+  std::span<const std::string_view> texts{};  // valid until the reader's next message
+};
 // A message of the 2021 re-release that demos may contain; skipped.
 struct Ignored {
   std::uint8_t id = 0;
@@ -224,7 +230,7 @@ using ServerMessage =
                  SetAngle, ServerInfo, LightStyle, UpdateName, UpdateFrags, UpdateColors, ClientData,
                  StopSound, Particles, Damage, SpawnStatic, SpawnBaseline, EntityUpdate, TempEntity, SetPause,
                  SignonNumber, KilledMonster, FoundSecret, SpawnStaticSound, Intermission, SellScreen, Finale,
-                 CutScene, CdTrack, Skybox, BonusFlash, Fog, Ignored>;
+                 CutScene, CdTrack, Skybox, BonusFlash, Fog, BotChat, Ignored>;
 
 // Name for messages to people, such as "svc_time".
 const char* message_name(const ServerMessage& message);

@@ -106,6 +106,7 @@ constexpr std::array kIds = {
     MessageId::kSkybox,
     MessageId::kBonusFlash,
     MessageId::kFog,
+    MessageId::kBotChat,
 };
 static_assert(kIds.size() + 1 == std::variant_size_v<ServerMessage>);
 

@@ -49,6 +49,7 @@ enum class MessageId : std::uint8_t {
   kSpawnStatic2 = 43,
   kSpawnStaticSound2 = 44,
   // 2021 re-release; only the messages whose length is known.
+  kBotChat = 38,
   kAchievement = 52,
   kLevelCompleted = 54,
   kBackToLobby = 55,

@@ -1,9 +1,11 @@
 // Tests the effect of each message, except for the movement of entities.
 #include "client/session/client_state.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "client/session/messages.h"
@@ -263,6 +265,53 @@ TEST(ClientState, NumbersOutOfRangeAreErrorsWithoutEffect) {
   EXPECT_EQ(state.game().view_entity, 1);
   state.end_packet();
   EXPECT_TRUE(state.interpolate_entities(0, {}).empty());
+}
+
+// Keys are for the texts of the game, not for what players write.
+TEST(ClientState, ReplacesKeysOfOtherServers) {
+  ClientState state;
+  state.set_texts(std::make_shared<const formats::Localization>(formats::Localization::Texts{
+      {"m", "The Entrance"}, {"got", "You got {0}\n"}, {"item", "a key"}, {"hi", "{0} says hi"}}));
+  net::ServerInfo info = server_info();
+  info.level_name = "$m";
+  apply(state, {info, net::UpdateName{0, "$item"}, net::UpdateName{1, "Bot"}});
+  EXPECT_EQ(state.game().level_name, "The Entrance");
+  apply(state, {net::Print{"$got$item"}, net::Print{"$item entered the game\n"},
+                net::Print{"\x01$item: $m\n"}, net::Print{"$none\n"}});
+  EXPECT_THAT(state.events().prints,
+              ElementsAre("You got a key\n", "$item entered the game\n", "\x01$item: $m\n", "$none\n"));
+  apply(state, {net::CenterPrint{"$m"}});
+  EXPECT_EQ(state.game().center_text, "The Entrance");
+  apply(state, {net::Finale{"$m!"}});
+  EXPECT_EQ(state.game().ending_text, "The Entrance!");
+  state.events().clear();
+  const std::array<std::string_view, 2> texts = {"$hi", "$item"};
+  apply(state, {net::BotChat{1, texts}, net::BotChat{1, {}}});
+  EXPECT_THAT(state.events().prints, ElementsAre("\x01"
+                                                 "Bot: a key says hi\n"));
+  expect_error(state, net::BotChat{4, texts}, "slot 4");
+  state.set_texts(nullptr);
+  apply(state, {net::CenterPrint{"$m"}});
+  EXPECT_EQ(state.game().center_text, "$m");
+}
+
+TEST(ClientState, ReadsPingsAndHidesTheListThatItAskedFor) {
+  ClientState state;
+  apply(state, {server_info(), net::UpdateName{0, "Ann"}, net::UpdateName{2, "Bob B"}});
+  const auto list = [&](int ann, int bob) {
+    state.events().clear();
+    const std::string first = fmt::format("{:4} Ann\n", ann), second = fmt::format("{:4} Bob B\n", bob);
+    apply(state, {net::Print{"Client ping times:\n"}, net::Print{first}, net::Print{second},
+                  net::Print{"   7 apples\n"}, net::Print{"Ann rocks\n"}, net::Print{" 999 Ann\n"}});
+    return state.events().prints.size();
+  };
+  EXPECT_EQ(list(20, 12345), 6u) << "the player has asked";
+  EXPECT_EQ(state.game().players[0].ping_ms, 20);
+  EXPECT_EQ(state.game().players[2].ping_ms, 12345);
+  state.expect_pings();
+  EXPECT_EQ(list(30, 40), 2u) << "from the first line on that is not of the list";
+  EXPECT_EQ(state.game().players[0].ping_ms, 30);
+  EXPECT_EQ(list(50, 60), 6u) << "only one list was expected";
 }
 
 }  // namespace

@@ -46,8 +46,38 @@ TEST(Localization, UnescapesTexts) {
 TEST(Localization, UsesTheLettersOfTheGame) {
   EXPECT_EQ(read_text("\"Schlüssel, große Tür, ÀÖÿ, œuf, ¡No!, “x”… – «y»\""),
             "Schlussel, grosse Tur, AOy, oeuf, !No!, \"x\"... - \"y\"");
-  EXPECT_EQ(read_text("\"Ключ €\""), "???? ?");
+  EXPECT_EQ(read_text("\"Zażółć gęślą jaźń, Łódź, İstanbul, čeština\""),
+            "Zazolc gesla jazn, Lodz, Istanbul, cestina");
+  EXPECT_EQ(read_text("\"鍵 €\""), "? ?");
   EXPECT_EQ(read_text("\"a\xff\xc3 b\xc3\""), "a?? b?") << "invalid UTF-8";
+}
+
+// The spellings are those of English atlases and dictionaries.
+TEST(Localization, WritesRussianInLatinLetters) {
+  EXPECT_EQ(read_text("\"Москва, Хрущёв, борщ, Чайковский\""), "Moskva, Khrushchyov, borshch, Chaykovskiy");
+  EXPECT_EQ(read_text("\"Юрий Жданов: объект №7 (съезд), цыплята, ЭЛЬБРУС\""),
+            "Yuriy Zhdanov: obekt ?7 (sezd), tsyplyata, ELBRUS");
+  const auto read = read_or_die("a = \"Ключ\"\nb = \"鍵\"\nc = \"key\"\nd = \"鍵 €\"\n");
+  EXPECT_EQ(read.unknown_letters, 2u);
+}
+
+TEST(Localization, FillsPlacesOfJoinedTexts) {
+  const Localization texts = read_or_die(
+                                 "got = \"You got {0}\\n\"\nitem = \"the item\"\nkill = \"{0} killed {1}\"\n"
+                                 "plain = \"Plain\"\nplainly = \"Plainly\"")
+                                 .localization;
+  EXPECT_EQ(texts.localize_joined("$got$item\n"), "You got the item\n\n");
+  EXPECT_EQ(texts.localize_joined("$got $item"), "You got the item\n");
+  EXPECT_EQ(texts.localize_joined("$kill$item$plain\n\n"), "the item killed Plain\n\n");
+  EXPECT_EQ(texts.localize_joined("$killRanger\n"), "Ranger killed {1}\n") << "one argument is known";
+  EXPECT_EQ(texts.localize_joined("$kill"), "{0} killed {1}");
+  EXPECT_EQ(texts.localize_joined("$plain and more"), "Plain and more");
+  EXPECT_EQ(texts.localize_joined("$plainly"), "Plainly");
+  for (const std::string other : {"", "$", "$plainest", "$none$item", "it is $plain", "\x01$plain"})
+    EXPECT_EQ(texts.localize_joined(other), other);
+  const std::string keys = "$kill" + std::string(100000, '$');
+  EXPECT_EQ(texts.localize_joined(keys), "$ killed $");
+  EXPECT_EQ(texts.localize_joined("$" + std::string(100000, 'k')).size(), 100001u);
 }
 
 TEST(Localization, FollowsReferencesAndFindsLoops) {

@@ -47,13 +47,15 @@ TEST(BadMessage, NamesTruncatedMessageAndOffset) {
             "offset 1000: svc_lightstyle: pattern has no terminating zero");
   EXPECT_EQ(make_read_error(pack_bytes({8, 'a', 'b'})).message(),
             "offset 1000: svc_print: text has no terminating zero");
+  EXPECT_EQ(make_read_error(pack_bytes({38, 0, 0xff, 0x7f, 'a', 0, 'b'})).message(),
+            "offset 1000: svc_botchat: text has no terminating zero");
 }
 
 TEST(BadMessage, RejectsUnknownNumbers) {
   for (int id = 0; id < 128; ++id) {
-    const bool known = (id >= 1 && id <= 34 && id != 21) || id == 37 || (id >= 40 && id <= 44) || id == 52 ||
-                       (id >= 54 && id <= 56);
-    const bool of_2021 = id == 38 || (id >= 45 && id <= 56);
+    const bool known = (id >= 1 && id <= 34 && id != 21) || id == 37 || id == 38 || (id >= 40 && id <= 44) ||
+                       id == 52 || (id >= 54 && id <= 56);
+    const bool of_2021 = id >= 45 && id <= 56;
     const base::Error error = make_read_error(pack_bytes({id}));
     SCOPED_TRACE(error.message());
     if (known) {

@@ -136,6 +136,7 @@ TEST(MessageBytes, NamesMatchProtocol) {
       {Skybox{}, "svc_skybox"},
       {BonusFlash{}, "svc_bf"},
       {Fog{}, "svc_fog"},
+      {BotChat{}, "svc_botchat"},
       {Ignored{52}, "svc_achievement"},
       {Ignored{54}, "svc_levelcompleted"},
       {Ignored{55}, "svc_backtolobby"},
@@ -435,6 +436,11 @@ TEST(MessageBytes, ReadsMessagesOf2021WithKnownLength) {
   for (const std::uint8_t id : {std::uint8_t{54}, std::uint8_t{55}}) expect_read(k666, {id}, Ignored{id});
   expect_read(k666, {56, 0, 7}, Sound{.attenuation = 0, .sound = 7});
   expect_read(k666, {56, 16, 7, 1}, Sound{.attenuation = 0, .sound = 263});
+  const std::array<std::string_view, 2> texts = {"$chat {0}", "Ann"};
+  expect_both_ways(k666, Packet{38, 3, 2, 0}.text("$chat {0}").add({0}).text("Ann").add({0}),
+                   BotChat{3, texts});
+  expect_both_ways(k666, {38, 0, 0, 0}, BotChat{});
+  expect_read(k666, {38, 0, 0xff, 0xff}, BotChat{});
   base::ByteWriter writer;
   EXPECT_TRUE(write_message(Ignored{52}, k666, writer).ok());
   EXPECT_EQ(writer.size(), 0u);

@@ -100,6 +100,7 @@ struct Fields {
   std::string operator()(const Fog& m) const {
     return fmt::format("density {} color {} fade {}", m.density, text(m.color), m.fade_s);
   }
+  std::string operator()(const BotChat& m) const { return fmt::format("{} {}", m.client, m.texts); }
   std::string operator()(const Ignored& m) const { return fmt::format("{}", m.id); }
 };
 

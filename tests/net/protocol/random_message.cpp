@@ -159,7 +159,8 @@ Particles random_particles(RandomFields& f) {
 
 ServerMessage random_message(Random& random, const Dialect& dialect) {
   RandomFields f(random, dialect);
-  switch (random.below(f.extended() ? 37 : 34)) {
+  static constexpr std::array<std::string_view, 2> kChat = {"$chat {0}", ""};
+  switch (random.below(f.extended() ? 38 : 35)) {
     case 0:
       return Nop{};
     case 1:
@@ -233,8 +234,10 @@ ServerMessage random_message(Random& random, const Dialect& dialect) {
     case 33:
       return CdTrack{f.u8(), f.u8()};
     case 34:
-      return Skybox{f.text()};
+      return BotChat{f.u8(), kChat};
     case 35:
+      return Skybox{f.text()};
+    case 36:
       return BonusFlash{};
     default:
       return Fog{f.byte_over(255),
