@@ -257,6 +257,49 @@ TEST(Host, ScreenshotMatchesTheWindow) {
   EXPECT_EQ(image->pixels, shown);
 }
 
+TEST(Host, ScreenshotsNeverReplaceOthers) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game({"map small"});
+  ASSERT_TRUE(game.run_until_playing());
+  for (int number = 0; number < 10000; ++number)
+    if (number != 9998) game.folder().write(fmt::format("id1/temblor{:04}.png", number), std::string_view());
+  game.command("screenshot");
+  game.run(0.02, 0.01);
+  EXPECT_GT(std::filesystem::file_size(game.folder().path() / "id1/temblor9998.png"), 0u);
+  game.command("screenshot");
+  game.run(0.02, 0.01);
+  EXPECT_TRUE(game.has_printed("has 10000 of them"));
+  EXPECT_EQ(std::filesystem::file_size(game.folder().path() / "id1/temblor9999.png"), 0u);
+}
+
+TEST(Host, ListsModsWhoseFilesAreInCapitals) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game;
+  game.folder().write("OLDMOD/PAK0.PAK", std::string_view());
+  game.folder().write("maponly/Maps/x.bsp", std::string_view());
+  game.folder().write("docs/readme.txt", std::string_view());
+  std::vector<std::string> names;
+  for (const client::MenuGameFolder& folder : game.host().game.menu_lists->game_folders())
+    names.push_back(folder.name);
+  EXPECT_THAT(names, testing::ElementsAre("OLDMOD", "id1", "maponly"));
+}
+
+TEST(Host, AnUnknownLanguageNamesTheKnownOnes) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game;
+  for (const char* const language : {"english", "german"})
+    game.folder().write(fmt::format("id1/localization/loc_{}.txt", language),
+                        std::string_view("a = \"x\"\n"));
+  game.restart(nullptr, {});
+  game.run(0.1);
+  game.command("language german");
+  game.run(0.1);
+  EXPECT_FALSE(game.has_printed("there is no language"));
+  game.command("language klingon");
+  game.run(0.1);
+  EXPECT_TRUE(game.has_printed("there is no language \"klingon\" here, only english, german"));
+}
+
 TEST(Host, DrawsWindowsOfAnySize) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game({"map small"});

@@ -109,6 +109,41 @@ TEST(HudProgramInAGame, OfTheModdingPageWorks) {
       << "the bar and two numbers; this game has no pictures";
 }
 
+// A program of the size and the style of today's mods, at three sizes of the window.
+TEST(HudProgramInAGame, OfTodaysStyleWorksAtThreeSizes) {
+  SKIP_WITHOUT_QUAKEC();
+  const base::ByteVector file =
+      read_file(std::filesystem::path(TEMBLOR_SOURCE_DIR) / "tests/support/programs/full_hud.qc");
+  for (const platform::PixelSize size : {platform::PixelSize{320, 200}, {640, 480}, {1280, 720}}) {
+    SCOPED_TRACE(size.width);
+    HeadlessHost game({}, size);
+    start_game(game, base::as_text(file), "rgb");
+    const auto& program = *game.host().game.hud_program;
+    const auto count_commands = [&] {
+      game.run(0.1);
+      return program.draw_list().commands.size();
+    };
+    const std::size_t without_menu = count_commands();
+    EXPECT_GT(without_menu, 30u);
+    for (const render::DrawCommand& command : program.draw_list().commands)
+      EXPECT_TRUE(command.area.x >= 0 && command.area.y >= 0 && command.area.x <= size.width &&
+                  command.area.y <= size.height);
+    const math::Vec3 angles = game.host().input.player.view_angles_deg();
+    game.command("hudmenu");
+    EXPECT_GT(count_commands(), without_menu + 30);
+    game.window().put(platform::MouseMoved{0, 4000});  // to the lower edge
+    game.run(0.1);
+    EXPECT_EQ(game.host().input.player.view_angles_deg(), angles) << "the mouse moves the cursor";
+    game.window().put(platform::MouseMoved{0, -4000});
+    game.run(0.1);
+    game.press(platform::Key::kMouse1);
+    game.run(0.1);
+    game.release(platform::Key::kMouse1);
+    EXPECT_GT(count_commands(), without_menu + 30) << "the menu stays open";
+    EXPECT_EQ(count_printed(game, "csprogs.dat"), 0);
+  }
+}
+
 // The whole way of a stat: game code, server, connection, client, and its program.
 TEST(HudProgramInAGame, ShowsStatsOfTheGame) {
   SKIP_WITHOUT_QUAKEC();

@@ -1,8 +1,10 @@
 #include "client/hud_program/hud_program.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
+#include "assets/new_file.h"
 #include "base/text.h"
 #include "client/hud/panel.h"
 #include "client/hud_program/program_call.h"
@@ -16,7 +18,7 @@ constexpr std::string_view kProgramFile = "csprogs.dat";
 // The functions that the engine calls; kNoFunction for those that the program lacks.
 struct EntryPoints {
   vm::FunctionIndex init, world_loaded, shutdown, draw_hud, draw_scores, update_view, input_event,
-      console_command, parse_center_print;
+      console_command, parse_center_print, parse_print, parse_stuffed;
 
   explicit EntryPoints(const vm::Program& program)
       : init(program.find_function("CSQC_Init")),
@@ -27,16 +29,30 @@ struct EntryPoints {
         update_view(program.find_function("CSQC_UpdateView")),
         input_event(program.find_function("CSQC_InputEvent")),
         console_command(program.find_function("CSQC_ConsoleCommand")),
-        parse_center_print(program.find_function("CSQC_Parse_CenterPrint")) {}
+        parse_center_print(program.find_function("CSQC_Parse_CenterPrint")),
+        parse_print(program.find_function("CSQC_Parse_Print")),
+        parse_stuffed(program.find_function("CSQC_Parse_StuffCmd")) {}
 
   bool can_draw() const { return draw_hud != vm::kNoFunction || update_view != vm::kNoFunction; }
 };
 
 // A built-in function is no entry point: calling it from outside would have no caller to name.
-base::Result<std::shared_ptr<const vm::Program>> load_program(const vfs::FileSystem& files) {
-  TRY(const base::ByteVector bytes, files.read(kProgramFile));
+base::Result<std::shared_ptr<const vm::Program>> load_program(const base::ByteVector& bytes) {
   TRY(formats::Progs progs, formats::read_progs(bytes));
   return vm::Program::load(std::move(progs));
+}
+
+// An arrow of rows that become longer, white on black.
+base::Status draw_cursor(const math::Vec2& place, ProgramCanvas& io_canvas) {
+  constexpr int kRows = 8;
+  io_canvas.reset_clip();
+  for (const auto& [margin, rgb] : {std::pair(1.0f, math::Vec3(0.0f)), std::pair(0.0f, math::Vec3(1.0f))})
+    for (int row = 0; row < kRows; ++row) {
+      const auto length = static_cast<float>(row + 1);
+      const math::Vec2 corner = place + math::Vec2(0, static_cast<float>(row));
+      TRY_STATUS(io_canvas.fill({corner - margin, math::Vec2(length, 1) + 2 * margin}, {rgb}));
+    }
+  return base::Ok{};
 }
 
 }  // namespace
@@ -139,8 +155,11 @@ void HudProgram::fail(const base::Error& error) {
 // A game without the file has no program, which is no error.
 void HudProgram::start(const Game& game) {
   is_loaded_ = true;
-  if (!services_.library.files().contains(kProgramFile)) return;
-  base::Result<std::shared_ptr<const vm::Program>> program = load_program(services_.library.files());
+  const base::Result<base::ByteVector> bytes =
+      assets::read_new_file(services_.library.files(), std::string(kProgramFile));
+  if (!bytes.ok()) return fail(bytes.error());
+  if (bytes->empty()) return;
+  base::Result<std::shared_ptr<const vm::Program>> program = load_program(*bytes);
   if (!program.ok()) return fail(program.error());
   running_ = std::make_unique<Running>(*std::move(program), services_);
   if (!running_->entries.can_draw()) {
@@ -173,6 +192,42 @@ base::Status HudProgram::pass_center_print(const Game& game) {
   TRY_STATUS(program.call(program.entries.parse_center_print));
   program.owns_center_text = program.machine.returned_float() != 0;
   return base::Ok{};
+}
+
+bool HudProgram::take_ping_request() {
+  return running_ && std::exchange(running_->context.wants_pings, false);
+}
+
+base::Status HudProgram::pass_print(const Game& game, std::string_view text) {
+  constexpr char kChat = 1;  // begins what a player says
+  constexpr float kEventLevel = 2, kChatLevel = 3;
+  const Running::GameScope scope(*running_, game);
+  TRY_STATUS(running_->set_text(0, text));
+  running_->machine.set_parameter_float(1, text.starts_with(kChat) ? kChatLevel : kEventLevel);
+  return running_->call(running_->entries.parse_print);
+}
+
+bool HudProgram::take_print(const Game& game, std::string_view text) {
+  if (!running_ || running_->entries.parse_print == vm::kNoFunction) return false;
+  const base::Status status = pass_print(game, text);
+  if (!status.ok()) fail(status.error());
+  return status.ok();
+}
+
+base::Status HudProgram::pass_stuffed(const Game& game, std::string_view line) {
+  const Running::GameScope scope(*running_, game);
+  TRY_STATUS(running_->set_text(0, fmt::format("{}\n", line)));
+  running_->context.runs_stuffed = true;
+  const base::Status status = running_->call(running_->entries.parse_stuffed);
+  running_->context.runs_stuffed = false;
+  return status;
+}
+
+bool HudProgram::take_stuffed(const Game& game, std::string_view line) {
+  if (!running_ || running_->entries.parse_stuffed == vm::kNoFunction) return false;
+  const base::Status status = pass_stuffed(game, line);
+  if (!status.ok()) fail(status.error());
+  return status.ok();
 }
 
 base::Status HudProgram::draw_hud(const HudMoment& moment) {
@@ -223,6 +278,7 @@ base::Status HudProgram::draw_frame(const Game& game, const HudMoment& moment) {
   context.may_draw = true;
   const base::Status status =
       program.entries.draw_hud != vm::kNoFunction ? draw_hud(moment) : draw_view(moment);
+  if (status.ok() && context.cursor) TRY_STATUS(draw_cursor(*context.cursor, context.canvas));
   context.may_draw = false;
   drawing_.parts.center_text = !program.owns_center_text;
   return status;
@@ -236,8 +292,10 @@ void HudProgram::draw(const Game& game, const HudMoment& moment) {
 }
 
 base::Result<bool> HudProgram::pass_event(const Game& game, const platform::InputEvent& event) {
-  constexpr float kKeyDown = 0, kKeyUp = 1, kMouseMoved = 2;
+  constexpr float kKeyDown = 0, kKeyUp = 1, kMouseMoved = 2, kMouseAt = 3;
   vm::Machine& machine = running_->machine;
+  std::optional<math::Vec2>& cursor = running_->context.cursor;
+  bool moves_cursor = false;
   const Running::GameScope scope(*running_, game);
   const auto set = [&](float type, float a, float b) {
     machine.set_parameter_float(0, type);
@@ -251,12 +309,17 @@ base::Result<bool> HudProgram::pass_event(const Game& game, const platform::Inpu
     const int character = number >= ' ' && number < 127 ? number : 0;
     set(key->down ? kKeyDown : kKeyUp, static_cast<float>(number), static_cast<float>(character));
   } else if (const auto* mouse = std::get_if<platform::MouseMoved>(&event.what)) {
-    set(kMouseMoved, mouse->right, mouse->down);
+    moves_cursor = cursor.has_value();
+    if (cursor) *cursor = running_->context.canvas.move_point(*cursor, mouse->right, mouse->down);
+    if (cursor)
+      set(kMouseAt, cursor->x, cursor->y);
+    else
+      set(kMouseMoved, mouse->right, mouse->down);
   } else {
     return false;
   }
   TRY_STATUS(running_->call(running_->entries.input_event));
-  return machine.returned_float() != 0;
+  return moves_cursor || machine.returned_float() != 0;
 }
 
 bool HudProgram::handle_event(const Game& game, const platform::InputEvent& event) {

@@ -33,6 +33,7 @@ struct HudProgramServices {
   command::Variables& variables;
   std::function<void(std::string_view text)> print{};          // in the game's character set
   std::function<void(std::string_view lines)> run_commands{};  // console lines, to be run later
+  std::function<void(std::string_view lines)> run_stuffed{};  // the same, by the rules for the server's lines
   std::function<bool(std::string_view name)> has_command{};
   std::function<std::string(platform::Key key)> binding{};
   std::function<void(std::string_view sample)> play_sound{};
@@ -83,6 +84,16 @@ class HudProgram {
   // Forgets the last frame: the built-in HUD draws until the next draw().
   void rest() { drawing_ = {}; }
 
+  // Whether the program has read the ping of a player since the last call.
+  bool take_ping_request();
+
+  // CSQC_Parse_Print: offers a text that the server has sent for the console. Returns whether the program has
+  // taken it, and prints what it wants itself.
+  bool take_print(const Game& game, std::string_view text);
+  // CSQC_Parse_StuffCmd: offers a console line of the server, without its end. Returns whether the program
+  // has taken it; its localcmd() then runs what it wants to keep.
+  bool take_stuffed(const Game& game, std::string_view line);
+
   // CSQC_InputEvent: returns whether the program consumed the event.
   bool handle_event(const Game& game, const platform::InputEvent& event);
   // CSQC_ConsoleCommand: `line` is a command that the console does not know. Returns whether the program has
@@ -99,6 +110,8 @@ class HudProgram {
   base::Status pass_center_print(const Game& game);
   base::Result<bool> pass_event(const Game& game, const platform::InputEvent& event);
   base::Status pass_command(const Game& game, std::string_view line);
+  base::Status pass_print(const Game& game, std::string_view text);
+  base::Status pass_stuffed(const Game& game, std::string_view line);
   // Ends the program and prints why, if that was not printed before.
   void fail(const base::Error& error);
 

@@ -2,6 +2,7 @@
 // the state of the client that the function reads.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -31,6 +32,9 @@ struct ProgramContext {
   HudMoment moment{};
   bool may_draw = false;  // drawing functions work only while a frame is drawn
   ProgramView view{};
+  std::optional<math::Vec2> cursor{};             // in virtual pixels; nothing: the mouse turns the view
+  bool wants_pings = false;                       // it has read the ping of a player
+  bool runs_stuffed = false;                      // localcmd() runs what the server has sent
   std::set<std::string, std::less<>> commands{};  // in lower case
   std::set<std::uint32_t> free_entities{};
 };

@@ -56,6 +56,11 @@ math::Vec2 ProgramCanvas::virtual_size() const {
   return math::Vec2(static_cast<float>(width_), static_cast<float>(height_)) / static_cast<float>(scale_);
 }
 
+math::Vec2 ProgramCanvas::move_point(const math::Vec2& point, float right_px, float down_px) const {
+  const math::Vec2 moved = point + math::Vec2(right_px, down_px) / static_cast<float>(scale_);
+  return glm::clamp(moved, math::Vec2(0.0f), virtual_size());
+}
+
 // Both sides are rounded, so that neighbors touch.
 render::ScreenRect ProgramCanvas::to_pixels(const VirtualRect& area) const {
   const auto pixel = [this](float a, float b) { return round_pixel((double{a} + double{b}) * scale_); };

@@ -41,6 +41,8 @@ class ProgramCanvas {
   // Starts a frame of this size in pixels, of which `scale` make a virtual one.
   void begin(int width, int height, int scale);
   math::Vec2 virtual_size() const;
+  // The point after the mouse has moved it by these pixels, inside of the frame.
+  math::Vec2 move_point(const math::Vec2& point, float right_px, float down_px) const;
   // Forgets what was drawn so far: the view covers it.
   void clear() { list_.clear(); }
 

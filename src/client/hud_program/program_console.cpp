@@ -44,13 +44,16 @@ base::Status checkcommand(ProgramCall& io_call) {
   return io_call.return_number(has_command && has_command(name) ? 1 : 0);
 }
 
-// localcmd(text, ...): runs console lines after the program has returned.
+// localcmd(text, ...): runs console lines after the program has returned. Those that it got from the server
+// may do no more than without the program.
 base::Status localcmd(ProgramCall& io_call) {
   const std::string text = io_call.joined_text(0);
   if (text.size() > ProgramContext::kMaxCommandBytes)
     return io_call.error("more than {} bytes of commands", ProgramContext::kMaxCommandBytes);
   io_call.machine.charge(text.size() * 16);
-  if (io_call.program.services.run_commands) io_call.program.services.run_commands(text);
+  const HudProgramServices& services = io_call.program.services;
+  const auto& run = io_call.program.runs_stuffed ? services.run_stuffed : services.run_commands;
+  if (run) run(text);
   return base::Ok{};
 }
 
@@ -95,6 +98,20 @@ base::Status findkeysforcommand(ProgramCall& io_call) {
   return io_call.return_text(fmt::format("'{}' '{}'", keys[0], keys[1]));
 }
 
+// setcursormode(on): from now on the mouse moves a cursor, and no longer the view.
+base::Status setcursormode(ProgramCall& io_call) {
+  ProgramContext& program = io_call.program;
+  const bool is_on = io_call.number(0) != 0;
+  if (is_on && !program.cursor) program.cursor = program.canvas.virtual_size() * 0.5f;
+  if (!is_on) program.cursor.reset();
+  return base::Ok{};
+}
+// getmousepos(): the cursor's place, in virtual pixels.
+base::Status getmousepos(ProgramCall& io_call) {
+  io_call.machine.return_vector(math::Vec3(io_call.program.cursor.value_or(math::Vec2(0.0f)), 0));
+  return base::Ok{};
+}
+
 }  // namespace
 
 std::span<const ProgramEntry> program_console() {
@@ -112,6 +129,8 @@ std::span<const ProgramEntry> program_console() {
       {520, "keynumtostring_omgwtf", keynumtostring},
       {341, "stringtokeynum", stringtokeynum},
       {342, "getkeybind", getkeybind},
+      {343, "setcursormode", setcursormode},
+      {344, "getmousepos", getmousepos},
       {352, "registercommand", registercommand},
       {521, "findkeysforcommand", findkeysforcommand},
   };

@@ -37,8 +37,6 @@ std::span<const ProgramEntry> program_ignored() {
       {335, "particleeffectnum", ignored},
       {336, "trailparticles", ignored},
       {337, "pointparticles", ignored},
-      {343, "setcursormode", ignored},
-      {344, "getmousepos", ignored},
       {345, "getinputstate", ignored},
       {346, "setsensitivityscaler", ignored},
       {351, "SetListener", ignored},

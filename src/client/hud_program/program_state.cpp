@@ -67,7 +67,7 @@ const Player* find_player(const Game& game, int number) {
   return place < players.size() && !players[place]->name.empty() ? players[place] : nullptr;
 }
 
-std::string player_value(const Game& game, const Player& player, std::string_view key) {
+std::string find_player_value(const Game& game, const Player& player, std::string_view key) {
   const auto slot = static_cast<int>(&player - game.players.data());
   if (key == "name") return player.name;
   if (key == "frags") return fmt::format("{}", player.frags);
@@ -75,18 +75,25 @@ std::string player_value(const Game& game, const Player& player, std::string_vie
   if (key == "bottomcolor" || key == "team") return fmt::format("{}", player.pants);
   if (key == "viewentity") return fmt::format("{}", slot + 1);
   if (key == "userid") return fmt::format("{}", slot);
-  if (key == "ping" || key == "pl") return "0";  // these are not sent in the protocol
+  if (key == "ping") return fmt::format("{}", player.ping_ms);
+  if (key == "pl") return "0";  // lost packets are not sent in the protocol
   return "";
+}
+
+// Pings arrive only on request.
+std::string player_value(ProgramCall& io_call, const Player* player, std::string_view key) {
+  if (key == "ping") io_call.program.wants_pings = true;
+  return player == nullptr ? "" : find_player_value(io_call.game(), *player, key);
 }
 
 // getplayerkeyvalue(player, key): empty for a slot without a player.
 base::Status getplayerkeyvalue(ProgramCall& io_call) {
   const Player* const player = find_player(io_call.game(), io_call.whole(0));
-  return io_call.return_text(player == nullptr ? "" : player_value(io_call.game(), *player, io_call.text(1)));
+  return io_call.return_text(player_value(io_call, player, io_call.text(1)));
 }
 base::Status getplayerkeyfloat(ProgramCall& io_call) {
   const Player* const player = find_player(io_call.game(), io_call.whole(0));
-  const std::string value = player == nullptr ? "" : player_value(io_call.game(), *player, io_call.text(1));
+  const std::string value = player_value(io_call, player, io_call.text(1));
   return io_call.return_number(std::strtod(value.c_str(), nullptr));
 }
 
@@ -116,7 +123,7 @@ base::Status infokey(ProgramCall& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   if (entity == vm::kWorld) return io_call.return_text(rule(io_call, io_call.text(1)));
   const Player* const player = find_player(io_call.game(), static_cast<int>(base::to_size(entity)) - 1);
-  return io_call.return_text(player == nullptr ? "" : player_value(io_call.game(), *player, io_call.text(1)));
+  return io_call.return_text(player_value(io_call, player, io_call.text(1)));
 }
 
 base::Status isdemo(ProgramCall& io_call) {

@@ -40,6 +40,7 @@
 #include "host/menus/menu_lists.h"
 #include "host/services.h"
 #include "host/session/game_data.h"
+#include "host/session/game_texts.h"
 #include "host/session/overrides.h"
 #include "host/session/server_search.h"
 #include "host/session/session.h"
@@ -111,7 +112,9 @@ struct LoadedGame {
   std::unique_ptr<MenuLists> menu_lists;
   std::optional<client::Menu> menu;
   std::unique_ptr<Session> session;
-  std::string last_server{};  // that the player has joined, for `reconnect`
+  GameTexts texts;
+  double pings_asked_s = -1e9;  // the host's clock: when a HUD program's pings were last asked for
+  std::string last_server{};    // that the player has joined, for `reconnect`
   // Game folders to switch to after this frame's commands. An empty list is id1 alone; none: no switch.
   std::optional<std::vector<std::string>> requested_games;
   // Game data to switch to, in the same way.

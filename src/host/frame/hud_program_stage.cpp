@@ -1,6 +1,7 @@
 #include "host/frame/hud_program_stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "client/hud/panel.h"
@@ -36,6 +37,27 @@ client::HudMoment make_moment(const Host& host, const client::ClientState& state
   return moment;
 }
 
+// Our own server is trusted, because its game code is installed on this machine.
+void run_line_of_server(Host& io_host, std::string_view line) {
+  io_host.stuffed_text.run(io_host, line, io_host.game.session->server() != nullptr);
+}
+
+// Alone, the ping is always 0. A server that answers in words of its own is asked rarely, because its answers
+// reach the console.
+void ask_for_pings(Host& io_host) {
+  constexpr double kInterval_s = 3, kUnknownInterval_s = 60;
+  double& asked_s = io_host.game.pings_asked_s;
+  client::Connection* const connection = io_host.game.session->connection();
+  if (connection == nullptr || io_host.demos.session || io_host.game.session->is_alone()) return;
+  const std::vector<client::Player>& players = connection->state().game().players;
+  const bool has_pings = std::any_of(players.begin(), players.end(),
+                                     [](const client::Player& player) { return player.ping_ms > 0; });
+  if (std::abs(io_host.timing.now_s - asked_s) < (has_pings ? kInterval_s : kUnknownInterval_s)) return;
+  asked_s = io_host.timing.now_s;
+  connection->state().expect_pings();
+  connection->send_command("ping");
+}
+
 }  // namespace
 
 client::HudProgramServices hud_program_services(Host& io_host) {
@@ -47,6 +69,14 @@ client::HudProgramServices hud_program_services(Host& io_host) {
           .variables = io_host.variables.variables(),
           .print = [&io_host](std::string_view text) { print_game_text(io_host, text); },
           .run_commands = [&console](std::string_view lines) { console.append(lines); },
+          .run_stuffed =
+              [&io_host](std::string_view lines) {
+                while (!lines.empty()) {
+                  const std::string_view line = lines.substr(0, lines.find('\n'));
+                  lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+                  run_line_of_server(io_host, line);
+                }
+              },
           .has_command =
               [&console](std::string_view name) {
                 const std::vector<std::string> names = console.complete(name);
@@ -66,6 +96,21 @@ void draw_hud_program(Host& io_host, int width, int height) {
       !io_host.video.presentation_settings.runs_hud_program)
     return program.rest();
   program.draw(state->game(), make_moment(io_host, *state, width, height));
+  if (program.take_ping_request()) ask_for_pings(io_host);
+}
+
+void print_server_text(Host& io_host, std::string_view text) {
+  const client::ClientState* const state = find_drawn_state(io_host);
+  const bool is_offered = state != nullptr && io_host.video.presentation_settings.runs_hud_program;
+  if (!is_offered || !io_host.game.hud_program->take_print(state->game(), text))
+    print_game_text(io_host, text);
+}
+
+void run_server_line(Host& io_host, std::string_view line) {
+  const client::ClientState* const state = find_drawn_state(io_host);
+  const bool is_offered = state != nullptr && io_host.video.presentation_settings.runs_hud_program;
+  if (!is_offered || !io_host.game.hud_program->take_stuffed(state->game(), line))
+    run_line_of_server(io_host, line);
 }
 
 bool pass_event_to_hud_program(Host& io_host, const platform::InputEvent& event) {

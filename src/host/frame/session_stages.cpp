@@ -7,6 +7,7 @@
 #include "command/text.h"
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
+#include "host/frame/hud_program_stage.h"
 #include "host/frame/time_scale.h"
 #include "host/menus/menus.h"
 #include "host/session/configure.h"
@@ -123,6 +124,7 @@ void apply_variables(Host& io_host) {
     io_host.video.window_settings = settings;
   }
   send_player_settings(io_host);
+  load_game_texts(io_host);
   const DemoPlayback& demos = io_host.demos;
   // Capture the mouse only while it turns a view: a menu or an inactive window must leave it to the desktop.
   const bool needs_mouse =
@@ -149,12 +151,10 @@ void read_network(Host& io_host) {
   if (client::Connection* const connection = session.connection()) {
     // Take the prints here: nothing else does before the level has begun, and they would be printed twice.
     client::Events& events = connection->state().events();
-    for (const std::string& text : std::exchange(events.prints, {})) print_game_text(io_host, text);
+    for (const std::string& text : std::exchange(events.prints, {})) print_server_text(io_host, text);
     if (session.is_playing()) rumble(io_host, events);
     note_autosave(io_host);
-    for (const std::string& line : connection->take_commands())
-      // Our own server is trusted, because its game code is installed on this machine.
-      io_host.stuffed_text.run(io_host, line, session.server() != nullptr);
+    for (const std::string& line : connection->take_commands()) run_server_line(io_host, line);
   } else {
     io_host.stuffed_text.restore(io_host);
   }

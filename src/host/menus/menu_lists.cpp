@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <set>
 
-#include "assets/localization.h"
+#include "base/text.h"
 #include "formats/game/sav.h"
 #include "formats/levels/entities.h"
 #include "host/frame/host_parts.h"
 #include "host/menus/episodes.h"
+#include "host/session/game_texts.h"
 #include "host/session/games.h"
 #include "vfs/disk.h"
 
@@ -65,6 +66,20 @@ std::vector<std::string> list_written_files(const GameData& data, std::string_vi
   return names;
 }
 
+namespace {
+
+// Folders of documentation or saved screenshots hold none. Names on old disks are in capitals.
+bool has_game_data(const std::filesystem::path& folder) {
+  std::error_code failure;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failure)) {
+    const std::string name = base::to_lower(entry.path().filename().string());
+    if (name == "pak0.pak" || name == "progs.dat" || name == "maps" || name == "gfx.wad") return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 MenuLists::MenuLists(Host& host, const GameData& data) : host_(host), data_(data), thumbnails_(data) {}
 
 std::vector<client::MenuLevel> MenuLists::levels() {
@@ -95,12 +110,7 @@ const std::string& MenuLists::level_title(const std::string& level) {
   const auto [entry, is_new] = titles_.try_emplace(level);
   const std::string file = "maps/" + level + ".bsp";
   if (!is_new || !data_.library.files().contains(file)) return entry->second;
-  if (!localization_) {
-    std::vector<std::string> notes;  // the server prints them when a level starts
-    const command::Variable* const language = host_.variables.variables().find("language");
-    localization_ = assets::load_localization(data_.library.files(), language->text, notes);
-  }
-  entry->second = localization_->localize(read_title(data_.library.files(), file));
+  entry->second = load_game_texts(host_)->localize(read_title(data_.library.files(), file));
   return entry->second;
 }
 
@@ -150,9 +160,7 @@ std::vector<client::MenuGameFolder> MenuLists::game_folders() const {
     std::error_code ignored;
     const std::string name = entry.path().filename().string();
     if (!entry.is_directory(ignored) || name.starts_with('.')) continue;
-    const auto has = [&](const char* file) { return std::filesystem::exists(entry.path() / file, ignored); };
-    // Skip folders that hold no game data, such as documentation or saved screenshots.
-    if (!has("pak0.pak") && !has("progs.dat") && !has("maps") && !has("gfx.wad")) continue;
+    if (!has_game_data(entry.path())) continue;
     const bool is_used = std::any_of(in_use.begin(), in_use.end(), [&](const std::filesystem::path& folder) {
       return std::filesystem::equivalent(folder, entry.path(), ignored);
     });

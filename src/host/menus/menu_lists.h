@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "client/menu/menu_content.h"
-#include "formats/game/localization.h"
 #include "host/menus/thumbnails.h"
 
 namespace temblor::host {
@@ -45,7 +44,6 @@ class MenuLists {
   Thumbnails thumbnails_;
   std::vector<client::MenuLevel> levels_;  // cached
   std::map<std::string, std::string> titles_;
-  std::optional<formats::Localization> localization_;  // of the titles; loaded with the first one
 };
 
 // Returns the names of the files in the write folder that end with `suffix` (".sav"), without it, newest

@@ -116,6 +116,7 @@ void load_game_folders(Host& io_host) {
   GameData& data = *game.data;
   game.session = std::make_unique<Session>(io_host.services, data.library, data.write_folder,
                                            io_host.variables.server(), io_host.options.program_file);
+  game.texts = {};
   game.hud_program = std::make_unique<client::HudProgram>(hud_program_services(io_host));
   data.presentation.set_hud_program(game.hud_program.get());
   game.menu_lists = std::make_unique<MenuLists>(io_host, data);

@@ -8,6 +8,7 @@
 #include "command/text.h"
 #include "host/commands/configuration.h"
 #include "host/frame/host_parts.h"
+#include "host/frame/hud_program_stage.h"
 #include "host/frame/presentation_settings.h"
 #include "host/menus/menus.h"
 #include "host/session/games.h"
@@ -41,9 +42,10 @@ base::Status open_demo(Host& io_host, std::string_view name) {
   const std::string file = with_suffix(name);
   TRY(base::ByteVector bytes, read_demo(*io_host.game.data, file));
   disconnect(io_host);
-  TRY(demos.session, client::DemoSession::open(std::move(bytes), file, io_host.game.data->presentation));
+  TRY(demos.session, client::DemoSession::open(std::move(bytes), file, io_host.game.data->presentation,
+                                               load_game_texts(io_host)));
   demos.session->set_listener([&io_host](const client::Events& events, const client::Game&, double) {
-    for (const std::string& text : events.prints) print_game_text(io_host, text);
+    for (const std::string& text : events.prints) print_server_text(io_host, text);
   });
   demos.file = file;
   demos.controls = {};

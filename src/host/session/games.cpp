@@ -70,6 +70,7 @@ base::Status connect_to_server(Host& io_host, std::string_view address) {
   TRY_STATUS(finish_recording(io_host));
   stop_demo(io_host);
   TRY_STATUS(io_host.game.session->connect(address, io_host.variables.player()));
+  io_host.game.session->connection()->state().set_texts(load_game_texts(io_host));
   io_host.game.last_server = address;
   io_host.console.ui.close();
   io_host.game.menu->close();
@@ -123,7 +124,11 @@ base::Status write_screenshot(Host& io_host, std::string_view file) {
   const std::filesystem::path& folder = io_host.game.data->write_folder;
   std::filesystem::path path = folder / file;  // an absolute path stays as it is
   std::error_code ignored;
-  for (int number = 0; file.empty() && number < kMaxScreenshots; ++number) {
+  for (int number = 0; file.empty(); ++number) {
+    if (number == kMaxScreenshots)
+      return base::error(base::ErrorCode::kUsage,
+                         "screenshot: {} has {} of them; move some elsewhere, or type screenshot NAME",
+                         folder.string(), kMaxScreenshots);
     path = folder / fmt::format("temblor{:04}.png", number);
     if (!std::filesystem::exists(path, ignored)) break;
   }

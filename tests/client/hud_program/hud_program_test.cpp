@@ -26,14 +26,14 @@ class HudStage {
       : HudStage(test::compile_quakec(adds_declarations ? std::string(kHudDeclarations) + std::string(program)
                                                         : std::string(program))) {}
   explicit HudStage(const base::ByteVector& program) {
-    folder_.write("id1/csprogs.dat", program);
+    folder.write("id1/csprogs.dat", program);
     // Left half red, right half clear.
     formats::Image image{4, 2, {}};
     for (int i = 0; i < 8; ++i) image.pixels.push_back(i % 4 < 2 ? 0xffff0000u : 0u);
-    folder_.write("id1/gfx/half.tga", formats::write_tga(image));
-    folder_.write("id1/gfx/bad.png", std::string_view("no picture"));
-    folder_.write("id1/gfx/wide.lmp", formats::write_picture({2, 1, {3, 7}}));
-    library.emplace(vfs::FileSystem::open(folder_.path()).value());
+    folder.write("id1/gfx/half.tga", formats::write_tga(image));
+    folder.write("id1/gfx/bad.png", std::string_view("no picture"));
+    folder.write("id1/gfx/wide.lmp", formats::write_picture({2, 1, {3, 7}}));
+    library.emplace(vfs::FileSystem::open(folder.path()).value());
     std::vector<std::string> notes;
     pictures.emplace(library->pictures(notes));
     hud.emplace(HudProgramServices{.library = *library,
@@ -41,7 +41,8 @@ class HudStage {
                                    .palette = artgen::make_palette(),
                                    .variables = variables,
                                    .print = [this](std::string_view text) { printed += text; },
-                                   .run_commands = [this](std::string_view lines) { commands += lines; }});
+                                   .run_commands = [this](std::string_view lines) { commands += lines; },
+                                   .run_stuffed = [this](std::string_view lines) { stuffed += lines; }});
     game.stats[0] = 80;
     game.view_entity = 1;
     game.models = {"", "maps/e1m1.bsp"};
@@ -83,14 +84,11 @@ class HudStage {
     return pixels;
   }
 
- private:
-  test::TemporaryFolder folder_;
-
- public:
+  test::TemporaryFolder folder;
   command::Variables variables;
   std::optional<assets::Library> library;
   std::optional<assets::Pictures> pictures;
-  std::string printed, commands;
+  std::string printed, commands, stuffed;
   Game game;
   std::optional<HudProgram> hud;
 };
@@ -274,6 +272,70 @@ TEST(HudProgram, MayTakeCenterPrints) {
   stage.game.center_text_since_s = 4;
   EXPECT_TRUE(stage.draw().parts.center_text);
   EXPECT_EQ(stage.printed, "mine!yours!yours!") << "once for each message";
+}
+
+TEST(HudProgram, MayTakePrintsAndStuffedLines) {
+  SKIP_WITHOUT_QUAKEC();
+  HudStage stage(draw_hud("") + R"(
+    void(string text, float level) CSQC_Parse_Print = { print(ftos(level), text); };
+    void(string line) CSQC_Parse_StuffCmd = { if (line != "bad\n") localcmd(line); };
+  )");
+  EXPECT_FALSE(stage.hud->take_print(stage.game, "early\n")) << "the program does not run yet";
+  stage.draw();
+  EXPECT_TRUE(stage.hud->take_print(stage.game, "You got it\n"));
+  EXPECT_TRUE(stage.hud->take_print(stage.game,
+                                    "\x01"
+                                    "Ann: hi\n"));
+  EXPECT_EQ(stage.printed,
+            "2You got it\n3\x01"
+            "Ann: hi\n");
+  EXPECT_TRUE(stage.hud->take_stuffed(stage.game, "bf"));
+  EXPECT_TRUE(stage.hud->take_stuffed(stage.game, "bad"));
+  EXPECT_EQ(stage.stuffed, "bf\n");
+  EXPECT_EQ(stage.commands, "") << "the rules for the server's lines stay";
+
+  HudStage other(draw_hud(""));
+  other.draw();
+  EXPECT_FALSE(other.hud->take_print(other.game, "x") || other.hud->take_stuffed(other.game, "x"));
+  HudStage broken(draw_hud("") + "void(string t, float l) CSQC_Parse_Print = { error(\"broke\"); };");
+  broken.draw();
+  EXPECT_FALSE(broken.hud->take_print(broken.game, "kept\n")) << "the engine prints what a program lost";
+  EXPECT_THAT(broken.printed, HasSubstr("broke"));
+}
+
+TEST(HudProgram, AsksForPingsOnlyIfItShowsThem) {
+  SKIP_WITHOUT_QUAKEC();
+  HudStage stage(draw_hud("if (getstatf(0) < 50) print(getplayerkeyvalue(0, \"ping\"));"));
+  stage.game.players[0].ping_ms = 48;
+  EXPECT_EQ(stage.printed_in_frame(), "");
+  EXPECT_FALSE(stage.hud->take_ping_request());
+  stage.game.stats[0] = 20;
+  EXPECT_EQ(stage.printed_in_frame(), "48");
+  EXPECT_TRUE(stage.hud->take_ping_request());
+  EXPECT_FALSE(stage.hud->take_ping_request());
+}
+
+// A modder compiles again and restarts the level.
+TEST(HudProgram, EachLevelReadsTheFileAgain) {
+  SKIP_WITHOUT_QUAKEC();
+  HudStage stage(draw_hud("print(\"old\");"));
+  EXPECT_EQ(stage.printed_in_frame(), "old");
+  const auto replace = [&](std::string_view program) {
+    stage.folder.write("id1/csprogs.dat",
+                       test::compile_quakec(std::string(kHudDeclarations) + draw_hud(program)));
+  };
+  replace("print(\"new\");");
+  EXPECT_EQ(stage.printed_in_frame(), "old");
+  stage.hud->begin_level();
+  EXPECT_EQ(stage.printed_in_frame(), "new");
+
+  std::filesystem::remove(stage.folder.path() / "id1/csprogs.dat");
+  stage.library.emplace(vfs::FileSystem::open(stage.folder.path()).value());
+  stage.hud->begin_level();
+  EXPECT_EQ(stage.printed_in_frame(), "");
+  replace("print(\"first\");");
+  stage.hud->begin_level();
+  EXPECT_EQ(stage.printed_in_frame(), "first") << "a file that is newer than the list of files";
 }
 
 TEST(HudProgram, HasEntitiesAndCommandsOfItsOwn) {

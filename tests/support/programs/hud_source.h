@@ -8,7 +8,7 @@ namespace temblor::test {
 // Declared as csprogs sources do, by number and by name.
 inline constexpr std::string_view kHudDeclarations = R"(
 entity self, other, world;
-float time, frametime, maxclients, intermission, player_localentnum;
+float time, frametime, maxclients, intermission, player_localentnum, sb_showscores;
 vector view_angles, v_forward, v_right, v_up;
 void end_sys_globals;
 .string classname;
@@ -19,11 +19,14 @@ void(string s, ...) error = #10;
 entity() spawn = #14;
 void(entity e) remove = #15;
 string(float f) ftos = #26;
+float(string s) stof = #81;
 float(string name) cvar = #45;
 void(string s, ...) localcmd = #46;
 entity(entity e) nextent = #47;
 float(string name) checkextension = #99;
 string(string s, ...) strcat = #115;
+string(string s, float start, float length) substring = #116;
+string(string s, ...) strzone = #118;
 void() clearscene = #300;
 void(float mask) addentities = #301;
 float(float property, ...) setproperty = #303;
@@ -48,6 +51,8 @@ string(float stat) getstats = #332;
 void(string s, ...) print = #339;
 string(float key) keynumtostring = #340;
 float(string name) stringtokeynum = #341;
+void(float on) setcursormode = #343;
+vector() getmousepos = #344;
 string(float player, string key) getplayerkeyvalue = #348;
 void(string name) registercommand = #352;
 string(string key) serverkey = #354;
