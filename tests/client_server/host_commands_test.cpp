@@ -211,17 +211,20 @@ TEST(HostCommands, PlayersWithTheSameNameGetNumbers) {
   EXPECT_EQ(players[0].name, "player");
   EXPECT_EQ(players[1].name, "Player (2)");
   EXPECT_EQ(players[2].name, "player (3)");
-  EXPECT_THAT(answer(served, "kick \"player (3)\""), HasSubstr("removed"));
   // A name of maximum length is cut, to make room for the number.
   served.client(0).send_command("name 123456789012345");
   served.client(1).send_command("name 123456789012345");
   served.run(0.5);
   EXPECT_EQ(players[0].name, "123456789012345");
   EXPECT_EQ(players[1].name, "12345678901 (2)");
+  served.client(2).send_command("name \"\"");
+  served.run(0.5);
+  EXPECT_EQ(players[2].name, "player") << "a person is never \"unconnected\"";
   // A player who repeats its own name keeps it.
   served.client(0).send_command("name 123456789012345");
   served.run(0.5);
   EXPECT_EQ(players[0].name, "123456789012345");
+  EXPECT_THAT(answer(served, "kick player"), HasSubstr("removed"));
 }
 
 }  // namespace

@@ -258,7 +258,7 @@ std::string presentable_name(std::string_view wanted) {
   }
   while (name.ends_with(' ')) name.pop_back();
   while (name.starts_with(' ')) name.erase(0, 1);
-  return name.empty() ? Client::kNoName : name;
+  return name.empty() ? "player" : name;
 }
 
 void run_player_command(Server& io_server, std::size_t slot, std::string_view line) {
