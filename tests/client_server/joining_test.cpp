@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "client_server/served_game.h"
 #include "net/protocol/client_message.h"
 #include "net/protocol/message_reader.h"
@@ -268,6 +270,45 @@ TEST(Joining, ANewcomerMayLoadForLongButMustAcknowledge) {
   slow.say("prespawn");
   slow.run(1);
   EXPECT_EQ(slow.signon, 2);
+}
+
+TEST(Joining, ANewcomerThatNeverGetsThereLosesItsSlot) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const std::size_t player = served.add_client("player");
+  ASSERT_TRUE(served.run_until_playing(player));
+  SlowClient slow(served);
+  slow.run(100);
+  slow.say("prespawn");
+  slow.run(75);
+  EXPECT_EQ(served.server().endpoint.connections(), 2u);
+  slow.run(10);
+  EXPECT_EQ(served.server().endpoint.connections(), 1u);
+  EXPECT_THAT(served.console(), HasSubstr("did not finish to join"));
+  EXPECT_TRUE(served.client(player).is_playing());
+}
+
+// A program whose worldspawn and player code do the rest.
+server::Game& game_with(std::optional<ServedGame>& out_served, std::string_view field,
+                        std::string_view line) {
+  std::string program = small_program(field);
+  const std::string_view spawn = "void() worldspawn = {";
+  program.insert(program.find(spawn) + spawn.size(), line);
+  out_served.emplace(program);
+  return out_served->game();
+}
+
+TEST(Joining, TheProtocolHasRoomForHowEntitiesLook) {
+  SKIP_WITHOUT_QUAKEC();
+  std::optional<ServedGame> served;
+  const auto protocol = [&](std::string_view field, std::string_view line) {
+    return game_with(served, field, line).setup().dialect.protocol;
+  };
+  EXPECT_EQ(protocol(".float alpha, scale;\n", ""), net::Protocol::kNetQuake);
+  EXPECT_EQ(protocol(".float scale;\n", " local entity e; e = spawn(); e.scale = 2; "),
+            net::Protocol::kFitzQuake);
+  EXPECT_EQ(protocol(".float alpha;\n", " local entity e; e = spawn(); e.alpha = 0.5; "),
+            net::Protocol::kFitzQuake);
 }
 
 }  // namespace

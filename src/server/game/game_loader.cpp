@@ -54,11 +54,35 @@ base::Result<std::shared_ptr<const vm::Program>> load_program(const vfs::FileSys
   return make_program(bytes, files.describe(kProgramName), files.read("progs.lno"));
 }
 
+// Whether protocol 15 would show an entity solid or at normal size that is neither.
+bool needs_looks_of_fitzquake(Game& io_game) {
+  Edicts& edicts = io_game.world().edicts;
+  for (std::uint32_t i = 1; i < edicts.count(); ++i) {
+    const vm::EntityIndex entity{i};
+    if (edicts.is_free(entity)) continue;
+    const LookFields& fields = io_game.look_fields();
+    if (sent_alpha(edicts[entity], fields) != 1 || sent_scale(edicts[entity], fields) != 1) return true;
+  }
+  return false;
+}
+
+// Positions of protocols 15 and 666 have 16 bits, the last three of which are eighths of a unit.
+bool needs_wide_positions(const world::Level& level) {
+  constexpr float kFarthest = 4095;
+  const math::Bounds& bounds = level.world().bounds;
+  return glm::any(glm::lessThan(bounds.mins, math::Vec3(-kFarthest))) ||
+         glm::any(glm::greaterThan(bounds.maxs, math::Vec3(kFarthest)));
+}
+
 // Why this dialect has no room for the game. Empty: it has room.
 std::optional<std::string> find_dialect_limit(Game& io_game, std::size_t min_entities) {
   const net::Dialect& dialect = io_game.setup().dialect;
   if (io_game.outbox().dropped() > 0)
     return fmt::format("{} messages of the level's beginning cannot be said", io_game.outbox().dropped());
+  if (dialect.protocol != net::Protocol::kRmq && needs_wide_positions(*io_game.setup().level))
+    return "the level reaches past 4095 units";
+  if (dialect.protocol == net::Protocol::kNetQuake && needs_looks_of_fitzquake(io_game))
+    return "entities are translucent or scaled";
   const std::size_t entities = std::max<std::size_t>(io_game.world().edicts.count(), min_entities);
   if (dialect.protocol == net::Protocol::kNetQuake && entities > kMaxEntitiesOfProtocol15)
     return fmt::format("{} entities are more than {}", entities, kMaxEntitiesOfProtocol15);

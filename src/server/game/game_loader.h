@@ -37,9 +37,8 @@ struct LoadedGame {
 };
 
 // Loads maps/MAP.bsp and progs.dat, and sets the game up. The protocol is the one in `settings`, or the
-// oldest (see prefers_newest_protocol) that has room for all models, sounds and entities, and for places past
-// +-4096 units. Errors name the
-// file.
+// oldest (see prefers_newest_protocol) that has room for all models, sounds, and entities, for translucent
+// and scaled ones, and for places past +-4095 units. Errors name the file.
 base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVariables& settings,
                                    const GameServices& services);
 

@@ -114,11 +114,19 @@ void send_empty_slot(Server& io_server, std::size_t slot) {
   io_server.clients.send_to_all(net::UpdateColors{number, 0});
 }
 
+// Slow computers take a while to load a large level. A client that acknowledges packets for longer, but does
+// not ask for the next step, would keep its slot forever.
 void drop_failed_clients(Server& io_server) {
+  constexpr double kMaxJoining_s = 180;
   Clients& clients = io_server.clients;
-  for (std::size_t slot = 0; slot < clients.size(); ++slot)
-    if (!clients[slot].is_free() && !clients[slot].drop_reason.empty())
-      drop_client(io_server, slot, std::string(clients[slot].drop_reason));
+  for (std::size_t slot = 0; slot < clients.size(); ++slot) {
+    Client& client = clients[slot];
+    if (client.stage > ClientStage::kFree && client.stage < ClientStage::kPlaying &&
+        io_server.clock.now_s - client.loads_since_s > kMaxJoining_s && client.drop_reason.empty())
+      client.drop_reason = "did not finish to join";
+    if (!client.is_free() && !client.drop_reason.empty())
+      drop_client(io_server, slot, std::string(client.drop_reason));
+  }
 }
 
 }  // namespace temblor::server

@@ -18,6 +18,7 @@ namespace temblor::server {
 base::Status send_level_info(Server& io_server, std::size_t slot) {
   Client& client = io_server.clients[slot];
   client.stage = ClientStage::kLoading;
+  client.loads_since_s = io_server.clock.now_s;
   client.moves = MoveQueue{};
   client.sent_move_parameters.reset();
   client.sent_stats.clear();
