@@ -107,7 +107,7 @@ base::Status take_light(formats::Bsp& io_bsp, const formats::Lit* lit, Level& io
 }  // namespace
 
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
-                                                      const formats::Lit* lit) {
+                                                      const formats::Lit* lit, ColoredTextures colored) {
   auto level = std::make_shared<Level>();
   level->name = std::move(name);
   formats::EntityText text = formats::read_faulty_entities(bsp.entities);
@@ -116,7 +116,7 @@ base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::str
     level->notes.push_back(fmt::format("lump entities: {}; it is passed over", text.first_fault));
   take_geometry(bsp, *level);
   TRY_STATUS(take_light(bsp, lit, *level));
-  level->textures = make_textures(bsp.miptexes);
+  level->textures = make_textures(bsp.miptexes, colored);
   TRY_STATUS(make_faces(bsp, *level));
   return std::shared_ptr<const Level>(std::move(level));
 }

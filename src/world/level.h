@@ -13,12 +13,14 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/index.h"
 #include "base/result.h"
+#include "formats/images/colored_texture.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/entities.h"
 #include "formats/levels/lit.h"
@@ -160,10 +162,21 @@ struct Texture {
   std::uint32_t width = 1, height = 1;  // of mip 0, at least 1, any size
   // Mip level k: (max(1, width >> k)) x (max(1, height >> k)) palette indices, row by row.
   std::array<std::vector<std::uint8_t>, 4> mips;
+  // Set if the texture has colors of its own, which 32-bit frames show. `mips` then holds the nearest palette
+  // entries. Shared, because it is large and levels are copied when others are joined to them.
+  std::shared_ptr<const formats::TextureColors> colors;
   // Animation: `frames` is the sequence that this texture belongs to (+0.. or +a..; real levels use both on
   // the world itself), `alternate_frames` the other one. Empty if there is no sequence or if it has gaps. See
   // animation.h.
   std::vector<TextureIndex> frames, alternate_frames;
+
+  // The largest mip level: 0, or below 0 for pictures with more texels than the level's texture.
+  int finest_mip() const { return colors ? -colors->detail : 0; }
+  // The palette indices of a mip level, finest_mip() to 3.
+  const std::vector<std::uint8_t>& indices(int mip) const {
+    return mip < 0 ? colors->fine_indices[static_cast<std::size_t>(-mip - 1)]
+                   : mips[static_cast<std::size_t>(mip)];
+  }
 };
 
 // A brush model: the world, or the shape of an entity such as a door, at the position where the mapper drew
@@ -231,13 +244,18 @@ struct Level {
   }
 };
 
+// By index into Bsp::miptexes; may be shorter.
+using ColoredTextures = std::vector<std::optional<formats::ColoredTexture>>;
+
 // Makes a level from `bsp`, which read_bsp() must have validated. Colored light comes from `lit` if given,
 // else from the BSPX lump RGBLIGHTING, else there is none. `lit` must have the right size; a lump of another
 // size is ignored, with a note, and so are faults of the entity text. Light maps come from DECOUPLED_LM, else
 // from LMSHIFT, else from the faces; damaged lumps are ignored, with a note. A face whose light is outside of
-// the samples has none, with a note. Fails if light has a style above 63, or if a face is larger than any real
-// level's (over 2^20 texels).
+// the samples has none, with a note. `colored` replaces the texels of the textures of bsp.miptexes with the
+// same index; each must fit its texture's size. Fails if light has a style above 63, or if a face is larger
+// than any real level's (over 2^20 texels).
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
-                                                      const formats::Lit* lit = nullptr);
+                                                      const formats::Lit* lit = nullptr,
+                                                      ColoredTextures colored = {});
 
 }  // namespace temblor::world

@@ -28,7 +28,9 @@ formats::Rgb gray(double brightness) {
   return {value, value, value};
 }
 
-constexpr formats::Rgb kMipColors[4] = {{220, 60, 50}, {230, 180, 40}, {70, 180, 80}, {60, 100, 220}};
+// From mip -3 to 3. Stock textures begin at 0.
+constexpr formats::Rgb kMipColors[] = {{250, 250, 250}, {250, 200, 230}, {230, 110, 190}, {220, 60, 50},
+                                       {230, 180, 40},  {70, 180, 80},   {60, 100, 220}};
 
 template <typename Body>  // Body(draw number, span)
 void for_each_span(const SpanTable& spans, Body body) {
@@ -134,7 +136,8 @@ void draw_debug_view(Show show, const DebugViewInput& frame, const formats::Pale
       });
     case Show::kMips:
       return fill_spans(frame.spans, painter, io_frame, [&](std::uint32_t draw, const Span&) {
-        return draw == 0 ? formats::Rgb{} : kMipColors[frame.draws.all[draw].mip];
+        return draw == 0 ? formats::Rgb{}
+                         : kMipColors[frame.draws.all[draw].mip + formats::kMaxTextureDetail];
       });
     case Show::kOverdraw: {
       std::vector<std::uint8_t> writes(io_frame.pixel_count(), 0);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "render/color/own_colors.h"
 #include "render/spans/kernel_planes.h"
 #include "render/spans/repeating_texture.h"
 
@@ -10,17 +11,27 @@ namespace temblor::render {
 namespace {
 
 // Stock Quake's liquids: an amplitude of 8 texels and a period of 128 texels, moving by 20 texels per second.
-constexpr float kTurbulence_texels = 8;
+constexpr double kTurbulence_texels = 8;
 constexpr double kTurbulencePhase_texels_s = 20, kTurn_texels = 128;
+
+constexpr std::size_t kMipLevels = formats::kMaxTextureDetail + 4;
 
 ScreenPlane stretched(const ScreenPlane& plane, double factor) {
   return {plane.at_origin * factor, plane.dx * factor, plane.dy * factor};
 }
 
+std::uint32_t width_at_mip(const SurfaceDraw& draw) {
+  return std::max(1u, at_mip(draw.texture->width, draw.mip));
+}
+std::uint32_t height_at_mip(const SurfaceDraw& draw) {
+  return std::max(1u, at_mip(draw.texture->height, draw.mip));
+}
+
 // Converts a texture to pixels of the frame, light included.
 RepeatingTexture make_texture(const SurfaceDraw& draw, const ColorTables& tables, PixelFormat format,
                               base::Arena& arena) {
-  const TexturePart whole{*draw.texture, draw.mip, 0, std::max(1u, draw.texture->width >> draw.mip)};
+  const TexturePart whole{*draw.texture, draw.mip, 0, width_at_mip(draw)};
+  const std::uint8_t* indices = draw.texture->indices(draw.mip).data();
   const std::uint8_t* lit = tables.colormap.rows.data() + std::size_t{draw.light_row} * 256;
   const bool has_holes = draw.texture->kind == world::TextureKind::kCutout;
   // Full light skips the colormap: its row for full light may map an index to another one of equal color.
@@ -28,10 +39,17 @@ RepeatingTexture make_texture(const SurfaceDraw& draw, const ColorTables& tables
     const bool as_is = draw.light_row == kLightAsStored || (has_holes && index == kClearIndex);
     return as_is ? index : lit[index];
   };
-  if (format == PixelFormat::kIndexed) return copy_repeating<std::uint8_t>(whole, pick_index, arena);
+  if (format == PixelFormat::kIndexed)
+    return copy_repeating<std::uint8_t>(
+        whole, [&](std::size_t texel) { return pick_index(indices[texel]); }, arena);
+  if (const OwnColors own = own_colors(*draw.texture, draw.mip); own.colors != nullptr)
+    return copy_repeating<std::uint32_t>(
+        whole, [&](std::size_t texel) { return unlit_color(own, texel, draw.light_row != kLightAsStored); },
+        arena);
   return copy_repeating<std::uint32_t>(
       whole,
-      [&](std::uint8_t index) {
+      [&](std::size_t texel) {
+        const std::uint8_t index = indices[texel];
         return has_holes && index == kClearIndex ? 0u : tables.rgb[pick_index(index)];
       },
       arena);
@@ -46,13 +64,14 @@ std::span<const RepeatSpans*> prepare_repeat_spans(const FrameContext& context, 
       arena.allocate_filled<const RepeatSpans*>(draws.all.size(), nullptr);
   // Draws share converted textures, by texture, mip level, and whether they are lit or black.
   const std::span<RepeatingTexture> made =
-      arena.allocate_filled(context.level().textures.size() * 8, RepeatingTexture{});
+      arena.allocate_filled(context.level().textures.size() * kMipLevels * 2, RepeatingTexture{});
   const double phase = std::fmod(context.scene.time_s * kTurbulencePhase_texels_s, kTurn_texels);
   for (std::size_t i = 0; i < draws.all.size(); ++i) {
     const SurfaceDraw& draw = draws.all[i];
     if (draw.kind != SurfaceKind::kLiquid && draw.kind != SurfaceKind::kTexture) continue;
-    RepeatingTexture& texture =
-        made[base::to_size(draw.texture_index) * 8 + draw.mip * 2u + (draw.light_row == kLightAsStored)];
+    const std::size_t level = base::to_size(draw.texture_index) * kMipLevels +
+                              static_cast<std::size_t>(draw.mip + formats::kMaxTextureDetail);
+    RepeatingTexture& texture = made[level * 2 + (draw.light_row == kLightAsStored)];
     if (texture.texels == nullptr) texture = make_texture(draw, context.colors, context.format, arena);
 
     const std::span<RepeatSpans> prepared = arena.allocate<RepeatSpans>(1);
@@ -60,13 +79,13 @@ std::span<const RepeatSpans*> prepare_repeat_spans(const FrameContext& context, 
     spans.depth = kernel_plane(draw.depth);
     // Coordinates are in texels of the texture; the copy's sizes are powers of two, so they are scaled to
     // those.
-    spans.s = kernel_plane(stretched(
-        draw.s, texture.width / static_cast<double>(std::max(1u, draw.texture->width >> draw.mip))));
-    spans.t = kernel_plane(stretched(
-        draw.t, texture.height / static_cast<double>(std::max(1u, draw.texture->height >> draw.mip))));
+    spans.s = kernel_plane(stretched(draw.s, texture.width / static_cast<double>(width_at_mip(draw))));
+    spans.t = kernel_plane(stretched(draw.t, texture.height / static_cast<double>(height_at_mip(draw))));
     spans.divide = view.perspective;
-    spans.amplitude = draw.kind == SurfaceKind::kLiquid ? kTurbulence_texels : 0;
-    spans.phase = static_cast<float>(phase);
+    const double texel = 1.0 * texture.width / repeating_size(draw.texture->width);  // of mip 0, in texels
+    spans.amplitude = static_cast<float>(draw.kind == SurfaceKind::kLiquid ? kTurbulence_texels * texel : 0);
+    spans.turns_per_texel = static_cast<float>(1 / (kTurn_texels * texel));
+    spans.phase = static_cast<float>(phase * texel);
     spans.texels = texture.texels;
     spans.width = texture.width;
     spans.height = texture.height;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/color/own_colors.h"
 #include "render/spans/repeating_texture.h"
 
 namespace temblor::render {
@@ -11,21 +12,32 @@ namespace {
 
 // Stock Quake's scroll speeds and the size of its dome, for layers of 128 texels; larger layers scale them.
 constexpr double kBackScroll_texels_s = 8, kCloudScroll_texels_s = 16, kSkyTexels = 378, kStockLayer = 128;
+constexpr std::uint32_t kBlack = 0xff000000u;
 
-// Clouds are clear where the index is 0. In rgb, 0 also stands for clear, and no opaque color is 0.
+// Clouds are clear where the index is 0, or the color black. In rgb, 0 also stands for clear, and no opaque
+// color is 0.
 SkySpans make_layers(const world::Texture& texture, const ViewFrame& view, double time_s,
                      const ColorTables& tables, PixelFormat format, base::Arena& arena) {
   SkySpans sky{};
-  const std::uint32_t clouds = std::max(1u, texture.width / 2), back_left = texture.width - clouds;
-  const TexturePart front{texture, 0, 0, clouds}, behind{texture, 0, back_left, clouds};
+  const int mip = texture.finest_mip();
+  const std::uint32_t width = at_mip(texture.width, mip);
+  const std::uint32_t clouds = std::max(1u, width / 2), back_left = width - clouds;
+  const TexturePart front{texture, mip, 0, clouds}, behind{texture, mip, back_left, clouds};
+  const std::uint8_t* indices = texture.indices(mip).data();
+  const OwnColors own = own_colors(texture, mip);
   RepeatingTexture front_layer, back_layer;
   if (format == PixelFormat::kIndexed) {
-    const auto as_is = [](std::uint8_t index) { return index; };
+    const auto as_is = [&](std::size_t texel) { return indices[texel]; };
     front_layer = copy_repeating<std::uint8_t>(front, as_is, arena);
     back_layer = copy_repeating<std::uint8_t>(behind, as_is, arena);
+  } else if (own.colors != nullptr) {
+    const auto color = [&](std::size_t texel) { return unlit_color(own, texel, false); };
+    const auto clear = [&](std::size_t texel) { return color(texel) == kBlack ? 0u : color(texel); };
+    front_layer = copy_repeating<std::uint32_t>(front, clear, arena);
+    back_layer = copy_repeating<std::uint32_t>(behind, color, arena);
   } else {
-    const auto color = [&](std::uint8_t index) { return tables.rgb[index]; };
-    const auto clear = [&](std::uint8_t index) { return index == 0 ? 0u : tables.rgb[index]; };
+    const auto color = [&](std::size_t texel) { return tables.rgb[indices[texel]]; };
+    const auto clear = [&](std::size_t texel) { return indices[texel] == 0 ? 0u : color(texel); };
     front_layer = copy_repeating<std::uint32_t>(front, clear, arena);
     back_layer = copy_repeating<std::uint32_t>(behind, color, arena);
   }

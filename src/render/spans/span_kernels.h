@@ -27,8 +27,6 @@ constexpr int kAffinePixels = 16;
 // Repeating coordinates are clamped to this range, so that they fit an integer; only far parts of enormous
 // faces exceed it.
 constexpr float kFarTexel = 4e6f;
-// Liquids: one period of the sine per 128 texels.
-constexpr float kTurnsPerTexel = 1.0f / 128.0f;
 
 // How often s and t are divided by depth. kNone: parallel projection, where they are linear.
 enum class KernelDivide : std::uint8_t { kEveryPixel, kEvery16, kNone };
@@ -56,12 +54,13 @@ struct SurfaceSpans {
 };
 
 // Spans of a texture that repeats endlessly, still or warped: s is displaced by amplitude * (1 + sin of t),
-// with a period of 128 texels, and t by s in the same way. Coordinates are s / depth and t / depth (without
+// and t by s in the same way. Coordinates are s / depth and t / depth (without
 // `divide`: s and t). Sizes are powers of two, at most 2^15.
 struct RepeatSpans {
   KernelPlane depth, s, t;
   bool divide;
-  float amplitude;  // texels; 0: still
+  float amplitude;        // texels; 0: still
+  float turns_per_texel;  // of the sine
   // In texels; added to the argument of the sine.
   float phase;
   const void* texels;

@@ -147,8 +147,8 @@ void draw_repeat_span(const RepeatSpans& repeat, const Span& span, const KernelT
     const float z = repeat.divide ? 1.0f / larger(near, kMinSpanDepth) : 1.0f;
     float s = bounded((s_base + lane * s_step) * z), t = bounded((t_base + lane * t_step) * z);
     if (repeat.amplitude != 0.0f) {
-      const float s_swing = swing((t + repeat.phase) * kTurnsPerTexel);
-      t = t + swing((s + repeat.phase) * kTurnsPerTexel) * repeat.amplitude;
+      const float s_swing = swing((t + repeat.phase) * repeat.turns_per_texel);
+      t = t + swing((s + repeat.phase) * repeat.turns_per_texel) * repeat.amplitude;
       s = s + s_swing * repeat.amplitude;
     }
     static_cast<Texel*>(target.pixels)[first + static_cast<std::size_t>(i)] = static_cast<const Texel*>(

@@ -483,7 +483,7 @@ HWY_INLINE void DrawRepeatSpans(const RepeatSpans& repeat, const KernelTarget& t
   const int lanes = static_cast<int>(hn::Lanes(d));
   const Repeating<Texel> texture{static_cast<const Texel*>(repeat.texels), repeat.width, repeat.height};
   const VF phase = hn::Set(d, repeat.phase), amplitude = hn::Set(d, repeat.amplitude);
-  const VF turns_per_texel = hn::Set(d, kTurnsPerTexel);
+  const VF turns_per_texel = hn::Set(d, repeat.turns_per_texel);
   for (size_t r = 0; r < repeat.span_count; ++r) {
     const Span& span = repeat.spans[r];
     const size_t first = span.y * target.width + span.x;

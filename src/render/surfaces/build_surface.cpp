@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "render/color/own_colors.h"
 #include "render/edges/edge_table.h"
 #include "render/surfaces/build_kernels.h"
 #include "render/surfaces/cutout_textures.h"
@@ -15,27 +16,27 @@ namespace {
 // The sum of light that shows the palette's colors as they are, in both pixel formats.
 constexpr std::uint32_t kSumAsStored = 32768;
 
-// Reads a texture that repeats endlessly, row by row.
+// Visits a texture that repeats endlessly, row by row.
 class TextureRows {
  public:
   // Starts at texel (s, t); both may be negative.
   TextureRows(const world::Texture& texture, int mip, std::int64_t s, std::int64_t t)
-      : texels_(texture.mips[static_cast<std::size_t>(mip)].data()),
-        width_(std::max<std::size_t>(1, texture.width >> mip)),
-        height_(std::max<std::size_t>(1, texture.height >> mip)),
+      : width_(std::max<std::size_t>(1, at_mip(texture.width, mip))),
+        height_(std::max<std::size_t>(1, at_mip(texture.height, mip))),
         column_(wrapped(s, width_)),
         row_(wrapped(t, height_)) {}
 
-  // Passes the next row's first `count` texels to `each_run(position, texels, texel_count)`, in runs that do
-  // not cross the edge of the texture.
+  // Passes the row's first `count` texels to `each_run(position, texel, texel_count)`, in runs that do not
+  // cross the edge of the texture. `texel` counts from the texture's first one.
   template <typename EachRun>
-  void next_row(std::size_t count, EachRun each_run) {
-    const std::uint8_t* row = texels_ + row_ * width_;
+  void visit_row(std::size_t count, EachRun each_run) const {
     for (std::size_t done = 0, column = column_; done < count; column = 0) {
       const std::size_t run = std::min(count - done, width_ - column);
-      each_run(done, row + column, run);
+      each_run(done, row_ * width_ + column, run);
       done += run;
     }
+  }
+  void next_row() {
     if (++row_ == height_) row_ = 0;
   }
 
@@ -44,7 +45,6 @@ class TextureRows {
     const auto period = static_cast<std::int64_t>(size);
     return static_cast<std::size_t>((value % period + period) % period);
   }
-  const std::uint8_t* texels_;
   std::size_t width_, height_, column_, row_;
 };
 
@@ -69,8 +69,11 @@ class Builder {
         drawn_(request.texture != nullptr ? *request.texture : level.texture(request.contents.texture)),
         // Faces start at multiples of 16 texels, so every mip level starts at a whole texel.
         texture_(drawn_, request.mip,
-                 (std::int64_t{face_.texture_mins[0]} + request.tile_s * kTileTexels) >> request.mip,
-                 (std::int64_t{face_.texture_mins[1]} + request.tile_t * kTileTexels) >> request.mip),
+                 at_mip(std::int64_t{face_.texture_mins[0]} + request.tile_s * kTileTexels, request.mip),
+                 at_mip(std::int64_t{face_.texture_mins[1]} + request.tile_t * kTileTexels, request.mip)),
+        indices_(drawn_.indices(request.mip).data()),
+        own_(own_colors(drawn_, request.mip)),
+        glow_(shows_only_light() ? nullptr : own_.glow),
         marks_(place_marks(level, face_, request.marks,
                            {request.tile_s, request.tile_t, request.mip, request.block.shape}, scratch)) {}
 
@@ -85,9 +88,10 @@ class Builder {
     const std::span<std::uint8_t> unmarked = row_of_texels<std::uint8_t>();
     auto* out = reinterpret_cast<std::uint8_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
-      texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
-        std::memcpy(&texels[x], run, count);
+      texture_.visit_row(width(), [&](std::size_t x, std::size_t texel, std::size_t count) {
+        std::memcpy(&texels[x], indices_ + texel, count);
       });
+      texture_.next_row();
       if (shows_only_light()) replace_texels(texels, texels, tables_.gray);
       if (has_holes()) std::copy_n(texels.begin(), width(), unmarked.begin());
       if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, texels);
@@ -108,17 +112,24 @@ class Builder {
     const std::span<std::int16_t> row_light = row_samples(4);
     const std::span<std::uint32_t> colors = row_of_texels<std::uint32_t>();
     const std::span<std::uint8_t> indices = row_of_texels<std::uint8_t>();
+    const std::span<std::uint32_t> glow = row_of_texels<std::uint32_t>();
     auto* out = reinterpret_cast<std::uint32_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
-      texture_.next_row(width(), [&](std::size_t x, const std::uint8_t* run, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) colors[x + i] = tables_.surface_rgb[run[i]];
-        if (has_holes()) std::memcpy(&indices[x], run, count);
+      texture_.visit_row(width(), [&](std::size_t x, std::size_t texel, std::size_t count) {
+        if (own_.colors != nullptr)
+          std::memcpy(&colors[x], own_.colors + texel, count * sizeof(colors[0]));
+        else
+          for (std::size_t i = 0; i < count; ++i) colors[x + i] = tables_.surface_rgb[indices_[texel + i]];
+        if (has_holes()) std::memcpy(&indices[x], indices_ + texel, count);
+        if (glow_ != nullptr) std::memcpy(&glow[x], glow_ + texel, count * sizeof(glow[0]));
       });
+      texture_.next_row();
       if (shows_only_light()) replace_texels(indices, colors, tables_.surface_rgb[tables_.gray]);
       if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, colors);
       interpolate_down(samples, 4, y, row_light);
       const RgbRow row{colors.data(), row_light.data(), out, request_.block.shape.width, texels_per_sample()};
       simd_ ? build_rgb_row_simd(row) : build_rgb_row_scalar(row);
+      if (glow_ != nullptr) add_glow(glow, y, out);
       if (has_holes())
         for (std::size_t x = 0; x < width(); ++x)
           if (indices[x] == kClearIndex) out[x] = 0;
@@ -126,7 +137,7 @@ class Builder {
   }
 
  private:
-  std::int32_t texels_per_sample() const { return grid_.texels >> request_.mip; }
+  std::int32_t texels_per_sample() const { return at_mip(grid_.texels, request_.mip); }
   bool has_holes() const { return drawn_.kind == world::TextureKind::kCutout; }
   bool shows_only_light() const { return request_.contents.light_view == LightView::kLightOnly; }
   // Replaces all texels of a row except for holes.
@@ -134,6 +145,18 @@ class Builder {
   void replace_texels(std::span<const std::uint8_t> indices, std::span<Texel> io_texels, Texel color) const {
     for (std::size_t x = 0; x < width(); ++x)
       if (!has_holes() || indices[x] != kClearIndex) io_texels[x] = color;
+  }
+
+  // Adds row `y` of the glow to the lit texels. Marks cover it as they cover full-bright texels.
+  void add_glow(std::span<std::uint32_t> io_glow, std::int32_t y, std::uint32_t* io_out) const {
+    if (!marks_.empty()) {
+      for (std::uint32_t& texel : io_glow.first(width()))
+        if (texel == 0) texel = 0xff000000u;  // does not glow
+      paint_marks(*mark_tables_, marks_, y, io_glow);
+      for (std::uint32_t& texel : io_glow.first(width()))
+        if (texel >> 24 != 0) texel = 0;
+    }
+    for (std::size_t x = 0; x < width(); ++x) io_out[x] = add_saturated(io_out[x], io_glow[x]);
   }
 
   std::size_t width() const { return static_cast<std::size_t>(request_.block.shape.width); }
@@ -199,6 +222,9 @@ class Builder {
   const SampleGrid grid_;
   const world::Texture& drawn_;
   TextureRows texture_;
+  const std::uint8_t* const indices_;  // of the whole mip level
+  const OwnColors own_;
+  const std::uint32_t* const glow_;  // null if it is not shown
   const std::span<const PlacedMark> marks_;
 };
 
@@ -206,7 +232,7 @@ class Builder {
 
 SurfaceShape surface_shape(const world::Face& face, int tile_s, int tile_t, int mip) {
   const auto size = [&](std::int32_t extent, int tile) {
-    return std::max(1, std::min(extent - tile * kTileTexels, kTileTexels) >> mip);
+    return std::max(1, at_mip(std::min(extent - tile * kTileTexels, kTileTexels), mip));
   };
   return {size(face.texture_extents[0], tile_s), size(face.texture_extents[1], tile_t)};
 }

@@ -5,18 +5,22 @@
 
 namespace temblor::render {
 
-// The width in pixels of a texel of mip 0, as stock Quake estimates it, and stock Quake's thresholds.
-int stock_mip(const ViewFrame& view, double nearest, double axes_length) {
+// The width in pixels of a texel of mip 0, as stock Quake estimates it, and stock Quake's thresholds. Below
+// mip 0, the width doubles from level to level.
+int stock_mip(const ViewFrame& view, double nearest, double axes_length, int finest) {
   const double bias = axes_length < 0.32 ? 4 : axes_length < 0.49 ? 3 : axes_length < 0.99 ? 2 : 1;
   const double scale = view.pixels_per_unit * (view.perspective ? nearest : 1.0) * bias;
-  return scale >= 1.0 ? 0 : scale >= 0.4 ? 1 : scale >= 0.2 ? 2 : 3;
+  if (scale < 1.0) return scale >= 0.4 ? 1 : scale >= 0.2 ? 2 : 3;
+  int mip = 0;
+  while (mip > finest && scale >= std::ldexp(1.0, 1 - mip)) --mip;
+  return mip;
 }
 
 // The area in the texture that one pixel maps to is the determinant of the Jacobian. Each mip level has a
 // quarter of the texels; the level whose texels are closest to one per pixel is chosen, so the thresholds are
-// 2, 8, 32.
-int footprint_mip(const ViewFrame& view, const ScreenPlane& depth, const ScreenPlane& s, const ScreenPlane& t,
-                  double x, double y) {
+// 2, 8, 32, and below mip 0 1/2, 1/8, 1/32.
+int footprint_mip(const ViewFrame& view, const TexturePlanes& planes, double x, double y, int finest) {
+  const auto& [depth, s, t] = planes;
   double texels = std::abs(s.dx * t.dy - s.dy * t.dx);
   if (view.perspective) {
     // The Jacobian of (s, t) / depth is the determinant of the three planes divided by depth cubed.
@@ -27,7 +31,10 @@ int footprint_mip(const ViewFrame& view, const ScreenPlane& depth, const ScreenP
     if (!(here > 0)) return 0;  // the face's corners are off its plane
     texels = std::abs(determinant) / (here * here * here);
   }
-  return texels < 2 ? 0 : texels < 8 ? 1 : texels < 32 ? 2 : 3;
+  if (texels >= 2) return texels < 8 ? 1 : texels < 32 ? 2 : 3;
+  int mip = 0;
+  while (mip > finest && texels < std::ldexp(0.5, 2 * mip)) --mip;
+  return mip;
 }
 
 // Clips the polygon to the frustum (Sutherland and Hodgman) and takes the nearest of the remaining corners.

@@ -89,7 +89,7 @@ std::vector<std::uint8_t> make_mip(const world::Texture& texture, unsigned mip, 
 CutoutTextures::CutoutTextures(const world::Level& level, const ColorTables& tables)
     : remade_index_(level.textures.size(), kAsItIs) {
   for (std::size_t i = 0; i < level.textures.size(); ++i) {
-    if (level.textures[i].kind != world::TextureKind::kCutout) continue;
+    if (level.textures[i].kind != world::TextureKind::kCutout || level.textures[i].colors) continue;
     remade_index_[i] = static_cast<std::uint32_t>(remade_.size());
     world::Texture& texture = remade_.emplace_back(level.textures[i]);
     for (unsigned mip = 1; mip < texture.mips.size(); ++mip)

@@ -124,7 +124,7 @@ SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t, std::int
 
 std::int32_t choose_sample_texels(const world::Level& level, const world::Face& face, int mip) {
   if (face.light_grid == world::kStockGrid) return kTexelsASample;
-  return std::max(level.light_grids[face.light_grid].texels, std::int32_t{1} << mip);
+  return std::max(level.light_grids[face.light_grid].texels, std::int32_t{1} << std::max(mip, 0));
 }
 
 LightSums sum_light(const world::Level& level, const world::Face& face, const SampleGrid& grid,

@@ -89,7 +89,7 @@ class MarkPlacer {
  public:
   MarkPlacer(const FacePlacement& placed, const TexelSteps& steps, math::Vec2d first, int mip,
              SurfaceShape shape)
-      : placed_(placed), steps_(steps), first_(first), texel_(1 << mip), shape_(shape) {}
+      : placed_(placed), steps_(steps), first_(first), texel_(std::ldexp(1.0, mip)), shape_(shape) {}
 
   std::optional<PlacedMark> place(const Mark& mark) const {
     const math::Vec3d position(mark.position_model);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "render/surfaces/build_surface.h"
 #include "render/surfaces/choose_mip.h"
@@ -69,26 +70,26 @@ class SurfaceSelector {
     const ModelView& model_view = table_.model_views[surface.instance];
     const FacePlacement placed = place_face(level_, face, model_view);
     has_dynamic_light_[number] = has_surface(face) && has_dynamic_light(surface.face, placed);
-    const ScreenPlane depth = depth_plane(view_, placed.normal, placed.distance);
-    const ScreenPlane s = coordinate_plane(view_, depth, placed.s_axis, placed.s_offset);
-    const ScreenPlane t = coordinate_plane(view_, depth, placed.t_axis, placed.t_offset);
+    TexturePlanes planes{depth_plane(view_, placed.normal, placed.distance), {}, {}};
+    planes.s = coordinate_plane(view_, planes.depth, placed.s_axis, placed.s_offset);
+    planes.t = coordinate_plane(view_, planes.depth, placed.t_axis, placed.t_offset);
     for (std::uint32_t tile = 0; tile < tiles; ++tile) {
       SurfaceDraw& draw = draws[tile];
       if (draw.kind == SurfaceKind::kHidden) continue;
       draw.surface = base::to_index<SurfaceIndex>(number);
-      draw.depth = depth;
+      draw.depth = planes.depth;
       draw.kind = surface_kind(face);
       draw.light_row = face.kind == world::FaceKind::kLit && settings_.light_view != LightView::kFullBright
                            ? kLightNone
                            : kLightAsStored;
       draw.texture_index = drawn_texture(surface, face);
       draw.texture = &cutouts_.drawn(level_, draw.texture_index);
-      draw.mip = static_cast<std::uint8_t>(
-          choose_mip(surface, surface.first_draw + tile, placed, depth, s, t, scratch));
+      draw.mip =
+          static_cast<std::int8_t>(choose_mip(surface, surface.first_draw + tile, placed, planes, scratch));
       const math::Vec2d first = first_texel(surface, tile, *draw.texture);
-      const double scale = 1.0 / (1 << draw.mip);
-      draw.s = scaled(shifted(view_, s, depth, first.x), scale);
-      draw.t = scaled(shifted(view_, t, depth, first.y), scale);
+      const double scale = std::ldexp(1.0, -draw.mip);
+      draw.s = scaled(shifted(view_, planes.s, planes.depth, first.x), scale);
+      draw.t = scaled(shifted(view_, planes.t, planes.depth, first.y), scale);
     }
   }
 
@@ -193,23 +194,32 @@ class SurfaceSelector {
   }
 
   int choose_mip(const ScreenSurface& surface, std::uint32_t draw, const FacePlacement& placed,
-                 const ScreenPlane& depth, const ScreenPlane& s, const ScreenPlane& t,
-                 base::Arena& scratch) const {
+                 const TexturePlanes& planes, base::Arena& scratch) const {
     const SurfaceDraw& drawn = draws_[draw];
-    if (drawn.kind == SurfaceKind::kLiquid) return 0;  // the warp is in texels of mip 0
-    if (settings_.force_mip >= 0) return settings_.force_mip;
-    // Mip levels of textures of other sizes do not repeat at the same places as the texture.
-    if (drawn.texture->width % 8 != 0 || drawn.texture->height % 8 != 0) return 0;
+    // The warp is in texels of mip 0, which are always enough for stock textures.
+    const bool is_liquid = drawn.kind == SurfaceKind::kLiquid;
+    if (is_liquid && drawn.texture->finest_mip() == 0) return 0;
+    if (settings_.force_mip >= 0) return is_liquid ? 0 : settings_.force_mip;
+    const int mip = apply_mip_rule(surface, draw, placed, planes, scratch);
+    // Smaller mip levels of textures of other sizes do not repeat at the same places as the texture.
+    const bool repeats = drawn.texture->width % 8 == 0 && drawn.texture->height % 8 == 0;
+    return repeats && !is_liquid ? mip : std::min(mip, 0);
+  }
+
+  int apply_mip_rule(const ScreenSurface& surface, std::uint32_t draw, const FacePlacement& placed,
+                     const TexturePlanes& planes, base::Arena& scratch) const {
+    const int finest = draws_[draw].texture->finest_mip();
     if (settings_.mip_rule == MipRule::kFootprint) {
       // At the center of the visible part.
       const PixelSum seen = sum_face_pixels(surface, draw);
       const double pixels = static_cast<double>(seen.pixels);
-      return footprint_mip(view_, depth, s, t, static_cast<double>(seen.x) / pixels,
-                           static_cast<double>(seen.y) / pixels);
+      return footprint_mip(view_, planes, static_cast<double>(seen.x) / pixels,
+                           static_cast<double>(seen.y) / pixels, finest);
     }
     const bool whole = surface.tiles.s == 1 && surface.tiles.t == 1;
-    const double nearest = whole ? nearest_face_depth(surface, scratch) : nearest_span_depth(draw, depth);
-    return stock_mip(view_, nearest, (glm::length(placed.s_axis) + glm::length(placed.t_axis)) / 2);
+    const double nearest =
+        whole ? nearest_face_depth(surface, scratch) : nearest_span_depth(draw, planes.depth);
+    return stock_mip(view_, nearest, (glm::length(placed.s_axis) + glm::length(placed.t_axis)) / 2, finest);
   }
 
   // Sums over all fragments of the face, which are adjacent: they must get the same mip level.

@@ -15,6 +15,12 @@ struct SurfaceShape {
   std::size_t texels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
+// A size or position in texels of mip 0, in texels of `mip` (-3 to 3), rounded down.
+template <typename Integer>
+constexpr Integer at_mip(Integer texels, int mip) {
+  return mip < 0 ? texels << -mip : texels >> mip;
+}
+
 // One tile of a face at one mip level.
 struct BlockPlace {
   int tile_s, tile_t, mip;

@@ -39,15 +39,18 @@ void SurfaceCache::clear() {
   pool_.clear();
 }
 
-// Four slots per tile, one for each mip level.
 void SurfaceCache::index_level(const world::Level& level) {
   level_ = level.identity;
+  finest_mip_ = 0;
+  for (const world::Texture& texture : level.textures)
+    finest_mip_ = std::min(finest_mip_, texture.finest_mip());
+  slots_per_tile_ = static_cast<std::size_t>(4 - finest_mip_);
   first_slot_.clear();
   std::size_t slots = 0;
   for (const world::Face& face : level.faces) {
     first_slot_.push_back(slots);
     const TileGrid tiles = tile_grid(face);
-    slots += std::size_t{tiles.s} * tiles.t * 4;
+    slots += std::size_t{tiles.s} * tiles.t * slots_per_tile_;
   }
   first_of_slot_.assign(slots, kNone);
 }

@@ -73,7 +73,8 @@ class SurfaceCache {
 
   // The slot of a face's tile at a mip level.
   std::size_t slot(world::FaceIndex face, std::size_t tile, int mip) const {
-    return first_slot_[base::to_size(face)] + tile * 4 + static_cast<std::size_t>(mip);
+    return first_slot_[base::to_size(face)] + tile * slots_per_tile_ +
+           static_cast<std::size_t>(mip - finest_mip_);
   }
   std::size_t bytes_in_use() const { return pool_.bytes_in_use(); }
   const CacheCounts& counts() const { return counts_; }
@@ -110,6 +111,8 @@ class SurfaceCache {
   std::size_t budget_bytes_ = 0;
   bool enabled_ = true;
   std::uint64_t frame_ = 0;
+  int finest_mip_ = 0;                        // of any texture of the level
+  std::size_t slots_per_tile_ = 4;            // one for each mip level, finest_mip_ to 3
   std::vector<std::size_t> first_slot_;       // by face
   std::vector<std::uint32_t> first_of_slot_;  // by slot: its first entry, or kNone
   std::vector<Entry> entries_;

@@ -37,7 +37,7 @@ enum class SurfaceKind : std::uint8_t {
 // How the spans of one tile of a surface are drawn. Most surfaces have one tile, large ones have several.
 struct SurfaceDraw {
   SurfaceKind kind = SurfaceKind::kHidden;
-  std::uint8_t mip = 0;  // 0 to 3
+  std::int8_t mip = 0;  // Texture::finest_mip() to 3
   // kTexture: the row of the colormap.
   std::uint8_t light_row = 0;
   SurfaceIndex surface{};

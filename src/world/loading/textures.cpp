@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/check.h"
 #include "base/text.h"
 
 namespace temblor::world {
@@ -76,6 +77,12 @@ Texture make_texture(formats::BspMiptex& io_miptex) {
   return texture;
 }
 
+void set_colors(formats::ColoredTexture colored, Texture& io_texture) {
+  CHECK(colored.mips[0].size() == io_texture.mips[0].size(), "{}: colors of another size", io_texture.name);
+  io_texture.mips = std::move(colored.mips);
+  io_texture.colors = std::make_shared<const formats::TextureColors>(std::move(colored.colors));
+}
+
 constexpr std::size_t kMaxFrames = 10;
 
 // The place of "+3name" or "+cname" in its sequence.
@@ -137,10 +144,13 @@ void link_animations(std::vector<Texture>& io_textures) {
 
 }  // namespace
 
-std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes) {
+std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes,
+                                   ColoredTextures& io_colored) {
   std::vector<Texture> textures;
   textures.reserve(io_miptexes.size() + 1);
   for (formats::BspMiptex& miptex : io_miptexes) textures.push_back(make_texture(miptex));
+  for (std::size_t i = 0; i < std::min(textures.size(), io_colored.size()); ++i)
+    if (io_colored[i] && !textures[i].missing) set_colors(std::move(*io_colored[i]), textures[i]);
   textures.push_back(make_missing_texture(""));
   link_animations(textures);
   return textures;

@@ -10,7 +10,7 @@
 namespace temblor::world {
 
 // Returns one texture for each miptex, in the same order, and after them the placeholder for faces whose
-// texture index is out of range. Moves the texels out of `io_miptexes`.
-std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes);
+// texture index is out of range. Moves the texels out of `io_miptexes` and `io_colored` (make_level).
+std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes, ColoredTextures& io_colored);
 
 }  // namespace temblor::world

@@ -57,6 +57,8 @@ struct RepeatCase {
                                        : random_texels(random, texels, anywhere ? 1e10 : 2000);
       return job.divide ? plane_over_z(corners, depth) : plane_through(corners);
     };
+    // Liquids with more texels than stock ones.
+    job.turns_per_texel = 1.0f / static_cast<float>(kTurn_texels * (1 << random.below(4)));
     job.depth = plane_through(depth);
     job.s = coordinate(width);
     job.t = coordinate(height);
@@ -206,11 +208,13 @@ struct TexelPlace {
 Coordinate swayed(const Coordinate& moved, const Coordinate& by, const RepeatSpans& job) {
   const double amplitude = static_cast<double>(job.amplitude);
   if (amplitude == 0) return moved;
-  const double turns = (by.value + static_cast<double>(job.phase)) / kTurn_texels;
+  const double turns_per_texel = static_cast<double>(job.turns_per_texel);
+  const double turns = (by.value + static_cast<double>(job.phase)) * turns_per_texel;
   const double value = moved.value + amplitude * (1 + std::sin(2 * std::numbers::pi * turns));
   // The sine inherits the other coordinate's error, and that of a few roundings of the sum.
-  const double argument = by.tolerance + 4 * kRounding * (std::abs(by.value) + kTurn_texels);
-  return {value, moved.tolerance + amplitude * (kSineError + 2 * std::numbers::pi / kTurn_texels * argument) +
+  const double argument = by.tolerance + 4 * kRounding * (std::abs(by.value) + 1 / turns_per_texel);
+  return {value, moved.tolerance +
+                     amplitude * (kSineError + 2 * std::numbers::pi * turns_per_texel * argument) +
                      4 * kRounding * (std::abs(moved.value) + 2 * amplitude)};
 }
 

@@ -28,8 +28,9 @@ constexpr int kTexelsASample = 16;
 std::int64_t wrapped(std::int64_t value, std::int64_t size) {
   return (value % size + size) % size;
 }
-// Rounds down, whatever the sign.
+// Rounds down, whatever the sign. Negative `bits` multiply.
 std::int64_t floor_shifted(std::int64_t value, int bits) {
+  if (bits < 0) return value * (std::int64_t{1} << -bits);
   const std::int64_t unit = std::int64_t{1} << bits;
   return (value - wrapped(value, unit)) / unit;
 }
@@ -46,18 +47,27 @@ class SurfaceDefinition {
         request_(request),
         face_(level_.face(request.face)),
         own_grid_(face_.light_grid != world::kStockGrid ? &level_.light_grids[face_.light_grid] : nullptr),
-        texels_apart_(own_grid_ != nullptr ? std::max(own_grid_->texels, 1 << request.mip) : kTexelsASample),
-        texels_per_sample_(texels_apart_ >> request.mip) {}
+        texels_apart_(own_grid_ != nullptr ? std::max(own_grid_->texels, 1 << std::max(request.mip, 0))
+                                           : kTexelsASample),
+        texels_per_sample_(static_cast<int>(floor_shifted(texels_apart_, request.mip))) {}
 
   std::uint8_t indexed(int x, int y) const {
     const std::int64_t t = lit(x, y, [&](std::int64_t column, std::int64_t row) {
       return std::max<std::int64_t>(floor_shifted(65280 - light_sum(column, row, 0), 2), 64);
     });
-    return drawable_.colormap.rows[static_cast<std::size_t>(floor_shifted(t, 8) * 256 + texel(x, y))];
+    return drawable_.colormap.rows[static_cast<std::size_t>(floor_shifted(t, 8) * 256 + index(x, y))];
   }
   std::uint32_t rgb(int x, int y) const {
-    const formats::Rgb entry = drawable_.palette[texel(x, y)];
-    const std::array<std::uint8_t, 3> color = {entry.r, entry.g, entry.b};
+    const world::Texture& texture = level_.texture(request_.contents.texture);
+    const formats::Rgb entry = drawable_.palette[index(x, y)];
+    std::array<std::uint8_t, 3> color = {entry.r, entry.g, entry.b}, glow{};
+    bool full_bright = index(x, y) >= 256 - drawable_.colormap.fullbrights;
+    if (texture.colors) {
+      const auto level = static_cast<std::size_t>(request_.mip + texture.colors->detail);
+      color = channels(texture.colors->colors[level][texel(x, y)]);
+      if (!texture.colors->glow.empty()) glow = channels(texture.colors->glow[level][texel(x, y)]);
+      full_bright = false;
+    }
     std::uint32_t shown = 0xff;
     for (int channel = 0; channel < 3; ++channel) {
       const std::uint8_t value = color[static_cast<std::size_t>(channel)];
@@ -65,23 +75,33 @@ class SurfaceDefinition {
         return std::min<std::int64_t>(light_sum(column, row, channel), 65280) / 2;
       });
       const std::int64_t lit_value = std::min<std::int64_t>(255, floor_shifted(2 * value * h + 16384, 15));
-      const bool full_bright = texel(x, y) >= 256 - drawable_.colormap.fullbrights;
-      shown = shown << 8 | (full_bright ? value : static_cast<std::uint32_t>(lit_value));
+      const std::int64_t unlit = glow[static_cast<std::size_t>(channel)];
+      shown = shown << 8 | static_cast<std::uint32_t>(
+                               std::min<std::int64_t>(255, unlit + (full_bright ? value : lit_value)));
     }
     return shown;
   }
 
  private:
+  static std::array<std::uint8_t, 3> channels(std::uint32_t color) {
+    return {static_cast<std::uint8_t>(color >> 16), static_cast<std::uint8_t>(color >> 8),
+            static_cast<std::uint8_t>(color)};
+  }
+
+  std::uint8_t index(int x, int y) const {
+    return level_.texture(request_.contents.texture).indices(request_.mip)[texel(x, y)];
+  }
+
   // At mip level k, texel (s, t) of the face is texel (s >> k, t >> k) of that level, repeated.
-  std::uint8_t texel(int x, int y) const {
+  std::size_t texel(int x, int y) const {
     const world::Texture& texture = level_.texture(request_.contents.texture);
-    const std::int64_t width = std::max(1u, texture.width >> request_.mip);
-    const std::int64_t height = std::max(1u, texture.height >> request_.mip);
+    const std::int64_t width = std::max<std::int64_t>(1, floor_shifted(texture.width, request_.mip));
+    const std::int64_t height = std::max<std::int64_t>(1, floor_shifted(texture.height, request_.mip));
     const std::int64_t left = face_.texture_mins[0] + request_.tile_s * 256;
     const std::int64_t top = face_.texture_mins[1] + request_.tile_t * 256;
     const std::int64_t s = wrapped(floor_shifted(left, request_.mip) + x, width);
     const std::int64_t t = wrapped(floor_shifted(top, request_.mip) + y, height);
-    return texture.mips[static_cast<std::size_t>(request_.mip)][static_cast<std::size_t>(t * width + s)];
+    return static_cast<std::size_t>(t * width + s);
   }
 
   // The face's samples, for all of its styles. Past the last sample, the value does not matter.
@@ -206,7 +226,8 @@ BlockRequest any_request(const world::Level& level, world::FaceIndex index, Rand
   request.face = index;
   request.tile_s = static_cast<std::uint16_t>(random.below(tiles.s));
   request.tile_t = static_cast<std::uint16_t>(random.below(tiles.t));
-  request.mip = static_cast<int>(random.below(4));
+  const int finest = level.texture(face.texture).finest_mip();
+  request.mip = finest + static_cast<int>(random.below(static_cast<std::size_t>(4 - finest)));
   request.contents.texture = face.texture;
   request.contents.colored = !level.light_rgb.empty() && random.chance(0.7);
   for (std::size_t style = 0; style < face.style_count; ++style)
@@ -262,6 +283,27 @@ world::LightGrid make_random_grid(Random& random) {
   return grid;
 }
 
+std::shared_ptr<const formats::TextureColors> make_random_colors(const world::Texture& texture,
+                                                                 int max_detail, Random& random) {
+  formats::TextureColors colors;
+  colors.detail = static_cast<int>(random.below(static_cast<std::size_t>(max_detail + 1)));
+  const bool has_glow = random.chance(0.5);
+  for (int mip = -colors.detail; mip < 4; ++mip) {
+    const std::int64_t texels = std::max<std::int64_t>(1, floor_shifted(texture.width, mip)) *
+                                std::max<std::int64_t>(1, floor_shifted(texture.height, mip));
+    const auto fill = [&](auto& out, auto make) {
+      for (std::int64_t i = 0; i < texels; ++i) out.push_back(make());
+    };
+    const auto channels = [&] { return static_cast<std::uint32_t>(random.below(1 << 24)); };
+    if (mip < 0)
+      fill(*colors.fine_indices.emplace(colors.fine_indices.begin()),
+           [&] { return static_cast<std::uint8_t>(random.bits()); });
+    fill(colors.colors.emplace_back(), [&] { return 0xff000000u | channels(); });
+    if (has_glow) fill(colors.glow.emplace_back(), [&] { return random.chance(0.5) ? 0 : channels(); });
+  }
+  return std::make_shared<const formats::TextureColors>(std::move(colors));
+}
+
 // One face of any extent, from nothing to several tiles, anywhere in a texture of any size, with random
 // samples and colors.
 DrawableLevel make_random_level(Random& random) {
@@ -273,7 +315,6 @@ DrawableLevel make_random_level(Random& random) {
     for (std::uint32_t i = std::max(1u, texture.width >> mip) * std::max(1u, texture.height >> mip); i > 0;
          --i)
       texture.mips[mip].push_back(static_cast<std::uint8_t>(random.bits()));
-  level.textures.push_back(texture);
   world::Face face{};
   face.kind = world::FaceKind::kLit;
   face.style_count = static_cast<std::uint8_t>(random.below(5));
@@ -286,6 +327,11 @@ DrawableLevel make_random_level(Random& random) {
     level.light_grids.push_back(make_random_grid(random));
   }
   level.faces.push_back(face);
+  // Fine levels of small faces and textures only: the definition is slow.
+  const bool is_large = std::max(face.texture_extents[0], face.texture_extents[1]) > 80;
+  if (random.chance(0.1) && texture.width * texture.height < 3000)
+    texture.colors = make_random_colors(texture, is_large ? 1 : 3, random);
+  level.textures.push_back(texture);
   const auto [width, height] = level.light_size(face);
   const std::size_t samples = face.light + std::size_t{face.style_count} * static_cast<std::size_t>(width) *
                                                static_cast<std::size_t>(height);
@@ -345,7 +391,7 @@ TEST(Surfaces, OfNoiseAreAsDefined) {
 // At every mip level, the tiles of a face are adjacent: together they are as large as the face.
 TEST(SurfaceShapes, MakeUpTheFace) {
   for (std::int32_t extent = 16; extent <= 1600; extent += 16)
-    for (int mip = 0; mip < 4; ++mip) {
+    for (int mip = -3; mip < 4; ++mip) {
       world::Face face{};
       face.kind = world::FaceKind::kLit;
       face.texture_extents = {extent, 1616 - extent};
@@ -354,12 +400,12 @@ TEST(SurfaceShapes, MakeUpTheFace) {
       for (int tile = 0; tile < tiles.s; ++tile) {
         const SurfaceShape shape = render::surface_shape(face, tile, 0, mip);
         ASSERT_GE(shape.width, 1);
-        ASSERT_LE(shape.width, 256 >> mip);
+        ASSERT_LE(shape.width, floor_shifted(256, mip));
         width += shape.width;
       }
       for (int tile = 0; tile < tiles.t; ++tile) height += render::surface_shape(face, 0, tile, mip).height;
-      ASSERT_EQ(width, face.texture_extents[0] >> mip);
-      ASSERT_EQ(height, face.texture_extents[1] >> mip);
+      ASSERT_EQ(width, floor_shifted(face.texture_extents[0], mip));
+      ASSERT_EQ(height, floor_shifted(face.texture_extents[1], mip));
     }
 }
 TEST(SurfaceShapes, HaveATexelWhereTheFaceHasNoExtent) {

@@ -42,7 +42,7 @@ TEST(StockMip, FollowsTheOriginalsThresholds) {
       {1599, 0.25, 1}, {1601, 0.25, 2}, {3199, 0.25, 2}, {3201, 0.25, 3},
   };
   for (const StockCase& stock : cases)
-    EXPECT_EQ(render::stock_mip(view, 1 / stock.nearest_z, stock.axes_length), stock.mip)
+    EXPECT_EQ(render::stock_mip(view, 1 / stock.nearest_z, stock.axes_length, 0), stock.mip)
         << stock.nearest_z << " units away, axes of " << stock.axes_length;
 }
 
@@ -53,7 +53,25 @@ TEST(StockMip, GoesByScaleInParallel) {
   for (const auto& [pixels_per_unit, mip] :
        {std::pair(2.0, 0), {1.01, 0}, {0.99, 1}, {0.41, 1}, {0.39, 2}, {0.21, 2}, {0.19, 3}}) {
     view.pixels_per_unit = pixels_per_unit;
-    for (const double depth : {-1.0, -5000.0}) EXPECT_EQ(render::stock_mip(view, depth, 1), mip);
+    for (const double depth : {-1.0, -5000.0}) EXPECT_EQ(render::stock_mip(view, depth, 1, 0), mip);
+  }
+}
+
+// Below mip 0, the finest level that is no wider than its pixels.
+TEST(StockMip, GoesBelowZeroForFineTextures) {
+  ViewFrame view;
+  view.perspective = false;
+  for (const auto& [pixels_per_unit, mip] : {std::pair(0.39, 2),
+                                             {1.01, 0},
+                                             {1.99, 0},
+                                             {2.01, -1},
+                                             {3.99, -1},
+                                             {4.01, -2},
+                                             {7.99, -2},
+                                             {8.01, -3}}) {
+    view.pixels_per_unit = pixels_per_unit;
+    for (const int finest : {0, -1, -2, -3})
+      EXPECT_EQ(render::stock_mip(view, 1, 1, finest), std::max(mip, finest)) << pixels_per_unit;
   }
 }
 
@@ -91,7 +109,7 @@ struct TexturedPlane {
 };
 
 TEST_F(MipViews, ShowOneTexelAPixelAsNearlyAsTheyCan) {
-  int chosen[4] = {};
+  int chosen[7] = {};
   for (int seed = 0; seed < effort(20000, 2000); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const ViewFrame view = any_view(random);
@@ -109,16 +127,17 @@ TEST_F(MipViews, ShowOneTexelAPixelAsNearlyAsTheyCan) {
     // Level k has 4^k times fewer texels. The best level is the one for which the ratio is nearest to 1.
     const double level = std::log2(texels) / 2;
     if (std::abs(level - std::floor(level) - 0.5) < 1e-3) continue;
-    const int expected = static_cast<int>(std::clamp(std::round(level), 0.0, 3.0));
+    const int finest = -static_cast<int>(random.below(4));
+    const int expected = static_cast<int>(std::clamp(std::round(level), static_cast<double>(finest), 3.0));
 
-    const render::ScreenPlane depth = render::depth_plane(view, plane.normal, plane.distance);
-    const render::ScreenPlane s = render::coordinate_plane(view, depth, plane.s_axis, 5);
-    const render::ScreenPlane t = render::coordinate_plane(view, depth, plane.t_axis, -7);
-    ASSERT_EQ(render::footprint_mip(view, depth, s, t, x, y), expected)
+    render::TexturePlanes planes{render::depth_plane(view, plane.normal, plane.distance), {}, {}};
+    planes.s = render::coordinate_plane(view, planes.depth, plane.s_axis, 5);
+    planes.t = render::coordinate_plane(view, planes.depth, plane.t_axis, -7);
+    ASSERT_EQ(render::footprint_mip(view, planes, x, y, finest), expected)
         << fmt::format("seed {}: {} texels a pixel", seed, texels);
-    ++chosen[expected];
+    ++chosen[expected + 3];
   }
-  for (const int count : chosen) EXPECT_GT(count, effort(500, 50));
+  for (const int count : chosen) EXPECT_GT(count, effort(300, 30));
 }
 
 // A triangle or a parallelogram around the line of sight, often partly outside the picture or behind the eye.
