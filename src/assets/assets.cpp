@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "assets/level/additions.h"
+#include "assets/level/external_textures.h"
 #include "base/text.h"
 #include "formats/levels/bsp.h"
 #include "vfs/disk.h"
@@ -34,15 +35,18 @@ void note_missing_textures(const world::Level& level, std::vector<std::string>& 
 }
 
 // The common end of both ways to load a level: parses the bytes, applies the files next to it, and collects
-// the notes. `file`: its name in messages.
+// the notes. `file`: its name in messages. `replace_textures` returns the pictures that replace the level's.
+template <typename ReplaceTextures>
 base::Result<LoadedLevel> make_loaded_level(std::string name, base::ByteVector bytes, const std::string& file,
-                                            const AdditionReader& read) {
+                                            const AdditionReader& read, ReplaceTextures replace_textures) {
   TRY(formats::Bsp bsp, formats::read_bsp(bytes).with_file(file));
   bytes = {};  // do not keep a large level twice
   LoadedLevel loaded;
   const std::optional<formats::Lit> lit = apply_additions(read, name, bsp, loaded.notes);
+  world::ColoredTextures textures = replace_textures(bsp, loaded.notes);
   TRY(loaded.level,
-      world::make_level(std::move(bsp), std::move(name), lit ? &*lit : nullptr).with_file(file));
+      world::make_level(std::move(bsp), std::move(name), lit ? &*lit : nullptr, std::move(textures))
+          .with_file(file));
   for (const std::string& note : loaded.level->notes)
     loaded.notes.push_back(fmt::format("{}: {}", file, note));
   note_missing_textures(*loaded.level, loaded.notes);
@@ -51,7 +55,8 @@ base::Result<LoadedLevel> make_loaded_level(std::string name, base::ByteVector b
 
 }  // namespace
 
-base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_view map_name) {
+base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_view map_name,
+                                     const LevelOptions& options) {
   const std::string bsp_name = fmt::format("maps/{}.bsp", map_name);
   TRY(base::ByteVector bytes, files.read(bsp_name));
   // A file in a lower game folder belongs to the level that this one hides. Stock levels and mods often share
@@ -61,7 +66,12 @@ base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_v
     if (!files.contains(name) || files.find_game(name) < files.find_game(bsp_name)) return std::nullopt;
     return Addition{files.describe(name), files.read(name)};
   };
-  return make_loaded_level(std::string(map_name), std::move(bytes), files.describe(bsp_name), read);
+  const auto replace_textures = [&](const formats::Bsp& bsp, std::vector<std::string>& io_notes) {
+    return options.external_textures ? load_external_textures(files, map_name, bsp, io_notes)
+                                     : world::ColoredTextures{};
+  };
+  return make_loaded_level(std::string(map_name), std::move(bytes), files.describe(bsp_name), read,
+                           replace_textures);
 }
 
 base::Result<LoadedLevel> load_level_file(const std::filesystem::path& path) {
@@ -73,7 +83,8 @@ base::Result<LoadedLevel> load_level_file(const std::filesystem::path& path) {
     if (!content.ok() && content.error().code == base::ErrorCode::kNotFound) return std::nullopt;
     return Addition{file.string(), std::move(content)};
   };
-  return make_loaded_level(path.stem().string(), std::move(bytes), path.string(), read);
+  return make_loaded_level(path.stem().string(), std::move(bytes), path.string(), read,
+                           [](const formats::Bsp&, auto&) { return world::ColoredTextures{}; });
 }
 
 base::Result<Look> load_look(const vfs::FileSystem& files) {

@@ -4,6 +4,7 @@
 //   maps/NAME.bsp -> formats::read_bsp() --+
 //                                          +--> world::make_level() --> LoadedLevel (level, notes)
 //   .ent, .vis, .lit (level/additions.h) --+
+//   textures/ (level/external_textures.h) -+
 //
 // A problem that leaves the level playable becomes a note instead of an error, because many released levels
 // have one.
@@ -30,10 +31,16 @@ struct LoadedLevel {
   std::vector<std::string> notes;
 };
 
+struct LevelOptions {
+  // Replaces textures by the pictures in textures/. Servers need none.
+  bool external_textures = false;
+};
+
 // Loads maps/NAME.bsp with the files next to it that replace parts of it, if they are in the same or a higher
 // game folder. `map_name`: "start", not "maps/start.bsp". Returns kNotFound if there is no
 // such level, and the reader's error if it is damaged; errors name the file. Thread-safe.
-base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_view map_name);
+base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_view map_name,
+                                     const LevelOptions& options = {});
 
 // Loads a .bsp from any path on disk, with the files next to it. For tools.
 base::Result<LoadedLevel> load_level_file(const std::filesystem::path& path);

@@ -32,7 +32,7 @@ base::Result<formats::Image> read_side(const vfs::FileSystem& files, const std::
 }  // namespace
 
 // Splits the path, because load_level() also needs the name for the .lit file.
-base::Result<LoadedLevel> Library::level(std::string_view path) const {
+base::Result<LoadedLevel> Library::level(std::string_view path, const LevelOptions& options) const {
   const std::optional<std::string_view> name = parse_map_name(path);
   if (!name) {
     base::Error error =
@@ -40,7 +40,7 @@ base::Result<LoadedLevel> Library::level(std::string_view path) const {
     error.file = path;
     return error;
   }
-  return load_level(files_, *name);
+  return load_level(files_, *name, options);
 }
 
 base::Result<formats::Mdl> Library::alias_model(std::string_view path) const {

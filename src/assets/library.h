@@ -41,7 +41,7 @@ class Library {
 
   // `path`: as in QuakeC: "maps/start.bsp", "progs/ogre.mdl", "progs/s_explod.spr". Return kNotFound for a
   // missing file, kMalformed or kUnsupported for one that its reader rejects.
-  base::Result<LoadedLevel> level(std::string_view path) const;
+  base::Result<LoadedLevel> level(std::string_view path, const LevelOptions& options = {}) const;
   base::Result<formats::Mdl> alias_model(std::string_view path) const;
   base::Result<formats::Spr> sprite(std::string_view path) const;
   // Loads gfx/env/NAMErt.tga and so on, or .png: right (+x), back, left, front, up, down. Missing and damaged

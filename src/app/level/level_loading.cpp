@@ -53,7 +53,7 @@ base::Result<LoadedMap> load_named_level(const GameFolders& folders, const std::
     error.file = path;
     return error;
   }
-  TRY(assets::LoadedLevel level, assets::load_level(files, name));
+  TRY(assets::LoadedLevel level, assets::load_level(files, name, {.external_textures = true}));
   attach_level(std::move(level), loaded);
   loaded.library = std::make_shared<const assets::Library>(std::move(files));
   return loaded;

@@ -64,7 +64,8 @@ bool is_level(const std::string& name) {
 // Brush models from other files are joined to the level, so that one tree of models serves rendering and
 // traces.
 void ModelTable::load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
-                             std::span<const std::string> names, std::vector<std::string>& io_notes) {
+                             std::span<const std::string> names, const assets::LevelOptions& options,
+                             std::vector<std::string>& io_notes) {
   models_.assign(names.size(), placeholder_);
   models_[kLevelNumber] = world::ModelIndex{0};
   std::vector<std::shared_ptr<const world::Level>> boxes;
@@ -74,7 +75,7 @@ void ModelTable::load_models(const assets::Library& library, const std::shared_p
   };
   for (std::size_t number = kLevelNumber + 1; number < names.size(); ++number) {
     if (is_level(names[number])) {
-      base::Result<assets::LoadedLevel> box = library.level(names[number]);
+      base::Result<assets::LoadedLevel> box = library.level(names[number], options);
       if (!box.ok()) {
         note(box.error());
         continue;
@@ -103,15 +104,16 @@ void ModelTable::load_beams(const assets::Library& library) {
 }
 
 base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::span<const std::string> names,
+                                          const assets::LevelOptions& options,
                                           std::vector<std::string>& io_notes) {
   if (names.size() <= kLevelNumber)
     return base::malformed("the server named no level: its list of models is empty");
-  TRY(const assets::LoadedLevel loaded, library.level(names[kLevelNumber]));
+  TRY(const assets::LoadedLevel loaded, library.level(names[kLevelNumber], options));
   io_notes.insert(io_notes.end(), loaded.notes.begin(), loaded.notes.end());
 
   ModelTable table;
   table.placeholder_ = render::make_alias_model(make_placeholder_model(), "missing model");
-  table.load_models(library, loaded.level, names, io_notes);
+  table.load_models(library, loaded.level, names, options, io_notes);
   table.load_beams(library);
   for (std::size_t number = 0; number < names.size(); ++number) {
     const ClientModel& model = table.models_[number];

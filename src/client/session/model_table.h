@@ -34,6 +34,7 @@ class ModelTable {
   // Loads the models. `names` is Game::models: [0] is empty, [1] is the level. Fails if the level is missing
   // or unusable. Any other model that is missing or unusable gets a placeholder and a line in `io_notes`.
   static base::Result<ModelTable> load(const assets::Library& library, std::span<const std::string> names,
+                                       const assets::LevelOptions& options,
                                        std::vector<std::string>& io_notes);
 
   // The level. Brush models from other files (ammo boxes) are joined to it.
@@ -50,7 +51,8 @@ class ModelTable {
 
  private:
   void load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
-                   std::span<const std::string> names, std::vector<std::string>& io_notes);
+                   std::span<const std::string> names, const assets::LevelOptions& options,
+                   std::vector<std::string>& io_notes);
   void load_beams(const assets::Library& library);
 
   std::shared_ptr<const world::Level> level_;

@@ -111,6 +111,10 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
       variables.add_bool("r_fog", defaults.environment.fog, "Shows fog where the level or server wants it.");
   skybox_ = variables.add_bool("r_skybox", defaults.environment.skybox,
                                "Shows skyboxes where the level or server wants them.");
+  external_textures_ = variables.add_bool("r_external_textures", defaults.level.external_textures,
+                                          "Replaces textures by the pictures in textures/, from the next "
+                                          "level on.");
+  variables.add_alias("gl_load24bit", "r_external_textures");  // other engines' name
   subtitles_ = variables.add_bool("scr_subtitles", defaults.subtitles,
                                   "Shows captions for sounds from outside your view.");
   sound_volume_ = variables.add_float("volume", 0.7, 0, 1, "Volume of sound effects.");
@@ -158,6 +162,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
                                        factor(teleport_alpha_)};
   settings.environment.fog = variables.bool_value(fog_);
   settings.environment.skybox = variables.bool_value(skybox_);
+  settings.level.external_textures = variables.bool_value(external_textures_);
   settings.subtitles = variables.bool_value(subtitles_);
   settings.volumes = {factor(sound_volume_), factor(ambient_level_), factor(music_volume_),
                       factor(muffled_underwater_)};

@@ -21,7 +21,7 @@ base::Status Presentation::begin_level(const Game& game, const PresentationSetti
   models_.reset();
   pvs_leaf_.reset();
   missing_marks_.clear();
-  TRY(ModelTable models, ModelTable::load(library_, game.models, notes_));
+  TRY(ModelTable models, ModelTable::load(library_, game.models, settings.level, notes_));
   models_.emplace(std::move(models));
   model_names_ = game.models;
   client_settings_.no_lerp_models.clear();

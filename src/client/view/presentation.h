@@ -40,6 +40,8 @@ struct PresentationSettings {
   bool interpolate = true;
   // Predict the player's own motion if the server supports it.
   bool predict = true;
+  // For the next level that is loaded.
+  assets::LevelOptions level{.external_textures = true};
   // Models that are not blended from frame to frame, by name in the precache list. Takes effect at the next
   // level.
   std::vector<std::string> no_lerp_models = {"progs/flame.mdl", "progs/flame0.mdl", "progs/flame2.mdl"};

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -45,6 +46,9 @@ struct ColoredTexture {
   std::array<std::vector<std::uint8_t>, 4> mips;
   TextureColors colors;
 };
+
+// The memory that the texels take.
+std::size_t count_bytes(const ColoredTexture& texture);
 
 // The texture that a picture is for. Its coordinates count in texels of its own size, so a larger picture has
 // more texels per unit.

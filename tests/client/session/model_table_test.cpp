@@ -35,7 +35,7 @@ class ModelTableTest : public ::testing::Test {
   }
   base::Result<ModelTable> load(const std::vector<std::string>& names) {
     const assets::Library library(vfs::FileSystem::open(game_.path()).value());
-    return ModelTable::load(library, names, notes_);
+    return ModelTable::load(library, names, {}, notes_);
   }
 
   test::SmallGame game_;
