@@ -150,6 +150,16 @@ Command* add_compile_command(Command& program, CompileCommandOptions& io_options
   command->add_option("--bounce", io_options.bounces, "Light bounces, instead of the map's value")
       ->type_name("N")
       ->check(in_range(0, 16));
+  command
+      ->add_option("--lmscale", io_options.luxel_texels,
+                   "Texels between light samples for newer engines, instead of the map's _lmscale")
+      ->type_name("N")
+      ->check(one_of({1, 2, 4, 8, 16, 32, 64, 128}));
+  command
+      ->add_option("--world-units-per-luxel", io_options.units_per_luxel,
+                   "Units between light samples, whatever the textures; 0: off")
+      ->type_name("N")
+      ->check(in_range(0.0, 1024.0));
   command->add_option("--threads", io_options.threads, "Threads; 0: one per core")
       ->type_name("N")
       ->check(in_range(0, 256));

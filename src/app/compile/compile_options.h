@@ -57,6 +57,10 @@ struct CompileCommandOptions {
   int extra = 1;
   // 0 to 16; nothing: as the map says.
   std::optional<int> bounces{};
+  // Texels between light samples on all faces, 1 to 128; nothing: as the map says.
+  std::optional<int> luxel_texels{};
+  // Units between light samples on all faces, whatever their texture; 0: by texels; nothing: as the map says.
+  std::optional<double> units_per_luxel{};
   // Nothing or 0: one per core.
   std::optional<int> threads{};
 };

@@ -74,6 +74,8 @@ compiler::CompileOptions make_compile_options(const CompileCommandOptions& optio
   how.light.fast = options.fast;
   how.light.extra = options.extra;
   how.light.bounces = options.bounces;
+  how.light.luxel_texels = options.luxel_texels;
+  if (options.units_per_luxel) how.light.units_per_luxel = static_cast<float>(*options.units_per_luxel);
   how.mip_levels = options.built_mips ? compiler::MipLevels::kBuilt : compiler::MipLevels::kFromSource;
   how.bsp2 = options.bsp2;
   return how;

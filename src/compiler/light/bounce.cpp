@@ -174,25 +174,28 @@ std::vector<math::Vec3> collect_emitted_light(const BouncedWorld& bounced,
 }
 
 // Adds gathered light to a light map, whose scale may differ from that of the nodes.
-void add_to_map(const NodeGrid& grid, const LightMapShape& own, const LightMapShape& map,
+void add_to_map(const LitLevel& lit, const NodeGrid& grid, const LightMapShape& map,
                 const std::vector<math::Vec3>& gathered, std::uint8_t style, FaceLight& io_light) {
   const std::uint32_t end = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
   if (std::all_of(gathered.begin() + grid.first_node, gathered.begin() + end,
                   [](const math::Vec3& light) { return light == math::Vec3(0.0f); }))
     return;
   std::vector<math::Vec3>& samples = io_light.layer(style, LayerKind::kAdd, map.size()).samples;
-  const auto along = [&](int luxel, std::size_t axis, int nodes, int count) {
+  const LightMapShape& own = lit.maps[map.face];
+  const LuxelTexels luxels = find_luxel_texels(*lit.level, map);
+  const auto along = [&](const math::Vec2d& texels, int axis, int nodes, int count) {
     if (count <= 1) return 0.0f;
-    const int texel = map.texture_mins[axis] + luxel * map.texels - own.texture_mins[axis];
-    const int last_texel = (count - 1) * own.texels;
-    return static_cast<float>(std::clamp(texel, 0, last_texel)) * static_cast<float>(nodes - 1) /
+    const double texel = texels[axis] - own.texture_mins[static_cast<std::size_t>(axis)];
+    const double last_texel = (count - 1) * own.texels;
+    return static_cast<float>(std::clamp(texel, 0.0, last_texel)) * static_cast<float>(nodes - 1) /
            static_cast<float>(last_texel);
   };
   for (int y = 0; y < map.height; ++y) {
-    const float row = along(y, 1, grid.rows, own.height);
-    const int top = static_cast<int>(row), bottom = std::min(top + 1, grid.rows - 1);
     for (int x = 0; x < map.width; ++x) {
-      const float column = along(x, 0, grid.columns, own.width);
+      const math::Vec2d texels = luxels.first + luxels.per_x * double(x) + luxels.per_y * double(y);
+      const float row = along(texels, 1, grid.rows, own.height);
+      const int top = static_cast<int>(row), bottom = std::min(top + 1, grid.rows - 1);
+      const float column = along(texels, 0, grid.columns, own.width);
       const int left = static_cast<int>(column), right = std::min(left + 1, grid.columns - 1);
       const math::Vec3 above = glm::mix(gathered[grid.node(left, top)], gathered[grid.node(right, top)],
                                         column - static_cast<float>(left));
@@ -290,7 +293,7 @@ void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
     io_jobs.parallel_for(lit.maps.size(), [&](std::size_t map) {
       const std::size_t face = lit.maps[map].face;
       if (bounced.grids[face].columns > 0 && lit.surface_keys(face).takes_bounce)
-        add_to_map(bounced.grids[face], lit.maps[face], lit.maps[map], gathered, style, io_light[map]);
+        add_to_map(lit, bounced.grids[face], lit.maps[map], gathered, style, io_light[map]);
     });
   }
 }

@@ -2,6 +2,8 @@
 // all of it is packed into bytes, in the order of the faces.
 #include "compiler/light/light_level.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -54,13 +56,43 @@ LightSettings read_settings(const std::vector<formats::Entity>& entities, const 
   return settings;
 }
 
+// The keys of all faces, as overridden by worldspawn and by the mapper's options.
+FaceKeys choose_light_map_keys(FaceKeys keys, const LightSettings& settings, const LightOptions& options) {
+  constexpr float kStockTexels = 16;
+  for (SurfaceKeys& own : keys.keys) {
+    if (options.luxel_texels) own.light_map_scale = static_cast<float>(*options.luxel_texels) / kStockTexels;
+    if (options.units_per_luxel)
+      own.units_per_luxel = *options.units_per_luxel;
+    else if (own.units_per_luxel == 0)
+      own.units_per_luxel = settings.units_per_luxel;
+  }
+  return keys;
+}
+
+void warn_of_too_fine_faces(const LitLevel& lit, Warnings& io_warnings) {
+  if (lit.too_fine_faces.empty()) return;
+  const std::uint32_t first = lit.too_fine_faces[0];
+  const world::Level& level = *lit.level;
+  const math::Vec3& corner = level.vertices[level.surfedge_start(level.faces[first].first_surfedge)];
+  io_warnings.push_back(
+      {"light map too fine", fmt::format("face {} at {} {} {}{}: more than a million luxels on a face, or {} "
+                                         "million in all; it has only the "
+                                         "usual light map: use a larger _lmscale or _world_units_per_luxel",
+                                         first, corner.x, corner.y, corner.z,
+                                         lit.too_fine_faces.size() == 1
+                                             ? std::string()
+                                             : fmt::format(" and {} others", lit.too_fine_faces.size() - 1),
+                                         kMaxLevelLuxels >> 20)});
+}
+
 // Reads the entities and builds the scene that rays meet.
 base::Result<PreparedLight> prepare(const formats::Bsp& bsp, const FaceKeys& face_keys,
                                     const LightOptions& options, Warnings& io_warnings) {
   TRY(std::vector<formats::Entity> entities, formats::read_entities(bsp.entities));
   const bool styles_changed = assign_switchable_styles(entities, io_warnings);
   const LightSettings settings = read_settings(entities, options);
-  TRY(LitLevel lit, make_lit_level(strip_light(bsp), face_keys));
+  TRY(LitLevel lit, make_lit_level(strip_light(bsp), choose_light_map_keys(face_keys, settings, options)));
+  warn_of_too_fine_faces(lit, io_warnings);
   TRY(RayScene scene, RayScene::make(make_occluders(lit, options.palette)));
   EntityLights found = find_entity_lights(entities, settings, io_warnings);
   const std::vector<LightSource> surface_lights = find_surface_lights(lit, found.templates);

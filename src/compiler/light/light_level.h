@@ -34,7 +34,10 @@ struct LightOptions {
   bool fast = false;             // no dirt, no bounces, an eighth of the rays to the sky
   std::optional<int> bounces{};  // overrides the level's _bounce
   std::optional<bool> dirt{};    // overrides the level's _dirt
-  int sky_rays = 128;            // at most this many directions for a sky dome or a sun's penumbra
+  // Texels between the samples of all light maps of another scale, 1 to 128; overrides _lmscale.
+  std::optional<int> luxel_texels{};
+  std::optional<float> units_per_luxel{};  // overrides _world_units_per_luxel of all brushes; 0: off
+  int sky_rays = 128;                      // at most this many directions for a sky dome or a sun's penumbra
   std::optional<formats::Palette> palette{};  // for _bouncecolorscale and tinted glass
 };
 
@@ -46,9 +49,10 @@ struct LightSummary {
   formats::Lit lit;
 };
 
-// Lights a level: sets styles and light_offset of every face, `lighting`, and RGBLIGHTING if any light has a
-// color. Replaces any earlier light. Writes the "style" of switchable lights into the entity text. Visibility
-// makes this faster, but does not change the result; neither does the number of threads.
+// Lights a level: sets styles and light_offset of every face, `lighting`, RGBLIGHTING if any light has a
+// color, and LMSHIFT or DECOUPLED_LM for light maps of other resolutions (faces/light_maps.h). Replaces any
+// earlier light. Writes the "style" of switchable lights into the entity text. Visibility makes this faster,
+// but does not change the result; neither does the number of threads.
 //
 // Fails if the entity text does not parse, if faces are invalid, if `progress` stops it (kUsage), or if
 // Embree is missing or out of memory; level and cache are then unchanged.

@@ -160,7 +160,7 @@ base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys) {
   for (const formats::Entity& entity : level.entities)
     if (const auto model = find_shown_model(entity); model && *model < level.models.size())
       lit.offset_of_model[*model] = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
-  lit.maps = make_light_map_shapes(level, lit.keys, lit.gets_light);
+  lit.maps = make_light_map_shapes(level, lit.keys, lit.gets_light, lit.too_fine_faces);
   return lit;
 }
 

@@ -22,10 +22,11 @@ namespace temblor::compiler {
 struct LitLevel {
   std::shared_ptr<const world::Level> level;
   FaceKeys keys;
-  std::vector<std::uint32_t> model_of_face;  // 0: the world
-  std::vector<math::Vec3> offset_of_model;   // by model: its entity's origin
-  std::vector<bool> gets_light;              // by face
-  std::vector<LightMapShape> maps;           // all grids of luxels
+  std::vector<std::uint32_t> model_of_face;   // 0: the world
+  std::vector<math::Vec3> offset_of_model;    // by model: its entity's origin
+  std::vector<bool> gets_light;               // by face
+  std::vector<LightMapShape> maps;            // all grids of luxels
+  std::vector<std::uint32_t> too_fine_faces;  // whose own grid is left out, because it has too many luxels
 
   // The light options of a face's brush.
   const SurfaceKeys& surface_keys(std::size_t face) const { return keys.keys[keys.of_face[face]]; }

@@ -53,8 +53,9 @@ SurfaceKeys read_surface_keys(const formats::Entity& entity) {
   keys.takes_bounce = read_number_or(entity, "bounce", 0) >= 0;
   keys.ignores_light = read_number_or(entity, "lightignore", 0) > 0;
   keys.lights_liquids = read_number_or(entity, "litwater", 0) > 0;
-  const float scale = read_number_or(entity, "lmscale", 1);
+  const float scale = read_number_or(entity, "lmscale", read_number_or(entity, "lightmap_scale", 1));
   keys.light_map_scale = scale > 0 ? scale : 1;
+  keys.units_per_luxel = read_number_or(entity, "world_units_per_luxel", 0);
   const float alpha = read_number_or(entity, "light_alpha", read_number_or(entity, "alpha", 1));
   keys.light_alpha = std::clamp(alpha, 0.0f, 1.0f);
   return keys;

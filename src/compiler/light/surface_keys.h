@@ -31,8 +31,11 @@ struct SurfaceKeys {
   bool takes_bounce = true;
   bool ignores_light = false;   // _lightignore
   bool lights_liquids = false;  // _litwater: liquids get light maps
-  float light_map_scale = 1;    // _lmscale; 0.5: twice as many luxels along each axis
-  float light_alpha = 1;        // _light_alpha: the share of light that a face stops
+  // _lmscale or _lightmap_scale; 0.5: twice as many luxels along each axis.
+  float light_map_scale = 1;
+  // _world_units_per_luxel: luxels lie on the plane, not on the texture. 0: as worldspawn says; below 0: off.
+  float units_per_luxel = 0;
+  float light_alpha = 1;  // _light_alpha: the share of light that a face stops
   bool operator==(const SurfaceKeys&) const = default;
 };
 
@@ -45,7 +48,7 @@ void visit_fields(Keys& keys, const Visit& visit) {
   visit(keys.shadows_own_model_only), visit(keys.shadows_world_only), visit(keys.auto_min_light);
   visit(keys.casts_shadow), visit(keys.takes_dirt), visit(keys.takes_bounce), visit(keys.ignores_light);
   visit(keys.lights_liquids);
-  visit(keys.light_map_scale), visit(keys.light_alpha);
+  visit(keys.light_map_scale), visit(keys.units_per_luxel), visit(keys.light_alpha);
 }
 
 // Reads the keys of worldspawn, a func_group, a func_detail or a brush entity. Unknown keys and values that

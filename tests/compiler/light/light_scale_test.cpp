@@ -55,6 +55,14 @@ TEST(LightScale, TheGameUsesTheScaledMap) {
   }
 }
 
+TEST(LightScale, TheOptionOverridesTheKey) {
+  const LitResult by_key = lit_room("0.5"), by_option = lit_room("4", {.luxel_texels = 8});
+  EXPECT_EQ(by_option.bsp.bspx, by_key.bsp.bspx);
+  EXPECT_EQ(by_option.bsp.lighting, by_key.bsp.lighting);
+  EXPECT_EQ(lit_room("0.5", {.luxel_texels = 16}).bsp.find_bspx("LMSHIFT"), nullptr);
+  EXPECT_EQ(light(room_with(RoomSetup{kLamps, "'_lightmap_scale' '0.5'"})).bsp.bspx, by_key.bsp.bspx);
+}
+
 TEST(LightScale, IsRoundedToAPowerOfTwo) {
   for (const auto& [scale, shift] :
        {std::pair{"0.5", 3}, {"0.3", 2}, {"0.25", 2}, {"2", 5}, {"0.001", 0}, {"1000", 7}, {"1.3", 4}}) {

@@ -35,12 +35,28 @@ constexpr std::string_view kNumbersOfLights[] = {
     "anglescale",        "anglesense", "delay", "deviance", "dirt",      "falloff",   "nostaticlight",
     "samples",           "softangle",  "style", "sun",      "sunlight2", "sunlight3", "surface_offset",
     "surface_spotlight", "wait"};
-constexpr std::string_view kNumbersOfBrushes[] = {
-    "alpha",       "autominlight", "bounce",      "chop_order",
-    "dirt",        "hulls",        "light_alpha", "lightignore",
-    "litwater",    "lmscale",      "minlight",    "mirrorinside",
-    "noclipfaces", "phong",        "phong_angle", "phong_angle_concave",
-    "phong_group", "shadow",       "shadowself",  "shadowworldonly"};
+constexpr std::string_view kNumbersOfBrushes[] = {"alpha",
+                                                  "autominlight",
+                                                  "bounce",
+                                                  "chop_order",
+                                                  "dirt",
+                                                  "hulls",
+                                                  "light_alpha",
+                                                  "lightignore",
+                                                  "lightmap_scale",
+                                                  "litwater",
+                                                  "lmscale",
+                                                  "minlight",
+                                                  "mirrorinside",
+                                                  "noclipfaces",
+                                                  "phong",
+                                                  "phong_angle",
+                                                  "phong_angle_concave",
+                                                  "phong_group",
+                                                  "shadow",
+                                                  "shadowself",
+                                                  "shadowworldonly",
+                                                  "world_units_per_luxel"};
 constexpr std::string_view kTriplesOfAll[] = {"origin"};
 constexpr std::string_view kTriplesOfWorld[] = {
     "minlight_color",  "sun2_color",     "sun2_mangle",     "sun_mangle",      "sunlight2_color",

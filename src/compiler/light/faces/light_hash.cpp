@@ -90,6 +90,8 @@ std::uint64_t hash_light_input(const formats::Bsp& unlit_bsp, const FaceKeys& fa
   for (const int number : {options.extra, options.fast ? 1 : 0, options.bounces.value_or(-1),
                            options.dirt ? (*options.dirt ? 1 : 0) : -1, options.sky_rays})
     hash = base::hash_with(hash, static_cast<std::uint32_t>(number));
+  hash = base::hash_with(hash, static_cast<std::uint32_t>(options.luxel_texels.value_or(-1)));
+  hash = base::hash_with(hash, base::float_bits(options.units_per_luxel.value_or(-1)));
   if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   return hash;
 }

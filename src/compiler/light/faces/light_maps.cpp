@@ -12,10 +12,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <span>
+#include <limits>
 #include <utility>
 
-#include "base/bytes.h"
+#include "formats/levels/decoupled_light.h"
+#include "formats/levels/scaled_light.h"
 
 namespace temblor::compiler {
 namespace {
@@ -138,30 +139,58 @@ MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, formats::Lit& io_li
   return place;
 }
 
-constexpr std::array<const char*, 3> kScaledLumps{"LMSHIFT", "LMOFFSET", "LMSTYLE"};
+// By face, its best map: the number in LitLevel::maps, and where the samples are.
+struct BestMap {
+  std::size_t map;
+  MapPlace place;
+};
 
-// Appends the maps of other scales and writes the three lumps that find them.
-void append_scaled(const LitLevel& lit, const std::vector<FaceStyles>& by_map, formats::Bsp& io_bsp,
-                   formats::Lit& io_lit) {
-  std::vector<MapPlace> places;
-  std::vector<std::int32_t> texels;
-  for (std::size_t face = 0; face < io_bsp.faces.size(); ++face) {
-    places.push_back({io_bsp.faces[face].styles, io_bsp.faces[face].light_offset});
-    texels.push_back(lit.maps[face].texels);
+// Appends the maps of other scales, and returns the best map of each face.
+std::vector<BestMap> append_other_scales(const LitLevel& lit, const std::vector<FaceStyles>& by_map,
+                                         formats::Bsp& io_bsp, formats::Lit& io_lit) {
+  std::vector<BestMap> best;
+  for (std::size_t face = 0; face < io_bsp.faces.size(); ++face)
+    best.push_back({face, {io_bsp.faces[face].styles, io_bsp.faces[face].light_offset}});
+  for (std::size_t map = best.size(); map < lit.maps.size(); ++map)
+    best[lit.maps[map].face] = {map, append(by_map[map], io_bsp, io_lit)};
+  return best;
+}
+
+// Describes the best maps by LMSHIFT, LMOFFSET, and LMSTYLE.
+std::vector<formats::ScaledLightMap> describe_scaled(const LitLevel& lit, const std::vector<BestMap>& best) {
+  std::vector<formats::ScaledLightMap> maps;
+  for (const BestMap& one : best) {
+    const auto texels = static_cast<std::uint32_t>(lit.maps[one.map].texels);
+    maps.push_back({static_cast<std::uint8_t>(std::countr_zero(texels)), one.place.offset, one.place.styles});
   }
-  for (std::size_t map = places.size(); map < lit.maps.size(); ++map) {
-    places[lit.maps[map].face] = append(by_map[map], io_bsp, io_lit);
-    texels[lit.maps[map].face] = lit.maps[map].texels;
+  return maps;
+}
+
+// Describes the best maps by DECOUPLED_LM. The usual map of a face over a million texels long does not fit;
+// such a face is dark.
+std::vector<formats::DecoupledLightMap> describe_decoupled(const LitLevel& lit,
+                                                           const std::vector<BestMap>& best) {
+  std::vector<formats::DecoupledLightMap> maps;
+  for (const BestMap& one : best) {
+    const LightMapShape& shape = lit.maps[one.map];
+    const LuxelAxes axes = find_luxel_axes(*lit.level, shape);
+    const bool fits = std::max(shape.width, shape.height) <= std::numeric_limits<std::uint16_t>::max();
+    maps.push_back({static_cast<std::uint16_t>(shape.width), static_cast<std::uint16_t>(shape.height),
+                    fits ? one.place.offset : -1, axes.x_axis, axes.x_offset, axes.y_axis, axes.y_offset});
   }
-  base::ByteWriter shifts, offsets, styles;
-  for (std::size_t face = 0; face < places.size(); ++face) {
-    shifts.u8(static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint32_t>(texels[face]))));
-    offsets.i32(places[face].offset);
-    styles.bytes(std::as_bytes(std::span(places[face].styles)));
-  }
-  io_bsp.bspx.push_back({kScaledLumps[0], std::move(shifts).take()});
-  io_bsp.bspx.push_back({kScaledLumps[1], std::move(offsets).take()});
-  io_bsp.bspx.push_back({kScaledLumps[2], std::move(styles).take()});
+  return maps;
+}
+
+// Writes the lumps that describe the best maps. With decoupled maps there is no LMSHIFT, so that LMSTYLE has
+// the styles of DECOUPLED_LM.
+void describe_maps(const LitLevel& lit, const std::vector<BestMap>& best, formats::Bsp& io_bsp) {
+  const bool has_decoupled = std::any_of(lit.maps.begin(), lit.maps.end(),
+                                         [](const LightMapShape& map) { return map.is_decoupled; });
+  if (!has_decoupled) return formats::set_scaled_light(describe_scaled(lit, best), io_bsp);
+  std::vector<formats::FaceStyles> styles;
+  for (const BestMap& one : best) styles.push_back(one.place.styles);
+  formats::set_decoupled_light(describe_decoupled(lit, best), io_bsp);
+  formats::set_face_styles(styles, io_bsp);
 }
 
 }  // namespace
@@ -185,9 +214,10 @@ PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
     dropped += by_map[number].dropped;
     if (lit.gets_light[number]) ++(place.offset < 0 ? packed.dark_faces : packed.lit_faces);
   }
-  for (const char* lump : kScaledLumps)
-    std::erase_if(io_bsp.bspx, [&](const formats::BspxLump& known) { return known.name == lump; });
-  if (lit.maps.size() > io_bsp.faces.size()) append_scaled(lit, by_map, io_bsp, packed.lit);
+  formats::set_scaled_light({}, io_bsp);
+  formats::set_decoupled_light({}, io_bsp);
+  if (lit.maps.size() > io_bsp.faces.size())
+    describe_maps(lit, append_other_scales(lit, by_map, io_bsp, packed.lit), io_bsp);
   for (std::size_t i = 0; i + 2 < packed.lit.samples.size() && !packed.colored; i += 3)
     packed.colored = packed.lit.samples[i] != packed.lit.samples[i + 1] ||
                      packed.lit.samples[i] != packed.lit.samples[i + 2];

@@ -25,9 +25,10 @@ struct PackedLight {
 // styles one after another, the lowest first. Styles without any light are left out; of more than four, the
 // brightest stay, with a warning. `light`: by light map (LitLevel::maps).
 //
-// Maps of another scale than 16 texels come after all others. Three BSPX lumps with an entry for each face
-// find them: LMSHIFT, a byte, the scale as a power of two; LMOFFSET, int32, like light_offset; LMSTYLE, four
-// bytes, like styles. Without scaled maps these lumps are missing.
+// Maps of another scale than 16 texels come after all others. BSPX lumps with an entry for each face find
+// them: LMSHIFT, LMOFFSET, and LMSTYLE (formats/levels/scaled_light.h), or, if any map is decoupled,
+// DECOUPLED_LM for all of them (formats/levels/decoupled_light.h), with LMSTYLE where its styles differ from
+// the faces' own. Without such maps these lumps are missing.
 PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
                             const std::vector<FaceLight>& light, base::Jobs& io_jobs, formats::Bsp& io_bsp,
                             Warnings& io_warnings);

@@ -116,6 +116,13 @@ LightGrid make_light_grid(const LitLevel& lit, std::size_t map) {
   for (const math::Vec3d& corner : grid.corners_world)
     grid.middle_world += corner / static_cast<double>(grid.corners_world.size());
 
+  if (shape.is_decoupled) {
+    const LuxelPlaces places = find_luxel_places(level, shape);
+    grid.origin_world = math::Vec3d(lit.model_offset(number)) + places.first;
+    grid.column_step = places.per_x;
+    grid.row_step = places.per_y;
+    return grid;
+  }
   const math::Vec3d s(axes.s_axis), t(axes.t_axis), n = plane.normal;
   const double volume = glm::dot(glm::cross(s, t), n);
   grid.origin_world = grid.middle_world;

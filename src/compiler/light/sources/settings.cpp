@@ -48,6 +48,7 @@ LightSettings read_light_settings(const formats::Entity& worldspawn) {
   settings.dirt = read_dirt_settings(worldspawn);
   settings.min_light_dirt = settings.dirt.on && read_number_or(worldspawn, "minlight_dirt", 0) >= 0;
   settings.bounce = read_bounce_settings(worldspawn);
+  settings.units_per_luxel = read_positive_or(worldspawn, "world_units_per_luxel", 0);
   return settings;
 }
 

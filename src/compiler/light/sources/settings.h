@@ -32,6 +32,7 @@ struct LightSettings {
   bool min_light_dirt = false;
   DirtSettings dirt;
   BounceSettings bounce;
+  float units_per_luxel = 0;  // _world_units_per_luxel, for brushes without their own; 0: off
 };
 
 // Reads the settings; missing or invalid keys keep their defaults.
