@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -76,11 +77,49 @@ std::vector<math::Vec3> make_normals() {
   return normals;
 }
 
+// The normals of one octant and its borders. A mirror image of a normal is a normal too, so the nearest one
+// to a direction is in the direction's octant: of two mirror images, the one on its side is nearer.
+using Octants = std::array<std::vector<std::uint8_t>, 8>;
+
+std::size_t find_octant(const math::Vec3& direction) {
+  return (direction.x < 0 ? 1u : 0u) + (direction.y < 0 ? 2u : 0u) + (direction.z < 0 ? 4u : 0u);
+}
+
+Octants make_octants() {
+  // Components of normals on a border are zero except for rounding.
+  constexpr float kBorder = 1e-4f;
+  Octants octants;
+  const std::span<const math::Vec3> normals = mdl_normals();
+  for (std::size_t octant = 0; octant < octants.size(); ++octant)
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      const math::Vec3 mirrored =
+          normals[i] * math::Vec3((octant & 1) != 0 ? -1.0f : 1.0f, (octant & 2) != 0 ? -1.0f : 1.0f,
+                                  (octant & 4) != 0 ? -1.0f : 1.0f);
+      if (std::min({mirrored.x, mirrored.y, mirrored.z}) > -kBorder)
+        octants[octant].push_back(static_cast<std::uint8_t>(i));
+    }
+  return octants;
+}
+
 }  // namespace
 
 std::span<const math::Vec3> mdl_normals() {
   static const std::vector<math::Vec3> normals = make_normals();
   return normals;
+}
+
+std::uint8_t find_nearest_normal(const math::Vec3& direction) {
+  static const Octants octants = make_octants();
+  const std::span<const math::Vec3> normals = mdl_normals();
+  std::uint8_t nearest = 0;
+  float most_along = -std::numeric_limits<float>::infinity();
+  for (const std::uint8_t i : octants[find_octant(direction)]) {
+    const float along = glm::dot(normals[i], direction);
+    if (along <= most_along) continue;
+    nearest = i;
+    most_along = along;
+  }
+  return nearest;
 }
 
 }  // namespace temblor::formats

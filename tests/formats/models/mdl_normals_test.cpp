@@ -15,6 +15,7 @@
 
 #include "formats/models/mdl.h"
 #include "support/game_data.h"
+#include "support/random.h"
 
 namespace temblor::formats {
 namespace {
@@ -49,6 +50,19 @@ TEST(MdlNormals, HaveAnIcosahedronsSymmetry) {
           math::Vec3d(normal.x, normal.y, -normal.z), math::Vec3d(normal.y, normal.z, normal.x)})
       EXPECT_LT(angle_deg(mdl_normals()[nearest(image)], image), 1e-3);
   }
+}
+
+TEST(MdlNormals, TheNearestIsThatOfAllComparisons) {
+  test::Random random(1);
+  for (int i = 0; i < 20000; ++i) {
+    math::Vec3 direction = random.in_cube(100);
+    // Some on the borders of octants.
+    if (random.chance(0.2)) direction[static_cast<int>(random.below(3))] = random.chance(0.5) ? 0.0f : -0.0f;
+    const math::Vec3 found = mdl_normals()[find_nearest_normal(direction)];
+    const math::Vec3 best = mdl_normals()[nearest(math::Vec3d(direction))];
+    ASSERT_NEAR(glm::dot(found, direction), glm::dot(best, direction), 1e-4);
+  }
+  EXPECT_LT(find_nearest_normal(math::Vec3(0.0f)), kMdlNormals);
 }
 
 math::Vec3d position(const Mdl& mdl, const MdlVertex& vertex) {
