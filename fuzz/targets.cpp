@@ -24,6 +24,7 @@ constexpr Target kTargets[] = {
     {"lit", fuzz_lit},
     {"localization", fuzz_localization},
     {"map", fuzz_map},
+    {"md3", fuzz_md3},
     {"md5", fuzz_md5},
     {"mdl", fuzz_mdl},
     {"message", fuzz_message},

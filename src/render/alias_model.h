@@ -1,5 +1,5 @@
-// An alias model (MDL file) in the form in which it is drawn. It is made once from the parsed file, is
-// immutable, and is shared by all renderers and threads. The layout is private (alias/alias_mesh.h).
+// An alias model (MDL, MD3, or MD5 file) in the form in which it is drawn. It is made once from the parsed
+// file, is immutable, and is shared by all renderers and threads. The layout is private (alias/alias_mesh.h).
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "base/index.h"
 #include "formats/models/mdl.h"
+#include "formats/models/posed_model.h"
 #include "math/vec.h"
 
 namespace temblor::render {
@@ -22,6 +23,11 @@ struct AliasModel;
 // CHECKs that the file has a skin with pixels, a frame, and a vertex; the MDL reader guarantees that. `name`
 // is only used in messages.
 std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std::string name);
+// CHECKs that the model has skins, with a picture for each mesh and member, and that its vertices are within
+// formats::kMaxMdlCoordinate. Pictures of all meshes are joined to one (alias/mesh/skin_atlas.h), so fails if
+// that would be too large.
+base::Result<std::shared_ptr<const AliasModel>> make_alias_model(const formats::PosedModel& posed,
+                                                                 std::string name);
 
 // The pose that frame number `frame` shows at `time_s`. A frame group plays in a loop. A frame number that
 // the model lacks shows frame 0, as in stock Quake.

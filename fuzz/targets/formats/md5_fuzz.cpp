@@ -1,6 +1,6 @@
 // Feeds arbitrary text to the MD5 readers, as a model and as an animation. Each must return an error or a
 // value that keeps the promises of its header: all indices in range, parents before children, finite
-// positions.
+// positions. A model becomes a drawable one, in its bind pose.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include "base/bytes.h"
 #include "base/check.h"
 #include "formats/models/md5.h"
+#include "fuzz/posed_checks.h"
 #include "fuzz/targets.h"
 
 namespace {
@@ -41,6 +42,8 @@ int temblor::fuzz::fuzz_md5(const std::uint8_t* data, std::size_t size) {
     CHECK(model->bind_pose.size() == model->joints.size() && !model->meshes.empty());
     for (const Md5JointPose& pose : model->bind_pose) check_finite(pose);
     for (const Md5Mesh& mesh : model->meshes) check_mesh(*model, mesh);
+    if (const auto posed = pose_md5(*model, {0, model->joints, {model->bind_pose}}); posed.ok())
+      check_drawable(*posed);
   }
   if (const auto animation = read_md5_animation(text); animation.ok()) {
     check_joints(animation->joints);

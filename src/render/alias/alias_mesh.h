@@ -29,13 +29,17 @@ struct AnimatedMembers {
   std::vector<float> end_times_s;
 };
 
-// One pose: four rows of `vertices_per_row` bytes, with x, y, z, and the index of the normal. Rows instead of
-// records, so that kernels load a vector of each.
-struct PoseBytes {
-  const std::uint8_t *x, *y, *z, *normals;
+// One pose: four rows of `vertices_per_row` elements, with x, y, z, and the index of the normal. Rows instead
+// of records, so that kernels load a vector of each.
+template <typename Element>
+struct PoseRows {
+  const Element *x, *y, *z, *normals;
 };
+using PoseBytes = PoseRows<std::uint8_t>;
+using WidePose = PoseRows<std::uint16_t>;
 
-// The mesh with its poses and skins. A vertex's position in model space is bytes * scale + origin.
+// The mesh with its poses and skins. A vertex's position in model space is elements * scale + origin. Poses
+// are bytes if the model was an MDL file, and otherwise have 16 bits.
 struct AliasModel {
   // Row lengths are multiples of this: kernels process so many vertices at once. The last vertex is repeated.
   static constexpr std::size_t kRowMultiple = 16;
@@ -51,25 +55,36 @@ struct AliasModel {
   // By vertex; centers of texels, inside the skin.
   std::vector<TexelPoint> texels;
   std::vector<MeshTriangle> triangles;
-  float mean_side = 0;              // of the triangles, in units, in the first pose
-  std::vector<std::uint8_t> poses;  // pose by pose, as PoseBytes has it
+  float mean_side = 0;  // of the triangles, in units, in the first pose
+  // Pose by pose, as PoseRows has it; one of the two is empty.
+  std::vector<std::uint8_t> poses;
+  std::vector<std::uint16_t> wide_poses;
   std::vector<AnimatedMembers> frames;
 
   std::uint32_t skin_width = 0, skin_height = 0;
   std::vector<std::uint8_t> skin_texels;  // picture by picture, rows from the top
   std::vector<AnimatedMembers> skins;
 
-  PoseBytes pose(PoseIndex index) const {
-    const std::uint8_t* first = poses.data() + base::to_size(index) * 4 * vertices_per_row;
-    return {first, first + vertices_per_row, first + 2 * vertices_per_row, first + 3 * vertices_per_row};
-  }
-  std::size_t pose_count() const { return poses.size() / (4 * vertices_per_row); }
+  bool is_wide() const { return !wide_poses.empty(); }
+  PoseBytes pose(PoseIndex index) const { return rows(poses, index); }
+  WidePose wide_pose(PoseIndex index) const { return rows(wide_poses, index); }
+  std::size_t pose_count() const { return (poses.size() + wide_poses.size()) / (4 * vertices_per_row); }
   // `number` is a result of skin_at().
   const std::uint8_t* skin_picture(std::uint32_t number) const {
     return skin_texels.data() + number * picture_bytes();
   }
   std::size_t picture_bytes() const { return std::size_t{skin_width} * skin_height; }
   std::size_t picture_count() const { return skin_texels.size() / picture_bytes(); }
+
+ private:
+  template <typename Element>
+  PoseRows<Element> rows(const std::vector<Element>& all, PoseIndex index) const {
+    const Element* first = all.data() + base::to_size(index) * 4 * vertices_per_row;
+    return {first, first + vertices_per_row, first + 2 * vertices_per_row, first + 3 * vertices_per_row};
+  }
 };
+
+// Returns the mean length of the triangles' sides. It decides between rasterizers, so one pose is enough.
+double compute_mean_side(std::span<const MeshTriangle> triangles, std::span<const math::Vec3d> positions);
 
 }  // namespace temblor::render

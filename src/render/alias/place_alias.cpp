@@ -94,7 +94,7 @@ void set_projection(const ViewFrame& view, AliasRole role, AliasPlacement& io_pl
   io_placement.depth_scale = kWeaponDepthScale;
 }
 
-// Combines the decoding of pose bytes (scale and origin) with the transform to view space.
+// Combines the decoding of poses (scale and origin) with the transform to view space.
 void set_to_view(const AliasModel& model, const Affine& to_view, AliasPlacement& io_placement) {
   const math::Vec3d scale(model.scale);
   const math::Vec3d offset = to_view(math::Vec3d(model.origin));

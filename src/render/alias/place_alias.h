@@ -22,7 +22,7 @@ enum class AliasRole { kWorld, kViewWeapon };
 struct AliasPlacement {
   const AliasInstance* instance;
   math::Vec3d x_axis, y_axis, z_axis;  // the model's axes in world space, of length 1
-  float to_view[3][4];                 // bytes of a pose to view space, as in VertexJob
+  float to_view[3][4];                 // elements of a pose to view space, as in VertexJob
   float pixels_per_unit, depth_scale;
   float near_z;
   bool perspective;

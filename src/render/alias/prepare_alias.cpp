@@ -1,6 +1,7 @@
 #include "render/alias/prepare_alias.h"
 
 #include <algorithm>
+#include <array>
 
 #include "render/alias/clip_triangles.h"
 #include "render/alias/light_alias.h"
@@ -14,22 +15,29 @@ std::int32_t steps_per_pixel(const Settings& settings) {
   return settings.alias_snap ? 1 : kSubpixels;
 }
 
-VertexJob vertex_job(const ViewFrame& view, const AliasPlacement& placement, std::int32_t steps,
-                     const NormalLights& lights) {
+// Where the kernels write.
+struct VertexOutput {
+  std::span<ScreenVertex> vertices;
+  std::array<std::span<float>, 3> view;  // empty: not needed
+};
+
+// Blends and projects the vertices of two poses.
+template <typename Element>
+void project_poses(const FrameContext& context, const ViewFrame& view, const AliasPlacement& placement,
+                   const std::array<PoseRows<Element>, 2>& poses, const NormalLights& lights,
+                   const VertexOutput& output) {
   const AliasInstance& instance = *placement.instance;
-  const AliasModel& model = *instance.model;
-  const PoseBytes from = model.pose(instance.from_pose), to = model.pose(instance.to_pose);
-  VertexJob job{};
-  const auto set = [](const PoseBytes& pose, const std::uint8_t*(&out)[4]) {
+  PoseJob<Element> job{};
+  const auto set = [](const PoseRows<Element>& pose, const Element*(&out)[4]) {
     out[0] = pose.x;
     out[1] = pose.y;
     out[2] = pose.z;
     out[3] = pose.normals;
   };
-  set(from, job.from);
-  set(to, job.to);
+  set(poses[0], job.from);
+  set(poses[1], job.to);
   job.blend = instance.blend > 0 ? std::min(instance.blend, 1.0f) : 0.0f;
-  job.count = model.vertices_per_row;
+  job.count = instance.model->vertices_per_row;
   std::copy_n(&placement.to_view[0][0], 12, &job.to_view[0][0]);
   job.center_x = static_cast<float>(view.center_x);
   job.center_y = static_cast<float>(view.center_y);
@@ -37,9 +45,12 @@ VertexJob vertex_job(const ViewFrame& view, const AliasPlacement& placement, std
   job.perspective = placement.perspective;
   job.near_z = placement.near_z;
   job.depth_scale = placement.depth_scale;
-  job.steps_per_pixel = steps;
+  job.steps_per_pixel = steps_per_pixel(context.settings);
   job.lights = lights.data();
-  return job;
+  job.out = output.vertices.data();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    job.view[axis] = output.view[axis].empty() ? nullptr : output.view[axis].data();
+  context.settings.simd_kernels ? project_vertices_simd(job) : project_vertices_scalar(job);
 }
 
 // Subdivision does not clip, so the whole box must be inside the picture.
@@ -63,17 +74,21 @@ PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
                                : light_alias(context.scene, instance, format, settings.colored_light);
   const NormalLights lights = light_normals(light, placement, format);
 
-  VertexJob vertices = vertex_job(view, placement, steps_per_pixel(settings), lights);
-  const std::span<ScreenVertex> projected = arena.allocate<ScreenVertex>(model.vertices_per_row);
-  vertices.out = projected.data();
-  ProjectedMesh mesh{projected.first(model.vertex_count), {}, model.texels, model.triangles};
+  VertexOutput projected{arena.allocate<ScreenVertex>(model.vertices_per_row), {}};
   if (placement.needs_clipping)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::span<float> view_axis = arena.allocate<float>(model.vertices_per_row);
-      vertices.view[axis] = view_axis.data();
-      mesh.view[axis] = view_axis;
-    }
-  settings.simd_kernels ? project_vertices_simd(vertices) : project_vertices_scalar(vertices);
+    for (std::span<float>& axis : projected.view) axis = arena.allocate<float>(model.vertices_per_row);
+  if (model.is_wide())
+    project_poses<std::uint16_t>(context, view, placement,
+                                 {model.wide_pose(instance.from_pose), model.wide_pose(instance.to_pose)},
+                                 lights, projected);
+  else
+    project_poses<std::uint8_t>(context, view, placement,
+                                {model.pose(instance.from_pose), model.pose(instance.to_pose)}, lights,
+                                projected);
+  const ProjectedMesh mesh{projected.vertices.first(model.vertex_count),
+                           {projected.view[0], projected.view[1], projected.view[2]},
+                           model.texels,
+                           model.triangles};
 
   ClippedMesh drawn{mesh.vertices, mesh.texels, mesh.triangles};
   if (placement.needs_clipping)

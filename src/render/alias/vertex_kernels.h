@@ -20,13 +20,15 @@ struct ScreenVertex {
   float light;        // blended from `lights`, by the normals of both poses
 };
 
-struct VertexJob {
+// `Element` is what poses are stored as: bytes, as in MDL files, or 16 bits for models with finer positions.
+template <typename Element>
+struct PoseJob {
   // The two poses: x, y, z, and number of the normal, each by vertex.
-  const std::uint8_t* from[4];
-  const std::uint8_t* to[4];
+  const Element* from[4];
+  const Element* to[4];
   float blend;        // 0: from, 1: to
   std::size_t count;  // a multiple of 16
-  // Bytes to view space: x right, y up, z forward. The last column is added.
+  // Elements to view space: x right, y up, z forward. The last column is added.
   float to_view[3][4];
   float center_x, center_y, pixels_per_unit;
   bool perspective;
@@ -42,7 +44,12 @@ struct VertexJob {
   float* view[3];
 };
 
+using VertexJob = PoseJob<std::uint8_t>;
+using WideVertexJob = PoseJob<std::uint16_t>;
+
 void project_vertices_scalar(const VertexJob& job);
+void project_vertices_scalar(const WideVertexJob& job);
 void project_vertices_simd(const VertexJob& job);
+void project_vertices_simd(const WideVertexJob& job);
 
 }  // namespace temblor::render

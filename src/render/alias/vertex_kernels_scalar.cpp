@@ -6,7 +6,8 @@ namespace temblor::render {
 
 namespace {
 
-float blended(const std::uint8_t* from, const std::uint8_t* to, std::size_t i, float blend) {
+template <typename Element>
+float blended(const Element* from, const Element* to, std::size_t i, float blend) {
   const float a = from[i], b = to[i];
   return a + (b - a) * blend;
 }
@@ -19,10 +20,9 @@ std::int32_t to_subpixels(float pixels, std::int32_t steps_per_pixel) {
          (kSubpixels / steps_per_pixel);
 }
 
-}  // namespace
-
 // The order of operations defines the result; the SIMD version has the same order and no fused multiply-adds.
-void project_vertices_scalar(const VertexJob& job) {
+template <typename Element>
+void project(const PoseJob<Element>& job) {
   for (std::size_t i = 0; i < job.count; ++i) {
     const float x = blended(job.from[0], job.to[0], i, job.blend);
     const float y = blended(job.from[1], job.to[1], i, job.blend);
@@ -46,6 +46,16 @@ void project_vertices_scalar(const VertexJob& job) {
     const float light_from = job.lights[job.from[3][i]], light_to = job.lights[job.to[3][i]];
     out.light = light_from + (light_to - light_from) * job.blend;
   }
+}
+
+}  // namespace
+
+void project_vertices_scalar(const VertexJob& job) {
+  project(job);
+}
+
+void project_vertices_scalar(const WideVertexJob& job) {
+  project(job);
 }
 
 }  // namespace temblor::render

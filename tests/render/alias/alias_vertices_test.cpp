@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "render/alias/vertex_kernels.h"
@@ -15,19 +16,27 @@ namespace {
 
 constexpr std::size_t kCount = 64;
 
+// Positions have all bits of an element; normals are below 256.
+template <typename Element>
 struct RandomVertices {
-  explicit RandomVertices(std::uint64_t seed) : bytes(8 * kCount), lights(256) {
+  explicit RandomVertices(std::uint64_t seed) : elements(8 * kCount), lights(256) {
     Random random(seed);
-    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.below(256));
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const bool is_normal = i / kCount % 4 == 3;
+      elements[i] =
+          static_cast<Element>(random.below(is_normal ? 256 : std::numeric_limits<Element>::max() + 1));
+    }
+    constexpr double kSteps = (std::numeric_limits<Element>::max() + 1) / 256;
     for (float& light : lights) light = static_cast<float>(random.uniform(0, 16320));
     for (int row = 0; row < 4; ++row) {
-      job.from[row] = &bytes[static_cast<std::size_t>(row) * kCount];
-      job.to[row] = &bytes[static_cast<std::size_t>(row + 4) * kCount];
+      job.from[row] = &elements[static_cast<std::size_t>(row) * kCount];
+      job.to[row] = &elements[static_cast<std::size_t>(row + 4) * kCount];
     }
     job.blend = random.chance(0.3) ? 0.0f : static_cast<float>(random.uniform(0, 1));
     job.count = kCount;
     for (auto& row : job.to_view)
-      for (int column = 0; column < 3; ++column) row[column] = static_cast<float>(random.uniform(-1, 1));
+      for (int column = 0; column < 3; ++column)
+        row[column] = static_cast<float>(random.uniform(-1, 1) / kSteps);
     job.to_view[0][3] = static_cast<float>(random.uniform(-300, 300));
     job.to_view[1][3] = static_cast<float>(random.uniform(-300, 300));
     // Some behind the eye.
@@ -42,9 +51,9 @@ struct RandomVertices {
     job.lights = lights.data();
   }
 
-  std::vector<std::uint8_t> bytes;
+  std::vector<Element> elements;
   std::vector<float> lights;
-  render::VertexJob job{};
+  render::PoseJob<Element> job{};
 };
 
 struct Projected {
@@ -53,21 +62,22 @@ struct Projected {
                                 std::vector<float>(kCount)};
 };
 
-template <auto Project>
-Projected project(render::VertexJob job) {
+template <typename Element>
+Projected project(render::PoseJob<Element> job, bool simd) {
   Projected projected;
   job.out = projected.vertices.data();
   for (std::size_t axis = 0; axis < 3; ++axis) job.view[axis] = projected.view[axis].data();
-  Project(job);
+  simd ? render::project_vertices_simd(job) : render::project_vertices_scalar(job);
   return projected;
 }
 
-TEST(AliasVertices, SimdMatchesTheScalarReference) {
+template <typename Element>
+void expect_simd_matches() {
   for_each_simd_target([] {
     for (int seed = 0; seed < effort(300, 30); ++seed) {
-      const RandomVertices random(static_cast<std::uint64_t>(seed));
-      const Projected expected = project<render::project_vertices_scalar>(random.job);
-      const Projected drawn = project<render::project_vertices_simd>(random.job);
+      const RandomVertices<Element> random(static_cast<std::uint64_t>(seed));
+      const Projected expected = project(random.job, false);
+      const Projected drawn = project(random.job, true);
       ASSERT_EQ(
           std::memcmp(expected.vertices.data(), drawn.vertices.data(), kCount * sizeof(render::ScreenVertex)),
           0)
@@ -78,11 +88,17 @@ TEST(AliasVertices, SimdMatchesTheScalarReference) {
   });
 }
 
-TEST(AliasVertices, LieWhereDoubleArithmeticPutsThem) {
+TEST(AliasVertices, SimdMatchesTheScalarReference) {
+  expect_simd_matches<std::uint8_t>();
+  expect_simd_matches<std::uint16_t>();
+}
+
+template <typename Element>
+void expect_double_arithmetic() {
   for (int seed = 0; seed < effort(300, 30); ++seed) {
-    const RandomVertices random(static_cast<std::uint64_t>(seed));
-    const render::VertexJob& job = random.job;
-    const Projected projected = project<render::project_vertices_scalar>(job);
+    const RandomVertices<Element> random(static_cast<std::uint64_t>(seed));
+    const render::PoseJob<Element>& job = random.job;
+    const Projected projected = project(job, false);
     for (std::size_t i = 0; i < kCount; ++i) {
       const auto blended = [&](int row) {
         return job.from[row][i] + (double{1} * job.to[row][i] - job.from[row][i]) * double{job.blend};
@@ -108,6 +124,11 @@ TEST(AliasVertices, LieWhereDoubleArithmeticPutsThem) {
       ASSERT_NEAR(vertex.depth, depth, 4e-4 * std::abs(depth) + 3e-4) << "seed " << seed;
     }
   }
+}
+
+TEST(AliasVertices, LieWhereDoubleArithmeticPutsThem) {
+  expect_double_arithmetic<std::uint8_t>();
+  expect_double_arithmetic<std::uint16_t>();
 }
 
 }  // namespace

@@ -92,17 +92,13 @@ math::Bounds compute_bounds(const AliasModel& model) {
   return {glm::min(a, b), glm::max(a, b)};
 }
 
-// Measures the first pose. The result decides between rasterizers, so an estimate is enough.
-float compute_mean_side(const AliasModel& model) {
+// Returns the first pose, relative to the model's origin.
+std::vector<math::Vec3d> decode_first_pose(const AliasModel& model) {
   const PoseBytes pose = model.pose(PoseIndex{0});
-  const auto position = [&](std::uint32_t i) {
-    return math::Vec3d(pose.x[i], pose.y[i], pose.z[i]) * math::Vec3d(model.scale);
-  };
-  double sum = 0;
-  for (const MeshTriangle& triangle : model.triangles)
-    for (std::size_t corner = 0; corner < 3; ++corner)
-      sum += glm::distance(position(triangle[corner]), position(triangle[(corner + 1) % 3]));
-  return static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(1, model.triangles.size() * 3)));
+  std::vector<math::Vec3d> positions;
+  for (std::size_t i = 0; i < model.vertex_count; ++i)
+    positions.push_back(math::Vec3d(pose.x[i], pose.y[i], pose.z[i]) * math::Vec3d(model.scale));
+  return positions;
 }
 
 std::uint32_t member_at(const AnimatedMembers& members, double time_s) {
@@ -116,6 +112,14 @@ const AnimatedMembers& numbered(const std::vector<AnimatedMembers>& all, std::ui
 }
 
 }  // namespace
+
+double compute_mean_side(std::span<const MeshTriangle> triangles, std::span<const math::Vec3d> positions) {
+  double sum = 0;
+  for (const MeshTriangle& triangle : triangles)
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      sum += glm::distance(positions[triangle[corner]], positions[triangle[(corner + 1) % 3]]);
+  return sum / static_cast<double>(std::max<std::size_t>(1, triangles.size() * 3));
+}
 
 std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std::string name) {
   CHECK(mdl.skin_width > 0 && mdl.skin_height > 0 && !mdl.frames.empty() && !mdl.skins.empty() &&
@@ -143,7 +147,7 @@ std::shared_ptr<const AliasModel> make_alias_model(const formats::Mdl& mdl, std:
     for (const formats::MdlPose& pose : frame.poses) append_pose(pose, splitter.sources(), *model);
   }
   model->bounds = compute_bounds(*model);
-  model->mean_side = compute_mean_side(*model);
+  model->mean_side = static_cast<float>(compute_mean_side(model->triangles, decode_first_pose(*model)));
 
   std::uint32_t picture_count = 0;
   for (const formats::MdlSkin& skin : mdl.skins) {
