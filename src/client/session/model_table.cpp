@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 
+#include "assets/posed_models.h"
 #include "base/text.h"
 #include "client/session/placeholder_model.h"
 #include "world/join_levels.h"
@@ -33,25 +34,28 @@ base::Error missing_submodel(std::string_view name, const world::Level& level) {
                      level.name);
 }
 
-base::Result<AliasModelPtr> load_alias_model(const assets::Library& library, const std::string& path) {
-  TRY(const formats::Mdl mdl, library.alias_model(path));
-  return render::make_alias_model(mdl, path);
+base::Result<AliasModelPtr> load_md5_model(const assets::Library& library, const std::string& path,
+                                           const formats::Mdl& mdl) {
+  TRY(const std::optional<formats::PosedModel> posed,
+      assets::load_md5_replacement(library.files(), path, mdl));
+  if (!posed) return AliasModelPtr();
+  return render::make_alias_model(*posed, path);
 }
 
-// Loads any model that is not a level of its own.
-base::Result<ClientModel> load_model(const assets::Library& library, const world::Level& level,
-                                     const std::string& name) {
+// Loads a part of the level or a sprite.
+base::Result<ClientModel> load_other_model(const assets::Library& library, const world::Level& level,
+                                           const std::string& name) {
   if (name.starts_with('*')) {
     const auto part = find_submodel(level, name);
     if (!part) return missing_submodel(name, level);
     return ClientModel(*part);
   }
-  if (base::to_lower(name).ends_with(".spr")) {
-    TRY(formats::Spr sprite, library.sprite(name));
-    return ClientModel(std::make_shared<const formats::Spr>(std::move(sprite)));
-  }
-  TRY(AliasModelPtr model, load_alias_model(library, name));
-  return ClientModel(std::move(model));
+  TRY(formats::Spr sprite, library.sprite(name));
+  return ClientModel(std::make_shared<const formats::Spr>(std::move(sprite)));
+}
+
+bool is_alias_model(const std::string& name) {
+  return !name.starts_with('*') && !base::to_lower(name).ends_with(".spr");
 }
 
 // Ammo boxes and similar items are .bsp files too.
@@ -61,12 +65,31 @@ bool is_level(const std::string& name) {
 
 }  // namespace
 
+base::Result<ModelTable::AliasPair> ModelTable::load_alias_pair(const assets::Library& library,
+                                                                const std::string& path,
+                                                                std::vector<std::string>& io_notes) {
+  if (assets::is_posed_model(path)) {
+    TRY(const formats::PosedModel posed, assets::load_posed_model(library.files(), path, io_notes));
+    TRY(AliasModelPtr model, render::make_alias_model(posed, path).with_file(path));
+    return AliasPair{std::move(model), nullptr};
+  }
+  TRY(const formats::Mdl mdl, library.alias_model(path));
+  AliasPair pair{render::make_alias_model(mdl, path), nullptr};
+  base::Result<AliasModelPtr> md5 = load_md5_model(library, path, mdl);
+  if (md5.ok())
+    pair.md5 = std::move(md5).value();
+  else
+    io_notes.push_back(fmt::format("{}. {} is drawn instead", md5.error().message(), path));
+  return pair;
+}
+
 // Brush models from other files are joined to the level, so that one tree of models serves rendering and
 // traces.
 void ModelTable::load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
                              std::span<const std::string> names, const assets::LevelOptions& options,
                              std::vector<std::string>& io_notes) {
   models_.assign(names.size(), placeholder_);
+  md5_models_.resize(names.size());
   models_[kLevelNumber] = world::ModelIndex{0};
   std::vector<std::shared_ptr<const world::Level>> boxes;
   std::vector<std::size_t> box_numbers;
@@ -84,7 +107,17 @@ void ModelTable::load_models(const assets::Library& library, const std::shared_p
       box_numbers.push_back(number);
       continue;
     }
-    base::Result<ClientModel> model = load_model(library, *level, names[number]);
+    if (is_alias_model(names[number])) {
+      base::Result<AliasPair> pair = load_alias_pair(library, names[number], io_notes);
+      if (!pair.ok()) {
+        note(pair.error());
+        continue;
+      }
+      models_[number] = std::move(pair->mdl);
+      md5_models_[number] = std::move(pair->md5);
+      continue;
+    }
+    base::Result<ClientModel> model = load_other_model(library, *level, names[number]);
     if (model.ok())
       models_[number] = std::move(model).value();
     else
@@ -96,9 +129,9 @@ void ModelTable::load_models(const assets::Library& library, const std::shared_p
 }
 
 // Not every game has all four, and most levels show none, so missing ones are not reported.
-void ModelTable::load_beams(const assets::Library& library) {
+void ModelTable::load_beams(const assets::Library& library, std::vector<std::string>& io_notes) {
   for (std::size_t i = 0; i < kBeamPaths.size(); ++i) {
-    base::Result<AliasModelPtr> beam = load_alias_model(library, kBeamPaths[i]);
+    base::Result<AliasPair> beam = load_alias_pair(library, kBeamPaths[i], io_notes);
     if (beam.ok()) beams_[i] = std::move(beam).value();
   }
 }
@@ -114,7 +147,7 @@ base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::s
   ModelTable table;
   table.placeholder_ = render::make_alias_model(make_placeholder_model(), "missing model");
   table.load_models(library, loaded.level, names, options, io_notes);
-  table.load_beams(library);
+  table.load_beams(library, io_notes);
   for (std::size_t number = 0; number < names.size(); ++number) {
     const ClientModel& model = table.models_[number];
     const auto* alias = std::get_if<AliasModelPtr>(&model);
@@ -128,6 +161,13 @@ base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::s
 
 const ClientModel& ModelTable::model(std::size_t number) const {
   return contains(number) ? models_[number] : placeholder_;
+}
+
+const render::AliasModel* ModelTable::alias_model(std::size_t number, bool prefers_md5) const {
+  const auto* mdl = std::get_if<AliasModelPtr>(&model(number));
+  if (mdl == nullptr) return nullptr;
+  const bool has_md5 = contains(number) && md5_models_[number] != nullptr;
+  return prefers_md5 && has_md5 ? md5_models_[number].get() : mdl->get();
 }
 
 }  // namespace temblor::client

@@ -119,12 +119,12 @@ void Presentation::make_scene(const ClientState& state, double time_s, const Fra
   const bool is_first_scene = scene_.level == nullptr;
   lights_before_.swap(lights_);
   light_before_ = {lights_before_, scene_.light_styles};
-  scene_ = scene_builder_.build(
-      {*models_, game, frame_view.entities, effects_, frame_view.view,
-       state.interpolate_weapon_frame(time_s, client_settings_), time_s,
-       settings.show_weapon && game.ending == Ending::kNone,
-       settings.camera.has_value() || settings.choices.chase.has_value(), settings.choices.light_styles},
-      notes_);
+  scene_ = scene_builder_.build({*models_, game, frame_view.entities, effects_, frame_view.view,
+                                 state.interpolate_weapon_frame(time_s, client_settings_), time_s,
+                                 settings.show_weapon && game.ending == Ending::kNone,
+                                 settings.camera.has_value() || settings.choices.chase.has_value(),
+                                 settings.choices.light_styles, settings.choices.md5_models},
+                                notes_);
   scene_.weapon_fov_deg = settings.weapon_fov_deg;
   apply_choices(settings.choices, scene_);
   make_box_lines(settings.boxes, lines_);

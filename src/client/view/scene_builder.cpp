@@ -77,8 +77,8 @@ void SceneBuilder::add_entity(const SceneInput& input, const InterpolatedEntity&
     if (*brush_model == world::ModelIndex{0}) return;
     brush_models_.push_back(
         {*brush_model, entity.origin_world, entity.angles_deg, entity.to_frame, entity.alpha});
-  } else if (const auto* alias = std::get_if<AliasModelPtr>(&model)) {
-    add_alias(input, entity, **alias);
+  } else if (const auto* alias = input.models.alias_model(entity.model, input.prefers_md5)) {
+    add_alias(input, entity, *alias);
   } else {
     add_sprite(input, entity, *std::get<SpritePtr>(model));
   }
@@ -87,10 +87,10 @@ void SceneBuilder::add_entity(const SceneInput& input, const InterpolatedEntity&
 // Games without a model for a kind of beam show nothing for it.
 void SceneBuilder::add_beams(const SceneInput& input) {
   for (const BeamPiece& piece : input.effects.beams()) {
-    const AliasModelPtr& model = input.models.beam(piece.model);
+    const render::AliasModel* model = input.models.beam(piece.model, input.prefers_md5);
     if (model == nullptr) continue;
     render::AliasInstance instance;
-    instance.model = model.get();
+    instance.model = model;
     instance.origin_world = piece.origin_world;
     instance.angles_deg = piece.angles_deg;
     instance.full_bright = true;
@@ -102,14 +102,14 @@ void SceneBuilder::add_beams(const SceneInput& input) {
 bool SceneBuilder::place_weapon(const SceneInput& input) {
   const auto number = static_cast<std::size_t>(std::max(0, input.game.stat(Stat::kWeaponModel)));
   if (!input.show_weapon || !input.view.show_weapon || number == 0) return false;
-  const auto* model = std::get_if<AliasModelPtr>(&input.models.model(number));
+  const render::AliasModel* model = input.models.alias_model(number, input.prefers_md5);
   if (model == nullptr || !input.models.contains(number)) return false;
   weapon_ = {};
-  weapon_.model = model->get();
+  weapon_.model = model;
   weapon_.origin_world = input.view.weapon_origin_world;
   weapon_.angles_deg = input.view.weapon_angles_deg;
-  weapon_.from_pose = render::pose_at(**model, input.weapon_frame.from, input.time_s);
-  weapon_.to_pose = render::pose_at(**model, input.weapon_frame.to, input.time_s);
+  weapon_.from_pose = render::pose_at(*model, input.weapon_frame.from, input.time_s);
+  weapon_.to_pose = render::pose_at(*model, input.weapon_frame.to, input.time_s);
   weapon_.blend = input.weapon_frame.blend;
   weapon_.alpha = input.game.data.weapon_alpha;
   weapon_.min_light = kWeaponMinLight;

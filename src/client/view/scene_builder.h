@@ -28,6 +28,8 @@ struct SceneInput {
   // Draw the player's own body, for cameras outside it.
   bool show_player = false;
   world::LightStyleMode light_styles = world::LightStyleMode::kFlickering;
+  // Draw MD5 models instead of the MDL files that they replace: the variable r_md5.
+  bool prefers_md5 = true;
 };
 
 // Owns the lists that a Scene refers to. The lists keep their capacity, so building allocates nothing in the

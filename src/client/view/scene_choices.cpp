@@ -19,6 +19,8 @@ SceneChoiceVariables::SceneChoiceVariables(command::Variables& variables) {
   dynamic_lights_ =
       variables.add_bool("r_dynamic", defaults.dynamic_lights, "Rockets and explosions light the level.");
   water_warp_ = variables.add_bool("r_waterwarp", defaults.warps_underwater, "Warps the view under water.");
+  md5_models_ = variables.add_bool("r_md5", defaults.md5_models,
+                                   "Draws the finer models of the 2021 release, where a game has them.");
   lock_pvs_ = variables.add_bool("r_lockpvs", defaults.locks_pvs,
                                  "Draws only what was visible from where you were when you set it to 1.");
   boxes_ = variables.add_bool("r_showbboxes", defaults.boxes,
@@ -41,6 +43,7 @@ SceneChoices SceneChoiceVariables::read(const command::Variables& variables) con
   choices.particles = variables.int_value(particles_) != 0;
   choices.dynamic_lights = variables.bool_value(dynamic_lights_);
   choices.warps_underwater = variables.bool_value(water_warp_);
+  choices.md5_models = variables.bool_value(md5_models_);
   choices.locks_pvs = variables.bool_value(lock_pvs_);
   choices.boxes = variables.bool_value(boxes_);
   choices.light_styles = static_cast<world::LightStyleMode>(variables.int_value(flat_light_styles_));

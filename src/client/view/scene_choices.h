@@ -20,6 +20,8 @@ struct SceneChoices {
   bool entities = true, particles = true, dynamic_lights = true;
   // False: the view is not warped under water.
   bool warps_underwater = true;
+  // Draws MD5 models instead of the MDL files that they replace.
+  bool md5_models = true;
   // Shows the boxes of entities; the caller supplies them (PresentationSettings::boxes).
   bool boxes = false;
   // Draws what was visible when this became true, wherever the eye goes.
@@ -34,7 +36,7 @@ class SceneChoiceVariables {
   SceneChoices read(const command::Variables& variables) const;
 
  private:
-  command::VariableIndex entities_, particles_, dynamic_lights_, water_warp_, lock_pvs_, boxes_,
+  command::VariableIndex entities_, particles_, dynamic_lights_, water_warp_, md5_models_, lock_pvs_, boxes_,
       flat_light_styles_, chase_active_, chase_back_, chase_up_, chase_right_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "assets/posed_models.h"
 #include "formats/levels/bsp.h"
 
 namespace temblor::server {
@@ -15,7 +16,7 @@ std::vector<ServerModel> make_level_models(const world::Level& level, std::strin
   return models;
 }
 
-// Only .bsp files are read: the size of other models does not matter here, and dedicated servers load faster.
+// MDL files and sprites are not read: their size does not matter here, and dedicated servers load faster.
 // The box of a .bsp is one unit larger on each side, as the original has it for all brush models.
 base::Result<ServerModel> load_server_model(const assets::Library& library, std::string_view name) {
   if (name.ends_with(".bsp")) {
@@ -23,6 +24,10 @@ base::Result<ServerModel> load_server_model(const assets::Library& library, std:
     TRY(const formats::Bsp bsp, formats::read_bsp(bytes).with_file(library.files().describe(name)));
     const formats::BspModel& model = bsp.models.at(0);
     return ServerModel{std::string(name), {model.mins - 1.0f, model.maxs + 1.0f}};
+  }
+  if (assets::is_posed_model(name)) {
+    TRY(const math::Bounds bounds, assets::measure_posed_model(library.files(), name));
+    return ServerModel{std::string(name), bounds};
   }
   if (!library.files().contains(name)) {
     base::Error error = base::error(base::ErrorCode::kNotFound, "there is no such model");

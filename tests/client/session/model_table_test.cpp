@@ -7,6 +7,8 @@
 #include "client/session/placeholder_model.h"
 #include "formats/models/mdl.h"
 #include "formats/models/spr.h"
+#include "support/models/drawable_models.h"
+#include "support/models/posed_samples.h"
 #include "support/programs/small_game.h"
 
 namespace temblor::client {
@@ -81,6 +83,53 @@ TEST_F(ModelTableTest, FailsWithoutItsLevel) {
   }
   EXPECT_FALSE(load({""}).ok());
   EXPECT_FALSE(load({}).ok());
+}
+
+// r_md5 chooses between both at once, because both are loaded.
+TEST_F(ModelTableTest, Md5ModelsAreLoadedNextToMdlFiles) {
+  const test::Md5Sample sample = test::bending_column(6, 4, 3, "cube");
+  for (const std::string name : {"cube", "bolt"}) {
+    game_.folder().write("id1/progs/" + name + ".md5mesh", sample.mesh);
+    game_.folder().write("id1/progs/" + name + ".md5anim", sample.animation);
+  }
+  game_.folder().write("id1/progs/bolt.mdl", formats::write_mdl(make_placeholder_model()));
+  game_.folder().write("id1/progs/cube_00_00.lmp", formats::write_picture({1, 1, {1}}));
+  const std::vector<std::string> names = {"", "maps/small.bsp", "progs/cube.mdl", "progs/spot.spr"};
+  const ModelTable table = load(names).value();
+  EXPECT_THAT(notes_, IsEmpty());
+  const render::AliasModel *mdl = table.alias_model(2, false), *md5 = table.alias_model(2, true);
+  EXPECT_EQ(mdl, std::get<AliasModelPtr>(table.model(2)).get());
+  EXPECT_NE(mdl, md5);
+  EXPECT_GT(render::model_bounds(*md5).maxs.z, 80);
+  EXPECT_EQ(render::frame_count(*md5), render::frame_count(*mdl));
+  EXPECT_EQ(table.flags()[2], formats::kMdlRotate);
+  EXPECT_EQ(table.alias_model(3, true), nullptr) << "a sprite";
+  EXPECT_EQ(table.alias_model(99, true), table.alias_model(99, false)) << "the placeholder";
+  EXPECT_NE(table.beam(BeamModel::kBolt, true), table.beam(BeamModel::kBolt, false));
+  EXPECT_EQ(table.beam(BeamModel::kBolt2, true), nullptr);
+}
+
+TEST_F(ModelTableTest, UnusableMd5ModelsAreNotedAndTheMdlFileIsDrawn) {
+  const test::Md5Sample sample = test::bending_column(6, 4, 3, "none");
+  game_.folder().write("id1/progs/cube.md5mesh", sample.mesh);
+  game_.folder().write("id1/progs/cube.md5anim", sample.animation);
+  const ModelTable table = load({"", "maps/small.bsp", "progs/cube.mdl"}).value();
+  EXPECT_THAT(notes_, ElementsAre(HasSubstr("skin none is missing")));
+  EXPECT_THAT(notes_, ElementsAre(HasSubstr("progs/cube.mdl is drawn instead")));
+  EXPECT_EQ(table.alias_model(2, true), table.alias_model(2, false));
+}
+
+TEST_F(ModelTableTest, Md3ModelsAreLoadedByName) {
+  formats::Md3 md3 = test::convert_to_md3(test::box_mdl(), "models/gem");
+  md3.flags = formats::kMdlRotate;
+  game_.folder().write("id1/models/gem.md3", test::write_md3(md3));
+  game_.folder().write("id1/models/gem.lmp", formats::write_picture({1, 1, {1}}));
+  game_.folder().write("id1/models/damaged.md3", std::string_view("IDP3"));
+  const ModelTable table = load({"", "maps/small.bsp", "models/gem.md3", "models/damaged.md3"}).value();
+  EXPECT_THAT(notes_, ElementsAre(HasSubstr("damaged.md3")));
+  EXPECT_EQ(render::model_name(*table.alias_model(2, true)), "models/gem.md3");
+  EXPECT_EQ(render::model_name(*table.alias_model(3, true)), "missing model");
+  EXPECT_EQ(table.flags()[2], formats::kMdlRotate);
 }
 
 // Every side of the cube faces outward: it is clockwise seen from outside.

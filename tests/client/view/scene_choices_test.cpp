@@ -70,6 +70,14 @@ TEST(SceneChoices, RemoveWhatIsNotWanted) {
   EXPECT_FALSE(scene.underwater);
 }
 
+TEST(SceneChoices, Md5ModelsByVariable) {
+  command::Variables variables;
+  const SceneChoiceVariables choices(variables);
+  EXPECT_TRUE(choices.read(variables).md5_models);
+  ASSERT_TRUE(variables.set("r_md5", "0").ok());
+  EXPECT_FALSE(choices.read(variables).md5_models);
+}
+
 TEST(SceneChoices, ChaseOnlyIfActive) {
   command::Variables variables;
   const SceneChoiceVariables choices(variables);
