@@ -37,10 +37,11 @@ enum class Format {
   kWav,
   kVis,
   kMd5Model,
-  kMd5Animation
+  kMd5Animation,
+  kMd3
 };
 
-constexpr std::array<const char*, 19> kFormatNames = {"level",
+constexpr std::array<const char*, 20> kFormatNames = {"level",
                                                       "colored light",
                                                       "entity text",
                                                       "PAK",
@@ -58,7 +59,8 @@ constexpr std::array<const char*, 19> kFormatNames = {"level",
                                                       "sound",
                                                       "visibility patches",
                                                       "MD5 model",
-                                                      "MD5 animation"};
+                                                      "MD5 animation",
+                                                      "MD3 model"};
 
 // Detects formats that start with a magic number.
 std::optional<Format> detect_format_by_content(base::Bytes bytes) {
@@ -66,7 +68,7 @@ std::optional<Format> detect_format_by_content(base::Bytes bytes) {
     std::string_view bytes;
     Format format;
   };
-  constexpr std::array<Start, 14> kStarts = {{{{"\x1d\0\0\0", 4}, Format::kBsp},
+  constexpr std::array<Start, 15> kStarts = {{{{"\x1d\0\0\0", 4}, Format::kBsp},
                                               {"BSP2", Format::kBsp},
                                               {"2PSB", Format::kBsp},
                                               {"QLIT", Format::kLit},
@@ -76,6 +78,7 @@ std::optional<Format> detect_format_by_content(base::Bytes bytes) {
                                               {"WAD2", Format::kWad},
                                               {"WAD3", Format::kWad3},
                                               {"IDPO", Format::kMdl},
+                                              {"IDP3", Format::kMd3},
                                               {"IDSP", Format::kSpr},
                                               {"RIFF", Format::kWav},
                                               {{"\x06\0\0\0", 4}, Format::kProgs},
@@ -100,7 +103,7 @@ std::optional<Format> detect_format_by_name(const std::filesystem::path& path, s
     std::string_view text;
     Format format;
   };
-  constexpr std::array<Extension, 15> kExtensions = {{{".bsp", Format::kBsp},
+  constexpr std::array<Extension, 16> kExtensions = {{{".bsp", Format::kBsp},
                                                       {".lit", Format::kLit},
                                                       {".vis", Format::kVis},
                                                       {".ent", Format::kEntities},
@@ -108,6 +111,7 @@ std::optional<Format> detect_format_by_name(const std::filesystem::path& path, s
                                                       {".pk3", Format::kPk3},
                                                       {".wad", Format::kWad},
                                                       {".mdl", Format::kMdl},
+                                                      {".md3", Format::kMd3},
                                                       {".md5mesh", Format::kMd5Model},
                                                       {".md5anim", Format::kMd5Animation},
                                                       {".spr", Format::kSpr},
@@ -148,6 +152,8 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_dem(bytes);
     case Format::kMdl:
       return inspect_mdl(bytes);
+    case Format::kMd3:
+      return inspect_md3(bytes);
     case Format::kMd5Model:
       return inspect_md5_model(bytes);
     case Format::kMd5Animation:
@@ -189,7 +195,7 @@ base::Result<Inspection> inspect_content(const std::filesystem::path& path, Insp
   if (!format)
     return base::error(ErrorCode::kUnsupported,
                        "unknown format; known are .bsp, .map, .lit, .vis, .ent, .pak, .pk3, .wad, .lmp, "
-                       ".mdl, .md5mesh, .md5anim, .spr, .dem, "
+                       ".mdl, .md3, .md5mesh, .md5anim, .spr, .dem, "
                        ".dat, and .wav");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));

@@ -33,6 +33,7 @@ base::Result<Inspection> inspect_palette(base::Bytes bytes);
 base::Result<Inspection> inspect_colormap(base::Bytes bytes);
 base::Result<Inspection> inspect_dem(base::Bytes bytes);
 base::Result<Inspection> inspect_mdl(base::Bytes bytes);
+base::Result<Inspection> inspect_md3(base::Bytes bytes);
 base::Result<Inspection> inspect_md5_model(base::Bytes bytes);
 base::Result<Inspection> inspect_md5_animation(base::Bytes bytes);
 base::Result<Inspection> inspect_spr(base::Bytes bytes);

@@ -10,7 +10,9 @@
 #include <optional>
 #include <thread>
 
+#include "app/files/diagnostics.h"
 #include "app/files/picture_file.h"
+#include "app/inspect/sheet_model.h"
 #include "artgen/palette.h"
 #include "base/parallel_for.h"
 #include "base/text.h"
@@ -20,7 +22,6 @@
 #include "formats/images/palette.h"
 #include "formats/images/wad_texture.h"
 #include "formats/levels/map.h"
-#include "formats/models/mdl.h"
 #include "math/angles.h"
 #include "render/renderer.h"
 #include "vfs/disk.h"
@@ -142,43 +143,32 @@ std::vector<std::string> split_at_commas(std::string_view text) {
 }
 
 // Finds a frame by number, otherwise by name.
-base::Result<std::uint32_t> find_frame(const formats::Mdl& mdl, const std::string& text) {
+base::Result<std::uint32_t> find_frame(const std::vector<SheetFrame>& all, const std::string& text) {
   std::uint32_t number = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure == std::errc() && end == text.data() + text.size() && number < mdl.frames.size()) return number;
-  for (std::size_t i = 0; i < mdl.frames.size(); ++i)
-    if (base::equal_ignoring_case(mdl.frames[i].poses.front().name, text))
+  if (failure == std::errc() && end == text.data() + text.size() && number < all.size()) return number;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!all[i].name.empty() && base::equal_ignoring_case(all[i].name, text))
       return static_cast<std::uint32_t>(i);
   return base::error(ErrorCode::kUsage,
                      "--frames: unknown frame \"{}\"; the model has frames 0 to {}, named {} to {}",
-                     base::quotable(text), mdl.frames.size() - 1, mdl.frames.front().poses.front().name,
-                     mdl.frames.back().poses.front().name);
+                     base::quotable(text), all.size() - 1, base::quotable(all.front().name),
+                     base::quotable(all.back().name));
 }
 
 // Returns the frames in the order of the text; for an empty text up to eight, evenly spaced.
-base::Result<std::vector<std::uint32_t>> parse_frames(const formats::Mdl& mdl, const std::string& text) {
+base::Result<std::vector<std::uint32_t>> parse_frames(const std::vector<SheetFrame>& all,
+                                                      const std::string& text) {
   std::vector<std::uint32_t> frames;
   for (const std::string& part : split_at_commas(text)) {
-    TRY(const std::uint32_t frame, find_frame(mdl, part));
+    TRY(const std::uint32_t frame, find_frame(all, part));
     frames.push_back(frame);
   }
   if (!frames.empty()) return frames;
-  const std::size_t count = std::min(kDefaultFrames, mdl.frames.size());
+  const std::size_t count = std::min(kDefaultFrames, all.size());
   for (std::size_t i = 0; i < count; ++i)
-    frames.push_back(static_cast<std::uint32_t>(i * mdl.frames.size() / count));
+    frames.push_back(static_cast<std::uint32_t>(i * all.size() / count));
   return frames;
-}
-
-// Returns the box around the vertices of a frame's first pose, in the model's space.
-math::Bounds frame_box(const formats::Mdl& mdl, std::uint32_t frame) {
-  math::Bounds box{math::Vec3(1e9f), math::Vec3(-1e9f)};
-  for (const formats::MdlVertex& vertex : mdl.frames[frame].poses.front().vertices) {
-    const math::Vec3 place =
-        mdl.scale * math::Vec3(vertex.position[0], vertex.position[1], vertex.position[2]) + mdl.origin;
-    box.mins = glm::min(box.mins, place);
-    box.maxs = glm::max(box.maxs, place);
-  }
-  return box;
 }
 
 // Everything that the cells of a sheet share.
@@ -193,11 +183,12 @@ struct Studio {
   std::vector<math::Bounds> boxes;
 };
 
-Studio begin_studio(const formats::Mdl& mdl, const std::vector<std::uint32_t>& frames) {
+Studio begin_studio(const SheetModel& sheet_model, const std::vector<std::uint32_t>& frames) {
   Studio studio;
+  studio.model = sheet_model.model;
   // A model is lit at its origin, so lift it until the origin is above the floor.
-  studio.lift.z = std::max(1.0f, -frame_box(mdl, 0).mins.z);
-  for (const std::uint32_t frame : frames) studio.boxes.push_back(frame_box(mdl, frame));
+  studio.lift.z = std::max(1.0f, -sheet_model.frames.front().box.mins.z);
+  for (const std::uint32_t frame : frames) studio.boxes.push_back(sheet_model.frames[frame].box);
   return studio;
 }
 
@@ -301,17 +292,17 @@ void copy_into(const render::FrameBuffer& picture, int left, int top, render::Fr
 
 // Draws cell by cell into one small frame and copies it into the sheet, whose rows are the views.
 base::Status draw_model_sheet(const std::filesystem::path& model_file, const SheetOptions& options) {
-  TRY(const base::ByteVector bytes, vfs::read_disk_file(model_file));
-  TRY(const formats::Mdl mdl, formats::read_mdl(bytes).with_file(model_file.string()));
-  TRY(const std::vector<std::uint32_t> frames, parse_frames(mdl, options.frames));
+  std::vector<std::string> notes;
+  TRY(const SheetModel sheet_model, read_sheet_model(model_file, notes));
+  for (const std::string& note : notes) print_note(note);
+  TRY(const std::vector<std::uint32_t> frames, parse_frames(sheet_model.frames, options.frames));
   const std::vector<std::string> views = split_at_commas(options.views);
   TRY_STATUS(check_views(views));
   TRY(const Grid grid, choose_grid(frames.size(), views.size(), options));
   base::Jobs jobs(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  Studio studio = begin_studio(mdl, frames);
+  Studio studio = begin_studio(sheet_model, frames);
   studio.palette = load_palette(model_file);
   TRY(studio.level, make_studio(studio.palette, options.light, jobs));
-  studio.model = render::make_alias_model(mdl, model_file.string());
 
   const auto count = static_cast<int>(frames.size());
   const auto [columns, rows_per_view] = grid;

@@ -29,8 +29,9 @@ struct SheetOptions {
 };
 
 // Draws the sheet with the game's renderer, in a room whose floor is at the lowest point of the model's first
-// frame. The palette is gfx/palette.lmp of the game directory that contains progs/NAME.mdl, otherwise
-// Temblor's own. Errors: a file that is not a model, an unknown frame or view, a sheet that is too large.
+// frame. Draws .mdl, .md3, and .md5mesh files. The palette is gfx/palette.lmp of the game directory that
+// contains progs/NAME.mdl, otherwise Temblor's own. Errors: a file that is not a model, an unknown frame or
+// view, a sheet that is too large.
 base::Status draw_model_sheet(const std::filesystem::path& model_file, const SheetOptions& options);
 
 }  // namespace temblor::app

@@ -18,6 +18,8 @@
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
 #include "support/levels/vis_patch_bytes.h"
+#include "support/models/drawable_models.h"
+#include "support/models/posed_samples.h"
 #include "support/models/small_models.h"
 #include "support/programs/progs_builder.h"
 #include "support/programs/small_game.h"
@@ -117,6 +119,14 @@ TEST_F(InspectProgram, Md5Models) {
   const json animation = inspect("arm.md5anim", read_file(seeds / "arm.md5anim"));
   EXPECT_EQ(animation.at("counts").at("frames"), 2);
   EXPECT_EQ(animation.at("joints").at(1).at("name"), "hand");
+}
+
+TEST_F(InspectProgram, Md3Models) {
+  const json model = inspect("box.md3", write_md3(convert_to_md3(box_mdl(), "models/box")));
+  EXPECT_EQ(model.at("format"), "MD3 model");
+  EXPECT_EQ(model.at("surfaces").at(0).at("triangles"), 12);
+  EXPECT_EQ(model.at("surfaces").at(0).at("shaders").at(0), "models/box");
+  EXPECT_EQ(model.at("frames").size(), 1);
 }
 
 TEST_F(InspectProgram, LightAndEntities) {

@@ -8,7 +8,11 @@
 #include <set>
 
 #include "artgen/models/model.h"
+#include "artgen/palette.h"
 #include "formats/images/image.h"
+#include "formats/images/palette.h"
+#include "formats/images/png.h"
+#include "support/models/posed_samples.h"
 #include "support/programs/temporary_folder.h"
 #include "vfs/disk.h"
 
@@ -106,6 +110,21 @@ TEST_F(ModelSheet, LightsModelsAboveTheirOrigin) {
 TEST_F(ModelSheet, ShowsAModelAsTheViewWeapon) {
   options_.views = "hand";
   EXPECT_EQ(drawn().width, 300u);
+}
+
+// The column, 24 units wide and 96 high, in the bright color of its skin.
+TEST_F(ModelSheet, ShowsMd5ModelsWithTheirSkins) {
+  const test::Md5Sample sample = test::bending_column(16, 12, 4, "column");
+  model_ = folder_.write("progs/column.md5mesh", sample.mesh);
+  folder_.write("progs/column.md5anim", sample.animation);
+  folder_.write("progs/column_00_00.png", formats::write_png(formats::Image{1, 1, {0xffffa040}}).value());
+  folder_.write("gfx/palette.lmp", formats::write_palette(artgen::make_palette()));
+  options_.frames = "0";
+  options_.views = "front";
+  options_.light = 255;
+  const auto [width, height] = size_in(drawn(), 0, 0);
+  EXPECT_GT(height, 80);
+  EXPECT_NEAR(width, height / 4, 4);
 }
 
 TEST_F(ModelSheet, UnknownNamesListTheKnownOnes) {
