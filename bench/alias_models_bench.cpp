@@ -1,16 +1,19 @@
-// Draws a hundred alias models of 400 triangles that fill a fifth of a 1920 x 1080 picture. Measures the
-// whole stage, from poses to pixels.
+// Draws a hundred alias models that fill a fifth of a 1920 x 1080 picture: MDL files of 400 triangles, and
+// MD5 models of 1500 that are between two frames. Measures the whole stage, from poses to pixels.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "math/angles.h"
 #include "render/alias/draw_alias_models.h"
 #include "support/levels/drawable_level.h"
 #include "support/models/drawable_models.h"
+#include "support/models/posed_samples.h"
 #include "support/pictures/stage_parts.h"
 #include "support/random.h"
 
@@ -46,20 +49,47 @@ std::vector<render::AliasInstance> hundred_models(const render::AliasModel& mode
       instance.angles_deg = random.in_cube(180);
       instance.full_bright = false;
       instance.min_light = 80;
+      instance.from_pose = render::pose_at(model, static_cast<std::uint32_t>(row), 0);
+      instance.to_pose = render::pose_at(model, static_cast<std::uint32_t>(row) + 1, 0);
+      instance.blend = 0.5f;
       instances.push_back(instance);
     }
   return instances;
 }
 
-void draw_models(benchmark::State& state, render::PixelFormat format, render::Settings settings,
-                 double share) {
-  const test::DrawableLevel drawable = test::small_level({.tiny = true});
+// A model, and its size in units.
+struct BenchModel {
+  std::shared_ptr<const render::AliasModel> model;
+  float size;
+};
+
+BenchModel make_ball() {
   constexpr float kSize = 64;
-  const auto model = test::small_model(test::sphere_mdl(20, 11), kSize);
+  return {test::small_model(test::sphere_mdl(20, 11), kSize), kSize};
+}
+
+// 1500 triangles, with a skin as large as those of the release.
+BenchModel make_column() {
+  constexpr std::uint32_t kSkinSide = 512;
+  constexpr float kColumnHeight = 96;
+  const test::Md5Sample sample = test::bending_column(30, 25, 20, "column");
+  auto posed = formats::pose_md5(formats::read_md5_model(sample.mesh).value(),
+                                 formats::read_md5_animation(sample.animation).value())
+                   .value();
+  formats::Picture skin{kSkinSide, kSkinSide, {}};
+  for (std::uint32_t i = 0; i < kSkinSide * kSkinSide; ++i)
+    skin.pixels.push_back(static_cast<std::uint8_t>(i / 16 % 224));
+  posed.skins = {{{{skin}}, {}}};
+  return {render::make_alias_model(posed, "column").value(), kColumnHeight};
+}
+
+void draw_models(benchmark::State& state, const BenchModel& bench_model, render::PixelFormat format,
+                 render::Settings settings, double share) {
+  const test::DrawableLevel drawable = test::small_level({.tiny = true});
   render::Scene scene;
   scene.level = drawable.level.get();
   scene.camera.origin_world = {0, 0, 100000};
-  const auto instances = hundred_models(*model, scene.camera, share, kSize);
+  const auto instances = hundred_models(*bench_model.model, scene.camera, share, bench_model.size);
   scene.alias_models = instances;
   const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
   render::FrameBuffer frame(kWidth, kHeight, format);
@@ -89,7 +119,7 @@ void register_all() {
     benchmark::RegisterBenchmark(name,
                                  [=](benchmark::State& state) {
                                    const double side = static_cast<double>(state.range(0)) / kFifthSide;
-                                   draw_models(state, format,
+                                   draw_models(state, make_ball(), format,
                                                {.simd_kernels = vectors, .alias_raster = raster},
                                                kShareOfCircles * side * side);
                                  })
@@ -103,6 +133,16 @@ void register_all() {
   add("models/rgb/affine", PixelFormat::kRgb, AliasRaster::kAffine, true);
   add("models/rgb/affine/plain", PixelFormat::kRgb, AliasRaster::kAffine, false);
   add("models/rgb/subdivision", PixelFormat::kRgb, AliasRaster::kSubdivision, true);
+  // The argument is the percentage of the picture that circles around the models cover together.
+  for (const auto& [name, format] : {std::pair("models/indexed/md5", PixelFormat::kIndexed),
+                                     std::pair("models/rgb/md5", PixelFormat::kRgb)})
+    benchmark::RegisterBenchmark(name,
+                                 [=](benchmark::State& state) {
+                                   draw_models(state, make_column(), format, {},
+                                               static_cast<double>(state.range(0)) / 100);
+                                 })
+        ->Unit(benchmark::kMillisecond)
+        ->ArgsProduct({{2, 5, 15, 50}});
 }
 
 const bool kRegistered = (register_all(), true);
