@@ -19,6 +19,7 @@ constexpr Target kTargets[] = {
     {"handshake", fuzz_handshake},
     {"level", fuzz_level},
     {"light_cache", fuzz_light_cache},
+    {"light_grid", fuzz_light_grid},
     {"light_lumps", fuzz_light_lumps},
     {"light_shard", fuzz_light_shard},
     {"lit", fuzz_lit},

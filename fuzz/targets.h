@@ -33,6 +33,7 @@ int fuzz_frame(const std::uint8_t* data, std::size_t size);
 int fuzz_handshake(const std::uint8_t* data, std::size_t size);
 int fuzz_level(const std::uint8_t* data, std::size_t size);
 int fuzz_light_cache(const std::uint8_t* data, std::size_t size);
+int fuzz_light_grid(const std::uint8_t* data, std::size_t size);
 int fuzz_light_lumps(const std::uint8_t* data, std::size_t size);
 int fuzz_light_shard(const std::uint8_t* data, std::size_t size);
 int fuzz_lit(const std::uint8_t* data, std::size_t size);

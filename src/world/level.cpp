@@ -104,6 +104,17 @@ base::Status take_light(formats::Bsp& io_bsp, const formats::Lit* lit, Level& io
   return base::Ok{};
 }
 
+void take_light_grid(const formats::Bsp& bsp, Level& io_level) {
+  const formats::BspxLump* lump = bsp.find_bspx(formats::kLightGridLump);
+  if (lump == nullptr) return;
+  base::Result<formats::LightGrid> grid = formats::read_light_grid(lump->data);
+  if (grid.ok())
+    io_level.light_grid = std::move(grid).value();
+  else
+    io_level.notes.push_back(
+        fmt::format("lump {}: {}; it is ignored", formats::kLightGridLump, grid.error().what));
+}
+
 }  // namespace
 
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
@@ -116,6 +127,7 @@ base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::str
     level->notes.push_back(fmt::format("lump entities: {}; it is passed over", text.first_fault));
   take_geometry(bsp, *level);
   TRY_STATUS(take_light(bsp, lit, *level));
+  take_light_grid(bsp, *level);
   level->textures = make_textures(bsp.miptexes, colored);
   TRY_STATUS(make_faces(bsp, *level));
   return std::shared_ptr<const Level>(std::move(level));

@@ -23,6 +23,7 @@
 #include "formats/images/colored_texture.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/entities.h"
+#include "formats/levels/light_grid.h"
 #include "formats/levels/lit.h"
 #include "math/vec.h"
 
@@ -221,7 +222,8 @@ struct Level {
   std::vector<std::uint8_t> light;       // gray samples, 0 to 255
   std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty if the level has no colored light
   std::vector<LightGrid> light_grids;
-  std::vector<std::string> notes;  // faults of the file that were passed over
+  std::optional<formats::LightGrid> light_grid;  // of open space, for models; most levels have none
+  std::vector<std::string> notes;                // faults of the file that were passed over
 
   const Face& face(FaceIndex index) const { return faces[base::to_size(index)]; }
   // The size of a face's light map in samples.
@@ -249,11 +251,11 @@ using ColoredTextures = std::vector<std::optional<formats::ColoredTexture>>;
 
 // Makes a level from `bsp`, which read_bsp() must have validated. Colored light comes from `lit` if given,
 // else from the BSPX lump RGBLIGHTING, else there is none. `lit` must have the right size; a lump of another
-// size is ignored, with a note, and so are faults of the entity text. Light maps come from DECOUPLED_LM, else
-// from LMSHIFT, else from the faces; damaged lumps are ignored, with a note. A face whose light is outside of
-// the samples has none, with a note. `colored` replaces the texels of the textures of bsp.miptexes with the
-// same index; each must fit its texture's size. Fails if light has a style above 63, or if a face is larger
-// than any real level's (over 2^20 texels).
+// size is ignored, with a note, and so are a damaged light grid and faults of the entity text. Light maps
+// come from DECOUPLED_LM, else from LMSHIFT, else from the faces; damaged lumps are ignored, with a note. A
+// face whose light is outside of the samples has none, with a note. `colored` replaces the texels of the
+// textures of bsp.miptexes with the same index; each must fit its texture's size. Fails if light has a style
+// above 63, or if a face is larger than any real level's (over 2^20 texels).
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
                                                       const formats::Lit* lit = nullptr,
                                                       ColoredTextures colored = {});

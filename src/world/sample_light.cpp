@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "world/light/sample_grid.h"
+
 namespace temblor::world {
 namespace {
 
@@ -125,10 +127,7 @@ std::optional<PointLight> find_light_in_plane(const Level& level, const Node& no
   return std::nullopt;
 }
 
-}  // namespace
-
-PointLight sample_light(const Level& level, const LightStyleValues& styles, const math::Vec3& point_world) {
-  if (!level.has_light) return {255, math::Vec3(255.0f)};
+PointLight sample_floor(const Level& level, const LightStyleValues& styles, const math::Vec3& point_world) {
   const auto point_at = [&](double z) { return math::Vec3d(point_world.x, point_world.y, z); };
   const auto height_over = [&](const Plane& plane, double z) {
     return glm::dot(point_at(z), math::Vec3d(plane.normal)) - double{plane.distance};
@@ -157,6 +156,15 @@ PointLight sample_light(const Level& level, const LightStyleValues& styles, cons
     begin_z = beyond->cut_z;
     end_z = beyond->end_z;
   }
+}
+
+}  // namespace
+
+PointLight sample_light(const Level& level, const LightStyleValues& styles, const math::Vec3& point_world) {
+  if (!level.has_light) return {255, math::Vec3(255.0f)};
+  if (level.light_grid)
+    if (const auto light = sample_light_grid(*level.light_grid, styles, point_world)) return *light;
+  return sample_floor(level, styles, point_world);
 }
 
 }  // namespace temblor::world

@@ -160,6 +160,12 @@ Command* add_compile_command(Command& program, CompileCommandOptions& io_options
                    "Units between light samples, whatever the textures; 0: off")
       ->type_name("N")
       ->check(in_range(0.0, 1024.0));
+  Option* const grid = command->add_flag("--lightgrid", io_options.light_grid,
+                                         "Write a grid of light, by which engines light models");
+  add_parsed_option(*command, "--lightgrid-dist", io_options.light_grid_dist, parse_grid_dist,
+                    "Units between its samples (default: 32,32,32)")
+      ->type_name("X,Y,Z")
+      ->needs(grid);
   command->add_option("--threads", io_options.threads, "Threads; 0: one per core")
       ->type_name("N")
       ->check(in_range(0, 256));

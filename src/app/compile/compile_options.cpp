@@ -1,6 +1,9 @@
 #include "app/compile/compile_options.h"
 
+#include <algorithm>
 #include <charconv>
+
+#include "app/commands/options.h"
 
 namespace temblor::app {
 namespace {
@@ -30,6 +33,13 @@ base::Result<CompileStage> parse_compile_stage(std::string_view text) {
     if (text == stage_name(stage)) return stage;
   return base::error(base::ErrorCode::kUsage, "unknown stage \"{}\"; the stages are bsp, vis, and light",
                      text);
+}
+
+base::Result<math::Vec3> parse_grid_dist(std::string_view text) {
+  TRY(const math::Vec3 dist, parse_vec3(text));
+  if (std::min({dist.x, dist.y, dist.z}) < 1)
+    return base::error(base::ErrorCode::kUsage, "\"{}\" has a distance below 1 unit", text);
+  return dist;
 }
 
 const char* stage_name(CompileStage stage) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "math/vec.h"
 
 namespace temblor::app {
 
@@ -24,6 +25,9 @@ base::Result<Shard> parse_shard(std::string_view text);
 // Parses "bsp", "vis", or "light".
 base::Result<CompileStage> parse_compile_stage(std::string_view text);
 const char* stage_name(CompileStage stage);
+
+// Parses "X,Y,Z", each at least 1.
+base::Result<math::Vec3> parse_grid_dist(std::string_view text);
 
 struct CompileCommandOptions {
   // A .map file, or a .bsp to compute visibility and light for.
@@ -61,6 +65,9 @@ struct CompileCommandOptions {
   std::optional<int> luxel_texels{};
   // Units between light samples on all faces, whatever their texture; 0: by texels; nothing: as the map says.
   std::optional<double> units_per_luxel{};
+  // Write a light grid; its samples are this many units apart along each axis.
+  bool light_grid = false;
+  math::Vec3 light_grid_dist{32.0f};
   // Nothing or 0: one per core.
   std::optional<int> threads{};
 };

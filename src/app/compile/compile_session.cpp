@@ -76,6 +76,7 @@ compiler::CompileOptions make_compile_options(const CompileCommandOptions& optio
   how.light.bounces = options.bounces;
   how.light.luxel_texels = options.luxel_texels;
   if (options.units_per_luxel) how.light.units_per_luxel = static_cast<float>(*options.units_per_luxel);
+  if (options.light_grid) how.light.grid_step = options.light_grid_dist;
   how.mip_levels = options.built_mips ? compiler::MipLevels::kBuilt : compiler::MipLevels::kFromSource;
   how.bsp2 = options.bsp2;
   return how;

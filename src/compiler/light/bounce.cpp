@@ -280,6 +280,16 @@ bool are_bounces_for(const LitLevel& lit, std::span<const std::uint32_t> seen) {
          });
 }
 
+std::vector<math::Vec3> compute_first_bounces(const LitLevel& lit, const BounceSettings& settings,
+                                              const std::optional<formats::Palette>& palette) {
+  BouncedWorld bounced = lay_nodes(lit);
+  if (palette && settings.color_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
+  const float scale = settings.count > 0 ? kFirstBounce / kReflectance * settings.scale : 0;
+  for (std::size_t face = 0; face < bounced.reflectance.size(); ++face)
+    bounced.reflectance[face] *= bounced.grids[face].columns > 0 ? scale : 0;
+  return std::move(bounced.reflectance);
+}
+
 void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
                        const BounceSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light) {

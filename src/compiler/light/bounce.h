@@ -42,4 +42,9 @@ void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
                        const BounceSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light);
 
+// The share of a face's own light that arrives, after its first bounce, at a point that sees nothing else.
+// By face; black for faces that do not take part, and for all if settings.count is 0.
+std::vector<math::Vec3> compute_first_bounces(const LitLevel& lit, const BounceSettings& settings,
+                                              const std::optional<formats::Palette>& palette);
+
 }  // namespace temblor::compiler

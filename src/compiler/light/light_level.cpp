@@ -16,6 +16,7 @@
 #include "compiler/light/faces/light_hash.h"
 #include "compiler/light/faces/light_maps.h"
 #include "compiler/light/faces/phong.h"
+#include "compiler/light/grid/light_grid.h"
 #include "compiler/light/lit_level.h"
 #include "compiler/light/rays/leaf_sight.h"
 #include "compiler/light/shard_file.h"
@@ -193,23 +194,52 @@ bool add_bounces(const LightPass& pass, LightWork& io_work) {
       [&] { return pass.progress.step(); }, rays);
 }
 
+// Lays the light grid that the options ask for.
+std::optional<GridBlocks> begin_grid(const PreparedLight& prepared, const LightOptions& options,
+                                     Warnings& io_warnings) {
+  if (!options.grid_step) return std::nullopt;
+  std::optional<GridBlocks> grid = lay_grid(*prepared.lit.level, *options.grid_step);
+  if (!grid)
+    io_warnings.push_back({"no light grid", fmt::format("it would have more than {} samples: use a larger "
+                                                        "--lightgrid-dist",
+                                                        kMaxGridSamples)});
+  return grid;
+}
+
+// Lights the grid. Comes before bounced light is added to the faces. Returns false if the progress said stop.
+bool light_grid(const LightPass& pass, const LightWork& work, GridBlocks& io_grid) {
+  const PreparedLight& prepared = pass.prepared;
+  const LeafSight sight(prepared.lit, prepared.lights);
+  const std::vector<math::Vec3> first_bounces =
+      compute_first_bounces(prepared.lit, prepared.settings.bounce, pass.options.palette);
+  const SpaceLightInput input{prepared.lit,    prepared.scene, sight,      prepared.settings,
+                              prepared.lights, prepared.beams, work.light, first_bounces};
+  return light_grid_blocks(
+      input, pass.jobs, [&] { return pass.progress.step(); }, io_grid);
+}
+
 void set_colored_lump(const formats::Lit& lit, formats::Bsp& io_bsp) {
   const base::Bytes bytes = std::as_bytes(std::span(lit.samples));
   io_bsp.bspx.push_back({kColoredLump, base::ByteVector(bytes.begin(), bytes.end())});
 }
 
-// Adds bounced light, packs everything, and writes it into the level.
+// Adds bounced light, packs everything, and writes it into the level. `grid`: null for a level without one.
 // The level changes only here, so all errors before leave it as it was.
-LightSummary store_light(const PreparedLight& prepared, const LightOptions& options, LightWork& io_work,
-                         formats::Bsp& io_bsp, base::Jobs& io_jobs, Warnings& io_warnings) {
+LightSummary store_light(const PreparedLight& prepared, const LightOptions& options, const GridBlocks* grid,
+                         LightWork& io_work, formats::Bsp& io_bsp, base::Jobs& io_jobs,
+                         Warnings& io_warnings) {
   const LightSettings& settings = prepared.settings;
   if (has_bounces(prepared))
     add_bounced_light(prepared.lit, io_work.bounces.seen, settings.bounce, options.palette, io_jobs,
                       io_work.light);
   PackedLight packed = pack_light_maps(prepared.lit, settings, io_work.light, io_jobs, io_bsp, io_warnings);
   if (prepared.styles_changed) io_bsp.entities = formats::write_entities(prepared.entities);
-  std::erase_if(io_bsp.bspx, [](const formats::BspxLump& lump) { return lump.name == kColoredLump; });
+  std::erase_if(io_bsp.bspx, [](const formats::BspxLump& lump) {
+    return lump.name == kColoredLump || lump.name == formats::kLightGridLump;
+  });
   if (packed.colored) set_colored_lump(packed.lit, io_bsp);
+  if (grid != nullptr)
+    io_bsp.bspx.push_back({formats::kLightGridLump, formats::write_light_grid(make_octree(*grid))});
   LightSummary summary{prepared.lights.size(), packed.lit_faces, packed.dark_faces,
                        io_bsp.lighting.size(), packed.colored,   {}};
   if (packed.colored) summary.lit = std::move(packed.lit);
@@ -244,7 +274,9 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
                                        Warnings& io_warnings, LightCache* io_cache) {
   TRY(const PreparedLight prepared, prepare(io_bsp, face_keys, options, io_warnings));
   LightWork work = begin_light(prepared.lit, has_bounces(prepared));
-  SharedProgress shared(progress, work.light.size() + work.bounces.is_traced.size());
+  std::optional<GridBlocks> grid = begin_grid(prepared, options, io_warnings);
+  SharedProgress shared(
+      progress, work.light.size() + work.bounces.is_traced.size() + (grid ? grid->of_place.size() : 0));
   LightCache learned;
   std::optional<CachedLight> known;
   if (io_cache != nullptr) {
@@ -259,7 +291,9 @@ base::Result<LightSummary> light_level(formats::Bsp& io_bsp, const FaceKeys& fac
                        known ? &*known : nullptr,
                        io_cache != nullptr ? &learned : nullptr};
   if (!add_direct_light(pass, work) || !add_bounces(pass, work)) return stopped();
-  const LightSummary summary = store_light(prepared, options, work, io_bsp, io_jobs, io_warnings);
+  if (grid && !light_grid(pass, work, *grid)) return stopped();
+  const LightSummary summary =
+      store_light(prepared, options, grid ? &*grid : nullptr, work, io_bsp, io_jobs, io_warnings);
   if (io_cache != nullptr) {
     learned.bounces = std::move(work.bounces.seen);
     *io_cache = std::move(learned);
@@ -319,7 +353,10 @@ base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& fac
   if (shards.empty()) return base::error(base::ErrorCode::kUsage, "there are no light shards to merge");
   if (!are_bounces_for(prepared, work))
     return base::malformed("light shards: their bounced light does not fit the level");
-  return store_light(prepared, options, work, io_bsp, io_jobs, io_warnings);
+  std::optional<GridBlocks> grid = begin_grid(prepared, options, io_warnings);
+  SharedProgress ignored(kIgnoreProgress, 0);
+  if (grid) light_grid({prepared, options, kWhole, io_jobs, ignored}, work, *grid);
+  return store_light(prepared, options, grid ? &*grid : nullptr, work, io_bsp, io_jobs, io_warnings);
 }
 
 }  // namespace temblor::compiler

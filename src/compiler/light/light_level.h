@@ -24,6 +24,7 @@
 #include "formats/images/palette.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/lit.h"
+#include "math/vec.h"
 
 namespace temblor::compiler {
 
@@ -38,6 +39,7 @@ struct LightOptions {
   std::optional<int> luxel_texels{};
   std::optional<float> units_per_luxel{};  // overrides _world_units_per_luxel of all brushes; 0: off
   int sky_rays = 128;                      // at most this many directions for a sky dome or a sun's penumbra
+  std::optional<math::Vec3> grid_step{};   // units between the samples of a light grid; nothing: no grid
   std::optional<formats::Palette> palette{};  // for _bouncecolorscale and tinted glass
 };
 
@@ -50,9 +52,10 @@ struct LightSummary {
 };
 
 // Lights a level: sets styles and light_offset of every face, `lighting`, RGBLIGHTING if any light has a
-// color, and LMSHIFT or DECOUPLED_LM for light maps of other resolutions (faces/light_maps.h). Replaces any
-// earlier light. Writes the "style" of switchable lights into the entity text. Visibility makes this faster,
-// but does not change the result; neither does the number of threads.
+// color, LMSHIFT or DECOUPLED_LM for light maps of other resolutions (faces/light_maps.h), and
+// LIGHTGRID_OCTREE if options.grid_step asks for it. Replaces any earlier light. Writes the "style" of
+// switchable lights into the entity text. Visibility makes this faster, but does not change the result;
+// neither does the number of threads.
 //
 // Fails if the entity text does not parse, if faces are invalid, if `progress` stops it (kUsage), or if
 // Embree is missing or out of memory; level and cache are then unchanged.

@@ -93,6 +93,7 @@ std::uint64_t hash_light_input(const formats::Bsp& unlit_bsp, const FaceKeys& fa
   hash = base::hash_with(hash, static_cast<std::uint32_t>(options.luxel_texels.value_or(-1)));
   hash = base::hash_with(hash, base::float_bits(options.units_per_luxel.value_or(-1)));
   if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
+  if (options.grid_step) hash = with_vector(hash, *options.grid_step);
   return hash;
 }
 

@@ -13,15 +13,16 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
+#include "base/bytes.h"
+#include "compiler/light/faces/light_bytes.h"
 #include "formats/levels/decoupled_light.h"
 #include "formats/levels/scaled_light.h"
 
 namespace temblor::compiler {
 namespace {
-
-constexpr float kMaxStored = 255;
 
 // The packed samples of one style.
 struct StyledSamples {
@@ -29,10 +30,6 @@ struct StyledSamples {
   std::vector<std::uint8_t> rgb, gray;
   std::size_t brightness = 0;  // sum of all rgb
 };
-
-float max_channel(const math::Vec3& color) {
-  return std::max({color.x, color.y, color.z});
-}
 
 // The summed light of one style.
 std::vector<math::Vec3> find_sum(const FaceLight& light, std::uint8_t style, std::size_t luxels) {
@@ -52,23 +49,6 @@ void raise_to_min_light(const LightSettings& settings, const SurfaceKeys& keys, 
     io_samples[i] = glm::max(io_samples[i], least * (dirty ? light.dirt[i] : 1));
 }
 
-// Converts light values to 0..255. Light that is too bright keeps its hue.
-math::Vec3 to_bytes(const LightSettings& settings, math::Vec3 light) {
-  light = glm::max(light, math::Vec3(0.0f));
-  const float brightest = max_channel(light);
-  if (settings.max_light > 0 && brightest > settings.max_light) light *= settings.max_light / brightest;
-  light *= settings.range;
-  if (settings.gamma != 1)
-    for (int channel = 0; channel < 3; ++channel)
-      light[channel] = std::pow(light[channel] / kMaxStored, 1 / settings.gamma) * kMaxStored;
-  const float too_bright = max_channel(light);
-  return too_bright > kMaxStored ? light * (kMaxStored / too_bright) : light;
-}
-
-std::uint8_t rounded(float value) {
-  return static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, kMaxStored));
-}
-
 // Joins the layers of one style and converts the result to bytes.
 StyledSamples pack_style(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
                          std::uint8_t style, std::size_t luxels) {
@@ -81,12 +61,12 @@ StyledSamples pack_style(const LightSettings& settings, const SurfaceKeys& keys,
   StyledSamples result;
   result.style = style;
   for (const math::Vec3& sample : samples) {
-    const math::Vec3 bytes = to_bytes(settings, sample);
+    const math::Vec3 bytes = scale_to_bytes(settings, sample);
     for (int channel = 0; channel < 3; ++channel) {
-      result.rgb.push_back(rounded(bytes[channel]));
+      result.rgb.push_back(round_to_byte(bytes[channel]));
       result.brightness += result.rgb.back();
     }
-    result.gray.push_back(rounded(max_channel(bytes)));
+    result.gray.push_back(round_to_byte(max_channel(bytes)));
   }
   return result;
 }
