@@ -24,6 +24,7 @@ constexpr Target kTargets[] = {
     {"light_shard", fuzz_light_shard},
     {"lit", fuzz_lit},
     {"localization", fuzz_localization},
+    {"locations", fuzz_locations},
     {"map", fuzz_map},
     {"md3", fuzz_md3},
     {"md5", fuzz_md5},

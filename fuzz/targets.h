@@ -38,6 +38,7 @@ int fuzz_light_lumps(const std::uint8_t* data, std::size_t size);
 int fuzz_light_shard(const std::uint8_t* data, std::size_t size);
 int fuzz_lit(const std::uint8_t* data, std::size_t size);
 int fuzz_localization(const std::uint8_t* data, std::size_t size);
+int fuzz_locations(const std::uint8_t* data, std::size_t size);
 int fuzz_map(const std::uint8_t* data, std::size_t size);
 int fuzz_md3(const std::uint8_t* data, std::size_t size);
 int fuzz_md5(const std::uint8_t* data, std::size_t size);

@@ -60,7 +60,7 @@ constexpr std::string_view kIgnored =
     "_snd_mixahead bgm_extmusic bgmbuffer cfg_unbindall external_ents external_vis joy_deadzone_trigger "
     "r_viewmodel_quake sv_fishfix loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater "
     "scr_sbar fov_adapt sv_altnoclip pr_engine con_logcenterprint v_centermove skyroom rate "
-    "heartbeat tp_msg loc team skin setinfo serverinfo user observe listen test test2 viewmodel "
+    "heartbeat tp_msg team skin setinfo serverinfo user observe listen test test2 viewmodel "
     "viewframe viewnext viewprev language ";
 
 // Config files contain all settings of other renderers and of their windows. A typed vid_ name may be a

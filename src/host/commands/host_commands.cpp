@@ -12,6 +12,7 @@
 #include "assets/mission_pack.h"
 #include "base/text.h"
 #include "command/text.h"
+#include "host/commands/chat_macros.h"
 #include "host/commands/command_adder.h"
 #include "host/commands/list_commands.h"
 #include "host/commands/sound_commands.h"
@@ -36,7 +37,11 @@ struct CommandHelp {
 // Sent to the server unchanged. The server decides whether a player may use them.
 constexpr std::array kPlayerCommands = {
     CommandHelp{"say", "say TEXT: sends a message to all players.", 1},
-    CommandHelp{"say_team", "say_team TEXT: sends a message to your team.", 1},
+    CommandHelp{
+        "say_team",
+        "say_team TEXT: sends a message to your team. %l is where you are, %h your health; also %a, %w, "
+        "%r, %c, %p, %t.",
+        1},
     CommandHelp{"tell", "tell NAME TEXT: sends a message to one player.", 2},
     CommandHelp{"ping", "Shows every player's ping."},
     CommandHelp{"status", "Shows the level and the players."},
@@ -118,7 +123,9 @@ void add_player_commands(Host& io_host) {
     make_adder(io_host)(entry.name, entry.help, [entry](Host& host, Arguments arguments) {
       if (arguments.size() <= entry.min_arguments) return print_command_error(host, entry.help);
       if (client::Connection* const connection = host.game.session->connection())
-        return connection->send_command(join_arguments(arguments));
+        return connection->send_command(entry.name == "say_team"
+                                            ? expand_chat_macros(host, join_arguments(arguments))
+                                            : join_arguments(arguments));
       print_command_error(host, fmt::format("{}: start or join a game first", arguments[0]));
     });
 }
@@ -380,6 +387,7 @@ void add_game_commands(Host& io_host) {
 
 void add_host_commands(Host& io_host) {
   add_list_commands(io_host);
+  add_location_command(io_host);
   add_view_commands(io_host);
   add_sound_commands(io_host);
   add_player_commands(io_host);

@@ -1,0 +1,24 @@
+// Players report to their team where they are (.loc files), and what they carry. In team chat, letters
+// after a percent sign stand for it, as in ProQuake and DarkPlaces.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "client/session/client_state.h"
+
+namespace temblor::host {
+
+struct Host;
+
+// Replaces %h (health), %a (armor), %r (rockets), %c (cells), %w (weapons), %p (power-ups), %l (`location`),
+// and %t (`time_s`, as minutes and seconds); %% is a percent sign. Everything else stays.
+std::string expand_chat_macros(std::string_view text, const client::Game& game, std::string_view location,
+                               double time_s);
+// The same for a line that a player says in the game on the screen.
+std::string expand_chat_macros(Host& io_host, std::string_view text);
+
+// Registers "loc".
+void add_location_command(Host& io_host);
+
+}  // namespace temblor::host
