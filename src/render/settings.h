@@ -43,6 +43,7 @@ struct Settings {
   LightView light_view = LightView::kLit;
   bool colored_light = true;  // false: gray light even where the level has colored samples
   AliasRaster alias_raster = AliasRaster::kAuto;
+  bool lit_liquids = true;  // false: liquids are full-bright even where the level has light for them
   bool alias_snap = false;  // rounds alias vertices to whole pixels and maps textures affinely, as Quake did
   // Updates the light of odd and even faces in alternate frames; the other half shows the light of the
   // previous frame (Scene::light_before).

@@ -50,6 +50,8 @@ TEST(RenderSettings, EveryFieldHasAVariable) {
   EXPECT_EQ(settings.read(variables), expected);
   set("r_colored_light=0");
   expected.colored_light = false;
+  set("r_litwater=0");
+  expected.lit_liquids = false;
   EXPECT_EQ(settings.read(variables), expected);
   set("r_band_rows=17");
   expected.band_rows = 17;

@@ -58,7 +58,7 @@ constexpr std::string_view kIgnored =
     "scr_ofsy scr_ofsz scr_showram scr_showturtle scr_showpause scr_conwidth scr_menubgalpha "
     "m_filter snd_mixspeed snd_speed snd_filterquality snd_show ambient_fade nosound precache "
     "_snd_mixahead bgm_extmusic bgmbuffer cfg_unbindall external_ents external_vis joy_deadzone_trigger "
-    "r_viewmodel_quake sv_fishfix loadas8bit crosshairx crosshairy sys_throttle mem_list r_litwater "
+    "r_viewmodel_quake sv_fishfix loadas8bit crosshairx crosshairy sys_throttle mem_list "
     "scr_sbar fov_adapt sv_altnoclip pr_engine con_logcenterprint v_centermove skyroom rate "
     "heartbeat tp_msg team skin setinfo serverinfo user observe listen test test2 viewmodel "
     "viewframe viewnext viewprev language ";

@@ -46,6 +46,7 @@ bool has_surface(const world::Face& face) {
   // Light samples bound the extent of a lit face by the size of the file. Faces without samples have no such
   // bound, and a hostile file may hold many huge ones, each of which would take a block.
   constexpr std::int32_t kMaxExtentInTheDark = 512;
+  if (face.kind == world::FaceKind::kLiquid) return face.light != world::kNoLight;
   return face.kind == world::FaceKind::kLit &&
          (face.light != world::kNoLight ||
           std::max(face.texture_extents[0], face.texture_extents[1]) <= kMaxExtentInTheDark);

@@ -21,7 +21,7 @@ struct TileGrid {
 };
 // Whether a face is drawn from surface blocks; if not, it is drawn from its texture. Faces without light
 // samples have blocks too, since dynamic lights may reach them, unless they are wider than any compiler
-// leaves them.
+// leaves them. Liquids have blocks only if they have light samples.
 bool has_surface(const world::Face& face);
 // 1 x 1 for faces without surface blocks.
 TileGrid tile_grid(const world::Face& face);

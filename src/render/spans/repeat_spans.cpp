@@ -1,18 +1,13 @@
 #include "render/spans/repeat_spans.h"
 
-#include <cmath>
-
 #include "render/color/own_colors.h"
+#include "render/color/warped_rows.h"
 #include "render/spans/kernel_planes.h"
 #include "render/spans/repeating_texture.h"
 
 namespace temblor::render {
 
 namespace {
-
-// Stock Quake's liquids: an amplitude of 8 texels and a period of 128 texels, moving by 20 texels per second.
-constexpr double kTurbulence_texels = 8;
-constexpr double kTurbulencePhase_texels_s = 20, kTurn_texels = 128;
 
 constexpr std::size_t kMipLevels = formats::kMaxTextureDetail + 4;
 
@@ -65,7 +60,7 @@ std::span<const RepeatSpans*> prepare_repeat_spans(const FrameContext& context, 
   // Draws share converted textures, by texture, mip level, and whether they are lit or black.
   const std::span<RepeatingTexture> made =
       arena.allocate_filled(context.level().textures.size() * kMipLevels * 2, RepeatingTexture{});
-  const double phase = std::fmod(context.scene.time_s * kTurbulencePhase_texels_s, kTurn_texels);
+  const double phase = compute_turbulence_phase(context.scene.time_s);
   for (std::size_t i = 0; i < draws.all.size(); ++i) {
     const SurfaceDraw& draw = draws.all[i];
     if (draw.kind != SurfaceKind::kLiquid && draw.kind != SurfaceKind::kTexture) continue;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "render/color/own_colors.h"
+#include "render/color/warped_rows.h"
 #include "render/edges/edge_table.h"
 #include "render/surfaces/build_kernels.h"
 #include "render/surfaces/cutout_textures.h"
@@ -67,15 +69,16 @@ class Builder {
         grid_(sample_grid(face_, request.tile_s, request.tile_t,
                           choose_sample_texels(level, face_, request.mip))),
         drawn_(request.texture != nullptr ? *request.texture : level.texture(request.contents.texture)),
-        // Faces start at multiples of 16 texels, so every mip level starts at a whole texel.
-        texture_(drawn_, request.mip,
-                 at_mip(std::int64_t{face_.texture_mins[0]} + request.tile_s * kTileTexels, request.mip),
-                 at_mip(std::int64_t{face_.texture_mins[1]} + request.tile_t * kTileTexels, request.mip)),
+        texture_(drawn_, request.mip, first_texel(0), first_texel(1)),
         indices_(drawn_.indices(request.mip).data()),
         own_(own_colors(drawn_, request.mip)),
         glow_(shows_only_light() ? nullptr : own_.glow),
         marks_(place_marks(level, face_, request.marks,
-                           {request.tile_s, request.tile_t, request.mip, request.block.shape}, scratch)) {}
+                           {request.tile_s, request.tile_t, request.mip, request.block.shape}, scratch)) {
+    if (face_.kind == world::FaceKind::kLiquid)
+      warped_.emplace(drawn_, request.mip, first_texel(0), first_texel(1), width(),
+                      request.contents.warp_phase, scratch);
+  }
 
   // Row by row: texels, marks on them, light for the row, then the kernel.
   void build_indexed() {
@@ -88,7 +91,7 @@ class Builder {
     const std::span<std::uint8_t> unmarked = row_of_texels<std::uint8_t>();
     auto* out = reinterpret_cast<std::uint8_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
-      texture_.visit_row(width(), [&](std::size_t x, std::size_t texel, std::size_t count) {
+      visit_row(y, [&](std::size_t x, std::size_t texel, std::size_t count) {
         std::memcpy(&texels[x], indices_ + texel, count);
       });
       texture_.next_row();
@@ -115,7 +118,7 @@ class Builder {
     const std::span<std::uint32_t> glow = row_of_texels<std::uint32_t>();
     auto* out = reinterpret_cast<std::uint32_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
-      texture_.visit_row(width(), [&](std::size_t x, std::size_t texel, std::size_t count) {
+      visit_row(y, [&](std::size_t x, std::size_t texel, std::size_t count) {
         if (own_.colors != nullptr)
           std::memcpy(&colors[x], own_.colors + texel, count * sizeof(colors[0]));
         else
@@ -157,6 +160,20 @@ class Builder {
         if (texel >> 24 != 0) texel = 0;
     }
     for (std::size_t x = 0; x < width(); ++x) io_out[x] = add_saturated(io_out[x], io_glow[x]);
+  }
+
+  // The tile's first texel along an axis. Faces start at multiples of 16 texels, so every mip level starts at
+  // a whole texel.
+  std::int64_t first_texel(std::size_t axis) const {
+    const std::int64_t tile = axis == 0 ? request_.tile_s : request_.tile_t;
+    return at_mip(face_.texture_mins[axis] + tile * kTileTexels, request_.mip);
+  }
+  // Passes the texels of row y, which comes after row y - 1, to `each_run` as TextureRows does.
+  template <typename EachRun>
+  void visit_row(std::int32_t y, EachRun each_run) {
+    if (!warped_) return texture_.visit_row(width(), each_run);
+    const std::span<const std::size_t> texels = warped_->row(y);
+    for (std::size_t x = 0; x < texels.size(); ++x) each_run(x, texels[x], 1);
   }
 
   std::size_t width() const { return static_cast<std::size_t>(request_.block.shape.width); }
@@ -224,7 +241,8 @@ class Builder {
   TextureRows texture_;
   const std::uint8_t* const indices_;  // of the whole mip level
   const OwnColors own_;
-  const std::uint32_t* const glow_;  // null if it is not shown
+  const std::uint32_t* const glow_;   // null if it is not shown
+  std::optional<WarpedRows> warped_;  // liquids only
   const std::span<const PlacedMark> marks_;
 };
 

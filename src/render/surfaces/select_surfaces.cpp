@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/color/warped_rows.h"
 #include "render/surfaces/build_surface.h"
 #include "render/surfaces/choose_mip.h"
 #include "render/surfaces/light_samples.h"
@@ -40,6 +41,7 @@ class SurfaceSelector {
         cutouts_(cutouts),
         format_(context.format),
         light_now_{scene_.lights, scene_.light_styles},
+        warp_phase_(static_cast<float>(compute_turbulence_phase(scene_.time_s))),
         arena_(context.arena()),
         draws_(arena_.allocate_filled<SurfaceDraw>(table.draw_count, SurfaceDraw{})),
         seen_(arena_.allocate_filled<PixelSum>(table.draw_count, PixelSum{})),
@@ -141,7 +143,11 @@ class SurfaceSelector {
                          .draw = number};
     request.contents.texture = draw.texture_index;
     request.contents.light_view = settings_.light_view;
-    if (settings_.light_view != LightView::kFullBright) light_block(surface, draw, request);
+    if (level_.face(surface.face).kind == world::FaceKind::kLiquid) {
+      request.contents.warp_phase = warp_phase_;
+      if (!settings_.lit_liquids) request.contents.light_view = LightView::kFullBright;
+    }
+    if (request.contents.light_view != LightView::kFullBright) light_block(surface, draw, request);
     if (has_marks(scene_)) {
       request.marks = scene_.marks->marks_on_face(surface.face);
       request.contents.marks = scene_.marks->revision(surface.face);
@@ -274,6 +280,7 @@ class SurfaceSelector {
   const CutoutTextures& cutouts_;
   const PixelFormat format_;
   const SceneLight light_now_;
+  const float warp_phase_;
   base::Arena& arena_;
   std::span<SurfaceDraw> draws_;
   std::span<PixelSum> seen_;           // by draw

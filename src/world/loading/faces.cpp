@@ -13,7 +13,6 @@ constexpr std::int32_t kLightGridTexels = 16;
 constexpr double kMaxExtentTexels = 1 << 20;
 // Above this, a float cannot distinguish neighboring texels.
 constexpr double kMaxTexelCoordinate = 1 << 24;
-constexpr std::int32_t kFlagNoLight = 1;
 
 // Rounds the texture rectangle outward to multiples of 16, the grid of light samples: [17, 50] becomes [16,
 // 64].

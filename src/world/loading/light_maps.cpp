@@ -38,13 +38,21 @@ std::uint64_t count_samples(std::int32_t width, std::int32_t height) {
   return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
 }
 
-// Sets a face's styles and first sample. `samples` for each style must be inside of the level's.
+// Whether a face may have light. Most compilers mark liquids as never lit.
+bool can_be_lit(const formats::Bsp& bsp, const Level& level, std::size_t number) {
+  const FaceKind kind = level.faces[number].kind;
+  return kind == FaceKind::kLit ||
+         (kind == FaceKind::kLiquid && (bsp.texinfos[bsp.faces[number].texinfo].flags & kFlagNoLight) == 0);
+}
+
+// Sets a face's styles and first sample; an offset of -1 is no light. `samples` for each style must be inside
+// of the level's.
 base::Status set_light(const Level& level, const formats::FaceStyles& styles, std::int32_t offset,
                        std::uint64_t samples, std::size_t number, Face& io_face) {
   io_face.styles = {kNoStyle, kNoStyle, kNoStyle, kNoStyle};
   io_face.style_count = 0;
   io_face.light = kNoLight;
-  if (io_face.kind != FaceKind::kLit || offset < 0) return base::Ok{};
+  if (offset < 0) return base::Ok{};
   for (const std::uint8_t style : styles) {
     if (style == kNoStyle) break;
     if (style >= kLightStyles)
@@ -69,6 +77,12 @@ bool is_outside(const Level& level, const formats::BspFace& bsp_face, std::uint6
          level.light.size();
 }
 
+// Engines ignored any light of liquids, so light with unknown styles is ignored too.
+bool has_only_known_styles(const formats::FaceStyles& styles) {
+  const auto end = std::ranges::find(styles, kNoStyle);
+  return std::all_of(styles.begin(), end, [](std::uint8_t style) { return style < kLightStyles; });
+}
+
 // The file stores only the offset of the samples; their number follows from the size of the face and the
 // number of its styles. A face whose samples would be outside of the level's has none.
 base::Status set_stock_maps(const formats::Bsp& bsp, Level& io_level) {
@@ -77,10 +91,13 @@ base::Status set_stock_maps(const formats::Bsp& bsp, Level& io_level) {
   for (std::size_t i = 0; i < io_level.faces.size(); ++i) {
     Face& face = io_level.faces[i];
     const std::uint64_t own = count_samples(face.light_width(), face.light_height());
-    const bool has_light = face.kind == FaceKind::kLit && !is_outside(io_level, bsp.faces[i], own);
-    if (face.kind == FaceKind::kLit && !has_light) ++outside;
-    TRY_STATUS(
-        set_light(io_level, bsp.faces[i].styles, has_light ? bsp.faces[i].light_offset : -1, own, i, face));
+    const formats::BspFace& from = bsp.faces[i];
+    bool is_lit = can_be_lit(bsp, io_level, i);
+    if (face.kind == FaceKind::kLiquid) is_lit &= has_only_known_styles(from.styles);
+    const bool is_without_samples = is_outside(io_level, from, own);
+    if (is_without_samples && face.kind == FaceKind::kLit) ++outside;
+    is_lit &= !is_without_samples;
+    TRY_STATUS(set_light(io_level, from.styles, is_lit ? from.light_offset : -1, own, i, face));
     if (face.light != kNoLight) samples += own;
     if (samples > io_level.light.size() * kMaxSharing)
       return base::malformed(
@@ -206,15 +223,16 @@ base::Result<std::vector<MapSource>> find_decoupled_maps(const formats::Bsp& bsp
 
 // Gives the faces the light maps of a lump, one for each face. After an error, the faces are in an unknown
 // state.
-base::Status set_maps(const std::vector<MapSource>& sources, Level& io_level) {
+base::Status set_maps(const formats::Bsp& bsp, const std::vector<MapSource>& sources, Level& io_level) {
   io_level.light_grids.clear();
   const std::uint64_t allowed = std::max(io_level.light.size() * kMaxSharing, kMinAllowedSamples);
   std::uint64_t stock_samples = 0;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     Face& face = io_level.faces[i];
     LightGrid grid = sources[i].grid;
-    TRY_STATUS(set_light(io_level, sources[i].styles, sources[i].offset,
-                         count_samples(grid.width, grid.height), i, face));
+    const std::int32_t offset = can_be_lit(bsp, io_level, i) ? sources[i].offset : -1;
+    TRY_STATUS(
+        set_light(io_level, sources[i].styles, offset, count_samples(grid.width, grid.height), i, face));
     if (face.light == kNoLight) continue;
     // Surfaces are as large as the face, whatever the size of its light map.
     stock_samples += count_samples(face.light_width(), face.light_height());
@@ -236,14 +254,15 @@ void clear_maps(Level& io_level) {
 }
 
 // Returns whether the lump exists and fits the level; if it does not fit, adds a note.
-bool use_maps(const base::Result<std::vector<MapSource>>& sources, const char* lump, Level& io_level) {
+bool use_maps(const formats::Bsp& bsp, const base::Result<std::vector<MapSource>>& sources, const char* lump,
+              Level& io_level) {
   base::Status status = base::Ok{};
   if (!sources.ok())
     status = sources.error();
   else if (sources->empty())
     return false;
   else
-    status = set_maps(*sources, io_level);
+    status = set_maps(bsp, *sources, io_level);
   if (status.ok()) return true;
   clear_maps(io_level);
   const std::string& what = status.error().what;
@@ -255,8 +274,8 @@ bool use_maps(const base::Result<std::vector<MapSource>>& sources, const char* l
 }  // namespace
 
 base::Status set_light_maps(const formats::Bsp& bsp, Level& io_level) {
-  if (use_maps(find_decoupled_maps(bsp, io_level), "DECOUPLED_LM", io_level)) return base::Ok{};
-  if (use_maps(find_scaled_maps(bsp, io_level), "LMSHIFT", io_level)) return base::Ok{};
+  if (use_maps(bsp, find_decoupled_maps(bsp, io_level), "DECOUPLED_LM", io_level)) return base::Ok{};
+  if (use_maps(bsp, find_scaled_maps(bsp, io_level), "LMSHIFT", io_level)) return base::Ok{};
   return set_stock_maps(bsp, io_level);
 }
 

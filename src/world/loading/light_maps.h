@@ -1,11 +1,16 @@
 // Finds the light samples of a level's faces: where they are in the file, and where they lie on the face.
 #pragma once
 
+#include <cstdint>
+
 #include "base/result.h"
 #include "formats/levels/bsp.h"
 #include "world/level.h"
 
 namespace temblor::world {
+
+// BspTexinfo::flags: a surface without light maps.
+constexpr std::int32_t kFlagNoLight = 1;
 
 // Sets styles, light, and light_grid of io_level.faces, and io_level.light_grids. All else in the level must
 // be complete. Uses DECOUPLED_LM, else LMSHIFT, else the faces of the file. A lump that does not fit the
