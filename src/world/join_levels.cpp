@@ -12,7 +12,7 @@ std::uint32_t count(std::size_t size) {
 // The sizes of the lists before a level is added: what must be added to its indices.
 struct Offsets {
   std::uint32_t planes, nodes, leaves, clipnodes, faces, marked_faces, vertices, edges, surfedges, axes,
-      textures, light, light_grids;
+      textures, light, light_map_grids;
   explicit Offsets(const Level& level)
       : planes(count(level.planes.size())),
         nodes(count(level.nodes.size())),
@@ -26,7 +26,7 @@ struct Offsets {
         axes(count(level.texture_axes.size())),
         textures(count(level.textures.size())),
         light(count(level.light.size())),
-        light_grids(count(level.light_grids.size())) {}
+        light_map_grids(count(level.light_map_grids.size())) {}
 
   // Leaves are stored as ~index, so the offset is added to the index, not to the stored value.
   Child moved(Child child) const {
@@ -75,7 +75,7 @@ void add_faces(const Level& other, const Offsets& offsets, Level& io_level) {
     face.axes += offsets.axes;
     face.texture = offsets.moved(face.texture);
     if (face.light != kNoLight) face.light += offsets.light;
-    if (face.light_grid != kStockGrid) face.light_grid += offsets.light_grids;
+    if (face.light_map_grid != kStockGrid) face.light_map_grid += offsets.light_map_grids;
     io_level.faces.push_back(face);
   }
   for (const FaceIndex face : other.marked_faces)
@@ -115,7 +115,7 @@ void add_light(const Level& other, Level& io_level) {
     append(make_colored_light(other), io_level.light_rgb);
   }
   append(other.light, io_level.light);
-  append(other.light_grids, io_level.light_grids);
+  append(other.light_map_grids, io_level.light_map_grids);
 }
 
 }  // namespace

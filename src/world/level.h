@@ -102,7 +102,7 @@ constexpr std::uint32_t kNoLight = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint8_t kNoStyle = 255;
 
 // A light map that does not have its samples at every 16th texel (BSPX LMSHIFT, DECOUPLED_LM).
-struct LightGrid {
+struct LightMapGrid {
   std::int32_t width, height;  // in samples, at least 1
   // The position in the grid of the face's first texel, and how far it moves for one texel along s and t. The
   // sample at column x, row y lies where the position is (x, y).
@@ -136,7 +136,8 @@ struct Face {
   std::array<std::int32_t, 2> texture_mins;     // s, t of the surface's first texel, multiples of 16
   std::array<std::int32_t, 2> texture_extents;  // size in texels, multiples of 16
 
-  std::uint32_t light_grid = kStockGrid;  // into Level::light_grids; kStockGrid: a sample every 16 texels
+  std::uint32_t light_map_grid =
+      kStockGrid;  // into Level::light_map_grids; kStockGrid: a sample every 16 texels
 
   // Size of a stock light map: one sample at each multiple of 16 texels, both ends included.
   std::int32_t light_width() const { return texture_extents[0] / 16 + 1; }
@@ -221,15 +222,15 @@ struct Level {
   bool has_light = false;                // false: the level was never lit; every face is drawn full-bright
   std::vector<std::uint8_t> light;       // gray samples, 0 to 255
   std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty if the level has no colored light
-  std::vector<LightGrid> light_grids;
+  std::vector<LightMapGrid> light_map_grids;
   std::optional<formats::LightGrid> light_grid;  // of open space, for models; most levels have none
   std::vector<std::string> notes;                // faults of the file that were passed over
 
   const Face& face(FaceIndex index) const { return faces[base::to_size(index)]; }
   // The size of a face's light map in samples.
   std::array<std::int32_t, 2> light_size(const Face& face) const {
-    if (face.light_grid == kStockGrid) return {face.light_width(), face.light_height()};
-    return {light_grids[face.light_grid].width, light_grids[face.light_grid].height};
+    if (face.light_map_grid == kStockGrid) return {face.light_width(), face.light_height()};
+    return {light_map_grids[face.light_map_grid].width, light_map_grids[face.light_map_grid].height};
   }
   const Leaf& leaf(LeafIndex index) const { return leaves[base::to_size(index)]; }
   const Node& node(NodeIndex index) const { return nodes[base::to_size(index)]; }

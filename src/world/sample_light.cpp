@@ -81,8 +81,8 @@ math::Vec2d find_light_position(const Level& level, const Face& face, const math
       glm::dot(point, math::Vec3d(axes.s_axis)) + double{axes.s_offset} - double(face.texture_mins[0]);
   const double t =
       glm::dot(point, math::Vec3d(axes.t_axis)) + double{axes.t_offset} - double(face.texture_mins[1]);
-  if (face.light_grid == kStockGrid) return {s / kTexelsPerSample, t / kTexelsPerSample};
-  return level.light_grids[face.light_grid].position(s, t);
+  if (face.light_map_grid == kStockGrid) return {s / kTexelsPerSample, t / kTexelsPerSample};
+  return level.light_map_grids[face.light_map_grid].position(s, t);
 }
 
 // Bilinear interpolation between four samples, summed over the face's light styles.

@@ -82,7 +82,7 @@ class DecoupledLightPicture : public testing::TestWithParam<render::PixelFormat>
 
 TEST_P(DecoupledLightPicture, IsWhatRaysSee) {
   const test::DrawableLevel drawable = make_decoupled_level();
-  EXPECT_GT(drawable.level->light_grids.size(), 50u);
+  EXPECT_GT(drawable.level->light_map_grids.size(), 50u);
   expect_right(judge_pictures(drawable, {.format = GetParam(), .views = test::effort(100, 4)}));
 }
 

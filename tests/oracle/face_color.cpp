@@ -30,8 +30,8 @@ GridPosition grid_position(double along, std::int32_t count) {
 math::Vec2d position_on_light_map(const world::Level& level, const world::Face& face, TexelPosition texel) {
   const auto s = static_cast<double>(texel.s - face.texture_mins[0]);
   const auto t = static_cast<double>(texel.t - face.texture_mins[1]);
-  if (face.light_grid == world::kStockGrid) return {s / kLightGridTexels, t / kLightGridTexels};
-  return level.light_grids[face.light_grid].position(s, t);
+  if (face.light_map_grid == world::kStockGrid) return {s / kLightGridTexels, t / kLightGridTexels};
+  return level.light_map_grids[face.light_map_grid].position(s, t);
 }
 
 double light_of_sample(const world::Level& level, const world::Face& face,

@@ -121,14 +121,16 @@ TEST(JoinLevels, LightMapsOfOtherResolutionsAreKept) {
   for (const formats::BspFace& face : bsp.faces) maps.push_back({5, face.light_offset, face.styles});
   formats::set_scaled_light(maps, bsp);
   const std::shared_ptr<const Level> level = test_level("coarse", bsp).level;
-  ASSERT_FALSE(level->light_grids.empty());
+  ASSERT_FALSE(level->light_map_grids.empty());
   const std::shared_ptr<const Level> joined = join_levels(level, {{level}}).level;
-  ASSERT_EQ(joined->light_grids.size(), 2 * level->light_grids.size());
+  ASSERT_EQ(joined->light_map_grids.size(), 2 * level->light_map_grids.size());
   for (std::size_t i = 0; i < joined->faces.size(); ++i) {
     const Face &face = joined->faces[i], &own = level->faces[i % level->faces.size()];
     EXPECT_EQ(joined->light_size(face), level->light_size(own)) << i;
-    if (own.light_grid == kStockGrid) continue;
-    EXPECT_EQ(joined->light_grids[face.light_grid].first, level->light_grids[own.light_grid].first) << i;
+    if (own.light_map_grid == kStockGrid) continue;
+    EXPECT_EQ(joined->light_map_grids[face.light_map_grid].first,
+              level->light_map_grids[own.light_map_grid].first)
+        << i;
   }
 }
 

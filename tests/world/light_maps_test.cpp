@@ -44,7 +44,7 @@ void expect_equal_light(const Level& level, const Level& expected) {
     EXPECT_EQ(level.faces[i].light, expected.faces[i].light) << i;
     EXPECT_EQ(level.faces[i].styles, expected.faces[i].styles) << i;
     EXPECT_EQ(level.faces[i].style_count, expected.faces[i].style_count) << i;
-    EXPECT_EQ(level.faces[i].light_grid, kStockGrid) << i;
+    EXPECT_EQ(level.faces[i].light_map_grid, kStockGrid) << i;
   }
 }
 
@@ -76,8 +76,8 @@ TEST(LightMaps, DecoupledGridsFollowTheirVectors) {
     for (std::size_t i = 0; i < level->faces.size(); ++i) {
       const Face& face = level->faces[i];
       if (face.light == kNoLight) continue;
-      ASSERT_NE(face.light_grid, kStockGrid);
-      const LightGrid& grid = level->light_grids[face.light_grid];
+      ASSERT_NE(face.light_map_grid, kStockGrid);
+      const LightMapGrid& grid = level->light_map_grids[face.light_map_grid];
       EXPECT_EQ(level->light_size(face), (std::array<std::int32_t, 2>{3, 2}));
       EXPECT_TRUE(grid.texels == 1 || grid.texels == 2 || grid.texels == 4 || grid.texels == 8 ||
                   grid.texels == 16);

@@ -84,7 +84,7 @@ base::Result<Inspection> inspect_bsp(base::Bytes bytes) {
   result["light styles"] = list_styles(bsp);
   result["colored light"] = !level->light_rgb.empty();
   // LMSHIFT, DECOUPLED_LM.
-  result["faces with light maps of their own"] = level->light_grids.size();
+  result["faces with light maps of their own"] = level->light_map_grids.size();
   result["BSPX lumps"] = Inspection::array();
   for (const formats::BspxLump& lump : bsp.bspx)
     result["BSPX lumps"].push_back({{"name", lump.name}, {"bytes", lump.data.size()}});

@@ -63,7 +63,7 @@ std::span<std::uint32_t> resample_styles(const world::Level& level, const world:
                                          const SampleGrid& grid, const TileLight& light, std::size_t channels,
                                          base::Arena& arena) {
   const std::vector<std::uint8_t>& stored = channels == 3 ? level.light_rgb : level.light;
-  const world::LightGrid& map = level.light_grids[face.light_grid];
+  const world::LightMapGrid& map = level.light_map_grids[face.light_map_grid];
   const std::size_t row_values = static_cast<std::size_t>(map.width) * channels;
   const std::size_t style_values = row_values * static_cast<std::size_t>(map.height);
   const std::span<std::uint32_t> sums = arena.allocate_filled<std::uint32_t>(
@@ -123,14 +123,14 @@ SampleGrid sample_grid(const world::Face& face, int tile_s, int tile_t, std::int
 }
 
 std::int32_t choose_sample_texels(const world::Level& level, const world::Face& face, int mip) {
-  if (face.light_grid == world::kStockGrid) return kTexelsASample;
-  return std::max(level.light_grids[face.light_grid].texels, std::int32_t{1} << std::max(mip, 0));
+  if (face.light_map_grid == world::kStockGrid) return kTexelsASample;
+  return std::max(level.light_map_grids[face.light_map_grid].texels, std::int32_t{1} << std::max(mip, 0));
 }
 
 LightSums sum_light(const world::Level& level, const world::Face& face, const SampleGrid& grid,
                     const TileLight& light, base::Arena& arena) {
   std::size_t channels = light.colored ? 3 : 1;
-  const bool is_stock = face.light_grid == world::kStockGrid;
+  const bool is_stock = face.light_map_grid == world::kStockGrid;
   std::span<std::uint32_t> sums = is_stock ? sum_styles(level, face, grid, light, channels, arena)
                                            : resample_styles(level, face, grid, light, channels, arena);
   if (channels == 1 && std::any_of(light.lights.begin(), light.lights.end(), has_color)) {

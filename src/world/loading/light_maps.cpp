@@ -31,7 +31,7 @@ constexpr std::uint64_t kMinAllowedSamples = 1 << 20;
 struct MapSource {
   formats::FaceStyles styles;
   std::int32_t offset;
-  LightGrid grid;
+  LightMapGrid grid;
 };
 
 std::uint64_t count_samples(std::int32_t width, std::int32_t height) {
@@ -117,7 +117,7 @@ bool is_multiple(double value, double unit) {
 
 // Whether all samples lie at multiples of `texels` from the face's first texel. Rows of samples may run along
 // s or t.
-bool lies_on_lattice(const LightGrid& grid, std::int32_t texels) {
+bool lies_on_lattice(const LightMapGrid& grid, std::int32_t texels) {
   constexpr double kParallel = 1e-9;
   const auto fits = [&](double per_texel, double first, double per_other_texel, double other_first) {
     return per_texel != 0 && per_other_texel != 0 && is_multiple(1 / per_texel, texels) &&
@@ -132,7 +132,7 @@ bool lies_on_lattice(const LightGrid& grid, std::int32_t texels) {
 
 // The coarsest lattice that contains all samples shows them exactly. Other grids get two points for each
 // sample.
-std::int32_t choose_lattice_texels(const LightGrid& grid) {
+std::int32_t choose_lattice_texels(const LightMapGrid& grid) {
   const math::Vec2d step = glm::max(glm::abs(grid.per_s), glm::abs(grid.per_t));
   const double samples_per_texel = std::max(step.x, step.y);
   for (std::int32_t texels = kStockTexels; texels > 1; texels /= 2)
@@ -140,7 +140,7 @@ std::int32_t choose_lattice_texels(const LightGrid& grid) {
   return 1;
 }
 
-bool is_stock(const LightGrid& grid, const Face& face) {
+bool is_stock(const LightMapGrid& grid, const Face& face) {
   constexpr double kPerTexel = 1.0 / kStockTexels;
   return grid.width == face.light_width() && grid.height == face.light_height() &&
          grid.first == math::Vec2d(0.0) && grid.per_s == math::Vec2d(kPerTexel, 0) &&
@@ -148,9 +148,9 @@ bool is_stock(const LightGrid& grid, const Face& face) {
 }
 
 // A grid with a sample at each multiple of `texels`, which covers the face.
-LightGrid make_scaled_grid(const Level& level, const Face& face, std::int32_t texels) {
+LightMapGrid make_scaled_grid(const Level& level, const Face& face, std::int32_t texels) {
   const double per_texel = 1.0 / texels;
-  LightGrid grid{};
+  LightMapGrid grid{};
   for (const int axis : {0, 1}) {
     const TexelRange range = find_texel_range(level, face, axis);
     const double first = std::floor(range.min * per_texel);
@@ -165,18 +165,19 @@ LightGrid make_scaled_grid(const Level& level, const Face& face, std::int32_t te
 
 // The grid of a face whose texture axes do not span its plane: all texels have the light of its first corner.
 void pin_to_first_corner(const Level& level, const Face& face, const math::Vec3d& x_axis,
-                         const math::Vec3d& y_axis, LightGrid& io_grid) {
+                         const math::Vec3d& y_axis, LightMapGrid& io_grid) {
   const math::Vec3d corner(level.vertices[level.surfedge_start(face.first_surfedge)]);
   io_grid.first += math::Vec2d(glm::dot(corner, x_axis), glm::dot(corner, y_axis));
 }
 
 // The grid as a function of texels instead of positions.
-LightGrid make_decoupled_grid(const Level& level, const Face& face, const formats::DecoupledLightMap& map) {
+LightMapGrid make_decoupled_grid(const Level& level, const Face& face,
+                                 const formats::DecoupledLightMap& map) {
   constexpr double kMinVolume = 1e-6;
   const TextureAxes& axes = level.texture_axes[face.axes];
   const FacePlane plane = compute_face_plane(level, face);
   const math::Vec3d s(axes.s_axis), t(axes.t_axis), n = plane.normal, x(map.x_axis), y(map.y_axis);
-  LightGrid grid{};
+  LightMapGrid grid{};
   grid.width = map.width;
   grid.height = map.height;
   grid.first = {double{map.x_offset}, double{map.y_offset}};
@@ -224,12 +225,12 @@ base::Result<std::vector<MapSource>> find_decoupled_maps(const formats::Bsp& bsp
 // Gives the faces the light maps of a lump, one for each face. After an error, the faces are in an unknown
 // state.
 base::Status set_maps(const formats::Bsp& bsp, const std::vector<MapSource>& sources, Level& io_level) {
-  io_level.light_grids.clear();
+  io_level.light_map_grids.clear();
   const std::uint64_t allowed = std::max(io_level.light.size() * kMaxSharing, kMinAllowedSamples);
   std::uint64_t stock_samples = 0;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     Face& face = io_level.faces[i];
-    LightGrid grid = sources[i].grid;
+    LightMapGrid grid = sources[i].grid;
     const std::int32_t offset = can_be_lit(bsp, io_level, i) ? sources[i].offset : -1;
     TRY_STATUS(
         set_light(io_level, sources[i].styles, offset, count_samples(grid.width, grid.height), i, face));
@@ -241,16 +242,16 @@ base::Status set_maps(const formats::Bsp& bsp, const std::vector<MapSource>& sou
                              io_level.light.size());
     if (is_stock(grid, face)) continue;
     grid.texels = choose_lattice_texels(grid);
-    face.light_grid = static_cast<std::uint32_t>(io_level.light_grids.size());
-    io_level.light_grids.push_back(grid);
+    face.light_map_grid = static_cast<std::uint32_t>(io_level.light_map_grids.size());
+    io_level.light_map_grids.push_back(grid);
   }
   return base::Ok{};
 }
 
 // Undoes set_maps().
 void clear_maps(Level& io_level) {
-  io_level.light_grids.clear();
-  for (Face& face : io_level.faces) face.light_grid = kStockGrid;
+  io_level.light_map_grids.clear();
+  for (Face& face : io_level.faces) face.light_map_grid = kStockGrid;
 }
 
 // Returns whether the lump exists and fits the level; if it does not fit, adds a note.

@@ -45,10 +45,10 @@ TEST(LightScale, TheGameUsesTheScaledMap) {
   const LitResult scaled = lit_room("0.25");
   const auto level = world::make_level(scaled.bsp, "scaled").value();
   EXPECT_TRUE(level->notes.empty());
-  ASSERT_EQ(level->light_grids.size(), level->faces.size());
+  ASSERT_EQ(level->light_map_grids.size(), level->faces.size());
   for (std::size_t i = 0; i < level->faces.size(); ++i) {
     EXPECT_GT(level->faces[i].light, static_cast<std::uint32_t>(scaled.bsp.faces[i].light_offset));
-    const world::LightGrid& grid = level->light_grids[level->faces[i].light_grid];
+    const world::LightMapGrid& grid = level->light_map_grids[level->faces[i].light_map_grid];
     EXPECT_EQ(grid.per_s, math::Vec2d(0.25, 0));
     EXPECT_EQ(grid.per_t, math::Vec2d(0, 0.25));
     EXPECT_EQ(grid.texels, 4);

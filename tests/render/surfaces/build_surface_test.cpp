@@ -46,7 +46,8 @@ class SurfaceDefinition {
         level_(*drawable.level),
         request_(request),
         face_(level_.face(request.face)),
-        own_grid_(face_.light_grid != world::kStockGrid ? &level_.light_grids[face_.light_grid] : nullptr),
+        own_grid_(face_.light_map_grid != world::kStockGrid ? &level_.light_map_grids[face_.light_map_grid]
+                                                            : nullptr),
         texels_apart_(own_grid_ != nullptr ? std::max(own_grid_->texels, 1 << std::max(request.mip, 0))
                                            : kTexelsASample),
         texels_per_sample_(static_cast<int>(floor_shifted(texels_apart_, request.mip))) {}
@@ -169,7 +170,7 @@ class SurfaceDefinition {
   const world::Level& level_;
   const BlockRequest& request_;
   const world::Face& face_;
-  const world::LightGrid* own_grid_;  // null: a stock light map
+  const world::LightMapGrid* own_grid_;  // null: a stock light map
   const int texels_apart_, texels_per_sample_;
 };
 
@@ -268,8 +269,8 @@ INSTANTIATE_TEST_SUITE_P(Variants, SurfacesOfSmallLevel, testing::ValuesIn(lit_v
                          [](const auto& test) { return test.param.name; });
 
 // A light map of any size, turned and scaled in any way.
-world::LightGrid make_random_grid(Random& random) {
-  world::LightGrid grid{};
+world::LightMapGrid make_random_grid(Random& random) {
+  world::LightMapGrid grid{};
   grid.width = static_cast<std::int32_t>(random.log_uniform(1, 100));
   grid.height = static_cast<std::int32_t>(random.log_uniform(1, 100));
   const double scale = random.log_uniform(0.005, 2);
@@ -323,8 +324,8 @@ DrawableLevel make_random_level(Random& random) {
   face.texture_mins = {sixteens(100) - 800, sixteens(100) - 800};
   face.texture_extents = {sixteens(random.chance(0.3) ? 40 : 5), sixteens(random.chance(0.3) ? 40 : 5)};
   if (random.chance(0.5)) {
-    face.light_grid = 0;
-    level.light_grids.push_back(make_random_grid(random));
+    face.light_map_grid = 0;
+    level.light_map_grids.push_back(make_random_grid(random));
   }
   level.faces.push_back(face);
   // Fine levels of small faces and textures only: the definition is slow.
@@ -357,12 +358,12 @@ TEST(Surfaces, AreTheSameFromAnEqualGrid) {
   for (int seed = 0; seed < effort(300, 30); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const DrawableLevel stock = make_random_level(random);
-    if (stock.level->faces[0].light_grid != world::kStockGrid || !has_surface(stock.level->faces[0]))
+    if (stock.level->faces[0].light_map_grid != world::kStockGrid || !has_surface(stock.level->faces[0]))
       continue;
     auto level = std::make_shared<world::Level>(*stock.level);
     world::Face& face = level->faces[0];
-    face.light_grid = 0;
-    level->light_grids.push_back(
+    face.light_map_grid = 0;
+    level->light_map_grids.push_back(
         {face.light_width(), face.light_height(), {0, 0}, {1.0 / 16, 0}, {0, 1.0 / 16}, 16});
     BlockRequest request = any_request(*level, world::FaceIndex{0}, random);
     const render::ColorTables tables = render::make_color_tables(stock.palette, stock.colormap);

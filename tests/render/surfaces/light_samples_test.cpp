@@ -16,13 +16,13 @@ namespace temblor::test {
 namespace {
 
 // A face of 300 x 200 texels, rounded up, in four tiles or fewer.
-world::Level make_level(const world::LightGrid& grid, const std::function<double(int, int)>& light) {
+world::Level make_level(const world::LightMapGrid& grid, const std::function<double(int, int)>& light) {
   world::Level level;
   level.has_light = true;
-  level.light_grids.push_back(grid);
+  level.light_map_grids.push_back(grid);
   world::Face face{};
   face.kind = world::FaceKind::kLit;
-  face.light_grid = 0;
+  face.light_map_grid = 0;
   face.style_count = 1;
   face.styles = {0, world::kNoStyle, world::kNoStyle, world::kNoStyle};
   face.texture_extents = {304, 208};
@@ -34,8 +34,8 @@ world::Level make_level(const world::LightGrid& grid, const std::function<double
 }
 
 // A grid that covers the face, turned by `angle`, with `per_texel` samples for each texel.
-world::LightGrid make_turned_grid(double angle, double per_texel) {
-  world::LightGrid grid{};
+world::LightMapGrid make_turned_grid(double angle, double per_texel) {
+  world::LightMapGrid grid{};
   grid.per_s = math::Vec2d(std::cos(angle), std::sin(angle)) * per_texel;
   grid.per_t = math::Vec2d(-std::sin(angle), std::cos(angle)) * per_texel;
   math::Vec2d low(1e9), high(-1e9);
@@ -60,7 +60,7 @@ render::TileLight as_stored() {
 
 // The level's light at a position of the grid, by definition.
 double interpolate(const world::Level& level, const math::Vec2d& at) {
-  const world::LightGrid& grid = level.light_grids[0];
+  const world::LightMapGrid& grid = level.light_map_grids[0];
   const double x = std::clamp(at.x, 0.0, grid.width - 1.0), y = std::clamp(at.y, 0.0, grid.height - 1.0);
   const auto sample = [&](double column, double row) {
     const auto u = static_cast<std::size_t>(std::min(column, grid.width - 1.0));
@@ -76,7 +76,7 @@ TEST(LightSamples, OfTurnedMapsAreInterpolated) {
   base::Arena arena;
   for (int seed = 0; seed < effort(40, 5); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    const world::LightGrid grid = make_turned_grid(random.uniform(0, 7), random.log_uniform(0.02, 1));
+    const world::LightMapGrid grid = make_turned_grid(random.uniform(0, 7), random.log_uniform(0.02, 1));
     const world::Level level = make_level(grid, [&](int, int) { return random.uniform(0, 255); });
     for (const int tile_s : {0, 1}) {
       arena.reset();
@@ -100,7 +100,7 @@ TEST(LightSamples, OfGradientsAreOnTheGradient) {
   base::Arena arena;
   for (int seed = 0; seed < effort(40, 5); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    world::LightGrid grid = make_turned_grid(random.uniform(0, 7), random.log_uniform(0.02, 0.2));
+    world::LightMapGrid grid = make_turned_grid(random.uniform(0, 7), random.log_uniform(0.02, 0.2));
     grid.texels = 1 << random.below(5);
     const world::Level level =
         make_level(grid, [&](int x, int y) { return 250.0 * (x + y) / (grid.width + grid.height); });
@@ -126,7 +126,7 @@ TEST(LightSamples, OfAdjacentTilesAgreeOnTheirSeam) {
   base::Arena arena;
   for (int seed = 0; seed < effort(100, 10); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    world::LightGrid grid = make_turned_grid(random.uniform(0, 7), random.log_uniform(0.02, 1));
+    world::LightMapGrid grid = make_turned_grid(random.uniform(0, 7), random.log_uniform(0.02, 1));
     grid.texels = 1 << random.below(5);
     const world::Level level = make_level(grid, [&](int, int) { return random.uniform(0, 255); });
     const render::FaceLight lamp{250, 90, 1, 1, 200, 180, {1, 1, 1}};
@@ -149,7 +149,7 @@ TEST(LightSamples, OfAdjacentTilesAgreeOnTheirSeam) {
 
 // Between the samples of a fine lattice, dynamic light is computed, not interpolated.
 TEST(LightSamples, HaveDynamicLightWhereTheyAre) {
-  world::LightGrid grid = make_turned_grid(0, 0.25);
+  world::LightMapGrid grid = make_turned_grid(0, 0.25);
   grid.texels = 4;
   const world::Level level = make_level(grid, [](int, int) { return 0.0; });
   const render::FaceLight lamp{33, 21, 1, 1, 100, 90, {1, 1, 1}};
