@@ -37,6 +37,8 @@ const char* version_name(BspVersion version) {
       return "2PSB";
     case BspVersion::kBsp2:
       return "BSP2";
+    case BspVersion::k30:
+      return "30";
   }
   return "unknown";
 }

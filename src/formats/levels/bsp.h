@@ -1,7 +1,7 @@
-// Compiled levels (.bsp): versions 29 (Quake), 2PSB, and BSP2 (large levels), in one struct with the widest
-// type of each field.
+// Compiled levels (.bsp): versions 29 (Quake), 30 (Half-Life), 2PSB, and BSP2 (large levels), in one struct
+// with the widest type of each field.
 //
-//   header, 124 bytes     0  version i32: 29, "2PSB", or "BSP2"
+//   header, 124 bytes     0  version i32: 29, 30, "2PSB", or "BSP2"
 //                         4  15 x (offset i32, size i32), one for each lump
 //   lumps, anywhere in the file, in any order
 //   BSPX, optionally: more lumps with names (bsp/bspx.h)
@@ -11,9 +11,9 @@
 //     |          \--> planes                          |--> texinfo --> textures
 //     \--> clipnodes --> planes                       \--> lighting
 //
-// bsp/records.h shows the records of each lump. Versions differ only in the width of their fields. References
-// between lumps are indices; read_bsp() validates all of them (bsp_validate.h), so other code needs no
-// checks. src/world makes a playable level of a Bsp.
+// bsp/records.h shows the records of each lump. Versions 29, 2PSB, and BSP2 differ only in the width of their
+// fields; bsp/half_life.h describes version 30. References between lumps are indices; read_bsp() validates
+// all of them (bsp_validate.h), so other code needs no checks. src/world makes a playable level of a Bsp.
 #pragma once
 
 #include <array>
@@ -25,12 +25,13 @@
 
 #include "base/bytes.h"
 #include "base/result.h"
+#include "formats/images/palette.h"
 #include "math/vec.h"
 
 namespace temblor::formats {
 
-enum class BspVersion { k29, k2Psb, kBsp2 };
-const char* version_name(BspVersion version);  // "29", "2PSB", "BSP2"
+enum class BspVersion { k29, k2Psb, kBsp2, k30 };
+const char* version_name(BspVersion version);  // "29", "2PSB", "BSP2", "30"
 
 // The lumps, in the order of the header.
 enum class BspLump : std::uint8_t {
@@ -69,6 +70,8 @@ struct BspMiptex {
   std::uint32_t width = 0, height = 0;
   // Mip level k is (width>>k) x (height>>k) palette indices; empty if the level does not contain them.
   std::array<std::vector<std::uint8_t>, 4> mips;
+  // Colors of its own instead of the game's palette, at most 256; only version 30 has them.
+  std::vector<Rgb> palette{};
   bool operator==(const BspMiptex&) const = default;
 };
 
@@ -169,7 +172,7 @@ struct Bsp {
   bool operator==(const Bsp&) const = default;
 };
 
-// Reads any of the three versions and validates everything: indices, ranges, finite numbers, closed face
+// Reads any version and validates everything: indices, ranges, finite numbers, closed face
 // loops, trees without cycles. bsp_validate.h lists the guarantees. Errors name the lump, the record with its
 // offset in the file, and the reason. Memory is limited to a small multiple of the file size, whatever the
 // file contains.
@@ -182,10 +185,12 @@ struct Bsp {
 // and damaged BSPX lumps.
 base::Result<Bsp> read_bsp(base::Bytes bytes);
 
-// Writes a level as `version`, without validation. Returns kTooLarge with lump, record, and field if a number
-// does not fit, such as a vertex index over 65535 in version 29. Bounds of nodes and leaves are integers in
-// 29 and 2PSB: mins are rounded down, maxs up. Except for that rounding, a level from read_bsp() reads back
-// equal. The entity text must not contain a zero byte.
+// Writes a level as `version`, without validation. Version 30 has no gray samples: it gets the colors of the
+// BSPX lump RGBLIGHTING, or the gray ones without it. The other versions have no palettes of textures.
+// Returns kTooLarge with lump, record, and field if a number does not fit, such as a vertex index over 65535
+// in version 29. Bounds of nodes and leaves are integers in 29 and 2PSB: mins are rounded down, maxs up.
+// Except for that rounding, a level from read_bsp() reads back equal. The entity text must not contain a zero
+// byte.
 base::Result<base::ByteVector> write_bsp(const Bsp& bsp, BspVersion version);
 
 }  // namespace temblor::formats

@@ -73,6 +73,8 @@ Fault check_textures(const Bsp& bsp) {
     for (const std::uint32_t size : {texture.width, texture.height})
       if (size < 1 || size > kBspMaxTextureSize)
         return fault(kLump, i, "size {} is not within 1 to {}", size, kBspMaxTextureSize);
+    if (texture.palette.size() > 256)
+      return fault(kLump, i, "{} colors are over 256", texture.palette.size());
     if (texture.mips == BspMiptex{}.mips) continue;
     for (std::size_t mip = 0; mip < texture.mips.size(); ++mip)
       if (texture.mips[mip].size() != std::size_t{texture.width >> mip} * (texture.height >> mip))

@@ -4,7 +4,8 @@
 // numbers    finite, coordinates, axes and offsets within +-kBspMaxCoordinate
 // planes     normals of length 1 (to 1 %); type 0-5; types 0-2 have exactly that axis, positive, as normal
 // textures   present: width and height 1..kBspMaxTextureSize, and either all four mip levels of the stated
-//            sizes (the smallest may be empty) or none; not present: all else empty
+//            sizes (the smallest may be empty) or none; at most 256 colors of its own;
+//            not present: all else empty
 // texinfos   name a texture (which may be not present); axes may be zero or parallel
 // edges      name vertices; surfedges name edges, and negating one is safe
 // faces      3..kBspMaxFaceEdges surfedges, each ending at the vertex where the next starts; plane, texinfo

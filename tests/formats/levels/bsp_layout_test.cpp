@@ -10,7 +10,7 @@
 namespace temblor::formats {
 namespace {
 
-constexpr std::array kAllVersions{BspVersion::k29, BspVersion::k2Psb, BspVersion::kBsp2};
+constexpr std::array kAllVersions{BspVersion::k29, BspVersion::k2Psb, BspVersion::kBsp2, BspVersion::k30};
 
 // A lump of a file, found from the description of the header, without our reader.
 base::Bytes slice_lump(base::Bytes file, BspLump lump) {
@@ -23,25 +23,25 @@ base::Bytes slice_lump(base::Bytes file, BspLump lump) {
 struct LumpSize {
   BspLump lump;
   std::size_t records;
-  std::array<std::size_t, 3> record_bytes;  // in 29, 2PSB, BSP2
+  std::array<std::size_t, 4> record_bytes;  // in 29, 2PSB, BSP2, 30
 };
 
 TEST(BspLayout, RecordsHaveThePublishedSizes) {
   const Bsp room = test::make_cube_room();
   const LumpSize sizes[] = {
-      {BspLump::kPlanes, room.planes.size(), {20, 20, 20}},
-      {BspLump::kVertices, room.vertices.size(), {12, 12, 12}},
-      {BspLump::kNodes, room.nodes.size(), {24, 32, 44}},
-      {BspLump::kTexinfo, room.texinfos.size(), {40, 40, 40}},
-      {BspLump::kFaces, room.faces.size(), {20, 28, 28}},
-      {BspLump::kClipnodes, room.clipnodes.size(), {8, 12, 12}},
-      {BspLump::kLeaves, room.leaves.size(), {28, 32, 44}},
-      {BspLump::kMarksurfaces, room.marksurfaces.size(), {2, 4, 4}},
-      {BspLump::kEdges, room.edges.size(), {4, 8, 8}},
-      {BspLump::kSurfedges, room.surfedges.size(), {4, 4, 4}},
-      {BspLump::kModels, room.models.size(), {64, 64, 64}},
-      {BspLump::kLighting, room.lighting.size(), {1, 1, 1}},
-      {BspLump::kVisibility, room.visibility.size(), {1, 1, 1}},
+      {BspLump::kPlanes, room.planes.size(), {20, 20, 20, 20}},
+      {BspLump::kVertices, room.vertices.size(), {12, 12, 12, 12}},
+      {BspLump::kNodes, room.nodes.size(), {24, 32, 44, 24}},
+      {BspLump::kTexinfo, room.texinfos.size(), {40, 40, 40, 40}},
+      {BspLump::kFaces, room.faces.size(), {20, 28, 28, 20}},
+      {BspLump::kClipnodes, room.clipnodes.size(), {8, 12, 12, 8}},
+      {BspLump::kLeaves, room.leaves.size(), {28, 32, 44, 28}},
+      {BspLump::kMarksurfaces, room.marksurfaces.size(), {2, 4, 4, 2}},
+      {BspLump::kEdges, room.edges.size(), {4, 8, 8, 4}},
+      {BspLump::kSurfedges, room.surfedges.size(), {4, 4, 4, 4}},
+      {BspLump::kModels, room.models.size(), {64, 64, 64, 64}},
+      {BspLump::kLighting, room.lighting.size(), {1, 1, 1, 3}},
+      {BspLump::kVisibility, room.visibility.size(), {1, 1, 1, 1}},
   };
   for (std::size_t version = 0; version < kAllVersions.size(); ++version) {
     const auto file = test::make_cube_room_file(kAllVersions[version]);
@@ -59,6 +59,7 @@ TEST(BspLayout, VersionWords) {
   EXPECT_EQ(word(BspVersion::k29), std::string("\x1d\0\0\0", 4));
   EXPECT_EQ(word(BspVersion::k2Psb), "2PSB");
   EXPECT_EQ(word(BspVersion::kBsp2), "BSP2");
+  EXPECT_EQ(word(BspVersion::k30), std::string("\x1e\0\0\0", 4));
 }
 
 // Each field of a record gets a unique value, and must be at its published offset.

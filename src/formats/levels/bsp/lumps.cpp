@@ -1,6 +1,7 @@
 #include "formats/levels/bsp/lumps.h"
 
 #include <cstring>
+#include <utility>
 
 namespace temblor::formats::bsp_file {
 namespace {
@@ -26,6 +27,8 @@ std::int32_t version_word(BspVersion version) {
       return kVersion2Psb;
     case BspVersion::kBsp2:
       return kVersionBsp2;
+    case BspVersion::k30:
+      return kVersionHalfLife;
   }
   return 0;
 }
@@ -41,13 +44,28 @@ base::Result<BspVersion> parse_version(std::int32_t word) {
     case kVersionBsp2:
       return BspVersion::kBsp2;
     case kVersionHalfLife:
-      return error(ErrorCode::kUnsupported, "version 30: Half-Life levels are not supported");
+      return BspVersion::k30;
     case kVersionQuake64:
       return error(ErrorCode::kUnsupported, "version \"Q64 \": Quake 64 levels are not supported");
     default:
-      return error(ErrorCode::kUnsupported, "not a Quake level: unknown version {} (known: 29, 2PSB, BSP2)",
-                   word);
+      return error(ErrorCode::kUnsupported,
+                   "not a Quake level: unknown version {} (known: 29, 30, 2PSB, BSP2)", word);
   }
+}
+
+bool begins_with_entity(base::Bytes lump) {
+  const std::string_view text = base::as_text(lump);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
+// An expansion of Half-Life has planes in the first lump and entities in the second one, under the same
+// version.
+void swap_back_entities(base::Bytes file, Header& io_header) {
+  LumpPlace& entities = io_header.lumps[static_cast<std::size_t>(BspLump::kEntities)];
+  LumpPlace& planes = io_header.lumps[static_cast<std::size_t>(BspLump::kPlanes)];
+  if (!begins_with_entity(lump_bytes(file, entities)) && begins_with_entity(lump_bytes(file, planes)))
+    std::swap(entities, planes);
 }
 
 }  // namespace
@@ -75,6 +93,7 @@ base::Result<Header> read_header(base::Bytes file) {
   if (total > file.size())
     return base::malformed("lumps overlap: together they have {} bytes, but the file has only {}", total,
                            file.size());
+  if (header.version == BspVersion::k30) swap_back_entities(file, header);
   return header;
 }
 

@@ -6,6 +6,7 @@
 
 #include "formats/levels/bsp.h"
 #include "formats/levels/bsp/bspx.h"
+#include "formats/levels/bsp/half_life.h"
 #include "formats/levels/bsp/lumps.h"
 #include "formats/levels/bsp/records.h"
 #include "formats/levels/bsp/textures.h"
@@ -32,13 +33,13 @@ class RecordReader {
 
   template <typename Small, typename Large, typename Value>
   void number(const char*, Width<Small, Large>, Value& out_value) {
-    if (version_ == BspVersion::k29)
+    if (has_small_fields(version_))
       out_value = static_cast<Value>(reader_.read<Small>());
     else
       out_value = static_cast<Value>(reader_.read<Large>());
   }
   void child(const char*, std::int32_t& out_child, std::size_t node_count) {
-    if (version_ == BspVersion::k29) {
+    if (has_small_fields(version_)) {
       const std::int32_t raw = reader_.u16();
       out_child = static_cast<std::size_t>(raw) < node_count ? raw : raw - 65536;
     } else {
@@ -109,7 +110,7 @@ base::Result<Bsp> read_lumps(base::Bytes file, const Header& header) {
   const std::string_view text = base::as_text(lumps.bytes(BspLump::kEntities));
   bsp.entities = text.substr(0, text.find('\0'));
   TRY(bsp.planes, lumps.records<BspPlane>(BspLump::kPlanes));
-  TRY(bsp.miptexes, read_textures(lumps.bytes(BspLump::kTextures)));
+  TRY(bsp.miptexes, read_textures(lumps.bytes(BspLump::kTextures), header.version));
   TRY(bsp.vertices, lumps.records<math::Vec3>(BspLump::kVertices));
   bsp.visibility = lumps.numbers(BspLump::kVisibility);
   TRY(bsp.nodes, lumps.records<BspNode>(BspLump::kNodes));
@@ -199,6 +200,7 @@ base::Result<Bsp> read_bsp(base::Bytes bytes) {
   TRY(Bsp bsp, bsp_file::read_lumps(bytes, header));
   bsp_file::correct_plane_types(bsp.planes);
   bsp_file::clear_offsets_into_empty_lumps(bsp);
+  if (bsp.version == BspVersion::k30) bsp_file::separate_gray_light(bsp);
   auto fault = find_fault(bsp);
   if (fault) {
     bsp_file::reset_unused(bsp);

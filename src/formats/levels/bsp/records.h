@@ -1,6 +1,6 @@
 // The record layouts of a level, defined once for reading and writing: fields(io, record) visits the fields
-// in file order, with their widths in version 29 and in the two wide versions. The Io type reads, writes, or
-// counts them.
+// in file order, with their widths in versions 29 and 30 and in the two wide versions. The Io type reads,
+// writes, or counts them.
 #pragma once
 
 #include <concepts>
@@ -11,9 +11,13 @@
 
 namespace temblor::formats::bsp_file {
 
-// The type of a field in the file: in version 29, and in 2PSB and BSP2.
+// The type of a field in the file: in versions 29 and 30, and in 2PSB and BSP2.
 template <typename Small, typename Large = Small>
 struct Width {};
+inline bool has_small_fields(BspVersion version) {
+  return version == BspVersion::k29 || version == BspVersion::k30;
+}
+
 inline constexpr Width<float> kF32;
 inline constexpr Width<std::uint8_t> kU8;
 inline constexpr Width<std::int32_t> kI32;
@@ -21,8 +25,8 @@ inline constexpr Width<std::int16_t, std::int32_t> kI16OrI32;
 inline constexpr Width<std::uint16_t, std::int32_t> kU16OrI32;
 inline constexpr Width<std::uint16_t, std::uint32_t> kU16OrU32;
 
-// In version 29, a 16-bit child is a node if it is below the number of nodes, and negative otherwise; so
-// large levels can use more than 32767 nodes.
+// In versions 29 and 30, a 16-bit child is a node if it is below the number of nodes, and negative otherwise;
+// so large levels can use more than 32767 nodes.
 struct TreeSizes {
   std::size_t nodes = 0, clipnodes = 0;
 };
@@ -160,7 +164,7 @@ class RecordSizer {
 
   template <typename Small, typename Large, typename Value>
   void number(const char*, Width<Small, Large>, const Value&) {
-    bytes_ += version_ == BspVersion::k29 ? sizeof(Small) : sizeof(Large);
+    bytes_ += has_small_fields(version_) ? sizeof(Small) : sizeof(Large);
   }
   void child(const char* name, const std::int32_t& value, std::size_t) { number(name, kI16OrI32, value); }
   void bounds(const math::Vec3&, const math::Vec3&) {

@@ -13,6 +13,7 @@ constexpr std::size_t kMiptexNameBytes = 16;
 constexpr std::size_t kTextureHeaderBytes = kMiptexNameBytes + 6 * 4;
 constexpr std::int32_t kNotPresent = -1;
 constexpr std::uint32_t kSomeTextureSize = 16;
+constexpr std::size_t kMaxOwnColors = 256;
 
 bool is_texture_size(std::uint32_t size) {
   return size >= 1 && size <= kBspMaxTextureSize;
@@ -32,9 +33,25 @@ BspMiptex make_without_texels(std::string name, std::uint32_t width, std::uint32
   return texture;
 }
 
+// Returns no colors if they are not inside of the lump.
+std::vector<Rgb> read_own_palette(base::Bytes lump, std::size_t offset) {
+  base::ByteReader reader(lump);
+  reader.seek(offset);
+  const std::size_t count = reader.u16();
+  if (!reader.ok() || count > kMaxOwnColors || reader.remaining() < 3 * count) return {};
+  std::vector<Rgb> palette(count);
+  for (Rgb& color : palette) {
+    color.r = reader.u8();
+    color.g = reader.u8();
+    color.b = reader.u8();
+  }
+  return palette;
+}
+
 // Reads one texture. `io_budget_bytes`: the remaining limit for the total size of all textures, so that many
 // textures that share the same texels cannot exhaust memory.
-BspMiptex read_texture(base::Bytes lump, std::size_t offset, std::size_t& io_budget_bytes) {
+BspMiptex read_texture(base::Bytes lump, std::size_t offset, BspVersion version,
+                       std::size_t& io_budget_bytes) {
   base::ByteReader reader(lump);
   reader.seek(offset);
   std::string name = reader.fixed_text(kMiptexNameBytes).substr(0, kMiptexNameBytes - 1);
@@ -58,10 +75,12 @@ BspMiptex read_texture(base::Bytes lump, std::size_t offset, std::size_t& io_bud
     const auto texels = base::as_u8(lump.subspan(begin, size));
     texture.mips[mip].assign(texels.begin(), texels.end());
   }
+  if (version == BspVersion::k30)
+    texture.palette = read_own_palette(lump, offset + mip_offsets[3] + mip_bytes(texture, 3));
   return texture;
 }
 
-base::Status write_texture(base::ByteWriter& writer, const BspMiptex& texture) {
+base::Status write_texture(base::ByteWriter& writer, const BspMiptex& texture, BspVersion version) {
   if (texture.name.size() >= kMiptexNameBytes)
     return error(base::ErrorCode::kTooLarge, "its name \"{}\" is longer than {} characters", texture.name,
                  kMiptexNameBytes - 1);
@@ -75,12 +94,16 @@ base::Status write_texture(base::ByteWriter& writer, const BspMiptex& texture) {
     mip_offset += mip.size();
   }
   for (const auto& mip : texture.mips) writer.bytes(std::as_bytes(std::span(mip)));
+  if (version != BspVersion::k30 || is_external) return base::Ok{};
+  writer.u16(static_cast<std::uint16_t>(texture.palette.size()));
+  for (const Rgb& color : texture.palette)
+    for (const std::uint8_t part : {color.r, color.g, color.b}) writer.u8(part);
   return base::Ok{};
 }
 
 }  // namespace
 
-base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump) {
+base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump, BspVersion version) {
   std::vector<BspMiptex> textures;
   if (lump.empty()) return textures;
   base::ByteReader reader(lump);
@@ -95,12 +118,13 @@ base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump) {
     // Any other negative offset becomes a huge one, where no header is.
     textures.push_back(offset == kNotPresent
                            ? BspMiptex{}
-                           : read_texture(lump, static_cast<std::uint32_t>(offset), budget_bytes));
+                           : read_texture(lump, static_cast<std::uint32_t>(offset), version, budget_bytes));
   }
   return textures;
 }
 
-base::Status write_textures(base::ByteWriter& writer, const std::vector<BspMiptex>& textures) {
+base::Status write_textures(base::ByteWriter& writer, const std::vector<BspMiptex>& textures,
+                            BspVersion version) {
   const std::size_t lump_begin = writer.size();
   writer.u32(static_cast<std::uint32_t>(textures.size()));
   const std::size_t table = writer.size();
@@ -109,7 +133,7 @@ base::Status write_textures(base::ByteWriter& writer, const std::vector<BspMipte
     if (!textures[i].present) continue;
     writer.align(4);
     writer.patch(table + 4 * i, static_cast<std::uint32_t>(writer.size() - lump_begin));
-    if (auto status = write_texture(writer, textures[i]); !status)
+    if (auto status = write_texture(writer, textures[i], version); !status)
       return error(status.error().code, "lump textures: texture {}: {}", i, status.error().what);
   }
   return base::Ok{};

@@ -6,6 +6,7 @@
 
 #include "formats/levels/bsp.h"
 #include "formats/levels/bsp/bspx.h"
+#include "formats/levels/bsp/half_life.h"
 #include "formats/levels/bsp/lumps.h"
 #include "formats/levels/bsp/records.h"
 #include "formats/levels/bsp/textures.h"
@@ -26,14 +27,14 @@ class RecordWriter {
 
   template <typename Small, typename Large, typename Value>
   void number(const char* name, Width<Small, Large>, const Value& value) {
-    if (version_ == BspVersion::k29)
+    if (has_small_fields(version_))
       put<Small>(name, value);
     else
       put<Large>(name, value);
   }
   // The reverse of RecordReader::child(): the value must read back as the same child.
   void child(const char* name, const std::int32_t& child, std::size_t node_count) {
-    if (version_ != BspVersion::k29) return put<std::int32_t>(name, child);
+    if (!has_small_fields(version_)) return put<std::int32_t>(name, child);
     const std::int32_t raw = child < 0 ? child + 65536 : child;
     const bool reads_as_node = static_cast<std::size_t>(raw) < node_count;
     if (reads_as_node != (child >= 0)) note_misfit(name, child);
@@ -127,25 +128,33 @@ class LumpWriter {
 }  // namespace bsp_file
 
 base::Result<base::ByteVector> write_bsp(const Bsp& bsp, BspVersion version) {
+  const bool is_half_life = version == BspVersion::k30;
   bsp_file::LumpWriter lumps(bsp, version);
   lumps.text(BspLump::kEntities, bsp.entities);
   TRY_STATUS(lumps.records(BspLump::kPlanes, bsp.planes));
   lumps.begin();
-  TRY_STATUS(bsp_file::write_textures(lumps.writer(), bsp.miptexes));
+  TRY_STATUS(bsp_file::write_textures(lumps.writer(), bsp.miptexes, version));
   lumps.end(BspLump::kTextures);
   TRY_STATUS(lumps.records(BspLump::kVertices, bsp.vertices));
   lumps.bytes(BspLump::kVisibility, std::as_bytes(std::span(bsp.visibility)));
   TRY_STATUS(lumps.records(BspLump::kNodes, bsp.nodes));
   TRY_STATUS(lumps.records(BspLump::kTexinfo, bsp.texinfos));
-  TRY_STATUS(lumps.records(BspLump::kFaces, bsp.faces));
-  lumps.bytes(BspLump::kLighting, std::as_bytes(std::span(bsp.lighting)));
+  if (is_half_life) {
+    TRY(const std::vector<BspFace> faces, bsp_file::count_light_bytes(bsp.faces));
+    TRY_STATUS(lumps.records(BspLump::kFaces, faces));
+    lumps.bytes(BspLump::kLighting, bsp_file::colored_light(bsp));
+  } else {
+    TRY_STATUS(lumps.records(BspLump::kFaces, bsp.faces));
+    lumps.bytes(BspLump::kLighting, std::as_bytes(std::span(bsp.lighting)));
+  }
   TRY_STATUS(lumps.records(BspLump::kClipnodes, bsp.clipnodes));
   TRY_STATUS(lumps.records(BspLump::kLeaves, bsp.leaves));
   TRY_STATUS(lumps.records(BspLump::kMarksurfaces, bsp.marksurfaces));
   TRY_STATUS(lumps.records(BspLump::kEdges, bsp.edges));
   TRY_STATUS(lumps.records(BspLump::kSurfedges, bsp.surfedges));
   TRY_STATUS(lumps.records(BspLump::kModels, bsp.models));
-  TRY_STATUS(bsp_file::write_bspx(lumps.writer(), bsp.bspx));
+  TRY_STATUS(bsp_file::write_bspx(lumps.writer(),
+                                  is_half_life ? bsp_file::lumps_without_light(bsp.bspx) : bsp.bspx));
   if (lumps.writer().size() > std::numeric_limits<std::int32_t>::max())
     return error(base::ErrorCode::kTooLarge, "the level is larger than 2 GiB");
   return std::move(lumps.writer()).take();
