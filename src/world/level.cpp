@@ -35,13 +35,18 @@ Node make_node(const formats::BspNode& node) {
           node.face_count};
 }
 
+// Contents that only matter to a compiler or to other games' entities, such as Half-Life's translucent (-15)
+// and ladder (-16), are empty.
+Contents make_contents(std::int32_t value) {
+  const auto contents = static_cast<Contents>(value);
+  const bool is_known = (contents <= Contents::kEmpty && contents >= Contents::kSky) ||
+                        (contents <= Contents::kCurrent0 && contents >= Contents::kCurrentDown);
+  return is_known ? contents : Contents::kEmpty;
+}
+
 Leaf make_leaf(const formats::BspLeaf& leaf) {
-  return {static_cast<Contents>(leaf.contents),
-          leaf.visibility_offset,
-          {leaf.mins, leaf.maxs},
-          leaf.first_marksurface,
-          leaf.marksurface_count,
-          leaf.ambient};
+  return {make_contents(leaf.contents), leaf.visibility_offset, {leaf.mins, leaf.maxs},
+          leaf.first_marksurface,       leaf.marksurface_count, leaf.ambient};
 }
 
 Model make_model(const formats::BspModel& model) {
@@ -121,6 +126,8 @@ base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::str
                                                       const formats::Lit* lit, ColoredTextures colored) {
   auto level = std::make_shared<Level>();
   level->name = std::move(name);
+  level->is_half_life = bsp.version == formats::BspVersion::k30;
+  if (level->is_half_life) level->hull_boxes = kHalfLifeHulls;
   formats::EntityText text = formats::read_faulty_entities(bsp.entities);
   level->entities = std::move(text.entities);
   if (!text.first_fault.empty())
@@ -128,7 +135,8 @@ base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::str
   take_geometry(bsp, *level);
   TRY_STATUS(take_light(bsp, lit, *level));
   take_light_grid(bsp, *level);
-  level->textures = make_textures(bsp.miptexes, colored);
+  level->textures =
+      make_textures(bsp.miptexes, colored, level->is_half_life ? NameRules::kHalfLife : NameRules::kQuake);
   TRY_STATUS(make_faces(bsp, *level));
   return std::shared_ptr<const Level>(std::move(level));
 }

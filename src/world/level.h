@@ -153,7 +153,8 @@ struct TextureAxes {
   float t_offset;
 };
 
-// From the name: "sky...", "*..." for liquids, "{..." for cutouts whose index 255 is transparent.
+// From the name: "sky...", "*..." for liquids ("!..." too in Half-Life), "{..." for cutouts whose index 255
+// is transparent.
 enum class TextureKind : std::uint8_t { kOpaque, kCutout, kSky, kLiquid };
 
 // Always drawable: a texture that is missing from the level is a 64 x 64 checkerboard with `missing` set.
@@ -197,6 +198,16 @@ struct Clipnode {
   std::array<std::int32_t, 2> children;  // negative: contents
 };
 
+// The boxes by which a level's clip hulls 1 to 3 were expanded, each around the origin of a trace. The map
+// compiler chooses them, so they depend on the version of the file.
+using HullBoxes = std::array<math::Bounds, 3>;
+// The boxes of Quake: a player, a large monster; hull 3 is not used.
+constexpr HullBoxes kQuakeHulls = {
+    {{{-16, -16, -24}, {16, 16, 32}}, {{-32, -32, -24}, {32, 32, 64}}, {{-32, -32, -24}, {32, 32, 64}}}};
+// The boxes of Half-Life (version 30): a standing player, a large monster, a ducking player.
+constexpr HullBoxes kHalfLifeHulls = {
+    {{{-16, -16, -36}, {16, 16, 36}}, {{-32, -32, -32}, {32, 32, 32}}, {{-16, -16, -18}, {16, 16, 18}}}};
+
 // Distinguishes levels. A cache for a level keeps a copy of the level's identity pointer; as long as it does,
 // no other level can have the same identity.
 struct LevelIdentity {};
@@ -205,6 +216,9 @@ struct Level {
   std::shared_ptr<const LevelIdentity> identity = std::make_shared<const LevelIdentity>();
   std::string name;
   std::vector<formats::Entity> entities;
+  // From a file of version 30: made for Half-Life, with its hulls and classes of entities.
+  bool is_half_life = false;
+  HullBoxes hull_boxes = kQuakeHulls;
   std::vector<Plane> planes;
   std::vector<Node> nodes;
   std::vector<Leaf> leaves;

@@ -16,12 +16,7 @@ namespace {
 
 constexpr double kSurfaceGap = 1.0 / 32;  // units that a trace keeps from a surface
 constexpr double kStepBack = 0.1;         // fraction of a piece
-
-constexpr std::array<math::Bounds, 3> kHullBoxes = {{
-    {{0, 0, 0}, {0, 0, 0}},
-    {{-16, -16, -24}, {16, 16, 32}},
-    {{-32, -32, -24}, {32, 32, 64}},
-}};
+constexpr float kLowHeight = 36;          // units, of Half-Life's ducking player
 
 // A common view of the nodes and leaves of hull 0 and the clipnodes of the other hulls and of parts of hulls.
 class HullTree {
@@ -175,10 +170,12 @@ Trace trace_tree(const HullTree& tree, const math::Vec3& start, const math::Vec3
 
 }  // namespace
 
-HullChoice choose_hull(const math::Vec3& box_mins, const math::Vec3& box_maxs) {
+HullChoice choose_hull(const Level& level, const math::Vec3& box_mins, const math::Vec3& box_maxs) {
   const float width = box_maxs.x - box_mins.x;
-  const Hull hull = width < 3 ? Hull::kPoint : width <= 32 ? Hull::kPlayer : Hull::kLarge;
-  return {hull, box_mins - kHullBoxes[static_cast<std::size_t>(hull)].mins};
+  if (width < 3) return {Hull::kPoint, box_mins};
+  Hull hull = width <= 32 ? Hull::kPlayer : Hull::kLarge;
+  if (level.is_half_life && hull == Hull::kPlayer && box_maxs.z - box_mins.z <= kLowHeight) hull = Hull::kLow;
+  return {hull, box_mins - level.hull_boxes[static_cast<std::size_t>(hull) - 1].mins};
 }
 
 Trace trace_line(const Level& level, ModelIndex model, Hull hull, const math::Vec3& start,
@@ -192,7 +189,7 @@ Trace trace_line(const Level& level, const HullPart& part, const math::Vec3& sta
 
 Trace trace_box_through_model(const Level& level, ModelIndex model, const math::Vec3& model_origin,
                               const math::Bounds& box, const math::Vec3& start, const math::Vec3& end) {
-  const HullChoice choice = choose_hull(box.mins, box.maxs);
+  const HullChoice choice = choose_hull(level, box.mins, box.maxs);
   const math::Vec3 to_hull = choice.offset - model_origin;
   Trace trace = trace_line(level, model, choice.hull, start + to_hull, end + to_hull);
   trace.end = trace.fraction == 1 ? end : trace.end - to_hull;

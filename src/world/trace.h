@@ -17,9 +17,10 @@
 
 namespace temblor::world {
 
-// Hull 0 is for points: the tree that is drawn. Hulls 1 and 2 are clip hulls, expanded by the player's box
-// (32 x 32 x 56 units) and a large monster's box (64 x 64 x 88).
-enum class Hull : std::uint8_t { kPoint, kPlayer, kLarge };
+// Hull 0 is for points: the tree that is drawn. The others are clip hulls, expanded by the boxes in
+// Level::hull_boxes: in Quake's levels a player's (32 x 32 x 56 units) and a large monster's (64 x 64 x 88).
+// Only Half-Life's levels have a low hull, for ducking players.
+enum class Hull : std::uint8_t { kPoint, kPlayer, kLarge, kLow };
 
 // A hull for a box, and the offset to add to positions so that the hull's mins match those of the box.
 struct HullChoice {
@@ -27,8 +28,10 @@ struct HullChoice {
   math::Vec3 offset;
 };
 // Returns the hull for a box by its width in x, as in the original: kPoint below 3 units, kPlayer up to 32,
-// kLarge above. Boxes are never traced with their exact size.
-HullChoice choose_hull(const math::Vec3& box_mins, const math::Vec3& box_maxs);
+// kLarge above. Boxes are never traced with their exact size. In a Half-Life level, a box of kPlayer's width
+// that is no higher than a ducking player gets kLow. Quake's player (56 units high) gets the hull of a
+// standing one (72): so the feet are on the floor, and the head is never in a ceiling.
+HullChoice choose_hull(const Level& level, const math::Vec3& box_mins, const math::Vec3& box_maxs);
 
 // The result of a trace.
 struct Trace {

@@ -1,6 +1,7 @@
 // How textures become drawable: kinds, missing textures, mip levels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -50,6 +51,24 @@ TEST(Textures, KindComesFromTheName) {
   const TestLevel test = level_with(miptexes);
   for (std::size_t i = 0; i < std::size(kinds); ++i)
     EXPECT_EQ(test.level->textures[i].kind, kinds[i].second) << kinds[i].first;
+}
+
+// The names mean more in a level of Half-Life.
+TEST(Textures, HalfLifeHasOtherLiquidsAndTexturesThatShowNothing) {
+  for (const bool half_life : {false, true}) {
+    formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+    if (half_life) bsp.version = formats::BspVersion::k30;
+    bsp.miptexes = {numbered_miptex("!water", 16, 16), numbered_miptex("AAATRIGGER", 16, 16),
+                    numbered_miptex("clipper", 16, 16)};
+    const TestLevel test = test_level("textures", std::move(bsp));
+    EXPECT_EQ(test.level->textures[0].kind, half_life ? TextureKind::kLiquid : TextureKind::kOpaque);
+    const Texture& tool = test.level->textures[1];
+    expect_drawable(tool);
+    EXPECT_EQ(tool.kind, half_life ? TextureKind::kCutout : TextureKind::kOpaque);
+    EXPECT_EQ(std::ranges::all_of(tool.mips[0], [](int index) { return index == 255; }), half_life);
+    EXPECT_FALSE(tool.missing);
+    EXPECT_EQ(test.level->textures[2].kind, TextureKind::kOpaque);
+  }
 }
 
 TEST(Textures, OfStockLevelsAreKeptAsStored) {

@@ -303,21 +303,40 @@ TEST(HullContents, OfStockLevelsAreWhatAPlainWalkFinds) {
 }
 
 TEST(ChooseHull, GoesByWidthAndMakesTheLowerCornersMeet) {
-  const HullChoice point = choose_hull({0, 0, 0}, {0, 0, 0});
+  const Level level;
+  const HullChoice point = choose_hull(level, {0, 0, 0}, {0, 0, 0});
   EXPECT_EQ(point.hull, Hull::kPoint);
   EXPECT_EQ(point.offset, math::Vec3(0, 0, 0));
-  const HullChoice player = choose_hull({-16, -16, -24}, {16, 16, 32});
+  const HullChoice player = choose_hull(level, {-16, -16, -24}, {16, 16, 32});
   EXPECT_EQ(player.hull, Hull::kPlayer);
   EXPECT_EQ(player.offset, math::Vec3(0, 0, 0));
-  const HullChoice crate = choose_hull({0, 0, 0}, {32, 32, 64});
+  const HullChoice crate = choose_hull(level, {0, 0, 0}, {32, 32, 64});
   EXPECT_EQ(crate.hull, Hull::kPlayer);
   EXPECT_EQ(crate.offset, math::Vec3(16, 16, 24));
-  const HullChoice monster = choose_hull({-32, -32, -24}, {32, 32, 64});
+  const HullChoice monster = choose_hull(level, {-32, -32, -24}, {32, 32, 64});
   EXPECT_EQ(monster.hull, Hull::kLarge);
   EXPECT_EQ(monster.offset, math::Vec3(0, 0, 0));
-  EXPECT_EQ(choose_hull({-1, -50, -50}, {1, 50, 50}).hull, Hull::kPoint);
-  EXPECT_EQ(choose_hull({-1.5f, 0, 0}, {1.5f, 0, 0}).hull, Hull::kPlayer);
-  EXPECT_EQ(choose_hull({-16.5f, 0, 0}, {16.5f, 0, 0}).hull, Hull::kLarge);
+  EXPECT_EQ(choose_hull(level, {-1, -50, -50}, {1, 50, 50}).hull, Hull::kPoint);
+  EXPECT_EQ(choose_hull(level, {-1.5f, 0, 0}, {1.5f, 0, 0}).hull, Hull::kPlayer);
+  EXPECT_EQ(choose_hull(level, {-16.5f, 0, 0}, {16.5f, 0, 0}).hull, Hull::kLarge);
+}
+
+// The boxes of Half-Life's hulls are centered, so that a box of Quake stands 12 or 8 units higher in them.
+TEST(ChooseHull, PutsFeetOnTheFloorOfHalfLifesHulls) {
+  Level level;
+  level.is_half_life = true;
+  level.hull_boxes = kHalfLifeHulls;
+  const HullChoice player = choose_hull(level, {-16, -16, -24}, {16, 16, 32});
+  EXPECT_EQ(player.hull, Hull::kPlayer);
+  EXPECT_EQ(player.offset, math::Vec3(0, 0, 12));
+  const HullChoice monster = choose_hull(level, {-32, -32, -24}, {32, 32, 64});
+  EXPECT_EQ(monster.hull, Hull::kLarge);
+  EXPECT_EQ(monster.offset, math::Vec3(0, 0, 8));
+  const HullChoice low = choose_hull(level, {-16, -16, 0}, {16, 16, 36});
+  EXPECT_EQ(low.hull, Hull::kLow);
+  EXPECT_EQ(low.offset, math::Vec3(0, 0, 18));
+  EXPECT_EQ(choose_hull(level, {-16, -16, 0}, {16, 16, 37}).hull, Hull::kPlayer);
+  EXPECT_EQ(choose_hull(level, {-1, -1, 0}, {1, 1, 9}).hull, Hull::kPoint);
 }
 
 }  // namespace

@@ -76,6 +76,7 @@ class FlightEnvironment : public movement::Environment {
 NavSpace::NavSpace(std::shared_ptr<const world::Level> level, const LevelFacts& facts)
     : level_(std::move(level)),
       facts_(&facts),
+      to_hull_(world::choose_hull(*level_, kPlayerBox.mins, kPlayerBox.maxs).offset),
       player_hull_(*level_, world::ModelIndex{0}, world::Hull::kPlayer),
       point_hull_(*level_, world::ModelIndex{0}, world::Hull::kPoint) {
   for (std::size_t i = 0; i < facts.movers.size(); ++i) {
@@ -108,10 +109,9 @@ math::Bounds NavSpace::mover_box(int mover, int state) const {
   return box;
 }
 
-// The hull has the size of the player's box, so positions need no offset.
 world::Trace NavSpace::trace_world(const math::Vec3& start, const math::Vec3& end) const {
-  world::Trace trace = player_hull_.trace_line(start, end);
-  if (trace.fraction == 1) trace.end = end;
+  world::Trace trace = player_hull_.trace_line(start + to_hull_, end + to_hull_);
+  trace.end = trace.fraction == 1 ? end : trace.end - to_hull_;
   return trace;
 }
 

@@ -71,6 +71,8 @@ class NavSpace {
 
   std::shared_ptr<const world::Level> level_;
   const LevelFacts* facts_;
+  // From a player's origin to that of the hull, whose box may be higher (world::choose_hull()).
+  math::Vec3 to_hull_;
   // The world's hulls. Queries fill them, so one thread at a time may use a NavSpace.
   mutable world::HullCells player_hull_, point_hull_;
   // By mover: the origins at which a player may touch it in any of its states.

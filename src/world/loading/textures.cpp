@@ -1,6 +1,7 @@
 #include "world/loading/textures.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "formats/images/nearest_color.h"
 
 namespace temblor::world {
 namespace {
@@ -17,9 +19,19 @@ constexpr std::uint32_t kCheckerSquare = 8;
 // Black and the brightest red of the stock palette, which nobody mistakes for a real texture.
 constexpr std::uint8_t kCheckerColors[2] = {0, 251};
 
-TextureKind parse_texture_kind(std::string_view name) {
+// Textures that only tell a compiler or the game about a brush. Half-Life's levels may contain faces of them,
+// which are never drawn.
+bool is_clear(std::string_view name, NameRules names) {
+  constexpr std::array<std::string_view, 6> kTools = {"aaatrigger", "clip", "origin", "null", "skip", "hint"};
+  return names == NameRules::kHalfLife && std::ranges::any_of(kTools, [&](std::string_view tool) {
+           return base::equal_ignoring_case(name, tool);
+         });
+}
+
+TextureKind parse_texture_kind(std::string_view name, NameRules names) {
   if (base::equal_ignoring_case(name.substr(0, 3), "sky")) return TextureKind::kSky;
   if (name.starts_with('*')) return TextureKind::kLiquid;
+  if (names == NameRules::kHalfLife && name.starts_with('!')) return TextureKind::kLiquid;
   if (name.starts_with('{')) return TextureKind::kCutout;
   return TextureKind::kOpaque;
 }
@@ -50,9 +62,9 @@ void complete_mips(Texture& io_texture) {
   }
 }
 
-Texture make_missing_texture(std::string name) {
+Texture make_missing_texture(std::string name, NameRules names) {
   Texture texture{};
-  texture.kind = parse_texture_kind(name);
+  texture.kind = parse_texture_kind(name, names);
   texture.name = std::move(name);
   texture.missing = true;
   texture.width = texture.height = kCheckerSize;
@@ -63,12 +75,24 @@ Texture make_missing_texture(std::string name) {
   return texture;
 }
 
-Texture make_texture(formats::BspMiptex& io_miptex) {
+// One that shows nothing: a cutout of which every texel is clear.
+Texture make_clear_texture(std::string name) {
+  Texture texture{};
+  texture.kind = TextureKind::kCutout;
+  texture.name = std::move(name);
+  texture.width = texture.height = kCheckerSize;
+  texture.mips[0].assign(std::size_t{kCheckerSize} * kCheckerSize, formats::kTransparentIndex);
+  complete_mips(texture);
+  return texture;
+}
+
+Texture make_texture(formats::BspMiptex& io_miptex, NameRules names) {
+  if (is_clear(io_miptex.name, names)) return make_clear_texture(std::move(io_miptex.name));
   const std::size_t texels = std::size_t{io_miptex.width} * io_miptex.height;
   if (!io_miptex.present || texels == 0 || io_miptex.mips[0].size() != texels)
-    return make_missing_texture(std::move(io_miptex.name));
+    return make_missing_texture(std::move(io_miptex.name), names);
   Texture texture{};
-  texture.kind = parse_texture_kind(io_miptex.name);
+  texture.kind = parse_texture_kind(io_miptex.name, names);
   texture.name = std::move(io_miptex.name);
   texture.width = io_miptex.width;
   texture.height = io_miptex.height;
@@ -144,14 +168,15 @@ void link_animations(std::vector<Texture>& io_textures) {
 
 }  // namespace
 
-std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes,
-                                   ColoredTextures& io_colored) {
+std::vector<Texture> make_textures(std::vector<formats::BspMiptex>& io_miptexes, ColoredTextures& io_colored,
+                                   NameRules names) {
   std::vector<Texture> textures;
   textures.reserve(io_miptexes.size() + 1);
-  for (formats::BspMiptex& miptex : io_miptexes) textures.push_back(make_texture(miptex));
+  for (formats::BspMiptex& miptex : io_miptexes) textures.push_back(make_texture(miptex, names));
   for (std::size_t i = 0; i < std::min(textures.size(), io_colored.size()); ++i)
-    if (io_colored[i] && !textures[i].missing) set_colors(std::move(*io_colored[i]), textures[i]);
-  textures.push_back(make_missing_texture(""));
+    if (io_colored[i] && !textures[i].missing && !is_clear(textures[i].name, names))
+      set_colors(std::move(*io_colored[i]), textures[i]);
+  textures.push_back(make_missing_texture("", names));
   link_animations(textures);
   return textures;
 }
