@@ -5,6 +5,7 @@
 //                                          +--> world::make_level() --> LoadedLevel (level, notes)
 //   .ent, .vis, .lit (level/additions.h) --+
 //   textures/ (level/external_textures.h) -+
+//   WADs (level/wad_textures.h) -----------+
 //
 // A problem that leaves the level playable becomes a note instead of an error, because many released levels
 // have one.
@@ -12,6 +13,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,8 +44,10 @@ struct LevelOptions {
 base::Result<LoadedLevel> load_level(const vfs::FileSystem& files, std::string_view map_name,
                                      const LevelOptions& options = {});
 
-// Loads a .bsp from any path on disk, with the files next to it. For tools.
-base::Result<LoadedLevel> load_level_file(const std::filesystem::path& path);
+// Loads a .bsp from any path on disk, with the files next to it. For tools. Without the game's palette,
+// textures that have one of their own keep its indices.
+base::Result<LoadedLevel> load_level_file(const std::filesystem::path& path,
+                                          const std::optional<formats::Palette>& palette = std::nullopt);
 
 // The colors of the game: the palette translates indices to RGB, the colormap shades indices by light level.
 struct Look {

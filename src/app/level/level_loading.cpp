@@ -92,7 +92,7 @@ base::Result<LoadedMap> load_level_on_disk(const GameFolders& folders, const std
   loaded.name = file.stem().string();
   TRY(std::optional<vfs::FileSystem> files, open_optional_files(folders));
   TRY(loaded.look, find_optional_look(folders, loaded.notes));
-  TRY(assets::LoadedLevel level, assets::load_level_file(file));
+  TRY(assets::LoadedLevel level, assets::load_level_file(file, loaded.look.palette));
   attach_level(std::move(level), loaded);
   if (!files) return loaded;
   mount_level(file, loaded.name, *files);
