@@ -52,8 +52,12 @@ class Pipeline {
 
   TextureSet load_textures(const LevelSource& source) {
     return stages_.run("textures", [&] {
-      return make_texture_set(find_texture_names(source.map), source.textures, source.palette,
-                              options_.mip_levels, context_.warnings);
+      TextureSet textures = make_texture_set(find_texture_names(source.map), source.textures, source.palette,
+                                             options_.mip_levels, context_.warnings);
+      if (options_.draft.half_life)
+        for (formats::BspMiptex& texture : textures.miptexes)
+          texture.palette.assign(source.palette.begin(), source.palette.end());
+      return textures;
     });
   }
 

@@ -25,7 +25,9 @@ struct CompileOptions {
   StagePolicy visibility_policy = StagePolicy::kBuild;
   StagePolicy light_policy = StagePolicy::kBuild;
   bool fast_visibility = false;  // VisibilityKind::kRough instead of kFull
-  bool bsp2 = false;             // write the BSP2 format even if the level fits the original's (version 29)
+  // The format is version 30 if draft.half_life; else BSP2 if `bsp2`, or if the level does not fit
+  // version 29.
+  bool bsp2 = false;
 };
 
 }  // namespace temblor::compiler

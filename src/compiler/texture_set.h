@@ -40,10 +40,10 @@ enum class MipLevels : std::uint8_t { kFromSource, kBuilt };
 // Collects the textures for `names` (which may repeat), each from the first source that has it. For a texture
 // +0 to +9 or +a to +j, also collects all frames of both of its sequences.
 //
-// Missing mip levels are built. WAD3 textures are converted to the game's palette. Warns about sources and
-// textures that cannot be read (they are skipped), textures that no source has (they become a checkerboard of
-// 64 x 64 texels), names that are equal in their first 15 characters, missing animation frames, and sides
-// that are not multiples of 16 texels.
+// Missing mip levels are built. Textures with palettes of their own (WAD3, levels of version 30) are
+// converted to the game's. Warns about sources and textures that cannot be read (they are skipped), textures
+// that no source has (they become a checkerboard of 64 x 64 texels), names that are equal in their first 15
+// characters, missing animation frames, and sides that are not multiples of 16 texels.
 TextureSet make_texture_set(std::span<const std::string_view> names, std::span<const TextureSource> sources,
                             const formats::Palette& palette, MipLevels mip_levels, Warnings& io_warnings);
 

@@ -42,10 +42,10 @@ compiler::DraftResult compile_draft(const std::string& map_text, const compiler:
       .value();
 }
 
-std::shared_ptr<const world::Level> make_level_of_brushes(const formats::Map& map) {
+std::shared_ptr<const world::Level> make_level_of_brushes(const formats::Map& map,
+                                                          compiler::DraftOptions options) {
   base::Jobs jobs(2);
   compiler::Warnings warnings;
-  compiler::DraftOptions options;
   options.fill_outside = false;
   const compiler::DraftResult result =
       compiler::make_draft(

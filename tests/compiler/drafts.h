@@ -22,7 +22,8 @@ std::string room_text(const std::string& more_brushes = {});
 compiler::DraftResult compile_draft(const std::string& map_text, const compiler::DraftOptions& options = {},
                                     int threads = 1);
 // A map's brushes as a level that is not filled: everything outside them is empty.
-std::shared_ptr<const world::Level> make_level_of_brushes(const formats::Map& map);
+std::shared_ptr<const world::Level> make_level_of_brushes(const formats::Map& map,
+                                                          compiler::DraftOptions options = {});
 base::Result<compiler::DraftResult> try_compile_draft(const std::string& map_text,
                                                       compiler::Warnings& io_warnings);
 

@@ -73,11 +73,12 @@ base::Status check(const CompileCommandOptions& options) {
   if (options.fast && shared) return usage_error("--shard and --merge cannot be combined with --fast");
   if (from_level && (options.watch || options.only == CompileStage::kBsp))
     return usage_error("a .bsp has no brushes: --watch and --only bsp need the .map");
-  if (from_level && (options.no_vis || options.bsp2 || options.built_mips || !options.wads.empty() ||
-                     !options.textures.empty()))
+  if (from_level && (options.no_vis || options.bsp2 || options.hlbsp || options.built_mips ||
+                     !options.wads.empty() || !options.textures.empty()))
     return usage_error(
-        "--no-vis, --bsp2, --build-mips, --wad, and --textures need the .map; a .bsp keeps its textures and "
-        "format");
+        "--no-vis, --bsp2, --hlbsp, --build-mips, --wad, and --textures need the .map; a .bsp keeps its "
+        "textures and format");
+  if (options.bsp2 && options.hlbsp) return usage_error("--bsp2 cannot be combined with --hlbsp");
   return base::Ok{};
 }
 
@@ -144,6 +145,7 @@ Command* add_compile_command(Command& program, CompileCommandOptions& io_options
   command->add_flag("--build-mips", io_options.built_mips, "Rebuild the smaller mip levels of WAD textures");
   command->add_flag("--bsp2", io_options.bsp2,
                     "Always write BSP2, even if the level fits the original format");
+  command->add_flag("--hlbsp", io_options.hlbsp, "Write version 30, for Half-Life and its clip hulls");
   command->add_option("--extra", io_options.extra, "Light samples in each direction: 1, 2, or 4")
       ->type_name("N")
       ->check(one_of({1, 2, 4}));

@@ -57,6 +57,8 @@ struct CompileCommandOptions {
   bool built_mips = false;
   // Write BSP2 even if the level fits version 29.
   bool bsp2 = false;
+  // Write version 30, with the clip hulls and colored light of Half-Life.
+  bool hlbsp = false;
   // Light samples in each direction: 1, 2, or 4.
   int extra = 1;
   // 0 to 16; nothing: as the map says.

@@ -79,6 +79,7 @@ compiler::CompileOptions make_compile_options(const CompileCommandOptions& optio
   if (options.light_grid) how.light.grid_step = options.light_grid_dist;
   how.mip_levels = options.built_mips ? compiler::MipLevels::kBuilt : compiler::MipLevels::kFromSource;
   how.bsp2 = options.bsp2;
+  how.draft.half_life = options.hlbsp;
   return how;
 }
 

@@ -82,7 +82,8 @@ base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
     return level;
   }
   std::optional<base::ByteVector> points, picture;
-  if (build.lit) level.lit = formats::write_lit(*build.lit);
+  // Version 30 has its colors in the .bsp.
+  if (build.lit && build.bsp.version != formats::BspVersion::k30) level.lit = formats::write_lit(*build.lit);
   if (leak) {
     points = format_leak_points(*leak);
     TRY(picture, draw_leak(build.bsp, leak->points_world).with_file(paths.leak_picture.string()));

@@ -26,7 +26,7 @@ class LevelWriter {
   // of the tree, its number in the level; 0 for solid leaves.
   std::vector<std::uint32_t> add_model(const Tree& tree, std::span<const LeafPortal> portals,
                                        std::span<const TreeFace> faces, const Box& box);
-  // Sets clip hull 1 or 2 of the last model.
+  // Sets clip hull 1 to 3 of the last model.
   void set_hull(std::size_t hull, const Tree& tree);
 
   // By face of the level: the surface that it shows.

@@ -117,35 +117,40 @@ Box compute_box(std::span<const Brush> brushes) {
   return box;
 }
 
-constexpr std::size_t kTrees = 1 + kHullBoxes.size();
+std::span<const HullBox> choose_hull_boxes(const DraftOptions& options) {
+  if (options.half_life) return kHalfLifeBoxes;
+  return kQuakeBoxes;
+}
 
 // By model: its brushes for each clip hull.
-using ModelHulls = std::vector<std::array<std::vector<Brush>, kHullBoxes.size()>>;
+using ModelHulls = std::vector<std::vector<std::vector<Brush>>>;
 
 // Expands all brushes before any tree is built, one after another, so that planes get the same numbers in
 // every run and jobs only read them.
-ModelHulls expand_brushes(LevelBrushes& io_level) {
-  ModelHulls expanded(io_level.models.size());
+ModelHulls expand_brushes(LevelBrushes& io_level, std::span<const HullBox> boxes) {
+  ModelHulls expanded(io_level.models.size(), std::vector<std::vector<Brush>>(boxes.size()));
   for (std::size_t model = 0; model < expanded.size(); ++model)
-    for (std::size_t hull = 0; hull < kHullBoxes.size(); ++hull)
+    for (std::size_t hull = 0; hull < boxes.size(); ++hull)
       for (const Brush& brush : io_level.models[model])
-        if ((brush.hulls & hull_bit(hull + 1)) != 0)
-          expanded[model][hull].push_back(expand(brush, kHullBoxes[hull], io_level.planes));
+        if ((brush.hulls & hull_bit(boxes[hull].key_hull)) != 0)
+          expanded[model][hull].push_back(expand(brush, boxes[hull], io_level.planes));
   return expanded;
 }
 
-// Makes kTrees partitions for each model, the drawn hull first.
+// Makes one partition for each model and hull, the drawn hull first.
 std::vector<Partition> partition_models(LevelBrushes& io_level, const DraftOptions& options, base::Jobs& jobs,
                                         Progress progress) {
-  ModelHulls expanded = expand_brushes(io_level);
+  const std::span<const HullBox> boxes = choose_hull_boxes(options);
+  const std::size_t trees = 1 + boxes.size();
+  ModelHulls expanded = expand_brushes(io_level, boxes);
   std::size_t brushes = 0;
   for (const std::vector<Brush>& model : io_level.models) brushes += model.size();
   for (const auto& model : expanded)
     for (const std::vector<Brush>& hull : model) brushes += hull.size();
   DraftMeter meter(progress, brushes);
-  std::vector<Partition> parts(expanded.size() * kTrees);
+  std::vector<Partition> parts(expanded.size() * trees);
   jobs.parallel_for(parts.size(), [&](std::size_t job) {
-    const std::size_t model = job / kTrees, hull = job % kTrees;
+    const std::size_t model = job / trees, hull = job % trees;
     parts[job] = hull == 0 ? partition_drawn(io_level.models[model], io_level, model == 0, options, meter)
                            : partition_hull(std::move(expanded[model][hull - 1]), io_level, model == 0,
                                             options, meter);
@@ -162,20 +167,19 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
                                      Progress progress) {
   TRY(LevelBrushes level, sort_brushes(map, texture_size, io_warnings));
   const std::vector<Partition> parts = partition_models(level, options, jobs, progress);
-  const std::size_t models = level.models.size();
+  const std::size_t models = level.models.size(), trees = parts.size() / models;
   DraftResult result;
   result.is_region = level.is_region;
   LevelWriter writer(level.planes);
   std::vector<std::uint32_t> leaves_of_world;
 
   for (std::size_t model = 0; model < models; ++model) {
-    const Partition& drawn = parts[model * kTrees];
+    const Partition& drawn = parts[model * trees];
     const std::vector<std::uint32_t> leaves =
         writer.add_model(drawn.tree, drawn.portals.portals, drawn.faces, compute_box(level.models[model]));
     if (model == 0) leaves_of_world = leaves;
 
-    for (std::size_t hull = 1; hull < kTrees; ++hull)
-      writer.set_hull(hull, parts[model * kTrees + hull].tree);
+    for (std::size_t hull = 1; hull < trees; ++hull) writer.set_hull(hull, parts[model * trees + hull].tree);
   }
   const std::vector<std::uint32_t> surface_of_face = writer.surface_of_face();
   Draft& draft = result.draft;
@@ -197,7 +201,7 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
     result.leak = LeakPath{entity, map.entities[entity].line,
                            base::quotable(map.entities[entity].fields.classname()), leak->path_world};
   }
-  for (std::size_t hull = 1; hull < kTrees; ++hull)
+  for (std::size_t hull = 1; hull < trees; ++hull)
     result.clip_hulls_leak |= !result.leak && parts[hull].leak.has_value();
   if (options.fill_outside && level.occupants_world.empty())
     io_warnings.push_back({"no entity has an origin",

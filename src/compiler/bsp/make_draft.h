@@ -1,6 +1,6 @@
 // The BSP stage: turns brushes into trees, faces and portals (qbsp in Quake's own tools).
 //
-// For each model and each of its three hulls:
+// For each model and each of its three hulls (four for Half-Life):
 //
 //   brushes -> first tree -> portals -> fill outside -> faces -> second tree -> merge, subdivide ->
 //   LevelWriter
@@ -30,6 +30,7 @@ struct DraftOptions {
   bool water_is_transparent = true;  // visibility sees through the surfaces of liquids
   double subdivide_texels = 240;     // longest side of a lit face; original engines draw no more
   bool fill_outside = true;          // false: keep the faces outside a sealed level
+  bool half_life = false;            // clip hulls for Half-Life's boxes (version 30)
 };
 
 // A draft and what it says about the map.

@@ -83,7 +83,8 @@ void add_brush_keys(const formats::Entity& fields, Hasher& io_hash) {
 }
 
 constexpr std::int32_t kHullSolid = -2;
-constexpr std::size_t kHulls = 3;  // drawn, players, large monsters
+// Drawn, players, large monsters. Half-Life's ducking players (version 30) have the keys of players.
+constexpr std::size_t kHulls = 3, kLowHull = 3;
 
 // The contents at a point, in the drawn tree or in a clip hull.
 std::int32_t find_contents(const formats::Bsp& bsp, std::size_t hull, const math::Vec3d& point_world) {
@@ -107,7 +108,8 @@ std::int32_t find_contents(const formats::Bsp& bsp, std::size_t hull, const math
 bool may_be_more_open(const formats::Map& map, std::size_t hull) {
   return std::ranges::any_of(map.entities, [&](const formats::MapEntity& entity) {
     const BrushClass found = find_brush_class(entity.fields);
-    return found.is_world && !entity.brushes.empty() && (found.hulls & hull_bit(hull)) == 0;
+    return found.is_world && !entity.brushes.empty() &&
+           (found.hulls & hull_bit(hull == kLowHull ? 1 : hull)) == 0;
   });
 }
 
@@ -158,7 +160,8 @@ StageKey make_brushes_key(const formats::Map& map, TextureSize texture_size, con
 // Adds the origins in the order of the map. Hulls without any candidate for a new leak are skipped.
 StageKey make_solid_occupants_key(const formats::Map& map, const formats::Bsp& bsp) {
   Hasher hash(0);
-  for (std::size_t hull = 0; hull < kHulls; ++hull) {
+  const std::size_t hulls = kHulls + (bsp.version == formats::BspVersion::k30 ? 1 : 0);
+  for (std::size_t hull = 0; hull < hulls; ++hull) {
     if (hull > 0 && !may_be_more_open(map, hull)) continue;
     hash.add(std::uint64_t{hull});
     for (const formats::MapEntity& entity : map.entities) {

@@ -16,10 +16,13 @@ namespace {
 
 // Writes the level and reads it back, so that a build in memory equals one that a later run reads from the
 // file.
-base::Result<formats::Bsp> read_back(const formats::Bsp& bsp, bool bsp2) {
-  base::Result<base::ByteVector> bytes =
-      formats::write_bsp(bsp, bsp2 ? formats::BspVersion::kBsp2 : formats::BspVersion::k29);
-  if (!bytes.ok() && !bsp2) bytes = formats::write_bsp(bsp, formats::BspVersion::kBsp2);
+base::Result<formats::Bsp> read_back(const formats::Bsp& bsp, const CompileOptions& options) {
+  using formats::BspVersion;
+  const BspVersion version = options.draft.half_life ? BspVersion::k30
+                             : options.bsp2          ? BspVersion::kBsp2
+                                                     : BspVersion::k29;
+  base::Result<base::ByteVector> bytes = formats::write_bsp(bsp, version);
+  if (!bytes.ok() && version == BspVersion::k29) bytes = formats::write_bsp(bsp, BspVersion::kBsp2);
   TRY(const base::ByteVector written, std::move(bytes));
   return formats::read_bsp(written);
 }
@@ -30,7 +33,7 @@ base::Result<Build> make_build(Draft draft, const TextureSet& textures, const Co
   build.own_textures = draft.bsp.miptexes.size();
   build.water_is_transparent = options.draft.water_is_transparent;
   set_textures(textures, build.own_textures, draft.bsp);
-  TRY(build.bsp, read_back(draft.bsp, options.bsp2));
+  TRY(build.bsp, read_back(draft.bsp, options));
   build.brush_entities = std::move(draft.brush_entities);
   build.portals = std::move(draft.portals);
   build.face_keys = {std::move(draft.surface_keys), std::move(draft.keys_of_face)};
@@ -52,7 +55,10 @@ bool IncrementalBuild::is_bsp_up_to_date(const formats::Map& map) const {
 
 StagePolicy IncrementalBuild::choose_bsp(const formats::Map& map, const TextureSet& textures) {
   const auto texture_size = [&](std::string_view name) { return find_texture_size(textures, name); };
-  brushes_key_ = base::hash_with(make_brushes_key(map, texture_size, options_.draft), options_.bsp2 ? 1 : 0);
+  brushes_key_ =
+      base::hash_with(make_brushes_key(map, texture_size, options_.draft), options_.draft.half_life ? 2
+                                                                           : options_.bsp2          ? 1
+                                                                                                    : 0);
   return is_bsp_up_to_date(map) ? StagePolicy::kReuse : StagePolicy::kBuild;
 }
 

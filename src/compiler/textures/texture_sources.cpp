@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/text.h"
-#include "formats/images/wad3_texture.h"
 #include "formats/images/wad_texture.h"
 
 namespace temblor::compiler {
@@ -57,13 +57,27 @@ TextureSources::TextureSources(std::span<const TextureSource> sources, const for
   }
 }
 
+formats::WadTexture TextureSources::convert(const formats::Wad3Texture& texture) {
+  if (!dull_colors_) dull_colors_.emplace(palette_, 0, formats::kFirstFullbright);
+  return formats::convert_to_palette(texture, palette_, *dull_colors_);
+}
+
+formats::BspMiptex TextureSources::read(const formats::BspMiptex& miptex) {
+  if (miptex.palette.empty()) return miptex;
+  formats::Wad3Texture own{{miptex.name, miptex.width, miptex.height, miptex.mips}, {}};
+  std::ranges::copy(miptex.palette, own.palette.begin());
+  formats::BspMiptex converted = miptex;
+  converted.mips = convert(own).mips;
+  converted.palette.clear();
+  return converted;
+}
+
 base::Result<formats::BspMiptex> TextureSources::read(const Source& source, const formats::WadLump& lump) {
   formats::WadTexture texture;
   if (source.is_wad3) {
     TRY(formats::Wad3Texture wad3_texture, formats::read_wad3_texture(lump.data));
     wad3_texture.texture.name = lump.name;  // says whether it has holes
-    if (!dull_colors_) dull_colors_.emplace(palette_, 0, formats::kFirstFullbright);
-    texture = formats::convert_to_palette(wad3_texture, palette_, *dull_colors_);
+    texture = convert(wad3_texture);
   } else {
     TRY(texture, formats::read_wad_texture(lump.data));
   }
@@ -75,7 +89,7 @@ std::optional<formats::BspMiptex> TextureSources::take(const std::string& key, W
   const auto found = places_.find(key);
   if (found == places_.end()) return std::nullopt;
   Source& source = sources_[found->second.source];
-  if (!source.miptexes.empty()) return source.miptexes[found->second.item];
+  if (!source.miptexes.empty()) return read(source.miptexes[found->second.item]);
   const formats::WadLump& lump = source.lumps[found->second.item];
   auto miptex = read(source, lump);
   if (miptex.ok()) return std::move(miptex).value();

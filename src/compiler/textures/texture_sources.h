@@ -14,6 +14,7 @@
 #include "compiler/texture_set.h"
 #include "formats/archives/wad.h"
 #include "formats/images/nearest_color.h"
+#include "formats/images/wad3_texture.h"
 #include "formats/levels/bsp.h"
 
 namespace temblor::compiler {
@@ -48,11 +49,14 @@ class TextureSources {
   };
   base::Result<Source> open(const TextureSource& source) const;
   base::Result<formats::BspMiptex> read(const Source& source, const formats::WadLump& lump);
+  formats::BspMiptex read(const formats::BspMiptex& miptex);
+  // To the game's palette.
+  formats::WadTexture convert(const formats::Wad3Texture& texture);
 
   std::vector<Source> sources_;
   std::unordered_map<std::string, Place> places_;
   formats::Palette palette_;
-  std::optional<formats::NearestColor> dull_colors_;  // made on first use; only WAD3 textures need it
+  std::optional<formats::NearestColor> dull_colors_;  // made on first use; only palettes of textures need it
 };
 
 }  // namespace temblor::compiler

@@ -20,21 +20,25 @@ namespace {
 
 using math::Vec3d;
 
-constexpr std::array<std::pair<world::Hull, HullBox>, 2> kHulls = {
-    {{world::Hull::kPlayer, {{-16, -16, -24}, {16, 16, 32}}},
-     {world::Hull::kLarge, {{-32, -32, -24}, {32, 32, 64}}}}};
+using HullTable = std::vector<std::pair<world::Hull, HullBox>>;
+const HullTable kHulls = {{world::Hull::kPlayer, {{-16, -16, -24}, {16, 16, 32}}},
+                          {world::Hull::kLarge, {{-32, -32, -24}, {32, 32, 64}}}};
+const HullTable kHullsOfHalfLife = {{world::Hull::kPlayer, {{-16, -16, -36}, {16, 16, 36}}},
+                                    {world::Hull::kLarge, {{-32, -32, -32}, {32, 32, 32}}},
+                                    {world::Hull::kLow, {{-16, -16, -18}, {16, 16, 18}}}};
 
 // Compares at random points near the map's brushes. Points deeper inside or farther away than this must
 // agree; nearer, rounding decides.
 constexpr double kUnsure = 0.1;  // units
 
-void expect_hulls_agree(const formats::Map& map, int points, Random& io_random) {
-  const auto level = make_level_of_brushes(map);
+void expect_hulls_agree(const formats::Map& map, int points, Random& io_random,
+                        const HullTable& hulls = kHulls) {
+  const auto level = make_level_of_brushes(map, {.half_life = &hulls == &kHullsOfHalfLife});
   const std::vector<Solid> solids = solids_of_world(map);
   int wrong = 0, solid_points = 0, sure = 0;
   for (int i = 0; i < points; ++i) {
     const Solid& near = solids[io_random.below(solids.size())];
-    const auto& [hull, box] = kHulls[io_random.below(kHulls.size())];
+    const auto& [hull, box] = hulls[io_random.below(hulls.size())];
     Vec3d at;
     for (int axis = 0; axis < 3; ++axis)
       at[axis] =
@@ -67,7 +71,9 @@ TEST_P(ClipHulls, AgreeWithTheBrushes) {
   DATA_FOLDER_OR_SKIP(data);
   const base::ByteVector text = read_file(data / "mapsrc" / (std::string(GetParam()) + ".map"));
   Random random(11);
-  expect_hulls_agree(formats::read_map(base::as_text(text)).value(), effort(100000, 500), random);
+  const formats::Map map = formats::read_map(base::as_text(text)).value();
+  expect_hulls_agree(map, effort(100000, 500), random);
+  expect_hulls_agree(map, effort(100000, 500), random, kHullsOfHalfLife);
 }
 
 INSTANTIATE_TEST_SUITE_P(Stock, ClipHulls,
@@ -94,6 +100,8 @@ TEST(ClipHulls, AgreeForSlantedBrushes) {
     side(p[0], p[2], p[3]);
     SCOPED_TRACE(text);
     expect_hulls_agree(parse_map(entity_text("worldspawn", "", text + "}\n")), effort(2000, 200), random);
+    expect_hulls_agree(parse_map(entity_text("worldspawn", "", text + "}\n")), effort(2000, 200), random,
+                       kHullsOfHalfLife);
     if (HasFailure()) return;
   }
 }
