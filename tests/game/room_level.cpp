@@ -6,11 +6,13 @@
 
 namespace temblor::test {
 
-RoomData::RoomData(const std::string& map_text, HasTremor has_tremor) {
-  compiler::DraftResult result = compile_draft(map_text);
+RoomData::RoomData(const std::string& map_text, HasTremor has_tremor, LevelFor level_for) {
+  const bool half_life = level_for == LevelFor::kHalfLife;
+  compiler::DraftResult result = compile_draft(map_text, {.half_life = half_life});
   CHECK(!result.leak, "the room leaks");
   for (formats::BspMiptex& texture : result.draft.bsp.miptexes) texture.name.clear();
-  folder_.write("id1/maps/room.bsp", formats::write_bsp(result.draft.bsp, formats::BspVersion::k29).value());
+  const auto version = half_life ? formats::BspVersion::k30 : formats::BspVersion::k29;
+  folder_.write("id1/maps/room.bsp", formats::write_bsp(result.draft.bsp, version).value());
   const ProgramFile game = read_program_file(std::filesystem::path(TEMBLOR_GAMES) / "id1/progs.dat");
   for (const std::string& name : game.strings) {
     const bool is_model = name.starts_with("progs/") && (name.ends_with(".mdl") || name.ends_with(".spr"));

@@ -13,11 +13,14 @@ namespace temblor::test {
 
 // Whether the data contains the Tremor's models, which stock data lacks.
 enum class HasTremor { kNo, kYes };
+// The format of the level, and the boxes of its hulls.
+enum class LevelFor { kQuake, kHalfLife };
 
 class RoomData {
  public:
   // `map_text` describes a closed level, which becomes maps/room.bsp.
-  explicit RoomData(const std::string& map_text, HasTremor has_tremor = HasTremor::kYes);
+  explicit RoomData(const std::string& map_text, HasTremor has_tremor = HasTremor::kYes,
+                    LevelFor level_for = LevelFor::kQuake);
   const std::filesystem::path& path() const { return folder_.path(); }
   const TemporaryFolder& folder() const { return folder_; }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "server/game/field_text.h"
+#include "server/game/half_life/brush_entities.h"
 
 namespace temblor::server {
 namespace {
@@ -76,6 +77,11 @@ std::string describe_unknown_class(std::string_view class_name, std::size_t numb
   return fmt::format("entity {} at {:g} {:g} {:g}: {}", number, origin.x, origin.y, origin.z, what);
 }
 
+// Half-Life has no skills in its spawnflags: doors and triggers use those bits for other things.
+bool is_left_out(int spawn_flags, const world::SpawnRules& rules, bool is_half_life) {
+  return (!is_half_life || rules.deathmatch) && world::is_excluded(spawn_flags, rules);
+}
+
 }  // namespace
 
 // The first entity is the world, which is never excluded, and is spawned like the others.
@@ -93,13 +99,21 @@ base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_ma
     }
     TRY_STATUS(set_keys(io_machine, io_world.edicts[index], entities[i], notes));
     const Edict edict = io_world.edicts[index];
-    if (i > 0 && world::is_excluded(edict.whole(field::kSpawnFlags), rules)) {
+    const bool is_half_life = io_world.level->is_half_life;
+    if (i > 0 && is_left_out(edict.whole(field::kSpawnFlags), rules, is_half_life)) {
       remove(io_world, index);
       ++report.filtered;
       continue;
     }
     const std::string class_name(io_machine.text(edict[field::kClassName]));
     const vm::FunctionIndex spawn = io_machine.program().find_function(class_name);
+    if (spawn == vm::kNoFunction && i > 0 && is_half_life) {
+      TRY(const bool is_shown, show_half_life_entity(io_world, entities[i], index));
+      if (is_shown) {
+        ++report.spawned;
+        continue;
+      }
+    }
     if (spawn == vm::kNoFunction) {
       if (reported_classes.insert(class_name).second)
         report.unknown_classes.push_back(describe_unknown_class(class_name, i, edict[field::kOrigin]));

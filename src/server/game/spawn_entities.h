@@ -26,8 +26,8 @@ struct SpawnReport {
 };
 
 // The first entity becomes the world, entity 0. Entities that their spawnflags exclude from this game, and
-// those without a spawn function, are removed. `after_each` runs after each spawn function. Fails if QuakeC
-// does, or if there are too many entities.
+// those without a spawn function, are removed; but see half_life/brush_entities.h. `after_each` runs after
+// each spawn function. Fails if QuakeC does, or if there are too many entities.
 base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_machine,
                                          std::span<const formats::Entity> entities,
                                          const world::SpawnRules& rules,

@@ -1,0 +1,113 @@
+// Levels of Half-Life with the game code of Quake: a player walks on the floor, through doors, and up stairs,
+// and brush entities that the game code does not know are there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "game/played_level.h"
+#include "game/room_level.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::IsEmpty;
+namespace field = server::field;
+
+constexpr math::Vec3d kMins(0, -128, 0), kMaxs(1024, 128, 256);
+constexpr float kFeet = -24;  // below a player's origin
+
+// A hall whose players start 36 units above the floor: the middle of Half-Life's players.
+std::string half_life_hall(const std::string& brushes, const std::string& entities) {
+  return entity_text("worldspawn", "", walls_text(kMins, kMaxs, "wall") + brushes) +
+         point_text("info_player_start", {64, 0, 36}) + entities;
+}
+
+// A wall across the hall with an opening of this height, 64 units wide.
+std::string door_frame(double x, double height) {
+  return box_text({x, -128, 0}, {x + 16, -32, 256}, "wall") +
+         box_text({x, 32, 0}, {x + 16, 128, 256}, "wall") +
+         box_text({x, -32, height}, {x + 16, 32, 256}, "wall");
+}
+
+// Steps of 16 units, from x to x + 8 * 24, and a landing behind them.
+std::string stairs(double x) {
+  std::string text;
+  for (int i = 0; i < 8; ++i)
+    text += box_text({x + 24 * i, -128, 0}, {x + 24 * (i + 1), 128, 16.0 * (i + 1)}, "wall");
+  return text + box_text({x + 192, -128, 0}, {1024, 128, 128}, "wall");
+}
+
+// A box across the hall.
+std::string barrier(std::string_view class_name, double x, std::string_view keys = {}) {
+  return entity_text(class_name, keys, box_text({x, -128, 0}, {x + 16, 128, 64}, "wall"));
+}
+
+// Walks along x and returns the place at the end. Checks in each tick that the player is neither stuck nor
+// below the floor.
+math::Vec3 walk(PlayedLevel& game, double seconds) {
+  game.join(0);
+  game.run(2);
+  game.input(0).command.forward = 320;
+  for (const double end = game.time_s() + seconds; game.time_s() < end;) {
+    game.tick();
+    EXPECT_GE(game.player(0)[field::kOrigin].z + kFeet, -0.05f);
+  }
+  EXPECT_THAT(game.errors(), IsEmpty());
+  return game.player(0)[field::kOrigin];
+}
+
+math::Vec3 walk_in(const std::string& brushes, const std::string& entities = {},
+                   LevelFor level_for = LevelFor::kHalfLife) {
+  const RoomData room(half_life_hall(brushes, entities), HasTremor::kYes, level_for);
+  PlayedLevel game(room.path(), "room", kProgs);
+  return walk(game, 6);
+}
+
+constexpr float kWallReached = 1024 - 16 - 1;
+
+TEST(HalfLifeLevel, FeetAreOnTheFloor) {
+  const math::Vec3 end = walk_in("");
+  EXPECT_NEAR(end.z + kFeet, 0, 0.1);
+  EXPECT_GT(end.x, kWallReached);
+}
+
+// 72 units is the height of Half-Life's standing player, whose hull Quake's player gets. A player keeps a
+// small distance from the floor, so a door of exactly that height is closed in Half-Life, too.
+TEST(HalfLifeLevel, PlayersPassDoorsThatAreMadeForHalfLife) {
+  EXPECT_GT(walk_in(door_frame(512, 73)).x, kWallReached);
+  EXPECT_NEAR(walk_in(door_frame(512, 71)).x, 512 - 16, 1);
+  EXPECT_GT(walk_in(door_frame(512, 71), {}, LevelFor::kQuake).x, kWallReached) << "Quake's hull is lower";
+}
+
+TEST(HalfLifeLevel, PlayersClimbStairs) {
+  const math::Vec3 end = walk_in(stairs(512));
+  EXPECT_GT(end.x, kWallReached);
+  EXPECT_NEAR(end.z + kFeet, 128, 0.1);
+}
+
+TEST(HalfLifeLevel, BrushEntitiesOfUnknownClassesBlock) {
+  for (const char* name :
+       {"func_breakable", "func_rotating", "func_pushable", "momentary_door", "button_target"})
+    EXPECT_NEAR(walk_in("", barrier(name, 512)).x, 512 - 16, 1) << name;
+}
+
+TEST(HalfLifeLevel, LaddersVolumesAndDoorsThatTurnDoNotBlock) {
+  for (const char* name :
+       {"func_ladder", "func_door_rotating", "func_water", "env_bubbles", "func_monsterclip"})
+    EXPECT_GT(walk_in("", barrier(name, 512)).x, kWallReached) << name;
+}
+
+// The bit 256 of Quake leaves an entity out on easy; for Half-Life's doors it means something else.
+TEST(HalfLifeLevel, SpawnFlagsDoNotExcludeSkills) {
+  const std::string wall = barrier("func_wall", 512, "\"spawnflags\" \"1792\"");
+  EXPECT_NEAR(walk_in("", wall).x, 512 - 16, 1);
+  EXPECT_GT(walk_in("", wall, LevelFor::kQuake).x, kWallReached);
+}
+
+TEST(HalfLifeLevel, UnknownClassesStayLeftOutOfQuakesLevels) {
+  EXPECT_GT(walk_in("", barrier("func_pushable", 512), LevelFor::kQuake).x, kWallReached);
+}
+
+}  // namespace
+}  // namespace temblor::test
