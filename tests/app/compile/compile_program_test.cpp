@@ -61,6 +61,29 @@ TEST_F(CompileProgram, StagesCanBeSkipped) {
   EXPECT_THAT(bsp.visibility, IsEmpty());
 }
 
+TEST_F(CompileProgram, WritesLevelsForHalfLife) {
+  folder_.write("room.map", lit_room());
+  const ProgramRun run = run_program(folder_.path(), {"compile", "room.map", "--hlbsp"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const formats::Bsp bsp = read_level("room.bsp");
+  EXPECT_EQ(bsp.version, formats::BspVersion::k30);
+  EXPECT_NE(bsp.find_bspx("RGBLIGHTING"), nullptr);
+  EXPECT_GE(bsp.models[0].head_nodes[3], 0) << "the hull of ducking players";
+  EXPECT_EQ(bsp.miptexes[0].palette.size(), 256u);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "room.lit")) << "the colors are in the level";
+  const ProgramRun inspected = run_program(folder_.path(), {"inspect", "--json", "room.bsp"});
+  EXPECT_EQ(inspected.exit_status, 0) << inspected.err;
+  EXPECT_EQ(nlohmann::json::parse(inspected.out).at("version"), "30");
+  // A second run reuses everything, and writes the same level.
+  const std::string first = read_text(folder_.path() / "room.bsp");
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--hlbsp"}).exit_status, 0);
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), first);
+  // The same map for Quake is another level.
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map"}).exit_status, 0);
+  EXPECT_EQ(read_level("room.bsp").version, formats::BspVersion::k29);
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "room.lit"));
+}
+
 TEST_F(CompileProgram, ReportsAMissingLightLibraryAtOnce) {
   folder_.write("room.map", lit_room());
   for (const char* name : {"libembree3.so.3", "libembree4.so.4"})
