@@ -111,8 +111,8 @@ base::Status set_stock_maps(const formats::Bsp& bsp, Level& io_level) {
 }
 
 bool is_multiple(double value, double unit) {
-  constexpr double kSlack = 1e-6;
-  return std::abs(value - std::round(value / unit) * unit) < kSlack;
+  constexpr double kRounding = 1e-6;
+  return std::abs(value - std::round(value / unit) * unit) < kRounding;
 }
 
 // Whether all samples lie at multiples of `texels` from the face's first texel. Rows of samples may run along

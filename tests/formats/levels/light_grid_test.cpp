@@ -14,7 +14,7 @@
 namespace temblor::formats {
 namespace {
 
-using Place = std::array<std::int32_t, 3>;
+using GridPlace = std::array<std::int32_t, 3>;
 
 constexpr std::size_t kRootAt = 37, kNodeCountAt = 41, kChildrenAt = 57, kLeafCountAt = 89;
 
@@ -63,7 +63,8 @@ TEST(LightGrid, ReadsEachSample) {
   ASSERT_TRUE(lights.has_value());
   EXPECT_EQ(std::vector(lights->begin(), lights->end()),
             (std::vector<GridLight>{{0, {10, 20, 30}}, {33, {40, 50, 60}}}));
-  for (const Place& outside : {Place{-1, 0, 0}, Place{3, 0, 0}, Place{2, 1, 0}, Place{2, 0, -1}})
+  for (const GridPlace& outside :
+       {GridPlace{-1, 0, 0}, GridPlace{3, 0, 0}, GridPlace{2, 1, 0}, GridPlace{2, 0, -1}})
     EXPECT_FALSE(find_grid_lights(*grid, outside).has_value());
   EXPECT_EQ(write_light_grid(*grid), small_lump());
 }
@@ -117,7 +118,7 @@ class RandomGrid {
     expected.resize(static_cast<std::size_t>(grid.size[0] * grid.size[1] * grid.size[2]));
     grid.root = add({0, 0, 0}, grid.size);
   }
-  const std::optional<std::vector<GridLight>>& at(const Place& p) const {
+  const std::optional<std::vector<GridLight>>& at(const GridPlace& p) const {
     return expected[static_cast<std::size_t>(p[0] + grid.size[0] * (p[1] + grid.size[1] * p[2]))];
   }
 
@@ -125,11 +126,11 @@ class RandomGrid {
   std::vector<std::optional<std::vector<GridLight>>> expected;  // by sample, x first
 
  private:
-  GridChild add(const Place& mins, const Place& size) {
+  GridChild add(const GridPlace& mins, const GridPlace& size) {
     if (size[0] == 0 || size[1] == 0 || size[2] == 0 || random_.below(6) == 0) return {};
-    if (size == Place{1, 1, 1} || random_.below(3) == 0) return add_leaf(mins, size);
+    if (size == GridPlace{1, 1, 1} || random_.below(3) == 0) return add_leaf(mins, size);
     GridNode node;
-    std::array<Place, 2> begin{mins, mins}, sides{size, size};
+    std::array<GridPlace, 2> begin{mins, mins}, sides{size, size};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::int32_t lower =
           static_cast<std::int32_t>(random_.below(static_cast<std::size_t>(size[axis]) + 1));
@@ -138,7 +139,7 @@ class RandomGrid {
       sides[0][axis] = lower;
       sides[1][axis] -= lower;
     }
-    if (sides[0] == Place{0, 0, 0} || sides[1] == Place{0, 0, 0}) return add_leaf(mins, size);
+    if (sides[0] == GridPlace{0, 0, 0} || sides[1] == GridPlace{0, 0, 0}) return add_leaf(mins, size);
     const auto number = static_cast<std::uint32_t>(grid.nodes.size());
     grid.nodes.emplace_back();
     for (std::size_t child = 0; child < 8; ++child) {
@@ -149,7 +150,7 @@ class RandomGrid {
     grid.nodes[number] = node;
     return {number};
   }
-  GridChild add_leaf(const Place& mins, const Place& size) {
+  GridChild add_leaf(const GridPlace& mins, const GridPlace& size) {
     GridLeaf leaf{mins, size, static_cast<std::uint32_t>(grid.samples.size())};
     for (std::int32_t z = 0; z < size[2]; ++z)
       for (std::int32_t y = 0; y < size[1]; ++y)
@@ -157,7 +158,7 @@ class RandomGrid {
     grid.leaves.push_back(leaf);
     return {GridChild::kLeafBit | static_cast<std::uint32_t>(grid.leaves.size() - 1)};
   }
-  void add_sample(const Place& p) {
+  void add_sample(const GridPlace& p) {
     GridSample sample{static_cast<std::uint32_t>(grid.lights.size()), GridSample::kOccluded};
     auto& known = expected[static_cast<std::size_t>(p[0] + grid.size[0] * (p[1] + grid.size[1] * p[2]))];
     if (random_.below(4) != 0) {

@@ -236,12 +236,16 @@ TEST(SkinAtlas, TexelsStayInsideOfTheirPart) {
 }
 
 TEST(SkinAtlas, TooManyRepetitionsAreAnError) {
-  std::vector<formats::PosedMesh> meshes(1);
-  meshes[0].texels = {{0, 0}, {1 << 20, 1}};
   const std::vector<formats::Picture> pictures(1, {64, 64, std::vector<std::uint8_t>(64 * 64)});
-  const auto atlas = render::make_skin_atlas(meshes, pictures);
-  ASSERT_FALSE(atlas.ok());
-  EXPECT_NE(atlas.error().what.find("the limit is 16384"), std::string::npos) << atlas.error().what;
+  for (const math::Vec2& last : {math::Vec2(1 << 20, 1), math::Vec2(200, 200)}) {
+    std::vector<formats::PosedMesh> meshes(1);
+    meshes[0].texels = {{0, 0}, last};
+    const auto atlas = render::make_skin_atlas(meshes, pictures);
+    ASSERT_FALSE(atlas.ok());
+    EXPECT_NE(atlas.error().what.find("the limits are 16384 texels for a side and 33554432 in all"),
+              std::string::npos)
+        << atlas.error().what;
+  }
 }
 
 // A skin of another size covers the same part of the model.

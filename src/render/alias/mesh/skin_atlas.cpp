@@ -48,11 +48,13 @@ base::Result<SkinAtlas> make_skin_atlas(const std::vector<formats::PosedMesh>& m
                          down.count,           atlas.height};
     const std::uint64_t width = std::uint64_t{part.width} * part.columns;
     const std::uint64_t height = std::uint64_t{part.height} * part.rows + atlas.height;
-    if (std::max(width, height) > kMaxAtlasSide)
+    const std::uint64_t joined_width = std::max<std::uint64_t>(width, atlas.width);
+    if (std::max(width, height) > kMaxAtlasSide || joined_width * height > kMaxAtlasTexels)
       return base::error(
           base::ErrorCode::kTooLarge,
-          "mesh {}: its skin, {} x {} times, makes a picture of {} x {} texels; the limit is {}", mesh,
-          part.columns, part.rows, width, height, kMaxAtlasSide);
+          "mesh {}: its skin, {} x {} times, makes a picture of {} x {} texels; the limits are {} "
+          "texels for a side and {} in all",
+          mesh, part.columns, part.rows, joined_width, height, kMaxAtlasSide, kMaxAtlasTexels);
     atlas.width = std::max(atlas.width, static_cast<std::uint32_t>(width));
     atlas.height = static_cast<std::uint32_t>(height);
     atlas.parts.push_back(part);

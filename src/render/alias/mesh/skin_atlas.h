@@ -15,8 +15,10 @@
 
 namespace temblor::render {
 
-// Limit of the joined picture, in texels. Texels in 1/65536 must fit 32 bits.
+// Limits of the joined picture, in texels. Texels in 1/65536 must fit 32 bits, and a small file must not ask
+// for a large picture.
 constexpr std::uint32_t kMaxAtlasSide = 1 << 14;
+constexpr std::uint64_t kMaxAtlasTexels = 1 << 25;
 
 // Where the skin of a mesh is.
 struct AtlasPart {
