@@ -101,7 +101,8 @@ TEST(InspectDemo, PacketOfInvalidLength) {
   EXPECT_THAT(result->at("problems").dump(), HasSubstr("the rest cannot be read: message at offset"));
   // Without any packet before it, the file is an error.
   EXPECT_FALSE(inspect_dem(base::as_bytes("-1\n\xff\xff\xff\x7f and so on")).ok());
-  EXPECT_FALSE(inspect_dem(base::as_bytes("this is not a demo\n")).ok());
+  EXPECT_FALSE(inspect_dem(base::as_bytes("this is not a demo")).ok());
+  EXPECT_FALSE(inspect_dem(base::as_bytes("this is\nnot a demo, but text")).ok());
 }
 
 TEST(InspectDemo, NoLevel) {

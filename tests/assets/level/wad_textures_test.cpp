@@ -17,6 +17,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -135,11 +136,12 @@ TEST(WadTextures, AreFoundInTheGameFolderAndItsWadFolders) {
   }
 }
 
-// Textures with a palette of their own get the game's nearest colors, never fullbright ones.
-TEST(WadTextures, OwnPalettesBecomeTheGames) {
-  formats::Palette game{};
-  game[9] = {11, 21, 31};    // near the texture's color
-  game[240] = {10, 20, 30};  // the same color, but fullbright
+// Textures with a palette of their own keep their colors, and get the game's nearest ones, never full-bright
+// ones.
+TEST(WadTextures, OwnPalettesKeepTheirColors) {
+  formats::Palette game;
+  game.fill({11, 21, 31});   // near the texture's color
+  game[240] = {10, 20, 30};  // the same color, but full-bright
   const test::TemporaryFolder folder;
   folder.write("id1/maps/tiny.bsp",
                formats::write_bsp(make_level_without_texels("x.wad"), formats::BspVersion::k30).value());
@@ -147,7 +149,10 @@ TEST(WadTextures, OwnPalettesBecomeTheGames) {
   folder.write("id1/gfx/palette.lmp", formats::write_palette(game));
   const auto loaded = load_level(vfs::FileSystem::open(folder.path(), {}).value(), "tiny");
   ASSERT_TRUE(loaded.ok()) << loaded.error().message();
-  for (const auto& mip : loaded->level->textures[0].mips) EXPECT_THAT(mip, ::testing::Each(9));
+  const world::Texture& texture = loaded->level->textures[0];
+  for (const auto& mip : texture.mips) EXPECT_THAT(mip, Each(::testing::Lt(224)));
+  ASSERT_NE(texture.colors, nullptr);
+  for (const auto& level : texture.colors->colors) EXPECT_THAT(level, Each(0xff0a141eu));
 }
 
 }  // namespace
