@@ -83,7 +83,8 @@ class DecoupledLightPicture : public testing::TestWithParam<render::PixelFormat>
 TEST_P(DecoupledLightPicture, IsWhatRaysSee) {
   const test::DrawableLevel drawable = make_decoupled_level();
   EXPECT_GT(drawable.level->light_map_grids.size(), 50u);
-  expect_right(judge_pictures(drawable, {.format = GetParam(), .views = test::effort(100, 4)}));
+  // Single views may look at one bright face, whose steps of color are the finest.
+  expect_right(judge_pictures(drawable, {.format = GetParam(), .views = test::effort(100, 20)}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, DecoupledLightPicture,
