@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "artgen/small_level.h"
-#include "compiler/light/light_cache.h"
 #include "compiler/light/lighting.h"
 #include "formats/levels/decoupled_light.h"
 #include "formats/levels/scaled_light.h"
@@ -172,33 +171,10 @@ TEST(DecoupledLuxels, HaveNoSeamBetweenFacesInOnePlane) {
   EXPECT_GT(compared, 20);
 }
 
-// Everything at once: shards, bounces, a cache, any number of threads, brushes of all kinds.
 TEST(DecoupledLuxels, DoNotDependOnHowTheyAreMade) {
-  formats::Bsp bsp = artgen::make_small_level({.light = false});
-  bsp.entities.insert(
-      bsp.entities.find('}'),
-      "\"_world_units_per_luxel\" \"10\" \"_bounce\" \"1\" \"_dirt\" \"1\" \"_sunlight\" \"100\"");
-  bsp.entities += "{ \"classname\" \"light\" \"origin\" \"0 0 64\" \"_color\" \"1 0.5 0\" }";
-  const compiler::LightOptions options{.sky_rays = 8};
-  const LitResult once = light(bsp, options);
-  ASSERT_NE(once.bsp.find_bspx("DECOUPLED_LM"), nullptr);
-  EXPECT_EQ(once.summary.lit.samples.size(), once.bsp.lighting.size() * 3);
-  EXPECT_EQ(light(bsp, options, 3).bsp, once.bsp);
-  compiler::LightCache cache;
-  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
-  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
-  EXPECT_EQ(light(once.bsp, options).bsp, once.bsp);
-
-  const auto keys = compiler::find_face_keys(bsp, formats::read_entities(bsp.entities).value());
-  base::Jobs jobs(1);
-  compiler::Warnings warnings;
-  std::vector<base::ByteVector> shards;
-  for (std::uint32_t i = 0; i < 2; ++i)
-    shards.push_back(
-        compiler::light_shard(bsp, keys, options, {i, 2}, {}, jobs, compiler::kIgnoreProgress).value().bytes);
-  formats::Bsp merged = bsp;
-  ASSERT_TRUE(compiler::merge_light(merged, keys, options, {{shards[0], shards[1]}}, jobs, warnings).ok());
-  EXPECT_EQ(merged, once.bsp);
+  const LitResult lit = light_in_all_ways("\"_world_units_per_luxel\" \"10\"");
+  ASSERT_NE(lit.bsp.find_bspx("DECOUPLED_LM"), nullptr);
+  EXPECT_EQ(lit.summary.lit.samples.size(), lit.bsp.lighting.size() * 3);
 }
 
 TEST(DecoupledLuxels, TheOptionOverridesTheKey) {

@@ -8,9 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "artgen/small_level.h"
 #include "base/bytes.h"
-#include "compiler/light/light_cache.h"
 #include "compiler/light/lighting.h"
 #include "world/face_at.h"
 #include "world/level.h"
@@ -122,35 +120,11 @@ TEST(LightScale, ScaledLuxelsHaveTheRightLight) {
   }
 }
 
-// Everything at once: shards, bounces, colors, a cache, any number of threads.
 TEST(LightScale, DoesNotDependOnHowItIsMade) {
-  formats::Bsp bsp = artgen::make_small_level({.light = false});
-  bsp.entities.insert(bsp.entities.find('}'),
-                      "\"_lmscale\" \"0.5\" \"_bounce\" \"1\" \"_dirt\" \"1\" \"_sunlight\" \"100\"");
-  bsp.entities += "{ \"classname\" \"light\" \"origin\" \"0 0 64\" \"_color\" \"1 0.5 0\" }";
-  const compiler::LightOptions options{.sky_rays = 8};
-  const LitResult once = light(bsp, options);
-  ASSERT_NE(once.bsp.find_bspx("LMSHIFT"), nullptr);
-  ASSERT_TRUE(once.summary.colored);
-  EXPECT_EQ(once.summary.lit.samples.size(), once.bsp.lighting.size() * 3);
-  EXPECT_EQ(light(bsp, options, 3).bsp, once.bsp);
-  compiler::LightCache cache;
-  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
-  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
-  // Lighting the result again does not duplicate the lumps.
-  EXPECT_EQ(light(once.bsp, options).bsp, once.bsp);
-
-  const auto keys = compiler::find_face_keys(bsp, formats::read_entities(bsp.entities).value());
-  base::Jobs jobs(1);
-  compiler::Warnings warnings;
-  std::vector<base::ByteVector> shards;
-  for (std::uint32_t i = 0; i < 3; ++i)
-    shards.push_back(
-        compiler::light_shard(bsp, keys, options, {i, 3}, {}, jobs, compiler::kIgnoreProgress).value().bytes);
-  formats::Bsp merged = bsp;
-  ASSERT_TRUE(
-      compiler::merge_light(merged, keys, options, {{shards[0], shards[1], shards[2]}}, jobs, warnings).ok());
-  EXPECT_EQ(merged, once.bsp);
+  const LitResult lit = light_in_all_ways("\"_lmscale\" \"0.5\"");
+  ASSERT_NE(lit.bsp.find_bspx("LMSHIFT"), nullptr);
+  ASSERT_TRUE(lit.summary.colored);
+  EXPECT_EQ(lit.summary.lit.samples.size(), lit.bsp.lighting.size() * 3);
 }
 
 // Where both maps measure the same place, bounced light is the same.

@@ -1,6 +1,7 @@
 #include "compiler/light/lighting.h"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <glm/matrix.hpp>
@@ -8,7 +9,10 @@
 #include <ostream>
 #include <utility>
 
+#include "artgen/small_level.h"
 #include "compiler/drafts.h"
+#include "compiler/light/light_cache.h"
+#include "formats/levels/entities.h"
 #include "support/levels/bsp_faces.h"
 #include "support/levels/room_map.h"
 
@@ -104,6 +108,33 @@ std::vector<RoomLuxel> room_luxels(const LitResult& lit, std::uint8_t style, dou
       }
   }
   return luxels;
+}
+
+LitResult light_in_all_ways(const std::string& world_keys) {
+  formats::Bsp bsp = artgen::make_small_level({.light = false});
+  bsp.entities.insert(bsp.entities.find('}'),
+                      world_keys + " \"_bounce\" \"1\" \"_dirt\" \"1\" \"_sunlight\" \"100\"");
+  bsp.entities += "{ \"classname\" \"light\" \"origin\" \"0 0 64\" \"_color\" \"1 0.5 0\" }";
+  const compiler::LightOptions options{.sky_rays = 8};
+  LitResult once = light(bsp, options);
+  EXPECT_EQ(light(bsp, options, 3).bsp, once.bsp);
+  compiler::LightCache cache;
+  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
+  EXPECT_EQ(light(bsp, options, 1, &cache).bsp, once.bsp);
+  EXPECT_EQ(light(once.bsp, options).bsp, once.bsp);
+
+  const auto keys = compiler::find_face_keys(bsp, formats::read_entities(bsp.entities).value());
+  base::Jobs jobs(1);
+  compiler::Warnings warnings;
+  std::vector<base::ByteVector> shards;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    shards.push_back(
+        compiler::light_shard(bsp, keys, options, {i, 3}, {}, jobs, compiler::kIgnoreProgress).value().bytes);
+  formats::Bsp merged = bsp;
+  EXPECT_TRUE(
+      compiler::merge_light(merged, keys, options, {{shards[0], shards[1], shards[2]}}, jobs, warnings).ok());
+  EXPECT_EQ(merged, once.bsp);
+  return once;
 }
 
 std::ostream& operator<<(std::ostream& io_stream, const RoomLuxel& luxel) {

@@ -183,7 +183,7 @@ TEST(ColoredTexture, GlowsWhereTheGlowIsBrighter) {
   }
   ASSERT_EQ(made.colors.glow.size(), 4u);
   EXPECT_EQ(made.colors.glow[2][3], 0xff8000u);  // a quarter of the width
-  // Of another size than the picture.
+  // The glow may have another size than the picture.
   const Image small_glow =
       make_image(4, 1, [&](std::uint32_t x, std::uint32_t) { return glow.pixels[x * 4]; });
   EXPECT_EQ(make_colored_texture({16, 16}, gray, small_glow, game_colors()).colors.glow, made.colors.glow);
