@@ -51,7 +51,7 @@ lint:
 fuzz:
 	tools/setup.sh check
 	cmake --preset sanitize -DTEMBLOR_FUZZ_SECONDS=60
-	cmake --build --preset sanitize --target fuzz_driver
+	cmake --build --preset sanitize --target fuzz_programs
 	ctest --preset sanitize --parallel $$(nproc) -L fuzz
 
 clean:

@@ -16,7 +16,7 @@ struct Target {
   TargetFunction run;
 };
 
-// Every target, sorted by name.
+// The targets of this program, sorted by name.
 std::span<const Target> all_targets();
 
 int fuzz_bsp(const std::uint8_t* data, std::size_t size);

@@ -9,7 +9,7 @@
 #include "base/bytes.h"
 #include "base/check.h"
 #include "formats/models/md5.h"
-#include "fuzz/posed_checks.h"
+#include "fuzz/targets/models/posed_checks.h"
 #include "fuzz/targets.h"
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/check.h"
 #include "formats/models/md3.h"
-#include "fuzz/posed_checks.h"
+#include "fuzz/targets/models/posed_checks.h"
 #include "fuzz/targets.h"
 
 using namespace temblor;
