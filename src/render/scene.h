@@ -126,10 +126,11 @@ struct Skybox {
   std::shared_ptr<const SkyboxIdentity> identity = std::make_shared<const SkyboxIdentity>();
 };
 
-// A line of one pixel's width over the finished view, for debugging. Neither walls nor models hide it.
+// A line of one pixel's width over the finished view, for debugging.
 struct Line {
   math::Vec3 from_world{0.0f}, to_world{0.0f};
   formats::Rgb color{255, 255, 255};
+  bool is_depth_tested = false;  // hidden by opaque faces, models, sprites, and particles in front of it
 };
 
 // A color blended over the finished view: damage, pickups, the inside of liquids.

@@ -167,6 +167,7 @@ base::Status Game::call(vm::GlobalIndex function, vm::EntityIndex self) {
 // Inputs are applied in slot order before any physics. At the end, while no QuakeC runs, the strings that
 // nothing refers to any more are freed.
 base::Status Game::tick(std::span<const PlayerInput> inputs) {
+  context_.debug_shapes.drop_ended(world_.time_s);
   machine_.set_global_float(global::kFrameTime, static_cast<float>(world_.tick_s));
   for (std::size_t slot = 0; slot < setup_.max_clients; ++slot) {
     active_players_[slot] = bots_[slot] || (slot < inputs.size() && inputs[slot].is_active);

@@ -123,6 +123,22 @@ TEST_F(ViewCommands, ShowbboxesDrawsTheBoxesOfEntities) {
   EXPECT_FALSE(game_->has_printed("r_showbboxes shows no boxes"));
 }
 
+TEST_F(ViewCommands, ShapesOfGameCodeAreDrawnWhileTheyLast) {
+  const auto lines = [&] { return game_->host().game.data->presentation.scene().lines; };
+  server::Game& game = *game_->session().server()->game;
+  server::DebugShapes& shapes = game.context().debug_shapes;
+  shapes.add(server::DebugLine{{0, 0, 40}, {160, 0, 40}, 79}, {game.time_s() + 0.5, true});
+  shapes.add(server::DebugText{"L", {100, 0, 40}, 8}, {game.time_s() + 0.5, false});
+  game_->run(0.1);
+  ASSERT_EQ(lines().size(), 3u);
+  EXPECT_EQ(lines()[0].to_world, math::Vec3(160, 0, 40));
+  EXPECT_EQ(lines()[0].color, game_->host().game.data->look.palette[79]);
+  EXPECT_TRUE(lines()[0].is_depth_tested);
+  EXPECT_FALSE(lines()[1].is_depth_tested);
+  game_->run(1);
+  EXPECT_TRUE(lines().empty());
+}
+
 TEST_F(ViewCommands, ShowbboxesSaysOnceWhyThereAreNone) {
   type("record short");
   game_->run(3);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "client/view/box_lines.h"
+#include "client/lines/box_lines.h"
 
 namespace temblor::client {
 
@@ -128,6 +128,8 @@ void Presentation::make_scene(const ClientState& state, double time_s, const Fra
   scene_.weapon_fov_deg = settings.weapon_fov_deg;
   apply_choices(settings.choices, scene_);
   make_box_lines(settings.boxes, lines_);
+  lines_.insert(lines_.end(), settings.lines.begin(), settings.lines.end());
+  for (const WorldText& text : settings.texts) append_text_lines(text, scene_.camera.angles_deg, lines_);
   scene_.lines = lines_;
   if (!settings.choices.locks_pvs)
     pvs_leaf_.reset();

@@ -21,6 +21,7 @@
 #include "client/hud/hud.h"
 #include "client/hud/subtitles.h"
 #include "client/hud_program/hud_program.h"
+#include "client/lines/world_text.h"
 #include "client/prediction/prediction.h"
 #include "client/session/client_state.h"
 #include "client/session/model_table.h"
@@ -60,8 +61,10 @@ struct PresentationSettings {
   audio::Volumes volumes;
   // Captions for sounds from outside the view.
   bool subtitles = false;
-  // Drawn as lines over the view: the boxes of the local server's entities.
+  // Drawn as lines over the view: the boxes of the local server's entities, and the shapes of its game code.
   std::vector<math::Bounds> boxes;
+  std::vector<render::Line> lines;
+  std::vector<WorldText> texts;
   // A camera that replaces the player's view.
   std::optional<render::Camera> camera;
 };

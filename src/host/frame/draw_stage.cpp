@@ -7,6 +7,7 @@
 #include "client/demo/demo_bar.h"
 #include "client/hud/corner_text.h"
 #include "host/frame/corner_readouts.h"
+#include "host/frame/debug_shapes.h"
 #include "host/frame/entity_boxes.h"
 #include "host/frame/frame_stages.h"
 #include "host/frame/host_parts.h"
@@ -114,6 +115,7 @@ void update_presentation_settings(Host& io_host) {
   settings.view.fov_deg = io_host.input.fov_deg;
   settings.view.open_tint = io_host.video.server_tint;
   update_entity_boxes(io_host, settings);
+  update_debug_shapes(io_host, settings);
   settings.sound = io_host.sound.output.has_value();
   settings.hud.teamplay = static_cast<int>(io_host.variables.variables().find("teamplay")->number);
   settings.hud.death_hint = choose_death_hint(io_host);

@@ -13,6 +13,9 @@ namespace temblor::render {
 
 namespace {
 
+// A line is hidden only by what is nearer than this share of its own distance.
+constexpr double kDepthSlack = 1.0 / 256;
+
 template <typename Vector>
 struct Piece {
   Vector from, to;
@@ -28,8 +31,8 @@ std::optional<Piece<Vector>> cut(const Piece<Vector>& piece, Inside inside) {
   return from >= 0 ? Piece<Vector>{piece.from, border} : Piece<Vector>{border, piece.to};
 }
 
-// The part of a line that is on the screen.
-std::optional<Piece<math::Vec2d>> project(const Line& line, const ViewFrame& view) {
+// The part of a line that is on the screen: x, y, and depth, which is linear there.
+std::optional<Piece<math::Vec3d>> project(const Line& line, const ViewFrame& view) {
   const Piece<math::Vec3d> whole{view.to_view(math::Vec3d(line.from_world)),
                                  view.to_view(math::Vec3d(line.to_world))};
   const auto before_eye = cut(whole, [&](const math::Vec3d& p) { return p.z - view.near_z; });
@@ -37,23 +40,26 @@ std::optional<Piece<math::Vec2d>> project(const Line& line, const ViewFrame& vie
   // The cut may be nearer by a rounding error.
   const auto to_screen = [&](math::Vec3d p) {
     p.z = std::max(p.z, view.near_z);
-    return view.to_screen(p);
+    return math::Vec3d(view.to_screen(p), view.depth(p.z));
   };
-  std::optional<Piece<math::Vec2d>> seen =
-      Piece<math::Vec2d>{to_screen(before_eye->from), to_screen(before_eye->to)};
+  std::optional<Piece<math::Vec3d>> seen =
+      Piece<math::Vec3d>{to_screen(before_eye->from), to_screen(before_eye->to)};
   for (int axis = 0; axis < 2 && seen; ++axis) {
     const int last = (axis == 0 ? view.width : view.height) - 1;
-    seen = cut(*seen, [&](const math::Vec2d& p) { return p[axis]; });
-    if (seen) seen = cut(*seen, [&](const math::Vec2d& p) { return last - p[axis]; });
+    seen = cut(*seen, [&](const math::Vec3d& p) { return p[axis]; });
+    if (seen) seen = cut(*seen, [&](const math::Vec3d& p) { return last - p[axis]; });
   }
   return seen;
 }
 
-void draw_piece(Piece<math::Vec2d> piece, formats::Rgb color, const ViewFrame& view, Painter& io_painter) {
-  const math::Vec2d size = piece.to - piece.from;
+// `depth`: the frame's, for a line with a depth test; otherwise empty.
+void draw_piece(Piece<math::Vec3d> piece, formats::Rgb color, const ViewFrame& view,
+                std::span<const float> depth, Painter& io_painter) {
+  const math::Vec3d size = piece.to - piece.from;
   const int along = std::abs(size.x) >= std::abs(size.y) ? 0 : 1, across = 1 - along;
   if (size[along] < 0) std::swap(piece.from, piece.to);
   const double slope = size[along] != 0 ? size[across] / size[along] : 0;
+  const double depth_slope = size[along] != 0 ? size.z / size[along] : 0;
   const auto to_pixel = [&](double at, int axis) {
     return std::clamp(static_cast<int>(std::lround(at)), 0, (axis == 0 ? view.width : view.height) - 1);
   };
@@ -61,9 +67,12 @@ void draw_piece(Piece<math::Vec2d> piece, formats::Rgb color, const ViewFrame& v
   for (int i = to_pixel(piece.from[along], along); i <= last; ++i) {
     const int j = to_pixel(piece.from[across] + slope * (i - piece.from[along]), across);
     const int x = along == 0 ? i : j, y = along == 0 ? j : i;
-    io_painter.put(
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x),
-        color);
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x);
+    const double nearness = piece.from.z + depth_slope * (i - piece.from[along]);
+    // Lines on a wall are in front of it.
+    if (!depth.empty() && nearness + std::abs(nearness) * kDepthSlack < depth[pixel]) continue;
+    io_painter.put(pixel, color);
   }
 }
 
@@ -78,7 +87,9 @@ void draw_lines(std::span<const Line> lines, const ViewFrame& view, const format
   Painter painter(palette, io_frame);
   for (const Line& line : lines) {
     if (!is_finite(line.from_world) || !is_finite(line.to_world)) continue;
-    if (const auto piece = project(line, view)) draw_piece(*piece, line.color, view, painter);
+    const std::span<const float> depth =
+        line.is_depth_tested ? std::as_const(io_frame).depth() : std::span<const float>();
+    if (const auto piece = project(line, view)) draw_piece(*piece, line.color, view, depth, painter);
   }
 }
 

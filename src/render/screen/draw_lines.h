@@ -1,4 +1,5 @@
-// Lines over the finished view: Scene::lines. They are one pixel wide, and nothing hides them.
+// Lines over the finished view: Scene::lines. They are one pixel wide, and those without a depth test are not
+// hidden by anything.
 #pragma once
 
 #include <span>
@@ -10,7 +11,7 @@
 
 namespace temblor::render {
 
-// Indexed frames show the nearest palette entry.
+// Indexed frames show the nearest palette entry. Reads the frame's depth only for lines with a depth test.
 void draw_lines(std::span<const Line> lines, const ViewFrame& view, const formats::Palette& palette,
                 FrameBuffer& io_frame);
 

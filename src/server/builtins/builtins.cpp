@@ -11,11 +11,11 @@ namespace temblor::server {
 namespace {
 
 constexpr std::span<const BuiltinEntry> (*kFamilies[])() = {
-    vector_builtins,           entity_builtins,    finding_builtins,  tracing_builtins,
-    aiming_builtins,           movement_builtins,  precache_builtins, effect_builtins,
-    printing_builtins,         writing_builtins,   command_builtins,  level_builtins,
-    debugging_builtins,        rerelease_builtins, bot_builtins,      stat_builtins,
-    temporary_effect_builtins,
+    vector_builtins,           entity_builtins,        finding_builtins,  tracing_builtins,
+    aiming_builtins,           movement_builtins,      precache_builtins, effect_builtins,
+    printing_builtins,         writing_builtins,       command_builtins,  level_builtins,
+    debugging_builtins,        rerelease_builtins,     bot_builtins,      stat_builtins,
+    temporary_effect_builtins, debug_drawing_builtins,
 };
 
 // Extensions that every server has. has_extension() knows those that depend on its settings.

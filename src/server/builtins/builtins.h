@@ -17,6 +17,7 @@
 #include "builtins/call.h"
 #include "formats/game/localization.h"
 #include "net/protocol/game_stat.h"
+#include "server/debug_shapes.h"
 #include "server/game/game_random.h"
 #include "server/game/game_world.h"
 #include "server/game/outbox.h"
@@ -107,6 +108,7 @@ struct BuiltinContext {
   const formats::Localization* localization = nullptr;
   std::optional<ClosingText> closing_text{};
   std::map<std::uint8_t, SentStat> sent_stats{};  // by number
+  DebugShapes debug_shapes{};
 };
 
 // Makes all built-in functions known to the machine. `io_context` must outlive the machine's calls. CHECKs

@@ -22,8 +22,9 @@ std::span<const BuiltinEntry> writing_builtins();  // messages, value by value
 std::span<const BuiltinEntry> command_builtins();
 std::span<const BuiltinEntry> level_builtins();
 std::span<const BuiltinEntry> debugging_builtins();
-std::span<const BuiltinEntry> rerelease_builtins();  // called by name only
-std::span<const BuiltinEntry> bot_builtins();        // clients that QuakeC plays
-std::span<const BuiltinEntry> stat_builtins();       // values for HUD programs
+std::span<const BuiltinEntry> rerelease_builtins();      // called by name only
+std::span<const BuiltinEntry> debug_drawing_builtins();  // called by name only
+std::span<const BuiltinEntry> bot_builtins();            // clients that QuakeC plays
+std::span<const BuiltinEntry> stat_builtins();           // values for HUD programs
 
 }  // namespace temblor::server

@@ -1,5 +1,6 @@
-// Built-in functions of the 2021 re-release. Its programs declare them with number 0 and a name. Functions
-// that this server cannot provide return an answer with which programs can go on.
+// Built-in functions of the 2021 re-release, except those that draw (debug_drawing.cpp). Its programs declare
+// them with number 0 and a name. Functions that this server cannot provide return an answer with which
+// programs can go on.
 #include <span>
 #include <string>
 #include <vector>
@@ -63,11 +64,6 @@ base::Status ex_finale_finished(Call& io_call) {
   return base::Ok{};
 }
 
-// ex_draw_point() and so on: lines and shapes for developers, which our clients do not draw.
-base::Status draw_nothing(Call&) {
-  return base::Ok{};
-}
-
 // The answers are constant: there are no special flags for players, and no map of paths for bots (game code
 // then finds its own way).
 base::Status none(Call& io_call) {
@@ -88,15 +84,6 @@ std::span<const BuiltinEntry> rerelease_builtins() {
       {0, "ex_walkpathtogoal", none},
       {0, "ex_bot_movetopoint", none},
       {0, "ex_bot_followentity", none},
-      {0, "ex_draw_point", draw_nothing},
-      {0, "ex_draw_line", draw_nothing},
-      {0, "ex_draw_arrow", draw_nothing},
-      {0, "ex_draw_ray", draw_nothing},
-      {0, "ex_draw_circle", draw_nothing},
-      {0, "ex_draw_bounds", draw_nothing},
-      {0, "ex_draw_worldtext", draw_nothing},
-      {0, "ex_draw_sphere", draw_nothing},
-      {0, "ex_draw_cylinder", draw_nothing},
   };
   return kEntries;
 }

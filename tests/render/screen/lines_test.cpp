@@ -100,6 +100,48 @@ TEST(Lines, IndexedFramesGetTheNearestColor) {
   EXPECT_EQ(palette[*drawn], color);
 }
 
+// A floor of depth 1/50 covers the left half of the frame. Lines cross it at other distances.
+TEST(Lines, WithADepthTestAreHiddenByWhatIsNearer) {
+  const render::ViewFrame view = make_view({}, 64, 40);
+  for (const PixelFormat format : {PixelFormat::kRgb, PixelFormat::kIndexed}) {
+    FrameBuffer frame(64, 40, format);
+    const auto count = [&](float distance, bool is_depth_tested, bool left) {
+      std::ranges::fill(frame.rgb(), kUntouched);
+      std::ranges::fill(frame.indexed(), std::uint8_t{0});
+      for (std::size_t i = 0; i < frame.pixel_count(); ++i)
+        frame.depth()[i] = i % 64 < 32 ? 1.0f / 50 : std::numeric_limits<float>::lowest();
+      const Line line{{distance, 500, 0}, {distance, -500, 0}, {255, 255, 255}, is_depth_tested};
+      draw_lines(std::vector<Line>{line}, view, artgen::make_palette(), frame);
+      int drawn = 0;
+      for (std::size_t i = 0; i < frame.pixel_count(); ++i)
+        if ((i % 64 < 32) == left)
+          drawn += format == PixelFormat::kRgb ? frame.rgb()[i] != kUntouched : frame.indexed()[i] != 0;
+      return drawn;
+    };
+    EXPECT_EQ(count(40, true, true), 32) << "in front";
+    EXPECT_EQ(count(50, true, true), 32) << "on it";
+    EXPECT_EQ(count(60, true, true), 0) << "behind";
+    EXPECT_EQ(count(60, true, false), 32) << "beside it";
+    EXPECT_EQ(count(60, false, true), 32) << "without a test";
+  }
+}
+
+// A line into the depth ends where it enters the wall.
+TEST(Lines, AreTestedWhereTheyAre) {
+  const render::ViewFrame view = make_view({}, 200, 150);
+  FrameBuffer frame(200, 150, PixelFormat::kRgb);
+  std::ranges::fill(frame.rgb(), kUntouched);
+  std::ranges::fill(frame.depth(), 1.0f / 100);
+  draw_lines(std::vector<Line>{{{10, 5, -9}, {400, 5, -9}, {255, 255, 255}, true}}, view,
+             artgen::make_palette(), frame);
+  const auto at = [&](double distance) {
+    const math::Vec2d pixel = view.to_screen(view.to_view({distance, 5, -9}));
+    return is_drawn_around(frame, pixel);
+  };
+  EXPECT_TRUE(at(20) && at(60) && at(95));
+  EXPECT_FALSE(at(200) || at(390));
+}
+
 TEST(Lines, WithstandAnyNumbers) {
   const render::ViewFrame view = make_view({}, 64, 40);
   const float huge = std::numeric_limits<float>::max(), nan = std::numeric_limits<float>::quiet_NaN(),

@@ -126,6 +126,52 @@ TEST_F(ReleaseProgram, OtherFunctionsAreHarmless) {
   EXPECT_EQ(stage->printed, "") << "no warnings";
 }
 
+TEST_F(ReleaseProgram, DrawsShapesForTheLocalPlayer) {
+  EXPECT_EQ(run("test_harmless"), "");
+  const server::DebugShapes& shapes = stage->context.debug_shapes;
+  // Point 3, line 1, arrow and ray 5 each, circle 24, box 12, sphere 3 circles, cylinder 2 circles and 4
+  // sides.
+  EXPECT_EQ(shapes.lines().size(), 3u + 1 + 5 + 5 + 24 + 12 + 72 + 48 + 4);
+  const auto& [line, look] = shapes.lines()[3];
+  EXPECT_EQ(line.from_world, math::Vec3(1, 2, 3));
+  EXPECT_EQ(line.to_world, math::Vec3(4, 5, 6));
+  EXPECT_EQ(line.color, 7);
+  EXPECT_FALSE(look.is_depth_tested);
+  EXPECT_EQ(look.end_time_s, stage->world.time_s + 8);
+  const auto& [ray, ray_look] = shapes.lines()[9];
+  EXPECT_EQ(ray.to_world, math::Vec3(1, 2, 103));
+  EXPECT_TRUE(ray_look.is_depth_tested);
+  for (std::size_t i = 14; i < 38; ++i)
+    EXPECT_NEAR(glm::distance(shapes.lines()[i].shape.to_world, math::Vec3(1, 2, 3)), 4, 1e-4) << "circle";
+  for (std::size_t i = 50; i < 122; ++i)
+    EXPECT_NEAR(glm::distance(shapes.lines()[i].shape.to_world, math::Vec3(1, 2, 3)), 4, 1e-4) << "sphere";
+  ASSERT_EQ(shapes.texts().size(), 1u);
+  EXPECT_EQ(shapes.texts()[0].shape.text, "text");
+  EXPECT_EQ(shapes.texts()[0].shape.size, 4);
+}
+
+TEST_F(ReleaseProgram, ShapesEndAfterTheirLifetime) {
+  EXPECT_EQ(run("test_harmless"), "");
+  server::DebugShapes& shapes = stage->context.debug_shapes;
+  const double now_s = stage->world.time_s;
+  shapes.drop_ended(now_s + 5.5);
+  // Text, point, and those that end at 5 or less are gone: the line, arrow, and cylinder are left, and
+  // others.
+  EXPECT_TRUE(shapes.texts().empty());
+  for (const auto& [line, look] : shapes.lines()) EXPECT_GE(look.end_time_s, now_s + 5.5);
+  EXPECT_FALSE(shapes.lines().empty());
+  shapes.drop_ended(now_s + 100);
+  EXPECT_TRUE(shapes.lines().empty());
+}
+
+TEST_F(ReleaseProgram, ShapesAreLimited) {
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(run("test_harmless"), "");
+  for (int i = 0; i < 300; ++i) stage->context.debug_shapes.add({std::string(9999, 'x')}, {});
+  EXPECT_EQ(stage->context.debug_shapes.lines().size(), server::DebugShapes::kMaxLines);
+  EXPECT_EQ(stage->context.debug_shapes.texts().size(), server::DebugShapes::kMaxTexts);
+  EXPECT_EQ(stage->context.debug_shapes.texts().back().shape.text.size(), server::DebugShapes::kMaxTextChars);
+}
+
 TEST_F(ReleaseProgram, WritesMessagesThatStockClientsKnow) {
   EXPECT_EQ(run("test_messages"), "");
   EXPECT_THAT(texts_for<net::Finale>(stage->outbox.reliable().view()), ElementsAre("The end."));

@@ -1,4 +1,4 @@
-#include "client/view/box_lines.h"
+#include "client/lines/box_lines.h"
 
 #include <gtest/gtest.h>
 
