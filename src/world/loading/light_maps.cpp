@@ -272,12 +272,33 @@ bool use_maps(const formats::Bsp& bsp, const base::Result<std::vector<MapSource>
   return false;
 }
 
+// Makes liquids without samples dark, like other faces, if the level has light for other liquids. A compiler
+// stores no samples for a face that no light reaches. The first sample of a face without styles does not
+// matter.
+void darken_liquids(const formats::Bsp& bsp, Level& io_level) {
+  const bool has_lit_liquids = std::ranges::any_of(io_level.faces, [](const Face& face) {
+    return face.kind == FaceKind::kLiquid && face.light != kNoLight;
+  });
+  if (!has_lit_liquids) return;
+  const std::uint64_t allowed = std::max(io_level.light.size() * kMaxSharing, kMinAllowedSamples);
+  std::uint64_t samples = 0;
+  for (std::size_t i = 0; i < io_level.faces.size(); ++i) {
+    Face& face = io_level.faces[i];
+    if (face.kind != FaceKind::kLiquid || face.light != kNoLight || !can_be_lit(bsp, io_level, i)) continue;
+    samples += count_samples(face.light_width(), face.light_height());
+    if (samples > allowed) return;
+    face.light = 0;
+  }
+}
+
 }  // namespace
 
 base::Status set_light_maps(const formats::Bsp& bsp, Level& io_level) {
-  if (use_maps(bsp, find_decoupled_maps(bsp, io_level), "DECOUPLED_LM", io_level)) return base::Ok{};
-  if (use_maps(bsp, find_scaled_maps(bsp, io_level), "LMSHIFT", io_level)) return base::Ok{};
-  return set_stock_maps(bsp, io_level);
+  if (!use_maps(bsp, find_decoupled_maps(bsp, io_level), "DECOUPLED_LM", io_level) &&
+      !use_maps(bsp, find_scaled_maps(bsp, io_level), "LMSHIFT", io_level))
+    TRY_STATUS(set_stock_maps(bsp, io_level));
+  darken_liquids(bsp, io_level);
+  return base::Ok{};
 }
 
 }  // namespace temblor::world

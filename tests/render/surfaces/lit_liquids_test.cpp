@@ -24,8 +24,10 @@ constexpr int kWetWidth = 160, kWetHeight = 120;
 
 enum class Flags : std::int32_t { kLit = 0, kNeverLit = 1 };
 
-// Faces have style 0 only, so that `light` is all of their light.
-std::shared_ptr<const world::Level> wet_level(Flags flags, std::uint8_t light, std::int32_t offset = 0) {
+// Faces have style 0 only, so that `light` is all of their light. Every `without_samples`th face has no
+// samples; 0: all have them.
+std::shared_ptr<const world::Level> wet_level(Flags flags, std::uint8_t light, std::int32_t offset = 0,
+                                              std::size_t without_samples = 0) {
   formats::Bsp bsp = artgen::make_small_level({});
   for (formats::BspMiptex& texture : bsp.miptexes)
     if (texture.present && !texture.name.starts_with("sky")) texture.name = "*" + texture.name.substr(0, 14);
@@ -34,6 +36,8 @@ std::shared_ptr<const world::Level> wet_level(Flags flags, std::uint8_t light, s
     if (face.light_offset >= 0) face.light_offset += offset;
     if (face.styles[0] != 255) face.styles = {0, 255, 255, 255};
   }
+  for (std::size_t i = 0; without_samples > 0 && i < bsp.faces.size(); i += without_samples)
+    bsp.faces[i].light_offset = -1;
   std::ranges::fill(bsp.lighting, light);
   return world::make_level(std::move(bsp), "wet").value();
 }
@@ -132,6 +136,27 @@ TEST(LitLiquids, WithoutLightOfTheirOwnAreAsBefore) {
     EXPECT_EQ(WetView(wet_level(Flags::kLit, 10, 1 << 28), seed).draw(), never);
     EXPECT_EQ(WetView(wet_level(Flags::kNeverLit, 10), seed).draw({.lit_liquids = false}), never);
   }
+}
+
+// Every other face has no samples, as if no light reached it: it looks as in a level without any light.
+TEST(LitLiquids, AreDarkWithoutSamplesBesideLitOnes) {
+  const std::shared_ptr<const world::Level> whole = wet_level(Flags::kLit, 90);
+  const std::shared_ptr<const world::Level> half = wet_level(Flags::kLit, 90, 0, 2);
+  std::size_t dark = 0, lit = 0;
+  for (std::uint64_t seed = 0; seed < kWetViews; ++seed) {
+    std::vector<render::PixelFace> faces(kWetWidth * kWetHeight);
+    const FrameCopy picture = WetView(half, seed).draw({}, PixelFormat::kRgb, faces);
+    const FrameCopy black = WetView(wet_level(Flags::kLit, 0), seed).draw({}, PixelFormat::kRgb);
+    const FrameCopy bright = WetView(whole, seed).draw({}, PixelFormat::kRgb);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (faces[i].face == render::PixelFace::kNothing) continue;
+      const bool is_dark = faces[i].face % 2 == 0;
+      (is_dark ? dark : lit) += 1;
+      ASSERT_EQ(picture.rgb[i], (is_dark ? black : bright).rgb[i]) << "face " << faces[i].face;
+    }
+  }
+  EXPECT_GT(dark, 1000u);
+  EXPECT_GT(lit, 1000u);
 }
 
 TEST(LitLiquids, DoNotDependOnThreadsKernelsOrCache) {
