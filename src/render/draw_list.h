@@ -28,7 +28,8 @@ struct ColorTint {
 
 struct DrawCommand {
   // The picture to draw from; not owned, must live until the list is drawn. Each of its pixels covers a
-  // square of `scale` pixels, and pixels of index 255 are transparent. Null: `area` is filled with `fill`.
+  // square of `scale` pixels, and pixels of index 255 are transparent. Its detail, if it has one, is shown
+  // instead, unless there is a translation. Null: `area` is filled with `fill`.
   const formats::Picture* picture = nullptr;
   // With a picture, width and height are `scale` times those of the part that is drawn.
   ScreenRect area;
@@ -40,6 +41,8 @@ struct DrawCommand {
   int scale = 1;
   std::uint8_t fill = 0;  // palette index
   float opacity = 1;      // 0 to 1
+  // The colors are added to those below, in which case the opacity is 1 or 0.
+  bool is_additive = false;
   // Null: the picture's own colors.
   const ColorTranslation* translation = nullptr;
   // Null: the palette's colors. Applies to `fill` too, and replaces `translation`.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/bytes.h"
@@ -15,9 +16,17 @@ namespace temblor::formats {
 
 constexpr std::uint32_t kMaxPictureSide = 1 << 14;  // pixels
 
+// A picture in color that is shown in place of another one, at that one's size.
+struct PictureDetail {
+  std::uint32_t width = 0, height = 0;  // at least 1
+  std::vector<std::uint32_t> colors;    // 0xAARRGGBB, row by row
+  std::vector<std::uint8_t> indices;    // the nearest palette entries; 255 is transparent
+};
+
 struct Picture {
   std::uint32_t width = 0, height = 0;  // 1 to kMaxPictureSide
   std::vector<std::uint8_t> pixels;     // width x height palette indices, row by row; 255 is transparent
+  std::shared_ptr<const PictureDetail> detail = nullptr;  // null: none
   bool operator==(const Picture&) const = default;
 };
 

@@ -22,7 +22,7 @@ PaletteMatch::PaletteMatch(const formats::Palette& palette, int first_fullbright
 BlendTables::Tables::Tables(const formats::Palette& source_palette, const PaletteMatch& source_match)
     : palette(source_palette),
       match(source_match),
-      bytes(std::make_unique_for_overwrite<std::uint8_t[]>((kSteps - 1) * kTableSize)) {}
+      bytes(std::make_unique_for_overwrite<std::uint8_t[]>(kSteps * kTableSize)) {}
 
 // a over b at n sixteenths is the same as b over a at 16 - n sixteenths: one table is the transpose of the
 // other.
@@ -37,6 +37,19 @@ void BlendTables::Tables::make_pair(int step) {
     }
 }
 
+void BlendTables::Tables::make_sums() {
+  std::uint8_t* const table = bytes.get() + (kSteps - 1) * kTableSize;
+  const auto add = [](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(std::min(int{a} + int{b}, 255));
+  };
+  for (std::size_t a = 0; a < 256; ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      const formats::Rgb &one = palette[a], &other = palette[b];
+      table[a * 256 + b] = table[b * 256 + a] =
+          match({add(one.r, other.r), add(one.g, other.g), add(one.b, other.b)}, true);
+    }
+}
+
 BlendTables::BlendTables(const formats::Palette& palette, const PaletteMatch& match)
     : tables_(std::make_unique<Tables>(palette, match)) {}
 
@@ -47,6 +60,11 @@ const std::uint8_t* BlendTables::table_for(float opacity) const {
   std::call_once(tables_->pair_is_made[static_cast<std::size_t>(pair - 1)],
                  [&] { tables_->make_pair(pair); });
   return tables_->bytes.get() + static_cast<std::size_t>(step - 1) * kTableSize;
+}
+
+const std::uint8_t* BlendTables::sums() const {
+  std::call_once(tables_->sums_are_made, [&] { tables_->make_sums(); });
+  return tables_->bytes.get() + (kSteps - 1) * kTableSize;
 }
 
 const std::uint8_t* FogTables::rows_for(const math::Vec3& color, const formats::Palette& palette,

@@ -42,6 +42,16 @@ constexpr std::uint32_t blend_rgb(std::uint32_t over, std::uint32_t under, int o
   return out;
 }
 
+// Adds each channel, up to 255. 0xffRRGGBB.
+constexpr std::uint32_t add_rgb(std::uint32_t over, std::uint32_t under) {
+  std::uint32_t out = 0xff000000u;
+  for (int shift = 0; shift < 24; shift += 8) {
+    const std::uint32_t sum = (over >> shift & 255) + (under >> shift & 255);
+    out |= (sum < 255 ? sum : 255) << shift;
+  }
+  return out;
+}
+
 // Finds the palette entry that looks most like a color, under the rule above.
 class PaletteMatch {
  public:
@@ -58,8 +68,8 @@ class PaletteMatch {
   formats::NearestColor lit_, any_;
 };
 
-// One table of 64 KiB for each sixteenth of opacity from 1 to 15. A table is computed when it is used for the
-// first time, since that takes milliseconds and few are ever needed.
+// One table of 64 KiB for each sixteenth of opacity from 1 to 15, and one for sums. A table is computed when
+// it is used for the first time, since that takes milliseconds and few are ever needed.
 class BlendTables {
  public:
   static constexpr int kSteps = 16;
@@ -69,17 +79,22 @@ class BlendTables {
   // under]. Never the step for clear or opaque, which callers need no table for. Thread-safe; allocates
   // nothing. Tables keep their address when this object is moved.
   const std::uint8_t* table_for(float opacity) const;
+  // The same for the sum of two colors, which is symmetric. Any entry except 255 may be a result: nothing
+  // lights a sum.
+  const std::uint8_t* sums() const;
 
  private:
   struct Tables {
     Tables(const formats::Palette& source_palette, const PaletteMatch& source_match);
     void make_pair(int step);
+    void make_sums();
 
     formats::Palette palette;
     PaletteMatch match;
-    std::unique_ptr<std::uint8_t[]> bytes;  // table after table, for steps 1 to 15
+    std::unique_ptr<std::uint8_t[]> bytes;  // table after table: for steps 1 to 15, and the sums
     // By step - 1: whether the tables of a step and of its mirror, kSteps - step, exist.
     std::array<std::once_flag, kSteps / 2> pair_is_made;
+    std::once_flag sums_are_made;
   };
   std::unique_ptr<Tables> tables_;
 };

@@ -41,7 +41,7 @@ Clip clip_to_rows(const DrawCommand& command, const FrameBuffer& frame, const Ro
 class IndexedPaint {
  public:
   IndexedPaint(const DrawCommand& command, const ColorTables& tables)
-      : table_(command.opacity < 1 ? tables.blends.table_for(command.opacity) : nullptr),
+      : table_(choose_table(command, tables.blends)),
         translation_(command.tint != nullptr ? &command.tint->indices : command.translation) {}
 
   static std::uint8_t* row(FrameBuffer& frame, std::int64_t y) {
@@ -54,9 +54,17 @@ class IndexedPaint {
     else
       for (; first != end; ++first) *first = table_[index * 256 + *first];
   }
+  void put_detail(const formats::PictureDetail& detail, std::size_t texel, std::uint8_t* pixel) const {
+    if (const std::uint8_t index = detail.indices[texel]; index != kClear) fill(index, pixel, pixel + 1);
+  }
 
  private:
-  const std::uint8_t* table_;
+  static const std::uint8_t* choose_table(const DrawCommand& command, const BlendTables& blends) {
+    if (command.is_additive) return blends.sums();
+    return command.opacity < 1 ? blends.table_for(command.opacity) : nullptr;
+  }
+
+  const std::uint8_t* table_;  // null: opaque
   const ColorTranslation* translation_;
 };
 
@@ -64,6 +72,8 @@ class RgbPaint {
  public:
   RgbPaint(const DrawCommand& command, const ColorTables& tables)
       : opacity_256_(opacity_256(command.opacity)),
+        is_additive_(command.is_additive),
+        is_tinted_(command.tint != nullptr),
         colors_(command.tint != nullptr ? command.tint->rgb : tables.rgb),
         translation_(command.tint == nullptr ? command.translation : nullptr) {}
 
@@ -72,14 +82,27 @@ class RgbPaint {
   }
   void fill(std::uint8_t index, std::uint32_t* first, std::uint32_t* end) const {
     const std::uint32_t color = colors_[translation_ != nullptr ? (*translation_)[index] : index];
-    if (opacity_256_ == kOpaque256)
+    if (is_additive_)
+      for (; first != end; ++first) *first = add_rgb(color, *first);
+    else if (opacity_256_ == kOpaque256)
       std::fill(first, end, color);
     else
       for (; first != end; ++first) *first = blend_rgb(color, *first, opacity_256_);
   }
+  // A tint has colors for palette entries only.
+  void put_detail(const formats::PictureDetail& detail, std::size_t texel, std::uint32_t* pixel) const {
+    if (is_tinted_) {
+      if (const std::uint8_t index = detail.indices[texel]; index != kClear) fill(index, pixel, pixel + 1);
+      return;
+    }
+    const std::uint32_t color = detail.colors[texel];
+    const int alpha_256 = static_cast<int>((color >> 24) + (color >> 31));  // 255 is opaque
+    *pixel = blend_rgb(color, *pixel, alpha_256 * opacity_256_ / kOpaque256);
+  }
 
  private:
   int opacity_256_;
+  bool is_additive_, is_tinted_;
   const std::array<std::uint32_t, 256>& colors_;
   const ColorTranslation* translation_;
 };
@@ -135,6 +158,32 @@ bool is_stretched(const DrawCommand& command) {
   return command.part_width != 0;
 }
 
+// The texel of the detail under each pixel's center.
+template <typename Paint>
+void draw_detail(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
+  const formats::Picture& picture = *command.picture;
+  const formats::PictureDetail& detail = *picture.detail;
+  const std::int64_t part_width =
+      is_stretched(command) ? command.part_width : command.area.width / command.scale;
+  const std::int64_t part_height =
+      is_stretched(command) ? command.part_height : command.area.height / command.scale;
+  const auto find_texel = [](std::int64_t offset, std::int64_t first, std::int64_t part, std::int64_t size,
+                             std::int64_t picture_side, std::int64_t detail_side) {
+    return ((2 * offset + 1) * part + 2 * size * first) * detail_side / (2 * size * picture_side);
+  };
+  for (std::int64_t y = clip.y_first; y < clip.y_end; ++y) {
+    const std::int64_t row_texel = find_texel(y - command.area.y, command.part_y, part_height,
+                                              command.area.height, picture.height, detail.height);
+    auto* const row = Paint::row(io_frame, y);
+    for (std::int64_t x = clip.x_first; x < clip.x_end; ++x) {
+      const std::int64_t texel =
+          row_texel * detail.width + find_texel(x - command.area.x, command.part_x, part_width,
+                                                command.area.width, picture.width, detail.width);
+      paint.put_detail(detail, static_cast<std::size_t>(texel), row + x);
+    }
+  }
+}
+
 void check_stretched(const DrawCommand& command) {
   const formats::Picture& picture = *command.picture;
   CHECK(command.part_x >= 0 && command.part_y >= 0 && command.part_width > 0 && command.part_height > 0 &&
@@ -168,7 +217,9 @@ void draw_rows(const DrawList& list, const ColorTables& tables, const Rows& rows
     const Clip clip = clip_to_rows(command, io_frame, rows);
     if (clip.is_empty() || !(command.opacity > 0)) continue;
     const Paint paint(command, tables);
-    if (command.picture != nullptr && is_stretched(command))
+    if (command.picture != nullptr && command.picture->detail && command.translation == nullptr)
+      draw_detail(command, clip, paint, io_frame);
+    else if (command.picture != nullptr && is_stretched(command))
       draw_stretched(command, clip, paint, io_frame);
     else if (command.picture != nullptr)
       draw_picture(command, clip, paint, io_frame);

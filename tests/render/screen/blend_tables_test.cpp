@@ -72,6 +72,20 @@ TEST(BlendTables, HoldTheNearestToTheMean) {
   }
 }
 
+TEST(BlendTables, SumsAreTheNearestEntries) {
+  const formats::Palette palette = random_palette(8);
+  const BlendTables tables(palette, PaletteMatch(palette, kFirstFullbright));
+  const auto add = [](int a, int b) { return static_cast<std::uint8_t>(std::min(a + b, 255)); };
+  for (int i = 0; i < 4000; ++i) {
+    const std::size_t one = static_cast<std::size_t>(i * 7 % 256),
+                      other = static_cast<std::size_t>(i * 89 % 256);
+    const formats::Rgb a = palette[one], b = palette[other];
+    ASSERT_EQ(tables.sums()[one * 256 + other],
+              find_nearest(palette, {add(a.r, b.r), add(a.g, b.g), add(a.b, b.b)}, true))
+        << one << " + " << other;
+  }
+}
+
 TEST(BlendTables, TakeTheNearestStep) {
   const formats::Palette palette = random_palette(5);
   const BlendTables tables(palette, PaletteMatch(palette, kFirstFullbright));

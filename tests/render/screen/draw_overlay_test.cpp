@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "render/color/color_tables.h"
@@ -79,12 +80,16 @@ render::DrawCommand random_command(const formats::Picture& picture,
   return command;
 }
 
-// Some commands have tints, and some are clipped.
+// Some commands have tints, some are clipped, and some are additive.
 void decorate(render::DrawCommand& io_command, const render::ColorTint& tint, Random& random) {
   if (random.chance(0.3)) io_command.tint = &tint;
   if (random.chance(0.3))
     io_command.clip = {random_corner(random), random_corner(random), static_cast<int>(random.below(100)),
                        static_cast<int>(random.below(100))};
+  if (random.chance(0.2)) {
+    io_command.is_additive = true;
+    io_command.opacity = 1;
+  }
 }
 
 bool is_inside(const render::ScreenRect& area, int x, int y) {
@@ -134,6 +139,11 @@ bool is_mixed(int got, int over, int under, double opacity) {
 void expect_pixel(const render::DrawCommand& command, int index, std::uint32_t before, std::uint32_t after) {
   if (index == 256 || !(command.opacity > 0)) {
     ASSERT_EQ(after, before);
+  } else if (command.is_additive) {
+    const std::uint32_t over = rgb_color(command, index);
+    for (int shift = 0; shift < 24; shift += 8)
+      ASSERT_EQ(after >> shift & 255, std::min((over >> shift & 255) + (before >> shift & 255), 255u));
+    ASSERT_EQ(after >> 24, 255u);
   } else if (command.opacity >= 1) {
     ASSERT_EQ(after, rgb_color(command, index));
   } else {
@@ -150,6 +160,8 @@ void expect_indexed_pixel(const render::DrawCommand& command, int index, std::ui
                           std::uint8_t after) {
   if (index == 256 || !(command.opacity > 0))
     ASSERT_EQ(after, before);
+  else if (command.is_additive)
+    ASSERT_EQ(after, some_tables().blends.sums()[indexed_color(command, index) * 256 + before]);
   else if (command.opacity >= 1)
     ASSERT_EQ(after, indexed_color(command, index));
   else
@@ -190,6 +202,62 @@ TEST(DrawOverlay, PutsEveryPixelWhereItBelongs) {
             << x << "," << y;
       }
   }
+}
+
+// A picture of 2 x 1 pixels, and a detail of 4 x 2 texels with the colors 1 to 8.
+formats::Picture make_detailed_picture(std::uint32_t alpha) {
+  auto detail = std::make_shared<formats::PictureDetail>();
+  detail->width = 4;
+  detail->height = 2;
+  for (std::uint32_t i = 1; i <= 8; ++i) {
+    detail->colors.push_back(alpha << 24 | i * 0x101010);
+    detail->indices.push_back(i == 8 ? std::uint8_t{255} : static_cast<std::uint8_t>(i));
+  }
+  return {2, 1, {100, 101}, detail};
+}
+
+TEST(DrawOverlay, ShowsDetailsAtThePicturesSize) {
+  const formats::Picture picture = make_detailed_picture(255);
+  render::FrameBuffer rgb(8, 4, render::PixelFormat::kRgb), indexed(8, 4, render::PixelFormat::kIndexed);
+  const auto draw = [&](const render::DrawCommand& command) {
+    std::ranges::fill(rgb.rgb(), 0xff000000u);
+    std::ranges::fill(indexed.indexed(), std::uint8_t{50});
+    render::draw_overlay({{command}}, some_tables(), nullptr, rgb);
+    render::draw_overlay({{command}}, some_tables(), nullptr, indexed);
+  };
+  const auto expect_texels = [&](std::uint32_t first_column, std::uint32_t columns, std::uint32_t width) {
+    for (std::uint32_t y = 0; y < 4; ++y)
+      for (std::uint32_t x = 0; x < width; ++x) {
+        const std::uint32_t texel = y / 2 * 4 + first_column + x * columns / width + 1;
+        EXPECT_EQ(rgb.rgb()[y * 8 + x], 0xff000000u | texel * 0x101010) << x << "," << y;
+        EXPECT_EQ(indexed.indexed()[y * 8 + x], texel == 8 ? 50 : texel) << x << "," << y;
+      }
+  };
+  draw({.picture = &picture, .area = {0, 0, 8, 4}, .scale = 4});
+  expect_texels(0, 4, 8);
+  draw({.picture = &picture, .area = {0, 0, 8, 4}, .part_width = 2, .part_height = 1});
+  expect_texels(0, 4, 8);
+  draw({.picture = &picture, .area = {0, 0, 4, 4}, .part_x = 1, .scale = 4});
+  expect_texels(2, 2, 4);
+  EXPECT_EQ(rgb.rgb()[4], 0xff000000u) << "only the area";
+  const render::ColorTranslation translation{};
+  draw({.picture = &picture, .area = {0, 0, 8, 4}, .scale = 4, .translation = &translation});
+  EXPECT_EQ(indexed.indexed()[0], 0) << "a translation is for the picture's own pixels";
+}
+
+TEST(DrawOverlay, BlendsDetailsByTheirOpacity) {
+  const formats::Picture half = make_detailed_picture(128), clear = make_detailed_picture(0);
+  render::FrameBuffer frame(2, 1, render::PixelFormat::kRgb);
+  const auto draw = [&](const formats::Picture& picture, float opacity) {
+    std::ranges::fill(frame.rgb(), 0xff808080u);
+    render::draw_overlay({{{.picture = &picture, .area = {0, 0, 2, 1}, .opacity = opacity}}}, some_tables(),
+                         nullptr, frame);
+    return static_cast<int>(frame.rgb()[0] & 255);
+  };
+  // The texel under the pixel's center is number 6: 0x60.
+  EXPECT_NEAR(draw(half, 1), (0x60 + 0x80) / 2, 1);
+  EXPECT_NEAR(draw(half, 0.5f), 0x60 / 4 + 0x80 * 3 / 4, 1);
+  EXPECT_EQ(draw(clear, 1), 0x80);
 }
 
 TEST(DrawOverlay, DrawsInOrderThroughTheRenderer) {
