@@ -48,6 +48,13 @@ class ProgramCall : public builtins::Call {
   const Game& game() const { return *program.game; }
 };
 
+// The parameters "vector rgb, float alpha, float flag", of which the first has this number. Flag 1 is
+// additive; other values, or none, blend.
+inline ProgramColor read_color(const ProgramCall& call, int first) {
+  constexpr float kAdditive = 1;
+  return {call.vector(first), call.number(first + 1), call.number_or(first + 2, 0) == kAdditive};
+}
+
 // One row of a family's table. Number 0: QuakeC can declare it by name only.
 struct ProgramEntry {
   int number;

@@ -88,7 +88,9 @@ const render::ColorTint& ProgramCanvas::find_tint(const math::Vec3& rgb) {
   return *found;
 }
 
-base::Status ProgramCanvas::add(render::DrawCommand command) {
+// An additive command has its opacity in its tint, because the tables of sums know no opacity.
+base::Status ProgramCanvas::add(render::DrawCommand command, const ProgramColor& color) {
+  command.opacity = std::min(color.alpha, 1.0f);
   const render::ScreenRect frame{0, 0, width_, height_};
   const render::ScreenRect visible = intersect(command.area, clip_ ? intersect(*clip_, frame) : frame);
   if (visible.width == 0 || visible.height == 0 || !(command.opacity > 0)) return base::Ok{};
@@ -99,14 +101,17 @@ base::Status ProgramCanvas::add(render::DrawCommand command) {
     return base::error(base::ErrorCode::kTooLarge, "draws over the whole frame more than {} times",
                        kMaxCoverage);
   command.clip = clip_;
+  if (color.is_additive) {
+    command.tint = &find_tint(color.rgb * command.opacity);
+    command.opacity = 1;
+    command.is_additive = true;
+  }
   list_.commands.push_back(command);
   return base::Ok{};
 }
 
 base::Status ProgramCanvas::fill(const VirtualRect& area, const ProgramColor& color) {
-  const render::ColorTint& tint = find_tint(color.rgb);
-  return add(
-      {.area = to_pixels(area), .fill = kFillIndex, .opacity = std::min(color.alpha, 1.0f), .tint = &tint});
+  return add({.area = to_pixels(area), .fill = kFillIndex, .tint = &find_tint(color.rgb)}, color);
 }
 
 base::Status ProgramCanvas::draw_picture(const formats::Picture& picture, const VirtualRect& area,
@@ -121,8 +126,8 @@ base::Status ProgramCanvas::draw_picture(const formats::Picture& picture, const 
               .part_y = y.first,
               .part_width = x.count,
               .part_height = y.count,
-              .opacity = std::min(color.alpha, 1.0f),
-              .tint = is_tinted ? &find_tint(color.rgb) : nullptr});
+              .tint = is_tinted ? &find_tint(color.rgb) : nullptr},
+             color);
 }
 
 // A line is a row of rectangles: one for each step of the shorter side, as long as the line stays in it.

@@ -18,10 +18,12 @@
 
 namespace temblor::client {
 
-// The color and the opacity (0 to 1) of something that is drawn.
+// The color and the opacity (0 to 1) of something that is drawn. Additive: the color times the opacity is
+// added to what is there.
 struct ProgramColor {
   math::Vec3 rgb{1.0f};
   float alpha = 1;
+  bool is_additive = false;
 };
 
 // A rectangle in virtual pixels, and the part of a picture: 0 to 1 from left to right and from top to bottom.
@@ -61,7 +63,7 @@ class ProgramCanvas {
   const render::DrawList& list() const { return list_; }
 
  private:
-  base::Status add(render::DrawCommand command);
+  base::Status add(render::DrawCommand command, const ProgramColor& color);
   render::ScreenRect to_pixels(const VirtualRect& area) const;
   const render::ColorTint& find_tint(const math::Vec3& rgb);
 

@@ -4,10 +4,6 @@
 namespace temblor::client {
 namespace {
 
-ProgramColor color(const ProgramCall& call, int rgb) {
-  return {call.vector(rgb), call.number(rgb + 1)};
-}
-
 // Drawing takes longer than an instruction, also outside of the frame.
 base::Status check_may_draw(const ProgramCall& call) {
   constexpr std::uint64_t kCost = 8;
@@ -25,7 +21,7 @@ base::Status drawpic(ProgramCall& io_call) {
   if (picture == nullptr) return base::Ok{};
   return io_call.program.canvas.draw_picture(*picture,
                                              {math::Vec2(io_call.vector(0)), math::Vec2(io_call.vector(2))},
-                                             {{0, 0}, {1, 1}}, color(io_call, 3));
+                                             {{0, 0}, {1, 1}}, read_color(io_call, 3));
 }
 
 // drawsubpic(position, size, picture, source_position, source_size, rgb, alpha, flag): sources are 0 to 1.
@@ -35,7 +31,7 @@ base::Status drawsubpic(ProgramCall& io_call) {
   if (picture == nullptr) return base::Ok{};
   return io_call.program.canvas.draw_picture(
       *picture, {math::Vec2(io_call.vector(0)), math::Vec2(io_call.vector(1))},
-      {math::Vec2(io_call.vector(3)), math::Vec2(io_call.vector(4))}, color(io_call, 5));
+      {math::Vec2(io_call.vector(3)), math::Vec2(io_call.vector(4))}, read_color(io_call, 5));
 }
 
 // drawfill(position, size, rgb, alpha, flag)
@@ -43,7 +39,7 @@ base::Status drawfill(ProgramCall& io_call) {
   TRY_STATUS(check_may_draw(io_call));
   TRY_STATUS(io_call.return_number(1));
   return io_call.program.canvas.fill({math::Vec2(io_call.vector(0)), math::Vec2(io_call.vector(1))},
-                                     color(io_call, 2));
+                                     read_color(io_call, 2));
 }
 
 // drawline(width, from, to, rgb, alpha, flag)
@@ -52,7 +48,7 @@ base::Status drawline(ProgramCall& io_call) {
   const HudMoment& moment = io_call.program.moment;
   io_call.machine.charge(static_cast<std::uint64_t>(moment.width + moment.height) / 2);  // its longest
   return io_call.program.canvas.draw_line(io_call.number(0), math::Vec2(io_call.vector(1)),
-                                          math::Vec2(io_call.vector(2)), color(io_call, 3));
+                                          math::Vec2(io_call.vector(2)), read_color(io_call, 3));
 }
 
 // drawsetcliparea(x, y, width, height)

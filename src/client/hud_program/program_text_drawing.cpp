@@ -58,9 +58,10 @@ base::Status draw_letters(ProgramCall& io_call, bool has_codes) {
   io_call.machine.charge(io_call.text(1).size());
   math::Vec2 place(io_call.vector(0));
   const math::Vec2 size(io_call.vector(2));
-  const ProgramColor color{io_call.vector(3), io_call.number(4)};
+  const ProgramColor color = read_color(io_call, 3);
   return for_each_letter(io_call.text(1), has_codes, [&](std::uint8_t code, const math::Vec3& rgb) {
-    const base::Status drawn = draw_letter(io_call, code, {place, size}, {color.rgb * rgb, color.alpha});
+    const base::Status drawn =
+        draw_letter(io_call, code, {place, size}, {color.rgb * rgb, color.alpha, color.is_additive});
     place.x += size.x;
     return drawn;
   });
@@ -79,8 +80,7 @@ base::Status drawcharacter(ProgramCall& io_call) {
   if (!io_call.program.may_draw) return io_call.error("draws outside of a frame");
   TRY_STATUS(io_call.return_number(1));
   return draw_letter(io_call, static_cast<std::uint8_t>(io_call.whole(1) & 255),
-                     {math::Vec2(io_call.vector(0)), math::Vec2(io_call.vector(2))},
-                     {io_call.vector(3), io_call.number(4)});
+                     {math::Vec2(io_call.vector(0)), math::Vec2(io_call.vector(2))}, read_color(io_call, 3));
 }
 
 // stringwidth(text, has_codes, size): without a size, that of letters of 8 x 8.

@@ -457,6 +457,40 @@ INSTANTIATE_TEST_SUITE_P(
                    "bytes of commands"}),
     [](const ::testing::TestParamInfo<BadProgram>& tested) { return std::string(tested.param.name); });
 
+// A fill, a picture, and letters over gray. Flag 1 adds the color times the opacity.
+TEST(HudProgram, AdditiveDrawingAddsInBothPixelFormats) {
+  SKIP_WITHOUT_QUAKEC();
+  HudStage stage(draw_hud(R"(
+    drawfill('0 0 0', '100 100 0', '0.4 0.4 0.4', 1, 0);
+    drawfill('0 0 0', '10 10 0', '0.4 0.4 0.8', 0.5, 1);
+    drawpic('20 0 0', "gfx/half.tga", '40 20 0', '1 1 1', 1, 1);
+    drawpic('70 0 0', "gfx/half.tga", '20 20 0', '1 1 1', 1, 2);
+  )"));
+  ASSERT_TRUE(stage.draw().is_active) << stage.printed;
+  const std::uint32_t gray = 0x666666;
+  const auto rgb = stage.picture(render::PixelFormat::kRgb);
+  EXPECT_EQ(pixel(rgb, 10, 10), gray + 0x333366) << "half of 2/5 and 4/5";
+  const std::uint32_t red = pixel(rgb, 50, 10);
+  EXPECT_GT(red >> 16 & 255, 0xc0u) << "the palette's nearest red is added";
+  EXPECT_GT(red >> 16 & 255, (red >> 8 & 255) + 60);
+  EXPECT_EQ(pixel(rgb, 110, 10), gray) << "the picture's clear half";
+  EXPECT_TRUE(is_red(pixel(rgb, 150, 10))) << "other flags blend";
+  const auto indexed = stage.picture(render::PixelFormat::kIndexed);
+  const formats::NearestColor nearest(artgen::make_palette(), 0, 255);
+  const auto unpack = [](std::uint32_t color) {
+    return formats::Rgb{static_cast<std::uint8_t>(color >> 16 & 255),
+                        static_cast<std::uint8_t>(color >> 8 & 255), static_cast<std::uint8_t>(color & 255)};
+  };
+  // The sum of two entries, in the nearest entry.
+  const formats::Palette palette = artgen::make_palette();
+  const formats::Rgb under = palette[nearest.find(unpack(gray))],
+                     over = palette[nearest.find(unpack(0x333366))];
+  const formats::Rgb sum = palette[nearest.find({static_cast<std::uint8_t>(under.r + over.r),
+                                                 static_cast<std::uint8_t>(under.g + over.g),
+                                                 static_cast<std::uint8_t>(under.b + over.b)})];
+  EXPECT_EQ(unpack(pixel(indexed, 10, 10)), sum);
+}
+
 TEST(HudProgram, EmptyTextsAndOddNumbersAreHarmless) {
   SKIP_WITHOUT_QUAKEC();
   HudStage stage(draw_hud(R"(
