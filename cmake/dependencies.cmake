@@ -7,6 +7,7 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 # Debian's libzip-config.cmake also requires the package of the command-line tools; pkg-config does not.
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
+pkg_check_modules(libjpeg REQUIRED IMPORTED_TARGET libjpeg)
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(sdl2 REQUIRED IMPORTED_TARGET sdl2)
 # Removes -D_REENTRANT, which has no effect in today's C libraries and would rule out the precompiled headers.

@@ -31,6 +31,7 @@ int fuzz_delta(const std::uint8_t* data, std::size_t size);
 int fuzz_entities(const std::uint8_t* data, std::size_t size);
 int fuzz_frame(const std::uint8_t* data, std::size_t size);
 int fuzz_handshake(const std::uint8_t* data, std::size_t size);
+int fuzz_jpeg(const std::uint8_t* data, std::size_t size);
 int fuzz_level(const std::uint8_t* data, std::size_t size);
 int fuzz_light_cache(const std::uint8_t* data, std::size_t size);
 int fuzz_light_grid(const std::uint8_t* data, std::size_t size);

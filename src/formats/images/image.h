@@ -1,4 +1,4 @@
-// True-color images from files, for sky boxes: TGA, the format of most mods, and PNG.
+// True-color images from files: TGA, the format of most mods, PNG, and JPEG.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,10 @@ struct Image {
 base::Result<Image> read_tga(base::Bytes bytes);
 // Writes 32 bits per pixel, without compression.
 base::ByteVector write_tga(const Image& image);
-// Reads any PNG. Both readers return kMalformed, kUnsupported, or kTooLarge with the reason.
+// Reads any PNG.
 base::Result<Image> read_png(base::Bytes bytes);
+// Reads gray and color JPEG files, also progressive ones, of at most 2^24 pixels. All readers return
+// kMalformed, kUnsupported, or kTooLarge with the reason.
+base::Result<Image> read_jpeg(base::Bytes bytes);
 
 }  // namespace temblor::formats
