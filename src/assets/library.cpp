@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "assets/image_files.h"
+#include "assets/models/external_skins.h"
+
 namespace temblor::assets {
 namespace {
 
@@ -22,11 +25,10 @@ base::Result<T> read_as(const vfs::FileSystem& files, std::string_view path,
   return read(bytes).with_file(files.describe(path));
 }
 
-// Loads one side: TGA first, the only format of older engines. Reports a missing side as the .tga.
+// Reports a missing side as the .tga, the only format of older engines.
 base::Result<formats::Image> read_side(const vfs::FileSystem& files, const std::string& stem) {
-  if (files.contains(stem + ".tga") || !files.contains(stem + ".png"))
-    return read_as(files, stem + ".tga", formats::read_tga);
-  return read_as(files, stem + ".png", formats::read_png);
+  const std::string found = find_image_file(files, stem);
+  return read_image_file(files, found.empty() ? stem + ".tga" : found);
 }
 
 }  // namespace
@@ -45,6 +47,13 @@ base::Result<LoadedLevel> Library::level(std::string_view path, const LevelOptio
 
 base::Result<formats::Mdl> Library::alias_model(std::string_view path) const {
   return read_as(files_, path, formats::read_mdl);
+}
+
+base::Result<formats::Mdl> Library::alias_model_with_skins(std::string_view path,
+                                                           std::vector<std::string>& io_notes) const {
+  TRY(formats::Mdl mdl, alias_model(path));
+  replace_skins(files_, path, mdl, io_notes);
+  return mdl;
 }
 
 base::Result<formats::Spr> Library::sprite(std::string_view path) const {

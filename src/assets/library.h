@@ -43,9 +43,13 @@ class Library {
   // missing file, kMalformed or kUnsupported for one that its reader rejects.
   base::Result<LoadedLevel> level(std::string_view path, const LevelOptions& options = {}) const;
   base::Result<formats::Mdl> alias_model(std::string_view path) const;
+  // The same, with the pictures in color that replace skins (models/external_skins.h). A damaged one is
+  // ignored, with a note.
+  base::Result<formats::Mdl> alias_model_with_skins(std::string_view path,
+                                                    std::vector<std::string>& io_notes) const;
   base::Result<formats::Spr> sprite(std::string_view path) const;
-  // Loads gfx/env/NAMErt.tga and so on, or .png: right (+x), back, left, front, up, down. Missing and damaged
-  // sides are empty images (0 x 0), with a line in `io_notes` for each.
+  // Loads gfx/env/NAMErt.tga and so on, or .png, or .jpg: right (+x), back, left, front, up, down. Missing
+  // and damaged sides are empty images (0 x 0), with a line in `io_notes` for each.
   std::array<formats::Image, 6> skybox(std::string_view name, std::vector<std::string>& io_notes) const;
   // `path`: a PNG file, such as "gfx/marks/smile.png".
   base::Result<formats::Image> image(std::string_view path) const;

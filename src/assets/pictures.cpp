@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "assets/images/external_pictures.h"
 #include "assets/library.h"
 #include "assets/stock/stock_pictures.h"
 #include "base/text.h"
@@ -113,6 +114,9 @@ Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& 
   loaded.characters_ = characters ? std::move(*characters) : make_checker(kCharactersSide, kCharactersSide);
   add_placeholders(stock_wad_pictures(), loaded.pictures_, missing);
   add_placeholders(stock_picture_files(), loaded.pictures_, missing);
+  for (const std::string& name : add_details(
+           files, [&](std::string_view name) { return loaded.find_own(name); }, bad))
+    std::erase(missing, name);
   loaded.placeholders_.insert(missing.begin(), missing.end());
 
   std::string note;
@@ -122,6 +126,12 @@ Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& 
     note += fmt::format("{}damaged: {}", note.empty() ? "pictures " : "; ", join_first_names(bad));
   if (!note.empty()) io_notes.push_back(fmt::format("{}: {}", files.describe(kWad), note));
   return loaded;
+}
+
+formats::Picture* Pictures::find_own(std::string_view name) {
+  if (name == kCharacters) return &characters_;
+  const auto found = pictures_.find(name);
+  return found == pictures_.end() ? nullptr : &found->second;
 }
 
 const formats::Picture* Pictures::find(std::string_view name) const {

@@ -1,6 +1,7 @@
 // The 2D pictures of the game (status bar, menus, console background, font): the lumps of gfx.wad and
-// gfx/*.lmp, loaded once. Always complete: a stock picture that is missing gets a checkerboard, so that no
-// drawing code needs a check.
+// gfx/*.lmp, loaded once, with pictures in color that are shown in their place (images/external_pictures.h).
+// Always complete: a stock picture that is missing gets a checkerboard, so that no drawing code needs a
+// check.
 #pragma once
 
 #include <map>
@@ -30,6 +31,8 @@ class Pictures {
   const formats::Picture& characters() const { return characters_; }
 
  private:
+  formats::Picture* find_own(std::string_view name);
+
   std::map<std::string, formats::Picture, std::less<>> pictures_;  // by name in lower case
   std::set<std::string, std::less<>> placeholders_;                // names, as in pictures_
   formats::Picture characters_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "assets/assets.h"
+#include "assets/image_files.h"
 #include "base/parallel_for.h"
 #include "base/text.h"
 #include "formats/images/colored_texture.h"
@@ -32,21 +33,10 @@ struct Loaded {
   std::vector<std::string> notes;
 };
 
-// Finds STEM.tga or STEM.png. Returns an empty name if there is none.
-std::string find_picture(const vfs::FileSystem& files, const std::string& stem) {
-  std::string best;
-  for (const char* suffix : {".tga", ".png"}) {
-    std::string name = stem + suffix;
-    if (files.contains(name) && (best.empty() || files.find_game(name) > files.find_game(best)))
-      best = std::move(name);
-  }
-  return best;
-}
-
 std::string find_glow(const vfs::FileSystem& files, std::string_view picture) {
   const std::string stem(picture.substr(0, picture.rfind('.')));
-  std::string glow = find_picture(files, stem + "_glow");
-  return glow.empty() ? find_picture(files, stem + "_luma") : glow;
+  std::string glow = find_image_file(files, stem + "_glow");
+  return glow.empty() ? find_image_file(files, stem + "_luma") : glow;
 }
 
 std::vector<Replacement> find_replacements(const vfs::FileSystem& files, std::string_view map_name,
@@ -58,10 +48,10 @@ std::vector<Replacement> find_replacements(const vfs::FileSystem& files, std::st
     if (!miptex.present || miptex.width == 0 || miptex.height == 0 || miptex.name.empty()) continue;
     std::string name = base::to_lower(miptex.name);
     std::ranges::replace(name, '*', '#');
-    std::string picture = find_picture(files, fmt::format("textures/{}/{}", map_name, name));
+    std::string picture = find_image_file(files, fmt::format("textures/{}/{}", map_name, name));
     // A picture in a lower game folder is for the level that this one hides.
     if (!picture.empty() && files.find_game(picture) < level_game) picture.clear();
-    if (picture.empty()) picture = find_picture(files, fmt::format("textures/{}", name));
+    if (picture.empty()) picture = find_image_file(files, fmt::format("textures/{}", name));
     if (picture.empty()) continue;
     std::string glow = find_glow(files, picture);
     found.push_back({i, std::move(picture), std::move(glow)});
@@ -70,9 +60,7 @@ std::vector<Replacement> find_replacements(const vfs::FileSystem& files, std::st
 }
 
 base::Result<formats::Image> read_picture_file(const vfs::FileSystem& files, const std::string& name) {
-  TRY(const base::ByteVector bytes, files.read(name));
-  const auto read = name.ends_with(".tga") ? formats::read_tga : formats::read_png;
-  TRY(formats::Image image, read(bytes).with_file(files.describe(name)));
+  TRY(formats::Image image, read_image_file(files, name));
   if (image.pixels.size() > kMaxExternalTexturePixels) {
     base::Error error =
         base::error(base::ErrorCode::kTooLarge, "{} x {} pixels, but textures have at most {}", image.width,

@@ -1,11 +1,10 @@
 // Pictures that replace the textures of a level, as in most Quake engines:
 //
-//   textures/MAP/NAME.tga, .png   for the level MAP only
-//   textures/NAME.tga, .png       for all levels
-//   ..._glow or ..._luma          next to it: the light that the texture emits
+//   textures/MAP/NAME      for the level MAP only
+//   textures/NAME          for all levels
+//   ..._glow or ..._luma   next to it: the light that the texture emits
 //
-// NAME is the texture's name in lower case, with '#' for '*'. A higher game folder takes precedence; in one
-// folder, .tga does.
+// NAME is the texture's name in lower case, with '#' for '*'; image_files.h lists the extensions.
 #pragma once
 
 #include <string>

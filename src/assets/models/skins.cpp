@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "assets/assets.h"
+#include "assets/image_files.h"
 #include "base/text.h"
 #include "formats/images/image.h"
 #include "formats/images/nearest_color.h"
@@ -15,7 +16,7 @@ namespace temblor::assets {
 namespace {
 
 // In the order of precedence within a game folder.
-constexpr std::array<std::string_view, 3> kExtensions = {".tga", ".png", ".lmp"};
+constexpr std::array<std::string_view, 4> kExtensions = {".tga", ".png", ".jpg", ".lmp"};
 // The members of an animated skin last as long as in most models.
 constexpr float kSkinPicture_s = 0.1f;
 
@@ -50,12 +51,12 @@ class SkinLoader {
   }
 
   base::Result<formats::Picture> read(const std::string& path) {
+    if (is_image_file(path)) {
+      TRY(const formats::Image image, read_image_file(files_, path));
+      return match_to_palette(image);
+    }
     TRY(const base::ByteVector bytes, files_.read(path));
-    if (path.ends_with(kExtensions[2])) return formats::read_picture(bytes).with_file(files_.describe(path));
-    const bool is_tga = path.ends_with(kExtensions[0]);
-    TRY(const formats::Image image,
-        (is_tga ? formats::read_tga(bytes) : formats::read_png(bytes)).with_file(files_.describe(path)));
-    return match_to_palette(image);
+    return formats::read_picture(bytes).with_file(files_.describe(path));
   }
 
  private:

@@ -1,12 +1,12 @@
 // The skins of MD3 and MD5 models: pictures next to the model, by the names in its file. NN is the number of
 // the skin and MM that of the picture in an animated skin, as the 2021 release names them:
 //
-//   NAME_NN_MM.tga, .png, .lmp      skin NN, from 00_00 on as long as there are files
-//   NAME.tga, .png, .lmp            skin K, if the file has a name for skin K
+//   NAME_NN_MM.tga, .png, .jpg, .lmp      skin NN, from 00_00 on as long as there are files
+//   NAME.tga, .png, .jpg, .lmp            skin K, if the file has a name for skin K
 //
 // A NAME without a folder is in the folder of the model. So is a NAME with a folder that is not there, since
 // modelers often leave the path on their own disk in the file. The picture in the highest game folder wins,
-// then the order above. TGA and PNG pictures are matched to the palette without its full-bright colors.
+// then the order above. Pictures in color are matched to the palette without its full-bright colors.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 #include "client/hud_program/program_pictures.h"
 
+#include "assets/image_files.h"
 #include "base/text.h"
-#include "formats/images/image.h"
 
 namespace temblor::client {
 namespace {
@@ -41,14 +41,10 @@ const formats::Picture* ProgramPictures::load_file(const std::string& name) {
   const vfs::FileSystem& files = library_.files();
   if (files_.size() >= kMaxFiles) return nullptr;
   for (const std::string& base : {name, without_extension(name)})
-    for (const char* const extension : {"", ".png", ".tga"}) {
+    for (const char* const extension : {"", ".png", ".tga", ".jpg"}) {
       const std::string file = base + extension;
-      const bool is_tga = file.ends_with(".tga");
-      if (!(is_tga || file.ends_with(".png")) || !files.contains(file)) continue;
-      const base::Result<base::ByteVector> bytes = files.read(file);
-      if (!bytes.ok()) continue;
-      const base::Result<formats::Image> image =
-          is_tga ? formats::read_tga(*bytes) : formats::read_png(*bytes);
+      if (!assets::is_image_file(file) || !files.contains(file)) continue;
+      const base::Result<formats::Image> image = assets::read_image_file(files, file);
       if (!image.ok() || image->width > kMaxSide || image->height > kMaxSide) continue;
       return &files_.insert_or_assign(file, to_picture(*image, nearest_)).first->second;
     }

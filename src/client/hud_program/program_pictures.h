@@ -1,5 +1,5 @@
-// The pictures that a HUD program names: those of gfx.wad and gfx/*.lmp, and PNG and TGA files of the game
-// folders, which are converted to the palette.
+// The pictures that a HUD program names: those of gfx.wad and gfx/*.lmp, and PNG, TGA, and JPEG files of the
+// game folders, which are converted to the palette.
 #pragma once
 
 #include <map>

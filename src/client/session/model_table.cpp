@@ -73,7 +73,7 @@ base::Result<ModelTable::AliasPair> ModelTable::load_alias_pair(const assets::Li
     TRY(AliasModelPtr model, render::make_alias_model(posed, path).with_file(path));
     return AliasPair{std::move(model), nullptr};
   }
-  TRY(const formats::Mdl mdl, library.alias_model(path));
+  TRY(const formats::Mdl mdl, library.alias_model_with_skins(path, io_notes));
   AliasPair pair{render::make_alias_model(mdl, path), nullptr};
   base::Result<AliasModelPtr> md5 = load_md5_model(library, path, mdl);
   if (md5.ok())
