@@ -54,6 +54,7 @@ class Pipeline {
     return stages_.run("textures", [&] {
       TextureSet textures = make_texture_set(find_texture_names(source.map), source.textures, source.palette,
                                              options_.mip_levels, context_.warnings);
+      warn_about_missing_textures(source.map, textures, source.textures.size(), context_.warnings);
       if (options_.draft.half_life)
         for (formats::BspMiptex& texture : textures.miptexes)
           texture.palette.assign(source.palette.begin(), source.palette.end());

@@ -57,7 +57,6 @@ class TextureSetMaker {
   TextureSetMaker(std::span<const TextureSource> sources, const formats::Palette& palette,
                   MipLevels mip_levels, Warnings& io_warnings)
       : sources_(sources, palette, io_warnings),
-        source_count_(sources.size()),
         palette_(palette),
         mip_levels_(mip_levels),
         warnings_(io_warnings) {}
@@ -109,9 +108,7 @@ class TextureSetMaker {
   formats::BspMiptex make_miptex(const Wanted& wanted) {
     auto miptex = sources_.take(wanted.key, warnings_);
     if (!miptex) {
-      if (!sources_.has(wanted.key))
-        warn("texture not found", "{} (searched {})", quote_name(wanted.name),
-             base::counted(source_count_, "source"));
+      if (!sources_.has(wanted.key)) set_.missing.push_back(wanted.name);
       return make_checkerboard(wanted.name);
     }
     constexpr std::uint32_t kSideMultiple = 16;
@@ -141,7 +138,6 @@ class TextureSetMaker {
   }
 
   TextureSources sources_;
-  std::size_t source_count_;
   const formats::Palette& palette_;
   std::optional<formats::MipColors> mip_colors_;
   MipLevels mip_levels_;

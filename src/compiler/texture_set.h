@@ -29,6 +29,8 @@ struct TextureSet {
   std::vector<formats::BspMiptex> miptexes;
   // By name in lower case, cut to the 15 characters that a level stores.
   std::map<std::string, std::uint32_t, std::less<>> index;
+  // The names that no source has, as they were requested; their textures are checkerboards.
+  std::vector<std::string> missing;
 
   // Ignores case. Finds every name that the set was made for.
   std::optional<std::uint32_t> find(std::string_view name) const;
@@ -41,8 +43,8 @@ enum class MipLevels : std::uint8_t { kFromSource, kBuilt };
 // +0 to +9 or +a to +j, also collects all frames of both of its sequences.
 //
 // Missing mip levels are built. Textures with palettes of their own (WAD3, levels of version 30) are
-// converted to the game's. Warns about sources and textures that cannot be read (they are skipped), textures
-// that no source has (they become a checkerboard of 64 x 64 texels), names that are equal in their first 15
+// converted to the game's. A texture that no source has becomes a checkerboard of 64 x 64 texels. Warns about
+// sources and textures that cannot be read (they are skipped), names that are equal in their first 15
 // characters, missing animation frames, and sides that are not multiples of 16 texels.
 TextureSet make_texture_set(std::span<const std::string_view> names, std::span<const TextureSource> sources,
                             const formats::Palette& palette, MipLevels mip_levels, Warnings& io_warnings);

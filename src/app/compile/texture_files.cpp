@@ -137,8 +137,11 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
     const bool is_found = add_first_readable(compiler::wad_candidates(entry, map_path.parent_path(), folders),
                                              io_stamps, files);
     if (!is_found && !is_already_included(entry, places))
-      io_warnings.push_back({"WAD not found", fmt::format("{} (use --wad FOLDER to add a folder to search)",
-                                                          base::quotable(entry, kMaxChars))});
+      io_warnings.push_back(
+          {"WAD not found",
+           fmt::format("{} in the \"wad\" key of worldspawn, line {} (use --wad FOLDER to add "
+                       "a folder to search)",
+                       base::quotable(entry, kMaxChars), map.entities.front().line)});
   }
   // The built-in textures use Temblor's palette, so they would have wrong colors with another one.
   if (palette == artgen::make_palette()) {

@@ -4,35 +4,19 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <system_error>
 #include <tuple>
 #include <utility>
 
 #include "artgen/palette.h"
+#include "base/nearest_name.h"
 #include "base/text.h"
 
 namespace temblor::app {
 namespace {
 
 constexpr std::size_t kSuggestions = 8;
-
-// Computes the Levenshtein distance: the number of characters to insert, remove, or replace to turn one into
-// the other. By dynamic programming with one row of the table.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 // Locations of the shipped game relative to the program: in a build tree or an unpacked archive, and after
 // `make install` or in a package.
@@ -99,7 +83,7 @@ std::string suggest(std::string_view wanted, std::vector<std::string> names) {
   if (names.empty()) return "there are none";
   const std::string lower = base::to_lower(wanted);
   std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-    return std::tuple(edit_distance(lower, a), a) < std::tuple(edit_distance(lower, b), b);
+    return std::tuple(base::edit_distance(lower, a), a) < std::tuple(base::edit_distance(lower, b), b);
   });
   names.resize(std::min(names.size(), kSuggestions));
   return fmt::format("similar names: {}", fmt::join(names, ", "));

@@ -74,10 +74,11 @@ std::vector<InnerPoint> find_inner_points(const Tree& tree, std::span<const Leaf
 // Whether a winding is so near to a plane everywhere that a tree may take it to be in that plane, although
 // they meet at an angle.
 bool nearly_in(const Winding& winding, const math::Vec3d& normal, const Plane& plane) {
-  constexpr double kNear = 0.15;  // units
+  constexpr double kNearPlane = 0.15;  // units
   return on_plane_epsilon(normal, plane.normal) < kOnPlaneEpsilon &&
-         std::ranges::all_of(
-             winding, [&](const math::Vec3d& point) { return std::abs(plane.distance_to(point)) < kNear; });
+         std::ranges::all_of(winding, [&](const math::Vec3d& point) {
+           return std::abs(plane.distance_to(point)) < kNearPlane;
+         });
 }
 
 // Moves faces down a tree.

@@ -13,6 +13,7 @@
 
 #include "base/text.h"
 #include "compiler/bsp/brushes/brush_class.h"
+#include "compiler/bsp/brushes/entity_faults.h"
 #include "compiler/bsp/brushes/key_values.h"
 #include "compiler/bsp/brushes/level_entities.h"
 #include "compiler/bsp/brushes/region.h"
@@ -49,8 +50,7 @@ class BrushSorter {
   }
 
   base::Result<LevelBrushes> sort() {
-    if (map_.entities.empty() || map_.entities.front().fields.classname() != "worldspawn")
-      return base::malformed("the first entity of the map is not worldspawn");
+    TRY_STATUS(check_worldspawn(map_));
     TRY(region_, find_region(map_, warnings_));
     for (std::size_t i = 0; i < map_.entities.size(); ++i) add_entity(i);
     out_.is_region = region_.has_value();
@@ -61,6 +61,7 @@ class BrushSorter {
       return base::malformed("the world has no brush with a volume: add a room to worldspawn");
     warn_if_no_start();
     warn_about_unreadable_values(map_, warnings_);
+    warn_about_entity_faults(map_, warnings_);
     return std::move(out_);
   }
 

@@ -4,15 +4,9 @@
 #include "compiler/bsp/brushes/brush_class.h"
 
 namespace temblor::compiler {
-namespace {
-
-// Keys that only editors and compilers read: TrenchBroom's layers, the map format's version, the list of
-// WADs.
-bool is_editor_key(const std::string& key) {
+bool is_editor_key(std::string_view key) {
   return key.starts_with("_tb_") || key == "mapversion" || key == "wad";
 }
-
-}  // namespace
 
 // Keeps the order of the keys: a later run must get the same bytes from the same map.
 formats::Entity make_level_fields(const formats::Entity& from, const BrushEntity& brushes) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/bsp/draft.h"
@@ -14,6 +15,10 @@ namespace temblor::compiler {
 
 // Whether an entity has no brushes and is not of a class that is made of brushes alone (func_group, ...).
 bool is_point_entity(const formats::MapEntity& entity);
+
+// Whether only editors and compilers read a key, so that levels do not have it: TrenchBroom's layers, the map
+// format's version, the list of WADs.
+bool is_editor_key(std::string_view key);
 
 // Returns an entity's keys as the level has them. `brushes`: what became of its brushes, if it has any.
 formats::Entity make_level_fields(const formats::Entity& from, const BrushEntity& brushes);
