@@ -52,6 +52,7 @@ int fuzz_pk3(const std::uint8_t* data, std::size_t size);
 int fuzz_png(const std::uint8_t* data, std::size_t size);
 int fuzz_progs(const std::uint8_t* data, std::size_t size);
 int fuzz_demo_writer(const std::uint8_t* data, std::size_t size);
+int fuzz_prt(const std::uint8_t* data, std::size_t size);
 int fuzz_pts(const std::uint8_t* data, std::size_t size);
 int fuzz_sav(const std::uint8_t* data, std::size_t size);
 int fuzz_spr(const std::uint8_t* data, std::size_t size);
