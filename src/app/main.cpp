@@ -20,6 +20,7 @@
 #include "app/commands/serve_command.h"
 #include "app/commands/settings_command.h"
 #include "app/files/diagnostics.h"
+#include "app/stock_tools/stock_command.h"
 #include "command/variables.h"
 #include "host/host_variables.h"
 
@@ -28,6 +29,8 @@ namespace {
 
 constexpr const char* kHelpFooter =
     R"(`temblor COMMAND --help` describes the options of a command. The options above work with every command.
+
+`temblor qbsp`, `temblor vis`, and `temblor light` take the flags of ericw-tools.
 
 Examples:
   temblor play
@@ -162,7 +165,16 @@ std::string describe_parse_error(const Command& program, const CommonOptions& op
   return parsed.error;
 }
 
-int run_program(std::span<const char* const> arguments) {
+int finish(const base::Status& status) {
+  if (status.ok()) return kExitSuccess;
+  print_error(status.error());
+  return exit_status(status.error());
+}
+
+int run_program(std::string_view called_as, std::span<const char* const> arguments) {
+  const base::Result<std::optional<StockCommand>> stock = parse_stock_command(called_as, arguments);
+  if (!stock.ok()) return finish(stock.error());
+  if (*stock) return finish(run_stock_command(**stock));
   Command program("Temblor, a Quake engine with a software renderer", "temblor");
   Commands commands;
   describe_command_line(program, commands);
@@ -173,10 +185,7 @@ int run_program(std::span<const char* const> arguments) {
         base::Error{base::ErrorCode::kUsage, describe_parse_error(program, commands.common, parsed), {}});
     return kExitUsage;
   }
-  const base::Status status = run(commands);
-  if (status.ok()) return kExitSuccess;
-  print_error(status.error());
-  return exit_status(status.error());
+  return finish(run(commands));
 }
 
 }  // namespace
@@ -184,5 +193,6 @@ int run_program(std::span<const char* const> arguments) {
 
 int main(int argument_count, char** arguments) {
   const std::span words(arguments, static_cast<std::size_t>(argument_count));
-  return temblor::app::run_program(words.subspan(std::min<std::size_t>(1, words.size())));
+  return temblor::app::run_program(words.empty() ? "" : words.front(),
+                                   words.subspan(std::min<std::size_t>(1, words.size())));
 }

@@ -9,6 +9,7 @@
 #include "compiler/light/build_light.h"
 #include "compiler/textures/level_textures.h"
 #include "compiler/vis/build_visibility.h"
+#include "compiler/world_keys.h"
 
 namespace temblor::compiler {
 namespace {
@@ -98,6 +99,23 @@ class Pipeline {
   }
 
   base::Status update_light() {
+    if (options_.light.world_keys.empty()) return update_light_as_the_level_says();
+    TRY(formats::Entity worldspawn, override_world_keys(options_.light.world_keys, build_.bsp));
+    const base::Status done = update_light_as_the_level_says();
+    TRY_STATUS(restore_worldspawn(std::move(worldspawn), build_.bsp));
+    return done;
+  }
+
+  // Call it once, after all stages.
+  CompileReport finish() {
+    // The level will be written now, so its visibility can no longer be lost. A state that stays belongs to
+    // other portals.
+    if (has_new_visibility_ && build_.visibility == VisibilityKind::kFull) build_.visibility_state.clear();
+    return {std::move(leak_), stages_.take_times()};
+  }
+
+ private:
+  base::Status update_light_as_the_level_says() {
     TRY(const StagePolicy policy, manager_.choose_light(options_.light));
     switch (policy) {
       case StagePolicy::kSkip:
@@ -115,15 +133,6 @@ class Pipeline {
     });
   }
 
-  // Call it once, after all stages.
-  CompileReport finish() {
-    // The level will be written now, so its visibility can no longer be lost. A state that stays belongs to
-    // other portals.
-    if (has_new_visibility_ && build_.visibility == VisibilityKind::kFull) build_.visibility_state.clear();
-    return {std::move(leak_), stages_.take_times()};
-  }
-
- private:
   CompileOptions options_;
   CompileContext context_;
   Build& build_;

@@ -82,10 +82,20 @@ base::Status check(const CompileCommandOptions& options) {
   return base::Ok{};
 }
 
-// Writes the level, and prints where it leaks. `keep` also writes the build file.
-base::Status write(CompileSession& io_session, const compiler::CompileReport& report, bool keep) {
-  TRY_STATUS(write_level(io_session.build(), report.leak, io_session.paths(), keep));
-  if (report.leak) print_leak(*report.leak, io_session.paths());
+// Writes the level, and prints where it leaks.
+base::Status write(const CompileCommandOptions& options, CompileSession& io_session,
+                   const compiler::CompileReport& report) {
+  std::optional<compiler::LeakPath> leak = report.leak;
+  if (leak && options.leak_step > 0) leak->points_world = space_points(leak->points_world, options.leak_step);
+  TRY_STATUS(write_level(io_session.build(), leak, io_session.paths(),
+                         {.build = !options.clean,
+                          .portals = options.portals,
+                          .leak = !is_level(options.source),
+                          .lit = options.force_lit}));
+  if (!leak) return base::Ok{};
+  if (options.leak_is_error)
+    return base::Error{base::ErrorCode::kMalformed, describe_leak(*leak), options.source};
+  print_leak(*leak, io_session.paths());
   return base::Ok{};
 }
 
@@ -105,7 +115,7 @@ base::Status run_and_watch(const CompileCommandOptions& options, CompileSession&
     const base::Result<compiler::CompileReport> report = io_session.run();
     watch.add(io_session.source_files());
     if (report.ok())
-      done = write(io_session, *report, !options.clean);
+      done = write(options, io_session, *report);
     else
       done = report.error();
     if (io_session.was_interrupted()) return done;
@@ -146,6 +156,7 @@ Command* add_compile_command(Command& program, CompileCommandOptions& io_options
   command->add_flag("--bsp2", io_options.bsp2,
                     "Always write BSP2, even if the level fits the original format");
   command->add_flag("--hlbsp", io_options.hlbsp, "Write version 30, for Half-Life and its clip hulls");
+  command->add_flag("--prt", io_options.portals, "Also write the portals, for other visibility programs");
   command->add_option("--extra", io_options.extra, "Light samples in each direction: 1, 2, or 4")
       ->type_name("N")
       ->check(one_of({1, 2, 4}));
@@ -183,8 +194,8 @@ base::Status run_compile(const CompileCommandOptions& options, const GameFolders
   if (options.shard) return run_shard(*options.only, *options.shard, *session);
   if (options.merge) return merge_shards(*options.only, *session);
   TRY(const compiler::CompileReport report, session->run());
-  TRY_STATUS(write(*session, report, !options.clean));
-  print_summary(session->build(), report, session->paths());
+  TRY_STATUS(write(options, *session, report));
+  if (!options.quiet) print_summary(session->build(), report, session->paths());
   return base::Ok{};
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -13,6 +14,15 @@
 namespace temblor::app {
 
 enum class CompileStage : std::uint8_t { kBsp, kVisibility, kLight };
+
+// Kinds of detail brushes (compiler/bsp/brushes/brush_class.h), a sum.
+enum DetailKind : std::uint8_t {
+  kPlainDetail = 1,
+  kWallDetail = 2,
+  kFenceDetail = 4,
+  kIllusionaryDetail = 8,
+  kAllDetail = 15,
+};
 
 // The part of one process in a stage that several processes share, counted from 1: "2/4".
 struct Shard {
@@ -53,6 +63,23 @@ struct CompileCommandOptions {
   bool no_vis = false, no_light = false;
   // Liquids block visibility.
   bool opaque_water = false;
+  // Treat liquids as the run that made the portals did, instead of as opaque_water says.
+  bool keeps_portals = false;
+  // Print neither counts nor times.
+  bool quiet = false;
+  // Write a portal file (.prt) beside the level.
+  bool portals = false;
+  // A leak ends the run with an error, after the files that show it are written.
+  bool leak_is_error = false;
+  // Greatest distance between the points of a leak's path, in units; 0: only its corners.
+  double leak_step = 0;
+  // Leave out the clip hulls, or the filling of the outside.
+  bool no_clip = false, no_fill = false;
+  // Longest side of a lit face, in texels.
+  std::optional<double> subdivide_texels{};
+  // Detail brushes that are left out (a sum of DetailKind); the others count as structure.
+  std::uint8_t omitted_detail = 0;
+  bool no_detail = false;
   // Compute mip levels instead of using those of the source.
   bool built_mips = false;
   // Write BSP2 even if the level fits version 29.
@@ -63,6 +90,12 @@ struct CompileCommandOptions {
   int extra = 1;
   // 0 to 16; nothing: as the map says.
   std::optional<int> bounces{};
+  // Keys of worldspawn that replace those of the map: for all stages, and for light alone.
+  std::vector<std::pair<std::string, std::string>> world_keys, light_keys;
+  // Directions of a sky dome or a sun's penumbra, at most.
+  std::optional<int> sky_rays{};
+  // Write a .lit file even if all light is white.
+  bool force_lit = false;
   // Texels between light samples on all faces, 1 to 128; nothing: as the map says.
   std::optional<int> luxel_texels{};
   // Units between light samples on all faces, whatever their texture; 0: by texels; nothing: as the map says.

@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/compile/change_map.h"
 #include "app/compile/compile_summary.h"
 #include "app/compile/texture_files.h"
 #include "app/files/diagnostics.h"
@@ -16,8 +17,10 @@
 #include "app/files/progress.h"
 #include "base/text.h"
 #include "compiler/compile_options.h"
+#include "compiler/portal_file.h"
 #include "compiler/prefabs.h"
 #include "formats/levels/lit.h"
+#include "formats/levels/prt.h"
 #include "vfs/disk.h"
 
 namespace temblor::app {
@@ -70,10 +73,15 @@ compiler::CompileOptions make_compile_options(const CompileCommandOptions& optio
   how.visibility_policy = choose_policy(CompileStage::kVisibility, options.no_vis);
   how.light_policy = choose_policy(CompileStage::kLight, options.no_light);
   how.draft.water_is_transparent = !options.opaque_water;
+  how.draft.clip_hulls = !options.no_clip;
+  how.draft.fill_outside = !options.no_fill;
+  if (options.subdivide_texels) how.draft.subdivide_texels = *options.subdivide_texels;
   how.fast_visibility = options.fast;
   how.light.fast = options.fast;
   how.light.extra = options.extra;
   how.light.bounces = options.bounces;
+  how.light.world_keys = options.light_keys;
+  if (options.sky_rays) how.light.sky_rays = *options.sky_rays;
   how.light.luxel_texels = options.luxel_texels;
   if (options.units_per_luxel) how.light.units_per_luxel = static_cast<float>(*options.units_per_luxel);
   if (options.light_grid) how.light.grid_step = options.light_grid_dist;
@@ -94,6 +102,16 @@ base::Result<formats::Map> read_map_file(const std::string& path, std::vector<Fi
   TRY(const std::string text, read(path));
   TRY(formats::Map map, formats::read_map(text).with_file(path));
   return compiler::expand_prefabs(std::move(map), path, read, io_warnings).with_file(path);
+}
+
+// Replaces the portals of a build by those of the portal file beside the level, if there is one that fits.
+base::Status take_portal_file(const fs::path& path, compiler::Build& io_build) {
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure)) return base::Ok{};
+  TRY(const base::ByteVector bytes, vfs::read_disk_file(path));
+  TRY(const formats::PortalFile file, formats::read_prt(base::as_text(bytes)).with_file(path.string()));
+  TRY(io_build.portals, compiler::match_portal_file(file, io_build.bsp).with_file(path.string()));
+  return base::Ok{};
 }
 
 // Makes a build from a compiled level, for a .bsp without a .build file.
@@ -120,7 +138,7 @@ base::Status check_output(const fs::path& source, const LevelPaths& paths) {
   if (!is_level(source) && is_same_file(source, paths.bsp))
     return base::Error{base::ErrorCode::kUsage,
                        "would overwrite the map; choose another name with -o NAME.bsp", paths.bsp.string()};
-  for (const fs::path& beside : {paths.lit, paths.points, paths.build, paths.visibility})
+  for (const fs::path& beside : {paths.lit, paths.points, paths.portals, paths.build, paths.visibility})
     if (beside == paths.bsp)
       return base::Error{base::ErrorCode::kUsage,
                          "is the name of a file beside the level; choose another name with -o NAME.bsp",
@@ -187,8 +205,14 @@ base::Result<compiler::CompileReport> CompileSession::run(const compiler::Compil
       base::ByteVector begun = std::move(build_.visibility_state);
       TRY(build_, read_level_build(options_.source, how.draft.water_is_transparent));
       build_.visibility_state = std::move(begun);
+      if (options_.keeps_portals)
+        if (const base::Status taken = take_portal_file(make_level_paths(options_.source).portals, build_);
+            !taken.ok())
+          print_note(fmt::format("{}; the portals are made from the level", taken.error().message()));
     }
-    return compiler::finish_level(palette_, how, {jobs_, watcher, warnings}, build_);
+    compiler::CompileOptions fitting = how;
+    if (options_.keeps_portals) fitting.draft.water_is_transparent = build_.water_is_transparent;
+    return compiler::finish_level(palette_, fitting, {jobs_, watcher, warnings}, build_);
   };
   base::Result<compiler::CompileReport> report = stages();
   watcher.finish();
@@ -205,7 +229,8 @@ base::Result<compiler::CompileReport> CompileSession::run(const compiler::Compil
 base::Result<compiler::CompileReport> CompileSession::run_map(const compiler::CompileOptions& how,
                                                               compiler::CompileWatcher& watcher,
                                                               compiler::Warnings& io_warnings) {
-  TRY(const formats::Map map, read_map_file(options_.source, source_files_, io_warnings));
+  TRY(formats::Map map, read_map_file(options_.source, source_files_, io_warnings));
+  change_map(options_, map);
   TRY(const TextureFiles textures, find_textures({options_.textures, options_.wads, game_wads_},
                                                  options_.source, map, palette_, source_files_, io_warnings));
   return compiler::compile_level({map, textures.sources, palette_}, how, {jobs_, watcher, io_warnings},

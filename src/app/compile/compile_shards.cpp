@@ -168,7 +168,7 @@ base::Status run_shard(CompileStage stage, const Shard& shard, CompileSession& i
 base::Status merge_shards(CompileStage stage, CompileSession& io_session) {
   TRY(const compiler::CompileReport report, io_session.run_bsp());
   TRY_STATUS(check_closed(stage, report, io_session));
-  const auto write = [&] { return write_level(io_session.build(), report.leak, io_session.paths(), true); };
+  const auto write = [&] { return write_level(io_session.build(), report.leak, io_session.paths(), {}); };
   if (stage == CompileStage::kVisibility && report_finished_visibility(io_session)) return write();
   TRY(const std::vector<fs::path> files, find_shards(stage, io_session.paths()));
   std::vector<base::ByteVector> bytes;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -10,8 +12,10 @@
 #include "app/files/atomic_write.h"
 #include "app/files/diagnostics.h"
 #include "compiler/build_file.h"
+#include "compiler/portal_file.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/lit.h"
+#include "formats/levels/prt.h"
 #include "vfs/disk.h"
 
 namespace temblor::app {
@@ -25,6 +29,9 @@ base::ByteVector read_file_or_empty(const fs::path& path) {
   return bytes.ok() ? std::move(bytes).value() : base::ByteVector{};
 }
 
+// Between two corners of a leak's path.
+constexpr double kMaxPathParts = 10'000;
+
 // Formats a .pts file: one point per line, from the entity to the outside.
 base::ByteVector format_leak_points(const compiler::LeakPath& leak) {
   std::string text;
@@ -32,6 +39,20 @@ base::ByteVector format_leak_points(const compiler::LeakPath& leak) {
     text += fmt::format("{:.2f} {:.2f} {:.2f}\n", point.x, point.y, point.z);
   const base::Bytes bytes = base::as_bytes(text);
   return {bytes.begin(), bytes.end()};
+}
+
+base::ByteVector format_portals(const compiler::Build& build) {
+  const auto visible_leaves = static_cast<std::size_t>(build.bsp.models.front().visible_leaves);
+  const std::string text = formats::write_prt(compiler::make_portal_file(build.portals, visible_leaves));
+  const base::Bytes bytes = base::as_bytes(text);
+  return {bytes.begin(), bytes.end()};
+}
+
+// Colored light that looks like the gray light of a level.
+formats::Lit make_white_lit(const formats::Bsp& bsp) {
+  formats::Lit lit;
+  for (const std::uint8_t sample : bsp.lighting) lit.samples.insert(lit.samples.end(), 3, sample);
+  return lit;
 }
 
 // Returns a change that writes the bytes, or removes the file if there are none.
@@ -47,9 +68,22 @@ base::Status replace_or_remove(const fs::path& path, const std::optional<base::B
 
 }  // namespace
 
+std::vector<math::Vec3d> space_points(const std::vector<math::Vec3d>& corners, double step) {
+  std::vector<math::Vec3d> points;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    points.push_back(corners[i]);
+    if (i + 1 == corners.size()) break;
+    const math::Vec3d way = corners[i + 1] - corners[i];
+    const double parts = std::ceil(std::min(glm::length(way) / step, kMaxPathParts));
+    for (double part = 1; part < parts; ++part) points.push_back(corners[i] + way * (part / parts));
+  }
+  return points;
+}
+
 LevelPaths make_level_paths(const fs::path& bsp) {
   const auto with = [&](const char* ending) { return fs::path(bsp).replace_extension(ending); };
-  return {bsp, with(".lit"), with(".pts"), with(".leak.png"), with(".build"), with(".visibility")};
+  return {bsp,          with(".lit"),   with(".pts"),       with(".leak.png"),
+          with(".prt"), with(".build"), with(".visibility")};
 }
 
 // A build file is only an optimization, so one that cannot be read is a note. It is valid only together with
@@ -71,7 +105,7 @@ compiler::Build read_build_file(const LevelPaths& paths) {
 
 base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
                                           const std::optional<compiler::LeakPath>& leak,
-                                          const LevelPaths& paths) {
+                                          const LevelPaths& paths, const SideFiles& wanted) {
   PreparedLevel level;
   TRY(level.bsp, formats::write_bsp(build.bsp, build.bsp.version).with_file(paths.bsp.string()));
   TRY(FileChange bsp_change, FileChange::replacement(paths.bsp, level.bsp));
@@ -83,15 +117,27 @@ base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
   }
   std::optional<base::ByteVector> points, picture;
   // Version 30 has its colors in the .bsp.
-  if (build.lit && build.bsp.version != formats::BspVersion::k30) level.lit = formats::write_lit(*build.lit);
+  if (build.bsp.version != formats::BspVersion::k30) {
+    if (build.lit) level.lit = formats::write_lit(*build.lit);
+    if (!build.lit && wanted.lit && !build.bsp.lighting.empty())
+      level.lit = formats::write_lit(make_white_lit(build.bsp));
+  }
   if (leak) {
     points = format_leak_points(*leak);
     TRY(picture, draw_leak(build.bsp, leak->points_world).with_file(paths.leak_picture.string()));
   }
-  TRY(FileChange points_change, prepare_change(paths.points, points));
-  TRY(FileChange picture_change, prepare_change(paths.leak_picture, picture));
-  level.steps.push_back(std::move(points_change));
-  level.steps.push_back(std::move(picture_change));
+  if (wanted.leak) {
+    TRY(FileChange points_change, prepare_change(paths.points, points));
+    TRY(FileChange picture_change, prepare_change(paths.leak_picture, picture));
+    level.steps.push_back(std::move(points_change));
+    level.steps.push_back(std::move(picture_change));
+  }
+  if (wanted.portals) {
+    std::optional<base::ByteVector> portals;
+    if (!leak) portals = format_portals(build);
+    TRY(FileChange portals_change, prepare_change(paths.portals, portals));
+    level.steps.push_back(std::move(portals_change));
+  }
   // Unchanged colors stay where they are. New ones are removed first and added last, as the header explains.
   const bool has_new_colors = level.lit.value_or(base::ByteVector{}) != read_file_or_empty(paths.lit);
   if (has_new_colors) level.steps.push_back(FileChange::removal(paths.lit, level.lit.has_value()));
@@ -104,17 +150,18 @@ base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
 }
 
 base::Status write_level(const compiler::Build& build, const std::optional<compiler::LeakPath>& leak,
-                         const LevelPaths& paths, bool keep) {
-  TRY(PreparedLevel level, prepare_level(build, leak, paths));
+                         const LevelPaths& paths, const SideFiles& wanted) {
+  TRY(PreparedLevel level, prepare_level(build, leak, paths, wanted));
   for (FileChange& step : level.steps) TRY_STATUS(step.commit());
   std::error_code ignored;
   if (fs::is_other(paths.bsp, ignored)) return base::Ok{};
   std::optional<base::ByteVector> beside, begun;
-  if (keep) beside = compiler::write_build(build, {level.bsp, level.lit.value_or(base::ByteVector{})});
+  if (wanted.build)
+    beside = compiler::write_build(build, {level.bsp, level.lit.value_or(base::ByteVector{})});
   // The level is complete without the build file, so a failure is only a note.
   if (const base::Status kept = replace_or_remove(paths.build, beside); !kept.ok())
     print_note(fmt::format("the next run will rebuild everything: {}", kept.error().message()));
-  if (keep && !build.visibility_state.empty()) begun = build.visibility_state;
+  if (wanted.build && !build.visibility_state.empty()) begun = build.visibility_state;
   return replace_or_remove(paths.visibility, begun);
 }
 

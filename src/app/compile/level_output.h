@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "compiler/build.h"
 #include "compiler/report.h"
+#include "math/vec.h"
 
 namespace temblor::app {
 
@@ -22,6 +23,8 @@ struct LevelPaths {
   std::filesystem::path points;
   // .leak.png: the same as a picture.
   std::filesystem::path leak_picture;
+  // .prt: the portals, for visibility programs.
+  std::filesystem::path portals;
   // .build: inputs and results, so that the next run can reuse them.
   std::filesystem::path build;
   // .visibility: state of an interrupted visibility stage.
@@ -35,20 +38,34 @@ compiler::Build read_build_file(const LevelPaths& paths);
 // A level that is ready to be written: its bytes, and the file changes in order. If the process is killed
 // between two steps, there is never a level with the colors of another one:
 //
-//   1. leak files   2. remove old .lit   3. replace .bsp   4. add new .lit
+//   1. leak files, portals   2. remove old .lit   3. replace .bsp   4. add new .lit
 struct PreparedLevel {
   base::ByteVector bsp;
   std::optional<base::ByteVector> lit;
   std::vector<FileChange> steps;
 };
+// The side files of a level.
+struct SideFiles {
+  // Write the build file; otherwise it is removed.
+  bool build = true;
+  // Write the portal file; a level that leaks has none. Otherwise it stays as it is.
+  bool portals = false;
+  // Write or remove the files of a leak. False: the BSP stage did not run, so they stay as they are.
+  bool leak = true;
+  // Write a .lit file even if all light is white.
+  bool lit = false;
+};
 base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
                                           const std::optional<compiler::LeakPath>& leak,
-                                          const LevelPaths& paths);
+                                          const LevelPaths& paths, const SideFiles& wanted = {});
 
 // Writes the level and its side files and removes side files that no longer apply. Each file is replaced
-// atomically; on a full disk all old files stay. `keep` also writes the build file, otherwise it is removed.
+// atomically; on a full disk all old files stay.
 base::Status write_level(const compiler::Build& build, const std::optional<compiler::LeakPath>& leak,
-                         const LevelPaths& paths, bool keep);
+                         const LevelPaths& paths, const SideFiles& wanted);
+
+// Adds points to the path of a leak, so that neighbors are at most `step` units apart; step > 0.
+std::vector<math::Vec3d> space_points(const std::vector<math::Vec3d>& corners, double step);
 
 // Saves the state of an interrupted visibility stage. Does not change the level.
 base::Status write_partial_visibility(base::Bytes visibility_state, const LevelPaths& paths);

@@ -99,7 +99,7 @@ Partition partition_hull(std::vector<Brush> expanded, const LevelBrushes& level,
   Tree first = build_first_tree(expanded, level.planes, Cover::kAnySolid, io_meter);
   const LeafPortals first_portals = make_leaf_portals(first, level.planes);
   Partition made;
-  if (is_world && options.fill_outside)
+  if (is_world && options.fill_outside && options.clip_hulls)
     made.leak = fill_outside(first, level.planes, first_portals, level.occupants_world);
   made.tree = make_second_tree(first, first_portals.portals, expanded, level.planes).tree;
   prune(made.tree, [](const TreeLeaf& a, const TreeLeaf& b) { return a.fill == b.fill; });
@@ -142,7 +142,8 @@ std::vector<Partition> partition_models(LevelBrushes& io_level, const DraftOptio
                                         Progress progress) {
   const std::span<const HullBox> boxes = choose_hull_boxes(options);
   const std::size_t trees = 1 + boxes.size();
-  ModelHulls expanded = expand_brushes(io_level, boxes);
+  ModelHulls expanded(io_level.models.size(), std::vector<std::vector<Brush>>(boxes.size()));
+  if (options.clip_hulls) expanded = expand_brushes(io_level, boxes);
   std::size_t brushes = 0;
   for (const std::vector<Brush>& model : io_level.models) brushes += model.size();
   for (const auto& model : expanded)

@@ -30,6 +30,7 @@ struct DraftOptions {
   bool water_is_transparent = true;  // visibility sees through the surfaces of liquids
   double subdivide_texels = 240;     // longest side of a lit face; original engines draw no more
   bool fill_outside = true;          // false: keep the faces outside a sealed level
+  bool clip_hulls = true;            // false: leave them empty, so nothing stops players
   bool half_life = false;            // clip hulls for Half-Life's boxes (version 30)
 };
 

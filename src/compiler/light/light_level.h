@@ -21,6 +21,7 @@
 #include "compiler/light/light_cache.h"
 #include "compiler/light/surface_keys.h"
 #include "compiler/report.h"
+#include "compiler/world_keys.h"
 #include "formats/images/palette.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/lit.h"
@@ -35,6 +36,7 @@ struct LightOptions {
   bool fast = false;             // no dirt, no bounces, an eighth of the rays to the sky
   std::optional<int> bounces{};  // overrides the level's _bounce
   std::optional<bool> dirt{};    // overrides the level's _dirt
+  WorldKeys world_keys{};        // override those of the level; see compiler/world_keys.h
   // Texels between the samples of all light maps of another scale, 1 to 128; overrides _lmscale.
   std::optional<int> luxel_texels{};
   std::optional<float> units_per_luxel{};  // overrides _world_units_per_luxel of all brushes; 0: off
