@@ -16,6 +16,10 @@ install(DIRECTORY "${CMAKE_BINARY_DIR}/game/id1" DESTINATION "${game_folder}" CO
         FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|(start|t[0-9]|tdm[0-9]|gallery)\\.dem|quake\\.rc)$")
 install(FILES "${CMAKE_BINARY_DIR}/game/id1/icon/temblor.png" COMPONENT game
         DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps")
+# The game configuration for TrenchBroom (docs/mapping.md).
+install(DIRECTORY packaging/trenchbroom DESTINATION "${game_folder}" COMPONENT game)
+install(FILES "${CMAKE_BINARY_DIR}/game/id1/icon/temblor_small.png" COMPONENT game
+        DESTINATION "${game_folder}/trenchbroom/Temblor" RENAME Icon.png)
 install(FILES packaging/temblor.desktop COMPONENT game DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES LICENSE README.md COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # Debian requires the license under this name.
