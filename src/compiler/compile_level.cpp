@@ -59,6 +59,7 @@ class Pipeline {
       if (options_.draft.half_life)
         for (formats::BspMiptex& texture : textures.miptexes)
           texture.palette.assign(source.palette.begin(), source.palette.end());
+      missing_textures_ = textures.missing;
       return textures;
     });
   }
@@ -111,7 +112,7 @@ class Pipeline {
     // The level will be written now, so its visibility can no longer be lost. A state that stays belongs to
     // other portals.
     if (has_new_visibility_ && build_.visibility == VisibilityKind::kFull) build_.visibility_state.clear();
-    return {std::move(leak_), stages_.take_times()};
+    return {std::move(leak_), stages_.take_times(), std::move(missing_textures_)};
   }
 
  private:
@@ -140,6 +141,7 @@ class Pipeline {
   StageTimer stages_{context_.watcher};
   std::optional<LeakPath> leak_;
   bool has_new_visibility_ = false;
+  std::vector<std::string> missing_textures_;
   // A member, since Progress only refers to it.
   struct StageProgress {
     CompileWatcher& watcher;

@@ -47,8 +47,9 @@ struct StageTime {
 
 // The results of a run.
 struct CompileReport {
-  std::optional<LeakPath> leak;  // if the level leaks, there is no visibility
-  std::vector<StageTime> times;  // in the order of the stages
+  std::optional<LeakPath> leak;               // if the level leaks, there is no visibility
+  std::vector<StageTime> times;               // in the order of the stages
+  std::vector<std::string> missing_textures;  // names that no source has
 };
 
 // Brings `io_build` up to date with the map. A texture that no source has becomes a checkerboard, with a

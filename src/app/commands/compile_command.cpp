@@ -10,11 +10,13 @@
 #include "app/compile/compile_session.h"
 #include "app/compile/compile_shards.h"
 #include "app/compile/compile_summary.h"
+#include "app/compile/report/level_report.h"
 #include "app/compile/texture_files.h"
 #include "app/files/atomic_write.h"
 #include "app/files/diagnostics.h"
 #include "app/files/file_watch.h"
 #include "app/files/game_files.h"
+#include "base/text.h"
 
 namespace temblor::app {
 namespace {
@@ -28,6 +30,7 @@ Examples:
   temblor --basedir ~/quake compile castle.map -o ~/quake/id1/maps/castle.bsp
   temblor compile castle.map --fast --watch
   temblor compile castle.map --wad wads --extra 4
+  temblor compile castle.map --report castle.html
   temblor compile castle.bsp --only light
   temblor compile --textures art -o art.wad)";
 
@@ -57,6 +60,11 @@ bool makes_wad(const CompileCommandOptions& options) {
          std::filesystem::path(options.out).extension() == ".wad";
 }
 
+bool is_html(const std::filesystem::path& file) {
+  const std::string ending = base::to_lower(file.extension().string());
+  return ending == ".html" || ending == ".htm";
+}
+
 // Returns an error for options that contradict each other, before any file is read.
 base::Status check(const CompileCommandOptions& options) {
   if (options.source.empty() && !makes_wad(options))
@@ -78,11 +86,26 @@ base::Status check(const CompileCommandOptions& options) {
     return usage_error(
         "--no-vis, --bsp2, --hlbsp, --build-mips, --wad, and --textures need the .map; a .bsp keeps its "
         "textures and format");
+  if (!options.report.empty() && !is_html(options.report))
+    return usage_error("--report needs a name that ends in .html");
+  if (!options.report.empty() && shared)
+    return usage_error("--report cannot be combined with --shard or --merge");
   if (options.bsp2 && options.hlbsp) return usage_error("--bsp2 cannot be combined with --hlbsp");
   return base::Ok{};
 }
 
-// Writes the level, and prints where it leaks.
+// Writes the HTML page about the level, which has been written.
+base::Status write_report(const std::filesystem::path& file, CompileSession& io_session,
+                          const compiler::CompileReport& report) {
+  const std::filesystem::path& level = io_session.paths().bsp;
+  std::error_code ignored;
+  TRY(const std::string page,
+      make_level_report({io_session.build(), report, io_session.warnings(), io_session.palette(),
+                         level.filename().string(), std::filesystem::file_size(level, ignored)}));
+  return replace_file(file, base::as_bytes(page));
+}
+
+// Writes the level and its report, and prints where it leaks.
 base::Status write(const CompileCommandOptions& options, CompileSession& io_session,
                    const compiler::CompileReport& report) {
   std::optional<compiler::LeakPath> leak = report.leak;
@@ -92,6 +115,7 @@ base::Status write(const CompileCommandOptions& options, CompileSession& io_sess
                           .portals = options.portals,
                           .leak = !is_level(options.source),
                           .lit = options.force_lit}));
+  if (!options.report.empty()) TRY_STATUS(write_report(options.report, io_session, report));
   if (!leak) return base::Ok{};
   if (options.leak_is_error)
     return base::Error{base::ErrorCode::kMalformed, describe_leak(*leak), options.source};
@@ -136,6 +160,10 @@ Command* add_compile_command(Command& program, CompileCommandOptions& io_options
       ->type_name("FILE");
   command->add_option("-o,--output", io_options.out, "Level to write (default: the map's name with .bsp)")
       ->type_name("FILE");
+  command
+      ->add_option("--report", io_options.report,
+                   "HTML page to write: times, limits, leaks, visibility, light, and textures")
+      ->type_name("FILE.html");
   add_stage_options(*command, io_options);
   command
       ->add_option("--wad", io_options.wads,

@@ -44,6 +44,8 @@ struct CompileCommandOptions {
   std::string source;
   // The level to write; empty: the source with .bsp.
   std::string out;
+  // HTML page about the level to write; empty: none.
+  std::string report;
   // Folder of PNG files, which precede all other textures; empty: none.
   std::string textures;
   // WADs, levels, and folders, searched before those that the map names.

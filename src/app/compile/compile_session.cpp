@@ -194,12 +194,12 @@ base::Result<compiler::CompileReport> CompileSession::run_bsp() {
 
 base::Result<compiler::CompileReport> CompileSession::run(const compiler::CompileOptions& how) {
   // Print warnings even if a stage fails, because they may explain why.
-  compiler::Warnings warnings;
+  warnings_.clear();
   TerminalWatcher watcher(interrupt_, paths_, !options_.clean);
   source_files_.clear();
   if (options_.clean) build_ = {};
   const auto stages = [&]() -> base::Result<compiler::CompileReport> {
-    if (!is_level(options_.source)) return run_map(how, watcher, warnings);
+    if (!is_level(options_.source)) return run_map(how, watcher, warnings_);
     if (build_.bsp.models.empty()) {
       // Keep the state of an interrupted visibility stage, which comes from its own file.
       base::ByteVector begun = std::move(build_.visibility_state);
@@ -212,11 +212,11 @@ base::Result<compiler::CompileReport> CompileSession::run(const compiler::Compil
     }
     compiler::CompileOptions fitting = how;
     if (options_.keeps_portals) fitting.draft.water_is_transparent = build_.water_is_transparent;
-    return compiler::finish_level(palette_, fitting, {jobs_, watcher, warnings}, build_);
+    return compiler::finish_level(palette_, fitting, {jobs_, watcher, warnings_}, build_);
   };
   base::Result<compiler::CompileReport> report = stages();
   watcher.finish();
-  print_warnings(warnings);
+  print_warnings(warnings_);
   if (!report.ok() && interrupt_.was_requested()) {
     if (options_.clean || build_.visibility_state.empty())
       return base::Error{base::ErrorCode::kIo, "interrupted", options_.source};

@@ -48,6 +48,9 @@ class CompileSession {
   bool was_interrupted() const { return interrupt_.was_requested(); }
   Interrupt& interrupt() { return interrupt_; }
   compiler::LightOptions light_options() const;
+  // The warnings of the last run.
+  const compiler::Warnings& warnings() const { return warnings_; }
+  const formats::Palette& palette() const { return palette_; }
   // Stamps of the files that the last run read, taken before reading. Also valid after a failure.
   const std::vector<FileStamp>& source_files() const { return source_files_; }
 
@@ -68,6 +71,7 @@ class CompileSession {
   base::Jobs jobs_;
   compiler::Build build_;
   std::vector<FileStamp> source_files_;
+  compiler::Warnings warnings_;
 };
 
 }  // namespace temblor::app

@@ -7,6 +7,7 @@
 #include <string>
 #include <system_error>
 
+#include "app/compile/level_limits.h"
 #include "app/files/diagnostics.h"
 #include "formats/levels/bsp.h"
 
@@ -41,27 +42,15 @@ void print_leak(const compiler::LeakPath& leak, const LevelPaths& paths) {
                          paths.leak_picture.string()));
 }
 
-// The limits are those of the original engine and its compilers.
 void print_summary(const compiler::Build& build, const compiler::CompileReport& report,
                    const LevelPaths& paths) {
-  struct Count {
-    const char* what;
-    std::size_t count, classic;
-  };
   const formats::Bsp& bsp = build.bsp;
   std::error_code ignored;
   fmt::print("{}: {} bytes, version {}\n", paths.bsp.string(), std::filesystem::file_size(paths.bsp, ignored),
              formats::version_name(bsp.version));
-  for (const Count& c :
-       {Count{"models", bsp.models.size(), 256}, Count{"planes", bsp.planes.size(), 32767},
-        Count{"vertices", bsp.vertices.size(), 65535}, Count{"nodes", bsp.nodes.size(), 32767},
-        Count{"texinfos", bsp.texinfos.size(), 4096}, Count{"faces", bsp.faces.size(), 65535},
-        Count{"clipnodes", bsp.clipnodes.size(), 32767}, Count{"leaves", bsp.leaves.size(), 8192},
-        Count{"marksurfaces", bsp.marksurfaces.size(), 65535}, Count{"edges", bsp.edges.size(), 256000},
-        Count{"surfedges", bsp.surfedges.size(), 512000}, Count{"light bytes", bsp.lighting.size(), 1048576},
-        Count{"visibility bytes", bsp.visibility.size(), 1048576}})
-    fmt::print("  {:<18} {:>8} of {}{}\n", c.what, c.count, c.classic,
-               c.count > c.classic ? "  exceeds the original engine's limit" : "");
+  for (const LevelLimit& limit : list_level_limits(bsp))
+    fmt::print("  {:<18} {:>8} of {}{}\n", limit.name, limit.count, limit.stock_limit,
+               limit.is_exceeded() ? "  exceeds the original engine's limit" : "");
   if (build.mean_visible_share)
     fmt::print("  average visible leaves {:.1f} %\n", *build.mean_visible_share * 100);
   for (const compiler::StageTime& time : report.times) {
