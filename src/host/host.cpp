@@ -83,6 +83,13 @@ const FrameTimes& frame_times(const Host& host) {
   return host.timing.measured;
 }
 
+std::string find_played_level(const Host& host) {
+  const Session& session = *host.game.session;
+  if (!session.is_playing()) return "";
+  const std::vector<std::string>& models = session.connection()->state().game().models;
+  return models.size() > 1 ? std::filesystem::path(models[1]).stem().string() : "";
+}
+
 void append_commands(Host& io_host, std::string_view lines) {
   io_host.console.commands.append(lines);
 }

@@ -79,6 +79,10 @@ bool run_frame(Host& io_host);
 void quit(Host& io_host);
 const FrameTimes& frame_times(const Host& host);
 
+// Returns the name of the level that the player is in, such as "e1m1". Empty in menus, in demos, and while a
+// level is loaded.
+std::string find_played_level(const Host& host);
+
 // Queues console commands, separated by newlines or semicolons. The next frame runs them.
 void append_commands(Host& io_host, std::string_view lines);
 

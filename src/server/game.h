@@ -37,7 +37,7 @@ enum class GameKind { kSingle, kCooperative, kDeathmatch };
 struct GameSetup {
   std::shared_ptr<const vm::Program> program;
   std::shared_ptr<const world::Level> level;
-  std::uint64_t level_hash = 0;  // of the level's file, to see whether it has changed
+  std::uint64_t level_hash = 0;  // of what a running game depends on, to see whether it has changed
   std::string map_name;          // "e1m1"
   net::Dialect dialect{};
   std::uint32_t max_clients = 1;

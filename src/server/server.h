@@ -27,6 +27,7 @@
 #include "net/transport/server_endpoint.h"
 #include "server/game.h"
 #include "server/save/autosave.h"
+#include "server/save/player_places.h"
 #include "server/server_variables.h"
 #include "server/session/client_datagram.h"
 #include "server/session/clients.h"
@@ -97,6 +98,7 @@ struct Server {
   // By slot: the game already contains this player, because it was loaded or reloaded. spawn_client() then
   // leaves its entity as it is.
   std::vector<bool> resuming_players;
+  PlayerPlaces kept_places;  // by slot: where to put a player after it has spawned; may be empty
   SnapshotBuffers buffers;
   SavedGames saves;
   std::optional<DemoRecorder> recorder;
@@ -134,7 +136,7 @@ base::Status change_level(Server& io_server, std::string_view map);
 // Starts the level again. Every player begins with what it entered the level with.
 base::Status restart_level(Server& io_server);
 // Reads game code and the level from disk again. The game continues where it was if both still fit; else the
-// level starts again.
+// level starts again, and players stay where they were.
 base::Status reload_level(Server& io_server);
 
 // --- Saved games of a single player: NAME.sav in the write folder.

@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/compile/compile_program.h"
 #include "app/program.h"
+#include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
 #include "support/programs/background_program.h"
@@ -171,6 +173,61 @@ wait $game; echo "ended with $?"
   EXPECT_THAT(out, HasSubstr("ended with 0"));
   EXPECT_TRUE(std::filesystem::exists(session.path() / "user/temblor/evening/maps/room.bsp"));
   EXPECT_FALSE(std::filesystem::exists(session.game() / "maps"));
+}
+
+// The mapper opens and closes a hole while the game runs.
+TEST(PlayProgram, WatchShowsLeaksAndCompilesInFullWhenIdle) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_DISPLAY();
+  PlaySession session(data);
+  const std::string walls = walls_text({-128, -128, 0}, {128, 128, 128}, "wall");
+  const auto map = [](const std::string& brushes) {
+    return entity_text("worldspawn", "", brushes) + point_text("info_player_start", {0, 0, 24});
+  };
+  session.write("leak.map", map(walls.substr(walls.find("}\n") + 2)));
+  session.write("sealed.map", map(walls));
+  const std::string out = session.run(R"(
+cp leak.map room.map
+PLAY --watch room.map & game=$!
+await() { for i in $(seq 300); do [ $(grep -c "$1" out) -ge $2 ] && break; sleep 0.1; done; }
+await "room.pts: " 1; echo "the line is shown"
+cp sealed.map room.map; await "reloaded" 1; await "joined" 2
+echo "sealed"; await "in full" 1; await "visibility" 5
+cp leak.map room.map; await "room.pts: " 2
+kill -TERM $game
+wait $game; echo "ended with $?"
+)");
+  EXPECT_THAT(out, HasSubstr("the line is shown"));
+  const std::size_t sealed = out.find("sealed\n"), full = out.find("Compiling in full...");
+  ASSERT_NE(full, std::string::npos) << out;
+  EXPECT_LT(sealed, full) << "a level that leaks is not compiled in full";
+  EXPECT_THAT(out.substr(full), HasSubstr("room.pts: ")) << "the second leak";
+  EXPECT_THAT(out.substr(full), Not(HasSubstr("there is no"))) << out;
+  EXPECT_THAT(out, HasSubstr("ended with 0"));
+}
+
+// A compilation in full takes long. It must not make the mapper wait.
+TEST(PlayProgram, WatchStopsACompilationInFullAfterAChange) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_DISPLAY();
+  PlaySession session(data);
+  session.write("room.map", hall_of_pillars(effort(20, 14)));
+  const std::string out = session.run(R"(
+PLAY --watch room.map & game=$!
+await() { for i in $(seq 600); do [ $(grep -c "$1" out) -ge $2 ] && break; sleep 0.05; done; }
+await "in full" 1; sleep 0.3
+printf '{\n"classname" "light"\n"origin" "9 9 99"\n}\n' >>room.map
+await "reloaded" 1
+kill -TERM $game
+wait $game; echo "ended with $?"
+)");
+  const std::size_t full = out.find("Compiling in full...");
+  ASSERT_NE(full, std::string::npos) << out;
+  const std::string after = out.substr(full, out.find("reloaded") - full);
+  EXPECT_THAT(after, HasSubstr("Compiling...\n")) << out;
+  EXPECT_EQ(after.find("version 29"), after.rfind("version 29")) << "only the second one made a level";
+  EXPECT_THAT(after, Not(HasSubstr("interrupted")));
+  EXPECT_THAT(out, HasSubstr("ended with 0"));
 }
 
 // Not even by root, who has permission.

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <functional>
 #include <map>
 
 #include "client/demo/demo_player.h"
 #include "client_server/served_game.h"
+#include "formats/levels/bsp.h"
 #include "support/programs/quakec.h"
 #include "vfs/disk.h"
 
@@ -253,6 +256,68 @@ TEST(Server, ChangedProgramsAreReloadedAndTheGameContinues) {
   EXPECT_EQ(served.game().player(0)[server::field::kHealth], 42);
   EXPECT_LT(glm::distance(place, served.game().player(0)[server::field::kOrigin]), 5);
   EXPECT_NE(served.game().machine().program().find_function("new_function"), vm::kNoFunction);
+}
+
+// Changes the level that the server reads.
+void change_level_file(ServedGame& io_served, const std::function<void(formats::Bsp&)>& change) {
+  const std::filesystem::path file = io_served.folder().path() / "id1/maps/small.bsp";
+  formats::Bsp bsp = formats::read_bsp(vfs::read_disk_file(file).value()).value();
+  change(bsp);
+  io_served.folder().write("id1/maps/small.bsp", formats::write_bsp(bsp, bsp.version).value());
+}
+
+TEST(Server, LevelWithNewLightIsReloadedAndTheGameContinues) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const std::size_t me = served.add_client("tester");
+  ASSERT_TRUE(served.run_until_playing(me));
+  served.game().player(0).set(server::field::kHealth, 42.0f);
+  change_level_file(served, [](formats::Bsp& level) { level.lighting.assign(level.lighting.size() + 1, 9); });
+  served.command("reload");
+  served.run(3);
+  ASSERT_TRUE(served.client(me).is_playing()) << served.console();
+  EXPECT_THAT(served.console(), HasSubstr("the game continues"));
+  EXPECT_EQ(served.game().player(0)[server::field::kHealth], 42);
+}
+
+TEST(Server, PlayersStayWhereTheyAreWhenTheirLevelRestarts) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const std::size_t me = served.add_client("tester");
+  ASSERT_TRUE(served.run_until_playing(me));
+  const math::Vec3 start = served.game().player(0)[server::field::kOrigin];
+  served.run(1, forward());
+  served.run(1);
+  const math::Vec3 place = served.game().player(0)[server::field::kOrigin];
+  ASSERT_GT(glm::distance(place, start), 20);
+  served.game().player(0).set(server::field::kHealth, 42.0f);
+  served.game().player(0).set_flag(server::flag::kNoTarget);
+  const auto add_entity = [](formats::Bsp& level) { level.entities += "{\n\"classname\" \"light\"\n}\n"; };
+  change_level_file(served, add_entity);
+  served.command("reload");
+  served.run(3);
+  ASSERT_TRUE(served.client(me).is_playing()) << served.console();
+  EXPECT_THAT(served.console(), HasSubstr("the level restarts"));
+  EXPECT_LT(glm::distance(place, served.game().player(0)[server::field::kOrigin]), 1);
+  EXPECT_NE(served.game().player(0)[server::field::kHealth], 42) << "a new player";
+  EXPECT_TRUE(served.game().player(0).has_flag(server::flag::kNoTarget));
+  // Inside of a wall: only without clipping.
+  for (const server::MoveType type : {server::MoveType::kNoClip, server::MoveType::kWalk}) {
+    const math::Vec3 wall(4000, 0, 0);
+    served.game().player(0).set(server::field::kMoveType, static_cast<float>(type));
+    served.game().player(0).set(server::field::kOrigin, wall);
+    change_level_file(served, add_entity);
+    served.command("reload");
+    served.run(3);
+    ASSERT_TRUE(served.client(me).is_playing()) << served.console();
+    const math::Vec3 now = served.game().player(0)[server::field::kOrigin];
+    const bool flies = type == server::MoveType::kNoClip;
+    EXPECT_LT(glm::distance(now, flies ? wall : start), 5) << now.x << " " << now.y << " " << now.z;
+  }
+  // Another level begins as usual.
+  served.command("map small");
+  served.run(3);
+  EXPECT_LT(glm::distance(start, served.game().player(0)[server::field::kOrigin]), 5);
 }
 
 TEST(Server, UnusableProgramsLeaveTheOldOneRunning) {

@@ -161,7 +161,8 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
   };
   while (host::run_frame(*host)) {
     if (is_over()) host::quit(*host);
-    for (const std::string& line : watch.look(clock_s())) host::append_commands(*host, line);
+    for (const std::string& line : watch.look(clock_s(), host::find_played_level(*host)))
+      host::append_commands(*host, line);
   }
   return base::Ok{};
 }

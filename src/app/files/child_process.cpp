@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -81,8 +82,8 @@ base::Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& w
 
 ChildProcess::~ChildProcess() {
   close_input();
-  if (process_ >= 0) {
-    kill(process_, SIGTERM);
+  if (process_ >= 0 && !status_) {
+    terminate();
     waitpid(process_, nullptr, 0);
   }
   if (messages_ >= 0) close(messages_);
@@ -91,12 +92,14 @@ ChildProcess::~ChildProcess() {
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : name_(std::move(other.name_)),
       process_(std::exchange(other.process_, -1)),
+      status_(std::exchange(other.status_, std::nullopt)),
       input_(std::exchange(other.input_, -1)),
       messages_(std::exchange(other.messages_, -1)) {}
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(process_, other.process_);
+  std::swap(status_, other.status_);
   std::swap(input_, other.input_);
   std::swap(messages_, other.messages_);
   return *this;
@@ -145,13 +148,29 @@ base::Status ChildProcess::write(base::Bytes bytes) {
   return base::Ok{};
 }
 
+bool ChildProcess::has_ended() {
+  if (process_ < 0 || status_) return true;
+  int status = 0;
+  if (waitpid(process_, &status, WNOHANG) == process_) status_ = status;
+  return status_.has_value();
+}
+
+void ChildProcess::terminate() {
+  if (process_ >= 0 && !status_) kill(process_, SIGTERM);
+}
+
+void ChildProcess::lower_priority() {
+  constexpr int kNiceness = 10;
+  if (process_ >= 0 && !status_) setpriority(PRIO_PROCESS, static_cast<id_t>(process_), kNiceness);
+}
+
 // Closing the input tells filters such as ffmpeg that no more frames follow, so they write the end of the
 // file and exit.
 base::Status ChildProcess::finish() {
   if (process_ < 0) return base::Ok{};
   close_input();
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0)
+  int status = status_.value_or(0);
+  while (!status_ && waitpid(process_, &status, 0) < 0)
     if (errno != EINTR) return system_error(name_.c_str(), errno);
   process_ = -1;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return base::Ok{};

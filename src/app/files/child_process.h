@@ -1,6 +1,7 @@
 // Runs another program (POSIX): ffmpeg, which receives frames through a pipe, or the compiler.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ class ChildProcess {
   // Closes its input and waits for it to end. Fails unless its exit status is 0; the error has the last line
   // that it printed. After a failed write() it returns success, because that error was already reported.
   base::Status finish();
+  // Returns whether it has ended, without waiting. Then finish() returns at once.
+  bool has_ended();
+  // Asks it to end (SIGTERM), without waiting.
+  void terminate();
+  // Lets other programs have the processor first.
+  void lower_priority();
   // The lines that it has printed so far; only those in the last 4 KiB.
   std::vector<std::string> messages() const;
 
@@ -36,6 +43,8 @@ class ChildProcess {
   std::string name_;
   // Process id; -1: it has ended.
   int process_ = -1;
+  // Its status for waitpid(), once has_ended().
+  std::optional<int> status_{};
   // File descriptors: the write end of the pipe to its standard input (-1: closed), and the file with its
   // output.
   int input_ = -1, messages_ = -1;

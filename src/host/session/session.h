@@ -50,6 +50,7 @@ class Session {
 
   // Null: neither in a game nor connecting.
   client::Connection* connection() { return connection_ ? &*connection_ : nullptr; }
+  const client::Connection* connection() const { return connection_ ? &*connection_ : nullptr; }
   bool is_playing() const { return connection_ && connection_->is_playing(); }
 
   // Reads packets. If the connection was lost, returns the reason once, as text for the player.

@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "formats/game/lno.h"
 #include "formats/game/progs.h"
+#include "formats/levels/entities.h"
 #include "server/session/signon.h"
 #include "server/session/snapshot.h"
 
@@ -74,6 +75,37 @@ bool needs_wide_positions(const world::Level& level) {
          glm::any(glm::greaterThan(bounds.maxs, math::Vec3(kFarthest)));
 }
 
+// A running game continues in another version of its level if this is equal: light, visibility, and textures
+// may differ.
+std::uint64_t hash_solids_and_entities(const world::Level& level) {
+  std::uint64_t hash = base::hash_with(level.planes.size(), level.models.size());
+  const auto add = [&](std::uint64_t value) { hash = base::hash_with(hash, value); };
+  const auto add_vec3 = [&](const math::Vec3& v) {
+    for (int i = 0; i < 3; ++i) add(base::float_bits(v[i]));
+  };
+  for (const world::Plane& plane : level.planes) {
+    add_vec3(plane.normal);
+    add(base::float_bits(plane.distance));
+  }
+  for (const world::Node& node : level.nodes) {
+    add(node.plane);
+    for (const world::Child child : node.children) add(static_cast<std::uint64_t>(child.value));
+  }
+  for (const world::Clipnode& node : level.clipnodes) {
+    add(node.plane);
+    for (const std::int32_t child : node.children) add(static_cast<std::uint64_t>(child));
+  }
+  for (const world::Leaf& leaf : level.leaves) add(static_cast<std::uint64_t>(leaf.contents));
+  for (const world::Model& model : level.models) {
+    add_vec3(model.bounds.mins);
+    add_vec3(model.bounds.maxs);
+    add_vec3(model.origin);
+    add(static_cast<std::uint64_t>(model.head.value));
+    for (const std::int32_t head : model.clip_heads) add(static_cast<std::uint64_t>(head));
+  }
+  return base::hash_with(hash, base::hash_bytes(base::as_bytes(formats::write_entities(level.entities))));
+}
+
 // Why this dialect has no room for the game. Empty: it has room.
 std::optional<std::string> find_dialect_limit(Game& io_game, std::size_t min_entities) {
   const net::Dialect& dialect = io_game.setup().dialect;
@@ -100,8 +132,6 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
   TRY(const std::shared_ptr<const vm::Program> program,
       load_program(services.library.files(), request.program_file));
   TRY(assets::LoadedLevel loaded, assets::load_level(services.library.files(), request.map));
-  TRY(const base::ByteVector level_bytes,
-      services.library.files().read(fmt::format("maps/{}.bsp", request.map)));
   settings.set_registered(services.library.files().contains(assets::kRegisteredMark));
   LoadedGame result;
   result.notes = std::move(loaded.notes);
@@ -114,20 +144,21 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
     if (!wanted && request.prefers_newest_protocol) wanted = kOldestFirst.back();
     if (wanted && *wanted != protocol) continue;
     const bool is_last = wanted || protocol == kOldestFirst.back();
-    base::Result<std::unique_ptr<Game>> game = Game::start({.program = program,
-                                                            .level = loaded.level,
-                                                            .level_hash = base::hash_bytes(level_bytes),
-                                                            .map_name = request.map,
-                                                            .dialect = make_dialect(protocol),
-                                                            .max_clients = request.max_clients,
-                                                            .kind = request.kind,
-                                                            .skill = request.skill,
-                                                            .server_flags = request.server_flags,
-                                                            .seed = request.seed,
-                                                            .tick_s = settings.tick_s(),
-                                                            .settings = settings.physics(),
-                                                            .localization = localization},
-                                                           services);
+    base::Result<std::unique_ptr<Game>> game =
+        Game::start({.program = program,
+                     .level = loaded.level,
+                     .level_hash = hash_solids_and_entities(*loaded.level),
+                     .map_name = request.map,
+                     .dialect = make_dialect(protocol),
+                     .max_clients = request.max_clients,
+                     .kind = request.kind,
+                     .skill = request.skill,
+                     .server_flags = request.server_flags,
+                     .seed = request.seed,
+                     .tick_s = settings.tick_s(),
+                     .settings = settings.physics(),
+                     .localization = localization},
+                    services);
     // It may have failed because the protocol has too few numbers for models or sounds.
     if (!game.ok() && !is_last) continue;
     if (!game.ok()) return game.error();

@@ -8,6 +8,8 @@
 // the level info again.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "server/server.h"
 #include "server/session/signon.h"
 #include "server/session/stages.h"
@@ -52,6 +54,9 @@ base::Status spawn_client(Server& io_server, std::size_t slot) {
     set_paused(io_server, false);
   else
     TRY_STATUS(io_server.game->spawn_client(slot, client.parameters, client.name, client.colors));
+  if (slot < io_server.kept_places.size())
+    if (const auto place = std::exchange(io_server.kept_places[slot], std::nullopt))
+      TRY_STATUS(restore_player_place(*io_server.game, slot, *place));
   io_server.resuming_players[slot] = false;
   client.stage = ClientStage::kSpawned;
   client.has_spawned = true;

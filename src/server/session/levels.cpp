@@ -116,6 +116,7 @@ void set_game(Server& io_server, LoadedGame loaded) {
   io_server.clock.is_paused = false;
   io_server.clock.unplayed_s = 0;
   io_server.resuming_players.assign(clients.size(), false);
+  io_server.kept_places.clear();
   io_server.saves.autosave.begin_level();
   clients.set_dialect(game.dialect, max_reliable_bytes(game.dialect));
   io_server.endpoint.set_protocol(game.dialect.protocol);
@@ -188,7 +189,9 @@ base::Status reload_level(Server& io_server) {
     request.min_entities = 0;
     TRY(loaded, load_level(io_server, request));
   }
+  PlayerPlaces places = read_player_places(*io_server.game, io_server.clients);
   set_game(io_server, std::move(loaded));
+  io_server.kept_places = std::move(places);
   print(io_server, "reloaded: the level restarts\n");
   return base::Ok{};
 }
