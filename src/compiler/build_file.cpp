@@ -26,7 +26,7 @@ using base::ByteWriter;
 
 constexpr std::uint32_t kBuildFileMagic = 0x444c4254;  // "TBLD"
 // Raise this if the meaning of anything in the file changes.
-constexpr std::uint32_t kBuildFileVersion = 6;
+constexpr std::uint32_t kBuildFileVersion = 7;
 constexpr std::size_t kHashBytes = 8;
 constexpr const char* kCutOff = "build file: it ends within the {}";
 
@@ -127,7 +127,7 @@ void write_face_keys(const FaceKeys& face_keys, ByteWriter& io_writer) {
 
 base::Result<FaceKeys> read_face_keys(std::size_t faces, ByteReader& io_reader) {
   FaceKeys face_keys;
-  face_keys.keys.resize(read_count(io_reader, sizeof(float)));
+  face_keys.keys.resize(read_count(io_reader, sizeof(SurfaceKeys::min_light_excludes)));
   const auto read_field = [&]<typename Field>(Field& field) {
     if constexpr (std::is_same_v<Field, bool>)
       field = io_reader.u8() != 0;

@@ -40,6 +40,7 @@ struct Place {
   double pillar_x = 64;
   int minlight = 0;
   std::string glow_wait = "1";
+  std::string lamp_keys, door_keys;
 
   std::string text() const {
     std::string brushes = walls_text({-128, -128, 0}, {384, 128, 128}, wall);
@@ -49,12 +50,12 @@ struct Place {
     const std::string name = lamp_name.empty() ? "" : fmt::format("\n\"targetname\" \"{}\"", lamp_name);
     return entity_text("worldspawn", fmt::format("\"_minlight\" \"{}\"", minlight), brushes) +
            point_text("info_player_start", {0, 0, 32}) + point_text("monster_ogre", monster) +
-           entity_text("light", fmt::format("\"origin\" \"{} {} {}\"\n\"light\" \"{}\"{}", lamp.x, lamp.y,
-                                            lamp.z, lamp_brightness, name)) +
+           entity_text("light", fmt::format("\"origin\" \"{} {} {}\"\n\"light\" \"{}\"{}\n{}", lamp.x, lamp.y,
+                                            lamp.z, lamp_brightness, name, lamp_keys)) +
            entity_text("light", "\"origin\" \"300 0 96\"\n\"_color\" \"1 0.5 0\"") +
            entity_text("light_glow", fmt::format("\"origin\" \"200 0 60\"\n\"wait\" \"{}\"", glow_wait),
                        box_text({250, 90, 0}, {260, 100, 20}, "lamp")) +
-           entity_text("func_door", fmt::format("\"speed\" \"{}\"", door_speed),
+           entity_text("func_door", fmt::format("\"speed\" \"{}\"\n{}", door_speed, door_keys),
                        box_text({124, -32, 0}, {132, 32, 96}, "door"));
   }
 };
@@ -117,6 +118,13 @@ TEST(Build, OnlyChangedStagesRun) {
       {"a lamp's name", [](Place& place) { place.lamp_name = "lamp"; }, {"light"}},
       {"the world's least light", [](Place& place) { place.minlight = 9; }, {"light"}},
       {"how far a light with a brush reaches", [](Place& place) { place.glow_wait = "4"; }, {"light"}},
+      {"a lamp's channels",
+       [](Place& place) { place.lamp_keys = "\"_light_channel_mask\" \"3\""; },
+       {"light"}},
+      {"a picture", [](Place& place) { place.lamp_keys = "\"_project_texture\" \"wall\""; }, {"light"}},
+      {"a switchable shadow",
+       [](Place& place) { place.door_keys = "\"_switchableshadow\" \"1\""; },
+       {"light"}},
       {"a brush", [](Place& place) { place.pillar_x = 32; }, {"bsp", "visibility", "light"}},
       {"a texture", [](Place& place) { place.wall = "brick"; }, {"bsp", "visibility", "light"}},
       {"a lamp's place, into a pillar",
@@ -140,7 +148,13 @@ TEST(Build, AnyEditsGiveTheSameLevelAsACleanBuild) {
   Place place;
   Build build = make(place);
   for (int edit = 0; edit < effort(40, 6); ++edit) {
-    switch (number(7)) {
+    constexpr const char* kLampKeys[] = {"", "\"_shadow_channel_mask\" \"2\"",
+                                         "\"_light_channel_mask\" \"6\"", "\"_project_texture\" \"wall\"",
+                                         "\"_dirt\" \"1\""};
+    constexpr const char* kDoorKeys[] = {"", "\"_switchableshadow\" \"1\"", "\"_object_channel_mask\" \"2\"",
+                                         "\"_minlight_exclude\" \"door\"",
+                                         "\"_switchableshadow_target\" \"lamp\""};
+    switch (number(9)) {
       case 0:
         place.monster = {number(200) - 100, number(200) - 100, 40};
         break;
@@ -158,6 +172,12 @@ TEST(Build, AnyEditsGiveTheSameLevelAsACleanBuild) {
         break;
       case 5:
         place.pillar_x = 8 * number(8);
+        break;
+      case 6:
+        place.lamp_keys = kLampKeys[number(5)];
+        break;
+      case 7:
+        place.door_keys = kDoorKeys[number(5)];
         break;
       default:
         place.minlight = number(40);

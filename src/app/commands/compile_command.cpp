@@ -188,6 +188,11 @@ Command* add_compile_command(Command& program, CompileCommandOptions& io_options
   command->add_option("--extra", io_options.extra, "Light samples in each direction: 1, 2, or 4")
       ->type_name("N")
       ->check(one_of({1, 2, 4}));
+  command
+      ->add_option("--soft", io_options.soft,
+                   "Average the light of this many samples on each side, to smooth shadows")
+      ->type_name("N")
+      ->check(in_range(0, 16));
   command->add_option("--bounce", io_options.bounces, "Light bounces, instead of the map's value")
       ->type_name("N")
       ->check(in_range(0, 16));

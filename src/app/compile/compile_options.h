@@ -90,6 +90,7 @@ struct CompileCommandOptions {
   bool hlbsp = false;
   // Light samples in each direction: 1, 2, or 4.
   int extra = 1;
+  int soft = 0;  // luxels over which light is averaged
   // 0 to 16; nothing: as the map says.
   std::optional<int> bounces{};
   // Keys of worldspawn that replace those of the map: for all stages, and for light alone.

@@ -79,6 +79,7 @@ compiler::CompileOptions make_compile_options(const CompileCommandOptions& optio
   how.fast_visibility = options.fast;
   how.light.fast = options.fast;
   how.light.extra = options.extra;
+  how.light.soft = options.soft;
   how.light.bounces = options.bounces;
   how.light.world_keys = options.light_keys;
   if (options.sky_rays) how.light.sky_rays = *options.sky_rays;

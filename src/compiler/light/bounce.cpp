@@ -70,6 +70,7 @@ BouncedWorld lay_nodes(const LitLevel& lit) {
                                 static_cast<std::size_t>(grid.columns * grid.rows),
                                 static_cast<std::uint32_t>(face));
     if (!lit.surface_keys(face).takes_bounce) bounced.reflectance[face] = math::Vec3(0.0f);
+    bounced.reflectance[face] *= lit.surface_keys(face).bounce_scale;
   }
   return bounced;
 }

@@ -6,7 +6,7 @@
 
 #include "compiler/build/build_keys.h"
 #include "compiler/light/faces/light_hash.h"
-#include "compiler/light/sources/entity_lights.h"
+#include "compiler/light/sources/switchable_styles.h"
 
 namespace temblor::compiler {
 

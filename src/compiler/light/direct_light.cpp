@@ -17,6 +17,7 @@ namespace {
 
 // Steps at the edge of a shadow below this many steps of the light map are not refined.
 constexpr float kRoughBelow = 1;
+constexpr std::uint32_t kWorldChannels = 1;  // of the world, the sky, and surface lights
 
 // Bounds the sample points of a face, for quick tests against lights.
 struct Sphere {
@@ -103,20 +104,28 @@ class FaceLighter {
         flat_normal_(grid_.normal),
         is_flat_(!input.phong.is_curved(grid_.face) || grid_.corners_world.size() < 3),
         is_in_sky_(lies_in_sky(*input.lit.level, filter_.luxel_places().leaves)),
+        is_lit_behind_(input.lit.takes_light_behind(grid_.face)),
         unshadowed_(places_.size()),
         known_(learned != nullptr && input.known != nullptr ? input.known->map(grid_.map) : nullptr),
         learned_(learned),
         shadows_before_(known_ != nullptr ? base::Bytes(known_->shadows) : base::Bytes(), places_.size()),
         shadows_(places_.size()) {
     if (!is_flat_) set_normals();
-    if (input.settings.dirt.on && input.lit.surface_keys(grid_.face).takes_dirt) light_.dirt = dirt();
+    if (input.needs_dirt && input.lit.surface_keys(grid_.face).takes_dirt) light_.dirt = dirt();
   }
 
   void add_all() {
     const std::vector<world::LeafIndex> leaves = input_.sight.find_leaves(grid_.face, filter_.luxel_places());
-    for (std::size_t i = 0; i < input_.lights.size(); ++i)
-      if (may_reach(input_.lights[i]) && input_.sight.light_may_reach(i, leaves)) add(i);
-    if (input_.scene.has_sky() && !input_.beams.empty() && input_.sight.sky_may_reach(leaves)) add_sky();
+    const std::uint32_t channels = input_.lit.surface_keys(grid_.face).channels;
+    for (std::size_t i = 0; i < input_.lights.size(); ++i) {
+      const LightSource& light = input_.lights[i];
+      if ((light.channels & channels) == 0 || !may_reach(light)) continue;
+      // The world, which hides leaves from each other, may let light of other channels through.
+      if ((light.shadow_channels & kWorldChannels) == 0 || input_.sight.light_may_reach(i, leaves)) add(i);
+    }
+    if ((channels & kWorldChannels) != 0 && input_.scene.has_sky() && !input_.beams.empty() &&
+        input_.sight.sky_may_reach(leaves))
+      add_sky();
   }
 
   // Hands over the light, and what a cache keeps of it.
@@ -130,13 +139,24 @@ class FaceLighter {
   }
 
  private:
+  // The properties of a light or beam besides its value.
+  struct Arriving {
+    math::Vec3 color;
+    std::uint8_t style;
+    LayerKind kind;
+    bool takes_dirt;
+    std::optional<float> dirt_scale, dirt_gain;
+    float bounce_scale;
+  };
+
   // Adds one light.
   void add(std::size_t number) {
     const LightSource& light = input_.lights[number];
     lit_luxels_.clear();
+    find_tints(light);
     float brightest = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      unshadowed_[i] = is_hidden(i) ? 0 : compute_unshadowed(light, i);
+      unshadowed_[i] = is_hidden(i) || is_dark_in_picture(i) ? 0 : compute_unshadowed(light, i);
       if (std::abs(unshadowed_[i]) <= kLightGate) continue;
       lit_luxels_.push_back(static_cast<std::uint32_t>(i));
       brightest = std::max(brightest, std::abs(unshadowed_[i]));
@@ -145,21 +165,64 @@ class FaceLighter {
     const LayerKind kind = light.attenuation == Attenuation::kLocalMinlight ? LayerKind::kRaise
                            : light.value < 0                                ? LayerKind::kSubtract
                                                                             : LayerKind::kAdd;
-    deposit(find_shares(number, is_rough(brightest)), {light.color, light.style, kind, light.takes_dirt},
-            light_);
+    const bool rough = is_rough(brightest);
+    const Arriving arriving{light.color,     light.style,       kind, light.takes_dirt, light.dirt_scale,
+                            light.dirt_gain, light.bounce_scale};
+    deposit(find_shares(number, rough), arriving, light_);
+    add_switched(arriving, rough, light.shadow_channels, light_, [&](const LightPath& path) {
+      return [this, &light, path](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
+        input_.scene.trace_to_point(points, light.origin_world, out, path);
+      };
+    });
   }
 
-  // The shares of light that arrive at the lit luxels; from the cache, if it knows the same question.
+  // The picture that the light throws on each luxel, if it projects one.
+  void find_tints(const LightSource& light) {
+    tints_.clear();
+    if (!light.projection) return;
+    const Projection& projection = input_.projections[*light.projection];
+    const math::Vec3 across(grid_.column_step), along(grid_.row_step);
+    for (const math::Vec3& place : places_)
+      tints_.push_back(compute_projected_mean(projection, place - light.origin_world, across, along));
+  }
+  bool is_dark_in_picture(std::size_t luxel) const {
+    return !tints_.empty() && tints_[luxel] == math::Vec3(0.0f);
+  }
+
+  // Light of style 0 behind switchable shadows comes back in their styles. `make_query(path)` returns a
+  // ShareQuery.
+  template <typename MakeQuery>
+  void add_switched(Arriving arriving, bool rough, std::uint32_t shadow_channels, FaceLight& io_light,
+                    const MakeQuery& make_query) {
+    if (arriving.style != 0) return;
+    LightPath path{model(), shadow_channels, LightPath::Switched::kOnly, 0, {}};
+    for (const std::uint8_t style : input_.scene.switch_styles()) {
+      path.only_style = arriving.style = style;
+      const auto query = make_query(path);
+      deposit(filter_.compute_shares(lit_luxels_, rough, query), arriving, io_light);
+    }
+  }
+  LightPath find_path(std::uint8_t style, std::uint32_t shadow_channels) const {
+    const bool stops = style == 0 && !input_.scene.switch_styles().empty();
+    return {model(), shadow_channels, stops ? LightPath::Switched::kStop : LightPath::Switched::kPass, 0, {}};
+  }
+
+  // The shares of light that arrive at the lit luxels; from the cache, if it knows the same question. The
+  // cache knows a light by its origin, so it has no shadows that depend on other keys of the light.
   std::span<const Share> find_shares(std::size_t number, bool rough) {
+    const LightSource& light = input_.lights[number];
+    const bool is_usual = light.shadow_channels == kWorldChannels && input_.scene.switch_styles().empty();
     std::optional<std::span<const Share>> shares;
-    if (known_ != nullptr && input_.known->cached_number(number) != CachedLight::kUnknown)
+    if (is_usual && known_ != nullptr && input_.known->cached_number(number) != CachedLight::kUnknown)
       shares = shadows_before_.find({input_.known->cached_number(number), lit_luxels_, rough});
     if (!shares)
       shares = filter_.compute_shares(
           lit_luxels_, rough, [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
-            input_.scene.trace_to_point(points, input_.lights[number].origin_world, out, model());
+            input_.scene.trace_to_point(points, light.origin_world, out,
+                                        find_path(light.style, light.shadow_channels));
           });
-    if (learned_ != nullptr) shadows_.add({static_cast<std::uint32_t>(number), lit_luxels_, rough}, *shares);
+    if (is_usual && learned_ != nullptr)
+      shadows_.add({static_cast<std::uint32_t>(number), lit_luxels_, rough}, *shares);
     return *shares;
   }
 
@@ -180,23 +243,30 @@ class FaceLighter {
 
   // Adds one beam of the sky.
   void add(const SkyBeam& beam, FaceLight& io_sky) {
-    if (is_flat_ && glm::dot(flat_normal_, beam.toward_sky) <= 0) return;
+    if (is_flat_ && !is_lit_behind_ && glm::dot(flat_normal_, beam.toward_sky) <= 0) return;
     lit_luxels_.clear();
+    tints_.clear();
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      unshadowed_[i] = beam.value * angle_factor(beam.angle_scale, glm::dot(normal_at(i), beam.toward_sky));
+      unshadowed_[i] =
+          beam.value * angle_factor(beam.angle_scale, find_facing(glm::dot(normal_at(i), beam.toward_sky)));
       if (unshadowed_[i] != 0 && !is_hidden(i)) lit_luxels_.push_back(static_cast<std::uint32_t>(i));
     }
     if (lit_luxels_.empty()) return;
-    const auto shares =
-        filter_.compute_shares(lit_luxels_, is_rough(std::abs(beam.value)),
-                               [&](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
-                                 if (is_in_sky_)
-                                   input_.scene.trace_to_void(points, beam.toward_sky, out, model());
-                                 else
-                                   input_.scene.trace_to_sky(points, beam.toward_sky, out, model());
-                               });
+    const auto make_query = [&](LightPath path) {
+      path.sky_name = beam.sky_name;
+      return [this, &beam, path](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
+        if (is_in_sky_)
+          input_.scene.trace_to_void(points, beam.toward_sky, out, path);
+        else
+          input_.scene.trace_to_sky(points, beam.toward_sky, out, path);
+      };
+    };
+    const bool rough = is_rough(std::abs(beam.value));
+    const auto query = make_query(find_path(beam.style, kWorldChannels));
     const LayerKind kind = beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd;
-    deposit(shares, {beam.color, beam.style, kind, beam.takes_dirt}, io_sky);
+    const Arriving arriving{beam.color, beam.style, kind, beam.takes_dirt, {}, {}, 1};
+    deposit(filter_.compute_shares(lit_luxels_, rough, query), arriving, io_sky);
+    add_switched(arriving, rough, kWorldChannels, io_sky, make_query);
   }
 
   // Dirt takes many rays for each luxel, so the cache is asked first.
@@ -225,13 +295,14 @@ class FaceLighter {
     const float reach = light_reach(light) + bounds_.radius;
     const math::Vec3 way = light.origin_world - bounds_.middle;
     if (glm::dot(way, way) > reach * reach) return false;
-    return !is_flat_ || glm::dot(flat_normal_, light.origin_world - places_[0]) > -bounds_.radius;
+    return !is_flat_ || is_lit_behind_ ||
+           glm::dot(flat_normal_, light.origin_world - places_[0]) > -bounds_.radius;
   }
 
   // The light at a luxel without shadows and dirt.
   float compute_unshadowed(const LightSource& light, std::size_t luxel) const {
     const math::Vec3 way = light.origin_world - places_[luxel];
-    const float facing = glm::dot(way, normal_at(luxel));
+    const float facing = find_facing(glm::dot(way, normal_at(luxel)));
     if (facing <= 0) return 0;
     const float distance = glm::length(way);
     float value = value_at(light, distance);
@@ -240,27 +311,46 @@ class FaceLighter {
     return light.cone ? value * cone_factor(*light.cone, way / distance) : value;
   }
 
-  // The properties of a light or beam besides its value.
-  struct Arriving {
-    math::Vec3 color;
-    std::uint8_t style;
-    LayerKind kind;
-    bool takes_dirt;
-  };
   // Adds arriving light to the layer of its style and kind.
   void deposit(std::span<const Share> shares, const Arriving& light, FaceLight& io_light) {
     if (std::all_of(shares.begin(), shares.end(), [](const Share& share) { return share == Share{}; }))
       return;
     std::vector<math::Vec3>& samples = io_light.layer(light.style, light.kind, places_.size()).samples;
-    const bool dirty = light.takes_dirt && !io_light.dirt.empty();
+    const std::span<const float> dirt = find_dirt_shares(light, io_light);
+    const bool bounces_as_usual = light.bounce_scale == 1 || light.kind != LayerKind::kAdd;
+    arriving_.clear();
     for (std::size_t i = 0; i < lit_luxels_.size(); ++i) {
       const std::uint32_t luxel = lit_luxels_[i];
-      const float value = std::abs(unshadowed_[luxel]) * (dirty ? io_light.dirt[luxel] : 1);
-      const math::Vec3 arriving = light.color * share_factor(shares[i]) * value;
+      const float value = std::abs(unshadowed_[luxel]) * (dirt.empty() ? 1 : dirt[luxel]);
+      math::Vec3 arriving = light.color * share_factor(shares[i]) * value;
+      if (!tints_.empty()) arriving *= tints_[luxel];
       samples[luxel] =
           light.kind == LayerKind::kRaise ? glm::max(samples[luxel], arriving) : samples[luxel] + arriving;
+      if (!bounces_as_usual) arriving_.push_back(arriving);
     }
+    if (bounces_as_usual) return;
+    std::vector<math::Vec3>& more =
+        io_light.layer(light.style, LayerKind::kBounceMore, places_.size()).samples;
+    for (std::size_t i = 0; i < lit_luxels_.size(); ++i)
+      more[lit_luxels_[i]] += arriving_[i] * (light.bounce_scale - 1);
   }
+
+  // By luxel, the share of a light that dirt leaves; empty: all. Valid until the next call.
+  std::span<const float> find_dirt_shares(const Arriving& light, const FaceLight& from) {
+    if (!light.takes_dirt || from.dirt.empty()) return {};
+    const DirtSettings& level = input_.settings.dirt;
+    const float scale = light.dirt_scale.value_or(level.scale), gain = light.dirt_gain.value_or(level.gain);
+    if (dirt_shares_.empty() || scale != shares_scale_ || gain != shares_gain_) {
+      dirt_shares_.clear();
+      for (const float around : from.dirt) dirt_shares_.push_back(find_share_after_dirt(around, scale, gain));
+      shares_scale_ = scale;
+      shares_gain_ = gain;
+    }
+    return dirt_shares_;
+  }
+
+  // The cosine of light from behind counts as from the front on faces that it passes through.
+  float find_facing(float cosine) const { return is_lit_behind_ ? std::abs(cosine) : cosine; }
 
   const DirectLightInput& input_;
   LightGrid grid_;
@@ -268,10 +358,14 @@ class FaceLighter {
   std::span<const math::Vec3> places_;
   Sphere bounds_;
   math::Vec3 flat_normal_;
-  bool is_flat_, is_in_sky_;
+  bool is_flat_, is_in_sky_, is_lit_behind_;
   std::vector<math::Vec3> normals_;
   std::vector<float> unshadowed_;  // by luxel, of the current light
   std::vector<std::uint32_t> lit_luxels_;
+  std::vector<math::Vec3> tints_;     // by luxel, if the current light projects a picture
+  std::vector<math::Vec3> arriving_;  // by lit luxel, of the current light
+  std::vector<float> dirt_shares_;    // by luxel, for the scale and gain below
+  float shares_scale_ = 1, shares_gain_ = 1;
   const LightCache::Map* known_;  // null: nothing is known
   LightCache::Map* learned_;      // null: nothing is kept
   ShadowReader shadows_before_;
@@ -281,9 +375,8 @@ class FaceLighter {
 
 // A single sample point at the center of the face's model.
 SamplePoints make_center_point(const LitLevel& lit, std::size_t face) {
-  const math::Bounds& bounds = lit.level->models[lit.model_of_face[face]].bounds;
   SamplePoints places;
-  places.points.push_back((bounds.mins + bounds.maxs) * 0.5f + lit.model_offset(face));
+  places.points.push_back(lit.center_of_model[lit.model_of_face[face]]);
   const world::LeafIndex leaf = world::find_leaf(*lit.level, places.points[0]);
   const bool solid = lit.level->leaf(leaf).contents == world::Contents::kSolid;
   places.leaves.push_back(solid ? world::LeafIndex{0} : leaf);
@@ -328,6 +421,15 @@ void replace_luxels(const FaceLight& from, std::span<const std::uint32_t> luxels
       io_light.layer(layer.style, layer.kind, size).samples[luxel] = layer.samples[luxel];
 }
 
+// Makes light at least as bright as `least`, style by style.
+void raise_to(const FaceLight& least, std::size_t size, FaceLight& io_light) {
+  for (const LightLayer& layer : least.layers) {
+    if (layer.kind != LayerKind::kAdd) continue;
+    std::vector<math::Vec3>& samples = io_light.layer(layer.style, LayerKind::kRaise, size).samples;
+    for (std::size_t i = 0; i < size; ++i) samples[i] = glm::max(samples[i], layer.samples[i]);
+  }
+}
+
 }  // namespace
 
 // Brush models often start inside other brushes, as doors do. Hidden luxels take the light at the model's
@@ -343,13 +445,15 @@ FaceLight compute_direct_light(const DirectLightInput& input, std::size_t map, L
   const std::vector<std::uint32_t> hidden = list_hidden_luxels(places);
   if (may_take_center && hidden.size() == grid.size()) return compute_center_light(input, grid);
   FaceLight middle;
-  if (may_take_center && keys.auto_min_light > 0 && !hidden.empty())
-    middle = compute_center_light(input, grid);
+  if (may_take_center && keys.auto_min_light > 0) middle = compute_center_light(input, grid);
   const std::size_t size = grid.size();
   FaceLighter lighter(input, std::move(grid), std::move(places), out_learned);
   if (takes_light) lighter.add_all();
   FaceLight light = std::move(lighter).take();
-  if (may_take_center && keys.auto_min_light > 0) replace_luxels(middle, hidden, size, light);
+  if (may_take_center && keys.auto_min_light > 0) {
+    replace_luxels(middle, hidden, size, light);
+    raise_to(middle, size, light);
+  }
   return light;
 }
 

@@ -12,6 +12,7 @@
 #include "compiler/light/rays/ray_scene.h"
 #include "compiler/light/shadows/shadow_filter.h"
 #include "compiler/light/sources/light_source.h"
+#include "compiler/light/sources/projection.h"
 #include "compiler/light/sources/settings.h"
 #include "compiler/light/sources/sky_lights.h"
 
@@ -25,8 +26,10 @@ struct DirectLightInput {
   const LeafSight& sight;  // made for `lights`
   const LightSettings& settings;
   std::span<const LightSource> lights;
+  std::span<const Projection> projections;  // by LightSource::projection
   std::span<const SkyBeam> beams;
   ShadowSampling sampling;
+  bool needs_dirt;           // a light or minimum light takes dirt
   const CachedLight* known;  // null: trace every ray
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t kLightCacheMagic = 0x48434c54;
 // Raise this if the layout changes, or if light is measured in another way.
-constexpr std::uint32_t kLightCacheVersion = 1;
+constexpr std::uint32_t kLightCacheVersion = 2;
 constexpr std::size_t kStartBytes = 8, kHashBytes = 8;
 
 static_assert(sizeof(math::Vec3) == 3 * sizeof(float));
@@ -61,7 +61,7 @@ base::Result<LightCache::Map> read_map(base::ByteReader& io_reader) {
     LightLayer layer;
     layer.style = io_reader.u8();
     const std::uint8_t kind = io_reader.u8();
-    if (kind > static_cast<std::uint8_t>(LayerKind::kSubtract))
+    if (kind > static_cast<std::uint8_t>(kLastLayerKind))
       return base::malformed("light cache: unknown kind {} of light at offset {}", kind, io_reader.offset());
     layer.kind = static_cast<LayerKind>(kind);
     layer.samples = read_all<math::Vec3>(io_reader);

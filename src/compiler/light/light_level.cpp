@@ -21,9 +21,11 @@
 #include "compiler/light/rays/leaf_sight.h"
 #include "compiler/light/shard_file.h"
 #include "compiler/light/sources/entity_lights.h"
+#include "compiler/light/sources/projection.h"
 #include "compiler/light/sources/settings.h"
 #include "compiler/light/sources/sky_lights.h"
 #include "compiler/light/sources/surface_lights.h"
+#include "compiler/light/sources/switchable_styles.h"
 #include "formats/levels/entities.h"
 
 namespace temblor::compiler {
@@ -39,7 +41,9 @@ struct PreparedLight {
   LitLevel lit;
   RayScene scene;
   std::vector<LightSource> lights;
+  std::vector<Projection> projections;
   std::vector<SkyBeam> beams;
+  bool needs_dirt = false;  // a light or minimum light takes dirt
 };
 
 // The level's own settings, as overridden by the mapper's options.
@@ -50,10 +54,9 @@ LightSettings read_settings(const std::vector<formats::Entity>& entities, const 
   LightSettings settings = read_light_settings(world != entities.end() ? *world : formats::Entity{});
   if (options.bounces) settings.bounce.count = std::max(0, *options.bounces);
   if (options.dirt) settings.dirt.on = *options.dirt;
-  if (options.fast) {
-    settings.bounce.count = 0;
-    settings.dirt.on = false;
-  }
+  if (options.fast) settings.bounce.count = 0;
+  settings.dirt.is_forbidden = options.fast || options.dirt == false;
+  settings.min_light_dirt = settings.min_light_dirt && !settings.dirt.is_forbidden;
   return settings;
 }
 
@@ -61,7 +64,8 @@ LightSettings read_settings(const std::vector<formats::Entity>& entities, const 
 FaceKeys choose_light_map_keys(FaceKeys keys, const LightSettings& settings, const LightOptions& options) {
   constexpr float kStockTexels = 16;
   for (SurfaceKeys& own : keys.keys) {
-    if (options.luxel_texels) own.light_map_scale = static_cast<float>(*options.luxel_texels) / kStockTexels;
+    const int texels = options.luxel_texels.value_or(settings.light_map_texels);
+    if (texels > 0) own.light_map_scale = static_cast<float>(texels) / kStockTexels;
     if (options.units_per_luxel)
       own.units_per_luxel = *options.units_per_luxel;
     else if (own.units_per_luxel == 0)
@@ -92,16 +96,29 @@ base::Result<PreparedLight> prepare(const formats::Bsp& bsp, const FaceKeys& fac
   TRY(std::vector<formats::Entity> entities, formats::read_entities(bsp.entities));
   const bool styles_changed = assign_switchable_styles(entities, io_warnings);
   const LightSettings settings = read_settings(entities, options);
-  TRY(LitLevel lit, make_lit_level(strip_light(bsp), choose_light_map_keys(face_keys, settings, options)));
+  formats::Bsp unlit = strip_light(bsp);
+  if (styles_changed) unlit.entities = formats::write_entities(entities);
+  TRY(LitLevel lit, make_lit_level(std::move(unlit), choose_light_map_keys(face_keys, settings, options)));
   warn_of_too_fine_faces(lit, io_warnings);
   TRY(RayScene scene, RayScene::make(make_occluders(lit, options.palette)));
   EntityLights found = find_entity_lights(entities, settings, io_warnings);
   const std::vector<LightSource> surface_lights = find_surface_lights(lit, found.templates);
   found.lights.insert(found.lights.end(), surface_lights.begin(), surface_lights.end());
   const int sky_rays = options.fast ? std::max(1, options.sky_rays / 8) : options.sky_rays;
-  std::vector<SkyBeam> beams = find_sky_beams(entities, settings, sky_rays);
-  return PreparedLight{std::move(entities), styles_changed,          settings,        std::move(lit),
-                       std::move(scene),    std::move(found.lights), std::move(beams)};
+  std::vector<SkyBeam> beams = find_sky_beams(entities, settings, sky_rays, *lit.level, io_warnings);
+  load_pictures(*lit.level, options.palette, found.projections, io_warnings);
+  const auto takes_dirt = [](const auto& light) { return light.takes_dirt; };
+  const bool needs_dirt = settings.min_light_dirt || std::ranges::any_of(found.lights, takes_dirt) ||
+                          std::ranges::any_of(beams, takes_dirt);
+  return PreparedLight{std::move(entities),
+                       styles_changed,
+                       settings,
+                       std::move(lit),
+                       std::move(scene),
+                       std::move(found.lights),
+                       std::move(found.projections),
+                       std::move(beams),
+                       needs_dirt};
 }
 
 // One progress over all light maps and faces, reported from any thread.
@@ -162,8 +179,10 @@ bool add_direct_light(const LightPass& pass, LightWork& io_work) {
                                sight,
                                prepared.settings,
                                prepared.lights,
+                               prepared.projections,
                                prepared.beams,
                                shadow_sampling(pass.options.extra),
+                               prepared.needs_dirt,
                                pass.known};
   if (pass.learned != nullptr) pass.learned->maps.resize(lit.maps.size());
   const std::vector<std::uint32_t> maps = list_share(pass.shard, lit.maps.size());
@@ -212,8 +231,9 @@ bool light_grid(const LightPass& pass, const LightWork& work, GridBlocks& io_gri
   const LeafSight sight(prepared.lit, prepared.lights);
   const std::vector<math::Vec3> first_bounces =
       compute_first_bounces(prepared.lit, prepared.settings.bounce, pass.options.palette);
-  const SpaceLightInput input{prepared.lit,    prepared.scene, sight,      prepared.settings,
-                              prepared.lights, prepared.beams, work.light, first_bounces};
+  const SpaceLightInput input{prepared.lit,      prepared.scene,  sight,
+                              prepared.settings, prepared.lights, prepared.projections,
+                              prepared.beams,    work.light,      first_bounces};
   return light_grid_blocks(
       input, pass.jobs, [&] { return pass.progress.step(); }, io_grid);
 }
@@ -223,16 +243,31 @@ void set_colored_lump(const formats::Lit& lit, formats::Bsp& io_bsp) {
   io_bsp.bspx.push_back({kColoredLump, base::ByteVector(bytes.begin(), bytes.end())});
 }
 
+// Adds to the sum of each style what faces send back in addition to it, or takes it off again (`sign` -1).
+void change_bounced_sums(float sign, std::vector<FaceLight>& io_light) {
+  for (FaceLight& light : io_light)
+    for (std::size_t more = 0; more < light.layers.size(); ++more) {
+      if (light.layers[more].kind != LayerKind::kBounceMore) continue;
+      const std::size_t luxels = light.layers[more].samples.size();
+      std::vector<math::Vec3>& sum = light.layer(light.layers[more].style, LayerKind::kAdd, luxels).samples;
+      for (std::size_t i = 0; i < luxels; ++i) sum[i] += light.layers[more].samples[i] * sign;
+    }
+}
+
 // Adds bounced light, packs everything, and writes it into the level. `grid`: null for a level without one.
 // The level changes only here, so all errors before leave it as it was.
 LightSummary store_light(const PreparedLight& prepared, const LightOptions& options, const GridBlocks* grid,
                          LightWork& io_work, formats::Bsp& io_bsp, base::Jobs& io_jobs,
                          Warnings& io_warnings) {
   const LightSettings& settings = prepared.settings;
-  if (has_bounces(prepared))
+  if (has_bounces(prepared)) {
+    change_bounced_sums(1, io_work.light);
     add_bounced_light(prepared.lit, io_work.bounces.seen, settings.bounce, options.palette, io_jobs,
                       io_work.light);
-  PackedLight packed = pack_light_maps(prepared.lit, settings, io_work.light, io_jobs, io_bsp, io_warnings);
+    change_bounced_sums(-1, io_work.light);
+  }
+  const PackRules rules{settings, options.soft};
+  PackedLight packed = pack_light_maps(prepared.lit, rules, io_work.light, io_jobs, io_bsp, io_warnings);
   if (prepared.styles_changed) io_bsp.entities = formats::write_entities(prepared.entities);
   std::erase_if(io_bsp.bspx, [](const formats::BspxLump& lump) {
     return lump.name == kColoredLump || lump.name == formats::kLightGridLump;

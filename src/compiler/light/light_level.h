@@ -40,6 +40,7 @@ struct LightOptions {
   // Texels between the samples of all light maps of another scale, 1 to 128; overrides _lmscale.
   std::optional<int> luxel_texels{};
   std::optional<float> units_per_luxel{};  // overrides _world_units_per_luxel of all brushes; 0: off
+  int soft = 0;                            // luxels on each side over which light is averaged
   int sky_rays = 128;                      // at most this many directions for a sky dome or a sun's penumbra
   std::optional<math::Vec3> grid_step{};   // units between the samples of a light grid; nothing: no grid
   std::optional<formats::Palette> palette{};  // for _bouncecolorscale and tinted glass

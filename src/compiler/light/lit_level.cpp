@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "compiler/light/sources/switchable_styles.h"
 #include "world/face_at.h"
 
 namespace temblor::compiler {
@@ -61,7 +62,7 @@ ShadowReceivers find_shadow_receivers(const SurfaceKeys& keys) {
   return keys.shadows_world_only ? ShadowReceivers::kWorld : ShadowReceivers::kAll;
 }
 
-// The mask of a face with a transparent texture, _light_alpha, or a limited shadow.
+// The mask of a face with a transparent texture, _light_alpha, or a limited or switchable shadow.
 AlphaMask make_alpha_mask(const LitLevel& lit, std::size_t number,
                           const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
@@ -86,6 +87,8 @@ AlphaMask make_alpha_mask(const LitLevel& lit, std::size_t number,
     mask.transmission_by_texel = make_transmission_table(keys, has_holes, palette);
   mask.model = lit.model_of_face[number];
   mask.receivers = find_shadow_receivers(keys);
+  mask.channels = keys.channels;
+  mask.switch_style = lit.switch_style_of_model[mask.model];
   return mask;
 }
 
@@ -107,16 +110,18 @@ void add_occluder(const LitLevel& lit, std::size_t number, std::uint32_t first_v
   const world::Level& level = *lit.level;
   const world::Face& face = level.faces[number];
   const SurfaceKeys& keys = lit.surface_keys(number);
+  const bool is_switchable = lit.switch_style_of_model[lit.model_of_face[number]] != 0;
   const world::TextureKind kind = level.texture(face.texture).kind;
   if (kind == world::TextureKind::kSky) {
     if (lit.model_of_face[number] != 0) return;
     const auto surface = static_cast<std::uint32_t>(io_occluders.sky_normals.size());
     io_occluders.sky_normals.emplace_back(world::compute_face_plane(level, face).normal);
+    io_occluders.sky_names.push_back(static_cast<std::uint32_t>(base::to_size(face.texture)));
     add_fan(lit, number, first_vertex, surface, io_occluders.skies);
-  } else if (kind == world::TextureKind::kLiquid || !keys.casts_shadow) {
+  } else if (kind == world::TextureKind::kLiquid || !(keys.casts_shadow || is_switchable)) {
     return;
-  } else if (kind == world::TextureKind::kCutout || keys.light_alpha < 1 ||
-             find_shadow_receivers(keys) != ShadowReceivers::kAll) {
+  } else if (kind == world::TextureKind::kCutout || keys.light_alpha < 1 || keys.channels != 1 ||
+             is_switchable || find_shadow_receivers(keys) != ShadowReceivers::kAll) {
     const auto surface = static_cast<std::uint32_t>(io_occluders.alpha_masks.size());
     io_occluders.alpha_masks.push_back(make_alpha_mask(lit, number, palette));
     add_fan(lit, number, first_vertex, surface, io_occluders.masked);
@@ -125,7 +130,44 @@ void add_occluder(const LitLevel& lit, std::size_t number, std::uint32_t first_v
   }
 }
 
+// Where a model's faces take their light from if they are hidden: the place of _autominlight_target, or the
+// center of the model.
+math::Vec3 find_center(const LitLevel& lit, std::size_t model, const formats::Entity& shown_by) {
+  const world::Level& level = *lit.level;
+  if (const auto target = shown_by.find("_autominlight_target"); target && !target->empty())
+    for (const formats::Entity& entity : level.entities)
+      if (const auto origin = entity.find_vec3("origin");
+          origin && entity.find("targetname").value_or("") == *target)
+        return *origin;
+  const math::Bounds& bounds = level.models[model].bounds;
+  return (bounds.mins + bounds.maxs) * 0.5f + lit.offset_of_model[model];
+}
+
+// Reads the entities that show models.
+void read_models(LitLevel& io_lit) {
+  const world::Level& level = *io_lit.level;
+  io_lit.offset_of_model.assign(level.models.size(), math::Vec3(0.0f));
+  io_lit.switch_style_of_model.assign(level.models.size(), 0);
+  for (const world::Model& model : level.models)
+    io_lit.center_of_model.push_back((model.bounds.mins + model.bounds.maxs) * 0.5f);
+  for (const formats::Entity& entity : level.entities) {
+    const auto model = find_shown_model(entity);
+    if (!model || *model >= level.models.size()) continue;
+    io_lit.offset_of_model[*model] = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
+    io_lit.center_of_model[*model] = find_center(io_lit, *model, entity);
+    const float style = entity.find_number("switchshadstyle").value_or(0);
+    if (has_switchable_shadow(entity) && style > 0 && style < 64)
+      io_lit.switch_style_of_model[*model] = static_cast<std::uint8_t>(style);
+  }
+}
+
 }  // namespace
+
+bool LitLevel::takes_light_behind(std::size_t face) const {
+  const std::int8_t asked = surface_keys(face).takes_light_behind;
+  return asked < 0 ? level->texture(level->faces[face].texture).kind == world::TextureKind::kLiquid
+                   : asked > 0;
+}
 
 std::vector<math::Vec3d> LitLevel::corners_world(std::size_t face) const {
   const world::Face& shape = level->faces[face];
@@ -156,10 +198,7 @@ base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys) {
     for (std::uint32_t i = 0; i < faces.face_count; ++i)
       lit.model_of_face[faces.first_face + i] = static_cast<std::uint32_t>(model);
   }
-  lit.offset_of_model.assign(level.models.size(), math::Vec3(0.0f));
-  for (const formats::Entity& entity : level.entities)
-    if (const auto model = find_shown_model(entity); model && *model < level.models.size())
-      lit.offset_of_model[*model] = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
+  read_models(lit);
   lit.maps = make_light_map_shapes(level, lit.keys, lit.gets_light, lit.too_fine_faces);
   return lit;
 }

@@ -22,8 +22,11 @@ namespace temblor::compiler {
 struct LitLevel {
   std::shared_ptr<const world::Level> level;
   FaceKeys keys;
-  std::vector<std::uint32_t> model_of_face;   // 0: the world
-  std::vector<math::Vec3> offset_of_model;    // by model: its entity's origin
+  std::vector<std::uint32_t> model_of_face;  // 0: the world
+  std::vector<math::Vec3> offset_of_model;   // by model: its entity's origin
+  std::vector<math::Vec3> center_of_model;   // by model: where _autominlight measures light
+  // By model: the style of its switchable shadow (sources/switchable_styles.h); 0: none.
+  std::vector<std::uint8_t> switch_style_of_model;
   std::vector<bool> gets_light;               // by face
   std::vector<LightMapShape> maps;            // all grids of luxels
   std::vector<std::uint32_t> too_fine_faces;  // whose own grid is left out, because it has too many luxels
@@ -31,6 +34,8 @@ struct LitLevel {
   // The light options of a face's brush.
   const SurfaceKeys& surface_keys(std::size_t face) const { return keys.keys[keys.of_face[face]]; }
   const math::Vec3& model_offset(std::size_t face) const { return offset_of_model[model_of_face[face]]; }
+  // Whether light from behind reaches a face: a liquid, or as _light_twosided says.
+  bool takes_light_behind(std::size_t face) const;
   // The face's vertices, clockwise seen from its front.
   std::vector<math::Vec3d> corners_world(std::size_t face) const;
 };

@@ -37,7 +37,7 @@ base::Result<FaceLight> read_map(base::ByteReader& io_reader, std::size_t luxels
     layer.style = io_reader.u8();
     const std::uint8_t kind = io_reader.u8();
     if (!io_reader.ok() || luxels * kSampleBytes > io_reader.remaining() ||
-        kind > static_cast<std::uint8_t>(LayerKind::kSubtract))
+        kind > static_cast<std::uint8_t>(kLastLayerKind))
       return base::malformed("light shard: no valid layer of {} samples at offset {}", luxels,
                              io_reader.offset());
     layer.kind = static_cast<LayerKind>(kind);

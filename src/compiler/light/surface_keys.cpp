@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "compiler/light/sources/keys.h"
 
 namespace temblor::compiler {
@@ -25,7 +27,52 @@ std::optional<std::size_t> model_number(const formats::Entity& entity) {
   return number;
 }
 
+// Reads the textures of _minlight_exclude, _minlight_exclude2, and so on.
+void read_excluded_textures(const formats::Entity& entity, SurfaceKeys& io_keys) {
+  for (std::size_t i = 0; i < io_keys.min_light_excludes.size(); ++i) {
+    const std::string number = i == 0 ? std::string() : std::to_string(i + 1);
+    if (const auto texture = entity.find("_minlight_exclude" + number))
+      io_keys.min_light_excludes[i] = make_texture_key(*texture);
+  }
+}
+
+// Reads the keys about light that comes to the faces and leaves them.
+void read_light_limits(const formats::Entity& entity, SurfaceKeys& io_keys) {
+  const bool is_world = entity.classname() == "worldspawn";
+  if (!is_world) {  // on worldspawn, these are settings for the whole level (sources/settings.h)
+    io_keys.max_light = std::max(0.0f, read_number_or(entity, "maxlight", 0));
+    io_keys.bounce_scale = std::max(0.0f, read_number_or(entity, "bouncescale", 1));
+  }
+  io_keys.light_color_scale = std::clamp(read_number_or(entity, "lightcolorscale", 1), 0.0f, 1.0f);
+  if (const auto two_sided = read_number(entity, "light_twosided"))
+    io_keys.takes_light_behind = *two_sided > 0 ? 1 : 0;
+  // Other channels cast shadows for the lights of their own, and have no part in bounced light.
+  io_keys.channels = read_channels(entity, "object_channel_mask").value_or(1);
+  if (io_keys.channels == 1) return;
+  io_keys.casts_shadow = io_keys.casts_shadow || read_number_or(entity, "shadow", 1) >= 0;
+  io_keys.takes_bounce = false;
+  io_keys.takes_dirt = io_keys.takes_dirt && (io_keys.channels & 1) != 0;
+}
+
+void read_surface_light_keys(const formats::Entity& entity, SurfaceKeys& io_keys) {
+  constexpr float kMaxBrushGroup = 1 << 24, kMaxStyle = 63;
+  io_keys.surface_light_group = static_cast<std::int32_t>(
+      std::clamp(read_number_or(entity, "surflight_group", 0), -kMaxBrushGroup, kMaxBrushGroup));
+  io_keys.surface_light_style =
+      static_cast<std::int32_t>(std::clamp(read_number_or(entity, "surflight_style", -1), -1.0f, kMaxStyle));
+  if (const auto color = read_color(entity, "surflight_color"))
+    io_keys.surface_light_color = {color->x, color->y, color->z};
+}
+
 }  // namespace
+
+// Longer names do not exist in levels, so cut ones match nothing else.
+TextureKey make_texture_key(std::string_view texture) {
+  TextureKey key{};
+  const std::string lower = base::to_lower(texture);
+  std::copy_n(lower.begin(), std::min(lower.size(), key.size()), key.begin());
+  return key;
+}
 
 SurfaceKeys read_surface_keys(const formats::Entity& entity) {
   constexpr float kPhongDefaultAngleDeg = 89;
@@ -37,12 +84,18 @@ SurfaceKeys read_surface_keys(const formats::Entity& entity) {
       static_cast<std::int32_t>(std::clamp(read_number_or(entity, "phong_group", 0), -32768.0f, 32767.0f));
   // On worldspawn the key is a setting for the whole level (sources/settings.h).
   if (entity.classname() != "worldspawn") keys.min_light = read_number_or(entity, "minlight", 0);
-  if (const auto color = read_color(entity, "minlight_color"))
-    keys.min_light_color = {color->x, color->y, color->z};
+  const auto color = read_color(entity, "minlight_color");
+  if (const auto other = color ? color : read_color(entity, "mincolor"))
+    keys.min_light_color = {other->x, other->y, other->z};
+  keys.mottles_min_light = read_number_or(entity, "minlight_mottle",
+                                          read_number_or(entity, "minlightMottle",
+                                                         read_number_or(entity, "minlightmottle", 0))) > 0;
+  read_excluded_textures(entity, keys);
   const bool shadow_unless_said = is_part_of_the_world(entity.classname());
   keys.casts_shadow = read_number_or(entity, "shadow", shadow_unless_said ? 1.0f : 0.0f) > 0;
   if (!keys.casts_shadow) {
-    keys.shadows_own_model_only = read_number_or(entity, "shadowself", 0) > 0;
+    keys.shadows_own_model_only =
+        read_number_or(entity, "shadowself", read_number_or(entity, "selfshadow", 0)) > 0;
     keys.shadows_world_only =
         !keys.shadows_own_model_only && read_number_or(entity, "shadowworldonly", 0) > 0;
     keys.casts_shadow = keys.shadows_own_model_only || keys.shadows_world_only;
@@ -53,11 +106,16 @@ SurfaceKeys read_surface_keys(const formats::Entity& entity) {
   keys.takes_bounce = read_number_or(entity, "bounce", 0) >= 0;
   keys.ignores_light = read_number_or(entity, "lightignore", 0) > 0;
   keys.lights_liquids = read_number_or(entity, "litwater", 0) > 0;
-  const float scale = read_number_or(entity, "lmscale", read_number_or(entity, "lightmap_scale", 1));
+  // On worldspawn, _lightmap_scale is a number of texels (sources/settings.h).
+  const bool is_world = entity.classname() == "worldspawn";
+  const float scale =
+      read_number_or(entity, "lmscale", is_world ? 1 : read_number_or(entity, "lightmap_scale", 1));
   keys.light_map_scale = scale > 0 ? scale : 1;
   keys.units_per_luxel = read_number_or(entity, "world_units_per_luxel", 0);
   const float alpha = read_number_or(entity, "light_alpha", read_number_or(entity, "alpha", 1));
   keys.light_alpha = std::clamp(alpha, 0.0f, 1.0f);
+  read_light_limits(entity, keys);
+  read_surface_light_keys(entity, keys);
   return keys;
 }
 

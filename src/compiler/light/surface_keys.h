@@ -4,12 +4,17 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "formats/levels/bsp.h"
 #include "formats/levels/entities.h"
 
 namespace temblor::compiler {
+
+// The name of a texture in lower case, padded with zeros.
+using TextureKey = std::array<std::uint8_t, 16>;
+TextureKey make_texture_key(std::string_view texture);
 
 // The options of a brush for the light on its faces. They apply to worldspawn, func_group, func_detail and
 // brush entities alike. A .bsp cannot store it. The names are those of the keys in the .map: _phong,
@@ -21,16 +26,28 @@ struct SurfaceKeys {
   std::int32_t phong_group = 0;
   float min_light = 0;
   std::array<float, 3> min_light_color{1, 1, 1};
-  bool casts_shadow = true;  // func_detail_illusionary does not
+  // _minlight_exclude, _minlight_exclude2 to _minlight_exclude9: textures without minimum light.
+  std::array<TextureKey, 9> min_light_excludes{};
+  bool mottles_min_light = false;  // _minlight_mottle: minimum light has a pattern
+  bool casts_shadow = true;        // func_detail_illusionary does not
   // If the brush casts a shadow only because of _shadowself or _shadowworldonly.
   bool shadows_own_model_only = false, shadows_world_only = false;
   // _autominlight. Which luxels take the light at the model's center: 0: those of completely hidden faces, 1:
-  // all hidden ones, -1: none.
+  // all hidden ones, and all others as minimum light, -1: none.
   std::int8_t auto_min_light = 0;
   bool takes_dirt = true;
   bool takes_bounce = true;
-  bool ignores_light = false;   // _lightignore
-  bool lights_liquids = false;  // _litwater: liquids get light maps
+  float bounce_scale = 1;               // _bouncescale: of the light that these faces send back
+  bool ignores_light = false;           // _lightignore
+  bool lights_liquids = false;          // _litwater: liquids get light maps
+  std::int8_t takes_light_behind = -1;  // _light_twosided; -1: only liquids do
+  float max_light = 0;                  // _maxlight; 0: no limit
+  float light_color_scale = 1;          // _lightcolorscale: 0: gray
+  std::uint32_t channels = 1;           // _object_channel_mask: bits of the channels that light these faces
+  // _surflight_group, _surflight_style and _surflight_color, for faces that _surface makes shine. Style -1
+  // and color -1: the light's own.
+  std::int32_t surface_light_group = 0, surface_light_style = -1;
+  std::array<float, 3> surface_light_color{-1, -1, -1};
   // _lmscale or _lightmap_scale; 0.5: twice as many luxels along each axis.
   float light_map_scale = 1;
   // _world_units_per_luxel: luxels lie on the plane, not on the texture. 0: as worldspawn says; below 0: off.
@@ -43,11 +60,16 @@ struct SurfaceKeys {
 template <typename Keys, typename Visit>
 void visit_fields(Keys& keys, const Visit& visit) {
   visit(keys.phong_angle_deg), visit(keys.phong_angle_concave_deg), visit(keys.phong_group);
-  visit(keys.min_light);
+  visit(keys.min_light), visit(keys.mottles_min_light);
   for (auto& part : keys.min_light_color) visit(part);
+  for (auto& texture : keys.min_light_excludes)
+    for (auto& letter : texture) visit(letter);
   visit(keys.shadows_own_model_only), visit(keys.shadows_world_only), visit(keys.auto_min_light);
   visit(keys.casts_shadow), visit(keys.takes_dirt), visit(keys.takes_bounce), visit(keys.ignores_light);
-  visit(keys.lights_liquids);
+  visit(keys.lights_liquids), visit(keys.takes_light_behind), visit(keys.bounce_scale);
+  visit(keys.max_light), visit(keys.light_color_scale), visit(keys.channels);
+  visit(keys.surface_light_group), visit(keys.surface_light_style);
+  for (auto& part : keys.surface_light_color) visit(part);
   visit(keys.light_map_scale), visit(keys.units_per_luxel), visit(keys.light_alpha);
 }
 

@@ -160,6 +160,11 @@ TEST(BadMaps, AreReportedAndStillMakeALevel) {
         Case{room_text() +
                  entity_text("func_wall", "\"_phong\" \"yes\"", box_text({0, 0, 0}, {8, 8, 8}, "bad")),
              "_phong is \"yes\" but should be a number"},
+        Case{room_text() + entity_text("func_wall", "\"_object_channel_mask\" \"red\"",
+                                       box_text({0, 0, 0}, {8, 8, 8}, "bad")),
+             "_object_channel_mask is \"red\" but should be a number"},
+        Case{room_text() + entity_text("light", "\"origin\" \"0 0 64\"\n\"_project_mangle\" \"90\""),
+             "_project_mangle is \"90\" but should be three"},
         Case{entity_text("worldspawn", "", walls_text(kRoomMins, kRoomMaxs, "skip")) + start,
              "no visible faces"},
         Case{entity_text("worldspawn", "", box_text(Vec3d(-5e5), Vec3d(5e5), "bad")) + start,

@@ -110,11 +110,11 @@ std::vector<RoomLuxel> room_luxels(const LitResult& lit, std::uint8_t style, dou
   return luxels;
 }
 
-LitResult light_in_all_ways(const std::string& world_keys) {
+LitResult light_in_all_ways(const std::string& world_keys, const std::string& entities) {
   formats::Bsp bsp = artgen::make_small_level({.light = false});
   bsp.entities.insert(bsp.entities.find('}'),
                       world_keys + " \"_bounce\" \"1\" \"_dirt\" \"1\" \"_sunlight\" \"100\"");
-  bsp.entities += "{ \"classname\" \"light\" \"origin\" \"0 0 64\" \"_color\" \"1 0.5 0\" }";
+  bsp.entities += "{ \"classname\" \"light\" \"origin\" \"0 0 64\" \"_color\" \"1 0.5 0\" }" + entities;
   const compiler::LightOptions options{.sky_rays = 8};
   LitResult once = light(bsp, options);
   EXPECT_EQ(light(bsp, options, 3).bsp, once.bsp);

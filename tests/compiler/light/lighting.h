@@ -24,9 +24,10 @@ struct LitResult {
 LitResult light(formats::Bsp bsp, const compiler::LightOptions& options = {}, int threads = 1,
                 compiler::LightCache* io_cache = nullptr);
 
-// Lights the small level, with these keys of worldspawn, in all ways at once: bounces, dirt, colors. Expects
-// the same level with several threads, with a cache, after lighting it again, and from shards.
-LitResult light_in_all_ways(const std::string& world_keys);
+// Lights the small level, with these keys of worldspawn and more entities, in all ways at once: bounces,
+// dirt, colors. Expects the same level with several threads, with a cache, after lighting it again, and from
+// shards.
+LitResult light_in_all_ways(const std::string& world_keys, const std::string& entities = {});
 
 // A closed cube around the origin, kHalfRoom units to each side. All of it has the texture "wall" at a texel
 // per unit.

@@ -9,8 +9,10 @@
 
 namespace temblor::compiler {
 
-// How a layer joins the others, in this order: sums, then minimum lights, then negative lights.
-enum class LayerKind : std::uint8_t { kAdd, kRaise, kSubtract };
+// How a layer joins the others, in this order: sums, then minimum lights, then negative lights. kBounceMore
+// is not shown: faces send it back in addition to the sum (negative: they send back less).
+enum class LayerKind : std::uint8_t { kAdd, kRaise, kSubtract, kBounceMore };
+constexpr LayerKind kLastLayerKind = LayerKind::kBounceMore;
 
 // The light of one style and kind on a face.
 struct LightLayer {
@@ -23,7 +25,7 @@ struct LightLayer {
 // Everything that is known of one light map's light.
 struct FaceLight {
   std::vector<LightLayer> layers;  // in the order of the first light of each
-  std::vector<float> dirt;         // by luxel: the share of light that dirt leaves; empty: all
+  std::vector<float> dirt;         // by luxel: from compute_dirt(); empty: no dirt
 
   // Returns the layer of a style and kind, or null.
   const LightLayer* find(std::uint8_t style, LayerKind kind) const {

@@ -62,11 +62,12 @@ std::uint64_t hash_geometry(formats::Bsp unlit_bsp, const LitLevel& lit, const L
   if (hash == 0) return 0;
   if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   for (const math::Vec3& offset : lit.offset_of_model) hash = with_vector(hash, offset);
+  for (const std::uint8_t style : lit.switch_style_of_model) hash = base::hash_with(hash, style);
   return std::max<std::uint64_t>(1, base::hash_with(hash, static_cast<std::uint32_t>(options.extra)));
 }
 
 std::uint64_t hash_dirt(const DirtSettings& settings) {
-  std::uint64_t hash = settings.on ? 1 : 0;
+  std::uint64_t hash = (settings.on ? 1 : 0) + (settings.is_random ? 2 : 0);
   for (const float number : {settings.depth, settings.scale, settings.gain, settings.angle_deg})
     hash = base::hash_with(hash, base::float_bits(number));
   return hash;
@@ -80,6 +81,7 @@ std::uint64_t hash_sky(std::span<const SkyBeam> beams, float range) {
       hash = base::hash_with(hash, base::float_bits(number));
     hash = base::hash_with(hash, beam.style);
     hash = base::hash_with(hash, beam.takes_dirt ? 1 : 0);
+    hash = base::hash_with(hash, beam.sky_name ? std::uint64_t{*beam.sky_name} + 1 : 0);
   }
   return hash;
 }
@@ -92,6 +94,7 @@ std::uint64_t hash_light_input(const formats::Bsp& unlit_bsp, const FaceKeys& fa
     hash = base::hash_with(hash, static_cast<std::uint32_t>(number));
   hash = base::hash_with(hash, static_cast<std::uint32_t>(options.luxel_texels.value_or(-1)));
   hash = base::hash_with(hash, base::float_bits(options.units_per_luxel.value_or(-1)));
+  hash = base::hash_with(hash, static_cast<std::uint32_t>(options.soft));
   if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   if (options.grid_step) hash = with_vector(hash, *options.grid_step);
   return hash;

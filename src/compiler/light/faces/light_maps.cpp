@@ -18,11 +18,15 @@
 
 #include "base/bytes.h"
 #include "compiler/light/faces/light_bytes.h"
+#include "compiler/light/faces/min_light.h"
+#include "compiler/light/faces/soften.h"
 #include "formats/levels/decoupled_light.h"
 #include "formats/levels/scaled_light.h"
 
 namespace temblor::compiler {
 namespace {
+
+constexpr float kValuePerStep = 2;  // of lights, for one step of a light map
 
 // The packed samples of one style.
 struct StyledSamples {
@@ -37,31 +41,33 @@ std::vector<math::Vec3> find_sum(const FaceLight& light, std::uint8_t style, std
   return sum != nullptr ? sum->samples : std::vector<math::Vec3>(luxels, math::Vec3(0.0f));
 }
 
-// Raises style 0 to the minimum light: the greater of the level's and the face's own.
-void raise_to_min_light(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
-                        std::vector<math::Vec3>& io_samples) {
-  const math::Vec3 level = settings.min_light_color * settings.min_light;
-  const math::Vec3 own =
-      math::Vec3(keys.min_light_color[0], keys.min_light_color[1], keys.min_light_color[2]) * keys.min_light;
-  const math::Vec3 least = glm::max(level, own);
-  const bool dirty = settings.min_light_dirt && !light.dirt.empty();
-  for (std::size_t i = 0; i < io_samples.size(); ++i)
-    io_samples[i] = glm::max(io_samples[i], least * (dirty ? light.dirt[i] : 1));
+// Limits and grays light as the brush asks.
+math::Vec3 apply_brush_limits(const SurfaceKeys& keys, math::Vec3 light) {
+  // In the steps of a light map with the usual _range.
+  const float most = keys.max_light * kValuePerStep, brightest = max_channel(light);
+  if (keys.max_light > 0 && brightest > most) light *= most / brightest;
+  if (keys.light_color_scale == 1) return light;
+  // Gray of the same brightness, so that the gray light map stays the same.
+  return glm::mix(math::Vec3(max_channel(light)), light, keys.light_color_scale);
 }
 
 // Joins the layers of one style and converts the result to bytes.
-StyledSamples pack_style(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
-                         std::uint8_t style, std::size_t luxels) {
+StyledSamples pack_style(const LitLevel& lit, const PackRules& rules, std::size_t map, const FaceLight& light,
+                         std::uint8_t style) {
+  const LightMapShape& shape = lit.maps[map];
+  const SurfaceKeys& keys = lit.surface_keys(shape.face);
+  const std::size_t luxels = shape.size();
   std::vector<math::Vec3> samples = find_sum(light, style, luxels);
-  if (style == 0) raise_to_min_light(settings, keys, light, samples);
+  if (style == 0) add_min_light(lit, rules.settings, map, light, samples);
   if (const LightLayer* raise = light.find(style, LayerKind::kRaise))
     for (std::size_t i = 0; i < luxels; ++i) samples[i] = glm::max(samples[i], raise->samples[i]);
   if (const LightLayer* less = light.find(style, LayerKind::kSubtract))
     for (std::size_t i = 0; i < luxels; ++i) samples[i] -= less->samples[i];
+  soften(rules.soft, shape.width, shape.height, samples);
   StyledSamples result;
   result.style = style;
   for (const math::Vec3& sample : samples) {
-    const math::Vec3 bytes = scale_to_bytes(settings, sample);
+    const math::Vec3 bytes = scale_to_bytes(rules.settings, apply_brush_limits(keys, sample));
     for (int channel = 0; channel < 3; ++channel) {
       result.rgb.push_back(round_to_byte(bytes[channel]));
       result.brightness += result.rgb.back();
@@ -78,15 +84,14 @@ struct FaceStyles {
 };
 
 // Style 0 is always tried, even without a light, because minimum light goes there.
-FaceStyles pack_styles(const LightSettings& settings, const SurfaceKeys& keys, const FaceLight& light,
-                       std::size_t luxels) {
+FaceStyles pack_styles(const LitLevel& lit, const PackRules& rules, std::size_t map, const FaceLight& light) {
   std::array<bool, 256> used{};
   used[0] = true;
   for (const LightLayer& layer : light.layers) used[layer.style] = true;
   std::vector<StyledSamples> styles;
   for (std::size_t style = 0; style < used.size(); ++style) {
     if (!used[style]) continue;
-    StyledSamples samples = pack_style(settings, keys, light, static_cast<std::uint8_t>(style), luxels);
+    StyledSamples samples = pack_style(lit, rules, map, light, static_cast<std::uint8_t>(style));
     if (samples.brightness > 0) styles.push_back(std::move(samples));
   }
   constexpr std::size_t kMaxStyles = 4;
@@ -175,14 +180,11 @@ void describe_maps(const LitLevel& lit, const std::vector<BestMap>& best, format
 
 }  // namespace
 
-PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
-                            const std::vector<FaceLight>& light, base::Jobs& io_jobs, formats::Bsp& io_bsp,
-                            Warnings& io_warnings) {
+PackedLight pack_light_maps(const LitLevel& lit, const PackRules& rules, const std::vector<FaceLight>& light,
+                            base::Jobs& io_jobs, formats::Bsp& io_bsp, Warnings& io_warnings) {
   std::vector<FaceStyles> by_map(lit.maps.size());
   io_jobs.parallel_for(by_map.size(), [&](std::size_t map) {
-    const std::size_t face = lit.maps[map].face;
-    if (lit.gets_light[face])
-      by_map[map] = pack_styles(settings, lit.surface_keys(face), light[map], lit.maps[map].size());
+    if (lit.gets_light[lit.maps[map].face]) by_map[map] = pack_styles(lit, rules, map, light[map]);
   });
   PackedLight packed;
   io_bsp.lighting.clear();

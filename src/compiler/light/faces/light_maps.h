@@ -21,6 +21,12 @@ struct PackedLight {
   formats::Lit lit;  // red, green and blue for each gray sample, even if all are gray
 };
 
+// How light becomes bytes.
+struct PackRules {
+  const LightSettings& settings;
+  int soft = 0;  // luxels on each side over which light is averaged (soften.h)
+};
+
 // Writes `lighting`, and styles and light_offset of every face, in the order of the faces: for each face its
 // styles one after another, the lowest first. Styles without any light are left out; of more than four, the
 // brightest stay, with a warning. `light`: by light map (LitLevel::maps).
@@ -29,8 +35,7 @@ struct PackedLight {
 // them: LMSHIFT, LMOFFSET, and LMSTYLE (formats/levels/scaled_light.h), or, if any map is decoupled,
 // DECOUPLED_LM for all of them (formats/levels/decoupled_light.h), with LMSTYLE where its styles differ from
 // the faces' own. Without such maps these lumps are missing.
-PackedLight pack_light_maps(const LitLevel& lit, const LightSettings& settings,
-                            const std::vector<FaceLight>& light, base::Jobs& io_jobs, formats::Bsp& io_bsp,
-                            Warnings& io_warnings);
+PackedLight pack_light_maps(const LitLevel& lit, const PackRules& rules, const std::vector<FaceLight>& light,
+                            base::Jobs& io_jobs, formats::Bsp& io_bsp, Warnings& io_warnings);
 
 }  // namespace temblor::compiler

@@ -20,7 +20,8 @@ math::Vec3 join_layers(const LightSettings& settings, const FaceLight& light, st
     return layer != nullptr ? layer->samples[point] : math::Vec3(0.0f);
   };
   math::Vec3 sum = sample(LayerKind::kAdd);
-  if (style == 0) sum = glm::max(sum, settings.min_light_color * settings.min_light);
+  const math::Vec3 least = settings.min_light_color * settings.min_light;
+  if (style == 0) sum = settings.adds_min_light ? sum + least : glm::max(sum, least);
   return glm::max(sum, sample(LayerKind::kRaise)) - sample(LayerKind::kSubtract);
 }
 

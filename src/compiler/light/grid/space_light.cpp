@@ -9,8 +9,9 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr int kBounceRays = 64;       // of each point, over the whole sphere
-constexpr float kFarthest = 1 << 20;  // longer than any level
+constexpr int kBounceRays = 64;              // of each point, over the whole sphere
+constexpr float kFarthest = 1 << 20;         // longer than any level
+constexpr std::uint32_t kModelChannels = 1;  // of models of other files
 
 // The mean of angle_factor() over the hemisphere of normals that face the light.
 float find_mean_angle_factor(float angle_scale) {
@@ -39,7 +40,8 @@ class SpaceLighter {
     std::sort(leaves.begin(), leaves.end());
     leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
     for (std::size_t i = 0; i < input.lights.size(); ++i)
-      if (input.sight.light_may_reach(i, leaves)) add(input.lights[i]);
+      if ((input.lights[i].channels & kModelChannels) != 0 && input.sight.light_may_reach(i, leaves))
+        add(input.lights[i]);
     if (input.scene.has_sky() && !input.beams.empty() && input.sight.sky_may_reach(leaves))
       for (const SkyBeam& beam : input.beams) add(beam);
     if (input.settings.bounce.count > 0) add_first_bounce();
@@ -59,7 +61,13 @@ class SpaceLighter {
       if (std::abs(value) > kLightGate) push(i, value);
     }
     if (lit_points_.empty()) return;
-    input_.scene.trace_to_point(lit_places_, light.origin_world, shares_);
+    LightPath path;
+    path.shadow_channels = light.shadow_channels;
+    input_.scene.trace_to_point(lit_places_, light.origin_world, shares_, path);
+    if (light.projection)
+      for (std::size_t i = 0; i < shares_.size(); ++i)
+        shares_[i] *=
+            find_projected_color(input_.projections[*light.projection], lit_places_[i] - light.origin_world);
     const LayerKind kind = light.attenuation == Attenuation::kLocalMinlight ? LayerKind::kRaise
                            : light.value < 0                                ? LayerKind::kSubtract
                                                                             : LayerKind::kAdd;
@@ -70,7 +78,9 @@ class SpaceLighter {
     clear();
     for (std::size_t i = 0; i < points_.size(); ++i)
       push(i, beam.value * find_mean_angle_factor(beam.angle_scale));
-    input_.scene.trace_to_sky(lit_places_, beam.toward_sky, shares_);
+    LightPath path;
+    path.sky_name = beam.sky_name;
+    input_.scene.trace_to_sky(lit_places_, beam.toward_sky, shares_, path);
     deposit(beam.color, beam.style, beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd);
   }
 
@@ -97,7 +107,8 @@ class SpaceLighter {
     if (!is_front || share == math::Vec3(0.0f)) return;
     const std::size_t luxel = find_luxel(input_.lit, input_.lit.maps[face], met_world);
     for (const LightLayer& from : input_.face_light[face].layers)
-      if (from.kind == LayerKind::kAdd && (from.style == 0 || input_.settings.bounce.styled))
+      if ((from.kind == LayerKind::kAdd || from.kind == LayerKind::kBounceMore) &&
+          (from.style == 0 || input_.settings.bounce.styled))
         light_.layer(from.style, LayerKind::kAdd, points_.size()).samples[point] +=
             from.samples[luxel] * share;
   }

@@ -11,6 +11,7 @@
 #include "compiler/light/rays/leaf_sight.h"
 #include "compiler/light/rays/ray_scene.h"
 #include "compiler/light/sources/light_source.h"
+#include "compiler/light/sources/projection.h"
 #include "compiler/light/sources/settings.h"
 #include "compiler/light/sources/sky_lights.h"
 
@@ -23,6 +24,7 @@ struct SpaceLightInput {
   const LeafSight& sight;  // made for `lights`
   const LightSettings& settings;
   std::span<const LightSource> lights;
+  std::span<const Projection> projections;
   std::span<const SkyBeam> beams;
   std::span<const FaceLight> face_light;      // direct light, by light map
   std::span<const math::Vec3> first_bounces;  // compute_first_bounces(), by face

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "compiler/light/rays/embree.h"
@@ -39,8 +40,10 @@ struct AttenuationContext {
   EmbreeContext embree;
   std::array<std::array<std::int32_t, 3>, kLanes> lost{};
   std::array<PassedSurfaces, kLanes> passed{};
-  std::uint32_t receiver_model = 0;
+  std::array<std::uint8_t, kLanes> switch_style{};  // of the switchable shadows; 0: none
+  LightPath path;
 };
+constexpr std::uint8_t kSeveralStyles = 255;  // in AttenuationContext::switch_style
 // The best hit so far of each lane, for keep_lowest_surface().
 struct TieContext {
   EmbreeContext embree;
@@ -70,23 +73,30 @@ math::Vec3 compute_share_through(const AlphaMask& surface, const math::Vec3& poi
   return transmission;
 }
 
-// Whether the surface's shadow falls on faces of the receiving model.
-bool falls_on(const AlphaMask& surface, std::uint32_t receiver_model) {
+// Whether the surface stops this light before it comes to the receiving model.
+bool may_stop(const AlphaMask& surface, const LightPath& path) {
+  if ((surface.channels & path.shadow_channels) == 0) return false;
   switch (surface.receivers) {
     case ShadowReceivers::kAll:
       break;
     case ShadowReceivers::kOwnModel:
-      return receiver_model == surface.model;
+      return path.receiver_model == surface.model;
     case ShadowReceivers::kWorld:
-      return receiver_model == 0;
+      return path.receiver_model == 0;
   }
   return true;
+}
+
+// Notes a switchable shadow on a ray.
+void note_switch_style(std::uint8_t style, std::uint8_t& io_known) {
+  io_known = io_known == 0 || io_known == style ? style : kSeveralStyles;
 }
 
 // The facts about the sky for reject_back_sides().
 struct SkySet {
   std::vector<OccluderTriangle> triangles;
   std::vector<math::Vec3> normals;
+  std::vector<std::uint32_t> names;
 };
 
 math::Vec3 read_ray_direction(const RTCFilterFunctionNArguments& arguments, unsigned lane) {
@@ -115,9 +125,14 @@ void pass_alpha_masks(const RTCFilterFunctionNArguments* arguments) {
     const math::Vec3 point = origin + direction * RTCRayN_tfar(arguments->ray, lanes, i);
     const std::uint32_t number = masks.triangles[triangle].surface;
     const AlphaMask& surface = masks.surfaces[number];
-    const math::Vec3 share = falls_on(surface, losses.receiver_model)
-                                 ? compute_share_through(surface, point, direction)
-                                 : math::Vec3(1.0f);
+    const math::Vec3 share =
+        may_stop(surface, losses.path) ? compute_share_through(surface, point, direction) : math::Vec3(1.0f);
+    if (surface.switch_style != 0) {
+      arguments->valid[i] = 0;
+      if (share != math::Vec3(1.0f))
+        note_switch_style(surface.switch_style, losses.switch_style[RTCRayN_id(arguments->ray, lanes, i)]);
+      continue;
+    }
     if (std::max({share.x, share.y, share.z}) < kMinShare)
       continue;  // it is as good as opaque: the hit stays
     arguments->valid[i] = 0;
@@ -159,6 +174,19 @@ void keep_lowest_surface(const RTCFilterFunctionNArguments* arguments) {
     ties.distance[lane] = distance;
     ties.surface[lane] = surface;
   }
+}
+
+// Whether light counts that has passed these switchable shadows.
+bool counts(std::uint8_t switch_style, const LightPath& path) {
+  switch (path.switched) {
+    case LightPath::Switched::kPass:
+      break;
+    case LightPath::Switched::kStop:
+      return switch_style == 0;
+    case LightPath::Switched::kOnly:
+      return switch_style == path.only_style;
+  }
+  return true;
 }
 
 // The share of light that is left after all losses.
@@ -243,7 +271,15 @@ LaneMask make_first_lanes(std::size_t count) {
   return mask;
 }
 
-constexpr float kSkyDistance = 1 << 26;  // longer than any level
+constexpr float kSkyDistance = 1 << 26;       // longer than any level
+constexpr std::uint32_t kOpaqueChannels = 1;  // of opaque triangles
+
+std::vector<std::uint8_t> list_switch_styles(std::span<const AlphaMask> surfaces) {
+  std::set<std::uint8_t> styles;
+  for (const AlphaMask& surface : surfaces)
+    if (surface.switch_style != 0) styles.insert(surface.switch_style);
+  return {styles.begin(), styles.end()};
+}
 
 }  // namespace
 
@@ -255,14 +291,21 @@ struct RayScene::Scenes {
   AlphaMaskSet masks;
   SkySet skies;
   std::vector<OccluderTriangle> opaque_triangles;
+  std::vector<std::uint8_t> switch_styles;
+
+  // Whether light comes from this triangle of the sky.
+  bool may_shine_from(const LightPath& path, unsigned triangle) const {
+    return !path.sky_name || skies.names[skies.triangles[triangle].surface] == *path.sky_name;
+  }
 
   // Finds the shares of the rays in `mask` and leaves the others unchanged.
   void compute_shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share,
-                      std::uint32_t receiver_model) const {
+                      const LightPath& path) const {
     AttenuationContext context;
-    context.receiver_model = receiver_model;
+    context.path = path;
     Embree::init_context(context.embree);
-    embree.occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
+    if ((path.shadow_channels & kOpaqueChannels) != 0)
+      embree.occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
     if (!masks.triangles.empty()) {
       LaneMask left = mask;
       for (std::size_t i = 0; i < kLanes; ++i)
@@ -272,7 +315,8 @@ struct RayScene::Scenes {
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (mask.lane[i] == 0) continue;
       // Embree sets tfar to minus infinity if a ray is blocked.
-      out_share[i] = io_rays.tfar[i] < 0 ? math::Vec3(0.0f) : compute_share_after(context.lost[i]);
+      const bool arrives = io_rays.tfar[i] >= 0 && counts(context.switch_style[i], path);
+      out_share[i] = arrives ? compute_share_after(context.lost[i]) : math::Vec3(0.0f);
     }
   }
 };
@@ -301,7 +345,9 @@ base::Result<RayScene> RayScene::make(Occluders occluders) {
   const RTCDevice device = scenes->device.get();
   scenes->masks = {std::move(occluders.masked), std::move(occluders.alpha_masks)};
   scenes->opaque_triangles = std::move(occluders.opaque);
-  scenes->skies = {std::move(occluders.skies), std::move(occluders.sky_normals)};
+  scenes->skies = {std::move(occluders.skies), std::move(occluders.sky_normals),
+                   std::move(occluders.sky_names)};
+  scenes->switch_styles = list_switch_styles(scenes->masks.surfaces);
   scenes->opaque = make_scene(embree, device);
   add_triangles(embree, device, scenes->opaque.get(), occluders.vertices, scenes->opaque_triangles,
                 {&scenes->opaque_triangles, nullptr, keep_lowest_surface});
@@ -319,13 +365,17 @@ base::Result<RayScene> RayScene::make(Occluders occluders) {
   return RayScene(std::move(scenes));
 }
 
+std::span<const std::uint8_t> RayScene::switch_styles() const {
+  return scenes_->switch_styles;
+}
+
 bool RayScene::has_sky() const {
   return !scenes_->skies.triangles.empty();
 }
 
 // Directions are not unit vectors here: each leads to the source, which is then at distance 1.
 void RayScene::trace_to_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
-                              std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+                              std::span<math::Vec3> out_share, const LightPath& path) const {
   CHECK(points.size() == out_share.size());
   RTCRay16 rays;
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
@@ -333,14 +383,14 @@ void RayScene::trace_to_point(std::span<const math::Vec3> points, const math::Ve
     for (std::size_t i = 0; i < count; ++i)
       set_lane(rays, i, points[first + i], source_world - points[first + i], 1);
     fill_lanes(rays, count);
-    scenes_->compute_shares(make_first_lanes(count), rays, out_share.data() + first, receiver_model);
+    scenes_->compute_shares(make_first_lanes(count), rays, out_share.data() + first, path);
   }
 }
 
 // First finds the sky along each ray, which shortens the ray to that distance; then looks for anything that
 // is in front of the sky.
 void RayScene::trace_to_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
-                            std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+                            std::span<math::Vec3> out_share, const LightPath& path) const {
   CHECK(points.size() == out_share.size());
   RTCRayHit16 rays;
   EmbreeContext context;
@@ -356,20 +406,21 @@ void RayScene::trace_to_sky(std::span<const math::Vec3> points, const math::Vec3
     LaneMask mask = make_first_lanes(count);
     scenes_->embree.intersect16(mask.lane.data(), scenes_->sky.get(), context, rays);
     for (std::size_t i = 0; i < count; ++i)
-      if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) mask.lane[i] = 0;
-    if (mask.any()) scenes_->compute_shares(mask, rays.ray, out_share.data() + first, receiver_model);
+      if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID || !scenes_->may_shine_from(path, rays.hit.primID[i]))
+        mask.lane[i] = 0;
+    if (mask.any()) scenes_->compute_shares(mask, rays.ray, out_share.data() + first, path);
   }
 }
 
 void RayScene::trace_to_void(std::span<const math::Vec3> points, const math::Vec3& direction,
-                             std::span<math::Vec3> out_share, std::uint32_t receiver_model) const {
+                             std::span<math::Vec3> out_share, const LightPath& path) const {
   CHECK(points.size() == out_share.size());
   RTCRay16 rays;
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) set_lane(rays, i, points[first + i], direction, kSkyDistance);
     fill_lanes(rays, count);
-    scenes_->compute_shares(make_first_lanes(count), rays, out_share.data() + first, receiver_model);
+    scenes_->compute_shares(make_first_lanes(count), rays, out_share.data() + first, path);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct OccluderTriangle {
 enum class ShadowReceivers : std::uint8_t { kAll, kOwnModel, kWorld };
 
 // A surface that lets some light through, because of transparent texels or of _light_alpha, or that stops it
-// for some receivers only.
+// for some receivers or lights only.
 struct AlphaMask {
   math::Vec3 normal{0.0f};
   math::Vec3 s_axis{0.0f}, t_axis{0.0f};
@@ -39,6 +40,19 @@ struct AlphaMask {
   std::vector<math::Vec3> transmission_by_texel;
   std::uint32_t model = 0;  // that the surface belongs to
   ShadowReceivers receivers = ShadowReceivers::kAll;
+  std::uint32_t channels = 1;  // bits: stops lights with one of these shadow channels
+  // Not 0: the style that brings the light back while the game switches the shadow off.
+  std::uint8_t switch_style = 0;
+};
+
+// The light that a query is about, and the face that it comes to.
+struct LightPath {
+  std::uint32_t receiver_model = 0;  // of the face that the points are on
+  std::uint32_t shadow_channels = 1;
+  // Switchable shadows: none stop the light; all do; or only light that one style brings back counts.
+  enum class Switched : std::uint8_t { kPass, kStop, kOnly } switched = Switched::kPass;
+  std::uint8_t only_style = 0;            // for kOnly
+  std::optional<std::uint32_t> sky_name;  // light comes only from skies with this entry in sky_names
 };
 
 // Everything that stops light.
@@ -49,6 +63,7 @@ struct Occluders {
   std::vector<OccluderTriangle> skies;   // surface: index into sky_normals
   std::vector<AlphaMask> alpha_masks;
   std::vector<math::Vec3> sky_normals;
+  std::vector<std::uint32_t> sky_names;  // as many: the number of its texture
 };
 
 // Where a ray ends.
@@ -71,21 +86,23 @@ class RayScene {
   RayScene& operator=(RayScene&&) noexcept;
 
   // Finds the share of light, 0 to 1 for each channel, that comes from `source_world` to each point. `points`
-  // and `out_share` have the same size. `receiver_model`: the model of the face that the points are on.
+  // and `out_share` have the same size.
   void trace_to_point(std::span<const math::Vec3> points, const math::Vec3& source_world,
-                      std::span<math::Vec3> out_share, std::uint32_t receiver_model = 0) const;
+                      std::span<math::Vec3> out_share, const LightPath& path = {}) const;
   // The same along `direction` (a unit vector away from the points), which must end on sky.
   void trace_to_sky(std::span<const math::Vec3> points, const math::Vec3& direction,
-                    std::span<math::Vec3> out_share, std::uint32_t receiver_model = 0) const;
+                    std::span<math::Vec3> out_share, const LightPath& path = {}) const;
   // The same from points inside a brush of sky, whose faces toward the void do not exist: rays that meet
   // nothing count as reaching the sky.
   void trace_to_void(std::span<const math::Vec3> points, const math::Vec3& direction,
-                     std::span<math::Vec3> out_share, std::uint32_t receiver_model = 0) const;
+                     std::span<math::Vec3> out_share, const LightPath& path = {}) const;
   // Finds the first opaque surface along each of `directions` (unit vectors), up to max_distance.
   void find_nearest(std::span<const math::Vec3> points, std::span<const math::Vec3> directions,
                     float max_distance, std::span<RayHit> out_hits) const;
 
   bool has_sky() const;
+  // The styles of switchable shadows, in ascending order.
+  std::span<const std::uint8_t> switch_styles() const;
 
  private:
   struct Scenes;

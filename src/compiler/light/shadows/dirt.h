@@ -11,9 +11,12 @@
 
 namespace temblor::compiler {
 
-// Returns, for each place, the share of light that dirt leaves: 1 - min(1, scale * o^gain), where o is the
-// mean of 1 - distance / depth over the rays. `normals`: one for each place.
+// Returns, for each place, how much is around it, 0 to 1: the mean of 1 - distance / depth over the rays.
+// `normals`: one for each place.
 std::vector<float> compute_dirt(const RayScene& scene, std::span<const math::Vec3> places,
                                 std::span<const math::Vec3> normals, const DirtSettings& settings);
+
+// Returns the share of light that is left where that much is around: 1 - min(1, scale * around^gain).
+float find_share_after_dirt(float around, float scale, float gain);
 
 }  // namespace temblor::compiler

@@ -17,15 +17,9 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr int kFirstSwitchableStyle = 32, kStyles = 64;
+constexpr int kStyles = 64;
+constexpr float kMaxGroup = 1 << 24;
 constexpr float kDefaultValue = 300, kDefaultConeDeg = 40;
-
-// Names a light by its origin: numbers of entities in the level differ from those in the map, which has
-// groups and details.
-std::string describe_light(const formats::Entity& entity) {
-  return fmt::format("{} at \"{}\"", base::printable(entity.classname()),
-                     base::printable(entity.find("origin").value_or("")));
-}
 
 // The "light" key as one number, or as red, green, blue and brightness.
 struct Brightness {
@@ -108,6 +102,21 @@ std::uint8_t read_style(const formats::Entity& entity) {
   return style >= 0 && style < kStyles ? static_cast<std::uint8_t>(style) : std::uint8_t{0};
 }
 
+// A number above 0; nothing for others.
+std::optional<float> read_positive(const formats::Entity& entity, std::string_view key) {
+  const std::optional<float> number = read_number(entity, key);
+  return number && *number > 0 ? number : std::nullopt;
+}
+
+// The end of a spotlight without _falloff, if _spotlightautofalloff asks for it: the distance to its target.
+float find_falloff_at_target(std::span<const formats::Entity> entities, const formats::Entity& entity,
+                             const LightSource& light) {
+  const auto target = entity.find("target");
+  if (light.falloff > 0 || !light.cone || !target || target->empty()) return light.falloff;
+  const auto at = find_target_origin(entities, *target);
+  return at ? glm::length(*at - light.origin_world) : 0;
+}
+
 // Reads a light, except its origin and direction.
 LightSource read_light(const formats::Entity& entity, const LightSettings& settings,
                        Attenuation attenuation) {
@@ -123,7 +132,12 @@ LightSource read_light(const formats::Entity& entity, const LightSettings& setti
       read_number_or(entity, "anglescale", read_number_or(entity, "anglesense", settings.angle_scale)), 0.0f,
       1.0f);
   light.style = read_style(entity);
-  light.takes_dirt = settings.dirt.on && read_number_or(entity, "dirt", 0) >= 0;
+  light.takes_dirt = settings.dirt.is_taken(read_number_or(entity, "dirt", 0));
+  light.dirt_scale = read_positive(entity, "dirtscale");
+  light.dirt_gain = read_positive(entity, "dirtgain");
+  light.bounce_scale = std::max(0.0f, read_number_or(entity, "bouncescale", 1));
+  light.channels = read_channels(entity, "light_channel_mask").value_or(1);
+  light.shadow_channels = read_channels(entity, "shadow_channel_mask").value_or(light.channels);
   return light;
 }
 
@@ -164,11 +178,18 @@ void add_light(std::span<const formats::Entity> entities, std::size_t number, co
   light.origin_world = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
   if (const auto direction = find_spot_direction(entities, number, light.origin_world, io_warnings))
     light.cone = read_cone(entity, *direction);
+  if (settings.spots_end_at_target) light.falloff = find_falloff_at_target(entities, entity, light);
+  if (const auto projection = read_projection(entity, light.cone)) {
+    light.projection = static_cast<std::uint32_t>(io_lights.projections.size());
+    io_lights.projections.push_back(*projection);
+  }
   if (const auto texture = entity.find("_surface"); texture && !texture->empty()) {
     const bool spotlight = read_number_or(entity, "surface_spotlight", 0) > 0;
     if (spotlight) light.cone = read_cone(entity, math::Vec3(0.0f));
-    io_lights.templates.push_back(
-        {std::string(*texture), read_number_or(entity, "surface_offset", 2), spotlight, light});
+    light.channels = light.shadow_channels = 1;
+    const float group = std::clamp(read_number_or(entity, "surflight_group", 0), -kMaxGroup, kMaxGroup);
+    io_lights.templates.push_back({std::string(*texture), read_number_or(entity, "surface_offset", 2),
+                                   spotlight, static_cast<std::int32_t>(group), light});
     return;
   }
   add_with_deviance(entity, light, io_lights.lights);
@@ -182,37 +203,13 @@ bool is_sun(const formats::Entity& entity) {
 
 }  // namespace
 
-bool is_light(const formats::Entity& entity) {
-  return entity.classname().starts_with("light");
+std::string describe_light(const formats::Entity& entity) {
+  return fmt::format("{} at \"{}\"", base::printable(entity.classname()),
+                     base::printable(entity.find("origin").value_or("")));
 }
 
-bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warnings& io_warnings) {
-  std::vector<std::string> names;
-  bool changed = false;
-  for (std::size_t number = 0; number < io_entities.size(); ++number) {
-    formats::Entity& entity = io_entities[number];
-    const std::string name(entity.find("targetname").value_or(""));
-    if (!is_light(entity) || name.empty()) continue;
-    auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-      if (names.size() == kStyles - kFirstSwitchableStyle) {
-        io_warnings.push_back({"too many switchable lights",
-                               describe_light(entity) + ": only 32 different targetnames can be switched"});
-        continue;
-      }
-      found = names.insert(names.end(), name);
-    }
-    const std::string style = fmt::format("{}", kFirstSwitchableStyle + (found - names.begin()));
-    const auto pair = std::find_if(entity.pairs.begin(), entity.pairs.end(),
-                                   [](const auto& candidate) { return candidate.first == "style"; });
-    if (pair != entity.pairs.end() && pair->second == style) continue;
-    changed = true;
-    if (pair != entity.pairs.end())
-      pair->second = style;
-    else
-      entity.pairs.emplace_back("style", style);
-  }
-  return changed;
+bool is_light(const formats::Entity& entity) {
+  return entity.classname().starts_with("light");
 }
 
 EntityLights find_entity_lights(std::span<const formats::Entity> entities, const LightSettings& settings,

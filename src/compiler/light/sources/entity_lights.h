@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/light/sources/light_source.h"
+#include "compiler/light/sources/projection.h"
 #include "compiler/light/sources/settings.h"
 #include "compiler/report.h"
 #include "formats/levels/entities.h"
@@ -17,6 +18,7 @@ struct SurfaceTemplate {
   std::string texture;
   float offset = 2;        // units in front of the face
   bool spotlight = false;  // shines along the face's normal
+  std::int32_t group = 0;  // shines only from brushes with this _surflight_group
   LightSource light;       // without an origin, and without a spotlight's direction
 };
 
@@ -24,15 +26,15 @@ struct SurfaceTemplate {
 struct EntityLights {
   std::vector<LightSource> lights;
   std::vector<SurfaceTemplate> templates;
+  std::vector<Projection> projections;  // by LightSource::projection; without texels
 };
-
-// Gives every light with a targetname the style that belongs to the name: 32 and up, in the order in which
-// names first appear. Returns whether an entity changed. Names beyond the 32nd keep their style, with a
-// warning.
-bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warnings& io_warnings);
 
 // Whether an entity is a light of any kind.
 bool is_light(const formats::Entity& entity);
+
+// Names a light by its origin: numbers of entities in the level differ from those in the map, which has
+// groups and details.
+std::string describe_light(const formats::Entity& entity);
 
 // Reads all lights except suns (sky_lights.h). Warns about lights that cannot be read.
 EntityLights find_entity_lights(std::span<const formats::Entity> entities, const LightSettings& settings,

@@ -14,11 +14,6 @@ std::string add_underscore(std::string_view key) {
   return fmt::format("_{}", key);
 }
 
-std::optional<math::Vec3> read_vec3(const formats::Entity& entity, std::string_view key) {
-  if (const auto value = entity.find_vec3(add_underscore(key))) return value;
-  return entity.find_vec3(key);
-}
-
 }  // namespace
 
 // If both spellings are there, the one with an underscore counts.
@@ -29,6 +24,18 @@ std::optional<float> read_number(const formats::Entity& entity, std::string_view
 
 float read_number_or(const formats::Entity& entity, std::string_view key, float otherwise) {
   return read_number(entity, key).value_or(otherwise);
+}
+
+std::optional<std::uint32_t> read_channels(const formats::Entity& entity, std::string_view key) {
+  constexpr float kEnd = 1 << 24;
+  const std::optional<float> mask = read_number(entity, key);
+  if (!mask || *mask < 0 || *mask >= kEnd) return std::nullopt;
+  return static_cast<std::uint32_t>(*mask);
+}
+
+std::optional<math::Vec3> read_vec3(const formats::Entity& entity, std::string_view key) {
+  if (const auto value = entity.find_vec3(add_underscore(key))) return value;
+  return entity.find_vec3(key);
 }
 
 std::optional<math::Vec3> read_color(const formats::Entity& entity, std::string_view key) {

@@ -1,6 +1,7 @@
 // Reads the keys of the light stage. Each works with and without a leading underscore.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -15,6 +16,12 @@ float read_number_or(const formats::Entity& entity, std::string_view key, float 
 
 // Reads a color in 0 to 1, or, if any channel is above 1, in 0 to 255. Returns it in 0 to 1.
 std::optional<math::Vec3> read_color(const formats::Entity& entity, std::string_view key);
+
+// Reads a mask of light channels: a number from 0 to 2^24 - 1. Returns nothing for other values.
+std::optional<std::uint32_t> read_channels(const formats::Entity& entity, std::string_view key);
+
+// Reads three numbers; nothing for other values.
+std::optional<math::Vec3> read_vec3(const formats::Entity& entity, std::string_view key);
 
 // Reads a direction as "yaw pitch roll". Positive pitch looks up here, unlike in the angles of entities.
 std::optional<math::Vec3> read_mangle(const formats::Entity& entity, std::string_view key);

@@ -36,7 +36,13 @@ struct LightSource {
   float angle_scale = 0.5f;  // 0: the angle does not matter, 1: light falls with its cosine
   std::uint8_t style = 0;
   bool takes_dirt = true;
+  std::optional<float> dirt_scale, dirt_gain;  // instead of the level's
+  float bounce_scale = 1;                      // of the light that surfaces send back
+  // Bits: the light reaches faces that have one of `channels`, and is stopped by those that have one of
+  // `shadow_channels`.
+  std::uint32_t channels = 1, shadow_channels = 1;
   std::optional<Cone> cone;
+  std::optional<std::uint32_t> projection;  // in the level's list of projections (projection.h)
 };
 
 // Values below this count as no light.

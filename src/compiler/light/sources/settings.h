@@ -8,8 +8,13 @@ namespace temblor::compiler {
 
 // Dirt (shadows/dirt.h): corners are darker, depending on what is within `depth` units of a point.
 struct DirtSettings {
-  bool on = false;                                         // _dirt
+  bool on = false;            // _dirt: lights without the key take dirt
+  bool is_forbidden = false;  // the mapper's options leave it out, whatever the keys say
+  bool is_random = false;     // _dirtmode 1: other directions at each point
   float depth = 128, scale = 1, gain = 1, angle_deg = 88;  // _dirtdepth, _dirtscale, ...
+
+  // Whether a light takes dirt; `key`: its own _dirt, 0: none.
+  bool is_taken(float key) const { return !is_forbidden && (key > 0 || (on && key >= 0)); }
 };
 
 // Bounced light (bounce.h).
@@ -30,6 +35,9 @@ struct LightSettings {
   float min_light = 0;       // _minlight, or worldspawn's "light"
   math::Vec3 min_light_color{1.0f};
   bool min_light_dirt = false;
+  bool adds_min_light = false;       // _addmin: minimum light is added to all light
+  bool spots_end_at_target = false;  // _spotlightautofalloff
+  int light_map_texels = 0;          // _lightmap_scale: between luxels, of all faces; 0: not given
   DirtSettings dirt;
   BounceSettings bounce;
   float units_per_luxel = 0;  // _world_units_per_luxel, for brushes without their own; 0: off

@@ -1,11 +1,14 @@
 #include "compiler/light/sources/sky_lights.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
 
+#include "base/text.h"
 #include "compiler/light/sources/directions.h"
 #include "compiler/light/sources/entity_lights.h"
 #include "compiler/light/sources/keys.h"
@@ -30,12 +33,8 @@ struct SunKeys {
   float angle_scale = 0.5f;
   std::uint8_t style = 0;
   bool takes_dirt = false;
+  std::optional<std::uint32_t> sky_name;
 };
-
-// `key`: the light's own key for dirt; negative: off.
-bool takes_dirt(const LightSettings& settings, float key) {
-  return settings.dirt.on && key >= 0;
-}
 
 // The number of beams for a value, such that each is about one step of the light map.
 int choose_beam_count(const SunKeys& sun, const SkySampling& sampling) {
@@ -55,7 +54,7 @@ void add_sun(const SunKeys& sun, const SkySampling& sampling, std::vector<SkyBea
     const math::Vec3 direction =
         beams == 1 ? sun.toward_sky : in_frame(frame, cap_direction(i, beams, cos_edge));
     io_beams.push_back({direction, sun.value / static_cast<float>(beams), sun.color, sun.angle_scale,
-                        sun.style, sun.takes_dirt});
+                        sun.style, sun.takes_dirt, sun.sky_name});
   }
 }
 
@@ -70,7 +69,8 @@ void add_dome(const SunKeys& dome, float up, const SkySampling& sampling, std::v
                         dome.color,
                         dome.angle_scale,
                         dome.style,
-                        dome.takes_dirt});
+                        dome.takes_dirt,
+                        dome.sky_name});
   }
 }
 
@@ -86,13 +86,14 @@ void add_world_sky(const formats::Entity& world, const LightSettings& settings, 
                    std::vector<SkyBeam>& io_beams) {
   constexpr math::Vec3 kWhite(1.0f);
   SunKeys sun;
-  sun.value = read_number_or(world, "sunlight", 0);
-  sun.color = read_color(world, "sunlight_color").value_or(kWhite);
+  sun.value = read_number_or(world, "sunlight", read_number_or(world, "sun_light", 0));
+  sun.color = read_color(world, "sunlight_color").value_or(read_color(world, "sun_color").value_or(kWhite));
+  sun.toward_sky = read_sky_direction(world, "sun_angle", sun.toward_sky);
   sun.toward_sky =
       read_sky_direction(world, "sun_mangle", read_sky_direction(world, "sunlight_mangle", sun.toward_sky));
   sun.penumbra_deg = read_number_or(world, "sunlight_penumbra", 0);
   sun.angle_scale = settings.angle_scale;
-  sun.takes_dirt = takes_dirt(settings, read_number_or(world, "sunlight_dirt", 0));
+  sun.takes_dirt = settings.dirt.is_taken(read_number_or(world, "sunlight_dirt", 0));
   add_sun(sun, sampling, io_beams);
 
   SunKeys second = sun;
@@ -105,7 +106,7 @@ void add_world_sky(const formats::Entity& world, const LightSettings& settings, 
   dome.value = read_number_or(world, "sunlight2", 0);
   dome.color =
       read_color(world, "sunlight2_color").value_or(read_color(world, "sunlight_color2").value_or(kWhite));
-  dome.takes_dirt = takes_dirt(settings, read_number_or(world, "sunlight2_dirt", 0));
+  dome.takes_dirt = settings.dirt.is_taken(read_number_or(world, "sunlight2_dirt", 0));
   add_dome(dome, 1, sampling, io_beams);
   dome.value = read_number_or(world, "sunlight3", 0);
   dome.color =
@@ -113,17 +114,32 @@ void add_world_sky(const formats::Entity& world, const LightSettings& settings, 
   add_dome(dome, -1, sampling, io_beams);
 }
 
+// The number of the texture that a sun's _suntexture names; nothing if the level lacks it.
+std::optional<std::uint32_t> find_sky_name(const world::Level& level, std::string_view texture) {
+  for (std::size_t i = 0; i < level.textures.size(); ++i)
+    if (base::equal_ignoring_case(level.textures[i].name, texture)) return static_cast<std::uint32_t>(i);
+  return std::nullopt;
+}
+
+// Whether a light entity makes a sun or dome.
+bool is_sky_light(const formats::Entity& entity) {
+  return is_light(entity) &&
+         (read_number_or(entity, "sun", 0) > 0 || read_number_or(entity, "sunlight2", 0) > 0 ||
+          read_number_or(entity, "sunlight3", 0) > 0);
+}
+
 // Reads the sun or dome that a light entity makes.
 void add_entity_sky(std::span<const formats::Entity> entities, const formats::Entity& entity,
-                    const LightSettings& settings, const SkySampling& sampling,
-                    std::vector<SkyBeam>& io_beams) {
+                    std::optional<std::uint32_t> sky_name, const LightSettings& settings,
+                    const SkySampling& sampling, std::vector<SkyBeam>& io_beams) {
   SunKeys sun;
+  sun.sky_name = sky_name;
   sun.value = read_number_or(entity, "light", 300);
   sun.color = read_color(entity, "color").value_or(math::Vec3(1.0f));
   sun.penumbra_deg = read_number_or(entity, "deviance", 0);
   sun.angle_scale = std::clamp(read_number_or(entity, "anglescale", settings.angle_scale), 0.0f, 1.0f);
   sun.style = static_cast<std::uint8_t>(std::clamp(read_number_or(entity, "style", 0), 0.0f, 63.0f));
-  sun.takes_dirt = takes_dirt(settings, read_number_or(entity, "dirt", 0));
+  sun.takes_dirt = settings.dirt.is_taken(read_number_or(entity, "dirt", 0));
   sun.toward_sky = read_sky_direction(entity, "mangle", sun.toward_sky);
   const auto target = entity.find("target");
   for (const formats::Entity& other : entities) {
@@ -137,19 +153,27 @@ void add_entity_sky(std::span<const formats::Entity> entities, const formats::En
     add_dome(sun, 1, sampling, io_beams);
   else if (read_number_or(entity, "sunlight3", 0) > 0)
     add_dome(sun, -1, sampling, io_beams);
-  else if (read_number_or(entity, "sun", 0) > 0)
+  else
     add_sun(sun, sampling, io_beams);
 }
 
 }  // namespace
 
 std::vector<SkyBeam> find_sky_beams(std::span<const formats::Entity> entities, const LightSettings& settings,
-                                    int max_beams) {
+                                    int max_beams, const world::Level& level, Warnings& io_warnings) {
   const SkySampling sampling{std::max(1, max_beams), settings.range};
   std::vector<SkyBeam> beams;
   for (const formats::Entity& entity : entities) {
     if (entity.classname() == "worldspawn") add_world_sky(entity, settings, sampling, beams);
-    if (is_light(entity)) add_entity_sky(entities, entity, settings, sampling, beams);
+    if (!is_sky_light(entity)) continue;
+    const std::string_view texture = entity.find("_suntexture").value_or("");
+    const std::optional<std::uint32_t> name = find_sky_name(level, texture);
+    if (!texture.empty() && !name)
+      io_warnings.push_back(
+          {"sun without its sky", fmt::format("{}: no face has its _suntexture \"{}\", so it does not shine",
+                                              describe_light(entity), base::printable(texture))});
+    else
+      add_entity_sky(entities, entity, texture.empty() ? std::nullopt : name, settings, sampling, beams);
   }
   return beams;
 }

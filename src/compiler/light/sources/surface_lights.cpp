@@ -58,6 +58,14 @@ std::vector<Polygon> cut_into_pieces(const Polygon& polygon) {
   return pieces;
 }
 
+// The style and color that a brush gives to the lights on its faces.
+LightSource adapt_to_brush(LightSource light, const SurfaceKeys& keys) {
+  const auto& [red, green, blue] = keys.surface_light_color;
+  if (red >= 0) light.color = {red, green, blue};
+  if (keys.surface_light_style >= 0) light.style = static_cast<std::uint8_t>(keys.surface_light_style);
+  return light;
+}
+
 math::Vec3d compute_polygon_center(const Polygon& polygon) {
   math::Vec3d sum(0.0);
   for (const math::Vec3d& corner : polygon) sum += corner;
@@ -75,7 +83,9 @@ std::vector<LightSource> find_surface_lights(const LitLevel& lit,
       const world::Face& face = level.faces[number];
       if (!base::equal_ignoring_case(level.texture(face.texture).name, shining.texture)) continue;
       const math::Vec3d normal = world::compute_face_plane(level, face).normal;
-      LightSource light = shining.light;
+      const SurfaceKeys& keys = lit.surface_keys(number);
+      if (keys.surface_light_group != shining.group) continue;
+      LightSource light = adapt_to_brush(shining.light, keys);
       if (light.cone && shining.spotlight) light.cone->direction = math::Vec3(normal);
       for (const Polygon& piece : cut_into_pieces(lit.corners_world(number))) {
         light.origin_world = math::Vec3(compute_polygon_center(piece) + normal * double{shining.offset});

@@ -1,0 +1,105 @@
+#include "compiler/light/sources/switchable_styles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/text.h"
+#include "compiler/light/sources/entity_lights.h"
+#include "compiler/light/sources/keys.h"
+
+namespace temblor::compiler {
+namespace {
+
+// Hands out styles by name.
+class StyleNames {
+ public:
+  explicit StyleNames(const std::vector<formats::Entity>& entities) {
+    constexpr float kEnd = 64;
+    for (const formats::Entity& entity : entities) {
+      if (entity.classname() != "worldspawn") continue;
+      first_ = static_cast<int>(std::clamp(read_number_or(entity, "compilerstyle_start", 32), 1.0f, kEnd));
+      end_ = static_cast<int>(std::clamp(read_number_or(entity, "compilerstyle_max", kEnd), 1.0f, kEnd));
+      return;
+    }
+  }
+
+  // The style of a name, which may be new; nothing if none is left.
+  std::optional<int> find_style(const std::string& name) {
+    auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) {
+      if (first_ + static_cast<int>(names_.size()) >= end_) return std::nullopt;
+      found = names_.insert(names_.end(), name);
+    }
+    return first_ + static_cast<int>(found - names_.begin());
+  }
+  int capacity() const { return std::max(0, end_ - first_); }
+
+ private:
+  int first_ = 32, end_ = 64;
+  std::vector<std::string> names_;
+};
+
+// Sets a key. Returns whether it had another value.
+bool set_style(std::string_view key, int number, formats::Entity& io_entity) {
+  const std::string style = fmt::format("{}", number);
+  const auto pair = std::find_if(io_entity.pairs.begin(), io_entity.pairs.end(),
+                                 [&](const auto& candidate) { return candidate.first == key; });
+  if (pair == io_entity.pairs.end()) {
+    io_entity.pairs.emplace_back(key, style);
+    return true;
+  }
+  if (pair->second == style) return false;
+  pair->second = style;
+  return true;
+}
+
+// The name that decides about the style of a shadow. A targetname of shadows is not one of lights; only
+// _switchableshadow_target refers to those. Shadows without a name have a style of their own.
+std::string find_shadow_name(const formats::Entity& entity, std::size_t number) {
+  if (const auto target = entity.find("_switchableshadow_target"); target && !target->empty())
+    return std::string(*target);
+  const std::string_view name = entity.find("targetname").value_or("");
+  return name.empty() ? fmt::format("\"shadow {}", number) : fmt::format("\"shadow of {}", name);
+}
+
+}  // namespace
+
+bool has_switchable_shadow(const formats::Entity& entity) {
+  return entity.find("model").value_or("").starts_with('*') &&
+         (read_number_or(entity, "switchableshadow", 0) > 0 ||
+          !entity.find("_switchableshadow_target").value_or("").empty());
+}
+
+bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warnings& io_warnings) {
+  StyleNames names(io_entities);
+  bool changed = false;
+  for (formats::Entity& entity : io_entities) {
+    const std::string name(entity.find("targetname").value_or(""));
+    if (!is_light(entity) || name.empty()) continue;
+    if (const auto style = names.find_style(name))
+      changed = set_style("style", *style, entity) || changed;
+    else
+      io_warnings.push_back(
+          {"too many switchable lights", fmt::format("{}: only {} different targetnames can be switched",
+                                                     describe_light(entity), names.capacity())});
+  }
+  for (std::size_t i = 0; i < io_entities.size(); ++i) {
+    formats::Entity& entity = io_entities[i];
+    if (!has_switchable_shadow(entity)) continue;
+    if (const auto style = names.find_style(find_shadow_name(entity, i)))
+      changed = set_style("switchshadstyle", *style, entity) || changed;
+    else
+      io_warnings.push_back(
+          {"too many switchable shadows",
+           fmt::format("{} with the model \"{}\": lights and shadows have {} styles, so it casts no shadow",
+                       base::printable(entity.classname()), base::printable(*entity.find("model")),
+                       names.capacity())});
+  }
+  return changed;
+}
+
+}  // namespace temblor::compiler
