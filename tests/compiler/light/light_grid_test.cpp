@@ -1,6 +1,7 @@
 // Grids of light in open space, compared with the formulas of lights and with the level's own leaves.
 #include "compiler/light/grid/light_grid.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,6 +69,32 @@ TEST(LightGridOfALevel, FollowsTheFormulaOfALight) {
     EXPECT_NEAR(gray(lights), std::max(0.0, 300 - distance) * 0.75 / 2, 1) << distance;
   });
   EXPECT_EQ(compared, 8 * 8 * 8);
+}
+
+// Models of other files are on channel 1; a projector along x lights only what is ahead of it.
+TEST(LightGridOfALevel, KnowsChannelsAndPictures) {
+  const auto grid_with = [](const char* keys, const char* world_keys = "") {
+    const LitResult lit =
+        light(room_with({fmt::format("{{ 'classname' 'light' 'origin' '0 0 0' 'light' '300' {} }}", keys),
+                         world_keys}),
+              with_grid());
+    EXPECT_TRUE(lit.warnings.empty());
+    return read_grid(lit.bsp);
+  };
+  const auto find_brightest = [](const formats::LightGrid& grid, double sign_x) {
+    double brightest = 0;
+    visit_open_samples(grid, [&](const math::Vec3d& place, auto lights) {
+      if (place.x * sign_x > 0) brightest = std::max(brightest, gray(lights));
+    });
+    return brightest;
+  };
+  EXPECT_GT(find_brightest(grid_with("'_light_channel_mask' '3'"), 1), 50);
+  EXPECT_EQ(find_brightest(grid_with("'_light_channel_mask' '2'", "'_minlight' '20'"), 1), 10);
+  const formats::LightGrid projected = grid_with("'_project_texture' 'wall' '_project_mangle' '0 0 0'");
+  EXPECT_GT(find_brightest(projected, 1), 20);
+  EXPECT_EQ(find_brightest(projected, -1), 0);
+  EXPECT_NEAR(find_brightest(grid_with("", "'_minlight' '20' '_addmin' '1'"), 1),
+              find_brightest(grid_with(""), 1) + 10, 1);
 }
 
 TEST(LightGridOfALevel, HasColorsStylesAndMinimumLight) {
