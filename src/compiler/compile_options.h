@@ -25,9 +25,9 @@ struct CompileOptions {
   StagePolicy visibility_policy = StagePolicy::kBuild;
   StagePolicy light_policy = StagePolicy::kBuild;
   bool fast_visibility = false;  // VisibilityKind::kRough instead of kFull
-  // The format is version 30 if draft.half_life; else BSP2 if `bsp2`, or if the level does not fit
-  // version 29.
-  bool bsp2 = false;
+  // The format is version 30 if draft.half_life; else BSP2 or 2PSB if the option says so; else version 29, or
+  // BSP2 if the level does not fit it.
+  bool bsp2 = false, psb2 = false;
 };
 
 }  // namespace temblor::compiler

@@ -81,16 +81,18 @@ base::Status check(const CompileCommandOptions& options) {
   if (options.fast && shared) return usage_error("--shard and --merge cannot be combined with --fast");
   if (from_level && (options.watch || options.only == CompileStage::kBsp))
     return usage_error("a .bsp has no brushes: --watch and --only bsp need the .map");
-  if (from_level && (options.no_vis || options.bsp2 || options.hlbsp || options.built_mips ||
-                     !options.wads.empty() || !options.textures.empty()))
+  if (from_level && (options.no_vis || options.bsp2 || options.psb2 || options.hlbsp || options.brush_list ||
+                     options.built_mips || !options.wads.empty() || !options.textures.empty()))
     return usage_error(
-        "--no-vis, --bsp2, --hlbsp, --build-mips, --wad, and --textures need the .map; a .bsp keeps its "
-        "textures and format");
+        "--no-vis, --bsp2, --2psb, --hlbsp, --brushlist, --build-mips, --wad, and --textures need the .map; "
+        "a "
+        ".bsp keeps its textures and format");
   if (!options.report.empty() && !is_html(options.report))
     return usage_error("--report needs a name that ends in .html");
   if (!options.report.empty() && shared)
     return usage_error("--report cannot be combined with --shard or --merge");
-  if (options.bsp2 && options.hlbsp) return usage_error("--bsp2 cannot be combined with --hlbsp");
+  if (options.bsp2 + options.psb2 + options.hlbsp > 1)
+    return usage_error("--bsp2, --2psb, and --hlbsp cannot be combined");
   return base::Ok{};
 }
 
@@ -183,6 +185,12 @@ Command* add_compile_command(Command& program, CompileCommandOptions& io_options
   command->add_flag("--build-mips", io_options.built_mips, "Rebuild the smaller mip levels of WAD textures");
   command->add_flag("--bsp2", io_options.bsp2,
                     "Always write BSP2, even if the level fits the original format");
+  command->add_flag("--2psb", io_options.psb2, "Write 2PSB, an older format for large levels");
+  command->add_flag("--brushlist", io_options.brush_list,
+                    "Write all brushes, with which newer engines let boxes of any size collide");
+  command->add_flag("--facenormals", io_options.face_normals,
+                    "Write the normals of smooth faces (_phong), for dynamic lights");
+  command->add_flag("--hdr", io_options.hdr, "Write light without an upper limit too, for newer engines");
   command->add_flag("--hlbsp", io_options.hlbsp, "Write version 30, for Half-Life and its clip hulls");
   command->add_flag("--prt", io_options.portals, "Also write the portals, for other visibility programs");
   command->add_option("--extra", io_options.extra, "Light samples in each direction: 1, 2, or 4")

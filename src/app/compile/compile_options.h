@@ -86,6 +86,8 @@ struct CompileCommandOptions {
   bool built_mips = false;
   // Write BSP2 even if the level fits version 29.
   bool bsp2 = false;
+  // Write 2PSB.
+  bool psb2 = false;
   // Write version 30, with the clip hulls and colored light of Half-Life.
   bool hlbsp = false;
   // Light samples in each direction: 1, 2, or 4.
@@ -106,6 +108,8 @@ struct CompileCommandOptions {
   // Write a light grid; its samples are this many units apart along each axis.
   bool light_grid = false;
   math::Vec3 light_grid_dist{32.0f};
+  // Write BSPX lumps for newer engines: all brushes, light without a limit, and the normals of faces.
+  bool brush_list = false, hdr = false, face_normals = false;
   // Nothing or 0: one per core.
   std::optional<int> threads{};
 };

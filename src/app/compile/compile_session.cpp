@@ -88,6 +88,10 @@ compiler::CompileOptions make_compile_options(const CompileCommandOptions& optio
   if (options.light_grid) how.light.grid_step = options.light_grid_dist;
   how.mip_levels = options.built_mips ? compiler::MipLevels::kBuilt : compiler::MipLevels::kFromSource;
   how.bsp2 = options.bsp2;
+  how.psb2 = options.psb2;
+  how.draft.brush_list = options.brush_list;
+  how.light.hdr = options.hdr;
+  how.light.face_normals = options.face_normals;
   how.draft.half_life = options.hlbsp;
   return how;
 }

@@ -8,6 +8,9 @@
 
 #include "app/inspect/inspection.h"
 #include "base/text.h"
+#include "formats/bspx/brush_list.h"
+#include "formats/bspx/face_normals.h"
+#include "formats/bspx/hdr_light.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/entities.h"
 #include "formats/levels/lit.h"
@@ -69,6 +72,28 @@ Inspection find_problems(const formats::Bsp& bsp, const world::Level& level) {
   return problems;
 }
 
+// Counts what the lumps of newer engines hold, which the game itself does not use.
+void add_bspx_counts(const formats::Bsp& bsp, Inspection& io_result, std::vector<std::string>& io_problems) {
+  if (const formats::BspxLump* lump = bsp.find_bspx(formats::kBrushListLump)) {
+    if (const auto models = formats::read_brush_list(lump->data); models.ok()) {
+      std::size_t brushes = 0;
+      for (const formats::ListedModel& model : *models) brushes += model.brushes.size();
+      io_result["listed brushes"] = {{"models", models->size()}, {"brushes", brushes}};
+    } else {
+      io_problems.push_back(models.error().what);
+    }
+  }
+  const auto add = [&](const char* name, const auto& read, const auto& count) {
+    if (!read.ok())
+      io_problems.push_back(read.error().what);
+    else if (count(*read) > 0)
+      io_result[name] = count(*read);
+  };
+  add("HDR light samples", formats::read_hdr_light(bsp), [](const auto& samples) { return samples.size(); });
+  add("normals of corners", formats::read_face_normals(bsp),
+      [](const formats::FaceNormals& normals) { return normals.corners.size(); });
+}
+
 }  // namespace
 
 // Besides the format's reader, this runs the checks that the game runs when it loads a level.
@@ -76,6 +101,7 @@ base::Result<Inspection> inspect_bsp(base::Bytes bytes) {
   TRY(const formats::Bsp bsp, formats::read_bsp(bytes));
   TRY(const std::shared_ptr<const world::Level> level, world::make_level(bsp, "inspected"));
   Inspection result;
+  std::vector<std::string> bspx_problems;
   result["version"] = formats::version_name(bsp.version);
   result["mins"] = make_json(bsp.models[0].mins);
   result["maxs"] = make_json(bsp.models[0].maxs);
@@ -88,9 +114,11 @@ base::Result<Inspection> inspect_bsp(base::Bytes bytes) {
   result["BSPX lumps"] = Inspection::array();
   for (const formats::BspxLump& lump : bsp.bspx)
     result["BSPX lumps"].push_back({{"name", lump.name}, {"bytes", lump.data.size()}});
+  add_bspx_counts(bsp, result, bspx_problems);
   result["entities"] = count_classes(level->entities);
   result["textures"] = list_textures(bsp);
   result["problems"] = find_problems(bsp, *level);
+  for (const std::string& problem : bspx_problems) result["problems"].push_back(problem);
   return result;
 }
 

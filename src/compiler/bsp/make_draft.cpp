@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "compiler/bsp/brushes/expand_brush.h"
 #include "compiler/bsp/brushes/level_brushes.h"
+#include "compiler/bsp/brushes/list_brushes.h"
 #include "compiler/bsp/cluster_portals.h"
 #include "compiler/bsp/faces/faces.h"
 #include "compiler/bsp/fence_sight.h"
@@ -185,6 +186,8 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   const std::vector<std::uint32_t> surface_of_face = writer.surface_of_face();
   Draft& draft = result.draft;
   draft.bsp = std::move(writer).take();
+  if (options.brush_list)
+    draft.bsp.bspx.push_back({formats::kBrushListLump, formats::write_brush_list(list_brushes(level))});
   draft.portals = make_cluster_portals(parts.front().tree, level.planes, leaves_of_world,
                                        draft.bsp.leaves.size(), options.water_is_transparent);
 

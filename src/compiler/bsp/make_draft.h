@@ -31,6 +31,7 @@ struct DraftOptions {
   double subdivide_texels = 240;     // longest side of a lit face; original engines draw no more
   bool fill_outside = true;          // false: keep the faces outside a sealed level
   bool clip_hulls = true;            // false: leave them empty, so nothing stops players
+  bool brush_list = false;           // write the BSPX lump BRUSHLIST
   bool half_life = false;            // clip hulls for Half-Life's boxes (version 30)
 };
 

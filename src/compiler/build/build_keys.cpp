@@ -144,6 +144,7 @@ StageKey make_brushes_key(const formats::Map& map, TextureSize texture_size, con
   hash.add(options.subdivide_texels);
   hash.add(std::uint64_t{options.fill_outside});
   hash.add(std::uint64_t{options.clip_hulls});
+  if (options.brush_list) hash.add(std::string_view("brush list"));
   // A map that does not begin with worldspawn is an error.
   hash.add(map.entities.empty() ? std::string_view{} : map.entities.front().fields.classname());
   for (const formats::MapEntity& entity : map.entities) {

@@ -19,6 +19,7 @@ namespace {
 base::Result<formats::Bsp> read_back(const formats::Bsp& bsp, const CompileOptions& options) {
   using formats::BspVersion;
   const BspVersion version = options.draft.half_life ? BspVersion::k30
+                             : options.psb2          ? BspVersion::k2Psb
                              : options.bsp2          ? BspVersion::kBsp2
                                                      : BspVersion::k29;
   base::Result<base::ByteVector> bytes = formats::write_bsp(bsp, version);
@@ -57,6 +58,7 @@ StagePolicy IncrementalBuild::choose_bsp(const formats::Map& map, const TextureS
   const auto texture_size = [&](std::string_view name) { return find_texture_size(textures, name); };
   brushes_key_ =
       base::hash_with(make_brushes_key(map, texture_size, options_.draft), options_.draft.half_life ? 2
+                                                                           : options_.psb2          ? 3
                                                                            : options_.bsp2          ? 1
                                                                                                     : 0);
   return is_bsp_up_to_date(map) ? StagePolicy::kReuse : StagePolicy::kBuild;

@@ -5,14 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <mutex>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "compiler/light/bounce.h"
 #include "compiler/light/cached_light.h"
 #include "compiler/light/direct_light.h"
+#include "compiler/light/faces/face_normals.h"
 #include "compiler/light/faces/light_hash.h"
 #include "compiler/light/faces/light_maps.h"
 #include "compiler/light/faces/phong.h"
@@ -26,12 +29,17 @@
 #include "compiler/light/sources/sky_lights.h"
 #include "compiler/light/sources/surface_lights.h"
 #include "compiler/light/sources/switchable_styles.h"
+#include "formats/bspx/face_normals.h"
+#include "formats/bspx/hdr_light.h"
 #include "formats/levels/entities.h"
 
 namespace temblor::compiler {
 namespace {
 
 constexpr const char* kColoredLump = "RGBLIGHTING";
+// Lumps of earlier light. That of directions would not fit the new light.
+constexpr std::array<std::string_view, 4> kReplacedLumps = {kColoredLump, formats::kLightGridLump,
+                                                            formats::kFaceNormalsLump, "LIGHTINGDIR"};
 
 // Everything that is known before the first ray is traced.
 struct PreparedLight {
@@ -57,6 +65,7 @@ LightSettings read_settings(const std::vector<formats::Entity>& entities, const 
   if (options.fast) settings.bounce.count = 0;
   settings.dirt.is_forbidden = options.fast || options.dirt == false;
   settings.min_light_dirt = settings.min_light_dirt && !settings.dirt.is_forbidden;
+  settings.has_hdr = options.hdr;
   return settings;
 }
 
@@ -270,8 +279,10 @@ LightSummary store_light(const PreparedLight& prepared, const LightOptions& opti
   PackedLight packed = pack_light_maps(prepared.lit, rules, io_work.light, io_jobs, io_bsp, io_warnings);
   if (prepared.styles_changed) io_bsp.entities = formats::write_entities(prepared.entities);
   std::erase_if(io_bsp.bspx, [](const formats::BspxLump& lump) {
-    return lump.name == kColoredLump || lump.name == formats::kLightGridLump;
+    return std::ranges::find(kReplacedLumps, lump.name) != kReplacedLumps.end();
   });
+  formats::set_hdr_light(packed.hdr, io_bsp);
+  if (options.face_normals) formats::set_face_normals(make_face_normals(prepared.lit), io_bsp);
   if (packed.colored) set_colored_lump(packed.lit, io_bsp);
   if (grid != nullptr)
     io_bsp.bspx.push_back({formats::kLightGridLump, formats::write_light_grid(make_octree(*grid))});

@@ -84,6 +84,39 @@ TEST_F(CompileProgram, WritesLevelsForHalfLife) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "room.lit"));
 }
 
+TEST_F(CompileProgram, WritesLumpsForNewerEngines) {
+  folder_.write("room.map", lit_room());
+  const Words compile{"compile", "room.map", "--2psb", "--brushlist", "--facenormals", "--hdr"};
+  const ProgramRun run = run_program(folder_.path(), compile);
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const ProgramRun inspected = run_program(folder_.path(), {"inspect", "--json", "room.bsp"});
+  ASSERT_EQ(inspected.exit_status, 0) << inspected.err;
+  const nlohmann::json level = nlohmann::json::parse(inspected.out);
+  const formats::Bsp bsp = read_level("room.bsp");
+  EXPECT_EQ(level.at("version"), "2PSB");
+  EXPECT_EQ(level.at("listed brushes").at("brushes"), 6);
+  EXPECT_EQ(level.at("HDR light samples"), bsp.lighting.size());
+  EXPECT_EQ(level.at("normals of corners"), bsp.surfedges.size());
+  EXPECT_THAT(level.at("problems"), IsEmpty());
+  const std::string first = read_text(folder_.path() / "room.bsp");
+  EXPECT_THAT(run_program(folder_.path(), compile).out, ContainsRegex("bsp +unchanged"));
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), first);
+  // Each option alone rebuilds what it changes.
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--clean", "-o", "plain.bsp"}).exit_status,
+            0);
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--brushlist"}).exit_status, 0);
+  EXPECT_EQ(read_level("room.bsp").version, formats::BspVersion::k29);
+  EXPECT_NE(read_level("room.bsp").find_bspx("BRUSHLIST"), nullptr);
+  EXPECT_EQ(read_level("room.bsp").find_bspx("FACENORMALS"), nullptr);
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map"}).exit_status, 0);
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), read_text(folder_.path() / "plain.bsp"));
+  // New light for a level without its map keeps the brushes.
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--brushlist", "--clean"}).exit_status, 0);
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.bsp", "--only", "light", "--hdr"}).exit_status, 0);
+  EXPECT_NE(read_level("room.bsp").find_bspx("BRUSHLIST"), nullptr);
+  EXPECT_NE(read_level("room.bsp").find_bspx("LIGHTING_E5BGR9"), nullptr);
+}
+
 TEST_F(CompileProgram, ReportsAMissingLightLibraryAtOnce) {
   folder_.write("room.map", lit_room());
   for (const char* name : {"libembree3.so.3", "libembree4.so.4"})
@@ -214,6 +247,8 @@ TEST_F(CompileProgram, ErrorsAreOneLine) {
       {{"compile", "broken.bsp"}, 1, {"broken.bsp"}},
       {{"compile", "none.bsp", "--watch"}, 2, {"--watch"}},
       {{"compile", "none.bsp", "--bsp2"}, 2, {"--bsp2", ".map"}},
+      {{"compile", "none.bsp", "--brushlist"}, 2, {"--brushlist", ".map"}},
+      {{"compile", "room.map", "--bsp2", "--2psb"}, 2, {"--bsp2", "--2psb"}},
       {{"compile", "none.bsp", "--no-vis"}, 2, {"--no-vis", ".map"}},
       {{"compile", "none.bsp", "--wad", "none.wad"}, 2, {"--wad", ".map"}},
   };

@@ -14,7 +14,7 @@ float max_channel(const math::Vec3& color) {
   return std::max({color.x, color.y, color.z});
 }
 
-math::Vec3 scale_to_bytes(const LightSettings& settings, math::Vec3 light) {
+math::Vec3 scale_to_steps(const LightSettings& settings, math::Vec3 light) {
   light = glm::max(light, math::Vec3(0.0f));
   const float brightest = max_channel(light);
   if (settings.max_light > 0 && brightest > settings.max_light) light *= settings.max_light / brightest;
@@ -22,6 +22,11 @@ math::Vec3 scale_to_bytes(const LightSettings& settings, math::Vec3 light) {
   if (settings.gamma != 1)
     for (int channel = 0; channel < 3; ++channel)
       light[channel] = std::pow(light[channel] / kMaxStored, 1 / settings.gamma) * kMaxStored;
+  return light;
+}
+
+math::Vec3 scale_to_bytes(const LightSettings& settings, math::Vec3 light) {
+  light = scale_to_steps(settings, light);
   const float too_bright = max_channel(light);
   return too_bright > kMaxStored ? light * (kMaxStored / too_bright) : light;
 }

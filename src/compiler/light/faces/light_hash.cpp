@@ -11,9 +11,9 @@ namespace temblor::compiler {
 namespace {
 
 // The BSPX lumps with light or about light, whichever compiler writes them.
-constexpr std::array<std::string_view, 9> kLightLumps = {"RGBLIGHTING", "LIGHTINGDIR",  "LIGHTING_E5BGR9",
-                                                         "LMSHIFT",     "LMOFFSET",     "LMSTYLE",
-                                                         "LMSTYLE16",   "DECOUPLED_LM", "LIGHTGRID_OCTREE"};
+constexpr std::array<std::string_view, 10> kLightLumps = {
+    "RGBLIGHTING", "LIGHTINGDIR", "LIGHTING_E5BGR9", "LMSHIFT",          "LMOFFSET",
+    "LMSTYLE",     "LMSTYLE16",   "DECOUPLED_LM",    "LIGHTGRID_OCTREE", "FACENORMALS"};
 
 std::uint64_t with_bytes(std::uint64_t hash, base::Bytes bytes) {
   return base::hash_with_bytes(base::hash_with(hash, bytes.size()), bytes);
@@ -97,6 +97,8 @@ std::uint64_t hash_light_input(const formats::Bsp& unlit_bsp, const FaceKeys& fa
   hash = base::hash_with(hash, static_cast<std::uint32_t>(options.soft));
   if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   if (options.grid_step) hash = with_vector(hash, *options.grid_step);
+  if (options.hdr || options.face_normals)
+    hash = base::hash_with(hash, (options.hdr ? 1u : 0u) + (options.face_normals ? 2u : 0u));
   return hash;
 }
 

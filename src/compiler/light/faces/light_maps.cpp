@@ -20,6 +20,7 @@
 #include "compiler/light/faces/light_bytes.h"
 #include "compiler/light/faces/min_light.h"
 #include "compiler/light/faces/soften.h"
+#include "formats/bspx/hdr_light.h"
 #include "formats/levels/decoupled_light.h"
 #include "formats/levels/scaled_light.h"
 
@@ -32,6 +33,7 @@ constexpr float kValuePerStep = 2;  // of lights, for one step of a light map
 struct StyledSamples {
   std::uint8_t style = 0;
   std::vector<std::uint8_t> rgb, gray;
+  std::vector<std::uint32_t> hdr;
   std::size_t brightness = 0;  // sum of all rgb
 };
 
@@ -73,6 +75,9 @@ StyledSamples pack_style(const LitLevel& lit, const PackRules& rules, std::size_
       result.brightness += result.rgb.back();
     }
     result.gray.push_back(round_to_byte(max_channel(bytes)));
+    if (rules.settings.has_hdr)
+      result.hdr.push_back(formats::pack_e5bgr9(
+          scale_to_steps(rules.settings, apply_brush_limits(keys, sample)) * formats::kHdrPerGrayStep));
   }
   return result;
 }
@@ -111,7 +116,7 @@ struct MapPlace {
 };
 
 // Appends a face's samples.
-MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, formats::Lit& io_lit) {
+MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, PackedLight& io_packed) {
   MapPlace place;
   if (map.styles.empty()) return place;
   place.offset = static_cast<std::int32_t>(io_bsp.lighting.size());
@@ -119,7 +124,8 @@ MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, formats::Lit& io_li
     const StyledSamples& samples = map.styles[i];
     place.styles[i] = samples.style;
     io_bsp.lighting.insert(io_bsp.lighting.end(), samples.gray.begin(), samples.gray.end());
-    io_lit.samples.insert(io_lit.samples.end(), samples.rgb.begin(), samples.rgb.end());
+    io_packed.lit.samples.insert(io_packed.lit.samples.end(), samples.rgb.begin(), samples.rgb.end());
+    io_packed.hdr.insert(io_packed.hdr.end(), samples.hdr.begin(), samples.hdr.end());
   }
   return place;
 }
@@ -132,12 +138,12 @@ struct BestMap {
 
 // Appends the maps of other scales, and returns the best map of each face.
 std::vector<BestMap> append_other_scales(const LitLevel& lit, const std::vector<FaceStyles>& by_map,
-                                         formats::Bsp& io_bsp, formats::Lit& io_lit) {
+                                         formats::Bsp& io_bsp, PackedLight& io_packed) {
   std::vector<BestMap> best;
   for (std::size_t face = 0; face < io_bsp.faces.size(); ++face)
     best.push_back({face, {io_bsp.faces[face].styles, io_bsp.faces[face].light_offset}});
   for (std::size_t map = best.size(); map < lit.maps.size(); ++map)
-    best[lit.maps[map].face] = {map, append(by_map[map], io_bsp, io_lit)};
+    best[lit.maps[map].face] = {map, append(by_map[map], io_bsp, io_packed)};
   return best;
 }
 
@@ -190,7 +196,7 @@ PackedLight pack_light_maps(const LitLevel& lit, const PackRules& rules, const s
   io_bsp.lighting.clear();
   std::size_t dropped = 0;
   for (std::size_t number = 0; number < io_bsp.faces.size(); ++number) {
-    const MapPlace place = append(by_map[number], io_bsp, packed.lit);
+    const MapPlace place = append(by_map[number], io_bsp, packed);
     io_bsp.faces[number].styles = place.styles;
     io_bsp.faces[number].light_offset = place.offset;
     dropped += by_map[number].dropped;
@@ -199,7 +205,7 @@ PackedLight pack_light_maps(const LitLevel& lit, const PackRules& rules, const s
   formats::set_scaled_light({}, io_bsp);
   formats::set_decoupled_light({}, io_bsp);
   if (lit.maps.size() > io_bsp.faces.size())
-    describe_maps(lit, append_other_scales(lit, by_map, io_bsp, packed.lit), io_bsp);
+    describe_maps(lit, append_other_scales(lit, by_map, io_bsp, packed), io_bsp);
   for (std::size_t i = 0; i + 2 < packed.lit.samples.size() && !packed.colored; i += 3)
     packed.colored = packed.lit.samples[i] != packed.lit.samples[i + 1] ||
                      packed.lit.samples[i] != packed.lit.samples[i + 2];

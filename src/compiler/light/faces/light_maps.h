@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "base/parallel_for.h"
@@ -18,7 +19,8 @@ namespace temblor::compiler {
 struct PackedLight {
   std::size_t lit_faces = 0, dark_faces = 0;
   bool colored = false;
-  formats::Lit lit;  // red, green and blue for each gray sample, even if all are gray
+  std::vector<std::uint32_t> hdr;  // for each gray sample; empty unless settings.has_hdr
+  formats::Lit lit;                // red, green and blue for each gray sample, even if all are gray
 };
 
 // How light becomes bytes.

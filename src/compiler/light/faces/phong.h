@@ -19,6 +19,8 @@ class PhongNormals {
 
   // False: the face has one normal everywhere.
   bool is_curved(std::size_t face) const { return !corner_normals_[face].empty(); }
+  // The unit normals at its corners, in their order; empty: it is flat.
+  std::span<const math::Vec3d> corners(std::size_t face) const { return corner_normals_[face]; }
   // The unit normal at a point near the face's plane.
   math::Vec3 at(const LightGrid& grid, const math::Vec3d& point_world) const;
 

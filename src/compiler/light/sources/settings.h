@@ -40,6 +40,7 @@ struct LightSettings {
   int light_map_texels = 0;          // _lightmap_scale: between luxels, of all faces; 0: not given
   DirtSettings dirt;
   BounceSettings bounce;
+  bool has_hdr = false;       // also pack light without an upper limit (--hdr)
   float units_per_luxel = 0;  // _world_units_per_luxel, for brushes without their own; 0: off
 };
 
