@@ -143,10 +143,16 @@ TEST_P(LevelCounts, LevelLoadsWithoutAWarning) {
   // Its thousands of lights would take seconds.
   if (std::string(GetParam()) == "lqdm5") options.light_policy = compiler::StagePolicy::kSkip;
   const CompiledMap compiled = compile_stock_map(data, GetParam(), options);
+  // The only mistakes in the maps: boxes are no places to start, and two keys are misspelled.
+  const auto is_known = [&](const compiler::Warning& warning) {
+    if (warning.kind == "unknown key")
+      return warning.what.find("_nolight is ignored") != std::string::npos ||
+             warning.what.find("_sun_mangle_ is ignored") != std::string::npos;
+    return is_box(GetParam()) &&
+           (warning.kind == "no info_player_start" || warning.kind == "no entity has an origin");
+  };
   for (const compiler::Warning& warning : compiled.warnings)
-    EXPECT_TRUE(is_box(GetParam()) &&
-                (warning.kind == "no info_player_start" || warning.kind == "no entity has an origin"))
-        << warning.kind;
+    EXPECT_TRUE(is_known(warning)) << warning.kind << ": " << warning.what;
   const base::ByteVector bytes = formats::write_bsp(compiled.level.bsp, formats::BspVersion::k29).value();
   TemporaryFolder folder;
   folder.write("level.bsp", base::as_text(bytes));
