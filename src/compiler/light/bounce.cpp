@@ -1,7 +1,13 @@
 // Method: radiosity, gathered by rays. Every face gets a grid of nodes, one for every fourth luxel along each
 // axis and at least on the rim. From each node go kRays rays, distributed by the cosine of their angle, and
 // each remembers the node nearest to where it ends. The mean light of those nodes is what the node gets. So
-// each ray is traced only once, however often the light bounces. Light is interpolated between nodes.
+// each ray is traced only once, however often the light bounces. Light is interpolated between nodes; those
+// under brushes take the light of their neighbors. Dirt darkens bounced light, too.
+//
+// A face sends back the share of its light that its texture's mean color has of white; gray textures count as
+// half of white. Light maps count light by 1 - s + s * cosine (s: _anglescale), where a matte surface gets
+// the cosine only. Over all directions that is 2 - s times as much, so one bounce counts 2 - s times, too. No
+// face sends back more than it gets.
 #include "compiler/light/bounce.h"
 
 #include <algorithm>
@@ -11,7 +17,9 @@
 #include <set>
 #include <span>
 
+#include "compiler/light/faces/fill_hidden.h"
 #include "compiler/light/faces/sample_points.h"
+#include "compiler/light/shadows/dirt.h"
 #include "compiler/light/sources/directions.h"
 #include "world/face_at.h"
 
@@ -21,11 +29,9 @@ namespace {
 constexpr int kLuxelsToNode = 4;
 constexpr int kRays = 128;  // of each node
 constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
-constexpr float kFar = 1 << 20;  // longer than any level
-// How bright bounced light is: measured on finished levels that their makers lit with one bounce. Each
-// further bounce keeps a fifth, like dark stone.
-constexpr float kFirstBounce = 1.125f;
-constexpr float kReflectance = 0.2f;
+constexpr std::uint32_t kHiddenNode = kNoNode - 1;  // the ray begins in solid
+constexpr float kFar = 1 << 20;                     // longer than any level
+constexpr float kGray = 127.0f / 255;               // reflected without the textures' colors
 
 // The nodes of one face.
 struct NodeGrid {
@@ -46,10 +52,9 @@ double find_luxel_at_node(int node, int nodes, int luxels) {
   return nodes <= 1 ? 0 : static_cast<double>(node) * (luxels - 1) / (nodes - 1);
 }
 
-// The nodes of all faces, and what faces reflect.
+// The nodes of all faces.
 struct BouncedWorld {
-  std::vector<NodeGrid> grids;          // by face
-  std::vector<math::Vec3> reflectance;  // by face
+  std::vector<NodeGrid> grids;  // by face
   std::vector<std::uint32_t> face_of_node;
 };
 
@@ -59,7 +64,6 @@ BouncedWorld lay_nodes(const LitLevel& lit) {
   const world::Level& level = *lit.level;
   BouncedWorld bounced;
   bounced.grids.resize(level.faces.size());
-  bounced.reflectance.assign(level.faces.size(), math::Vec3(kReflectance));
   for (std::size_t face = 0; face < level.faces.size(); ++face) {
     if (!lit.gets_light[face]) continue;
     const world::Face& shape = level.faces[face];
@@ -69,30 +73,40 @@ BouncedWorld lay_nodes(const LitLevel& lit) {
     bounced.face_of_node.insert(bounced.face_of_node.end(),
                                 static_cast<std::size_t>(grid.columns * grid.rows),
                                 static_cast<std::uint32_t>(face));
-    if (!lit.surface_keys(face).takes_bounce) bounced.reflectance[face] = math::Vec3(0.0f);
-    bounced.reflectance[face] *= lit.surface_keys(face).bounce_scale;
   }
   return bounced;
 }
 
-// The mean color of a texture, scaled so that its strongest channel is 1; white for black or missing texels.
-math::Vec3 find_mean_hue(const world::Texture& texture, const formats::Palette& palette) {
+// The mean color of a texture's visible texels, 0 to 1; gray for missing texels.
+math::Vec3 find_mean_color(const world::Texture& texture, const formats::Palette& palette) {
+  constexpr std::uint8_t kHole = 255;
   math::Vec3d sum(0.0);
-  for (const std::uint8_t texel : texture.mips[0])
+  double count = 0;
+  for (const std::uint8_t texel : texture.mips[0]) {
+    if (texture.kind == world::TextureKind::kCutout && texel == kHole) continue;
     sum += math::Vec3d(palette[texel].r, palette[texel].g, palette[texel].b);
-  const double strongest = std::max({sum.x, sum.y, sum.z});
-  return strongest > 0 ? math::Vec3(sum / strongest) : math::Vec3(1.0f);
+    ++count;
+  }
+  return count > 0 ? math::Vec3(sum / (count * 255)) : math::Vec3(kGray);
 }
 
-// Scales the reflectance of faces by the colors of their textures.
-void tint_by_textures(const LitLevel& lit, const BounceSettings& settings, const formats::Palette& palette,
-                      BouncedWorld& io_bounced) {
+// The share of light that each face sends back, by channel, 0 to 1; 0 for those that take no part.
+std::vector<math::Vec3> find_reflectances(const LitLevel& lit, const BounceSettings& settings,
+                                          const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
-  std::vector<math::Vec3> hues;
-  for (const world::Texture& texture : level.textures) hues.push_back(find_mean_hue(texture, palette));
+  std::vector<math::Vec3> of_texture(level.textures.size(), math::Vec3(kGray));
+  if (palette && settings.color_scale > 0)
+    for (std::size_t i = 0; i < of_texture.size(); ++i)
+      of_texture[i] =
+          glm::mix(of_texture[i], find_mean_color(level.textures[i], *palette), settings.color_scale);
+  const float over_all_angles = 2 - settings.angle_scale;
+  std::vector<math::Vec3> reflectances(level.faces.size(), math::Vec3(0.0f));
   for (std::size_t face = 0; face < level.faces.size(); ++face)
-    io_bounced.reflectance[face] *=
-        glm::mix(math::Vec3(1.0f), hues[base::to_size(level.faces[face].texture)], settings.color_scale);
+    if (lit.gets_light[face] && lit.surface_keys(face).takes_bounce)
+      reflectances[face] = glm::min(of_texture[base::to_size(level.faces[face].texture)] * over_all_angles *
+                                        lit.surface_keys(face).bounce_scale,
+                                    math::Vec3(1.0f));
+  return reflectances;
 }
 
 // The node of a face that is nearest to a point on it.
@@ -116,6 +130,19 @@ std::uint32_t find_node(const LitLevel& lit, const NodeGrid& grid, std::size_t f
   return grid.node(column, row);
 }
 
+// Moves places a little toward the middle of their face: rays from a place right on the edge of a brush would
+// see nothing but its sides.
+std::vector<math::Vec3> move_off_edges(const LightGrid& grid, std::vector<math::Vec3> places) {
+  constexpr double kUnits = 0.5;
+  for (math::Vec3& place : places) {
+    math::Vec3d way = grid.middle_world - math::Vec3d(place);
+    way -= grid.normal * glm::dot(way, grid.normal);
+    const double length = glm::length(way);
+    if (length > kUnits) place += math::Vec3(way * (kUnits / length));
+  }
+  return places;
+}
+
 // Traces the rays of a face: kRays node numbers for each of its nodes.
 void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& bounced, std::size_t face,
                 std::vector<std::uint32_t>& out_seen) {
@@ -128,7 +155,8 @@ void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& 
       const auto y = std::lround(find_luxel_at_node(row, nodes.rows, nodes.height));
       luxels.push_back(static_cast<std::uint32_t>(y * nodes.width + x));
     }
-  const std::vector<math::Vec3> places = sample_luxels(lit, scene, grid, luxels).points;
+  const SamplePoints samples = sample_luxels(lit, scene, grid, luxels);
+  const std::vector<math::Vec3> places = move_off_edges(grid, samples.points);
   const Frame frame = frame_around(math::Vec3(grid.normal));
   std::vector<math::Vec3> directions(places.size());
   std::vector<RayHit> hits(places.size());
@@ -136,8 +164,8 @@ void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& 
     std::fill(directions.begin(), directions.end(), in_frame(frame, cosine_direction(ray, kRays)));
     scene.find_nearest(places, directions, kFar, hits);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      std::uint32_t seen = kNoNode;
-      if (const RayHit& hit = hits[i]; hit.surface != RayHit::kNone) {
+      std::uint32_t seen = samples.is_hidden(i) ? kHiddenNode : kNoNode;
+      if (const RayHit& hit = hits[i]; seen == kNoNode && hit.surface != RayHit::kNone) {
         const world::FacePlane plane = world::compute_face_plane(*lit.level, lit.level->faces[hit.surface]);
         // The back of a face is not visible.
         if (glm::dot(math::Vec3d(directions[i]), plane.normal) < 0)
@@ -149,9 +177,23 @@ void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& 
   }
 }
 
-// The light that each node reflects: the mean of the luxels around it, times the
-// reflectance.
+// The mean of the luxels around a node of a face.
+template <typename Value>
+Value find_mean_around(const NodeGrid& grid, int column, int row, const std::vector<Value>& luxels) {
+  constexpr int kAround = kLuxelsToNode / 2;
+  const auto x = static_cast<int>(std::lround(find_luxel_at_node(column, grid.columns, grid.width)));
+  const auto y = static_cast<int>(std::lround(find_luxel_at_node(row, grid.rows, grid.height)));
+  Value sum(0.0f);
+  float count = 0;
+  for (int v = std::max(0, y - kAround); v <= std::min(grid.height - 1, y + kAround); ++v)
+    for (int u = std::max(0, x - kAround); u <= std::min(grid.width - 1, x + kAround); ++u, ++count)
+      sum += luxels[static_cast<std::size_t>(v * grid.width + u)];
+  return sum / count;
+}
+
+// The light of a style that each node reflects: the mean of the luxels around it, times the reflectance.
 std::vector<math::Vec3> collect_emitted_light(const BouncedWorld& bounced,
+                                              std::span<const math::Vec3> reflectances,
                                               const std::vector<FaceLight>& light, std::uint8_t style) {
   std::vector<math::Vec3> sent(bounced.face_of_node.size(), math::Vec3(0.0f));
   for (std::size_t face = 0; face < bounced.grids.size(); ++face) {
@@ -159,24 +201,44 @@ std::vector<math::Vec3> collect_emitted_light(const BouncedWorld& bounced,
     const LightLayer* layer = light[face].find(style, LayerKind::kAdd);
     if (grid.columns == 0 || layer == nullptr) continue;
     for (int row = 0; row < grid.rows; ++row)
-      for (int column = 0; column < grid.columns; ++column) {
-        const auto x = static_cast<int>(std::lround(find_luxel_at_node(column, grid.columns, grid.width)));
-        const auto y = static_cast<int>(std::lround(find_luxel_at_node(row, grid.rows, grid.height)));
-        constexpr int kAround = kLuxelsToNode / 2;
-        math::Vec3 sum(0.0f);
-        float count = 0;
-        for (int v = std::max(0, y - kAround); v <= std::min(grid.height - 1, y + kAround); ++v)
-          for (int u = std::max(0, x - kAround); u <= std::min(grid.width - 1, x + kAround); ++u, ++count)
-            sum += layer->samples[static_cast<std::size_t>(v * grid.width + u)];
-        sent[grid.node(column, row)] = sum / count * bounced.reflectance[face];
-      }
+      for (int column = 0; column < grid.columns; ++column)
+        sent[grid.node(column, row)] =
+            find_mean_around(grid, column, row, layer->samples) * reflectances[face];
   }
   return sent;
 }
 
+// By light map and luxel, the share of bounced light that dirt leaves; empty without dirt.
+using DirtShares = std::vector<std::vector<float>>;
+DirtShares find_dirt_shares(const DirtSettings& dirt, const std::vector<FaceLight>& light) {
+  DirtShares shares(light.size());
+  if (!dirt.is_taken(0)) return shares;
+  for (std::size_t map = 0; map < light.size(); ++map)
+    for (const float around : light[map].dirt)
+      shares[map].push_back(find_share_after_dirt(around, dirt.scale, dirt.gain));
+  return shares;
+}
+
+// The share of gathered light that each node sends back: the reflectance, less the dirt around it.
+std::vector<math::Vec3> find_sent_shares(const BouncedWorld& bounced,
+                                         std::span<const math::Vec3> reflectances,
+                                         const DirtShares& dirt_shares) {
+  std::vector<math::Vec3> shares(bounced.face_of_node.size());
+  for (std::size_t face = 0; face < bounced.grids.size(); ++face) {
+    const NodeGrid& grid = bounced.grids[face];
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column)
+        shares[grid.node(column, row)] =
+            reflectances[face] *
+            (dirt_shares[face].empty() ? 1 : find_mean_around(grid, column, row, dirt_shares[face]));
+  }
+  return shares;
+}
+
 // Adds gathered light to a light map, whose scale may differ from that of the nodes.
 void add_to_map(const LitLevel& lit, const NodeGrid& grid, const LightMapShape& map,
-                const std::vector<math::Vec3>& gathered, std::uint8_t style, FaceLight& io_light) {
+                const std::vector<math::Vec3>& gathered, std::uint8_t style,
+                std::span<const float> dirt_shares, FaceLight& io_light) {
   const std::uint32_t end = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
   if (std::all_of(gathered.begin() + grid.first_node, gathered.begin() + end,
                   [](const math::Vec3& light) { return light == math::Vec3(0.0f); }))
@@ -202,8 +264,9 @@ void add_to_map(const LitLevel& lit, const NodeGrid& grid, const LightMapShape& 
                                         column - static_cast<float>(left));
       const math::Vec3 below = glm::mix(gathered[grid.node(left, bottom)], gathered[grid.node(right, bottom)],
                                         column - static_cast<float>(left));
-      samples[static_cast<std::size_t>(y * map.width + x)] +=
-          glm::mix(above, below, row - static_cast<float>(top));
+      const auto luxel = static_cast<std::size_t>(y * map.width + x);
+      samples[luxel] += glm::mix(above, below, row - static_cast<float>(top)) *
+                        (dirt_shares.empty() ? 1 : dirt_shares[luxel]);
     }
   }
 }
@@ -211,10 +274,12 @@ void add_to_map(const LitLevel& lit, const NodeGrid& grid, const LightMapShape& 
 // The light that each node gets over all bounces of the light that is sent first.
 // Each bounce reads `sent` and writes gathered_now, so the result does not depend on the order of the faces.
 std::vector<math::Vec3> gather_light(const BouncedWorld& bounced, std::span<const std::uint32_t> seen,
-                                     const BounceSettings& settings, std::vector<math::Vec3> sent,
-                                     base::Jobs& io_jobs) {
+                                     std::span<const math::Vec3> sent_shares, const BounceSettings& settings,
+                                     std::vector<math::Vec3> sent, base::Jobs& io_jobs) {
   const std::size_t nodes = sent.size();
   std::vector<math::Vec3> gathered(nodes, math::Vec3(0.0f)), gathered_now(nodes);
+  std::vector<std::uint8_t> hidden(nodes);
+  for (std::size_t node = 0; node < nodes; ++node) hidden[node] = seen[node * kRays] == kHiddenNode ? 1 : 0;
   for (int bounce = 0; bounce < settings.count; ++bounce) {
     io_jobs.parallel_for(bounced.grids.size(), [&](std::size_t face) {
       const NodeGrid& grid = bounced.grids[face];
@@ -222,16 +287,18 @@ std::vector<math::Vec3> gather_light(const BouncedWorld& bounced, std::span<cons
       for (std::size_t node = grid.first_node; node < last; ++node) {
         math::Vec3 sum(0.0f);
         for (std::size_t ray = 0; ray < kRays; ++ray)
-          if (const std::uint32_t from = seen[node * kRays + ray]; from != kNoNode) sum += sent[from];
+          if (const std::uint32_t from = seen[node * kRays + ray]; from < kHiddenNode) sum += sent[from];
         gathered_now[node] = sum / float{kRays};
       }
+      fill_hidden(grid.columns, grid.rows, std::span(hidden).subspan(grid.first_node, last - grid.first_node),
+                  std::span(gathered_now).subspan(grid.first_node, last - grid.first_node));
     });
     for (std::size_t node = 0; node < nodes; ++node) {
       gathered[node] += gathered_now[node];
-      sent[node] = gathered_now[node] * bounced.reflectance[bounced.face_of_node[node]];
+      sent[node] = gathered_now[node] * sent_shares[node];
     }
   }
-  for (math::Vec3& light : gathered) light *= kFirstBounce / kReflectance * settings.scale;
+  for (math::Vec3& light : gathered) light *= settings.scale;
   return gathered;
 }
 
@@ -277,34 +344,35 @@ bool trace_bounces(const LitLevel& lit, const RayScene& scene, std::span<const s
 bool are_bounces_for(const LitLevel& lit, std::span<const std::uint32_t> seen) {
   const std::size_t nodes = lay_nodes(lit).face_of_node.size();
   return seen.size() == nodes * kRays && std::all_of(seen.begin(), seen.end(), [&](std::uint32_t node) {
-           return node < nodes || node == kNoNode;
+           return node < nodes || node >= kHiddenNode;
          });
 }
 
 std::vector<math::Vec3> compute_first_bounces(const LitLevel& lit, const BounceSettings& settings,
                                               const std::optional<formats::Palette>& palette) {
-  BouncedWorld bounced = lay_nodes(lit);
-  if (palette && settings.color_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
-  const float scale = settings.count > 0 ? kFirstBounce / kReflectance * settings.scale : 0;
-  for (std::size_t face = 0; face < bounced.reflectance.size(); ++face)
-    bounced.reflectance[face] *= bounced.grids[face].columns > 0 ? scale : 0;
-  return std::move(bounced.reflectance);
+  std::vector<math::Vec3> shares = find_reflectances(lit, settings, palette);
+  for (math::Vec3& share : shares) share *= settings.count > 0 ? settings.scale : 0.0f;
+  return shares;
 }
 
 void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
-                       const BounceSettings& settings, const std::optional<formats::Palette>& palette,
+                       const LightSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light) {
-  BouncedWorld bounced = lay_nodes(lit);
-  if (palette && settings.color_scale > 0) tint_by_textures(lit, settings, *palette, bounced);
+  const BounceSettings& bounce = settings.bounce;
+  const BouncedWorld bounced = lay_nodes(lit);
+  const std::vector<math::Vec3> reflectances = find_reflectances(lit, bounce, palette);
+  const DirtShares dirt_shares = find_dirt_shares(settings.dirt, io_light);
+  const std::vector<math::Vec3> sent_shares = find_sent_shares(bounced, reflectances, dirt_shares);
   const std::size_t nodes = bounced.face_of_node.size();
   CHECK(seen.size() == nodes * kRays);
-  for (const std::uint8_t style : list_bouncing_styles(settings, io_light)) {
+  for (const std::uint8_t style : list_bouncing_styles(bounce, io_light)) {
     const std::vector<math::Vec3> gathered =
-        gather_light(bounced, seen, settings, collect_emitted_light(bounced, io_light, style), io_jobs);
+        gather_light(bounced, seen, sent_shares, bounce,
+                     collect_emitted_light(bounced, reflectances, io_light, style), io_jobs);
     io_jobs.parallel_for(lit.maps.size(), [&](std::size_t map) {
       const std::size_t face = lit.maps[map].face;
       if (bounced.grids[face].columns > 0 && lit.surface_keys(face).takes_bounce)
-        add_to_map(lit, bounced.grids[face], lit.maps[map], gathered, style, io_light[map]);
+        add_to_map(lit, bounced.grids[face], lit.maps[map], gathered, style, dirt_shares[map], io_light[map]);
     });
   }
 }

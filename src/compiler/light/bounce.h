@@ -20,7 +20,7 @@ namespace temblor::compiler {
 // The targets of bounced light: the node that each of many rays ends at. Depends only on the level's shape,
 // so the light cache keeps it.
 struct BounceRays {
-  std::vector<std::uint32_t> seen;         // by ray, face after face: a node, or none
+  std::vector<std::uint32_t> seen;         // by ray, face after face: a node, or none, or hidden
   std::vector<std::size_t> begin_of_face;  // by face, plus one: where its rays begin in `seen`
   std::vector<std::uint8_t> is_traced;     // by face, 0 or 1
 };
@@ -35,11 +35,11 @@ bool trace_bounces(const LitLevel& lit, const RayScene& scene, std::span<const s
 // Whether `seen` has the right size and node numbers for this level.
 bool are_bounces_for(const LitLevel& lit, std::span<const std::uint32_t> seen);
 
-// Adds to style 0 of every face the light that it gets from others after settings.count bounces, and with
-// settings.styled, to every style. Negative lights do not bounce. Without a palette, faces are gray. `seen`:
-// BounceRays::seen of all faces. `io_light`: by light map.
+// Adds to style 0 of every face the light that it gets from others after settings.bounce.count bounces, and
+// with settings.bounce.styled, to every style. Negative lights do not bounce. Without a palette, faces are
+// gray. `seen`: BounceRays::seen of all faces. `io_light`: by light map.
 void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
-                       const BounceSettings& settings, const std::optional<formats::Palette>& palette,
+                       const LightSettings& settings, const std::optional<formats::Palette>& palette,
                        base::Jobs& io_jobs, std::vector<FaceLight>& io_light);
 
 // The share of a face's own light that arrives, after its first bounce, at a point that sees nothing else.

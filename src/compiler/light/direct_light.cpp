@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "compiler/light/faces/fill_hidden.h"
 #include "compiler/light/shadows/dirt.h"
 #include "compiler/light/shadows/shadow_record.h"
 #include "world/visibility.h"
@@ -39,38 +40,6 @@ bool lies_in_sky(const world::Level& level, std::span<const world::LeafIndex> le
   return std::any_of(leaves.begin(), leaves.end(), [&](world::LeafIndex leaf) {
     return level.leaf(leaf).contents == world::Contents::kSky;
   });
-}
-
-// Gives luxels that are inside solid the mean of their neighbors, ring by ring, so that what is visible of
-// them blends into the rest. If all luxels are hidden, nothing changes.
-void fill_hidden(const LightGrid& grid, const SamplePoints& places, std::span<math::Vec3> io_samples) {
-  std::vector<std::uint8_t> unknown;
-  for (std::size_t i = 0; i < places.leaves.size(); ++i) unknown.push_back(places.is_hidden(i) ? 1 : 0);
-  const int width = grid.width, height = grid.height;
-  const auto left = [&] { return std::count(unknown.begin(), unknown.end(), std::uint8_t{1}); };
-  for (auto before = left(); before > 0 && before < static_cast<std::ptrdiff_t>(unknown.size());) {
-    const std::vector<std::uint8_t> was_unknown = unknown;
-    for (int row = 0; row < height; ++row)
-      for (int column = 0; column < width; ++column) {
-        const auto luxel = static_cast<std::size_t>(row * width + column);
-        if (was_unknown[luxel] == 0) continue;
-        math::Vec3 sum(0.0f);
-        float count = 0;
-        for (int y = std::max(0, row - 1); y <= std::min(height - 1, row + 1); ++y)
-          for (int x = std::max(0, column - 1); x <= std::min(width - 1, column + 1); ++x) {
-            const auto other = static_cast<std::size_t>(y * width + x);
-            if (was_unknown[other] != 0) continue;
-            sum += io_samples[other];
-            ++count;
-          }
-        if (count == 0) continue;
-        io_samples[luxel] = sum / count;
-        unknown[luxel] = 0;
-      }
-    const auto now = left();
-    if (now == before) return;
-    before = now;
-  }
 }
 
 // Whether cached layers fit the map, since a damaged cache may hold anything.
@@ -134,7 +103,9 @@ class FaceLighter {
       learned_->shadows = std::move(shadows_).take();
       learned_->dirt = light_.dirt;
     }
-    for (LightLayer& layer : light_.layers) fill_hidden(grid_, filter_.luxel_places(), layer.samples);
+    std::vector<std::uint8_t> hidden;
+    for (std::size_t i = 0; i < places_.size(); ++i) hidden.push_back(is_hidden(i) ? 1 : 0);
+    for (LightLayer& layer : light_.layers) fill_hidden(grid_.width, grid_.height, hidden, layer.samples);
     return std::move(light_);
   }
 
@@ -307,7 +278,9 @@ class FaceLighter {
     const float distance = glm::length(way);
     float value = value_at(light, distance);
     if (std::abs(value) <= kLightGate) return 0;
-    value *= angle_factor(light.angle_scale, facing / distance);
+    // A minimum is the same on every side.
+    if (light.attenuation != Attenuation::kLocalMinlight)
+      value *= angle_factor(light.angle_scale, facing / distance);
     return light.cone ? value * cone_factor(*light.cone, way / distance) : value;
   }
 

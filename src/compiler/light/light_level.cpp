@@ -271,8 +271,7 @@ LightSummary store_light(const PreparedLight& prepared, const LightOptions& opti
   const LightSettings& settings = prepared.settings;
   if (has_bounces(prepared)) {
     change_bounced_sums(1, io_work.light);
-    add_bounced_light(prepared.lit, io_work.bounces.seen, settings.bounce, options.palette, io_jobs,
-                      io_work.light);
+    add_bounced_light(prepared.lit, io_work.bounces.seen, settings, options.palette, io_jobs, io_work.light);
     change_bounced_sums(-1, io_work.light);
   }
   const PackRules rules{settings, options.soft};

@@ -105,7 +105,7 @@ SurfaceKeys read_surface_keys(const formats::Entity& entity) {
   keys.takes_dirt = read_number_or(entity, "dirt", 0) >= 0;
   keys.takes_bounce = read_number_or(entity, "bounce", 0) >= 0;
   keys.ignores_light = read_number_or(entity, "lightignore", 0) > 0;
-  keys.lights_liquids = read_number_or(entity, "litwater", 0) > 0;
+  keys.lights_liquids = read_lights_liquids(entity).value_or(true);
   // On worldspawn, _lightmap_scale is a number of texels (sources/settings.h).
   const bool is_world = entity.classname() == "worldspawn";
   const float scale =
@@ -117,6 +117,12 @@ SurfaceKeys read_surface_keys(const formats::Entity& entity) {
   read_light_limits(entity, keys);
   read_surface_light_keys(entity, keys);
   return keys;
+}
+
+std::optional<bool> read_lights_liquids(const formats::Entity& entity) {
+  for (const char* key : {"litwater", "splitturb"})
+    if (const auto value = read_number(entity, key)) return *value > 0;
+  return std::nullopt;
 }
 
 // Entry 0 has the default keys, for faces of models that no entity shows.

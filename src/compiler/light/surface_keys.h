@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,7 @@ struct SurfaceKeys {
   bool takes_bounce = true;
   float bounce_scale = 1;               // _bouncescale: of the light that these faces send back
   bool ignores_light = false;           // _lightignore
-  bool lights_liquids = false;          // _litwater: liquids get light maps
+  bool lights_liquids = true;           // _litwater or _splitturb: liquids get light maps
   std::int8_t takes_light_behind = -1;  // _light_twosided; -1: only liquids do
   float max_light = 0;                  // _maxlight; 0: no limit
   float light_color_scale = 1;          // _lightcolorscale: 0: gray
@@ -76,6 +77,10 @@ void visit_fields(Keys& keys, const Visit& visit) {
 // Reads the keys of worldspawn, a func_group, a func_detail or a brush entity. Unknown keys and values that
 // are not numbers are ignored. Brush entities that the game moves cast a shadow only if they ask for it.
 SurfaceKeys read_surface_keys(const formats::Entity& entity);
+
+// Whether an entity's liquids have light maps (_litwater, or its other name _splitturb); nothing without the
+// key.
+std::optional<bool> read_lights_liquids(const formats::Entity& entity);
 
 // The keys of all faces of a level.
 struct FaceKeys {

@@ -136,7 +136,7 @@ TEST(LightKeys, OtherStylesBounceOnRequest) {
 }
 
 // Checks bytes, since our own reader does not use the light of liquids.
-TEST(LightKeys, LiquidsHaveLightMapsOnRequest) {
+TEST(LightKeys, LiquidsHaveLightMapsUnlessAKeySaysNo) {
   const auto brightest_water = [](const std::string& world_keys, const std::string& group_keys) {
     const LitResult lit = light(room_with(
         {"{ 'classname' 'light' 'origin' '0 0 50' }" +
@@ -153,10 +153,12 @@ TEST(LightKeys, LiquidsHaveLightMapsOnRequest) {
     return brightest;
   };
   const std::string yes = "'_litwater' '1'", no = "'_litwater' '0'";
-  EXPECT_EQ(brightest_water("", ""), 0);
-  EXPECT_GT(brightest_water(yes, ""), 0);
+  EXPECT_GT(brightest_water("", ""), 0);
+  EXPECT_EQ(brightest_water(no, ""), 0);
   EXPECT_EQ(brightest_water(yes, no), 0);
-  EXPECT_GT(brightest_water("", yes), 0);
+  EXPECT_GT(brightest_water(no, yes), 0);
+  EXPECT_EQ(brightest_water("'_splitturb' '0'", ""), 0) << "another name of _litwater";
+  EXPECT_EQ(brightest_water("", "'_splitturb' '0'"), 0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "compiler/light/lighting.h"
+#include "support/levels/room_map.h"
 
 namespace temblor::test {
 namespace {
@@ -55,12 +56,14 @@ TEST(LightSky, DomeLightsFromTheWholeHemisphere) {
   int looked_at = 0;
   double difference = 0;
   for (const RoomLuxel& luxel : room_luxels(lit)) {
-    // The mean of the arriving light over the hemisphere, by a grid of equal areas.
+    // The mean of the arriving light over elevations from 0 to 72 degrees.
     constexpr int kRings = 60, kTurns = 120;
+    constexpr double kHighestRad = 72 * std::numbers::pi / 180;
     double sum = 0;
     for (int ring = 0; ring < kRings; ++ring)
       for (int turn = 0; turn < kTurns; ++turn) {
-        const double z = (ring + 0.5) / kRings, radius = std::sqrt(1 - z * z);
+        const double elevation = kHighestRad * (ring + 0.5) / kRings;
+        const double z = std::sin(elevation), radius = std::cos(elevation);
         const double angle = (turn + 0.5) / kTurns * 2 * std::numbers::pi;
         const math::Vec3d toward(radius * std::cos(angle), radius * std::sin(angle), z);
         const double cosine = glm::dot(toward, luxel.normal);
@@ -73,6 +76,22 @@ TEST(LightSky, DomeLightsFromTheWholeHemisphere) {
   }
   EXPECT_GT(looked_at, 100);
   EXPECT_NEAR(difference / looked_at, 0, 0.5);
+}
+
+// A shaft so narrow that only the sky straight above is visible.
+TEST(LightSky, DomeLightsTheFloorOfADeepShaft) {
+  const std::string shaft =
+      box_text({-64, -64, -64}, {-8, 64, 64}, "wall") + box_text({8, -64, -64}, {64, 64, 64}, "wall") +
+      box_text({-8, -64, -64}, {8, -8, 64}, "wall") + box_text({-8, 8, -64}, {8, 64, 64}, "wall");
+  const LitResult lit =
+      light(room_with({"{ 'classname' 'func_group' " + shaft + "}", "'_sunlight2' '1000'", true}));
+  int of_floor = 0;
+  for (const RoomLuxel& luxel : room_luxels(lit, 0, 0)) {
+    if (luxel.normal.z < 1 || luxel.place_world.z > 0) continue;
+    EXPECT_GT(luxel.gray, 3) << luxel;
+    ++of_floor;
+  }
+  EXPECT_GT(of_floor, 0);
 }
 
 TEST(LightSky, PenumbraBlursEdgesAndKeepsTheCenter) {

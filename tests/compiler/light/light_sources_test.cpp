@@ -30,6 +30,7 @@ struct Expected {
   double angle_scale = 0.5;
   std::function<double(double cosine_to_beam)> cone = [](double) { return 1.0; };
   math::Vec3d beam{0, 0, -1};
+  double most_stored = 255;
 };
 
 double expected_at(const Expected& light, const RoomLuxel& luxel) {
@@ -45,7 +46,7 @@ void expect_room_lit(const std::string& keys, const Expected& light, const std::
   EXPECT_TRUE(lit.warnings.empty());
   double brightest = 0;
   for (const RoomLuxel& luxel : room_luxels(lit)) {
-    const double expected = stored(expected_at(light, luxel));
+    const double expected = std::min(light.most_stored, stored(expected_at(light, luxel)));
     brightest = std::max(brightest, expected);
     ASSERT_NEAR(luxel.gray, expected, 1) << keys << ": " << luxel;
   }
@@ -87,13 +88,18 @@ TEST(LightSources, LevelSettingsScaleLights) {
                   "'_dist' '3'");
   expect_room_lit("'light' '100'", {.value = [](double d) { return 2 * std::max(0.0, 100 - d); }},
                   "'_range' '1'");
+  // A limit of the stored light, which is half of the value.
+  expect_room_lit("'light' '300'", {.value = [](double d) { return 300 - d; }, .most_stored = 60},
+                  "'_maxlight' '60'");
   expect_room_lit("'light' '300' 'delay' '3'", {.value = [](double) { return 300.0; }, .angle_scale = 0},
                   "'_anglescale' '0'");
 }
 
 TEST(LightSources, LocalMinlightRaisesInsteadOfAdding) {
   const auto least = [](double) { return 150.0; };
-  expect_room_lit("'light' '150' 'delay' '4' '_anglescale' '0'", {.value = least, .angle_scale = 0});
+  for (const char* angle_scale : {"0", "0.5", "1"})
+    expect_room_lit(std::string("'light' '150' 'delay' '4' '_anglescale' '") + angle_scale + "'",
+                    {.value = least, .angle_scale = 0});
   const LitResult lit = test::light(
       room_with({"{ 'classname' 'light' 'origin' '10 -20 5' 'light' '150' 'delay' '4' '_anglescale' '0' }"
                  "{ 'classname' 'light' 'origin' '10 -20 5' 'light' '260' }"}));

@@ -50,7 +50,7 @@ struct StockLevel {
 
 TEST(LightStock, MeanLightMatchesFinishedLevels) {
   DATA_FOLDER_OR_SKIP(base_folder);
-  const compiler::LightOptions bounce_and_dirt{.bounces = 1, .dirt = true};
+  const compiler::LightOptions bounce_and_dirt{.bounces = 8, .dirt = true};
   std::vector<StockLevel> levels{{"lqdm1", bounce_and_dirt}};
   if (!kQuick) levels.insert(levels.end(), {{"lq_e1m2", bounce_and_dirt}, {"lq_e0m1", {}}});
   for (const StockLevel& stock : levels) {

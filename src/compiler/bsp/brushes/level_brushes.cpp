@@ -213,8 +213,8 @@ class BrushSorter {
   // Returns the index of an entity's surface keys; equal ones are stored once.
   std::uint32_t add_keys(const formats::Entity& fields) {
     SurfaceKeys keys = read_surface_keys(fields);
-    const float of_world = read_number_or(map_.entities.front().fields, "litwater", 0);
-    keys.lights_liquids = read_number_or(fields, "litwater", of_world) > 0;
+    if (!read_lights_liquids(fields))
+      keys.lights_liquids = read_lights_liquids(map_.entities.front().fields).value_or(true);
     const auto known = std::find(out_.surface_keys.begin(), out_.surface_keys.end(), keys);
     if (known != out_.surface_keys.end())
       return static_cast<std::uint32_t>(known - out_.surface_keys.begin());

@@ -16,9 +16,9 @@ float max_channel(const math::Vec3& color) {
 
 math::Vec3 scale_to_steps(const LightSettings& settings, math::Vec3 light) {
   light = glm::max(light, math::Vec3(0.0f));
+  light *= settings.range;
   const float brightest = max_channel(light);
   if (settings.max_light > 0 && brightest > settings.max_light) light *= settings.max_light / brightest;
-  light *= settings.range;
   if (settings.gamma != 1)
     for (int channel = 0; channel < 3; ++channel)
       light[channel] = std::pow(light[channel] / kMaxStored, 1 / settings.gamma) * kMaxStored;

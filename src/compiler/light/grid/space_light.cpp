@@ -52,7 +52,8 @@ class SpaceLighter {
  private:
   void add(const LightSource& light) {
     clear();
-    const float angle = find_mean_angle_factor(light.angle_scale);
+    const bool is_minimum = light.attenuation == Attenuation::kLocalMinlight;
+    const float angle = is_minimum ? 1 : find_mean_angle_factor(light.angle_scale);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const math::Vec3 way = light.origin_world - points_[i];
       const float distance = glm::length(way);
@@ -68,9 +69,9 @@ class SpaceLighter {
       for (std::size_t i = 0; i < shares_.size(); ++i)
         shares_[i] *=
             find_projected_color(input_.projections[*light.projection], lit_places_[i] - light.origin_world);
-    const LayerKind kind = light.attenuation == Attenuation::kLocalMinlight ? LayerKind::kRaise
-                           : light.value < 0                                ? LayerKind::kSubtract
-                                                                            : LayerKind::kAdd;
+    const LayerKind kind = is_minimum        ? LayerKind::kRaise
+                           : light.value < 0 ? LayerKind::kSubtract
+                                             : LayerKind::kAdd;
     deposit(light.color, light.style, kind);
   }
 

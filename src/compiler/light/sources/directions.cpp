@@ -34,6 +34,12 @@ math::Vec3 cap_direction(int i, int count, double cos_edge) {
   return find_spiral_direction(i, 1 - find_stratum_center(i, count) * (1 - cos_edge));
 }
 
+math::Vec3 dome_direction(int i, int count) {
+  if (i == 0) return {0, 0, 1};
+  constexpr double kHighestRad = 72 * std::numbers::pi / 180;
+  return find_spiral_direction(i, std::sin(kHighestRad * find_stratum_center(i - 1, count - 1)));
+}
+
 math::Vec3 cosine_direction(int i, int count) {
   // Points spread evenly over the disk below have this density on the hemisphere above (Malley's method).
   return find_spiral_direction(i, std::sqrt(1 - find_stratum_center(i, count)));

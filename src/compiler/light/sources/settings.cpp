@@ -62,6 +62,7 @@ LightSettings read_light_settings(const formats::Entity& worldspawn) {
   settings.spots_end_at_target = read_number_or(worldspawn, "spotlightautofalloff", 0) > 0;
   settings.light_map_texels = read_light_map_texels(worldspawn);
   settings.bounce = read_bounce_settings(worldspawn);
+  settings.bounce.angle_scale = settings.angle_scale;
   settings.units_per_luxel = read_positive_or(worldspawn, "world_units_per_luxel", 0);
   return settings;
 }

@@ -19,10 +19,11 @@ struct DirtSettings {
 
 // Bounced light (bounce.h).
 struct BounceSettings {
-  int count = 0;          // _bounce: how often light bounces
-  float scale = 1;        // _bouncescale
-  bool styled = false;    // _bouncestyled: switchable lights bounce, too
-  float color_scale = 0;  // _bouncecolorscale; 0: surfaces are gray, 1: they have their texture's color
+  int count = 0;             // _bounce: how often light bounces
+  float scale = 1;           // _bouncescale
+  bool styled = false;       // _bouncestyled: switchable lights bounce, too
+  float color_scale = 0;     // _bouncecolorscale; 0: surfaces are gray, 1: they have their texture's color
+  float angle_scale = 0.5f;  // LightSettings::angle_scale
 };
 
 // All settings, with their defaults.
@@ -30,7 +31,7 @@ struct LightSettings {
   float distance_scale = 1;  // _dist: scales every light's `wait`
   float range = 0.5f;        // _range: factor from light values to light map steps
   float gamma = 1;           // _gamma
-  float max_light = 0;       // _maxlight; 0: no limit
+  float max_light = 0;       // _maxlight, in light map steps; 0: no limit
   float angle_scale = 0.5f;  // _anglescale, for lights without the key
   float min_light = 0;       // _minlight, or worldspawn's "light"
   math::Vec3 min_light_color{1.0f};

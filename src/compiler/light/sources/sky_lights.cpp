@@ -63,7 +63,7 @@ void add_dome(const SunKeys& dome, float up, const SkySampling& sampling, std::v
   if (dome.value == 0) return;
   const int beams = choose_beam_count(dome, sampling);
   for (int i = 0; i < beams; ++i) {
-    const math::Vec3 direction = cap_direction(i, beams, 0);
+    const math::Vec3 direction = dome_direction(i, beams);
     io_beams.push_back({{direction.x, direction.y, direction.z * up},
                         dome.value / static_cast<float>(beams),
                         dome.color,

@@ -11,7 +11,7 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr double kPieceUnits = 128;
+constexpr double kGridUnits = 128;
 
 using Polygon = std::vector<math::Vec3d>;
 
@@ -34,8 +34,9 @@ Polygon slice(const Polygon& polygon, int axis, double low, double high) {
   return kept;
 }
 
-// Cuts a polygon into equal slices along one axis after another, none wider than kPieceUnits.
+// Cuts a polygon along the planes of the world's grid, one axis after another.
 std::vector<Polygon> cut_into_pieces(const Polygon& polygon) {
+  constexpr double kOnGrid = 0.01;  // so that a corner on a plane makes no sliver
   std::vector<Polygon> pieces{polygon};
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<Polygon> finer;
@@ -45,11 +46,12 @@ std::vector<Polygon> cut_into_pieces(const Polygon& polygon) {
         low = std::min(low, corner[axis]);
         high = std::max(high, corner[axis]);
       }
-      const int count = std::max(1, static_cast<int>(std::ceil((high - low) / kPieceUnits - 1e-6)));
-      for (int i = 0; i < count; ++i) {
-        Polygon part = count == 1 ? piece
-                                  : slice(piece, axis, low + (high - low) * i / count,
-                                          low + (high - low) * (i + 1) / count);
+      const double first = std::floor((low + kOnGrid) / kGridUnits);
+      const double last = std::max(first + 1, std::ceil((high - kOnGrid) / kGridUnits));
+      for (double cell = first; cell < last; ++cell) {
+        Polygon part = last == first + 1 ? piece
+                                         : slice(piece, axis, cell == first ? low : cell * kGridUnits,
+                                                 cell + 1 == last ? high : (cell + 1) * kGridUnits);
         if (part.size() >= 3) finer.push_back(std::move(part));
       }
     }

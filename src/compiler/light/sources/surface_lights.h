@@ -10,7 +10,7 @@
 
 namespace temblor::compiler {
 
-// Cuts each such face into pieces at most 128 units wide, and places a copy at the center of each.
+// Cuts each such face along the world's grid of 128 units, and places a copy at the center of each piece.
 std::vector<LightSource> find_surface_lights(const LitLevel& lit, std::span<const SurfaceTemplate> templates);
 
 }  // namespace temblor::compiler
