@@ -7,6 +7,7 @@
 #include "compiler/bsp/tree_portals.h"
 #include "compiler/build/incremental_build.h"
 #include "compiler/light/build_light.h"
+#include "compiler/stock_limits.h"
 #include "compiler/textures/level_textures.h"
 #include "compiler/vis/build_visibility.h"
 #include "compiler/world_keys.h"
@@ -158,6 +159,8 @@ base::Result<CompileReport> compile_level(const LevelSource& source, const Compi
   TRY_STATUS(pipeline.make_bsp(source.map, textures));
   TRY_STATUS(pipeline.update_visibility());
   TRY_STATUS(pipeline.update_light());
+  if (!options.draft.half_life)
+    warn_about_bytes({source.map, io_build.brush_entities}, io_build.bsp, context.warnings);
   return pipeline.finish();
 }
 

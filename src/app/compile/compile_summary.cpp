@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <system_error>
 
-#include "app/compile/level_limits.h"
 #include "app/files/diagnostics.h"
+#include "compiler/stock_limits.h"
 #include "formats/levels/bsp.h"
 
 namespace temblor::app {
@@ -48,16 +49,16 @@ void print_summary(const compiler::Build& build, const compiler::CompileReport& 
   std::error_code ignored;
   fmt::print("{}: {} bytes, version {}\n", paths.bsp.string(), std::filesystem::file_size(paths.bsp, ignored),
              formats::version_name(bsp.version));
-  for (const LevelLimit& limit : list_level_limits(bsp))
-    fmt::print("  {:<18} {:>8} of {}{}\n", limit.name, limit.count, limit.stock_limit,
-               limit.is_exceeded() ? "  exceeds the original engine's limit" : "");
+  for (const compiler::PartCount& part : compiler::count_parts(bsp))
+    fmt::print("  {:<20} {:>8} of {}{}\n", part.what, part.count, part.limit,
+               part.is_exceeded() ? "  exceeds the original engine's limit" : "");
   if (build.mean_visible_share)
     fmt::print("  average visible leaves {:.1f} %\n", *build.mean_visible_share * 100);
   for (const compiler::StageTime& time : report.times) {
     if (time.wall_s)
-      fmt::print("  {:<18} {:>8.2f} s\n", time.name, *time.wall_s);
+      fmt::print("  {:<20} {:>8.2f} s\n", time.name, *time.wall_s);
     else
-      fmt::print("  {:<18} unchanged\n", time.name);
+      fmt::print("  {:<20} unchanged\n", time.name);
   }
 }
 

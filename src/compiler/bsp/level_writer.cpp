@@ -125,6 +125,8 @@ void LevelWriter::add_faces(std::span<const TreeFace> faces, ModelParts& io_part
         if (in_sight(leaf)) marked[io_parts.leaf_numbers[leaf] - io_parts.first_leaf].push_back(index);
     }
   }
+  for (std::size_t i = bsp_.vertices.size(); i < vertices_.points().size(); ++i)
+    bsp_.vertices.push_back(math::Vec3(vertices_.points()[i]));
   for (std::size_t i = 0; i < marked.size(); ++i) {
     if (marked[i].empty()) continue;
     formats::BspLeaf& leaf = bsp_.leaves[io_parts.first_leaf + i];
@@ -170,6 +172,7 @@ std::pair<std::int32_t, Box> LevelWriter::add_node(std::int32_t child, const Mod
   }
   node.mins = box_mins(box);
   node.maxs = box_maxs(box);
+  if (node.children == std::array<std::int32_t, 2>{-1, -1}) between_solids_.push_back(index);
   bsp_.nodes[index] = node;
   return {static_cast<std::int32_t>(index), box};
 }
@@ -220,8 +223,13 @@ std::int32_t LevelWriter::surfedge(std::uint32_t from, std::uint32_t to) {
 }
 
 formats::Bsp LevelWriter::take() && {
-  if (vertices_.points().empty()) bsp_.vertices.emplace_back();  // edge 0 needs one even if nothing is drawn
-  for (const math::Vec3d& point : vertices_.points()) bsp_.vertices.push_back(math::Vec3(point));
+  if (!between_solids_.empty()) {
+    // After all leaves that can be seen, so that it is in no PVS.
+    for (const std::size_t node : between_solids_)
+      bsp_.nodes[node].children[1] = -static_cast<std::int32_t>(bsp_.leaves.size()) - 1;
+    bsp_.leaves.push_back(bsp_.leaves.front());
+  }
+  if (bsp_.vertices.empty()) bsp_.vertices.emplace_back();  // edge 0 needs one even if nothing is drawn
   return std::move(bsp_);
 }
 

@@ -1,7 +1,8 @@
 // Writes trees and faces into a level's lumps, one model after another.
 //
-// Leaf 0 of a level is the solid leaf that all solid leaves of all trees share. Edges are shared by the two
-// faces on both sides of them.
+// Leaf 0 of a level is the solid leaf that all solid leaves of all trees share. If both children of a node
+// are solid, one is a second solid leaf, because DarkPlaces refuses nodes with equal children. Edges are
+// shared by the two faces on both sides of them.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +32,8 @@ class LevelWriter {
 
   // By face of the level: the surface that it shows.
   const std::vector<std::uint32_t>& surface_of_face() const { return surface_of_face_; }
+  // The level so far.
+  const formats::Bsp& level() const { return bsp_; }
   // Returns the level without texinfos, textures, entities, visibility and light.
   formats::Bsp take() &&;
 
@@ -59,6 +62,8 @@ class LevelWriter {
   // Edges that only one face uses so far, by their two vertices.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> open_edges_;
   std::vector<std::uint32_t> surface_of_face_;
+  // Nodes with faces between a fence and a solid: both children are leaf 0.
+  std::vector<std::size_t> between_solids_;
 };
 
 }  // namespace temblor::compiler

@@ -16,6 +16,7 @@
 #include "compiler/bsp/level_writer.h"
 #include "compiler/bsp/second_tree.h"
 #include "compiler/bsp/tree.h"
+#include "compiler/stock_limits.h"
 
 namespace temblor::compiler {
 namespace {
@@ -174,6 +175,7 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   result.is_region = level.is_region;
   LevelWriter writer(level.planes);
   std::vector<std::uint32_t> leaves_of_world;
+  std::vector<std::vector<PartCount>> after_model;
 
   for (std::size_t model = 0; model < models; ++model) {
     const Partition& drawn = parts[model * trees];
@@ -182,6 +184,7 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
     if (model == 0) leaves_of_world = leaves;
 
     for (std::size_t hull = 1; hull < trees; ++hull) writer.set_hull(hull, parts[model * trees + hull].tree);
+    after_model.push_back(count_records(writer.level()));
   }
   const std::vector<std::uint32_t> surface_of_face = writer.surface_of_face();
   Draft& draft = result.draft;
@@ -200,6 +203,8 @@ base::Result<DraftResult> make_draft(const formats::Map& map, TextureSize textur
   draft.bsp.entities = formats::write_entities(level.entities);
   draft.brush_entities = std::move(level.brush_entities);
   draft.surface_keys = std::move(level.surface_keys);
+  if (!options.half_life)
+    warn_about_records({map, draft.brush_entities}, draft.bsp, after_model, io_warnings);
   if (const auto& leak = parts.front().leak) {
     const std::size_t entity = level.entity_of_occupant[leak->entity];
     result.leak = LeakPath{entity, map.entities[entity].line,

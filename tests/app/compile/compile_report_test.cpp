@@ -149,8 +149,8 @@ TEST_F(CompileReportTest, NumbersAreThoseOfTheLevel) {
   };
   EXPECT_EQ(used("faces"), bsp.faces.size());
   EXPECT_EQ(used("clipnodes"), bsp.clipnodes.size());
-  EXPECT_EQ(used("light bytes"), bsp.lighting.size());
-  EXPECT_EQ(used("visibility bytes"), bsp.visibility.size());
+  EXPECT_EQ(used("bytes of light"), bsp.lighting.size());
+  EXPECT_EQ(used("bytes of visibility"), bsp.visibility.size());
   // Each face is in one group of light maps and has one texture. All samples of this level are those of
   // faces.
   const Rows groups = read_rows(find_section(page, "lightmaps"));

@@ -220,5 +220,25 @@ TEST(BrushKinds, HintOutsideTheLevelDoesNothing) {
   EXPECT_EQ(with.draft.bsp.faces.size(), without.draft.bsp.faces.size());
 }
 
+// DarkPlaces refuses nodes with equal children. Between a fence and a wall, both sides are solid.
+TEST(BrushKinds, NodesBetweenAFenceAndAWallHaveTwoChildren) {
+  const DraftResult result =
+      compile_draft(room_text() + entity_text("func_detail_fence", "",
+                                              box_text({-32, -32, 0}, {32, 32, 64}, "{fence") +
+                                                  box_text({0, -32, 32}, {64, 32, 96}, "{other")));
+  EXPECT_EQ(find_level_fault(result), "");
+  const formats::Bsp& bsp = result.draft.bsp;
+  int between_solids = 0;
+  for (const formats::BspNode& node : bsp.nodes) {
+    EXPECT_NE(node.children[0], node.children[1]);
+    const auto is_solid = [&](std::int32_t child) {
+      constexpr std::int32_t kSolidContents = -2;
+      return child < 0 && bsp.leaves[static_cast<std::size_t>(~child)].contents == kSolidContents;
+    };
+    between_solids += is_solid(node.children[0]) && is_solid(node.children[1]) ? 1 : 0;
+  }
+  EXPECT_GT(between_solids, 0) << "the test has such nodes";
+}
+
 }  // namespace
 }  // namespace temblor::test

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "app/compile/leak_picture.h"
-#include "app/compile/level_limits.h"
 #include "app/compile/report/html.h"
 #include "app/compile/report/level_figures.h"
 #include "app/compile/report/level_plan.h"
 #include "app/compile/report/report_style.h"
 #include "app/compile/report/texture_table.h"
 #include "base/text.h"
+#include "compiler/stock_limits.h"
 #include "world/level.h"
 
 namespace temblor::app {
@@ -103,13 +103,13 @@ std::string write_limits(const formats::Bsp& bsp) {
   std::string html =
       "<section id=\"limits\">\n<h2>Limits of the original engine</h2>\n<table>\n<tr><th></th><th "
       "class=\"n\">used</th><th class=\"n\">limit</th><th class=\"n\">share</th><th></th></tr>\n";
-  for (const LevelLimit& limit : list_level_limits(bsp)) {
-    const double used = share(limit.count, limit.stock_limit);
+  for (const compiler::PartCount& part : compiler::count_parts(bsp)) {
+    const double used = share(part.count, part.limit);
     html += fmt::format(
         "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n{}\">{:.1f} "
         "%</td><td>{}</td></tr>\n",
-        limit.name, limit.count, limit.stock_limit, limit.is_exceeded() ? " alarm" : "", used * 100,
-        make_bar(used, limit.is_exceeded()));
+        part.what, part.count, part.limit, part.is_exceeded() ? " alarm" : "", used * 100,
+        make_bar(used, part.is_exceeded()));
   }
   return html + "</table>\n</section>\n";
 }
