@@ -4,6 +4,8 @@
 //   |------ round 1 ------|--- round 2 ---|-- round 3 --|- 4 -|- 5 -|- 6 -|- 7 -|
 //    base visibility only   uses the rows    uses the rows of rounds 1 and 2 ...
 //                           of round 1
+//
+// Crowded portals get bounds in a round of their own, before these.
 #include "compiler/vis/visibility.h"
 
 #include <algorithm>
@@ -20,6 +22,7 @@
 #include "compiler/vis/flow/base_visibility.h"
 #include "compiler/vis/flow/portal_flow.h"
 #include "compiler/vis/flow/portal_graph.h"
+#include "compiler/vis/flow/reach.h"
 
 namespace temblor::compiler {
 
@@ -28,11 +31,14 @@ namespace {
 using vis::PortalGraph;
 
 // Raise this if the same portals get other rows, so that no saved state is continued by another method.
-constexpr std::uint64_t kMethod = 1;
+constexpr std::uint64_t kMethod = 2;
 
 // Where rounds end, in percent of the portals. The first portals are quick and the last ones slow, so rounds
 // get shorter. With more rounds, a run waits more often for its slowest thread and gains little.
 constexpr std::array<std::size_t, 7> kRoundEnds{40, 60, 75, 85, 92, 97, 100};
+
+// A portal that might see more clusters than this is crowded. Few portals of ordinary levels are.
+constexpr std::size_t kCrowdedClusters = 512;
 
 // Depends on every number of every portal, in order.
 std::uint64_t compute_fingerprint(const PortalSet& set) {
@@ -68,17 +74,30 @@ WorkOrder order_portals(const BitMatrix& base_visibility) {
   const std::size_t count = base_visibility.rows();
   WorkOrder order;
   order.portals.resize(count);
-  order.rank_of_portal.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t might_see = count_bits(base_visibility.row(i));
     order.cost_of_portal.push_back(might_see * might_see);
   }
   std::iota(order.portals.begin(), order.portals.end(), 0u);
-  std::ranges::stable_sort(order.portals, {},
-                           [&](std::uint32_t portal) { return order.cost_of_portal[portal]; });
-  for (std::size_t i = 0; i < count; ++i)
-    order.rank_of_portal[order.portals[i]] = static_cast<std::uint32_t>(i);
   return order;
+}
+
+// Sorts by what bounds of the portals say. Costs stay those of base visibility, so that progress is even.
+void sort_by_bound(const BitMatrix& bound, WorkOrder& io_order) {
+  std::vector<std::size_t> might_see;
+  for (std::size_t i = 0; i < bound.rows(); ++i) might_see.push_back(count_bits(bound.row(i)));
+  std::ranges::stable_sort(io_order.portals, {}, [&](std::uint32_t portal) { return might_see[portal]; });
+  io_order.rank_of_portal.resize(io_order.portals.size());
+  for (std::size_t i = 0; i < io_order.portals.size(); ++i)
+    io_order.rank_of_portal[io_order.portals[i]] = static_cast<std::uint32_t>(i);
+}
+
+// 1 for each crowded portal.
+std::vector<std::uint8_t> find_crowded(const BitMatrix& base_visibility) {
+  std::vector<std::uint8_t> crowded;
+  for (std::size_t i = 0; i < base_visibility.rows(); ++i)
+    crowded.push_back(count_bits(base_visibility.row(i)) > kCrowdedClusters ? 1 : 0);
+  return crowded;
 }
 
 // Reports progress to the caller, from any thread.
@@ -103,69 +122,114 @@ class FlowMeter {
   std::atomic<bool> stopped_{false};
 };
 
-// Working memory, lent to one job at a time.
-class FlowPool {
+// Working memory of searches, lent to one job at a time.
+template <typename Search>
+class SearchPool {
  public:
-  explicit FlowPool(const PortalGraph& graph) : graph_(graph) {}
+  explicit SearchPool(const PortalGraph& graph) : graph_(graph) {}
 
-  std::unique_ptr<vis::PortalFlow> take() {
+  std::unique_ptr<Search> take() {
     const std::lock_guard lock(mutex_);
-    if (idle_.empty()) return std::make_unique<vis::PortalFlow>(graph_);
-    auto flow = std::move(idle_.back());
+    if (idle_.empty()) return std::make_unique<Search>(graph_);
+    auto search = std::move(idle_.back());
     idle_.pop_back();
-    return flow;
+    return search;
   }
-  void give_back(std::unique_ptr<vis::PortalFlow> flow) {
+  void give_back(std::unique_ptr<Search> search) {
     const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(flow));
+    idle_.push_back(std::move(search));
   }
 
  private:
   const PortalGraph& graph_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<vis::PortalFlow>> idle_;
+  std::vector<std::unique_ptr<Search>> idle_;
 };
 
-// Computes the rows of some portals of one round.
-void run_portals(std::span<const std::uint32_t> portals, const WorkOrder& order,
-                 const vis::FlowBounds& bounds, base::Jobs& jobs, FlowPool& io_pool, FlowMeter& io_meter,
-                 VisibilityState& io_state) {
+// Runs one search for each portal; run(search, portal) returns false if it was stopped.
+template <typename Search, typename Run>
+void run_searches(std::span<const std::uint32_t> portals, const WorkOrder& order, base::Jobs& jobs,
+                  SearchPool<Search>& io_pool, FlowMeter& io_meter, const Run& run) {
   // Short searches are grouped, so that threads seldom wait for each other.
   constexpr std::size_t kBatches = 256;
   const std::size_t batch_size = std::max<std::size_t>(1, portals.size() / kBatches);
   jobs.parallel_for((portals.size() + batch_size - 1) / batch_size, [&](std::size_t batch) {
-    auto flow = io_pool.take();
+    auto search = io_pool.take();
     std::uint64_t done = 0;
     const std::size_t end = std::min((batch + 1) * batch_size, portals.size());
     for (std::size_t i = batch * batch_size; i < end && !io_meter.stopped(); ++i) {
       // The longest searches come first, so that no thread is left with one at the end of the round.
       const std::uint32_t portal = portals[portals.size() - 1 - i];
-      const auto row = io_state.seen.row(portal);
-      if (flow->run(portal, bounds, io_meter.stopped(), row)) {
-        io_state.finished[portal] = 1;
-        done += order.cost_of_portal[portal];
-      } else {
-        std::ranges::fill(row, BitMatrix::Word{0});
-      }
+      if (run(*search, portal)) done += order.cost_of_portal[portal];
     }
-    io_pool.give_back(std::move(flow));
+    io_pool.give_back(std::move(search));
     io_meter.add(done);
   });
 }
 
-// Keeps the pairs that see each other: each search may exclude what the other could not.
-BitMatrix keep_mutual(const BitMatrix& matrix) {
-  BitMatrix mutual(matrix.rows(), matrix.columns());
+// The portals of a round that are not done, and this process' part of them.
+struct RoundWork {
+  std::vector<std::uint32_t> open, own;
+};
+RoundWork divide_round(std::span<const std::uint32_t> portals, std::size_t first_rank,
+                       std::span<const std::uint8_t> done, WorkShare share) {
+  RoundWork work;
+  for (std::size_t i = 0; i < portals.size(); ++i) {
+    if (done[portals[i]] != 0) continue;
+    work.open.push_back(portals[i]);
+    if ((first_rank + i) % share.count == share.index) work.own.push_back(portals[i]);
+  }
+  return work;
+}
+
+// Computes the bounds of crowded portals.
+void run_bounds(std::span<const std::uint32_t> portals, const WorkOrder& order,
+                const BitMatrix& base_visibility, const PortalGraph& graph, base::Jobs& jobs,
+                FlowMeter& io_meter, VisibilityState& io_state) {
+  SearchPool<vis::Reach> pool(graph);
+  run_searches(portals, order, jobs, pool, io_meter, [&](vis::Reach& reach, std::uint32_t portal) {
+    reach.run(portal, {base_visibility, io_state.seen, {}, 0}, base_visibility.row(portal),
+              io_state.bound.row(portal));
+    io_state.bounded[portal] = 1;
+    return true;
+  });
+}
+
+// Computes the rows of some portals of one round.
+void run_flows(std::span<const std::uint32_t> portals, const WorkOrder& order, const vis::FlowBounds& bounds,
+               base::Jobs& jobs, SearchPool<vis::PortalFlow>& io_pool, FlowMeter& io_meter,
+               VisibilityState& io_state) {
+  run_searches(portals, order, jobs, io_pool, io_meter, [&](vis::PortalFlow& flow, std::uint32_t portal) {
+    const auto row = io_state.seen.row(portal);
+    if (flow.run(portal, bounds, io_meter.stopped(), row)) {
+      io_state.finished[portal] = 1;
+      return true;
+    }
+    std::ranges::fill(row, BitMatrix::Word{0});
+    return false;
+  });
+}
+
+// Swaps rows and columns of a square matrix.
+BitMatrix transpose(const BitMatrix& matrix) {
+  BitMatrix transposed(matrix.columns(), matrix.rows());
   for (std::size_t a = 0; a < matrix.rows(); ++a) {
     const auto row = matrix.row(a);
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      for (BitMatrix::Word rest = row[i]; rest != 0; rest &= rest - 1) {
-        const std::size_t b = i * 64 + static_cast<std::size_t>(std::countr_zero(rest));
-        if (matrix.at(b, a)) mutual.set(a, b);
-      }
-    }
+    for (std::size_t word = 0; word < row.size(); ++word)
+      for (BitMatrix::Word rest = row[word]; rest != 0; rest &= rest - 1)
+        transposed.set(word * 64 + static_cast<std::size_t>(std::countr_zero(rest)), a);
   }
-  return mutual;
+  return transposed;
+}
+
+// Keeps the pairs that see each other: each search may exclude what the other could not.
+BitMatrix keep_mutual(BitMatrix matrix) {
+  const BitMatrix transposed = transpose(matrix);
+  for (std::size_t a = 0; a < matrix.rows(); ++a) {
+    const auto row = matrix.row(a);
+    for (std::size_t word = 0; word < row.size(); ++word) row[word] &= transposed.row(a)[word];
+  }
+  return matrix;
 }
 
 // A cluster sees what is seen through any of its portals, and itself.
@@ -177,13 +241,32 @@ BitMatrix join_portals(const PortalGraph& graph, const BitMatrix& seen_by_portal
     const auto to = joined.row(graph.portals[i].from);
     for (std::size_t word = 0; word < to.size(); ++word) to[word] |= from[word];
   }
-  return keep_mutual(joined);
+  return keep_mutual(std::move(joined));
+}
+
+// Removes from each bound the clusters from which no portal might see back. `bounds`: those of all portals.
+void keep_both_ways(const PortalGraph& graph, const vis::FlowBounds& bounds, BitMatrix& io_bound) {
+  BitMatrix seen_by(graph.cluster_count, graph.cluster_count);
+  for (std::uint32_t i = 0; i < graph.portals.size(); ++i) {
+    const auto row = bounds.row(i);
+    const auto to = seen_by.row(graph.portals[i].from);
+    for (std::size_t word = 0; word < to.size(); ++word) to[word] |= row[word];
+  }
+  const BitMatrix seen_from = transpose(seen_by);
+  for (std::uint32_t i = 0; i < graph.portals.size(); ++i) {
+    const auto from = seen_from.row(graph.portals[i].from);
+    const auto row = io_bound.row(i);
+    for (std::size_t word = 0; word < row.size(); ++word) row[word] &= from[word];
+    set_bit(row, graph.portals[i].to);
+  }
 }
 
 bool matches(const VisibilityState& state, const SearchablePortals& portals) {
   const PortalGraph& graph = portals.graph();
   return state.fingerprint == portals.fingerprint() && state.finished.size() == graph.portals.size() &&
-         state.seen.rows() == graph.portals.size() && state.seen.columns() == graph.cluster_count;
+         state.bounded.size() == graph.portals.size() && state.bound.rows() == graph.portals.size() &&
+         state.bound.columns() == graph.cluster_count && state.seen.rows() == graph.portals.size() &&
+         state.seen.columns() == graph.cluster_count;
 }
 
 }  // namespace
@@ -197,8 +280,9 @@ SearchablePortals& SearchablePortals::operator=(SearchablePortals&&) noexcept = 
 
 VisibilityState begin_visibility(const SearchablePortals& portals) {
   const PortalGraph& graph = portals.graph();
-  return {portals.fingerprint(), BitMatrix(graph.portals.size(), graph.cluster_count),
-          std::vector<std::uint8_t>(graph.portals.size(), 0)};
+  const BitMatrix none(graph.portals.size(), graph.cluster_count);
+  const std::vector<std::uint8_t> no_portal(graph.portals.size(), 0);
+  return {portals.fingerprint(), none, no_portal, none, no_portal};
 }
 
 VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& jobs, Progress progress,
@@ -206,28 +290,41 @@ VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& 
   CHECK(share.index < share.count);
   const PortalGraph& graph = portals.graph();
   CHECK(matches(io_state, portals));
-  const BitMatrix base_visibility = vis::find_base_visibility(graph, jobs);
-  const WorkOrder order = order_portals(base_visibility);
+  BitMatrix bound = vis::find_base_visibility(graph, jobs);
+  WorkOrder order = order_portals(bound);
+  const std::vector<std::uint8_t> is_crowded = find_crowded(bound);
+  const auto list_portals = [&](std::span<const std::uint8_t> flags) {
+    std::vector<std::uint32_t> portals_with_flag = order.portals;
+    std::erase_if(portals_with_flag, [&](std::uint32_t portal) { return flags[portal] == 0; });
+    return portals_with_flag;
+  };
+  const std::vector<std::uint32_t> crowded = list_portals(is_crowded);
+  FlowMeter meter(progress,
+                  order.cost(list_portals(io_state.bounded)) + order.cost(list_portals(io_state.finished)),
+                  order.cost(crowded) + order.cost(order.portals));
 
-  std::vector<std::uint32_t> known = order.portals;
-  std::erase_if(known, [&](std::uint32_t portal) { return io_state.finished[portal] == 0; });
-  FlowMeter meter(progress, order.cost(known), order.cost(order.portals));
-  FlowPool pool(graph);
-  std::uint32_t round_begin = 0;
+  const RoundWork unbounded = divide_round(crowded, 0, io_state.bounded, share);
+  run_bounds(unbounded.own, order, bound, graph, jobs, meter, io_state);
+  if (meter.stopped()) return VisibilityEnd::kStopped;
+  if (unbounded.own.size() < unbounded.open.size()) return VisibilityEnd::kWaiting;
+  for (const std::uint32_t portal : crowded)
+    std::ranges::copy(io_state.bound.row(portal), bound.row(portal).begin());
+
+  SearchPool<vis::PortalFlow> pool(graph);
+  vis::FlowBounds bounds{bound, io_state.seen, {}, 0, is_crowded};
+  if (!crowded.empty()) keep_both_ways(graph, bounds, bound);
+  sort_by_bound(bound, order);
+  bounds.rank_of_portal = order.rank_of_portal;
   for (const std::size_t end_percent : kRoundEnds) {
-    const auto round_end = static_cast<std::uint32_t>(order.portals.size() * end_percent / 100);
-    std::vector<std::uint32_t> round, own;
-    for (std::uint32_t rank = round_begin; rank < round_end; ++rank) {
-      const std::uint32_t portal = order.portals[rank];
-      if (io_state.finished[portal] != 0) continue;
-      round.push_back(portal);
-      if (rank % share.count == share.index) own.push_back(portal);
-    }
-    const vis::FlowBounds bounds{base_visibility, io_state.seen, order.rank_of_portal, round_begin};
-    run_portals(own, order, bounds, jobs, pool, meter, io_state);
+    const std::size_t round_end = order.portals.size() * end_percent / 100;
+    const std::span<const std::uint32_t> round =
+        std::span(order.portals).subspan(bounds.finished, round_end - bounds.finished);
+    const RoundWork work = divide_round(round, bounds.finished, io_state.finished, share);
+    if (!crowded.empty() && bounds.finished > 0) keep_both_ways(graph, bounds, bound);
+    run_flows(work.own, order, bounds, jobs, pool, meter, io_state);
     if (meter.stopped()) return VisibilityEnd::kStopped;
-    if (own.size() < round.size()) return VisibilityEnd::kWaiting;
-    round_begin = round_end;
+    if (work.own.size() < work.open.size()) return VisibilityEnd::kWaiting;
+    bounds.finished = static_cast<std::uint32_t>(round_end);
   }
   return VisibilityEnd::kFinished;
 }

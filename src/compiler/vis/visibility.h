@@ -7,7 +7,8 @@
 //
 // A portal's result depends only on the portals, not on threads or on how processes share the work. To that
 // end, portals are sorted by how much they might see, and the order is cut into rounds. Results of a round
-// narrow the searches of later rounds, but never those of the same round.
+// narrow the searches of later rounds, but never those of the same round. In large halls, where most searches
+// would not end, a round before these computes bounds (vis/flow/reach.h).
 #pragma once
 
 #include <cstdint>
@@ -47,7 +48,10 @@ class SearchablePortals {
 // The results so far. Rows are directed portals after pieces of one opening were joined, so there
 // are not twice as many as in the PortalSet.
 struct VisibilityState {
-  std::uint64_t fingerprint = 0;       // of the SearchablePortals
+  std::uint64_t fingerprint = 0;  // of the SearchablePortals
+  // By crowded portal: a bound of the clusters seen through it, computed first; 0 if there is none yet.
+  BitMatrix bound;
+  std::vector<std::uint8_t> bounded;   // by portal, 0 or 1
   BitMatrix seen;                      // by portal: the clusters seen through it; 0 if it is not finished
   std::vector<std::uint8_t> finished;  // by portal, 0 or 1
 

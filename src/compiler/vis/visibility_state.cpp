@@ -13,7 +13,7 @@ namespace temblor::compiler {
 namespace {
 
 constexpr std::uint32_t kStateFileMagic = 0x53495654;  // "TVIS"
-constexpr std::uint32_t kStateFileVersion = 1;
+constexpr std::uint32_t kStateFileVersion = 2;
 constexpr std::size_t kHeaderBytes = 24, kHashBytes = 8;
 
 base::Error make_other_level_error() {
@@ -32,17 +32,41 @@ bool ends_clean(std::span<const BitMatrix::Word> row, std::size_t columns) {
   return columns % 64 == 0 || row.back() >> (columns % 64) == 0;
 }
 
-// Reads the rows of all finished portals.
-base::Status read_rows(base::ByteReader& io_reader, VisibilityState& io_state) {
-  for (std::size_t portal = 0; portal < io_state.finished.size(); ++portal) {
-    if (io_state.finished[portal] == 0) continue;
-    const auto row = io_state.seen.row(portal);
+// Writes which portals have a row, then these rows.
+void write_rows(const std::vector<std::uint8_t>& has_row, const BitMatrix& rows,
+                base::ByteWriter& io_writer) {
+  std::vector<std::uint8_t> flags((has_row.size() + 7) / 8);
+  for (std::size_t i = 0; i < has_row.size(); ++i)
+    flags[i / 8] = static_cast<std::uint8_t>(flags[i / 8] | has_row[i] << (i % 8));
+  io_writer.bytes(std::as_bytes(std::span(flags)));
+  for (std::size_t i = 0; i < has_row.size(); ++i)
+    if (has_row[i] != 0) io_writer.bytes(std::as_bytes(rows.row(i)));
+}
+
+// The counterpart of write_rows(). Both outputs have the size of the level's portals.
+base::Status read_rows(base::ByteReader& io_reader, std::vector<std::uint8_t>& out_has_row,
+                       BitMatrix& out_rows) {
+  const base::Bytes flags = io_reader.take((out_has_row.size() + 7) / 8);
+  if (!io_reader.ok()) return base::malformed("saved visibility: it ends within the list of portals");
+  for (std::size_t i = 0; i < out_has_row.size(); ++i)
+    out_has_row[i] = static_cast<std::uint8_t>(base::as_u8(flags)[i / 8] >> (i % 8) & 1u);
+  for (std::size_t portal = 0; portal < out_has_row.size(); ++portal) {
+    if (out_has_row[portal] == 0) continue;
+    const auto row = out_rows.row(portal);
     for (BitMatrix::Word& word : row) word = io_reader.read<std::uint64_t>();
-    if (!ends_clean(row, io_state.seen.columns()))
+    if (!ends_clean(row, out_rows.columns()))
       return base::malformed("saved visibility: portal {} sees clusters that do not exist", portal);
   }
   return base::Ok{};
 }
+
+// One of the two tables of rows in a state.
+struct RowTable {
+  std::vector<std::uint8_t> VisibilityState::*has_row;
+  BitMatrix VisibilityState::*rows;
+};
+constexpr std::array<RowTable, 2> kTables{{{&VisibilityState::bounded, &VisibilityState::bound},
+                                           {&VisibilityState::finished, &VisibilityState::seen}}};
 
 }  // namespace
 
@@ -53,12 +77,7 @@ base::ByteVector write_visibility_state(const VisibilityState& state) {
   writer.write(state.fingerprint);
   writer.u32(static_cast<std::uint32_t>(state.finished.size()));
   writer.u32(static_cast<std::uint32_t>(state.seen.columns()));
-  std::vector<std::uint8_t> flags((state.finished.size() + 7) / 8);
-  for (std::size_t i = 0; i < state.finished.size(); ++i)
-    flags[i / 8] = static_cast<std::uint8_t>(flags[i / 8] | state.finished[i] << (i % 8));
-  writer.bytes(std::as_bytes(std::span(flags)));
-  for (std::size_t i = 0; i < state.finished.size(); ++i)
-    if (state.finished[i] != 0) writer.bytes(std::as_bytes(state.seen.row(i)));
+  for (const RowTable& table : kTables) write_rows(state.*table.has_row, state.*table.rows, writer);
   writer.write(base::hash_bytes(writer.view()));
   return std::move(writer).take();
 }
@@ -85,13 +104,11 @@ base::Result<VisibilityState> read_visibility_state(base::Bytes bytes, const Vis
     return make_other_level_error();
 
   // The counts equal those of `begun`, which is in memory already, so damaged bytes cannot demand more.
-  state.seen = BitMatrix(portal_count, cluster_count);
-  state.finished.resize(portal_count);
-  const base::Bytes flags = reader.take((std::size_t{portal_count} + 7) / 8);
-  if (!reader.ok()) return base::malformed("saved visibility: it ends within the list of portals");
-  for (std::size_t i = 0; i < portal_count; ++i)
-    state.finished[i] = static_cast<std::uint8_t>(base::as_u8(flags)[i / 8] >> (i % 8) & 1u);
-  TRY_STATUS(read_rows(reader, state));
+  for (const RowTable& table : kTables) {
+    state.*table.rows = BitMatrix(portal_count, cluster_count);
+    (state.*table.has_row).resize(portal_count);
+    TRY_STATUS(read_rows(reader, state.*table.has_row, state.*table.rows));
+  }
   if (!reader.ok() || reader.remaining() != kHashBytes)
     return base::malformed("saved visibility: its {} bytes do not fit its portals", bytes.size());
   return state;
@@ -101,16 +118,17 @@ base::Result<VisibilityState> read_visibility_state(base::Bytes bytes, const Vis
 base::Status merge_visibility_state(const VisibilityState& other, VisibilityState& io_state) {
   if (other.fingerprint != io_state.fingerprint || !same_shape(other, io_state))
     return make_other_level_error();
-  for (std::size_t i = 0; i < other.finished.size(); ++i) {
-    if (other.finished[i] == 0 || io_state.finished[i] == 0) continue;
-    if (!std::ranges::equal(other.seen.row(i), io_state.seen.row(i)))
-      return base::malformed("saved visibility: two shards have different results for portal {}", i);
-  }
-  for (std::size_t i = 0; i < other.finished.size(); ++i) {
-    if (other.finished[i] == 0) continue;
-    io_state.finished[i] = 1;
-    std::ranges::copy(other.seen.row(i), io_state.seen.row(i).begin());
-  }
+  for (const auto& [has_row, rows] : kTables)
+    for (std::size_t i = 0; i < (other.*has_row).size(); ++i)
+      if ((other.*has_row)[i] != 0 && (io_state.*has_row)[i] != 0 &&
+          !std::ranges::equal((other.*rows).row(i), (io_state.*rows).row(i)))
+        return base::malformed("saved visibility: two shards have different results for portal {}", i);
+  for (const auto& [has_row, rows] : kTables)
+    for (std::size_t i = 0; i < (other.*has_row).size(); ++i) {
+      if ((other.*has_row)[i] == 0) continue;
+      (io_state.*has_row)[i] = 1;
+      std::ranges::copy((other.*rows).row(i), (io_state.*rows).row(i).begin());
+    }
   return base::Ok{};
 }
 

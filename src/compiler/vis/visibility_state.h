@@ -10,8 +10,9 @@ namespace temblor::compiler {
 
 // Returns the same bytes for equal states. Little-endian:
 //   u32 "TVIS", u32 version, u64 fingerprint, u32 portals P, u32 clusters C
-//   (P + 7) / 8 bytes: bit i % 8 of byte i / 8 says that portal i is finished
-//   for each finished portal (C + 63) / 64 times u64: the clusters seen through it
+//   twice, first for the bounds of crowded portals, then for results:
+//     (P + 7) / 8 bytes: bit i % 8 of byte i / 8 says that portal i has one
+//     for each portal that has one (C + 63) / 64 times u64: the clusters seen through it
 //   u64 hash of all bytes before
 base::ByteVector write_visibility_state(const VisibilityState& state);
 

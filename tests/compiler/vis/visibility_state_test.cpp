@@ -84,7 +84,7 @@ TEST(VisibilityState, RejectsDamage) {
     if (damaged == bytes) continue;  // the same bit twice
     EXPECT_FALSE(read_visibility_state(damaged, begun).ok()) << i;
   }
-  const auto newer = read_visibility_state(test::with_number(bytes, 4, std::uint32_t{2}), begun);
+  const auto newer = read_visibility_state(test::with_number(bytes, 4, std::uint32_t{3}), begun);
   ASSERT_FALSE(newer.ok());
   EXPECT_EQ(newer.error().code, ErrorCode::kUnsupported);
 }

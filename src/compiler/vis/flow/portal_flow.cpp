@@ -14,9 +14,14 @@ namespace {
 
 using Word = BitMatrix::Word;
 
-// Portals cut in one search. A few portals of ordinary levels exceed the first limit, none exceed the second.
-constexpr std::size_t kCutsUntilBound = 4000;
-constexpr std::size_t kCutsUntilEnd = 30'000;
+// Portals cut in one search until it is bounded, and until it ends.
+struct CutLimits {
+  std::size_t bound, end;
+};
+// A few portals of ordinary levels exceed the first limit, none exceed the second.
+constexpr CutLimits kOrdinaryLimits{4000, 30'000};
+// The search of a crowded portal that does not end soon seldom ends later.
+constexpr CutLimits kCrowdedLimits{1500, 4000};
 
 // out_both = a & b. Returns whether that has a bit that `seen` lacks.
 bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Word> seen,
@@ -27,13 +32,6 @@ bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Wo
     fresh |= out_both[i] & ~seen[i];
   }
   return fresh != 0;
-}
-
-enum class Side { kInside, kOutside, kAcross };
-Side find_side(const DirectedPortal& portal, const HalfSpace& space) {
-  const double above = space.above(portal.center);
-  if (above >= portal.radius - kEpsilon) return Side::kInside;
-  return above <= kEpsilon - portal.radius ? Side::kOutside : Side::kAcross;
 }
 
 }  // namespace
@@ -48,16 +46,17 @@ PortalFlow::Link& PortalFlow::link(std::size_t depth) {
 bool PortalFlow::cut_to_lines(Link& from, Link& io_to, bool direct) {
   const DirectedPortal& source = graph_.portals[chain_[0].portal];
   const DirectedPortal& target = graph_.portals[io_to.portal];
-  if (find_side(target, source.beyond) == Side::kOutside) return false;
+  const Facing& facing = graph_.facings[io_to.portal];
+  if (find_side(facing, source.beyond) == Side::kOutside) return false;
   if (std::ranges::any_of(from.separators.all(),
-                          [&](const HalfSpace& space) { return find_side(target, space) == Side::kOutside; }))
+                          [&](const HalfSpace& space) { return find_side(facing, space) == Side::kOutside; }))
     return false;
 
   io_to.pass = target.winding;
-  if (find_side(target, source.beyond) == Side::kAcross && !cut(io_to.pass, source.beyond)) return false;
+  if (find_side(facing, source.beyond) == Side::kAcross && !cut(io_to.pass, source.beyond)) return false;
   if (!direct && !cut(io_to.pass, graph_.portals[from.portal].beyond)) return false;
   for (const HalfSpace& space : from.separators.all())
-    if (find_side(target, space) == Side::kAcross && !cut(io_to.pass, space)) return false;
+    if (find_side(facing, space) == Side::kAcross && !cut(io_to.pass, space)) return false;
 
   io_to.source = from.source;
   return cut(io_to.source, target.beyond.flipped());
@@ -81,19 +80,19 @@ bool PortalFlow::drop_hidden(Link& io_link, std::span<const Word> seen) {
 }
 
 // Tries to append a portal to the chain. Returns false if nothing new can be seen through it.
-bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBounds& bounds,
-                        std::span<Word> io_seen) {
+bool PortalFlow::extend(std::size_t depth, Exit exit, const FlowBounds& bounds, std::span<Word> io_seen) {
+  const std::uint32_t portal = exit.portal;
   Link& to = link(depth + 1);
   Link& from = chain_[depth];
   if (on_chain_[portal / 2] != 0) return false;  // a straight line crosses an opening only once
-  if (!has_bit(from.might, graph_.portals[portal].to)) return false;
+  if (!has_bit(from.might, exit.to)) return false;
   to.might.resize(from.might.size());
   if (!narrow(from.might, bounds.row(portal), io_seen, to.might)) return false;
   ++cuts_;
   to.portal = portal;
   to.next = 0;
   if (!cut_to_lines(from, to, depth == 0)) return false;
-  set_bit(io_seen, graph_.portals[portal].to);
+  set_bit(io_seen, exit.to);
   find_separators({to.source, graph_.portals[chain_[0].portal].beyond},
                   {to.pass, graph_.portals[portal].beyond}, to.separators);
   if (!drop_hidden(to, io_seen)) return false;
@@ -127,24 +126,25 @@ bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::
   std::ranges::fill(on_chain_, std::uint8_t{0});
   on_chain_[portal / 2] = 1;
   cuts_ = 0;
+  const CutLimits& limits = bounds.is_crowded(portal) ? kCrowdedLimits : kOrdinaryLimits;
   bool is_bounded = false;
   for (std::size_t depth = 0;;) {
-    if (cuts_ >= kCutsUntilBound && !is_bounded) {
+    if (cuts_ >= limits.bound && !is_bounded) {
       tighten(portal, depth, bounds, io_seen);
       is_bounded = true;
-    } else if (cuts_ >= kCutsUntilEnd) {
+    } else if (cuts_ >= limits.end) {
       std::ranges::copy(bound_, io_seen.begin());
       return true;
     }
     Link& last = chain_[depth];
-    const auto next_portals = graph_.portals_from(graph_.portals[last.portal].to);
-    if (last.next == next_portals.size()) {
+    const auto exits = graph_.exits_from(graph_.portals[last.portal].to);
+    if (last.next == exits.size()) {
       on_chain_[last.portal / 2] = 0;
       if (depth-- == 0) return true;
       continue;
     }
-    const std::uint32_t next_portal = next_portals[last.next++];
-    if (extend(depth, next_portal, bounds, io_seen)) ++depth;
+    const Exit exit = exits[last.next++];
+    if (extend(depth, exit, bounds, io_seen)) ++depth;
     if (stop.load(std::memory_order_relaxed)) return false;
   }
 }

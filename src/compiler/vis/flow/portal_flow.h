@@ -29,7 +29,8 @@ class PortalFlow {
 
   // Sets the bits (all 0 before) of the clusters that are seen through the portal. Returns false if `stop`
   // became true first. A search that takes too long is bounded by Reach, and if it still does not end soon,
-  // replaced by that bound: then too much is seen, never too little.
+  // replaced by that bound: then too much is seen, never too little. A crowded portal has a bound already,
+  // and its search may take less time.
   bool run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
            std::span<BitMatrix::Word> io_seen);
 
@@ -46,7 +47,7 @@ class PortalFlow {
   };
 
   Link& link(std::size_t depth);
-  bool extend(std::size_t depth, std::uint32_t portal, const FlowBounds& bounds, std::span<Word> io_seen);
+  bool extend(std::size_t depth, Exit exit, const FlowBounds& bounds, std::span<Word> io_seen);
   bool drop_hidden(Link& io_link, std::span<const Word> seen);
   bool cut_to_lines(Link& from, Link& io_to, bool direct);
 

@@ -21,18 +21,23 @@ void add_both_directions(std::span<const math::Vec3d> corners, const Portal& por
   directed.winding.count = corners.size();
   std::ranges::copy(corners, directed.winding.points.begin());
   directed.beyond = {portal.normal, portal.distance};
-  directed.center =
+  Facing facing;
+  facing.beyond = directed.beyond;
+  facing.center =
       std::accumulate(corners.begin(), corners.end(), math::Vec3d(0.0)) / static_cast<double>(corners.size());
   for (const math::Vec3d& corner : corners)
-    directed.radius = std::max(directed.radius, glm::length(corner - directed.center));
+    facing.radius = std::max(facing.radius, glm::length(corner - facing.center));
   directed.to = portal.clusters[0];
   directed.from = portal.clusters[1];
   io_graph.portals.push_back(directed);
+  io_graph.facings.push_back(facing);
   std::reverse(directed.winding.points.begin(),
                directed.winding.points.begin() + static_cast<std::ptrdiff_t>(corners.size()));
   directed.beyond = directed.beyond.flipped();
   std::swap(directed.from, directed.to);
+  facing.beyond = directed.beyond;
   io_graph.portals.push_back(directed);
+  io_graph.facings.push_back(facing);
 }
 
 // Adds a portal with too many corners as a fan of convex pieces around its first corner.
@@ -49,13 +54,13 @@ void add_in_pieces(const Portal& portal, PortalGraph& io_graph) {
 
 // Sorts the portals by the cluster that they leave (a counting sort).
 void list_by_cluster(PortalGraph& io_graph) {
-  io_graph.first_out.assign(io_graph.cluster_count + 1, 0);
-  for (const DirectedPortal& portal : io_graph.portals) ++io_graph.first_out[portal.from + 1];
-  std::partial_sum(io_graph.first_out.begin(), io_graph.first_out.end(), io_graph.first_out.begin());
-  io_graph.out.resize(io_graph.portals.size());
-  std::vector<std::uint32_t> next(io_graph.first_out.begin(), io_graph.first_out.end() - 1);
+  io_graph.first_exit.assign(io_graph.cluster_count + 1, 0);
+  for (const DirectedPortal& portal : io_graph.portals) ++io_graph.first_exit[portal.from + 1];
+  std::partial_sum(io_graph.first_exit.begin(), io_graph.first_exit.end(), io_graph.first_exit.begin());
+  io_graph.exits.resize(io_graph.portals.size());
+  std::vector<std::uint32_t> next(io_graph.first_exit.begin(), io_graph.first_exit.end() - 1);
   for (std::uint32_t i = 0; i < io_graph.portals.size(); ++i)
-    io_graph.out[next[io_graph.portals[i].from]++] = i;
+    io_graph.exits[next[io_graph.portals[i].from]++] = {i, io_graph.portals[i].to};
 }
 
 // Bounds the portals of each cluster.

@@ -15,10 +15,29 @@ namespace temblor::compiler::vis {
 // An opening, seen in one direction.
 struct DirectedPortal {
   Winding winding;
-  HalfSpace beyond;  // the side that it leads to
-  math::Vec3d center{0.0};
-  double radius = 0;               // of a sphere around the center that contains the winding
+  HalfSpace beyond;                // the side that it leads to
   std::uint32_t from = 0, to = 0;  // clusters
+};
+
+// The data for most tests of a portal, in one cache line: the portals of a large hall do not fit into the
+// cache, and each is tested against most others.
+struct Facing {
+  HalfSpace beyond;
+  math::Vec3d center{0.0};  // of a sphere that contains the winding
+  double radius = 0;
+};
+
+// The side on which a portal lies, by its sphere; kAcross if that does not tell.
+enum class Side { kInside, kOutside, kAcross };
+inline Side find_side(const Facing& portal, const HalfSpace& space) {
+  const double above = space.above(portal.center);
+  if (above >= portal.radius - kEpsilon) return Side::kInside;
+  return above <= kEpsilon - portal.radius ? Side::kOutside : Side::kAcross;
+}
+
+// A portal, and the cluster that it leads to.
+struct Exit {
+  std::uint32_t portal = 0, to = 0;
 };
 
 // A box around all portals of a cluster: anyone who sees into the cluster sees some of the box.
@@ -34,13 +53,14 @@ struct ClusterBox {
 // Clusters and the portals between them.
 struct PortalGraph {
   std::size_t cluster_count = 0;
-  std::vector<DirectedPortal> portals;   // 2 * i and 2 * i + 1 are the two directions of one opening
-  std::vector<ClusterBox> boxes;         // by cluster
-  std::vector<std::uint32_t> first_out;  // by cluster, plus one: where its part of `out` begins
-  std::vector<std::uint32_t> out;        // portals by the cluster that they leave
+  std::vector<DirectedPortal> portals;    // 2 * i and 2 * i + 1 are the two directions of one opening
+  std::vector<Facing> facings;            // by portal
+  std::vector<ClusterBox> boxes;          // by cluster
+  std::vector<std::uint32_t> first_exit;  // by cluster, plus one: where its part of `exits` begins
+  std::vector<Exit> exits;                // by the cluster that they leave
 
-  std::span<const std::uint32_t> portals_from(std::size_t cluster) const {
-    return std::span(out).subspan(first_out[cluster], first_out[cluster + 1] - first_out[cluster]);
+  std::span<const Exit> exits_from(std::size_t cluster) const {
+    return std::span(exits).subspan(first_exit[cluster], first_exit[cluster + 1] - first_exit[cluster]);
   }
 };
 

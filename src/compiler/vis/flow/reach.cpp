@@ -1,12 +1,11 @@
 // Method: a work list. Each portal has the hull of all that was reached of it; when the hull grows, the
-// portal is queued again and what can be seen through it is cut by the separators of the source and that
-// hull. Hulls are larger than what chains reach one by one, so the result is a bound.
+// portal is queued again, the nearest first, and what can be seen through it is cut by the separators of the
+// source and that hull. Hulls are larger than what chains reach one by one, so the result is a bound.
 #include "compiler/vis/flow/reach.h"
 
 #include <algorithm>
 
 #include "compiler/vis/flow/hull.h"
-#include "compiler/vis/flow/separators.h"
 
 namespace temblor::compiler::vis {
 
@@ -36,31 +35,46 @@ void Reach::reach(std::uint32_t portal, const Winding& piece) {
       slot.reached = directed.winding;
     }
   }
-  if (!slot.queued) queue_.push_back(slot_index);
+  if (!slot.queued) queue_.push({glm::length(graph_.facings[portal].center - source_center_), slot_index});
   slot.queued = true;
+}
+
+// Cuts a portal to what lines from the source through `from` can reach. Returns false if nothing is left.
+// Spheres decide most cases.
+bool Reach::cut_to_reach(const DirectedPortal& source, const Slot& from, std::uint32_t target,
+                         Winding& out_piece) const {
+  const Facing& facing = graph_.facings[target];
+  const auto is_outside = [&](const HalfSpace& space) { return find_side(facing, space) == Side::kOutside; };
+  const auto is_kept = [&](const HalfSpace& space) {
+    return find_side(facing, space) == Side::kInside || cut(out_piece, space);
+  };
+  if (is_outside(source.beyond) || std::ranges::any_of(separators_.all(), is_outside)) return false;
+  // Some of the source must be on the near side of the target, or nothing can enter it.
+  if (std::ranges::none_of(source.winding.corners(), [&](const math::Vec3d& corner) {
+        return facing.beyond.above(corner) < -kEpsilon;
+      }))
+    return false;
+  out_piece = graph_.portals[target].winding;
+  const DirectedPortal& pass = graph_.portals[from.portal];
+  if (!is_kept(source.beyond) || (&pass != &source && !is_kept(pass.beyond))) return false;
+  return std::ranges::all_of(separators_.all(), is_kept);
 }
 
 // Passes sight lines from the source through the reached part of one portal on to the next portals.
 void Reach::pass_on(const DirectedPortal& source, const Slot& from, const FlowBounds& bounds,
                     std::span<const BitMatrix::Word> might, std::span<BitMatrix::Word> io_bound) {
   const DirectedPortal& pass = graph_.portals[from.portal];
-  const bool is_source = &pass == &source;
-  Separators separators;
-  if (!is_source) find_separators({source.winding, source.beyond}, {from.reached, pass.beyond}, separators);
+  separators_.count = 0;
+  if (&pass != &source)
+    find_separators({source.winding, source.beyond}, {from.reached, pass.beyond}, separators_);
   const auto beyond_pass = bounds.row(from.portal);
-  for (const std::uint32_t next : graph_.portals_from(pass.to)) {
-    const DirectedPortal& target = graph_.portals[next];
-    if (next / 2 == from.portal / 2 || !has_bit(might, target.to) || !has_bit(beyond_pass, target.to))
+  Winding piece;
+  for (const Exit& exit : graph_.exits_from(pass.to)) {
+    if (exit.portal / 2 == from.portal / 2 || !has_bit(might, exit.to) || !has_bit(beyond_pass, exit.to) ||
+        !cut_to_reach(source, from, exit.portal, piece))
       continue;
-    // Some of the source must be on the near side of the target, or nothing can enter it.
-    Winding facing_target = source.winding;
-    if (!cut(facing_target, target.beyond.flipped())) continue;
-    Winding piece = target.winding;
-    if (!cut(piece, source.beyond) || (!is_source && !cut(piece, pass.beyond))) continue;
-    if (!std::ranges::all_of(separators.all(), [&](const HalfSpace& space) { return cut(piece, space); }))
-      continue;
-    set_bit(io_bound, target.to);
-    reach(next, piece);
+    set_bit(io_bound, exit.to);
+    reach(exit.portal, piece);
   }
 }
 
@@ -69,10 +83,11 @@ void Reach::run(std::uint32_t portal, const FlowBounds& bounds, std::span<const 
   const DirectedPortal& source = graph_.portals[portal];
   std::ranges::fill(out_bound, BitMatrix::Word{0});
   set_bit(out_bound, source.to);
+  source_center_ = graph_.facings[portal].center;
   reach(portal, source.winding);
   while (!queue_.empty()) {
-    Slot& slot = slots_[queue_.front()];
-    queue_.pop_front();
+    Slot& slot = slots_[queue_.top().slot];
+    queue_.pop();
     slot.queued = false;
     pass_on(source, slot, bounds, might, out_bound);
   }

@@ -4,12 +4,15 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <queue>
 #include <span>
 #include <vector>
 
 #include "compiler/vis/bit_matrix.h"
 #include "compiler/vis/flow/flow_bounds.h"
 #include "compiler/vis/flow/portal_graph.h"
+#include "compiler/vis/flow/separators.h"
 #include "compiler/vis/flow/winding.h"
 
 namespace temblor::compiler::vis {
@@ -38,12 +41,24 @@ class Reach {
 
   void pass_on(const DirectedPortal& source, const Slot& from, const FlowBounds& bounds,
                std::span<const BitMatrix::Word> might, std::span<BitMatrix::Word> io_bound);
+  bool cut_to_reach(const DirectedPortal& source, const Slot& from, std::uint32_t target,
+                    Winding& out_piece) const;
   void reach(std::uint32_t portal, const Winding& piece);
 
   const PortalGraph& graph_;
   std::vector<std::uint32_t> slot_of_portal_;
-  std::deque<Slot> slots_;           // a deque, so that references stay valid as it grows
-  std::deque<std::uint32_t> queue_;  // indices of the slots whose hull has grown
+  // A slot whose hull has grown. The nearest comes first: what reaches a portal mostly comes through nearer
+  // ones, so most portals are passed on only once.
+  struct Entry {
+    double distance = 0;
+    std::uint32_t slot = 0;
+    auto operator<=>(const Entry&) const = default;
+  };
+
+  std::deque<Slot> slots_;  // a deque, so that references stay valid as it grows
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  math::Vec3d source_center_{0.0};
+  Separators separators_;  // of the source and the portal that is passed on
 };
 
 }  // namespace temblor::compiler::vis
