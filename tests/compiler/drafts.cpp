@@ -32,6 +32,22 @@ std::string room_text(const std::string& more_brushes) {
          point_text("info_player_start", {0, 0, 32});
 }
 
+std::string tiled_pool_text() {
+  constexpr double kTile = 16;
+  std::string brushes = box_text({-256, -256, -64}, {256, 256, 0}, "*water1");
+  for (double at = -256; at < 256; at += kTile)
+    for (const double side : {-256 - kTile, 256.0})
+      for (const bool along_x : {true, false}) {
+        const math::Vec3d mins = along_x ? math::Vec3d(at, side, -64) : math::Vec3d(side, at, -64);
+        brushes +=
+            box_text(mins, mins + math::Vec3d(kTile, kTile, 64), fmt::format("tile{}", int(at + 256) % 3));
+      }
+  const math::Vec3d outer(256 + kTile);
+  return entity_text("worldspawn", "",
+                     walls_text({-outer.x, -outer.y, -64}, {outer.x, outer.y, 128}, "wall") + brushes) +
+         point_text("info_player_start", {0, 0, 32});
+}
+
 compiler::DraftResult compile_draft(const std::string& map_text, const compiler::DraftOptions& options,
                                     int threads) {
   base::Jobs jobs(threads);

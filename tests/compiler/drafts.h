@@ -18,6 +18,10 @@ constexpr double kFloorArea = 256 * 256;
 // world.
 std::string room_text(const std::string& more_brushes = {});
 
+// A pool of 512 x 512 units with a rim of 128 small tiles, whose corners are vertices of the water's surface
+// too.
+std::string tiled_pool_text();
+
 // Every texture is 64 by 64 texels.
 compiler::DraftResult compile_draft(const std::string& map_text, const compiler::DraftOptions& options = {},
                                     int threads = 1);

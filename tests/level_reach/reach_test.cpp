@@ -17,7 +17,7 @@ namespace {
 
 std::vector<std::filesystem::path> shipped_levels() {
   const char* elsewhere = std::getenv("TEMBLOR_SHIPPED_LEVELS");
-  const std::filesystem::path folder = elsewhere != nullptr ? elsewhere : TEMBLOR_LEVELS;
+  const std::filesystem::path folder = elsewhere != nullptr ? elsewhere : TEMBLOR_GAME "/maps";
   std::vector<std::filesystem::path> levels;
   if (std::filesystem::is_directory(folder))
     for (const auto& file : std::filesystem::directory_iterator(folder))

@@ -6,7 +6,6 @@
 
 #include "compiler/bsp/faces/vertices.h"
 #include "compiler/drafts.h"
-#include "support/levels/room_map.h"
 #include "support/random.h"
 
 namespace temblor::test {
@@ -66,21 +65,8 @@ TEST(LongFaces, PiecesCoverThePolygonOnce) {
   }
 }
 
-// A pool with a rim of 128 small tiles, whose corners are vertices of the water's surface too.
 TEST(LongFaces, APoolWithARimOfTilesIsSplit) {
-  constexpr double kTile = 16;
-  std::string brushes = box_text({-256, -256, -64}, {256, 256, 0}, "*water1");
-  for (double at = -256; at < 256; at += kTile)
-    for (const double side : {-256 - kTile, 256.0})
-      for (const bool along_x : {true, false}) {
-        const Vec3d mins = along_x ? Vec3d(at, side, -64) : Vec3d(side, at, -64);
-        brushes += box_text(mins, mins + Vec3d(kTile, kTile, 64), fmt::format("tile{}", int(at + 256) % 3));
-      }
-  const Vec3d outer(256 + kTile);
-  const compiler::DraftResult result = compile_draft(
-      entity_text("worldspawn", "",
-                  walls_text({-outer.x, -outer.y, -64}, {outer.x, outer.y, 128}, "wall") + brushes) +
-      point_text("info_player_start", {0, 0, 32}));
+  const compiler::DraftResult result = compile_draft(tiled_pool_text());
   EXPECT_FALSE(result.leak);
   EXPECT_EQ(find_level_fault(result), "");
   const auto longest =
