@@ -49,6 +49,14 @@ void omit(Command& io_command, std::uint8_t kinds) {
   io_command.options.omitted_detail |= kinds;
 }
 
+void write_brush_list(Words, Command& io_command) {
+  io_command.options.brush_list = true;
+}
+void write_brush_list_and_hulls(Words, Command& io_command) {
+  io_command.options.brush_list = true;
+  io_command.notes.emplace_back("the level keeps its clip hulls beside BRUSHLIST");
+}
+
 // Luxels are 16 texels wide at a scale of 1.
 void set_light_map_scale(Words values, Command& io_command) {
   constexpr double kTexels = 16;
@@ -87,14 +95,14 @@ constexpr StockFlag kCommonFlags[] = {
 };
 
 constexpr StockFlag kQbspFlags[] = {
-    {"2psb", V::kNone, nullptr, "use -bsp2, which replaced that format", true},
+    {"2psb", V::kNone, [](Words, Command& io) { io.options.psb2 = true; }},
     {"add", V::kText, nullptr, "use a misc_external_map (docs/mapping.md)", true},
     {"aliasdef", V::kText, nullptr, "Temblor has no alias definitions", true},
     {"allowupgrade"},
     {"bmodelcontents", V::kNone, nullptr, "brush entities are solid"},
     {"bsp2", V::kNone, [](Words, Command& io) { io.options.bsp2 = true; }},
-    {"bspx", V::kNone, nullptr, "the lump BRUSHLIST is not written"},
-    {"bspxonly", V::kNone, nullptr, "the lump BRUSHLIST is not written, so the level keeps its clip hulls"},
+    {"bspx", V::kNone, write_brush_list},
+    {"bspxonly", V::kNone, write_brush_list_and_hulls},
     {"chop"},
     {"chopfragment"},
     {"convert", V::kText, nullptr, "Temblor does not convert maps", true},
@@ -172,9 +180,8 @@ constexpr StockFlag kQbspFlags[] = {
     {"transwater"},
     {"wadpath", V::kText, add_wad_place},
     {"worldextent", V::kNumber},
-    {"wrbrushes", V::kNone, nullptr, "the lump BRUSHLIST is not written"},
-    {"wrbrushesonly", V::kNone, nullptr,
-     "the lump BRUSHLIST is not written, so the level keeps its clip hulls"},
+    {"wrbrushes", V::kNone, write_brush_list},
+    {"wrbrushesonly", V::kNone, write_brush_list_and_hulls},
     {"xwadpath", V::kText, add_wad_place},
 };
 
@@ -193,7 +200,7 @@ constexpr StockFlag kVisFlags[] = {
 };
 
 constexpr StockFlag kLightFlags[] = {
-    {"addmin", V::kNone, nullptr, "minimum light raises darker samples"},
+    {"addmin", V::kNone, [](Words, Command& io) { io.options.light_keys.emplace_back("addmin", "1"); }},
     {"arghradcompat", V::kNone, nullptr, "keys of ArghRad are not read"},
     {"bounce", V::kOptionalNumber, [](Words v, Command& io) { io.options.bounces = to_whole(v[0], 0, 16); }},
     {"bouncedebug", V::kNone, nullptr, kNoDebug, true},
@@ -240,14 +247,14 @@ constexpr StockFlag kLightFlags[] = {
     {"phongdebug", V::kNone, nullptr, kNoDebug, true},
     {"phongdebug_obj", V::kNone, nullptr, kNoDebug},
     {"radlights", V::kText, nullptr, "use lights with the key _surface", true},
-    {"soft", V::kOptionalNumber, nullptr, "light is smoothed only at the edges of shadows"},
+    {"soft", V::kOptionalNumber, [](Words v, Command& io) { io.options.soft = to_whole(v[0], 0, 16); }},
     {"sunsamples", V::kNumber, [](Words v, Command& io) { io.options.sky_rays = to_whole(v[0], 1, 4096); }},
     {"surflight_dump", V::kNone, nullptr, kNoDebug},
     {"surflight_subdivide", V::kNumber, nullptr, "surface lights are 128 units apart"},
     {"visapprox", V::kText},
     {"world_units_per_luxel", V::kNumber,
      [](Words v, Command& io) { io.options.units_per_luxel = std::clamp(to_number(v[0]), 0.0, 1024.0); }},
-    {"wrnormals", V::kNone, nullptr, "normals are not written"},
+    {"wrnormals", V::kNone, [](Words, Command& io) { io.options.face_normals = true; }},
 };
 
 }  // namespace
