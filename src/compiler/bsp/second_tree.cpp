@@ -1,11 +1,13 @@
 // Method: a side of a brush is kept as a splitting side if some portal of the first tree in its plane
 // separates leaves with different contents, or shows a face. The tree is then built again from the same
 // brushes, and each of its leaves takes its contents from the first tree. Faces, which were made from the
-// first tree, are pushed down the second one.
+// first tree, are pushed down the second one. If the contents differ anywhere, the brushes there keep all
+// their sides, and the tree is built once more.
 #include "compiler/bsp/second_tree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace temblor::compiler {
 namespace {
@@ -52,6 +54,9 @@ std::vector<Brush> keep_bounding_sides(const Tree& tree, std::span<const LeafPor
   }
   return kept;
 }
+
+// Leaves with fewer portals are slivers, whose inner point may lie on their rim.
+constexpr int kMinWalls = 4;
 
 // A point inside each bounded leaf: the mean of its portals' corners.
 struct InnerPoint {
@@ -167,19 +172,15 @@ class FacePlacer {
   std::vector<TreeFace> placed_;
 };
 
-}  // namespace
-
 // A leaf of the second tree may lie in any number of brushes, so its fill comes from the first tree, at a
 // point inside it.
-SecondTree make_second_tree(const Tree& first, std::span<const LeafPortal> portals,
-                            std::span<const Brush> brushes, const PlaneSet& planes) {
+SecondTree build_second_tree(const Tree& first, const std::vector<Brush>& brushes, const PlaneSet& planes) {
   SecondTree second;
-  second.tree = build_tree(keep_bounding_sides(first, portals, brushes), planes, Cover::kNone, [](double) {});
+  second.tree = build_tree(brushes, planes, Cover::kNone, [](double) {});
   second.portals = make_leaf_portals(second.tree, planes);
   const std::vector<InnerPoint> points = find_inner_points(second.tree, second.portals.portals);
   for (std::size_t i = 0; i < second.tree.leaves.size(); ++i) {
     TreeLeaf& leaf = second.tree.leaves[i];
-    constexpr int kMinWalls = 4;
     if (!second.portals.is_outermost[i] && points[i].portals < kMinWalls)
       continue;  // a sliver: keep the fill that its brushes gave it
     // Outside is the same everywhere, so one corner of the box stands for all of it.
@@ -190,6 +191,53 @@ SecondTree make_second_tree(const Tree& first, std::span<const LeafPortal> porta
     leaf.structure = known.structure;
   }
   return second;
+}
+
+// By leaf of the first tree, whether the second one has other contents at its inner point. Only leaves that
+// reach more than kThin from that point in all directions count.
+std::vector<bool> find_wrong_leaves(const Tree& first, std::span<const LeafPortal> portals,
+                                    const Tree& second, const PlaneSet& planes) {
+  constexpr double kThin = 0.1;
+  const std::vector<InnerPoint> points = find_inner_points(first, portals);
+  std::vector<bool> is_wrong(first.leaves.size());
+  for (std::size_t i = 0; i < is_wrong.size(); ++i) {
+    if (points[i].portals < kMinWalls) continue;
+    const math::Vec3d inside = points[i].sum / points[i].count;
+    is_wrong[i] = second.leaves[second.leaf_at(inside, planes)].fill != first.leaves[i].fill;
+  }
+  for (const LeafPortal& portal : portals)
+    for (const std::uint32_t leaf : portal.leaves) {
+      if (!is_wrong[leaf]) continue;
+      const Plane& plane = planes[first.nodes[portal.node].plane];
+      is_wrong[leaf] = std::abs(plane.distance_to(points[leaf].sum / points[leaf].count)) > kThin;
+    }
+  return is_wrong;
+}
+
+// Makes every side of the brushes at wrong leaves split. Returns whether that changes any brush.
+bool keep_sides_at(const std::vector<bool>& is_wrong, const Tree& first, std::span<const LeafPortal> portals,
+                   std::vector<Brush>& io_kept) {
+  bool has_changed = false;
+  for (const LeafPortal& portal : portals) {
+    if (!is_wrong[portal.leaves[0]] && !is_wrong[portal.leaves[1]]) continue;
+    for (const std::uint32_t leaf : portal.leaves)
+      for (const std::uint32_t brush : first.leaves[leaf].brushes)
+        for (BrushSide& side : io_kept[brush].sides) has_changed |= !std::exchange(side.splits, true);
+  }
+  return has_changed;
+}
+
+}  // namespace
+
+SecondTree make_second_tree(const Tree& first, std::span<const LeafPortal> portals,
+                            std::span<const Brush> brushes, const PlaneSet& planes) {
+  std::vector<Brush> kept = keep_bounding_sides(first, portals, brushes);
+  // Where planes are so near to each other that the trees took different ones, more sides must split.
+  for (;;) {
+    SecondTree second = build_second_tree(first, kept, planes);
+    const std::vector<bool> is_wrong = find_wrong_leaves(first, portals, second.tree, planes);
+    if (!keep_sides_at(is_wrong, first, portals, kept)) return second;
+  }
 }
 
 std::vector<TreeFace> place_faces(std::span<const TreeFace> faces, const Tree& tree, const PlaneSet& planes) {

@@ -157,8 +157,9 @@ TEST(RandomMaps, FewKeepTheirPromises) {
   check_maps(0, effort(20, 3));
 }
 
+// In the map of seed 986, a wedge of a wall, up to 1.3 units deep, is empty (issue 27).
 TEST(ManyRandomMaps, KeepTheirPromises) {
-  check_maps(20, effort(220, 30));
+  check_maps(20, effort(986, 30));
 }
 
 }  // namespace
