@@ -1,5 +1,5 @@
-// A libFuzzer program for the targets of a folder: `fuzz_FOLDER TARGET [libFuzzer's options] [corpus folders]`.
-// Without arguments it lists the targets.
+// A libFuzzer program for the targets of a folder: `fuzz_FOLDER TARGET [libFuzzer's options] [corpus
+// folders]`. Without arguments it lists the targets.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -7,8 +7,8 @@
 
 #include "base/check.h"
 #include "formats/models/md3.h"
-#include "fuzz/targets/models/posed_checks.h"
 #include "fuzz/targets.h"
+#include "fuzz/targets/models/posed_checks.h"
 
 using namespace temblor;
 

@@ -9,8 +9,8 @@
 #include "base/bytes.h"
 #include "base/check.h"
 #include "formats/models/md5.h"
-#include "fuzz/targets/models/posed_checks.h"
 #include "fuzz/targets.h"
+#include "fuzz/targets/models/posed_checks.h"
 
 namespace {
 
