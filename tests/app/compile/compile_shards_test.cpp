@@ -7,6 +7,7 @@
 
 #include "app/compile/compile_program.h"
 #include "app/program.h"
+#include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
 
@@ -127,7 +128,7 @@ echo "$number;cluster"
 )sh";
 
 TEST_F(CompileProgram, TenShardsOfALargeMapMakeTheSameLevel) {
-  folder_.write("hall.map", hall_of_pillars(9));
+  folder_.write("hall.map", hall_of_pillars(effort(9, 3)));
   ASSERT_EQ(run_program(folder_.path(), {"compile", "hall.map", "-o", "whole.bsp"}).exit_status, 0);
   folder_.write("bin/sbatch", kSbatch);
   std::filesystem::permissions(folder_.path() / "bin/sbatch", std::filesystem::perms::owner_all);
