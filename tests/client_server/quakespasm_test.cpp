@@ -61,10 +61,10 @@ class StockClientPlays {
 
   void start_client() {
     client_ = std::make_unique<BackgroundProgram>(
-        std::vector<std::string>{TEMBLOR_SOURCE_DIR "/tests/support/on_display.sh", "320x240x24",
-                                 "quakespasm", "-basedir", folder_.string(), "-window", "-width", "320",
-                                 "-height", "240", "-nosound", "+host_maxfps", "30", "+connect",
-                                 "127.0.0.1:" + std::to_string(port_)},
+        std::vector<std::string>{TEMBLOR_SOURCE_DIR "/tests/support/on_display.sh", "320x240x24", "env",
+                                 "SDL_NO_SIGNAL_HANDLERS=1", "quakespasm", "-basedir", folder_.string(),
+                                 "-window", "-width", "320", "-height", "240", "-nosound", "+host_maxfps",
+                                 "30", "+connect", "127.0.0.1:" + std::to_string(port_)},
         home_.path());
   }
   void ask_client_to_leave() { server_->clients.send(0, net::StuffText{"disconnect\n"}); }

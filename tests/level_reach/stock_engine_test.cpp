@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
@@ -19,6 +18,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 constexpr std::array kLevels = {"start", "t1", "t2", "gallery", "pool"};
+constexpr const char* kLastLine = "all levels are done";
 constexpr auto kLimit = std::chrono::minutes(5);
 
 // A level with gray textures, which other engines need.
@@ -46,7 +46,7 @@ std::string make_script() {
     wait(30);
     script += fmt::format("-forward\necho left {} alive\n", level);
   }
-  return script + "quit\n";
+  return script + fmt::format("echo {}\n", kLastLine);
 }
 
 // Links everything but what make_quakespasm_folder() writes itself.
@@ -60,10 +60,8 @@ class StockEngine : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(StockEngine, PlaysOurLevels) {
   const std::string engine = GetParam();
-  if (!is_installed(engine) || !is_installed("xvfb-run") || !is_installed("unshare"))
+  if (!is_installed(engine) || !is_installed("xvfb-run"))
     GTEST_SKIP() << engine << " or a display for it (xvfb, xauth) is not installed";
-  if (std::system("unshare --map-root-user --mount mount --bind /tmp /root 2>/dev/null") != 0)
-    GTEST_SKIP() << "no user namespaces with mounts, to keep the engine out of this user's home folder";
   const TemporaryFolder home, game;
   fs::create_directory(game.path() / "id1");
   for (const auto& entry : fs::directory_iterator(TEMBLOR_GAME))
@@ -75,15 +73,15 @@ TEST_P(StockEngine, PlaysOurLevels) {
   game.write("id1/walk.cfg", make_script());
   const auto base = make_quakespasm_folder(home, game.path(), TEMBLOR_GAME "/progs.dat");
   if (!base) GTEST_SKIP() << "quakespasm, which has the picture of the registered version, is not installed";
-  const std::string run = fmt::format(
-      "mount --bind \"$HOME\" /root && {} -basedir '{}' -window -width 320 -height 240 -nosound "
-      "+exec walk.cfg; echo \"exit status $?\"",
-      engine, base->string());
-  const BackgroundProgram program({TEMBLOR_SOURCE_DIR "/tests/support/on_display.sh", "320x240x24", "unshare",
-                                   "--map-root-user", "--mount", "sh", "-c", "PATH=$PATH:/usr/games; " + run},
-                                  home.path());
+  // Without SDL's signal handlers, it dies at the end of the test instead of writing its settings to the
+  // user's home folder. Line by line, its output shows how far it came.
+  const BackgroundProgram program(
+      {TEMBLOR_SOURCE_DIR "/tests/support/on_display.sh", "320x240x24", "env", "SDL_NO_SIGNAL_HANDLERS=1",
+       "stdbuf", "-oL", engine, "-basedir", base->string(), "-window", "-width", "320", "-height", "240",
+       "-nosound", "+exec", "walk.cfg"},
+      home.path());
   const auto end = std::chrono::steady_clock::now() + kLimit;
-  while (std::chrono::steady_clock::now() < end && program.output().find("exit status") == std::string::npos)
+  while (std::chrono::steady_clock::now() < end && program.output().find(kLastLine) == std::string::npos)
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   const std::string output = program.output();
   std::size_t at = 0;
@@ -92,7 +90,7 @@ TEST_P(StockEngine, PlaysOurLevels) {
       at = output.find(line, at);
       ASSERT_NE(at, std::string::npos) << "no \"" << line << "\" for " << level << ":\n" << output;
     }
-  EXPECT_THAT(output, HasSubstr("exit status 0"));
+  EXPECT_THAT(output, HasSubstr(kLastLine));
   EXPECT_THAT(output, ::testing::Not(HasSubstr("Host_Error")));
 }
 

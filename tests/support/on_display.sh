@@ -4,6 +4,7 @@
 #
 # xvfb-run chooses the number of a display before its server takes it, so that two that start together may choose the same
 # one. Here, the server chooses. It also does not reset itself, and refuse connections meanwhile, when the last window closes.
+# SDL does not start a message bus for the display, which would outlive it.
 set -euo pipefail
 screen=$1
 shift
@@ -12,4 +13,4 @@ exec 3< <(exec Xvfb -displayfd 1 -noreset -nolisten tcp -screen 0 $screen 2>/dev
 server=$!
 trap 'kill "$server" 2>/dev/null || true' EXIT
 read -r number <&3
-DISPLAY=:$number "$@"
+DISPLAY=:$number DBUS_SESSION_BUS_ADDRESS=disabled: "$@"
