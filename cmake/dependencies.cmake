@@ -1,4 +1,4 @@
-# Libraries that we use, all of them Debian 12 packages. docs/architecture.md has a table of them.
+# Libraries that we use, all of them Debian 12 packages. docs/architecture.md lists them.
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(fmt REQUIRED)
