@@ -12,6 +12,8 @@ pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(sdl2 REQUIRED IMPORTED_TARGET sdl2)
 # Removes -D_REENTRANT, which has no effect in today's C libraries and would rule out the precompiled headers.
 set_target_properties(PkgConfig::sdl2 PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+# Times of Wayland's events, which SDL 2 leaves out; SDL itself uses the same library.
+pkg_check_modules(wayland REQUIRED IMPORTED_TARGET wayland-client)
 # Pictures in X11 windows.
 pkg_check_modules(xcb REQUIRED IMPORTED_TARGET xcb xcb-present xcb-shm)
 pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "platform/sdl2/event_times.h"
+#include "platform/sdl2/events/event_times.h"
 #include "platform/sdl2/gamepads.h"
 #include "platform/sdl2/keys.h"
 #include "platform/sdl2/library.h"
@@ -29,7 +29,10 @@ int find_display(int wished) {
 class SdlWindow : public Window {
  public:
   SdlWindow(Subsystem subsystem, WindowHandle window, std::unique_ptr<PicturePresenter> presenter)
-      : subsystem_(std::move(subsystem)), window_(std::move(window)), presenter_(std::move(presenter)) {
+      : subsystem_(std::move(subsystem)),
+        window_(std::move(window)),
+        presenter_(std::move(presenter)),
+        event_times_(window_.get()) {
     SDL_StopTextInput();
   }
 
@@ -116,6 +119,7 @@ base::Status SdlWindow::set_mode(const WindowSettings& settings) {
 void SdlWindow::poll(std::vector<InputEvent>& io_events) {
   SDL_Event event;
   while (SDL_PollEvent(&event) != 0) take(event, event_times_.take(event, now_s()), io_events);
+  event_times_.end_poll();
 }
 
 void SdlWindow::take(const SDL_Event& event, double time_s, std::vector<InputEvent>& io_events) {

@@ -10,27 +10,34 @@
 // and frees X's data, with the time, before the program gets either. So both are watched while SDL sends
 // them, and the times are kept until the program takes the movement.
 //
-// SDL 2 reads Wayland's events without their times, so there events happen when they are read.
+// SDL 2 reads Wayland's events without their times, so wayland_times.h reads them again.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 
+#include "platform/sdl2/events/wayland_times.h"
+
+struct SDL_Window;
 union SDL_Event;
 
 namespace temblor::platform::sdl2 {
 
 class EventTimes {
  public:
-  // Asks SDL for the events of the X server.
-  EventTimes();
+  // Asks SDL for the events of the X server, or the window's Wayland display for its own. Must be destroyed
+  // before the window.
+  explicit EventTimes(SDL_Window* window);
   ~EventTimes();
   EventTimes(const EventTimes&) = delete;
   EventTimes& operator=(const EventTimes&) = delete;
 
   // Takes an event that SDL has returned at `now_s`. Returns when it happened, on the clock of `now_s`.
   double take(const SDL_Event& event, double now_s);
+  // Call it when SDL has returned all its events.
+  void end_poll();
 
  private:
   // Called by SDL while it sends an event. `self` is this object.
@@ -38,8 +45,12 @@ class EventTimes {
   void watch_movement(const SDL_Event& event);
   void watch_raw_movement(std::uint32_t server_time_ms);
   std::optional<std::uint32_t> take_movement_time(const SDL_Event& event);
+  std::optional<std::uint32_t> take_server_time(const SDL_Event& event);
+  std::optional<std::uint32_t> take_wayland_time(const SDL_Event& event);
 
-  // The time of the last event of the X server; nothing if it has none.
+  // Null on other displays.
+  std::unique_ptr<WaylandTimes> wayland_;
+  // The time of the display's last event; nothing if it has none.
   std::optional<std::uint32_t> server_time_ms_;
   // Relative movement that SDL has sent and the program has not taken.
   struct Movement {
@@ -53,7 +64,7 @@ class EventTimes {
 };
 
 // Returns how long ago the server's time was, in seconds. Both times are in milliseconds and wrap around.
-// Returns 0 if it is not within the last second: then the server has another clock.
-double compute_age_s(std::uint32_t server_time_ms, std::uint32_t now_ms);
+// Returns nothing if it is not within the last second: then the server has another clock.
+std::optional<double> compute_age_s(std::uint32_t server_time_ms, std::uint32_t now_ms);
 
 }  // namespace temblor::platform::sdl2
