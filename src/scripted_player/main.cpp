@@ -75,7 +75,7 @@ int run(int argument_count, char** arguments) {
   setup.session.players = players > 0 ? static_cast<std::uint32_t>(players) : 1;
   setup.session.can_cheat = setup.has_god;
   setup.fights = !is_peaceful;
-  setup.records = !record.empty();
+  setup.session.records = !record.empty();
   for (std::size_t i = 0; i + 2 < waypoints.size(); i += 3)
     setup.waypoints.push_back({waypoints[i], waypoints[i + 1], waypoints[i + 2]});
   setup.lists_places = !place_file.empty();

@@ -37,7 +37,7 @@ TEST(GraphCache, SharesAGraphBetweenSeedsAndSkillsAndChangesNoGame) {
   const MadeRooms rooms(hall_with_door(40, ""));
   player::GraphCache graphs;
   for (int skill = 0; skill < 4; ++skill)
-    for (const std::uint64_t seed : {1, 2}) {
+    for (const std::uint64_t seed : {1u, 2u}) {
       const player::RunReport shared = play(rooms, skill, seed, &graphs),
                               alone = play(rooms, skill, seed, nullptr);
       EXPECT_TRUE(shared.reached_exit);

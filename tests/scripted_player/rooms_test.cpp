@@ -258,7 +258,7 @@ TEST(PlayerInRooms, IsDeterministicForASeed) {
   const MadeRooms rooms(hall("", point_text("monster_army", {700, 128, 32}) +
                                      point_text("monster_army", {800, 200, 32}) + exit_at_end()));
   player::RunSetup setup = rooms.setup();
-  setup.records = true;
+  setup.session.records = true;
   const player::RunReport first = player::play_level(setup).value(),
                           second = player::play_level(setup).value();
   EXPECT_EQ(first.time_s, second.time_s);
@@ -272,7 +272,7 @@ TEST(PlayerInRooms, IsDeterministicForASeed) {
 TEST(PlayerInRooms, RecordsAWatchableDemo) {
   const MadeRooms rooms(hall(wall_with_opening(500), door(500, "") + exit_at_end()));
   player::RunSetup setup = rooms.setup();
-  setup.records = true;
+  setup.session.records = true;
   const player::RunReport report = player::play_level(setup).value();
   base::Result<formats::DemReader> reader = formats::DemReader::open(report.demo);
   ASSERT_TRUE(reader.ok());

@@ -205,7 +205,7 @@ class Run {
     }
     // Let the demo show the scores for a moment. An exit without scores loads the next level at once.
     for (auto& move : moves_) move.buttons = 0;
-    if (setup_.records) {
+    if (setup_.session.records) {
       for (const double until_s = session_->now_s() + kEpilogue_s;
            session_->now_s() < until_s && report_.reached_exit && is_in_level();)
         session_->step(moves_);

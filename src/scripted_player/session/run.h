@@ -27,8 +27,6 @@ struct RunSetup {
   // Visit the tour stops of the level, after the waypoints.
   bool visits_stops = false;
   bool fights = true;
-  // Record a demo of the first player.
-  bool records = false;
   // Limit of game time.
   double limit_s = 600;
   // Places to visit first, in this order.
@@ -72,7 +70,7 @@ struct RunReport {
   std::string place_list{};
   // Hash of the game's state at the end, to compare runs.
   std::uint64_t state_hash = 0;
-  // A .dem file, if RunSetup::records.
+  // A .dem file, if SessionSetup::records.
   base::ByteVector demo;
 };
 

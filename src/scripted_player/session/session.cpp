@@ -55,7 +55,7 @@ base::Status Session::begin(const SessionSetup& setup) {
         network_.open(),
         client::PlayerSettings{fmt::format("player{}", i + 1), static_cast<std::uint8_t>(4 + i % 8), 1}));
     // Record from the first message on, because a demo must begin with the level.
-    clients_.back()->start_recording();
+    if (setup.records && i == 0) clients_.back()->start_recording();
     clients_.back()->connect(server_->endpoint.local_address(), now_s_);
     // Players join one after the other, so that their slots are in order.
     const std::vector<net::Move> still(clients_.size());

@@ -39,6 +39,8 @@ struct SessionSetup {
   std::uint32_t bots = 0;
   // Allows "god" in games of several players.
   bool can_cheat = false;
+  // Records a demo of the first player.
+  bool records = false;
   // A value of sv_protocol.
   std::string protocol = "auto";
 };
