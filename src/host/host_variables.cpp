@@ -50,7 +50,7 @@ struct HostVariables::Registered {
   command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
       max_fps, time_scale, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble,
       parallel, show_speed, show_latency, show_clock, show_player_speed, show_renderer, stuffed_text,
-      max_players, port, start_demos;
+      max_players, port, start_demos, pause_unfocused, mute_unfocused;
   std::vector<std::string> saved;  // the names of the player's own variables
 };
 
@@ -64,6 +64,10 @@ HostVariables::Registered::Registered(command::Variables& variables)
                               "Display mode: a window, borderless at the desktop's size, or full screen.");
   display = variables.add_int("vid_display", 0, 0, 63, "Display for the game; 0: the first one.");
   vsync = variables.add_bool("vid_vsync", defaults.vsync, "Synchronizes frames with the display.");
+  pause_unfocused = variables.add_bool("vid_pauseunfocused", true,
+                                       "Pauses a single-player game while another window is in use.");
+  mute_unfocused =
+      variables.add_bool("snd_muteunfocused", true, "Mutes all sound while another window is in use.");
   color = variables.add_choice(
       "vid_color", kColors,
       "Color mode: true color (rgb), or the 256 colors of the game's palette (indexed).");
@@ -167,6 +171,14 @@ bool HostVariables::is_parallel() const {
 
 bool HostVariables::plays_start_demos() const {
   return variables_->bool_value(registered_->start_demos);
+}
+
+bool HostVariables::pauses_unfocused() const {
+  return variables_->bool_value(registered_->pause_unfocused);
+}
+
+bool HostVariables::mutes_unfocused() const {
+  return variables_->bool_value(registered_->mute_unfocused);
 }
 
 double HostVariables::time_scale() const {

@@ -69,6 +69,8 @@ class HostVariables {
   bool is_parallel() const;           // server ticks may run in parallel with drawing
   bool plays_start_demos() const;     // behind the menu, when the program starts
   double time_scale() const;          // wanted speed of a local game or demo; 1: normal
+  bool pauses_unfocused() const;      // a single-player game halts while another window has the keyboard
+  bool mutes_unfocused() const;       // no sound meanwhile
   ReadoutSettings readouts() const;
   StuffedTextRule stuffed_text() const;
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "formats/images/png.h"
@@ -109,10 +110,25 @@ TEST(Host, ReleasesKeysWhenFocusIsLost) {
   game.window().put(platform::FocusChanged{false});
   game.run(0.1);
   EXPECT_FALSE(game.window().is_mouse_captured());
+  game.window().put(platform::FocusChanged{true});
   game.run(1);
   server::Server& server = *game.session().server();
   const math::Vec3 velocity = server.game->player(0)[server::field::kVelocity];
   EXPECT_LT(glm::length(math::Vec2(velocity)), 1);
+}
+
+TEST(Host, RunsCommandsOnceThePlayerIsInTheGame) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game({"map small"});
+  game.host().options.commands_in_game = {"god; echo done"};
+  ASSERT_TRUE(game.run_until_playing());
+  game.run(0.5);
+  EXPECT_TRUE(game.has_printed("godmode ON"));
+  EXPECT_FALSE(game.has_printed("god: "));
+  game.command("god; map small");
+  game.run(1);
+  ASSERT_TRUE(game.run_until_playing());
+  EXPECT_EQ(std::count(game.lines().begin(), game.lines().end(), "done"), 1);
 }
 
 TEST(Host, MouseTurnsTheViewInTheSameFrame) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "host/session/configure.h"
 #include "support/programs/quakec.h"

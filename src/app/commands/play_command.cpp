@@ -76,9 +76,17 @@ base::Status remember_choice(const UserFolders& user, std::string_view name) {
   return write_choice(file, name);
 }
 
-// Returns the console commands to run at the start: --exec, then --map, --demo, and --connect.
+// Whether the command line starts or joins a game: then --exec waits until the player is in it.
+bool starts_game(const PlayOptions& options, const std::string& watched_level) {
+  return !options.map.empty() || !watched_level.empty() || !options.connect.empty();
+}
+
+// Returns the console commands to run at the start: --exec, unless it waits for a game, then --map, --demo,
+// and
+// --connect.
 std::vector<std::string> list_first_commands(const PlayOptions& options, const std::string& watched_level) {
-  std::vector<std::string> lines = options.execute;
+  std::vector<std::string> lines;
+  if (!starts_game(options, watched_level)) lines = options.execute;
   for (const auto& [command, name] :
        {std::pair{"map", options.map.empty() ? watched_level : options.map},
         std::pair{"playdemo", options.demo}, std::pair{"connect", options.connect}})
@@ -106,7 +114,10 @@ Command* add_play_command(Command& program, PlayOptions& io_options) {
   add_parsed_option(*command, "--size", io_options.size, parse_size, "Window size")->type_name("WxH");
   command->add_option("--progs", io_options.program, "Game code (default: progs.dat of the game directories)")
       ->type_name("FILE");
-  command->add_option("--exec", io_options.execute, "Run console commands at the start; repeatable")
+  command
+      ->add_option("--exec", io_options.execute,
+                   "Run console commands at the start, or once you are in the game of --map or --connect; "
+                   "repeatable")
       ->type_name("COMMANDS")
       ->allow_extra_args(false)
       ->take_all();
@@ -149,6 +160,7 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
       .remember_source = [&](std::string_view name) { return remember_choice(user, name); },
       .program_file = options.program.empty() ? watch.program() : options.program,
       .commands = list_first_commands(options, watch.level()),
+      .commands_in_game = starts_game(options, watch.level()) ? options.execute : std::vector<std::string>(),
       .version = "Temblor " TEMBLOR_VERSION,
       .apply_overrides = [&] { return apply_command_line(options, common, variables.variables()); }};
   TRY(const host::HostPointer host,

@@ -15,7 +15,8 @@ bool has_view(const Host& host) {
 }
 
 bool is_halted(const Host& host) {
-  return host.game.session->is_alone() && host.game.session->is_playing() && !is_in_game(host);
+  if (!host.game.session->is_alone() || !host.game.session->is_playing()) return false;
+  return !is_in_game(host) || (!host.input.has_focus && host.variables.pauses_unfocused());
 }
 
 std::optional<render::Camera> current_camera(const Host& host) {

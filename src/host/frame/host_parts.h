@@ -81,6 +81,7 @@ struct HostInput {
   client::PlayerInput player;
   client::Prediction prediction;
   bool has_focus = true;
+  bool is_alt_down = false;
   bool takes_text = false;  // the window sends TextTyped events (a prompt or the console is open)
 
   // The zoom of the view moves between 0 (off) and 1 (full) over several frames.
@@ -160,6 +161,7 @@ struct SpeedMeter {
 
 struct HostVideo {
   platform::WindowSettings window_settings;            // as last applied to the window
+  std::string full_screen_mode = "borderless";         // `vid_mode` that Alt+Enter turns on
   client::PresentationSettings presentation_settings;  // of this frame
   Screen screen;
   render::DrawList overlay;
@@ -210,7 +212,8 @@ struct Host {
 bool is_in_game(const Host& host);
 // There is a level to draw, of a game or a demo.
 bool has_view(const Host& host);
-// The game is halted because the player of a single-player game has opened the console or a menu.
+// The game is halted because the player of a single-player game has opened the console or a menu, or uses
+// another window.
 bool is_halted(const Host& host);
 // The camera of the last frame; none if there is no view.
 std::optional<render::Camera> current_camera(const Host& host);

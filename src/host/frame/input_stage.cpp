@@ -83,6 +83,24 @@ void handle_resize(Host& io_host, const platform::WindowChanged& changed) {
     print_if_error(io_host, variables.set(name, std::to_string(value)));
 }
 
+// Returns whether the event is Enter while Alt is held. Another window may have seen Alt's release.
+bool is_alt_enter(HostInput& io_input, const platform::InputEvent& event) {
+  if (std::holds_alternative<platform::FocusChanged>(event.what)) io_input.is_alt_down = false;
+  const auto* const key = std::get_if<platform::KeyChange>(&event.what);
+  if (key == nullptr) return false;
+  if (key->key == platform::Key::kAlt) io_input.is_alt_down = key->down;
+  return key->key == platform::Key::kEnter && key->down && !key->repeated && io_input.is_alt_down;
+}
+
+// The player's own kind of full screen comes back, if the player has used one in this run.
+void toggle_full_screen(Host& io_host) {
+  constexpr const char *kMode = "vid_mode", *kWindow = "window";
+  command::Variables& variables = io_host.variables.variables();
+  const std::string mode = variables.find(kMode)->text;
+  if (mode != kWindow) io_host.video.full_screen_mode = mode;
+  print_if_error(io_host, variables.set(kMode, mode == kWindow ? io_host.video.full_screen_mode : kWindow));
+}
+
 void handle_close_request(Host& io_host) {
   // While a menu is open, which may be the question itself, the request quits without asking.
   if (find_unsaved_progress(io_host).empty() || io_host.game.menu->is_open())
@@ -103,6 +121,7 @@ void handle_event(Host& io_host, const platform::InputEvent& event) {
   HostInput& input = io_host.input;
   input.oldest_event_s = std::min(input.oldest_event_s.value_or(event.time_s), event.time_s);
   input.event_time_s = find_start_s(io_host.timing, event);
+  if (is_alt_enter(input, event)) return toggle_full_screen(io_host);
   const bool was_in_game = is_in_game(io_host);
   if (pass_to_overlays(io_host, event)) {
     // The game will not see the releases of the keys that were held when the overlay opened.

@@ -76,7 +76,10 @@ void play_sound(Host& io_host) {
   for (const std::string& name : io_host.game.menu->take_sounds()) scene.play_local(name);
   for (const std::string& note : scene.take_notes()) print_line(io_host, note);
   if (std::optional<client::SoundOutput>& output = io_host.sound.output) {
-    output->advance(io_host.timing.now_s, scene.scene(), scene.events());
+    audio::Scene heard = scene.scene();
+    if (!io_host.input.has_focus && io_host.variables.mutes_unfocused())
+      heard.volumes = {.sounds = 0, .ambient = 0, .music = 0};
+    output->advance(io_host.timing.now_s, heard, scene.events());
     const client::Game* const game = demo                   ? &demo->state().game()
                                      : session.is_playing() ? &session.connection()->state().game()
                                                             : nullptr;

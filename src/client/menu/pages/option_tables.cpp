@@ -9,6 +9,7 @@ std::span<const OptionLook> picture_options() {
   static constexpr std::string_view kColorModes[] = {"true color", "256 colors"};
   static constexpr OptionLook kLooks[] = {
       {.variable = "vid_vsync", .label = "Vertical sync"},
+      {.variable = "vid_pauseunfocused", .label = "Pause in background"},
       {.variable = "host_maxfps", .label = "Frame rate limit", .high = 250, .step = 10, .zero = "none"},
       {.variable = "vid_render_scale_auto", .label = "Dynamic resolution"},
       {.variable = "vid_target_fps",
@@ -89,6 +90,7 @@ std::span<const OptionLook> sound_options() {
        .step = 0.1,
        .shown_factor = 100,
        .unit = "%"},
+      {.variable = "snd_muteunfocused", .label = "Mute in background"},
   };
   return kLooks;
 }
