@@ -5,23 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "assets/pictures.h"
 #include "client/console/console_ui.h"
+#include "client/no_pictures.h"
 #include "command/console.h"
 #include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
-
-// Placeholder pictures only.
-inline const assets::Pictures& no_pictures() {
-  static const assets::Pictures pictures = [] {
-    const TemporaryFolder folder;
-    folder.write("id1/empty.txt", base::ByteVector{});
-    std::vector<std::string> notes;
-    return assets::Pictures::load(vfs::FileSystem::open(folder.path()).value(), notes);
-  }();
-  return pictures;
-}
 
 struct ConsoleScreen {
   ConsoleScreen() {

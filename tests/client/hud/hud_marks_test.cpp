@@ -6,21 +6,10 @@
 
 #include "client/hud/hud.h"
 #include "client/hud/panel.h"
-#include "support/programs/temporary_folder.h"
+#include "client/no_pictures.h"
 
 namespace temblor::client {
 namespace {
-
-// Without a picture file, only fills are visible.
-const assets::Pictures& no_pictures() {
-  static const assets::Pictures pictures = [] {
-    const test::TemporaryFolder folder;
-    folder.write("id1/nothing", std::string_view("."));
-    std::vector<std::string> notes;
-    return assets::Pictures::load(vfs::FileSystem::open(folder.path()).value(), notes);
-  }();
-  return pictures;
-}
 
 Game game_with(int health, int armor, int ammo) {
   Game game;
@@ -36,7 +25,7 @@ struct Fill {
 
 std::vector<Fill> fills(const Game& game, int width, int height, const HudSettings& settings) {
   render::DrawList list;
-  Hud(no_pictures()).draw(game, 1000, width, height, settings, list);
+  Hud(test::no_pictures()).draw(game, 1000, width, height, settings, list);
   std::vector<Fill> found;
   for (const render::DrawCommand& command : list.commands)
     if (command.picture == nullptr)
@@ -126,10 +115,10 @@ TEST(HudMarks, SafeColorsLabelTheKeys) {
   for (const auto& [key, letter] : {std::pair(kKeys[0], 'S'), std::pair(kKeys[1], 'G')}) {
     game.data.items = key;
     render::DrawList list;
-    Hud(no_pictures()).draw(game, 1000, 320, 200, settings, list);
+    Hud(test::no_pictures()).draw(game, 1000, 320, 200, settings, list);
     EXPECT_EQ(std::ranges::count_if(list.commands,
                                     [letter](const render::DrawCommand& command) {
-                                      return command.picture == &no_pictures().characters() &&
+                                      return command.picture == &test::no_pictures().characters() &&
                                              command.part_y / 8 * 16 + command.part_x / 8 == letter;
                                     }),
               1);

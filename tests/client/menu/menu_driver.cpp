@@ -9,7 +9,6 @@
 
 #include "client/input/input_variables.h"
 #include "client/view/client_variables.h"
-#include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
 namespace {
@@ -70,16 +69,6 @@ void register_menu_variables(command::Variables& io_variables) {
   v.add_int("port", 26000, 0, 65535, "Of games that others may join.");
   v.add_text("name", "player", "What others call you.");
   v.add_text("hostname", "Temblor", "The server's name in lists.");
-}
-
-const assets::Pictures& no_pictures() {
-  static const assets::Pictures pictures = [] {
-    const TemporaryFolder folder;
-    folder.write("id1/readme.txt", "nothing");
-    std::vector<std::string> notes;
-    return assets::Pictures::load(vfs::FileSystem::open(folder.path()).value(), notes);
-  }();
-  return pictures;
 }
 
 std::vector<MenuPage> all_pages() {

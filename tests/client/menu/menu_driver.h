@@ -6,17 +6,14 @@
 #include <string_view>
 #include <vector>
 
-#include "assets/pictures.h"
 #include "client/menu/menu.h"
+#include "client/no_pictures.h"
 #include "command/variables.h"
 
 namespace temblor::test {
 
 // Registers the variables that a host registers.
 void register_menu_variables(command::Variables& io_variables);
-
-// The pictures of a game that has none: only built-in ones.
-const assets::Pictures& no_pictures();
 
 // All pages except quit.
 std::vector<client::MenuPage> all_pages();
