@@ -94,6 +94,7 @@ class Connection {
   // itself.
   std::vector<std::string> take_commands() { return std::exchange(commands_, {}); }
   const net::Channel& channel() const { return endpoint_.channel(); }
+  std::optional<net::ServerSilence> server_silence() const { return endpoint_.silence(); }
 
  private:
   base::Status handle_transport_event(const net::FromServer& message);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "client/demo/demo_bar.h"
+#include "client/hud/connection_warning.h"
 #include "client/hud/corner_text.h"
 #include "host/frame/corner_readouts.h"
 #include "host/frame/debug_shapes.h"
@@ -34,6 +35,7 @@ struct DrawSettings {
   render::Settings render;
   client::ConsoleSettings console;
   ReadoutSettings readouts;
+  int hud_scale = 0;
 };
 
 // How a dead player continues, for the center of the screen. Empty for a demo. The keys are up to the game's
@@ -83,6 +85,10 @@ void add_overlays(Host& io_host, const DrawSettings& settings, const render::Fra
   if (demos.session && !demos.timed && !demos.is_attracting() &&
       (demos.session->is_paused() || demos.controls.idle_s() < kDemoBarVisible_s))
     client::draw_demo_bar(*demos.session, pictures, width, height, 0, overlay);
+  const client::Connection* const connection = io_host.game.session->connection();
+  if (connection != nullptr)
+    if (const std::optional<net::ServerSilence> silence = connection->server_silence())
+      client::draw_connection_warning(pictures, *silence, settings.hud_scale, width, height, overlay);
   io_host.console.ui.draw(view, width, height, overlay);
   io_host.game.menu->draw(width, height, io_host.timing.now_s, overlay);
   add_readouts(io_host, settings.readouts, stats, width, height);
@@ -133,7 +139,8 @@ void draw_and_show(Host& io_host) {
   const auto step = [&io_host, &session, halted = is_halted(io_host)] {
     session.step_server(io_host.timing.now_s, halted);
   };
-  DrawSettings settings{variables.render(), variables.console(), variables.readouts()};
+  DrawSettings settings{variables.render(), variables.console(), variables.readouts(),
+                        io_host.video.presentation_settings.hud.scale};
   forbid_cheats(io_host, settings.render);
   // Run the tick in parallel only if the frame rate needs it. With time to spare, the tick can follow the
   // frame, and drawing is done sooner with all cores to itself. The menus and the console read variables,

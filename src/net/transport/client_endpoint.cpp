@@ -80,6 +80,12 @@ void ClientEndpoint::update(double now_s) {
   channel_.update(now_s, SendTo{*socket_, server_});
 }
 
+std::optional<ServerSilence> ClientEndpoint::silence() const {
+  if (state_ != State::kConnected || server_.is_local()) return std::nullopt;
+  const double lasts_s = now_s_ - last_received_s_;
+  return ServerSilence{lasts_s, settings_.timeout_s - lasts_s};
+}
+
 base::Status ClientEndpoint::send_reliable(base::Bytes message) {
   if (state_ != State::kConnected) return make_not_connected_error();
   return channel_.send_reliable(message, now_s_, SendTo{*socket_, server_});

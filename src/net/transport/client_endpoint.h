@@ -36,6 +36,10 @@ struct FromServer {
   base::Bytes bytes;
   bool reliable = false;
 };
+// How long the server has sent nothing, in seconds, and how long until the connection ends for that reason.
+struct ServerSilence {
+  double lasts_s = 0, ends_in_s = 0;
+};
 // The connection failed or ended; the endpoint is idle again.
 struct ConnectionLost {
   std::string reason;  // one line for the player, without a line end
@@ -71,6 +75,8 @@ class ClientEndpoint {
   void set_protocol(Protocol protocol);
 
   State state() const { return state_; }
+  // Computed by the last update(). Nothing without a connection, or if the server is in this process.
+  std::optional<ServerSilence> silence() const;
   // Address of the server that was asked, or that is connected.
   const platform::Address& server() const { return server_; }
   const Channel& channel() const { return channel_; }

@@ -165,8 +165,12 @@ TEST(ClientEndpoint, TimesOutSilentServer) {
   bench.client.taken();
   bench.tick(299);
   EXPECT_THAT(bench.client.taken(), IsEmpty());
+  ASSERT_TRUE(bench.client.endpoint.silence());
+  EXPECT_NEAR(bench.client.endpoint.silence()->lasts_s, 299, 0.1);
+  EXPECT_NEAR(bench.client.endpoint.silence()->ends_in_s, 1, 0.1);
   bench.tick(2);
   EXPECT_THAT(bench.client.taken(), ElementsAre("- the server stopped responding"));
+  EXPECT_FALSE(bench.client.endpoint.silence());
 }
 
 TEST(HostileServer, RandomPacketsCauseNoDuplicates) {
