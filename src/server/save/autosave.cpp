@@ -6,6 +6,7 @@
 namespace temblor::server {
 namespace {
 
+constexpr double kArrival_s = 0.5;    // until the player has settled on the floor
 constexpr double kWorthSaving_s = 5;  // in the level; the menus ask for confirmation after as long
 constexpr double kUnhurt_s = 3;
 constexpr float kHealthDecay = 1;  // health above the maximum decays by 1: that is no damage
@@ -38,8 +39,9 @@ void Autosave::watch(const Player& player, double now_s) {
 }
 
 bool Autosave::is_due(double every_s, double now_s) const {
-  const bool is_time = was_saved_ ? now_s - saved_s_ >= every_s : is_worth_saving(now_s);
-  return is_time && stands_ && now_s - hurt_s_ >= kUnhurt_s;
+  // On arrival, a player who is under attack needs the save even more.
+  if (!was_saved_) return began_s_ && now_s - *began_s_ >= kArrival_s && stands_;
+  return now_s - saved_s_ >= every_s && stands_ && now_s - hurt_s_ >= kUnhurt_s;
 }
 
 bool Autosave::is_worth_saving(double now_s) const {

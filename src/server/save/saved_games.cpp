@@ -151,7 +151,7 @@ void autosave_if_due(Server& io_server) {
                   .stands = player.move_type() != MoveType::kWalk || player.has_flag(flag::kOnGround) ||
                             player[field::kWaterLevel] > 0},
                  now_s);
-  if (autosave.is_due(io_server.settings().autosave_s(), now_s)) autosave_on_leave(io_server);
+  if (autosave.is_due(io_server.settings().autosave_s(), now_s)) write_autosave(io_server);
 }
 
 void autosave_on_leave(Server& io_server) {

@@ -23,12 +23,12 @@ double first_due_s(Autosave& io_autosave, const Autosave::Player& player, double
   return -1;
 }
 
-TEST(Autosave, IsDueSoonAfterTheStartAndEveryFewMinutes) {
+TEST(Autosave, IsDueOnArrivalAndEveryFewMinutes) {
   Autosave autosave;
   autosave.begin_level();
   const Autosave::Player well{.health = 100};
   const double first_s = first_due_s(autosave, well, 100, 1000);
-  EXPECT_NEAR(first_s, 105, 0.2);
+  EXPECT_NEAR(first_s, 100.5, 0.2);
   autosave.note_save(first_s);
   EXPECT_NEAR(first_due_s(autosave, well, first_s, 1000), first_s + kEvery_s, 0.2);
   // A save by the player counts, too.
@@ -41,11 +41,18 @@ TEST(Autosave, WaitsUntilThePlayerIsSafe) {
   autosave.begin_level();
   EXPECT_LT(first_due_s(autosave, {.health = 100, .stands = false}, 0, 20), 0) << "the player falls";
   autosave.watch({.health = 60}, 20);
-  EXPECT_NEAR(first_due_s(autosave, {.health = 60}, 20, 40), 23, 0.2) << "the player was hit at 20";
+  EXPECT_NEAR(first_due_s(autosave, {.health = 60}, 20, 40), 20, 0.2) << "the first, even under attack";
+  autosave.note_save(20);
+  autosave.watch({.health = 40}, 20 + kEvery_s);
+  EXPECT_NEAR(first_due_s(autosave, {.health = 40}, 20 + kEvery_s, 300), 23 + kEvery_s, 0.2)
+      << "the player was hit when it was due";
   // Health above the maximum decays automatically.
   autosave.begin_level();
-  for (int i = 0; i < 40; ++i) autosave.watch({.health = 150.0f - static_cast<float>(i)}, 100 + i * 0.1);
-  EXPECT_NEAR(first_due_s(autosave, {.health = 110}, 104, 120), 105, 0.2);
+  autosave.watch({.health = 150}, 300);
+  autosave.note_save(300);
+  for (int i = 0; i < 40; ++i)
+    autosave.watch({.health = 150.0f - static_cast<float>(i)}, 296 + kEvery_s + i * 0.1);
+  EXPECT_NEAR(first_due_s(autosave, {.health = 110}, 300 + kEvery_s, 600), 300 + kEvery_s, 0.2);
 }
 
 TEST(Autosave, ALoadedGameIsSavedAfterTheUsualTime) {
