@@ -146,6 +146,35 @@ TEST(HostDemos, AttractModePlaysDemosInALoop) {
   EXPECT_EQ(game.demo(), nullptr);
 }
 
+TEST(HostDemos, AttractModeReturnsBehindTheMenuAfterAGame) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game;
+  game.folder().write("id1/demo1.dem", make_recording({}).bytes);
+  game.restart(nullptr, {"map small"});
+  ASSERT_TRUE(game.run_until_playing());
+  tap(game, Key::kEscape);
+  game.run(0.1);
+  EXPECT_EQ(game.demo(), nullptr) << "the game goes on behind the menu";
+  game.command("disconnect");
+  game.run(0.1);
+  EXPECT_NE(game.demo(), nullptr);
+  game.command("stopdemo");
+  game.run(0.5);
+  EXPECT_EQ(game.demo(), nullptr) << "the player has stopped it";
+}
+
+TEST(HostDemos, AttractModeGivesUpOnBrokenDemos) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game;
+  game.folder().write("id1/demo1.dem", std::string_view("not a demo"));
+  game.restart();
+  game.run(1);
+  EXPECT_EQ(game.demo(), nullptr);
+  EXPECT_EQ(std::ranges::count_if(
+                game.lines(), [](const std::string& line) { return line.find("demo1.dem") != line.npos; }),
+            1);
+}
+
 TEST(HostDemos, AttractModeDefaultsToDemo1To3) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game;

@@ -20,12 +20,18 @@ namespace {
 // repetition: turning the view again would undo the player's own mouse movement since then.
 constexpr double kSameTurn_s = 0.1;
 
-// Shows demos and the main menu, unless the first commands have started a game or a demo.
-void show_attract_mode(Host& io_host) {
-  const bool is_busy = io_host.demos.session || io_host.game.session->connection() != nullptr;
-  if (is_busy || io_host.wants_to_quit) return;
-  if (io_host.variables.plays_start_demos()) attract(io_host, std::move(io_host.game.startup.demos));
-  io_host.game.menu->open();
+bool is_busy(const Host& host) {
+  return host.demos.session || host.game.session->connection() != nullptr || host.wants_to_quit;
+}
+
+// Plays the demos of the start behind an open menu, now and after each game. If none can be played, this is
+// not tried again.
+void play_behind_menu(Host& io_host) {
+  std::vector<std::string>& demos = io_host.game.startup.demos;
+  if (demos.empty() || is_busy(io_host) || !io_host.game.menu->is_open()) return;
+  if (!io_host.variables.plays_start_demos()) return;
+  attract(io_host, demos);
+  if (!io_host.demos.session) demos.clear();
 }
 
 // Sends the player's name and colors to the server if they have changed.
@@ -109,7 +115,7 @@ void run_commands(Host& io_host) {
   game.startup.has_stuffed = false;
   report_unknown_names(io_host);
   if (!std::exchange(game.has_begun, true)) {
-    show_attract_mode(io_host);
+    if (!is_busy(io_host)) game.menu->open();
     if (std::exchange(io_host.options.asks_for_source, false) && game.menu->is_open())
       open_menu(io_host, client::MenuPage::kGameData);
   }
@@ -117,6 +123,7 @@ void run_commands(Host& io_host) {
     print_if_error(io_host, change_games(io_host, std::move(*games)));
   if (const std::optional<GameSource> source = std::exchange(game.requested_source, std::nullopt))
     print_if_error(io_host, change_source(io_host, *source));
+  play_behind_menu(io_host);
 }
 
 void apply_variables(Host& io_host) {
