@@ -131,6 +131,31 @@ TEST(Host, RunsCommandsOnceThePlayerIsInTheGame) {
   EXPECT_EQ(std::count(game.lines().begin(), game.lines().end(), "done"), 1);
 }
 
+TEST(Host, ListsLevelsInPlayOrder) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game;
+  for (const char* name : {"gallery", "dm1", "e1m2", "e1m10", "e2m1", "end", "start", "b_box", "tdm2"})
+    game.folder().write(fmt::format("id1/maps/{}.bsp", name), std::string_view("not read"));
+  game.restart();
+  std::vector<std::string> names;
+  for (const client::MenuLevel& level : game.host().game.menu_lists->content().levels()) names.push_back(level.name);
+  const std::vector<std::string> expected = {"start", "e1m2", "e1m10",   "e2m1", "end",
+                                             "dm1",   "tdm2", "gallery", "small"};
+  EXPECT_EQ(names, expected);
+}
+
+TEST(Host, RestoresTheDefaultKeysOfTheGame) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game;
+  game.folder().write("id1/default.cfg", std::string_view("bind 9 \"impulse 13\"\nsensitivity 7\n"));
+  game.restart();
+  game.command("unbindall; sensitivity 4; bind_defaults");
+  game.run(0.1);
+  EXPECT_FALSE(game.host().input.bindings.find_keys("impulse 13").empty());
+  EXPECT_FALSE(game.host().input.bindings.find_keys("+forward").empty());
+  EXPECT_EQ(game.variables().variables().find("sensitivity")->number, 4);
+}
+
 TEST(Host, MouseTurnsTheViewInTheSameFrame) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game({"map small"});

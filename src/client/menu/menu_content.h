@@ -53,6 +53,8 @@ struct MenuContent {
   // The level from above; null if there is none, or none yet. Called in every frame, for the selected level
   // only.
   std::function<const formats::Picture*(std::string_view level)> level_picture;
+  // Whether the game has the Tremor, a weapon of the shipped game.
+  std::function<bool()> has_tremor;
   // The places where a new game can start. Without them, it starts in the level "start", where the player
   // chooses.
   std::function<std::vector<MenuEpisode>()> episodes;

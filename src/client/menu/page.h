@@ -35,6 +35,8 @@ struct Page {
   // Shown if no row can be selected.
   std::string empty_text;
   Rows rows;
+  // Rows before this one, such as "New save", are not part of the list that is searched, so they do not count.
+  std::size_t first_entry = 0;
   // The row that is selected when the page opens.
   std::size_t first_choice = 0;
   // A picture below the rows, if there is room. It must live until the function is called again.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 
 #include "client/menu/lettering.h"
 #include "client/menu/page_view.h"
@@ -97,12 +98,17 @@ int PageView::draw_title(const Canvas& canvas) const {
 int PageView::draw_search(const Canvas& canvas, int top) const {
   if (!page_.has_search || page_.rows.empty()) return top;
   const Box line{kCursor, top, canvas.width() - kCursor - kMargin, kCharacterSide};
+  const auto is_entry = [this](std::size_t row) {
+    return row >= page_.first_entry && page_.rows[row]->can_be_selected();
+  };
+  const auto shown = std::ranges::count_if(shown_, is_entry);
+  const auto all = std::ranges::count_if(std::views::iota(std::size_t{0}, page_.rows.size()), is_entry);
   if (search_.empty())
     draw_left_and_right(canvas, line, to_second_color("Type to filter"),
-                        to_second_color(fmt::format("{}", shown_.size())));
+                        to_second_color(fmt::format("{}", shown)));
   else
     draw_left_and_right(canvas, line, to_second_color("Filter: ") + search_ + '_',
-                        to_second_color(fmt::format("{} of {}", shown_.size(), page_.rows.size())));
+                        to_second_color(fmt::format("{} of {}", shown, all)));
   return top + kLine + kGap;
 }
 

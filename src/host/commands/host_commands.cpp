@@ -222,7 +222,10 @@ void add_demo_commands(Host& io_host) {
   add("stop", "Stops recording and saves the demo.",
       [](Host& host, Arguments) { print_if_command_error(host, stop_recording(host)); });
   add("startdemos", "startdemos NAME...: plays demos behind the menu in an endless loop.", start_demos);
-  add("stopdemo", "Stops the demo that is playing.", [](Host& host, Arguments) { stop_demo(host); });
+  add("stopdemo", "Stops the demo that is playing.", [](Host& host, Arguments) {
+    if (host.demos.is_attracting()) host.game.startup.demos.clear();  // or it would start again
+    stop_demo(host);
+  });
   add("demo_pause", "Pauses or resumes a demo.", [](Host& host, Arguments arguments) {
     if (client::DemoSession* const demo = find_demo(host, arguments)) demo->pause(!demo->is_paused());
   });
@@ -283,10 +286,8 @@ void add_screen_commands(Host& io_host) {
       [](Host& host, Arguments arguments) {
         print_if_command_error(host, dump_console(host, arguments.size() > 1 ? arguments[1] : "condump.txt"));
       });
-  add("bind_defaults", "Restores the default key bindings.", [](Host& host, Arguments) {
-    host.input.bindings.unbind_all();
-    host.input.bindings.add_defaults();
-  });
+  add("bind_defaults", "Restores the default key bindings.",
+      [](Host& host, Arguments) { restore_default_bindings(host); });
   add("screenshot", "screenshot [FILE]: saves the picture as a PNG. Without a name: the next free number.",
       [](Host& host, Arguments arguments) {
         print_if_command_error(host, write_screenshot(host, arguments.size() > 1 ? arguments[1] : ""));

@@ -1,5 +1,7 @@
 #include "host/menus/menu_lists.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -78,6 +80,25 @@ bool has_game_data(const std::filesystem::path& folder) {
   return false;
 }
 
+// Sorts levels as they are played, by the names that games use: start, numbered levels, the last one, arenas
+// ("dm" in the name), and others. Numbers sort by value.
+std::pair<int, std::string> make_play_order(const std::string& name) {
+  constexpr std::string_view kDigits = "0123456789";
+  const bool is_numbered = name.find_last_of(kDigits) == name.size() - 1;
+  const int rank = name == "start"                ? 0
+                   : name == "end"                ? 2
+                   : name.find("dm") != name.npos ? 3
+                   : is_numbered                  ? 1
+                                                  : 4;
+  std::string key;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t end = std::min(name.find_first_not_of(kDigits, at), name.size());
+    key += end > at ? fmt::format("{:0>6}", name.substr(at, end - at)) : std::string(1, name[at]);
+    at = std::max(end, at + 1);
+  }
+  return {rank, key};
+}
+
 }  // namespace
 
 MenuLists::MenuLists(Host& host, const GameData& data) : host_(host), data_(data), thumbnails_(data) {}
@@ -90,6 +111,7 @@ std::vector<client::MenuLevel> MenuLists::levels() {
     // b_*.bsp are the models of ammo boxes.
     if (!name.starts_with("b_")) levels_.push_back({name, level_title(name)});
   }
+  std::ranges::sort(levels_, {}, [](const client::MenuLevel& level) { return make_play_order(level.name); });
   return levels_;
 }
 
@@ -184,6 +206,7 @@ client::MenuContent MenuLists::content() {
       .levels = [this] { return levels(); },
       .level_picture =
           [this](std::string_view level) { return thumbnails_.level_picture(std::string(level)); },
+      .has_tremor = [this] { return data_.library.files().contains("progs/v_tremor.mdl"); },
       .episodes = [this] { return episodes(); },
       .saves = [this] { return saves(); },
       .save_picture = [this](std::string_view save) { return thumbnails_.save_picture(std::string(save)); },

@@ -123,6 +123,13 @@ void load_game_folders(Host& io_host) {
   game.menu.emplace(io_host.variables.variables(), data.presentation.pictures(), game.menu_lists->content());
 }
 
+void restore_default_bindings(Host& io_host) {
+  io_host.input.bindings.unbind_all();
+  std::istringstream lines(default_commands(*io_host.game.data));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("bind ")) run_at_once(io_host, line);
+}
+
 base::Status run_configuration(Host& io_host) {
   command::Variables& variables = io_host.variables.variables();
   // Discard the settings of the previous game folders. The command line's values are applied again below.

@@ -23,11 +23,14 @@ void load_game_folders(Host& io_host);
 //             exec config.cfg      temblor.cfg, or config.cfg if that does not exist
 //             exec autoexec.cfg
 //             stuffcmds            does nothing: the commands of the command line run after the script
-//             startdemos ...       remembers the demos for the first frame without a game
+//             startdemos ...       remembers the demos that play behind the menu
 //   command line
 // Afterwards applies the window settings and queues the commands of HostOptions. Fails only if the command
 // line's settings are wrong.
 base::Status run_configuration(Host& io_host);
+
+// Binds the program's default keys, and the additional ones of the game's default.cfg, and no others.
+void restore_default_bindings(Host& io_host);
 
 // Switches to other game folders without a restart. Saves the configuration of the old ones and ends the
 // running game. If the new folders cannot be read, fails and the game continues.

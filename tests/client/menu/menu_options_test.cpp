@@ -220,6 +220,16 @@ TEST_F(MenuOptions, HighContrastIsOneColorOnBlack) {
   EXPECT_EQ(hand_.draw().commands.front().opacity, 1);
 }
 
+TEST(MenuKeys, TheTremorHasARowOnlyInGamesThatHaveIt) {
+  for (const bool has_tremor : {false, true}) {
+    client::MenuContent content = MenuDriver::some_content();
+    content.has_tremor = [has_tremor] { return has_tremor; };
+    MenuDriver hand(content);
+    hand.menu().open(MenuPage::kKeys);
+    EXPECT_EQ(hand.go_to("Tremor"), has_tremor);
+  }
+}
+
 TEST_F(MenuOptions, BindAndUnbindKeys) {
   expect_at(MenuPage::kKeys, "Move forward");
   EXPECT_THAT(hand_.selected(), HasSubstr("w or UPARROW"));

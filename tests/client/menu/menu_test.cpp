@@ -259,8 +259,10 @@ TEST(Menu, IgnoresTheTextOfTheKeyThatOpenedIt) {
 TEST(Menu, TypingFiltersLongLists) {
   MenuDriver hand;
   hand.menu().open(MenuPage::kLevels);
+  EXPECT_THAT(hand.all_text(), HasSubstr("Type to filter 31")) << "not 32: the skill is not a level";
   hand.type("number 17");
   EXPECT_THAT(hand.selected(), StartsWith("e1m17"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("1 of 31"));
   EXPECT_THAT(hand.all_text(), Not(HasSubstr("start")));
   for (int i = 0; i < 9; ++i) hand.press(Key::kBackspace);
   EXPECT_THAT(hand.all_text(), HasSubstr("start"));

@@ -88,7 +88,7 @@ Page make_levels_page(const PageContext& context) {
   page.has_search = true;
   page.empty_text = "No levels found.";
   page.add(make_skill_row(context));
-  page.first_choice = page.rows.size();
+  page.first_choice = page.first_entry = page.rows.size();
   for (const MenuLevel& level : call_or_default(context.content.levels))
     if (!level.name.empty())
       page.rows.push_back(make_level_row(context.content, level, [context, name = level.name] {
@@ -123,6 +123,7 @@ Page make_save_page(const PageContext& context) {
   const std::vector<MenuSave> saves = call_or_default(context.content.saves);
   page.rows.push_back(
       std::make_unique<ActionRow>("New save", [name = find_free_save_name(saves)] { return save_as(name); }));
+  page.first_entry = page.rows.size();
   for (const MenuSave& save : saves)
     if (!save.name.empty())
       page.rows.push_back(make_save_row(context.content, save, [save] {

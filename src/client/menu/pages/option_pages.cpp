@@ -189,8 +189,11 @@ Page make_keys_page(const PageContext& context) {
   page.title = "Key bindings";
   page.title_picture = "gfx/ttl_cstm.lmp";
   page.has_search = true;
+  const bool has_tremor = call_or_default(context.content.has_tremor);
   for (const BoundAction& action : bound_actions())
-    if (action.commands.empty())
+    if (action.label == kTremorLabel && !has_tremor)
+      continue;
+    else if (action.commands.empty())
       page.rows.push_back(std::make_unique<HeadingRow>(std::string(action.label)));
     else
       page.rows.push_back(std::make_unique<BindingRow>(context.content, action.label, action.commands));

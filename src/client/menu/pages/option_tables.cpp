@@ -191,6 +191,7 @@ std::span<const BoundAction> bound_actions() {
       {"Grenade launcher", "impulse 6"},
       {"Rocket launcher", "impulse 7"},
       {"Thunderbolt", "impulse 8"},
+      {kTremorLabel, "impulse 13"},
       {"Other", ""},
       {"Show scores", "+showscores"},
       {"Chat", "messagemode"},

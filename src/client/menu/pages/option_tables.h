@@ -22,5 +22,7 @@ struct BoundAction {
   std::string_view label, commands;
 };
 std::span<const BoundAction> bound_actions();
+// The action of a weapon that only the shipped game has.
+constexpr std::string_view kTremorLabel = "Tremor";
 
 }  // namespace temblor::client
