@@ -208,6 +208,8 @@ void Game::apply_input(std::size_t slot, const PlayerInput& input) {
   edict.set(field::kButton0, static_cast<float>(input.buttons & 1));
   edict.set(field::kButton2, static_cast<float>(input.buttons >> 1 & 1));
   if (input.impulse != 0) edict.set(field::kImpulse, static_cast<float>(input.impulse));
+  if (movement_field_)
+    edict.set(*movement_field_, math::Vec3(input.command.forward, input.command.side, input.command.up));
   move_player(world_, edict.index(), input.command);
 }
 

@@ -98,6 +98,77 @@ TEST(HalfLifeLevel, LaddersVolumesAndDoorsThatTurnDoNotBlock) {
     EXPECT_GT(walk_in("", barrier(name, 512)).x, kWallReached) << name;
 }
 
+// A ledge of 160 units with a ladder in front of it.
+std::string ledge() {
+  return box_text({512, -128, 0}, {1024, 128, 160}, "wall");
+}
+std::string ladder() {
+  return entity_text("func_ladder", {}, box_text({496, -32, 0}, {512, 32, 160}, "wall"));
+}
+
+TEST(HalfLifeLevel, PlayersClimbLadders) {
+  EXPECT_NEAR(walk_in(ledge()).x, 512 - 16, 1);
+  const math::Vec3 end = walk_in(ledge(), ladder());
+  EXPECT_GT(end.x, kWallReached);
+  EXPECT_NEAR(end.z + kFeet, 160, 0.1);
+}
+
+TEST(HalfLifeLevel, PlayersRestOnLaddersAndComeDown) {
+  const RoomData room(half_life_hall(ledge(), ladder()), HasTremor::kYes, LevelFor::kHalfLife);
+  PlayedLevel game(room.path(), "room", kProgs);
+  game.join(0);
+  game.run(2);
+  const auto feet = [&] { return game.player(0)[field::kOrigin].z + kFeet; };
+  game.input(0).command.forward = 320;
+  while (feet() < 80 && game.time_s() < 20) game.tick();
+  game.input(0).command.forward = 0;
+  game.run(0.1);
+  const float height = feet();
+  game.run(2);
+  EXPECT_NEAR(feet(), height, 0.1) << "it holds on";
+  game.input(0).command.forward = -320;
+  game.run(0.2);
+  EXPECT_NEAR(feet(), height - 0.2 * 200, 5);
+  game.run(2);
+  EXPECT_NEAR(feet(), 0, 0.1);
+  EXPECT_LT(game.player(0)[field::kOrigin].x, 450) << "walks away";
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+TEST(HalfLifeLevel, PlayersJumpOffLadders) {
+  const RoomData room(half_life_hall(ledge(), ladder()), HasTremor::kYes, LevelFor::kHalfLife);
+  PlayedLevel game(room.path(), "room", kProgs);
+  game.join(0);
+  game.run(2);
+  game.input(0).command.forward = 320;
+  while (game.player(0)[field::kOrigin].z + kFeet < 80 && game.time_s() < 20) game.tick();
+  game.input(0).command.forward = 0;
+  game.input(0).buttons = kJump;
+  game.run(1);
+  EXPECT_NEAR(game.player(0)[field::kOrigin].z + kFeet, 0, 0.1);
+  EXPECT_LT(game.player(0)[field::kOrigin].x, 440);
+}
+
+// The opacity that entities of a class get from their keys; 0 is the default.
+float find_alpha(std::string_view class_name, std::string_view keys,
+                 LevelFor level_for = LevelFor::kHalfLife) {
+  const RoomData room(half_life_hall("", barrier(class_name, 512, keys)), HasTremor::kYes, level_for);
+  PlayedLevel game(room.path(), "room", kProgs);
+  return game.edict_number(game.of_class(class_name).at(0), "alpha");
+}
+
+TEST(HalfLifeLevel, RenderModesBecomeOpacities) {
+  constexpr std::string_view kGlass = R"("rendermode" "2" "renderamt" "102")";
+  for (const char* name : {"func_wall", "func_breakable", "func_water"})
+    EXPECT_FLOAT_EQ(find_alpha(name, kGlass), 0.4f) << name;
+  EXPECT_FLOAT_EQ(find_alpha("func_wall", R"("rendermode" "5" "renderamt" "255")"), 1);
+  EXPECT_LT(find_alpha("func_wall", R"("rendermode" "2")"), 0) << "invisible";
+  EXPECT_EQ(find_alpha("func_wall", R"("rendermode" "4" "renderamt" "9")"), 0) << "holes only";
+  EXPECT_EQ(find_alpha("func_wall", R"("rendermode" "x" "renderamt" "9")"), 0);
+  EXPECT_EQ(find_alpha("func_wall", R"("renderamt" "9")"), 0);
+  EXPECT_EQ(find_alpha("func_wall", kGlass, LevelFor::kQuake), 0);
+}
+
 // The bit 256 of Quake leaves an entity out on easy; for Half-Life's doors it means something else.
 TEST(HalfLifeLevel, SpawnFlagsDoNotExcludeSkills) {
   const std::string wall = barrier("func_wall", 512, "\"spawnflags\" \"1792\"");
