@@ -24,6 +24,15 @@ using ColorTranslation = std::array<std::uint8_t, 256>;
 struct ColorTint {
   ColorTranslation indices{};
   std::array<std::uint32_t, 256> rgb{};
+  // Multiplies the channels of other colors, in 255ths: those of a picture's detail in `rgb` frames.
+  formats::Rgb factor{255, 255, 255};
+};
+
+// How a color is combined with the one below.
+enum class DrawMode : std::uint8_t {
+  kBlend,     // covers it, as far as the opacity says
+  kAdd,       // the sum; the opacity is 1 or 0
+  kMultiply,  // the product of each channel, as far as the opacity says
 };
 
 struct DrawCommand {
@@ -41,8 +50,7 @@ struct DrawCommand {
   int scale = 1;
   std::uint8_t fill = 0;  // palette index
   float opacity = 1;      // 0 to 1
-  // The colors are added to those below, in which case the opacity is 1 or 0.
-  bool is_additive = false;
+  DrawMode mode = DrawMode::kBlend;
   // Null: the picture's own colors.
   const ColorTranslation* translation = nullptr;
   // Null: the palette's colors. Applies to `fill` too, and replaces `translation`.

@@ -239,15 +239,18 @@ base::Status HudProgram::draw_hud(const HudMoment& moment) {
     return program.call(function);
   };
   const Game& game = *program.context.game;
+  const bool has_scores = program.entries.draw_scores != vm::kNoFunction;
   drawing_.parts.bars = false;
-  // The built-in screens of the ending stay.
-  if (game.ending != Ending::kNone) return base::Ok{};
-  TRY_STATUS(draw(program.entries.draw_hud));
-  if (program.entries.draw_scores == vm::kNoFunction) return base::Ok{};
-  drawing_.parts.scores = false;
-  return moment.shows_scores || (game.deathmatch && game.stat(Stat::kHealth) <= 0)
-             ? draw(program.entries.draw_scores)
-             : base::Status(base::Ok{});
+  drawing_.parts.scores = !has_scores;
+  bool needs_scores = moment.shows_scores || (game.deathmatch && game.stat(Stat::kHealth) <= 0);
+  if (game.ending == Ending::kNone) {
+    TRY_STATUS(draw(program.entries.draw_hud));
+  } else {
+    // The scores are the screen after a level. The built-in screens of a finale stay.
+    needs_scores = game.ending == Ending::kIntermission;
+    drawing_.parts.ending = !(needs_scores && has_scores);
+  }
+  return needs_scores && has_scores ? draw(program.entries.draw_scores) : base::Status(base::Ok{});
 }
 
 base::Status HudProgram::draw_view(const HudMoment& moment) {

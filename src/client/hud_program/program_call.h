@@ -51,8 +51,12 @@ class ProgramCall : public builtins::Call {
 // The parameters "vector rgb, float alpha, float flag", of which the first has this number. Flag 1 is
 // additive; other values, or none, blend.
 inline ProgramColor read_color(const ProgramCall& call, int first) {
-  constexpr float kAdditive = 1;
-  return {call.vector(first), call.number(first + 1), call.number_or(first + 2, 0) == kAdditive};
+  constexpr float kAdditive = 1, kModulate = 2;
+  const float flag = call.number_or(first + 2, 0);
+  return {call.vector(first), call.number(first + 1),
+          flag == kAdditive   ? render::DrawMode::kAdd
+          : flag == kModulate ? render::DrawMode::kMultiply
+                              : render::DrawMode::kBlend};
 }
 
 // One row of a family's table. Number 0: QuakeC can declare it by name only.

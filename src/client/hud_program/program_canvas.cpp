@@ -74,13 +74,17 @@ const render::ColorTint& ProgramCanvas::find_tint(const math::Vec3& rgb) {
   const std::uint32_t r = quantize(rgb.x), g = quantize(rgb.y), b = quantize(rgb.z);
   std::unique_ptr<const render::ColorTint>& found = tints_[r << 8 | g << 4 | b];
   if (found) return *found;
-  auto tint = std::make_unique<render::ColorTint>();
-  for (std::size_t i = 0; i < palette_.size(); ++i) {
+  const auto scale = [&](const formats::Rgb& color) {
     const auto scaled = [](std::uint8_t channel, std::uint32_t factor) {
       return static_cast<std::uint8_t>((channel * factor + kColorSteps / 2) / kColorSteps);
     };
-    const formats::Rgb base = i == kFillIndex ? formats::Rgb{255, 255, 255} : palette_[i];
-    const formats::Rgb color{scaled(base.r, r), scaled(base.g, g), scaled(base.b, b)};
+    return formats::Rgb{scaled(color.r, r), scaled(color.g, g), scaled(color.b, b)};
+  };
+  constexpr formats::Rgb kWhite{255, 255, 255};
+  auto tint = std::make_unique<render::ColorTint>();
+  tint->factor = scale(kWhite);
+  for (std::size_t i = 0; i < palette_.size(); ++i) {
+    const formats::Rgb color = scale(i == kFillIndex ? kWhite : palette_[i]);
     tint->indices[i] = nearest_.find(color);
     tint->rgb[i] = 0xff000000u | std::uint32_t{color.r} << 16 | std::uint32_t{color.g} << 8 | color.b;
   }
@@ -101,10 +105,10 @@ base::Status ProgramCanvas::add(render::DrawCommand command, const ProgramColor&
     return base::error(base::ErrorCode::kTooLarge, "draws over the whole frame more than {} times",
                        kMaxCoverage);
   command.clip = clip_;
-  if (color.is_additive) {
+  command.mode = color.mode;
+  if (color.mode == render::DrawMode::kAdd) {
     command.tint = &find_tint(color.rgb * command.opacity);
     command.opacity = 1;
-    command.is_additive = true;
   }
   list_.commands.push_back(command);
   return base::Ok{};

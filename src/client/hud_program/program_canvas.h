@@ -18,12 +18,11 @@
 
 namespace temblor::client {
 
-// The color and the opacity (0 to 1) of something that is drawn. Additive: the color times the opacity is
-// added to what is there.
+// The color and the opacity (0 to 1) of something that is drawn. kAdd adds the color times the opacity.
 struct ProgramColor {
   math::Vec3 rgb{1.0f};
   float alpha = 1;
-  bool is_additive = false;
+  render::DrawMode mode = render::DrawMode::kBlend;
 };
 
 // A rectangle in virtual pixels, and the part of a picture: 0 to 1 from left to right and from top to bottom.

@@ -1,12 +1,15 @@
 #include "client/hud_program/program_pictures.h"
 
+#include <memory>
+#include <utility>
+
 #include "assets/image_files.h"
 #include "base/text.h"
 
 namespace temblor::client {
 namespace {
 
-formats::Picture to_picture(const formats::Image& image, const formats::NearestColor& nearest) {
+formats::Picture to_picture(formats::Image image, const formats::NearestColor& nearest) {
   constexpr std::uint32_t kOpaqueFrom = 128;  // of 255; a picture's pixel is either there or not
   formats::Picture picture{image.width, image.height, {}};
   picture.pixels.reserve(image.pixels.size());
@@ -15,6 +18,8 @@ formats::Picture to_picture(const formats::Image& image, const formats::NearestC
                                                        : nearest.find({static_cast<std::uint8_t>(pixel >> 16),
                                                                        static_cast<std::uint8_t>(pixel >> 8),
                                                                        static_cast<std::uint8_t>(pixel)}));
+  picture.detail = std::make_shared<const formats::PictureDetail>(
+      formats::PictureDetail{image.width, image.height, std::move(image.pixels), picture.pixels});
   return picture;
 }
 
@@ -44,9 +49,11 @@ const formats::Picture* ProgramPictures::load_file(const std::string& name) {
     for (const char* const extension : {"", ".png", ".tga", ".jpg"}) {
       const std::string file = base + extension;
       if (!assets::is_image_file(file) || !files.contains(file)) continue;
-      const base::Result<formats::Image> image = assets::read_image_file(files, file);
+      base::Result<formats::Image> image = assets::read_image_file(files, file);
       if (!image.ok() || image->width > kMaxSide || image->height > kMaxSide) continue;
-      return &files_.insert_or_assign(file, to_picture(*image, nearest_)).first->second;
+      if (image->pixels.size() > kMaxPixels - file_pixels_) continue;
+      file_pixels_ += image->pixels.size();
+      return &files_.insert_or_assign(file, to_picture(*std::move(image), nearest_)).first->second;
     }
   return nullptr;
 }

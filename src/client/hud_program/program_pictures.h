@@ -1,5 +1,6 @@
 // The pictures that a HUD program names: those of gfx.wad and gfx/*.lmp, and PNG, TGA, and JPEG files of the
-// game folders, which are converted to the palette.
+// game folders. `rgb` frames show the files' own colors and opacities, `indexed` frames the nearest entries
+// of the palette.
 #pragma once
 
 #include <map>
@@ -17,6 +18,8 @@ class ProgramPictures {
   // More files, or larger ones, are not loaded: they count as missing.
   static constexpr std::size_t kMaxFiles = 1024;
   static constexpr std::uint32_t kMaxSide = 2048;
+  // The pixels of all files; each takes six bytes.
+  static constexpr std::size_t kMaxPixels = std::size_t{1} << 26;
 
   // All of them must outlive this object.
   ProgramPictures(const assets::Library& library, const assets::Pictures& pictures,
@@ -35,6 +38,7 @@ class ProgramPictures {
   formats::NearestColor nearest_;
   std::map<std::string, const formats::Picture*, std::less<>> found_;  // null: there is none
   std::map<std::string, formats::Picture, std::less<>> files_;
+  std::size_t file_pixels_ = 0;
 };
 
 }  // namespace temblor::client

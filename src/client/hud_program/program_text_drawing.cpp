@@ -61,7 +61,7 @@ base::Status draw_letters(ProgramCall& io_call, bool has_codes) {
   const ProgramColor color = read_color(io_call, 3);
   return for_each_letter(io_call.text(1), has_codes, [&](std::uint8_t code, const math::Vec3& rgb) {
     const base::Status drawn =
-        draw_letter(io_call, code, {place, size}, {color.rgb * rgb, color.alpha, color.is_additive});
+        draw_letter(io_call, code, {place, size}, {color.rgb * rgb, color.alpha, color.mode});
     place.x += size.x;
     return drawn;
   });

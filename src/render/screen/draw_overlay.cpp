@@ -37,11 +37,28 @@ Clip clip_to_rows(const DrawCommand& command, const FrameBuffer& frame, const Ro
   return command.clip ? intersect(clip, *command.clip) : clip;
 }
 
-// Writes runs of a palette index to the frame, opaque or blended.
+// The product of each channel, as a share of 255.
+constexpr std::uint8_t multiply_channel(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint8_t>((a * b + 127) / 255);
+}
+formats::Rgb multiply_colors(const formats::Rgb& a, const formats::Rgb& b) {
+  return {multiply_channel(a.r, b.r), multiply_channel(a.g, b.g), multiply_channel(a.b, b.b)};
+}
+std::uint32_t multiply_rgb(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t out = 0xff000000u;
+  for (int shift = 0; shift < 24; shift += 8)
+    out |= std::uint32_t{multiply_channel(a >> shift & 255, b >> shift & 255)} << shift;
+  return out;
+}
+
+// Writes runs of a palette index to the frame: opaque, blended, added, or multiplied.
 class IndexedPaint {
  public:
   IndexedPaint(const DrawCommand& command, const ColorTables& tables)
-      : table_(choose_table(command, tables.blends)),
+      : tables_(tables),
+        opacity_256_(opacity_256(command.opacity)),
+        multiplies_(command.mode == DrawMode::kMultiply),
+        table_(choose_table(command, tables.blends)),
         translation_(command.tint != nullptr ? &command.tint->indices : command.translation) {}
 
   static std::uint8_t* row(FrameBuffer& frame, std::int64_t y) {
@@ -49,7 +66,9 @@ class IndexedPaint {
   }
   void fill(std::uint8_t index, std::uint8_t* first, std::uint8_t* end) const {
     if (translation_ != nullptr) index = (*translation_)[index];
-    if (table_ == nullptr)
+    if (multiplies_)
+      for (; first != end; ++first) *first = multiply(index, *first);
+    else if (table_ == nullptr)
       std::fill(first, end, index);
     else
       for (; first != end; ++first) *first = table_[index * 256 + *first];
@@ -60,10 +79,19 @@ class IndexedPaint {
 
  private:
   static const std::uint8_t* choose_table(const DrawCommand& command, const BlendTables& blends) {
-    if (command.is_additive) return blends.sums();
+    if (command.mode == DrawMode::kAdd) return blends.sums();
     return command.opacity < 1 ? blends.table_for(command.opacity) : nullptr;
   }
+  // The nearest palette entry. No light changes it later, so full-bright ones may be used.
+  std::uint8_t multiply(std::uint8_t over, std::uint8_t under) const {
+    const formats::Rgb& below = tables_.palette[under];
+    const formats::Rgb product = multiply_colors(tables_.palette[over], below);
+    return tables_.match(blend_colors(product, below, opacity_256_), true);
+  }
 
+  const ColorTables& tables_;
+  int opacity_256_;
+  bool multiplies_;
   const std::uint8_t* table_;  // null: opaque
   const ColorTranslation* translation_;
 };
@@ -72,8 +100,8 @@ class RgbPaint {
  public:
   RgbPaint(const DrawCommand& command, const ColorTables& tables)
       : opacity_256_(opacity_256(command.opacity)),
-        is_additive_(command.is_additive),
-        is_tinted_(command.tint != nullptr),
+        mode_(command.mode),
+        factor_(command.tint != nullptr ? to_rgb(command.tint->factor) : kWhite),
         colors_(command.tint != nullptr ? command.tint->rgb : tables.rgb),
         translation_(command.tint == nullptr ? command.translation : nullptr) {}
 
@@ -82,27 +110,36 @@ class RgbPaint {
   }
   void fill(std::uint8_t index, std::uint32_t* first, std::uint32_t* end) const {
     const std::uint32_t color = colors_[translation_ != nullptr ? (*translation_)[index] : index];
-    if (is_additive_)
-      for (; first != end; ++first) *first = add_rgb(color, *first);
-    else if (opacity_256_ == kOpaque256)
+    if (mode_ == DrawMode::kBlend && opacity_256_ == kOpaque256)
       std::fill(first, end, color);
     else
-      for (; first != end; ++first) *first = blend_rgb(color, *first, opacity_256_);
+      for (; first != end; ++first) *first = combine(color, *first, opacity_256_);
   }
-  // A tint has colors for palette entries only.
   void put_detail(const formats::PictureDetail& detail, std::size_t texel, std::uint32_t* pixel) const {
-    if (is_tinted_) {
-      if (const std::uint8_t index = detail.indices[texel]; index != kClear) fill(index, pixel, pixel + 1);
-      return;
-    }
     const std::uint32_t color = detail.colors[texel];
     const int alpha_256 = static_cast<int>((color >> 24) + (color >> 31));  // 255 is opaque
-    *pixel = blend_rgb(color, *pixel, alpha_256 * opacity_256_ / kOpaque256);
+    const std::uint32_t tinted = factor_ == kWhite ? color : multiply_rgb(color, factor_);
+    *pixel = combine(tinted, *pixel, alpha_256 * opacity_256_ / kOpaque256);
   }
 
  private:
+  static constexpr std::uint32_t kWhite = 0xffffffffu, kBlack = 0xff000000u;
+
+  std::uint32_t combine(std::uint32_t over, std::uint32_t under, int share_256) const {
+    switch (mode_) {
+      case DrawMode::kAdd:
+        return add_rgb(blend_rgb(over, kBlack, share_256), under);
+      case DrawMode::kMultiply:
+        return blend_rgb(multiply_rgb(over, under), under, share_256);
+      case DrawMode::kBlend:
+        break;
+    }
+    return blend_rgb(over, under, share_256);
+  }
+
   int opacity_256_;
-  bool is_additive_, is_tinted_;
+  DrawMode mode_;
+  std::uint32_t factor_;
   const std::array<std::uint32_t, 256>& colors_;
   const ColorTranslation* translation_;
 };

@@ -31,6 +31,8 @@ class HudStage {
     formats::Image image{4, 2, {}};
     for (int i = 0; i < 8; ++i) image.pixels.push_back(i % 4 < 2 ? 0xffff0000u : 0u);
     folder.write("id1/gfx/half.tga", formats::write_tga(image));
+    // Colors that the palette lacks; the right half is half transparent.
+    folder.write("id1/gfx/odd.tga", formats::write_tga({2, 1, {0xff123456u, 0x80ff80fdu}}));
     folder.write("id1/gfx/bad.png", std::string_view("no picture"));
     folder.write("id1/gfx/wide.lmp", formats::write_picture({2, 1, {3, 7}}));
     library.emplace(vfs::FileSystem::open(folder.path()).value());
@@ -464,15 +466,14 @@ TEST(HudProgram, AdditiveDrawingAddsInBothPixelFormats) {
     drawfill('0 0 0', '100 100 0', '0.4 0.4 0.4', 1, 0);
     drawfill('0 0 0', '10 10 0', '0.4 0.4 0.8', 0.5, 1);
     drawpic('20 0 0', "gfx/half.tga", '40 20 0', '1 1 1', 1, 1);
-    drawpic('70 0 0', "gfx/half.tga", '20 20 0', '1 1 1', 1, 2);
+    drawpic('70 0 0', "gfx/half.tga", '20 20 0', '1 1 1', 1, 9);
   )"));
   ASSERT_TRUE(stage.draw().is_active) << stage.printed;
   const std::uint32_t gray = 0x666666;
   const auto rgb = stage.picture(render::PixelFormat::kRgb);
   EXPECT_EQ(pixel(rgb, 10, 10), gray + 0x333366) << "half of 2/5 and 4/5";
   const std::uint32_t red = pixel(rgb, 50, 10);
-  EXPECT_GT(red >> 16 & 255, 0xc0u) << "the palette's nearest red is added";
-  EXPECT_GT(red >> 16 & 255, (red >> 8 & 255) + 60);
+  EXPECT_EQ(red, 0xff6666u) << "the file's own red is added";
   EXPECT_EQ(pixel(rgb, 110, 10), gray) << "the picture's clear half";
   EXPECT_TRUE(is_red(pixel(rgb, 150, 10))) << "other flags blend";
   const auto indexed = stage.picture(render::PixelFormat::kIndexed);
@@ -489,6 +490,84 @@ TEST(HudProgram, AdditiveDrawingAddsInBothPixelFormats) {
                                                  static_cast<std::uint8_t>(under.g + over.g),
                                                  static_cast<std::uint8_t>(under.b + over.b)})];
   EXPECT_EQ(unpack(pixel(indexed, 10, 10)), sum);
+}
+
+// Flag 2 multiplies what is there by the color.
+TEST(HudProgram, ModulatingDrawingMultipliesInBothPixelFormats) {
+  SKIP_WITHOUT_QUAKEC();
+  HudStage stage(draw_hud(R"(
+    drawfill('0 0 0', '100 100 0', '0.4 0.8 0.4', 1, 0);
+    drawfill('0 0 0', '10 10 0', '0.2 0.6 1', 1, 2);
+    drawfill('0 10 0', '10 10 0', '0 0 0', 0.5, 2);
+    drawpic('20 0 0', "gfx/half.tga", '40 20 0', '1 1 1', 1, 2);
+  )"));
+  ASSERT_TRUE(stage.draw().is_active) << stage.printed;
+  const std::uint32_t under = 0x66cc66;
+  const auto rgb = stage.picture(render::PixelFormat::kRgb);
+  EXPECT_EQ(pixel(rgb, 10, 10), 0x147a66u);
+  EXPECT_EQ(pixel(rgb, 10, 30), 0x336633u) << "half of black";
+  EXPECT_EQ(pixel(rgb, 50, 10), 0x660000u) << "only red is left under red";
+  EXPECT_EQ(pixel(rgb, 110, 10), under) << "the picture's clear half";
+  const auto indexed = stage.picture(render::PixelFormat::kIndexed);
+  // The product of two entries, in the nearest entry.
+  const formats::Palette palette = artgen::make_palette();
+  const formats::NearestColor nearest(palette, 0, 255);
+  const formats::Rgb one = palette[nearest.find({0x66, 0xcc, 0x66})],
+                     other = palette[nearest.find({255, 0, 0})];
+  const auto multiply = [](int a, int b) { return static_cast<std::uint8_t>((a * b + 127) / 255); };
+  const formats::Rgb product =
+      palette[nearest.find({multiply(one.r, other.r), multiply(one.g, other.g), multiply(one.b, other.b)})];
+  EXPECT_EQ(pixel(indexed, 50, 10),
+            std::uint32_t{product.r} << 16 | std::uint32_t{product.g} << 8 | product.b);
+  EXPECT_EQ(pixel(indexed, 110, 10), pixel(indexed, 150, 150));
+  EXPECT_NE(pixel(indexed, 10, 10), pixel(indexed, 150, 150));
+}
+
+// In `rgb`, a file keeps colors that the palette lacks, and its half transparent pixels.
+TEST(HudProgram, PictureFilesKeepTheirOwnColors) {
+  SKIP_WITHOUT_QUAKEC();
+  HudStage stage(draw_hud(R"(
+    drawpic('0 0 0', "gfx/odd.tga", '20 20 0', '1 1 1', 1, 0);
+    drawpic('20 0 0', "gfx/odd.tga", '20 20 0', '0.2 1 0.6', 1, 0);
+  )"));
+  ASSERT_TRUE(stage.draw().is_active) << stage.printed;
+  const auto rgb = stage.picture(render::PixelFormat::kRgb);
+  EXPECT_EQ(pixel(rgb, 5, 10), 0x123456u);
+  EXPECT_NEAR(pixel(rgb, 30, 10) >> 16 & 255, 0x80, 1) << "half over black";
+  EXPECT_EQ(pixel(rgb, 45, 10), 0x043434u) << "tinted";
+  const auto indexed = stage.picture(render::PixelFormat::kIndexed);
+  const formats::Palette palette = artgen::make_palette();
+  const formats::Rgb nearest = palette[formats::NearestColor(palette, 0, 255).find({0x12, 0x34, 0x56})];
+  EXPECT_EQ(pixel(indexed, 5, 10),
+            std::uint32_t{nearest.r} << 16 | std::uint32_t{nearest.g} << 8 | nearest.b);
+}
+
+// CSQC_DrawScores is the screen after a level; without it, and in a finale, the built-in ones stay.
+TEST(HudProgram, DrawsTheScreenAfterALevel) {
+  SKIP_WITHOUT_QUAKEC();
+  const std::string hud = draw_hud("drawfill('0 0 0', '9 9 0', '1 0 0', 1, 0);");
+  HudStage bare(hud);
+  bare.game.ending = Ending::kIntermission;
+  EXPECT_TRUE(bare.draw().parts.ending);
+  EXPECT_TRUE(bare.drawn().empty());
+  HudStage stage(hud + R"(
+    float intermission, intermission_time;
+    void(vector size, float shows_scores) CSQC_DrawScores = {
+      print(ftos(intermission), " ", ftos(intermission_time));
+      drawfill('20 20 0', '9 9 0', '0 0 1', 1, 0);
+      drawfill('40 20 0', '9 9 0', '0 1 0', 1, 0);
+    };
+  )");
+  EXPECT_TRUE(stage.draw().parts.ending);
+  EXPECT_EQ(stage.drawn().size(), 1u);
+  stage.game.ending = Ending::kIntermission;
+  stage.game.ending_since_s = 65;
+  EXPECT_EQ(stage.printed_in_frame(), "1 65");
+  EXPECT_FALSE(stage.hud->drawing().parts.ending);
+  EXPECT_EQ(stage.drawn().size(), 2u) << "the scores, without the bar";
+  stage.game.ending = Ending::kFinale;
+  EXPECT_TRUE(stage.draw(true).parts.ending);
+  EXPECT_TRUE(stage.drawn().empty());
 }
 
 TEST(HudProgram, EmptyTextsAndOddNumbersAreHarmless) {

@@ -80,15 +80,17 @@ render::DrawCommand random_command(const formats::Picture& picture,
   return command;
 }
 
-// Some commands have tints, some are clipped, and some are additive.
+// Some commands have tints, some are clipped, and some add or multiply.
 void decorate(render::DrawCommand& io_command, const render::ColorTint& tint, Random& random) {
   if (random.chance(0.3)) io_command.tint = &tint;
   if (random.chance(0.3))
     io_command.clip = {random_corner(random), random_corner(random), static_cast<int>(random.below(100)),
                        static_cast<int>(random.below(100))};
   if (random.chance(0.2)) {
-    io_command.is_additive = true;
+    io_command.mode = render::DrawMode::kAdd;
     io_command.opacity = 1;
+  } else if (random.chance(0.2)) {
+    io_command.mode = render::DrawMode::kMultiply;
   }
 }
 
@@ -139,10 +141,18 @@ bool is_mixed(int got, int over, int under, double opacity) {
 void expect_pixel(const render::DrawCommand& command, int index, std::uint32_t before, std::uint32_t after) {
   if (index == 256 || !(command.opacity > 0)) {
     ASSERT_EQ(after, before);
-  } else if (command.is_additive) {
+  } else if (command.mode == render::DrawMode::kAdd) {
     const std::uint32_t over = rgb_color(command, index);
     for (int shift = 0; shift < 24; shift += 8)
       ASSERT_EQ(after >> shift & 255, std::min((over >> shift & 255) + (before >> shift & 255), 255u));
+    ASSERT_EQ(after >> 24, 255u);
+  } else if (command.mode == render::DrawMode::kMultiply) {
+    const std::uint32_t over = rgb_color(command, index);
+    for (int shift = 0; shift < 24; shift += 8) {
+      const double below = before >> shift & 255, product = (over >> shift & 255) * below / 255;
+      const double opacity = std::min(static_cast<double>(command.opacity), 1.0);
+      ASSERT_NEAR(after >> shift & 255, product * opacity + below * (1 - opacity), 1.5);
+    }
     ASSERT_EQ(after >> 24, 255u);
   } else if (command.opacity >= 1) {
     ASSERT_EQ(after, rgb_color(command, index));
@@ -155,13 +165,32 @@ void expect_pixel(const render::DrawCommand& command, int index, std::uint32_t b
   }
 }
 
+// No palette entry is much nearer to the exact product than the result.
+void expect_product(const render::DrawCommand& command, int index, std::uint8_t before, std::uint8_t after) {
+  const formats::Palette& palette = some_tables().palette;
+  const formats::Rgb &over = palette[indexed_color(command, index)], &under = palette[before];
+  const double opacity = std::min(static_cast<double>(command.opacity), 1.0);
+  const auto distance_from = [&](const formats::Rgb& entry) {
+    const auto difference = [&](int got, int a, int b) {
+      return got - (a * b / 255.0 * opacity + b * (1 - opacity));
+    };
+    return std::hypot(difference(entry.r, over.r, under.r), difference(entry.g, over.g, under.g),
+                      difference(entry.b, over.b, under.b));
+  };
+  double nearest = 1e9;
+  for (std::size_t i = 0; i < 255; ++i) nearest = std::min(nearest, distance_from(palette[i]));
+  ASSERT_LE(distance_from(palette[after]), nearest + 3);
+}
+
 // Uses the table for the nearest sixteenth; another test checks its colors.
 void expect_indexed_pixel(const render::DrawCommand& command, int index, std::uint8_t before,
                           std::uint8_t after) {
   if (index == 256 || !(command.opacity > 0))
     ASSERT_EQ(after, before);
-  else if (command.is_additive)
+  else if (command.mode == render::DrawMode::kAdd)
     ASSERT_EQ(after, some_tables().blends.sums()[indexed_color(command, index) * 256 + before]);
+  else if (command.mode == render::DrawMode::kMultiply)
+    expect_product(command, index, before, after);
   else if (command.opacity >= 1)
     ASSERT_EQ(after, indexed_color(command, index));
   else
@@ -258,6 +287,31 @@ TEST(DrawOverlay, BlendsDetailsByTheirOpacity) {
   EXPECT_NEAR(draw(half, 1), (0x60 + 0x80) / 2, 1);
   EXPECT_NEAR(draw(half, 0.5f), 0x60 / 4 + 0x80 * 3 / 4, 1);
   EXPECT_EQ(draw(clear, 1), 0x80);
+}
+
+// In `rgb`, the tint's factor multiplies the detail's own colors before they are combined.
+TEST(DrawOverlay, TintsAndCombinesDetails) {
+  const formats::Picture picture = make_detailed_picture(128);
+  render::ColorTint tint;
+  tint.factor = {255, 128, 0};
+  const auto draw = [&](render::DrawMode mode) {
+    render::FrameBuffer frame(2, 1, render::PixelFormat::kRgb);
+    std::ranges::fill(frame.rgb(), 0xff808080u);
+    render::draw_overlay({{{.picture = &picture, .area = {0, 0, 2, 1}, .mode = mode, .tint = &tint}}},
+                         some_tables(), nullptr, frame);
+    return frame.rgb()[0];
+  };
+  const auto expect_channels = [](std::uint32_t color, double r, double g, double b) {
+    EXPECT_NEAR(color >> 16 & 255, r, 1.5);
+    EXPECT_NEAR(color >> 8 & 255, g, 1.5);
+    EXPECT_NEAR(color & 255, b, 1.5);
+  };
+  // The texel under the pixel's center is number 6: 0x60, half transparent, over 0x80.
+  constexpr double kUnder = 128, kRed = 96, kGreen = 48;
+  expect_channels(draw(render::DrawMode::kBlend), (kRed + kUnder) / 2, (kGreen + kUnder) / 2, kUnder / 2);
+  expect_channels(draw(render::DrawMode::kAdd), kUnder + kRed / 2, kUnder + kGreen / 2, kUnder);
+  expect_channels(draw(render::DrawMode::kMultiply), kUnder * (1 + kRed / 255) / 2,
+                  kUnder * (1 + kGreen / 255) / 2, kUnder / 2);
 }
 
 TEST(DrawOverlay, DrawsInOrderThroughTheRenderer) {
