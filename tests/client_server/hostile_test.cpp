@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "client/demo/demo_player.h"
 #include "client_server/served_game.h"
@@ -45,6 +46,33 @@ TEST(HostileProgram, ValuesOutOfRangeDoNotEndTheServer) {
   EXPECT_GT(served.client(me).updates(), updates);
   // Stock servers send the lower eight bits.
   EXPECT_EQ(served.client(me).state().game().data.shells, 300 & 255);
+}
+
+// An unreliable and a reliable message with unknown numbers, in packets with others.
+TEST(HostileProgram, MessagesThatTheClientDoesNotKnowDoNotEndTheGame) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(R"(
+    void(entity e, string s) clientcommand = #440;
+    void(string s) SV_ParseClientCommand = {
+      if (s != "boo") { clientcommand(self, s); return; }
+      WriteByte(0, 99);
+      WriteByte(2, 100);
+    };
+  )"));
+  const std::size_t me = served.add_client("patient");
+  ASSERT_TRUE(served.run_until_playing(me));
+  for (int i = 0; i < 3; ++i) {
+    served.client(me).send_command("boo");
+    served.run(0.3);
+  }
+  const std::uint64_t updates = served.client(me).updates();
+  served.run(1);
+  ASSERT_TRUE(served.client(me).is_playing()) << served.client(me).disconnect_reason();
+  EXPECT_GT(served.client(me).updates(), updates);
+  const std::string& printed = served.prints(me);
+  const std::size_t note = printed.find("unknown message (");
+  ASSERT_NE(note, std::string::npos) << printed;
+  EXPECT_EQ(printed.find("unknown message (", note + 1), std::string::npos) << "once in a level";
 }
 
 TEST(HostileProgram, CommandsThatItPassesOnRunWhenItHasReturned) {

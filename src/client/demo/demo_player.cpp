@@ -21,6 +21,7 @@ struct DemoPlayer::Record {
   bool has_time = false;
   // The server disconnected: nothing follows.
   bool is_last = false;
+  bool is_whole = true;  // false: the rest of the packet could not be read
   std::optional<math::Vec3> set_angles_deg;
 };
 
@@ -98,7 +99,7 @@ base::Result<bool> DemoPlayer::play_record() {
   const double previous_time_s = now_.state.time_s();
   Record record;
   TRY_STATUS(apply_messages(*packet, record));
-  now_.state.end_packet();
+  if (record.is_whole) now_.state.end_packet();
   if (record.has_time) {
     run_clock(previous_time_s);
     const bool turned_at_once = now_.state.has_view_jumped();
@@ -114,7 +115,12 @@ base::Status DemoPlayer::apply_messages(const formats::DemMessage& packet, Recor
   now_.messages.begin(packet.message, packet.offset);
   while (true) {
     const std::size_t offset = now_.messages.offset_in_file();
-    TRY(const auto message, now_.messages.next());
+    auto next = now_.messages.next();
+    if (!next.ok() && now_.messages.is_at_unknown()) {
+      out_record.is_whole = false;
+      return now_.state.pass_over_unknown(next.error());
+    }
+    TRY(const auto message, std::move(next));
     if (!message) return base::Ok{};
     if (auto status = now_.state.apply(*message); !status.ok())
       return base::error(status.error().code, "offset {}: {}: {}", offset, net::message_name(*message),

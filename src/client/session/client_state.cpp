@@ -1,5 +1,10 @@
 #include "client/session/client_state.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
 namespace temblor::client {
 
 // New fog fades in over the mixture that was visible when its message arrived.
@@ -61,8 +66,29 @@ std::size_t ClientState::memory_bytes() const {
          count_bytes(e.commands);
 }
 
+base::Status ClientState::pass_over_unknown(const base::Error& error) {
+  if (game_.signon < kPlaying) return error;
+  if (!std::exchange(game_.has_noted_unknown, true))
+    events_.prints.push_back(
+        fmt::format("The server sent something that this client does not know: {}. The "
+                    "rest of the packet is skipped.\n",
+                    error.what));
+  return base::Ok{};
+}
+
+// The packet that reports a death has the player's last place, too.
+void ClientState::note_death() {
+  const bool was_dead = std::exchange(game_.is_dead, game_.stat(Stat::kHealth) <= 0);
+  if (was_dead || !game_.is_dead) return;
+  std::vector<EntityPlace> places;
+  entities_.copy_latest(places);
+  const auto found = std::ranges::find(places, game_.view_entity, &EntityPlace::number);
+  if (found != places.end()) game_.death_place = found->origin_world;
+}
+
 void ClientState::end_packet() {
   entities_.end_packet();
+  note_death();
 }
 
 std::span<const InterpolatedEntity> ClientState::interpolate_entities(double time_s,

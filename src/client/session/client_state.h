@@ -89,6 +89,9 @@ struct Game {
   // The stage of the signon, 0 to kPlaying. At kPlaying the first entities have arrived.
   int signon = 0;
   std::uint16_t view_entity = 0;
+  bool is_dead = false;                   // as of the last packet
+  std::optional<math::Vec3> death_place;  // where the player was when it last died in this level
+  bool has_noted_unknown = false;         // a message that the client does not know
   std::array<std::int32_t, net::kStats> stats{};
   // Stats of the game's own that are not whole numbers, for HUD programs.
   std::map<std::uint8_t, net::StatValue> game_stats;
@@ -156,6 +159,10 @@ class ClientState {
   // an update before serverinfo); the state is then unchanged. Model and sound numbers may be past the end of
   // their lists; readers must check.
   base::Status apply(const net::ServerMessage& message);
+  // Call when a packet has a message that is_at_unknown() (net/protocol/message_reader.h). During the signon,
+  // returns the error. Later, the game goes on without the rest of the packet, and the error is printed, once
+  // in a level. Then do not call end_packet(): the entities that the rest of the packet named must stay.
+  base::Status pass_over_unknown(const base::Error& error);
   // Call after the last message of a packet. Removes the entities that a packet with a time did not mention.
   void end_packet();
 
@@ -188,6 +195,7 @@ class ClientState {
   bool has_view_jumped() const { return entities_.has_jumped(game_.view_entity); }
 
  private:
+  void note_death();
   struct Apply;  // one function per message type
 
   Game game_;

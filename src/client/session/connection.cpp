@@ -74,10 +74,16 @@ base::Status Connection::handle_transport_event(const net::FromServer& message) 
 // level, view angles, comments of Temblor servers, and the stages of the signon.
 base::Status Connection::read(base::Bytes packet) {
   reader_.begin(packet);
-  bool has_time = false, has_level = false;
+  bool has_time = false, has_level = false, is_whole = true;
   std::string last_text;  // the last text before a disconnect is the reason for it
   while (true) {
-    TRY(const std::optional<net::ServerMessage> message, reader_.next());
+    base::Result<std::optional<net::ServerMessage>> next = reader_.next();
+    if (!next.ok() && reader_.is_at_unknown()) {
+      TRY_STATUS(state_.pass_over_unknown(next.error()));
+      is_whole = false;
+      break;
+    }
+    TRY(const std::optional<net::ServerMessage> message, std::move(next));
     if (!message) break;
     if (std::holds_alternative<net::Disconnect>(*message)) {
       disconnect_reason_ = last_text.empty() ? "The server closed the connection."
@@ -105,7 +111,7 @@ base::Status Connection::read(base::Bytes packet) {
     TRY_STATUS(state_.apply(*message));
     if (std::holds_alternative<net::SignonNumber>(*message)) answer_signon();
   }
-  state_.end_packet();
+  if (is_whole) state_.end_packet();
   if (has_time) ++updates_;
   record(packet, has_level);
   run_stuffed_commands();

@@ -1,6 +1,8 @@
 #include "net/protocol/message_reader.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "net/wire/baseline.h"
 #include "net/wire/client_data.h"
@@ -49,6 +51,13 @@ BotChat read_bot_chat(FieldReader& io_fields, std::vector<std::string_view>& out
   return chat;
 }
 
+ServerMessage read_any_temp_entity(FieldReader& io_fields) {
+  const std::uint8_t kind = io_fields.u8();
+  if (kind <= static_cast<std::uint8_t>(TempEntityKind::kBeam))
+    return read_temp_entity(TempEntityKind{kind}, io_fields);
+  return read_foreign_temp_entity(kind, io_fields);
+}
+
 // Reads every message except those with lists.
 ServerMessage read_body(MessageId id, FieldReader& io_fields) {
   FieldReader& f = io_fields;
@@ -94,7 +103,7 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
     case MessageId::kSpawnBaseline:
       return SpawnBaseline{f.entity(), read_baseline(f)};
     case MessageId::kTempEntity:
-      return read_temp_entity(f);
+      return read_any_temp_entity(f);
     case MessageId::kSetPause:
       return SetPause{f.u8() != 0};
     case MessageId::kSignonNumber:
@@ -130,7 +139,7 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
     case MessageId::kSpawnStaticSound2:
       return read_static_sound(true, f);
     case MessageId::kAchievement:
-      f.text("achievement name");
+      skip_achievement_or_effect(f);
       return Ignored{static_cast<std::uint8_t>(id)};
     case MessageId::kLocalSound:
       return read_local_sound(f);
@@ -147,12 +156,15 @@ ServerMessage read_body(MessageId id, FieldReader& io_fields) {
                                         : fail_unknown_id(id, f);
 }
 
+std::string describe(std::uint8_t id) {
+  const char* name = message_name(MessageId{id});
+  return name != nullptr ? name : fmt::format("message {}", id);
+}
+
 // `have`: bytes from the start of the message to the end of the packet.
 base::Error make_read_error(const FieldReader& fields, std::uint8_t id, std::size_t offset,
                             std::size_t have) {
-  const char* name = message_name(MessageId{id});
-  const std::string place =
-      fmt::format("offset {}: {}", offset, name != nullptr ? name : fmt::format("message {}", id));
+  const std::string place = fmt::format("offset {}: {}", offset, describe(id));
   if (fields.error()) return base::error(fields.error()->code, "{}: {}", place, fields.error()->what);
   return base::malformed("{}: message ends after {} of {} bytes", place, have, 1 + fields.bytes_needed());
 }
@@ -162,6 +174,17 @@ base::Error make_read_error(const FieldReader& fields, std::uint8_t id, std::siz
 void MessageReader::begin(base::Bytes bytes, std::size_t offset_in_file) {
   reader_ = base::ByteReader(bytes);
   offset_in_file_ = offset_in_file;
+  last_ids_ = {};
+  is_at_unknown_ = false;
+}
+
+// Appends the messages before it, because one of them may be longer than this reader knows.
+base::Error MessageReader::add_last_messages(base::Error error) const {
+  std::string names;
+  for (const std::uint8_t id : last_ids_)
+    if (id != 0) names += fmt::format("{}{}", names.empty() ? "" : ", ", describe(id));
+  error.what += names.empty() ? " (the first message of its packet)" : fmt::format(" (after {})", names);
+  return error;
 }
 
 base::Result<std::optional<ServerMessage>> MessageReader::next() {
@@ -177,8 +200,12 @@ base::Result<std::optional<ServerMessage>> MessageReader::next() {
                                     : read_body(MessageId{id}, fields);
   if (!fields.ok()) {
     reader_ = base::ByteReader({});
-    return make_read_error(fields, id, offset_in_file_ + start, have);
+    base::Error error = make_read_error(fields, id, offset_in_file_ + start, have);
+    is_at_unknown_ = error.code == base::ErrorCode::kUnsupported && !is_server_info;
+    return is_at_unknown_ ? add_last_messages(std::move(error)) : error;
   }
+  std::rotate(last_ids_.begin(), last_ids_.begin() + 1, last_ids_.end());
+  last_ids_.back() = id;
   if (is_server_info) dialect_ = std::get<ServerInfo>(message).dialect;
   return std::optional<ServerMessage>(message);
 }

@@ -6,7 +6,9 @@
 // field readers of net/wire parse the fields with bounds checks.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -38,15 +40,22 @@ class MessageReader {
   // Returns the next message, or nullopt at the end. Errors name the offset, the message, and the problem;
   // kUnsupported stands for unknown protocols and messages. After an error the reader is at its end.
   base::Result<std::optional<ServerMessage>> next();
+  // Whether the last error was a message, or a part of one, that the reader does not know. The rest of this
+  // packet is lost, but the messages before it are whole, and so are later packets.
+  bool is_at_unknown() const { return is_at_unknown_; }
 
   const Dialect& dialect() const { return dialect_; }
   // Offset of the next message, or of the end.
   std::size_t offset_in_file() const { return offset_in_file_ + reader_.offset(); }
 
  private:
+  base::Error add_last_messages(base::Error error) const;
+
   base::ByteReader reader_{base::Bytes{}};
   std::size_t offset_in_file_ = 0;
   Dialect dialect_;
+  std::array<std::uint8_t, 3> last_ids_{};  // of this packet's last messages, the latest last; 0: none
+  bool is_at_unknown_ = false;
   std::vector<std::string_view> models_, sounds_;  // of the last ServerInfo
   std::vector<std::string_view> chat_texts_;       // of the last BotChat
 };

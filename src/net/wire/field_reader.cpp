@@ -24,6 +24,11 @@ std::string_view FieldReader::text(const char* what) {
   return text.value_or(std::string_view{});
 }
 
+bool FieldReader::next_is(std::string_view text) const {
+  base::ByteReader ahead = bytes_;
+  return base::as_text(ahead.take(text.size())) == text;
+}
+
 std::uint16_t FieldReader::entity() {
   return entity(u16());
 }

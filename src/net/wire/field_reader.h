@@ -34,6 +34,8 @@ class FieldReader {
   // the error: "text".
   float finite(const char* what);
   std::string_view text(const char* what);
+  // Whether the next bytes are those of `text`. Reads nothing.
+  bool next_is(std::string_view text) const;
   // An entity number below kMaxEntities; other numbers are errors.
   std::uint16_t entity();
   std::uint16_t entity(unsigned number);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <string_view>
 
 #include "formats/game/dem.h"
 #include "net/protocol/message_writer.h"
@@ -24,6 +25,12 @@ class DemoBuilder {
     write({net::Time{time_s}}, writer);
     write(messages, writer);
     demo_.add(view_angles_deg, writer.view());
+  }
+  void packet(float time_s, std::string_view bytes) {
+    base::ByteWriter writer;
+    write({net::Time{time_s}}, writer);
+    writer.bytes(base::as_bytes(bytes));
+    demo_.add({}, writer.view());
   }
   // The next packet with an entity starts the game.
   void signon(const net::ServerInfo& info) {

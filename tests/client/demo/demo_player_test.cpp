@@ -229,6 +229,22 @@ TEST(DemoPlayer, DamageInAPacketKeepsTheEntitiesOfTheLastOne) {
   EXPECT_EQ(player.state().interpolate_entities(player.server_time_s(), {}).size(), 2u);
 }
 
+TEST(DemoPlayer, PlaysOnAfterAnUnknownMessage) {
+  DemoBuilder demo;
+  demo.signon(server_info());
+  const auto first = update_at(1, kPlayerModel, {}), second = update_at(2, kOgreModel, {});
+  demo.packet(1, {first, second});
+  demo.packet(1.0625f, "\143?");
+  demo.packet(1.125f, {first, second});
+  DemoPlayer player = play(demo.bytes());
+  ASSERT_TRUE(player.read_packet().value());
+  ASSERT_TRUE(player.read_packet().value());
+  EXPECT_THAT(player.state().events().prints,
+              ElementsAre(HasSubstr("message 99: unknown message (after svc_time)")));
+  EXPECT_EQ(player.state().interpolate_entities(player.server_time_s(), {}).size(), 2u);
+  EXPECT_EQ(DemoPlayer::scan(demo.bytes(), "test.dem").value().packets, 3u);
+}
+
 TEST(DemoPlayer, NothingToShowIsAnError) {
   const auto no_demo = DemoPlayer::open(to_bytes("PACK"), "x.dem");
   ASSERT_FALSE(no_demo.ok());

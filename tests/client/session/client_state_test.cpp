@@ -230,6 +230,36 @@ TEST(ClientFog, AnInterruptedFadeContinuesFromItsMixture) {
   EXPECT_EQ(client::compute_fog(state.game(), of_level, 30).density, 0.875f);
 }
 
+TEST(ClientState, RemembersWhereThePlayerDied) {
+  ClientState state = state_in_level();
+  const auto at = [&](float time_s, std::int16_t health, float x) {
+    packet(state, time_s, {net::ClientData{.health = health}, update_at(1, kPlayerModel, {x, 0, 24})});
+  };
+  at(1, 100, 10);
+  EXPECT_FALSE(state.game().death_place);
+  at(2, -5, 20);
+  at(3, -5, 30);  // the corpse slides
+  ASSERT_TRUE(state.game().death_place);
+  EXPECT_EQ(*state.game().death_place, math::Vec3(20, 0, 24));
+  at(4, 100, 500);
+  EXPECT_EQ(state.game().death_place->x, 20);
+  at(5, 0, 510);
+  EXPECT_EQ(state.game().death_place->x, 510);
+  apply(state, {server_info()});
+  EXPECT_FALSE(state.game().death_place);
+}
+
+TEST(ClientState, PassesOverUnknownMessagesOnceTheGameRuns) {
+  ClientState state = state_in_level();
+  const base::Error error = base::error(base::ErrorCode::kUnsupported, "message 99: unknown message");
+  ASSERT_FALSE(state.pass_over_unknown(error).ok());
+  EXPECT_EQ(state.pass_over_unknown(error).error().message(), error.message());
+  apply(state, {net::SignonNumber{3}});
+  packet(state, 1, {update_at(1, kPlayerModel, {})});
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(state.pass_over_unknown(error).ok());
+  EXPECT_THAT(state.events().prints, ElementsAre(HasSubstr("message 99: unknown message")));
+}
+
 TEST(ClientState, MessagesBeforeServerInfoAreErrors) {
   ClientState state;
   expect_error(state, update_at(1, kPlayerModel, {}), "serverinfo");

@@ -67,9 +67,33 @@ TEST(BadMessage, RejectsUnknownNumbers) {
     if (of_2021)
       EXPECT_THAT(
           error.message(),
-          MatchesRegex("offset 1000: svc_[a-z]+: message of the 2021 re-release, which is not supported"));
+          MatchesRegex("offset 1000: svc_[a-z]+: message of the 2021 re-release, which is not supported "
+                       ".the first message of its packet."));
     else
-      EXPECT_EQ(error.message(), "offset 1000: message " + std::to_string(id) + ": unknown message");
+      EXPECT_EQ(error.message(), "offset 1000: message " + std::to_string(id) +
+                                     ": unknown message (the first message of its packet)");
+  }
+}
+
+// A name ends before the message that is really unknown if an earlier message was longer than expected.
+TEST(BadMessage, NamesTheMessagesBeforeAnUnknownOne) {
+  const auto read = [](std::initializer_list<int> bytes) {
+    return make_read_error(pack_bytes(bytes), k15).message();
+  };
+  EXPECT_EQ(read({1, 99}), "offset 1001: message 99: unknown message (after svc_nop)");
+  EXPECT_EQ(read({40, 0x81, 64, 1, 0, 27, 1, 45, 1}),
+            "offset 1007: svc_setviews: message of the 2021 re-release, which is not supported (after fast "
+            "update, svc_killedmonster, svc_nop)");
+  EXPECT_EQ(read({1, 23, 99, 0, 0}),
+            "offset 1001: svc_temp_entity: unknown kind of effect 99 (after svc_nop)");
+  MessageReader reader;
+  const base::ByteVector unknown = pack_bytes({1, 99}), cut = pack_bytes({3, 1}),
+                         protocol = test::with_number(written(ServerInfo{}, k15), 1, std::int32_t{14});
+  for (const auto& [bytes, is_unknown] : {std::pair{&unknown, true}, {&cut, false}, {&protocol, false}}) {
+    reader.begin(*bytes);
+    while (reader.next().ok()) {
+    }
+    EXPECT_EQ(reader.is_at_unknown(), is_unknown);
   }
 }
 
@@ -133,25 +157,26 @@ TEST(BadMessage, RejectsLongPrecacheLists) {
 }
 
 TEST(BadMessage, RejectsUnknownFlags) {
+  const std::string kFirst = " (the first message of its packet)";
   EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x80, 7})).message(),
-            "offset 1000: fast update: protocol 15 does not define flags 0x8000");
+            "offset 1000: fast update: protocol 15 does not define flags 0x8000" + kFirst);
   EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x80, 0x60, 7}), k666).message(),
-            "offset 1000: fast update: protocol 666 does not define flags 0x600000");
+            "offset 1000: fast update: protocol 666 does not define flags 0x600000" + kFirst);
   EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x80, 0x80, 2, 7}), k666).message(),
-            "offset 1000: fast update: protocol 666 does not define flags 0x2000000");
+            "offset 1000: fast update: protocol 666 does not define flags 0x2000000" + kFirst);
   EXPECT_EQ(make_read_error(pack_bytes({15, 0, 0x81})).message(),
-            "offset 1000: svc_clientdata: protocol 15 does not define flags 0x8100");
+            "offset 1000: svc_clientdata: protocol 15 does not define flags 0x8100" + kFirst);
   EXPECT_EQ(make_read_error(pack_bytes({6, 9})).message(),
-            "offset 1000: svc_sound: protocol 15 does not define flags 0x8");
+            "offset 1000: svc_sound: protocol 15 does not define flags 0x8" + kFirst);
   EXPECT_EQ(make_read_error(pack_bytes({6, 4}), k666).message(),
-            "offset 1000: svc_sound: protocol 666 does not define flags 0x4");
+            "offset 1000: svc_sound: protocol 666 does not define flags 0x4" + kFirst);
   EXPECT_EQ(make_read_error(pack_bytes({42, 1, 0, 16}), k666).message(),
-            "offset 1000: svc_spawnbaseline2: protocol 666 does not define flags 0x10");
+            "offset 1000: svc_spawnbaseline2: protocol 666 does not define flags 0x10" + kFirst);
 }
 
 TEST(BadMessage, RejectsInvalidFields) {
   EXPECT_EQ(make_read_error(pack_bytes({23, 14, 0, 0, 0, 0, 0, 0})).message(),
-            "offset 1000: svc_temp_entity: temporary entity 14 is not supported; supported are 0 to 13");
+            "offset 1000: svc_temp_entity: unknown kind of effect 14 (the first message of its packet)");
   EXPECT_EQ(make_read_error(pack_bytes({5, 0x00, 0x7d})).message(),
             "offset 1000: svc_setview: entity 32000 exceeds 31999");
   EXPECT_EQ(make_read_error(pack_bytes({0x81, 0x40, 0xff, 0xff})).message(),

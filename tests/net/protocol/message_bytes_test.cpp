@@ -431,6 +431,32 @@ TEST(MessageBytes, AcceptsFitzQuakeMessagesInProtocol15) {
   }
 }
 
+// 8, 16, 24 units in eighths.
+constexpr std::initializer_list<int> kPlace = {64, 0, 128, 0, 192, 0};
+
+TEST(MessageBytes, ReadsEffectsOfDarkPlaces) {
+  const auto effect = [](int kind) { return Packet{23, kind}.add(kPlace); };
+  const math::Vec3 place{8, 16, 24};
+  expect_read(k15, effect(50).add({0xf0, 0, 32, 20}),
+              Particles{.origin = place, .direction = {-1, 0, 2}, .count = 20, .color = 73});
+  expect_read(k15, effect(50).add({0, 0, 0, 255}), Particles{.origin = place, .count = 254, .color = 73});
+  expect_read(k15, effect(53).add({255, 0, 0}), TempEntity{TempEntityKind::kExplosion, place});
+  expect_read(k15, effect(57), TempEntity{TempEntityKind::kGunshot, place});
+  expect_read(k15, effect(58), TempEntity{TempEntityKind::kSpike, place});
+  expect_read(k15, effect(59), TempEntity{TempEntityKind::kSuperSpike, place});
+  expect_read(k15, effect(70), TempEntity{TempEntityKind::kExplosion, place});
+  const Ignored ignored{23};
+  expect_read(k15, effect(51).add({0, 0, 0, 9}), ignored);
+  expect_read(k15, effect(52).add(kPlace).add({0, 1, 50, 0}), ignored);
+  expect_read(k15, effect(54).add(kPlace).add(kPlace).add({50, 0, 4, 1, 0, 1}), ignored);
+  for (const int rain_or_snow : {55, 56})
+    expect_read(k15, effect(rain_or_snow).add(kPlace).add(kPlace).add({50, 0, 4}), ignored);
+  for (const int flash_or_plasma : {72, 75}) expect_read(k15, effect(flash_or_plasma), ignored);
+  expect_read(k15, effect(73).add({10, 10, 255, 0, 0}), ignored);
+  expect_read(k15, effect(74).add(kPlace).add({9}), ignored);
+  expect_read(k15, Packet{52}.add(kPlace).add({3, 0, 6, 10}), Ignored{52});
+}
+
 TEST(MessageBytes, ReadsMessagesOf2021WithKnownLength) {
   expect_read(k666, Packet{52}.text("ACH_X").add({0}), Ignored{52});
   for (const std::uint8_t id : {std::uint8_t{54}, std::uint8_t{55}}) expect_read(k666, {id}, Ignored{id});

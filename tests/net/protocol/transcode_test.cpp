@@ -107,7 +107,7 @@ TEST(Transcode, NamesOffsetOfUnreadableMessage) {
   const auto transcoded = test::transcode(std::move(recording).take(), kDialect666);
   ASSERT_FALSE(transcoded.ok());
   // After "-1\n", two lengths with three angles each, and two nops.
-  EXPECT_EQ(transcoded.error().message(), "offset 37: message 77: unknown message");
+  EXPECT_EQ(transcoded.error().message(), "offset 37: message 77: unknown message (after svc_nop)");
 }
 
 }  // namespace
