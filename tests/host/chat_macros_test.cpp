@@ -23,14 +23,15 @@ client::Game make_player() {
 }
 
 std::string expand(std::string_view text) {
-  return host::expand_chat_macros(text, make_player(), "red armor", 125.5);
+  return host::expand_chat_macros(text, make_player(), {"red armor", "lava"}, 125.5);
 }
 
 TEST(ChatMacros, StandForThePlayersState) {
   EXPECT_EQ(expand("%h/%a at %l"), "85/150 at red armor");
+  EXPECT_EQ(expand("died at %d"), "died at lava");
   EXPECT_EQ(expand("%w, %r rockets, %c cells, %p, %t"), "rl lg, 7 rockets, 30 cells, quad, 2:05");
   client::Game poor;
-  EXPECT_EQ(host::expand_chat_macros("%w %p", poor, "", 0), "no weapons no powerups");
+  EXPECT_EQ(host::expand_chat_macros("%w %p", poor, {}, 0), "no weapons no powerups");
 }
 
 TEST(ChatMacros, LeaveOtherTextAsItIs) {

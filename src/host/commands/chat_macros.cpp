@@ -51,7 +51,7 @@ std::string list_powerups(std::uint32_t items) {
 }
 
 // The text for a macro's letter; nothing for other letters.
-std::optional<std::string> find_macro(char letter, const client::Game& game, std::string_view location,
+std::optional<std::string> find_macro(char letter, const client::Game& game, const ChatPlaces& places,
                                       double time_s) {
   const auto stat = [&](client::Stat which) { return std::to_string(game.stat(which)); };
   switch (letter) {
@@ -68,7 +68,9 @@ std::optional<std::string> find_macro(char letter, const client::Game& game, std
     case 'p':
       return list_powerups(game.data.items);
     case 'l':
-      return std::string(location);
+      return places.here;
+    case 'd':
+      return places.of_death;
     case 't':
       return fmt::format("{}:{:02}", static_cast<long>(time_s) / 60, static_cast<long>(time_s) % 60);
     case '%':
@@ -97,19 +99,18 @@ std::optional<math::Vec3> find_player(const client::ClientState& state) {
   return found == places.end() ? std::nullopt : std::optional(found->origin_world);
 }
 
-// The name of the place where the player is.
-std::optional<std::string> find_player_location(Host& io_host, const client::ClientState& state) {
-  const std::optional<math::Vec3> player = find_player(state);
-  if (!player) return std::nullopt;
-  const std::vector<formats::Location> locations = load_locations(io_host, state.game());
-  const formats::Location* location = formats::find_location(locations, *player);
+std::optional<std::string> find_name(const std::vector<formats::Location>& locations,
+                                     const std::optional<math::Vec3>& place_world) {
+  if (!place_world) return std::nullopt;
+  const formats::Location* location = formats::find_location(locations, *place_world);
   return location == nullptr ? std::nullopt : std::optional(location->name);
 }
 
 void location_command(Host& io_host, command::Console::Arguments arguments) {
   const client::ClientState* const state = find_shown_state(io_host, arguments);
   if (state == nullptr) return;
-  const std::optional<std::string> name = find_player_location(io_host, *state);
+  const std::optional<std::string> name =
+      find_name(load_locations(io_host, state->game()), find_player(*state));
   print_line(io_host,
              name ? fmt::format("You are at: {}", *name)
                   : std::string("This level has no names for its places: there is no .loc file for it."));
@@ -117,12 +118,12 @@ void location_command(Host& io_host, command::Console::Arguments arguments) {
 
 }  // namespace
 
-std::string expand_chat_macros(std::string_view text, const client::Game& game, std::string_view location,
+std::string expand_chat_macros(std::string_view text, const client::Game& game, const ChatPlaces& places,
                                double time_s) {
   std::string expanded;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool may_be_macro = text[i] == '%' && i + 1 < text.size();
-    if (const auto macro = may_be_macro ? find_macro(text[i + 1], game, location, time_s) : std::nullopt) {
+    if (const auto macro = may_be_macro ? find_macro(text[i + 1], game, places, time_s) : std::nullopt) {
       expanded += *macro;
       ++i;
     } else {
@@ -136,9 +137,13 @@ std::string expand_chat_macros(Host& io_host, std::string_view text) {
   const client::Connection* const connection = io_host.game.session->connection();
   if (connection == nullptr || text.find('%') == std::string_view::npos) return std::string(text);
   const client::ClientState& state = connection->state();
-  return expand_chat_macros(text, state.game(),
-                            find_player_location(io_host, state).value_or(std::string(kSomewhere)),
-                            state.time_s());
+  const std::vector<formats::Location> locations = load_locations(io_host, state.game());
+  const auto name_or_somewhere = [&](const std::optional<math::Vec3>& place_world) {
+    return find_name(locations, place_world).value_or(std::string(kSomewhere));
+  };
+  return expand_chat_macros(
+      text, state.game(),
+      {name_or_somewhere(find_player(state)), name_or_somewhere(state.game().death_place)}, state.time_s());
 }
 
 void add_location_command(Host& io_host) {

@@ -11,9 +11,14 @@ namespace temblor::host {
 
 struct Host;
 
-// Replaces %h (health), %a (armor), %r (rockets), %c (cells), %w (weapons), %p (power-ups), %l (`location`),
-// and %t (`time_s`, as minutes and seconds); %% is a percent sign. Everything else stays.
-std::string expand_chat_macros(std::string_view text, const client::Game& game, std::string_view location,
+// Names of the places where the player is, and where it last died.
+struct ChatPlaces {
+  std::string here, of_death;
+};
+
+// Replaces %h (health), %a (armor), %r (rockets), %c (cells), %w (weapons), %p (power-ups), %l and %d
+// (`places`), and %t (`time_s`, as minutes and seconds); %% is a percent sign. Everything else stays.
+std::string expand_chat_macros(std::string_view text, const client::Game& game, const ChatPlaces& places,
                                double time_s);
 // The same for a line that a player says in the game on the screen.
 std::string expand_chat_macros(Host& io_host, std::string_view text);
