@@ -25,8 +25,8 @@ run_shards() { # of a stage
 }
 
 "${compile[@]}" --only bsp
-# Visibility is done in rounds, each of which uses what the one before found; eight at most.
-for _ in $(seq 8); do
+# Visibility is done in rounds, each of which uses what the one before found; fourteen at most.
+for _ in $(seq 14); do
   run_shards vis
   "${compile[@]}" --only vis --merge
 done

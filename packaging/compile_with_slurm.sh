@@ -40,8 +40,8 @@ submit() { # OPTION... -- WORD...: after the job before; if one fails, the rest 
 }
 
 submit -- --bsp "$@"
-# Visibility is done in rounds, each of which uses what the one before found; eight at most.
-for _ in $(seq 8); do
+# Visibility is done in rounds, each of which uses what the one before found; fourteen at most.
+for _ in $(seq 14); do
   submit --array="1-$shards" -- --shard vis "$shards" "$@"
   submit -- --merge vis "$@"
 done

@@ -51,5 +51,24 @@ inline std::size_t count_bits(std::span<const BitMatrix::Word> row) {
   for (const BitMatrix::Word word : row) count += static_cast<std::size_t>(std::popcount(word));
   return count;
 }
+// io_row |= other, and io_row &= other; rows of one length.
+inline void add_bits(std::span<const BitMatrix::Word> other, std::span<BitMatrix::Word> io_row) {
+  for (std::size_t i = 0; i < io_row.size(); ++i) io_row[i] |= other[i];
+}
+inline void keep_bits(std::span<const BitMatrix::Word> other, std::span<BitMatrix::Word> io_row) {
+  for (std::size_t i = 0; i < io_row.size(); ++i) io_row[i] &= other[i];
+}
+
+// Swaps rows and columns.
+inline BitMatrix transpose(const BitMatrix& matrix) {
+  BitMatrix transposed(matrix.columns(), matrix.rows());
+  for (std::size_t a = 0; a < matrix.rows(); ++a) {
+    const auto row = matrix.row(a);
+    for (std::size_t word = 0; word < row.size(); ++word)
+      for (BitMatrix::Word rest = row[word]; rest != 0; rest &= rest - 1)
+        transposed.set(word * 64 + static_cast<std::size_t>(std::countr_zero(rest)), a);
+  }
+  return transposed;
+}
 
 }  // namespace temblor::compiler

@@ -16,10 +16,12 @@
 #include <mutex>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "base/check.h"
 #include "base/hash.h"
 #include "compiler/vis/flow/base_visibility.h"
+#include "compiler/vis/flow/flow_bounds.h"
 #include "compiler/vis/flow/portal_flow.h"
 #include "compiler/vis/flow/portal_graph.h"
 #include "compiler/vis/flow/reach.h"
@@ -31,7 +33,7 @@ namespace {
 using vis::PortalGraph;
 
 // Raise this if the same portals get other rows, so that no saved state is continued by another method.
-constexpr std::uint64_t kMethod = 2;
+constexpr std::uint64_t kMethod = 3;
 
 // Where rounds end, in percent of the portals. The first portals are quick and the last ones slow, so rounds
 // get shorter. With more rounds, a run waits more often for its slowest thread and gains little.
@@ -60,7 +62,7 @@ std::uint64_t compute_fingerprint(const PortalSet& set) {
 
 // Portals in the order of the work: those that might see least come first.
 struct WorkOrder {
-  std::vector<std::uint32_t> portals, rank_of_portal;
+  std::vector<std::uint32_t> portals;
   std::vector<std::uint64_t> cost_of_portal;  // roughly proportional to its time
 
   std::uint64_t cost(std::span<const std::uint32_t> some) const {
@@ -82,14 +84,11 @@ WorkOrder order_portals(const BitMatrix& base_visibility) {
   return order;
 }
 
-// Sorts by what bounds of the portals say. Costs stay those of base visibility, so that progress is even.
-void sort_by_bound(const BitMatrix& bound, WorkOrder& io_order) {
+// Sorts by how much the portals might see. Costs stay those of base visibility, so that progress is even.
+void sort_by_bound(const BitMatrix& bound, std::vector<std::uint32_t>& io_portals) {
   std::vector<std::size_t> might_see;
   for (std::size_t i = 0; i < bound.rows(); ++i) might_see.push_back(count_bits(bound.row(i)));
-  std::ranges::stable_sort(io_order.portals, {}, [&](std::uint32_t portal) { return might_see[portal]; });
-  io_order.rank_of_portal.resize(io_order.portals.size());
-  for (std::size_t i = 0; i < io_order.portals.size(); ++i)
-    io_order.rank_of_portal[io_order.portals[i]] = static_cast<std::uint32_t>(i);
+  std::ranges::stable_sort(io_portals, {}, [&](std::uint32_t portal) { return might_see[portal]; });
 }
 
 // 1 for each crowded portal.
@@ -182,26 +181,50 @@ RoundWork divide_round(std::span<const std::uint32_t> portals, std::size_t first
   return work;
 }
 
-// Computes the bounds of crowded portals.
-void run_bounds(std::span<const std::uint32_t> portals, const WorkOrder& order,
-                const BitMatrix& base_visibility, const PortalGraph& graph, base::Jobs& jobs,
-                FlowMeter& io_meter, VisibilityState& io_state) {
-  SearchPool<vis::Reach> pool(graph);
-  run_searches(portals, order, jobs, pool, io_meter, [&](vis::Reach& reach, std::uint32_t portal) {
-    reach.run(portal, {base_visibility, io_state.seen, {}, 0}, base_visibility.row(portal),
-              io_state.bound.row(portal));
+// Runs searches of some portals in rounds, and narrows the bounds by the results of each. run() gets the
+// portals of this share of a round, and sets their `done` and the rows of `found`.
+template <typename Run>
+VisibilityEnd run_rounds(std::span<const std::uint32_t> portals, std::span<const std::uint8_t> done,
+                         const BitMatrix& found, WorkShare share, const FlowMeter& meter,
+                         vis::FlowBounds& io_bounds, const Run& run) {
+  std::size_t begin = 0;
+  for (const std::size_t end_percent : kRoundEnds) {
+    const std::size_t end = portals.size() * end_percent / 100;
+    const auto round = portals.subspan(begin, end - begin);
+    const RoundWork work = divide_round(round, begin, done, share);
+    run(work.own);
+    if (meter.stopped()) return VisibilityEnd::kStopped;
+    if (work.own.size() < work.open.size()) return VisibilityEnd::kWaiting;
+    if (!round.empty()) io_bounds.narrow(round, found);
+    begin = end;
+  }
+  return VisibilityEnd::kFinished;
+}
+
+// Computes the bounds of some crowded portals of one round.
+void run_bounds(std::span<const std::uint32_t> portals, const WorkOrder& order, const vis::FlowBounds& bounds,
+                base::Jobs& jobs, SearchPool<vis::Reach>& io_pool, FlowMeter& io_meter,
+                VisibilityState& io_state) {
+  run_searches(portals, order, jobs, io_pool, io_meter, [&](vis::Reach& reach, std::uint32_t portal) {
+    reach.run(portal, bounds, bounds.row(portal), io_state.bound.row(portal));
     io_state.bounded[portal] = 1;
     return true;
   });
 }
 
+// The bounds and crowded portals that the searches of one round use.
+struct FlowInput {
+  const vis::FlowBounds& bounds;
+  std::span<const std::uint8_t> is_crowded;
+};
+
 // Computes the rows of some portals of one round.
-void run_flows(std::span<const std::uint32_t> portals, const WorkOrder& order, const vis::FlowBounds& bounds,
+void run_flows(std::span<const std::uint32_t> portals, const WorkOrder& order, const FlowInput& input,
                base::Jobs& jobs, SearchPool<vis::PortalFlow>& io_pool, FlowMeter& io_meter,
                VisibilityState& io_state) {
   run_searches(portals, order, jobs, io_pool, io_meter, [&](vis::PortalFlow& flow, std::uint32_t portal) {
     const auto row = io_state.seen.row(portal);
-    if (flow.run(portal, bounds, io_meter.stopped(), row)) {
+    if (flow.run(portal, input.bounds, input.is_crowded[portal] != 0, io_meter.stopped(), row)) {
       io_state.finished[portal] = 1;
       return true;
     }
@@ -210,25 +233,10 @@ void run_flows(std::span<const std::uint32_t> portals, const WorkOrder& order, c
   });
 }
 
-// Swaps rows and columns of a square matrix.
-BitMatrix transpose(const BitMatrix& matrix) {
-  BitMatrix transposed(matrix.columns(), matrix.rows());
-  for (std::size_t a = 0; a < matrix.rows(); ++a) {
-    const auto row = matrix.row(a);
-    for (std::size_t word = 0; word < row.size(); ++word)
-      for (BitMatrix::Word rest = row[word]; rest != 0; rest &= rest - 1)
-        transposed.set(word * 64 + static_cast<std::size_t>(std::countr_zero(rest)), a);
-  }
-  return transposed;
-}
-
 // Keeps the pairs that see each other: each search may exclude what the other could not.
 BitMatrix keep_mutual(BitMatrix matrix) {
   const BitMatrix transposed = transpose(matrix);
-  for (std::size_t a = 0; a < matrix.rows(); ++a) {
-    const auto row = matrix.row(a);
-    for (std::size_t word = 0; word < row.size(); ++word) row[word] &= transposed.row(a)[word];
-  }
+  for (std::size_t a = 0; a < matrix.rows(); ++a) keep_bits(transposed.row(a), matrix.row(a));
   return matrix;
 }
 
@@ -236,29 +244,9 @@ BitMatrix keep_mutual(BitMatrix matrix) {
 BitMatrix join_portals(const PortalGraph& graph, const BitMatrix& seen_by_portal) {
   BitMatrix joined(graph.cluster_count, graph.cluster_count);
   for (std::size_t i = 0; i < graph.cluster_count; ++i) joined.set(i, i);
-  for (std::size_t i = 0; i < graph.portals.size(); ++i) {
-    const auto from = seen_by_portal.row(i);
-    const auto to = joined.row(graph.portals[i].from);
-    for (std::size_t word = 0; word < to.size(); ++word) to[word] |= from[word];
-  }
+  for (std::size_t i = 0; i < graph.portals.size(); ++i)
+    add_bits(seen_by_portal.row(i), joined.row(graph.portals[i].from));
   return keep_mutual(std::move(joined));
-}
-
-// Removes from each bound the clusters from which no portal might see back. `bounds`: those of all portals.
-void keep_both_ways(const PortalGraph& graph, const vis::FlowBounds& bounds, BitMatrix& io_bound) {
-  BitMatrix seen_by(graph.cluster_count, graph.cluster_count);
-  for (std::uint32_t i = 0; i < graph.portals.size(); ++i) {
-    const auto row = bounds.row(i);
-    const auto to = seen_by.row(graph.portals[i].from);
-    for (std::size_t word = 0; word < to.size(); ++word) to[word] |= row[word];
-  }
-  const BitMatrix seen_from = transpose(seen_by);
-  for (std::uint32_t i = 0; i < graph.portals.size(); ++i) {
-    const auto from = seen_from.row(graph.portals[i].from);
-    const auto row = io_bound.row(i);
-    for (std::size_t word = 0; word < row.size(); ++word) row[word] &= from[word];
-    set_bit(row, graph.portals[i].to);
-  }
 }
 
 bool matches(const VisibilityState& state, const SearchablePortals& portals) {
@@ -290,43 +278,31 @@ VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& 
   CHECK(share.index < share.count);
   const PortalGraph& graph = portals.graph();
   CHECK(matches(io_state, portals));
-  BitMatrix bound = vis::find_base_visibility(graph, jobs);
-  WorkOrder order = order_portals(bound);
-  const std::vector<std::uint8_t> is_crowded = find_crowded(bound);
+  BitMatrix base_visibility = vis::find_base_visibility(graph, jobs);
+  WorkOrder order = order_portals(base_visibility);
+  const std::vector<std::uint8_t> is_crowded = find_crowded(base_visibility);
   const auto list_portals = [&](std::span<const std::uint8_t> flags) {
     std::vector<std::uint32_t> portals_with_flag = order.portals;
     std::erase_if(portals_with_flag, [&](std::uint32_t portal) { return flags[portal] == 0; });
     return portals_with_flag;
   };
-  const std::vector<std::uint32_t> crowded = list_portals(is_crowded);
+  std::vector<std::uint32_t> crowded = list_portals(is_crowded);
+  sort_by_bound(base_visibility, crowded);
+  vis::FlowBounds bounds(graph, std::move(base_visibility), !crowded.empty());
   FlowMeter meter(progress,
                   order.cost(list_portals(io_state.bounded)) + order.cost(list_portals(io_state.finished)),
                   order.cost(crowded) + order.cost(order.portals));
 
-  const RoundWork unbounded = divide_round(crowded, 0, io_state.bounded, share);
-  run_bounds(unbounded.own, order, bound, graph, jobs, meter, io_state);
-  if (meter.stopped()) return VisibilityEnd::kStopped;
-  if (unbounded.own.size() < unbounded.open.size()) return VisibilityEnd::kWaiting;
-  for (const std::uint32_t portal : crowded)
-    std::ranges::copy(io_state.bound.row(portal), bound.row(portal).begin());
-
-  SearchPool<vis::PortalFlow> pool(graph);
-  vis::FlowBounds bounds{bound, io_state.seen, {}, 0, is_crowded};
-  if (!crowded.empty()) keep_both_ways(graph, bounds, bound);
-  sort_by_bound(bound, order);
-  bounds.rank_of_portal = order.rank_of_portal;
-  for (const std::size_t end_percent : kRoundEnds) {
-    const std::size_t round_end = order.portals.size() * end_percent / 100;
-    const std::span<const std::uint32_t> round =
-        std::span(order.portals).subspan(bounds.finished, round_end - bounds.finished);
-    const RoundWork work = divide_round(round, bounds.finished, io_state.finished, share);
-    if (!crowded.empty() && bounds.finished > 0) keep_both_ways(graph, bounds, bound);
-    run_flows(work.own, order, bounds, jobs, pool, meter, io_state);
-    if (meter.stopped()) return VisibilityEnd::kStopped;
-    if (work.own.size() < work.open.size()) return VisibilityEnd::kWaiting;
-    bounds.finished = static_cast<std::uint32_t>(round_end);
-  }
-  return VisibilityEnd::kFinished;
+  SearchPool<vis::Reach> reaches(graph);
+  const VisibilityEnd bounded =
+      run_rounds(crowded, io_state.bounded, io_state.bound, share, meter, bounds,
+                 [&](auto own) { run_bounds(own, order, bounds, jobs, reaches, meter, io_state); });
+  if (bounded != VisibilityEnd::kFinished) return bounded;
+  sort_by_bound(bounds.rows(), order.portals);
+  SearchPool<vis::PortalFlow> flows(graph);
+  return run_rounds(order.portals, io_state.finished, io_state.seen, share, meter, bounds, [&](auto own) {
+    run_flows(own, order, {bounds, is_crowded}, jobs, flows, meter, io_state);
+  });
 }
 
 BitMatrix find_visible_clusters(const SearchablePortals& portals, const VisibilityState& state) {

@@ -64,7 +64,7 @@ TEST(Windings, CutKeepsOnlyTheInside) {
     HalfSpace keep{random_unit(random), 0};
     keep.distance = glm::dot(keep.normal, pick_random_point(whole, random));
     Winding left = whole;
-    if (!cut(left, keep)) left.count = 0;
+    if (cut(left, keep) == Left::kNothing) left.count = 0;
     for (const Vec3d& corner : left.corners()) {
       EXPECT_GE(keep.above(corner), -kEpsilon * 1.001) << seed;
       EXPECT_NEAR(plane.above(corner), 0, 1e-6) << seed;
@@ -87,7 +87,8 @@ TEST(Windings, SeparatorsHideNothingThatALineReaches) {
     const HalfSpace source_plane = random_plane(random), pass_plane = random_plane(random);
     Winding source = random_polygon(source_plane, Vec3d(random.in_cube(300)), random);
     Winding pass = random_polygon(pass_plane, Vec3d(random.in_cube(300)), random);
-    if (!cut(pass, source_plane) || !cut(source, pass_plane.flipped())) continue;
+    if (cut(pass, source_plane) == Left::kNothing || cut(source, pass_plane.flipped()) == Left::kNothing)
+      continue;
     Separators separators;
     find_separators({source, source_plane}, {pass, pass_plane}, separators);
     EXPECT_LE(separators.count, source.count + pass.count);

@@ -10,6 +10,7 @@
 #include "artgen/small_level.h"
 #include "compiler/bsp/tree_portals.h"
 #include "compiler/vis/flow/base_visibility.h"
+#include "compiler/vis/flow/flow_bounds.h"
 #include "compiler/vis/flow/reach.h"
 #include "compiler/vis/sight_lines.h"
 #include "support/effort.h"
@@ -150,15 +151,14 @@ TEST(Visibility, BoundOfLongSearchesHidesNothingVisible) {
   const PortalSet portals = make_tree_portals(bsp).value();
   const vis::PortalGraph graph = vis::make_portal_graph(portals);
   base::Jobs jobs(1);
-  const BitMatrix base_visibility = vis::find_base_visibility(graph, jobs);
-  const std::vector<std::uint32_t> no_ranks(graph.portals.size(), 1);
+  const vis::FlowBounds bounds(graph, vis::find_base_visibility(graph, jobs), true);
   vis::Reach reach(graph);
   BitMatrix bound(graph.portals.size(), graph.cluster_count),
       visible(graph.cluster_count, graph.cluster_count);
   std::size_t base_bits = 0, bound_bits = 0;
   for (std::uint32_t i = 0; i < graph.portals.size(); ++i) {
-    reach.run(i, {base_visibility, bound, no_ranks, 0}, base_visibility.row(i), bound.row(i));
-    base_bits += count_bits(base_visibility.row(i));
+    reach.run(i, bounds, bounds.row(i), bound.row(i));
+    base_bits += count_bits(bounds.row(i));
     bound_bits += count_bits(bound.row(i));
     visible.set(graph.portals[i].from, graph.portals[i].from);
     for (std::size_t word = 0; word < bound.row(i).size(); ++word)

@@ -14,7 +14,7 @@ bool reaches_into(const PortalGraph& graph, std::uint32_t portal, const HalfSpac
   const double center_above = space.above(facing.center);
   if (center_above > kEpsilon) return true;
   if (center_above < -facing.radius) return false;
-  return std::ranges::any_of(graph.portals[portal].winding.corners(),
+  return std::ranges::any_of(graph.find_corners(portal),
                              [&](const math::Vec3d& corner) { return space.above(corner) > kEpsilon; });
 }
 
@@ -29,13 +29,14 @@ void flood(const PortalGraph& graph, std::uint32_t start, BitMatrix& io_matrix,
   while (!scratch_clusters.empty()) {
     const std::uint32_t cluster = scratch_clusters.back();
     scratch_clusters.pop_back();
-    for (const Exit& exit : graph.exits_from(cluster)) {
-      if (has_bit(seen, exit.to)) continue;
-      if (!reaches_into(graph, exit.portal, beyond) ||
-          !reaches_into(graph, start, graph.facings[exit.portal].beyond.flipped()))
+    for (std::uint32_t exit = graph.first_exit[cluster]; exit < graph.first_exit[cluster + 1]; ++exit) {
+      const std::uint32_t to = graph.portals[exit].to;
+      if (has_bit(seen, to)) continue;
+      if (!reaches_into(graph, exit, beyond) ||
+          !reaches_into(graph, start, graph.facings[exit].beyond.flipped()))
         continue;
-      set_bit(seen, exit.to);
-      scratch_clusters.push_back(exit.to);
+      set_bit(seen, to);
+      scratch_clusters.push_back(to);
     }
   }
 }

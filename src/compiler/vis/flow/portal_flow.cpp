@@ -44,22 +44,22 @@ PortalFlow::Link& PortalFlow::link(std::size_t depth) {
 // Cuts the next portal to what lines through the chain can reach, and the first portal to what can see the
 // next one. `direct`: the chain is only the first portal. Returns false if nothing is left.
 bool PortalFlow::cut_to_lines(Link& from, Link& io_to, bool direct) {
-  const DirectedPortal& source = graph_.portals[chain_[0].portal];
-  const DirectedPortal& target = graph_.portals[io_to.portal];
+  const HalfSpace& beyond_source = graph_.facings[chain_[0].portal].beyond;
   const Facing& facing = graph_.facings[io_to.portal];
-  if (find_side(facing, source.beyond) == Side::kOutside) return false;
+  if (find_side(facing, beyond_source) == Side::kOutside) return false;
   if (std::ranges::any_of(from.separators.all(),
                           [&](const HalfSpace& space) { return find_side(facing, space) == Side::kOutside; }))
     return false;
 
-  io_to.pass = target.winding;
-  if (find_side(facing, source.beyond) == Side::kAcross && !cut(io_to.pass, source.beyond)) return false;
-  if (!direct && !cut(io_to.pass, graph_.portals[from.portal].beyond)) return false;
+  io_to.pass = Winding(graph_.find_corners(io_to.portal));
+  if (find_side(facing, beyond_source) == Side::kAcross && cut(io_to.pass, beyond_source) == Left::kNothing)
+    return false;
+  if (!direct && cut(io_to.pass, graph_.facings[from.portal].beyond) == Left::kNothing) return false;
   for (const HalfSpace& space : from.separators.all())
-    if (find_side(facing, space) == Side::kAcross && !cut(io_to.pass, space)) return false;
+    if (find_side(facing, space) == Side::kAcross && cut(io_to.pass, space) == Left::kNothing) return false;
 
   io_to.source = from.source;
-  return cut(io_to.source, target.beyond.flipped());
+  return cut(io_to.source, facing.beyond.flipped()) != Left::kNothing;
 }
 
 // Removes clusters that are outside the reach of the chain's lines from those that might still be seen.
@@ -80,23 +80,26 @@ bool PortalFlow::drop_hidden(Link& io_link, std::span<const Word> seen) {
 }
 
 // Tries to append a portal to the chain. Returns false if nothing new can be seen through it.
-bool PortalFlow::extend(std::size_t depth, Exit exit, const FlowBounds& bounds, std::span<Word> io_seen) {
-  const std::uint32_t portal = exit.portal;
+bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBounds& bounds,
+                        std::span<Word> io_seen) {
+  const DirectedPortal& exit = graph_.portals[portal];
   Link& to = link(depth + 1);
   Link& from = chain_[depth];
-  if (on_chain_[portal / 2] != 0) return false;  // a straight line crosses an opening only once
-  if (!has_bit(from.might, exit.to)) return false;
+  // A straight line crosses an opening only once, in one direction.
+  if (on_chain_[portal] != 0 || on_chain_[exit.reverse] != 0) return false;
+  if (!has_bit(from.might, exit.to) || !bounds.may_see(graph_.portals[chain_[0].portal].from, exit))
+    return false;
   to.might.resize(from.might.size());
   if (!narrow(from.might, bounds.row(portal), io_seen, to.might)) return false;
   ++cuts_;
   to.portal = portal;
-  to.next = 0;
+  to.next = graph_.first_exit[exit.to];
   if (!cut_to_lines(from, to, depth == 0)) return false;
   set_bit(io_seen, exit.to);
-  find_separators({to.source, graph_.portals[chain_[0].portal].beyond},
-                  {to.pass, graph_.portals[portal].beyond}, to.separators);
+  find_separators({to.source, graph_.facings[chain_[0].portal].beyond},
+                  {to.pass, graph_.facings[portal].beyond}, to.separators);
   if (!drop_hidden(to, io_seen)) return false;
-  on_chain_[portal / 2] = 1;
+  on_chain_[portal] = 1;
   return true;
 }
 
@@ -113,20 +116,20 @@ void PortalFlow::tighten(std::uint32_t portal, std::size_t depth, const FlowBoun
 }
 
 // Chains end because an opening is entered only once (on_chain_), and because `might` shrinks on the way.
-bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
-                     std::span<Word> io_seen) {
+bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, bool is_crowded,
+                     const std::atomic<bool>& stop, std::span<Word> io_seen) {
   Link& first = link(0);
   first.portal = portal;
-  first.next = 0;
-  first.source = graph_.portals[portal].winding;
+  first.next = graph_.first_exit[graph_.portals[portal].to];
+  first.source = Winding(graph_.find_corners(portal));
   first.separators.count = 0;
-  const auto base_row = bounds.base.row(portal);
+  const auto base_row = bounds.row(portal);
   first.might.assign(base_row.begin(), base_row.end());
   set_bit(io_seen, graph_.portals[portal].to);
   std::ranges::fill(on_chain_, std::uint8_t{0});
-  on_chain_[portal / 2] = 1;
+  on_chain_[portal] = 1;
   cuts_ = 0;
-  const CutLimits& limits = bounds.is_crowded(portal) ? kCrowdedLimits : kOrdinaryLimits;
+  const CutLimits& limits = is_crowded ? kCrowdedLimits : kOrdinaryLimits;
   bool is_bounded = false;
   for (std::size_t depth = 0;;) {
     if (cuts_ >= limits.bound && !is_bounded) {
@@ -137,14 +140,12 @@ bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, const std::
       return true;
     }
     Link& last = chain_[depth];
-    const auto exits = graph_.exits_from(graph_.portals[last.portal].to);
-    if (last.next == exits.size()) {
-      on_chain_[last.portal / 2] = 0;
+    if (last.next == graph_.first_exit[graph_.portals[last.portal].to + 1]) {
+      on_chain_[last.portal] = 0;
       if (depth-- == 0) return true;
       continue;
     }
-    const Exit exit = exits[last.next++];
-    if (extend(depth, exit, bounds, io_seen)) ++depth;
+    if (extend(depth, last.next++, bounds, io_seen)) ++depth;
     if (stop.load(std::memory_order_relaxed)) return false;
   }
 }

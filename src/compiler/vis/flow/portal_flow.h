@@ -25,13 +25,13 @@ namespace temblor::compiler::vis {
 class PortalFlow {
  public:
   explicit PortalFlow(const PortalGraph& graph)
-      : graph_(graph), reach_(graph), on_chain_(graph.portals.size() / 2, 0) {}
+      : graph_(graph), reach_(graph), on_chain_(graph.portals.size(), 0) {}
 
   // Sets the bits (all 0 before) of the clusters that are seen through the portal. Returns false if `stop`
   // became true first. A search that takes too long is bounded by Reach, and if it still does not end soon,
   // replaced by that bound: then too much is seen, never too little. A crowded portal has a bound already,
   // and its search may take less time.
-  bool run(std::uint32_t portal, const FlowBounds& bounds, const std::atomic<bool>& stop,
+  bool run(std::uint32_t portal, const FlowBounds& bounds, bool is_crowded, const std::atomic<bool>& stop,
            std::span<BitMatrix::Word> io_seen);
 
  private:
@@ -40,14 +40,14 @@ class PortalFlow {
   // One portal of the chain, and where lines through the chain up to it can pass.
   struct Link {
     std::uint32_t portal = 0;
-    std::size_t next = 0;     // index of the next portal to try, among those of the cluster beyond
+    std::uint32_t next = 0;   // the next portal to try, among those of the cluster beyond
     Winding source, pass;     // the reachable parts of the chain's first portal and of this one
     std::vector<Word> might;  // clusters that might be seen beyond it
     Separators separators;    // of source and pass; none for the first
   };
 
   Link& link(std::size_t depth);
-  bool extend(std::size_t depth, Exit exit, const FlowBounds& bounds, std::span<Word> io_seen);
+  bool extend(std::size_t depth, std::uint32_t portal, const FlowBounds& bounds, std::span<Word> io_seen);
   bool drop_hidden(Link& io_link, std::span<const Word> seen);
   bool cut_to_lines(Link& from, Link& io_to, bool direct);
 
@@ -58,7 +58,7 @@ class PortalFlow {
   std::vector<Word> bound_;             // the result of reach_
   std::size_t cuts_ = 0;                // in this search
   std::deque<Link> chain_;              // a deque, so that references stay valid as it grows
-  std::vector<std::uint8_t> on_chain_;  // by opening, 0 or 1
+  std::vector<std::uint8_t> on_chain_;  // by portal, 0 or 1
 };
 
 }  // namespace temblor::compiler::vis

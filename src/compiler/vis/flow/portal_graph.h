@@ -14,15 +14,15 @@ namespace temblor::compiler::vis {
 
 // An opening, seen in one direction.
 struct DirectedPortal {
-  Winding winding;
-  HalfSpace beyond;                // the side that it leads to
-  std::uint32_t from = 0, to = 0;  // clusters
+  std::uint32_t from = 0, to = 0;                  // clusters
+  std::uint32_t reverse = 0;                       // the portal of the other direction
+  std::uint32_t first_corner = 0, end_corner = 0;  // of PortalGraph::corners
 };
 
 // The data for most tests of a portal, in one cache line: the portals of a large hall do not fit into the
 // cache, and each is tested against most others.
 struct Facing {
-  HalfSpace beyond;
+  HalfSpace beyond;         // the side that it leads to
   math::Vec3d center{0.0};  // of a sphere that contains the winding
   double radius = 0;
 };
@@ -35,11 +35,6 @@ inline Side find_side(const Facing& portal, const HalfSpace& space) {
   return above <= kEpsilon - portal.radius ? Side::kOutside : Side::kAcross;
 }
 
-// A portal, and the cluster that it leads to.
-struct Exit {
-  std::uint32_t portal = 0, to = 0;
-};
-
 // A box around all portals of a cluster: anyone who sees into the cluster sees some of the box.
 struct ClusterBox {
   math::Vec3d center{0.0}, half_size{0.0};
@@ -50,17 +45,22 @@ struct ClusterBox {
   }
 };
 
-// Clusters and the portals between them.
+// Clusters and the portals between them. Portals that leave one cluster are neighbors in all lists, since a
+// search tries them together.
 struct PortalGraph {
   std::size_t cluster_count = 0;
-  std::vector<DirectedPortal> portals;    // 2 * i and 2 * i + 1 are the two directions of one opening
-  std::vector<Facing> facings;            // by portal
+  std::vector<DirectedPortal> portals;  // sorted by the cluster that they leave
+  std::vector<Facing> facings;          // by portal
+  std::vector<math::Vec3d> corners;
   std::vector<ClusterBox> boxes;          // by cluster
-  std::vector<std::uint32_t> first_exit;  // by cluster, plus one: where its part of `exits` begins
-  std::vector<Exit> exits;                // by the cluster that they leave
+  std::vector<std::uint32_t> first_exit;  // by cluster, plus one: where its part of `portals` begins
 
-  std::span<const Exit> exits_from(std::size_t cluster) const {
-    return std::span(exits).subspan(first_exit[cluster], first_exit[cluster + 1] - first_exit[cluster]);
+  // Clockwise seen from the side that the portal leads to.
+  std::span<const math::Vec3d> find_corners(const DirectedPortal& portal) const {
+    return std::span(corners).subspan(portal.first_corner, portal.end_corner - portal.first_corner);
+  }
+  std::span<const math::Vec3d> find_corners(std::uint32_t portal) const {
+    return find_corners(portals[portal]);
   }
 };
 

@@ -4,6 +4,7 @@
 #include "compiler/vis/flow/reach.h"
 
 #include <algorithm>
+#include <array>
 
 #include "compiler/vis/flow/hull.h"
 
@@ -18,78 +19,89 @@ constexpr int kMaxGrowths = 8;
 }  // namespace
 
 // Adds a piece to the reached part of a portal, and queues the portal if that part has grown.
-void Reach::reach(std::uint32_t portal, const Winding& piece) {
+void Reach::reach(std::uint32_t portal, Left part, const Winding& piece) {
   std::uint32_t& slot_index = slot_of_portal_[portal];
   const bool is_new = slot_index == kNoSlot;
   if (is_new) {
     slot_index = static_cast<std::uint32_t>(slots_.size());
-    slots_.push_back({portal, piece, 0, false});
+    slots_.push_back({portal, 0, false, part == Left::kWhole, piece});
   }
   Slot& slot = slots_[slot_index];
-  const DirectedPortal& directed = graph_.portals[portal];
   if (!is_new) {
-    if (slot.growths > kMaxGrowths || contains(slot.reached, piece, directed.beyond.normal)) return;
-    ++slot.growths;
-    if (slot.growths > kMaxGrowths || !grow_hull(slot.reached, piece, directed.beyond.normal)) {
-      slot.growths = kMaxGrowths + 1;
-      slot.reached = directed.winding;
-    }
+    const math::Vec3d& normal = graph_.facings[portal].beyond.normal;
+    if (slot.whole || (part == Left::kSome && contains(slot.reached, piece, normal))) return;
+    slot.whole =
+        part == Left::kWhole || ++slot.growths > kMaxGrowths || !grow_hull(slot.reached, piece, normal);
+    if (slot.whole) slot.reached = Winding(graph_.find_corners(portal));
   }
-  if (!slot.queued) queue_.push({glm::length(graph_.facings[portal].center - source_center_), slot_index});
+  if (!slot.queued)
+    queue_.push({glm::length(graph_.facings[portal].center - graph_.facings[source_].center), slot_index});
   slot.queued = true;
 }
 
-// Cuts a portal to what lines from the source through `from` can reach. Returns false if nothing is left.
-// Spheres decide most cases.
-bool Reach::cut_to_reach(const DirectedPortal& source, const Slot& from, std::uint32_t target,
-                         Winding& out_piece) const {
-  const Facing& facing = graph_.facings[target];
-  const auto is_outside = [&](const HalfSpace& space) { return find_side(facing, space) == Side::kOutside; };
-  const auto is_kept = [&](const HalfSpace& space) {
-    return find_side(facing, space) == Side::kInside || cut(out_piece, space);
+// Cuts a portal to what lines from the source through `from` can reach. Spheres decide most cases.
+Left Reach::cut_to_reach(std::uint32_t from, std::uint32_t target, Winding& out_piece) const {
+  const Facing &facing = graph_.facings[target], &source = graph_.facings[source_];
+  std::array<const HalfSpace*, 2 * kMaxWindingPoints + 2> across;
+  std::size_t across_count = 0;
+  const auto is_outside = [&](const HalfSpace& space) {
+    const Side side = find_side(facing, space);
+    if (side == Side::kAcross) across[across_count++] = &space;
+    return side == Side::kOutside;
   };
-  if (is_outside(source.beyond) || std::ranges::any_of(separators_.all(), is_outside)) return false;
+  if (is_outside(source.beyond) || std::ranges::any_of(separators_.all(), is_outside)) return Left::kNothing;
   // Some of the source must be on the near side of the target, or nothing can enter it.
-  if (std::ranges::none_of(source.winding.corners(), [&](const math::Vec3d& corner) {
+  if (facing.beyond.above(source.center) >= -kEpsilon &&
+      std::ranges::none_of(graph_.find_corners(source_), [&](const math::Vec3d& corner) {
         return facing.beyond.above(corner) < -kEpsilon;
       }))
-    return false;
-  out_piece = graph_.portals[target].winding;
-  const DirectedPortal& pass = graph_.portals[from.portal];
-  if (!is_kept(source.beyond) || (&pass != &source && !is_kept(pass.beyond))) return false;
-  return std::ranges::all_of(separators_.all(), is_kept);
+    return Left::kNothing;
+  if (from != source_ && is_outside(graph_.facings[from].beyond)) return Left::kNothing;
+  out_piece = Winding(graph_.find_corners(target));
+  bool is_whole = true;
+  for (std::size_t i = 0; i < across_count; ++i) {
+    const Left result = cut(out_piece, *across[i]);
+    if (result == Left::kNothing) return Left::kNothing;
+    is_whole &= result == Left::kWhole;
+  }
+  return is_whole ? Left::kWhole : Left::kSome;
 }
 
 // Passes sight lines from the source through the reached part of one portal on to the next portals.
-void Reach::pass_on(const DirectedPortal& source, const Slot& from, const FlowBounds& bounds,
-                    std::span<const BitMatrix::Word> might, std::span<BitMatrix::Word> io_bound) {
-  const DirectedPortal& pass = graph_.portals[from.portal];
+void Reach::pass_on(std::uint32_t slot, const FlowBounds& bounds, std::span<const BitMatrix::Word> might,
+                    std::span<BitMatrix::Word> io_bound) {
+  const std::uint32_t from = slots_[slot].portal;
   separators_.count = 0;
-  if (&pass != &source)
-    find_separators({source.winding, source.beyond}, {from.reached, pass.beyond}, separators_);
-  const auto beyond_pass = bounds.row(from.portal);
+  if (from != source_) {
+    const Winding source(graph_.find_corners(source_));
+    find_separators({source, graph_.facings[source_].beyond},
+                    {slots_[slot].reached, graph_.facings[from].beyond}, separators_);
+  }
+  const std::uint32_t cluster = graph_.portals[from].to, first = graph_.first_exit[cluster];
   Winding piece;
-  for (const Exit& exit : graph_.exits_from(pass.to)) {
-    if (exit.portal / 2 == from.portal / 2 || !has_bit(might, exit.to) || !has_bit(beyond_pass, exit.to) ||
-        !cut_to_reach(source, from, exit.portal, piece))
+  for (std::uint32_t exit = first; exit < graph_.first_exit[cluster + 1]; ++exit) {
+    const DirectedPortal& portal = graph_.portals[exit];
+    if (!bounds.may_enter(from, exit - first) || !has_bit(might, portal.to) ||
+        !bounds.may_see(graph_.portals[source_].from, portal) || is_whole(exit))
       continue;
-    set_bit(io_bound, exit.to);
-    reach(exit.portal, piece);
+    const Left part = cut_to_reach(from, exit, piece);
+    if (part == Left::kNothing) continue;
+    set_bit(io_bound, portal.to);
+    reach(exit, part, piece);
   }
 }
 
 void Reach::run(std::uint32_t portal, const FlowBounds& bounds, std::span<const BitMatrix::Word> might,
                 std::span<BitMatrix::Word> out_bound) {
-  const DirectedPortal& source = graph_.portals[portal];
   std::ranges::fill(out_bound, BitMatrix::Word{0});
-  set_bit(out_bound, source.to);
-  source_center_ = graph_.facings[portal].center;
-  reach(portal, source.winding);
+  set_bit(out_bound, graph_.portals[portal].to);
+  source_ = portal;
+  reach(portal, Left::kWhole, Winding(graph_.find_corners(portal)));
   while (!queue_.empty()) {
-    Slot& slot = slots_[queue_.top().slot];
+    const std::uint32_t slot = queue_.top().slot;
     queue_.pop();
-    slot.queued = false;
-    pass_on(source, slot, bounds, might, out_bound);
+    slots_[slot].queued = false;
+    pass_on(slot, bounds, might, out_bound);
   }
   for (const Slot& slot : slots_) slot_of_portal_[slot.portal] = kNoSlot;
   slots_.clear();

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <queue>
 #include <span>
@@ -31,19 +30,21 @@ class Reach {
  private:
   static constexpr std::uint32_t kNoSlot = 0xffffffff;
 
+  // A portal that has been reached.
   struct Slot {
-    // A portal that has been reached.
     std::uint32_t portal = 0;
-    Winding reached;
     int growths = 0;
-    bool queued = false;
+    bool queued = false, whole = false;
+    Winding reached;
   };
 
-  void pass_on(const DirectedPortal& source, const Slot& from, const FlowBounds& bounds,
-               std::span<const BitMatrix::Word> might, std::span<BitMatrix::Word> io_bound);
-  bool cut_to_reach(const DirectedPortal& source, const Slot& from, std::uint32_t target,
-                    Winding& out_piece) const;
-  void reach(std::uint32_t portal, const Winding& piece);
+  void pass_on(std::uint32_t slot, const FlowBounds& bounds, std::span<const BitMatrix::Word> might,
+               std::span<BitMatrix::Word> io_bound);
+  Left cut_to_reach(std::uint32_t from, std::uint32_t target, Winding& out_piece) const;
+  void reach(std::uint32_t portal, Left part, const Winding& piece);
+  bool is_whole(std::uint32_t portal) const {
+    return slot_of_portal_[portal] != kNoSlot && slots_[slot_of_portal_[portal]].whole;
+  }
 
   const PortalGraph& graph_;
   std::vector<std::uint32_t> slot_of_portal_;
@@ -55,9 +56,9 @@ class Reach {
     auto operator<=>(const Entry&) const = default;
   };
 
-  std::deque<Slot> slots_;  // a deque, so that references stay valid as it grows
+  std::uint32_t source_ = 0;
+  std::vector<Slot> slots_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-  math::Vec3d source_center_{0.0};
   Separators separators_;  // of the source and the portal that is passed on
 };
 

@@ -6,7 +6,7 @@
 
 namespace temblor::compiler::vis {
 
-bool cut(Winding& io_winding, const HalfSpace& keep) {
+Left cut(Winding& io_winding, const HalfSpace& keep) {
   std::array<double, kMaxWindingPoints + 1> above;
   double highest = -1, lowest = 1;
   const std::size_t count = io_winding.count;
@@ -17,10 +17,10 @@ bool cut(Winding& io_winding, const HalfSpace& keep) {
   }
   if (highest <= kEpsilon) {
     io_winding.count = 0;
-    return false;
+    return Left::kNothing;
   }
-  if (lowest >= -kEpsilon) return true;
-  if (count + 1 > kMaxWindingPoints) return true;  // a convex polygon gains at most one corner
+  if (lowest >= -kEpsilon) return Left::kWhole;
+  if (count + 1 > kMaxWindingPoints) return Left::kWhole;  // a convex polygon gains at most one corner
 
   const Winding whole = io_winding;
   std::size_t kept = 0;
@@ -35,8 +35,8 @@ bool cut(Winding& io_winding, const HalfSpace& keep) {
     const math::Vec3d& to = whole.points[i + 1 == count ? 0 : i + 1];
     io_winding.points[kept++] = from + (to - from) * (above[i] / (above[i] - above[i + 1]));
   }
-  io_winding.count = kept;
-  return kept >= 3;
+  io_winding.count = kept >= 3 ? kept : 0;
+  return kept >= 3 ? Left::kSome : Left::kNothing;
 }
 
 }  // namespace temblor::compiler::vis

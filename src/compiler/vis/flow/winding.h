@@ -23,6 +23,10 @@ struct Winding {
   std::array<math::Vec3d, kMaxWindingPoints> points;
 
   Winding() = default;
+  // `corners`: at most kMaxWindingPoints.
+  explicit Winding(std::span<const math::Vec3d> corners) : count(corners.size()) {
+    std::copy_n(corners.begin(), count, points.begin());
+  }
   // Copies only the corners in use; most windings have four.
   Winding(const Winding& other) { *this = other; }
   Winding& operator=(const Winding& other) {
@@ -34,9 +38,11 @@ struct Winding {
   std::span<const math::Vec3d> corners() const { return {points.data(), count}; }
 };
 
-// Keeps the part inside the half-space. Returns false, and empties the winding, if nothing is left. A winding
-// that would get more than kMaxWindingPoints corners stays whole: then too much may be seen, never too
-// little.
-bool cut(Winding& io_winding, const HalfSpace& keep);
+// How much a cut leaves.
+enum class Left { kNothing, kSome, kWhole };
+
+// Keeps the part inside the half-space. If nothing is left, the winding is empty. A winding that would get
+// more than kMaxWindingPoints corners stays whole: then too much may be seen, never too little.
+Left cut(Winding& io_winding, const HalfSpace& keep);
 
 }  // namespace temblor::compiler::vis
