@@ -49,7 +49,7 @@ TEST(EntityFaults, CorrectEntitiesHaveNone) {
   EXPECT_THAT(list_faults(entity_text("light", "\"message\" \"" + std::string(4096, 'm') + "\"")), IsEmpty());
   // Keys of editors are not in the level, and the game reads keys without an underscore.
   EXPECT_THAT(
-      list_faults(entity_text("worldspawn", "\"_tb_mod\" \"ad\"\n\"wad\" \"" + std::string(9999, 'w') +
+      list_faults(entity_text("worldspawn", "\"_tb_mod\" \"ad\"\n\"_tb_def\" \"" + std::string(9999, 'w') +
                                                 "\"\n\"sofftangle\" \"1\"\n\"_Phong\" \"1\"")),
       IsEmpty());
   for (const std::string_view name : compiler::known_key_names())

@@ -130,7 +130,7 @@ TEST(MakeDraft, BrushEntitiesAreModels) {
   EXPECT_EQ(entities[2].find("model"), "*1");
   EXPECT_EQ(entities[3].find("model"), "*2");
   EXPECT_EQ(entities[2].find("angle"), "90");
-  EXPECT_FALSE(entities[0].find("wad")) << "only compilers read it";
+  EXPECT_TRUE(entities[0].find("wad")) << "Half-Life finds textures by it";
 }
 
 TEST(MakeDraft, OriginBrushIsTheCenterOfRotation) {

@@ -5,7 +5,7 @@
 
 namespace temblor::compiler {
 bool is_editor_key(std::string_view key) {
-  return key.starts_with("_tb_") || key == "mapversion" || key == "wad";
+  return key.starts_with("_tb_") || key == "mapversion";
 }
 
 // Keeps the order of the keys: a later run must get the same bytes from the same map.

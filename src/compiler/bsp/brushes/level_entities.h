@@ -1,5 +1,5 @@
-// The entities of a level: those of the map without the keys that only compilers and editors read. An entity
-// with brushes names its model.
+// The entities of a level: those of the map without the keys that only editors read. An entity with brushes
+// names its model.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace temblor::compiler {
 // Whether an entity has no brushes and is not of a class that is made of brushes alone (func_group, ...).
 bool is_point_entity(const formats::MapEntity& entity);
 
-// Whether only editors and compilers read a key, so that levels do not have it: TrenchBroom's layers, the map
-// format's version, the list of WADs.
+// Whether only editors read a key, so that levels do not have it: TrenchBroom's layers, the map format's
+// version. The list of WADs stays in the level, since Half-Life finds textures by it.
 bool is_editor_key(std::string_view key);
 
 // Returns an entity's keys as the level has them. `brushes`: what became of its brushes, if it has any.
