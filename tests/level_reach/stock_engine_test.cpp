@@ -1,10 +1,14 @@
-// Another engine plays our levels: QuakeSpasm (Debian's package) loads the shipped game's and a pool whose
-// surface once crashed it ("stack smashing detected").
+// Other engines play our levels: QuakeSpasm and DarkPlaces (Debian's packages) load the shipped game's and a
+// pool whose surface once crashed the first ("stack smashing detected"). Both join by commands in their own
+// buffer, so a script that waits there would delay the join. Instead, the engine reads one file of commands
+// after another, and the test writes the next one when the output shows that the last one is done.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <thread>
 
 #include "compiler/drafts.h"
@@ -18,8 +22,16 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 constexpr std::array kLevels = {"start", "t1", "t2", "gallery", "pool"};
-constexpr const char* kLastLine = "all levels are done";
-constexpr auto kLimit = std::chrono::minutes(5);
+// Much longer than a slow machine needs for one step, such as loading a level.
+constexpr auto kLimit = std::chrono::seconds(90);
+
+struct Engine {
+  const char* program;
+  const char* joined;  // what it prints when the player is in the level
+  const char* pause;   // the commands by which it reads again a little later
+};
+constexpr Engine kQuakeSpasm = {"quakespasm", "entered the game", "wait; wait; wait; wait; wait; poll"};
+constexpr Engine kDarkPlaces = {"darkplaces", "joined the game", "defer 0.2 poll"};
 
 // A level with gray textures, which other engines need.
 base::ByteVector make_pool() {
@@ -33,69 +45,92 @@ base::ByteVector make_pool() {
   return formats::write_bsp(bsp, formats::BspVersion::k29).value();
 }
 
-// Enters each level, and walks for a second.
-std::string make_script() {
-  std::string script = "skill 1\nhost_maxfps 30\n";
-  const auto wait = [&](int frames) {
-    for (int i = 0; i < frames; ++i) script += "wait\n";
-  };
-  for (const char* level : kLevels) {
-    script += fmt::format("map {}\n", level);
-    wait(120);
-    script += "+forward\n";
-    wait(30);
-    script += fmt::format("-forward\necho left {} alive\n", level);
-  }
-  return script + fmt::format("echo {}\n", kLastLine);
-}
-
-// Links everything but what make_quakespasm_folder() writes itself.
-void link_levels(const fs::path& id1) {
+// Makes a folder with the shipped game, the pool, and the script that reads the test's commands. Leaves out
+// the files that make_quakespasm_folder() writes.
+void make_game(const TemporaryFolder& game, std::string_view pause) {
+  const fs::path id1 = game.path() / "id1";
   fs::create_directories(id1 / "maps");
+  for (const auto& entry : fs::directory_iterator(TEMBLOR_GAME))
+    if (const fs::path name = entry.path().filename();
+        name != "maps" && name != "progs.dat" && name != "quake.rc")
+      fs::create_symlink(entry.path(), id1 / name);
   for (const auto& entry : fs::directory_iterator(TEMBLOR_GAME "/maps"))
     fs::create_symlink(entry.path(), id1 / "maps" / entry.path().filename());
-}
-
-class StockEngine : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(StockEngine, PlaysOurLevels) {
-  const std::string engine = GetParam();
-  if (!is_installed(engine) || !is_installed("xvfb-run"))
-    GTEST_SKIP() << engine << " or a display for it (xvfb, xauth) is not installed";
-  const TemporaryFolder home, game;
-  fs::create_directory(game.path() / "id1");
-  for (const auto& entry : fs::directory_iterator(TEMBLOR_GAME))
-    if (entry.path().filename() != "maps" && entry.path().filename() != "progs.dat" &&
-        entry.path().filename() != "quake.rc")
-      fs::create_symlink(entry.path(), game.path() / "id1" / entry.path().filename());
-  link_levels(game.path() / "id1");
   game.write("id1/maps/pool.bsp", base::as_text(make_pool()));
-  game.write("id1/walk.cfg", make_script());
-  const auto base = make_quakespasm_folder(home, game.path(), TEMBLOR_GAME "/progs.dat");
-  if (!base) GTEST_SKIP() << "quakespasm, which has the picture of the registered version, is not installed";
-  // Without SDL's signal handlers, it dies at the end of the test instead of writing its settings to the
-  // user's home folder. Line by line, its output shows how far it came.
-  const BackgroundProgram program(
-      {TEMBLOR_SOURCE_DIR "/tests/support/on_display.sh", "320x240x24", "env", "SDL_NO_SIGNAL_HANDLERS=1",
-       "stdbuf", "-oL", engine, "-basedir", base->string(), "-window", "-width", "320", "-height", "240",
-       "-nosound", "+exec", "walk.cfg"},
-      home.path());
-  const auto end = std::chrono::steady_clock::now() + kLimit;
-  while (std::chrono::steady_clock::now() < end && program.output().find(kLastLine) == std::string::npos)
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  const std::string output = program.output();
-  std::size_t at = 0;
-  for (const char* level : kLevels)
-    for (const std::string& line : {std::string("entered the game"), fmt::format("left {} alive", level)}) {
-      at = output.find(line, at);
-      ASSERT_NE(at, std::string::npos) << "no \"" << line << "\" for " << level << ":\n" << output;
-    }
-  EXPECT_THAT(output, HasSubstr(kLastLine));
-  EXPECT_THAT(output, ::testing::Not(HasSubstr("Host_Error")));
+  game.write("id1/poll.cfg",
+             fmt::format("alias poll \"next; {}\"\nalias next \"exec step0.cfg\"\npoll\n", pause));
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, StockEngine, ::testing::Values("quakespasm"),
-                         [](const auto& instance) { return std::string(instance.param); });
+// The base folder for an engine; only QuakeSpasm needs more than the game.
+std::optional<fs::path> make_base(const Engine& engine, const TemporaryFolder& home,
+                                  const TemporaryFolder& game) {
+  make_game(game, engine.pause);
+  if (engine.program == std::string(kQuakeSpasm.program))
+    return make_quakespasm_folder(home, game.path(), TEMBLOR_GAME "/progs.dat");
+  game.write("id1/quake.rc", "stuffcmds\n");
+  fs::create_symlink(TEMBLOR_GAME "/progs.dat", game.path() / "id1" / "progs.dat");
+  return game.path();
+}
+
+// An engine on a display of its own. Without SDL's signal handlers, it dies at the end of the test instead of
+// writing its settings. Line by line, its output shows how far it came.
+class RunningEngine {
+ public:
+  // Reads the file "poll.cfg" in the base folder.
+  RunningEngine(const Engine& engine, const TemporaryFolder& home, const fs::path& base)
+      : id1_(base / "id1"),
+        program_({TEMBLOR_SOURCE_DIR "/tests/support/on_display.sh", "320x240x24", "env",
+                  "SDL_NO_SIGNAL_HANDLERS=1", "stdbuf", "-oL", engine.program, "-basedir", base.string(),
+                  "-window", "-width", "320", "-height", "240", "-nosound", "+exec", "poll.cfg"},
+                 home.path()) {}
+
+  // Runs the commands, and waits for a line that contains the text, after the last such line.
+  bool has_run(const std::string& commands, const std::string& text) {
+    const fs::path file = id1_ / fmt::format("step{}.cfg", step_++);
+    std::ofstream(id1_ / "unfinished")
+        << fmt::format("alias next \"exec step{}.cfg\"\n{}\n", step_, commands);
+    fs::rename(id1_ / "unfinished", file);  // the engine must never read half a file
+    const auto end = std::chrono::steady_clock::now() + kLimit;
+    while (std::chrono::steady_clock::now() < end) {
+      if (const std::size_t at = output().find(text, seen_); at != std::string::npos) {
+        seen_ = at + text.size();
+        return true;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+  }
+  std::string output() const { return program_.output(); }
+
+ private:
+  fs::path id1_;
+  BackgroundProgram program_;
+  int step_ = 0;
+  std::size_t seen_ = 0;  // of the output
+};
+
+class StockEngine : public ::testing::TestWithParam<Engine> {};
+
+// Enters each level, and walks for a second.
+TEST_P(StockEngine, PlaysOurLevels) {
+  const Engine engine = GetParam();
+  if (!is_installed(engine.program) || !is_installed("Xvfb"))
+    GTEST_SKIP() << engine.program << " or a display for it (xvfb) is not installed";
+  const TemporaryFolder home, game;
+  const auto base = make_base(engine, home, game);
+  if (!base) GTEST_SKIP() << "quakespasm lacks the picture of the registered version";
+  RunningEngine running(engine, home, *base);
+  for (const std::string level : kLevels) {
+    ASSERT_TRUE(running.has_run("map " + level, engine.joined)) << level << ":\n" << running.output();
+    ASSERT_TRUE(running.has_run("+forward\necho walks", "walks")) << level << ":\n" << running.output();
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    ASSERT_TRUE(running.has_run("-forward\necho left " + level, "left " + level)) << running.output();
+  }
+  EXPECT_THAT(running.output(), ::testing::Not(HasSubstr("Host_Error")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, StockEngine, ::testing::Values(kQuakeSpasm, kDarkPlaces),
+                         [](const auto& instance) { return std::string(instance.param.program); });
 
 }  // namespace
 }  // namespace temblor::test
