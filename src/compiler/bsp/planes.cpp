@@ -9,11 +9,14 @@ namespace {
 
 constexpr double kSameNormal = 1e-5, kSameDistance = 0.01;  // units
 
-// Snaps a normal that is nearly along an axis to that axis, and the distance of such a plane to a whole
-// number.
+// Snaps a normal that rounding alone turned away from an axis to that axis, and the distance of such a plane
+// to a whole number. All components count: if only the long one did, a plane tilted by 0.25 degrees would be
+// snapped, too, and a wall would move by more than a unit.
 void snap(math::Vec3d& io_normal, double& io_distance) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(std::abs(io_normal[axis]) - 1) >= kSameNormal) continue;
+    math::Vec3d others = glm::abs(io_normal);
+    others[axis] = 0;
+    if (glm::any(glm::greaterThanEqual(others, math::Vec3d(kSameNormal)))) continue;
     const double sign = io_normal[axis] < 0 ? -1 : 1;
     io_normal = math::Vec3d(0.0);
     io_normal[axis] = sign;
