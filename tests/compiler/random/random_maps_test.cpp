@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <vector>
 
-#include "compiler/bsp/brush_boxes.h"
 #include "compiler/drafts.h"
+#include "compiler/random/level_checks.h"
 #include "compiler/random/random_map.h"
 #include "compiler/vis/sight_lines.h"
-#include "compiler/vis/visibility.h"
 #include "support/effort.h"
 #include "support/random.h"
 #include "world/level.h"
-#include "world/trace.h"
 
 namespace temblor::test {
 namespace {
@@ -21,35 +19,12 @@ namespace {
 using compiler::BitMatrix;
 using math::Vec3d;
 
-// Points nearer to a brush than this, and rays that pass one as closely, are left out: rounding decides.
-constexpr double kUnsure = 0.1;
-const HullBox kPoint{Vec3d(0.0), Vec3d(0.0)};
-const std::vector<std::pair<world::Hull, HullBox>> kBoxes = {
-    {world::Hull::kPoint, kPoint},
-    {world::Hull::kPlayer, {{-16, -16, -24}, {16, 16, 32}}},
-    {world::Hull::kLarge, {{-32, -32, -24}, {32, 32, 64}}}};
-
-compiler::DraftResult compile(const formats::Map& map, int threads) {
-  base::Jobs jobs(threads);
-  compiler::Warnings warnings;
-  return compiler::make_draft(
-             map, [](std::string_view) { return math::Vec2d(64, 64); }, {}, jobs, warnings)
-      .value();
-}
-
-BitMatrix find_visibility(const compiler::PortalSet& portals, int threads) {
-  base::Jobs jobs(threads);
-  compiler::VisibilityState state = compiler::begin_visibility(portals);
-  compiler::continue_visibility(portals, jobs, compiler::kIgnoreProgress, state);
-  return compiler::find_visible_clusters(portals, state);
-}
-
-class Checker {
+class RandomMapChecker {
  public:
-  explicit Checker(std::uint64_t seed)
+  explicit RandomMapChecker(std::uint64_t seed)
       : random_(seed + 1'000'000),
         map_(make_random_map(seed)),
-        result_(compile(map_.map, 1)),
+        result_(compile_map(map_.map, 1)),
         solids_(solids_of_world(map_.map)),
         level_(world::make_level(result_.draft.bsp, "random").value()) {}
 
@@ -61,7 +36,7 @@ class Checker {
     check_sight();
   }
   void check_threads() {
-    const compiler::DraftResult again = compile(map_.map, 3);
+    const compiler::DraftResult again = compile_map(map_.map, 3);
     EXPECT_TRUE(formats::write_bsp(again.draft.bsp, formats::BspVersion::k29).value() ==
                 formats::write_bsp(result_.draft.bsp, formats::BspVersion::k29).value());
     EXPECT_TRUE(find_visibility(again.draft.portals, 3) == visible_);
@@ -78,42 +53,31 @@ class Checker {
     return Vec3d(math::Vec3(place));
   }
 
-  // How deep the box is in any brush; negative: how far it is from all.
-  double find_depth(const HullBox& box, const Vec3d& at) const {
-    double deepest = -1e9;
-    for (const Solid& solid : solids_)
-      if (glm::all(glm::greaterThan(at + box.maxs, solid.mins - 1.0)) &&
-          glm::all(glm::lessThan(at + box.mins, solid.maxs + 1.0)))
-        deepest = std::max(deepest, depth_in(solid, box, at));
-    return deepest;
-  }
-
   // Outside and in brushes, everything is solid or sky; in rooms, everything else is not.
   void check_points() {
     for (int i = 0; i < 150; ++i) {
       const Vec3d at = random_place();
-      const auto& [hull, box] = kBoxes[random_.below(kBoxes.size())];
-      const double in_room = depth_in_rooms(map_, at), in_brush = find_depth(box, at);
+      const auto& [hull, box] = kHullBoxes[random_.below(kHullBoxes.size())];
+      const double in_room = depth_in_rooms(map_, at), in_brush = depth_in_any(solids_, box, at);
       const bool is_unsure = std::abs(in_brush) < kUnsure || std::abs(in_room) < kUnsure;
       // Behind a door, a point is in no room; its sill and lintel are brushes.
       const bool is_free = in_room > kUnsure && in_brush < -kUnsure;
-      const bool is_solid = in_brush > kUnsure || in_room < -17;
-      if (is_unsure || (!is_free && !is_solid)) continue;
-      const world::Contents contents =
-          world::hull_contents(*level_, world::ModelIndex{0}, hull, math::Vec3(at));
-      const bool found = contents == world::Contents::kSolid || contents == world::Contents::kSky;
-      EXPECT_EQ(found, is_solid) << "hull " << static_cast<int>(hull) << " at " << at.x << ' ' << at.y << ' '
-                                 << at.z << ", contents " << static_cast<int>(contents)
-                                 << ", depth in brushes " << in_brush << ", in rooms " << in_room;
+      const bool is_filled = in_brush > kUnsure || in_room < -17;
+      if (is_unsure || (!is_free && !is_filled)) continue;
+      EXPECT_EQ(is_solid(*level_, hull, at), is_filled)
+          << "hull " << static_cast<int>(hull) << " at " << at.x << ' ' << at.y << ' ' << at.z
+          << ", depth in brushes " << in_brush << ", in rooms " << in_room;
     }
   }
 
   void check_sight() {
     const formats::Bsp& bsp = result_.draft.bsp;
+    const HullBox& point = kHullBoxes.front().second;
     std::vector<Vec3d> places;
     for (int i = 0; i < 4000 && places.size() < 24; ++i) {
       const Vec3d at = random_place();
-      if (depth_in_rooms(map_, at) > kUnsure && find_depth(kPoint, at) < -kUnsure) places.push_back(at);
+      if (depth_in_rooms(map_, at) > kUnsure && depth_in_any(solids_, point, at) < -kUnsure)
+        places.push_back(at);
     }
     ASSERT_EQ(places.size(), 24u);
     const auto cluster_at = [&](const Vec3d& at) {
@@ -122,7 +86,7 @@ class Checker {
     for (std::size_t i = 0; i < places.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) {
         const bool is_blocked = std::ranges::any_of(solids_, [&](const Solid& solid) {
-          return time_of_contact(solid, kPoint, places[i], places[k], kUnsure) <= 1;
+          return time_of_contact(solid, point, places[i], places[k], kUnsure) <= 1;
         });
         if (is_blocked) continue;
         ++lines_of_sight_;
@@ -144,7 +108,7 @@ class Checker {
 void check_maps(std::uint64_t first, std::uint64_t end) {
   int lines_of_sight = 0;
   for (std::uint64_t seed = first; seed < end; ++seed) {
-    Checker checker(seed);
+    RandomMapChecker checker(seed);
     checker.run();
     if (seed % 10 == 0) checker.check_threads();
     lines_of_sight += checker.lines_of_sight();
