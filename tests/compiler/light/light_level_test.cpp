@@ -235,7 +235,9 @@ bool is_open_around(const world::Level& level, const math::Vec3d& place) {
   return solid == 4;
 }
 
-// Luxels of different faces at the same place of one plane, on the edge of both, measure the same light.
+// Luxels of different faces at the same place of one plane, on the edge of both, measure the same light. With
+// extra 1, luxels get more rays where their neighbors of the same face have other shadows. At the end of a
+// shadow, one of two faces may have such a neighbor, while the other one has none.
 TEST(LightLevel, NoStripesBetweenCoplanarFaces) {
   for (const int extra : {1, 2, effort(4, 2)}) {
     const LitResult lit = light(small_level_with_all(), {.extra = extra, .bounces = 0});
@@ -254,12 +256,13 @@ TEST(LightLevel, NoStripesBetweenCoplanarFaces) {
                   level->light[face.light + static_cast<std::size_t>(row * face.light_width() + column)]);
         }
     }
+    const int most = extra == 1 ? 4 : 2;
     int seams = 0, stripes = 0;
     for (const auto& [place, values] : at) {
       if (values.size() < 2) continue;
       ++seams;
       const auto [low, high] = std::minmax_element(values.begin(), values.end());
-      if (*high - *low > 4) {
+      if (*high - *low > most) {
         ++stripes;
         ADD_FAILURE() << *low << " beside " << *high << " with extra " << extra;
       }
