@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/light/sources/keys.h"
 #include "compiler/textures/texture_lock.h"
 #include "math/angles.h"
 
@@ -27,6 +28,11 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefab = "misc_external_map";
 constexpr std::string_view kVisBlocker = "func_illusionary_visblocker";
+
+void omit_brushes(formats::Map& io_map) {
+  for (formats::MapEntity& entity : io_map.entities)
+    if (read_number_or(entity.fields, "omitbrushes", 0) > 0) entity.brushes.clear();
+}
 
 // The request of a misc_external_map.
 struct PrefabUse {
@@ -249,6 +255,7 @@ class PrefabExpander {
     const auto text = read_text_(file);
     if (!text.ok()) return site.fail(text.error().code, "prefab {}: {}", file.string(), text.error().what);
     TRY(formats::Map map, formats::read_map(*text).with_file(file.string()));
+    omit_brushes(map);
     const auto left_out =
         static_cast<std::size_t>(std::ranges::count_if(map.entities, [](const auto& entity) {
           return !is_prefab(entity) && !contributes_brushes(entity) && !keeps_classname(entity);
@@ -274,6 +281,7 @@ class PrefabExpander {
 
 base::Result<formats::Map> expand_prefabs(formats::Map map, const fs::path& map_path, ReadMapText read_text,
                                           Warnings& io_warnings) {
+  omit_brushes(map);
   PrefabExpander expander(map_path, read_text, io_warnings);
   for (std::size_t i = 0; i < map.entities.size(); ++i)
     if (is_prefab(map.entities[i])) TRY_STATUS(expander.expand(map.entities[i], i));

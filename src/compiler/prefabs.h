@@ -35,6 +35,9 @@ using ReadMapText = base::FunctionRef<base::Result<std::string>(const std::files
 // the map's entities. Any other entities cause a warning. Textures stay in place on the brushes. Everything
 // that comes from a prefab gets the line of the entity in `map`.
 //
+// Entities with "_omitbrushes" 1 lose their own brushes, in `map` and in prefabs: guides for the mapper, or
+// parts that are not to be compiled now.
+//
 // Errors name the entity and its line, and inside a prefab the file; for maps that include each other, all of
 // them. Fails with kTooLarge above the limits and for brushes beyond kMapMaxCoordinate.
 base::Result<formats::Map> expand_prefabs(formats::Map map, const std::filesystem::path& map_path,

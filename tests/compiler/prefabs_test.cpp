@@ -176,6 +176,17 @@ TEST(Prefabs, ErrorsNameTheEntityAndTheFile) {
             "maps/p.map: entity 1 (misc_external_map), line 7: prefab maps/q.map: no such file");
 }
 
+TEST(Prefabs, OmitBrushesOnRequest) {
+  std::string guide = one_side("2");
+  guide.replace(guide.find("worldspawn"), 10, "func_group\"\n\"_omitbrushes\" \"1");
+  const Expanded expanded =
+      expand(one_side("1", guide + prefab("p.map")), {{"maps/p.map", one_side("8", guide)}});
+  EXPECT_EQ(expanded.error(), "no error");
+  std::vector<std::size_t> brushes;
+  for (const formats::MapEntity& entity : expanded.map->entities) brushes.push_back(entity.brushes.size());
+  EXPECT_THAT(brushes, ElementsAre(1, 0, 1));
+}
+
 TEST(Prefabs, RejectCyclesAndNameTheChain) {
   EXPECT_EQ(
       expand(prefab("a.map"), {{"maps/a.map", prefab("b.map")}, {"maps/b.map", prefab("./x/../a.map")}})
