@@ -245,6 +245,9 @@ TEST_P(SideBySide, ShowsTheSameAsTheFinishedLevel) {
              totals.their_light());
   EXPECT_GE(totals.agreement / totals.views, 0.99);
   EXPECT_GT(theirs.faces_seen(), 3u * static_cast<unsigned>(totals.views)) << "views of nothing";
+  // With eight bounces, lqdm11 and lqdm12 are 10% and 9% brighter than their makers' levels; with three,
+  // which two other maps ask for, the mean of their samples is within 2%. But start is too dark with three.
+  // So this finds only large faults; rooms whose numbers are known (light_rooms_test.cpp) agree within 5%.
   EXPECT_NEAR(totals.our_light() / totals.their_light(), 1, 0.11);
 }
 
