@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "render/color/warped_rows.h"
 #include "render/surfaces/build_surface.h"
@@ -117,14 +118,19 @@ class SurfaceSelector {
   }
 
   // The offset from the face's first texel to the origin of a draw's coordinates: the first texel of its
-  // tile, or, for a texture that repeats, a point where the texture begins.
+  // tile, or, for a texture that repeats, a point where the texture begins; for a liquid also its warp, so
+  // that waves continue from face to face.
   math::Vec2d first_texel(const ScreenSurface& surface, std::uint32_t tile,
                           const world::Texture& texture) const {
     const world::Face& face = level_.face(surface.face);
     if (has_surface(face))
       return math::Vec2d(tile % surface.tiles.s, tile / surface.tiles.s) * -static_cast<double>(kTileTexels);
-    return {face.texture_mins[0] % static_cast<std::int32_t>(texture.width),
-            face.texture_mins[1] % static_cast<std::int32_t>(texture.height)};
+    const auto repeat = [&](std::uint32_t side) {
+      const auto texels = static_cast<std::int32_t>(side);
+      return face.kind == world::FaceKind::kLiquid ? std::lcm(texels, static_cast<std::int32_t>(kTurn_texels))
+                                                   : texels;
+    };
+    return {face.texture_mins[0] % repeat(texture.width), face.texture_mins[1] % repeat(texture.height)};
   }
 
   BlockRequest make_request(std::uint32_t number) const {

@@ -75,18 +75,6 @@ double mean_brightness(const FrameCopy& picture) {
 
 constexpr std::uint64_t kWetViews = 4;
 
-// Whether the face's coordinates for the warp are the same when it is drawn from its texture, which begins at
-// the last multiple of the texture's size, and when it is drawn from blocks, which begin at 0.
-bool has_phase_of_blocks(const world::Level& level, std::uint32_t number) {
-  const world::Face& face = level.faces[number];
-  const world::Texture& texture = level.texture(face.texture);
-  const auto is_whole_turn = [](std::int32_t first, std::uint32_t size) {
-    return (first - first % static_cast<std::int32_t>(size)) % 128 == 0;
-  };
-  return is_whole_turn(face.texture_mins[0], texture.width) &&
-         is_whole_turn(face.texture_mins[1], texture.height);
-}
-
 // Blocks are warped at whole texels, so pixels beside the border of a texel may differ.
 TEST(LitLiquids, LightAsStoredShowsTheWarpedTexture) {
   std::size_t same = 0, all = 0;
@@ -98,8 +86,7 @@ TEST(LitLiquids, LightAsStoredShowsTheWarpedTexture) {
     const FrameCopy lit = view.draw(settings, PixelFormat::kIndexed, faces);
     EXPECT_EQ(lit.depth_bits, unlit.depth_bits);
     for (std::size_t i = 0; i < lit.indexed.size(); ++i) {
-      if (faces[i].face == render::PixelFace::kNothing || !has_phase_of_blocks(*view.level, faces[i].face))
-        continue;
+      if (faces[i].face == render::PixelFace::kNothing) continue;
       same += lit.indexed[i] == unlit.indexed[i];
       ++all;
     }
