@@ -16,6 +16,11 @@ std::vector<const char*> stock_maps() {
           "lqdm11", "lqdm12",  "b_bh25",  "b_explob", "b_rock0"};
 }
 
+std::vector<const char*> stock_maps_for_hulls() {
+  if (kQuick) return {"start", "lqdm11"};
+  return {"start", "lq_e0m1", "lq_e0m3", "lqdm5", "lqdm11"};
+}
+
 formats::Map read_stock_map(const fs::path& base_folder, const std::string& name) {
   const base::ByteVector text = read_file(base_folder / "mapsrc" / (name + ".map"));
   return formats::read_map(base::as_text(text)).value();

@@ -16,6 +16,10 @@ namespace temblor::test {
 // from outside. Sanitizer builds get the quickest of both kinds.
 std::vector<const char*> stock_maps();
 
+// Some of these, for tests that compare their hulls with brushes. Sanitizer builds get the two smallest ones,
+// because they take most of a minute to compile the others.
+std::vector<const char*> stock_maps_for_hulls();
+
 // CHECKs that the data has the map.
 formats::Map read_stock_map(const std::filesystem::path& base_folder, const std::string& name);
 

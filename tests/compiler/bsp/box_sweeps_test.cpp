@@ -138,13 +138,7 @@ TEST(FastCompile, LetsPlayersThroughLikeTheFinishedLevel) {
   EXPECT_GT(blocked, 100) << "what is not the path leads through walls";
 }
 
-// Sanitizer builds take most of a minute to compile the larger maps.
-std::vector<const char*> swept_maps() {
-  if (kQuick) return {"start", "lqdm11"};
-  return {"start", "lq_e0m1", "lq_e0m3", "lqdm5", "lqdm11"};
-}
-
-INSTANTIATE_TEST_SUITE_P(Stock, BoxSweeps, ::testing::ValuesIn(swept_maps()),
+INSTANTIATE_TEST_SUITE_P(Stock, BoxSweeps, ::testing::ValuesIn(stock_maps_for_hulls()),
                          [](const auto& map) { return std::string(map.param); });
 
 }  // namespace

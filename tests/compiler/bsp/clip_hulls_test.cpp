@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "compiler/bsp/brush_boxes.h"
+#include "compiler/compiled_maps.h"
 #include "compiler/drafts.h"
 #include "support/effort.h"
 #include "support/game_data.h"
@@ -76,8 +77,7 @@ TEST_P(ClipHulls, AgreeWithTheBrushes) {
   expect_hulls_agree(map, effort(100000, 500), random, kHullsOfHalfLife);
 }
 
-INSTANTIATE_TEST_SUITE_P(Stock, ClipHulls,
-                         ::testing::Values("start", "lq_e0m1", "lq_e0m3", "lqdm5", "lqdm11"),
+INSTANTIATE_TEST_SUITE_P(Stock, ClipHulls, ::testing::ValuesIn(stock_maps_for_hulls()),
                          [](const auto& map) { return std::string(map.param); });
 
 // A tetrahedron has edges in directions that no box has.
