@@ -213,7 +213,10 @@ TEST(SamePicture, AfterALevelThatIsGone) {
   const DrawableLevel first_look = small_level();
   render::Renderer renderer(first_look.palette, first_look.colormap);
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    const DrawableLevel drawable = small_level({.colored_light = seed % 2 == 0, .seed = seed});
+    DrawableLevel drawable = first_look;
+    drawable.level =
+        world::make_level(artgen::make_small_level({.colored_light = seed % 2 == 0, .seed = seed}), "new")
+            .value();
     const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
     const render::Scene scene = viewpoint.scene(*drawable.level);
     const FrameCopy expected = draw_cold(drawable, scene, {}, render::PixelFormat::kRgb);

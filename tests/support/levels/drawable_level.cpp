@@ -1,5 +1,9 @@
 #include "support/levels/drawable_level.h"
 
+#include <map>
+#include <tuple>
+#include <type_traits>
+
 #include "artgen/palette.h"
 #include "assets/assets.h"
 
@@ -12,9 +16,17 @@ DrawableLevel stock_level(const std::filesystem::path& base_folder, const std::s
 }
 
 DrawableLevel small_level(const artgen::SmallLevelOptions& options, const std::string& name) {
+  const auto [pvs, light, four_styles, wide_faces, edge_used_three_times, missing_texture, colored_light,
+              tiny, seed] = options;
+  const auto key = std::tuple(pvs, light, four_styles, wide_faces, edge_used_three_times, missing_texture,
+                              colored_light, tiny, seed, name);
+  static std::map<std::remove_const_t<decltype(key)>, DrawableLevel> made;
+  const auto found = made.find(key);
+  if (found != made.end()) return found->second;
   const formats::Palette palette = artgen::make_palette();
   auto level = world::make_level(artgen::make_small_level(options), name).value();
-  return {name, level, palette, formats::make_colormap(palette)};
+  return made.emplace(key, DrawableLevel{name, level, palette, formats::make_colormap(palette)})
+      .first->second;
 }
 
 std::vector<SmallLevelVariant> small_level_variants() {

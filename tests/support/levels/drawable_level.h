@@ -22,6 +22,7 @@ struct DrawableLevel {
 // CHECKs that the data contains the level.
 DrawableLevel stock_level(const std::filesystem::path& base_folder, const std::string& map_name);
 
+// Makes each level once per process, because that takes longer than most tests. Not for several threads.
 DrawableLevel small_level(const artgen::SmallLevelOptions& options = {}, const std::string& name = "small");
 
 // A variant of the level made in code for each of its options, and one with all options that add something.
