@@ -28,7 +28,8 @@ enum class Flags : std::int32_t { kLit = 0, kNeverLit = 1 };
 // samples; 0: all have them.
 std::shared_ptr<const world::Level> wet_level(Flags flags, std::uint8_t light, std::int32_t offset = 0,
                                               std::size_t without_samples = 0) {
-  formats::Bsp bsp = artgen::make_small_level({});
+  static const formats::Bsp dry = artgen::make_small_level({});
+  formats::Bsp bsp = dry;
   for (formats::BspMiptex& texture : bsp.miptexes)
     if (texture.present && !texture.name.starts_with("sky")) texture.name = "*" + texture.name.substr(0, 14);
   for (formats::BspTexinfo& texinfo : bsp.texinfos) texinfo.flags = static_cast<std::int32_t>(flags);
