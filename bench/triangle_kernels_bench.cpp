@@ -78,7 +78,7 @@ void draw_triangles(benchmark::State& state) {
                           0};
   const render::TriangleTarget target{pixels.data(), depth.data(), kScreenWidth, 0, 0, kScreenHeight};
   for (auto _ : state) {
-    if constexpr (kFronts) job.front_count = render::find_front_triangles(job, fronts.data());
+    if constexpr (kFronts) job.front_count = render::find_front_triangles_simd(job, fronts.data());
     Draw(job, target);
     benchmark::ClobberMemory();
   }

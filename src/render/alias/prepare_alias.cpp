@@ -113,7 +113,7 @@ PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
   job.perspective = placement.perspective && !settings.alias_snap;
   if (settings.simd_kernels && !prepared.by_subdivision) {
     const std::span<FrontTriangle> fronts = arena.allocate<FrontTriangle>(job.triangle_count);
-    job.front_count = find_front_triangles(job, fronts.data());
+    job.front_count = find_front_triangles_simd(job, fronts.data());
     job.fronts = fronts.data();
   }
   return prepared;

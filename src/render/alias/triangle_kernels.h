@@ -41,7 +41,8 @@ struct TriangleJob {
 };
 
 // Writes the front triangles to `out`, which has room for job.triangle_count. Returns their number.
-std::size_t find_front_triangles(const TriangleJob& job, FrontTriangle* out);
+std::size_t find_front_triangles_scalar(const TriangleJob& job, FrontTriangle* out);
+std::size_t find_front_triangles_simd(const TriangleJob& job, FrontTriangle* out);
 
 // The destination: rows of `width` pixels, of which the first in memory is row `first_row` of the picture.
 // Only rows from row_begin up to row_end (exclusive) are drawn.

@@ -1,9 +1,12 @@
-// Hot loop. The SIMD version of triangle_kernels_scalar.cpp, compiled once for each instruction set. Three
+// Hot loop. The SIMD version of triangle_kernels_scalar.cpp, compiled once for each instruction set. Its
 // phases, in which a vector's lanes are different things:
 //
-//   SetUp              lanes are triangles    gradients and sides
-//   RowList::Add       lanes are rows         first pixel, length, and start values of each row
-//   RowList::DrawRow   lanes are pixels       depth test; scalar code then looks up the texels (RowSegments)
+//   ListTriangles          lanes are triangles   corners, field by field
+//   SetUp                  lanes are triangles   gradients and sides
+//   RowList::AddTriangles  lanes are triangles   a row of each: first pixel, length, and start values
+//   RowList::AddRows       lanes are rows        the same, for the rows of one taller triangle
+//   RowList::DrawRow       lanes are pixels      depth test; scalar code then looks up the texels
+//   (RowSegments)
 //
 // Each phase fills a list that the next one consumes, so that the unpredictable branches of one phase do not
 // wait for the divisions of another.
@@ -51,11 +54,21 @@ using VDF = hn::Vec<DDF>;
 constexpr size_t kRowsAhead = 24;
 constexpr float kMinDepth = 1e-20f;
 
+// Triangles that touch the target's rows, field by field. They are listed long before they are set up: a
+// vector that is loaded right after its parts were stored waits until all work before it is done.
+struct TriangleList {
+  static constexpr int kCapacity = 64;
+
+  HWY_ALIGN int32_t x[3][kCapacity], y[3][kCapacity];  // by corner
+  HWY_ALIGN float depth[3][kCapacity], light[3][kCapacity], s[3][kCapacity], t[3][kCapacity];
+  HWY_ALIGN int32_t row[kCapacity], row_end[kCapacity];  // inside the target
+  int size;
+};
+
 // The setup of several triangles, each in its own lane.
 struct Setups {
   static constexpr int kCapacity = 8;
 
-  HWY_ALIGN int32_t corners[3][kCapacity];
   // A side as an endless line. The first column right of it in a row is ceil((numerator + row * step) /
   // denominator), of integers. A side bounds rows either on the left or on the right; the bias moves its
   // column out of the way for the other bound, and for both bounds if the side is level.
@@ -103,22 +116,31 @@ class RowSegments {
 // divisions are done.
 class RowList {
  public:
-  bool has_room() const { return size_ < kCapacity; }
-  // Adds those of the next few rows, from `row` up to `end`, that have pixels: as many as a vector has lanes.
-  HWY_INLINE void Add(const Setups& setups, int triangle, int row, int end, const TriangleTarget& target);
+  // Whether there is room for four more vectors of rows.
+  bool has_room() const { return size_ <= kCapacity - 4 * 8; }
+  // Adds the rows from `row` up to `end`, at most a vector of them, of one triangle.
+  HWY_INLINE void AddRows(const Setups& setups, int triangle, int row, int end, const TriangleTarget& target);
+  // Adds all rows of a vector of triangles that have at most `passes` rows: 1, 2, or 4.
+  HWY_INLINE void AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int passes,
+                               const TriangleTarget& target);
   template <typename Pixel>
-  HWY_INLINE void Draw(const TriangleJob& job, const TriangleTarget& target);
+  HWY_NOINLINE void Draw(const TriangleJob& job, const TriangleTarget& target);
 
  private:
+  template <typename Source>
+  HWY_INLINE void Store(const Setups& setups, Source of, hn::Vec<DDI> rows, hn::Vec<DDI> end,
+                        const TriangleTarget& target);
   template <typename Pixel, bool kPerspective>
   HWY_INLINE void DrawRow(const TriangleJob& job, size_t row, const TriangleTarget& target,
                           RowSegments& io_segments) const;
 
-  static constexpr size_t kCapacity = 256, kSpare = 16;  // whole vectors are written behind the last row
-  HWY_ALIGN int32_t place_[kCapacity + kSpare];          // of its first pixel in the target
-  HWY_ALIGN int32_t count_[kCapacity + kSpare], perspective_[kCapacity + kSpare];
-  HWY_ALIGN float value_[4][kCapacity + kSpare], step_[4][kCapacity + kSpare];  // depth, light, s, t
-  size_t size_ = 0;
+  static constexpr size_t kCapacity = 256, kSpare = 8;
+  HWY_ALIGN int32_t place_[kCapacity];  // of its first pixel in the target
+  HWY_ALIGN int32_t count_[kCapacity];  // not positive: the row has no pixels
+  HWY_ALIGN int32_t perspective_[kCapacity];
+  HWY_ALIGN float value_[4][kCapacity], step_[4][kCapacity];  // depth, light, s, t
+  HWY_ALIGN int32_t order_[kCapacity + kSpare];               // the numbers of the rows that have pixels
+  size_t size_ = 0, ordered_ = 0;
   RowSegments segments_;
 };
 
@@ -134,25 +156,62 @@ struct Corner {
   VDF depth, light, s, t;
 };
 
-// Gathers one corner of several triangles, field by field, from arrays of records.
-HWY_INLINE Corner LoadCorner(const TriangleJob& job, const int32_t* corners) {
+// Copies the corners of four triangles to the list, field by field.
+HWY_INLINE void ListCorners(const TriangleJob& job, const FrontTriangle* const (&from)[4], int first,
+                            TriangleList& io_list) {
+  const hn::FixedTag<float, 4> d4;
+  const hn::FixedTag<float, 2> d2;
+  static_assert(sizeof(ScreenVertex) == 16 && sizeof(TexelPoint) == 8);
+  for (int corner = 0; corner < 3; ++corner) {
+    const auto vertex = [&](int i) HWY_ATTR {
+      return hn::LoadU(d4, reinterpret_cast<const float*>(job.vertices + from[i]->corners[corner]));
+    };
+    const auto texel = [&](int i) HWY_ATTR {
+      return hn::ZeroExtendVector(d4, hn::LoadU(d2, &job.texels[from[i]->corners[corner]].s));
+    };
+    const auto v0 = vertex(0), v1 = vertex(1), v2 = vertex(2), v3 = vertex(3);
+    const auto xy01 = hn::InterleaveLower(d4, v0, v1), xy23 = hn::InterleaveLower(d4, v2, v3);
+    const auto dl01 = hn::InterleaveUpper(d4, v0, v1), dl23 = hn::InterleaveUpper(d4, v2, v3);
+    const auto st01 = hn::InterleaveLower(d4, texel(0), texel(1));
+    const auto st23 = hn::InterleaveLower(d4, texel(2), texel(3));
+    hn::Store(hn::ConcatLowerLower(d4, xy23, xy01), d4, reinterpret_cast<float*>(io_list.x[corner] + first));
+    hn::Store(hn::ConcatUpperUpper(d4, xy23, xy01), d4, reinterpret_cast<float*>(io_list.y[corner] + first));
+    hn::Store(hn::ConcatLowerLower(d4, dl23, dl01), d4, io_list.depth[corner] + first);
+    hn::Store(hn::ConcatUpperUpper(d4, dl23, dl01), d4, io_list.light[corner] + first);
+    hn::Store(hn::ConcatLowerLower(d4, st23, st01), d4, io_list.s[corner] + first);
+    hn::Store(hn::ConcatUpperUpper(d4, st23, st01), d4, io_list.t[corner] + first);
+  }
+}
+
+// `count` is at least 1. The list's last vector is completed with copies of a triangle, without rows.
+HWY_INLINE void ListTriangles(const TriangleJob& job, const FrontTriangle* const* from, int count,
+                              const TriangleTarget& target, TriangleList& out) {
+  out.size = count;
+  for (int first = 0; first < (count + 7) / 8 * 8; first += 4) {
+    const FrontTriangle* four[4];
+    for (int i = 0; i < 4; ++i) {
+      const int number = first + i;
+      four[i] = from[HWY_MIN(number, count - 1)];
+      out.row[number] = HWY_MAX(four[i]->first_row, target.row_begin);
+      out.row_end[number] = number < count ? HWY_MIN(four[i]->row_end, target.row_end) : out.row[number];
+    }
+    ListCorners(job, four, first, out);
+  }
+}
+
+HWY_INLINE Corner LoadCorner(const TriangleList& list, int corner, int first) {
   const DD d;
   const DDF df;
   const DDI di;
-  static_assert(sizeof(ScreenVertex) == 16 && sizeof(TexelPoint) == 8);
-  const auto vertex = hn::ShiftLeft<2>(hn::Load(di, corners)),
-             texel = hn::ShiftLeft<1>(hn::Load(di, corners));
-  const auto* const wholes = &job.vertices->x;
-  const auto* const floats = &job.vertices->depth;
-  return {hn::PromoteTo(d, hn::GatherIndex(di, wholes, vertex)),
-          hn::PromoteTo(d, hn::GatherIndex(di, wholes + 1, vertex)),
-          hn::GatherIndex(df, floats, vertex),
-          hn::GatherIndex(df, floats + 1, vertex),
-          hn::GatherIndex(df, &job.texels->s, texel),
-          hn::GatherIndex(df, &job.texels->s + 1, texel)};
+  return {hn::PromoteTo(d, hn::LoadU(di, list.x[corner] + first)),
+          hn::PromoteTo(d, hn::LoadU(di, list.y[corner] + first)),
+          hn::LoadU(df, list.depth[corner] + first),
+          hn::LoadU(df, list.light[corner] + first),
+          hn::LoadU(df, list.s[corner] + first),
+          hn::LoadU(df, list.t[corner] + first)};
 }
 
-HWY_INLINE void SetUpSide(const Corner& from, const Corner& to, int side, int lane, Setups& out) {
+HWY_INLINE void SetUpSide(const Corner& from, const Corner& to, int side, Setups& out) {
   const DD d;
   const VD zero = hn::Zero(d), nowhere = hn::Set(d, 1e9);
   const VD dx = hn::Sub(to.x, from.x), dy = hn::Sub(to.y, from.y);
@@ -160,24 +219,24 @@ HWY_INLINE void SetUpSide(const Corner& from, const Corner& to, int side, int la
   const VD sign = hn::IfThenElse(goes_up, hn::Set(d, -1.0), hn::Set(d, 1.0));
   const VD scaled = hn::Mul(sign, hn::Set(d, kSubpixels));
   const VD numerator = hn::Sub(hn::Mul(from.x, dy), hn::Mul(from.y, dx));
-  hn::Store(hn::IfThenZeroElse(is_level, hn::Mul(numerator, sign)), d, out.numerator[side] + lane);
-  hn::Store(hn::IfThenZeroElse(is_level, hn::Mul(dx, scaled)), d, out.step[side] + lane);
-  hn::Store(hn::IfThenElse(is_level, hn::Set(d, 1.0), hn::Mul(dy, scaled)), d, out.denominator[side] + lane);
+  hn::Store(hn::IfThenZeroElse(is_level, hn::Mul(numerator, sign)), d, out.numerator[side]);
+  hn::Store(hn::IfThenZeroElse(is_level, hn::Mul(dx, scaled)), d, out.step[side]);
+  hn::Store(hn::IfThenElse(is_level, hn::Set(d, 1.0), hn::Mul(dy, scaled)), d, out.denominator[side]);
   // Corners are clockwise, so the triangle is to the right of a side that goes up.
-  hn::Store(hn::IfThenElse(goes_up, zero, hn::Neg(nowhere)), d, out.left_bias[side] + lane);
-  hn::Store(hn::IfThenElse(hn::Gt(dy, zero), zero, nowhere), d, out.right_bias[side] + lane);
+  hn::Store(hn::IfThenElse(goes_up, zero, hn::Neg(nowhere)), d, out.left_bias[side]);
+  hn::Store(hn::IfThenElse(hn::Gt(dy, zero), zero, nowhere), d, out.right_bias[side]);
 }
 
-// Computes the setup of as many triangles as a vector has lanes, from `lane` on.
-HWY_INLINE void SetUp(const TriangleJob& job, int lane, Setups& io_setups) {
+// Computes the setup of as many triangles as a vector has lanes, from number `first` on.
+HWY_INLINE void SetUp(const TriangleJob& job, const TriangleList& triangles, int first, Setups& io_setups) {
   const DD d;
   const DDF df;
-  const Corner a = LoadCorner(job, io_setups.corners[0] + lane);
-  const Corner b = LoadCorner(job, io_setups.corners[1] + lane);
-  const Corner c = LoadCorner(job, io_setups.corners[2] + lane);
-  SetUpSide(a, b, 0, lane, io_setups);
-  SetUpSide(b, c, 1, lane, io_setups);
-  SetUpSide(c, a, 2, lane, io_setups);
+  const Corner a = LoadCorner(triangles, 0, first);
+  const Corner b = LoadCorner(triangles, 1, first);
+  const Corner c = LoadCorner(triangles, 2, first);
+  SetUpSide(a, b, 0, io_setups);
+  SetUpSide(b, c, 1, io_setups);
+  SetUpSide(c, a, 2, io_setups);
 
   const VD bx = hn::Sub(b.x, a.x), by = hn::Sub(b.y, a.y), cx = hn::Sub(c.x, a.x), cy = hn::Sub(c.y, a.y);
   const VD cross = hn::Sub(hn::Mul(bx, cy), hn::Mul(cx, by));
@@ -185,8 +244,8 @@ HWY_INLINE void SetUp(const TriangleJob& job, int lane, Setups& io_setups) {
   const VD x1 = hn::Mul(bx, to_pixels), y1 = hn::Mul(by, to_pixels);
   const VD x2 = hn::Mul(cx, to_pixels), y2 = hn::Mul(cy, to_pixels);
   const VD pixel = hn::Set(d, 1.0 / kSubpixels);
-  hn::Store(hn::Mul(a.x, pixel), d, io_setups.corner_x + lane);
-  hn::Store(hn::Mul(a.y, pixel), d, io_setups.corner_y + lane);
+  hn::Store(hn::Mul(a.x, pixel), d, io_setups.corner_x);
+  hn::Store(hn::Mul(a.y, pixel), d, io_setups.corner_y);
 
   const VDF farthest = Least(a.depth, b.depth, c.depth);
   const VDF texels = hn::Max(Range(a.s, b.s, c.s), Range(a.t, b.t, c.t));
@@ -194,13 +253,13 @@ HWY_INLINE void SetUp(const TriangleJob& job, int lane, Setups& io_setups) {
   const VDF most = job.perspective ? hn::Mul(hn::Set(df, 4 * kAffineErrorTexels), farthest)
                                    : hn::Set(df, hwy::HighestValue<float>());
   const auto perspective = hn::Gt(bend, most);
-  hn::Store(hn::BitCast(DDI(), hn::VecFromMask(df, perspective)), DDI(), io_setups.perspective + lane);
+  hn::Store(hn::BitCast(DDI(), hn::VecFromMask(df, perspective)), DDI(), io_setups.perspective);
 
   const auto gradient = [&](int i, VD v0, VD v1, VD v2) HWY_ATTR {
     const VD along1 = hn::Sub(v1, v0), along2 = hn::Sub(v2, v0);
-    hn::Store(v0, d, io_setups.at_corner[i] + lane);
-    hn::Store(hn::Sub(hn::Mul(along1, y2), hn::Mul(along2, y1)), d, io_setups.dx[i] + lane);
-    hn::Store(hn::Sub(hn::Mul(along2, x1), hn::Mul(along1, x2)), d, io_setups.dy[i] + lane);
+    hn::Store(v0, d, io_setups.at_corner[i]);
+    hn::Store(hn::Sub(hn::Mul(along1, y2), hn::Mul(along2, y1)), d, io_setups.dx[i]);
+    hn::Store(hn::Sub(hn::Mul(along2, x1), hn::Mul(along1, x2)), d, io_setups.dy[i]);
   };
   const auto weigh = [&](VDF value, VDF depth) HWY_ATTR {
     const VDF weight = hn::IfThenElse(perspective, depth, hn::Set(df, 1.0f));
@@ -212,41 +271,80 @@ HWY_INLINE void SetUp(const TriangleJob& job, int lane, Setups& io_setups) {
   gradient(3, weigh(a.t, a.depth), weigh(b.t, b.depth), weigh(c.t, c.depth));
 }
 
-HWY_INLINE void RowList::Add(const Setups& setups, int triangle, int row, int end,
-                             const TriangleTarget& target) {
+// Where a vector of rows takes its triangles' setups from: all from one, or each lane from its own.
+struct OneTriangle {
+  int number;
+  HWY_INLINE VD operator()(const double* values) const { return hn::Set(DD(), values[number]); }
+  HWY_INLINE hn::Vec<DDI> operator()(const int32_t* values) const { return hn::Set(DDI(), values[number]); }
+};
+struct EachItsOwn {
+  HWY_INLINE VD operator()(const double* values) const { return hn::Load(DD(), values); }
+  HWY_INLINE hn::Vec<DDI> operator()(const int32_t* values) const { return hn::Load(DDI(), values); }
+};
+
+template <typename Source>
+HWY_INLINE void RowList::Store(const Setups& setups, Source of, hn::Vec<DDI> rows, hn::Vec<DDI> end,
+                               const TriangleTarget& target) {
   const DD d;
   const DDF df;
   const DDI di;
-  const VD y = hn::Add(hn::Set(d, static_cast<double>(row)), hn::Iota(d, 0.0));
+  const VD y = hn::PromoteTo(d, rows);
   const VD zero = hn::Zero(d), width = hn::Set(d, static_cast<double>(target.width));
   VD left = zero, right = width;
   for (int i = 0; i < 3; ++i) {
-    const auto of = [&](const double(&values)[3][Setups::kCapacity])
-                        HWY_ATTR { return hn::Set(d, values[i][triangle]); };
-    const VD numerator = hn::Add(of(setups.numerator), hn::Mul(of(setups.step), y));
-    const VD column = hn::Ceil(hn::Div(numerator, of(setups.denominator)));
-    left = hn::Max(left, hn::Add(column, of(setups.left_bias)));
-    right = hn::Min(right, hn::Add(column, of(setups.right_bias)));
+    const VD numerator = hn::Add(of(setups.numerator[i]), hn::Mul(of(setups.step[i]), y));
+    const VD column = hn::Ceil(hn::Div(numerator, of(setups.denominator[i])));
+    left = hn::Max(left, hn::Add(column, of(setups.left_bias[i])));
+    right = hn::Min(right, hn::Add(column, of(setups.right_bias[i])));
   }
   left = hn::Min(left, width);
   right = hn::Max(right, zero);
-  const VD from_x = hn::Sub(left, hn::Set(d, setups.corner_x[triangle]));
-  const VD from_y = hn::Sub(y, hn::Set(d, setups.corner_y[triangle]));
+  const VD from_x = hn::Sub(left, of(setups.corner_x));
+  const VD from_y = hn::Sub(y, of(setups.corner_y));
   const VD rows_above = hn::Sub(y, hn::Set(d, static_cast<double>(target.first_row)));
   const auto count = hn::DemoteTo(di, hn::Sub(right, left));
-  const auto has_pixels = hn::And(hn::Gt(count, hn::Zero(di)), hn::Lt(hn::Iota(di, row), hn::Set(di, end)));
-  const auto place = hn::DemoteTo(di, hn::Add(hn::Mul(rows_above, width), left));
-  hn::StoreU(hn::Compress(place, has_pixels), di, place_ + size_);
-  hn::StoreU(hn::Compress(count, has_pixels), di, count_ + size_);
-  hn::StoreU(hn::Set(di, setups.perspective[triangle]), di, perspective_ + size_);
+  hn::StoreU(hn::IfThenElseZero(hn::Lt(rows, end), count), di, count_ + size_);
+  hn::StoreU(hn::DemoteTo(di, hn::Add(hn::Mul(rows_above, width), left)), di, place_ + size_);
+  hn::StoreU(of(setups.perspective), di, perspective_ + size_);
   for (int i = 0; i < 4; ++i) {
-    const double dx = setups.dx[i][triangle];
-    const VD along = hn::Add(hn::Set(d, setups.at_corner[i][triangle]), hn::Mul(hn::Set(d, dx), from_x));
-    const VD value = hn::Add(along, hn::Mul(hn::Set(d, setups.dy[i][triangle]), from_y));
-    hn::StoreU(hn::Compress(hn::DemoteTo(df, value), hn::RebindMask(df, has_pixels)), df, value_[i] + size_);
-    hn::StoreU(hn::Set(df, static_cast<float>(dx)), df, step_[i] + size_);
+    const VD dx = of(setups.dx[i]);
+    const VD along = hn::Add(of(setups.at_corner[i]), hn::Mul(dx, from_x));
+    const VD value = hn::Add(along, hn::Mul(of(setups.dy[i]), from_y));
+    hn::StoreU(hn::DemoteTo(df, value), df, value_[i] + size_);
+    hn::StoreU(hn::DemoteTo(df, dx), df, step_[i] + size_);
   }
-  size_ += hn::CountTrue(di, has_pixels);
+  size_ += hn::Lanes(d);
+}
+
+HWY_INLINE void RowList::AddRows(const Setups& setups, int triangle, int row, int end,
+                                 const TriangleTarget& target) {
+  const DDI di;
+  const auto lanes = hn::Iota(di, 0);
+  const size_t first = size_;
+  Store(setups, OneTriangle{triangle}, hn::Add(hn::Set(di, row), lanes), hn::Set(di, end), target);
+  const auto has_pixels = hn::Gt(hn::LoadU(di, count_ + first), hn::Zero(di));
+  const auto numbers = hn::Add(hn::Set(di, static_cast<int32_t>(first)), lanes);
+  hn::StoreU(hn::Compress(numbers, has_pixels), di, order_ + ordered_);
+  ordered_ += hn::CountTrue(di, has_pixels);
+}
+
+// Pass i computes the row of each triangle whose number is i modulo the number of passes. Rows are drawn
+// triangle by triangle: the next triangle often continues a row, and would wait until the row's depth is
+// written.
+HWY_INLINE void RowList::AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int passes,
+                                      const TriangleTarget& target) {
+  const DDI di;
+  const size_t lanes = hn::Lanes(di), first = size_;
+  const auto period = hn::Set(di, passes - 1);
+  for (int pass = 0; pass < passes; ++pass) {
+    const auto below = hn::And(hn::Sub(hn::Set(di, pass), row), period);
+    Store(setups, EachItsOwn{}, hn::Add(row, below), end, target);
+  }
+  for (size_t lane = 0; lane < lanes; ++lane)
+    for (size_t number = first + lane; number < size_; number += lanes) {
+      order_[ordered_] = static_cast<int32_t>(number);
+      ordered_ += static_cast<size_t>(count_[number] > 0);
+    }
 }
 
 // Truncates. Highway's ConvertTo guards against numbers that do not fit 32 bits, which these never are.
@@ -387,19 +485,45 @@ HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, const Trian
 }
 
 template <typename Pixel>
-HWY_INLINE void RowList::Draw(const TriangleJob& job, const TriangleTarget& target) {
-  for (size_t row = 0; row < size_; ++row) {
-    // The picture is larger than the first-level cache, and the next triangle may be anywhere.
-    const int ahead = place_[HWY_MIN(row + kRowsAhead, size_ - 1)];
-    hwy::Prefetch(target.depth + ahead);
-    hwy::Prefetch(static_cast<const Pixel*>(target.pixels) + ahead);
+HWY_NOINLINE void RowList::Draw(const TriangleJob& job, const TriangleTarget& target) {
+  // The picture is larger than the first-level cache, and the next triangle may be anywhere.
+  const auto prefetch = [&](size_t i) HWY_ATTR {
+    hwy::Prefetch(target.depth + place_[order_[i]]);
+    hwy::Prefetch(static_cast<const Pixel*>(target.pixels) + place_[order_[i]]);
+  };
+  for (size_t i = 0; i < HWY_MIN(kRowsAhead, ordered_); ++i) prefetch(i);
+  for (size_t i = 0; i < ordered_; ++i) {
+    prefetch(HWY_MIN(i + kRowsAhead, ordered_ - 1));
+    const size_t row = static_cast<size_t>(order_[i]);
     if (perspective_[row] != 0)
       DrawRow<Pixel, true>(job, row, target, segments_);
     else
       DrawRow<Pixel, false>(job, row, target, segments_);
   }
-  size_ = 0;
+  size_ = ordered_ = 0;
   segments_.Draw(job, static_cast<Pixel*>(target.pixels));
+}
+
+// Adds the rows of a vector of triangles, which have been set up, and draws the list when it is full. Vectors
+// of rows take many triangles or one, whichever needs fewer vectors.
+template <typename Pixel>
+HWY_INLINE void ListRows(const TriangleJob& job, const TriangleTarget& target, const TriangleList& triangles,
+                         int first, const Setups& setups, RowList& io_rows) {
+  const DDI di;
+  const int at_once = static_cast<int>(hn::Lanes(di)), count = HWY_MIN(at_once, triangles.size - first);
+  const auto row = hn::LoadU(di, triangles.row + first), end = hn::LoadU(di, triangles.row_end + first);
+  const int most = hn::GetLane(hn::MaxOfLanes(di, hn::Sub(end, row)));
+  const int passes = most <= 1 ? 1 : most <= 2 ? 2 : 4;
+  if (most <= passes && passes < count) {
+    io_rows.AddTriangles(setups, row, end, passes, target);
+    if (!io_rows.has_room()) io_rows.Draw<Pixel>(job, target);
+    return;
+  }
+  for (int i = 0; i < count; ++i)
+    for (int y = triangles.row[first + i]; y < triangles.row_end[first + i]; y += at_once) {
+      io_rows.AddRows(setups, i, y, triangles.row_end[first + i], target);
+      if (!io_rows.has_room()) io_rows.Draw<Pixel>(job, target);
+    }
 }
 
 template <typename Pixel>
@@ -408,30 +532,22 @@ HWY_INLINE void DrawTriangles(const TriangleJob& job, const TriangleTarget& targ
   constexpr size_t kBatch = 256;
   const FrontTriangle* here[kBatch];
   const int at_once = static_cast<int>(hn::Lanes(DD()));
+  TriangleList triangles;
   Setups setups;
   RowList rows;
   for (size_t begin = 0; begin < job.front_count; begin += kBatch) {
     const size_t end = HWY_MIN(begin + kBatch, job.front_count);
-    size_t count = 0;
+    int count = 0;
     for (size_t i = begin; i < end; ++i) {
       here[count] = job.fronts + i;
-      count += static_cast<size_t>(job.fronts[i].row_end > target.row_begin) &
-               static_cast<size_t>(job.fronts[i].first_row < target.row_end);
+      count += static_cast<int>(job.fronts[i].row_end > target.row_begin) &
+               static_cast<int>(job.fronts[i].first_row < target.row_end);
     }
-    for (size_t first = 0; first < count; first += Setups::kCapacity) {
-      const int triangles = static_cast<int>(HWY_MIN(count - first, size_t{Setups::kCapacity}));
-      for (int i = 0; i < Setups::kCapacity; ++i)
-        for (int corner = 0; corner < 3; ++corner)
-          setups.corners[corner][i] = static_cast<int32_t>(
-              here[first + static_cast<size_t>(HWY_MIN(i, triangles - 1))]->corners[corner]);
-      for (int lane = 0; lane < triangles; lane += at_once) SetUp(job, lane, setups);
-      for (int i = 0; i < triangles; ++i) {
-        const FrontTriangle& triangle = *here[first + static_cast<size_t>(i)];
-        const int row_end = HWY_MIN(triangle.row_end, target.row_end);
-        for (int y = HWY_MAX(triangle.first_row, target.row_begin); y < row_end; y += at_once) {
-          rows.Add(setups, i, y, row_end, target);
-          if (!rows.has_room()) rows.Draw<Pixel>(job, target);
-        }
+    for (int listed = 0; listed < count; listed += TriangleList::kCapacity) {
+      ListTriangles(job, here + listed, HWY_MIN(count - listed, TriangleList::kCapacity), target, triangles);
+      for (int first = 0; first < triangles.size; first += at_once) {
+        SetUp(job, triangles, first, setups);
+        ListRows<Pixel>(job, target, triangles, first, setups, rows);
       }
     }
   }

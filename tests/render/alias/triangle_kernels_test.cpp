@@ -81,7 +81,7 @@ render::TriangleJob make_job(const Mesh& mesh, const std::vector<std::uint8_t>& 
 template <auto Draw>
 void draw_fronts(render::TriangleJob job, const render::TriangleTarget& target) {
   std::vector<render::FrontTriangle> fronts(job.triangle_count);
-  job.front_count = render::find_front_triangles(job, fronts.data());
+  job.front_count = render::find_front_triangles_simd(job, fronts.data());
   job.fronts = fronts.data();
   Draw(job, target);
 }
@@ -289,6 +289,31 @@ TEST(TriangleKernels, SimdMatchesTheScalarReference) {
   for_each_simd_target([] {
     expect_twins<std::uint8_t, render::draw_triangles_u8_scalar, render::draw_triangles_u8_simd>();
     expect_twins<std::uint32_t, render::draw_triangles_u32_scalar, render::draw_triangles_u32_simd>();
+  });
+}
+
+TEST(TriangleKernels, SimdFindsTheSameFrontTriangles) {
+  const auto skin = numbered_skin();
+  const Colors<std::uint8_t> colors;
+  for_each_simd_target([&] {
+    for (int seed = 0; seed < effort(300, 50); ++seed) {
+      Random random(static_cast<std::uint64_t>(seed));
+      Mesh mesh = random_mesh(random, static_cast<int>(random.below(70)), seed % 3 == 0);
+      for (ScreenVertex& vertex : mesh.vertices) {
+        if (random.chance(0.05)) vertex.x = random.chance(0.5) ? 65536 * 256 : -65536 * 256;
+        if (random.chance(0.05)) vertex.y = random.chance(0.5) ? 65536 * 256 : -65536 * 256;
+      }
+      const render::TriangleJob job = make_job(mesh, skin, colors.table, true);
+      std::vector<render::FrontTriangle> expected(job.triangle_count), found(job.triangle_count);
+      expected.resize(render::find_front_triangles_scalar(job, expected.data()));
+      found.resize(render::find_front_triangles_simd(job, found.data()));
+      ASSERT_EQ(found.size(), expected.size()) << "seed " << seed;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        ASSERT_TRUE(std::ranges::equal(found[i].corners, expected[i].corners)) << "seed " << seed;
+        ASSERT_EQ(found[i].first_row, expected[i].first_row) << "seed " << seed;
+        ASSERT_EQ(found[i].row_end, expected[i].row_end) << "seed " << seed;
+      }
+    }
   });
 }
 

@@ -1,4 +1,4 @@
-// Hot loop: removes back faces and triangles that cover no pixel center, once for all bands of a picture.
+// The scalar reference of front_triangles_simd.cpp.
 #include "render/alias/triangle_kernels.h"
 
 namespace temblor::render {
@@ -28,7 +28,7 @@ std::int16_t to_row(std::int32_t row) {
 
 // Branchless: every triangle is written, and the count advances only if it is kept. Which way a triangle
 // faces is unpredictable.
-std::size_t find_front_triangles(const TriangleJob& job, FrontTriangle* out) {
+std::size_t find_front_triangles_scalar(const TriangleJob& job, FrontTriangle* out) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < job.triangle_count; ++i) {
     const std::uint32_t* corners = job.triangles + i * 3;
