@@ -116,12 +116,13 @@ class RowSegments {
 // divisions are done.
 class RowList {
  public:
-  // Whether there is room for four more vectors of rows.
-  bool has_room() const { return size_ <= kCapacity - 4 * 8; }
+  // Whether there is room for eight more vectors of rows.
+  bool has_room() const { return size_ <= kCapacity - 8 * 8; }
   // Adds the rows from `row` up to `end`, at most a vector of them, of one triangle.
   HWY_INLINE void AddRows(const Setups& setups, int triangle, int row, int end, const TriangleTarget& target);
-  // Adds all rows of a vector of triangles that have at most `passes` rows: 1, 2, or 4.
-  HWY_INLINE void AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int passes,
+  // Adds all rows, from `row` up to `end`, of a vector of triangles. None has more than `most` rows, at
+  // most 8.
+  HWY_INLINE void AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int most,
                                const TriangleTarget& target);
   template <typename Pixel>
   HWY_NOINLINE void Draw(const TriangleJob& job, const TriangleTarget& target);
@@ -328,18 +329,14 @@ HWY_INLINE void RowList::AddRows(const Setups& setups, int triangle, int row, in
   ordered_ += hn::CountTrue(di, has_pixels);
 }
 
-// Pass i computes the row of each triangle whose number is i modulo the number of passes. Rows are drawn
-// triangle by triangle: the next triangle often continues a row, and would wait until the row's depth is
-// written.
-HWY_INLINE void RowList::AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int passes,
+// The first vector has the first row of each triangle, the next one the second rows, and so on. Rows are
+// drawn triangle by triangle: pixels must meet the triangles in their order, and the next triangle often
+// continues a row, and would wait until the row's depth is written.
+HWY_INLINE void RowList::AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int most,
                                       const TriangleTarget& target) {
   const DDI di;
   const size_t lanes = hn::Lanes(di), first = size_;
-  const auto period = hn::Set(di, passes - 1);
-  for (int pass = 0; pass < passes; ++pass) {
-    const auto below = hn::And(hn::Sub(hn::Set(di, pass), row), period);
-    Store(setups, EachItsOwn{}, hn::Add(row, below), end, target);
-  }
+  for (int i = 0; i < most; ++i) Store(setups, EachItsOwn{}, hn::Add(row, hn::Set(di, i)), end, target);
   for (size_t lane = 0; lane < lanes; ++lane)
     for (size_t number = first + lane; number < size_; number += lanes) {
       order_[ordered_] = static_cast<int32_t>(number);
@@ -513,9 +510,8 @@ HWY_INLINE void ListRows(const TriangleJob& job, const TriangleTarget& target, c
   const int at_once = static_cast<int>(hn::Lanes(di)), count = HWY_MIN(at_once, triangles.size - first);
   const auto row = hn::LoadU(di, triangles.row + first), end = hn::LoadU(di, triangles.row_end + first);
   const int most = hn::GetLane(hn::MaxOfLanes(di, hn::Sub(end, row)));
-  const int passes = most <= 1 ? 1 : most <= 2 ? 2 : 4;
-  if (most <= passes && passes < count) {
-    io_rows.AddTriangles(setups, row, end, passes, target);
+  if (most < count) {
+    io_rows.AddTriangles(setups, row, end, most, target);
     if (!io_rows.has_room()) io_rows.Draw<Pixel>(job, target);
     return;
   }
