@@ -142,6 +142,7 @@ void ServedGame::run(double seconds, const net::Move& move) {
       clients_[i]->update(now_s_);
       clients_[i]->send_move(move);
       for (const std::string& text : clients_[i]->state().events().prints) prints_[i] += text;
+      for (const std::string& note : clients_[i]->state().events().notes) prints_[i] += note + "\n";
       sounds_[i] += clients_[i]->state().events().sounds.size();
       marks_[i] += clients_[i]->state().events().marks.size();
       clients_[i]->state().events().clear();

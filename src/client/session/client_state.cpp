@@ -35,6 +35,7 @@ void Events::clear() {
   marks.clear();
   leak_path.clear();
   prints.clear();
+  notes.clear();
   commands.clear();
   bonus_flashes = 0;
   new_level = false;
@@ -62,16 +63,16 @@ std::size_t ClientState::memory_bytes() const {
          count_bytes(game_.sounds) + count_bytes(game_.players) + game_.ending_text.size() +
          game_.center_text.size() + count_bytes(e.temp_entities) + count_bytes(e.particles) +
          count_bytes(e.damages) + count_bytes(e.sounds) + count_bytes(e.stopped_sounds) +
-         count_bytes(e.static_sounds) + count_bytes(e.marks) + count_bytes(e.prints) +
+         count_bytes(e.static_sounds) + count_bytes(e.marks) + count_bytes(e.prints) + count_bytes(e.notes) +
          count_bytes(e.commands);
 }
 
 base::Status ClientState::pass_over_unknown(const base::Error& error) {
   if (game_.signon < kPlaying) return error;
   if (!std::exchange(game_.has_noted_unknown, true))
-    events_.prints.push_back(
+    events_.notes.push_back(
         fmt::format("The server sent something that this client does not know: {}. The "
-                    "rest of the packet is skipped.\n",
+                    "rest of the packet is skipped.",
                     error.what));
   return base::Ok{};
 }

@@ -136,6 +136,7 @@ struct Events {
   std::vector<net::MarkRequest> marks;
   std::vector<math::Vec3> leak_path;  // corners of a line to show until the end of the level
   std::vector<std::string> prints;    // text for the console, byte for byte
+  std::vector<std::string> notes;     // problems with the server's messages, for the player, a line each
   std::vector<std::string> commands;  // console lines that the server sent, without line ends
   int bonus_flashes = 0;              // svc_bonus messages and "bf" lines
   bool new_level = false;             // a serverinfo arrived; the old level's events are dropped
@@ -160,7 +161,7 @@ class ClientState {
   // their lists; readers must check.
   base::Status apply(const net::ServerMessage& message);
   // Call when a packet has a message that is_at_unknown() (net/protocol/message_reader.h). During the signon,
-  // returns the error. Later, the game goes on without the rest of the packet, and the error is printed, once
+  // returns the error. Later, the game goes on without the rest of the packet, and the error is noted, once
   // in a level. Then do not call end_packet(): the entities that the rest of the packet named must stay.
   base::Status pass_over_unknown(const base::Error& error);
   // Call after the last message of a packet. Removes the entities that a packet with a time did not mention.

@@ -94,6 +94,7 @@ Presentation::FrameView Presentation::advance_parts(ClientState& io_state, doubl
   std::optional<math::Vec3> predicted_origin_world;
   if (moment.own) predicted_origin_world = moment.own->origin_world;
   note_missing_marks(io_state.events());
+  for (std::string& note : io_state.events().notes) notes_.push_back(std::move(note));
   effects_.advance(io_state.events(),
                    {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world,
                     models_->submodels(), &mark_pictures_},

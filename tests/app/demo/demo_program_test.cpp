@@ -86,12 +86,21 @@ TEST_F(DemoProgram, TruncatedDemoOnDiskGivesAShorterFilm) {
 
 TEST_F(DemoProgram, DamageIsAnErrorAndKeepsTheFramesBeforeIt) {
   std::string bytes = stock_demo("demo1_lite");
-  bytes[first_message_after(bytes, 100000)] = '\x7e';  // no message has that number
+  bytes.replace(first_message_after(bytes, 100000), 3, "\x05\xff\xff");  // the view of entity 65535
   folder_.write("bad.dem", bytes);
   const ProgramRun ran = run({"render", "--demo", "bad.dem", "--size", "64x48", "--fps", "5", "-o", "x.y4m"});
   EXPECT_EQ(ran.exit_status, 1);
   EXPECT_THAT(ran.err, HasSubstr("bad.dem: offset "));
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "x.y4m"));
+}
+
+TEST_F(DemoProgram, UnknownMessagesAreNotedAndSkipped) {
+  std::string bytes = stock_demo("demo1_lite");
+  bytes[first_message_after(bytes, 100000)] = '\x7e';  // no message has that number
+  folder_.write("odd.dem", bytes);
+  const ProgramRun ran = run({"render", "--demo", "odd.dem", "--size", "64x48", "--fps", "5", "-o", "x.y4m"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("unknown message"));
 }
 
 TEST_F(DemoProgram, UnknownDemoListsSimilarNames) {

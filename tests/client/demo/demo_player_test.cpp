@@ -239,7 +239,7 @@ TEST(DemoPlayer, PlaysOnAfterAnUnknownMessage) {
   DemoPlayer player = play(demo.bytes());
   ASSERT_TRUE(player.read_packet().value());
   ASSERT_TRUE(player.read_packet().value());
-  EXPECT_THAT(player.state().events().prints,
+  EXPECT_THAT(player.state().events().notes,
               ElementsAre(HasSubstr("message 99: unknown message (after svc_time)")));
   EXPECT_EQ(player.state().interpolate_entities(player.server_time_s(), {}).size(), 2u);
   EXPECT_EQ(DemoPlayer::scan(demo.bytes(), "test.dem").value().packets, 3u);

@@ -257,7 +257,7 @@ TEST(ClientState, PassesOverUnknownMessagesOnceTheGameRuns) {
   apply(state, {net::SignonNumber{3}});
   packet(state, 1, {update_at(1, kPlayerModel, {})});
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(state.pass_over_unknown(error).ok());
-  EXPECT_THAT(state.events().prints, ElementsAre(HasSubstr("message 99: unknown message")));
+  EXPECT_THAT(state.events().notes, ElementsAre(HasSubstr("message 99: unknown message")));
 }
 
 TEST(ClientState, MessagesBeforeServerInfoAreErrors) {
