@@ -48,7 +48,7 @@ struct HostOptions {
   std::vector<std::string> commands{};   // run after the configuration files
   // Run once, as soon as the player is in a game.
   std::vector<std::string> commands_in_game{};
-  std::string version{};                 // "Temblor 1.0", shown in the console
+  std::string version{};  // "Temblor 1.0", shown in the console
   // Sets the variables that the command line names. Called each time after the configuration files have run,
   // also when the player switches to another mod. The values hold for this run only and are not saved, unless
   // the player changes them (session/overrides.h). Null: the command line sets no variables.

@@ -138,7 +138,8 @@ TEST(Host, ListsLevelsInPlayOrder) {
     game.folder().write(fmt::format("id1/maps/{}.bsp", name), std::string_view("not read"));
   game.restart();
   std::vector<std::string> names;
-  for (const client::MenuLevel& level : game.host().game.menu_lists->content().levels()) names.push_back(level.name);
+  for (const client::MenuLevel& level : game.host().game.menu_lists->content().levels())
+    names.push_back(level.name);
   const std::vector<std::string> expected = {"start", "e1m2", "e1m10",   "e2m1", "end",
                                              "dm1",   "tdm2", "gallery", "small"};
   EXPECT_EQ(names, expected);

@@ -35,7 +35,8 @@ struct Page {
   // Shown if no row can be selected.
   std::string empty_text;
   Rows rows;
-  // Rows before this one, such as "New save", are not part of the list that is searched, so they do not count.
+  // Rows before this one, such as "New save", are not part of the list that is searched, so they do not
+  // count.
   std::size_t first_entry = 0;
   // The row that is selected when the page opens.
   std::size_t first_choice = 0;

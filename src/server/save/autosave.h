@@ -1,7 +1,7 @@
 // Decides when a single player's game is saved automatically, and under which name. It knows neither a clock
 // nor a game: callers pass in what it needs.
-//    level begins --0.5 s--> first save --every_s--> next save ...     postponed while the player falls or
-//    (not the first) was hurt
+//    level begins --0.5 s--> first save --every_s--> next save ...
+// Saves are postponed while the player falls, and all but the first after it was hurt.
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ class Autosave {
   // The player's state in this step.
   void watch(const Player& player, double now_s);
 
-  // Due on arrival in a level, and `every_s` after the last save. Postponed while the player falls; later saves
-  // also until it has not been hurt for a while: a player who resumes from there should survive.
+  // Due on arrival in a level, and `every_s` after the last save. Postponed while the player falls; later
+  // saves also until it has not been hurt for a while: a player who resumes from there should survive.
   bool is_due(double every_s, double now_s) const;
   // Whether the level was played for long enough that the player would miss it.
   bool is_worth_saving(double now_s) const;
