@@ -144,7 +144,7 @@ wait $game; echo "ended with $?"
 kill $display; wait $display
 )");
   if (out.find("weston does not start") != std::string::npos) GTEST_SKIP() << out;
-  EXPECT_THAT(out, HasSubstr("player joined"));
+  EXPECT_THAT(out, HasSubstr("Autosaved")) << "on arrival";
   EXPECT_THAT(out, HasSubstr("ended with 0"));
   EXPECT_THAT(out, Not(HasSubstr("the window")));
 }
@@ -166,7 +166,7 @@ printf '{\n"classname" "light"\n"origin" "999 0 0"\n}\n' >>room.map; sleep 4
 kill -TERM $game
 wait $game; echo "ended with $?"
 )");
-  EXPECT_THAT(out, HasSubstr("player joined"));
+  EXPECT_THAT(out, HasSubstr("Autosaved")) << "on arrival";
   EXPECT_THAT(out, HasSubstr("reloaded"));
   EXPECT_THAT(out, HasSubstr("temblor: note: "));
   EXPECT_THAT(out, HasSubstr("999 0 0")) << "the console shows the compiler's messages";
@@ -191,7 +191,7 @@ cp leak.map room.map
 PLAY --watch room.map & game=$!
 await() { for i in $(seq 300); do [ $(grep -c "$1" out) -ge $2 ] && break; sleep 0.1; done; }
 await "room.pts: " 1; echo "the line is shown"
-cp sealed.map room.map; await "reloaded" 1; await "joined" 2
+cp sealed.map room.map; await "reloaded" 1; await "Autosaved" 2
 echo "sealed"; await "in full" 1; await "visibility" 5
 cp leak.map room.map; await "room.pts: " 2
 kill -TERM $game
