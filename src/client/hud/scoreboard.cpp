@@ -137,7 +137,7 @@ void draw_leaders(const Panel& inventory, const Game& game) {
 
 // Places and digits are those that QuakeSpasm 0.95 showed. White digits would be invisible on a white shirt.
 void draw_team_frame(const Panel& bar, const Game& game) {
-  constexpr int kX = 112, kInnerX = 113, kInnerY = 3, kWidth = 22, kHalf = 9, kDigitWidth = 7;
+  constexpr int kX = 112, kInnerX = 113, kInnerY = 3, kWidth = 22, kHalf = 9, kSmallDigitWidth = 7;
   constexpr std::uint8_t kSmallZero = 18;
   bar.draw_picture(kTeamFramePicture, kX, 0);
   const std::size_t viewer = game.view_entity - std::size_t{1};
@@ -151,7 +151,7 @@ void draw_team_frame(const Panel& bar, const Game& game) {
     const bool needs_small = player.shirt == 0 && digit >= '0' && digit <= '9';
     if (digit != ' ')
       bar.draw_character(static_cast<std::uint8_t>(needs_small ? kSmallZero + digit - '0' : digit),
-                         kInnerX + static_cast<int>(i) * kDigitWidth, kInnerY);
+                         kInnerX + static_cast<int>(i) * kSmallDigitWidth, kInnerY);
   }
 }
 
