@@ -48,8 +48,8 @@ class ProgramCall : public builtins::Call {
   const Game& game() const { return *program.game; }
 };
 
-// The parameters "vector rgb, float alpha, float flag", of which the first has this number. Flag 1 is
-// additive; other values, or none, blend.
+// The parameters "vector rgb, float alpha, float flag", of which the first has this number. Flag 1 adds and
+// flag 2 multiplies; other values, or none, blend.
 inline ProgramColor read_color(const ProgramCall& call, int first) {
   constexpr float kAdditive = 1, kModulate = 2;
   const float flag = call.number_or(first + 2, 0);

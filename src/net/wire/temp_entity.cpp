@@ -1,6 +1,9 @@
 #include "net/wire/temp_entity.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
 
 #include "net/wire/message_id.h"
 
@@ -25,42 +28,34 @@ Particles read_blood(FieldReader& io_fields) {
   return blood;
 }
 
-void skip_coords(int count, FieldReader& io_fields) {
-  for (int i = 0; i < count; ++i) io_fields.coord();
-}
+// An effect of DarkPlaces, besides blood. `fields` follow the kind: c is a coordinate, b a byte; the first
+// three are the place.
+struct ForeignEffect {
+  std::uint8_t kind;
+  std::string_view fields;
+  std::optional<TempEntityKind> shown_as{};  // none: the effect is skipped
+};
+constexpr auto kForeignEffects = std::to_array<ForeignEffect>({{51, "cccbbbb"},
+                                                               {52, "cccccccbb"},
+                                                               {53, "cccbbb", TempEntityKind::kExplosion},
+                                                               {54, "cccccccccbbbbc"},
+                                                               {55, "cccccccccbbb"},
+                                                               {56, "cccccccccbbb"},
+                                                               {57, "ccc", TempEntityKind::kGunshot},
+                                                               {58, "ccc", TempEntityKind::kSpike},
+                                                               {59, "ccc", TempEntityKind::kSuperSpike},
+                                                               {70, "ccc", TempEntityKind::kExplosion},
+                                                               {72, "ccc"},
+                                                               {73, "cccbbbbb"},
+                                                               {74, "ccccccb"},
+                                                               {75, "ccc"}});
 
-void skip_bytes(int count, FieldReader& io_fields) {
-  for (int i = 0; i < count; ++i) io_fields.u8();
-}
-
-// Reads the fields of kinds that have no counterpart.
-void skip_temp_entity(std::uint8_t kind, FieldReader& io_fields) {
-  switch (kind) {
-    case 51:
-      skip_coords(3, io_fields);
-      return skip_bytes(4, io_fields);
-    case 52:
-      skip_coords(7, io_fields);
-      return skip_bytes(2, io_fields);
-    case 54:
-      skip_coords(9, io_fields);
-      skip_bytes(4, io_fields);
-      return skip_coords(1, io_fields);
-    case 55:
-    case 56:
-      skip_coords(9, io_fields);
-      return skip_bytes(3, io_fields);
-    case 72:
-    case 75:
-      return skip_coords(3, io_fields);
-    case 73:
-      skip_coords(3, io_fields);
-      return skip_bytes(5, io_fields);
-    case 74:
-      skip_coords(6, io_fields);
-      return skip_bytes(1, io_fields);
-    default:
-      io_fields.fail(base::ErrorCode::kUnsupported, "unknown kind of effect {}", kind);
+void skip_fields(std::string_view fields, FieldReader& io_fields) {
+  for (const char field : fields) {
+    if (field == 'c')
+      io_fields.coord();
+    else
+      io_fields.u8();
   }
 }
 
@@ -96,32 +91,19 @@ void write_temp_entity(const TempEntity& message, FieldWriter& io_fields) {
 }
 
 ServerMessage read_foreign_temp_entity(std::uint8_t kind, FieldReader& io_fields) {
-  TempEntity entity;
-  switch (kind) {
-    case 50:
-      return read_blood(io_fields);
-    case 53:
-      entity.kind = TempEntityKind::kExplosion;
-      entity.origin = io_fields.coords();
-      skip_bytes(3, io_fields);
-      return entity;
-    case 57:
-      entity.kind = TempEntityKind::kGunshot;
-      break;
-    case 58:
-      entity.kind = TempEntityKind::kSpike;
-      break;
-    case 59:
-      entity.kind = TempEntityKind::kSuperSpike;
-      break;
-    case 70:
-      entity.kind = TempEntityKind::kExplosion;
-      break;
-    default:
-      skip_temp_entity(kind, io_fields);
-      return Ignored{static_cast<std::uint8_t>(MessageId::kTempEntity)};
+  constexpr std::uint8_t kBlood = 50;
+  const Ignored ignored{static_cast<std::uint8_t>(MessageId::kTempEntity)};
+  if (kind == kBlood) return read_blood(io_fields);
+  const auto effect = std::ranges::find(kForeignEffects, kind, &ForeignEffect::kind);
+  if (effect == kForeignEffects.end()) {
+    io_fields.fail(base::ErrorCode::kUnsupported, "unknown kind of effect {}", kind);
+    return ignored;
   }
+  TempEntity entity;
   entity.origin = io_fields.coords();
+  skip_fields(effect->fields.substr(3), io_fields);
+  if (!effect->shown_as) return ignored;
+  entity.kind = *effect->shown_as;
   return entity;
 }
 
@@ -132,8 +114,7 @@ void skip_achievement_or_effect(FieldReader& io_fields) {
     io_fields.text("achievement name");
     return;
   }
-  skip_coords(3, io_fields);
-  skip_bytes(4, io_fields);
+  skip_fields("cccbbbb", io_fields);
 }
 
 }  // namespace temblor::net
