@@ -93,7 +93,7 @@ VariableIndex Variables::add(Variable variable) {
   CHECK(!variable.name.empty());
   const std::optional<Parsed> parsed = parse_value(variable, variable.default_text);
   CHECK(parsed, "{}: default {}", variable.name, variable.default_text);
-  variable.default_text = variable.text = parsed->text;
+  variable.default_text = variable.registered_text = variable.text = parsed->text;
   variable.number = parsed->number;
   const auto index = base::to_index<VariableIndex>(variables_.size());
   const std::string key = base::to_lower(variable.name);
@@ -223,6 +223,22 @@ base::Status Variables::reset(std::string_view name) {
   const Variable* variable = find(name);
   if (variable == nullptr) return unknown_variable(name);
   return set(name, std::string(variable->default_text));
+}
+
+base::Status Variables::adopt_as_default(std::string_view name) {
+  const std::optional<VariableIndex> index = find_index(name);
+  if (!index) return unknown_variable(name);
+  Variable& variable = variables_[base::to_size(*index)];
+  variable.default_text = variable.text;
+  return base::Ok{};
+}
+
+base::Status Variables::restore(std::string_view name) {
+  const std::optional<VariableIndex> index = find_index(name);
+  if (!index) return unknown_variable(name);
+  Variable& variable = variables_[base::to_size(*index)];
+  variable.default_text = variable.registered_text;
+  return reset(name);
 }
 
 const Variable* Variables::find(std::string_view name) const {

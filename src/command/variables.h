@@ -31,7 +31,8 @@ enum class VariableType : std::uint8_t { kBool, kInt, kFloat, kText, kChoice };
 struct Variable {
   std::string name;  // as registered; lookups ignore case
   VariableType type = VariableType::kText;
-  std::string default_text;
+  std::string default_text;          // registered_text, unless adopt_as_default() replaced it
+  std::string registered_text;       // the default that was registered
   std::string text;                  // current value in canonical form ("1", not "on")
   std::string help;                  // one sentence
   double min = 0, max = 0;           // kInt and kFloat: allowed range, inclusive
@@ -76,7 +77,12 @@ class Variables {
   void keep(std::string_view name);
   // Sets from "NAME=VALUE", as on the command line. VALUE may be empty or contain '='.
   base::Status set_assignment(std::string_view assignment);
+  // Sets the default.
   base::Status reset(std::string_view name);
+  // Makes the current value the default, until restore().
+  base::Status adopt_as_default(std::string_view name);
+  // Sets the default that was registered, and makes it the default again.
+  base::Status restore(std::string_view name);
 
   // Returns null if there is no such variable.
   const Variable* find(std::string_view name) const;

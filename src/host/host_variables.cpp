@@ -238,8 +238,15 @@ double HostVariables::frames_per_second() const {
 
 void HostVariables::reset() const {
   for (const std::string& name : list_names(*variables_)) {
-    const base::Status set = variables_->reset(name);
+    const base::Status set = variables_->restore(name);
     CHECK(set.ok(), "a default value is valid");
+  }
+}
+
+void HostVariables::adopt_game_defaults() const {
+  for (const std::string& name : registered_->saved) {
+    const base::Status adopted = variables_->adopt_as_default(name);
+    CHECK(adopted.ok(), "{} is registered", name);
   }
 }
 

@@ -74,8 +74,11 @@ class HostVariables {
   ReadoutSettings readouts() const;
   StuffedTextRule stuffed_text() const;
 
-  // Sets all variables to their defaults.
+  // Sets all variables to the defaults that were registered.
   void reset() const;
+  // Makes the current values of the player's own variables their defaults, until reset(). Call it after the
+  // game's default.cfg, so that to_text() contains what the player has changed since.
+  void adopt_game_defaults() const;
   // Returns console commands, one per line, that set the player's own variables that differ from their
   // defaults. A variable that the command line overrides appears with the player's own value. Variables of
   // the server are not included.

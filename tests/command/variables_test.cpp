@@ -147,6 +147,20 @@ TEST(Variables, ResetGivesTheDefaultBack) {
   ASSERT_TRUE(table.variables.reset("R_Scale").ok());
   EXPECT_EQ(table.variables.float_value(table.scale), 0.5);
   EXPECT_EQ(table.variables.reset("nobody").error().code, base::ErrorCode::kNotFound);
+  EXPECT_EQ(table.variables.restore("nobody").error().code, base::ErrorCode::kNotFound);
+  EXPECT_EQ(table.variables.adopt_as_default("nobody").error().code, base::ErrorCode::kNotFound);
+}
+
+TEST(Variables, AnAdoptedDefaultLastsUntilTheRegisteredOneIsRestored) {
+  Table table;
+  ASSERT_TRUE(table.variables.set("r_scale", "2").ok());
+  ASSERT_TRUE(table.variables.adopt_as_default("R_Scale").ok());
+  ASSERT_TRUE(table.variables.set("r_scale", "1").ok());
+  ASSERT_TRUE(table.variables.reset("r_scale").ok());
+  EXPECT_EQ(table.variables.float_value(table.scale), 2);
+  ASSERT_TRUE(table.variables.restore("r_scale").ok());
+  EXPECT_EQ(table.variables.float_value(table.scale), 0.5);
+  EXPECT_EQ(table.variables.get(table.scale).default_text, "0.5");
 }
 
 TEST(Variables, AllAreListedByName) {

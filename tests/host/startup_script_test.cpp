@@ -60,6 +60,26 @@ TEST_F(StartupScript, RunsTheLinesOfQuakeRcInTheirOrder) {
   EXPECT_EQ(text("fov"), "80");
 }
 
+// A player who turns off a setting of the game's default.cfg finds it off at the next start, although that is
+// the engine's default.
+TEST_F(StartupScript, SettingsOfTheGameAreDefaultsThatPlayersCanChange) {
+  const std::vector<std::pair<std::string, std::string>> game = {{"default.cfg", "r_marks 1\ncrosshair 3\n"}};
+  start(game);
+  EXPECT_EQ(text("r_marks"), "1");
+  ASSERT_TRUE(host_.variables().variables().set("r_marks", "0").ok());
+  ASSERT_TRUE(host::save_configuration(host_.host()).ok());
+  host_.restart();
+  host_.run(0.2);
+  EXPECT_EQ(text("r_marks"), "0");
+  EXPECT_EQ(text("crosshair"), "3");
+  ASSERT_TRUE(host_.variables().variables().reset("r_marks").ok());
+  EXPECT_EQ(text("r_marks"), "1");
+  // Another game, without such settings.
+  start({{"default.cfg", ""}});
+  EXPECT_EQ(text("r_marks"), "0");
+  EXPECT_EQ(text("crosshair"), "0");
+}
+
 // They are written at the end, so a script that forgets them must not erase them.
 TEST_F(StartupScript, ReadsTheSettingsAlsoWithoutAnExec) {
   start({{"quake.rc", "sensitivity 7\n"}, {"config.cfg", "fov 100\n"}});

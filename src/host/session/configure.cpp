@@ -45,7 +45,8 @@ constexpr std::string_view kStartupFile = "quake.rc";
 constexpr std::string_view kStockStartup =
     "exec default.cfg\nexec config.cfg\nexec autoexec.cfg\nstuffcmds\nstartdemos demo1 demo2 demo3\n";
 
-// A game's default.cfg is for the additional keys that it binds. Our bindings override it.
+// A game's default.cfg is for its own settings and the additional keys that it binds. Our bindings override
+// it.
 std::string default_commands(const GameData& data) {
   const base::Result<std::string> text = read_commands(data, "default.cfg");
   client::Bindings own;
@@ -59,6 +60,7 @@ base::Result<std::string> read_startup_file(Host& io_host, std::string_view name
   const GameData& data = *io_host.game.data;
   if (name == "default.cfg") return default_commands(data);
   if (name == "config.cfg") {
+    io_host.variables.adopt_game_defaults();
     io_host.game.startup.has_configured = true;
     const std::optional<std::string> file = configuration_to_run(data);
     if (!file) return std::string();
