@@ -65,6 +65,12 @@ void Beams::advance(double time_s, const std::optional<Anchor>& anchor) {
   size_ = kept;
 }
 
+bool Beams::has_bolt(std::uint32_t entity) const {
+  return std::any_of(
+      beams_.begin(), beams_.begin() + static_cast<std::ptrdiff_t>(size_),
+      [&](const Beam& beam) { return beam.entity == entity && beam.model != BeamModel::kBeam; });
+}
+
 // Places a piece every kPieceLength units from the start. The last one may reach past the end, as in stock
 // Quake.
 void Beams::place_pieces(const Beam& beam, double time_s) {

@@ -55,6 +55,8 @@ class Beams {
   void add(const Beam& beam);
   // Removes expired beams and places the pieces of the others at `time_s`.
   void advance(double time_s, const std::optional<Anchor>& anchor);
+  // Whether lightning of this entity is alive, as of the last advance(), or was added since.
+  bool has_bolt(std::uint32_t entity) const;
   // The pieces as of the last advance(). Valid until anything changes.
   std::span<const BeamPiece> pieces() const { return pieces_; }
 

@@ -16,7 +16,7 @@ double end_s(const TimedLight& light) {
 render::DynamicLight sample_light(const TimedLight& light, double time_s) {
   const double age_s = std::max(0.0, time_s - light.born_s);
   const double radius = double{light.radius} - double{light.shrinks_per_second} * age_s;
-  return {light.origin_world, static_cast<float>(std::max(0.0, radius)), light.min_light};
+  return {light.origin_world, static_cast<float>(std::max(0.0, radius)), light.min_light, light.color};
 }
 
 }  // namespace

@@ -27,6 +27,8 @@ struct TimedLight {
   float shrinks_per_second = 0;
   // A life of 0 lasts for one frame.
   double born_s = 0, life_s = 0;
+  // See render::DynamicLight.
+  math::Vec3 color{1.0f};
 };
 
 // The flicker of an entity's light: 0 to 31 units added to its radius. Changes ten times a second of server

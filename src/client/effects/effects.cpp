@@ -8,6 +8,7 @@
 #include "client/effects/dynamic_lights.h"
 #include "client/effects/effect_random.h"
 #include "client/effects/hit_marks.h"
+#include "client/effects/light_colors.h"
 #include "client/effects/particle_bursts.h"
 #include "client/effects/particles.h"
 #include "client/effects/trails.h"
@@ -137,8 +138,10 @@ struct Effects::State {
   // Effects that entities have as long as they exist: trails, glow and muzzle flashes.
   void advance_entities(const EffectsInput& input);
   void emit_trail(const InterpolatedEntity& entity, TrailKind kind, double time_s);
-  void add_lights(const InterpolatedEntity& entity, const math::Vec3& origin_world, bool rocket,
-                  double time_s);
+  void add_lights(const InterpolatedEntity& entity, const math::Vec3& origin_world,
+                  std::optional<TrailKind> trail, double time_s);
+  void add_beam_light(const TempEntity& beam, double time_s);
+  math::Vec3 light_color(const math::Vec3& color) const { return colored_lights ? color : kWhiteLight; }
   std::optional<Beams::Anchor> find_beam_anchor(const EffectsInput& input) const;
 
   // Seeds the random numbers of all effects.
@@ -149,7 +152,7 @@ struct Effects::State {
   ParticlePool particles;
   Trails trails;
   DynamicLights lights;
-  bool muzzle_flashes = true;
+  bool muzzle_flashes = true, colored_lights = false;
   Beams beams;
   HitMarks hit_marks;
   render::MarkSet marks;
@@ -200,11 +203,14 @@ void Effects::State::begin(const TempEntity& what, const EffectsInput& input) {
                          .radius = 350,
                          .shrinks_per_second = 300,
                          .born_s = input.time_s,
-                         .life_s = 0.5};
+                         .life_s = 0.5,
+                         .color = light_color(kBlastLight)};
   if (const std::optional<Chips> chips = find_chips(what.kind))
     spawn_chips(burst, what.origin, math::Vec3(0.0f), chips->color, chips->count);
-  if (const std::optional<BeamModel> model = find_beam_model(what.kind))
+  if (const std::optional<BeamModel> model = find_beam_model(what.kind)) {
     beams.add({what.entity, *model, what.origin, what.end, input.time_s});
+    if (colored_lights && *model != BeamModel::kBeam) add_beam_light(what, input.time_s);
+  }
   switch (what.kind) {
     case TempEntityKind::kExplosion:
       spawn_explosion(burst, what.origin);
@@ -273,7 +279,7 @@ void Effects::State::advance_entities(const EffectsInput& input) {
                                             ? *input.predicted_origin_world
                                             : entity.origin_world;
     if (entity.effects & kEffectBrightField) show_bright_field(particles, input.time_s, origin_world_now);
-    add_lights(entity, origin_world_now, trail == TrailKind::kRocket, input.time_s);
+    add_lights(entity, origin_world_now, trail, input.time_s);
   }
 }
 
@@ -284,10 +290,29 @@ void Effects::State::emit_trail(const InterpolatedEntity& entity, TrailKind kind
               particles);
 }
 
+// Where lightning ends. An entity's next bolt moves its light there, as the number's highest bit keeps it
+// apart from the entity's own light.
+void Effects::State::add_beam_light(const TempEntity& beam, double time_s) {
+  constexpr std::uint32_t kBeamBit = 1u << 31;
+  constexpr float kBeforeEnd = 8;  // units, so that the light is not in the wall
+  const math::Vec3 path = beam.end - beam.origin;
+  const float length = glm::length(path);
+  if (length <= kBeforeEnd) return;
+  lights.add({.entity = beam.entity | kBeamBit,
+              .origin_world = beam.end - path * (kBeforeEnd / length),
+              .radius = 200 + light_flicker(beam.entity, time_s),
+              .born_s = time_s,
+              .life_s = Beams::kLife_s,
+              .color = kLightningLight});
+}
+
 // An entity has one light: a later one of these replaces an earlier one.
-void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Vec3& origin_world, bool rocket,
-                                double time_s) {
-  TimedLight light{.entity = entity.number, .origin_world = origin_world, .born_s = time_s};
+void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Vec3& origin_world,
+                                std::optional<TrailKind> trail, double time_s) {
+  TimedLight light{.entity = entity.number,
+                   .origin_world = origin_world,
+                   .born_s = time_s,
+                   .color = light_color(choose_glow_color(entity.effects, trail))};
   const math::Vec3 above = origin_world + math::Vec3(0, 0, 16);
   const float flicker = light_flicker(entity.number, time_s);
   if (muzzle_flashes && (entity.has_muzzle_flash || entity.effects & kEffectMuzzleFlash)) {
@@ -297,6 +322,7 @@ void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Ve
     flash.radius = 200 + flicker;
     flash.min_light = 32;
     flash.life_s = 0.1;
+    flash.color = light_color(beams.has_bolt(entity.number) ? kLightningLight : kShotLight);
     lights.add(flash);
   }
   if (entity.effects & kEffectBrightLight) {
@@ -309,7 +335,7 @@ void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Ve
     light.radius = 200 + flicker;
     lights.add(light);
   }
-  if (rocket) {
+  if (trail == TrailKind::kRocket) {
     light.radius = 200;
     lights.add(light);
   }
@@ -350,6 +376,7 @@ void Effects::advance(const Events& events, const EffectsInput& input, const Eff
   const bool time_passed = !state.last_time_s || input.time_s > *state.last_time_s;
   state.particles.set_capacity(settings.max_particles);
   state.muzzle_flashes = settings.muzzle_flashes;
+  state.colored_lights = settings.colored_lights;
   // Advances old effects first, so that dead ones make room.
   state.particles.advance(input.time_s);
   state.lights.advance(input.time_s);

@@ -27,6 +27,7 @@ struct EffectsSettings {
   std::size_t max_particles = 16384;  // r_particles_max; further particles are dropped
   bool marks = false;                 // r_marks: marks of shots; turning it off removes them
   bool muzzle_flashes = true;         // shots light up the level
+  bool colored_lights = false;        // r_dynamic_colors: see light_colors.h; lightning lights what it hits
 };
 
 // The state of the game at the time of an advance(). References must be valid during the call.

@@ -14,7 +14,10 @@ enum EntityEffects : std::uint8_t {
   kEffectBrightField = 1,
   kEffectMuzzleFlash = 2,
   kEffectBrightLight = 4,
-  kEffectDimLight = 8
+  kEffectDimLight = 8,
+  // Tint the two lights above; other engines' names are EF_BLUE and EF_RED. They have no light of their own.
+  kEffectBlue = 64,
+  kEffectRed = 128
 };
 
 // Two frames of a model, and how far it has changed from one to the other, in [0, 1).

@@ -85,6 +85,8 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
   print_speed_ = variables.add_float("scr_printspeed", defaults.hud.letters_per_second, 1, 1000,
                                      "How fast the text at the end of an episode appears, in letters per "
                                      "second.");
+  colored_lights_ = variables.add_bool("r_dynamic_colors", defaults.effects.colored_lights,
+                                       "Explosions and lightning light the level in their colors.");
   no_flash_ =
       variables.add_bool("cl_noflash", !defaults.effects.muzzle_flashes, "Shots do not light up the level.");
   safe_colors_ = variables.add_bool("scr_safecolors", defaults.hud.safe_colors,
@@ -134,6 +136,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.no_lerp_models = split_at_commas(variables.text_value(no_lerp_models_));
   settings.effects.max_particles = static_cast<std::size_t>(variables.int_value(max_particles_));
   settings.choices = choices_.read(variables);
+  settings.effects.colored_lights = variables.bool_value(colored_lights_);
   settings.effects.muzzle_flashes = !variables.bool_value(no_flash_);
   settings.effects.marks = variables.bool_value(marks_);
   settings.view.bob = factor(bob_);

@@ -14,7 +14,8 @@ ColorTables make_color_tables(const formats::Palette& palette, const formats::Co
                      first_fullbright,
                      match({128, 128, 128}, false),
                      match,
-                     BlendTables(palette, match)};
+                     BlendTables(palette, match),
+                     TintTables(palette, match)};
   for (int i = 0; i < 256; ++i) {
     const auto index = static_cast<std::size_t>(i);
     tables.rgb[index] = to_rgb(palette[index]);

@@ -6,6 +6,7 @@
 
 #include "formats/images/palette.h"
 #include "render/color/blend_tables.h"
+#include "render/color/tint_tables.h"
 
 namespace temblor::render {
 
@@ -22,6 +23,7 @@ struct ColorTables {
   std::uint8_t gray = 0;                       // the lit entry nearest to half brightness
   PaletteMatch match;
   BlendTables blends;
+  TintTables tints;
 };
 
 ColorTables make_color_tables(const formats::Palette& palette, const formats::Colormap& colormap);

@@ -17,6 +17,8 @@ namespace {
 
 // The sum of light that shows the palette's colors as they are, in both pixel formats.
 constexpr std::uint32_t kSumAsStored = 32768;
+// Half a row of tint tables.
+constexpr std::int16_t kRoundTint = 128;
 
 // Visits a texture that repeats endlessly, row by row.
 class TextureRows {
@@ -82,10 +84,13 @@ class Builder {
 
   // Row by row: texels, marks on them, light for the row, then the kernel.
   void build_indexed() {
-    const std::span<const std::int16_t> samples = sum_samples(1, [](std::uint32_t sum) {
+    const LightSums sums = sum_tile_light();
+    const std::span<const std::int16_t> samples = make_samples(sums, 1, [](std::uint32_t sum) {
       return static_cast<std::int16_t>(std::max((65280 - static_cast<std::int32_t>(sum)) >> 2, 64));
     });
     const std::span<std::int16_t> row_light = row_samples(1);
+    const Tint tint = sums.channels == 3 ? make_tint(sums) : Tint{};
+    const std::span<std::int16_t> row_tint = row_samples(1);
     const std::span<std::uint8_t> texels = row_of_texels<std::uint8_t>();
     // Without marks, which must not cover holes.
     const std::span<std::uint8_t> unmarked = row_of_texels<std::uint8_t>();
@@ -101,7 +106,12 @@ class Builder {
       interpolate_down(samples, 1, y, row_light);
       const IndexedRow row{texels.data(), row_light.data(),           tables_.colormap.rows.data(),
                            out,           request_.block.shape.width, texels_per_sample()};
-      simd_ ? build_indexed_row_simd(row) : build_indexed_row_scalar(row);
+      build_indexed_row(row);
+      if (tint.rows != nullptr) {
+        interpolate_down(tint.samples, 1, y, row_tint);
+        // Both kernels read a texel before they write it, so the row can be replaced in place.
+        build_indexed_row({out, row_tint.data(), tint.rows, out, row.count, row.texels_per_sample});
+      }
       if (has_holes())
         for (std::size_t x = 0; x < width(); ++x)
           if (unmarked[x] == kClearIndex) out[x] = kClearIndex;
@@ -109,7 +119,7 @@ class Builder {
   }
 
   void build_rgb() {
-    const std::span<const std::int16_t> samples = sum_samples(4, [](std::uint32_t sum) {
+    const std::span<const std::int16_t> samples = make_samples(sum_tile_light(), 4, [](std::uint32_t sum) {
       return static_cast<std::int16_t>(std::min<std::uint32_t>(sum, 65280) >> 1);
     });
     const std::span<std::int16_t> row_light = row_samples(4);
@@ -183,12 +193,15 @@ class Builder {
     return scratch_.allocate<Texel>(width() + kBlockPadding);
   }
 
+  void build_indexed_row(const IndexedRow& row) const {
+    simd_ ? build_indexed_row_simd(row) : build_indexed_row_scalar(row);
+  }
+
   // The light of the tile's samples, row by row, each sum passed through `convert`. With one channel it is
-  // the gray light; with four they are blue, green, red, and 0. There is one extra row, so that every row of
-  // texels has samples above and below it.
+  // the brightest of the sums' channels; with four they are blue, green, red, and 0. There is one extra row,
+  // so that every row of texels has samples above and below it.
   template <typename Convert>
-  std::span<const std::int16_t> sum_samples(std::size_t channels, Convert convert) {
-    const LightSums sums = sum_tile_light();
+  std::span<const std::int16_t> make_samples(const LightSums& sums, std::size_t channels, Convert convert) {
     const std::size_t count = sums.values.size() / sums.channels;
     const std::span<std::int16_t> samples =
         scratch_.allocate_filled<std::int16_t>((count + columns()) * channels, 0);
@@ -196,13 +209,44 @@ class Builder {
       const std::uint32_t* sum = &sums.values[sample * sums.channels];
       std::int16_t* out = &samples[sample * channels];
       if (channels == 1) {
-        out[0] = convert(sum[0]);
+        out[0] = convert(*std::max_element(sum, sum + sums.channels));
         continue;
       }
       for (std::size_t channel = 0; channel < 3; ++channel)
         out[channel] = convert(sum[sums.channels == 3 ? 2 - channel : 0]);
     }
     return samples;
+  }
+
+  // The color of the tile's strongest colored light, and how far it dominates each sample.
+  struct Tint {
+    const std::uint8_t* rows = nullptr;  // null: no colored light
+    std::span<const std::int16_t>
+        samples{};  // row of the table times 256, rounded when its high byte is taken
+  };
+
+  // White light w and a colored light a * color, whose largest channel is 1 and smallest m, sum to w + a in
+  // the brightest channel and w + a * m in the darkest. The share a / (w + a) follows from these two.
+  Tint make_tint(const LightSums& sums) {
+    const FaceLight* strongest = nullptr;
+    for (const FaceLight& light : request_.lights)
+      if (has_color(light) && (strongest == nullptr || light.at_nearest > strongest->at_nearest))
+        strongest = &light;
+    if (strongest == nullptr) return {};
+    const auto [smallest, largest] = std::minmax_element(strongest->color.begin(), strongest->color.end());
+    const float full_difference = 1 - *smallest / *largest;
+    const std::size_t count = sums.values.size() / sums.channels;
+    const std::span<std::int16_t> samples =
+        scratch_.allocate_filled<std::int16_t>(count + columns(), kRoundTint);
+    for (std::size_t sample = 0; sample < count; ++sample) {
+      const std::uint32_t* sum = &sums.values[sample * sums.channels];
+      const auto [least, most] = std::minmax_element(sum, sum + sums.channels);
+      if (*most == 0) continue;
+      const float share = static_cast<float>(*most - *least) / (static_cast<float>(*most) * full_difference);
+      samples[sample] =
+          static_cast<std::int16_t>(std::min(share, 1.0f) * float{(kTintRows - 1) * 256} + kRoundTint);
+    }
+    return {tables_.tints.rows_for(strongest->color), samples};
   }
 
   LightSums sum_tile_light() {

@@ -32,6 +32,10 @@ struct FaceLight {
   std::array<float, 3> color{};  // red, green, blue; factors from 0 to kMaxColor
 };
 
+inline bool has_color(const FaceLight& light) {
+  return light.color[0] != light.color[1] || light.color[0] != light.color[2];
+}
+
 // Bounds that keep sums of light within 32 bits.
 constexpr float kMaxLight = 65536, kMaxColor = 16;
 

@@ -84,10 +84,6 @@ std::span<std::uint32_t> resample_styles(const world::Level& level, const world:
   return sums;
 }
 
-bool has_color(const FaceLight& light) {
-  return light.color[0] != light.color[1] || light.color[0] != light.color[2];
-}
-
 std::span<std::uint32_t> in_three_channels(std::span<const std::uint32_t> gray, base::Arena& arena) {
   const std::span<std::uint32_t> sums = arena.allocate<std::uint32_t>(gray.size() * 3);
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = gray[i / 3];

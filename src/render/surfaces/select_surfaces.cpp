@@ -181,6 +181,7 @@ class SurfaceSelector {
     return in_turn ? light_now_ : *scene_.light_before;
   }
 
+  // Light maps show their colors in true color only; dynamic lights in both formats.
   bool shows_color() const { return format_ == PixelFormat::kRgb && settings_.colored_light; }
 
   // Whether a dynamic light reaches the face at all: a quick test before lights are collected per tile.
@@ -190,7 +191,7 @@ class SurfaceSelector {
     const SampleGrid whole{0, 0, face.texture_extents[0] / kTexelsASample + 1,
                            face.texture_extents[1] / kTexelsASample + 1};
     return std::any_of(lights.begin(), lights.end(), [&](const DynamicLight& light) {
-      const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_color());
+      const std::optional<FaceLight> on_face = light_on_face(light, placed, settings_.colored_light);
       return on_face && reaches(*on_face, whole);
     });
   }
@@ -199,7 +200,7 @@ class SurfaceSelector {
         place_face(level_, level_.face(surface.face), table_.model_views[surface.instance]);
     base::ArenaVector<FaceLight> lights(arena_, 4);
     for (const DynamicLight& light : current_light(surface.face).lights) {
-      const std::optional<FaceLight> on_face = light_on_face(light, placed, shows_color());
+      const std::optional<FaceLight> on_face = light_on_face(light, placed, settings_.colored_light);
       if (on_face && reaches(*on_face, tile)) lights.push_back(*on_face);
     }
     return lights.view();

@@ -229,6 +229,59 @@ TEST(Effects, MuzzlesFlashForATenthOfASecond) {
   EXPECT_TRUE(effects.lights().empty());
 }
 
+// A light's color follows from its cause; the original's lights are white.
+TEST(Effects, LightsHaveColorsOnlyIfEnabled) {
+  InterpolatedEntity shooter = entity(4, kPlain, {100, 0, 0});
+  shooter.has_muzzle_flash = true;
+  const InterpolatedEntity rocket = entity(5, kRocketModel, {200, 0, 0});
+  const InterpolatedEntity blue = entity(6, kPlain, {300, 0, 0}, kEffectDimLight | kEffectBlue);
+  const InterpolatedEntity plain = entity(7, kPlain, {400, 0, 0}, kEffectDimLight);
+  const std::vector<InterpolatedEntity> seen = {shooter, rocket, blue, plain};
+  for (const bool colored : {false, true}) {
+    Effects effects;
+    EffectsSettings settings;
+    settings.colored_lights = colored;
+    advance(effects, 1, event(TempEntity{.kind = TempEntityKind::kExplosion}), seen, settings);
+    ASSERT_EQ(effects.lights().size(), 5u);
+    for (const render::DynamicLight& light : effects.lights()) {
+      const bool is_white = light.color == math::Vec3(1.0f);
+      EXPECT_EQ(is_white, !colored || light.origin_world.x == 400) << light.origin_world.x;
+      EXPECT_EQ(std::max({light.color.r, light.color.g, light.color.b}), 1) << light.origin_world.x;
+      if (colored && light.origin_world.x == 300) {
+        EXPECT_EQ(light.color.b, 1);
+      }
+      if (colored && light.origin_world.x < 300) {
+        EXPECT_GT(light.color.r, light.color.b);
+      }
+    }
+  }
+}
+
+// The light stays at the end of a beam for the beam's life, and one beam of an entity has one light.
+TEST(Effects, LightningLightsWhatItHits) {
+  EffectsSettings settings;
+  settings.colored_lights = true;
+  TempEntity bolt{TempEntityKind::kLightning2, {0, 0, 0}, {108, 0, 0}};
+  bolt.entity = 4;
+  Effects effects;
+  InterpolatedEntity shooter = entity(4, kPlain, {0, 0, 0});
+  shooter.has_muzzle_flash = true;
+  advance(effects, 1, event(bolt), std::vector{shooter}, settings);
+  ASSERT_EQ(effects.lights().size(), 2u);
+  for (const render::DynamicLight& light : effects.lights()) EXPECT_GT(light.color.b, light.color.r);
+  EXPECT_EQ(effects.lights()[0].origin_world, math::Vec3(100, 0, 0));
+  bolt.end = {0, 108, 0};
+  advance(effects, 1.1, event(bolt), {}, settings);
+  ASSERT_GE(effects.lights().size(), 1u);
+  EXPECT_EQ(effects.lights()[0].origin_world, math::Vec3(0, 100, 0));
+  advance(effects, 1.31, {}, {}, settings);
+  EXPECT_TRUE(effects.lights().empty());
+  // Other beams, such as that of a grappling hook, do not shine.
+  bolt.kind = TempEntityKind::kBeam;
+  advance(effects, 2, event(bolt), {}, settings);
+  EXPECT_TRUE(effects.lights().empty());
+}
+
 TEST(Effects, BrightFieldsAreDrawnOncePerTime) {
   Effects effects;
   const std::vector<InterpolatedEntity> seen = {entity(4, kPlain, {0, 0, 0}, kEffectBrightField)};
