@@ -24,8 +24,8 @@ base::Result<Image> read_tga(base::Bytes bytes);
 base::ByteVector write_tga(const Image& image);
 // Reads any PNG.
 base::Result<Image> read_png(base::Bytes bytes);
-// Reads gray and color JPEG files, also progressive ones, of at most 2^24 pixels. All readers return
-// kMalformed, kUnsupported, or kTooLarge with the reason.
+// Reads gray and color JPEG files of at most 2^24 pixels, also progressive ones of at most 64 scans and 2^28
+// pixels in all scans. All readers return kMalformed, kUnsupported, or kTooLarge with the reason.
 base::Result<Image> read_jpeg(base::Bytes bytes);
 
 }  // namespace temblor::formats

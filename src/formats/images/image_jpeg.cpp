@@ -7,6 +7,7 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -19,8 +20,9 @@ namespace {
 constexpr std::uint64_t kMaxJpegPixelsPerByte = 4096;
 // Progressive files are unpacked to 6 bytes for each pixel before the first row is complete.
 constexpr std::uint64_t kMaxJpegPixels = std::uint64_t{1} << 24;
-// Each scan of a progressive file passes over all pixels. Usual files have at most 10.
-constexpr int kMaxJpegScans = 64;
+// Each scan of a progressive file passes over all pixels, and a scan of a few bytes may do so. Usual files
+// have at most 10 scans.
+constexpr std::uint64_t kMaxJpegScans = 64, kMaxJpegScannedPixels = std::uint64_t{1} << 28;
 
 // The library's state. It returns from errors with longjmp(), so it runs only in steps, which have no objects
 // to destroy.
@@ -29,13 +31,17 @@ struct JpegDecoder {
   jpeg_error_mgr errors{};
   jpeg_progress_mgr progress{};
   std::jmp_buf after_error{};
-  bool ends_early = false;
+  bool ends_early = false, has_too_many_scans = false;
   base::Bytes bytes{};
   std::uint32_t* row = nullptr;  // where the next row goes
 
   ~JpegDecoder() { jpeg_destroy_decompress(&state); }
   static JpegDecoder& from(j_common_ptr state) { return *static_cast<JpegDecoder*>(state->client_data); }
 };
+
+std::uint64_t count_pixels(const jpeg_decompress_struct& state) {
+  return std::uint64_t{state.image_width} * state.image_height;
+}
 
 [[noreturn]] void leave_step(j_common_ptr state) {
   std::longjmp(JpegDecoder::from(state).after_error, 1);
@@ -46,8 +52,10 @@ void note_warning(j_common_ptr state, int level) {
 }
 
 void limit_scans(j_common_ptr state) {
-  if (reinterpret_cast<j_decompress_ptr>(state)->input_scan_number <= kMaxJpegScans) return;
-  state->err->msg_code = JERR_BAD_PROGRESSION;
+  const jpeg_decompress_struct& decompress = JpegDecoder::from(state).state;
+  const auto scans = static_cast<std::uint64_t>(decompress.input_scan_number);
+  if (scans <= std::min(kMaxJpegScans, kMaxJpegScannedPixels / count_pixels(decompress))) return;
+  JpegDecoder::from(state).has_too_many_scans = true;
   leave_step(state);
 }
 
@@ -73,6 +81,11 @@ void read_jpeg_rows(JpegDecoder& io_decoder) {
 base::Status run(JpegDecoder& io_decoder, void (*step)(JpegDecoder&)) {
   if (setjmp(io_decoder.after_error) == 0) {
     step(io_decoder);
+  } else if (io_decoder.has_too_many_scans) {
+    return base::error(
+        base::ErrorCode::kTooLarge,
+        "JPEG of {} x {} pixels: too many scans, the limits are {} scans and {} pixels in all scans",
+        io_decoder.state.image_width, io_decoder.state.image_height, kMaxJpegScans, kMaxJpegScannedPixels);
   } else {
     char text[JMSG_LENGTH_MAX] = {};
     (*io_decoder.errors.format_message)(reinterpret_cast<j_common_ptr>(&io_decoder.state), text);
@@ -96,7 +109,7 @@ base::Result<Image> read_jpeg(base::Bytes bytes) {
   decoder->progress.progress_monitor = limit_scans;
   TRY_STATUS(run(*decoder, read_jpeg_header));
   const std::uint32_t width = decoder->state.image_width, height = decoder->state.image_height;
-  const std::uint64_t pixels = std::uint64_t{width} * height;
+  const std::uint64_t pixels = count_pixels(decoder->state);
   if (width > kMaxImageSide || height > kMaxImageSide || pixels > kMaxJpegPixels)
     return base::error(base::ErrorCode::kTooLarge,
                        "JPEG of {} x {} pixels, the limits are {} for a side and {} in all", width, height,

@@ -83,19 +83,56 @@ TEST(Jpeg, EveryTruncationIsAnError) {
   }
 }
 
+// The place of the marker FF `code`.
+std::size_t find_marker(base::Bytes bytes, int code) {
+  std::size_t from = 0;
+  while (bytes[from] != std::byte{0xff} || bytes[from + 1] != static_cast<std::byte>(code)) ++from;
+  return from;
+}
+
+// Changes the size in the frame header: FF `code`, length u16, precision u8, height u16, width u16.
+void set_size(int code, int height, int width, base::ByteVector& io_bytes) {
+  const std::size_t frame = find_marker(io_bytes, code);
+  io_bytes[frame + 5] = static_cast<std::byte>(height >> 8);
+  io_bytes[frame + 6] = static_cast<std::byte>(height & 255);
+  io_bytes[frame + 7] = static_cast<std::byte>(width >> 8);
+  io_bytes[frame + 8] = static_cast<std::byte>(width & 255);
+}
+
+// The progressive file with its last scan, of a few bytes, repeated so that there are `scans` of them.
+base::ByteVector with_scans(int scans, int height, int width) {
+  const base::ByteVector whole = read_jpeg_file("progressive.jpg");
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i + 1 < whole.size(); ++i)
+    if (whole[i] == std::byte{0xff} && whole[i + 1] == std::byte{0xda}) starts.push_back(i);
+  const std::size_t end = whole.size() - 2;
+  base::ByteVector bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(end));
+  for (int i = static_cast<int>(starts.size()); i < scans; ++i)
+    bytes.insert(bytes.end(), whole.begin() + static_cast<std::ptrdiff_t>(starts.back()),
+                 whole.begin() + static_cast<std::ptrdiff_t>(end));
+  bytes.insert(bytes.end(), {std::byte{0xff}, std::byte{0xd9}});
+  bytes.resize(std::max<std::size_t>(bytes.size(), 8192));  // bytes after the end
+  set_size(0xc2, height, width, bytes);
+  return bytes;
+}
+
+TEST(Jpeg, LimitsTheScansOfProgressiveFiles) {
+  EXPECT_TRUE(read_jpeg(with_scans(64, 32, 32)).ok());
+  const auto many = read_jpeg(with_scans(65, 32, 32));
+  EXPECT_EQ(many.error().code, base::ErrorCode::kTooLarge);
+  EXPECT_THAT(many.error().message(), HasSubstr("64 scans"));
+  // Large pictures may have fewer: 16 of 2^24 pixels.
+  EXPECT_TRUE(read_jpeg(with_scans(16, 4096, 4096)).ok());
+  EXPECT_EQ(read_jpeg(with_scans(17, 4096, 4096)).error().code, base::ErrorCode::kTooLarge);
+}
+
 TEST(Jpeg, RefusesOtherFilesAndSizes) {
   EXPECT_FALSE(read_jpeg({}).ok());
   EXPECT_FALSE(read_jpeg(base::as_bytes(std::string_view("no picture at all"))).ok());
   EXPECT_FALSE(read_jpeg(read_jpeg_file("cmyk.jpg")).ok());
-  // The frame header: FF C0, length u16, precision u8, height u16, width u16.
   base::ByteVector bytes = read_jpeg_file("baseline.jpg");
-  std::size_t frame = 0;
-  while (!(bytes[frame] == std::byte{0xff} && bytes[frame + 1] == std::byte{0xc0})) ++frame;
   const auto with_size = [&](int height, int width) {
-    bytes[frame + 5] = static_cast<std::byte>(height >> 8);
-    bytes[frame + 6] = static_cast<std::byte>(height & 255);
-    bytes[frame + 7] = static_cast<std::byte>(width >> 8);
-    bytes[frame + 8] = static_cast<std::byte>(width & 255);
+    set_size(0xc0, height, width, bytes);
     return read_jpeg(bytes);
   };
   EXPECT_EQ(with_size(16, 9000).error().code, base::ErrorCode::kTooLarge);
