@@ -39,6 +39,7 @@ int fuzz_light_grid(const std::uint8_t* data, std::size_t size);
 int fuzz_light_lumps(const std::uint8_t* data, std::size_t size);
 int fuzz_light_shard(const std::uint8_t* data, std::size_t size);
 int fuzz_lit(const std::uint8_t* data, std::size_t size);
+int fuzz_lux(const std::uint8_t* data, std::size_t size);
 int fuzz_localization(const std::uint8_t* data, std::size_t size);
 int fuzz_locations(const std::uint8_t* data, std::size_t size);
 int fuzz_map(const std::uint8_t* data, std::size_t size);

@@ -1,5 +1,6 @@
 // Feeds arbitrary bytes to the readers of LMSHIFT, LMOFFSET, LMSTYLE, LMSTYLE16, DECOUPLED_LM, FACENORMALS,
-// and LIGHTING_E5BGR9. They must return an error, or values that read back equal after they are written.
+// LIGHTING_E5BGR9, and LIGHTINGDIR. They must return an error, or values that read back equal after they are
+// written.
 //
 // The first byte is the number of faces. Lumps follow: u8 number of the name, u8 size, data.
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "base/check.h"
 #include "formats/bspx/face_normals.h"
 #include "formats/bspx/hdr_light.h"
+#include "formats/bspx/light_directions.h"
 #include "formats/levels/decoupled_light.h"
 #include "formats/levels/scaled_light.h"
 #include "fuzz/targets.h"
@@ -21,8 +23,8 @@ namespace {
 using namespace temblor;
 
 formats::Bsp make_level(base::Bytes bytes) {
-  constexpr std::array kNames = {"LMSHIFT",      "LMOFFSET",    "LMSTYLE",        "LMSTYLE16",
-                                 "DECOUPLED_LM", "FACENORMALS", "LIGHTING_E5BGR9"};
+  constexpr std::array kNames = {"LMSHIFT",      "LMOFFSET",    "LMSTYLE",         "LMSTYLE16",
+                                 "DECOUPLED_LM", "FACENORMALS", "LIGHTING_E5BGR9", "LIGHTINGDIR"};
   base::ByteReader reader(bytes);
   formats::Bsp bsp;
   bsp.faces.resize(reader.u8() % 8);
@@ -69,6 +71,10 @@ int temblor::fuzz::fuzz_light_lumps(const std::uint8_t* data, std::size_t size) 
     }
     formats::set_hdr_light(*light, bsp);
     CHECK(*formats::read_hdr_light(bsp) == *light);
+  }
+  if (const auto directions = formats::read_light_directions(bsp); directions.ok() && !directions->empty()) {
+    formats::set_light_directions(*directions, bsp);
+    CHECK(*formats::read_light_directions(bsp) == *directions);
   }
   return 0;
 }

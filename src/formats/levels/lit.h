@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "base/bytes.h"
@@ -23,5 +25,10 @@ struct Lit {
 // level loader checks that the number of samples matches the level.
 base::Result<Lit> read_lit(base::Bytes bytes);
 base::ByteVector write_lit(const Lit& lit);
+
+// The same layout with other numbers for each sample, such as directions (formats/bspx/light_directions.h).
+// `meaning`: what the file holds, for errors.
+base::Result<std::vector<std::uint8_t>> read_light_samples(base::Bytes bytes, std::string_view meaning);
+base::ByteVector write_light_samples(std::span<const std::uint8_t> samples);
 
 }  // namespace temblor::formats
