@@ -191,6 +191,8 @@ Command* add_compile_command(Command& program, CompileCommandOptions& io_options
   command->add_flag("--facenormals", io_options.face_normals,
                     "Write the normals of smooth faces (_phong), for dynamic lights");
   command->add_flag("--hdr", io_options.hdr, "Write light without an upper limit too, for newer engines");
+  command->add_flag("--lux", io_options.directions,
+                    "Write the directions of light (.lux and in the level), for bumps in newer engines");
   command->add_flag("--hlbsp", io_options.hlbsp, "Write version 30, for Half-Life and its clip hulls");
   command->add_flag("--prt", io_options.portals, "Also write the portals, for other visibility programs");
   command->add_option("--extra", io_options.extra, "Light samples in each direction: 1, 2, or 4")

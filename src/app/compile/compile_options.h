@@ -108,8 +108,9 @@ struct CompileCommandOptions {
   // Write a light grid; its samples are this many units apart along each axis.
   bool light_grid = false;
   math::Vec3 light_grid_dist{32.0f};
-  // Write BSPX lumps for newer engines: all brushes, light without a limit, and the normals of faces.
-  bool brush_list = false, hdr = false, face_normals = false;
+  // Write BSPX lumps for newer engines: all brushes, light without a limit, the normals of faces, and the
+  // directions of light (also as a .lux file).
+  bool brush_list = false, hdr = false, face_normals = false, directions = false;
   // Nothing or 0: one per core.
   std::optional<int> threads{};
 };

@@ -19,6 +19,7 @@
 #include "compiler/compile_options.h"
 #include "compiler/portal_file.h"
 #include "compiler/prefabs.h"
+#include "formats/bspx/light_directions.h"
 #include "formats/levels/lit.h"
 #include "formats/levels/prt.h"
 #include "vfs/disk.h"
@@ -92,6 +93,7 @@ compiler::CompileOptions make_compile_options(const CompileCommandOptions& optio
   how.draft.brush_list = options.brush_list;
   how.light.hdr = options.hdr;
   how.light.face_normals = options.face_normals;
+  how.light.directions = options.directions;
   how.draft.half_life = options.hlbsp;
   return how;
 }
@@ -128,6 +130,13 @@ base::Result<compiler::Build> read_level_build(const fs::path& bsp_path, bool wa
   if (const auto lit_bytes = vfs::read_disk_file(lit_path); lit_bytes.ok()) {
     TRY(lit, formats::read_lit(*lit_bytes).with_file(lit_path.string()));
   }
+  if (bsp.find_bspx(formats::kLightDirectionsLump) == nullptr) {
+    const fs::path lux_path = make_level_paths(bsp_path).lux;
+    if (const auto lux_bytes = vfs::read_disk_file(lux_path); lux_bytes.ok()) {
+      TRY(const auto directions, formats::read_lux(*lux_bytes).with_file(lux_path.string()));
+      if (directions.size() == 3 * bsp.lighting.size()) formats::set_light_directions(directions, bsp);
+    }
+  }
   return compiler::make_build_from_level(std::move(bsp), std::move(lit), water_is_transparent)
       .with_file(bsp_path.string());
 }
@@ -143,7 +152,8 @@ base::Status check_output(const fs::path& source, const LevelPaths& paths) {
   if (!is_level(source) && is_same_file(source, paths.bsp))
     return base::Error{base::ErrorCode::kUsage,
                        "would overwrite the map; choose another name with -o NAME.bsp", paths.bsp.string()};
-  for (const fs::path& beside : {paths.lit, paths.points, paths.portals, paths.build, paths.visibility})
+  for (const fs::path& beside :
+       {paths.lit, paths.lux, paths.points, paths.portals, paths.build, paths.visibility})
     if (beside == paths.bsp)
       return base::Error{base::ErrorCode::kUsage,
                          "is the name of a file beside the level; choose another name with -o NAME.bsp",

@@ -13,6 +13,7 @@
 #include "app/files/diagnostics.h"
 #include "compiler/build_file.h"
 #include "compiler/portal_file.h"
+#include "formats/bspx/light_directions.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/lit.h"
 #include "formats/levels/prt.h"
@@ -82,7 +83,7 @@ std::vector<math::Vec3d> space_points(const std::vector<math::Vec3d>& corners, d
 
 LevelPaths make_level_paths(const fs::path& bsp) {
   const auto with = [&](const char* ending) { return fs::path(bsp).replace_extension(ending); };
-  return {bsp,          with(".lit"),   with(".pts"),       with(".leak.png"),
+  return {bsp,          with(".lit"),   with(".lux"),       with(".pts"), with(".leak.png"),
           with(".prt"), with(".build"), with(".visibility")};
 }
 
@@ -122,6 +123,8 @@ base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
     if (!build.lit && wanted.lit && !build.bsp.lighting.empty())
       level.lit = formats::write_lit(make_white_lit(build.bsp));
   }
+  TRY(const std::vector<std::uint8_t> directions, formats::read_light_directions(build.bsp));
+  if (!directions.empty()) level.lux = formats::write_lux(directions);
   if (leak) {
     points = format_leak_points(*leak);
     TRY(picture, draw_leak(build.bsp, leak->points_world).with_file(paths.leak_picture.string()));
@@ -138,14 +141,17 @@ base::Result<PreparedLevel> prepare_level(const compiler::Build& build,
     TRY(FileChange portals_change, prepare_change(paths.portals, portals));
     level.steps.push_back(std::move(portals_change));
   }
-  // Unchanged colors stay where they are. New ones are removed first and added last, as the header explains.
-  const bool has_new_colors = level.lit.value_or(base::ByteVector{}) != read_file_or_empty(paths.lit);
-  if (has_new_colors) level.steps.push_back(FileChange::removal(paths.lit, level.lit.has_value()));
-  level.steps.push_back(std::move(bsp_change));
-  if (has_new_colors && level.lit) {
-    TRY(FileChange lit_change, FileChange::replacement(paths.lit, *level.lit));
-    level.steps.push_back(std::move(lit_change));
+  // Unchanged light stays where it is. New files are removed first and added last, as the header explains.
+  std::vector<FileChange> additions;
+  for (const auto& [path, bytes] : {std::pair{&paths.lit, &level.lit}, std::pair{&paths.lux, &level.lux}}) {
+    if (bytes->value_or(base::ByteVector{}) == read_file_or_empty(*path)) continue;
+    level.steps.push_back(FileChange::removal(*path, bytes->has_value()));
+    if (!bytes->has_value()) continue;
+    TRY(FileChange addition, FileChange::replacement(*path, **bytes));
+    additions.push_back(std::move(addition));
   }
+  level.steps.push_back(std::move(bsp_change));
+  for (FileChange& addition : additions) level.steps.push_back(std::move(addition));
   return level;
 }
 

@@ -19,6 +19,8 @@ struct LevelPaths {
   std::filesystem::path bsp;
   // .lit: colored light.
   std::filesystem::path lit;
+  // .lux: directions of light.
+  std::filesystem::path lux;
   // .pts: path of a leak, which editors can show.
   std::filesystem::path points;
   // .leak.png: the same as a picture.
@@ -38,10 +40,10 @@ compiler::Build read_build_file(const LevelPaths& paths);
 // A level that is ready to be written: its bytes, and the file changes in order. If the process is killed
 // between two steps, there is never a level with the colors of another one:
 //
-//   1. leak files, portals   2. remove old .lit   3. replace .bsp   4. add new .lit
+//   1. leak files, portals   2. remove old .lit, .lux   3. replace .bsp   4. add new .lit, .lux
 struct PreparedLevel {
   base::ByteVector bsp;
-  std::optional<base::ByteVector> lit;
+  std::optional<base::ByteVector> lit, lux;
   std::vector<FileChange> steps;
 };
 // The side files of a level.

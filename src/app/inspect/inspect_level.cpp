@@ -1,4 +1,5 @@
-// Levels (.bsp), their colored light (.lit), their visibility patches (.vis), and their entity text (.ent).
+// Levels (.bsp), their colored light (.lit), its directions (.lux), their visibility patches (.vis), and
+// their entity text (.ent).
 #include <fmt/format.h>
 
 #include <map>
@@ -11,6 +12,7 @@
 #include "formats/bspx/brush_list.h"
 #include "formats/bspx/face_normals.h"
 #include "formats/bspx/hdr_light.h"
+#include "formats/bspx/light_directions.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/entities.h"
 #include "formats/levels/lit.h"
@@ -90,6 +92,8 @@ void add_bspx_counts(const formats::Bsp& bsp, Inspection& io_result, std::vector
       io_result[name] = count(*read);
   };
   add("HDR light samples", formats::read_hdr_light(bsp), [](const auto& samples) { return samples.size(); });
+  add("light directions", formats::read_light_directions(bsp),
+      [](const auto& bytes) { return bytes.size() / 3; });
   add("normals of corners", formats::read_face_normals(bsp),
       [](const formats::FaceNormals& normals) { return normals.corners.size(); });
 }
@@ -125,6 +129,20 @@ base::Result<Inspection> inspect_bsp(base::Bytes bytes) {
 base::Result<Inspection> inspect_lit(base::Bytes bytes) {
   TRY(const formats::Lit lit, formats::read_lit(bytes));
   return Inspection{{"light samples", lit.samples.size() / 3}, {"problems", Inspection::array()}};
+}
+
+// Bytes are rounded, so that the length of a unit vector may differ by 1%.
+base::Result<Inspection> inspect_lux(base::Bytes bytes) {
+  constexpr float kTolerance = 0.02f;
+  TRY(const std::vector<std::uint8_t> samples, formats::read_lux(bytes));
+  std::size_t others = 0;
+  for (std::size_t i = 0; i + 3 <= samples.size(); i += 3) {
+    const float length = glm::length(formats::unpack_direction(std::span(samples).subspan(i).first<3>()));
+    others += std::abs(length - 1) > kTolerance ? 1 : 0;
+  }
+  Inspection problems = Inspection::array();
+  if (others > 0) problems.push_back(fmt::format("vectors that are not of length 1: {}", others));
+  return Inspection{{"light directions", samples.size() / 3}, {"problems", std::move(problems)}};
 }
 
 base::Result<Inspection> inspect_vis(base::Bytes bytes) {

@@ -38,10 +38,11 @@ enum class Format {
   kVis,
   kMd5Model,
   kMd5Animation,
-  kMd3
+  kMd3,
+  kLux
 };
 
-constexpr std::array<const char*, 20> kFormatNames = {"level",
+constexpr std::array<const char*, 21> kFormatNames = {"level",
                                                       "colored light",
                                                       "entity text",
                                                       "PAK",
@@ -60,7 +61,8 @@ constexpr std::array<const char*, 20> kFormatNames = {"level",
                                                       "visibility patches",
                                                       "MD5 model",
                                                       "MD5 animation",
-                                                      "MD3 model"};
+                                                      "MD3 model",
+                                                      "light directions"};
 
 // Detects formats that start with a magic number.
 std::optional<Format> detect_format_by_content(base::Bytes bytes) {
@@ -103,8 +105,9 @@ std::optional<Format> detect_format_by_name(const std::filesystem::path& path, s
     std::string_view text;
     Format format;
   };
-  constexpr std::array<Extension, 16> kExtensions = {{{".bsp", Format::kBsp},
+  constexpr std::array<Extension, 17> kExtensions = {{{".bsp", Format::kBsp},
                                                       {".lit", Format::kLit},
+                                                      {".lux", Format::kLux},
                                                       {".vis", Format::kVis},
                                                       {".ent", Format::kEntities},
                                                       {".pak", Format::kPak},
@@ -131,6 +134,8 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_bsp(bytes);
     case Format::kLit:
       return inspect_lit(bytes);
+    case Format::kLux:
+      return inspect_lux(bytes);
     case Format::kVis:
       return inspect_vis(bytes);
     case Format::kEntities:
@@ -181,10 +186,10 @@ base::ByteVector read_start(const std::filesystem::path& path) {
 }
 
 base::Result<Inspection> inspect_content(const std::filesystem::path& path, Inspection& io_header) {
-  // For pictures and maps, only the name decides: a picture that is 29 pixels wide starts like a level of
-  // version 29, and a map starts like entity text.
+  // Only the name decides about pictures, maps, and directions of light: a picture that is 29 pixels wide
+  // starts like a level of version 29, a map like entity text, and directions like colored light.
   const std::string extension = base::to_lower(path.extension().string());
-  const bool goes_by_name = extension == ".lmp" || extension == ".map";
+  const bool goes_by_name = extension == ".lmp" || extension == ".map" || extension == ".lux";
   std::optional<Format> format = goes_by_name ? std::nullopt : detect_format_by_content(read_start(path));
   base::ByteVector bytes;
   // A PAK may be larger than memory, so it is not read here.
@@ -193,10 +198,11 @@ base::Result<Inspection> inspect_content(const std::filesystem::path& path, Insp
     if (!format) format = detect_format_by_name(path, bytes.size());
   }
   if (!format)
-    return base::error(ErrorCode::kUnsupported,
-                       "unknown format; known are .bsp, .map, .lit, .vis, .ent, .pak, .pk3, .wad, .lmp, "
-                       ".mdl, .md3, .md5mesh, .md5anim, .spr, .dem, "
-                       ".dat, and .wav");
+    return base::error(
+        ErrorCode::kUnsupported,
+        "unknown format; known are .bsp, .map, .lit, .lux, .vis, .ent, .pak, .pk3, .wad, .lmp, "
+        ".mdl, .md3, .md5mesh, .md5anim, .spr, .dem, "
+        ".dat, and .wav");
   io_header["format"] = kFormatNames[static_cast<std::size_t>(*format)];
   return *format == Format::kPak ? inspect_pak(path) : inspect_bytes(*format, std::move(bytes));
 }

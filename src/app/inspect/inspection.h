@@ -21,6 +21,7 @@ using Inspection = nlohmann::ordered_json;
 
 base::Result<Inspection> inspect_bsp(base::Bytes bytes);
 base::Result<Inspection> inspect_lit(base::Bytes bytes);
+base::Result<Inspection> inspect_lux(base::Bytes bytes);
 base::Result<Inspection> inspect_vis(base::Bytes bytes);
 base::Result<Inspection> inspect_entities(base::Bytes bytes);
 base::Result<Inspection> inspect_map(base::Bytes bytes);

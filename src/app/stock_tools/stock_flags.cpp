@@ -64,6 +64,10 @@ void set_light_map_scale(Words values, Command& io_command) {
   io_command.options.luxel_texels = static_cast<int>(std::exp2(exponent));
 }
 
+void set_directions(Words, Command& io_command) {
+  io_command.options.directions = true;
+}
+
 constexpr const char* kNoQuake2 = "Temblor does not write levels of Quake II and Hexen II";
 constexpr const char* kNoDebug = "Temblor writes no such debug output";
 constexpr const char* kSounds = "leaves get all ambient sounds";
@@ -205,11 +209,10 @@ constexpr StockFlag kLightFlags[] = {
     {"bounce", V::kOptionalNumber, [](Words v, Command& io) { io.options.bounces = to_whole(v[0], 0, 16); }},
     {"bouncedebug", V::kNone, nullptr, kNoDebug, true},
     {"bouncelightsdebug", V::kNone, nullptr, kNoDebug, true},
-    {"bspx", V::kNone, nullptr,
-     "colored light is always in the level, too; directions of light are not written"},
+    {"bspx", V::kNone, set_directions},
     {"bspxlit"},
-    {"bspxlux", V::kNone, nullptr, "directions of light are not written"},
-    {"bspxonly", V::kNone, nullptr, "the .lit file is written, too; directions of light are not"},
+    {"bspxlux", V::kNone, set_directions},
+    {"bspxonly", V::kNone, set_directions, "the .lit and .lux files are written, too"},
     {"debugface", V::kThreeNumbers, nullptr, kNoDebug},
     {"debugmottle", V::kNone, nullptr, kNoDebug, true},
     {"debugneighbours", V::kNone, nullptr, kNoDebug, true},
@@ -238,7 +241,7 @@ constexpr StockFlag kLightFlags[] = {
     {"lmscale", V::kNumber, set_light_map_scale},
     {"lmshift", V::kNumber,
      [](Words v, Command& io) { io.options.luxel_texels = 1 << to_whole(v[0], 0, 7); }},
-    {"lux", V::kNone, nullptr, "directions of light are not written"},
+    {"lux", V::kNone, set_directions},
     {"nolighting", V::kNone, nullptr, "use `temblor compile --no-light`", true},
     {"nolights", V::kNone, nullptr, "lights are never left out", true},
     {"novanilla", V::kNone, nullptr, "gray light is written, too"},

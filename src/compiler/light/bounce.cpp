@@ -18,6 +18,7 @@
 #include <span>
 
 #include "compiler/light/faces/fill_hidden.h"
+#include "compiler/light/faces/light_bytes.h"
 #include "compiler/light/faces/sample_points.h"
 #include "compiler/light/shadows/dirt.h"
 #include "compiler/light/sources/directions.h"
@@ -235,15 +236,15 @@ std::vector<math::Vec3> find_sent_shares(const BouncedWorld& bounced,
   return shares;
 }
 
-// Adds gathered light to a light map, whose scale may differ from that of the nodes.
-void add_to_map(const LitLevel& lit, const NodeGrid& grid, const LightMapShape& map,
-                const std::vector<math::Vec3>& gathered, std::uint8_t style,
-                std::span<const float> dirt_shares, FaceLight& io_light) {
+// The gathered light of a light map, whose scale may differ from that of the nodes; empty if it is black.
+std::vector<math::Vec3> interpolate_nodes(const LitLevel& lit, const NodeGrid& grid, const LightMapShape& map,
+                                          const std::vector<math::Vec3>& gathered,
+                                          std::span<const float> dirt_shares) {
   const std::uint32_t end = grid.first_node + static_cast<std::uint32_t>(grid.columns * grid.rows);
   if (std::all_of(gathered.begin() + grid.first_node, gathered.begin() + end,
                   [](const math::Vec3& light) { return light == math::Vec3(0.0f); }))
-    return;
-  std::vector<math::Vec3>& samples = io_light.layer(style, LayerKind::kAdd, map.size()).samples;
+    return {};
+  std::vector<math::Vec3> samples(map.size());
   const LightMapShape& own = lit.maps[map.face];
   const LuxelTexels luxels = find_luxel_texels(*lit.level, map);
   const auto along = [&](const math::Vec2d& texels, int axis, int nodes, int count) {
@@ -265,10 +266,24 @@ void add_to_map(const LitLevel& lit, const NodeGrid& grid, const LightMapShape& 
       const math::Vec3 below = glm::mix(gathered[grid.node(left, bottom)], gathered[grid.node(right, bottom)],
                                         column - static_cast<float>(left));
       const auto luxel = static_cast<std::size_t>(y * map.width + x);
-      samples[luxel] += glm::mix(above, below, row - static_cast<float>(top)) *
-                        (dirt_shares.empty() ? 1 : dirt_shares[luxel]);
+      samples[luxel] = glm::mix(above, below, row - static_cast<float>(top)) *
+                       (dirt_shares.empty() ? 1 : dirt_shares[luxel]);
     }
   }
+  return samples;
+}
+
+// Adds bounced light to a face. It comes from all around the normal; the mean direction, weighted by the
+// cosine, is two thirds of the normal.
+void add_to_face(std::span<const math::Vec3> bounced_light, std::uint8_t style,
+                 const std::optional<math::Vec3>& normal, FaceLight& io_light) {
+  std::vector<math::Vec3>& samples = io_light.layer(style, LayerKind::kAdd, bounced_light.size()).samples;
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += bounced_light[i];
+  if (!normal) return;
+  std::vector<math::Vec3>& directions =
+      io_light.layer(style, LayerKind::kDirection, bounced_light.size()).samples;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    directions[i] += *normal * (max_channel(bounced_light[i]) * 2 / 3);
 }
 
 // The light that each node gets over all bounces of the light that is sent first.
@@ -371,8 +386,14 @@ void add_bounced_light(const LitLevel& lit, std::span<const std::uint32_t> seen,
                      collect_emitted_light(bounced, reflectances, io_light, style), io_jobs);
     io_jobs.parallel_for(lit.maps.size(), [&](std::size_t map) {
       const std::size_t face = lit.maps[map].face;
-      if (bounced.grids[face].columns > 0 && lit.surface_keys(face).takes_bounce)
-        add_to_map(lit, bounced.grids[face], lit.maps[map], gathered, style, dirt_shares[map], io_light[map]);
+      if (bounced.grids[face].columns == 0 || !lit.surface_keys(face).takes_bounce) return;
+      const std::vector<math::Vec3> light =
+          interpolate_nodes(lit, bounced.grids[face], lit.maps[map], gathered, dirt_shares[map]);
+      if (light.empty()) return;
+      std::optional<math::Vec3> normal;
+      if (settings.has_directions)
+        normal = math::Vec3(world::compute_face_plane(*lit.level, lit.level->faces[face]).normal);
+      add_to_face(light, style, normal, io_light[map]);
     });
   }
 }

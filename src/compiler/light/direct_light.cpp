@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "compiler/light/faces/fill_hidden.h"
+#include "compiler/light/faces/light_bytes.h"
 #include "compiler/light/shadows/dirt.h"
 #include "compiler/light/shadows/shadow_record.h"
 #include "world/visibility.h"
@@ -118,6 +119,8 @@ class FaceLighter {
     bool takes_dirt;
     std::optional<float> dirt_scale, dirt_gain;
     float bounce_scale;
+    math::Vec3 source;  // where the light is; of a beam: the direction toward the sky
+    bool is_beam;
   };
 
   // Adds one light.
@@ -137,8 +140,9 @@ class FaceLighter {
                            : light.value < 0                                ? LayerKind::kSubtract
                                                                             : LayerKind::kAdd;
     const bool rough = is_rough(brightest);
-    const Arriving arriving{light.color,     light.style,       kind, light.takes_dirt, light.dirt_scale,
-                            light.dirt_gain, light.bounce_scale};
+    const Arriving arriving{light.color,        light.style,        kind,
+                            light.takes_dirt,   light.dirt_scale,   light.dirt_gain,
+                            light.bounce_scale, light.origin_world, false};
     deposit(find_shares(number, rough), arriving, light_);
     add_switched(arriving, rough, light.shadow_channels, light_, [&](const LightPath& path) {
       return [this, &light, path](std::span<const math::Vec3> points, std::span<math::Vec3> out) {
@@ -235,7 +239,7 @@ class FaceLighter {
     const bool rough = is_rough(std::abs(beam.value));
     const auto query = make_query(find_path(beam.style, kWorldChannels));
     const LayerKind kind = beam.value < 0 ? LayerKind::kSubtract : LayerKind::kAdd;
-    const Arriving arriving{beam.color, beam.style, kind, beam.takes_dirt, {}, {}, 1};
+    const Arriving arriving{beam.color, beam.style, kind, beam.takes_dirt, {}, {}, 1, beam.toward_sky, true};
     deposit(filter_.compute_shares(lit_luxels_, rough, query), arriving, io_sky);
     add_switched(arriving, rough, kWorldChannels, io_sky, make_query);
   }
@@ -291,6 +295,7 @@ class FaceLighter {
     std::vector<math::Vec3>& samples = io_light.layer(light.style, light.kind, places_.size()).samples;
     const std::span<const float> dirt = find_dirt_shares(light, io_light);
     const bool bounces_as_usual = light.bounce_scale == 1 || light.kind != LayerKind::kAdd;
+    const bool has_directions = input_.settings.has_directions && light.kind == LayerKind::kAdd;
     arriving_.clear();
     for (std::size_t i = 0; i < lit_luxels_.size(); ++i) {
       const std::uint32_t luxel = lit_luxels_[i];
@@ -299,13 +304,27 @@ class FaceLighter {
       if (!tints_.empty()) arriving *= tints_[luxel];
       samples[luxel] =
           light.kind == LayerKind::kRaise ? glm::max(samples[luxel], arriving) : samples[luxel] + arriving;
-      if (!bounces_as_usual) arriving_.push_back(arriving);
+      if (!bounces_as_usual || has_directions) arriving_.push_back(arriving);
     }
+    if (has_directions) add_directions(light, io_light);
     if (bounces_as_usual) return;
     std::vector<math::Vec3>& more =
         io_light.layer(light.style, LayerKind::kBounceMore, places_.size()).samples;
     for (std::size_t i = 0; i < lit_luxels_.size(); ++i)
       more[lit_luxels_[i]] += arriving_[i] * (light.bounce_scale - 1);
+  }
+
+  // Adds the direction of light that has arrived. Light from behind counts as from the front.
+  void add_directions(const Arriving& light, FaceLight& io_light) {
+    std::vector<math::Vec3>& sums =
+        io_light.layer(light.style, LayerKind::kDirection, places_.size()).samples;
+    for (std::size_t i = 0; i < lit_luxels_.size(); ++i) {
+      const std::uint32_t luxel = lit_luxels_[i];
+      math::Vec3 toward = light.is_beam ? light.source : glm::normalize(light.source - places_[luxel]);
+      const float facing = glm::dot(toward, flat_normal_);
+      if (is_lit_behind_ && facing < 0) toward -= flat_normal_ * (2 * facing);
+      sums[luxel] += toward * max_channel(arriving_[i]);
+    }
   }
 
   // By luxel, the share of a light that dirt leaves; empty: all. Valid until the next call.

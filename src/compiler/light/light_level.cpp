@@ -31,15 +31,16 @@
 #include "compiler/light/sources/switchable_styles.h"
 #include "formats/bspx/face_normals.h"
 #include "formats/bspx/hdr_light.h"
+#include "formats/bspx/light_directions.h"
 #include "formats/levels/entities.h"
 
 namespace temblor::compiler {
 namespace {
 
 constexpr const char* kColoredLump = "RGBLIGHTING";
-// Lumps of earlier light. That of directions would not fit the new light.
-constexpr std::array<std::string_view, 4> kReplacedLumps = {kColoredLump, formats::kLightGridLump,
-                                                            formats::kFaceNormalsLump, "LIGHTINGDIR"};
+// Lumps of earlier light.
+constexpr std::array<std::string_view, 3> kReplacedLumps = {kColoredLump, formats::kLightGridLump,
+                                                            formats::kFaceNormalsLump};
 
 // Everything that is known before the first ray is traced.
 struct PreparedLight {
@@ -66,6 +67,7 @@ LightSettings read_settings(const std::vector<formats::Entity>& entities, const 
   settings.dirt.is_forbidden = options.fast || options.dirt == false;
   settings.min_light_dirt = settings.min_light_dirt && !settings.dirt.is_forbidden;
   settings.has_hdr = options.hdr;
+  settings.has_directions = options.directions;
   return settings;
 }
 
@@ -281,6 +283,7 @@ LightSummary store_light(const PreparedLight& prepared, const LightOptions& opti
     return std::ranges::find(kReplacedLumps, lump.name) != kReplacedLumps.end();
   });
   formats::set_hdr_light(packed.hdr, io_bsp);
+  formats::set_light_directions(packed.directions, io_bsp);
   if (options.face_normals) formats::set_face_normals(make_face_normals(prepared.lit), io_bsp);
   if (packed.colored) set_colored_lump(packed.lit, io_bsp);
   if (grid != nullptr)
@@ -303,7 +306,7 @@ LightCache make_empty_cache(const PreparedLight& prepared, formats::Bsp unlit_bs
   LightCache cache;
   cache.geometry = hash_geometry(std::move(unlit_bsp), prepared.lit, options);
   cache.dirt = hash_dirt(prepared.settings.dirt);
-  cache.sky = hash_sky(prepared.beams, prepared.settings.range);
+  cache.sky = hash_sky(prepared.beams, prepared.settings);
   for (const LightSource& light : prepared.lights) cache.lights.push_back(light.origin_world);
   return cache;
 }

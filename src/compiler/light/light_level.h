@@ -44,6 +44,7 @@ struct LightOptions {
   int sky_rays = 128;                      // at most this many directions for a sky dome or a sun's penumbra
   bool hdr = false;                        // write LIGHTING_E5BGR9
   bool face_normals = false;               // write FACENORMALS
+  bool directions = false;                 // write LIGHTINGDIR
   std::optional<math::Vec3> grid_step{};   // units between the samples of a light grid; nothing: no grid
   std::optional<formats::Palette> palette{};  // for _bouncecolorscale and tinted glass
 };
@@ -58,9 +59,9 @@ struct LightSummary {
 
 // Lights a level: sets styles and light_offset of every face, `lighting`, RGBLIGHTING if any light has a
 // color, LMSHIFT or DECOUPLED_LM for light maps of other resolutions (faces/light_maps.h), and
-// LIGHTGRID_OCTREE, LIGHTING_E5BGR9, and FACENORMALS if the options ask for them. Replaces any earlier light.
-// Writes the "style" of switchable lights into the entity text. Visibility makes this faster, but does not
-// change the result; neither does the number of threads.
+// LIGHTGRID_OCTREE, LIGHTING_E5BGR9, LIGHTINGDIR, and FACENORMALS if the options ask for them. Replaces any
+// earlier light. Writes the "style" of switchable lights into the entity text. Visibility makes this faster,
+// but does not change the result; neither does the number of threads.
 //
 // Fails if the entity text does not parse, if faces are invalid, if `progress` stops it (kUsage), or if
 // Embree is missing or out of memory; level and cache are then unchanged.

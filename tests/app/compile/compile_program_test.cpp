@@ -10,6 +10,7 @@
 
 #include "app/program.h"
 #include "artgen/palette.h"
+#include "formats/bspx/light_directions.h"
 #include "formats/images/png.h"
 #include "formats/levels/pts.h"
 #include "support/game_data.h"
@@ -115,6 +116,31 @@ TEST_F(CompileProgram, WritesLumpsForNewerEngines) {
   ASSERT_EQ(run_program(folder_.path(), {"compile", "room.bsp", "--only", "light", "--hdr"}).exit_status, 0);
   EXPECT_NE(read_level("room.bsp").find_bspx("BRUSHLIST"), nullptr);
   EXPECT_NE(read_level("room.bsp").find_bspx("LIGHTING_E5BGR9"), nullptr);
+}
+
+TEST_F(CompileProgram, WritesDirectionsOfLightBesideTheLevel) {
+  folder_.write("room.map", lit_room());
+  const auto lux_path = folder_.path() / "room.lux";
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map", "--lux"}).exit_status, 0);
+  const auto directions = formats::read_lux(read_file(lux_path)).value();
+  EXPECT_EQ(directions, formats::read_light_directions(read_level("room.bsp")).value());
+  EXPECT_FALSE(directions.empty());
+  const ProgramRun inspected = run_program(folder_.path(), {"inspect", "--json", "room.bsp"});
+  EXPECT_EQ(nlohmann::json::parse(inspected.out).at("light directions"), directions.size() / 3);
+  const std::string first = read_text(folder_.path() / "room.bsp");
+  // Another stage keeps them, and so does a level without its lump.
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.bsp", "--only", "vis"}).exit_status, 0);
+  EXPECT_EQ(read_text(folder_.path() / "room.bsp"), first);
+  formats::Bsp bare = read_level("room.bsp");
+  formats::set_light_directions({}, bare);
+  folder_.write("room.bsp", formats::write_bsp(bare, bare.version).value());
+  std::filesystem::remove(folder_.path() / "room.build");
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.bsp", "--only", "vis"}).exit_status, 0);
+  EXPECT_EQ(formats::read_light_directions(read_level("room.bsp")).value(), directions);
+  // Without the option they disappear.
+  ASSERT_EQ(run_program(folder_.path(), {"compile", "room.map"}).exit_status, 0);
+  EXPECT_FALSE(std::filesystem::exists(lux_path));
+  EXPECT_EQ(read_level("room.bsp").find_bspx("LIGHTINGDIR"), nullptr);
 }
 
 TEST_F(CompileProgram, ReportsAMissingLightLibraryAtOnce) {

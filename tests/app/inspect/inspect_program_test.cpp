@@ -9,6 +9,7 @@
 #include "formats/archives/pak.h"
 #include "formats/archives/pk3.h"
 #include "formats/archives/wad.h"
+#include "formats/bspx/light_directions.h"
 #include "formats/images/picture.h"
 #include "formats/images/wad3_texture.h"
 #include "formats/levels/entities.h"
@@ -132,6 +133,12 @@ TEST_F(InspectProgram, Md3Models) {
 TEST_F(InspectProgram, LightAndEntities) {
   const formats::Lit lit{std::vector<std::uint8_t>(3 * 77)};
   EXPECT_EQ(inspect("x.lit", formats::write_lit(lit)).at("light samples"), 77);
+  const std::vector<std::uint8_t> vectors{128, 128, 255, 128, 128, 0}, too_short{128, 128, 128};
+  const json directions = inspect("x.lux", formats::write_lux(vectors));
+  EXPECT_EQ(directions.at("format"), "light directions");
+  EXPECT_EQ(directions.at("light directions"), 2);
+  EXPECT_THAT(directions.at("problems"), ::testing::IsEmpty()) << "byte 0 is nearly -1";
+  EXPECT_EQ(inspect("y.lux", formats::write_lux(too_short)).at("problems").size(), 1u);
   const json level = inspect("x.vis", vis_patch_bytes("e1m1.bsp", {1, 2, 3, 4, 5}, {-1})).at("levels").at(0);
   EXPECT_EQ(level.at("level"), "e1m1.bsp");
   EXPECT_EQ(level.at("leaves"), 1);

@@ -115,7 +115,7 @@ LitResult light_in_all_ways(const std::string& world_keys, const std::string& en
   bsp.entities.insert(bsp.entities.find('}'),
                       world_keys + " \"_bounce\" \"1\" \"_dirt\" \"1\" \"_sunlight\" \"100\"");
   bsp.entities += "{ \"classname\" \"light\" \"origin\" \"0 0 64\" \"_color\" \"1 0.5 0\" }" + entities;
-  const compiler::LightOptions options{.sky_rays = 8};
+  const compiler::LightOptions options{.sky_rays = 8, .directions = true};
   LitResult once = light(bsp, options);
   EXPECT_EQ(light(bsp, options, 3).bsp, once.bsp);
   compiler::LightCache cache;

@@ -9,16 +9,18 @@
 
 namespace temblor::compiler {
 
-// How a layer joins the others, in this order: sums, then minimum lights, then negative lights. kBounceMore
-// is not shown: faces send it back in addition to the sum (negative: they send back less).
-enum class LayerKind : std::uint8_t { kAdd, kRaise, kSubtract, kBounceMore };
-constexpr LayerKind kLastLayerKind = LayerKind::kBounceMore;
+// How a layer joins the others, in this order: sums, then minimum lights, then negative lights. Two kinds are
+// not shown. kBounceMore: faces send it back in addition to the sum (negative: they send back less).
+// kDirection: the sum over all lights of brightness * unit vector toward the light, in the world's space;
+// only with LightSettings::has_directions.
+enum class LayerKind : std::uint8_t { kAdd, kRaise, kSubtract, kBounceMore, kDirection };
+constexpr LayerKind kLastLayerKind = LayerKind::kDirection;
 
 // The light of one style and kind on a face.
 struct LightLayer {
   std::uint8_t style = 0;
   LayerKind kind = LayerKind::kAdd;
-  std::vector<math::Vec3> samples;  // by luxel, red, green and blue
+  std::vector<math::Vec3> samples;  // by luxel, red, green and blue; kDirection: x, y and z
   bool operator==(const LightLayer&) const = default;
 };
 

@@ -1,10 +1,10 @@
 #include "compiler/light/faces/face_normals.h"
 
 #include <array>
-#include <cmath>
 #include <map>
 
 #include "base/hash.h"
+#include "compiler/light/faces/face_frame.h"
 #include "compiler/light/faces/phong.h"
 #include "world/face_at.h"
 
@@ -29,16 +29,6 @@ class VectorTable {
   std::vector<math::Vec3> vectors_;
 };
 
-// Returns the part of an axis that is perpendicular to the normal, with length 1. If there is none, any
-// perpendicular direction.
-math::Vec3d make_perpendicular(const math::Vec3d& axis, const math::Vec3d& normal) {
-  constexpr double kNone = 1e-6;
-  math::Vec3d across = axis - normal * glm::dot(axis, normal);
-  if (glm::length(across) <= kNone * glm::length(axis) || glm::length(axis) == 0)
-    across = glm::cross(normal, std::abs(normal.z) < 0.9 ? math::Vec3d(0, 0, 1) : math::Vec3d(1, 0, 0));
-  return glm::normalize(across);
-}
-
 }  // namespace
 
 formats::FaceNormals make_face_normals(const LitLevel& lit) {
@@ -52,10 +42,10 @@ formats::FaceNormals make_face_normals(const LitLevel& lit) {
     const math::Vec3d flat(world::compute_face_plane(level, face).normal);
     const std::span<const math::Vec3d> curved = phong.corners(number);
     for (std::size_t i = 0; i < face.surfedge_count; ++i) {
-      const math::Vec3d normal = curved.empty() ? flat : curved[i];
-      normals.corners.push_back({table.add(normal),
-                                 table.add(make_perpendicular(math::Vec3d(axes.s_axis), normal)),
-                                 table.add(make_perpendicular(math::Vec3d(axes.t_axis), normal))});
+      const FaceFrame frame = make_face_frame(axes, curved.empty() ? flat : curved[i]);
+      // The order of these calls decides about the numbers, so it must not be left to the compiler.
+      const std::uint32_t normal = table.add(frame.normal), tangent = table.add(frame.tangent);
+      normals.corners.push_back({normal, tangent, table.add(frame.bitangent)});
     }
   }
   normals.vectors = std::move(table).take();

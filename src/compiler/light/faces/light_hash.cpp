@@ -73,8 +73,8 @@ std::uint64_t hash_dirt(const DirtSettings& settings) {
   return hash;
 }
 
-std::uint64_t hash_sky(std::span<const SkyBeam> beams, float range) {
-  std::uint64_t hash = base::float_bits(range);
+std::uint64_t hash_sky(std::span<const SkyBeam> beams, const LightSettings& settings) {
+  std::uint64_t hash = base::hash_with(base::float_bits(settings.range), settings.has_directions ? 1 : 0);
   for (const SkyBeam& beam : beams) {
     hash = with_vector(with_vector(hash, beam.toward_sky), beam.color);
     for (const float number : {beam.value, beam.angle_scale})
@@ -97,8 +97,9 @@ std::uint64_t hash_light_input(const formats::Bsp& unlit_bsp, const FaceKeys& fa
   hash = base::hash_with(hash, static_cast<std::uint32_t>(options.soft));
   if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   if (options.grid_step) hash = with_vector(hash, *options.grid_step);
-  if (options.hdr || options.face_normals)
-    hash = base::hash_with(hash, (options.hdr ? 1u : 0u) + (options.face_normals ? 2u : 0u));
+  if (options.hdr || options.face_normals || options.directions)
+    hash = base::hash_with(
+        hash, (options.hdr ? 1u : 0u) + (options.face_normals ? 2u : 0u) + (options.directions ? 4u : 0u));
   return hash;
 }
 

@@ -24,7 +24,7 @@ std::uint64_t hash_light_input(const formats::Bsp& unlit_bsp, const FaceKeys& fa
 std::uint64_t hash_geometry(formats::Bsp unlit_bsp, const LitLevel& lit, const LightOptions& options);
 // A hash of the dirt settings.
 std::uint64_t hash_dirt(const DirtSettings& settings);
-// A hash of the sky's light before dirt. `range`: that of LightSettings.
-std::uint64_t hash_sky(std::span<const SkyBeam> beams, float range);
+// A hash of the sky's light before dirt, and of whether its directions are kept.
+std::uint64_t hash_sky(std::span<const SkyBeam> beams, const LightSettings& settings);
 
 }  // namespace temblor::compiler

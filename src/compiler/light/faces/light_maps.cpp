@@ -3,7 +3,7 @@
 //   face 0: style 0 [w * h bytes] style 32 [w * h bytes] | face 1: style 0 [w * h bytes] | ...
 //           ^ light_offset of face 0                       ^ light_offset of face 1
 //
-// The .lit file and RGBLIGHTING have three bytes for each of these, in the same order.
+// The .lit file, RGBLIGHTING, and LIGHTINGDIR have three bytes for each of these, in the same order.
 #include "compiler/light/faces/light_maps.h"
 
 #include <fmt/format.h>
@@ -18,6 +18,7 @@
 
 #include "base/bytes.h"
 #include "compiler/light/faces/light_bytes.h"
+#include "compiler/light/faces/light_directions.h"
 #include "compiler/light/faces/min_light.h"
 #include "compiler/light/faces/soften.h"
 #include "formats/bspx/hdr_light.h"
@@ -34,12 +35,14 @@ struct StyledSamples {
   std::uint8_t style = 0;
   std::vector<std::uint8_t> rgb, gray;
   std::vector<std::uint32_t> hdr;
+  std::vector<std::uint8_t> directions;
   std::size_t brightness = 0;  // sum of all rgb
 };
 
-// The summed light of one style.
-std::vector<math::Vec3> find_sum(const FaceLight& light, std::uint8_t style, std::size_t luxels) {
-  const LightLayer* sum = light.find(style, LayerKind::kAdd);
+// The summed light of one style, or its directions.
+std::vector<math::Vec3> find_sum(const FaceLight& light, std::uint8_t style, LayerKind kind,
+                                 std::size_t luxels) {
+  const LightLayer* sum = light.find(style, kind);
   return sum != nullptr ? sum->samples : std::vector<math::Vec3>(luxels, math::Vec3(0.0f));
 }
 
@@ -53,13 +56,27 @@ math::Vec3 apply_brush_limits(const SurfaceKeys& keys, math::Vec3 light) {
   return glm::mix(math::Vec3(max_channel(light)), light, keys.light_color_scale);
 }
 
+// Directions of the light of one style. `shown`: that light with all layers joined.
+std::vector<std::uint8_t> pack_style_directions(const LitLevel& lit, const PackRules& rules, std::size_t map,
+                                                const FaceLight& light, const LightLayer& shown) {
+  const LightMapShape& shape = lit.maps[map];
+  std::vector<math::Vec3> sums = find_sum(light, shown.style, LayerKind::kDirection, shape.size());
+  std::vector<math::Vec3> directed = find_sum(light, shown.style, LayerKind::kAdd, shape.size());
+  soften(rules.soft, shape.width, shape.height, sums);
+  soften(rules.soft, shape.width, shape.height, directed);
+  std::vector<float> undirected;
+  for (std::size_t i = 0; i < directed.size(); ++i)
+    undirected.push_back(std::max(0.0f, max_channel(shown.samples[i]) - max_channel(directed[i])));
+  return pack_light_directions(lit, shape.face, sums, undirected);
+}
+
 // Joins the layers of one style and converts the result to bytes.
 StyledSamples pack_style(const LitLevel& lit, const PackRules& rules, std::size_t map, const FaceLight& light,
                          std::uint8_t style) {
   const LightMapShape& shape = lit.maps[map];
   const SurfaceKeys& keys = lit.surface_keys(shape.face);
   const std::size_t luxels = shape.size();
-  std::vector<math::Vec3> samples = find_sum(light, style, luxels);
+  std::vector<math::Vec3> samples = find_sum(light, style, LayerKind::kAdd, luxels);
   if (style == 0) add_min_light(lit, rules.settings, map, light, samples);
   if (const LightLayer* raise = light.find(style, LayerKind::kRaise))
     for (std::size_t i = 0; i < luxels; ++i) samples[i] = glm::max(samples[i], raise->samples[i]);
@@ -79,6 +96,9 @@ StyledSamples pack_style(const LitLevel& lit, const PackRules& rules, std::size_
       result.hdr.push_back(formats::pack_e5bgr9(
           scale_to_steps(rules.settings, apply_brush_limits(keys, sample)) * formats::kHdrPerGrayStep));
   }
+  if (rules.settings.has_directions)
+    result.directions =
+        pack_style_directions(lit, rules, map, light, {style, LayerKind::kAdd, std::move(samples)});
   return result;
 }
 
@@ -126,6 +146,8 @@ MapPlace append(const FaceStyles& map, formats::Bsp& io_bsp, PackedLight& io_pac
     io_bsp.lighting.insert(io_bsp.lighting.end(), samples.gray.begin(), samples.gray.end());
     io_packed.lit.samples.insert(io_packed.lit.samples.end(), samples.rgb.begin(), samples.rgb.end());
     io_packed.hdr.insert(io_packed.hdr.end(), samples.hdr.begin(), samples.hdr.end());
+    io_packed.directions.insert(io_packed.directions.end(), samples.directions.begin(),
+                                samples.directions.end());
   }
   return place;
 }

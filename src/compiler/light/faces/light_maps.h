@@ -19,8 +19,9 @@ namespace temblor::compiler {
 struct PackedLight {
   std::size_t lit_faces = 0, dark_faces = 0;
   bool colored = false;
-  std::vector<std::uint32_t> hdr;  // for each gray sample; empty unless settings.has_hdr
-  formats::Lit lit;                // red, green and blue for each gray sample, even if all are gray
+  std::vector<std::uint32_t> hdr;        // for each gray sample; empty unless settings.has_hdr
+  std::vector<std::uint8_t> directions;  // three for each gray sample; empty unless settings.has_directions
+  formats::Lit lit;                      // red, green and blue for each gray sample, even if all are gray
 };
 
 // How light becomes bytes.

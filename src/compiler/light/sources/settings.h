@@ -41,8 +41,9 @@ struct LightSettings {
   int light_map_texels = 0;          // _lightmap_scale: between luxels, of all faces; 0: not given
   DirtSettings dirt;
   BounceSettings bounce;
-  bool has_hdr = false;       // also pack light without an upper limit (--hdr)
-  float units_per_luxel = 0;  // _world_units_per_luxel, for brushes without their own; 0: off
+  bool has_hdr = false;         // also pack light without an upper limit (--hdr)
+  bool has_directions = false;  // also sum up where light comes from (--lux)
+  float units_per_luxel = 0;    // _world_units_per_luxel, for brushes without their own; 0: off
 };
 
 // Reads the settings; missing or invalid keys keep their defaults.
