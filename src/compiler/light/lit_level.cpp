@@ -88,7 +88,7 @@ AlphaMask make_alpha_mask(const LitLevel& lit, std::size_t number,
   mask.model = lit.model_of_face[number];
   mask.receivers = find_shadow_receivers(keys);
   mask.channels = keys.channels;
-  mask.switch_style = lit.switch_style_of_model[mask.model];
+  mask.switch_style = lit.switch_style(number);
   return mask;
 }
 
@@ -110,7 +110,7 @@ void add_occluder(const LitLevel& lit, std::size_t number, std::uint32_t first_v
   const world::Level& level = *lit.level;
   const world::Face& face = level.faces[number];
   const SurfaceKeys& keys = lit.surface_keys(number);
-  const bool is_switchable = lit.switch_style_of_model[lit.model_of_face[number]] != 0;
+  const bool is_switchable = lit.switch_style(number) != 0;
   const world::TextureKind kind = level.texture(face.texture).kind;
   if (kind == world::TextureKind::kSky) {
     if (lit.model_of_face[number] != 0) return;
@@ -199,6 +199,7 @@ base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys) {
       lit.model_of_face[faces.first_face + i] = static_cast<std::uint32_t>(model);
   }
   read_models(lit);
+  lit.switch_style_of_keys = find_detail_shadow_styles(level.entities, lit.keys);
   lit.maps = make_light_map_shapes(level, lit.keys, lit.gets_light, lit.too_fine_faces);
   return lit;
 }

@@ -2,6 +2,7 @@
 // level starts.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -27,12 +28,17 @@ struct LitLevel {
   std::vector<math::Vec3> center_of_model;   // by model: where _autominlight measures light
   // By model: the style of its switchable shadow (sources/switchable_styles.h); 0: none.
   std::vector<std::uint8_t> switch_style_of_model;
-  std::vector<bool> gets_light;               // by face
-  std::vector<LightMapShape> maps;            // all grids of luxels
+  std::vector<std::uint8_t> switch_style_of_keys;  // the same of detail brushes, by entry of keys.keys
+  std::vector<bool> gets_light;                    // by face
+  std::vector<LightMapShape> maps;                 // all grids of luxels
   std::vector<std::uint32_t> too_fine_faces;  // whose own grid is left out, because it has too many luxels
 
   // The light options of a face's brush.
   const SurfaceKeys& surface_keys(std::size_t face) const { return keys.keys[keys.of_face[face]]; }
+  // The style of the face's switchable shadow; 0: none.
+  std::uint8_t switch_style(std::size_t face) const {
+    return std::max(switch_style_of_model[model_of_face[face]], switch_style_of_keys[keys.of_face[face]]);
+  }
   const math::Vec3& model_offset(std::size_t face) const { return offset_of_model[model_of_face[face]]; }
   // Whether light from behind reaches a face: a liquid, or as _light_twosided says.
   bool takes_light_behind(std::size_t face) const;

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "compiler/light/sources/keys.h"
+#include "compiler/light/sources/switchable_styles.h"
 
 namespace temblor::compiler {
 namespace {
@@ -116,6 +117,9 @@ SurfaceKeys read_surface_keys(const formats::Entity& entity) {
   keys.light_alpha = std::clamp(alpha, 0.0f, 1.0f);
   read_light_limits(entity, keys);
   read_surface_light_keys(entity, keys);
+  // A cut name would be another one, so longer names are none.
+  const std::string name = find_detail_shadow_name(entity);
+  if (name.size() <= keys.shadow_name.size()) std::copy(name.begin(), name.end(), keys.shadow_name.begin());
   return keys;
 }
 

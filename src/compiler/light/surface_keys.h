@@ -16,6 +16,8 @@ namespace temblor::compiler {
 // The name of a texture in lower case, padded with zeros.
 using TextureKey = std::array<std::uint8_t, 16>;
 TextureKey make_texture_key(std::string_view texture);
+// A name of lights or shadows (sources/switchable_styles.h), padded with zeros; all zeros: none.
+using ShadowName = std::array<std::uint8_t, 64>;
 
 // The options of a brush for the light on its faces. They apply to worldspawn, func_group, func_detail and
 // brush entities alike. A .bsp cannot store it. The names are those of the keys in the .map: _phong,
@@ -53,7 +55,8 @@ struct SurfaceKeys {
   float light_map_scale = 1;
   // _world_units_per_luxel: luxels lie on the plane, not on the texture. 0: as worldspawn says; below 0: off.
   float units_per_luxel = 0;
-  float light_alpha = 1;  // _light_alpha: the share of light that a face stops
+  float light_alpha = 1;     // _light_alpha: the share of light that a face stops
+  ShadowName shadow_name{};  // of a detail brush whose shadow can be switched
   bool operator==(const SurfaceKeys&) const = default;
 };
 
@@ -72,6 +75,7 @@ void visit_fields(Keys& keys, const Visit& visit) {
   visit(keys.surface_light_group), visit(keys.surface_light_style);
   for (auto& part : keys.surface_light_color) visit(part);
   visit(keys.light_map_scale), visit(keys.units_per_luxel), visit(keys.light_alpha);
+  for (auto& letter : keys.shadow_name) visit(letter);
 }
 
 // Reads the keys of worldspawn, a func_group, a func_detail or a brush entity. Unknown keys and values that

@@ -17,7 +17,7 @@ namespace {
 // Hands out styles by name.
 class StyleNames {
  public:
-  explicit StyleNames(const std::vector<formats::Entity>& entities) {
+  explicit StyleNames(std::span<const formats::Entity> entities) {
     constexpr float kEnd = 64;
     for (const formats::Entity& entity : entities) {
       if (entity.classname() != "worldspawn") continue;
@@ -35,6 +35,12 @@ class StyleNames {
       found = names_.insert(names_.end(), name);
     }
     return first_ + static_cast<int>(found - names_.begin());
+  }
+  // The style of a name that has one.
+  std::optional<int> find_known(std::string_view name) const {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    return found == names_.end() ? std::nullopt
+                                 : std::optional(first_ + static_cast<int>(found - names_.begin()));
   }
   int capacity() const { return std::max(0, end_ - first_); }
 
@@ -58,20 +64,28 @@ bool set_style(std::string_view key, int number, formats::Entity& io_entity) {
 }
 
 // The name that decides about the style of a shadow. A targetname of shadows is not one of lights; only
-// _switchableshadow_target refers to those. Shadows without a name have a style of their own.
-std::string find_shadow_name(const formats::Entity& entity, std::size_t number) {
+// _switchableshadow_target refers to those. Empty without a name.
+std::string find_shadow_name(const formats::Entity& entity) {
   if (const auto target = entity.find("_switchableshadow_target"); target && !target->empty())
     return std::string(*target);
   const std::string_view name = entity.find("targetname").value_or("");
-  return name.empty() ? fmt::format("\"shadow {}", number) : fmt::format("\"shadow of {}", name);
+  return name.empty() ? std::string() : fmt::format("\"shadow of {}", name);
+}
+// The same; brush entities without a name have one, and so a style, of their own.
+std::string find_shadow_name(const formats::Entity& entity, std::size_t number) {
+  const std::string name = find_shadow_name(entity);
+  return name.empty() ? fmt::format("\"shadow {}", number) : name;
+}
+
+bool asks_for_switchable_shadow(const formats::Entity& entity) {
+  return read_number_or(entity, "switchableshadow", 0) > 0 ||
+         !entity.find("_switchableshadow_target").value_or("").empty();
 }
 
 }  // namespace
 
 bool has_switchable_shadow(const formats::Entity& entity) {
-  return entity.find("model").value_or("").starts_with('*') &&
-         (read_number_or(entity, "switchableshadow", 0) > 0 ||
-          !entity.find("_switchableshadow_target").value_or("").empty());
+  return entity.find("model").value_or("").starts_with('*') && asks_for_switchable_shadow(entity);
 }
 
 bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warnings& io_warnings) {
@@ -100,6 +114,29 @@ bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warning
                        names.capacity())});
   }
   return changed;
+}
+
+std::string find_detail_shadow_name(const formats::Entity& entity) {
+  return entity.classname().starts_with("func_detail") && asks_for_switchable_shadow(entity)
+             ? find_shadow_name(entity)
+             : std::string();
+}
+
+// Names the lights and shadows in the same order as assign_switchable_styles() does.
+std::vector<std::uint8_t> find_detail_shadow_styles(std::span<const formats::Entity> entities,
+                                                    const FaceKeys& keys) {
+  StyleNames names(entities);
+  for (const formats::Entity& entity : entities)
+    if (const std::string name(entity.find("targetname").value_or("")); is_light(entity) && !name.empty())
+      names.find_style(name);
+  for (std::size_t i = 0; i < entities.size(); ++i)
+    if (has_switchable_shadow(entities[i])) names.find_style(find_shadow_name(entities[i], i));
+  std::vector<std::uint8_t> styles;
+  for (const SurfaceKeys& own : keys.keys) {
+    const std::string name(own.shadow_name.begin(), std::ranges::find(own.shadow_name, 0));
+    styles.push_back(static_cast<std::uint8_t>(name.empty() ? 0 : names.find_known(name).value_or(0)));
+  }
+  return styles;
 }
 
 }  // namespace temblor::compiler

@@ -1,8 +1,12 @@
 // Light styles that the game switches: of lights with a targetname, and of brushes with a switchable shadow.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "compiler/light/surface_keys.h"
 #include "compiler/report.h"
 #include "formats/levels/entities.h"
 
@@ -17,5 +21,15 @@ bool has_switchable_shadow(const formats::Entity& entity);
 // a light, that light's. worldspawn's _compilerstyle_start and _compilerstyle_max (32, 64) bound the styles.
 // Returns whether an entity changed. Names without a style that is left keep theirs, with a warning.
 bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warnings& io_warnings);
+
+// The name of a func_detail's switchable shadow; empty without one. Such a brush is part of the world, so no
+// entity can tell game code its style. It shares that of a light (_switchableshadow_target) or of a brush
+// entity (_switchableshadow with the same targetname).
+std::string find_detail_shadow_name(const formats::Entity& entity);
+
+// Returns the style of each entry of keys.keys; 0: its shadow cannot be switched, also because nothing in the
+// level has its name. `entities`: with any or without styles.
+std::vector<std::uint8_t> find_detail_shadow_styles(std::span<const formats::Entity> entities,
+                                                    const FaceKeys& keys);
 
 }  // namespace temblor::compiler

@@ -54,6 +54,34 @@ TEST(SwitchableShadows, SunIsSwitchedToo) {
   EXPECT_EQ(light_at(*level, Vec3d(96, 0, 0), 32), 0);
 }
 
+// A detail brush shares the style of a light or of a brush entity.
+TEST(SwitchableShadows, DetailSharesTheStyleOfAName) {
+  const auto detail = [](std::string_view keys) {
+    return box_entity(keys, {-32, -32, 100}, {32, 32, 108}, "wood", "func_detail");
+  };
+  const auto open = lit_map(key_room(lamp()));
+  const Vec3d below(0, 0, 0);
+  const std::string other_lamp =
+      "{ 'classname' 'light' 'origin' '120 120 8' 'light' '8' 'targetname' 'lamp' }";
+  const auto with_lamp = lit_map(key_room(lamp() + other_lamp + detail("'_switchableshadow_target' 'lamp'")));
+  EXPECT_EQ(light_at(*with_lamp, below), 0);
+  EXPECT_NEAR(light_at(*with_lamp, below, 32), light_at(*open, below), 1);
+  const std::string wall =
+      box_entity("'_switchableshadow' '1' 'targetname' 'wall'", {96, 96, 100}, {112, 112, 108});
+  const auto with_wall =
+      lit_map(key_room(lamp() + wall + detail("'_switchableshadow' '1' 'targetname' 'wall'")));
+  EXPECT_EQ(light_at(*with_wall, below), 0);
+  EXPECT_NEAR(light_at(*with_wall, below, 32), light_at(*open, below), 1);
+  // Without anything that game code could switch, the shadow is an ordinary one.
+  for (const char* keys : {"'_switchableshadow' '1'", "'_switchableshadow_target' 'nothing'",
+                           "'_switchableshadow' '1' 'targetname' 'lamp'"}) {
+    const auto level = lit_map(key_room(lamp() + other_lamp + detail(keys)));
+    EXPECT_EQ(light_at(*level, below), 0) << keys;
+    EXPECT_EQ(light_at(*level, below, 32), 0) << keys;
+    EXPECT_EQ(light_at(*level, below, 33), 0) << keys;
+  }
+}
+
 // Both would have to be off for light to pass, which no sum of styles can express.
 TEST(SwitchableShadows, BehindTwoOfDifferentStylesItIsDark) {
   const std::string lower = box_entity("'_switchableshadow' '1'", {-64, -32, 60}, {32, 32, 68});
