@@ -39,6 +39,7 @@ struct NodeGrid {
   std::uint32_t first_node = 0;
   int columns = 0, rows = 0;  // in nodes; 0: the face gets no light
   int width = 0, height = 0;  // in luxels
+  bool gets_light_behind = false;
 
   std::uint32_t node(int column, int row) const {
     return first_node + static_cast<std::uint32_t>(row * columns + column);
@@ -69,8 +70,12 @@ BouncedWorld lay_nodes(const LitLevel& lit) {
     if (!lit.gets_light[face]) continue;
     const world::Face& shape = level.faces[face];
     NodeGrid& grid = bounced.grids[face];
-    grid = {static_cast<std::uint32_t>(bounced.face_of_node.size()), count_nodes_along(shape.light_width()),
-            count_nodes_along(shape.light_height()), shape.light_width(), shape.light_height()};
+    grid = {static_cast<std::uint32_t>(bounced.face_of_node.size()),
+            count_nodes_along(shape.light_width()),
+            count_nodes_along(shape.light_height()),
+            shape.light_width(),
+            shape.light_height(),
+            lit.takes_light_behind(face)};
     bounced.face_of_node.insert(bounced.face_of_node.end(),
                                 static_cast<std::size_t>(grid.columns * grid.rows),
                                 static_cast<std::uint32_t>(face));
@@ -144,6 +149,15 @@ std::vector<math::Vec3> move_off_edges(const LightGrid& grid, std::vector<math::
   return places;
 }
 
+// The direction of a ray. A face that gets light from both sides, as liquids do, looks to each with half of
+// the rays.
+math::Vec3 find_ray_direction(const NodeGrid& grid, const Frame& frame, int ray) {
+  if (!grid.gets_light_behind) return in_frame(frame, cosine_direction(ray, kRays));
+  math::Vec3 direction = cosine_direction(ray / 2, kRays / 2);
+  if (ray % 2 == 1) direction.z = -direction.z;
+  return in_frame(frame, direction);
+}
+
 // Traces the rays of a face: kRays node numbers for each of its nodes.
 void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& bounced, std::size_t face,
                 std::vector<std::uint32_t>& out_seen) {
@@ -162,7 +176,7 @@ void trace_face(const LitLevel& lit, const RayScene& scene, const BouncedWorld& 
   std::vector<math::Vec3> directions(places.size());
   std::vector<RayHit> hits(places.size());
   for (int ray = 0; ray < kRays; ++ray) {
-    std::fill(directions.begin(), directions.end(), in_frame(frame, cosine_direction(ray, kRays)));
+    std::fill(directions.begin(), directions.end(), find_ray_direction(nodes, frame, ray));
     scene.find_nearest(places, directions, kFar, hits);
     for (std::size_t i = 0; i < places.size(); ++i) {
       std::uint32_t seen = samples.is_hidden(i) ? kHiddenNode : kNoNode;
@@ -303,7 +317,7 @@ std::vector<math::Vec3> gather_light(const BouncedWorld& bounced, std::span<cons
         math::Vec3 sum(0.0f);
         for (std::size_t ray = 0; ray < kRays; ++ray)
           if (const std::uint32_t from = seen[node * kRays + ray]; from < kHiddenNode) sum += sent[from];
-        gathered_now[node] = sum / float{kRays};
+        gathered_now[node] = sum / static_cast<float>(grid.gets_light_behind ? kRays / 2 : kRays);
       }
       fill_hidden(grid.columns, grid.rows, std::span(hidden).subspan(grid.first_node, last - grid.first_node),
                   std::span(gathered_now).subspan(grid.first_node, last - grid.first_node));

@@ -55,6 +55,34 @@ TEST(LightBounce, FurnaceHasTheSumOfAllBounces) {
     }
 }
 
+// Both faces of a water surface, which are lit from both sides, get the same.
+TEST(LightBounce, LiquidsGetItFromBothSides) {
+  const std::string room = entity_text("worldspawn", "\"_bounce\" \"%\"",
+                                       walls_text({-96, -96, 0}, {96, 96, 192}, "stone") +
+                                           box_text({-96, -96, 0}, {96, 96, 64}, "*water")) +
+                           // Much nearer to the bottom than to the ceiling.
+                           entity_text("light", "\"origin\" \"0 0 30\"\n\"light\" \"150\"") +
+                           point_text("info_player_start", {0, 0, 100});
+  const auto with_bounces = [&](const char* count) {
+    std::string text = room;
+    return lit_map(text.replace(text.find('%'), 1, count));
+  };
+  const auto direct = with_bounces("0"), bounced = with_bounces("4");
+  double above = 0, below = 0;
+  for (int x = -64; x <= 64; x += 32)
+    for (int y = -64; y <= 64; y += 32) {
+      const auto find_bounced_part = [&](double side) {
+        const Vec3d place(x, y, 64), normal(0, 0, side);
+        return shown_light(*bounced, face_under(*bounced, place, normal), place).x -
+               shown_light(*direct, face_under(*direct, place, normal), place).x;
+      };
+      above += find_bounced_part(1);
+      below += find_bounced_part(-1);
+    }
+  EXPECT_GT(below, 25 * 10);
+  EXPECT_NEAR(above / below, 1, 0.05);
+}
+
 TEST(LightBounce, ColorsOfTexturesTintEachBounce) {
   formats::Palette palette{};
   palette.fill({51, 102, 255});
