@@ -30,9 +30,10 @@ struct ColorTint {
 
 // How a color is combined with the one below.
 enum class DrawMode : std::uint8_t {
-  kBlend,     // covers it, as far as the opacity says
-  kAdd,       // the sum; the opacity is 1 or 0
-  kMultiply,  // the product of each channel, as far as the opacity says
+  kBlend,          // covers it, as far as the opacity says
+  kAdd,            // the sum; the opacity is 1 or 0
+  kMultiply,       // the product of each channel, as far as the opacity says
+  kMultiplyTwice,  // twice the product, up to 255; half gray changes nothing
 };
 
 struct DrawCommand {

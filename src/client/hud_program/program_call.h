@@ -48,15 +48,16 @@ class ProgramCall : public builtins::Call {
   const Game& game() const { return *program.game; }
 };
 
-// The parameters "vector rgb, float alpha, float flag", of which the first has this number. Flag 1 adds and
-// flag 2 multiplies; other values, or none, blend.
+// The parameters "vector rgb, float alpha, float flag", of which the first has this number. Flag 1 adds, flag
+// 2 multiplies, and flag 3 multiplies twice; other values, or none, blend.
 inline ProgramColor read_color(const ProgramCall& call, int first) {
-  constexpr float kAdditive = 1, kModulate = 2;
+  constexpr float kAdditive = 1, kModulate = 2, kModulateTwice = 3;
   const float flag = call.number_or(first + 2, 0);
   return {call.vector(first), call.number(first + 1),
-          flag == kAdditive   ? render::DrawMode::kAdd
-          : flag == kModulate ? render::DrawMode::kMultiply
-                              : render::DrawMode::kBlend};
+          flag == kAdditive        ? render::DrawMode::kAdd
+          : flag == kModulate      ? render::DrawMode::kMultiply
+          : flag == kModulateTwice ? render::DrawMode::kMultiplyTwice
+                                   : render::DrawMode::kBlend};
 }
 
 // One row of a family's table. Number 0: QuakeC can declare it by name only.

@@ -37,18 +37,23 @@ Clip clip_to_rows(const DrawCommand& command, const FrameBuffer& frame, const Ro
   return command.clip ? intersect(clip, *command.clip) : clip;
 }
 
-// The product of each channel, as a share of 255.
-constexpr std::uint8_t multiply_channel(std::uint32_t a, std::uint32_t b) {
-  return static_cast<std::uint8_t>((a * b + 127) / 255);
+// The product of each channel, as a share of 255, times a factor; up to 255.
+constexpr std::uint8_t multiply_channel(std::uint32_t a, std::uint32_t b, std::uint32_t factor) {
+  return static_cast<std::uint8_t>(std::min((a * b * factor + 127) / 255, 255u));
 }
-formats::Rgb multiply_colors(const formats::Rgb& a, const formats::Rgb& b) {
-  return {multiply_channel(a.r, b.r), multiply_channel(a.g, b.g), multiply_channel(a.b, b.b)};
+formats::Rgb multiply_colors(const formats::Rgb& a, const formats::Rgb& b, std::uint32_t factor) {
+  return {multiply_channel(a.r, b.r, factor), multiply_channel(a.g, b.g, factor),
+          multiply_channel(a.b, b.b, factor)};
 }
-std::uint32_t multiply_rgb(std::uint32_t a, std::uint32_t b) {
+std::uint32_t multiply_rgb(std::uint32_t a, std::uint32_t b, std::uint32_t factor) {
   std::uint32_t out = 0xff000000u;
   for (int shift = 0; shift < 24; shift += 8)
-    out |= std::uint32_t{multiply_channel(a >> shift & 255, b >> shift & 255)} << shift;
+    out |= std::uint32_t{multiply_channel(a >> shift & 255, b >> shift & 255, factor)} << shift;
   return out;
+}
+// 0: the mode does not multiply.
+constexpr std::uint32_t product_factor(DrawMode mode) {
+  return mode == DrawMode::kMultiply ? 1 : mode == DrawMode::kMultiplyTwice ? 2 : 0;
 }
 
 // Writes runs of a palette index to the frame: opaque, blended, added, or multiplied.
@@ -57,7 +62,7 @@ class IndexedPaint {
   IndexedPaint(const DrawCommand& command, const ColorTables& tables)
       : tables_(tables),
         opacity_256_(opacity_256(command.opacity)),
-        multiplies_(command.mode == DrawMode::kMultiply),
+        factor_(product_factor(command.mode)),
         table_(choose_table(command, tables.blends)),
         translation_(command.tint != nullptr ? &command.tint->indices : command.translation) {}
 
@@ -66,7 +71,7 @@ class IndexedPaint {
   }
   void fill(std::uint8_t index, std::uint8_t* first, std::uint8_t* end) const {
     if (translation_ != nullptr) index = (*translation_)[index];
-    if (multiplies_)
+    if (factor_ != 0)
       for (; first != end; ++first) *first = multiply(index, *first);
     else if (table_ == nullptr)
       std::fill(first, end, index);
@@ -85,13 +90,13 @@ class IndexedPaint {
   // The nearest palette entry. No light changes it later, so full-bright ones may be used.
   std::uint8_t multiply(std::uint8_t over, std::uint8_t under) const {
     const formats::Rgb& below = tables_.palette[under];
-    const formats::Rgb product = multiply_colors(tables_.palette[over], below);
+    const formats::Rgb product = multiply_colors(tables_.palette[over], below, factor_);
     return tables_.match(blend_colors(product, below, opacity_256_), true);
   }
 
   const ColorTables& tables_;
   int opacity_256_;
-  bool multiplies_;
+  std::uint32_t factor_;       // of products; 0: none
   const std::uint8_t* table_;  // null: opaque
   const ColorTranslation* translation_;
 };
@@ -101,7 +106,7 @@ class RgbPaint {
   RgbPaint(const DrawCommand& command, const ColorTables& tables)
       : opacity_256_(opacity_256(command.opacity)),
         mode_(command.mode),
-        factor_(command.tint != nullptr ? to_rgb(command.tint->factor) : kWhite),
+        tint_(command.tint != nullptr ? to_rgb(command.tint->factor) : kWhite),
         colors_(command.tint != nullptr ? command.tint->rgb : tables.rgb),
         translation_(command.tint == nullptr ? command.translation : nullptr) {}
 
@@ -118,7 +123,7 @@ class RgbPaint {
   void put_detail(const formats::PictureDetail& detail, std::size_t texel, std::uint32_t* pixel) const {
     const std::uint32_t color = detail.colors[texel];
     const int alpha_256 = static_cast<int>((color >> 24) + (color >> 31));  // 255 is opaque
-    const std::uint32_t tinted = factor_ == kWhite ? color : multiply_rgb(color, factor_);
+    const std::uint32_t tinted = tint_ == kWhite ? color : multiply_rgb(color, tint_, 1);
     *pixel = combine(tinted, *pixel, alpha_256 * opacity_256_ / kOpaque256);
   }
 
@@ -130,7 +135,8 @@ class RgbPaint {
       case DrawMode::kAdd:
         return add_rgb(blend_rgb(over, kBlack, share_256), under);
       case DrawMode::kMultiply:
-        return blend_rgb(multiply_rgb(over, under), under, share_256);
+      case DrawMode::kMultiplyTwice:
+        return blend_rgb(multiply_rgb(over, under, product_factor(mode_)), under, share_256);
       case DrawMode::kBlend:
         break;
     }
@@ -139,7 +145,7 @@ class RgbPaint {
 
   int opacity_256_;
   DrawMode mode_;
-  std::uint32_t factor_;
+  std::uint32_t tint_;
   const std::array<std::uint32_t, 256>& colors_;
   const ColorTranslation* translation_;
 };

@@ -492,7 +492,7 @@ TEST(HudProgram, AdditiveDrawingAddsInBothPixelFormats) {
   EXPECT_EQ(unpack(pixel(indexed, 10, 10)), sum);
 }
 
-// Flag 2 multiplies what is there by the color.
+// Flag 2 multiplies what is there by the color, and flag 3 by twice the color.
 TEST(HudProgram, ModulatingDrawingMultipliesInBothPixelFormats) {
   SKIP_WITHOUT_QUAKEC();
   HudStage stage(draw_hud(R"(
@@ -500,12 +500,16 @@ TEST(HudProgram, ModulatingDrawingMultipliesInBothPixelFormats) {
     drawfill('0 0 0', '10 10 0', '0.2 0.6 1', 1, 2);
     drawfill('0 10 0', '10 10 0', '0 0 0', 0.5, 2);
     drawpic('20 0 0', "gfx/half.tga", '40 20 0', '1 1 1', 1, 2);
+    drawfill('60 0 0', '10 10 0', '0.2 0.6 1', 1, 3);
+    drawfill('60 10 0', '10 10 0', '0 0 0', 0.5, 3);
   )"));
   ASSERT_TRUE(stage.draw().is_active) << stage.printed;
   const std::uint32_t under = 0x66cc66;
   const auto rgb = stage.picture(render::PixelFormat::kRgb);
   EXPECT_EQ(pixel(rgb, 10, 10), 0x147a66u);
   EXPECT_EQ(pixel(rgb, 10, 30), 0x336633u) << "half of black";
+  EXPECT_EQ(pixel(rgb, 130, 10), 0x29f5ccu) << "twice 0.2, 0.6, and 1";
+  EXPECT_EQ(pixel(rgb, 130, 30), 0x336633u) << "half of black";
   EXPECT_EQ(pixel(rgb, 50, 10), 0x660000u) << "only red is left under red";
   EXPECT_EQ(pixel(rgb, 110, 10), under) << "the picture's clear half";
   const auto indexed = stage.picture(render::PixelFormat::kIndexed);

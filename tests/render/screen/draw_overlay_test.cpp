@@ -90,8 +90,13 @@ void decorate(render::DrawCommand& io_command, const render::ColorTint& tint, Ra
     io_command.mode = render::DrawMode::kAdd;
     io_command.opacity = 1;
   } else if (random.chance(0.2)) {
-    io_command.mode = render::DrawMode::kMultiply;
+    io_command.mode = random.chance(0.5) ? render::DrawMode::kMultiply : render::DrawMode::kMultiplyTwice;
   }
+}
+
+// 0: the mode does not multiply.
+double product_factor(render::DrawMode mode) {
+  return mode == render::DrawMode::kMultiply ? 1 : mode == render::DrawMode::kMultiplyTwice ? 2 : 0;
 }
 
 bool is_inside(const render::ScreenRect& area, int x, int y) {
@@ -146,10 +151,11 @@ void expect_pixel(const render::DrawCommand& command, int index, std::uint32_t b
     for (int shift = 0; shift < 24; shift += 8)
       ASSERT_EQ(after >> shift & 255, std::min((over >> shift & 255) + (before >> shift & 255), 255u));
     ASSERT_EQ(after >> 24, 255u);
-  } else if (command.mode == render::DrawMode::kMultiply) {
+  } else if (const double factor = product_factor(command.mode); factor > 0) {
     const std::uint32_t over = rgb_color(command, index);
     for (int shift = 0; shift < 24; shift += 8) {
-      const double below = before >> shift & 255, product = (over >> shift & 255) * below / 255;
+      const double below = before >> shift & 255;
+      const double product = std::min((over >> shift & 255) * below / 255 * factor, 255.0);
       const double opacity = std::min(static_cast<double>(command.opacity), 1.0);
       ASSERT_NEAR(after >> shift & 255, product * opacity + below * (1 - opacity), 1.5);
     }
@@ -170,9 +176,10 @@ void expect_product(const render::DrawCommand& command, int index, std::uint8_t 
   const formats::Palette& palette = some_tables().palette;
   const formats::Rgb &over = palette[indexed_color(command, index)], &under = palette[before];
   const double opacity = std::min(static_cast<double>(command.opacity), 1.0);
+  const double factor = product_factor(command.mode);
   const auto distance_from = [&](const formats::Rgb& entry) {
     const auto difference = [&](int got, int a, int b) {
-      return got - (a * b / 255.0 * opacity + b * (1 - opacity));
+      return got - (std::min(a * b / 255.0 * factor, 255.0) * opacity + b * (1 - opacity));
     };
     return std::hypot(difference(entry.r, over.r, under.r), difference(entry.g, over.g, under.g),
                       difference(entry.b, over.b, under.b));
@@ -189,7 +196,7 @@ void expect_indexed_pixel(const render::DrawCommand& command, int index, std::ui
     ASSERT_EQ(after, before);
   else if (command.mode == render::DrawMode::kAdd)
     ASSERT_EQ(after, some_tables().blends.sums()[indexed_color(command, index) * 256 + before]);
-  else if (command.mode == render::DrawMode::kMultiply)
+  else if (product_factor(command.mode) > 0)
     expect_product(command, index, before, after);
   else if (command.opacity >= 1)
     ASSERT_EQ(after, indexed_color(command, index));
