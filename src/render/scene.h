@@ -42,6 +42,10 @@ struct BrushModelInstance {
   // Not 0: animated textures show their alternate sequence, as a pressed button does.
   int frame = 0;
   float alpha = 1;  // 0 to 1
+  // Adds the model's colors times alpha to the picture, instead of blending them.
+  bool is_additive = false;
+  // Shown instead of the textures and their light; holes stay.
+  std::optional<formats::Rgb> color{};
 };
 
 // A player's own colors, which replace the skin's shirt and pants colors.

@@ -20,7 +20,7 @@ struct ColorTables {
   std::array<std::uint32_t, 256> rgb;          // 0xffRRGGBB
   std::array<std::uint32_t, 256> surface_rgb;  // the same, with alpha 0 for full-bright entries
   int first_fullbright = 224;                  // entries from this index on are full-bright
-  std::uint8_t gray = 0;                       // the lit entry nearest to half brightness
+  std::uint8_t gray = 0, black = 0;            // the lit entries nearest to half brightness, and to black
   PaletteMatch match;
   BlendTables blends;
   TintTables tints;

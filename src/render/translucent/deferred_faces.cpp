@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/translucent/merge_added.h"
 #include "render/translucent/merge_kernels.h"
 
 namespace temblor::render {
@@ -64,7 +65,7 @@ class DeferredSpans {
 // Draws spans of deferred faces. Each span is drawn into a row buffer by the ordinary span kernels, and is
 // merged into the picture from there:
 //
-//   span kernel -> texels_, depth_ -> fog -> merge kernel (depth test, holes, blending) -> frame
+//   span kernel -> texels_, depth_ -> color, fog -> merge kernel (depth test, holes, blending) -> frame
 class BandDrawing {
  public:
   BandDrawing(const WorldPicture& world, FrameBuffer& io_frame, base::Arena& arena)
@@ -81,8 +82,11 @@ class BandDrawing {
     const bool indexed = frame_.format() == PixelFormat::kIndexed;
     const std::size_t texel_bytes = indexed ? 1 : 4;
     std::byte* const texels = texels_ + span.x * texel_bytes;
-    const bool blends = face.opacity.opacity < 1;
-    if (blends && world_.fog.is_on()) world_.fog.apply(texels, {depth_ + span.x, span.count});
+    const FaceOpacity& opacity = face.opacity;
+    const bool blends = opacity.is_translucent();
+    if (opacity.color) fill_texels(*opacity.color, opacity.has_holes, span.count, texels);
+    if (blends && !opacity.is_additive && world_.fog.is_on())
+      world_.fog.apply(texels, {depth_ + span.x, span.count});
     const std::size_t pixel = std::size_t{span.y} * static_cast<std::size_t>(frame_.width()) + span.x;
     MergeRow row{};
     row.texels = texels;
@@ -91,15 +95,39 @@ class BandDrawing {
     row.z = frame_.depth().data() + pixel;
     row.count = span.count;
     row.nearer = world_.view.perspective ? 1 + kTouching : 1 - kTouching;
-    row.has_holes = face.opacity.has_holes;
-    if (blends) {
-      if (indexed) row.table = world_.colors.blends.table_for(face.opacity.opacity);
-      row.opacity_256 = opacity_256(face.opacity.opacity);
+    row.has_holes = opacity.has_holes;
+    row.opacity_256 = opacity_256(opacity.opacity);
+    if (opacity.is_additive) {
+      add(row, opacity.opacity, indexed);
+      return;
     }
+    if (blends && indexed) row.table = world_.colors.blends.table_for(opacity.opacity);
     merge(row, blends, indexed);
   }
 
  private:
+  // Replaces texels by a color, except holes. No light changes it later, so full-bright entries may be used.
+  void fill_texels(formats::Rgb color, bool has_holes, std::size_t count, std::byte* io_texels) const {
+    const auto fill = [&](auto* texels, auto clear, auto filled) {
+      for (std::size_t i = 0; i < count; ++i)
+        if (!has_holes || texels[i] != clear) texels[i] = filled;
+    };
+    if (frame_.format() == PixelFormat::kIndexed)
+      fill(reinterpret_cast<std::uint8_t*>(io_texels), std::uint8_t{255}, world_.colors.match(color, true));
+    else
+      fill(reinterpret_cast<std::uint32_t*>(io_texels), std::uint32_t{0}, to_rgb(color));
+  }
+
+  void add(MergeRow row, float opacity, bool indexed) const {
+    const BlendTables& blends = world_.colors.blends;
+    if (!indexed) {
+      merge_added_u32(row);
+      return;
+    }
+    row.table = blends.sums();
+    merge_added_u8(row, opacity < 1 ? blends.table_for(opacity) + world_.colors.black : nullptr);
+  }
+
   void merge(const MergeRow& row, bool blends, bool indexed) const {
     const bool simd = world_.sources.simd_kernels;
     if (blends && indexed)
@@ -151,7 +179,7 @@ DeferredFaces sort_deferred_faces(const FrameContext& context, const WorldPictur
     const double pixels = static_cast<double>(seen.pixels);
     const double depth =
         drawn->depth.at(static_cast<double>(seen.x) / pixels, static_cast<double>(seen.y) / pixels);
-    (opacity.opacity < 1 ? translucent : opaque)
+    (opacity.is_translucent() ? translucent : opaque)
         .push_back({base::to_index<SurfaceIndex>(number), opacity, surface.key, depth});
   }
   std::sort(translucent.begin(), translucent.end(), is_farther);

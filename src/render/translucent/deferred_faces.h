@@ -43,6 +43,7 @@ DeferredFaces sort_deferred_faces(const FrameContext& context, const WorldPictur
 
 // Draws the part of the faces in one band, in their order. Opaque faces write pixels and depth, and are
 // fogged later with the whole picture. Translucent faces are fogged, then blended, and do not write depth.
+// Additive faces are not fogged: they would add the fog's color.
 void draw_deferred_faces(std::span<const DeferredFace> faces, const WorldPicture& world, const Band& band,
                          base::Arena& arena, FrameBuffer& io_frame);
 

@@ -37,8 +37,10 @@ std::span<const FaceOpacity> world_opacities(const Scene& scene, base::Arena& ar
 FaceOpacity brush_face_opacity(std::span<const FaceOpacity> world_opacities, const world::Level& level,
                                world::TextureIndex texture, const BrushModelInstance& instance) {
   FaceOpacity opacity = world_opacities[base::to_size(texture)];
-  if (instance.alpha < 1 && level.texture(texture).kind != world::TextureKind::kSky)
-    opacity.opacity = bounded(instance.alpha);
+  if (level.texture(texture).kind == world::TextureKind::kSky) return opacity;
+  if (instance.alpha < 1) opacity.opacity = bounded(instance.alpha);
+  opacity.is_additive = instance.is_additive;
+  opacity.color = instance.color;
   return opacity;
 }
 

@@ -5,6 +5,7 @@
 // time, and are called *deferred* faces (translucent/deferred_faces.h). Stock Quake draws all faces opaque.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "base/arena.h"
@@ -16,7 +17,10 @@ namespace temblor::render {
 struct FaceOpacity {
   float opacity = 1;       // 0 to 1; 0: the face is not drawn
   bool has_holes = false;  // alpha-tested: texels of index 255 are clear
-  bool is_deferred() const { return opacity < 1 || has_holes; }
+  bool is_additive = false;
+  std::optional<formats::Rgb> color{};  // replaces the texels
+  bool is_translucent() const { return opacity < 1 || is_additive; }
+  bool is_deferred() const { return is_translucent() || has_holes || color; }
 };
 
 // Opacities of the world's faces, by texture index. Only fences and liquids that the scene makes translucent
@@ -24,7 +28,7 @@ struct FaceOpacity {
 std::span<const FaceOpacity> world_opacities(const Scene& scene, base::Arena& arena);
 
 // The opacity of a face with texture `texture` on a brush model. An instance's alpha below 1 replaces the
-// texture's opacity; the two are not multiplied. Sky is always opaque.
+// texture's opacity; the two are not multiplied. Sky is always opaque and keeps its colors.
 FaceOpacity brush_face_opacity(std::span<const FaceOpacity> world_opacities, const world::Level& level,
                                world::TextureIndex texture, const BrushModelInstance& instance);
 

@@ -271,6 +271,52 @@ TEST(DeferredFaces, ShowFencesAndWhatIsBehindThem) {
   EXPECT_LT(neither, of_fence + through);
 }
 
+// A quarter of a model's color, or of one color for all of it, is added to what is behind it.
+TEST(DeferredFaces, AddBrushModels) {
+  constexpr formats::Rgb kColor{40, 200, 90};
+  constexpr std::uint32_t kColorPixel = 0xff28c85a;
+  const DrawableLevel drawable = small_level();
+  const world::Level& level = *drawable.level;
+  const render::PaletteMatch match(drawable.palette, 256 - drawable.colormap.fullbrights);
+  const render::BlendTables tables(drawable.palette, match);
+  const std::uint8_t black = match({0, 0, 0}, false);
+  const auto find_sum = [&](PixelFormat format, std::uint32_t over, std::uint32_t under) -> std::uint32_t {
+    if (format == PixelFormat::kRgb) return render::add_rgb(render::blend_rgb(over, 0, 64), under);
+    return tables.sums()[tables.table_for(0.25f)[over * 256 + black] * 256u + under];
+  };
+  for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb})
+    for (const bool has_color : {false, true}) {
+      std::size_t added = 0, off = 0;
+      render::Renderer renderer(drawable.palette, drawable.colormap);
+      for (int number = 0; number < effort(60, 8); ++number) {
+        Viewpoint viewpoint = viewpoint_number(level, number);
+        const auto with_alpha = [&](float alpha, bool is_additive) {
+          for (render::BrushModelInstance& model : viewpoint.brush_models) {
+            model.alpha = alpha;
+            model.is_additive = is_additive;
+            if (has_color) model.color = kColor;
+          }
+          return draw(renderer, viewpoint.scene(level), format);
+        };
+        const Drawn opaque = with_alpha(1, false), without = with_alpha(0, false),
+                    quarter = with_alpha(0.25f, true);
+        for (std::size_t i = 0; i < quarter.frame.pixel_count(); ++i) {
+          // Faces of one color are not in the edge list, so depth tells where they are.
+          const bool of_model = opaque.frame.depth()[i] != without.frame.depth()[i];
+          const std::uint32_t over = frame_pixel(opaque.frame, i), under = frame_pixel(without.frame, i);
+          if (of_model && has_color) {
+            ASSERT_EQ(over, format == PixelFormat::kRgb ? kColorPixel : match(kColor, true));
+          }
+          added += of_model;
+          off += frame_pixel(quarter.frame, i) != (of_model ? find_sum(format, over, under) : under);
+          ASSERT_EQ(quarter.frame.depth()[i], without.frame.depth()[i]);
+        }
+      }
+      EXPECT_GT(added, 1000u);
+      EXPECT_LE(off * 50, added) << off << " of " << added;
+    }
+}
+
 // A fence's opaque texels hide what is behind them, and a model's translucency is applied once.
 TEST(DeferredFaces, BlendBrushModels) {
   const DrawableLevel drawable = small_level();
