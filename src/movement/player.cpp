@@ -36,6 +36,7 @@ math::Vec3 find_velocity_out_of_water(const Player& player, Wish wish, const mat
                                       float tick_s, base::FunctionRef<bool(const EdgeProbe&)> is_edge) {
   // Right after a teleport the player cannot back into the teleporter again by accident.
   if (player.teleport_time_s > 0 && wish.forward < 0) wish.forward = 0;
+  if (player.is_crouching) wish = {wish.forward * kCrouchedPace, wish.side * kCrouchedPace, wish.up};
   math::Vec3 wished = find_wish_velocity(player.angles_deg, wish);
   wished.z = player.move_mode == MoveMode::kWalk ? 0 : wish.up;
   wished = limit_speed(wished, settings.max_speed);

@@ -15,6 +15,10 @@ namespace temblor::movement {
 // The box of every player of stock game code, around its origin.
 constexpr math::Vec3 kPlayerMins{-16, -16, -24}, kPlayerMaxs{16, 16, 32};
 
+// A crouching player, in Half-Life's levels: the height of their low hull, and the share of its pace.
+constexpr math::Vec3 kCrouchedMaxs{16, 16, 12};
+constexpr float kCrouchedPace = 1.0f / 3;
+
 // How an entity moves, as far as its player's wishes matter.
 enum class MoveMode : std::uint8_t { kStill, kWalk, kFly, kNoClip, kThrown };
 
@@ -23,6 +27,7 @@ struct Player {
   float mins_z = kPlayerMins.z;
   MoveMode move_mode = MoveMode::kWalk;
   bool is_alive = true;
+  bool is_crouching = false;
   bool is_turned_by_game = false;  // the model does not follow the view in this tick (fixangle)
   math::Vec3 angles_deg{0.0f};     // of the model; wishes on foot go along its axes
   math::Vec3 punch_deg{0.0f};      // how far shots have kicked the view

@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "world/loading/brush_entities.h"
 #include "world/loading/faces.h"
 #include "world/loading/textures.h"
 
@@ -133,6 +134,7 @@ base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::str
   if (!text.first_fault.empty())
     level->notes.push_back(fmt::format("lump entities: {}; it is passed over", text.first_fault));
   take_geometry(bsp, *level);
+  if (level->is_half_life) level->brush_entities = read_brush_entities(level->entities, level->models.size());
   TRY_STATUS(take_light(bsp, lit, *level));
   take_light_grid(bsp, *level);
   level->textures =

@@ -192,6 +192,19 @@ struct Model {
   std::uint32_t first_face, face_count;
 };
 
+// The keys of a Half-Life level's brush entity that matter without game code: for movement, which client and
+// server share, and for drawing.
+struct BrushEntity {
+  // Never solid: func_illusionary, func_water, and doors that turn, since those do not open.
+  bool is_passable = false;
+  // func_water: the space of its model is this liquid. kEmpty: none.
+  Contents liquid = Contents::kEmpty;
+  math::Vec3 origin{0.0f};  // of the model
+  // "rendermode" 5 adds the model to the picture; 1 draws it in one color.
+  bool is_additive = false;
+  std::optional<formats::Rgb> color;
+};
+
 // A node of the clip hulls. Unlike a Node it has no bounds and no faces, and its leaves are just contents.
 struct Clipnode {
   std::uint32_t plane;
@@ -231,11 +244,12 @@ struct Level {
   std::vector<TextureAxes> texture_axes;
   std::vector<Texture> textures;  // at least one; the last one is the placeholder for missing textures
   std::vector<Model> models;
-  std::vector<std::uint8_t> visibility;  // run-length encoded rows
-  std::uint32_t visible_leaf_count = 0;  // leaves 1 to count take part in the PVS
-  bool has_light = false;                // false: the level was never lit; every face is drawn full-bright
-  std::vector<std::uint8_t> light;       // gray samples, 0 to 255
-  std::vector<std::uint8_t> light_rgb;   // 3 x light.size(), or empty if the level has no colored light
+  std::vector<BrushEntity> brush_entities;  // by model in Half-Life's levels, empty in others
+  std::vector<std::uint8_t> visibility;     // run-length encoded rows
+  std::uint32_t visible_leaf_count = 0;     // leaves 1 to count take part in the PVS
+  bool has_light = false;                   // false: the level was never lit; every face is drawn full-bright
+  std::vector<std::uint8_t> light;          // gray samples, 0 to 255
+  std::vector<std::uint8_t> light_rgb;      // 3 x light.size(), or empty if the level has no colored light
   std::vector<LightMapGrid> light_map_grids;
   std::optional<formats::LightGrid> light_grid;  // of open space, for models; most levels have none
   std::vector<std::string> notes;                // faults of the file that were passed over

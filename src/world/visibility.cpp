@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/trace.h"
+
 namespace temblor::world {
 
 LeafIndex find_leaf(const Level& level, const math::Vec3& point) {
@@ -14,8 +16,26 @@ LeafIndex find_leaf(const Level& level, const math::Vec3& point) {
   return child.leaf();
 }
 
+namespace {
+
+// The liquid of the brush entities at a point. The space of such a model is solid or liquid, as its texture
+// says.
+Contents find_liquid(const Level& level, const math::Vec3& point) {
+  for (std::size_t i = 0; i < level.brush_entities.size(); ++i) {
+    const BrushEntity& entity = level.brush_entities[i];
+    if (entity.liquid == Contents::kEmpty) continue;
+    const math::Vec3 place = point - entity.origin;
+    if (hull_contents(level, base::to_index<ModelIndex>(i), Hull::kPoint, place) != Contents::kEmpty)
+      return entity.liquid;
+  }
+  return Contents::kEmpty;
+}
+
+}  // namespace
+
 Contents point_contents(const Level& level, const math::Vec3& point) {
-  return level.leaf(find_leaf(level, point)).contents;
+  const Contents contents = level.leaf(find_leaf(level, point)).contents;
+  return contents == Contents::kEmpty ? find_liquid(level, point) : contents;
 }
 
 namespace {

@@ -14,7 +14,8 @@ namespace temblor::world {
 // Returns the leaf of the world's hull 0 that contains the point. A point on a plane counts as in front. Leaf
 // 0 is solid.
 LeafIndex find_leaf(const Level& level, const math::Vec3& point);
-// The contents of that leaf. Brush models do not count.
+// The contents of that leaf. In an empty leaf of a Half-Life level, a func_water at the point counts: its
+// liquid. Other brush models do not count.
 Contents point_contents(const Level& level, const math::Vec3& point);
 
 // Decompresses the PVS row of a leaf: one bit for each leaf, bit i for leaf i + 1 (leaf 0 is solid).

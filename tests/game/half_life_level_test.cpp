@@ -149,6 +149,102 @@ TEST(HalfLifeLevel, PlayersJumpOffLadders) {
   EXPECT_LT(game.player(0)[field::kOrigin].x, 440);
 }
 
+// A passage of this height behind x = 512, and an input that crouches.
+std::string low_passage(double height) {
+  return box_text({512, -128, height}, {1024, 128, 256}, "wall");
+}
+constexpr float kDown = -200;
+
+TEST(HalfLifeLevel, PlayersCrouchThroughLowPassages) {
+  const RoomData room(half_life_hall(low_passage(37), ""), HasTremor::kYes, LevelFor::kHalfLife);
+  PlayedLevel game(room.path(), "room", kProgs);
+  EXPECT_NEAR(walk(game, 6).x, 512 - 16, 1) << "standing";
+  game.input(0).command.up = kDown;
+  game.run(0.1);
+  const float eyes = game.player(0)[field::kViewOffset].z;
+  EXPECT_GT(eyes, 6) << "the eyes move";
+  EXPECT_LT(eyes, 22);
+  game.run(8);
+  const math::Vec3 end = game.player(0)[field::kOrigin];
+  EXPECT_GT(end.x, kWallReached);
+  EXPECT_NEAR(end.z + kFeet, 0, 0.1);
+  EXPECT_EQ(game.player(0)[field::kViewOffset].z, 6);
+  // It cannot stand up under the ceiling.
+  game.input(0).command = {};
+  game.run(1);
+  EXPECT_EQ(game.player(0)[field::kMaxs].z, 12);
+  game.input(0).command.forward = -320;
+  game.run(10);
+  EXPECT_LT(game.player(0)[field::kOrigin].x, 400);
+  EXPECT_EQ(game.player(0)[field::kMaxs].z, 32);
+  EXPECT_EQ(game.player(0)[field::kViewOffset].z, 22);
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+TEST(HalfLifeLevel, CrouchingPlayersWalkSlowly) {
+  const RoomData room(half_life_hall("", ""), HasTremor::kYes, LevelFor::kHalfLife);
+  PlayedLevel game(room.path(), "room", kProgs);
+  game.join(0);
+  game.run(2);
+  game.input(0).command.forward = 300;
+  game.input(0).command.up = kDown;
+  game.run(1);
+  EXPECT_NEAR(game.player(0)[field::kVelocity].x, 100, 1);
+}
+
+TEST(HalfLifeLevel, NobodyCrouchesInQuakesLevels) {
+  const RoomData room(half_life_hall(low_passage(57), ""), HasTremor::kYes, LevelFor::kQuake);
+  PlayedLevel game(room.path(), "room", kProgs);
+  game.join(0);
+  game.input(0).command.up = kDown;
+  game.run(2);
+  EXPECT_EQ(game.player(0)[field::kMaxs].z, 32);
+  EXPECT_EQ(game.player(0)[field::kViewOffset].z, 22);
+}
+
+// A pool across the hall from x = 256 to 768, 128 units deep, of a brush entity.
+std::string pool(std::string_view keys, std::string_view texture) {
+  return entity_text("func_water", keys, box_text({256, -128, 0}, {768, 128, 128}, texture));
+}
+
+// Walks into the pool.
+void enter_pool(PlayedLevel& game) {
+  game.join(0);
+  game.run(2);
+  game.input(0).command.forward = 320;
+  game.run(2);
+}
+
+TEST(HalfLifeLevel, PlayersSwimInWaterEntities) {
+  for (const char* const texture : {"*water", "wall"}) {
+    const RoomData room(half_life_hall("", pool(R"("skin" "-3")", texture)), HasTremor::kYes,
+                        LevelFor::kHalfLife);
+    PlayedLevel game(room.path(), "room", kProgs);
+    enter_pool(game);
+    EXPECT_EQ(game.player(0)[field::kWaterLevel], 3) << texture;
+    EXPECT_EQ(game.player(0)[field::kWaterType], -3);
+    game.input(0).command = {};
+    game.input(0).buttons = kJump;
+    game.run(2);
+    EXPECT_NEAR(game.player(0)[field::kOrigin].z, 128, 12) << "swims up to the surface";
+    EXPECT_THAT(game.errors(), IsEmpty());
+  }
+}
+
+TEST(HalfLifeLevel, SkinsOfWaterEntitiesAreLiquids) {
+  const auto find_type = [](std::string_view keys, LevelFor level_for = LevelFor::kHalfLife) {
+    const RoomData room(half_life_hall("", pool(keys, "wall")), HasTremor::kYes, level_for);
+    PlayedLevel game(room.path(), "room", kProgs);
+    enter_pool(game);
+    return game.player(0)[field::kWaterType];
+  };
+  EXPECT_EQ(find_type(R"("skin" "-4")"), -4);
+  EXPECT_EQ(find_type(R"("skin" "-5")"), -5);
+  EXPECT_EQ(find_type(""), -3) << "water is the default";
+  EXPECT_EQ(find_type(R"("skin" "-3" "origin" "0 0 512")"), -1) << "high above";
+  EXPECT_EQ(find_type(R"("skin" "-3")", LevelFor::kQuake), -1);
+}
+
 // The opacity that entities of a class get from their keys; 0 is the default.
 float find_alpha(std::string_view class_name, std::string_view keys,
                  LevelFor level_for = LevelFor::kHalfLife) {

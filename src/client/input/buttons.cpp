@@ -12,7 +12,7 @@ ButtonName button_name(Button button) {
       {"moveleft", "Strafes left."},
       {"moveright", "Strafes right."},
       {"moveup", "Swims up."},
-      {"movedown", "Swims down."},
+      {"movedown", "Swims down; crouches in Half-Life's levels."},
       {"left", "Turns left."},
       {"right", "Turns right."},
       {"lookup", "Looks up."},

@@ -22,7 +22,6 @@ constexpr int kWaistDeep = 2;
 // Probes and speeds of the jump out of the water, in units and units per second.
 constexpr float kLedgeAhead = 24, kAboveLedge = 8, kLedgeSpeed = 50, kLedgeRise = 225;
 constexpr double kLedgeJump_s = 2;
-constexpr math::Bounds kPlayerBox{movement::kPlayerMins, movement::kPlayerMaxs};
 constexpr math::Bounds kPoint{};
 // Models that a box test rules out cost this small part of a trace.
 constexpr std::size_t kSkippedPerEffort = 128;
@@ -42,14 +41,18 @@ movement::MoveMode to_move_mode(std::uint8_t move_type) {
   }
 }
 
+math::Bounds make_player_box(const movement::Player& player) {
+  return {movement::kPlayerMins, player.is_crouching ? movement::kCrouchedMaxs : movement::kPlayerMaxs};
+}
+
 // Traces through the level and the solids, and counts the effort.
 class PredictionTracer final : public movement::WalkEnvironment {
  public:
   PredictionTracer(const PredictionWorld& world, const PredictedPlayer& predicted)
-      : world_(world), predicted_(predicted) {}
+      : world_(world), predicted_(predicted), box_(make_player_box(predicted.player)) {}
 
   movement::Contact trace(const math::Vec3& start, const math::Vec3& end) override {
-    return trace_all(kPlayerBox, start, end, 0);
+    return trace_all(box_, start, end, 0);
   }
   movement::Contact trace_push(const math::Vec3& start, const math::Vec3& end) override {
     return trace(start, end);
@@ -68,7 +71,7 @@ class PredictionTracer final : public movement::WalkEnvironment {
   std::size_t effort() const { return effort_; }
   // Traces past one entity: the one that carries the player.
   math::Vec3 trace_carried(const math::Vec3& start, const math::Vec3& end, std::uint32_t passing) const {
-    return trace_all(kPlayerBox, start, end, passing).trace.end;
+    return trace_all(box_, start, end, passing).trace.end;
   }
 
  private:
@@ -109,6 +112,7 @@ class PredictionTracer final : public movement::WalkEnvironment {
 
   const PredictionWorld& world_;
   const PredictedPlayer& predicted_;
+  const math::Bounds box_;
   mutable std::size_t effort_ = 0;  // of all traces so far
 };
 
@@ -154,7 +158,7 @@ void apply_jump_button(PredictedPlayer& io_predicted, std::uint8_t buttons) {
 void update_water_level(PredictedPlayer& io_predicted, const PredictionWorld& world) {
   movement::Player& player = io_predicted.player;
   const movement::Water water = movement::find_water(
-      player.body.origin, {.eyes = world.eyes_z},
+      player.body.origin, {.maxs = make_player_box(player).maxs.z, .eyes = world.eyes_z},
       [&](const math::Vec3& point) { return world::point_contents(world.level, point); });
   player.water_level = water.level;
   io_predicted.swim_up_speed = water.at_feet == world::Contents::kSlime  ? kSwimUpSlime
@@ -198,6 +202,7 @@ PredictedPlayer make_predicted_player(const net::MoveAcknowledgment& acknowledge
                               acknowledged.ground},
                      .move_mode = to_move_mode(acknowledged.move_type),
                      .is_alive = acknowledged.is_alive,
+                     .is_crouching = acknowledged.is_crouching,
                      .is_turned_by_game = acknowledged.is_turned_by_game,
                      .angles_deg = acknowledged.angles_deg,
                      .punch_deg = acknowledged.punch_deg,

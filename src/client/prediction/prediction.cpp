@@ -28,6 +28,13 @@ std::optional<world::ModelIndex> find_brush_model(const Game& game, std::uint16_
   return world::ModelIndex{index};
 }
 
+// The game code that runs may know the class and make it solid; then the next acknowledgment corrects the
+// prediction.
+bool is_passable(const world::Level& level, world::ModelIndex model) {
+  const std::size_t number = base::to_size(model);
+  return number < level.brush_entities.size() && level.brush_entities[number].is_passable;
+}
+
 }  // namespace
 
 // Copies what it needs, as the connection may read more packets before advance(). The pending part of a tick
@@ -49,7 +56,8 @@ void Prediction::update_solids(const ClientState& state, const world::Level& lev
   state.copy_latest_places(places_);
   solids_.clear();
   for (const EntityPlace& place : places_)
-    if (const auto model = find_brush_model(state.game(), place.model, level))
+    if (const auto model = find_brush_model(state.game(), place.model, level);
+        model && !is_passable(level, *model))
       solids_.push_back({place.number, *model, place.origin_world});
   keep_nearest(solids_, level, acknowledged_->origin, kMaxSolids);
 }

@@ -19,6 +19,18 @@ double compute_phase_time_s(double time_s, std::uint32_t entity, bool random_pha
   return random_phase ? time_s + kPhaseStep_s * entity : time_s;
 }
 
+render::BrushModelInstance make_brush_model(const world::Level& level, world::ModelIndex model,
+                                            const InterpolatedEntity& entity) {
+  render::BrushModelInstance instance{model, entity.origin_world, entity.angles_deg, entity.to_frame,
+                                      entity.alpha};
+  const std::size_t number = base::to_size(model);
+  if (number < level.brush_entities.size()) {
+    instance.is_additive = level.brush_entities[number].is_additive;
+    instance.color = level.brush_entities[number].color;
+  }
+  return instance;
+}
+
 }  // namespace
 
 // Blends between two poses. The frame numbers come from the entity; groups of frames choose a pose by time.
@@ -75,8 +87,7 @@ void SceneBuilder::add_entity(const SceneInput& input, const InterpolatedEntity&
   if (const auto* brush_model = std::get_if<world::ModelIndex>(&model)) {
     // The world itself is always drawn.
     if (*brush_model == world::ModelIndex{0}) return;
-    brush_models_.push_back(
-        {*brush_model, entity.origin_world, entity.angles_deg, entity.to_frame, entity.alpha});
+    brush_models_.push_back(make_brush_model(*input.models.level(), *brush_model, entity));
   } else if (const auto* alias = input.models.alias_model(entity.model, input.prefers_md5)) {
     add_alias(input, entity, *alias);
   } else {

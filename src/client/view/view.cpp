@@ -48,7 +48,7 @@ PlayerView make_camera_view(const render::Camera& camera, const world::Level& le
   PlayerView view;
   view.camera = camera;
   view.leaf = world::find_leaf(level, camera.origin_world);
-  view.contents = level.leaf(view.leaf).contents;
+  view.contents = world::point_contents(level, camera.origin_world);
   view.underwater = is_liquid(view.contents);
   view.tint = scale_tint(contents_tint(view.contents), settings.contents_tint);
   view.show_weapon = false;
@@ -65,7 +65,7 @@ PlayerView View::advance(const Game& game, const Events& events, const ViewInput
   else
     view_from_eyes(game, input, settings, view);
   view.leaf = world::find_leaf(input.level, view.camera.origin_world);
-  view.contents = input.level.leaf(view.leaf).contents;
+  view.contents = world::point_contents(input.level, view.camera.origin_world);
   view.underwater = is_liquid(view.contents);
   view.tint = tint(game, view.contents, settings);
   return view;

@@ -45,6 +45,7 @@ enum Flag : std::uint16_t {
   kTeleported = 256,
   kOwnGravity = 512,
   kRide = 1024,
+  kCrouching = 2048,
 };
 
 std::uint16_t compute_flags(const MoveAcknowledgment& a) {
@@ -59,6 +60,7 @@ std::uint16_t compute_flags(const MoveAcknowledgment& a) {
   add(a.is_turned_by_game, kTurnedByGame);
   add(a.is_in_slime, kSlime);
   add(a.is_in_lava, kLava);
+  add(a.is_crouching, kCrouching);
   add(a.punch_deg != math::Vec3(0.0f), kPunched);
   add(a.teleport_time_s != 0, kTeleported);
   add(a.own_gravity != 1, kOwnGravity);
@@ -197,6 +199,7 @@ std::optional<MoveAcknowledgment> read_acknowledgment(std::string_view line) {
   a.is_jump_released = (flags & kJumpReleased) != 0;
   a.is_jumping_out_of_water = (flags & kJumpingOutOfWater) != 0;
   a.is_turned_by_game = (flags & kTurnedByGame) != 0;
+  a.is_crouching = (flags & kCrouching) != 0;
   a.is_in_slime = (flags & kSlime) != 0;
   a.is_in_lava = (flags & kLava) != 0;
   if (flags & kRide) a.ride = MoveAcknowledgment::Ride{};

@@ -43,7 +43,7 @@ struct MoveAcknowledgment {
   bool is_in_slime = false, is_in_lava = false;  // kind of liquid that water_level refers to
   bool is_alive = true, on_ground = false;
   bool is_jump_released = true, is_jumping_out_of_water = false;
-  bool is_turned_by_game = false;
+  bool is_turned_by_game = false, is_crouching = false;
   math::Vec2 water_jump_velocity{0.0f};  // while jumping out of water
   float teleport_time_s = 0;             // remaining time until teleport_time; 0: none
   float own_gravity = 1;

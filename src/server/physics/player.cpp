@@ -3,6 +3,7 @@
 #include "movement/player.h"
 
 #include "math/angles.h"
+#include "server/physics/crouch.h"
 #include "server/physics/entity_moves.h"
 #include "server/physics/moves.h"
 
@@ -102,6 +103,7 @@ movement::Player make_player(const GameWorld& world, const Edict& edict) {
           .mins_z = edict[field::kMins].z,
           .move_mode = to_move_mode(edict.move_type()),
           .is_alive = !(edict[field::kHealth] <= 0),
+          .is_crouching = is_crouching(world, edict),
           .is_turned_by_game = edict[field::kFixAngle] != 0,
           .angles_deg = edict[field::kAngles],
           .punch_deg = edict[field::kPunchAngle],
@@ -114,6 +116,7 @@ movement::Player make_player(const GameWorld& world, const Edict& edict) {
 void move_player(GameWorld& io_world, vm::EntityIndex player, const PlayerCommand& command) {
   const Edict edict = io_world.edicts[player];
   edict.set(field::kViewAngles, command.view_angles_deg);
+  crouch(io_world, player, command.up);
   movement::Player state = make_player(io_world, edict);
   if (state.move_mode == movement::MoveMode::kStill) return;
   const bool jumped_out_of_water = state.is_jumping_out_of_water;

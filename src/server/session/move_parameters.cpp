@@ -52,6 +52,7 @@ net::MoveAcknowledgment make_acknowledgment(Game& io_game, std::size_t slot, std
       .is_jump_released = edict.has_flag(flag::kJumpReleased),
       .is_jumping_out_of_water = player.is_jumping_out_of_water,
       .is_turned_by_game = player.is_turned_by_game,
+      .is_crouching = player.is_crouching,
       .water_jump_velocity = math::Vec2(finite(player.water_jump_velocity)),
       .teleport_time_s = std::max(finite_or_zero(static_cast<float>(player.teleport_time_s)), 0.0f),
       .own_gravity = own_gravity != 0 && std::isfinite(own_gravity) ? own_gravity : 1};

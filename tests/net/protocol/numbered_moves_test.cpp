@@ -25,6 +25,7 @@ MoveAcknowledgment some_acknowledgment(test::Random& io_random) {
                        .is_jump_released = coin(),
                        .is_jumping_out_of_water = coin(),
                        .is_turned_by_game = coin(),
+                       .is_crouching = coin(),
                        .ground = static_cast<std::uint16_t>(io_random.below(65536))};
   if (coin()) a.punch_deg = io_random.in_cube(10);
   if (a.is_jumping_out_of_water) a.water_jump_velocity = math::Vec2(io_random.in_cube(50));

@@ -12,17 +12,12 @@ namespace {
 
 enum class Show { kNot, kPassable, kSolid };
 
-Show choose_show(std::string_view class_name) {
+Show choose_show(std::string_view class_name, bool is_passable) {
   constexpr std::array<std::string_view, 6> kVolumes = {"func_ladder",          "func_monsterclip",
                                                         "func_friction",        "func_mortar_field",
                                                         "func_vehiclecontrols", "func_tankcontrols"};
-  constexpr std::array<std::string_view, 4> kPassable = {"func_illusionary", "func_water",
-                                                         "func_door_rotating", "momentary_rot_door"};
-  const auto contains = [&](const auto& names) {
-    return std::ranges::find(names, class_name) != names.end();
-  };
-  if (contains(kVolumes)) return Show::kNot;
-  if (contains(kPassable)) return Show::kPassable;
+  if (std::ranges::find(kVolumes, class_name) != kVolumes.end()) return Show::kNot;
+  if (is_passable) return Show::kPassable;
   const bool is_thing = class_name.starts_with("func_") || class_name.starts_with("momentary_") ||
                         class_name == "button_target";
   return is_thing ? Show::kSolid : Show::kNot;
@@ -57,9 +52,11 @@ std::optional<std::string> find_half_life_alpha(const formats::Entity& entity) {
 
 base::Result<bool> show_half_life_entity(GameWorld& io_world, const formats::Entity& entity,
                                          vm::EntityIndex index) {
-  const Show show = choose_show(entity.classname());
   const std::size_t model = find_brush_model(io_world, entity);
-  if (show == Show::kNot || !has_brush_model(entity) || model == 0) return false;
+  if (!has_brush_model(entity) || model == 0) return false;
+  const std::size_t number = base::to_size(*io_world.models[model].brush_model);
+  const Show show = choose_show(entity.classname(), io_world.level->brush_entities[number].is_passable);
+  if (show == Show::kNot) return false;
   const Edict edict = io_world.edicts[index];
   const math::Bounds& box = io_world.models[model].box;
   edict.set(field::kModelIndex, static_cast<float>(model));

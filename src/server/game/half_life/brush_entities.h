@@ -2,8 +2,8 @@
 // are often unknown, and such entities would be removed: walls, windows, and machines would be missing.
 //
 //   a class that the game code knows    spawned by it
-//   func_illusionary, func_water        drawn, not solid
-//   doors that turn                     drawn, not solid: they do not open, and would close the way
+//   func_illusionary, func_water,       drawn, not solid (world::BrushEntity)
+//   doors that turn
 //   func_ladder and other volumes       left out
 //   other func_..., momentary_...,      drawn and solid, never moving
 //   button_target

@@ -1,0 +1,60 @@
+#include "server/physics/crouch.h"
+
+#include <algorithm>
+
+#include "movement/player.h"
+#include "server/move_trace.h"
+#include "server/physics/entity_moves.h"
+
+namespace temblor::server {
+namespace {
+
+// Above the origin, in units. Eyes at 6 are as far above the feet as Half-Life's crouching player's.
+constexpr float kStandingEyes = 22, kCrouchedEyes = 6;
+constexpr float kEyeSpeed = (kStandingEyes - kCrouchedEyes) / 0.2f;  // units per second
+
+bool has_height(const Edict& player, const math::Vec3& maxs) {
+  return player[field::kMins] == movement::kPlayerMins && player[field::kMaxs] == maxs;
+}
+
+bool can_stand_up(GameWorld& io_world, const Edict& player) {
+  const math::Vec3 origin = player[field::kOrigin];
+  return !trace_move(io_world, origin, movement::kPlayerMins, movement::kPlayerMaxs, origin,
+                     MoveKind::kNormal, player.index())
+              .trace.start_solid;
+}
+
+void set_height(const Edict& player, const math::Vec3& maxs) {
+  player.set(field::kMaxs, maxs);
+  player.set(field::kSize, maxs - movement::kPlayerMins);
+}
+
+// Other heights belong to game code: those of the dead, for example.
+void move_eyes(const Edict& player, float wanted, float distance) {
+  math::Vec3 eyes = player[field::kViewOffset];
+  if (eyes.z < kCrouchedEyes || eyes.z > kStandingEyes) return;
+  eyes.z = std::clamp(wanted, eyes.z - distance, eyes.z + distance);
+  player.set(field::kViewOffset, eyes);
+}
+
+}  // namespace
+
+bool is_crouching(const GameWorld& world, const Edict& player) {
+  return world.level->is_half_life && has_height(player, movement::kCrouchedMaxs);
+}
+
+void crouch(GameWorld& io_world, vm::EntityIndex player, float wish_up) {
+  if (!io_world.level->is_half_life) return;
+  const Edict edict = io_world.edicts[player];
+  if (edict.move_type() != MoveType::kWalk || edict[field::kHealth] <= 0) return;
+  bool is_low = has_height(edict, movement::kCrouchedMaxs);
+  if (!is_low && !has_height(edict, movement::kPlayerMaxs)) return;
+  if (wish_up < 0)
+    is_low = true;
+  else if (is_low)
+    is_low = !can_stand_up(io_world, edict);
+  set_height(edict, is_low ? movement::kCrouchedMaxs : movement::kPlayerMaxs);
+  move_eyes(edict, is_low ? kCrouchedEyes : kStandingEyes, kEyeSpeed * tick_seconds(io_world));
+}
+
+}  // namespace temblor::server
