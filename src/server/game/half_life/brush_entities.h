@@ -26,7 +26,8 @@ base::Result<bool> show_half_life_entity(GameWorld& io_world, const formats::Ent
 
 // The value of the field "alpha" (GameWorld: 0 is the default, below 0 invisible) for an entity's keys
 // "rendermode" and "renderamt". Nothing for entities that are drawn as usual: modes 0 (normal) and 4 (only
-// alpha-tested). Modes 1 (color), 2 (texture), 3 (glow), and 5 (additive) are blended alike.
+// alpha-tested). Modes 1 (color), 2 (texture), 3 (glow), and 5 (additive) get the same; world::BrushEntity
+// has the rest of modes 1 and 5.
 std::optional<std::string> find_half_life_alpha(const formats::Entity& entity);
 
 }  // namespace temblor::server
