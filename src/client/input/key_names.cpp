@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "base/text.h"
 
@@ -17,8 +18,7 @@ struct NamedKey {
   Key key;
 };
 
-// The first name of a key is the one that is written. Later ones are accepted for configuration files of
-// other engines.
+// The first name of a key is the one that is written. Later ones are accepted, too.
 constexpr NamedKey kNames[] = {
     {"TAB", Key::kTab},
     {"ENTER", Key::kEnter},
@@ -111,6 +111,39 @@ constexpr NamedKey kNames[] = {
     {"QUOTE", Key{'"'}},
 };
 
+// Names in config files of DarkPlaces and ezQuake, which are never written.
+constexpr NamedKey kForeignNames[] = {
+    {"BACKSLASH", Key{'\\'}},
+    {"BACKQUOTE", Key{'`'}},
+    {"APOSTROPHE", Key{'\''}},
+    {"TILDE", Key{'~'}},
+    {"LALT", Key::kAlt},
+    {"RALT", Key::kAlt},
+    {"LCTRL", Key::kCtrl},
+    {"RCTRL", Key::kCtrl},
+    {"LSHIFT", Key::kShift},
+    {"RSHIFT", Key::kShift},
+    {"KP_PERIOD", Key::kKeypadPeriod},
+    {"KP_DIVIDE", Key::kKeypadDivide},
+    {"KP_MULTIPLY", Key::kKeypadMultiply},
+    {"X360_A", Key::kPadA},
+    {"X360_B", Key::kPadB},
+    {"X360_X", Key::kPadX},
+    {"X360_Y", Key::kPadY},
+    {"X360_BACK", Key::kPadBack},
+    {"X360_START", Key::kPadStart},
+    {"X360_LEFT_THUMB", Key::kPadLeftThumb},
+    {"X360_RIGHT_THUMB", Key::kPadRightThumb},
+    {"X360_LEFT_SHOULDER", Key::kPadLeftShoulder},
+    {"X360_RIGHT_SHOULDER", Key::kPadRightShoulder},
+    {"X360_DPAD_UP", Key::kPadUp},
+    {"X360_DPAD_DOWN", Key::kPadDown},
+    {"X360_DPAD_LEFT", Key::kPadLeft},
+    {"X360_DPAD_RIGHT", Key::kPadRight},
+    {"X360_LEFT_TRIGGER", Key::kPadLeftTrigger},
+    {"X360_RIGHT_TRIGGER", Key::kPadRightTrigger},
+};
+
 // Keys that type one ASCII character are numbered by it.
 bool is_character(Key key) {
   return key > Key::kSpace && key < Key::kBackspace;
@@ -131,10 +164,11 @@ std::optional<Key> find_key(std::string_view name) {
     const Key key{static_cast<std::uint16_t>(base::to_lower(name)[0])};
     return is_character(key) ? std::optional(key) : std::nullopt;
   }
-  const std::string lower = base::to_lower(name);
-  const auto* const named = std::find_if(std::begin(kNames), std::end(kNames),
-                                         [&](const NamedKey& n) { return base::to_lower(n.name) == lower; });
-  return named == std::end(kNames) ? std::nullopt : std::optional(named->key);
+  using Names = std::span<const NamedKey>;
+  for (const Names names : {Names(kNames), Names(kForeignNames)})
+    for (const NamedKey& named : names)
+      if (base::equal_ignoring_case(named.name, name)) return named.key;
+  return std::nullopt;
 }
 
 }  // namespace temblor::client

@@ -23,6 +23,10 @@ TEST(KeyNames, AreTheStockOnes) {
   EXPECT_EQ(find_key("mouse1"), Key::kMouse1);
   EXPECT_EQ(find_key("W"), Key{'w'});
   EXPECT_EQ(find_key("KP_HOME"), Key::kKeypad7);
+  EXPECT_EQ(find_key("BACKSLASH"), Key{'\\'});
+  EXPECT_EQ(key_name(Key{'\\'}), "\\");
+  EXPECT_EQ(find_key("KP_DIVIDE"), Key::kKeypadDivide);
+  EXPECT_EQ(find_key("X360_LEFT_TRIGGER"), Key::kPadLeftTrigger);
   EXPECT_EQ(find_key("NOSUCHKEY"), std::nullopt);
   EXPECT_EQ(find_key(""), std::nullopt);
   EXPECT_EQ(find_key("\xe4"), std::nullopt);
