@@ -17,12 +17,20 @@ namespace {
 TEST(StuffedText, OnlyHarmlessLinesAreSafe) {
   for (const char* line :
        {"play misc/hello.wav", "fog 0.1", "fov 120", "impulse 12", "v_cshift 1 2 3 4", "r_wateralpha 0.5",
-        "alias tossrune \"impulse 20\"", "bind x +attack", "bind x \"+attack; impulse 2\"", "BF"})
+        "alias tossrune \"impulse 20\"", "bind x +attack", "bind x \"+attack; impulse 2\"", "BF", "-attack",
+        "+showscores", "color 4 4", "bf; bind x \"impulse 2\"; bind y +jump", "crosshair 0"})
     EXPECT_TRUE(host::may_be_stuffed(line)) << line;
-  for (const char* line : {"play x; quit", "bind w quit", "bind w \"impulse 1; quit\"",
-                           "alias x \"rcon_password y\"", "exec evil.cfg", "quit", "connect 10.0.0.1",
-                           "unbindall", "rcon_password x", "name thief", "set fov 1", "alias", "bind w", ""})
+  for (const char* line :
+       {"play x; quit", "bind w quit", "bind w \"impulse 1; quit\"", "alias x \"rcon_password y\"",
+        "exec evil.cfg", "quit", "connect 10.0.0.1", "unbindall", "rcon_password x", "-attack; quit", "rune",
+        "bind x rune", "bind x \"color 4\"", "name thief", "set fov 1", "alias", "bind w", ""})
     EXPECT_FALSE(host::may_be_stuffed(line)) << line;
+}
+
+TEST(StuffedText, AliasesOfTheServerAreSafe) {
+  for (const char* line : {"rune", "RUNE; bf", "bind x rune", "alias two \"rune; rune\""})
+    EXPECT_TRUE(host::may_be_stuffed(line, {"rune"})) << line;
+  EXPECT_FALSE(host::may_be_stuffed("rune; quit", {"rune"}));
 }
 
 class StuffedTextInAGame : public ::testing::Test {
@@ -70,6 +78,48 @@ TEST_F(StuffedTextInAGame, IsUndoneWhenThePlayerLeaves) {
   EXPECT_EQ(alias("rune"), nullptr);
   EXPECT_EQ(bound("x"), "own");
   EXPECT_EQ(game_->host().video.server_tint.opacity, 0);
+}
+
+TEST_F(StuffedTextInAGame, MayRunItsOwnAliasesButNotThePlayers) {
+  send("own");
+  EXPECT_TRUE(game_->has_printed("The server's command \"own\" was refused (cl_stufftext)."));
+  EXPECT_FALSE(game_->has_printed("mine"));
+  send("alias hello \"echo from the server\"");
+  send("bind x hello; hello");
+  EXPECT_EQ(bound("x"), "hello");
+  EXPECT_TRUE(game_->has_printed("from the server"));
+  game_->command("alias hello \"echo changed\"");
+  game_->run(0.1);
+  send("hello");
+  EXPECT_FALSE(game_->has_printed("changed"));
+}
+
+TEST_F(StuffedTextInAGame, RunsTheHarmlessCommandsOfALine) {
+  send("fov 60; quit; color 4 13; bind x \"impulse 5\"");
+  EXPECT_EQ(value("fov"), "60");
+  EXPECT_EQ(value("topcolor"), "4");
+  EXPECT_EQ(value("bottomcolor"), "13");
+  EXPECT_EQ(bound("x"), "impulse 5");
+  EXPECT_TRUE(game_->has_printed("The server's command \"quit\" was refused (cl_stufftext)."));
+  leave();
+  EXPECT_EQ(value("fov"), "100");
+  EXPECT_EQ(value("topcolor"), "0");
+  EXPECT_EQ(value("bottomcolor"), "0");
+  EXPECT_EQ(bound("x"), "own");
+}
+
+// Games send "-attack" to players who have died.
+TEST_F(StuffedTextInAGame, HoldsButtonsUntilThePlayerLeaves) {
+  const auto is_held = [&] {
+    return game_->host().input.player.buttons()[client::Button::kAttack].is_down();
+  };
+  send("+attack");
+  EXPECT_TRUE(is_held());
+  send("-attack");
+  EXPECT_FALSE(is_held());
+  send("+attack");
+  leave();
+  EXPECT_FALSE(is_held());
 }
 
 TEST_F(StuffedTextInAGame, KeepsWhatThePlayerHasChangedSince) {

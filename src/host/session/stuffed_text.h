@@ -15,12 +15,15 @@ struct Host;
 // The values of cl_stufftext.
 enum class StuffedTextRule { kNone, kSafe, kAll };
 
-// Whether StuffedTextRule::kSafe allows the line. Keys and aliases may only run commands that are allowed.
-bool may_be_stuffed(std::string_view line);
+// Whether StuffedTextRule::kSafe allows all commands of the line: harmless ones, buttons, and `own_aliases`,
+// which the server has set. Keys and aliases may only run commands that are allowed.
+using AliasNames = std::set<std::string, std::less<>>;
+bool may_be_stuffed(std::string_view line, const AliasNames& own_aliases = {});
 
 class StuffedText {
  public:
-  // Runs a line, or refuses it. `is_trusted`: the server runs in this program.
+  // Runs a line, or those of its commands that are not refused. `is_trusted`: the server runs in this
+  // program.
   void run(Host& io_host, std::string_view line, bool is_trusted);
   // Undoes what lines have set. Call when the player has left the server.
   void restore(Host& io_host);
@@ -34,8 +37,15 @@ class StuffedText {
   };
   static std::string read(const Host& host, Kind kind, const std::string& name);
   static void write(Host& io_host, const Change& change);
+  static std::vector<Change> find_changes(const Host& host, const std::vector<std::string>& words,
+                                          bool is_trusted);
+  // The aliases that are still as the server has set them.
+  AliasNames find_own_aliases(const Host& host) const;
+  void refuse(Host& io_host, const std::string& name);
+  void run_command(Host& io_host, std::string_view command, bool is_trusted);
 
   std::vector<Change> changes_;
+  std::set<std::string, std::less<>> held_;     // buttons that lines hold down, without the "+"
   std::set<std::string, std::less<>> refused_;  // names of commands, to report each of them once
 };
 
