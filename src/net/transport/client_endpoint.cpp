@@ -45,6 +45,7 @@ void ClientEndpoint::connect(const platform::Address& server, double now_s) {
   state_ = State::kConnecting;
   channel_ = Channel(settings_.channel);
   has_received_ = false;
+  is_darkplaces_ = false;
   requests_ = 0;
   request(now_s);
 }
@@ -72,7 +73,10 @@ void ClientEndpoint::update(double now_s) {
   now_s_ = now_s;
   if (state_ == State::kConnecting && now_s - requested_s_ >= settings_.request_every_s) {
     if (requests_ < settings_.requests) return request(now_s);
-    return drop(fmt::format("{} does not answer", to_text(requested_server_)));
+    return drop(to_text(requested_server_) +
+                (is_darkplaces_ ? " is a DarkPlaces server with a protocol of its own; its host can set "
+                                  "sv_protocolname to QUAKE"
+                                : " does not answer"));
   }
   if (state_ != State::kConnected) return;
   if (!server_.is_local() && now_s - last_received_s_ > settings_.timeout_s)
@@ -107,8 +111,10 @@ void ClientEndpoint::request(double now_s) {
   const auto bytes = write_control_packet(ConnectRequest{});
   CHECK(bytes.ok());
   socket_->send(requested_server_, *bytes);
-  // A QuakeWorld server ignores that; ask a silent server whether it is one.
-  if (requests_ > 1) socket_->send(requested_server_, make_quakeworld_status_request());
+  // Servers with other protocols ignore that; ask a silent server whether it is one of them.
+  if (requests_ == 1) return;
+  socket_->send(requested_server_, make_quakeworld_status_request());
+  socket_->send(requested_server_, make_darkplaces_status_request());
 }
 
 std::optional<ClientEvent> ClientEndpoint::handle_datagram(const platform::Datagram& datagram) {
@@ -135,6 +141,7 @@ std::optional<ClientEvent> ClientEndpoint::handle_control(base::Bytes packet) {
                      to_text(requested_server_)));
     return std::nullopt;
   }
+  if (is_darkplaces_status(packet)) is_darkplaces_ = true;
   const auto read = read_control_packet(packet);
   if (!read.ok()) return std::nullopt;
   if (const auto* rejected = std::get_if<RejectReply>(&*read)) drop(make_one_line(rejected->reason));

@@ -94,7 +94,8 @@ class ClientEndpoint {
   ClientEndpointSettings settings_;
   State state_ = State::kIdle;
   platform::Address requested_server_, server_;
-  bool has_received_ = false;  // a packet of the connection arrived, so server_ has the right port
+  bool has_received_ = false;   // a packet of the connection arrived, so server_ has the right port
+  bool is_darkplaces_ = false;  // the server has answered DarkPlaces's question
   int requests_ = 0;
   double requested_s_ = 0, last_received_s_ = 0, now_s_ = 0;
   Channel channel_;

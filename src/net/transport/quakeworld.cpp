@@ -42,4 +42,12 @@ bool is_quakeworld_status(base::Bytes packet) {
   return begins_with(packet, "n\\");
 }
 
+base::ByteVector make_darkplaces_status_request() {
+  return make_packet("getstatus", "\n");
+}
+
+bool is_darkplaces_status(base::Bytes packet) {
+  return begins_with(packet, "statusResponse\n");
+}
+
 }  // namespace temblor::net

@@ -1,9 +1,9 @@
-// Packets of QuakeWorld, which Temblor does not speak: as much as it takes to tell players that they have met
-// the other game. Its packets outside a connection begin with four bytes of 255, then a word.
+// Packets of QuakeWorld, and of DarkPlaces's own protocol, which Temblor does not speak: as much as it takes
+// to tell players that they have met the other game. These packets begin with four bytes of 255, then a word.
 //
-//   getchallenge, connect      a client asks to join                        -> print (n) with an explanation
-//   status                     asks a server to describe itself             -> n\KEY\VALUE... (rules,
-//   players)
+//   getchallenge, connect   a client asks to join            -> print (n) with an explanation
+//   status                  asks a QuakeWorld server         -> n\KEY\VALUE... (rules, players)
+//   getstatus               asks a DarkPlaces server         -> statusResponse (rules, players)
 #pragma once
 
 #include <string_view>
@@ -21,5 +21,9 @@ base::ByteVector make_quakeworld_status_request();
 bool is_quakeworld_status_request(base::Bytes packet);
 // Whether a QuakeWorld server has answered that request.
 bool is_quakeworld_status(base::Bytes packet);
+
+// DarkPlaces answers whatever protocol its players use, so an answer alone does not mean that we cannot join.
+base::ByteVector make_darkplaces_status_request();
+bool is_darkplaces_status(base::Bytes packet);
 
 }  // namespace temblor::net

@@ -24,6 +24,7 @@ using namespace std::string_literals;
 
 const std::string kClientConnect = "\x80\0\0\x0c\x01QUAKE\0\x03"s;
 const std::string kQuakeWorldStatus = "\xff\xff\xff\xffstatus\n";
+const std::string kDarkPlacesStatus = "\xff\xff\xff\xffgetstatus\n";
 const std::string kNop = "\0\x10\0\x09\0\0\0\0\x01"s;
 
 struct ClientBench {
@@ -54,9 +55,9 @@ TEST(ClientEndpoint, GivesUpAfterThreeRequests) {
   bench.tick(2.4);
   EXPECT_THAT(bench.received(), IsEmpty());
   bench.tick(0.2);
-  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect, kQuakeWorldStatus));
+  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect, kQuakeWorldStatus, kDarkPlacesStatus));
   bench.tick(2.5);
-  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect, kQuakeWorldStatus));
+  EXPECT_THAT(bench.received(), ElementsAre(kClientConnect, kQuakeWorldStatus, kDarkPlacesStatus));
   EXPECT_THAT(bench.client.taken(), IsEmpty());
   bench.tick(2.5);
   EXPECT_THAT(bench.client.taken(), ElementsAre("- 10.0.0.1:26000 does not answer"));
@@ -75,7 +76,24 @@ TEST(ClientEndpoint, ExplainsThatAServerSpeaksQuakeWorld) {
   EXPECT_EQ(bench.client.endpoint.state(), ClientEndpoint::State::kIdle);
 }
 
-// DarkPlaces answers the same question with another word, and takes connection requests.
+// A DarkPlaces server with its own protocol answers only this; another one also lets us join.
+TEST(ClientEndpoint, ExplainsThatDarkPlacesHasAnotherProtocol) {
+  ClientBench bench;
+  bench.tick(2.6);
+  bench.send("\xff\xff\xff\xffstatusResponse\n\\gamename\\DarkPlaces-Quake"s);
+  bench.tick();
+  EXPECT_THAT(bench.client.taken(), IsEmpty());
+  bench.tick(2.5);
+  bench.tick(2.5);
+  EXPECT_THAT(
+      bench.client.taken(),
+      ElementsAre("- 10.0.0.1:26000 is a DarkPlaces server with a protocol of its own; its host can set "
+                  "sv_protocolname to QUAKE"));
+  bench.client.endpoint.connect(kServer, bench.now_s);
+  for (int i = 0; i < 3; ++i) bench.tick(2.6);
+  EXPECT_THAT(bench.client.taken(), ElementsAre("- 10.0.0.1:26000 does not answer"));
+}
+
 TEST(ClientEndpoint, OtherPacketsOutsideAConnectionAreIgnored) {
   ClientBench bench;
   for (const auto& text :
