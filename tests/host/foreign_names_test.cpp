@@ -77,6 +77,9 @@ TEST(ForeignNames, RejectValuesThatMeanNothing) {
   EXPECT_EQ(number(host, "topcolor"), 2);
   EXPECT_EQ(number(host, "bottomcolor"), 3);
   EXPECT_EQ(count_lines(host, "it takes a number from 0 to 255"), 3u);
+  host.command("color");
+  host.run(0.1);
+  EXPECT_TRUE(host.has_printed("color is 2 3"));
   EXPECT_TRUE(host.has_printed("\"_cl_name\" is called name here"));
   host.command("_cl_color 255; _cl_color 3.5; vid_fullscreen maybe");
   host.run(0.1);

@@ -14,6 +14,7 @@
 #include "command/text.h"
 #include "host/commands/chat_macros.h"
 #include "host/commands/command_adder.h"
+#include "host/commands/configuration.h"
 #include "host/commands/list_commands.h"
 #include "host/commands/sound_commands.h"
 #include "host/commands/view_commands.h"
@@ -142,8 +143,11 @@ void add_server_commands(Host& io_host) {
 }
 
 void set_colors(Host& io_host, Arguments arguments) {
-  if (arguments.size() < 2) return print_command_error(io_host, "color SHIRT [PANTS]: 0 to 13");
   command::Variables& variables = io_host.variables.variables();
+  if (arguments.size() < 2)
+    return print_line(
+        io_host, fmt::format("color is {} {}; color SHIRT [PANTS]: 0 to 13", variables.find("topcolor")->text,
+                             variables.find("bottomcolor")->text));
   print_if_command_error(io_host, variables.set("topcolor", arguments[1]));
   print_if_command_error(io_host, variables.set("bottomcolor", arguments[arguments.size() > 2 ? 2 : 1]));
 }
