@@ -109,7 +109,7 @@ TEST(ServeProgram, SaysWhatToDoAboutUnusablePorts) {
   EXPECT_THAT(busy.err, HasSubstr("--port"));
 }
 
-// In order of increasing priority: server.cfg, --maxclients, --exec. None works once the level runs.
+// In order of increasing priority: server.cfg, --set, --maxclients, --exec. None works once the level runs.
 TEST(ServeProgram, MaxplayersSetsTheSlots) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_GAME();
@@ -124,7 +124,9 @@ TEST(ServeProgram, MaxplayersSetsTheSlots) {
   EXPECT_THAT(file.out, HasSubstr("server.cfg:2: maxplayers: \"many\" is not a number"));
   EXPECT_THAT(file.out, HasSubstr("maxplayers is 3."));
   EXPECT_THAT(file.out, HasSubstr("--maxclients 9")) << "the error says how to do it";
-  const ShellRun option = run_script(folder.path(), start + " --maxclients 5\n");
+  const ShellRun set = run_script(folder.path(), start + " --set maxplayers=4\n");
+  EXPECT_THAT(set.out, HasSubstr("up to 4 players, level start"));
+  const ShellRun option = run_script(folder.path(), start + " --maxclients 5 --set maxplayers=4\n");
   EXPECT_THAT(option.out, HasSubstr("up to 5 players, level start"));
   const ShellRun stock = run_script(folder.path(), start + " --maxclients 5 +maxplayers 1\n");
   EXPECT_THAT(stock.out, HasSubstr("up to 1 player, level start"));

@@ -136,9 +136,10 @@ Command* add_serve_command(Command& program, ServeOptions& io_options) {
       ->capture_default_str();
   command->add_option("--host", io_options.host, "Listen only on this address")->type_name("ADDRESS");
   command
-      ->add_option("--maxclients", io_options.max_clients,
-                   "Maximum number of players, up to 255 (default: maxplayers of server.cfg, or 8); stock "
-                   "clients refuse more than 16")
+      ->add_option(
+          "--maxclients", io_options.max_clients,
+          "Maximum number of players, up to 255 (default: --set maxplayers=N, maxplayers of server.cfg, "
+          "or 8); stock clients refuse more than 16")
       ->type_name("N")
       ->check(in_range(1, 255));
   command->add_option("--progs", io_options.program, "Game code (default: progs.dat of the game directories)")
@@ -180,6 +181,11 @@ base::Status run_serve(const ServeOptions& options, const CommonOptions& common,
     server.console.run();
     TRY_STATUS(apply_options(common, std::nullopt, settings.variables()));
   }
+  // The variable belongs to the games of a client; on a server, it means the slots.
+  constexpr std::string_view kSlots = "maxplayers=";
+  for (const std::string_view assignment : common.assignments)
+    if (assignment.starts_with(kSlots))
+      server.console.execute(fmt::format("maxplayers {}", assignment.substr(kSlots.size())));
   if (options.max_clients > 0) TRY_STATUS(server::set_max_clients(server, options.max_clients));
   for (const std::string& line : options.execute) server.console.append(line);
   server.console.run();
