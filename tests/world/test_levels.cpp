@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/levels/small_bsp.h"
 
 namespace temblor::world {
 
@@ -34,7 +35,7 @@ std::vector<TestLevel> stock_levels(const std::filesystem::path& base_folder) {
 }
 
 TestLevel small_test_level(const artgen::SmallLevelOptions& options) {
-  return test_level("small", artgen::make_small_level(options));
+  return test_level("small", test::small_bsp(options));
 }
 
 }  // namespace temblor::world

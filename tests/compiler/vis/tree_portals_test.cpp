@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <string>
 
-#include "artgen/small_level.h"
 #include "compiler/drafts.h"
 #include "compiler/vis/sight_lines.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
+#include "support/levels/small_bsp.h"
 
 namespace temblor::compiler {
 namespace {
@@ -81,21 +81,21 @@ void expect_portals_between_their_leaves(const std::string& name, const formats:
 }
 
 TEST(TreePortals, AreWhereLinesCrossFromLeafToLeaf) {
-  expect_portals_where_lines_cross("small level", artgen::make_small_level(), 2000);
+  expect_portals_where_lines_cross("small level", test::small_bsp(), 2000);
   DATA_FOLDER_OR_SKIP(folder);
   for (const char* name : {"start", "lq_e0m1"})
     expect_portals_where_lines_cross(name, finished_level(folder, name), test::effort(2000, 100));
 }
 
 TEST(TreePortals, JoinTheLeavesOnBothSides) {
-  expect_portals_between_their_leaves("small level", artgen::make_small_level());
+  expect_portals_between_their_leaves("small level", test::small_bsp());
   DATA_FOLDER_OR_SKIP(folder);
   for (const char* name : {"start", "lq_e0m1", "lqdm5"})
     expect_portals_between_their_leaves(name, finished_level(folder, name));
 }
 
 TEST(TreePortals, NumberOpenLeavesAsClusters) {
-  const formats::Bsp bsp = artgen::make_small_level();
+  const formats::Bsp bsp = test::small_bsp();
   const PortalSet set = make_tree_portals(bsp).value();
   ASSERT_EQ(set.cluster_of_leaf.size(), bsp.leaves.size());
   EXPECT_EQ(set.cluster_of_leaf[0], kNoCluster);
@@ -136,7 +136,7 @@ TEST(TreePortals, SeeThroughTheRightContents) {
 }
 
 TEST(TreePortals, JoinLeavesThatShareVisibilityOnRequest) {
-  formats::Bsp bsp = artgen::make_small_level();
+  formats::Bsp bsp = test::small_bsp();
   for (std::size_t leaf = 1; leaf < bsp.leaves.size(); ++leaf) bsp.leaves[leaf].visibility_offset = 0;
   const PortalSet apart = make_tree_portals(bsp).value();
   const PortalSet shared = make_tree_portals(bsp, {.clusters = Clusters::kSharedVisibility}).value();

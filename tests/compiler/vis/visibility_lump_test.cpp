@@ -7,7 +7,6 @@
 #include <set>
 #include <string>
 
-#include "artgen/small_level.h"
 #include "compiler/bsp/tree_portals.h"
 #include "compiler/drafts.h"
 #include "compiler/vis/sight_lines.h"
@@ -15,6 +14,7 @@
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
+#include "support/levels/small_bsp.h"
 #include "world/visibility.h"
 
 namespace temblor::compiler {
@@ -50,7 +50,7 @@ BitMatrix random_matrix(std::size_t size, test::Random& random) {
 TEST(VisibilityLump, ReadsBackEqualToTheMatrix) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     test::Random random(seed);
-    formats::Bsp bsp = artgen::make_small_level({.tiny = seed % 2 == 0});
+    formats::Bsp bsp = test::small_bsp({.tiny = seed % 2 == 0});
     const PortalSet portals = make_tree_portals(bsp).value();
     const BitMatrix visible = random_matrix(portals.cluster_count, random);
     ASSERT_TRUE(write_visibility(portals, visible, {}, bsp).ok());
@@ -66,7 +66,7 @@ TEST(VisibilityLump, ReadsBackEqualToTheMatrix) {
 }
 
 TEST(VisibilityLump, EqualRowsAreStoredOnce) {
-  formats::Bsp bsp = artgen::make_small_level();
+  formats::Bsp bsp = test::small_bsp();
   const PortalSet portals = make_tree_portals(bsp).value();
   BitMatrix visible(portals.cluster_count, portals.cluster_count);
   for (std::size_t a = 0; a < visible.rows(); ++a) visible.set(a, a % 2);
@@ -80,7 +80,7 @@ TEST(VisibilityLump, EqualRowsAreStoredOnce) {
 
 TEST(VisibilityLump, LongRunsOfZerosTakeTwoBytesPer255) {
   // 5,000 leaves that see only themselves: the row of leaf 4,097 by the format's definition.
-  formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+  formats::Bsp bsp = test::small_bsp({.tiny = true});
   bsp.leaves.resize(5001, {.contents = -1});
   PortalSet portals;
   portals.cluster_count = 5000;

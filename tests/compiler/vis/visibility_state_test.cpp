@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "artgen/small_level.h"
 #include "compiler/bsp/tree_portals.h"
 #include "support/effort.h"
+#include "support/levels/small_bsp.h"
 #include "support/mutations.h"
 
 namespace temblor::compiler {
@@ -18,7 +18,7 @@ using base::ErrorCode;
 constexpr auto kKeepGoing = [](std::size_t, std::size_t) { return true; };
 
 PortalSet small_portals() {
-  return make_tree_portals(artgen::make_small_level()).value();
+  return make_tree_portals(test::small_bsp()).value();
 }
 
 VisibilityState finished_state(const PortalSet& portals) {

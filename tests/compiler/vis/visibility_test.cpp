@@ -7,7 +7,6 @@
 #include <array>
 #include <string>
 
-#include "artgen/small_level.h"
 #include "compiler/bsp/tree_portals.h"
 #include "compiler/vis/flow/base_visibility.h"
 #include "compiler/vis/flow/flow_bounds.h"
@@ -15,6 +14,7 @@
 #include "compiler/vis/sight_lines.h"
 #include "support/effort.h"
 #include "support/game_data.h"
+#include "support/levels/small_bsp.h"
 
 namespace temblor::compiler {
 namespace {
@@ -125,7 +125,7 @@ void expect_lines_arrive(const std::string& name, const formats::Bsp& bsp, const
 }
 
 TEST(Visibility, HidesNothingVisibleInASmallLevel) {
-  const formats::Bsp bsp = artgen::make_small_level();
+  const formats::Bsp bsp = test::small_bsp();
   const PortalSet portals = make_tree_portals(bsp).value();
   const int lines = test::effort(100'000, 3000);
   expect_lines_arrive("small level", bsp, portals, compute_visibility(portals), lines);
@@ -147,7 +147,7 @@ TEST(Visibility, HidesNothingVisibleInFinishedLevels) {
 
 // The bound that ends long searches, used for every portal on its own.
 TEST(Visibility, BoundOfLongSearchesHidesNothingVisible) {
-  const formats::Bsp bsp = artgen::make_small_level();
+  const formats::Bsp bsp = test::small_bsp();
   const PortalSet portals = make_tree_portals(bsp).value();
   const vis::PortalGraph graph = vis::make_portal_graph(portals);
   base::Jobs jobs(1);
@@ -169,7 +169,7 @@ TEST(Visibility, BoundOfLongSearchesHidesNothingVisible) {
 }
 
 TEST(Visibility, IsSymmetricAndWithinTheRoughBound) {
-  const PortalSet portals = make_tree_portals(artgen::make_small_level()).value();
+  const PortalSet portals = make_tree_portals(test::small_bsp()).value();
   base::Jobs jobs(1);
   const BitMatrix visible = compute_visibility(portals), rough = find_roughly_visible_clusters(portals, jobs);
   for (std::size_t a = 0; a < visible.rows(); ++a) {
@@ -181,7 +181,7 @@ TEST(Visibility, IsSymmetricAndWithinTheRoughBound) {
 }
 
 TEST(Visibility, DoesNotDependOnThreads) {
-  const PortalSet portals = make_tree_portals(artgen::make_small_level()).value();
+  const PortalSet portals = make_tree_portals(test::small_bsp()).value();
   const VisibilityState one = finished_state(portals, 1);
   EXPECT_EQ(finished_state(portals, 2), one);
   EXPECT_EQ(finished_state(portals, 8), one);
@@ -195,7 +195,7 @@ TEST(Visibility, DoesNotDependOnThreads) {
 }
 
 TEST(Visibility, ResumesToTheSameResult) {
-  const PortalSet portals = make_tree_portals(artgen::make_small_level()).value();
+  const PortalSet portals = make_tree_portals(test::small_bsp()).value();
   const VisibilityState whole = finished_state(portals);
   base::Jobs jobs(2, base::JobBackend::kStdThread);
   VisibilityState state = begin_visibility(portals);
@@ -211,7 +211,7 @@ TEST(Visibility, ResumesToTheSameResult) {
 }
 
 TEST(Visibility, ProgressGrowsToItsTotal) {
-  const PortalSet portals = make_tree_portals(artgen::make_small_level()).value();
+  const PortalSet portals = make_tree_portals(test::small_bsp()).value();
   base::Jobs jobs(8, base::JobBackend::kStdThread);
   VisibilityState state = begin_visibility(portals);
   std::size_t last = 0, final_total = 0;

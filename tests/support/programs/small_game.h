@@ -2,10 +2,10 @@
 #pragma once
 
 #include "artgen/palette.h"
-#include "artgen/small_level.h"
 #include "base/check.h"
 #include "formats/images/palette.h"
 #include "formats/levels/bsp.h"
+#include "support/levels/small_bsp.h"
 #include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
@@ -14,7 +14,7 @@ class SmallGame {
  public:
   // The level that the program draws if there is no --map and no other option.
   explicit SmallGame(const artgen::SmallLevelOptions& options = {.colored_light = true})
-      : level_(artgen::make_small_level(options)) {
+      : level_(small_bsp(options)) {
     folder_.write("id1/gfx/palette.lmp", formats::write_palette(artgen::make_palette()));
     folder_.write("id1/maps/small.bsp", level_bytes(formats::BspVersion::k29));
   }
