@@ -138,7 +138,7 @@ check_game() {
 }
 
 build_sanitizers() {
-  configure sanitize -DTEMBLOR_FUZZ_SECONDS=2 && build sanitize all scripted_player
+  configure sanitize -DTEMBLOR_FUZZ_SECONDS=1 && build sanitize all scripted_player
 }
 make_packages() {
   make --no-print-directory package >build/package.log 2>&1 || { tail -20 build/package.log; return 1; }
@@ -155,7 +155,7 @@ check_sanitizers() {
   if ! check "sanitize build" finish sanitize; then return; fi
   if [ -d build/release/game/id1/maps ]; then begin levels tools/compare_levels.sh build/release build/sanitize; fi
   begin packages make_packages
-  step "sanitize: test, replay every fuzz corpus, fuzz each target for 2 s"
+  step "sanitize: test, replay every fuzz corpus, fuzz each target for 1 s"
   suite sanitize -LE peers
   if [ -n "${jobs[levels]:-}" ]; then check "levels and demos are identical with both compilers" finish levels; fi
 }
