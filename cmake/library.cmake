@@ -1,8 +1,9 @@
-# temblor_library(NAME [FOLDER F] [ROOT_ONLY] [SOURCES FILE...] [EXCEPT FILE...] [DEPENDS ...] [PRIVATE_DEPENDS ...]):
+# temblor_library(NAME [FOLDER F] [ROOT_ONLY] [COLD] [SOURCES FILE...] [EXCEPT FILE...] [DEPENDS ...]
+#                 [PRIVATE_DEPENDS ...]):
 # compiles src/NAME, or src/F, into the static library temblor::NAME. ROOT_ONLY excludes the subfolders, which are libraries
-# of their own. SOURCES replaces the files found in the folder; EXCEPT excludes some of them.
+# of their own. SOURCES replaces the files found in the folder; EXCEPT excludes some of them. COLD: see temblor_is_cold.
 function(temblor_library name)
-  cmake_parse_arguments(ARG "ROOT_ONLY" "FOLDER" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "ROOT_ONLY;COLD" "FOLDER" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   if(NOT ARG_FOLDER)
     set(ARG_FOLDER ${name})
   endif()
@@ -23,7 +24,11 @@ function(temblor_library name)
   add_library(temblor_${name} STATIC ${sources})
   add_library(temblor::${name} ALIAS temblor_${name})
   target_link_libraries(temblor_${name} PUBLIC temblor_flags ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
-  temblor_use_headers(temblor_${name} temblor_common_headers)
+  if(ARG_COLD)
+    temblor_is_cold(temblor_${name})
+  else()
+    temblor_use_headers(temblor_${name} temblor_common_headers)
+  endif()
 endfunction()
 
 # Defines the flags of tests, and a precompiled header with GoogleTest. In the sanitizer tree, it defines both twice:
