@@ -15,6 +15,7 @@
 #include "formats/levels/entities.h"
 #include "support/levels/bsp_faces.h"
 #include "support/levels/level_script_contents.h"
+#include "support/levels/small_bsp.h"
 
 namespace temblor::artgen {
 namespace {
@@ -47,7 +48,7 @@ std::vector<NamedOptions> list_options() {
 class EverySmallLevel : public testing::TestWithParam<NamedOptions> {};
 
 TEST_P(EverySmallLevel, IsWrittenAndReadInEveryVersion) {
-  const formats::Bsp bsp = make_small_level(GetParam().options);
+  const formats::Bsp bsp = test::small_bsp(GetParam().options);
   for (const auto version :
        {formats::BspVersion::k29, formats::BspVersion::k2Psb, formats::BspVersion::kBsp2}) {
     const auto bytes = formats::write_bsp(bsp, version);
@@ -62,7 +63,7 @@ TEST_P(EverySmallLevel, IsWrittenAndReadInEveryVersion) {
 
 // The sides of the layout's boxes cut space into cells of uniform contents.
 TEST_P(EverySmallLevel, HasTheContentsOfItsLayoutInEveryCell) {
-  const formats::Bsp bsp = make_small_level(GetParam().options);
+  const formats::Bsp bsp = test::small_bsp(GetParam().options);
   const std::vector<SmallLevelBox> boxes = small_level_boxes(GetParam().options);
   std::array<std::set<float>, 3> cuts;
   for (int axis = 0; axis < 3; ++axis)
@@ -145,7 +146,7 @@ std::array<double, 6> measure_visible_areas(const std::vector<SmallLevelBox>& bo
 }
 
 TEST_P(EverySmallLevel, FacesCoverEveryVisibleAreaOnce) {
-  const formats::Bsp bsp = make_small_level(GetParam().options);
+  const formats::Bsp bsp = test::small_bsp(GetParam().options);
   std::array<double, 6> areas{};
   for (std::uint32_t i = 0; i < bsp.models[0].face_count; ++i) {
     const formats::BspFace& face = bsp.faces[bsp.models[0].first_face + i];
@@ -157,7 +158,7 @@ TEST_P(EverySmallLevel, FacesCoverEveryVisibleAreaOnce) {
 }
 
 TEST_P(EverySmallLevel, NoVertexLiesInsideAnEdge) {
-  const formats::Bsp bsp = make_small_level(GetParam().options);
+  const formats::Bsp bsp = test::small_bsp(GetParam().options);
   // Only the world: the door is a separate model, whose vertices may lie on the world's edges.
   const std::uint32_t world_faces = bsp.models[0].face_count;
   std::set<std::uint32_t> world_vertices;
@@ -197,9 +198,9 @@ TEST(SmallLevel, IsTheSameEveryTime) {
 }
 
 TEST(SmallLevel, SharesEdgesBetweenTwoFacesOrMore) {
-  EXPECT_EQ(count_max_edge_uses(make_small_level()), 2);
-  EXPECT_GE(count_max_edge_uses(make_small_level({.edge_used_three_times = true})), 3);
-  EXPECT_GE(count_max_edge_uses(make_small_level({.edge_used_three_times = true, .tiny = true})), 3);
+  EXPECT_EQ(count_max_edge_uses(test::small_bsp()), 2);
+  EXPECT_GE(count_max_edge_uses(test::small_bsp({.edge_used_three_times = true})), 3);
+  EXPECT_GE(count_max_edge_uses(test::small_bsp({.edge_used_three_times = true, .tiny = true})), 3);
 }
 
 double measure_longest_lit_side(const formats::Bsp& bsp) {
@@ -216,8 +217,8 @@ double measure_longest_lit_side(const formats::Bsp& bsp) {
 }
 
 TEST(SmallLevel, HasFacesWiderThanStockOnlyOnRequest) {
-  EXPECT_EQ(measure_longest_lit_side(make_small_level()), 256);
-  EXPECT_EQ(measure_longest_lit_side(make_small_level({.wide_faces = true})), 1024);
+  EXPECT_EQ(measure_longest_lit_side(test::small_bsp()), 256);
+  EXPECT_EQ(measure_longest_lit_side(test::small_bsp({.wide_faces = true})), 1024);
 }
 
 std::size_t count_max_styles(const formats::Bsp& bsp) {
@@ -229,55 +230,55 @@ std::size_t count_max_styles(const formats::Bsp& bsp) {
 }
 
 TEST(SmallLevel, HasTheRequestedLight) {
-  EXPECT_EQ(count_max_styles(make_small_level()), 2u);
-  EXPECT_EQ(count_max_styles(make_small_level({.four_styles = true})), 4u);
-  const formats::Bsp dark = make_small_level({.light = false, .colored_light = true});
+  EXPECT_EQ(count_max_styles(test::small_bsp()), 2u);
+  EXPECT_EQ(count_max_styles(test::small_bsp({.four_styles = true})), 4u);
+  const formats::Bsp dark = test::small_bsp({.light = false, .colored_light = true});
   EXPECT_TRUE(dark.lighting.empty());
   EXPECT_TRUE(dark.bspx.empty());
   EXPECT_EQ(count_max_styles(dark), 0u);
-  EXPECT_TRUE(make_small_level().bspx.empty());
-  const formats::Bsp colored = make_small_level({.colored_light = true});
+  EXPECT_TRUE(test::small_bsp().bspx.empty());
+  const formats::Bsp colored = test::small_bsp({.colored_light = true});
   const formats::BspxLump* lump = colored.find_bspx("RGBLIGHTING");
   ASSERT_NE(lump, nullptr);
   EXPECT_EQ(lump->data.size(), colored.lighting.size() * 3);
-  EXPECT_EQ(colored.lighting, make_small_level().lighting);
+  EXPECT_EQ(colored.lighting, test::small_bsp().lighting);
 }
 
 TEST(SmallLevel, HidesLeavesFromOneAnotherOnlyWithAPvs) {
-  const formats::Bsp bsp = make_small_level();
+  const formats::Bsp bsp = test::small_bsp();
   EXPECT_FALSE(bsp.visibility.empty());
   for (std::int32_t leaf = 1; leaf <= bsp.models[0].visible_leaves; ++leaf)
     EXPECT_GE(bsp.leaves[static_cast<std::size_t>(leaf)].visibility_offset, 0);
-  const formats::Bsp open = make_small_level({.pvs = false});
+  const formats::Bsp open = test::small_bsp({.pvs = false});
   EXPECT_TRUE(open.visibility.empty());
   for (const formats::BspLeaf& leaf : open.leaves) EXPECT_EQ(leaf.visibility_offset, -1);
 }
 
 TEST(SmallLevel, CanOmitATexture) {
   const auto empty = [](const formats::BspMiptex& miptex) { return miptex.mips[0].empty(); };
-  const formats::Bsp whole = make_small_level();
+  const formats::Bsp whole = test::small_bsp();
   EXPECT_EQ(std::count_if(whole.miptexes.begin(), whole.miptexes.end(), empty), 0);
-  const formats::Bsp lacking = make_small_level({.missing_texture = true});
+  const formats::Bsp lacking = test::small_bsp({.missing_texture = true});
   EXPECT_EQ(std::count_if(lacking.miptexes.begin(), lacking.miptexes.end(), empty), 1);
 }
 
 TEST(SmallLevel, SeedChangesTheTexturesOnly) {
-  formats::Bsp other = make_small_level({.seed = 2});
-  formats::Bsp first = make_small_level();
+  formats::Bsp other = test::small_bsp({.seed = 2});
+  formats::Bsp first = test::small_bsp();
   EXPECT_FALSE(other == first);
   other.miptexes = first.miptexes;
   EXPECT_TRUE(other == first);
 }
 
 TEST(SmallLevel, TheTinyOneIsASmallFile) {
-  const auto bytes = formats::write_bsp(make_small_level({.tiny = true}), formats::BspVersion::k29);
+  const auto bytes = formats::write_bsp(test::small_bsp({.tiny = true}), formats::BspVersion::k29);
   EXPECT_LT(bytes->size(), 20'000u);
 }
 
 TEST(SmallLevel, StartsThePlayerInTheOpen) {
   for (const bool tiny : {false, true}) {
     const SmallLevelOptions options{.tiny = tiny};
-    const auto entities = formats::read_entities(make_small_level(options).entities);
+    const auto entities = formats::read_entities(test::small_bsp(options).entities);
     ASSERT_TRUE(entities.ok());
     int starts = 0;
     for (const formats::Entity& entity : *entities) {
