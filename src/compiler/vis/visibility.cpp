@@ -5,7 +5,7 @@
 //    base visibility only   uses the rows    uses the rows of rounds 1 and 2 ...
 //                           of round 1
 //
-// Crowded portals get bounds in a round of their own, before these.
+// Crowded portals get bounds in rounds of their own, before these, and quick sweeps come first.
 #include "compiler/vis/visibility.h"
 
 #include <algorithm>
@@ -24,7 +24,6 @@
 #include "compiler/vis/flow/flow_bounds.h"
 #include "compiler/vis/flow/portal_flow.h"
 #include "compiler/vis/flow/portal_graph.h"
-#include "compiler/vis/flow/reach.h"
 
 namespace temblor::compiler {
 
@@ -33,7 +32,7 @@ namespace {
 using vis::PortalGraph;
 
 // Raise this if the same portals get other rows, so that no saved state is continued by another method.
-constexpr std::uint64_t kMethod = 3;
+constexpr std::uint64_t kMethod = 4;
 
 // Where rounds end, in percent of the portals. The first portals are quick and the last ones slow, so rounds
 // get shorter. With more rounds, a run waits more often for its slowest thread and gains little.
@@ -41,6 +40,11 @@ constexpr std::array<std::size_t, 7> kRoundEnds{40, 60, 75, 85, 92, 97, 100};
 
 // A portal that might see more clusters than this is crowded. Few portals of ordinary levels are.
 constexpr std::size_t kCrowdedClusters = 512;
+
+// Portals that a crowded portal's searches cut: first in sweeps over all portals, which are not saved, then
+// for its bound, and for its row. A search with more cuts takes hardly more time if the bounds are narrow.
+constexpr std::array<std::size_t, 2> kSweepCuts{300, 3000};
+constexpr std::size_t kCrowdedBoundCuts = 30'000, kCrowdedRowCuts = 100'000;
 
 // Depends on every number of every portal, in order.
 std::uint64_t compute_fingerprint(const PortalSet& set) {
@@ -201,14 +205,46 @@ VisibilityEnd run_rounds(std::span<const std::uint32_t> portals, std::span<const
   return VisibilityEnd::kFinished;
 }
 
+using FlowPool = SearchPool<vis::PortalFlow>;
+
+// Narrows the bounds of all portals by short searches. Every process repeats this, so that no state is
+// needed. Returns false if it was stopped.
+bool sweep(std::size_t cuts, base::Jobs& jobs, FlowPool& io_pool, const FlowMeter& meter,
+           vis::FlowBounds& io_bounds) {
+  constexpr std::size_t kBatch = 32;
+  BitMatrix found(io_bounds.rows().rows(), io_bounds.rows().columns());
+  std::vector<std::uint32_t> order(found.rows());
+  std::iota(order.begin(), order.end(), 0u);
+  sort_by_bound(io_bounds.rows(), order);
+  std::size_t begin = 0;
+  for (const std::size_t end_percent : kRoundEnds) {
+    const std::size_t end = order.size() * end_percent / 100;
+    const auto round = std::span(order).subspan(begin, end - begin);
+    jobs.parallel_for((round.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
+      auto search = io_pool.take();
+      for (const std::uint32_t portal :
+           round.subspan(batch * kBatch, std::min(kBatch, round.size() - batch * kBatch)))
+        if (!search->run(portal, io_bounds, cuts, meter.stopped(), found.row(portal))) break;
+      io_pool.give_back(std::move(search));
+    });
+    if (meter.stopped()) return false;
+    io_bounds.narrow(round, found);
+    begin = end;
+  }
+  return true;
+}
+
 // Computes the bounds of some crowded portals of one round.
 void run_bounds(std::span<const std::uint32_t> portals, const WorkOrder& order, const vis::FlowBounds& bounds,
-                base::Jobs& jobs, SearchPool<vis::Reach>& io_pool, FlowMeter& io_meter,
-                VisibilityState& io_state) {
-  run_searches(portals, order, jobs, io_pool, io_meter, [&](vis::Reach& reach, std::uint32_t portal) {
-    reach.run(portal, bounds, bounds.row(portal), io_state.bound.row(portal));
-    io_state.bounded[portal] = 1;
-    return true;
+                base::Jobs& jobs, FlowPool& io_pool, FlowMeter& io_meter, VisibilityState& io_state) {
+  run_searches(portals, order, jobs, io_pool, io_meter, [&](vis::PortalFlow& flow, std::uint32_t portal) {
+    const auto row = io_state.bound.row(portal);
+    if (flow.run(portal, bounds, kCrowdedBoundCuts, io_meter.stopped(), row)) {
+      io_state.bounded[portal] = 1;
+      return true;
+    }
+    std::ranges::fill(row, BitMatrix::Word{0});
+    return false;
   });
 }
 
@@ -220,11 +256,11 @@ struct FlowInput {
 
 // Computes the rows of some portals of one round.
 void run_flows(std::span<const std::uint32_t> portals, const WorkOrder& order, const FlowInput& input,
-               base::Jobs& jobs, SearchPool<vis::PortalFlow>& io_pool, FlowMeter& io_meter,
-               VisibilityState& io_state) {
+               base::Jobs& jobs, FlowPool& io_pool, FlowMeter& io_meter, VisibilityState& io_state) {
   run_searches(portals, order, jobs, io_pool, io_meter, [&](vis::PortalFlow& flow, std::uint32_t portal) {
     const auto row = io_state.seen.row(portal);
-    if (flow.run(portal, input.bounds, input.is_crowded[portal] != 0, io_meter.stopped(), row)) {
+    const std::size_t cuts = input.is_crowded[portal] != 0 ? kCrowdedRowCuts : 0;
+    if (flow.run(portal, input.bounds, cuts, io_meter.stopped(), row)) {
       io_state.finished[portal] = 1;
       return true;
     }
@@ -293,13 +329,15 @@ VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& 
                   order.cost(list_portals(io_state.bounded)) + order.cost(list_portals(io_state.finished)),
                   order.cost(crowded) + order.cost(order.portals));
 
-  SearchPool<vis::Reach> reaches(graph);
+  FlowPool flows(graph);
+  if (!crowded.empty())
+    for (const std::size_t cuts : kSweepCuts)
+      if (!sweep(cuts, jobs, flows, meter, bounds)) return VisibilityEnd::kStopped;
   const VisibilityEnd bounded =
       run_rounds(crowded, io_state.bounded, io_state.bound, share, meter, bounds,
-                 [&](auto own) { run_bounds(own, order, bounds, jobs, reaches, meter, io_state); });
+                 [&](auto own) { run_bounds(own, order, bounds, jobs, flows, meter, io_state); });
   if (bounded != VisibilityEnd::kFinished) return bounded;
   sort_by_bound(bounds.rows(), order.portals);
-  SearchPool<vis::PortalFlow> flows(graph);
   return run_rounds(order.portals, io_state.finished, io_state.seen, share, meter, bounds, [&](auto own) {
     run_flows(own, order, {bounds, is_crowded}, jobs, flows, meter, io_state);
   });

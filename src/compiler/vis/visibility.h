@@ -8,7 +8,7 @@
 // A portal's result depends only on the portals, not on threads or on how processes share the work. To that
 // end, portals are sorted by how much they might see, and the order is cut into rounds. Results of a round
 // narrow the searches of later rounds, but never those of the same round. In large halls, where most searches
-// would not end, a round before these computes bounds (vis/flow/reach.h).
+// would not end, short searches in rounds before these compute bounds.
 #pragma once
 
 #include <cstdint>

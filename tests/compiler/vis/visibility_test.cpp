@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <string>
 
 #include "compiler/bsp/tree_portals.h"
 #include "compiler/vis/flow/base_visibility.h"
 #include "compiler/vis/flow/flow_bounds.h"
+#include "compiler/vis/flow/portal_flow.h"
 #include "compiler/vis/flow/reach.h"
 #include "compiler/vis/sight_lines.h"
 #include "support/effort.h"
@@ -168,6 +170,32 @@ TEST(Visibility, BoundOfLongSearchesHidesNothingVisible) {
   expect_lines_arrive("small level, bound", bsp, portals, visible, test::effort(100'000, 3000));
 }
 
+// With few cuts, a search shows more than with many, never less, and stays within its bound.
+TEST(Visibility, SearchesWithFewCutsHideNothingThatLongOnesShow) {
+  const PortalSet portals = make_tree_portals(artgen::make_small_level()).value();
+  const vis::PortalGraph graph = vis::make_portal_graph(portals);
+  base::Jobs jobs(1);
+  const vis::FlowBounds bounds(graph, vis::find_base_visibility(graph, jobs), true);
+  vis::PortalFlow flow(graph);
+  const std::atomic<bool> stop{false};
+  std::size_t exact_bits = 0, rough_bits = 0;
+  for (std::uint32_t i = 0; i < graph.portals.size(); ++i) {
+    BitMatrix rows(2, graph.cluster_count);
+    ASSERT_TRUE(flow.run(i, bounds, 0, stop, rows.row(0)));
+    exact_bits += count_bits(rows.row(0));
+    for (const std::size_t cuts : std::array<std::size_t, 4>{1, 5, 30, 300}) {
+      std::ranges::fill(rows.row(1), BitMatrix::Word{0});
+      ASSERT_TRUE(flow.run(i, bounds, cuts, stop, rows.row(1)));
+      if (cuts == 1) rough_bits += count_bits(rows.row(1));
+      for (std::size_t word = 0; word < rows.row(0).size(); ++word) {
+        EXPECT_EQ(rows.row(0)[word] & ~rows.row(1)[word], 0u) << "portal " << i << ", cuts " << cuts;
+        EXPECT_EQ(rows.row(1)[word] & ~bounds.row(i)[word], 0u) << "portal " << i << ", cuts " << cuts;
+      }
+    }
+  }
+  EXPECT_LT(exact_bits, rough_bits);
+}
+
 TEST(Visibility, IsSymmetricAndWithinTheRoughBound) {
   const PortalSet portals = make_tree_portals(test::small_bsp()).value();
   base::Jobs jobs(1);
@@ -187,11 +215,13 @@ TEST(Visibility, DoesNotDependOnThreads) {
   EXPECT_EQ(finished_state(portals, 8), one);
   if (test::kQuick) return;
   DATA_FOLDER_OR_SKIP(folder);
-  const PortalSet real =
-      make_tree_portals(finished_level(folder, "lq_e0m1"), {.clusters = Clusters::kSharedVisibility}).value();
-  const VisibilityState real_one = finished_state(real, 1);
-  EXPECT_EQ(finished_state(real, 2), real_one);
-  EXPECT_EQ(finished_state(real, 8), real_one);
+  for (const std::string name : {"lq_e0m1", "lqdm5"}) {  // without and with crowded portals
+    const PortalSet real =
+        make_tree_portals(finished_level(folder, name), {.clusters = Clusters::kSharedVisibility}).value();
+    const VisibilityState real_one = finished_state(real, 1);
+    EXPECT_EQ(finished_state(real, 2), real_one) << name;
+    EXPECT_EQ(finished_state(real, 8), real_one) << name;
+  }
 }
 
 TEST(Visibility, ResumesToTheSameResult) {

@@ -14,14 +14,9 @@ namespace {
 
 using Word = BitMatrix::Word;
 
-// Portals cut in one search until it is bounded, and until it ends.
-struct CutLimits {
-  std::size_t bound, end;
-};
-// A few portals of ordinary levels exceed the first limit, none exceed the second.
-constexpr CutLimits kOrdinaryLimits{4000, 30'000};
-// The search of a crowded portal that does not end soon seldom ends later.
-constexpr CutLimits kCrowdedLimits{1500, 4000};
+// Portals cut in one search until it is bounded, and until it ends. A few portals of ordinary levels exceed
+// the first limit, none exceed the second.
+constexpr std::size_t kBoundCuts = 4000, kMaxCuts = 30'000;
 
 // out_both = a & b. Returns whether that has a bit that `seen` lacks.
 bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Word> seen,
@@ -39,6 +34,23 @@ bool narrow(std::span<const Word> a, std::span<const Word> b, std::span<const Wo
 PortalFlow::Link& PortalFlow::link(std::size_t depth) {
   while (chain_.size() <= depth) chain_.emplace_back();
   return chain_[depth];
+}
+
+// Prepares a link for trying the portals of the cluster beyond.
+void PortalFlow::begin_link(std::uint32_t portal, std::size_t cut_limit, Link& out_link) const {
+  const std::uint32_t cluster = graph_.portals[portal].to;
+  out_link.portal = portal;
+  out_link.next = graph_.first_exit[cluster];
+  out_link.end = graph_.first_exit[cluster + 1];
+  out_link.cut_limit = cut_limit;
+}
+
+// The cut limit of a link that follows `from`. Cuts are divided evenly among the portal that is being tried
+// and those after it; those that it does not need are left to them.
+std::size_t PortalFlow::share_cuts(const Link& from) const {
+  if (!shares_cuts_) return from.cut_limit;
+  const std::size_t left = from.cut_limit - std::min(cuts_, from.cut_limit);
+  return cuts_ + left / (from.end - from.next + 1);
 }
 
 // Cuts the next portal to what lines through the chain can reach, and the first portal to what can see the
@@ -92,8 +104,7 @@ bool PortalFlow::extend(std::size_t depth, std::uint32_t portal, const FlowBound
   to.might.resize(from.might.size());
   if (!narrow(from.might, bounds.row(portal), io_seen, to.might)) return false;
   ++cuts_;
-  to.portal = portal;
-  to.next = graph_.first_exit[exit.to];
+  begin_link(portal, share_cuts(from), to);
   if (!cut_to_lines(from, to, depth == 0)) return false;
   set_bit(io_seen, exit.to);
   find_separators({to.source, graph_.facings[chain_[0].portal].beyond},
@@ -115,12 +126,22 @@ void PortalFlow::tighten(std::uint32_t portal, std::size_t depth, const FlowBoun
   }
 }
 
+// Ends the chain's last link: all that might be seen through portals that were not tried counts as seen.
+void PortalFlow::add_untried(const FlowBounds& bounds, Link& io_last, std::span<Word> io_seen) const {
+  for (; io_last.next < io_last.end; ++io_last.next) {
+    const DirectedPortal& exit = graph_.portals[io_last.next];
+    if (on_chain_[io_last.next] != 0 || on_chain_[exit.reverse] != 0 || !has_bit(io_last.might, exit.to))
+      continue;
+    const auto row = bounds.row(io_last.next);
+    for (std::size_t i = 0; i < io_seen.size(); ++i) io_seen[i] |= io_last.might[i] & row[i];
+  }
+}
+
 // Chains end because an opening is entered only once (on_chain_), and because `might` shrinks on the way.
-bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, bool is_crowded,
+bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, std::size_t shared_cuts,
                      const std::atomic<bool>& stop, std::span<Word> io_seen) {
   Link& first = link(0);
-  first.portal = portal;
-  first.next = graph_.first_exit[graph_.portals[portal].to];
+  begin_link(portal, shared_cuts > 0 ? shared_cuts : kMaxCuts, first);
   first.source = Winding(graph_.find_corners(portal));
   first.separators.count = 0;
   const auto base_row = bounds.row(portal);
@@ -129,18 +150,16 @@ bool PortalFlow::run(std::uint32_t portal, const FlowBounds& bounds, bool is_cro
   std::ranges::fill(on_chain_, std::uint8_t{0});
   on_chain_[portal] = 1;
   cuts_ = 0;
-  const CutLimits& limits = is_crowded ? kCrowdedLimits : kOrdinaryLimits;
-  bool is_bounded = false;
+  shares_cuts_ = shared_cuts > 0;
+  bool is_bounded = shares_cuts_;
   for (std::size_t depth = 0;;) {
-    if (cuts_ >= limits.bound && !is_bounded) {
+    if (cuts_ >= kBoundCuts && !is_bounded) {
       tighten(portal, depth, bounds, io_seen);
       is_bounded = true;
-    } else if (cuts_ >= limits.end) {
-      std::ranges::copy(bound_, io_seen.begin());
-      return true;
     }
     Link& last = chain_[depth];
-    if (last.next == graph_.first_exit[graph_.portals[last.portal].to + 1]) {
+    if (cuts_ >= last.cut_limit) add_untried(bounds, last, io_seen);
+    if (last.next == last.end) {
       on_chain_[last.portal] = 0;
       if (depth-- == 0) return true;
       continue;
