@@ -132,6 +132,17 @@ TEST(ServeProgram, MaxplayersSetsTheSlots) {
   EXPECT_THAT(stock.out, HasSubstr("up to 1 player, level start"));
 }
 
+// DarkPlaces, for example, reads no other protocol. The level reaches from -4095 to 4095.
+TEST(ServeProgram, LevelsOfTheStockSizeUseTheOldestProtocol) {
+  DATA_FOLDER_OR_SKIP(data);
+  SKIP_WITHOUT_GAME();
+  const TemporaryFolder folder;
+  std::filesystem::create_directory_symlink(data / "id1", folder.path() / "id1");
+  const std::string commands = "'changelevel lq_e0m2\nquit\n'";
+  const ShellRun run = run_script(folder.path(), "printf " + commands + " | SERVE\n");
+  EXPECT_THAT(run.out, HasSubstr("level lq_e0m2, protocol 15"));
+}
+
 TEST(ServeProgram, ErrorsOfTheConfigurationNameFileAndLine) {
   DATA_FOLDER_OR_SKIP(data);
   SKIP_WITHOUT_GAME();

@@ -67,9 +67,10 @@ bool needs_looks_of_fitzquake(Game& io_game) {
   return false;
 }
 
-// Positions of protocols 15 and 666 have 16 bits, the last three of which are eighths of a unit.
+// Positions of protocols 15 and 666 have 16 bits, the last three of which are eighths of a unit. The bounds
+// are a unit wider than the level's faces.
 bool needs_wide_positions(const world::Level& level) {
-  constexpr float kFarthest = 4095;
+  constexpr float kFarthest = 4096;
   const math::Bounds& bounds = level.world().bounds;
   return glm::any(glm::lessThan(bounds.mins, math::Vec3(-kFarthest))) ||
          glm::any(glm::greaterThan(bounds.maxs, math::Vec3(kFarthest)));
