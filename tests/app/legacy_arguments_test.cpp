@@ -25,6 +25,16 @@ TEST(LegacyArguments, DefaultCommandIsPlay) {
               ElementsAre("--basedir", "quake", "--game", "mod", "play", "--exec", "map e1m1"));
 }
 
+TEST(LegacyArguments, WindowAndSoundAreThoseOfOtherEngines) {
+  EXPECT_THAT(ours({"-window", "-width", "800", "-height", "600", "-nosound", "-basedir", "quake"}),
+              ElementsAre("--set", "vid_mode=window", "--set", "vid_width=800", "--set", "vid_height=600",
+                          "--basedir", "quake", "play", "--nosound"));
+  EXPECT_THAT(ours({"+map", "start", "-fullscreen"}),
+              ElementsAre("--set", "vid_mode=fullscreen", "play", "--exec", "map start"));
+  EXPECT_THAT(ours({"+map", "start", "-width"}), ElementsAre("-width", "play", "--exec", "map start"));
+  EXPECT_THAT(ours({"render", "-width", "8", "-window"}), ElementsAre("render", "-width", "8", "-window"));
+}
+
 TEST(LegacyArguments, MissionPacksAreGamesBelowTheMods) {
   EXPECT_THAT(ours({"-game", "mod", "-hipnotic", "+map", "hip1m1"}),
               ElementsAre("--game", "hipnotic", "--game", "mod", "play", "--exec", "map hip1m1"));

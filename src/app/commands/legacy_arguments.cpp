@@ -14,7 +14,22 @@ bool is_console_command(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
 }
 
-// Only the two options that launchers pass; other single-dash words stay, so that -o works.
+// Options of the window. Each becomes `--set`, with the next word after a "=" at the end.
+struct WindowOption {
+  std::string_view name, assignment;
+};
+constexpr WindowOption kWindowOptions[] = {{"-fullscreen", "vid_mode=fullscreen"},
+                                           {"-height", "vid_height="},
+                                           {"-width", "vid_width="},
+                                           {"-window", "vid_mode=window"}};
+
+const WindowOption* find_window_option(std::string_view word) {
+  const auto* const found = std::find_if(std::begin(kWindowOptions), std::end(kWindowOptions),
+                                         [&](const WindowOption& option) { return option.name == word; });
+  return found == std::end(kWindowOptions) ? nullptr : found;
+}
+
+// Only options that launchers pass; other single-dash words stay, so that -o works.
 std::string use_two_dashes(std::string word) {
   return word == "-basedir" || word == "-game" ? "-" + word : word;
 }
@@ -37,24 +52,39 @@ std::vector<std::string> convert_legacy_arguments(std::span<const char* const> w
   // A mission pack's folder comes first, wherever its option is, because mods build on it.
   std::vector<std::string> all = list_packs(words), ours = all;
   std::vector<std::vector<std::string>> to_execute;
-  bool is_in_command = false;
-  for (const char* const given : words) {
+  std::vector<std::string> of_play;
+  bool is_in_command = false, is_legacy = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string_view given = words[i];
     if (assets::find_pack_folder(given)) {
       is_in_command = false;
       continue;
     }
-    const std::string& word = all.emplace_back(use_two_dashes(given));
+    const std::string& word = all.emplace_back(use_two_dashes(std::string(given)));
+    is_legacy = is_legacy || word != given;
     if (is_console_command(word)) {
       to_execute.push_back({word.substr(1)});
       is_in_command = true;
-    } else if (is_in_command && !word.starts_with('-')) {
+      continue;
+    }
+    if (is_in_command && !word.starts_with('-')) {
       to_execute.back().push_back(word);
+      continue;
+    }
+    is_in_command = false;
+    const WindowOption* const option = find_window_option(word);
+    const bool has_value = option != nullptr && option->assignment.ends_with('=');
+    if (word == "-nosound") {
+      of_play.push_back("--nosound");
+    } else if (option != nullptr && (!has_value || i + 1 < words.size())) {
+      ours.insert(ours.end(), {"--set", std::string(option->assignment)});
+      if (has_value) ours.back() += all.emplace_back(words[++i]);
+      is_legacy = true;
     } else {
       ours.push_back(word);
-      is_in_command = false;
     }
   }
-  if (to_execute.empty()) return all;
+  if (to_execute.empty() && of_play.empty() && !is_legacy) return all;
 
   // Add `play` if no command was given. Other commands than play and serve have no console.
   const auto named = std::find_first_of(ours.begin(), ours.end(), commands.begin(), commands.end());
@@ -62,6 +92,7 @@ std::vector<std::string> convert_legacy_arguments(std::span<const char* const> w
     ours.push_back("play");
   else if (*named != "play" && *named != "serve")
     return all;
+  ours.insert(ours.end(), of_play.begin(), of_play.end());
   for (const std::vector<std::string>& command : to_execute) {
     ours.push_back("--exec");
     ours.push_back(command::join_words(command));

@@ -1,7 +1,8 @@
 // Translates the traditional Quake command line, which launchers and level editors use, to Temblor's own:
 //
-//   -basedir quake -game mod -hipnotic +skill 2 +map start
-//   --game hipnotic --basedir quake --game mod play --exec "skill 2" --exec "map start"
+//   -basedir quake -game mod -hipnotic -window -width 800 +skill 2 +map start
+//   --game hipnotic --basedir quake --game mod --set vid_mode=window --set vid_width=800
+//     play --exec "skill 2" --exec "map start"
 #pragma once
 
 #include <span>
@@ -11,8 +12,9 @@
 namespace temblor::app {
 
 // Returns the translated words. `words` does not include the program's name; `commands` are the names of all
-// commands. -basedir and -game get two dashes, and -hipnotic, -quoth, and -rogue become `--game FOLDER`. Each
-// word that starts with + and a letter, together with the words after it up to the next + or -, becomes
+// commands. -basedir, -game, and -nosound get two dashes, -window, -fullscreen, -width, and -height set
+// variables, and -hipnotic, -quoth, and -rogue become `--game FOLDER`. Each word that starts with + and a
+// letter, together with the words after it up to the next + or -, becomes
 // `--exec "COMMAND"` at the end. Only play and serve have
 // --exec; for other commands the words stay, and without a command `play` is added.
 std::vector<std::string> convert_legacy_arguments(std::span<const char* const> words,
