@@ -12,6 +12,8 @@ namespace temblor::platform {
 struct Datagram {
   Address from;
   base::Bytes bytes;  // owned by the socket
+  // How long it has waited at this machine before receive(), if the system says; otherwise 0.
+  double waited_s = 0;
 };
 
 // No function blocks. Implementations: platform/posix/udp_socket.h, net/transport/loopback.h.

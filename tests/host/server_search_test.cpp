@@ -17,25 +17,29 @@ using ::testing::IsEmpty;
 class FakeSocket : public platform::DatagramSocket {
  public:
   using Arrived = std::deque<std::pair<platform::Address, base::ByteVector>>;
-  explicit FakeSocket(Arrived& io_arrived) : arrived_(io_arrived) {}
+  FakeSocket(Arrived& io_arrived, const double& waited_s) : arrived_(io_arrived), waited_s_(waited_s) {}
 
   void send(const platform::Address&, base::Bytes) override {}
   std::optional<platform::Datagram> receive() override {
     if (arrived_.empty()) return std::nullopt;
     last_ = std::move(arrived_.front());
     arrived_.pop_front();
-    return platform::Datagram{last_.first, last_.second};
+    return platform::Datagram{.from = last_.first, .bytes = last_.second, .waited_s = waited_s_};
   }
   platform::Address local_address() const override { return {}; }
 
  private:
   Arrived& arrived_;
+  const double& waited_s_;
   std::pair<platform::Address, base::ByteVector> last_;
 };
 
 class ServerSearchTest : public ::testing::Test {
  protected:
-  ServerSearchTest() { EXPECT_TRUE(search_.begin(0).ok()); }
+  ServerSearchTest() {
+    window_.set_now(0);
+    EXPECT_TRUE(search_.begin().ok());
+  }
 
   void reply(std::array<std::uint8_t, 4> host, std::string_view name, std::uint16_t port = 26000) {
     auto packet = net::write_control_packet(
@@ -43,18 +47,20 @@ class ServerSearchTest : public ::testing::Test {
     arrived_.emplace_back(platform::ip4_address(host, port), std::move(packet).value());
   }
   std::vector<std::string> find_addresses() {
-    search_.update(0.1);
+    window_.set_now(0.1);
+    search_.update();
     std::vector<std::string> addresses;
     for (const client::MenuServer& server : search_.found()) addresses.push_back(server.address);
     return addresses;
   }
 
   FakeSocket::Arrived arrived_;
+  double waited_s_ = 0;  // of replies
   platform::headless::HeadlessWindow window_{{}};
   host::Services services_{
       .window = window_,
       .open_socket = [this](std::uint16_t) -> base::Result<std::unique_ptr<platform::DatagramSocket>> {
-        return std::unique_ptr<platform::DatagramSocket>(std::make_unique<FakeSocket>(arrived_));
+        return std::unique_ptr<platform::DatagramSocket>(std::make_unique<FakeSocket>(arrived_, waited_s_));
       },
       .is_own_host =
           [](const platform::Address& address) {
@@ -79,10 +85,19 @@ TEST_F(ServerSearchTest, ListsAServerOfThisMachineOnce) {
   EXPECT_THAT(find_addresses(), ElementsAre("127.0.0.1:26000", "192.168.0.2:26000"));
 }
 
+// The reply was there long before the frame that reads it.
+TEST_F(ServerSearchTest, PingIsTheTimeUntilTheReplyArrived) {
+  waited_s_ = 0.088;
+  reply({192, 168, 0, 2}, "Attic");
+  find_addresses();
+  ASSERT_EQ(search_.found().size(), 1u);
+  EXPECT_EQ(search_.found()[0].ping_ms, 12);
+}
+
 TEST_F(ServerSearchTest, ForgetsTheListOfTheLastSearch) {
   reply({192, 168, 0, 2}, "Attic");
   EXPECT_THAT(find_addresses(), ElementsAre("192.168.0.2:26000"));
-  ASSERT_TRUE(search_.begin(1).ok());
+  ASSERT_TRUE(search_.begin().ok());
   EXPECT_THAT(find_addresses(), IsEmpty());
   reply({192, 168, 0, 2}, "Attic");
   EXPECT_THAT(find_addresses(), ElementsAre("192.168.0.2:26000"));

@@ -42,6 +42,16 @@ TEST(UdpSocket, SendsAndReceives) {
   EXPECT_TRUE(back->bytes.empty());
 }
 
+TEST(UdpSocket, KnowsHowLongADatagramHasWaited) {
+  const auto a = open_test_socket({.host = "127.0.0.1"}), b = open_test_socket({.host = "127.0.0.1"});
+  a->send(b->local_address(), base::as_bytes("early"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  const auto late = await_datagram(*b);
+  ASSERT_TRUE(late);
+  EXPECT_GE(late->waited_s, 0.05);
+  EXPECT_LT(late->waited_s, 5);
+}
+
 TEST(UdpSocket, DualStackSocketReportsIp4Peers) {
   const auto all = open_test_socket({}), one = open_test_socket({.host = "127.0.0.1"});
   const std::uint16_t port = all->local_address().port;

@@ -143,7 +143,7 @@ void apply_variables(Host& io_host) {
   const bool takes_text = io_host.console.ui.takes_text() || io_host.game.menu->wants_text();
   if (takes_text != io_host.input.takes_text) window.take_text(takes_text);
   io_host.input.takes_text = takes_text;
-  if (io_host.search.update(io_host.timing.now_s)) io_host.game.menu->refresh();
+  if (io_host.search.update()) io_host.game.menu->refresh();
 }
 
 void read_network(Host& io_host) {

@@ -153,7 +153,7 @@ base::Status dump_console(Host& io_host, std::string_view file) {
 }
 
 void search_servers(Host& io_host) {
-  print_if_error(io_host, io_host.search.begin(io_host.timing.now_s));
+  print_if_error(io_host, io_host.search.begin());
 }
 
 }  // namespace temblor::host

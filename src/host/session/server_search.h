@@ -2,8 +2,8 @@
 //
 // The request and the reply are the control packets of the stock game (net/transport/control.h), so stock
 // servers are found as well. Only servers at the default port reply. The ping of a server is the time until
-// its reply. A server on this machine replies twice, from two of its addresses; the list keeps the first
-// reply.
+// its reply arrived at this machine, however late the frame is that reads it. A server on this machine
+// replies twice, from two of its addresses; the list keeps the first reply.
 #pragma once
 
 #include <map>
@@ -22,10 +22,10 @@ class ServerSearch {
   explicit ServerSearch(Services& services) : services_(services) {}
 
   // Clears the list and starts a new search. Fails if there is no network.
-  base::Status begin(double now_s);
+  base::Status begin();
   // Reads replies and ends the search after some seconds. Call it in each frame. Returns whether the list has
   // changed.
-  bool update(double now_s);
+  bool update();
   // The servers that have replied, in the order of their replies.
   const std::vector<client::MenuServer>& found() const { return found_; }
 

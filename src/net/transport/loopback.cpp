@@ -54,7 +54,7 @@ class LoopbackSocket final : public platform::DatagramSocket {
     received_ = std::move(inbox.queue.front());
     inbox.queue.pop_front();
     inbox.bytes -= compute_queue_cost(received_.bytes);
-    return platform::Datagram{received_.from, received_.bytes};
+    return platform::Datagram{.from = received_.from, .bytes = received_.bytes};
   }
 
   platform::Address local_address() const override { return {{}, port_, 0}; }

@@ -8,8 +8,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <utility>
 
@@ -70,6 +72,24 @@ Address from_system(const sockaddr_storage& storage) {
   return address;
 }
 
+double to_seconds(const timespec& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+// How long ago the system says the message has arrived; 0 if it does not say, or if its clock was changed.
+double find_waiting_time(msghdr& message) {
+  constexpr double kMaxWaiting_s = 10;
+  for (cmsghdr* header = CMSG_FIRSTHDR(&message); header != nullptr; header = CMSG_NXTHDR(&message, header)) {
+    if (header->cmsg_level != SOL_SOCKET || header->cmsg_type != SCM_TIMESTAMPNS) continue;
+    timespec arrived{}, now{};
+    std::memcpy(&arrived, CMSG_DATA(header), sizeof(arrived));
+    clock_gettime(CLOCK_REALTIME, &now);
+    const double waited_s = to_seconds(now) - to_seconds(arrived);
+    return waited_s >= 0 && waited_s < kMaxWaiting_s ? waited_s : 0;
+  }
+  return 0;
+}
+
 // Owns a non-blocking socket and the buffer of the last received datagram.
 class UdpSocket final : public DatagramSocket {
  public:
@@ -92,11 +112,19 @@ class UdpSocket final : public DatagramSocket {
   std::optional<Datagram> receive() override {
     while (true) {
       SystemAddress from;
-      from.size = sizeof(from.storage);
-      const ssize_t size = recvfrom(descriptor_, buffer_.data(), buffer_.size(), 0, from.get(), &from.size);
+      iovec part{buffer_.data(), buffer_.size()};
+      alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(sizeof(timespec))> control{};
+      msghdr message{};
+      message.msg_name = &from.storage;
+      message.msg_namelen = sizeof(from.storage);
+      message.msg_iov = &part;
+      message.msg_iovlen = 1;
+      message.msg_control = control.data();
+      message.msg_controllen = control.size();
+      const ssize_t size = recvmsg(descriptor_, &message, 0);
       if (size >= 0)
-        return Datagram{from_system(from.storage),
-                        base::Bytes(buffer_).first(static_cast<std::size_t>(size))};
+        return Datagram{from_system(from.storage), base::Bytes(buffer_).first(static_cast<std::size_t>(size)),
+                        find_waiting_time(message)};
       // Some systems report here that nobody received an earlier datagram. That does not affect this one.
       if (errno != EINTR && errno != ECONNREFUSED) return std::nullopt;
     }
@@ -129,6 +157,8 @@ base::Result<std::unique_ptr<DatagramSocket>> open_with_family(const Address& ad
   // The search for servers on the local network sends broadcasts.
   const int on = 1;
   setsockopt(descriptor, SOL_SOCKET, SO_BROADCAST, &on, sizeof(on));
+  // Datagrams come with the time of their arrival.
+  setsockopt(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof(on));
   // The system may grant a smaller buffer.
   setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &kReceiveBufferBytes, sizeof(kReceiveBufferBytes));
   const SystemAddress system = to_system(address, family);

@@ -20,7 +20,7 @@ class BadSocket final : public platform::DatagramSocket {
     if (inbox.empty() || inbox.begin()->arrives_s > network_.now_s_) return std::nullopt;
     auto first = inbox.extract(inbox.begin());
     received_ = std::move(first.value().bytes);
-    return platform::Datagram{first.value().from, received_};
+    return platform::Datagram{.from = first.value().from, .bytes = received_};
   }
   platform::Address local_address() const override { return address_; }
 
