@@ -73,10 +73,11 @@ void ClientEndpoint::update(double now_s) {
   now_s_ = now_s;
   if (state_ == State::kConnecting && now_s - requested_s_ >= settings_.request_every_s) {
     if (requests_ < settings_.requests) return request(now_s);
-    return drop(to_text(requested_server_) +
-                (is_darkplaces_ ? " is a DarkPlaces server with a protocol of its own; its host can set "
-                                  "sv_protocolname to QUAKE"
-                                : " does not answer"));
+    return drop(is_darkplaces_
+                    ? fmt::format("{} is a DarkPlaces server with a protocol of its own; its host can set "
+                                  "sv_protocolname to QUAKE",
+                                  to_text(requested_server_))
+                    : fmt::format("No response from {}.", to_text(requested_server_)));
   }
   if (state_ != State::kConnected) return;
   if (!server_.is_local() && now_s - last_received_s_ > settings_.timeout_s)

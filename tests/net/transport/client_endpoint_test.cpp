@@ -60,7 +60,7 @@ TEST(ClientEndpoint, GivesUpAfterThreeRequests) {
   EXPECT_THAT(bench.received(), ElementsAre(kClientConnect, kQuakeWorldStatus, kDarkPlacesStatus));
   EXPECT_THAT(bench.client.taken(), IsEmpty());
   bench.tick(2.5);
-  EXPECT_THAT(bench.client.taken(), ElementsAre("- 10.0.0.1:26000 does not answer"));
+  EXPECT_THAT(bench.client.taken(), ElementsAre("- No response from 10.0.0.1:26000."));
   EXPECT_EQ(bench.client.endpoint.state(), ClientEndpoint::State::kIdle);
   bench.tick(10);
   EXPECT_THAT(bench.received(), IsEmpty());
