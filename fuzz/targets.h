@@ -22,6 +22,7 @@ std::span<const Target> all_targets();
 int fuzz_bsp(const std::uint8_t* data, std::size_t size);
 int fuzz_brush_list(const std::uint8_t* data, std::size_t size);
 int fuzz_build(const std::uint8_t* data, std::size_t size);
+int fuzz_captions(const std::uint8_t* data, std::size_t size);
 int fuzz_channel(const std::uint8_t* data, std::size_t size);
 int fuzz_client_message(const std::uint8_t* data, std::size_t size);
 int fuzz_colormap(const std::uint8_t* data, std::size_t size);

@@ -57,9 +57,14 @@ base::Status add_parts(const ScriptLine& asset, std::vector<ArtPart> parts, File
   return base::Ok{};
 }
 
-// Either the bytes of a plain file or a WAD of all lumps, ordered by name.
-base::Result<base::ByteVector> make_file_bytes(Lumps lumps) {
+// The bytes of a plain file, a text file of all lines, or a WAD of all lumps, ordered by name.
+base::Result<base::ByteVector> make_file_bytes(std::string_view path, Lumps lumps) {
   if (lumps.begin()->first.empty()) return std::move(lumps.begin()->second.bytes);
+  if (path.ends_with(".txt")) {
+    base::ByteVector text;
+    for (const auto& [name, line] : lumps) text.insert(text.end(), line.bytes.begin(), line.bytes.end());
+    return text;
+  }
   std::vector<formats::WadLump> wad;
   for (const auto& [name, part] : lumps) wad.push_back({part.lump, part.lump_type, part.bytes});
   return formats::write_wad(wad);
@@ -117,7 +122,7 @@ base::Result<std::vector<ArtFile>> make_art(std::span<const ScriptFile> scripts,
   }
   std::vector<ArtFile> art;
   for (auto& [path, lumps] : files) {
-    TRY(base::ByteVector bytes, make_file_bytes(std::move(lumps)).with_file(path));
+    TRY(base::ByteVector bytes, make_file_bytes(path, std::move(lumps)).with_file(path));
     art.push_back({path, std::move(bytes)});
   }
   return art;

@@ -26,12 +26,12 @@
 
 namespace temblor::artgen {
 
-// A result of an asset: a file of the game directory, or a lump of a WAD there.
+// A result of an asset: a file of the game directory, a lump of a WAD there, or a line of a text file.
 struct ArtPart {
   // Relative to the game directory: "progs/knight.mdl", "gfx.wad".
   std::string path;
   base::ByteVector bytes;
-  // The lump's name. Empty: `bytes` is the whole file.
+  // The lump's name, or what orders the line among those of a text file. Empty: `bytes` is the whole file.
   std::string lump = {};
   // The type of a formats::WadLump; unused for files.
   std::uint8_t lump_type = 0;

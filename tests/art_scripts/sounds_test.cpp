@@ -17,6 +17,7 @@
 #include "art_scripts/stock_data.h"
 #include "artgen/art.h"
 #include "base/parallel_for.h"
+#include "formats/game/captions.h"
 #include "formats/sounds/wav.h"
 #include "support/game_data.h"
 #include "support/programs/temporary_folder.h"
@@ -138,6 +139,29 @@ TEST(ShippedSounds, EverySoundThatTheGameNamesExists) {
   EXPECT_GT(named.size(), 150u);
   EXPECT_TRUE(named.contains("misc/menu1.wav") && named.contains("ogre/ogwake.wav"));
   for (const std::string& sound : named) EXPECT_TRUE(shipped().contains(sound)) << sound;
+}
+
+// A caption that only names the file would not help.
+TEST(ShippedSounds, HaveCaptions) {
+  const std::vector<ScriptFile> scripts = read_scripts_with("sound");
+  std::map<std::string, std::string> captions;
+  for (const ScriptFile& script : scripts)
+    for (const ScriptLine& sound : script.assets) {
+      const auto caption = std::find_if(sound.settings.begin(), sound.settings.end(),
+                                        [](const auto& setting) { return setting.first == "caption"; });
+      ASSERT_NE(caption, sound.settings.end()) << sound.values.at(0) << " needs caption=";
+      captions[sound.values.at(0) + ".wav"] = caption->second == "-" ? "" : caption->second;
+    }
+  for (const ArtFile& file : make(scripts)) {
+    if (file.path != "captions.txt") continue;
+    const formats::Captions written = formats::read_captions(base::as_text(file.bytes));
+    EXPECT_EQ(std::vector(written.texts.begin(), written.texts.end()),
+              (std::vector<std::pair<const std::string, std::string>>(captions.begin(), captions.end())));
+    EXPECT_TRUE(written.bad_lines.empty());
+    EXPECT_EQ(written.texts.at("misc/null.wav"), "");
+    return;
+  }
+  FAIL() << "no captions.txt";
 }
 
 TEST(ShippedSounds, AreAsLoudAsTheirClass) {

@@ -12,6 +12,7 @@
 #include "artgen/sounds/music/patch.h"
 #include "artgen/sounds/signal.h"
 #include "base/text.h"
+#include "formats/game/captions.h"
 #include "formats/sounds/wav.h"
 
 namespace temblor::artgen {
@@ -22,7 +23,7 @@ constexpr double kMaxLength_s = 60;
 
 // The settings of a sound's first line.
 struct SoundSettings {
-  std::string name;
+  std::string name, caption;
   double length_s = 1, fade_s = 0.03, blend_s = 0.3, level_db = -14;
   std::optional<double> loop_s;
   bool half_rate = true;
@@ -47,6 +48,9 @@ base::Result<SoundSettings> read_sound_settings(const ScriptLine& asset) {
   settings.fade_s = arguments.number("fade", 0.03, 0.001, kMaxLength_s);
   settings.blend_s = arguments.number("blend", 0.3, 0.001, kMaxLength_s);
   if (!arguments.has("length")) arguments.set_error("length= (seconds) is required");
+  settings.caption = arguments.text("caption", "");
+  if (settings.caption.size() > formats::kMaxCaptionChars)
+    arguments.set_error(fmt::format("caption= has more than {} characters", formats::kMaxCaptionChars));
   const std::string kind = arguments.text("class", "impact");
   const SoundClass* known = find_sound_class(kind);
   if (known == nullptr)
@@ -110,7 +114,13 @@ base::Result<std::vector<ArtPart>> make_sound_file(const ScriptLine& asset) {
   TRY(const SoundSettings settings, read_sound_settings(asset));
   TRY(const formats::Wav wav, make_wav(asset, settings));
   std::vector<ArtPart> parts;
-  parts.push_back({fmt::format("sound/{}.wav", settings.name), formats::write_wav(wav)});
+  const std::string file = settings.name + ".wav";
+  parts.push_back({"sound/" + file, formats::write_wav(wav)});
+  if (settings.caption.empty()) return parts;
+  const std::string line =
+      formats::format_caption_line(file, settings.caption == "-" ? "" : settings.caption);
+  const base::Bytes bytes = base::as_bytes(line);
+  parts.push_back({.path = "captions.txt", .bytes = {bytes.begin(), bytes.end()}, .lump = file});
   return parts;
 }
 
