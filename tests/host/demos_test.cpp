@@ -5,6 +5,7 @@
 
 #include "client/demo/demo_session.h"
 #include "formats/game/dem.h"
+#include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "host/session/session.h"
 #include "support/generated_demo.h"
@@ -144,6 +145,38 @@ TEST(HostDemos, AttractModePlaysDemosInALoop) {
   EXPECT_EQ(game.demo(), nullptr);
   game.run(1);
   EXPECT_EQ(game.demo(), nullptr);
+}
+
+TEST(HostDemos, NoKeyQuitsInAttractMode) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game;
+  game.folder().write("id1/demo1.dem", make_recording({}).bytes);
+  game.folder().write("id1/quake.rc", std::string_view("exec default.cfg\nstartdemos demo1\n"));
+  for (const Key key : {Key::kF10, Key{'y'}, Key::kEscape, Key::kF6, Key::kSpace}) {
+    game.restart();
+    game.run(0.5);
+    ASSERT_NE(game.demo(), nullptr);
+    tap(game, Key::kEscape);
+    ASSERT_FALSE(game.host().game.menu->is_open());
+    tap(game, key);
+    EXPECT_FALSE(game.host().wants_to_quit);
+    EXPECT_TRUE(game.host().game.menu->is_open());
+  }
+}
+
+TEST(HostDemos, TheMenuStopsADemo) {
+  SKIP_WITHOUT_QUAKEC();
+  DemoHost game({"playdemo made"});
+  ASSERT_NE(game.demo(), nullptr);
+  tap(game, Key::kEscape);
+  ASSERT_TRUE(game.host().game.menu->is_open());
+  // From the first row: the row before "Quit" is the last but one.
+  tap(game, Key::kUpArrow);
+  tap(game, Key::kUpArrow);
+  tap(game, Key::kEnter);
+  game.run(0.1);
+  EXPECT_EQ(game.demo(), nullptr);
+  EXPECT_TRUE(game.host().game.menu->is_open());
 }
 
 TEST(HostDemos, AttractModeReturnsBehindTheMenuAfterAGame) {

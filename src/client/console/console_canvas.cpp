@@ -24,16 +24,6 @@ constexpr render::ColorTranslation kBlackAndWhite = [] {
   return colors;
 }();
 
-// Chooses the frame pixels per character pixel: the scale of the HUD times the text size that the player
-// wants, but never so large that fewer than 20 columns or 8 rows fit.
-int choose_text_scale(int width, int height, const ConsoleSettings& settings) {
-  constexpr int kMinColumns = 20, kMinRows = 8;
-  const int max_scale =
-      std::max(1, std::min(width / (kMinColumns * kCharacterSide), height / (kMinRows * kCharacterSide)));
-  const auto scale = static_cast<float>(choose_scale(width, height, settings.scale));
-  return std::clamp(static_cast<int>(std::lround(scale * settings.text_size)), 1, max_scale);
-}
-
 int divide_rounding_up(int value, int by) {
   return (value + by - 1) / by;
 }
@@ -47,7 +37,7 @@ ConsoleCanvas::ConsoleCanvas(const assets::Pictures& pictures, const ConsoleSett
       list_(io_list),
       frame_width_(width),
       frame_height_(height),
-      scale_(choose_text_scale(width, height, settings)),
+      scale_(choose_text_scale(width, height, {settings.scale, settings.text_size})),
       panel_(pictures, io_list, width, height, scale_) {}
 
 int ConsoleCanvas::columns() const {
@@ -77,7 +67,7 @@ void ConsoleCanvas::draw_background(int bottom, float opacity) const {
 }
 
 void ConsoleCanvas::draw_row_background(int y) const {
-  if (settings_.high_contrast) fill_plain(y, y + kCharacterSide, 1);
+  if (settings_.high_contrast) fill_plain(y, y + kTextLine, 1);
 }
 
 // For high contrast, moves the commands that the panel has just appended to the white half of the character

@@ -16,8 +16,10 @@ ConsoleVariables::ConsoleVariables(command::Variables& variables) {
                                  "Opacity of the console during a game.");
   high_contrast_ = variables.add_bool("con_highcontrast", defaults.high_contrast,
                                       "Shows the console, messages and menus in white on black.");
-  text_size_ = variables.add_float("scr_textsize", static_cast<double>(defaults.text_size), 0.5, 4,
-                                   "Console and menu text size. 1 (100%) picks a size that fits the window.");
+  text_size_ =
+      variables.add_float("scr_textsize", static_cast<double>(defaults.text_size), 0.5, 4,
+                          "Size of all text: menus, HUD, messages and console. 1 (100%) picks a size "
+                          "that fits the window.");
 }
 
 ConsoleSettings ConsoleVariables::read(const command::Variables& variables) const {

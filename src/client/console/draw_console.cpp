@@ -74,7 +74,7 @@ void ConsoleUi::draw_page(const ConsoleCanvas& canvas, const ConsoleView& view) 
   const int bottom = static_cast<int>(std::lround(shown_ * canvas.height()));
   if (bottom <= 0) return;
   // The y of text rows above the edge, counted from 1.
-  const auto row_y = [&](int row) { return bottom - bottom_edge(canvas) - row * kCharacterSide; };
+  const auto row_y = [&](int row) { return bottom - bottom_edge(canvas) - row * kTextLine; };
   canvas.draw_background(bottom, view.game_runs ? view.settings.opacity : 1);
   canvas.draw_right_aligned_text(to_bronze_glyphs(view.version), bottom - kCharacterSide);
   draw_input(canvas, prompt(), line_, row_y(1), time_s_);
@@ -82,7 +82,7 @@ void ConsoleUi::draw_page(const ConsoleCanvas& canvas, const ConsoleView& view) 
   int row = 2;
   if (!scrollback_.is_at_end()) draw_more_below(canvas, row_y(row++));
   // The topmost row may be cut off.
-  const int rows = std::max(0, (row_y(row) + kCharacterSide - 1) / kCharacterSide + 1);
+  const int rows = std::max(0, (row_y(row) + kTextLine - 1) / kTextLine + 1);
   scrollback_.collect_rows_upwards(log_, static_cast<std::size_t>(rows), rows_);
   for (const std::string_view text : rows_) canvas.draw_text(text, 0, row_y(row++));
 }
@@ -99,7 +99,7 @@ int ConsoleUi::draw_notify(const ConsoleCanvas& canvas, const ConsoleSettings& s
   }
   rows_.resize(std::min(rows_.size(), max_rows));
   int y = 0;
-  for (auto row = rows_.rbegin(); row != rows_.rend(); ++row, y += kCharacterSide) {
+  for (auto row = rows_.rbegin(); row != rows_.rend(); ++row, y += kTextLine) {
     if (!row->empty()) canvas.draw_row_background(y);
     canvas.draw_text(*row, 0, y);
   }
@@ -112,9 +112,9 @@ void ConsoleUi::draw(const ConsoleView& view, int width, int height, render::Dra
   // Scrolling works on the page of the fully open console, so that a slide does not change the position. Two
   // rows are kept free: for the input line and for the arrows.
   const double page = (view.game_runs ? kOpenHeight : 1) * canvas.height();
-  scrollback_.set_page(canvas.columns(), (static_cast<int>(page) - bottom_edge(canvas)) / kCharacterSide - 2);
+  scrollback_.set_page(canvas.columns(), (static_cast<int>(page) - bottom_edge(canvas)) / kTextLine - 2);
   if (shown_ > 0) return draw_page(canvas, view);
-  const int y = draw_notify(canvas, view.settings) * kCharacterSide;
+  const int y = draw_notify(canvas, view.settings) * kTextLine;
   if (entry_ != Entry::kChat && entry_ != Entry::kTeamChat) return;
   canvas.draw_row_background(y);
   draw_input(canvas, entry_ == Entry::kTeamChat ? "say_team: " : "say: ", chat_, y, time_s_);

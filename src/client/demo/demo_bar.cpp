@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "client/hud/panel.h"
+#include "client/hud/center_text.h"
 
 namespace temblor::client {
 
@@ -37,8 +37,8 @@ double length_s(const DemoSession& session) {
 }  // namespace
 
 void draw_demo_bar(const DemoSession& session, const assets::Pictures& pictures, int width, int height,
-                   int scale, render::DrawList& io_list) {
-  const Panel panel = Panel(pictures, io_list, width, height, choose_scale(width, height, scale))
+                   HudSize size, render::DrawList& io_list) {
+  const Panel panel = Panel(pictures, io_list, width, height, choose_scale(width, height, size))
                           .at_bottom(kHeight + kBarHeight + kInventoryHeight);
   const double elapsed_s = session.time_s() - session.begin_s();
   // A demo of a single packet has no length; its bar is full.
@@ -50,8 +50,15 @@ void draw_demo_bar(const DemoSession& session, const assets::Pictures& pictures,
   panel.fill(kBarLeft, kBarTop, static_cast<int>(std::lround(part * kWidth)), kBarThickness, kBright);
 }
 
-double find_demo_time(const DemoSession& session, int x_px, int width, int height, int scale) {
-  const int pixel = choose_scale(width, height, scale);
+void draw_free_camera_hint(const assets::Pictures& pictures, int width, int height, HudSize size,
+                           render::DrawList& io_list) {
+  const Panel letters(pictures, io_list, width, height, choose_text_scale(width, height, size));
+  const Panel place = letters.with_top(kCharacterSide * letters.scale());
+  draw_text_lines(place, "Free camera: F returns to the player\nWASD, E and Q fly; Shift: faster", kTextLine);
+}
+
+double find_demo_time(const DemoSession& session, int x_px, int width, int height, HudSize size) {
+  const int pixel = choose_scale(width, height, size);
   const int left_px = (width - kScreenWidth * pixel) / 2 + kBarLeft * pixel;
   const double part = std::clamp(static_cast<double>(x_px - left_px) / (kWidth * pixel), 0.0, 1.0);
   return session.begin_s() + part * length_s(session);

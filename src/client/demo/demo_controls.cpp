@@ -83,6 +83,7 @@ void DemoControls::change_speed(DemoSession& io_session) const {
 void DemoControls::fly(double elapsed_s, const Settings& settings, const Presentation& shown) {
   if (!has_camera_ && shown.has_level()) {
     camera_.place(shown.scene().camera);
+    camera_level_ = shown.scene().level;
     has_camera_ = true;
   }
   camera_.turn(turned_down_ * settings.turn_deg_per_count, -turned_right_ * settings.turn_deg_per_count);
@@ -91,7 +92,29 @@ void DemoControls::fly(double elapsed_s, const Settings& settings, const Present
     return (held_[positive] ? 1.0f : 0.0f) - (held_[negative] ? 1.0f : 0.0f);
   };
   camera_.fly({axis(kForward, kBack), axis(kRight, kLeft), axis(kUp, kDown)},
-              settings.fly_speed * (held_[kFast] ? kFastFactor : 1), elapsed_s);
+              settings.fly_speed * (held_[kFast] ? kFastFactor : 1), elapsed_s, shown.scene().level);
+}
+
+bool DemoControls::is_seeking() const {
+  return seeks_begin_ || seeks_end_ || seek_offset_s_ != 0 || packet_steps_ < 0;
+}
+
+// After a seek the player's view is made first, so that a camera that is no longer in the level finds the
+// player.
+base::Result<bool> DemoControls::advance_with_camera(double elapsed_s, PresentationSettings& io_presentation,
+                                                     const Presentation& shown, DemoSession& io_session) {
+  if (!is_seeking() && shown.scene().level == camera_level_) {
+    io_presentation.camera = camera_.camera();
+    return advance_session(elapsed_s, io_presentation, io_session);
+  }
+  TRY(const bool continues, advance_session(elapsed_s, io_presentation, io_session));
+  const world::Level* const level = shown.scene().level;
+  if (level == nullptr) return continues;
+  if (level != camera_level_ || !camera_.is_inside(*level)) camera_.place(shown.scene().camera);
+  camera_level_ = level;
+  io_presentation.camera = camera_.camera();
+  TRY_STATUS(io_session.show(io_presentation));
+  return continues;
 }
 
 base::Result<bool> DemoControls::advance_session(double elapsed_s, const PresentationSettings& presentation,
@@ -115,11 +138,11 @@ base::Result<bool> DemoControls::advance(double elapsed_s, PresentationSettings 
   idle_s_ += elapsed_s;
   if (toggles_pause_) io_session.pause(!io_session.is_paused());
   if (speed_steps_ != 0 || resets_speed_) change_speed(io_session);
-  if (flies_) {
-    fly(elapsed_s, settings, shown);
-    if (has_camera_) presentation.camera = camera_.camera();
-  }
-  base::Result<bool> result = advance_session(elapsed_s * settings.time_scale, presentation, io_session);
+  if (flies_) fly(elapsed_s, settings, shown);
+  const double passed_s = elapsed_s * settings.time_scale;
+  base::Result<bool> result = flies_ && has_camera_
+                                  ? advance_with_camera(passed_s, presentation, shown, io_session)
+                                  : advance_session(passed_s, presentation, io_session);
   toggles_pause_ = seeks_begin_ = seeks_end_ = resets_speed_ = false;
   speed_steps_ = packet_steps_ = 0;
   seek_offset_s_ = 0;

@@ -5,6 +5,8 @@
 //   Up, Down         faster, slower           Backspace  original speed
 //   Page Up, Down    previous, next demo
 //   F                free camera and back: W A S D, E up, Q down, Shift faster, the mouse turns
+//
+// A camera that a seek or a new level leaves outside the level comes back to the player.
 #pragma once
 
 #include <array>
@@ -50,13 +52,17 @@ class DemoControls {
   static std::optional<Held> find_held_key(platform::Key key);
   void change_speed(DemoSession& io_session) const;
   void fly(double elapsed_s, const Settings& settings, const Presentation& shown);
+  bool is_seeking() const;
+  base::Result<bool> advance_with_camera(double elapsed_s, PresentationSettings& io_presentation,
+                                         const Presentation& shown, DemoSession& io_session);
   base::Result<bool> advance_session(double elapsed_s, const PresentationSettings& presentation,
                                      DemoSession& io_session);
 
   std::array<bool, kHeldKeys> held_{};
   FreeCamera camera_;
   bool flies_ = false, has_camera_ = false;
-  float turned_right_ = 0, turned_down_ = 0;  // mouse counts
+  const world::Level* camera_level_ = nullptr;  // where the camera was placed
+  float turned_right_ = 0, turned_down_ = 0;    // mouse counts
   // Requests that advance() has not carried out yet.
   bool toggles_pause_ = false, seeks_begin_ = false, seeks_end_ = false, resets_speed_ = false;
   int speed_steps_ = 0, packet_steps_ = 0, demo_steps_ = 0;

@@ -53,6 +53,8 @@ class DemoSession {
   // Advances by `elapsed_s` of real time, times the speed; by nothing while paused. Returns false if the demo
   // has ended.
   base::Result<bool> advance(double elapsed_s, const PresentationSettings& settings);
+  // Makes the scene of the same moment again, for other settings.
+  base::Status show(const PresentationSettings& settings) { return present(settings); }
   // Clamps the time to the demo's.
   base::Result<bool> seek(double time_s, const PresentationSettings& settings);
   // Moves to the end of the packet that many after this one, or before it, paused or not. Returns false past

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "client/hud/panel.h"
+#include "client/hud/center_text.h"
 
 namespace temblor::client {
 namespace {
@@ -15,19 +15,17 @@ constexpr int kTop = 40, kIconSide = 32;
 
 }  // namespace
 
-void draw_connection_warning(const assets::Pictures& pictures, const net::ServerSilence& silence, int scale,
-                             int width, int height, render::DrawList& io_list) {
+void draw_connection_warning(const assets::Pictures& pictures, const net::ServerSilence& silence,
+                             HudSize size, int width, int height, render::DrawList& io_list) {
   if (silence.lasts_s < kIconAfter_s) return;
-  const Panel panel = Panel(pictures, io_list, width, height, choose_scale(width, height, scale)).with_top(0);
+  const Panel panel = Panel(pictures, io_list, width, height, choose_scale(width, height, size)).with_top(0);
   if (panel.has_picture("net")) panel.draw_picture("net", (kScreenWidth - kIconSide) / 2, kTop);
   if (silence.lasts_s < kTextAfter_s) return;
-  int y = kTop + kIconSide + kCharacterSide / 2;
-  for (const std::string& line :
-       {fmt::format("No word from the server for {:.0f} s", silence.lasts_s),
-        fmt::format("Leaving the game in {:.0f} s", std::max(0.0, silence.ends_in_s))}) {
-    panel.draw_text(line, (kScreenWidth - static_cast<int>(line.size()) * kCharacterSide) / 2, y);
-    y += kCharacterSide + 2;
-  }
+  const Panel letters = panel.with_scale(choose_text_scale(width, height, size));
+  draw_text_lines(letters.with_top((kTop + kIconSide + kCharacterSide / 2) * panel.scale()),
+                  fmt::format("No word from the server for {:.0f} s\nLeaving the game in {:.0f} s",
+                              silence.lasts_s, std::max(0.0, silence.ends_in_s)),
+                  kTextLine);
 }
 
 }  // namespace temblor::client

@@ -32,7 +32,7 @@ void draw_crosshair(const Panel& panel, const CrosshairLook& look) {
   // In frame pixels: at the status bar's scale it would hide the target.
   constexpr int kLinesPerFrame = 540;
   const int line_px = std::max(1, static_cast<int>(panel.frame_height_px() * look.scale / kLinesPerFrame));
-  const Panel middle = panel.in_frame_pixels().centered();
+  const Panel middle = panel.with_scale(1).centered();
   if (look.shape == Crosshair::kDot) return draw_bar(middle, {0, 0, 1, 1}, 2 * line_px, look.color);
   // Four arms around a gap, so that the target itself stays visible.
   constexpr int kGap = 3, kArm = 5;

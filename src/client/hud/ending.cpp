@@ -47,11 +47,12 @@ void draw_intermission(const Panel& panel, const Game& game) {
   draw_fraction(screen, game.stat(Stat::kMonsters), game.stat(Stat::kTotalMonsters), kKillsY);
 }
 
-void draw_finale(const Panel& panel, const Game& game, double time_s, double letters_per_second) {
+void draw_finale(const Panel& panel, const Panel& letters, const Game& game, double time_s,
+                 double letters_per_second) {
   constexpr int kTitleY = 16;
   if (game.ending == Ending::kFinale)
     panel.in_middle(kScreenHeight).draw_centered_picture("gfx/finale.lmp", kTitleY);
-  draw_center_text(panel, game.ending_text,
+  draw_center_text(letters, game.ending_text,
                    count_written_letters(time_s - game.ending_since_s, letters_per_second));
 }
 

@@ -12,6 +12,8 @@ void draw_intermission(const Panel& panel, const Game& game);
 
 // Draws the finale's title and its text, letter by letter, at server time `time_s`. A cut scene has only the
 // text.
-void draw_finale(const Panel& panel, const Game& game, double time_s, double letters_per_second);
+// `letters`: a panel with the scale of the text.
+void draw_finale(const Panel& panel, const Panel& letters, const Game& game, double time_s,
+                 double letters_per_second);
 
 }  // namespace temblor::client

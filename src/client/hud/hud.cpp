@@ -40,30 +40,30 @@ void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, doub
 }
 
 // Draws the hint above the status bar, whose height stays free even if it is hidden.
-void draw_death_hint(const Panel& panel, std::string_view hint) {
-  constexpr int kLine = kCharacterSide + 2, kGap = 6;
-  const int lines = 1 + static_cast<int>(std::count(hint.begin(), hint.end(), '\n'));
-  const Panel place = panel.at_bottom(kBarHeight + kInventoryHeight + kGap + lines * kLine);
-  for (int y = 0; !hint.empty(); y += kLine) {
-    const std::string_view line = hint.substr(0, hint.find('\n'));
-    place.draw_text(line, (kScreenWidth - static_cast<int>(line.size()) * kCharacterSide) / 2, y);
-    hint.remove_prefix(std::min(line.size() + 1, hint.size()));
-  }
+void draw_death_hint(const Panel& panel, const Panel& letters, std::string_view hint) {
+  constexpr int kGap = 6;
+  const int bottom = panel.frame_height_px() - (kBarHeight + kInventoryHeight + kGap) * panel.scale();
+  const int height = count_text_lines(letters, hint) * kTextLine * letters.scale();
+  draw_text_lines(letters.with_top(bottom - height), hint, kTextLine);
 }
 
-// Draws everything of a running level. The ranking hides center texts, as both are in the middle.
-void draw_play(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
-               const HudSettings& settings, assets::MissionPack pack) {
+// Draws everything of a running level. The ranking hides center texts, as both are in the middle. The
+// crosshair is no text, so it does not grow with it.
+void draw_play(const Panel& panel, const Panel& letters, const Game& game, const HudTimes& times,
+               double time_s, const HudSettings& settings, assets::MissionPack pack) {
   const HudParts& parts = settings.parts;
-  if (parts.crosshair && game.stat(Stat::kHealth) > 0) draw_crosshair(panel, settings.crosshair);
+  const int crosshair_scale =
+      choose_scale(panel.frame_width_px(), panel.frame_height_px(), {settings.size.scale});
+  if (parts.crosshair && game.stat(Stat::kHealth) > 0)
+    draw_crosshair(panel.with_scale(crosshair_scale), settings.crosshair);
   draw_bars(panel, game, times, time_s, settings, pack);
   const bool is_dead_in_deathmatch = game.deathmatch && game.stat(Stat::kHealth) <= 0;
   if (parts.scores && (is_dead_in_deathmatch || (settings.shows_scores && game.players.size() > 1)))
     draw_ranking(panel.in_middle(kScreenHeight), game);
   else if (parts.center_text && time_s - game.center_text_since_s < settings.center_text_s)
-    draw_center_text(panel, game.center_text);
+    draw_center_text(letters, game.center_text);
   if (parts.hints && game.stat(Stat::kHealth) <= 0 && time_s - times.died_s >= kHintAfterSeconds)
-    draw_death_hint(panel, settings.death_hint);
+    draw_death_hint(panel, letters, settings.death_hint);
 }
 
 void draw_pause(const Panel& panel) {
@@ -78,6 +78,8 @@ void Hud::begin_level() {
   times_.pain_until_s = kNever;
   times_.item_gained_s.fill(kNever);
   times_.died_s = kNever;
+  times_.armor_dropped_s = kNever;
+  armor_ = 0;
   is_dead_ = false;
   items_ = 0;
   last_time_s_ = kNever;
@@ -90,6 +92,8 @@ void Hud::advance(const Game& game, const Events& events, double time_s) {
   items_ = game.data.items;
   for (std::size_t bit = 0; bit < times_.item_gained_s.size(); ++bit)
     if ((gained >> bit & 1) != 0) times_.item_gained_s[bit] = time_s;
+  if (const int armor = game.stat(Stat::kArmor); armor < std::exchange(armor_, armor))
+    times_.armor_dropped_s = time_s;
   // Only the change to dead sets the time of death.
   const bool is_dead = game.stat(Stat::kHealth) <= 0;
   if (is_dead && !std::exchange(is_dead_, is_dead)) times_.died_s = time_s;
@@ -100,17 +104,18 @@ void Hud::advance(const Game& game, const Events& events, double time_s) {
 
 void Hud::draw(const Game& game, double time_s, int width, int height, const HudSettings& settings,
                render::DrawList& io_list) const {
-  const Panel panel(pictures_, io_list, width, height, choose_scale(width, height, settings.scale));
+  const Panel panel(pictures_, io_list, width, height, choose_scale(width, height, settings.size));
+  const Panel letters = panel.with_scale(choose_text_scale(width, height, settings.size));
   switch (game.ending) {
     case Ending::kNone:
-      draw_play(panel, game, times_, time_s, settings, pack_);
+      draw_play(panel, letters, game, times_, time_s, settings, pack_);
       break;
     case Ending::kIntermission:
       if (settings.parts.ending) draw_intermission(panel, game);
       break;
     case Ending::kFinale:
     case Ending::kCutScene:
-      draw_finale(panel, game, time_s, settings.letters_per_second);
+      draw_finale(panel, letters, game, time_s, settings.letters_per_second);
       break;
   }
   if (game.paused) draw_pause(panel);

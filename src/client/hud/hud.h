@@ -3,8 +3,9 @@
 //
 // ClientState: Game, Events --advance()--> times of pickups, pain, death --draw()--> render::DrawList
 //
-// Everything is laid out on the original's 320 x 200 screen and scaled by a whole number (hud/panel.h). Most
-// of what is drawn is in the Game already; this class adds only when things happened.
+// Everything is laid out on the original's 320 x 200 screen and scaled by a whole number (hud/panel.h); text
+// that can be broken into lines may be larger. Most of what is drawn is in the Game already; this class adds
+// only when things happened.
 #pragma once
 
 #include <array>
@@ -25,8 +26,7 @@ enum class StatusBar { kNone, kSmall, kFull };  // kSmall: without the inventory
 
 struct HudSettings {
   StatusBar status_bar = StatusBar::kFull;
-  // Frame pixels per original pixel; 0: chosen from the frame's size.
-  int scale = 0;
+  HudSize size{};
   // Opacity of the status bar's background, 0 to 1.
   float opacity = 1;
   CrosshairLook crosshair{};
@@ -50,6 +50,8 @@ struct HudTimes {
   // The face shows pain until then.
   double pain_until_s = 0;
   double died_s = 0;
+  // When armor was lost.
+  double armor_dropped_s = 0;
   // Indexed by bit of net::ClientData::items.
   std::array<double, 32> item_gained_s{};
 };
@@ -76,6 +78,7 @@ class Hud {
   HudTimes times_;
   // The state at the last advance().
   std::uint32_t items_ = 0;
+  int armor_ = 0;
   double last_time_s_ = 0;
   bool is_dead_ = false;
 };

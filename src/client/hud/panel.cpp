@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace temblor::client {
 
@@ -11,6 +12,7 @@ namespace {
 // The frame size that each step of the automatic scale needs: at 2 the status bar is readable and hides
 // little.
 constexpr int kSuitableWidth = 480, kSuitableHeight = 300;
+constexpr int kMinColumns = 20, kMinLines = 8;  // of text
 constexpr int kLargeDigitWidth = 24;
 constexpr int kCharactersPerRow = 16;
 
@@ -21,12 +23,24 @@ int clamp_to_digits(int value, int digits) {
   return std::clamp(value, -limit / 10 + 1, limit - 1);
 }
 
+// The scale without its upper limit.
+int compute_wanted_scale(int frame_width, int frame_height, HudSize size) {
+  const int suitable = std::min(frame_width / kSuitableWidth, frame_height / kSuitableHeight);
+  const int scale = size.scale > 0 ? size.scale : std::max(1, suitable);
+  return static_cast<int>(std::lround(static_cast<float>(scale) * size.text));
+}
+
 }  // namespace
 
-int choose_scale(int frame_width, int frame_height, int requested) {
-  const int largest = std::min(frame_width / kScreenWidth, frame_height / kScreenHeight);
-  const int suitable = std::min(frame_width / kSuitableWidth, frame_height / kSuitableHeight);
-  return std::max(1, requested > 0 ? std::min(requested, largest) : suitable);
+int choose_scale(int frame_width, int frame_height, HudSize size) {
+  const int largest = std::max(1, std::min(frame_width / kScreenWidth, frame_height / kScreenHeight));
+  return std::clamp(compute_wanted_scale(frame_width, frame_height, size), 1, largest);
+}
+
+int choose_text_scale(int frame_width, int frame_height, HudSize size) {
+  const int largest = std::max(
+      1, std::min(frame_width / (kMinColumns * kCharacterSide), frame_height / (kMinLines * kTextLine)));
+  return std::clamp(compute_wanted_scale(frame_width, frame_height, size), 1, largest);
 }
 
 std::string align_right(int value, int width) {
@@ -44,10 +58,10 @@ Panel Panel::at(int left_px, int top_px) const {
   return moved;
 }
 
-Panel Panel::in_frame_pixels() const {
-  Panel unscaled = *this;
-  unscaled.scale_ = 1;
-  return unscaled;
+Panel Panel::with_scale(int scale) const {
+  Panel scaled = *this;
+  scaled.scale_ = scale;
+  return scaled;
 }
 
 void Panel::draw_picture(std::string_view name, int x, int y, float opacity) const {

@@ -14,10 +14,21 @@ namespace temblor::client {
 constexpr int kScreenWidth = 320, kScreenHeight = 200;
 constexpr int kBarHeight = 24, kInventoryHeight = 24;
 constexpr int kCharacterSide = 8;
+// From a line of text to the next one: letters that hang down must not touch those below them.
+constexpr int kTextLine = kCharacterSide + 2;
 
-// Frame pixels per original pixel: `requested`, or for 0 a scale that suits the frame (3 at 1920 x 1080).
-// Never more than the largest scale at which the original's screen fits, and at least 1.
-int choose_scale(int frame_width, int frame_height, int requested);
+// The player's choice of sizes.
+struct HudSize {
+  // Frame pixels per original pixel; 0: a scale that suits the frame (3 at 1920 x 1080).
+  int scale = 0;
+  // A factor on the scale: the variable scr_textsize.
+  float text = 1;
+};
+
+// Frame pixels per original pixel, at least 1, and at most as many as let the original's screen fit.
+int choose_scale(int frame_width, int frame_height, HudSize size);
+// The same for text that is broken into lines, which may grow until 20 columns or 8 lines fit.
+int choose_text_scale(int frame_width, int frame_height, HudSize size);
 
 // Appends what it draws to a list. Coordinates are relative to the panel's upper left corner, x right and y
 // down; they may be outside it. Pictures and list must outlive the panel, which is cheap to copy.
@@ -39,9 +50,11 @@ class Panel {
   Panel at(int left_px, int top_px) const;
   // A panel whose corner is the center of the frame.
   Panel centered() const { return at(frame_width_ / 2, frame_height_ / 2); }
-  // A panel with the same corner and scale 1.
-  Panel in_frame_pixels() const;
+  // A panel with the same corner and another scale.
+  Panel with_scale(int scale) const;
 
+  int scale() const { return scale_; }
+  int frame_width_px() const { return frame_width_; }
   int frame_height_px() const { return frame_height_; }
 
   // Whether the game has this picture itself.

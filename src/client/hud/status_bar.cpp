@@ -47,17 +47,19 @@ void draw_armor_marks(const Panel& bar, int kind, int icon_x) {
 }
 
 // The pentagram replaces armor with the number 666 and a disc, as in the original. `armors`: the items of the
-// three kinds, weakest first.
+// three kinds, weakest first. `dropped_for_s`: how long ago armor was lost.
 void draw_armor(const Panel& bar, const Game& game, std::span<const std::uint32_t, 3> armors,
-                bool safe_colors) {
+                bool safe_colors, double dropped_for_s) {
   constexpr int kIconX = 0, kNumberX = 24;
+  // A player without armor need not be warned all the time.
+  constexpr double kWarning_s = 3;
   if (has_items(game, kItemInvulnerability)) {
     bar.draw_number(kInvulnerableArmor, kBarDigits, true, kNumberX, 0);
     bar.draw_picture("disc", kIconX, 0);
     return;
   }
   const int armor = game.stat(Stat::kArmor);
-  draw_number(bar, armor, kLowArmor, kNumberX, safe_colors);
+  draw_number(bar, armor, kLowArmor, kNumberX, safe_colors && dropped_for_s < kWarning_s);
   int kind = 3;
   while (kind > 0 && !has_items(game, armors[static_cast<std::size_t>(kind) - 1])) --kind;
   if (kind == 0) return;
@@ -203,7 +205,7 @@ void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, 
   const ItemLayout& layout = find_item_layout(look.pack);
   bar.draw_picture("sbar", 0, 0, look.opacity);
   draw_icons(bar, game, layout.bar, look.safe_colors);
-  draw_armor(bar, game, layout.armors, look.safe_colors);
+  draw_armor(bar, game, layout.armors, look.safe_colors, time_s - times.armor_dropped_s);
   if (shows_team_frame(bar, game, look))
     draw_team_frame(bar, game);
   else

@@ -275,7 +275,7 @@ base::Status HudProgram::draw_frame(const Game& game, const HudMoment& moment) {
   const Running::GameScope scope(program, game);
   context.moment = moment;
   set_program_globals(game, moment, program.machine);
-  context.canvas.begin(moment.width, moment.height, choose_scale(moment.width, moment.height, moment.scale));
+  context.canvas.begin(moment.width, moment.height, choose_scale(moment.width, moment.height, moment.size));
   TRY_STATUS(pass_center_print(game));
   drawing_.is_active = true;
   context.may_draw = true;

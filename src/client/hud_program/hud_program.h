@@ -16,6 +16,7 @@
 #include "assets/library.h"
 #include "assets/pictures.h"
 #include "client/hud/hud_parts.h"
+#include "client/hud/panel.h"
 #include "client/session/client_state.h"
 #include "command/variables.h"
 #include "formats/images/palette.h"
@@ -52,7 +53,7 @@ struct HudMoment {
   double time_s = 0;        // of the server
   double frame_time_s = 0;  // since the last frame
   int width = 0, height = 0;
-  int scale = 0;  // as HudSettings::scale
+  HudSize size{};
   bool shows_scores = false;
   bool is_menu_open = false;
   bool is_demo = false, is_own_server = false;

@@ -12,6 +12,8 @@ constexpr double kFilled = 0.75;
 // rows; a smaller one has no room for a word.
 constexpr int kMaxWidth = 424, kMaxHeight = 300;
 constexpr int kMinWidth = 5 * kCharacterSide, kMinHeight = kCharacterSide + 2;
+// The smallest canvas of a player who wants large text: 20 columns, which pages still fit in.
+constexpr int kMinLargeWidth = 160, kMinLargeHeight = 100;
 // Characters of 8 pixels are small on today's displays, so a frame with this much room uses scale 2.
 constexpr int kMinWidthAtTwo = 288, kMinHeightAtTwo = 180;
 // Both ends of the palette's first row, which is gray.
@@ -22,8 +24,10 @@ constexpr std::uint8_t kMenuBlack = 0, kLight = 15;
 int choose_menu_scale(int frame_width, int frame_height, double text_size) {
   const double fitting = std::min(static_cast<double>(frame_width) / kScreenWidth,
                                   static_cast<double>(frame_height) / kScreenHeight);
-  const double wanted = std::clamp(fitting * kFilled * text_size, 1.0, std::max(fitting, 1.0));
-  const int scale = std::max(1, std::min(static_cast<int>(std::lround(wanted)), static_cast<int>(fitting)));
+  const int largest = text_size > 1 ? std::min(frame_width / kMinLargeWidth, frame_height / kMinLargeHeight)
+                                    : static_cast<int>(fitting);
+  const int scale =
+      std::clamp(static_cast<int>(std::lround(fitting * kFilled * text_size)), 1, std::max(largest, 1));
   const bool has_room_for_two = frame_width >= 2 * kMinWidthAtTwo && frame_height >= 2 * kMinHeightAtTwo;
   return scale == 1 && text_size >= 1 && has_room_for_two ? 2 : scale;
 }

@@ -31,8 +31,8 @@ struct Box {
 };
 
 // Frame pixels per canvas pixel, at least 1: three quarters of the largest scale at which a 320 x 200 screen
-// still fits, times `text_size`, rounded. A frame with room for it uses 2 rather than 1, as letters of 8
-// pixels are small.
+// still fits, times `text_size`, rounded. The screen may be as small as 160 x 100 if `text_size` is above 1.
+// A frame with room for it uses 2 rather than 1, as letters of 8 pixels are small.
 int choose_menu_scale(int frame_width, int frame_height, double text_size);
 
 // The only two opacities that menus draw with. In indexed color each opacity costs a lookup table.

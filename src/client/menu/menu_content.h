@@ -77,6 +77,8 @@ struct MenuContent {
   // Whether a game runs, locally or on a server, and whether it can be saved.
   std::function<bool()> game_runs;
   std::function<bool()> can_save;
+  // Whether the player watches a demo; not those behind the menu.
+  std::function<bool()> demo_plays;
   // A sentence about what the player would lose if the game ended now; empty for nothing.
   std::function<std::string()> unsaved;
 

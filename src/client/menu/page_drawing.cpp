@@ -158,6 +158,15 @@ PageView::Layout PageView::compute_layout(const Canvas& canvas, int top) const {
   constexpr int kMaxLabel = 22, kLabelPercent = 56;
   const auto chars = static_cast<int>(count_fitting_characters(layout.rows.width));
   layout.value_x = layout.rows.x + std::min(kMaxLabel, chars * kLabelPercent / 100) * kCharacterSide;
+  // In few columns there is no room for both, so the value goes below the label.
+  constexpr int kMinSharedLine = 26;
+  const auto has_value = [](const std::unique_ptr<Row>& row) { return row->has_value(); };
+  if (chars < kMinSharedLine && layout.rows.height >= 2 * kLine &&
+      std::any_of(page_.rows.begin(), page_.rows.end(), has_value)) {
+    layout.row_height = 2 * kLine;
+    layout.value_down = kLine;
+    layout.value_x = layout.rows.x + kCharacterSide;
+  }
   return layout;
 }
 
@@ -181,6 +190,7 @@ void PageView::draw_rows(const Canvas& canvas, const Layout& layout, double time
   set_lines(shown_.size(), static_cast<std::size_t>(layout.rows.height / layout.row_height));
   RowPlace place;
   place.value_x = layout.value_x;
+  place.value_down = layout.value_down;
   place.letters = layout.letters;
   place.time_s = time_s;
   place.box = {layout.rows.x, layout.rows.y + 1, layout.rows.width, layout.row_height - 2};

@@ -69,7 +69,7 @@ class PageView {
   struct Layout {
     // `details` is empty if the page has none.
     Box rows, details;
-    int row_height = 0, letters = 1, value_x = 0;
+    int row_height = 0, letters = 1, value_x = 0, value_down = 0;
     int help_y = 0;  // 0: no help
   };
 

@@ -72,7 +72,7 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
       factor("v_tint_liquid", defaults.view.contents_tint, 1, "Strength of the tint in liquids.");
   view_size_ = variables.add_int("viewsize", 100, 30, kNoBarViewSize,
                                  "110 hides the inventory row, 120 the whole status bar.");
-  hud_scale_ = variables.add_int("scr_scale", defaults.hud.scale, 0, 64,
+  hud_scale_ = variables.add_int("scr_scale", defaults.hud.size.scale, 0, 64,
                                  "Status bar size. 0 picks a size that fits the window.");
   hud_opacity_ = factor("scr_sbaralpha", defaults.hud.opacity, 1, "Opacity of the status bar's background.");
   crosshair_ = variables.add_int("crosshair", 0, 0, 3, "Crosshair. 0: off, 1: cross, 2: dot, 3: lines.");
@@ -150,7 +150,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.view.contents_tint = factor(contents_tint_);
   settings.hud.status_bar = to_status_bar(variables.int_value(view_size_));
   settings.view.weapon_rise = choose_weapon_rise(settings.hud.status_bar);
-  settings.hud.scale = static_cast<int>(variables.int_value(hud_scale_));
+  settings.hud.size.scale = static_cast<int>(variables.int_value(hud_scale_));
   settings.hud.opacity = factor(hud_opacity_);
   settings.hud.crosshair = {static_cast<Crosshair>(variables.int_value(crosshair_)),
                             static_cast<std::uint8_t>(variables.int_value(crosshair_color_)),

@@ -1,8 +1,10 @@
-// A camera that the viewer flies, through walls too: for watching demos and for looking around a level.
+// A camera that the viewer flies through a level: for watching demos and for looking around. It slides along
+// walls; doors and other brush models do not stop it.
 #pragma once
 
 #include "math/vec.h"
 #include "render/scene.h"
+#include "world/level.h"
 
 namespace temblor::client {
 
@@ -17,8 +19,11 @@ class FreeCamera {
   void place(const render::Camera& camera);
   // Turns the camera, positive pitch down. Pitch stays within 90 degrees up and down.
   void turn(float pitch_deg, float yaw_deg);
-  // Moves at `speed` units per second for `seconds`.
-  void fly(const Directions& directions, float speed, double seconds);
+  // Moves at `speed` units per second for `seconds`, and stays a few units away from walls. A camera outside
+  // the level flies freely, so that it can come back. Without a level there are no walls.
+  void fly(const Directions& directions, float speed, double seconds, const world::Level* level);
+  // Whether the camera is in the open space of the level.
+  bool is_inside(const world::Level& level) const;
 
   const render::Camera& camera() const { return camera_; }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "assets/captions.h"
 #include "client/lines/box_lines.h"
 
 namespace temblor::client {
@@ -14,6 +15,7 @@ Presentation::Presentation(const assets::Library& library)
       pictures_(library.pictures(notes_)),
       mark_pictures_(MarkPictures::load(library, notes_)),
       hud_(pictures_, assets::find_mission_pack(library.files())),
+      subtitles_(assets::load_captions(library.files(), notes_)),
       audio_scene_(library) {}
 
 base::Status Presentation::begin_level(const Game& game, const PresentationSettings& settings) {
@@ -181,7 +183,7 @@ const render::DrawList& Presentation::draw_list(const ClientState& state, int wi
     const std::vector<render::DrawCommand>& drawn = hud_program_->draw_list().commands;
     draw_list_.commands.insert(draw_list_.commands.end(), drawn.begin(), drawn.end());
   }
-  if (settings.subtitles) subtitles_.draw(pictures_, width, height, settings.hud.scale, draw_list_);
+  if (settings.subtitles) subtitles_.draw(pictures_, width, height, settings.hud.size, draw_list_);
   return draw_list_;
 }
 

@@ -35,7 +35,7 @@ struct DrawSettings {
   render::Settings render;
   client::ConsoleSettings console;
   ReadoutSettings readouts;
-  int hud_scale = 0;
+  client::HudSize size{};
 };
 
 // How a dead player continues, for the center of the screen. Empty for a demo. The keys are up to the game's
@@ -55,20 +55,20 @@ void forbid_cheats(const Host& host, render::Settings& io_settings) {
   io_settings.light_view = render::LightView::kLit;
 }
 
-void add_readouts(Host& io_host, const ReadoutSettings& settings, const render::FrameStats& stats, int width,
+void add_readouts(Host& io_host, const DrawSettings& settings, const render::FrameStats& stats, int width,
                   int height) {
   SpeedMeter& meter = io_host.video.meter;
   update_meter(meter, io_host.timing.measured);
   const client::ClientState* const state = find_shown_state(io_host);
   const std::vector<std::string> lines =
-      list_readouts(settings, {.meter = meter,
-                               .game = state != nullptr ? &state->game() : nullptr,
-                               .time_s = state != nullptr ? state->time_s() : 0,
-                               .stats = stats});
+      list_readouts(settings.readouts, {.meter = meter,
+                                        .game = state != nullptr ? &state->game() : nullptr,
+                                        .time_s = state != nullptr ? state->time_s() : 0,
+                                        .stats = stats});
   int number = 0;
   for (const std::string& line : lines)
-    client::draw_corner_text(io_host.game.data->presentation.pictures(), line, number++, width, height,
-                             io_host.video.overlay);
+    client::draw_corner_text(io_host.game.data->presentation.pictures(), line, number++, settings.size.text,
+                             width, height, io_host.video.overlay);
 }
 
 // Adds the demo bar, the console, the menu and the readouts to the overlay, from back to front.
@@ -84,14 +84,16 @@ void add_overlays(Host& io_host, const DrawSettings& settings, const render::Fra
                                  .settings = settings.console};
   if (demos.session && !demos.timed && !demos.is_attracting() &&
       (demos.session->is_paused() || demos.controls.idle_s() < kDemoBarVisible_s))
-    client::draw_demo_bar(*demos.session, pictures, width, height, 0, overlay);
+    client::draw_demo_bar(*demos.session, pictures, width, height, settings.size, overlay);
+  if (demos.session && demos.controls.is_flying() && is_in_game(io_host))
+    client::draw_free_camera_hint(pictures, width, height, settings.size, overlay);
   const client::Connection* const connection = io_host.game.session->connection();
   if (connection != nullptr)
     if (const std::optional<net::ServerSilence> silence = connection->server_silence())
-      client::draw_connection_warning(pictures, *silence, settings.hud_scale, width, height, overlay);
+      client::draw_connection_warning(pictures, *silence, settings.size, width, height, overlay);
   io_host.console.ui.draw(view, width, height, overlay);
   io_host.game.menu->draw(width, height, io_host.timing.now_s, overlay);
-  add_readouts(io_host, settings.readouts, stats, width, height);
+  add_readouts(io_host, settings, stats, width, height);
 }
 
 // Draws the view and the overlay on top, or a black background if there is no view or the console covers it.
@@ -123,6 +125,8 @@ void update_presentation_settings(Host& io_host) {
   update_entity_boxes(io_host, settings);
   update_debug_shapes(io_host, settings);
   settings.sound = io_host.sound.output.has_value();
+  settings.subtitles = settings.subtitles && is_in_game(io_host);  // they would cover a menu
+  settings.hud.size.text = io_host.variables.console().text_size;
   settings.hud.teamplay = static_cast<int>(io_host.variables.variables().find("teamplay")->number);
   settings.hud.death_hint = choose_death_hint(io_host);
   settings.hud.shows_scores = io_host.input.player.buttons()[client::Button::kScores].is_down();
@@ -140,7 +144,7 @@ void draw_and_show(Host& io_host) {
     session.step_server(io_host.timing.now_s, halted);
   };
   DrawSettings settings{variables.render(), variables.console(), variables.readouts(),
-                        io_host.video.presentation_settings.hud.scale};
+                        io_host.video.presentation_settings.hud.size};
   forbid_cheats(io_host, settings.render);
   // Run the tick in parallel only if the frame rate needs it. With time to spare, the tick can follow the
   // frame, and drawing is done sooner with all cores to itself. The menus and the console read variables,

@@ -25,7 +25,7 @@ client::HudMoment make_moment(const Host& host, const client::ClientState& state
                            .frame_time_s = host.timing.measured.frame_s,
                            .width = width,
                            .height = height,
-                           .scale = settings.hud.scale,
+                           .size = settings.hud.size,
                            .shows_scores = settings.hud.shows_scores,
                            .is_menu_open = host.game.menu->is_open(),
                            .is_demo = host.demos.session.has_value(),

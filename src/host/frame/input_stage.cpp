@@ -20,10 +20,11 @@ namespace {
 constexpr double kUnknownRefreshRate_hz = 60;  // if the display does not report its rate
 constexpr double kHiddenRate_hz = 10;          // while the window cannot be seen
 
-// In attract mode any key opens the menu, except keys with one of these bindings.
+// In attract mode any key opens the menu, except keys with one of these bindings. A key that quits opens it,
+// too: someone who presses any key to begin must not lose the game.
 bool runs_while_attracting(std::string_view commands) {
   return commands == "toggleconsole" || commands == "screenshot" || commands == "help_menu" ||
-         commands.starts_with("menu_");
+         (commands.starts_with("menu_") && commands != "menu_quit");
 }
 
 // Whether the event is the console key while a menu is open. The game starts with a menu, so the key must
@@ -58,9 +59,9 @@ bool pass_to_overlays(Host& io_host, const platform::InputEvent& event) {
 void handle_key(Host& io_host, const platform::KeyChange& key) {
   if (key.repeated) return;
   const std::string& commands = io_host.input.bindings.commands(key.key);
-  const bool opens_menu = key.key == platform::Key::kEscape ||
-                          (key.key == platform::Key::kPadStart && commands.empty()) ||
-                          (io_host.demos.is_attracting() && !runs_while_attracting(commands));
+  const bool opens_menu =
+      key.key == platform::Key::kEscape || (key.key == platform::Key::kPadStart && commands.empty()) ||
+      (io_host.demos.is_attracting() && !io_host.game.menu->is_open() && !runs_while_attracting(commands));
   if (key.down && opens_menu) return toggle_menu(io_host);
   command::Console& console = io_host.console.commands;
   if (!key.down)

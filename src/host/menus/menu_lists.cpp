@@ -219,6 +219,7 @@ client::MenuContent MenuLists::content() {
       .display_sizes = [host](int display) { return host->services.window.full_screen_sizes(display); },
       .game_runs = [host] { return host->game.session->is_playing(); },
       .can_save = [host] { return can_save(*host); },
+      .demo_plays = [host] { return host->demos.session && !host->demos.is_attracting(); },
       .unsaved = [host] { return find_unsaved_progress(*host); },
       .find_keys = [host](std::string_view commands) { return host->input.bindings.find_keys(commands); },
       .clipboard = [host] { return host->services.window.clipboard(); },

@@ -78,10 +78,13 @@ TEST_F(ConsoleDrawing, NewestLinesAreAboveTheInputLine) {
   const auto shown = rows();
   EXPECT_EQ(shown.at(100 - 8), std::string(30, ' ') + "Temblor 1");
   // Above the lower edge of the background picture, 12 of its 200 rows.
-  EXPECT_EQ(shown.at(100 - 12 - 8), " ]god@");
-  EXPECT_EQ(shown.at(100 - 12 - 16), " line 19");
-  EXPECT_EQ(shown.at(0), " line 10");
-  EXPECT_EQ(shown.size(), 12u);
+  EXPECT_EQ(shown.at(100 - 12 - 10), " ]god@");
+  EXPECT_EQ(shown.at(100 - 12 - 20), " line 19");
+  EXPECT_EQ(shown.at(-2), " line 12") << "cut off";
+  EXPECT_EQ(shown.size(), 10u);
+  // Letters of 8 pixels must not touch those of the next row.
+  for (auto row = shown.begin(); std::next(row) != shown.end(); ++row)
+    EXPECT_GT(std::next(row)->first, row->first + 8);
 }
 
 TEST_F(ConsoleDrawing, TheCursorBlinks) {
@@ -106,16 +109,16 @@ TEST_F(ConsoleDrawing, ScrollingShowsArrowsForNewerText) {
   open();
   press(Key::kWheelUp);
   auto shown = rows();
-  EXPECT_EQ(shown.at(100 - 28), " ^   ^   ^   ^   ^   ^   ^   ^   ^   ^");
-  EXPECT_EQ(shown.at(100 - 36), " line 46");
+  EXPECT_EQ(shown.at(100 - 32), " ^   ^   ^   ^   ^   ^   ^   ^   ^   ^");
+  EXPECT_EQ(shown.at(100 - 42), " line 46");
   ui.print("new\n", view.time_s);
-  EXPECT_EQ(rows().at(100 - 36), " line 46") << "the view stays";
+  EXPECT_EQ(rows().at(100 - 42), " line 46") << "the view stays";
   press(Key::kHome);
   shown = rows();
   EXPECT_EQ(shown.begin()->second, " line 0");
   press(Key::kPageDown);
   press(Key::kEnd);
-  EXPECT_EQ(rows().at(100 - 28), " new");
+  EXPECT_EQ(rows().at(100 - 32), " new");
 }
 
 TEST_F(ConsoleDrawing, LongInputLinesScrollWithTheCursor) {

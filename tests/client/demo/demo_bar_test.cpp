@@ -17,7 +17,7 @@ struct DemoBar : ::testing::Test {
   // The texts in order, and how much of the bar is filled.
   std::string text(int width = 320, int height = 200) {
     list.clear();
-    client::draw_demo_bar(session, no_pictures(), width, height, 0, list);
+    client::draw_demo_bar(session, no_pictures(), width, height, {}, list);
     std::string text;
     for (const render::DrawCommand& command : list.commands)
       if (command.picture != nullptr) text += static_cast<char>(command.part_y / 8 * 16 + command.part_x / 8);
@@ -51,7 +51,7 @@ TEST_F(DemoBar, FindsTheTimeOfAPixel) {
   for (const int width : {320, 1280, 1919}) {
     text(width, 720);
     const render::ScreenRect bar = list.commands[list.commands.size() - 2].area;
-    const auto time_at = [&](int x_px) { return client::find_demo_time(session, x_px, width, 720, 0); };
+    const auto time_at = [&](int x_px) { return client::find_demo_time(session, x_px, width, 720, {}); };
     EXPECT_EQ(time_at(-5), session.begin_s());
     EXPECT_EQ(time_at(width + 5), session.end_s());
     EXPECT_NEAR(time_at(bar.x + bar.width / 2), (session.begin_s() + session.end_s()) / 2, 0.1);

@@ -483,7 +483,7 @@ TEST(DemoSession, AFreeCameraSeesThePlayer) {
   const std::size_t models = eyes.alias_models.size();
   client::FreeCamera camera;
   camera.place(eyes.camera);
-  camera.fly({.forward = 1}, 100, 0.5);
+  camera.fly({.forward = 1}, 100, 0.5, nullptr);
   settings.camera = camera.camera();
   played.session.pause(true);
   ASSERT_TRUE(played.session.advance(1, settings).value());

@@ -22,7 +22,7 @@ class ConnectionWarning : public ::testing::Test {
   // The number of pictures and letters that are drawn.
   std::size_t draw(const net::ServerSilence& silence) {
     render::DrawList list;
-    draw_connection_warning(pictures_, silence, 0, 640, 480, list);
+    draw_connection_warning(pictures_, silence, {}, 640, 480, list);
     return list.commands.size();
   }
 

@@ -23,15 +23,20 @@ struct Fill {
   int left, top, right, bottom, index;
 };
 
-std::vector<Fill> fills(const Game& game, int width, int height, const HudSettings& settings) {
+std::vector<Fill> fills(const Hud& hud, const Game& game, int width, int height,
+                        const HudSettings& settings) {
   render::DrawList list;
-  Hud(test::no_pictures()).draw(game, 1000, width, height, settings, list);
+  hud.draw(game, 1000, width, height, settings, list);
   std::vector<Fill> found;
   for (const render::DrawCommand& command : list.commands)
     if (command.picture == nullptr)
       found.push_back({command.area.x, command.area.y, command.area.x + command.area.width,
                        command.area.y + command.area.height, command.fill});
   return found;
+}
+
+std::vector<Fill> fills(const Game& game, int width, int height, const HudSettings& settings) {
+  return fills(Hud(test::no_pictures()), game, width, height, settings);
 }
 
 HudSettings with_crosshair(Crosshair shape) {
@@ -86,14 +91,33 @@ std::ptrdiff_t strokes_in_well(const std::vector<Fill>& found, int x) {
 TEST(HudMarks, SafeColorsMarkLowNumbers) {
   HudSettings settings;
   settings.safe_colors = true;
-  constexpr int kArmorX = 24, kHealthX = 136, kAmmoX = 248;
+  constexpr int kHealthX = 136, kAmmoX = 248;
   const auto low = fills(game_with(25, 25, 10), 320, 200, settings);
   const auto good = fills(game_with(26, 26, 11), 320, 200, settings);
-  for (const int x : {kArmorX, kHealthX, kAmmoX}) {
+  for (const int x : {kHealthX, kAmmoX}) {
     EXPECT_EQ(strokes_in_well(low, x), 2) << x;
     EXPECT_EQ(strokes_in_well(good, x), 0) << x;
   }
   EXPECT_TRUE(fills(game_with(25, 25, 10), 320, 200, {}).empty());
+}
+
+// A player who has no armor, or who has picked up a little, needs no warning.
+TEST(HudMarks, SafeColorsWarnAboutArmorOnlyAfterALoss) {
+  HudSettings settings;
+  settings.safe_colors = true;
+  constexpr int kArmorX = 24;
+  const auto strokes = [&](std::initializer_list<std::pair<double, int>> armor_at) {
+    Hud hud(test::no_pictures());
+    int armor = 0;
+    for (const auto& [time_s, value] : armor_at) hud.advance(game_with(100, armor = value, 100), {}, time_s);
+    return strokes_in_well(fills(hud, game_with(100, armor, 100), 320, 200, settings), kArmorX);
+  };
+  EXPECT_EQ(strokes({{999, 0}}), 0);
+  EXPECT_EQ(strokes({{990, 0}, {999, 10}}), 0) << "picked up";
+  EXPECT_EQ(strokes({{990, 30}, {999, 20}}), 2);
+  EXPECT_EQ(strokes({{990, 30}, {999, 0}}), 2);
+  EXPECT_EQ(strokes({{990, 100}, {999, 90}}), 0) << "enough is left";
+  EXPECT_EQ(strokes({{990, 30}, {996, 20}}), 0) << "a while ago";
 }
 
 TEST(HudMarks, SafeColorsMarkTheKindOfArmor) {

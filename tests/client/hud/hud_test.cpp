@@ -31,10 +31,10 @@ constexpr std::uint8_t kNothing = 0, kFirstPicture = 1, kInk = 254;
 // Bits of ClientData::items, from the documentation of QuakeC's `items` field.
 constexpr std::uint32_t kAllItems = 0xffffffffu;
 
-struct HudSize {
+struct FrameShape {
   int width, height, scale;
 };
-constexpr HudSize kHudSizes[] = {
+constexpr FrameShape kHudSizes[] = {
     {320, 200, 1}, {640, 480, 1}, {1920, 1080, 3}, {3840, 2160, 7}, {1000, 1600, 2}};
 
 // Stock pictures, each filled with its own color; characters are solid squares of kInk.
@@ -146,9 +146,9 @@ struct Drawn {
   }
 };
 
-Drawn draw(const Hud& hud, const Game& game, double time_s, const HudSize& size = kHudSizes[0],
+Drawn draw(const Hud& hud, const Game& game, double time_s, const FrameShape& size = kHudSizes[0],
            const HudSettings& settings = {}) {
-  Drawn drawn{size.width, size.height, settings.scale > 0 ? settings.scale : size.scale, {}, {}};
+  Drawn drawn{size.width, size.height, settings.size.scale > 0 ? settings.size.scale : size.scale, {}, {}};
   hud.draw(game, time_s, size.width, size.height, settings, drawn.list);
   render::FrameBuffer frame(size.width, size.height, render::PixelFormat::kIndexed);
   std::fill(frame.indexed().begin(), frame.indexed().end(), kNothing);
@@ -159,7 +159,7 @@ Drawn draw(const Hud& hud, const Game& game, double time_s, const HudSize& size 
 }
 
 // A time at which nothing flashes anymore.
-Drawn draw_calm(const Game& game, const HudSize& size = kHudSizes[0], const HudSettings& settings = {}) {
+Drawn draw_calm(const Game& game, const FrameShape& size = kHudSizes[0], const HudSettings& settings = {}) {
   return draw(Hud(art().pictures()), game, 1000, size, settings);
 }
 
@@ -174,7 +174,7 @@ void expect_inside(const Drawn& drawn) {
 }
 
 TEST(Hud, FitsFramesOfEverySize) {
-  for (const HudSize& size : kHudSizes) {
+  for (const FrameShape& size : kHudSizes) {
     SCOPED_TRACE(testing::Message() << size.width << "x" << size.height);
     Game game = rich_game();
     game.level_name = std::string(60, 'x');
@@ -208,7 +208,7 @@ TEST(Hud, IsCenteredAtTheBottom) {
                                {"sb_key1", 192, -40},   {"sb_key2", 208, -40},      {"sb_invis", 224, -40},
                                {"sb_invuln", 240, -40}, {"sb_suit", 256, -40},      {"sb_quad", 272, -40},
                                {"sb_sigil1", 288, -40}, {"sb_sigil4", 312, -40}};
-  for (const HudSize& size : kHudSizes) {
+  for (const FrameShape& size : kHudSizes) {
     const Drawn drawn = draw_calm(rich_game(), size);
     for (const Place& place : kPlaces) {
       SCOPED_TRACE(testing::Message() << place.picture << " at " << size.width << "x" << size.height);
@@ -373,7 +373,7 @@ TEST(Hud, StatusBarHasTwoSizesAndOff) {
 
 TEST(Hud, ScalesByWholeNumbersThatFit) {
   const auto width_of_bar = [](int width, int height, int wished) {
-    const Drawn drawn = draw_calm(rich_game(), {width, height, 1}, {.scale = wished});
+    const Drawn drawn = draw_calm(rich_game(), {width, height, 1}, {.size = {.scale = wished}});
     for (const render::DrawCommand& command : drawn.list.commands)
       if (command.picture == art().pictures().find("sbar")) return command.area.width;
     return 0;
@@ -431,7 +431,7 @@ TEST(Hud, ShowsAHintAfterDeath) {
   hud.advance(game, {}, 20.5);
   EXPECT_THAT(draw(hud, game, 20.9, kHudSizes[0], settings).lines(), Not(Contains("Fire: this")));
   hud.advance(game, {}, 21);
-  for (const HudSize& size : kHudSizes) {
+  for (const FrameShape& size : kHudSizes) {
     const Drawn drawn = draw(hud, game, 21.1, size, settings);
     EXPECT_THAT(drawn.lines(), testing::IsSupersetOf({"Fire: this", "Jump: that"}));
     expect_inside(drawn);
@@ -506,7 +506,7 @@ TEST(Hud, CentersTextForTwoSeconds) {
   const Hud hud(art().pictures());
   EXPECT_THAT(draw(hud, game, 11.9).lines(), Contains("two three"));
   EXPECT_THAT(draw(hud, game, 12.1).lines(), Not(Contains("two three")));
-  for (const HudSize& size : kHudSizes) {
+  for (const FrameShape& size : kHudSizes) {
     const Drawn drawn = draw(hud, game, 11, size);
     int left = size.width, right = 0, top = size.height;
     for (const render::DrawCommand& command : drawn.list.commands)
@@ -615,6 +615,43 @@ TEST(Hud, AllocatesNothingInTheSteadyState) {
   EXPECT_EQ(test::allocation_count() - before, 0u);
 }
 
+// The largest text still shows a message of several words without losing any of them.
+TEST(Hud, TextSizeWorksInFramesOfAnySize) {
+  struct Size {
+    int width, height;
+    // At 50, 100, 200 and 400 %: frame pixels per pixel of the status bar, and of text.
+    std::array<int, 4> bars, text;
+  };
+  constexpr Size kSizes[] = {{320, 200, {1, 1, 1, 1}, {1, 1, 2, 2}},
+                             {640, 480, {1, 1, 2, 2}, {1, 1, 2, 4}},
+                             {1280, 720, {1, 2, 3, 3}, {1, 2, 4, 8}},
+                             {1920, 1080, {2, 3, 5, 5}, {2, 3, 6, 12}}};
+  constexpr std::array<float, 4> kTextSizes = {0.5f, 1, 2, 4};
+  Game game = rich_game();
+  game.center_text = "You found a secret area behind the old copper pipes!";
+  game.center_text_since_s = 999.5;
+  for (const Size& size : kSizes)
+    for (std::size_t i = 0; i < kTextSizes.size(); ++i) {
+      SCOPED_TRACE(testing::Message() << size.width << "x" << size.height << ", " << kTextSizes[i]);
+      const client::HudSize chosen{.text = kTextSizes[i]};
+      EXPECT_EQ(choose_scale(size.width, size.height, chosen), size.bars[i]);
+      EXPECT_EQ(choose_text_scale(size.width, size.height, chosen), size.text[i]);
+      const Drawn drawn = draw_calm(game, {size.width, size.height, size.bars[i]}, {.size = chosen});
+      std::string words;
+      for (const render::DrawCommand& command : drawn.list.commands) {
+        if (command.picture != &art().pictures().characters() || command.scale != size.text[i]) continue;
+        const char letter = static_cast<char>(command.part_y / 8 * 16 + command.part_x / 8);
+        if (letter < '!') continue;  // the digits of the ammo counts
+        words += letter;
+        EXPECT_GE(command.area.x, 0);
+        EXPECT_LE(command.area.x + command.area.width, size.width);
+        EXPECT_GE(command.area.y, 0);
+        EXPECT_LE(command.area.y + command.area.height, size.height);
+      }
+      EXPECT_EQ(words, "Youfoundasecretareabehindtheoldcopperpipes!");
+    }
+}
+
 TEST(Hud, SurvivesAnyGame) {
   for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::effort(500, 60)); ++seed) {
     SCOPED_TRACE(seed);
@@ -640,12 +677,14 @@ TEST(Hud, SurvivesAnyGame) {
       game.players.push_back({text(40), static_cast<std::int16_t>(random.bits()),
                               static_cast<std::uint8_t>(random.bits()),
                               static_cast<std::uint8_t>(random.bits())});
-    const HudSize size{1 + static_cast<int>(random.below(1500)), 1 + static_cast<int>(random.below(1000)), 1};
+    const FrameShape size{1 + static_cast<int>(random.below(1500)), 1 + static_cast<int>(random.below(1000)),
+                          1};
     Hud hud(art().pictures());
     hud.advance(game, {}, random.uniform(-1e9, 1e9));
-    const Drawn drawn = draw(
-        hud, game, random.uniform(-1e9, 1e9), size,
-        {.scale = static_cast<int>(random.below(20)), .opacity = static_cast<float>(random.uniform(0, 1))});
+    const Drawn drawn =
+        draw(hud, game, random.uniform(-1e9, 1e9), size,
+             {.size = {static_cast<int>(random.below(20)), static_cast<float>(random.uniform(0.5, 4))},
+              .opacity = static_cast<float>(random.uniform(0, 1))});
     EXPECT_EQ(drawn.pixels.size(), static_cast<std::size_t>(size.width * size.height));
   }
 }

@@ -52,9 +52,11 @@ class HudStage {
   }
 
   const HudDrawing& draw(bool shows_scores = false) {
-    hud->draw(
-        game,
-        {.time_s = 7, .width = kWidth, .height = kHeight, .scale = kScale, .shows_scores = shows_scores});
+    hud->draw(game, {.time_s = 7,
+                     .width = kWidth,
+                     .height = kHeight,
+                     .size = {.scale = kScale},
+                     .shows_scores = shows_scores});
     return hud->drawing();
   }
   // Draws a frame, and returns what the program printed.

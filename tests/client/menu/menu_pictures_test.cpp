@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "client/menu/canvas.h"
 #include "client/menu/menu_driver.h"
 #include "formats/images/palette.h"
 #include "render/renderer.h"
@@ -51,8 +52,13 @@ TEST(MenuPictures, EveryPageStaysInTheFrame) {
   struct Size {
     int width, height;
   };
-  for (const Size& size : {Size{320, 200}, Size{640, 480}, Size{1920, 1080}, Size{600, 1500}})
-    for (int page = 0; page < static_cast<int>(MenuPage::kCount); ++page) {
+  const std::pair<const char*, int> text_sizes[] = {{"0.5", 50}, {"1", 100}, {"2", 200}, {"4", 400}};
+  for (const Size& size :
+       {Size{320, 200}, Size{640, 480}, Size{1280, 720}, Size{1920, 1080}, Size{600, 1500}})
+    for (int shown = 0; shown < static_cast<int>(MenuPage::kCount) * 4; ++shown) {
+      const int page = shown / 4;
+      const auto& [text_size, percent] = text_sizes[shown % 4];
+      ASSERT_TRUE(variables.set("scr_textsize", text_size).ok());
       menu.close();
       menu.open(static_cast<MenuPage>(page));
       menu.handle({0, platform::KeyChange{platform::Key::kDownArrow, true, false}});
@@ -63,6 +69,9 @@ TEST(MenuPictures, EveryPageStaysInTheFrame) {
       render::FrameStats stats;
       painter.draw_overlay(list, frame, stats);
       bool has_title_picture = false;
+      // Large text leaves no room for it.
+      const bool canvas_has_title =
+          size.height / choose_menu_scale(size.width, size.height, percent / 100.0) >= 160;
       for (const render::DrawCommand& command : list.commands) {
         has_title_picture |= command.picture == pictures.find_real("gfx/p_option.lmp");
         if (command.picture == nullptr) continue;
@@ -71,8 +80,8 @@ TEST(MenuPictures, EveryPageStaysInTheFrame) {
         EXPECT_LE(command.area.x + command.area.width, size.width);
         EXPECT_LE(command.area.y + command.area.height, size.height);
       }
-      EXPECT_EQ(has_title_picture, page == static_cast<int>(MenuPage::kOptions)) << page;
-      test::show_picture(fmt::format("menu_{}_{}", size.width, page), frame, palette);
+      EXPECT_EQ(has_title_picture, page == static_cast<int>(MenuPage::kOptions) && canvas_has_title) << page;
+      test::show_picture(fmt::format("menu_{}_{}_{}", size.width, page, percent), frame, palette);
     }
 }
 

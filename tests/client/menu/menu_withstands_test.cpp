@@ -106,7 +106,7 @@ TEST(MenuWithstands, AnyPageFitsAnyFrame) {
       for (const MenuDriver::Size& size : kSizes) {
         SCOPED_TRACE(testing::Message()
                      << "page " << static_cast<int>(page) << ", " << size.width << 'x' << size.height);
-        for (const char* text_size : {"0.5", "1", "4"}) {
+        for (const char* text_size : {"0.5", "1", "2", "4"}) {
           ASSERT_TRUE(hand.variables().set("scr_textsize", text_size).ok());
           expect_drawable(hand, size);
           EXPECT_FALSE(letters_overlap(hand.draw()));

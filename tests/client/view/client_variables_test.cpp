@@ -31,7 +31,7 @@ std::vector<Case> cases() {
       {"v_tint_liquid=0.5", [](const auto& s) { return s.view.contents_tint; }, 1, 0.5},
       {"viewsize=120", [bar](const auto& s) { return bar(s.hud.status_bar); }, bar(StatusBar::kFull),
        bar(StatusBar::kNone)},
-      {"scr_scale=3", [](const auto& s) { return s.hud.scale; }, 0, 3},
+      {"scr_scale=3", [](const auto& s) { return s.hud.size.scale; }, 0, 3},
       {"crosshair=2", [](const auto& s) { return static_cast<double>(s.hud.crosshair.shape); }, 0, 2},
       {"crosshair_color=251", [](const auto& s) { return s.hud.crosshair.color; }, 15, 251},
       {"scr_safecolors=1", [](const auto& s) { return s.hud.safe_colors; }, 0, 1},

@@ -140,6 +140,9 @@ Page make_main_page(const PageContext& context) {
     page.rows.push_back(std::make_unique<ActionRow>("Leave game", [context] {
       return confirm_if_unsaved(context, "Leave anyway?", {.commands = {"disconnect"}, .refresh = true});
     }));
+  if (call_or_default(context.content.demo_plays))
+    page.rows.push_back(std::make_unique<ActionRow>(
+        "Stop demo", [] { return Outcome{.commands = {"stopdemo"}, .refresh = true}; }));
   add_link("Quit", MenuPage::kQuit);
   return page;
 }

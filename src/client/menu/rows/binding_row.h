@@ -15,6 +15,7 @@ class BindingRow : public Row {
   // `commands`: the console commands that the keys run.
   BindingRow(const MenuContent& content, std::string_view label, std::string_view commands)
       : content_(&content), label_(label), commands_(commands) {}
+  bool has_value() const override { return true; }
 
   std::string_view label() const override { return label_; }
   std::string_view search_text() const override { return label_; }

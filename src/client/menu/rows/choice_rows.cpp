@@ -8,15 +8,17 @@
 namespace temblor::client {
 
 Box value_box(const RowPlace& place) {
-  return {place.value_x, place.box.y, place.box.right() - place.value_x, place.box.height};
+  const Box& box = place.box;
+  return {place.value_x, box.y + place.value_down, box.right() - place.value_x,
+          box.height - place.value_down};
 }
 
 void draw_label_and_value(const Canvas& canvas, const RowPlace& place, std::string_view label,
                           std::string_view value, bool marked) {
   const Box& box = place.box;
   const Box right = value_box(place);
-  canvas.draw_text(truncate(to_printable(label), count_fitting_characters(right.x - box.x - kCharacterSide)),
-                   box.x, box.y);
+  const int label_width = place.value_down > 0 ? box.width : right.x - box.x - kCharacterSide;
+  canvas.draw_text(truncate(to_printable(label), count_fitting_characters(label_width)), box.x, box.y);
   const std::size_t chars = count_fitting_characters(right.width);
   if (!marked || chars < 3) return canvas.draw_text(truncate(to_printable(value), chars), right.x, right.y);
   // The arrows are outside the column, so that the value does not move when its row is selected.

@@ -14,6 +14,7 @@ namespace temblor::client {
 class ChoiceRow : public Row {
  public:
   std::string_view label() const override { return label_; }
+  bool has_value() const override { return true; }
   void draw(const Canvas& canvas, const RowPlace& place) const override;
   Outcome activate() override { return adjust(1); }
   Outcome adjust(int steps) override;

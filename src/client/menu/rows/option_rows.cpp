@@ -112,6 +112,7 @@ class SliderRow : public Row {
  public:
   SliderRow(const BoundVariable& variable, const OptionLook& look);
 
+  bool has_value() const override { return true; }
   std::string_view label() const override { return look_.label; }
   std::string help() const override { return variable_.help(); }
   void draw(const Canvas& canvas, const RowPlace& place) const override;
@@ -156,8 +157,8 @@ std::optional<Box> SliderRow::slide_box(const RowPlace& place) const {
   const int count = count_middles(place);
   if (count == 0) return std::nullopt;
   // From the center of the leftmost knob to the center of the rightmost.
-  return Box{place.value_x + kCharacterSide * 3 / 2, place.box.y, (count - 1) * kCharacterSide,
-             place.box.height};
+  const Box value = value_box(place);
+  return Box{value.x + kCharacterSide * 3 / 2, value.y, (count - 1) * kCharacterSide, value.height};
 }
 
 void SliderRow::draw(const Canvas& canvas, const RowPlace& place) const {
@@ -213,7 +214,8 @@ class ColorRow : public ChoiceRow {
   std::string help() const override { return variable_.help(); }
   void draw(const Canvas& canvas, const RowPlace& place) const override;
   std::optional<Box> slide_box(const RowPlace& place) const override {
-    return Box{place.value_x, place.box.y, kColors * kCharacterSide, place.box.height};
+    const Box value = value_box(place);
+    return Box{value.x, value.y, kColors * kCharacterSide, value.height};
   }
   void slide(double fraction) override {
     choose(std::min(static_cast<int>(std::clamp(fraction, 0.0, 1.0) * kColors), kColors - 1));
@@ -236,7 +238,7 @@ void ColorRow::draw(const Canvas& canvas, const RowPlace& place) const {
   constexpr std::uint8_t kMark = 254;  // bright in every Quake palette
   draw_label_and_value(canvas, place, label(), "", false);
   for (int i = 0; i < kColors; ++i) {
-    const Box swatch{place.value_x + i * kCharacterSide, place.box.y, kCharacterSide, kCharacterSide};
+    const Box swatch{place.value_x + i * kCharacterSide, value_box(place).y, kCharacterSide, kCharacterSide};
     if (i == chosen()) canvas.fill({swatch.x - 1, swatch.y - 1, swatch.width + 2, swatch.height + 2}, kMark);
     canvas.fill(swatch, static_cast<std::uint8_t>(i * kPaletteRow + kShade));
   }

@@ -37,6 +37,8 @@ struct RowPlace {
   Box box;
   // Where the right column begins, in canvas pixels.
   int value_x = 0;
+  // How far the value is below the label; 0: they share a line.
+  int value_down = 0;
   // 2: large letters, 16 x 16.
   int letters = 1;
   bool selected = false;
@@ -56,6 +58,8 @@ class Row {
   virtual ~Row() = default;
 
   virtual bool can_be_selected() const { return true; }
+  // Whether the row has a value beside its label, or below it where there is no room.
+  virtual bool has_value() const { return false; }
   // The row's text. Also identifies the row when its page is rebuilt.
   virtual std::string_view label() const = 0;
   // The text that the player's search is matched with.

@@ -48,6 +48,7 @@ class TextRow : public Row {
   };
   TextRow(std::string label, Parts parts) : label_(std::move(label)), parts_(std::move(parts)) {}
 
+  bool has_value() const override { return true; }
   std::string_view label() const override { return label_; }
   std::string help() const override { return parts_.help; }
   void draw(const Canvas& canvas, const RowPlace& place) const override;

@@ -1,21 +1,26 @@
-// Captions for sounds from outside the view, for players who cannot hear them. Stock Quake has none. A
-// caption is made from the sound's file name, so it works for any game; arrows show which way to turn.
+// Captions for sounds from outside the view, for players who cannot hear them. Stock Quake has none. Arrows
+// show which way to turn.
+//
+//   captions.txt of the game, or else the stock sounds' captions, or else the words of the file's name
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "assets/pictures.h"
+#include "client/hud/panel.h"
 #include "client/session/client_state.h"
+#include "formats/game/captions.h"
 #include "render/draw_list.h"
 #include "render/scene.h"
 
 namespace temblor::client {
 
-// A caption from a sound's file name: "soldier/sight1.wav" becomes "soldier sight", "doors/drclos4.wav"
-// "doors drclos".
-std::string make_caption(std::string_view sound);
+// The caption of a sound, "dog/dattack1.wav"; empty for silence. A sound that neither the game nor stock
+// Quake has is called by the words of its name: "gug/roar2.wav" becomes "gug roar".
+std::string make_caption(const formats::Captions& captions, std::string_view sound);
 
 // Where a sound comes from, relative to the view.
 enum class SoundSide { kSeen, kLeft, kRight, kBehind };
@@ -25,13 +30,15 @@ SoundSide find_sound_side(const math::Vec3& place_world, const render::Camera& c
 
 class Subtitles {
  public:
+  explicit Subtitles(formats::Captions captions) : captions_(std::move(captions)) {}
+
   void begin_level() { lines_.clear(); }
   // Adds captions for audible sounds from outside the view that the player did not make, and removes captions
   // after two seconds. If time runs backward, removes all captions.
   void advance(const Game& game, const Events& events, const render::Camera& camera, double time_s);
   // Draws the captions in the lower middle of a frame of `width` x `height` pixels, the newest at the bottom.
-  // The commands are valid while the pictures live. `scale`: see choose_scale().
-  void draw(const assets::Pictures& pictures, int width, int height, int scale,
+  // The commands are valid while the pictures live.
+  void draw(const assets::Pictures& pictures, int width, int height, HudSize size,
             render::DrawList& io_list) const;
 
  private:
@@ -41,6 +48,7 @@ class Subtitles {
     // When the sound started, server time.
     double since_s;
   };
+  formats::Captions captions_;
   std::vector<Line> lines_;
 };
 

@@ -1,11 +1,14 @@
-#include "client/hud/subtitles.h"
+#include "client/subtitles/subtitles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "client/hud/panel.h"
+#include "base/text.h"
+#include "client/hud/center_text.h"
+#include "client/subtitles/stock_captions.h"
 #include "math/angles.h"
 
 namespace temblor::client {
@@ -17,7 +20,6 @@ constexpr double kCaptionDuration_s = 2;
 constexpr float kSilentDistance_units = 1000;
 // Gap above the status bar, in the original's pixels.
 constexpr int kAboveBar = 8;
-constexpr std::size_t kMaxChars = 32;
 
 // Whether the player could hear the sound. Attenuation 0 is heard everywhere.
 bool is_audible(const net::Sound& sound, const render::Camera& camera) {
@@ -37,20 +39,27 @@ std::string format_caption(const std::string& caption, SoundSide side) {
   }
 }
 
-}  // namespace
-
-std::string make_caption(std::string_view sound) {
-  if (const std::size_t dot = sound.rfind('.'); dot != std::string_view::npos) sound = sound.substr(0, dot);
+// The words of a file's name, without digits.
+std::string name_sound(std::string_view file) {
+  file = file.substr(0, file.rfind('.'));
   std::string words;
-  for (const char c : sound.substr(0, kMaxChars)) {
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    if (is_letter)
+  for (const char c : file.substr(0, formats::kMaxCaptionChars)) {
+    if (c >= 'a' && c <= 'z')
       words += c;
     else if (!words.empty() && words.back() != ' ')
       words += ' ';
   }
   while (words.ends_with(' ')) words.pop_back();
   return words;
+}
+
+}  // namespace
+
+std::string make_caption(const formats::Captions& captions, std::string_view sound) {
+  const std::string file = base::to_lower(sound);
+  if (const auto own = captions.texts.find(file); own != captions.texts.end()) return own->second;
+  if (const std::optional<std::string_view> stock = find_stock_caption(file)) return std::string(*stock);
+  return name_sound(file);
 }
 
 SoundSide find_sound_side(const math::Vec3& place_world, const render::Camera& camera) {
@@ -72,7 +81,7 @@ void Subtitles::advance(const Game& game, const Events& events, const render::Ca
       continue;
     // A sound that repeats renews its caption instead of filling the list.
     const SoundSide side = find_sound_side(sound.origin, camera);
-    std::string caption = make_caption(game.sounds[sound.sound]);
+    std::string caption = make_caption(captions_, game.sounds[sound.sound]);
     if (side == SoundSide::kSeen || caption.empty()) continue;
     std::erase_if(lines_, [&](const Line& line) { return line.caption == caption && line.side == side; });
     lines_.push_back({std::move(caption), side, time_s});
@@ -80,19 +89,24 @@ void Subtitles::advance(const Game& game, const Events& events, const render::Ca
   if (lines_.size() > kMaxLines) lines_.erase(lines_.begin(), lines_.end() - kMaxLines);
 }
 
-void Subtitles::draw(const assets::Pictures& pictures, int width, int height, int scale,
+void Subtitles::draw(const assets::Pictures& pictures, int width, int height, HudSize size,
                      render::DrawList& io_list) const {
-  const Panel panel(pictures, io_list, width, height, choose_scale(width, height, scale));
-  const int rows = static_cast<int>(lines_.size());
-  const Panel place = panel.at_bottom(kBarHeight + kInventoryHeight + kAboveBar + rows * kCharacterSide);
-  for (int row = 0; row < rows; ++row) {
-    const Line& line = lines_[static_cast<std::size_t>(row)];
-    const std::string text = format_caption(line.caption, line.side);
-    const int text_width = static_cast<int>(text.size()) * kCharacterSide;
-    const int x = (kScreenWidth - text_width) / 2;
+  const Panel panel(pictures, io_list, width, height, choose_scale(width, height, size));
+  const Panel letters = panel.with_scale(choose_text_scale(width, height, size));
+  constexpr int kPadding = 2;
+  // From the newest caption upward.
+  int top_px = height - (kBarHeight + kInventoryHeight + kAboveBar) * panel.scale();
+  for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
+    const std::string text = format_caption(line->caption, line->side);
+    const int rows = count_text_lines(letters, text);
+    top_px -= rows * kTextLine * letters.scale();
+    const Panel place = letters.with_top(top_px);
     // A dark background keeps it readable.
-    place.fill(x - 2, row * kCharacterSide, text_width + 4, kCharacterSide, 0, 0.5f);
-    place.draw_text(text, x, row * kCharacterSide);
+    const int columns = std::min(static_cast<int>(text.size()), width / (letters.scale() * kCharacterSide));
+    const int text_width = columns * kCharacterSide;
+    place.fill((kScreenWidth - text_width) / 2 - kPadding, -1, text_width + 2 * kPadding, rows * kTextLine, 0,
+               0.5f);
+    draw_text_lines(place, text, kTextLine);
   }
 }
 
