@@ -1,6 +1,7 @@
-# The shipped levels: game/maps/NAME.level -> work/maps/NAME.map -> id1/maps/NAME.bsp, and .lit if the light has
-# colors. They compile one after another, as each compilation uses all cores.
-set(maps_work "${CMAKE_CURRENT_BINARY_DIR}/work")
+# The shipped levels: game/maps/NAME.level -> levels/maps/NAME.map -> game/id1/maps/NAME.bsp, and .lit if the light has
+# colors. They compile one after another, as each compilation uses all cores. The folder of the games holds nothing else,
+# because the menu would list it as a mod.
+set(maps_work "${CMAKE_BINARY_DIR}/levels")
 set(maps_folder "${CMAKE_CURRENT_BINARY_DIR}/id1/maps")
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS temblor_maps=1)
 

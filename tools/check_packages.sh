@@ -46,7 +46,7 @@ tar -xf "$archive" -C "$work/archive"
 tar -xf "$light" -C "$work/archive"
 program=$(only_file "$work"/archive/temblor-*/bin/temblor)
 try_game "$program"
-cp build/release/game/work/maps/b_bh10.map build/release/game/work/textures.wad "$work"
+cp build/release/levels/maps/b_bh10.map build/release/levels/textures.wad "$work"
 (cd "$work" && "$program" compile b_bh10.map --wad textures.wad -o box.bsp) >"$work/compile.txt" 2>&1 ||
   { cat "$work/compile.txt"; fail "the unpacked program cannot compile a level"; }
 rm -rf "$HOME" /tmp/temblor_package_test.png

@@ -4,6 +4,7 @@
 # them for all. The program of OTHER_TREE makes some of them again, and the bytes must equal those in RELEASE_TREE.
 set -euo pipefail
 game=$(realpath "$1")/game
+made=$(realpath "$1")/levels
 other=$(realpath "$2")
 levels=(b_batt0 b_explob tdm1)
 work=$(mktemp -d)
@@ -14,13 +15,13 @@ export ASAN_OPTIONS=intercept_tls_get_addr=0
 
 scripts=$(cd "$(dirname "$0")/../game" && pwd)
 "$other/temblor" art "$scripts/art/textures" -o "$work" >/dev/null
-cmp "$work/textures.wad" "$game/work/textures.wad"
+cmp "$work/textures.wad" "$made/textures.wad"
 for level in "${levels[@]}"; do
   "$other/temblor" art "$scripts/maps/$level.level" -o "$work" >/dev/null
-  cmp "$work/maps/$level.map" "$game/work/maps/$level.map"
+  cmp "$work/maps/$level.map" "$made/maps/$level.map"
   (cd "$work" && "$other/temblor" compile --clean "maps/$level.map" --wad textures.wad -o "$level.bsp") >/dev/null 2>&1
-  cmp "$work/$level.bsp" "$game/work/maps/$level.bsp"
-  if [ -e "$game/work/maps/$level.lit" ]; then cmp "$work/$level.lit" "$game/work/maps/$level.lit"; fi
+  cmp "$work/$level.bsp" "$made/maps/$level.bsp"
+  if [ -e "$made/maps/$level.lit" ]; then cmp "$work/$level.lit" "$made/maps/$level.lit"; fi
 done
 if [ -x "$other/scripted_player" ]; then
   # The same options as in game/shipped.cmake. The exit status is about the game, not about the recording.

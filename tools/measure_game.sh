@@ -20,7 +20,7 @@ compile_time() {
   local begin level
   begin=$(date +%s.%N)
   for level in "${levels[@]}"; do
-    (cd "$game/work" && "$program" compile --clean "maps/$level.map" --wad textures.wad -o "$folder/$level.bsp") >/dev/null
+    (cd "$build/levels" && "$program" compile --clean "maps/$level.map" --wad textures.wad -o "$folder/$level.bsp") >/dev/null
   done
   row "all levels compiled, two cores" "$(seconds_since "$begin") s" "under 180 s"
 }

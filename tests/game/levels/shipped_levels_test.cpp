@@ -55,5 +55,15 @@ TEST(ShippedLevels, AreSoundInEveryKindOfGame) {
   }
 }
 
+// The menu lists every folder with a progs.dat or levels beside id1 as a mod.
+TEST(ShippedLevels, LeaveNoOtherFoldersThanGames) {
+  std::vector<std::string> games;
+  for (const auto& entry : std::filesystem::directory_iterator(TEMBLOR_GAMES))
+    if (std::filesystem::exists(entry.path() / "progs.dat") || std::filesystem::exists(entry.path() / "maps"))
+      games.push_back(entry.path().filename().string());
+  EXPECT_THAT(games, ::testing::UnorderedElementsAre("alerter", "flying_craft", "homing_rockets", "id1"))
+      << "delete the other folders below " << TEMBLOR_GAMES;
+}
+
 }  // namespace
 }  // namespace temblor::test
