@@ -141,8 +141,9 @@ base::Status reload_level(Server& io_server);
 
 // --- Saved games of a single player: NAME.sav in the write folder.
 
-// Prints the result. kUsage if the game cannot be saved: there are several players, or none that lives.
-base::Status save_game(Server& io_server, std::string_view name);
+// Prints the result. Menus show `title`, or the level's if it is empty; its first 22 characters are stored.
+// kUsage if the game cannot be saved: there are several players, or none that lives.
+base::Status save_game(Server& io_server, std::string_view name, std::string_view title = {});
 // Replaces the running level. The game is paused until the player has joined.
 base::Status load_saved_game(Server& io_server, std::string_view name);
 // Whether the game is saved automatically when the player leaves it, so that nothing is lost.

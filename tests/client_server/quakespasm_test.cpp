@@ -240,7 +240,8 @@ TEST(QuakeSpasmServer, LoadsOurSavedGame) {
                         {.library = library, .io_variables = variables, .print = [](std::string_view) {}});
   ASSERT_TRUE(loaded.ok()) << loaded.error().message();
   ASSERT_TRUE(loaded->game->spawn_client(0, loaded->game->new_parameters().value(), "player", 0).ok());
-  const auto text = formats::write_sav(server::make_save(*loaded->game, "our game"));
+  const auto text =
+      formats::write_sav(server::make_save(*loaded->game, "Before the bridge      kills:  0/  0"));
   ASSERT_TRUE(text.ok());
   // It looks for saved games in the home folder of the system's user, whatever HOME says.
   const std::filesystem::path saves = home.path() / ".quakespasm/id1";

@@ -12,6 +12,7 @@ TEST(ListCommands, ShowFilesAndTheLevel) {
   HeadlessHost host({"map small"});
   host.folder().write("id1/first.dem", "0\n");
   host.folder().write("other/maps/x.bsp", "");
+  host.folder().write("drafts/maps/x.map", "an editor's folder is no game");
   ASSERT_TRUE(host.run_until_playing());
   host.command(
       "mapname; path; flocate maps/small.bsp; flocate maps/nowhere.bsp; demos; mods; saves; reconnect");

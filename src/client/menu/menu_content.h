@@ -3,6 +3,7 @@
 // files or sockets, and tests provide invented content.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -24,10 +25,20 @@ struct MenuEpisode {
   std::string level_title = {};  // of the first level
 };
 struct MenuSave {
-  std::string name, level_title;
+  // The file's name, and the name that the player has given; empty if none.
+  std::string name, title;
+  std::string level_title;
+  std::string date;  // "2026-11-26 07:02"; empty if unknown
+  int skill = -1;    // 0 to 3; -1 if unknown
   // Played in the level, seconds.
   double time_s = 0;
   int kills = 0, monsters = 0;
+};
+// The number of characters of MenuSave::title that a file has room for.
+constexpr std::size_t kMaxSaveTitle = 22;
+// A room and an overview of a level; null if there is none, or none yet.
+struct MenuLevelPictures {
+  const formats::Picture *room = nullptr, *overview = nullptr;
 };
 struct MenuDemo {
   std::string name, title;
@@ -50,9 +61,8 @@ struct MenuServer {
 // menu.
 struct MenuContent {
   std::function<std::vector<MenuLevel>()> levels;
-  // The level from above; null if there is none, or none yet. Called in every frame, for the selected level
-  // only.
-  std::function<const formats::Picture*(std::string_view level)> level_picture;
+  // Called in every frame, for the selected level only.
+  std::function<MenuLevelPictures(std::string_view level)> level_pictures;
   // Whether the game has the Tremor, a weapon of the shipped game.
   std::function<bool()> has_tremor;
   // The places where a new game can start. Without them, it starts in the level "start", where the player

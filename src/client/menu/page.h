@@ -59,6 +59,8 @@ struct MenuChoices {
     int players = 8;
     // 0: deathmatch, 1: cooperative.
     int mode = 0;
+    // The number of players that bots fill the game up to; nothing before the player has chosen it.
+    std::optional<int> bot_fill = std::nullopt;
   } host;
   struct Video {
     std::string mode;

@@ -47,6 +47,15 @@ std::array<int, 2> fit_picture(const formats::Picture& picture, int width, int h
           std::max(1, static_cast<int>(picture.height * scale))};
 }
 
+// The height of each picture beside a list: pictures have 5/8 of their width, if some lines of text fit below
+// them.
+int compute_details_height(const Box& box, std::size_t pictures) {
+  constexpr int kTextLines = 3;
+  const int room = pictures == 1 ? box.height / 2 + kLine
+                                 : (box.height - kTextLines * kLine) / static_cast<int>(pictures) - kGap;
+  return std::clamp(room, 1, std::max(box.width * 5 / 8, 1));
+}
+
 // Centers the plaque and the rows of a large page together.
 int compute_plaque_x(const Canvas& canvas) {
   return (canvas.width() - kPlaqueWidth - kCursor - kLargeWidth) / 2;
@@ -57,14 +66,13 @@ int compute_plaque_x(const Canvas& canvas) {
 // Records where rows were drawn; the pointer is compared with these places until the next frame.
 void PageView::draw(const Canvas& canvas, double time_s) {
   spots_.clear();
+  thumbnails_.clear();
   scroll_bar_ = {};
   int top = draw_title(canvas);
   if (is_text_only()) return draw_text(canvas, compute_layout(canvas, top));
   top = draw_question(canvas, draw_search(canvas, top));
   const Layout layout = compute_layout(canvas, top);
-  if (find_nearest(0, 1) == std::nullopt && !page_.empty_text.empty() && search_.empty())
-    canvas.draw_centered_text(truncate(page_.empty_text, count_fitting_characters(canvas.width())),
-                              layout.rows.y + kLine);
+  if (find_nearest(0, 1) == std::nullopt && search_.empty()) draw_empty_text(canvas, layout.rows.y + kLine);
   draw_rows(canvas, layout, time_s);
   draw_details(canvas, layout);
   draw_picture_below(canvas, layout);
@@ -124,6 +132,16 @@ int PageView::draw_question(const Canvas& canvas, int top) const {
     y += kLine;
   }
   return y > top ? y + kLine : top;
+}
+
+void PageView::draw_empty_text(const Canvas& canvas, int top) const {
+  constexpr std::size_t kMaxLines = 4;
+  int y = top;
+  for (const std::string& line :
+       wrap(page_.empty_text, count_fitting_characters(canvas.width() - 2 * kMargin), kMaxLines)) {
+    canvas.draw_centered_text(line, y);
+    y += kLine;
+  }
 }
 
 Box PageView::compute_large_rows(const Canvas& canvas, int top) const {
@@ -238,13 +256,17 @@ void PageView::draw_scroll_bar(const Canvas& canvas, const Box& beside) {
 void PageView::draw_details(const Canvas& canvas, const Layout& layout) {
   const Row* const row = selected_row();
   if (row == nullptr || layout.details.width <= 0) return;
-  const RowDetails details = row->details();
+  RowDetails details = row->details();
+  std::erase_if(details.pictures, [](const formats::Picture* picture) {
+    return picture == nullptr || picture->width == 0 || picture->height == 0;
+  });
   const Box& box = layout.details;
   int y = box.y;
-  if (details.picture != nullptr && details.picture->width > 0 && details.picture->height > 0) {
-    const Box picture_box{box.x, y, box.width, std::min(box.width * 5 / 8, box.height / 2 + kLine)};
+  for (const formats::Picture* const picture : details.pictures) {
+    const int height = compute_details_height(box, details.pictures.size());
+    const Box picture_box{box.x, y, std::min(box.width, height * 8 / 5), height};
     canvas.fill(picture_box, kPictureBackground);
-    draw_picture(canvas, *details.picture, picture_box);
+    draw_picture(canvas, *picture, picture_box);
     y = picture_box.bottom() + kGap;
   }
   for (const std::string& paragraph : details.paragraphs)
@@ -262,15 +284,13 @@ void PageView::draw_picture(const Canvas& canvas, const formats::Picture& pictur
   const Box frame_box = canvas.to_frame(box);
   const auto [width, height] = fit_picture(picture, frame_box.width, frame_box.height);
   const auto to_u32 = [](int side) { return static_cast<std::uint32_t>(side); };
-  thumbnail_.width = to_u32(width);
-  thumbnail_.height = to_u32(height);
-  thumbnail_.pixels.clear();
-  for (std::uint64_t y = 0; y < thumbnail_.height; ++y) {
-    const std::uint64_t row = (2 * y + 1) * picture.height / (2 * thumbnail_.height) * picture.width;
-    for (std::uint64_t x = 0; x < thumbnail_.width; ++x)
-      thumbnail_.pixels.push_back(picture.pixels[row + (2 * x + 1) * picture.width / (2 * thumbnail_.width)]);
+  formats::Picture& scaled = thumbnails_.emplace_back(formats::Picture{to_u32(width), to_u32(height), {}});
+  for (std::uint64_t y = 0; y < scaled.height; ++y) {
+    const std::uint64_t row = (2 * y + 1) * picture.height / (2 * scaled.height) * picture.width;
+    for (std::uint64_t x = 0; x < scaled.width; ++x)
+      scaled.pixels.push_back(picture.pixels[row + (2 * x + 1) * picture.width / (2 * scaled.width)]);
   }
-  canvas.draw_unscaled(thumbnail_, box);
+  canvas.draw_unscaled(scaled, box);
 }
 
 // Draws nothing if there is no room for the whole picture.

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +45,7 @@ class PageView {
   const std::string& search() const { return search_; }
   void set_search(std::string search);
 
-  // Draws on the whole canvas. The draw list may refer to a picture in this object until the next call.
+  // Draws on the whole canvas. The draw list may refer to pictures in this object until the next call.
   void draw(const Canvas& canvas, double time_s);
 
   // Pointer input, in frame pixels, compared with the page as it was last drawn. point_at() selects the row
@@ -81,6 +82,7 @@ class PageView {
   int draw_search(const Canvas& canvas, int top) const;
   int draw_question(const Canvas& canvas, int top) const;
   void draw_text(const Canvas& canvas, const Layout& layout);
+  void draw_empty_text(const Canvas& canvas, int top) const;
   void draw_rows(const Canvas& canvas, const Layout& layout, double time_s);
   void draw_row(const Canvas& canvas, const RowPlace& place, std::size_t position);
   void draw_scroll_bar(const Canvas& canvas, const Box& beside);
@@ -117,8 +119,8 @@ class PageView {
   Row* sliding_ = nullptr;
   Box sliding_box_;
   bool bar_slides_ = false;  // the pointer holds the scroll bar
-  // The picture of the last draw(), scaled to frame pixels; the draw list refers to it.
-  formats::Picture thumbnail_;
+  // The pictures of the last draw(), scaled to frame pixels; the draw list refers to them.
+  std::deque<formats::Picture> thumbnails_;
 };
 
 }  // namespace temblor::client

@@ -334,11 +334,22 @@ void choose_source(Host& io_host, Arguments arguments) {
       found != sources.end() ? *found : GameSource{folder.string(), folder.string(), folder};
 }
 
+constexpr std::string_view kSaveHelp =
+    "save NAME [TITLE]: saves a single-player game; the menu shows the title.";
+
+void save_command(Host& io_host, Arguments arguments) {
+  if (arguments.size() < 2) return print_command_error(io_host, kSaveHelp);
+  if (arguments.size() > 3)
+    return print_command_error(io_host, "save: put quotes around a title with spaces");
+  print_if_command_error(
+      io_host, save_game(io_host, arguments[1], arguments.size() == 3 ? arguments[2] : std::string_view()));
+}
+
 void add_game_commands(Host& io_host) {
   const auto add = make_adder(io_host);
   add_named(io_host, "map", "map NAME: starts a new game on a level. Type maps to list all levels.",
             start_map);
-  add_named(io_host, "save", "save NAME: saves a single-player game.", save_game);
+  add("save", std::string(kSaveHelp), save_command);
   add_named(io_host, "load", "load NAME: loads a saved game.", load_game);
   add_named(io_host, "connect", "connect HOST[:PORT]: joins a game on a server.", connect_to_server);
   add("stuffcmds",

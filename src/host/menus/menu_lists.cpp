@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 
@@ -12,6 +11,7 @@
 #include "formats/levels/entities.h"
 #include "host/frame/host_parts.h"
 #include "host/menus/episodes.h"
+#include "host/menus/save_list.h"
 #include "host/session/game_texts.h"
 #include "host/session/games.h"
 #include "vfs/disk.h"
@@ -70,12 +70,22 @@ std::vector<std::string> list_written_files(const GameData& data, std::string_vi
 
 namespace {
 
-// Folders of documentation or saved screenshots hold none. Names on old disks are in capitals.
+// Whether a folder has a file with this extension.
+bool has_file(const std::filesystem::path& folder, std::string_view extension) {
+  std::error_code failure;
+  return std::ranges::any_of(std::filesystem::directory_iterator(folder, failure), [&](const auto& entry) {
+    return base::to_lower(entry.path().extension().string()) == extension;
+  });
+}
+
+// Folders of documentation, saved screenshots, or an editor's maps hold none. Names on old disks are in
+// capitals.
 bool has_game_data(const std::filesystem::path& folder) {
   std::error_code failure;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failure)) {
     const std::string name = base::to_lower(entry.path().filename().string());
-    if (name == "pak0.pak" || name == "progs.dat" || name == "maps" || name == "gfx.wad") return true;
+    if (name == "pak0.pak" || name == "progs.dat" || name == "gfx.wad") return true;
+    if (name == "maps" && has_file(entry.path(), ".bsp")) return true;
   }
   return false;
 }
@@ -139,26 +149,17 @@ const std::string& MenuLists::level_title(const std::string& level) {
 std::vector<client::MenuSave> MenuLists::saves() {
   std::vector<client::MenuSave> saves;
   for (const std::string& name : list_written_files(data_, ".sav")) {
-    const base::Result<base::ByteVector> bytes = vfs::read_disk_file(data_.write_folder / (name + ".sav"));
+    const std::filesystem::path path = data_.write_folder / (name + ".sav");
+    const base::Result<base::ByteVector> bytes = vfs::read_disk_file(path);
     if (!bytes.ok()) continue;
     const base::Result<formats::Sav> sav = formats::read_sav(base::as_text(*bytes));
     if (!sav.ok()) {
-      saves.push_back({.name = name, .level_title = "damaged"});
+      saves.push_back({.name = name, .title = {}, .level_title = "damaged", .date = format_date(path)});
       continue;
     }
-    // The stock game's comment: 22 columns for the title, then the kills, padded with spaces or underscores:
-    // "The Slipgate Complex   kills:  3/ 21"
-    client::MenuSave save{
-        .name = name, .level_title = sav->comment.substr(0, 22), .time_s = double{sav->time_s}};
-    // A longer title is cut off in the comment. The level has all of it.
-    if (const std::string& title = level_title(sav->map); title.size() > save.level_title.size())
-      save.level_title = title;
-    while (save.level_title.ends_with(' ') || save.level_title.ends_with('_')) save.level_title.pop_back();
-    if (const std::size_t kills = sav->comment.find("kills:"); kills != std::string::npos) {
-      save.kills = std::atoi(sav->comment.c_str() + kills + 6);
-      if (const std::size_t slash = sav->comment.find('/', kills); slash != std::string::npos)
-        save.monsters = std::atoi(sav->comment.c_str() + slash + 1);
-    }
+    client::MenuSave save = describe_save(*sav, level_title(sav->map));
+    save.name = name;
+    save.date = format_date(path);
     saves.push_back(std::move(save));
   }
   return saves;
@@ -204,8 +205,12 @@ client::MenuContent MenuLists::content() {
   Host* const host = &host_;
   return {
       .levels = [this] { return levels(); },
-      .level_picture =
-          [this](std::string_view level) { return thumbnails_.level_picture(std::string(level)); },
+      .level_pictures =
+          [this](std::string_view level) {
+            const LevelPictures* const pictures = thumbnails_.level_pictures(std::string(level));
+            return pictures == nullptr ? client::MenuLevelPictures{}
+                                       : client::MenuLevelPictures{&pictures->room, &pictures->overview};
+          },
       .has_tremor = [this] { return data_.library.files().contains("progs/v_tremor.mdl"); },
       .episodes = [this] { return episodes(); },
       .saves = [this] { return saves(); },

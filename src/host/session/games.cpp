@@ -54,11 +54,11 @@ base::Status load_game(Host& io_host, std::string_view name) {
   return show_started_game(io_host, server::load_saved_game(*io_host.game.session->server(), name));
 }
 
-base::Status save_game(Host& io_host, std::string_view name) {
+base::Status save_game(Host& io_host, std::string_view name, std::string_view title) {
   server::Server* const server = io_host.game.session->server();
   if (server == nullptr)
     return base::error(base::ErrorCode::kUsage, "save: no game is running on this machine");
-  TRY_STATUS(server::save_game(*server, name));
+  TRY_STATUS(server::save_game(*server, name, title));
   std::string stem(name);
   if (stem.ends_with(".sav")) stem.resize(stem.size() - 4);
   // The next frame becomes the picture: only draw_frame() has a view without menus.

@@ -19,9 +19,9 @@ struct Host;
 base::Status start_map(Host& io_host, std::string_view map);
 // Continues a saved game, "NAME" or "NAME.sav". If there is none, the running game continues.
 base::Status load_game(Host& io_host, std::string_view name);
-// Saves the game of our own server as NAME.sav, and the next frame's view as NAME.png. Fails in a game on
-// another machine.
-base::Status save_game(Host& io_host, std::string_view name);
+// Saves the game of our own server as NAME.sav, and the next frame's view as NAME.png. The menu shows the
+// title, or the level's if it is empty. Fails in a game on another machine.
+base::Status save_game(Host& io_host, std::string_view name, std::string_view title = {});
 // Joins a game on another machine: "HOST" or "HOST:PORT". If the address cannot be resolved, the running game
 // continues. Returns before the server has replied; read_network() reports a failure.
 base::Status connect_to_server(Host& io_host, std::string_view address);

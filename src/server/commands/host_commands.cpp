@@ -286,8 +286,10 @@ void add_host_commands(Server& io_server) {
   add("maxplayers",
       "maxplayers N: sets the number of player slots, before the first level; without N, shows it.", 0,
       max_players);
-  add("save", "save NAME: saves a single-player game.", 1,
-      [](Server& s, Arguments words) { print_error(s, save_game(s, words[1])); });
+  add("save", "save NAME [TITLE]: saves a single-player game; the menu shows the title.", 1,
+      [](Server& s, Arguments words) {
+        print_error(s, save_game(s, words[1], words.size() > 2 ? words[2] : std::string_view()));
+      });
   add("load", "load NAME: loads a saved game.", 1, load);
   add("maps", "Lists all levels.", 0, [](Server& s, Arguments) { list_maps(s); });
   add("status", "Shows the level and its players.", 0, [](Server& s, Arguments) { status(s); });

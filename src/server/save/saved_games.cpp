@@ -32,12 +32,14 @@ base::Status check_can_save(const Server& server) {
   return base::Ok{};
 }
 
-// "The Copperworks kills: 12/ 30", as stock menus show it.
-std::string make_comment(Game& io_game) {
-  const std::string level =
-      io_game.localize(io_game.machine().text(io_game.world().edicts.world()[field::kMessage]));
+// "The Copperworks        kills: 12/ 30", as stock menus show it. A title replaces the level's.
+std::string make_comment(Game& io_game, std::string_view title) {
+  const std::string shown =
+      title.empty()
+          ? io_game.localize(io_game.machine().text(io_game.world().edicts.world()[field::kMessage]))
+          : std::string(title);
   const auto total = [&](vm::GlobalIndex i) { return sent_u16(io_game.machine().global_float(i)); };
-  return fmt::format("{:<22.22} kills:{:3}/{:3}", level, total(global::kKilledMonsters),
+  return fmt::format("{:<22.22} kills:{:3}/{:3}", shown, total(global::kKilledMonsters),
                      total(global::kTotalMonsters));
 }
 
@@ -85,14 +87,14 @@ void write_autosave(Server& io_server) {
   io_server.saves.autosave.note_save(io_server.clock.now_s);
 }
 
-// The text for the player after a save of this name.
-std::string make_player_notice(std::string_view name) {
+// The text for the player after a save of this name and title.
+std::string make_player_notice(std::string_view name, std::string_view title) {
   constexpr std::string_view kQuickSave = "quick";  // as the client binds it to a key
   const bool is_autosave =
       std::find(kAutosaveNames.begin(), kAutosaveNames.end(), name) != kAutosaveNames.end();
   if (is_autosave) return "Autosaved.\n";
   if (name == kQuickSave) return "Quicksaved.\n";
-  return fmt::format("Game saved: {}\n", name);
+  return fmt::format("Game saved: {}\n", title.empty() ? name : title);
 }
 
 }  // namespace
@@ -109,17 +111,18 @@ base::Result<std::filesystem::path> make_write_path(const Server& server, std::s
   return server.setup.write_folder / file;
 }
 
-base::Status save_game(Server& io_server, std::string_view name) {
+base::Status save_game(Server& io_server, std::string_view name, std::string_view title) {
   TRY_STATUS(check_can_save(io_server));
   TRY(const std::filesystem::path file, make_write_path(io_server, name, ".sav"));
   const ServerSetup& setup = io_server.setup;
-  TRY(const std::string text, formats::write_sav(make_save(*io_server.game, make_comment(*io_server.game))));
+  TRY(const std::string text,
+      formats::write_sav(make_save(*io_server.game, make_comment(*io_server.game, title))));
   TRY_STATUS(setup.write_file(file, base::as_bytes(text)));
   io_server.saves.autosave.note_save(io_server.clock.now_s);
   io_server.saves.last_save = file.stem().string();
   // A player knows the save by its name, a host by its file.
   print(io_server, setup.prints_events ? fmt::format("Game saved: {}\n", file.string())
-                                       : make_player_notice(io_server.saves.last_save));
+                                       : make_player_notice(io_server.saves.last_save, title));
   return base::Ok{};
 }
 

@@ -94,8 +94,16 @@ client::MenuContent MenuDriver::some_content() {
                                             {"Episode 2", "e1m9", "The Level of Number 9"}};
   };
   content.saves = [] {
-    return std::vector<client::MenuSave>{{"s0", "The Level of Number 1", 754, 12, 30},
-                                         {"quick", "Introduction", 3, 0, 0}};
+    return std::vector<client::MenuSave>{
+        {.name = "s0",
+         .title = "Before the bridge",
+         .level_title = "The Level of Number 1",
+         .date = "2026-11-26 07:02",
+         .skill = 2,
+         .time_s = 754,
+         .kills = 12,
+         .monsters = 30},
+        {.name = "quick", .title = "", .level_title = "Introduction", .date = "", .time_s = 3}};
   };
   content.demos = [] {
     return std::vector<client::MenuDemo>{{"demo1", "The Level of Number 3"}, {"demo2", ""}};

@@ -45,7 +45,8 @@ TEST(MenuPictures, EveryPageStaysInTheFrame) {
   test::register_menu_variables(variables);
   const formats::Picture overview = some_overview();
   MenuContent content = MenuDriver::some_content();
-  content.level_picture = content.save_picture = [&](std::string_view) { return &overview; };
+  content.save_picture = [&](std::string_view) { return &overview; };
+  content.level_pictures = [&](std::string_view) { return MenuLevelPictures{&overview, &overview}; };
   content.unsaved = [] { return std::string("The game since the last save would be lost."); };
   Menu menu(variables, pictures, content);
 

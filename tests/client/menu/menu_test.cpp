@@ -167,35 +167,6 @@ TEST(Menu, AsksBeforeANewGameEndsAnother) {
   EXPECT_THAT(hand.commands(), IsSupersetOf({"skill 3", "map start"}));
 }
 
-TEST(Menu, LoadsAndSaves) {
-  MenuDriver hand;
-  hand.menu().open(MenuPage::kLoad);
-  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("12:34"), HasSubstr("12 of 30")));
-  ASSERT_TRUE(hand.choose("quick"));
-  EXPECT_THAT(hand.commands(), ElementsAre("load quick"));
-  hand.menu().open(MenuPage::kSave);
-  ASSERT_TRUE(hand.choose("New save"));
-  EXPECT_THAT(hand.commands(), ElementsAre("save s1")) << "s0 is taken";
-  hand.menu().open(MenuPage::kSave);
-  ASSERT_TRUE(hand.choose("s0"));
-  EXPECT_THAT(hand.all_text(), HasSubstr("Overwrite s0"));
-  EXPECT_THAT(hand.commands(), IsEmpty());
-  hand.press(Key::kEnter);
-  EXPECT_THAT(hand.commands(), IsEmpty()) << "No is selected first";
-  ASSERT_TRUE(hand.choose("s0") && hand.choose("Yes"));
-  EXPECT_THAT(hand.commands(), ElementsAre("save s0"));
-}
-
-TEST(Menu, OffersSavingOnlyIfTheGameCanBeSaved) {
-  MenuContent content = MenuDriver::some_content();
-  content.can_save = [] { return false; };
-  MenuDriver hand(content);
-  hand.menu().open(MenuPage::kSinglePlayer);
-  EXPECT_FALSE(hand.go_to("Save"));
-  hand.menu().open(MenuPage::kSave);
-  EXPECT_THAT(hand.all_text(), HasSubstr("can't save right now"));
-}
-
 TEST(Menu, QuitsWithoutAQuestionIfNothingWouldBeLost) {
   MenuDriver hand;
   hand.menu().open();
@@ -243,7 +214,7 @@ TEST(Menu, AsksBeforeProgressIsLost) {
     EXPECT_THAT(hand.commands(), Contains("map e1m1"));
   }
   hand.menu().open(MenuPage::kLoad);
-  ASSERT_TRUE(hand.choose("s0"));
+  ASSERT_TRUE(hand.choose("Before the bridge"));
   EXPECT_THAT(hand.commands(), ElementsAre("load s0")) << "loading needs no confirmation, as in the original";
 }
 
@@ -404,63 +375,6 @@ TEST(Menu, GamepadEditsText) {
   EXPECT_EQ(hand.variables().find("name")->text, "bhZ") << "b; a plus eight minus one; the letter before a";
 }
 
-TEST(Menu, HostsAGame) {
-  MenuDriver hand;
-  hand.menu().open(MenuPage::kHost);
-  EXPECT_TRUE(hand.go_to("Frag limit"));
-  ASSERT_TRUE(hand.choose("Level") && hand.choose("e1m7"));
-  EXPECT_THAT(hand.all_text(), HasSubstr("The Level of Number 7"));
-  ASSERT_TRUE(hand.go_to("Max players"));
-  hand.press(Key::kRightArrow);
-  ASSERT_TRUE(hand.choose("Port"));
-  for (int i = 0; i < 3; ++i) hand.press(Key::kBackspace);
-  hand.type("001");
-  hand.press(Key::kEnter);
-  EXPECT_EQ(hand.variables().find("port")->text, "26001");
-  hand.type("x");
-  hand.press(Key::kEnter);
-  EXPECT_EQ(hand.variables().find("port")->text, "26001") << "not a number";
-  ASSERT_TRUE(hand.choose("Start game"));
-  EXPECT_THAT(hand.commands(),
-              ElementsAre("disconnect", "maxplayers 9", "deathmatch 1", "coop 0", "map e1m7"));
-  hand.menu().open(MenuPage::kHost);
-  ASSERT_TRUE(hand.choose("Game mode"));
-  EXPECT_FALSE(hand.go_to("Frag limit"));
-  EXPECT_TRUE(hand.go_to("Skill"));
-  ASSERT_TRUE(hand.choose("Start game"));
-  EXPECT_THAT(hand.commands(), IsSupersetOf({"deathmatch 0", "coop 1", "map e1m7"}));
-}
-
-TEST(Menu, HostsAnArenaWithBots) {
-  MenuContent content = MenuDriver::some_content();
-  content.levels = [] {
-    return std::vector<client::MenuLevel>{
-        {"gallery", "The Gallery"}, {"tdm1", "The Anvil"}, {"tdm2", "The Cistern"}};
-  };
-  MenuDriver hand(content);
-  hand.menu().open(MenuPage::kHost);
-  ASSERT_TRUE(hand.go_to("Fill with bots"));
-  EXPECT_THAT(hand.all_text(), HasSubstr("Fill with bots"));
-  for (int i = 0; i < 4; ++i) hand.press(Key::kRightArrow);
-  EXPECT_EQ(hand.variables().find("bot_fill")->text, "4");
-  ASSERT_TRUE(hand.go_to("Bot skill"));
-  hand.press(Key::kRightArrow);
-  EXPECT_EQ(hand.variables().find("bot_skill")->text, "2");
-  ASSERT_TRUE(hand.choose("Start game"));
-  EXPECT_THAT(hand.commands(), Contains("map tdm1"));
-}
-
-TEST(Menu, ShowsNamesOfAutosavesInFull) {
-  MenuContent content = MenuDriver::some_content();
-  content.saves = [] {
-    return std::vector<client::MenuSave>{{"autosave2", "The Toll House", 3, 0, 0},
-                                         {"autosave3", "The Fault", 5, 0, 0}};
-  };
-  MenuDriver hand(content);
-  hand.menu().open(MenuPage::kLoad);
-  EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("autosave2"), HasSubstr("autosave3")));
-}
-
 TEST(Menu, PlaysDemosAndSwitchesMods) {
   MenuDriver hand;
   hand.menu().open(MenuPage::kDemos);
@@ -516,34 +430,45 @@ TEST(Menu, RefreshKeepsTheSelectionAndTheEditedText) {
   EXPECT_THAT(hand.all_text(), AllOf(HasSubstr("abc"), HasSubstr("Attic")));
 }
 
-TEST(Menu, ShowsAPictureOfTheSelectedLevel) {
-  const formats::Picture picture{4, 2, {1, 2, 3, 4, 5, 6, 7, 8}};
+// Both pictures are beside the list, the room above the overview, and keep their proportions.
+TEST(Menu, ShowsPicturesOfTheSelectedLevel) {
+  const formats::Picture room{4, 2, {1, 2, 3, 4, 5, 6, 7, 8}}, overview{2, 2, {9, 10, 11, 12}};
   std::string asked_for;
   bool is_there = false;
   MenuContent content = MenuDriver::some_content();
-  content.level_picture = [&](std::string_view level) {
+  content.level_pictures = [&](std::string_view level) {
     asked_for = level;
-    return is_there ? &picture : nullptr;
+    return is_there ? client::MenuLevelPictures{&room, &overview} : client::MenuLevelPictures{};
   };
-  MenuDriver hand(content, {320, 200});
-  hand.menu().open(MenuPage::kLevels);
-  const auto drawn = [&]() -> const render::DrawCommand* {
-    for (const render::DrawCommand& command : hand.draw().commands)
-      if (command.picture != nullptr && command.picture != &test::no_pictures().characters()) return &command;
-    return nullptr;
-  };
-  EXPECT_EQ(drawn(), nullptr);
-  is_there = true;
-  ASSERT_TRUE(hand.go_to("e1m2"));
-  const render::DrawCommand* const command = drawn();
-  EXPECT_EQ(asked_for, "e1m2");
-  ASSERT_NE(command, nullptr);
-  EXPECT_NEAR(command->area.width, 2 * command->area.height, 2);
-  EXPECT_GT(command->area.width, 100);
-  const formats::Picture& shown = *command->picture;
-  EXPECT_EQ(shown.pixels.front(), 1);
-  EXPECT_EQ(shown.pixels[shown.width - 1], 4);
-  EXPECT_EQ(shown.pixels.back(), 8);
+  for (const MenuDriver::Size& size : {MenuDriver::Size{320, 200}, {640, 480}, {1280, 720}, {1920, 1080}}) {
+    is_there = false;
+    MenuDriver hand(content, size);
+    hand.menu().open(MenuPage::kLevels);
+    const auto drawn = [&] {
+      std::vector<render::DrawCommand> pictures;
+      for (const render::DrawCommand& command : hand.draw().commands)
+        if (command.picture != nullptr && command.picture != &test::no_pictures().characters())
+          pictures.push_back(command);
+      return pictures;
+    };
+    EXPECT_THAT(drawn(), IsEmpty());
+    is_there = true;
+    ASSERT_TRUE(hand.go_to("e1m2"));
+    const std::vector<render::DrawCommand> pictures = drawn();
+    EXPECT_EQ(asked_for, "e1m2");
+    ASSERT_EQ(pictures.size(), 2);
+    EXPECT_NEAR(pictures[0].area.width, 2 * pictures[0].area.height, 2);
+    EXPECT_GT(pictures[0].area.width, size.width / 4);
+    EXPECT_NEAR(pictures[1].area.width, pictures[1].area.height, 1);
+    EXPECT_GE(pictures[1].area.y, pictures[0].area.y + pictures[0].area.height);
+    EXPECT_GT(pictures[1].area.height, size.height / 6);
+    EXPECT_LT(pictures[1].area.y + pictures[1].area.height, size.height);
+    const formats::Picture& shown = *pictures[0].picture;
+    EXPECT_EQ(shown.pixels.front(), 1);
+    EXPECT_EQ(shown.pixels[shown.width - 1], 4);
+    EXPECT_EQ(shown.pixels.back(), 8);
+    EXPECT_EQ(pictures[1].picture->pixels.back(), 12);
+  }
 }
 
 TEST(Menu, MakesSounds) {

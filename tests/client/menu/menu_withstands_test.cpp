@@ -38,9 +38,9 @@ MenuContent hostile_content() {
   content.episodes = [=] { return std::vector<MenuEpisode>{{long_title, control}, {"", ""}}; };
   content.saves = [=] {
     return std::vector<MenuSave>{
-        {control, long_title, std::numeric_limits<double>::quiet_NaN(), -5, -7},
-        {"", "", 1e300, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()},
-        {"s0", words, -1e300, 0, 0}};
+        {control, control, long_title, long_title, -7, std::numeric_limits<double>::quiet_NaN(), -5, -7},
+        {"", "", "", "", 1 << 30, 1e300, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()},
+        {"s0", words, words, words, 3, -1e300, 0, 0}};
   };
   content.demos = [=] { return std::vector<MenuDemo>{{control, long_title}, {"", words}}; };
   content.game_folders = [=] { return std::vector<MenuGameFolder>{{long_title, control, true}}; };

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include "client/menu/page.h"
 #include "client/menu/rows/plain_rows.h"
+#include "client/menu/rows/text_row.h"
 #include "command/text.h"
 
 namespace temblor::client {
@@ -24,19 +26,33 @@ std::string format_time(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+// Short lines, so that they fit beside the list: name, level, date, and what was played.
+std::vector<std::string> describe_save(const MenuSave& save) {
+  constexpr std::string_view kSkills[] = {"easy", "normal", "hard", "nightmare"};
+  const bool has_skill = save.skill >= 0 && save.skill < std::ssize(kSkills);
+  std::vector<std::string> lines;
+  if (!save.title.empty()) lines.push_back(save.title);  // the list may have no room for all of it
+  lines.push_back(title_or_name(save.level_title, save.name));
+  if (!save.date.empty()) lines.push_back(save.date);
+  lines.push_back(fmt::format("{} played", format_time(save.time_s)));
+  if (has_skill) lines.push_back(fmt::format("{} skill", kSkills[save.skill]));
+  lines.push_back(
+      fmt::format("{} of {} monster{}", save.kills, save.monsters, save.monsters == 1 ? "" : "s"));
+  if (!save.title.empty()) lines.push_back(fmt::format("File: {}", save.name));
+  return lines;
+}
+
 std::unique_ptr<Row> make_save_row(const MenuContent& content, const MenuSave& save,
                                    std::function<Outcome()> choose) {
-  return std::make_unique<ListRow>(ListEntry{
-      .left = save.name,
-      .middle = save.level_title,
-      .details =
-          [&content, save] {
-            return RowDetails{call_or_default(content.save_picture, std::string_view(save.name)),
-                              {title_or_name(save.level_title, save.name),
-                               fmt::format("{}, {} of {} monster{}", format_time(save.time_s), save.kills,
-                                           save.monsters, save.monsters == 1 ? "" : "s")}};
-          },
-      .choose = std::move(choose)});
+  return std::make_unique<ListRow>(
+      ListEntry{.left = title_or_name(save.title, save.name),
+                .middle = save.title.empty() ? save.level_title : "",
+                .details =
+                    [&content, save] {
+                      return RowDetails{{call_or_default(content.save_picture, std::string_view(save.name))},
+                                        describe_save(save)};
+                    },
+                .choose = std::move(choose)});
 }
 
 // Returns the first of s0, s1, ... that no save uses.
@@ -48,24 +64,73 @@ std::string find_free_save_name(const std::vector<MenuSave>& saves) {
   return fmt::format("s{}", number);
 }
 
-Outcome save_as(const std::string& name) {
-  return {.commands = {command::join_words({"save", name})}, .leaving = Leaving::kClose};
+Outcome save_as(const std::string& name, std::string title) {
+  while (title.ends_with(' ')) title.pop_back();
+  std::vector<std::string> words = {"save", name};
+  if (!title.empty()) words.push_back(title);
+  return {.commands = {command::join_words(words)}, .leaving = Leaving::kClose};
+}
+
+// Edits `title`, which other rows of the page use, too.
+std::unique_ptr<Row> make_title_row(std::shared_ptr<std::string> title,
+                                    std::function<Outcome()> after_enter) {
+  return std::make_unique<TextRow>(
+      "Name", TextRow::Parts{.read = [title] { return *title; },
+                             .write =
+                                 [title, after_enter](std::string text) {
+                                   *title = std::move(text);
+                                   return after_enter();
+                                 },
+                             .help = "Type a name for the save. Without one, it shows the level's title.",
+                             .max_chars = kMaxSaveTitle});
+}
+
+// Asks for the name of a new save in the file `name`. Enter after the name saves.
+PageMaker make_new_save_page(std::string name) {
+  return [name = std::move(name), title = std::make_shared<std::string>()](const PageContext&) {
+    const auto save = [name, title] { return save_as(name, *title); };
+    Page page;
+    page.title = "New save";
+    page.rows.push_back(make_title_row(title, save));
+    page.rows.push_back(std::make_unique<ActionRow>("Save", save));
+    page.rows.push_back(
+        std::make_unique<ActionRow>("Cancel", [] { return Outcome{.leaving = Leaving::kBack}; }));
+    return page;
+  };
+}
+
+// "No" is selected, as on other questions. The save can get another name.
+PageMaker make_overwrite_page(const MenuSave& save) {
+  return [save, title = std::make_shared<std::string>(save.title)](const PageContext&) {
+    Page page;
+    page.title = "Are you sure?";
+    page.text = fmt::format("Overwrite {} ({})?", title_or_name(save.title, save.name),
+                            title_or_name(save.level_title, "untitled"));
+    page.rows.push_back(make_title_row(title, [] { return Outcome{}; }));
+    page.rows.push_back(std::make_unique<ActionRow>(
+        "Yes", [name = save.name, title] { return save_as(name, *title); }, "", 'y'));
+    page.rows.push_back(std::make_unique<ActionRow>(
+        "No", [] { return Outcome{.leaving = Leaving::kBack}; }, "", 'n'));
+    page.first_choice = 2;
+    return page;
+  };
 }
 
 }  // namespace
 
 std::unique_ptr<Row> make_level_row(const MenuContent& content, const MenuLevel& level,
                                     std::function<Outcome()> choose) {
-  return std::make_unique<ListRow>(
-      ListEntry{.left = level.name,
-                .middle = level.title,
-                .details =
-                    [&content, level] {
-                      return RowDetails{
-                          call_or_default(content.level_picture, std::string_view(level.name)),
-                          {title_or_name(level.title, level.name), level.title.empty() ? "" : level.name}};
-                    },
-                .choose = std::move(choose)});
+  return std::make_unique<ListRow>(ListEntry{.left = level.name,
+                                             .middle = level.title,
+                                             .details =
+                                                 [&content, level] {
+                                                   const MenuLevelPictures pictures = call_or_default(
+                                                       content.level_pictures, std::string_view(level.name));
+                                                   return RowDetails{{pictures.room, pictures.overview},
+                                                                     {title_or_name(level.title, level.name),
+                                                                      level.title.empty() ? "" : level.name}};
+                                                 },
+                                             .choose = std::move(choose)});
 }
 
 Page make_single_player_page(const PageContext& context) {
@@ -121,16 +186,13 @@ Page make_save_page(const PageContext& context) {
   page.empty_text = "You can't save right now.";
   if (!call_or_default(context.content.can_save)) return page;
   const std::vector<MenuSave> saves = call_or_default(context.content.saves);
-  page.rows.push_back(
-      std::make_unique<ActionRow>("New save", [name = find_free_save_name(saves)] { return save_as(name); }));
+  page.rows.push_back(std::make_unique<ActionRow>(
+      "New save", [name = find_free_save_name(saves)] { return Outcome{.page = make_new_save_page(name)}; }));
   page.first_entry = page.rows.size();
   for (const MenuSave& save : saves)
     if (!save.name.empty())
-      page.rows.push_back(make_save_row(context.content, save, [save] {
-        return Outcome{.page = make_question(fmt::format("Overwrite {} ({})?", save.name,
-                                                         title_or_name(save.level_title, "untitled")),
-                                             save_as(save.name))};
-      }));
+      page.rows.push_back(make_save_row(context.content, save,
+                                        [save] { return Outcome{.page = make_overwrite_page(save)}; }));
   return page;
 }
 

@@ -20,6 +20,7 @@ constexpr int kDeathmatch = 0;
 // The palette rows that the stock picture of the player uses for shirt and pants.
 constexpr int kRowShades = 16, kShirtRow = 1, kPantsRow = 6;
 
+constexpr std::string_view kBotFill = "bot_fill";
 constexpr std::string_view kShirt = "topcolor", kPants = "bottomcolor";
 
 // Returns a color variable's palette row, 0 to 15; `fallback` if it is not registered.
@@ -150,6 +151,29 @@ std::unique_ptr<Row> make_port_row(command::Variables& io_variables) {
                              .help = port->help});
 }
 
+// Bots fill a hosted deathmatch unless the player chooses otherwise. The console's `bot_fill` also counts.
+int read_bot_fill(const PageContext& context) {
+  constexpr int kDefaultFill = 4;
+  if (context.choices.host.bot_fill) return *context.choices.host.bot_fill;
+  const command::Variable* const variable = context.variables.find(kBotFill);
+  const int fill = variable == nullptr ? 0 : static_cast<int>(variable->number);
+  return fill == 0 ? kDefaultFill : fill;
+}
+
+// Null if the variable is not registered.
+std::unique_ptr<Row> make_bot_fill_row(const PageContext& context) {
+  constexpr int kMaxFill = 8;
+  if (context.variables.find(kBotFill) == nullptr) return nullptr;
+  LocalChoiceRow::Parts parts;
+  parts.names = {"none"};
+  // One player alone needs no bots.
+  for (int players = 2; players <= kMaxFill; ++players) parts.names.push_back(fmt::format("{}", players));
+  parts.chosen = [context] { return std::max(read_bot_fill(context) - 1, 0); };
+  parts.choose = [context](int number) { context.choices.host.bot_fill = number == 0 ? 0 : number + 1; };
+  parts.help = "Bots fill the game up to this many players, including you.";
+  return std::make_unique<LocalChoiceRow>("Fill with bots", std::move(parts));
+}
+
 // `disconnect` ends a running game first: maxplayers applies to the next game that starts.
 Outcome start_host_game(const PageContext& context) {
   const MenuChoices::Host& chosen = context.choices.host;
@@ -158,6 +182,8 @@ Outcome start_host_game(const PageContext& context) {
   started.commands = {"disconnect", fmt::format("maxplayers {}", chosen.players),
                       fmt::format("deathmatch {}", deathmatch ? 1 : 0),
                       fmt::format("coop {}", deathmatch ? 0 : 1)};
+  if (deathmatch && context.variables.find(kBotFill) != nullptr)
+    started.commands.push_back(fmt::format("{} {}", kBotFill, read_bot_fill(context)));
   started.commands.push_back(command::join_words({"map", chosen.level}));
   return confirm_if_unsaved(context, "Start a new game anyway?", std::move(started));
 }
@@ -254,9 +280,7 @@ Page make_host_page(const PageContext& context) {
                                                  .unit = " min",
                                                  .zero = "none"}));
     page.add(make_option_row(context.variables, {.variable = "teamplay", .label = "Teams", .names = kTeams}));
-    page.add(make_option_row(
-        context.variables,
-        {.variable = "bot_fill", .label = "Fill with bots", .high = 8, .step = 1, .zero = "none"}));
+    page.add(make_bot_fill_row(context));
     static constexpr std::string_view kBotSkills[] = {"easy", "normal", "hard", "expert"};
     page.add(make_option_row(context.variables,
                              {.variable = "bot_skill", .label = "Bot skill", .names = kBotSkills}));

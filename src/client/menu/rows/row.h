@@ -47,7 +47,7 @@ struct RowPlace {
 
 // Shown beside a list about the selected row.
 struct RowDetails {
-  const formats::Picture* picture = nullptr;
+  std::vector<const formats::Picture*> pictures = {};  // null ones are left out
   std::vector<std::string> paragraphs = {};
 };
 

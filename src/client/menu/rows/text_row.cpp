@@ -23,7 +23,7 @@ bool leaves_row(Key key) {
 
 void LineEdit::insert(std::string_view typed) {
   for (const char c : typed)
-    if (c >= ' ' && c <= '~' && text_.size() < kMaxChars)
+    if (c >= ' ' && c <= '~' && text_.size() < max_chars_)
       text_.insert(text_.begin() + static_cast<std::ptrdiff_t>(caret_++), c);
 }
 
@@ -68,14 +68,14 @@ void TextRow::draw(const Canvas& canvas, const RowPlace& place) const {
 }
 
 Outcome TextRow::activate() {
-  edit_.emplace(parts_.read());
+  edit_.emplace(parts_.read(), parts_.max_chars);
   ctrl_ = false;
   return {.sound = MenuSound::kEnter};
 }
 
 std::optional<Outcome> TextRow::clear() {
   Outcome outcome = activate();
-  edit_.emplace("");
+  edit_.emplace("", parts_.max_chars);
   return outcome;
 }
 

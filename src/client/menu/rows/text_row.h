@@ -15,11 +15,12 @@ class LineEdit {
  public:
   static constexpr std::size_t kMaxChars = 200;
 
-  explicit LineEdit(std::string text) : text_(std::move(text)), caret_(text_.size()) {}
+  explicit LineEdit(std::string text, std::size_t max_chars = kMaxChars)
+      : text_(std::move(text)), caret_(text_.size()), max_chars_(max_chars) {}
   const std::string& text() const { return text_; }
   std::size_t caret() const { return caret_; }  // 0 to text().size()
 
-  // Drops characters that are not printable ASCII or exceed kMaxChars.
+  // Drops characters that are not printable ASCII or exceed the limit.
   void insert(std::string_view typed);
   // Delete the character before or after the caret, or move the caret within the text.
   void erase_before();
@@ -33,7 +34,7 @@ class LineEdit {
 
  private:
   std::string text_;
-  std::size_t caret_;
+  std::size_t caret_, max_chars_;
 };
 
 // Enter starts editing and accepts the text; Escape cancels. On a gamepad, up and down change the letter at
@@ -45,6 +46,7 @@ class TextRow : public Row {
     std::function<Outcome(std::string)> write;  // called on Enter
     std::string help = {};
     std::function<std::string()> clipboard = {};
+    std::size_t max_chars = LineEdit::kMaxChars;
   };
   TextRow(std::string label, Parts parts) : label_(std::move(label)), parts_(std::move(parts)) {}
 
