@@ -22,7 +22,7 @@ player::RunReport stand_before_a_penned_knight(double x, double height) {
                           box_text({x - 20, 232, 0}, {x + 20, 236, height}, "pen") +
                           box_text({x - 20, 276, 0}, {x + 20, 280, height}, "pen");
   const std::string text =
-      entity_text("worldspawn", "", walls_text({0, 0, 0}, {512, 512, 256}, "wall") + pen) +
+      entity_text("worldspawn", "\"peace\" \"-1\"", walls_text({0, 0, 0}, {512, 512, 256}, "wall") + pen) +
       entity_text("info_player_start", "\"origin\" \"64 256 32\"\n\"angle\" \"0\"") +
       entity_text("monster_knight", fmt::format("\"origin\" \"{} 256 32\"\n\"angle\" \"180\"", x));
   const MadeRooms rooms(text);
