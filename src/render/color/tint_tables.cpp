@@ -5,12 +5,6 @@
 
 namespace temblor::render {
 
-namespace {
-
-constexpr std::size_t kClear = 255;
-
-}  // namespace
-
 TintTables::TintTables(const formats::Palette& palette, const PaletteMatch& match)
     : tables_(std::make_unique<Tables>(palette, match)) {}
 
@@ -25,7 +19,7 @@ TintTables::Rows TintTables::Tables::make_rows(const Color& color) const {
         return static_cast<std::uint8_t>((value * factor + last * kSteps / 2) / (last * kSteps));
       };
       const formats::Rgb& entry = palette[index];
-      const bool stays = row == 0 || index == kClear || match.is_fullbright(index);
+      const bool stays = row == 0 || index == formats::kTransparentIndex || match.is_fullbright(index);
       rows[static_cast<std::size_t>(row) * 256 + index] =
           stays ? static_cast<std::uint8_t>(index)
                 : match({tint(entry.r, color[0]), tint(entry.g, color[1]), tint(entry.b, color[2])}, false);
