@@ -212,7 +212,7 @@ constexpr StockFlag kLightFlags[] = {
     {"bspx", V::kNone, set_directions},
     {"bspxlit"},
     {"bspxlux", V::kNone, set_directions},
-    {"bspxonly", V::kNone, set_directions, "the .lit and .lux files are written, too"},
+    {"bspxonly", V::kNone, set_directions},
     {"debugface", V::kThreeNumbers, nullptr, kNoDebug},
     {"debugmottle", V::kNone, nullptr, kNoDebug, true},
     {"debugneighbours", V::kNone, nullptr, kNoDebug, true},

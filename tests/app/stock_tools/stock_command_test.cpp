@@ -98,11 +98,13 @@ TEST(StockCommand, TranslatesFlags) {
   EXPECT_THAT(light.light_keys,
               ElementsAre(Pair("dirt", "1"), Pair("minlight", "20"), Pair("sun_mangle", "90 -45 0")));
   EXPECT_EQ(parse({"light", "-bounce", "3", "a"}).options.bounces, 3);
+  for (const char* const flag : {"-lux", "-bspx", "-bspxlux", "-bspxonly"})
+    EXPECT_TRUE(parse({"light", flag, "a"}).options.directions) << flag;
 }
 
 TEST(StockCommand, NotesFlagsWithoutEffect) {
   EXPECT_THAT(parse({"qbsp", "-nopercent", "-oldaxis", "-verbose", "-log", "a"}).notes, IsEmpty());
-  EXPECT_THAT(parse({"light", "-lux", "a"}).notes, ElementsAre(HasSubstr("-lux has no effect")));
+  EXPECT_THAT(parse({"light", "-novanilla", "a"}).notes, ElementsAre(HasSubstr("-novanilla has no effect")));
   EXPECT_THAT(parse({"qbsp", "-wadpath", "no/such/folder", "a"}).notes,
               ElementsAre(HasSubstr("no/such/folder")));
   EXPECT_THAT(parse({"qbsp", "-basedir", "no/such", "a"}).notes, ElementsAre(HasSubstr("has no id1")));

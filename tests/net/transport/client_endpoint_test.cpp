@@ -91,7 +91,7 @@ TEST(ClientEndpoint, ExplainsThatDarkPlacesHasAnotherProtocol) {
                   "sv_protocolname to QUAKE"));
   bench.client.endpoint.connect(kServer, bench.now_s);
   for (int i = 0; i < 3; ++i) bench.tick(2.6);
-  EXPECT_THAT(bench.client.taken(), ElementsAre("- 10.0.0.1:26000 does not answer"));
+  EXPECT_THAT(bench.client.taken(), ElementsAre("- No response from 10.0.0.1:26000."));
 }
 
 TEST(ClientEndpoint, OtherPacketsOutsideAConnectionAreIgnored) {
