@@ -9,9 +9,9 @@
 //   rgb:     h = min(sum, 65280) >> 1, so that 16384 shows a color as it is;
 //            channel = min(255, (2 * color * h + 16384) >> 15), for red, green, and blue
 //
-// In the light of colored dynamic lights, `sum` of an indexed block is that of the brightest channel, and a
-// second table gives the lit texel the color of the strongest of these lights (tint_tables.h). Its row is
-// interpolated like light: row 31 where all light has that color.
+// If samples or lights are colored, `sum` of an indexed block is that of the brightest channel. In the light
+// of colored dynamic lights, a second table then gives the lit texel the color of the strongest of them
+// (tint_tables.h). Its row is interpolated like light: row 31 where all light has that color.
 //
 // Between samples a and b, i of n texels along (n = 16 >> mip, or fewer):
 //   a + (((b - a) * i * (2048 * 16 / n) + 16384) >> 15)

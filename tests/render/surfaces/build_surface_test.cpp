@@ -54,7 +54,7 @@ class SurfaceDefinition {
 
   std::uint8_t indexed(int x, int y) const {
     const std::int64_t t = lit(x, y, [&](std::int64_t column, std::int64_t row) {
-      return std::max<std::int64_t>(floor_shifted(65280 - light_sum(column, row, 0), 2), 64);
+      return std::max<std::int64_t>(floor_shifted(65280 - brightest_sum(column, row), 2), 64);
     });
     return drawable_.colormap.rows[static_cast<std::size_t>(floor_shifted(t, 8) * 256 + index(x, y))];
   }
@@ -103,6 +103,13 @@ class SurfaceDefinition {
     const std::int64_t s = wrapped(floor_shifted(left, request_.mip) + x, width);
     const std::int64_t t = wrapped(floor_shifted(top, request_.mip) + y, height);
     return static_cast<std::size_t>(t * width + s);
+  }
+
+  std::int64_t brightest_sum(std::int64_t column, std::int64_t row) const {
+    std::int64_t brightest = light_sum(column, row, 0);
+    if (request_.contents.colored)
+      for (const int channel : {1, 2}) brightest = std::max(brightest, light_sum(column, row, channel));
+    return brightest;
   }
 
   // The face's samples, for all of its styles. Past the last sample, the value does not matter.
