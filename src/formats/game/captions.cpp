@@ -31,7 +31,7 @@ Captions read_captions(std::string_view text) {
     }
     captions.texts.insert_or_assign(
         base::to_lower(line.substr(0, end)),
-        caption == kSilent ? "" : base::printable(caption.substr(0, kMaxCaptionChars)));
+        caption == kSilent ? "" : base::printable(trim_blanks(caption.substr(0, kMaxCaptionChars))));
   }
   return captions;
 }
