@@ -288,7 +288,7 @@ TEST(DeferredFaces, AddBrushModels) {
     for (const bool has_color : {false, true}) {
       std::size_t added = 0, off = 0;
       render::Renderer renderer(drawable.palette, drawable.colormap);
-      for (int number = 0; number < effort(60, 8); ++number) {
+      for (int number = 0; number < 60; ++number) {
         Viewpoint viewpoint = viewpoint_number(level, number);
         const auto with_alpha = [&](float alpha, bool is_additive) {
           for (render::BrushModelInstance& model : viewpoint.brush_models) {
