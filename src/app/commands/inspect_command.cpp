@@ -11,9 +11,10 @@ namespace temblor::app {
 namespace {
 
 constexpr const char* kInspectHelpFooter =
-    R"(Known formats: levels (.bsp of versions 29, 2PSB, and BSP2), maps (.map), colored light (.lit),
-directions of light (.lux), entity text (.ent), archives (.pak, .pk3, .wad), pictures, palettes, and colormaps (.lmp), models (.mdl), sprites
-(.spr), demos (.dem), sounds (.wav), and compiled QuakeC (.dat).
+    R"(Known formats: levels (.bsp of versions 29, 30, 2PSB, and BSP2), maps (.map), colored light (.lit),
+directions of light (.lux), visibility patches (.vis), entity text (.ent), archives (.pak, .pk3, .wad),
+pictures, palettes, and colormaps (.lmp), models (.mdl, .md3, .md5mesh, .md5anim), sprites (.spr),
+demos (.dem), sounds (.wav), and compiled QuakeC (.dat).
 "problems" lists faults that the game tolerates. An unusable file is an error, with exit status 1.
 
 Examples:

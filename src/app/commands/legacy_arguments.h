@@ -14,9 +14,8 @@ namespace temblor::app {
 // Returns the translated words. `words` does not include the program's name; `commands` are the names of all
 // commands. -basedir, -game, and -nosound get two dashes, -window, -fullscreen, -width, and -height set
 // variables, and -hipnotic, -quoth, and -rogue become `--game FOLDER`. Each word that starts with + and a
-// letter, together with the words after it up to the next + or -, becomes
-// `--exec "COMMAND"` at the end. Only play and serve have
-// --exec; for other commands the words stay, and without a command `play` is added.
+// letter, together with the words after it up to the next + or -, becomes `--exec "COMMAND"` at the end. Only
+// play and serve have --exec; for other commands the words stay, and without a command `play` is added.
 std::vector<std::string> convert_legacy_arguments(std::span<const char* const> words,
                                                   std::span<const std::string> commands);
 

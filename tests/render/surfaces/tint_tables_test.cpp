@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "render/color/color_tables.h"
@@ -36,10 +38,11 @@ std::uint8_t find_nearest(const render::ColorTables& tables, const std::array<do
 }
 
 double find_distance(const formats::Rgb& a, const std::array<double, 3>& b) {
-  return std::max({std::abs(a.r - b[0]), std::abs(a.g - b[1]), std::abs(a.b - b[2])});
+  return std::hypot(a.r - b[0], a.g - b[1], a.b - b[2]);
 }
 
-// The table rounds channels before it searches, so a tie may go to another entry that is as near.
+// The table rounds channels before it searches, which moves the color by at most half the diagonal of a cube.
+// So it may find an entry that is farther by the whole diagonal.
 TEST(TintTables, MultiplyByTheColorOfTheLight) {
   const DrawableLevel drawable = small_level();
   const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
@@ -59,7 +62,7 @@ TEST(TintTables, MultiplyByTheColorOfTheLight) {
                                             entry.b * (1 - share * 0.75)};
       const std::uint8_t nearest = find_nearest(tables, tinted);
       ASSERT_LE(find_distance(tables.palette[found], tinted),
-                find_distance(tables.palette[nearest], tinted) * 1.8 + 2)
+                find_distance(tables.palette[nearest], tinted) + std::numbers::sqrt3)
           << row << ", " << index;
     }
 }
