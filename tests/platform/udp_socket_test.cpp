@@ -44,12 +44,18 @@ TEST(UdpSocket, SendsAndReceives) {
 
 TEST(UdpSocket, KnowsHowLongADatagramHasWaited) {
   const auto a = open_test_socket({.host = "127.0.0.1"}), b = open_test_socket({.host = "127.0.0.1"});
-  a->send(b->local_address(), base::as_bytes("early"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(60));
-  const auto late = await_datagram(*b);
-  ASSERT_TRUE(late);
-  EXPECT_GE(late->waited_s, 0.05);
-  EXPECT_LT(late->waited_s, 5);
+  // Linux starts to note arrival times a moment after the first socket asks for them. Until then, a datagram
+  // gets the time at which it is read.
+  double waited_s = 0;
+  for (int tries = 0; tries < 20 && waited_s < 0.05; ++tries) {
+    a->send(b->local_address(), base::as_bytes("early"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    const auto late = await_datagram(*b);
+    ASSERT_TRUE(late);
+    waited_s = late->waited_s;
+  }
+  EXPECT_GE(waited_s, 0.05);
+  EXPECT_LT(waited_s, 5);
 }
 
 TEST(UdpSocket, DualStackSocketReportsIp4Peers) {
