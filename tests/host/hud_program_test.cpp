@@ -87,19 +87,12 @@ TEST(HudProgramInAGame, ThatFailsIsReportedOnce) {
   EXPECT_TRUE(game.session().is_playing());
 }
 
-// The first program of docs/modding.md that begins like a HUD program.
-std::string program_of_the_page() {
-  const base::ByteVector bytes = read_file(std::filesystem::path(TEMBLOR_SOURCE_DIR) / "docs/modding.md");
-  const std::string_view page = base::as_text(bytes);
-  const std::size_t begin = page.find("void end_sys_globals;");
-  CHECK(begin != std::string_view::npos, "the page has no HUD program");
-  return std::string(page.substr(begin, page.find("```", begin) - begin));
-}
-
 TEST(HudProgramInAGame, OfTheModdingPageWorks) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game;
-  game.folder().write("id1/csprogs.dat", compile_quakec(program_of_the_page()));
+  const base::ByteVector program =
+      read_file(std::filesystem::path(TEMBLOR_SOURCE_DIR) / "docs/examples/hud.qc");
+  game.folder().write("id1/csprogs.dat", compile_quakec(std::string(base::as_text(program))));
   game.restart(nullptr, {"map small"});
   ASSERT_TRUE(game.run_until_playing());
   game.run(0.2);
