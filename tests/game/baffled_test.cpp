@@ -66,6 +66,26 @@ INSTANTIATE_TEST_SUITE_P(All, OnAPillar,
                                            "monster_shambler"),
                          [](const auto& kind) { return kind.param; });
 
+// A hall that is only half a unit higher than the box of a fiend.
+TEST(BelowALowCeiling, FiendsLeapWithoutEnteringIt) {
+  const RoomData data(hall_text({-600, -300, 0}, {600, 300, 88.5}));
+  PlayedLevel game(data.path(), "room", kProgs);
+  game.join(0);
+  game.run(1);
+  game.player(0).set_flag(server::flag::kGodMode);
+  game.put(game.player(0), {500, 0, 24.03125f});
+  const std::uint32_t fiend = game.spawn("monster_demon1", {-200, 0, 24.03125f}, 0);
+  float top = 0, fastest = 0;
+  for (const double end = game.time_s() + 10; game.time_s() < end;) {
+    game.tick();
+    top = std::max(top, game.edict(fiend)[field::kOrigin].z);
+    fastest = std::max(fastest, game.edict(fiend)[field::kVelocity].x);
+  }
+  EXPECT_GT(fastest, 500);
+  EXPECT_LE(top, 24.5f);
+  EXPECT_THAT(game.errors(), IsEmpty());
+}
+
 // A shaft in the floor, hardly wider than the monster and a little deeper than a step: no step leads out.
 class InAPocket : public ::testing::TestWithParam<std::string> {
  protected:

@@ -117,8 +117,8 @@ base::Status read_level_line(const ScriptLine& level, const Scope& outside, Leve
   out_scope.surfaces = line.surfaces({});
   if (line.has("music")) set_key(io_script.world, "sounds", line.integer("music", 0, 0, 255));
   for (const auto& [key, value] : level.settings) {
-    constexpr std::array<std::string_view, 9> kKnown = {"light",      "worldtype", "fog",     "sky",  "wad",
-                                                        "wateralpha", "speed",     "gravity", "peace"};
+    constexpr std::array<std::string_view, 10> kKnown = {
+        "light", "worldtype", "fog", "sky", "wad", "wateralpha", "speed", "gravity", "peace", "par"};
     if (key.starts_with('_') || std::find(kKnown.begin(), kKnown.end(), key) != kKnown.end())
       set_key(io_script.world, key, line.text(key, ""));
   }

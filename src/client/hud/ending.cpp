@@ -1,6 +1,10 @@
 #include "client/hud/ending.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "client/hud/center_text.h"
 #include "client/hud/scoreboard.h"
@@ -10,7 +14,7 @@ namespace temblor::client {
 namespace {
 
 // Positions next to the words of gfx/inter.lmp, in the original's pixels.
-constexpr int kNumbersX = 160, kTimeY = 64, kSecretsY = 104, kKillsY = 144;
+constexpr int kNumbersX = 160, kTimeY = 64, kParY = 91, kSecretsY = 104, kKillsY = 144;
 constexpr int kNumberDigits = 3, kDigitWidth = 24;
 
 // Draws minutes and seconds with a large colon: "  3:05".
@@ -23,6 +27,18 @@ void draw_time(const Panel& screen, double time_s) {
   screen.draw_number(seconds % 10, 1, false, kSecondsX + kDigitWidth, kTimeY);
 }
 
+// Draws "par 4:30", right-aligned below the time.
+void draw_par(const Panel& screen, int par_s, bool is_reached) {
+  constexpr int kRight = kNumbersX + (kNumberDigits + 2) * kDigitWidth + 16;
+  std::array<char, 16> text{};
+  const auto end = fmt::format_to_n(text.data(), text.size(), "par {}:{:02}", par_s / 60, par_s % 60).out;
+  const std::span letters(text.data(), end);
+  if (is_reached)
+    for (char& letter : letters) letter = static_cast<char>(letter | 0x80);
+  screen.draw_text({letters.data(), letters.size()},
+                   kRight - static_cast<int>(letters.size()) * kCharacterSide, kParY);
+}
+
 // Draws "  7/ 12" in large digits: found and total.
 void draw_fraction(const Panel& screen, int part, int whole, int y) {
   constexpr int kSlashX = kNumbersX + kNumberDigits * kDigitWidth, kWholeX = kSlashX + 16;
@@ -33,7 +49,7 @@ void draw_fraction(const Panel& screen, int part, int whole, int y) {
 
 }  // namespace
 
-void draw_intermission(const Panel& panel, const Game& game) {
+void draw_intermission(const Panel& panel, const Game& game, float par_s) {
   const Panel screen = panel.in_middle(kScreenHeight);
   if (game.deathmatch) {
     draw_ranking(screen, game);
@@ -43,6 +59,7 @@ void draw_intermission(const Panel& panel, const Game& game) {
   screen.draw_centered_picture("gfx/complete.lmp", kTitleY);
   screen.draw_picture("gfx/inter.lmp", kWordsX, kWordsY);
   draw_time(screen, game.ending_since_s);
+  if (par_s > 0) draw_par(screen, static_cast<int>(par_s), game.ending_since_s < par_s + 1);
   draw_fraction(screen, game.stat(Stat::kSecrets), game.stat(Stat::kTotalSecrets), kSecretsY);
   draw_fraction(screen, game.stat(Stat::kMonsters), game.stat(Stat::kTotalMonsters), kKillsY);
 }

@@ -7,8 +7,9 @@
 namespace temblor::client {
 
 // Draws time, secrets and kills of the finished level, or the ranking in a deathmatch. Without the game's
-// pictures only the numbers appear.
-void draw_intermission(const Panel& panel, const Game& game);
+// pictures only the numbers appear. A par time is shown below the time, in gold letters if the player has
+// reached it; 0: none.
+void draw_intermission(const Panel& panel, const Game& game, float par_s);
 
 // Draws the finale's title and its text, letter by letter, at server time `time_s`. A cut scene has only the
 // text.

@@ -111,7 +111,7 @@ void Hud::draw(const Game& game, double time_s, int width, int height, const Hud
       draw_play(panel, letters, game, times_, time_s, settings, pack_);
       break;
     case Ending::kIntermission:
-      if (settings.parts.ending) draw_intermission(panel, game);
+      if (settings.parts.ending) draw_intermission(panel, game, settings.par_s);
       break;
     case Ending::kFinale:
     case Ending::kCutScene:

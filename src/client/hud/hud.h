@@ -36,6 +36,8 @@ struct HudSettings {
   bool shows_scores = false;
   // The hints for a dead player, in lines; the text must stay alive while drawing.
   std::string_view death_hint{};
+  // The level's par time, for the intermission; 0: none.
+  float par_s = 0;
   // The rule of that name, for Dissolution of Eternity's games of teams. Servers do not send it, so this is
   // the player's own variable, as in other engines.
   int teamplay = 0;

@@ -48,11 +48,11 @@ render::Fog parse_fog(const formats::Entity& worldspawn) {
   return count == 0 ? render::Fog{} : fog;
 }
 
-std::optional<float> parse_alpha(const formats::Entity& worldspawn, const std::string& key) {
+std::optional<float> parse_number(const formats::Entity& worldspawn, const std::string& key, float max) {
   const auto text = find_key(worldspawn, key);
   const Numbers numbers = parse_numbers(text.value_or(""));
   if (numbers.count == 0) return std::nullopt;
-  return std::clamp(numbers.values[0], 0.0f, 1.0f);
+  return std::clamp(numbers.values[0], 0.0f, max);
 }
 
 }  // namespace
@@ -70,10 +70,12 @@ LevelEnvironment parse_environment(const world::Level& level) {
     if (const auto name = find_key(worldspawn, key); name && environment.skybox.empty())
       environment.skybox = *name;
   environment.fog = parse_fog(worldspawn);
-  environment.water_alpha = parse_alpha(worldspawn, "wateralpha");
-  environment.slime_alpha = parse_alpha(worldspawn, "slimealpha");
-  environment.lava_alpha = parse_alpha(worldspawn, "lavaalpha");
-  environment.teleport_alpha = parse_alpha(worldspawn, "telealpha");
+  environment.water_alpha = parse_number(worldspawn, "wateralpha", 1);
+  environment.slime_alpha = parse_number(worldspawn, "slimealpha", 1);
+  environment.lava_alpha = parse_number(worldspawn, "lavaalpha", 1);
+  environment.teleport_alpha = parse_number(worldspawn, "telealpha", 1);
+  constexpr float kMaxPar_s = 59999;  // the longest time on the screen at the end of a level
+  environment.par_s = parse_number(worldspawn, "par", kMaxPar_s).value_or(0);
   return environment;
 }
 

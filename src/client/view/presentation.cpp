@@ -171,6 +171,7 @@ const render::DrawList& Presentation::draw_list(const ClientState& state, int wi
                                                 const PresentationSettings& settings) {
   draw_list_.clear();
   HudSettings hud = settings.hud;
+  hud.par_s = environment_.level().par_s;
   const HudDrawing* const program = hud_program_ != nullptr ? &hud_program_->drawing() : nullptr;
   const bool has_program = program != nullptr && program->is_active;
   if (has_program) {

@@ -27,6 +27,7 @@ struct EnvironmentSettings {
 class SceneEnvironment {
  public:
   void begin_level(const world::Level& level) { level_ = parse_environment(level); }
+  const LevelEnvironment& level() const { return level_; }
 
   // The source of skyboxes, and the game at a time. A default Game has no messages: the level decides.
   struct Moment {

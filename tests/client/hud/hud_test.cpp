@@ -580,6 +580,27 @@ TEST(Hud, ShowsTheIntermission) {
   }
 }
 
+TEST(Hud, ShowsTheParTimeInGoldIfItIsReached) {
+  Game game = rich_game();
+  game.ending = Ending::kIntermission;
+  HudSettings settings;
+  settings.par_s = 270;
+  const auto text_after = [&](double ending_since_s) {
+    game.ending_since_s = ending_since_s;
+    const std::vector<std::string> lines = draw_calm(game, kHudSizes[0], settings).lines();
+    return lines.empty() ? std::string() : lines.at(0);
+  };
+  const auto in_gold = [](std::string text) {
+    for (char& letter : text)
+      if (letter != ' ') letter = static_cast<char>(letter | 0x80);
+    return text;
+  };
+  EXPECT_EQ(text_after(271.5), "par 4:30");
+  EXPECT_EQ(text_after(270.5), in_gold("par 4:30"));  // shown as 4:30
+  settings.par_s = 0;
+  EXPECT_EQ(text_after(10), "");
+}
+
 TEST(Hud, ShowsThatTheGameIsPaused) {
   Game game = rich_game();
   EXPECT_FALSE(draw_calm(game).shows("gfx/pause.lmp"));

@@ -17,6 +17,7 @@ TEST(LevelEnvironment, KeysAreFoundWithAndWithoutUnderscore) {
   EXPECT_EQ(environment_with({{"skyname", "night"}}).skybox, "night");
   EXPECT_EQ(environment_with({{"_wateralpha", "0.25"}}).water_alpha, 0.25f);
   EXPECT_EQ(environment_with({{"lavaalpha", "7"}}).lava_alpha, 1.0f);
+  EXPECT_EQ(environment_with({{"par", "270"}}).par_s, 270);
 }
 
 TEST(LevelEnvironment, FogIsDensityAndColor) {
@@ -30,6 +31,8 @@ TEST(LevelEnvironment, IgnoresWhatDoesNotParse) {
   for (const char* text : {"", "thick", "nan", "-0.5", "-1 1 1 1"})
     EXPECT_EQ(environment_with({{"fog", text}}).fog.density, 0) << text;
   EXPECT_FALSE(environment_with({{"wateralpha", "clear"}}).water_alpha);
+  for (const char* text : {"fast", "nan", "-20"})
+    EXPECT_EQ(environment_with({{"par", text}}).par_s, 0) << text;
   EXPECT_EQ(parse_environment(world::Level{}).skybox, "");
 }
 
