@@ -52,6 +52,14 @@ TEST_F(ViewCommands, FogTakesTheArgumentsOfOtherEngines) {
   EXPECT_EQ(state().fog->fade_s, 5) << "a bad number changes nothing";
 }
 
+TEST_F(ViewCommands, FogIsThereWhileItIsNotDrawn) {
+  type("r_fog 0; fog 0.25 1 0.5 0.25");
+  type("fog");
+  EXPECT_TRUE(game_->has_printed("fog: density 0.25, color 1 0.5 0.25"));
+  type("fog 0 1 0");
+  EXPECT_FLOAT_EQ(state().fog->density, 0.25f) << "a new color keeps the density";
+}
+
 TEST_F(ViewCommands, SkyChangesTheSkybox) {
   type("sky night_");
   EXPECT_EQ(state().skybox, "night_");

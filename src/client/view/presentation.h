@@ -99,6 +99,8 @@ class Presentation {
 
   // Results of the last advance(). Valid until the next one, and while the state lives.
   const render::Scene& scene() const { return scene_; }
+  // The fog of the level or server, also if the player turned it off.
+  const render::Fog& fog() const { return environment_.fog(); }
   const render::DrawList& draw_list(const ClientState& state, int width, int height,
                                     const PresentationSettings& settings);
 

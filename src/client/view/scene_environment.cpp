@@ -5,10 +5,9 @@ namespace temblor::client {
 void SceneEnvironment::apply(const Moment& moment, const EnvironmentSettings& settings,
                              std::vector<std::string>& io_notes, render::Scene& io_scene) {
   io_scene.liquid_alpha = level_.liquid_alpha(settings.liquid_alpha);
-  if (settings.fog) {
-    const net::Fog fog = compute_fog(moment.game, {level_.fog.density, level_.fog.color, 0}, moment.time_s);
-    io_scene.fog = {fog.density, fog.color};
-  }
+  const net::Fog fog = compute_fog(moment.game, {level_.fog.density, level_.fog.color, 0}, moment.time_s);
+  fog_ = {fog.density, fog.color};
+  if (settings.fog) io_scene.fog = fog_;
   const std::string& skybox = moment.game.skybox ? *moment.game.skybox : level_.skybox;
   if (!settings.skybox || skybox.empty()) {
     io_scene.skybox = nullptr;

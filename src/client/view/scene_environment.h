@@ -40,8 +40,12 @@ class SceneEnvironment {
   void apply(const Moment& moment, const EnvironmentSettings& settings, std::vector<std::string>& io_notes,
              render::Scene& io_scene);
 
+  // The fog of the last apply(), also if the player turned it off.
+  const render::Fog& fog() const { return fog_; }
+
  private:
   LevelEnvironment level_;
+  render::Fog fog_;
   std::string skybox_name_;
   render::Skybox skybox_;
 };

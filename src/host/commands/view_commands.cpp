@@ -45,8 +45,8 @@ void print_fog(Host& io_host, const net::Fog& fog) {
 void fog_command(Host& io_host, Arguments arguments) {
   client::ClientState* const state = find_shown_state(io_host, arguments);
   if (state == nullptr) return;
-  net::Fog fog = {.density = io_host.game.data->presentation.scene().fog.density,
-                  .color = io_host.game.data->presentation.scene().fog.color};
+  const render::Fog& shown = io_host.game.data->presentation.fog();
+  net::Fog fog = {.density = shown.density, .color = shown.color};
   if (arguments.size() == 1) return print_fog(io_host, fog);
   const std::optional<std::vector<float>> numbers = parse_numbers(arguments);
   const std::size_t count = numbers ? numbers->size() : 0;
