@@ -93,6 +93,13 @@ std::vector<fs::path> find_zips(const std::vector<FolderEntry>& entries,
   return zips;
 }
 
+base::Status explain_damage(base::Status mounted) {
+  if (mounted.ok()) return mounted;
+  base::Error error = mounted.error();
+  error.what += "; copy this archive from the game again, or move it elsewhere";
+  return error;
+}
+
 }  // namespace
 
 fs::path find_id1_parent(const fs::path& base_folder) {
@@ -128,7 +135,8 @@ base::Result<FileSystem> FileSystem::open(const fs::path& base_folder, std::span
   const fs::path parent = find_id1_parent(base_folder);
   FileSystem files;
   TRY(const std::vector<FolderEntry> shared, list_folder(parent));
-  for (const fs::path& path : find_zips(shared, {".kpf"})) TRY_STATUS(files.mount_zip(path, 0));
+  for (const fs::path& path : find_zips(shared, {".kpf"}))
+    TRY_STATUS(explain_damage(files.mount_zip(path, 0)));
   for (const std::string& name : names) {
     TRY(const fs::path folder, find_game_folder(parent, name));
     TRY_STATUS(files.mount_game(folder));
@@ -141,9 +149,9 @@ base::Status FileSystem::mount_game(const fs::path& folder) {
   folders_.push_back(folder);
   TRY_STATUS(mount_loose_files(folder, folders_.size() - 1));
   TRY(const std::vector<FolderEntry> entries, list_folder(folder));
-  for (const fs::path& path : find_paks(entries)) TRY_STATUS(mount_pak(path));
+  for (const fs::path& path : find_paks(entries)) TRY_STATUS(explain_damage(mount_pak(path)));
   for (const fs::path& path : find_zips(entries, {".pk3", ".kpf"}))
-    TRY_STATUS(mount_zip(path, folders_.size() - 1));
+    TRY_STATUS(explain_damage(mount_zip(path, folders_.size() - 1)));
   return base::Ok{};
 }
 
@@ -172,6 +180,7 @@ base::Status FileSystem::mount_loose_files(const fs::path& folder, std::size_t g
     std::vector<fs::path> parents{};  // without links
   };
   std::vector<Pending> pending{{folder, ""}};
+  add_source({folder, game, std::nullopt});
   while (!pending.empty()) {
     Pending current = std::move(pending.back());
     pending.pop_back();
@@ -202,6 +211,7 @@ base::Status FileSystem::mount_pak(const fs::path& path) {
   TRY(const base::ByteVector directory,
       read_disk_range(path, header.directory_offset, header.directory_bytes));
   const std::vector<formats::PakEntry> entries = formats::read_pak_directory(directory, archive_bytes);
+  add_source({path, folders_.size() - 1, entries.size()});
   // Backward, so that the first entry with a name wins.
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
     add_file(entry->name,
@@ -214,6 +224,7 @@ base::Status FileSystem::mount_zip(const fs::path& path, std::size_t game) {
   pk3_bytes_ += bytes.size();
   TRY(formats::Pk3 opened, formats::read_pk3(std::move(bytes)).with_file(path.string()));
   const auto pk3 = std::make_shared<const formats::Pk3>(std::move(opened));
+  add_source({path, game, pk3->entries().size()});
   for (std::size_t i = 0; i < pk3->entries().size(); ++i)
     add_file(pk3->entries()[i].name, {.path = path, .pk3 = pk3, .pk3_position = i, .game = game});
   return base::Ok{};
@@ -233,6 +244,12 @@ void FileSystem::add_file(std::string_view name, File file) {
     hidden_[*normalized].insert_or_assign(lower.game, lower);
   }
   if (found->second.game <= file.game) found->second = std::move(file);
+}
+
+void FileSystem::add_source(Source source) {
+  const auto higher = std::find_if(sources_.begin(), sources_.end(),
+                                   [&](const Source& other) { return other.game > source.game; });
+  sources_.insert(higher, std::move(source));
 }
 
 const FileSystem::File* FileSystem::find(std::string_view name) const {

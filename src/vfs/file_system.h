@@ -56,7 +56,8 @@ class FileSystem {
  public:
   // Mounts id1 and `games`, which are case-insensitive names of folders in find_id1_parent(base_folder)
   // ("id1" may be omitted). Returns kNotFound if the base folder, id1, or a game does not exist, kUsage for
-  // an invalid name, and an error that names the archive if one is damaged.
+  // an invalid name, and an error that names the archive if one is damaged: a game with half of its files
+  // would fail later, in many places.
   static base::Result<FileSystem> open(const std::filesystem::path& base_folder,
                                        std::span<const std::string> games = {});
 
@@ -101,6 +102,15 @@ class FileSystem {
   // The mounted game folders, id1 first.
   std::span<const std::filesystem::path> folders() const { return folders_; }
 
+  // A folder or archive that files are read from.
+  struct Source {
+    std::filesystem::path path;
+    std::size_t game = 0;                     // into folders()
+    std::optional<std::size_t> files_inside;  // of an archive
+  };
+  // All of them in search order, highest priority first.
+  std::vector<Source> sources() const { return {sources_.rbegin(), sources_.rend()}; }
+
  private:
   struct Range {
     std::uint64_t offset = 0, size = 0;
@@ -122,10 +132,13 @@ class FileSystem {
   base::Status mount_zip(const std::filesystem::path& path, std::size_t game);
   // Mounts a file. It replaces one of the same or a lower game, but not one of a higher game.
   void add_file(std::string_view name, File file);
+  // Adds a source above those of its game and of lower games.
+  void add_source(Source source);
   const File* find(std::string_view name) const;
   static std::string describe(std::string_view name, const File& file);
 
   std::vector<std::filesystem::path> folders_;
+  std::vector<Source> sources_;                     // lowest priority first
   std::map<std::string, File, std::less<>> files_;  // by normalized name
   // Files that those of higher games hide: by name, then by game.
   std::map<std::string, std::map<std::size_t, File>, std::less<>> hidden_;

@@ -163,6 +163,23 @@ TEST(FileSystem, MountOverHidesItsGameOnly) {
   EXPECT_TRUE(files.mount_over(1, elsewhere.path() / "not there").ok());
 }
 
+TEST(FileSystem, SourcesAreInTheOrderOfSearch) {
+  const test::TemporaryFolder base_folder, elsewhere;
+  base_folder.write("shared.kpf", make_pk3({{"s", ""}}));
+  base_folder.write("id1/pak0.pak", make_pak({{"a", ""}, {"b", ""}}));
+  base_folder.write("id1/pak1.pak", make_pak({{"a", ""}}));
+  base_folder.write("mod/extra.pk3", make_pk3({{"c", ""}}));
+  FileSystem files = open_or_die(base_folder, {"mod"});
+  ASSERT_TRUE(files.mount_over(0, elsewhere.path()).ok());
+  std::vector<std::string> sources;
+  for (const FileSystem::Source& source : files.sources())
+    sources.push_back(fs::relative(source.path, base_folder.path()).string() +
+                      (source.files_inside ? " " + std::to_string(*source.files_inside) : ""));
+  EXPECT_THAT(sources,
+              ElementsAre("mod/extra.pk3 1", "mod", fs::relative(elsewhere.path(), base_folder.path()),
+                          "id1/pak1.pak 1", "id1/pak0.pak 2", "id1", "shared.kpf 1"));
+}
+
 TEST(FileSystem, ReadsTheLayersOfAFile) {
   const test::TemporaryFolder base_folder, user_folder;
   base_folder.write("id1/a.txt", "id1 loose");
@@ -334,6 +351,7 @@ TEST(FileSystem, NamesDamagedArchive) {
     const auto files = FileSystem::open(base_folder.path());
     ASSERT_FALSE(files.ok()) << name;
     EXPECT_EQ(files.error().file, path.string());
+    EXPECT_THAT(files.error().what, HasSubstr("copy this archive from the game again"));
   }
 }
 

@@ -78,9 +78,11 @@ std::vector<std::string> list_saves(const Host& host) {
   return names;
 }
 
-void print_folders(Host& io_host) {
-  for (const std::filesystem::path& folder : io_host.game.data->library.files().folders())
-    print_line(io_host, folder.string());
+void print_sources(Host& io_host) {
+  for (const vfs::FileSystem::Source& source : io_host.game.data->library.files().sources())
+    print_line(io_host, source.files_inside ? fmt::format("{} ({})", source.path.string(),
+                                                          base::counted(*source.files_inside, "file"))
+                                            : source.path.string());
 }
 
 // Prints where a file of the game comes from.
@@ -118,8 +120,8 @@ void add_list_commands(Host& io_host) {
   add("version", "Shows the version of Temblor.",
       [](Host& host, Arguments) { print_line(host, host.options.version); });
   for (const char* const name : {"path", "dir"})
-    add(name, "Lists the folders that the game's files come from.",
-        [](Host& host, Arguments) { print_folders(host); });
+    add(name, "Lists the folders and archives that the game's files come from, in the order of search.",
+        [](Host& host, Arguments) { print_sources(host); });
   add("flocate", "flocate FILE: shows where a file of the game comes from.", locate_file);
   add("mapname", "Shows the name of the level.", [](Host& host, Arguments) { print_level_name(host); });
   add("randmap", "Starts a new game on a random level.",
