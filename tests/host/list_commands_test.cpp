@@ -1,4 +1,5 @@
 // path, flocate, mapname, mods, demos, saves, and others: commands that list files.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/headless_host.h"
@@ -44,6 +45,11 @@ TEST(ListCommands, ScreenshotsTakeTheNextFreeNumber) {
   }
   EXPECT_TRUE(std::filesystem::exists(host.folder().path() / "id1/temblor0000.png"));
   EXPECT_TRUE(std::filesystem::exists(host.folder().path() / "id1/temblor0001.png"));
+  EXPECT_THAT(host.lines(), ::testing::Contains("Screenshot saved: id1/temblor0001.png"));
+  const std::string elsewhere = (host.folder().path() / "elsewhere.png").string();
+  host.command("screenshot \"" + elsewhere + "\"");
+  host.run(0.1);
+  EXPECT_THAT(host.lines(), ::testing::Contains("Screenshot saved: " + elsewhere));
 }
 
 }  // namespace

@@ -4,14 +4,21 @@
 
 #include <deque>
 
+#include "host/frame/host_parts.h"
+#include "host/headless_host.h"
 #include "net/transport/control.h"
 #include "platform/headless/window.h"
+#include "support/programs/quakec.h"
 
 namespace temblor {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 // A network on which replies arrive that a test has put there.
 class FakeSocket : public platform::DatagramSocket {
@@ -101,6 +108,32 @@ TEST_F(ServerSearchTest, ForgetsTheListOfTheLastSearch) {
   EXPECT_THAT(find_addresses(), IsEmpty());
   reply({192, 168, 0, 2}, "Attic");
   EXPECT_THAT(find_addresses(), ElementsAre("192.168.0.2:26000"));
+}
+
+TEST(ServerList, IsPrintedAsTheServersReply) {
+  SKIP_WITHOUT_QUAKEC();
+  test::HeadlessHost host;
+  FakeSocket::Arrived arrived;
+  const double waited_s = 0;
+  host.host().services.open_socket =
+      [&](std::uint16_t) -> base::Result<std::unique_ptr<platform::DatagramSocket>> {
+    return std::unique_ptr<platform::DatagramSocket>(std::make_unique<FakeSocket>(arrived, waited_s));
+  };
+  host.command("slist");
+  host.run(0.1);
+  EXPECT_THAT(host.lines(), Contains("Looking for servers on the local network..."));
+  auto packet = net::write_control_packet(net::ServerInfoReply{
+      .address = "", .host_name = "Attic", .map = "dm4", .players = 1, .max_players = 8});
+  arrived.emplace_back(platform::ip4_address({192, 168, 0, 2}, 26000), std::move(packet).value());
+  host.run(0.1);
+  EXPECT_THAT(host.lines(), Contains(AllOf(StartsWith("192.168.0.2:26000 "), HasSubstr(" Attic "),
+                                           HasSubstr(" dm4 "), HasSubstr(" 1/8 "))));
+  EXPECT_FALSE(host.has_printed("connect ADDRESS")) << "the search goes on";
+  host.run(6, 0.5);
+  EXPECT_THAT(host.lines(), Contains("1 server; join with: connect ADDRESS"));
+  host.command("slist");
+  host.run(6, 0.5);
+  EXPECT_THAT(host.lines(), Contains("No servers found."));
 }
 
 }  // namespace

@@ -265,15 +265,14 @@ void add_screen_commands(Host& io_host) {
     add(menu.name, make_menu_help(menu.name),
         [page = menu.page](Host& host, Arguments) { open_menu(host, page); });
   // Other engines' names for some of them.
-  constexpr std::array<std::pair<std::string_view, client::MenuPage>, 4> kOtherNames = {{
+  constexpr std::array<std::pair<std::string_view, client::MenuPage>, 3> kOtherNames = {{
       {"menu_maps", client::MenuPage::kLevels},
       {"menu_mods", client::MenuPage::kGameFolders},
       {"menu_credits", client::MenuPage::kHelp},
-      {"slist", client::MenuPage::kJoin},
   }};
   for (const auto& [name, page] : kOtherNames)
-    add(name, name == "slist" ? "Looks for servers on the local network." : make_menu_help(name),
-        [opened = page](Host& host, Arguments) { open_menu(host, opened); });
+    add(name, make_menu_help(name), [opened = page](Host& host, Arguments) { open_menu(host, opened); });
+  add("slist", "Lists the servers on the local network.", [](Host& host, Arguments) { list_servers(host); });
   for (const char* const name : {"vid_restart", "vid_test"})
     add(name, "Applies the video settings to the window again.", [](Host& host, Arguments) {
       print_if_command_error(host, host.services.window.apply(host.variables.window()));

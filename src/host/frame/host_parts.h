@@ -198,6 +198,7 @@ struct Host {
   client::PlayerSettings sent_player;   // name and colors that were last sent to the server
   std::vector<client::Notice> notices;  // pending; show_notices() shows them
   ServerSearch search;
+  std::optional<std::size_t> listed_servers;  // printed since "slist"; empty: nobody waits for more
   HostVideo video;
   FrameTiming timing;
   bool wants_to_quit = false;

@@ -12,6 +12,7 @@
 #include "host/menus/menus.h"
 #include "host/session/configure.h"
 #include "host/session/demos.h"
+#include "host/session/games.h"
 
 namespace temblor::host {
 namespace {
@@ -143,7 +144,7 @@ void apply_variables(Host& io_host) {
   const bool takes_text = io_host.console.ui.takes_text() || io_host.game.menu->wants_text();
   if (takes_text != io_host.input.takes_text) window.take_text(takes_text);
   io_host.input.takes_text = takes_text;
-  if (io_host.search.update()) io_host.game.menu->refresh();
+  update_server_search(io_host);
 }
 
 void read_network(Host& io_host) {

@@ -210,7 +210,7 @@ base::Status write_configuration(Host& io_host, std::string_view file) {
   if (!name) return base::error(base::ErrorCode::kUsage, "\"{}\" is not a valid file name", file);
   const std::filesystem::path path = io_host.game.data->write_folder / *name;
   TRY_STATUS(io_host.services.write_file(path, base::as_bytes(current_configuration(io_host))));
-  print_line(io_host, fmt::format("Settings saved: {}", path.string()));
+  print_line(io_host, fmt::format("Settings saved: {}", io_host.game.data->shorten_path(path)));
   return base::Ok{};
 }
 

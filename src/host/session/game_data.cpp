@@ -16,4 +16,11 @@ base::Result<std::unique_ptr<GameData>> GameData::open(const GameFolders& folder
   return std::make_unique<GameData>(std::move(games), look);
 }
 
+std::string GameData::shorten_path(const std::filesystem::path& path) const {
+  const std::filesystem::path game = library.files().folders().back();
+  const std::filesystem::path below = path.lexically_relative(game);
+  const bool is_inside = !below.empty() && *below.begin() != "..";
+  return (is_inside ? game.filename() / below : path).string();
+}
+
 }  // namespace temblor::host

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "assets/library.h"
@@ -20,6 +21,10 @@ struct GameData {
   GameData(MountedGames games, assets::Look look);
   GameData(const GameData&) = delete;
   GameData& operator=(const GameData&) = delete;
+
+  // A path for messages: "mod/a.png" if the file is in the last game folder. Paths of the player's own files,
+  // which are elsewhere, stay whole.
+  std::string shorten_path(const std::filesystem::path& path) const;
 
   // The members below refer to it.
   assets::Library library;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "formats/images/png.h"
 #include "host/frame/host_parts.h"
 #include "host/session/configure.h"
@@ -139,7 +140,7 @@ base::Status write_screenshot(Host& io_host, std::string_view file) {
   TRY(const base::ByteVector png,
       formats::write_png(pixels, screen.frame().width(), screen.frame().height()));
   TRY_STATUS(io_host.services.write_file(path, png));
-  print_line(io_host, fmt::format("Screenshot saved: {}", path.string()));
+  print_line(io_host, fmt::format("Screenshot saved: {}", io_host.game.data->shorten_path(path)));
   return base::Ok{};
 }
 
@@ -148,12 +149,36 @@ base::Status dump_console(Host& io_host, std::string_view file) {
   if (!name) return base::error(base::ErrorCode::kUsage, "\"{}\" is not a valid file name", file);
   const std::filesystem::path path = io_host.game.data->write_folder / *name;
   TRY_STATUS(io_host.services.write_file(path, base::as_bytes(io_host.console.ui.text())));
-  print_line(io_host, fmt::format("Console text saved: {}", path.string()));
+  print_line(io_host, fmt::format("Console text saved: {}", io_host.game.data->shorten_path(path)));
   return base::Ok{};
 }
 
 void search_servers(Host& io_host) {
+  io_host.listed_servers.reset();
   print_if_error(io_host, io_host.search.begin());
+}
+
+void list_servers(Host& io_host) {
+  search_servers(io_host);
+  if (!io_host.search.is_running()) return;
+  print_line(io_host, "Looking for servers on the local network...");
+  io_host.listed_servers = 0;
+}
+
+void update_server_search(Host& io_host) {
+  if (io_host.search.update()) io_host.game.menu->refresh();
+  if (!io_host.listed_servers) return;
+  std::size_t& printed = *io_host.listed_servers;
+  for (const std::vector<client::MenuServer>& found = io_host.search.found(); printed < found.size();
+       ++printed) {
+    const client::MenuServer& server = found[printed];
+    print_line(io_host, fmt::format("{:<21} {:<15} {:<8} {:2}/{:<2} {} ms", server.address, server.name,
+                                    server.level, server.players, server.max_players, server.ping_ms));
+  }
+  if (io_host.search.is_running()) return;
+  print_line(io_host, printed == 0 ? "No servers found."
+                                   : base::counted(printed, "server") + "; join with: connect ADDRESS");
+  io_host.listed_servers.reset();
 }
 
 }  // namespace temblor::host

@@ -46,5 +46,9 @@ base::Status dump_console(Host& io_host, std::string_view file);
 
 // Starts to search the local network for servers (session/server_search.h).
 void search_servers(Host& io_host);
+// Does the same, and prints the servers as they reply.
+void list_servers(Host& io_host);
+// Reads the replies of a search, for the menu and the console.
+void update_server_search(Host& io_host);
 
 }  // namespace temblor::host

@@ -26,6 +26,7 @@ class ServerSearch {
   // Reads replies and ends the search after some seconds. Call it in each frame. Returns whether the list has
   // changed.
   bool update();
+  bool is_running() const { return socket_ != nullptr; }
   // The servers that have replied, in the order of their replies.
   const std::vector<client::MenuServer>& found() const { return found_; }
 
