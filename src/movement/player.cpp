@@ -50,6 +50,11 @@ math::Vec3 find_velocity_out_of_water(const Player& player, Wish wish, const mat
 
 }  // namespace
 
+bool is_crouching_next(const Player& player, float wish_up, base::FunctionRef<bool()> can_stand_up) {
+  if (player.move_mode != MoveMode::kWalk || !player.is_alive) return player.is_crouching;
+  return wish_up < 0 || (player.is_crouching && !can_stand_up());
+}
+
 void apply_wishes(Player& io_player, const Command& command, const math::PhysicsSettings& settings,
                   float tick_s, base::FunctionRef<bool(const EdgeProbe&)> is_edge) {
   io_player.punch_deg = fade_punch(io_player.punch_deg, tick_s);

@@ -39,6 +39,10 @@ struct Player {
   double teleport_time_s = 0;
 };
 
+// Whether a player crouches in its next tick in a Half-Life level, if it stands or crouches now: on foot and
+// alive, while it wishes to go down, and after that until `can_stand_up` returns true.
+bool is_crouching_next(const Player& player, float wish_up, base::FunctionRef<bool()> can_stand_up);
+
 // A player's input for one tick.
 struct Command {
   math::Vec3 view_angles_deg{0.0f};

@@ -1,6 +1,6 @@
-// One tick in the server's order (server/physics/player.cpp): acceleration, the program before the move, the
-// move, then movers and the players on them. The client knows only one part of the program, the stock
-// player's jump.
+// One tick in the server's order (server/physics/player.cpp): crouching, acceleration, the program before the
+// move, the move, then movers and the players on them. The client knows only one part of the program, the
+// stock player's jump.
 #include "client/prediction/predicted_player.h"
 
 #include <algorithm>
@@ -45,6 +45,10 @@ math::Bounds make_player_box(const movement::Player& player) {
   return {movement::kPlayerMins, player.is_crouching ? movement::kCrouchedMaxs : movement::kPlayerMaxs};
 }
 
+float compute_height(const math::Bounds& box) {
+  return box.maxs.z - box.mins.z;
+}
+
 // Traces through the level and the solids, and counts the effort.
 class PredictionTracer final : public movement::WalkEnvironment {
  public:
@@ -69,6 +73,13 @@ class PredictionTracer final : public movement::WalkEnvironment {
     return trace_all(kPoint, start, end, 0).trace;
   }
   std::size_t effort() const { return effort_; }
+  // Whether a crouching player has space to stand up.
+  bool can_stand_up() const {
+    const math::Vec3 up(0, 0,
+                        compute_height(world::kHalfLifeHulls[0]) - compute_height(world::kHalfLifeHulls[2]));
+    const math::Vec3& origin = predicted_.player.body.origin;
+    return trace_all(box_, origin, origin + up, 0).trace.fraction == 1;
+  }
   // Traces past one entity: the one that carries the player.
   math::Vec3 trace_carried(const math::Vec3& start, const math::Vec3& end, std::uint32_t passing) const {
     return trace_all(box_, start, end, passing).trace.end;
@@ -115,6 +126,16 @@ class PredictionTracer final : public movement::WalkEnvironment {
   const math::Bounds box_;
   mutable std::size_t effort_ = 0;  // of all traces so far
 };
+
+// Crouches as the server does (server/physics/crouch.h), and returns the effort. A box of the game code's own
+// is not known here.
+std::size_t crouch(PredictedPlayer& io_predicted, float wish_up, const PredictionWorld& world) {
+  if (!world.level.is_half_life) return 0;
+  const PredictionTracer tracer(world, io_predicted);
+  io_predicted.player.is_crouching =
+      movement::is_crouching_next(io_predicted.player, wish_up, [&] { return tracer.can_stand_up(); });
+  return tracer.effort();
+}
 
 // At the edge of a pool, a wall at the waist and free space at the eyes lets the swimmer jump out.
 void try_jump_out_of_water(PredictedPlayer& io_predicted, const PredictionWorld& world,
@@ -230,6 +251,7 @@ std::size_t step(PredictedPlayer& io_predicted, const net::Move& move, double du
                  const PredictionWorld& world) {
   movement::Player& player = io_predicted.player;
   const auto tick_s = static_cast<float>(duration_s);
+  const std::size_t crouch_effort = crouch(io_predicted, static_cast<float>(move.up), world);
   PredictionTracer tracer(world, io_predicted);
   const movement::Command command{
       move.angles_deg,
@@ -251,7 +273,7 @@ std::size_t step(PredictedPlayer& io_predicted, const net::Move& move, double du
   }
   advance_ride(io_predicted, tick_s, tracer);
   player.teleport_time_s -= duration_s;
-  return tracer.effort();
+  return crouch_effort + tracer.effort();
 }
 
 }  // namespace temblor::client

@@ -1,8 +1,8 @@
 // Simulates one move of a player on the client, as the server will, but without its game program.
 //
-// The order is that of a server tick (server/physics/player.cpp): acceleration, the program before the move
-// (of which the client knows what the stock one does: jumping), the move, then movers and the players on
-// them.
+// The order is that of a server tick (server/physics/player.cpp): crouching, acceleration, the program before
+// the move (of which the client knows what the stock one does: jumping), the move, then movers and the
+// players on them.
 #pragma once
 
 #include <cstddef>

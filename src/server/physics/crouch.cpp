@@ -5,6 +5,7 @@
 #include "movement/player.h"
 #include "server/move_trace.h"
 #include "server/physics/entity_moves.h"
+#include "server/physics/physics.h"
 
 namespace temblor::server {
 namespace {
@@ -47,12 +48,9 @@ void crouch(GameWorld& io_world, vm::EntityIndex player, float wish_up) {
   if (!io_world.level->is_half_life) return;
   const Edict edict = io_world.edicts[player];
   if (edict.move_type() != MoveType::kWalk || edict[field::kHealth] <= 0) return;
-  bool is_low = has_height(edict, movement::kCrouchedMaxs);
-  if (!is_low && !has_height(edict, movement::kPlayerMaxs)) return;
-  if (wish_up < 0)
-    is_low = true;
-  else if (is_low)
-    is_low = !can_stand_up(io_world, edict);
+  if (!is_crouching(io_world, edict) && !has_height(edict, movement::kPlayerMaxs)) return;
+  const bool is_low = movement::is_crouching_next(make_player(io_world, edict), wish_up,
+                                                  [&] { return can_stand_up(io_world, edict); });
   set_height(edict, is_low ? movement::kCrouchedMaxs : movement::kPlayerMaxs);
   move_eyes(edict, is_low ? kCrouchedEyes : kStandingEyes, kEyeSpeed * tick_seconds(io_world));
 }

@@ -1,0 +1,125 @@
+// Prediction of the player's own moves in Half-Life's levels: crouching, and the water of brush entities.
+#include <gtest/gtest.h>
+
+#include "client/prediction/predicted_player.h"
+#include "client_server/predicted_game.h"
+#include "compiler/drafts.h"
+#include "formats/levels/bsp.h"
+#include "support/levels/room_map.h"
+#include "support/programs/temporary_folder.h"
+
+namespace temblor::test {
+namespace {
+
+using math::Vec3;
+namespace field = server::field;
+
+#define SKIP_WITHOUT_GAME() \
+  if (!std::filesystem::exists(TEMBLOR_GAME_PROGRAM)) GTEST_SKIP() << "the game's QuakeC is not compiled"
+
+// 200 ms from key to answer.
+constexpr NetworkConditions kFarAway{.delay_s = 0.1};
+constexpr std::int16_t kAhead = 300, kDown = -200, kUp = 200;
+constexpr std::uint8_t kJump = 2;
+constexpr net::Move kWalk{.forward = kAhead}, kCrouchedWalk{.forward = kAhead, .up = kDown};
+
+// A hall along x with additional brushes and entities.
+class HalfLifeHall {
+ public:
+  explicit HalfLifeHall(const std::string& brushes, const std::string& entities = {}) {
+    const std::string map =
+        entity_text("worldspawn", "", walls_text({0, -128, 0}, {1024, 128, 256}, "wall") + brushes) +
+        point_text("info_player_start", {64, 0, 36}) + entities;
+    compiler::DraftResult result = compile_draft(map, {.half_life = true});
+    CHECK(!result.leak, "the hall leaks");
+    for (formats::BspMiptex& texture : result.draft.bsp.miptexes) texture.name.clear();
+    folder_.write("id1/maps/hall.bsp",
+                  formats::write_bsp(result.draft.bsp, formats::BspVersion::k30).value());
+  }
+  const std::filesystem::path& path() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+// Behind x = 512 only a crouching player has space.
+std::string low_passage() {
+  return box_text({512, -128, 40}, {1024, 128, 256}, "wall");
+}
+
+void expect_small_corrections(PredictedGame& io_game) {
+  const client::PredictionReport& report = io_game.prediction().report();
+  EXPECT_LT(report.largest_units, 0.1f);
+  EXPECT_EQ(report.teleport_units, 0);
+  EXPECT_LT(glm::distance(io_game.shown()->origin_world, Vec3(io_game.player()[field::kOrigin])), 0.05f);
+}
+
+TEST(HalfLifePrediction, PlayersCrouchAndStandUpWithoutCorrections) {
+  SKIP_WITHOUT_GAME();
+  const HalfLifeHall hall("");
+  PredictedGame game(hall.path(), "hall", kFarAway);
+  ASSERT_TRUE(game.join());
+  game.prediction().reset_report();
+  for (int i = 0; i < 3; ++i) {
+    game.run(0.4, kWalk);
+    game.run(0.7, kCrouchedWalk);
+  }
+  const float pace = game.shown()->velocity.x;
+  EXPECT_NEAR(pace, 100, 1);
+  game.run(0.5);
+  expect_small_corrections(game);
+}
+
+TEST(HalfLifePrediction, ThePaceFallsInTheFrameOfTheKey) {
+  SKIP_WITHOUT_GAME();
+  const HalfLifeHall hall("");
+  PredictedGame game(hall.path(), "hall", kFarAway);
+  ASSERT_TRUE(game.join());
+  game.run(0.8, kWalk);
+  const float walking = game.shown()->velocity.x;
+  game.run(0.05, kCrouchedWalk);
+  EXPECT_LT(game.shown()->velocity.x, walking - 20);
+  EXPECT_GT(game.player()[field::kVelocity].x, walking - 1) << "the server has not received the key yet";
+}
+
+TEST(HalfLifePrediction, CrouchingPlayersFitThroughPassagesAndStayLowInThem) {
+  SKIP_WITHOUT_GAME();
+  for (const bool is_entity : {false, true}) {
+    const HalfLifeHall hall(is_entity ? std::string() : low_passage(),
+                            is_entity ? entity_text("func_wall", "", low_passage()) : std::string());
+    PredictedGame game(hall.path(), "hall", kFarAway);
+    ASSERT_TRUE(game.join());
+    game.prediction().reset_report();
+    game.run(3, kWalk);
+    EXPECT_NEAR(game.shown()->origin_world.x, 512 - 16, 1) << "standing";
+    game.run(2, kCrouchedWalk);
+    EXPECT_GT(game.shown()->origin_world.x, 560);
+    game.run(1.5, kWalk);  // it cannot stand up
+    EXPECT_NEAR(game.shown()->velocity.x, 100, 1);
+    game.run(6, {.forward = -kAhead});
+    EXPECT_LT(game.shown()->origin_world.x, 400);
+    game.run(0.5);
+    expect_small_corrections(game);
+  }
+}
+
+// A pool of a brush entity, 128 units deep.
+TEST(HalfLifePrediction, PlayersSwimInWaterEntitiesWithoutCorrections) {
+  SKIP_WITHOUT_GAME();
+  const HalfLifeHall hall(
+      "", entity_text("func_water", "\"skin\" \"-3\"", box_text({256, -128, 0}, {768, 128, 128}, "wall")));
+  PredictedGame game(hall.path(), "hall", kFarAway);
+  ASSERT_TRUE(game.join());
+  game.prediction().reset_report();
+  game.run(2, kWalk);
+  EXPECT_EQ(game.player()[field::kWaterLevel], 3);
+  game.run(0.4, {.forward = kAhead, .up = kUp});
+  game.run(0.6, {.forward = -kAhead, .up = kDown});
+  game.run(1.5, {.buttons = kJump});
+  EXPECT_GT(game.shown()->origin_world.z, 100) << "swims up";
+  game.run(4);  // it sinks to the floor
+  expect_small_corrections(game);
+}
+
+}  // namespace
+}  // namespace temblor::test
