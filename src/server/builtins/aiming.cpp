@@ -1,4 +1,6 @@
 // Built-in functions for monsters that look for players, and for players' aim.
+#include <algorithm>
+
 #include "server/builtins/families.h"
 #include "server/move_trace.h"
 #include "world/visibility.h"
@@ -53,6 +55,21 @@ base::Status checkclient(Call& io_call) {
   if (world::is_in_pvs(game.check_client_pvs, world::find_leaf(*world.level, eye_position(viewer))))
     io_call.machine.return_entity(player.index());
   return base::Ok{};
+}
+
+// checkpvs(place, entity): whether the entity's box is in the PVS of the place, or its origin if it has no
+// model.
+base::Status checkpvs(Call& io_call) {
+  TRY(const vm::EntityIndex entity, io_call.entity(1));
+  const world::Level& level = *io_call.world.level;
+  std::vector<std::uint8_t> row;
+  world::decompress_pvs(level, world::find_leaf(level, io_call.vector(0)), row);
+  const auto sees = [&](world::LeafIndex leaf) { return world::is_in_pvs(row, leaf); };
+  const EdictState& state = io_call.world.edicts.state(entity);
+  const bool is_seen =
+      state.is_in_too_many_leaves || std::ranges::any_of(state.leaves, sees) ||
+      (state.leaves.empty() && sees(world::find_leaf(level, io_call.world.edicts[entity][field::kOrigin])));
+  return io_call.return_number(is_seen ? 1 : 0);
 }
 
 // Whether `shooter` wants to hit `target`: it takes aimed damage, and in team play it is in another team.
@@ -125,6 +142,7 @@ std::span<const BuiltinEntry> aiming_builtins() {
   static constexpr BuiltinEntry kEntries[] = {
       {17, "checkclient", checkclient},
       {44, "aim", aim},
+      {240, "checkpvs", checkpvs},
   };
   return kEntries;
 }

@@ -11,18 +11,19 @@ namespace temblor::server {
 namespace {
 
 constexpr std::span<const BuiltinEntry> (*kFamilies[])() = {
-    vector_builtins,           entity_builtins,        finding_builtins,  tracing_builtins,
-    aiming_builtins,           movement_builtins,      precache_builtins, effect_builtins,
-    printing_builtins,         writing_builtins,       command_builtins,  level_builtins,
-    debugging_builtins,        rerelease_builtins,     bot_builtins,      stat_builtins,
-    temporary_effect_builtins, debug_drawing_builtins,
+    vector_builtins,           entity_builtins,        finding_builtins,     tracing_builtins,
+    aiming_builtins,           movement_builtins,      precache_builtins,    effect_builtins,
+    printing_builtins,         writing_builtins,       command_builtins,     level_builtins,
+    debugging_builtins,        rerelease_builtins,     bot_builtins,         stat_builtins,
+    temporary_effect_builtins, debug_drawing_builtins, entity_data_builtins,
 };
 
 // Extensions that every server has. has_extension() knows those that depend on its settings.
 constexpr std::string_view kExtensions[] = {
     "DP_QC_TRACEBOX",       "DP_QC_FINDFLOAT",     "DP_QC_COPYENTITY",     "DP_QC_FINDCHAIN",
     "DP_QC_FINDCHAINFLOAT", "DP_QC_FINDFLAGS",     "DP_QC_FINDCHAINFLAGS", "DP_TE_STANDARDEFFECTBUILTINS",
-    "DP_QC_VECTORVECTORS",  "DP_QC_NUM_FOR_EDICT",
+    "DP_QC_VECTORVECTORS",  "DP_QC_NUM_FOR_EDICT", "DP_QC_ENTITYDATA",     "DP_SV_POINTSOUND",
+    "FTE_QC_CHECKPVS",
 };
 
 }  // namespace

@@ -43,6 +43,20 @@ base::Status sound(Call& io_call) {
   return base::Ok{};
 }
 
+// pointsound(place, sample, volume, attenuation): plays a sound at a place.
+base::Status pointsound(Call& io_call) {
+  TRY(const Loudness loud, loudness(io_call, 2));
+  const std::optional<std::uint16_t> number = io_call.sound_number(io_call.text(1));
+  if (!number) return base::Ok{};
+  io_call.game.outbox.write_sound({.volume = loud.volume,
+                                   .attenuation = loud.attenuation,
+                                   .entity = 0,
+                                   .channel = 0,
+                                   .sound = *number,
+                                   .origin = io_call.vector(0)});
+  return base::Ok{};
+}
+
 // ambientsound(place, sample, volume, attenuation): plays a loop for as long as the level lasts. It is part
 // of the signon, so players who are in the level already do not get it.
 base::Status ambientsound(Call& io_call) {
@@ -93,6 +107,7 @@ std::span<const BuiltinEntry> effect_builtins() {
       {35, "lightstyle", lightstyle},
       {48, "particle", particle},
       {74, "ambientsound", ambientsound},
+      {483, "pointsound", pointsound},
   };
   return kEntries;
 }

@@ -10,6 +10,7 @@ namespace temblor::server {
 
 std::span<const BuiltinEntry> vector_builtins();
 std::span<const BuiltinEntry> entity_builtins();
+std::span<const BuiltinEntry> entity_data_builtins();  // fields as text
 std::span<const BuiltinEntry> finding_builtins();
 std::span<const BuiltinEntry> tracing_builtins();
 std::span<const BuiltinEntry> aiming_builtins();

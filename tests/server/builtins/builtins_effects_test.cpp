@@ -100,6 +100,18 @@ TEST_F(Effects, AmbientsoundIsSentToJoiningClients) {
               HasSubstr("builtin ambientsound: volume 2"));
 }
 
+TEST_F(Effects, PointsoundComesFromAPlace) {
+  stage.run("pointsound", Vec3(8, 16, 24), "b.wav", 0.5f, 3);
+  ASSERT_EQ(sounds().size(), 1u);
+  EXPECT_EQ(sounds()[0].entity, 0);
+  EXPECT_EQ(sounds()[0].sound, 2);
+  EXPECT_EQ(sounds()[0].volume, 127);
+  EXPECT_EQ(sounds()[0].attenuation, 3);
+  EXPECT_EQ(sounds()[0].origin, Vec3(8, 16, 24));
+  EXPECT_THAT(stage.error("pointsound", Vec3(0.0f), "b.wav", 2, 3),
+              HasSubstr("builtin pointsound: volume 2"));
+}
+
 TEST_F(Effects, Particle) {
   stage.run("particle", Vec3(1, 2, 3), Vec3(0.5f, -1, 100), 73, 20);
   ASSERT_EQ(particles().size(), 1u);

@@ -151,5 +151,42 @@ TEST(EntityBuiltins, CopyentityCopiesAllFieldsAndLinks) {
   EXPECT_THAT(stage.error("copyentity", from, to), HasSubstr("was removed"));
 }
 
+// The number of a field of the stage's program.
+int find_field_number(Stage& io_stage, std::string_view name) {
+  const int count = static_cast<int>(io_stage.number("numentityfields"));
+  for (int i = 0; i < count; ++i)
+    if (io_stage.text("entityfieldname", i) == name) return i;
+  return -1;
+}
+
+TEST(EntityBuiltins, FieldsAreReadAndSetAsText) {
+  Stage stage;
+  const vm::EntityIndex thing = stage.spawn();
+  const auto round_trip = [&](std::string_view name, std::string_view text) {
+    const int number = find_field_number(stage, name);
+    EXPECT_EQ(stage.number("putentityfieldstring", number, thing, text), 1) << name;
+    return stage.text("getentityfieldstring", number, thing);
+  };
+  EXPECT_EQ(round_trip("score", "1.5"), "1.5");
+  EXPECT_EQ(round_trip("origin", "1 -2 3.25"), "1 -2 3.25");
+  EXPECT_EQ(round_trip("tag", "two \"words\"\n"), "two \"words\"\n");
+  EXPECT_EQ(stage.edict(thing)[kScoreField], 1.5f);
+  EXPECT_EQ(stage.edict(thing)[field::kOrigin], Vec3(1, -2, 3.25f));
+}
+
+TEST(EntityBuiltins, FieldsAsTextSurviveWrongNumbersTextsAndEntities) {
+  Stage stage;
+  const vm::EntityIndex thing = stage.spawn();
+  for (const float number : {-1.0f, 1e9f}) {
+    EXPECT_EQ(stage.text("getentityfieldstring", number, thing), "") << number;
+    EXPECT_EQ(stage.number("putentityfieldstring", number, thing, "1"), 0) << number;
+  }
+  const int touch = find_field_number(stage, "touch");
+  EXPECT_EQ(stage.number("putentityfieldstring", touch, thing, "no_such_function"), 0);
+  EXPECT_THAT(stage.error("getentityfieldstring", 0, RawWord{99}), HasSubstr("parameter 2 is not an entity"));
+  stage.run("remove", thing);
+  EXPECT_THAT(stage.error("putentityfieldstring", 0, thing, "1"), HasSubstr("was removed"));
+}
+
 }  // namespace
 }  // namespace temblor::test

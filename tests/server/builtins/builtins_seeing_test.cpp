@@ -133,6 +133,22 @@ std::shared_ptr<const world::Level> level_that_sees(const world::Level& level, w
   return blind;
 }
 
+TEST(TraceBuiltins, CheckpvsFindsWhetherAnEntityMayBeSeen) {
+  Stage stage;
+  const Vec3 cellar(432, 1000, 40);
+  const vm::EntityIndex thing = stage.spawn_box(cellar, Solid::kSlideBox, 4);
+  stage.world.level = level_that_sees(*stage.world.level, world::find_leaf(*stage.world.level, cellar));
+  for (const int model : {0, 1}) {
+    SCOPED_TRACE(model);
+    stage.edict(thing).set(field::kModelIndex, static_cast<float>(model));
+    stage.run("setorigin", thing, cellar);
+    EXPECT_EQ(stage.number("checkpvs", kFrom, thing), 1);
+    stage.run("setorigin", thing, kFrom);
+    EXPECT_EQ(stage.number("checkpvs", kFrom, thing), 0);
+  }
+  EXPECT_THAT(stage.error("checkpvs", kFrom, RawWord{99}), HasSubstr("parameter 2 is not an entity"));
+}
+
 TEST_F(Checking, OnlyFromWhereThePlayerSees) {
   const Vec3 cellar(432, 1000, 40), court(1000, 500, 0);
   stage.world.level = level_that_sees(*stage.world.level, world::find_leaf(*stage.world.level, cellar));
