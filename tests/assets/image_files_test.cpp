@@ -74,7 +74,7 @@ TEST_F(ImageFiles, ReplacePicturesOfTheWadAndOfFiles) {
   EXPECT_EQ(load_pictures().find("turtle")->detail, nullptr);
   write("id1/gfx/turtle.png", png(solid(kOrange, 8, 4)));
   write("id1/gfx/conback.jpg", jpeg());
-  write("id1/gfx/conchars.tga", formats::write_tga(solid(0x40ffffff, 256, 256)));
+  write("id1/gfx/conchars.tga", formats::write_tga(solid(0x07ffffff, 256, 256)));
   write("id1/gfx/unknown.png", png(solid(kOrange, 1, 1)));
   const Pictures pictures = load_pictures();
   const formats::Picture& turtle = *pictures.find("turtle");
@@ -85,7 +85,7 @@ TEST_F(ImageFiles, ReplacePicturesOfTheWadAndOfFiles) {
   const formats::NearestColor nearest(artgen::make_palette(), 0, 255);
   EXPECT_THAT(turtle.detail->indices, Each(nearest.find({0xc0, 0x50, 0x10})));
   EXPECT_EQ(pictures.find("gfx/conback.lmp")->detail->width, 32u);
-  EXPECT_THAT(pictures.characters().detail->indices, Each(255)) << "a quarter opaque";
+  EXPECT_THAT(pictures.characters().detail->indices, Each(255)) << "nearly clear";
   EXPECT_EQ(pictures.find("gfx/unknown.lmp"), nullptr);
 }
 

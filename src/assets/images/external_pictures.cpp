@@ -10,6 +10,7 @@
 #include "assets/assets.h"
 #include "assets/image_files.h"
 #include "formats/images/nearest_color.h"
+#include "formats/images/visible_alpha.h"
 
 namespace temblor::assets {
 namespace {
@@ -26,14 +27,13 @@ std::set<std::string> list_stems(const vfs::FileSystem& files) {
 
 std::shared_ptr<const formats::PictureDetail> make_detail(formats::Image image,
                                                           const formats::NearestColor& nearest) {
-  constexpr std::uint32_t kOpaqueFrom = 128;  // of 255, for `indexed` frames
   auto detail = std::make_shared<formats::PictureDetail>();
   detail->width = image.width;
   detail->height = image.height;
   detail->colors = std::move(image.pixels);
   detail->indices.reserve(detail->colors.size());
   for (const std::uint32_t color : detail->colors)
-    detail->indices.push_back(color >> 24 < kOpaqueFrom
+    detail->indices.push_back(color >> 24 < formats::kMinVisibleAlpha
                                   ? formats::kTransparentIndex
                                   : nearest.find({static_cast<std::uint8_t>(color >> 16 & 255),
                                                   static_cast<std::uint8_t>(color >> 8 & 255),

@@ -5,19 +5,20 @@
 
 #include "assets/image_files.h"
 #include "base/text.h"
+#include "formats/images/visible_alpha.h"
 
 namespace temblor::client {
 namespace {
 
 formats::Picture to_picture(formats::Image image, const formats::NearestColor& nearest) {
-  constexpr std::uint32_t kOpaqueFrom = 128;  // of 255; a picture's pixel is either there or not
   formats::Picture picture{image.width, image.height, {}};
   picture.pixels.reserve(image.pixels.size());
   for (const std::uint32_t pixel : image.pixels)
-    picture.pixels.push_back(pixel >> 24 < kOpaqueFrom ? formats::kTransparentIndex
-                                                       : nearest.find({static_cast<std::uint8_t>(pixel >> 16),
-                                                                       static_cast<std::uint8_t>(pixel >> 8),
-                                                                       static_cast<std::uint8_t>(pixel)}));
+    picture.pixels.push_back(
+        pixel >> 24 < formats::kMinVisibleAlpha
+            ? formats::kTransparentIndex
+            : nearest.find({static_cast<std::uint8_t>(pixel >> 16), static_cast<std::uint8_t>(pixel >> 8),
+                            static_cast<std::uint8_t>(pixel)}));
   picture.detail = std::make_shared<const formats::PictureDetail>(
       formats::PictureDetail{image.width, image.height, std::move(image.pixels), picture.pixels});
   return picture;

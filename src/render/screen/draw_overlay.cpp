@@ -56,12 +56,18 @@ constexpr std::uint32_t product_factor(DrawMode mode) {
   return mode == DrawMode::kMultiply ? 1 : mode == DrawMode::kMultiplyTwice ? 2 : 0;
 }
 
+// The opacity of 0xAARRGGBB. An alpha of 255 is opaque.
+constexpr int find_alpha_256(std::uint32_t color) {
+  return static_cast<int>((color >> 24) + (color >> 31));
+}
+
 // Writes runs of a palette index to the frame: opaque, blended, added, or multiplied.
 class IndexedPaint {
  public:
   IndexedPaint(const DrawCommand& command, const ColorTables& tables)
       : tables_(tables),
         opacity_256_(opacity_256(command.opacity)),
+        adds_(command.mode == DrawMode::kAdd),
         factor_(product_factor(command.mode)),
         table_(choose_table(command, tables.blends)),
         translation_(command.tint != nullptr ? &command.tint->indices : command.translation) {}
@@ -72,14 +78,21 @@ class IndexedPaint {
   void fill(std::uint8_t index, std::uint8_t* first, std::uint8_t* end) const {
     if (translation_ != nullptr) index = (*translation_)[index];
     if (factor_ != 0)
-      for (; first != end; ++first) *first = multiply(index, *first);
+      for (; first != end; ++first) *first = multiply(index, *first, opacity_256_);
     else if (table_ == nullptr)
       std::fill(first, end, index);
     else
       for (; first != end; ++first) *first = table_[index * 256 + *first];
   }
+  // The texel's own opacity counts, too.
   void put_detail(const formats::PictureDetail& detail, std::size_t texel, std::uint8_t* pixel) const {
-    if (const std::uint8_t index = detail.indices[texel]; index != kClear) fill(index, pixel, pixel + 1);
+    const std::uint8_t index = detail.indices[texel];
+    if (index == kClear) return;
+    const int share_256 = find_alpha_256(detail.colors[texel]) * opacity_256_ / kOpaque256;
+    if (detail.colors[texel] >> 24 == 255)
+      fill(index, pixel, pixel + 1);
+    else
+      *pixel = combine(translation_ != nullptr ? (*translation_)[index] : index, *pixel, share_256);
   }
 
  private:
@@ -88,14 +101,27 @@ class IndexedPaint {
     return command.opacity < 1 ? blends.table_for(command.opacity) : nullptr;
   }
   // The nearest palette entry. No light changes it later, so full-bright ones may be used.
-  std::uint8_t multiply(std::uint8_t over, std::uint8_t under) const {
+  std::uint8_t multiply(std::uint8_t over, std::uint8_t under, int share_256) const {
     const formats::Rgb& below = tables_.palette[under];
     const formats::Rgb product = multiply_colors(tables_.palette[over], below, factor_);
-    return tables_.match(blend_colors(product, below, opacity_256_), true);
+    return tables_.match(blend_colors(product, below, share_256), true);
+  }
+  std::uint8_t blend(std::uint8_t over, std::uint8_t under, int share_256) const {
+    constexpr int kHalfStep = kOpaque256 / BlendTables::kSteps / 2;
+    if (share_256 < kHalfStep) return under;
+    if (share_256 >= kOpaque256 - kHalfStep) return over;
+    const float opacity = static_cast<float>(share_256) / kOpaque256;
+    return tables_.blends.table_for(opacity)[over * 256 + under];
+  }
+  std::uint8_t combine(std::uint8_t over, std::uint8_t under, int share_256) const {
+    if (factor_ != 0) return multiply(over, under, share_256);
+    if (adds_) return table_[blend(over, tables_.black, share_256) * 256 + under];
+    return blend(over, under, share_256);
   }
 
   const ColorTables& tables_;
   int opacity_256_;
+  bool adds_;
   std::uint32_t factor_;       // of products; 0: none
   const std::uint8_t* table_;  // null: opaque
   const ColorTranslation* translation_;
@@ -122,9 +148,8 @@ class RgbPaint {
   }
   void put_detail(const formats::PictureDetail& detail, std::size_t texel, std::uint32_t* pixel) const {
     const std::uint32_t color = detail.colors[texel];
-    const int alpha_256 = static_cast<int>((color >> 24) + (color >> 31));  // 255 is opaque
     const std::uint32_t tinted = tint_ == kWhite ? color : multiply_rgb(color, tint_, 1);
-    *pixel = combine(tinted, *pixel, alpha_256 * opacity_256_ / kOpaque256);
+    *pixel = combine(tinted, *pixel, find_alpha_256(color) * opacity_256_ / kOpaque256);
   }
 
  private:

@@ -296,6 +296,36 @@ TEST(DrawOverlay, BlendsDetailsByTheirOpacity) {
   EXPECT_EQ(draw(clear, 1), 0x80);
 }
 
+TEST(DrawOverlay, BlendsPaletteIndicesOfDetailsByTheirOpacity) {
+  const auto draw = [](std::uint32_t alpha, float opacity, render::DrawMode mode) {
+    const formats::Picture picture = make_detailed_picture(alpha);
+    render::FrameBuffer frame(2, 1, render::PixelFormat::kIndexed);
+    std::ranges::fill(frame.indexed(), std::uint8_t{50});
+    render::draw_overlay({{{.picture = &picture, .area = {0, 0, 2, 1}, .opacity = opacity, .mode = mode}}},
+                         some_tables(), nullptr, frame);
+    return frame.indexed()[0];
+  };
+  // The texel under the pixel's center is number 6.
+  const render::ColorTables& tables = some_tables();
+  const auto blend = [&](float opacity, std::uint8_t under) {
+    return tables.blends.table_for(opacity)[6 * 256 + under];
+  };
+  EXPECT_EQ(draw(128, 1, render::DrawMode::kBlend), blend(0.5f, 50));
+  EXPECT_EQ(draw(128, 0.5f, render::DrawMode::kBlend), blend(0.25f, 50));
+  EXPECT_EQ(draw(32, 1, render::DrawMode::kBlend), blend(0.125f, 50));
+  EXPECT_EQ(draw(4, 1, render::DrawMode::kBlend), 50);
+  EXPECT_EQ(draw(252, 1, render::DrawMode::kBlend), 6);
+  EXPECT_EQ(draw(128, 1, render::DrawMode::kAdd), tables.blends.sums()[blend(0.5f, tables.black) * 256 + 50]);
+  const formats::Rgb &over = tables.palette[6], &under = tables.palette[50];
+  const auto half_product = [](int a, int b) {
+    return static_cast<std::uint8_t>(((a * b + 127) / 255 * 129 + b * 127 + 128) / 256);
+  };
+  EXPECT_EQ(draw(128, 1, render::DrawMode::kMultiply),
+            tables.match(
+                {half_product(over.r, under.r), half_product(over.g, under.g), half_product(over.b, under.b)},
+                true));
+}
+
 // In `rgb`, the tint's factor multiplies the detail's own colors before they are combined.
 TEST(DrawOverlay, TintsAndCombinesDetails) {
   const formats::Picture picture = make_detailed_picture(128);
