@@ -41,8 +41,8 @@ constexpr std::array<std::size_t, 7> kRoundEnds{40, 60, 75, 85, 92, 97, 100};
 // A portal that might see more clusters than this is crowded. Few portals of ordinary levels are.
 constexpr std::size_t kCrowdedClusters = 512;
 
-// Portals that a crowded portal's searches cut: first in sweeps over all portals, which are not saved, then
-// for its bound, and for its row. A search with more cuts takes hardly more time if the bounds are narrow.
+// Portals that a crowded portal's searches cut: first in sweeps over all portals, then for its bound, and for
+// its row. A search with more cuts takes hardly more time if the bounds are narrow.
 constexpr std::array<std::size_t, 2> kSweepCuts{300, 3000};
 constexpr std::size_t kCrowdedBoundCuts = 30'000, kCrowdedRowCuts = 100'000;
 
@@ -207,31 +207,35 @@ VisibilityEnd run_rounds(std::span<const std::uint32_t> portals, std::span<const
 
 using FlowPool = SearchPool<vis::PortalFlow>;
 
-// Narrows the bounds of all portals by short searches. Every process repeats this, so that no state is
-// needed. Returns false if it was stopped.
-bool sweep(std::size_t cuts, base::Jobs& jobs, FlowPool& io_pool, const FlowMeter& meter,
+// A sweep takes about this part of the time of the searches for rows.
+constexpr std::uint64_t kSweepsPerSearch = 4;
+
+// Narrows the bounds of all portals by short searches. `order` has the costs of one sweep. Returns false if
+// it was stopped.
+bool sweep(std::size_t cuts, const WorkOrder& order, base::Jobs& jobs, FlowPool& io_pool, FlowMeter& io_meter,
            vis::FlowBounds& io_bounds) {
-  constexpr std::size_t kBatch = 32;
   BitMatrix found(io_bounds.rows().rows(), io_bounds.rows().columns());
-  std::vector<std::uint32_t> order(found.rows());
-  std::iota(order.begin(), order.end(), 0u);
-  sort_by_bound(io_bounds.rows(), order);
+  std::vector<std::uint32_t> portals = order.portals;
+  sort_by_bound(io_bounds.rows(), portals);
   std::size_t begin = 0;
   for (const std::size_t end_percent : kRoundEnds) {
-    const std::size_t end = order.size() * end_percent / 100;
-    const auto round = std::span(order).subspan(begin, end - begin);
-    jobs.parallel_for((round.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
-      auto search = io_pool.take();
-      for (const std::uint32_t portal :
-           round.subspan(batch * kBatch, std::min(kBatch, round.size() - batch * kBatch)))
-        if (!search->run(portal, io_bounds, cuts, meter.stopped(), found.row(portal))) break;
-      io_pool.give_back(std::move(search));
+    const std::size_t end = portals.size() * end_percent / 100;
+    const auto round = std::span(portals).subspan(begin, end - begin);
+    run_searches(round, order, jobs, io_pool, io_meter, [&](vis::PortalFlow& flow, std::uint32_t portal) {
+      return flow.run(portal, io_bounds, cuts, io_meter.stopped(), found.row(portal));
     });
-    if (meter.stopped()) return false;
+    if (io_meter.stopped()) return false;
     io_bounds.narrow(round, found);
     begin = end;
   }
   return true;
+}
+
+// Runs all sweeps. Returns false if it was stopped.
+bool run_sweeps(const WorkOrder& order, base::Jobs& jobs, FlowPool& io_pool, FlowMeter& io_meter,
+                vis::FlowBounds& io_bounds) {
+  return std::ranges::all_of(
+      kSweepCuts, [&](std::size_t cuts) { return sweep(cuts, order, jobs, io_pool, io_meter, io_bounds); });
 }
 
 // Computes the bounds of some crowded portals of one round.
@@ -288,6 +292,8 @@ BitMatrix join_portals(const PortalGraph& graph, const BitMatrix& seen_by_portal
 bool matches(const VisibilityState& state, const SearchablePortals& portals) {
   const PortalGraph& graph = portals.graph();
   return state.fingerprint == portals.fingerprint() && state.finished.size() == graph.portals.size() &&
+         (state.swept.rows() == 0 ||
+          (state.swept.rows() == graph.portals.size() && state.swept.columns() == graph.cluster_count)) &&
          state.bounded.size() == graph.portals.size() && state.bound.rows() == graph.portals.size() &&
          state.bound.columns() == graph.cluster_count && state.seen.rows() == graph.portals.size() &&
          state.seen.columns() == graph.cluster_count;
@@ -306,7 +312,7 @@ VisibilityState begin_visibility(const SearchablePortals& portals) {
   const PortalGraph& graph = portals.graph();
   const BitMatrix none(graph.portals.size(), graph.cluster_count);
   const std::vector<std::uint8_t> no_portal(graph.portals.size(), 0);
-  return {portals.fingerprint(), none, no_portal, none, no_portal};
+  return {portals.fingerprint(), {}, none, no_portal, none, no_portal};
 }
 
 VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& jobs, Progress progress,
@@ -324,15 +330,22 @@ VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& 
   };
   std::vector<std::uint32_t> crowded = list_portals(is_crowded);
   sort_by_bound(base_visibility, crowded);
-  vis::FlowBounds bounds(graph, std::move(base_visibility), !crowded.empty());
+  WorkOrder sweeps = order;
+  for (std::uint64_t& cost : sweeps.cost_of_portal) cost /= kSweepsPerSearch;
+  const bool is_swept = crowded.empty() || io_state.swept.rows() != 0;
+  const std::uint64_t sweep_cost = crowded.empty() ? 0 : sweeps.cost(sweeps.portals) * kSweepCuts.size();
   FlowMeter meter(progress,
-                  order.cost(list_portals(io_state.bounded)) + order.cost(list_portals(io_state.finished)),
-                  order.cost(crowded) + order.cost(order.portals));
+                  (is_swept ? sweep_cost : 0) + order.cost(list_portals(io_state.bounded)) +
+                      order.cost(list_portals(io_state.finished)),
+                  sweep_cost + order.cost(crowded) + order.cost(order.portals));
 
   FlowPool flows(graph);
-  if (!crowded.empty())
-    for (const std::size_t cuts : kSweepCuts)
-      if (!sweep(cuts, jobs, flows, meter, bounds)) return VisibilityEnd::kStopped;
+  vis::FlowBounds bounds(graph, io_state.swept.rows() != 0 ? io_state.swept : std::move(base_visibility),
+                         !crowded.empty());
+  if (!is_swept) {
+    if (!run_sweeps(sweeps, jobs, flows, meter, bounds)) return VisibilityEnd::kStopped;
+    if (share.index == 0) io_state.swept = bounds.rows();
+  }
   const VisibilityEnd bounded =
       run_rounds(crowded, io_state.bounded, io_state.bound, share, meter, bounds,
                  [&](auto own) { run_bounds(own, order, bounds, jobs, flows, meter, io_state); });

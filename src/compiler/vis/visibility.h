@@ -49,6 +49,9 @@ class SearchablePortals {
 // are not twice as many as in the PortalSet.
 struct VisibilityState {
   std::uint64_t fingerprint = 0;  // of the SearchablePortals
+  // By portal: a bound of the clusters seen through it, from quick sweeps that each process would have to
+  // repeat. No rows: not computed yet, or not needed.
+  BitMatrix swept;
   // By crowded portal: a bound of the clusters seen through it, computed first; 0 if there is none yet.
   BitMatrix bound;
   std::vector<std::uint8_t> bounded;   // by portal, 0 or 1
@@ -74,7 +77,8 @@ enum class VisibilityEnd {
 VisibilityState begin_visibility(const SearchablePortals& portals);
 
 // Continues from a state of the same portals (CHECKed): to the end, or with a share, to the end of that share
-// of the first unfinished round. `progress` counts units of roughly equal time.
+// of the first unfinished round. `progress` counts units of roughly equal time. Only share 0 keeps the result
+// of the sweeps, so that it is saved once.
 VisibilityEnd continue_visibility(const SearchablePortals& portals, base::Jobs& jobs, Progress progress,
                                   VisibilityState& io_state, WorkShare share = {});
 

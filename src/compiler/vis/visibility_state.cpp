@@ -13,7 +13,7 @@ namespace temblor::compiler {
 namespace {
 
 constexpr std::uint32_t kStateFileMagic = 0x53495654;  // "TVIS"
-constexpr std::uint32_t kStateFileVersion = 2;
+constexpr std::uint32_t kStateFileVersion = 3;
 constexpr std::size_t kHeaderBytes = 24, kHashBytes = 8;
 
 base::Error make_other_level_error() {
@@ -43,6 +43,14 @@ void write_rows(const std::vector<std::uint8_t>& has_row, const BitMatrix& rows,
     if (has_row[i] != 0) io_writer.bytes(std::as_bytes(rows.row(i)));
 }
 
+base::Status read_row(base::ByteReader& io_reader, std::size_t portal, BitMatrix& out_rows) {
+  const auto row = out_rows.row(portal);
+  for (BitMatrix::Word& word : row) word = io_reader.read<std::uint64_t>();
+  if (!ends_clean(row, out_rows.columns()))
+    return base::malformed("saved visibility: portal {} sees clusters that do not exist", portal);
+  return base::Ok{};
+}
+
 // The counterpart of write_rows(). Both outputs have the size of the level's portals.
 base::Status read_rows(base::ByteReader& io_reader, std::vector<std::uint8_t>& out_has_row,
                        BitMatrix& out_rows) {
@@ -50,13 +58,20 @@ base::Status read_rows(base::ByteReader& io_reader, std::vector<std::uint8_t>& o
   if (!io_reader.ok()) return base::malformed("saved visibility: it ends within the list of portals");
   for (std::size_t i = 0; i < out_has_row.size(); ++i)
     out_has_row[i] = static_cast<std::uint8_t>(base::as_u8(flags)[i / 8] >> (i % 8) & 1u);
-  for (std::size_t portal = 0; portal < out_has_row.size(); ++portal) {
-    if (out_has_row[portal] == 0) continue;
-    const auto row = out_rows.row(portal);
-    for (BitMatrix::Word& word : row) word = io_reader.read<std::uint64_t>();
-    if (!ends_clean(row, out_rows.columns()))
-      return base::malformed("saved visibility: portal {} sees clusters that do not exist", portal);
-  }
+  for (std::size_t portal = 0; portal < out_has_row.size(); ++portal)
+    if (out_has_row[portal] != 0) TRY_STATUS(read_row(io_reader, portal, out_rows));
+  return base::Ok{};
+}
+
+// Reads the rows of the sweeps, which may be missing.
+base::Status read_swept(base::ByteReader& io_reader, const VisibilityState& begun, BitMatrix& out_swept) {
+  const std::uint32_t rows = io_reader.u32();
+  if (rows == 0) return base::Ok{};
+  if (rows != begun.finished.size())
+    return base::malformed("saved visibility: the sweeps have {} portals instead of {}", rows,
+                           begun.finished.size());
+  out_swept = BitMatrix(rows, begun.seen.columns());
+  for (std::size_t portal = 0; portal < rows; ++portal) TRY_STATUS(read_row(io_reader, portal, out_swept));
   return base::Ok{};
 }
 
@@ -78,6 +93,8 @@ base::ByteVector write_visibility_state(const VisibilityState& state) {
   writer.u32(static_cast<std::uint32_t>(state.finished.size()));
   writer.u32(static_cast<std::uint32_t>(state.seen.columns()));
   for (const RowTable& table : kTables) write_rows(state.*table.has_row, state.*table.rows, writer);
+  writer.u32(static_cast<std::uint32_t>(state.swept.rows()));
+  for (std::size_t i = 0; i < state.swept.rows(); ++i) writer.bytes(std::as_bytes(state.swept.row(i)));
   writer.write(base::hash_bytes(writer.view()));
   return std::move(writer).take();
 }
@@ -109,6 +126,7 @@ base::Result<VisibilityState> read_visibility_state(base::Bytes bytes, const Vis
     (state.*table.has_row).resize(portal_count);
     TRY_STATUS(read_rows(reader, state.*table.has_row, state.*table.rows));
   }
+  TRY_STATUS(read_swept(reader, begun, state.swept));
   if (!reader.ok() || reader.remaining() != kHashBytes)
     return base::malformed("saved visibility: its {} bytes do not fit its portals", bytes.size());
   return state;
@@ -123,6 +141,10 @@ base::Status merge_visibility_state(const VisibilityState& other, VisibilityStat
       if ((other.*has_row)[i] != 0 && (io_state.*has_row)[i] != 0 &&
           !std::ranges::equal((other.*rows).row(i), (io_state.*rows).row(i)))
         return base::malformed("saved visibility: two shards have different results for portal {}", i);
+  const bool both_swept = other.swept.rows() != 0 && io_state.swept.rows() != 0;
+  if (both_swept && other.swept != io_state.swept)
+    return base::malformed("saved visibility: two shards have different sweeps");
+  if (other.swept.rows() != 0) io_state.swept = other.swept;
   for (const auto& [has_row, rows] : kTables)
     for (std::size_t i = 0; i < (other.*has_row).size(); ++i) {
       if ((other.*has_row)[i] == 0) continue;

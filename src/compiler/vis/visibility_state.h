@@ -13,6 +13,7 @@ namespace temblor::compiler {
 //   twice, first for the bounds of crowded portals, then for results:
 //     (P + 7) / 8 bytes: bit i % 8 of byte i / 8 says that portal i has one
 //     for each portal that has one (C + 63) / 64 times u64: the clusters seen through it
+//   u32 R: 0, or P if rows of the sweeps follow; R rows of (C + 63) / 64 times u64
 //   u64 hash of all bytes before
 base::ByteVector write_visibility_state(const VisibilityState& state);
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "compiler/bsp/tree_portals.h"
@@ -37,10 +40,28 @@ VisibilityState stopped_state(const PortalSet& portals) {
   return state;
 }
 
+// A round hall with so many windows that those who look in might see more than 512 rooms: their portals are
+// crowded and get sweeps.
+PortalSet make_round_hall() {
+  constexpr std::uint32_t kRooms = 540;
+  constexpr double kRadius = 10'000, kHalfWindow = 40;
+  PortalSet portals;
+  portals.cluster_count = kRooms + 1;
+  for (std::uint32_t room = 0; room < kRooms; ++room) {
+    const double angle = 2 * std::numbers::pi * room / kRooms;
+    const math::Vec3d out(std::cos(angle), std::sin(angle), 0), along(-out.y, out.x, 0), up(0, 0, 100);
+    const math::Vec3d left = out * kRadius + along * kHalfWindow, right = left - along * (2 * kHalfWindow);
+    portals.portals.push_back({{left, left + up, right + up, right}, -out, -kRadius, {kRooms, room}});
+  }
+  return portals;
+}
+
 TEST(VisibilityState, ReadsBackEqual) {
   const PortalSet portals = small_portals();
   const VisibilityState begun = begin_visibility(portals);
-  for (const VisibilityState& state : {begun, stopped_state(portals), finished_state(portals)}) {
+  VisibilityState swept = stopped_state(portals);
+  swept.swept = finished_state(portals).seen;
+  for (const VisibilityState& state : {begun, stopped_state(portals), finished_state(portals), swept}) {
     const auto read = read_visibility_state(write_visibility_state(state), begun);
     ASSERT_TRUE(read.ok()) << read.error().message();
     EXPECT_EQ(*read, state);
@@ -84,7 +105,7 @@ TEST(VisibilityState, RejectsDamage) {
     if (damaged == bytes) continue;  // the same bit twice
     EXPECT_FALSE(read_visibility_state(damaged, begun).ok()) << i;
   }
-  const auto newer = read_visibility_state(test::with_number(bytes, 4, std::uint32_t{3}), begun);
+  const auto newer = read_visibility_state(test::with_number(bytes, 4, std::uint32_t{4}), begun);
   ASSERT_FALSE(newer.ok());
   EXPECT_EQ(newer.error().code, ErrorCode::kUnsupported);
 }
@@ -129,6 +150,67 @@ TEST(VisibilityState, MergedSharesEqualASingleRun) {
     EXPECT_EQ(work_in_shares(portals, share_count, rounds), whole) << share_count << " shares";
     EXPECT_LE(rounds, 8) << share_count << " shares";
   }
+}
+
+// The first share saves the sweeps; all shares of later rounds begin with them.
+TEST(VisibilityState, SharesDoNotRepeatSweeps) {
+  const PortalSet portals = make_round_hall();
+  const VisibilityState begun = begin_visibility(portals);
+  const SearchablePortals searchable(portals);
+  base::Jobs jobs(1);
+  VisibilityState first = begun, second = begun;
+  std::size_t done_first = 1;
+  const auto keep_first = [&](std::size_t done, std::size_t) {
+    done_first = std::min(done_first, done);
+    return true;
+  };
+  EXPECT_EQ(continue_visibility(searchable, jobs, keep_first, first, {0, 2}), VisibilityEnd::kWaiting);
+  EXPECT_EQ(done_first, 0u);
+  EXPECT_EQ(first.swept.rows(), first.seen.rows());
+  EXPECT_EQ(continue_visibility(searchable, jobs, kKeepGoing, second, {1, 2}), VisibilityEnd::kWaiting);
+  EXPECT_EQ(second.swept.rows(), 0u);
+  VisibilityState merged = begun;
+  ASSERT_TRUE(merge_visibility_state(second, merged).ok());
+  ASSERT_TRUE(merge_visibility_state(first, merged).ok());
+  EXPECT_EQ(merged.swept, first.swept);
+
+  // Nothing but the sweeps: they count as done.
+  VisibilityState again = begun;
+  again.swept = first.swept;
+  std::size_t calls = 0, done_at_start = 0;
+  continue_visibility(
+      searchable, jobs,
+      [&](std::size_t done, std::size_t) {
+        if (calls++ == 0) done_at_start = done;
+        return false;
+      },
+      again);
+  EXPECT_GT(done_at_start, 0u);
+
+  int rounds = 0;
+  EXPECT_EQ(work_in_shares(portals, 2, rounds), write_visibility_state(finished_state(portals)));
+
+  first.swept.row(7)[0] ^= 1;
+  const auto status = merge_visibility_state(first, merged);
+  ASSERT_FALSE(status.ok());
+  EXPECT_NE(status.error().what.find("different sweeps"), std::string::npos) << status.error().what;
+}
+
+// Progress grows in small steps, during sweeps, too, and ends at its total.
+TEST(VisibilityState, SweepsReportProgress) {
+  base::Jobs jobs(1);
+  const PortalSet portals = make_round_hall();
+  VisibilityState state = begin_visibility(portals);
+  std::size_t last = 0, total_now = 0, largest_step = 0;
+  const auto watch = [&](std::size_t done, std::size_t total) {
+    largest_step = std::max(largest_step, done - last);
+    last = done;
+    total_now = total;
+    return true;
+  };
+  EXPECT_EQ(continue_visibility(portals, jobs, watch, state), VisibilityEnd::kFinished);
+  EXPECT_EQ(last, total_now);
+  EXPECT_LT(largest_step * 20, total_now);
 }
 
 }  // namespace
