@@ -26,7 +26,7 @@ using base::ByteWriter;
 
 constexpr std::uint32_t kBuildFileMagic = 0x444c4254;  // "TBLD"
 // Raise this if the meaning of anything in the file changes.
-constexpr std::uint32_t kBuildFileVersion = 8;
+constexpr std::uint32_t kBuildFileVersion = 9;
 constexpr std::size_t kHashBytes = 8;
 constexpr const char* kCutOff = "build file: it ends within the {}";
 

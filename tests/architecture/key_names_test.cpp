@@ -99,8 +99,6 @@ TEST(KeyNames, AreReadUnlessTheyBelongToOthers) {
                           "surflight_atten",
                           "surflight_minlight_scale",
                           "surflight_radiosity",
-                          "surflight_rescale",
-                          "surflight_targetname",
                           "surflight_wait",
                           "surflightscale",
                           "surflightskyscale",

@@ -199,7 +199,7 @@ base::Result<LitLevel> make_lit_level(formats::Bsp bsp, FaceKeys keys) {
       lit.model_of_face[faces.first_face + i] = static_cast<std::uint32_t>(model);
   }
   read_models(lit);
-  lit.switch_style_of_keys = find_detail_shadow_styles(level.entities, lit.keys);
+  lit.styles_of_keys = find_brush_styles(level.entities, lit.keys);
   lit.maps = make_light_map_shapes(level, lit.keys, lit.gets_light, lit.too_fine_faces);
   return lit;
 }

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "compiler/light/faces/light_map_shape.h"
 #include "compiler/light/rays/ray_scene.h"
+#include "compiler/light/sources/switchable_styles.h"
 #include "compiler/light/surface_keys.h"
 #include "formats/images/palette.h"
 #include "formats/levels/bsp.h"
@@ -28,16 +29,20 @@ struct LitLevel {
   std::vector<math::Vec3> center_of_model;   // by model: where _autominlight measures light
   // By model: the style of its switchable shadow (sources/switchable_styles.h); 0: none.
   std::vector<std::uint8_t> switch_style_of_model;
-  std::vector<std::uint8_t> switch_style_of_keys;  // the same of detail brushes, by entry of keys.keys
-  std::vector<bool> gets_light;                    // by face
-  std::vector<LightMapShape> maps;                 // all grids of luxels
+  BrushStyles styles_of_keys;                 // of brushes of the world
+  std::vector<bool> gets_light;               // by face
+  std::vector<LightMapShape> maps;            // all grids of luxels
   std::vector<std::uint32_t> too_fine_faces;  // whose own grid is left out, because it has too many luxels
 
   // The light options of a face's brush.
   const SurfaceKeys& surface_keys(std::size_t face) const { return keys.keys[keys.of_face[face]]; }
   // The style of the face's switchable shadow; 0: none.
   std::uint8_t switch_style(std::size_t face) const {
-    return std::max(switch_style_of_model[model_of_face[face]], switch_style_of_keys[keys.of_face[face]]);
+    return std::max(switch_style_of_model[model_of_face[face]], styles_of_keys.shadows[keys.of_face[face]]);
+  }
+  // The style that a face's brush gives to its surface lights; 0: none.
+  std::uint8_t surface_light_style(std::size_t face) const {
+    return styles_of_keys.surface_lights[keys.of_face[face]];
   }
   const math::Vec3& model_offset(std::size_t face) const { return offset_of_model[model_of_face[face]]; }
   // Whether light from behind reaches a face: a liquid, or as _light_twosided says.

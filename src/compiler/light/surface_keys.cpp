@@ -45,14 +45,20 @@ void read_light_limits(const formats::Entity& entity, SurfaceKeys& io_keys) {
     io_keys.bounce_scale = std::max(0.0f, read_number_or(entity, "bouncescale", 1));
   }
   io_keys.light_color_scale = std::clamp(read_number_or(entity, "lightcolorscale", 1), 0.0f, 1.0f);
-  if (const auto two_sided = read_number(entity, "light_twosided"))
-    io_keys.takes_light_behind = *two_sided > 0 ? 1 : 0;
+  io_keys.takes_light_behind = read_flag(entity, "light_twosided");
   // Other channels cast shadows for the lights of their own, and have no part in bounced light.
   io_keys.channels = read_channels(entity, "object_channel_mask").value_or(1);
   if (io_keys.channels == 1) return;
   io_keys.casts_shadow = io_keys.casts_shadow || read_number_or(entity, "shadow", 1) >= 0;
   io_keys.takes_bounce = false;
   io_keys.takes_dirt = io_keys.takes_dirt && (io_keys.channels & 1) != 0;
+}
+
+// A cut name would be another one, so longer names are none.
+StyleName make_style_name(std::string_view name) {
+  StyleName padded{};
+  if (name.size() <= padded.size()) std::ranges::copy(name, padded.begin());
+  return padded;
 }
 
 void read_surface_light_keys(const formats::Entity& entity, SurfaceKeys& io_keys) {
@@ -63,6 +69,8 @@ void read_surface_light_keys(const formats::Entity& entity, SurfaceKeys& io_keys
       static_cast<std::int32_t>(std::clamp(read_number_or(entity, "surflight_style", -1), -1.0f, kMaxStyle));
   if (const auto color = read_color(entity, "surflight_color"))
     io_keys.surface_light_color = {color->x, color->y, color->z};
+  io_keys.surface_light_rescale = read_flag(entity, "surflight_rescale");
+  io_keys.surface_light_name = make_style_name(entity.find("_surflight_targetname").value_or(""));
 }
 
 }  // namespace
@@ -117,9 +125,8 @@ SurfaceKeys read_surface_keys(const formats::Entity& entity) {
   keys.light_alpha = std::clamp(alpha, 0.0f, 1.0f);
   read_light_limits(entity, keys);
   read_surface_light_keys(entity, keys);
-  // A cut name would be another one, so longer names are none.
-  const std::string name = find_detail_shadow_name(entity);
-  if (name.size() <= keys.shadow_name.size()) std::copy(name.begin(), name.end(), keys.shadow_name.begin());
+  keys.shadow_name = make_style_name(find_brush_shadow_name(entity));
+  keys.shadow_hides_leaves = keys.shadow_name != StyleName{} && entity.classname() == "func_group";
   return keys;
 }
 

@@ -17,7 +17,7 @@ namespace temblor::compiler {
 using TextureKey = std::array<std::uint8_t, 16>;
 TextureKey make_texture_key(std::string_view texture);
 // A name of lights or shadows (sources/switchable_styles.h), padded with zeros; all zeros: none.
-using ShadowName = std::array<std::uint8_t, 64>;
+using StyleName = std::array<std::uint8_t, 64>;
 
 // The options of a brush for the light on its faces. They apply to worldspawn, func_group, func_detail and
 // brush entities alike. A .bsp cannot store it. The names are those of the keys in the .map: _phong,
@@ -47,16 +47,19 @@ struct SurfaceKeys {
   float max_light = 0;                  // _maxlight; 0: no limit
   float light_color_scale = 1;          // _lightcolorscale: 0: gray
   std::uint32_t channels = 1;           // _object_channel_mask: bits of the channels that light these faces
-  // _surflight_group, _surflight_style and _surflight_color, for faces that _surface makes shine. Style -1
-  // and color -1: the light's own.
+  // _surflight_group, _surflight_style, _surflight_color and _surflight_rescale, for faces that _surface
+  // makes shine. -1: as the light says.
   std::int32_t surface_light_group = 0, surface_light_style = -1;
   std::array<float, 3> surface_light_color{-1, -1, -1};
+  std::int8_t surface_light_rescale = -1;
+  StyleName surface_light_name{};  // _surflight_targetname: lights whose style these take
   // _lmscale or _lightmap_scale; 0.5: twice as many luxels along each axis.
   float light_map_scale = 1;
   // _world_units_per_luxel: luxels lie on the plane, not on the texture. 0: as worldspawn says; below 0: off.
   float units_per_luxel = 0;
-  float light_alpha = 1;     // _light_alpha: the share of light that a face stops
-  ShadowName shadow_name{};  // of a detail brush whose shadow can be switched
+  float light_alpha = 1;             // _light_alpha: the share of light that a face stops
+  StyleName shadow_name{};           // of a brush of the world whose shadow can be switched
+  bool shadow_hides_leaves = false;  // has such a shadow, and visibility ends at the brush
   bool operator==(const SurfaceKeys&) const = default;
 };
 
@@ -74,8 +77,11 @@ void visit_fields(Keys& keys, const Visit& visit) {
   visit(keys.max_light), visit(keys.light_color_scale), visit(keys.channels);
   visit(keys.surface_light_group), visit(keys.surface_light_style);
   for (auto& part : keys.surface_light_color) visit(part);
+  visit(keys.surface_light_rescale);
+  for (auto& letter : keys.surface_light_name) visit(letter);
   visit(keys.light_map_scale), visit(keys.units_per_luxel), visit(keys.light_alpha);
   for (auto& letter : keys.shadow_name) visit(letter);
+  visit(keys.shadow_hides_leaves);
 }
 
 // Reads the keys of worldspawn, a func_group, a func_detail or a brush entity. Unknown keys and values that

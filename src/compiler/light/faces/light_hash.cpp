@@ -63,7 +63,7 @@ std::uint64_t hash_geometry(formats::Bsp unlit_bsp, const LitLevel& lit, const L
   if (options.palette) hash = with_bytes(hash, formats::write_palette(*options.palette));
   for (const math::Vec3& offset : lit.offset_of_model) hash = with_vector(hash, offset);
   for (const std::uint8_t style : lit.switch_style_of_model) hash = base::hash_with(hash, style);
-  for (const std::uint8_t style : lit.switch_style_of_keys) hash = base::hash_with(hash, style);
+  for (const std::uint8_t style : lit.styles_of_keys.shadows) hash = base::hash_with(hash, style);
   return std::max<std::uint64_t>(1, base::hash_with(hash, static_cast<std::uint32_t>(options.extra)));
 }
 

@@ -44,7 +44,8 @@ bool any_in(std::span<const std::uint8_t> row, std::span<const world::LeafIndex>
 // Lists the leaves that show each face, then decompresses one row for each leaf that has a light.
 LeafSight::LeafSight(const LitLevel& lit, std::span<const LightSource> lights) {
   const world::Level& level = *lit.level;
-  known_ = !level.visibility.empty() && sees_through_liquids(level);
+  known_ = !level.visibility.empty() && sees_through_liquids(level) &&
+           std::ranges::none_of(lit.keys.keys, &SurfaceKeys::shadow_hides_leaves);
   if (!known_) return;
   leaves_showing_.resize(level.faces.size());
   Row row;

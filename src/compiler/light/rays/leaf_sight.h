@@ -14,9 +14,9 @@
 
 namespace temblor::compiler {
 
-// Excludes nothing if the level has no PVS, or one that does not see through the surfaces of liquids, since
-// light does. Otherwise an excluded light certainly does not reach the face: a PVS never hides anything
-// visible.
+// Excludes nothing if the level has no PVS, or one that does not see through the surfaces of liquids or the
+// brushes of switchable shadows, since light does. Otherwise an excluded light certainly does not reach the
+// face: a PVS never hides anything visible.
 class LeafSight {
  public:
   LeafSight(const LitLevel& lit, std::span<const LightSource> lights);

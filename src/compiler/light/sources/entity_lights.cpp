@@ -189,7 +189,8 @@ void add_light(std::span<const formats::Entity> entities, std::size_t number, co
     light.channels = light.shadow_channels = 1;
     const float group = std::clamp(read_number_or(entity, "surflight_group", 0), -kMaxGroup, kMaxGroup);
     io_lights.templates.push_back({std::string(*texture), read_number_or(entity, "surface_offset", 2),
-                                   spotlight, static_cast<std::int32_t>(group), light});
+                                   spotlight, static_cast<std::int32_t>(group),
+                                   read_flag(entity, "surflight_rescale"), light});
     return;
   }
   add_with_deviance(entity, light, io_lights.lights);

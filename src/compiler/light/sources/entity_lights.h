@@ -16,10 +16,11 @@ namespace temblor::compiler {
 // A light with _surface: a copy of it is placed on every face with a texture.
 struct SurfaceTemplate {
   std::string texture;
-  float offset = 2;        // units in front of the face
-  bool spotlight = false;  // shines along the face's normal
-  std::int32_t group = 0;  // shines only from brushes with this _surflight_group
-  LightSource light;       // without an origin, and without a spotlight's direction
+  float offset = 2;          // units in front of the face
+  bool spotlight = false;    // shines along the face's normal
+  std::int32_t group = 0;    // shines only from brushes with this _surflight_group
+  std::int8_t rescale = -1;  // _surflight_rescale, or -1 without: equally bright in all directions
+  LightSource light;         // without an origin, and without a spotlight's direction
 };
 
 // The lights of a level, except suns.

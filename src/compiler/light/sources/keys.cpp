@@ -38,6 +38,11 @@ std::optional<math::Vec3> read_vec3(const formats::Entity& entity, std::string_v
   return entity.find_vec3(key);
 }
 
+std::int8_t read_flag(const formats::Entity& entity, std::string_view key) {
+  const std::optional<float> number = read_number(entity, key);
+  return number ? std::int8_t{*number > 0} : std::int8_t{-1};
+}
+
 std::optional<math::Vec3> read_color(const formats::Entity& entity, std::string_view key) {
   const std::optional<math::Vec3> color = read_vec3(entity, key);
   if (!color) return std::nullopt;

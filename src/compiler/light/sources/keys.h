@@ -14,6 +14,9 @@ namespace temblor::compiler {
 std::optional<float> read_number(const formats::Entity& entity, std::string_view key);
 float read_number_or(const formats::Entity& entity, std::string_view key, float otherwise);
 
+// Returns 1 for a number above 0, 0 for others, and -1 without a number.
+std::int8_t read_flag(const formats::Entity& entity, std::string_view key);
+
 // Reads a color in 0 to 1, or, if any channel is above 1, in 0 to 255. Returns it in 0 to 1.
 std::optional<math::Vec3> read_color(const formats::Entity& entity, std::string_view key);
 

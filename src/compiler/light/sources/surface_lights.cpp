@@ -60,11 +60,18 @@ std::vector<Polygon> cut_into_pieces(const Polygon& polygon) {
   return pieces;
 }
 
+// A cone over all that a face sees: light falls with the cosine of its angle to the normal, from 1 to 0, or
+// to a half.
+Cone make_wide_cone(const math::Vec3d& normal, bool ends_at_half) {
+  return {math::Vec3(normal), ends_at_half ? -1.0f : 0.0f, 1};
+}
+
 // The style and color that a brush gives to the lights on its faces.
-LightSource adapt_to_brush(LightSource light, const SurfaceKeys& keys) {
+LightSource adapt_to_brush(LightSource light, const SurfaceKeys& keys, std::uint8_t switched_style) {
   const auto& [red, green, blue] = keys.surface_light_color;
   if (red >= 0) light.color = {red, green, blue};
   if (keys.surface_light_style >= 0) light.style = static_cast<std::uint8_t>(keys.surface_light_style);
+  if (switched_style != 0) light.style = switched_style;
   return light;
 }
 
@@ -87,8 +94,10 @@ std::vector<LightSource> find_surface_lights(const LitLevel& lit,
       const math::Vec3d normal = world::compute_face_plane(level, face).normal;
       const SurfaceKeys& keys = lit.surface_keys(number);
       if (keys.surface_light_group != shining.group) continue;
-      LightSource light = adapt_to_brush(shining.light, keys);
+      LightSource light = adapt_to_brush(shining.light, keys, lit.surface_light_style(number));
+      const int rescale = keys.surface_light_rescale >= 0 ? keys.surface_light_rescale : shining.rescale;
       if (light.cone && shining.spotlight) light.cone->direction = math::Vec3(normal);
+      if (!light.cone && rescale >= 0) light.cone = make_wide_cone(normal, rescale > 0);
       for (const Polygon& piece : cut_into_pieces(lit.corners_world(number))) {
         light.origin_world = math::Vec3(compute_polygon_center(piece) + normal * double{shining.offset});
         lights.push_back(light);

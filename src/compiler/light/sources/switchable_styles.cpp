@@ -116,25 +116,27 @@ bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warning
   return changed;
 }
 
-std::string find_detail_shadow_name(const formats::Entity& entity) {
-  return entity.classname().starts_with("func_detail") && asks_for_switchable_shadow(entity)
-             ? find_shadow_name(entity)
-             : std::string();
+std::string find_brush_shadow_name(const formats::Entity& entity) {
+  const bool is_world = entity.classname() == "func_group" || entity.classname().starts_with("func_detail");
+  return is_world && asks_for_switchable_shadow(entity) ? find_shadow_name(entity) : std::string();
 }
 
 // Names the lights and shadows in the same order as assign_switchable_styles() does.
-std::vector<std::uint8_t> find_detail_shadow_styles(std::span<const formats::Entity> entities,
-                                                    const FaceKeys& keys) {
+BrushStyles find_brush_styles(std::span<const formats::Entity> entities, const FaceKeys& keys) {
   StyleNames names(entities);
   for (const formats::Entity& entity : entities)
     if (const std::string name(entity.find("targetname").value_or("")); is_light(entity) && !name.empty())
       names.find_style(name);
   for (std::size_t i = 0; i < entities.size(); ++i)
     if (has_switchable_shadow(entities[i])) names.find_style(find_shadow_name(entities[i], i));
-  std::vector<std::uint8_t> styles;
+  const auto find_known = [&names](const StyleName& padded) {
+    const std::string name(padded.begin(), std::ranges::find(padded, 0));
+    return static_cast<std::uint8_t>(name.empty() ? 0 : names.find_known(name).value_or(0));
+  };
+  BrushStyles styles;
   for (const SurfaceKeys& own : keys.keys) {
-    const std::string name(own.shadow_name.begin(), std::ranges::find(own.shadow_name, 0));
-    styles.push_back(static_cast<std::uint8_t>(name.empty() ? 0 : names.find_known(name).value_or(0)));
+    styles.shadows.push_back(find_known(own.shadow_name));
+    styles.surface_lights.push_back(find_known(own.surface_light_name));
   }
   return styles;
 }

@@ -1,4 +1,5 @@
-// Light styles that the game switches: of lights with a targetname, and of brushes with a switchable shadow.
+// Light styles that the game switches: of lights with a targetname, of brushes that share one, and of
+// switchable shadows.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +23,17 @@ bool has_switchable_shadow(const formats::Entity& entity);
 // Returns whether an entity changed. Names without a style that is left keep theirs, with a warning.
 bool assign_switchable_styles(std::vector<formats::Entity>& io_entities, Warnings& io_warnings);
 
-// The name of a func_detail's switchable shadow; empty without one. Such a brush is part of the world, so no
-// entity can tell game code its style. It shares that of a light (_switchableshadow_target) or of a brush
-// entity (_switchableshadow with the same targetname).
-std::string find_detail_shadow_name(const formats::Entity& entity);
+// The name of the switchable shadow of a func_detail or func_group; empty without one. Such a brush is part
+// of the world, so no entity can tell game code its style. It shares that of a light
+// (_switchableshadow_target) or of a brush entity (_switchableshadow with the same targetname).
+std::string find_brush_shadow_name(const formats::Entity& entity);
 
-// Returns the style of each entry of keys.keys; 0: its shadow cannot be switched, also because nothing in the
-// level has its name. `entities`: with any or without styles.
-std::vector<std::uint8_t> find_detail_shadow_styles(std::span<const formats::Entity> entities,
-                                                    const FaceKeys& keys);
+// Styles by entry of FaceKeys::keys. 0: none, also because nothing in the level has the name.
+struct BrushStyles {
+  std::vector<std::uint8_t> shadows;         // SurfaceKeys::shadow_name
+  std::vector<std::uint8_t> surface_lights;  // SurfaceKeys::surface_light_name
+};
+// `entities`: with any or without styles.
+BrushStyles find_brush_styles(std::span<const formats::Entity> entities, const FaceKeys& keys);
 
 }  // namespace temblor::compiler

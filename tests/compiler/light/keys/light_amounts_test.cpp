@@ -166,6 +166,44 @@ TEST(LightAmounts, BrushesChangeTheirSurfaceLights) {
   EXPECT_NEAR(color.x, usual, 1);
   EXPECT_EQ(color.y, 0);
   EXPECT_NEAR(color.z, usual * 128 / 255, 1);
+  const std::string switched =
+      "} { 'classname' 'light' 'origin' '120 120 8' 'light' '1' 'targetname' 'plate'";
+  const auto named = floor_with("'_surflight_targetname' 'plate'", switched.c_str());
+  EXPECT_EQ(rgb_at(*named, 0).x, 0);
+  EXPECT_EQ(rgb_at(*named, 32).x, usual);
+  EXPECT_EQ(rgb_at(*floor_with("'_surflight_targetname' 'nothing'", switched.c_str()), 0).x, usual);
+}
+
+// Light falls with the cosine of the angle at which it leaves a face: to 0, or to a half.
+TEST(LightAmounts, SurfaceLightsRescale) {
+  constexpr double kValue = 60;
+  const Vec3d place(-64, 64, 0);
+  const auto light_with = [&](const char* brush_keys, const char* light_keys) {
+    const auto level = lit_map(key_room(
+        box_entity(brush_keys, {32, 32, 248}, {96, 96, 256}, "lamp_texture", "func_detail") +
+        fmt::format("{{ 'classname' 'light' 'light' '{}' 'delay' '3' '_surface' 'lamp_texture' {} }}\n",
+                    kValue, light_keys)));
+    return shown_light(*level, face_under(*level, place, kFaceUp), place, 0).x;
+  };
+  // The plate's faces, except the one whose light it blocks itself.
+  const auto expected = [&](auto&& find_factor) {
+    double sum = 0;
+    for (const Vec3d normal : {Vec3d(0, 0, -1), Vec3d(-1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, -1, 0)}) {
+      const Vec3d center = Vec3d(64, 64, 252) + normal * Vec3d(32, 32, 4);
+      const Vec3d way = glm::normalize(place - (center + normal * 2.0));
+      sum += kValue / 2 * (1 - way.z) / 2 * find_factor(glm::dot(way, normal));
+    }
+    return sum;
+  };
+  const double natural = expected([](double cosine) { return std::max(0.0, cosine); });
+  const double half = expected([](double cosine) { return (1 + cosine) / 2; });
+  const char* const kNatural = "'_surflight_rescale' '0'";
+  const char* const kHalf = "'_surflight_rescale' '1'";
+  EXPECT_NEAR(light_with("", ""), expected([](double) { return 1; }), 1.5);
+  EXPECT_NEAR(light_with(kNatural, ""), natural, 1.5);
+  EXPECT_NEAR(light_with(kHalf, ""), half, 1.5);
+  EXPECT_NEAR(light_with("", kNatural), natural, 1.5);
+  EXPECT_NEAR(light_with(kHalf, kNatural), half, 1.5);
 }
 
 TEST(LightAmounts, LightMapScaleOfTheWorldIsInTexels) {

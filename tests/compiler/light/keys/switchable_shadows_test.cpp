@@ -54,10 +54,12 @@ TEST(SwitchableShadows, SunIsSwitchedToo) {
   EXPECT_EQ(light_at(*level, Vec3d(96, 0, 0), 32), 0);
 }
 
-// A detail brush shares the style of a light or of a brush entity.
-TEST(SwitchableShadows, DetailSharesTheStyleOfAName) {
+// Brushes of the world share the style of a light or of a brush entity.
+class SwitchableWorldShadows : public testing::TestWithParam<const char*> {};
+
+TEST_P(SwitchableWorldShadows, ShareTheStyleOfAName) {
   const auto detail = [](std::string_view keys) {
-    return box_entity(keys, {-32, -32, 100}, {32, 32, 108}, "wood", "func_detail");
+    return box_entity(keys, {-32, -32, 100}, {32, 32, 108}, "wood", GetParam());
   };
   const auto open = lit_map(key_room(lamp()));
   const Vec3d below(0, 0, 0);
@@ -80,6 +82,23 @@ TEST(SwitchableShadows, DetailSharesTheStyleOfAName) {
     EXPECT_EQ(light_at(*level, below, 32), 0) << keys;
     EXPECT_EQ(light_at(*level, below, 33), 0) << keys;
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Classes, SwitchableWorldShadows, testing::Values("func_detail", "func_group"));
+
+// A wall of structural brushes hides the lamp from the PVS, but not its switched light.
+TEST(SwitchableShadows, PassVisibilityOfGroups) {
+  const auto lit_behind = [](std::string_view keys) {
+    const std::string wall = box_entity(keys, {-16, -128, 0}, {16, 128, 256}, "wood", "func_group");
+    const std::string lamp_text =
+        "{ 'classname' 'light' 'origin' '64 0 128' 'light' '300' 'targetname' 'lamp' }";
+    const std::string player = point_text("info_player_start", {-100, -100, 40});
+    const auto level = lit_map(key_room(lamp_text + player + wall));
+    EXPECT_FALSE(level->visibility.empty());
+    return light_at(*level, Vec3d(-64, 0, 0), 32) + light_at(*level, Vec3d(-64, 0, 0), 33);
+  };
+  EXPECT_EQ(lit_behind(""), 0);
+  EXPECT_GT(lit_behind("'_switchableshadow_target' 'lamp'"), 30);
 }
 
 // Both would have to be off for light to pass, which no sum of styles can express.
