@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -91,6 +92,21 @@ std::string describe_model_with_most_faces(const LimitPlaces& places, const form
   return fmt::format("{}, has most faces: {}", describe_entity(places.map, entity), most->face_count);
 }
 
+// Positions of the original network protocol end there.
+constexpr float kStockReach = 4096;
+
+// Warns if the level is larger than the original protocol, and names its farthest corner.
+void warn_about_reach(const formats::Bsp& bsp, Warnings& io_warnings) {
+  const auto find_reach = [](const math::Vec3& vertex) {
+    return std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
+  };
+  const auto farthest = std::ranges::max_element(bsp.vertices, {}, find_reach);
+  if (farthest == bsp.vertices.end() || find_reach(*farthest) <= kStockReach) return;
+  warn({"units from the origin", static_cast<std::size_t>(find_reach(*farthest)),
+        static_cast<std::size_t>(kStockReach)},
+       fmt::format("a corner at {:.0f} {:.0f} {:.0f}", farthest->x, farthest->y, farthest->z), io_warnings);
+}
+
 // In the order of count_bytes().
 enum ByteKind : std::size_t { kTextures, kEntities, kVisibility, kLight };
 
@@ -130,6 +146,7 @@ void warn_about_records(const LimitPlaces& places, const formats::Bsp& bsp,
     const std::ptrdiff_t model = first == after_model.end() ? 0 : first - after_model.begin();
     warn(whole[kind], describe_model(places, static_cast<std::size_t>(model)), io_warnings);
   }
+  warn_about_reach(bsp, io_warnings);
 }
 
 void warn_about_bytes(const LimitPlaces& places, const formats::Bsp& bsp, Warnings& io_warnings) {

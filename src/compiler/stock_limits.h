@@ -36,7 +36,8 @@ struct LimitPlaces {
 
 // Adds a warning for each limit that the records exceed: it names the entity whose brushes exceed it first,
 // and its line; in the world, the entity that adds most brushes to it. `after_model`: count_records() after
-// each model was added, in which records that belong to no model may be missing.
+// each model was added, in which records that belong to no model may be missing. Warns, too, about a level
+// that reaches beyond 4096 units from the origin.
 void warn_about_records(const LimitPlaces& places, const formats::Bsp& bsp,
                         std::span<const std::vector<PartCount>> after_model, Warnings& io_warnings);
 

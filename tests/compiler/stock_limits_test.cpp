@@ -56,7 +56,7 @@ TEST(StockLimits, TheGroupWithMostBrushesOfTheWorldIsNamed) {
     const math::Vec3d at(-4000 + i % 50 * 160 + i * 0.01, -4000 + i / 50 * 160 + i * 0.013, -8);
     pillars += box_text(at, at + math::Vec3d(40 + i * 0.003, 50 + i * 0.007, 100 + i * 0.01), "wall");
   }
-  const std::string walls = walls_text({-4100, -4100, 0}, {4100, 4100, 400}, "wall");
+  const std::string walls = walls_text({-4090, -4090, 0}, {4090, 4090, 400}, "wall");
   const std::string world = entity_text("worldspawn", "", walls);
   const compiler::Warnings limits =
       find_limits(world + entity_text("func_group", "", pillars) + point_text("light", {0, 0, 300}));
@@ -66,6 +66,18 @@ TEST(StockLimits, TheGroupWithMostBrushesOfTheWorldIsNamed) {
                                                   1 + std::ranges::count(world, '\n'))));
     EXPECT_THAT(limit.kind, ::testing::AnyOf(HasSubstr("leaves"), HasSubstr("clipnodes"))) << limit.kind;
   }
+}
+
+TEST(StockLimits, TheFarthestCornerIsNamed) {
+  const auto room_to = [](double x) {
+    return entity_text("worldspawn", "", walls_text({x - 200, 0, -100}, {x, 256, 100}, "wall")) +
+           point_text("info_player_start", {x - 100, 100, -50});
+  };
+  EXPECT_THAT(find_limits(room_to(4096)), IsEmpty());
+  const compiler::Warnings limits = find_limits(room_to(5000));
+  ASSERT_EQ(limits.size(), 1u);
+  EXPECT_EQ(limits[0].kind, "5000 units from the origin exceed the original engine's limit of 4096");
+  EXPECT_THAT(limits[0].what, HasSubstr("a corner at 5000 "));
 }
 
 TEST(StockLimits, BytesNameTheirLargestPart) {
