@@ -44,7 +44,6 @@ class StockParser {
       else
         files_.push_back(word);
     }
-    if (files_.empty() && words_.empty()) command_.wants_help = true;
     if (!command_.wants_help) TRY_STATUS(set_files());
     return std::move(command_);
   }

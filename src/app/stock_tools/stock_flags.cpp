@@ -61,7 +61,10 @@ void write_brush_list_and_hulls(Words, Command& io_command) {
 void set_light_map_scale(Words values, Command& io_command) {
   constexpr double kTexels = 16;
   const double exponent = std::round(std::log2(std::clamp(to_number(values[0]) * kTexels, 1.0, 128.0)));
-  io_command.options.luxel_texels = static_cast<int>(std::exp2(exponent));
+  const auto texels = static_cast<int>(std::exp2(exponent));
+  io_command.options.luxel_texels = texels;
+  if (texels != to_number(values[0]) * kTexels)
+    io_command.notes.push_back(fmt::format("-lmscale {}: {} is used", values[0], texels / kTexels));
 }
 
 void set_directions(Words, Command& io_command) {

@@ -190,7 +190,9 @@ TEST_F(CompileReportTest, NumbersAreThoseOfTheLevel) {
 
 // Each pixel of the heat map has the color of the most that any leaf below it sees.
 TEST_F(CompileReportTest, HeatMapShowsTheVisibilityOfTheLevel) {
-  const std::string plan = find_section(compile(two_rooms()), "plan");
+  // A room without entities is filled, so it is not on the plan.
+  const std::string filled = entity_text("func_group", "", walls_text({900, 0, 0}, {1200, 512, 128}, "wall"));
+  const std::string plan = find_section(compile(two_rooms() + filled), "plan");
   const auto level = world::make_level(read_level("room.bsp"), "room").value();
   std::vector<std::uint32_t> seen(level->leaves.size());
   for (std::uint32_t from = 1; from <= level->visible_leaf_count; ++from) {
@@ -203,9 +205,8 @@ TEST_F(CompileReportTest, HeatMapShowsTheVisibilityOfTheLevel) {
   EXPECT_LT(*std::min_element(seen.begin() + 1, seen.begin() + 1 + level->visible_leaf_count), largest);
   const std::string png = decode_png(plan);
   const formats::Image heat = formats::read_png(base::as_bytes(png)).value();
-  const math::Bounds& box = level->world().bounds;
-  const double left = box.mins.x - 32, top = box.maxs.y + 32;
-  const double units_per_px = std::max(1.0, (box.maxs.x - box.mins.x + 64) / 720.0);
+  EXPECT_THAT(plan, HasSubstr("viewBox=\"0 0 832 576\"")) << "768 x 512 and a margin of 32";
+  const double left = -32, top = 512 + 32, units_per_px = 832 / 720.0;
   std::size_t open = 0, closed = 0;
   for (std::uint32_t y = 3; y < heat.height; y += 7)
     for (std::uint32_t x = 3; x < heat.width; x += 7) {

@@ -57,7 +57,7 @@ TEST(StockCommand, CompletesFileNames) {
   EXPECT_EQ(parse({"light", "a.map"}).options.source, "a.bsp");
   EXPECT_THAT(find_problem({"qbsp", "-bsp2"}), HasSubstr("no map given"));
   EXPECT_THAT(find_problem({"vis", "a", "b"}), HasSubstr("unexpected file b"));
-  EXPECT_TRUE(parse({"light"}).wants_help);
+  EXPECT_THAT(find_problem({"light"}), HasSubstr("no level given"));
   EXPECT_TRUE(parse({"qbsp", "--help"}).wants_help);
 }
 
@@ -109,6 +109,8 @@ TEST(StockCommand, NotesFlagsWithoutEffect) {
               ElementsAre(HasSubstr("no/such/folder")));
   EXPECT_THAT(parse({"qbsp", "-basedir", "no/such", "a"}).notes, ElementsAre(HasSubstr("has no id1")));
   EXPECT_TRUE(parse({"qbsp", "-quiet", "a"}).options.quiet);
+  EXPECT_THAT(parse({"light", "-lmscale", "0.5", "a"}).notes, IsEmpty());
+  EXPECT_THAT(parse({"light", "-lmscale", "3", "a"}).notes, ElementsAre("-lmscale 3: 4 is used"));
 }
 
 TEST(StockCommand, ExplainsUnknownFlags) {

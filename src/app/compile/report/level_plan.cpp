@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <utility>
@@ -29,8 +30,25 @@ struct PlanFrame {
   }
 };
 
+// The bounds of the world's faces. Those of the model hold rooms that were filled, too.
+math::Bounds find_drawn_bounds(const world::Level& level) {
+  const world::Model& world = level.world();
+  if (world.face_count == 0) return world.bounds;
+  constexpr float kFar = std::numeric_limits<float>::max();
+  math::Bounds bounds{math::Vec3(kFar), math::Vec3(-kFar)};
+  for (std::uint32_t i = 0; i < world.face_count; ++i) {
+    const world::Face& face = level.faces[world.first_face + i];
+    for (std::uint32_t k = 0; k < face.surfedge_count; ++k) {
+      const math::Vec3& corner = level.vertices[level.surfedge_start(face.first_surfedge + k)];
+      bounds.mins = glm::min(bounds.mins, corner);
+      bounds.maxs = glm::max(bounds.maxs, corner);
+    }
+  }
+  return bounds;
+}
+
 PlanFrame make_frame(const PlanInput& input) {
-  const math::Bounds& world = input.level.world().bounds;
+  const math::Bounds world = find_drawn_bounds(input.level);
   PlanFrame frame{math::Vec3d(world.mins), math::Vec3d(world.maxs)};
   if (input.leak)
     for (const math::Vec3d& point : input.leak->points_world) {
