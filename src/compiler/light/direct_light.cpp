@@ -290,7 +290,7 @@ class FaceLighter {
 
   // Adds arriving light to the layer of its style and kind.
   void deposit(std::span<const Share> shares, const Arriving& light, FaceLight& io_light) {
-    if (std::all_of(shares.begin(), shares.end(), [](const Share& share) { return share == Share{}; }))
+    if (std::all_of(shares.begin(), shares.end(), [](const Share& share) { return are_equal(share, {}); }))
       return;
     std::vector<math::Vec3>& samples = io_light.layer(light.style, light.kind, places_.size()).samples;
     const std::span<const float> dirt = find_dirt_shares(light, io_light);

@@ -191,7 +191,7 @@ bool counts(std::uint8_t switch_style, const LightPath& path) {
 
 // The share of light that is left after all losses.
 math::Vec3 compute_share_after(const std::array<std::int32_t, 3>& lost) {
-  if (lost == std::array<std::int32_t, 3>{}) return math::Vec3(1.0f);
+  if ((lost[0] | lost[1] | lost[2]) == 0) return math::Vec3(1.0f);
   math::Vec3 share;
   for (int channel = 0; channel < 3; ++channel)
     share[channel] = std::exp(static_cast<float>(-lost[static_cast<std::size_t>(channel)]) / kLossSteps);
@@ -301,20 +301,30 @@ struct RayScene::Scenes {
   // Finds the shares of the rays in `mask` and leaves the others unchanged.
   void compute_shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share,
                       const LightPath& path) const {
+    EmbreeContext plain;
+    Embree::init_context(plain);
+    if ((path.shadow_channels & kOpaqueChannels) != 0)
+      embree.occluded16(mask.lane.data(), opaque.get(), plain, io_rays);
+    // Embree sets tfar to minus infinity if a ray is blocked.
+    LaneMask left = mask;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      if (mask.lane[i] == 0) continue;
+      const bool arrives = io_rays.tfar[i] >= 0;
+      out_share[i] = math::Vec3(arrives && counts(0, path) ? 1.0f : 0.0f);
+      if (!arrives) left.lane[i] = 0;
+    }
+    if (!masks.triangles.empty() && left.any()) pass_masks(left, io_rays, out_share, path);
+  }
+
+  // The same, for rays that no opaque surface stops. The records of the filters are large.
+  void pass_masks(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share,
+                  const LightPath& path) const {
     AttenuationContext context;
     context.path = path;
     Embree::init_context(context.embree);
-    if ((path.shadow_channels & kOpaqueChannels) != 0)
-      embree.occluded16(mask.lane.data(), opaque.get(), context.embree, io_rays);
-    if (!masks.triangles.empty()) {
-      LaneMask left = mask;
-      for (std::size_t i = 0; i < kLanes; ++i)
-        if (io_rays.tfar[i] < 0) left.lane[i] = 0;
-      if (left.any()) embree.occluded16(left.lane.data(), masked.get(), context.embree, io_rays);
-    }
+    embree.occluded16(mask.lane.data(), masked.get(), context.embree, io_rays);
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (mask.lane[i] == 0) continue;
-      // Embree sets tfar to minus infinity if a ray is blocked.
       const bool arrives = io_rays.tfar[i] >= 0 && counts(context.switch_style[i], path);
       out_share[i] = arrives ? compute_share_after(context.lost[i]) : math::Vec3(0.0f);
     }

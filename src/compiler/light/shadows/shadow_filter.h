@@ -29,6 +29,10 @@ ShadowSampling shadow_sampling(int extra);
 // that the light cache can hold all shadows of a level.
 using Share = std::array<std::uint8_t, 3>;
 constexpr std::uint8_t kWholeShare = 240;
+// For inner loops, where == of arrays would call memcmp for three bytes.
+constexpr bool are_equal(const Share& a, const Share& b) {
+  return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) == 0;
+}
 
 // Finds the unquantized share for each point.
 using ShareQuery =

@@ -27,12 +27,11 @@ constexpr Share kDark{0, 0, 0}, kLit{kWholeShare, kWholeShare, kWholeShare};
 // The shortest way to write the shares.
 Answer choose_answer(std::span<const Share> shares) {
   const Share& first = shares.front();
-  if ((first == kDark || first == kLit) &&
-      std::all_of(shares.begin(), shares.end(), [&](const Share& share) { return share == first; }))
-    return first == kDark ? Answer::kNone : Answer::kAll;
-  if (std::all_of(shares.begin(), shares.end(),
-                  [](const Share& share) { return share == kDark || share == kLit; }))
-    return Answer::kBits;
+  const auto is_simple = [](const Share& share) { return are_equal(share, kDark) || are_equal(share, kLit); };
+  if (is_simple(first) &&
+      std::all_of(shares.begin(), shares.end(), [&](const Share& share) { return are_equal(share, first); }))
+    return are_equal(first, kDark) ? Answer::kNone : Answer::kAll;
+  if (std::all_of(shares.begin(), shares.end(), is_simple)) return Answer::kBits;
   const bool gray = std::all_of(shares.begin(), shares.end(), [](const Share& share) {
     return share[0] == share[1] && share[0] == share[2];
   });
@@ -124,7 +123,7 @@ void ShadowWriter::add(const ShadowQuestion& question, std::span<const Share> sh
   if (answer == Answer::kBits) {
     std::vector<std::uint32_t> lit;
     for (std::size_t i = 0; i < shares.size(); ++i)
-      if (shares[i] == kLit) lit.push_back(static_cast<std::uint32_t>(i));
+      if (are_equal(shares[i], kLit)) lit.push_back(static_cast<std::uint32_t>(i));
     add_bits(lit, shares.size());
   } else if (answer == Answer::kGray) {
     for (const Share& share : shares) writer_.u8(share[0]);
