@@ -34,7 +34,7 @@ constexpr Glyph kGlyphs[] = {
     {'"', "ad cf"},    {'*', "ej gi dl"},    {'%', "cm aa oo"},  {'|', "bn"},       {'#', "am co df jl"},
 };
 constexpr std::string_view kNoGlyph = "acoma";
-constexpr float kWidth = 0.5f, kAdvance = 0.75f;  // of the height
+constexpr float kLetterWidth = 0.5f, kAdvance = 0.75f;  // of the height
 
 std::string_view find_strokes(char letter) {
   const char capital = letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
@@ -48,12 +48,12 @@ void append_text_lines(const WorldText& text, const math::Vec3& camera_angles_de
                        std::vector<render::Line>& io_lines) {
   const math::Basis axes = math::basis_from_angles(camera_angles_deg);
   const math::Vec3 right = math::Vec3(axes.right) * text.size, down = math::Vec3(axes.up) * -text.size;
-  const float width = static_cast<float>(text.text.size()) * kAdvance - (kAdvance - kWidth);
+  const float width = static_cast<float>(text.text.size()) * kAdvance - (kAdvance - kLetterWidth);
   math::Vec3 corner = text.origin_world - right * (width / 2) - down * 0.5f;
   for (const char letter : text.text) {
     const auto place = [&](char point) {
       const int number = point - 'a';
-      return corner + right * (static_cast<float>(number % 3) / 2 * kWidth) +
+      return corner + right * (static_cast<float>(number % 3) / 2 * kLetterWidth) +
              down * (static_cast<float>(number / 3) / 4);
     };
     const std::string_view strokes = static_cast<unsigned char>(letter) > ' ' ? find_strokes(letter) : "";

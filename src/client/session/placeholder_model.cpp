@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::uint32_t kSkinSide = 16, kCheck = 8;  // texels
 // Palette indices: full-bright red and black in stock palettes.
-constexpr std::uint8_t kLight = 251, kDark = 0;
+constexpr std::uint8_t kLightTexel = 251, kDarkTexel = 0;
 constexpr std::uint8_t kHalfSide = 127;  // vertex bytes, 1/16 unit each
 constexpr float kByteUnits = 1.0f / 16.0f;
 
@@ -24,7 +24,7 @@ formats::Mdl make_placeholder_model() {
   mdl.skin_width = mdl.skin_height = kSkinSide;
   std::vector<std::uint8_t> skin(std::size_t{kSkinSide} * kSkinSide);
   for (std::uint32_t i = 0; i < skin.size(); ++i)
-    skin[i] = (i % kSkinSide / kCheck + i / kSkinSide / kCheck) % 2 == 0 ? kLight : kDark;
+    skin[i] = (i % kSkinSide / kCheck + i / kSkinSide / kCheck) % 2 == 0 ? kLightTexel : kDarkTexel;
   mdl.skins = {{{skin}, {}}};
   formats::MdlPose pose;
   pose.name = "missing";

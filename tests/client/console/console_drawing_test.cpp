@@ -244,21 +244,21 @@ TEST_F(ConsoleDrawing, SurvivesAnySize) {
   }
 }
 
-struct Shot {
+struct Screenshot {
   const char* name;
   int width, height;
   bool high_contrast, game_runs;
   float text_size;
 };
-void PrintTo(const Shot& shot, std::ostream* out) {
+void PrintTo(const Screenshot& shot, std::ostream* out) {
   *out << shot.name;
 }
 
-class ConsoleShots : public ::testing::TestWithParam<Shot> {};
+class ConsoleShots : public ::testing::TestWithParam<Screenshot> {};
 
 TEST_P(ConsoleShots, ShowTheGamesPictures) {
   DATA_FOLDER_OR_SKIP(folder);
-  const Shot& shot = GetParam();
+  const Screenshot& shot = GetParam();
   const assets::Library library(vfs::FileSystem::open(folder).value());
   std::vector<std::string> notes;
   const assets::Pictures pictures = library.pictures(notes);
@@ -320,12 +320,12 @@ TEST_P(ConsoleShots, ShowTheGamesPictures) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, ConsoleShots,
-                         ::testing::Values(Shot{"320x200", 320, 200, false, true, 1},
-                                           Shot{"1280x720", 1280, 720, false, true, 1},
-                                           Shot{"1920x1080", 1920, 1080, false, false, 1},
-                                           Shot{"1920x1080_contrast", 1920, 1080, true, true, 1},
-                                           Shot{"1920x1080_large", 1920, 1080, false, true, 2},
-                                           Shot{"800x1600", 800, 1600, false, true, 1}),
+                         ::testing::Values(Screenshot{"320x200", 320, 200, false, true, 1},
+                                           Screenshot{"1280x720", 1280, 720, false, true, 1},
+                                           Screenshot{"1920x1080", 1920, 1080, false, false, 1},
+                                           Screenshot{"1920x1080_contrast", 1920, 1080, true, true, 1},
+                                           Screenshot{"1920x1080_large", 1920, 1080, false, true, 2},
+                                           Screenshot{"800x1600", 800, 1600, false, true, 1}),
                          [](const auto& shot) { return std::string(shot.param.name); });
 
 }  // namespace

@@ -47,7 +47,7 @@ Page make_table_page(const PageContext& context, std::string title, std::span<co
   return page;
 }
 
-constexpr const char *kWidth = "vid_width", *kHeight = "vid_height", *kMode = "vid_mode",
+constexpr const char *kWindowWidth = "vid_width", *kWindowHeight = "vid_height", *kMode = "vid_mode",
                      *kDisplay = "vid_display";
 
 Video read_video(const command::Variables& variables) {
@@ -58,7 +58,7 @@ Video read_video(const command::Variables& variables) {
   const command::Variable* const mode = variables.find(kMode);
   return {.mode = mode == nullptr ? std::string() : mode->text,
           .display = read_number(kDisplay),
-          .size = {read_number(kWidth), read_number(kHeight)}};
+          .size = {read_number(kWindowWidth), read_number(kWindowHeight)}};
 }
 
 // Sets all variables in one go, so that the host sees one change and changes the window once.
@@ -70,13 +70,13 @@ Outcome apply_video(const PageContext& context) {
   };
   set(kMode, chosen.mode);
   set(kDisplay, fmt::format("{}", chosen.display));
-  set(kWidth, fmt::format("{}", chosen.size.width));
-  set(kHeight, fmt::format("{}", chosen.size.height));
+  set(kWindowWidth, fmt::format("{}", chosen.size.width));
+  set(kWindowHeight, fmt::format("{}", chosen.size.height));
   context.choices.video.reset();
   return {.refresh = true};
 }
 
-std::unique_ptr<Row> make_mode_row(const command::Variable& mode, Video& io_chosen) {
+std::unique_ptr<Row> make_window_mode_row(const command::Variable& mode, Video& io_chosen) {
   LocalChoiceRow::Parts parts;
   parts.names = mode.choices;
   parts.chosen = [&io_chosen, names = mode.choices] {
@@ -118,7 +118,7 @@ std::unique_ptr<Row> make_size_row(const PageContext& context) {
 }
 
 void add_display_rows(const PageContext& context, Page& io_page) {
-  if (context.variables.find(kWidth) == nullptr) return;
+  if (context.variables.find(kWindowWidth) == nullptr) return;
   MenuChoices& choices = context.choices;
   // The rows follow a window that the player resizes, until the player chooses something here.
   if (!choices.video || choices.video == choices.video_before)
@@ -126,7 +126,7 @@ void add_display_rows(const PageContext& context, Page& io_page) {
   Video& chosen = *choices.video;
   io_page.rows.push_back(make_size_row(context));
   if (const command::Variable* const mode = context.variables.find(kMode))
-    io_page.rows.push_back(make_mode_row(*mode, chosen));
+    io_page.rows.push_back(make_window_mode_row(*mode, chosen));
   const int displays = call_or_default(context.content.displays);
   if (displays > 1) io_page.rows.push_back(make_display_row(chosen, displays));
   io_page.rows.push_back(std::make_unique<ActionRow>(
