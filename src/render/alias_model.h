@@ -44,5 +44,8 @@ std::uint32_t skin_count(const AliasModel& model);
 const std::string& model_name(const AliasModel& model);
 // Encloses every pose, in model space.
 const math::Bounds& model_bounds(const AliasModel& model);
+// The mean of the foremost vertices of the first pose, in model space: the mouth of a gun's barrel. Vertices
+// within a unit of the largest x count.
+math::Vec3 find_foremost_point(const AliasModel& model);
 
 }  // namespace temblor::render

@@ -43,8 +43,8 @@ class Beams {
   // Longer beams are cut off: no level is this large.
   static constexpr int kMaxPieces = 1024;
 
-  // The player's own entity. Its beams start at its current (predicted) place, not where they were fired, so
-  // that lightning stays in front of the weapon.
+  // The player's own entity. Its beams start at this place (its current, predicted one, or its gun), not
+  // where they were fired, so that lightning stays in front of the weapon.
   struct Anchor {
     std::uint32_t entity;
     math::Vec3 origin_world;

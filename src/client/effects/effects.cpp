@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "base/hash.h"
+#include "client/debris/debris.h"
+#include "client/debris/impacts.h"
 #include "client/effects/dynamic_lights.h"
 #include "client/effects/effect_random.h"
 #include "client/effects/hit_marks.h"
@@ -14,6 +16,7 @@
 #include "client/effects/trails.h"
 #include "formats/models/mdl.h"
 #include "math/angles.h"
+#include "world/visibility.h"
 
 namespace temblor::client {
 
@@ -125,7 +128,7 @@ float compute_rotated_yaw_deg(double time_s) {
 }
 
 struct Effects::State {
-  explicit State(std::uint32_t seed_of_all) : seed(seed_of_all), trails(seed_of_all) {}
+  explicit State(std::uint32_t seed_of_all) : seed(seed_of_all), trails(seed_of_all), debris(seed_of_all) {}
 
   void clear();
   void handle_events(const Events& events, const EffectsInput& input, bool makes_marks);
@@ -137,11 +140,15 @@ struct Effects::State {
   std::span<const render::BrushModelInstance> find_movers(const EffectsInput& input);
   // Effects that entities have as long as they exist: trails, glow and muzzle flashes.
   void advance_entities(const EffectsInput& input);
+  void show_shots(const EffectsInput& input);
   void emit_trail(const InterpolatedEntity& entity, TrailKind kind, double time_s);
   void add_lights(const InterpolatedEntity& entity, const math::Vec3& origin_world,
                   std::optional<TrailKind> trail, double time_s);
   void add_beam_light(const TempEntity& beam, double time_s);
-  math::Vec3 light_color(const math::Vec3& color) const { return colored_lights ? color : kWhiteLight; }
+  bool show_impact(const BurstContext& burst, const TempEntity& what, const EffectsInput& input);
+  math::Vec3 light_color(const math::Vec3& color) const {
+    return choices.colored_lights ? color : kWhiteLight;
+  }
   std::optional<Beams::Anchor> find_beam_anchor(const EffectsInput& input) const;
 
   // Seeds the random numbers of all effects.
@@ -152,8 +159,10 @@ struct Effects::State {
   ParticlePool particles;
   Trails trails;
   DynamicLights lights;
-  bool muzzle_flashes = true, colored_lights = false;
+  EffectsSettings choices;
   Beams beams;
+  Debris debris;
+  math::Vec3 viewer_velocity{0.0f};
   HitMarks hit_marks;
   render::MarkSet marks;
   bool has_shot_marks = false;
@@ -167,6 +176,8 @@ void Effects::State::clear() {
   trails.clear();
   lights.clear();
   beams.clear();
+  debris.clear();
+  viewer_velocity = math::Vec3(0.0f);
   marks.clear();
   has_shot_marks = false;
   last_time_s.reset();
@@ -205,16 +216,17 @@ void Effects::State::begin(const TempEntity& what, const EffectsInput& input) {
                          .born_s = input.time_s,
                          .life_s = 0.5,
                          .color = light_color(kBlastLight)};
-  if (const std::optional<Chips> chips = find_chips(what.kind))
+  if (const std::optional<Chips> chips = find_chips(what.kind); chips && !show_impact(burst, what, input))
     spawn_chips(burst, what.origin, math::Vec3(0.0f), chips->color, chips->count);
   if (const std::optional<BeamModel> model = find_beam_model(what.kind)) {
     beams.add({what.entity, *model, what.origin, what.end, input.time_s});
-    if (colored_lights && *model != BeamModel::kBeam) add_beam_light(what, input.time_s);
+    if (choices.colored_lights && *model != BeamModel::kBeam) add_beam_light(what, input.time_s);
   }
   switch (what.kind) {
     case TempEntityKind::kExplosion:
       spawn_explosion(burst, what.origin);
       lights.add(flash);
+      if (choices.smoke) debris.show_blast(what.origin, input.time_s, base::hash_with(seed, count.events));
       break;
     case TempEntityKind::kExplosion2:
       spawn_colored_explosion(burst, what.origin, what.color_start, what.color_count);
@@ -280,7 +292,24 @@ void Effects::State::advance_entities(const EffectsInput& input) {
                                             : entity.origin_world;
     if (entity.effects & kEffectBrightField) show_bright_field(particles, input.time_s, origin_world_now);
     add_lights(entity, origin_world_now, trail, input.time_s);
+    if (choices.splashes) debris.show_splash(entity, input, particles);
   }
+}
+
+// A flash arrives once, perhaps at the time of the last frame. Only the viewer's casings are near enough for
+// its speed to matter.
+void Effects::State::show_shots(const EffectsInput& input) {
+  constexpr float kMaxSpeed = 1000;
+  const double elapsed_s = input.time_s - last_time_s.value_or(input.time_s);
+  const InterpolatedEntity* const viewer = find_entity(input.entities, input.view_entity);
+  if (viewer != nullptr && elapsed_s > 0) {
+    const math::Vec3 moved = viewer->origin_world - viewer->previous_origin_world;
+    viewer_velocity = moved / static_cast<float>(elapsed_s);
+    if (glm::length(viewer_velocity) > kMaxSpeed) viewer_velocity = math::Vec3(0.0f);
+  }
+  for (const InterpolatedEntity& entity : input.entities)
+    if (entity.has_muzzle_flash)
+      debris.show_shot(entity, input, &entity == viewer ? viewer_velocity : math::Vec3(0.0f), choices);
 }
 
 // The piece of path since the last frame; its particles are born at times between the two frames.
@@ -306,6 +335,26 @@ void Effects::State::add_beam_light(const TempEntity& beam, double time_s) {
               .color = kLightningLight});
 }
 
+// Returns false if the original's chips are to be shown.
+bool Effects::State::show_impact(const BurstContext& burst, const TempEntity& what,
+                                 const EffectsInput& input) {
+  if (what.kind != TempEntityKind::kGunshot && what.kind != TempEntityKind::kSpike &&
+      what.kind != TempEntityKind::kSuperSpike)
+    return false;
+  if (is_liquid_contents(world::point_contents(input.level, what.origin))) {
+    if (choices.splashes) debris.show_hit_in_liquid(burst, what.origin, input);
+    return choices.splashes;
+  }
+  if (!choices.impacts) return false;
+  const std::optional<Hit> hit = find_hit(what);
+  const std::optional<HitMarks::Surface> surface =
+      hit_marks.find_surface(input.level, find_movers(input), *hit);
+  if (!surface) return false;
+  const world::Texture& texture = input.level.texture(input.level.face(surface->face).texture);
+  spawn_impact(burst, {what.origin, surface->normal_world, find_material(texture.name)}, debris.puffs());
+  return true;
+}
+
 // An entity has one light: a later one of these replaces an earlier one.
 void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Vec3& origin_world,
                                 std::optional<TrailKind> trail, double time_s) {
@@ -315,7 +364,7 @@ void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Ve
                    .color = light_color(choose_glow_color(entity.effects, trail))};
   const math::Vec3 above = origin_world + math::Vec3(0, 0, 16);
   const float flicker = light_flicker(entity.number, time_s);
-  if (muzzle_flashes && (entity.has_muzzle_flash || entity.effects & kEffectMuzzleFlash)) {
+  if (choices.muzzle_flashes && (entity.has_muzzle_flash || entity.effects & kEffectMuzzleFlash)) {
     TimedLight flash = light;
     const math::Vec3d forward = math::basis_from_angles(entity.angles_deg).forward;
     flash.origin_world = above + math::Vec3(forward * 18.0);
@@ -342,6 +391,8 @@ void Effects::State::add_lights(const InterpolatedEntity& entity, const math::Ve
 }
 
 std::optional<Beams::Anchor> Effects::State::find_beam_anchor(const EffectsInput& input) const {
+  if (choices.barrel_beams && input.held_gun)
+    return Beams::Anchor{input.view_entity, input.held_gun->muzzle_world};
   const InterpolatedEntity* const viewer = find_entity(input.entities, input.view_entity);
   if (viewer == nullptr) return std::nullopt;
   return Beams::Anchor{viewer->number, input.predicted_origin_world.value_or(viewer->origin_world)};
@@ -375,14 +426,15 @@ void Effects::advance(const Events& events, const EffectsInput& input, const Eff
   // Two frames at the same time (a paused game) must not emit trails twice.
   const bool time_passed = !state.last_time_s || input.time_s > *state.last_time_s;
   state.particles.set_capacity(settings.max_particles);
-  state.muzzle_flashes = settings.muzzle_flashes;
-  state.colored_lights = settings.colored_lights;
+  state.choices = settings;
   // Advances old effects first, so that dead ones make room.
   state.particles.advance(input.time_s);
   state.lights.advance(input.time_s);
   state.handle_events(events, input, settings.marks);
+  state.show_shots(input);
   if (time_passed) state.advance_entities(input);
   state.particles.place_new(input.time_s);
+  state.debris.advance(input.time_s);
   state.beams.advance(input.time_s, state.find_beam_anchor(input));
   state.last_time_s = input.time_s;
 }
@@ -405,6 +457,14 @@ std::span<const BeamPiece> Effects::beams() const {
 
 const render::MarkSet& Effects::marks() const {
   return state_->marks;
+}
+
+std::span<const CasingPiece> Effects::casings() const {
+  return state_->debris.casings();
+}
+
+std::span<const Puff> Effects::puffs() const {
+  return state_->debris.puffs().puffs();
 }
 
 }  // namespace temblor::client

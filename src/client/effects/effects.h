@@ -1,8 +1,8 @@
 // Effects that the client adds to what the server sends: particles, trails, dynamic lights, lightning, bullet
-// marks.
+// marks, casings, and smoke.
 //
 //   temporary entities, svc_particle --> bursts, flashes, beams, marks --+--> render::Scene
-//   entities: model flags, effects ----> trails, glow, muzzle flashes ---+
+//   entities: model flags, effects ----> trails, glow, flashes, casings -+
 //
 // They look like the original's, except where those depended on the frame rate: the effects at a given time
 // do not depend on how often they were advanced before. All randomness comes from counters and seeds, so a
@@ -13,7 +13,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
+#include "client/debris/casings.h"
+#include "client/debris/puffs.h"
+#include "client/debris/shots.h"
 #include "client/effects/beams.h"
 #include "client/effects/mark_pictures.h"
 #include "client/session/client_state.h"
@@ -28,6 +32,11 @@ struct EffectsSettings {
   bool marks = false;                 // r_marks: marks of shots; turning it off removes them
   bool muzzle_flashes = true;         // shots light up the level
   bool colored_lights = false;        // r_dynamic_colors: see light_colors.h; lightning lights what it hits
+  bool casings = false;               // cl_casings: guns throw out empty casings
+  bool smoke = false;                 // cl_smoke: barrels and blasts smoke
+  bool impacts = false;               // cl_impacts: hits look like the wall's material
+  bool barrel_beams = false;          // cl_barrelbeam: the viewer's lightning starts at the drawn gun
+  bool splashes = false;              // cl_splashes: liquids splash
 };
 
 // The state of the game at the time of an advance(). References must be valid during the call.
@@ -46,6 +55,12 @@ struct EffectsInput {
   std::span<const world::ModelIndex> submodels{};
   // For the marks that the game asks for; null: none.
   const MarkPictures* mark_pictures = nullptr;
+  // By precache number; a missing name is that of no gun.
+  std::span<const std::string> model_names{};
+  // By precache number: heights of alias models, units; bodies make larger splashes than nails.
+  std::span<const float> model_heights{};
+  // The view entity's gun; nothing if the picture does not show it in the hand.
+  std::optional<HeldGun> held_gun{};
 };
 
 // The yaw of models that rotate on the spot, such as items (formats::kMdlRotate), in [0, 360): 100 degrees a
@@ -82,6 +97,8 @@ class Effects {
   std::span<const render::DynamicLight> lights() const;
   std::span<const BeamPiece> beams() const;
   const render::MarkSet& marks() const;
+  std::span<const CasingPiece> casings() const;
+  std::span<const Puff> puffs() const;
 
  private:
   struct State;

@@ -128,10 +128,9 @@ void HitMarks::mark_faces(const world::Level& level, const Hit& hit, const Place
   }
 }
 
-// Two searches: the nearest visible face within reach is the one that was hit, and the ball around its
-// nearest point marks all faces that it touches. Shots pass through the surface of water, so liquids are
-// skipped.
-void HitMarks::add_to_targets(const world::Level& level, const Hit& hit, render::MarkSet& io_marks) {
+// The nearest visible face within reach is the one that was hit. Shots pass through the surface of water, so
+// liquids are skipped.
+std::optional<HitMarks::Place> HitMarks::find_place(const world::Level& level, const Hit& hit) {
   const math::Vec3d origin(hit.origin_world);
   std::optional<Place> hit_place;
   for (const Target& target : targets_)
@@ -141,7 +140,26 @@ void HitMarks::add_to_targets(const world::Level& level, const Hit& hit, render:
       if (!is_liquid(level, near) && is_in_sight(level, origin, {target, near}))
         hit_place = Place{target, near};
     }
-  if (!hit_place || !can_be_marked(level, hit_place->near)) return;
+  if (hit_place && !can_be_marked(level, hit_place->near)) return std::nullopt;
+  return hit_place;
+}
+
+std::optional<HitMarks::Surface> HitMarks::find_surface(const world::Level& level,
+                                                        std::span<const render::BrushModelInstance> movers,
+                                                        const Hit& hit) {
+  find_targets(level, movers, hit);
+  const std::optional<Place> place = find_place(level, hit);
+  if (!place) return std::nullopt;
+  const math::Vec3d normal = face_normal(level, place->near.face);
+  const Target& target = place->target;
+  return Surface{place->near.face,
+                 math::Vec3(target.x_axis * normal.x + target.y_axis * normal.y + target.z_axis * normal.z)};
+}
+
+// The ball around the nearest point of the face marks all faces that it touches.
+void HitMarks::add_to_targets(const world::Level& level, const Hit& hit, render::MarkSet& io_marks) {
+  const std::optional<Place> hit_place = find_place(level, hit);
+  if (!hit_place) return;
   for (const Target& target : targets_) {
     const bool is_hit = target.model == hit_place->target.model;
     if (is_hit || hit.kind != render::MarkKind::kPicture)

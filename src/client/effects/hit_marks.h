@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,13 @@ class HitMarks {
   // is within reach or the nearest surface is sky. Liquids are ignored.
   void add(const world::Level& level, std::span<const render::BrushModelInstance> movers, const Hit& hit,
            render::MarkSet& io_marks);
+  // The lit face that a hit at this place marks, and its normal in world space; nothing as for add().
+  struct Surface {
+    world::FaceIndex face{};
+    math::Vec3 normal_world{0.0f};
+  };
+  std::optional<Surface> find_surface(const world::Level& level,
+                                      std::span<const render::BrushModelInstance> movers, const Hit& hit);
   // Adds marks to one model only; the hit's origin is in the model's space.
   void add_to_model(const world::Level& level, world::ModelIndex model, const Hit& hit,
                     render::MarkSet& io_marks);
@@ -67,6 +75,7 @@ class HitMarks {
   static Target make_target(const render::BrushModelInstance& mover);
   void find_targets(const world::Level& level, std::span<const render::BrushModelInstance> movers,
                     const Hit& hit);
+  std::optional<Place> find_place(const world::Level& level, const Hit& hit);
   void add_to_targets(const world::Level& level, const Hit& hit, render::MarkSet& io_marks);
   bool is_in_sight(const world::Level& level, const math::Vec3d& from_world, const Place& place) const;
   void mark_faces(const world::Level& level, const Hit& hit, const Place& hit_place, const Target& target,

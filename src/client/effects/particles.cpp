@@ -16,11 +16,13 @@ namespace temblor::client {
 namespace {
 
 // Units/s^2: a twentieth of the gravity of bodies (sv_gravity 800), as in the original.
-constexpr double kGravity = 40;  // a twentieth of the gravity of bodies
+constexpr double kGravity = 40;
+constexpr double kGravityOfBodies = 800;
 
-// Palette indices from hot to cold, from the original.
+// Palette indices from hot to cold, from the original except those of sparks.
 constexpr std::array<std::uint8_t, 8> kExplodeRamp = {0x6f, 0x6d, 0x6b, 0x69, 0x67, 0x65, 0x63, 0x61};
 constexpr std::array<std::uint8_t, 8> kExplode2Ramp = {0x6f, 0x6e, 0x6d, 0x6c, 0x6b, 0x6a, 0x68, 0x66};
+constexpr std::array<std::uint8_t, 8> kSparkRamp = {0xef, 0xee, 0xec, 0xea, 0xe8, 0xe6, 0xe4, 0xe2};
 constexpr std::array<std::uint8_t, 6> kFireRamp = {0x6d, 0x6b, 0x06, 0x05, 0x04, 0x03};
 
 // How a kind of particle moves and changes its color; see ParticleMotion.
@@ -44,6 +46,8 @@ constexpr std::array<MotionLaw, kParticleMotions> kLaws = {{
     {-1, -1, -kGravity, 15, kExplode2Ramp},
     {4, 4, -kGravity, 0, {}},
     {-4, 0, -kGravity, 0, {}},
+    {-3, -3, -kGravityOfBodies, 16, kSparkRamp},
+    {0, 0, -kGravityOfBodies, 0, {}},
 }};
 
 const MotionLaw& find_law(ParticleMotion motion) {

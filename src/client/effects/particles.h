@@ -18,8 +18,8 @@
 
 namespace temblor::client {
 
-// The laws, as changes per second. Gravity is 40 units/s^2. A ramp is a row of colors that the particle runs
-// through.
+// The laws, as changes per second. Gravity is 40 units/s^2, that of bodies 800. A ramp is a row of colors
+// that the particle runs through.
 enum class ParticleMotion : std::uint8_t {
   kStill,     // constant velocity
   kFalling,   // gravity
@@ -27,9 +27,11 @@ enum class ParticleMotion : std::uint8_t {
   kExplode,   // velocity + 4 x velocity, gravity; ramp of 8 colors, 10 a second
   kExplode2,  // velocity - velocity, gravity; ramp of 8 colors, 15 a second
   kBlob,      // velocity + 4 x velocity, gravity
-  kBlob2      // horizontal velocity - 4 x velocity, gravity
+  kBlob2,     // horizontal velocity - 4 x velocity, gravity
+  kSpark,     // velocity - 3 x velocity, gravity of bodies; ramp of 8 colors, 16 a second
+  kDrop       // gravity of bodies
 };
-constexpr std::size_t kParticleMotions = 7;
+constexpr std::size_t kParticleMotions = 9;
 
 // A particle at the time at which it is added.
 struct ParticleSpawn {

@@ -19,6 +19,10 @@ constexpr std::size_t kLevelNumber = 1;
 // loaded by path, as in stock Quake.
 constexpr std::array<const char*, 4> kBeamPaths = {"progs/bolt.mdl", "progs/bolt2.mdl", "progs/bolt3.mdl",
                                                    "progs/beam.mdl"};
+// In the orders of CasingModel and PuffPicture. No message names these.
+constexpr std::array<const char*, 2> kCasingPaths = {"progs/c_shell.mdl", "progs/c_brass.mdl"};
+constexpr std::array<const char*, 4> kPuffPaths = {"progs/s_smoke.spr", "progs/s_dust.spr",
+                                                   "progs/s_ring.spr", "progs/s_bubble.spr"};
 
 // Parses "*N"; returns nothing if the level has no such submodel.
 std::optional<world::ModelIndex> find_submodel(const world::Level& level, std::string_view name) {
@@ -128,11 +132,17 @@ void ModelTable::load_models(const assets::Library& library, const std::shared_p
   for (std::size_t i = 0; i < boxes.size(); ++i) models_[box_numbers[i]] = joined.models[i];
 }
 
-// Not every game has all four, and most levels show none, so missing ones are not reported.
-void ModelTable::load_beams(const assets::Library& library, std::vector<std::string>& io_notes) {
-  for (std::size_t i = 0; i < kBeamPaths.size(); ++i) {
-    base::Result<AliasPair> beam = load_alias_pair(library, kBeamPaths[i], io_notes);
-    if (beam.ok()) beams_[i] = std::move(beam).value();
+// Not every game has all of them, and most levels show few, so missing ones are not reported.
+void ModelTable::load_effects(const assets::Library& library, std::vector<std::string>& io_notes) {
+  const auto load_alias = [&](const char* path, AliasPair& out_pair) {
+    base::Result<AliasPair> pair = load_alias_pair(library, path, io_notes);
+    if (pair.ok()) out_pair = std::move(pair).value();
+  };
+  for (std::size_t i = 0; i < kBeamPaths.size(); ++i) load_alias(kBeamPaths[i], beams_[i]);
+  for (std::size_t i = 0; i < kCasingPaths.size(); ++i) load_alias(kCasingPaths[i], casings_[i]);
+  for (std::size_t i = 0; i < kPuffPaths.size(); ++i) {
+    base::Result<formats::Spr> sprite = library.sprite(kPuffPaths[i]);
+    if (sprite.ok()) puffs_[i] = std::make_shared<const formats::Spr>(std::move(sprite).value());
   }
 }
 
@@ -147,11 +157,13 @@ base::Result<ModelTable> ModelTable::load(const assets::Library& library, std::s
   ModelTable table;
   table.placeholder_ = render::make_alias_model(make_placeholder_model(), "missing model");
   table.load_models(library, loaded.level, names, options, io_notes);
-  table.load_beams(library, io_notes);
+  table.load_effects(library, io_notes);
   for (std::size_t number = 0; number < names.size(); ++number) {
     const ClientModel& model = table.models_[number];
     const auto* alias = std::get_if<AliasModelPtr>(&model);
     table.flags_.push_back(alias != nullptr ? render::find_model_flags(**alias) : 0);
+    const math::Bounds bounds = alias != nullptr ? render::model_bounds(**alias) : math::Bounds{};
+    table.heights_.push_back(bounds.maxs.z - bounds.mins.z);
     const auto* brush_model = std::get_if<world::ModelIndex>(&model);
     const bool is_submodel = brush_model != nullptr && names[number].starts_with('*');
     table.submodels_.push_back(is_submodel ? *brush_model : world::ModelIndex{0});

@@ -51,8 +51,17 @@ class ModelTable {
   const render::AliasModel* beam(BeamModel beam, bool prefers_md5) const {
     return beams_[static_cast<std::size_t>(beam)].choose(prefers_md5);
   }
+  // The model of a casing, and the sprite of a puff; null if the game has none.
+  const render::AliasModel* casing(CasingModel casing, bool prefers_md5) const {
+    return casings_[static_cast<std::size_t>(casing)].choose(prefers_md5);
+  }
+  const formats::Spr* puff(PuffPicture picture) const {
+    return puffs_[static_cast<std::size_t>(picture)].get();
+  }
   // formats::MdlFlags by model number; 0 for models that are not alias models.
   std::span<const std::uint32_t> flags() const { return flags_; }
+  // Heights of alias models by model number, in units; 0 for others.
+  std::span<const float> heights() const { return heights_; }
   // By model number: the submodel of the level that "*N" names; the world (0) for all other models.
   std::span<const world::ModelIndex> submodels() const { return submodels_; }
 
@@ -69,14 +78,17 @@ class ModelTable {
   void load_models(const assets::Library& library, const std::shared_ptr<const world::Level>& level,
                    std::span<const std::string> names, const assets::LevelOptions& options,
                    std::vector<std::string>& io_notes);
-  void load_beams(const assets::Library& library, std::vector<std::string>& io_notes);
+  void load_effects(const assets::Library& library, std::vector<std::string>& io_notes);
 
   std::shared_ptr<const world::Level> level_;
   std::vector<ClientModel> models_;
   std::vector<AliasModelPtr> md5_models_;  // by model number; null: none
   std::vector<std::uint32_t> flags_;
+  std::vector<float> heights_;
   std::vector<world::ModelIndex> submodels_;
   std::array<AliasPair, 4> beams_;
+  std::array<AliasPair, 2> casings_;
+  std::array<SpritePtr, 4> puffs_;
   ClientModel placeholder_;
 };
 

@@ -57,7 +57,8 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
                               "Shots leave bullet holes, scorches and blood on walls, doors and lifts.");
   bob_ = factor("v_bob", defaults.view.bob, 4, "View bob while walking. 1: original strength.");
   roll_ = factor("v_roll", defaults.view.roll, 4, "How far the view leans when strafing.");
-  kick_ = factor("v_kick", defaults.view.kick, 4, "How hard damage and recoil shake the view.");
+  kick_ = factor("v_kick", defaults.view.kick, 4, "How hard damage shakes the view.");
+  shake_ = factor("v_shake", defaults.view.shake, 4, "How hard recoil and explosions shake the view.");
   kick_time_ = variables.add_float("v_kicktime", static_cast<double>(defaults.view.kick_s), 0.01, 10,
                                    "How long damage shakes the view, in seconds.");
   idle_sway_ = factor("v_idlescale", defaults.view.idle_sway, 100,
@@ -70,6 +71,8 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
       factor("v_tint_powerup", defaults.view.powerup_tint, 1, "Strength of the tint of power-ups.");
   contents_tint_ =
       factor("v_tint_liquid", defaults.view.contents_tint, 1, "Strength of the tint in liquids.");
+  natural_liquids_ = variables.add_bool("v_liquid_colors", defaults.view.natural_liquids,
+                                        "Water tints the view blue and slime green. 0: as the original.");
   view_size_ = variables.add_int("viewsize", 100, 30, kNoBarViewSize,
                                  "110 hides the inventory row, 120 the whole status bar.");
   hud_scale_ = variables.add_int("scr_scale", defaults.hud.size.scale, 0, 64,
@@ -89,6 +92,16 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
                                        "Explosions and lightning light the level in their colors.");
   no_flash_ =
       variables.add_bool("cl_noflash", !defaults.effects.muzzle_flashes, "Shots do not light up the level.");
+  casings_ = variables.add_bool("cl_casings", defaults.effects.casings,
+                                "Guns throw out empty casings, in games with models of them.");
+  smoke_ = variables.add_bool("cl_smoke", defaults.effects.smoke,
+                              "Barrels and explosions smoke, in games with pictures of smoke.");
+  impacts_ = variables.add_bool("cl_impacts", defaults.effects.impacts,
+                                "Shots strike sparks from metal, dust from stone, and splinters from wood.");
+  splashes_ = variables.add_bool("cl_splashes", defaults.effects.splashes,
+                                 "Liquids splash, with rings and bubbles in games with pictures of them.");
+  barrel_beams_ = variables.add_bool("cl_barrelbeam", defaults.effects.barrel_beams,
+                                     "Your lightning starts at the barrel in your hand.");
   safe_colors_ = variables.add_bool("scr_safecolors", defaults.hud.safe_colors,
                                     "Marks low numbers, armor types and keys with symbols as well as "
                                     "colors.");
@@ -138,10 +151,17 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.choices = choices_.read(variables);
   settings.effects.colored_lights = variables.bool_value(colored_lights_);
   settings.effects.muzzle_flashes = !variables.bool_value(no_flash_);
+  settings.effects.casings = variables.bool_value(casings_);
+  settings.effects.smoke = variables.bool_value(smoke_);
+  settings.effects.impacts = variables.bool_value(impacts_);
+  settings.effects.splashes = variables.bool_value(splashes_);
+  settings.effects.barrel_beams = variables.bool_value(barrel_beams_);
   settings.effects.marks = variables.bool_value(marks_);
   settings.view.bob = factor(bob_);
   settings.view.roll = factor(roll_);
   settings.view.kick = factor(kick_);
+  settings.view.shake = factor(shake_);
+  settings.view.natural_liquids = variables.bool_value(natural_liquids_);
   settings.view.kick_s = variables.float_value(kick_time_);
   settings.view.idle_sway = factor(idle_sway_);
   settings.view.damage_tint = factor(damage_tint_);

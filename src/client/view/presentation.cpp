@@ -7,6 +7,7 @@
 
 #include "assets/captions.h"
 #include "client/lines/box_lines.h"
+#include "client/view/held_gun.h"
 
 namespace temblor::client {
 
@@ -82,7 +83,7 @@ void Presentation::note_missing_marks(const Events& events) {
 }
 
 // Advances effects, view and heads-up display to the time, and returns what there is to see. The order
-// matters: the prediction comes first, as effects and view start at the predicted place.
+// matters: the view starts at the predicted place, and effects at the gun in the view.
 Presentation::FrameView Presentation::advance_parts(ClientState& io_state, double time_s,
                                                     const math::Vec3& view_angles_deg,
                                                     const PresentationSettings& settings) {
@@ -97,15 +98,18 @@ Presentation::FrameView Presentation::advance_parts(ClientState& io_state, doubl
   if (moment.own) predicted_origin_world = moment.own->origin_world;
   note_missing_marks(io_state.events());
   for (std::string& note : io_state.events().notes) notes_.push_back(std::move(note));
-  effects_.advance(io_state.events(),
-                   {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world,
-                    models_->submodels(), &mark_pictures_},
-                   settings.effects);
   PlayerView view = view_.advance(game, io_state.events(), moment, settings.view);
   if (settings.camera)
     view = make_camera_view(*settings.camera, level, settings.view);
   else if (settings.choices.chase && game.ending == Ending::kNone)
     chase_player(level, *settings.choices.chase, view);
+  std::optional<HeldGun> held_gun;
+  if (settings.show_weapon)
+    held_gun = find_held_gun(game, *models_, view, settings.weapon_fov_deg, settings.choices.md5_models);
+  effects_.advance(io_state.events(),
+                   {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world,
+                    models_->submodels(), &mark_pictures_, game.models, models_->heights(), held_gun},
+                   settings.effects);
   hud_.advance(game, io_state.events(), time_s);
   if (settings.subtitles) subtitles_.advance(game, io_state.events(), view.camera, time_s);
   if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);

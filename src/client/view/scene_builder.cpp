@@ -109,6 +109,35 @@ void SceneBuilder::add_beams(const SceneInput& input) {
   }
 }
 
+void SceneBuilder::add_casings(const SceneInput& input) {
+  for (const CasingPiece& piece : input.effects.casings()) {
+    const render::AliasModel* model = input.models.casing(piece.model, input.prefers_md5);
+    if (model == nullptr) continue;
+    render::AliasInstance instance;
+    instance.model = model;
+    instance.origin_world = piece.origin_world;
+    instance.angles_deg = piece.angles_deg;
+    instance.alpha = piece.alpha;
+    alias_models_.push_back(instance);
+  }
+}
+
+void SceneBuilder::add_puffs(const SceneInput& input) {
+  for (const Puff& puff : input.effects.puffs()) {
+    const formats::Spr* sprite = input.models.puff(puff.picture);
+    if (sprite == nullptr) continue;
+    const auto frame = static_cast<std::size_t>(puff.age * static_cast<float>(sprite->frames.size()));
+    render::SpriteInstance instance;
+    instance.sprite = sprite;
+    instance.picture = &sprite->frames[std::min(frame, sprite->frames.size() - 1)].pictures.front();
+    instance.origin_world = puff.origin_world;
+    instance.angles_deg = puff.angles_deg;
+    instance.scale = puff.scale;
+    instance.alpha = puff.alpha;
+    sprites_.push_back(instance);
+  }
+}
+
 // Places the weapon in hand; returns false if none is shown.
 bool SceneBuilder::place_weapon(const SceneInput& input) {
   const auto number = static_cast<std::size_t>(std::max(0, input.game.stat(Stat::kWeaponModel)));
@@ -133,6 +162,8 @@ render::Scene SceneBuilder::build(const SceneInput& input, std::vector<std::stri
   sprites_.clear();
   for (const InterpolatedEntity& entity : input.entities) add_entity(input, entity, io_notes);
   add_beams(input);
+  add_casings(input);
+  add_puffs(input);
 
   render::Scene scene;
   scene.level = input.models.level().get();

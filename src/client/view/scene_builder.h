@@ -48,6 +48,8 @@ class SceneBuilder {
   void add_alias(const SceneInput& input, const InterpolatedEntity& entity, const render::AliasModel& model);
   void add_sprite(const SceneInput& input, const InterpolatedEntity& entity, const formats::Spr& sprite);
   void add_beams(const SceneInput& input);
+  void add_casings(const SceneInput& input);
+  void add_puffs(const SceneInput& input);
   bool place_weapon(const SceneInput& input);
 
   std::vector<render::BrushModelInstance> brush_models_;

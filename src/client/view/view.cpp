@@ -50,7 +50,7 @@ PlayerView make_camera_view(const render::Camera& camera, const world::Level& le
   view.leaf = world::find_leaf(level, camera.origin_world);
   view.contents = world::point_contents(level, camera.origin_world);
   view.underwater = is_liquid(view.contents);
-  view.tint = scale_tint(contents_tint(view.contents), settings.contents_tint);
+  view.tint = scale_tint(contents_tint(view.contents, settings.natural_liquids), settings.contents_tint);
   view.show_weapon = false;
   return view;
 }
@@ -130,7 +130,7 @@ void View::view_from_eyes(const Game& game, const ViewInput& input, const ViewSe
   if (is_dead(game)) head_deg.z = kDead_deg;
 
   io_view.camera.origin_world = clamp_to_body(eye_world + kOffGrid, place_world_) + stair_offset;
-  io_view.camera.angles_deg = head_deg + punch_deg_.value(input.time_s) * settings.kick;
+  io_view.camera.angles_deg = head_deg + punch_deg_.value(input.time_s) * settings.shake;
   io_view.weapon_origin_world =
       eye_world + stair_offset + math::Vec3(look.forward) * (bob * kWeaponAhead) + up * settings.weapon_rise;
   // The punch of a shot moves the head but not the hands, and the hands do not lean.
@@ -139,7 +139,7 @@ void View::view_from_eyes(const Game& game, const ViewInput& input, const ViewSe
 }
 
 render::Tint View::tint(const Game& game, world::Contents contents, const ViewSettings& settings) const {
-  render::Tint tint = scale_tint(contents_tint(contents), settings.contents_tint);
+  render::Tint tint = scale_tint(contents_tint(contents, settings.natural_liquids), settings.contents_tint);
   if (contents == world::Contents::kEmpty) tint = settings.open_tint;
   if (game.ending != Ending::kNone) return tint;
   tint = blend_tints(tint, scale_tint(fading_.damage(), settings.damage_tint));

@@ -23,10 +23,12 @@ namespace temblor::client {
 // Factors on the strength of each effect; 1 is the original's strength.
 struct ViewSettings {
   float bob = 1, roll = 1, kick = 1;
+  float shake = 1;      // of recoil and blasts, which the server sends
   double kick_s = 0.5;  // how long damage shakes the view
   float idle_sway = 0;  // the original's strength during an intermission is 1
   float damage_tint = 1, bonus_tint = 1, powerup_tint = 1, contents_tint = 1;
-  render::Tint open_tint{};  // of the view in the open, from the server
+  bool natural_liquids = false;  // see contents_tint()
+  render::Tint open_tint{};      // of the view in the open, from the server
   float fov_deg = 90;
   // How much higher the weapon is held, to clear the status bar: in the original 2 units above the full bar,
   // 1 above the small one, 0 without.

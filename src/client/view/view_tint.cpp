@@ -38,7 +38,7 @@ render::Tint blend_tints(const render::Tint& below, const render::Tint& above) {
   return {(below.color * below_seen + above.color * above.opacity) / opacity, opacity};
 }
 
-render::Tint contents_tint(world::Contents contents) {
+render::Tint contents_tint(world::Contents contents, bool natural) {
   switch (contents) {
     case world::Contents::kEmpty:
     case world::Contents::kSolid:
@@ -47,9 +47,9 @@ render::Tint contents_tint(world::Contents contents) {
     case world::Contents::kLava:
       return tint(255, 80, 0, 150);
     case world::Contents::kSlime:
-      return tint(0, 25, 5, 150);
+      return natural ? tint(46, 96, 10, 140) : tint(0, 25, 5, 150);
     default:
-      return tint(130, 80, 50, 128);
+      return natural ? tint(20, 78, 130, 110) : tint(130, 80, 50, 128);
   }
 }
 

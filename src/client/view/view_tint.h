@@ -14,8 +14,9 @@ namespace temblor::client {
 // The combination of two tints: `above` over `below`.
 render::Tint blend_tints(const render::Tint& below, const render::Tint& above);
 
-// The tint of an eye in these contents; clear in the open.
-render::Tint contents_tint(world::Contents contents);
+// The tint of an eye in these contents; clear in the open. The original's water is brown; `natural` water is
+// blue, and slime is green.
+render::Tint contents_tint(world::Contents contents, bool natural = false);
 // The tint of the first of quad, suit, ring and pentagram among the items.
 render::Tint powerup_tint(std::uint32_t items);
 

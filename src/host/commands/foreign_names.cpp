@@ -23,7 +23,7 @@ struct Counterpart {
 constexpr std::array kCounterparts = {
     Counterpart{"cl_bob", "v_bob", 50},          // the stock value is 0.02
     Counterpart{"cl_rollangle", "v_roll", 0.5},  // 2 degrees
-    Counterpart{"v_gunkick", "v_kick"},
+    Counterpart{"v_gunkick", "v_shake"},
     Counterpart{"r_lerpmodels", "cl_nolerp", -1, 1},
     Counterpart{"r_lerpmove", "cl_nolerp", -1, 1},
     Counterpart{"snd_waterfx", "s_underwater"},

@@ -31,6 +31,10 @@ Vec3d change(ParticleMotion motion, const Vec3d& v) {
       return -v + Vec3d(0, 0, -kGravity);
     case ParticleMotion::kBlob2:
       return {-4 * v.x, -4 * v.y, -kGravity};
+    case ParticleMotion::kSpark:
+      return v * -3.0 + Vec3d(0, 0, -20 * kGravity);
+    case ParticleMotion::kDrop:
+      return {0, 0, -20 * kGravity};
   }
   return Vec3d(0.0);
 }

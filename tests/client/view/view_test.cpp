@@ -124,6 +124,8 @@ TEST(View, Kicks) {
   EXPECT_NEAR(viewer.at(2.55).camera.angles_deg.x, -3.5, 1e-3);
   EXPECT_NEAR(viewer.at(2.65).camera.angles_deg.x, -3, 1e-3);
   viewer.settings.kick = 0;
+  EXPECT_EQ(viewer.at(2.7).camera.angles_deg.x, -3) << "recoil and blasts have their own setting";
+  viewer.settings.shake = 0;
   EXPECT_EQ(viewer.at(2.7).camera.angles_deg.x, 0);
 }
 

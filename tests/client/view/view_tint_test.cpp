@@ -45,6 +45,18 @@ void expect_tint(const Tint& tint, const math::Vec3& color, float of_256) {
   EXPECT_FLOAT_EQ(tint.opacity, of_256 / 256);
 }
 
+// Water keeps the most blue of a white picture, and slime the most green.
+TEST(ViewTint, NaturalLiquids) {
+  const math::Vec3 water = laid(math::Vec3(255.0f), contents_tint(Contents::kWater, true));
+  EXPECT_GT(water.z, water.y);
+  EXPECT_GT(water.y, water.x);
+  const math::Vec3 slime = laid(math::Vec3(255.0f), contents_tint(Contents::kSlime, true));
+  EXPECT_GT(slime.y, slime.x);
+  EXPECT_GT(slime.x, slime.z);
+  EXPECT_EQ(contents_tint(Contents::kLava, true).color, contents_tint(Contents::kLava).color);
+  EXPECT_EQ(contents_tint(Contents::kEmpty, true).opacity, 0);
+}
+
 TEST(ViewTint, Contents) {
   for (const Contents clear : {Contents::kEmpty, Contents::kSolid, Contents::kSky})
     EXPECT_EQ(contents_tint(clear).opacity, 0);

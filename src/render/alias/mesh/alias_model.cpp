@@ -192,4 +192,24 @@ const math::Bounds& model_bounds(const AliasModel& model) {
   return model.bounds;
 }
 
+math::Vec3 find_foremost_point(const AliasModel& model) {
+  const auto find = [&](const auto& pose) {
+    constexpr float kReach = 1;
+    const auto vertex = [&](std::size_t i) {
+      return math::Vec3(pose.x[i], pose.y[i], pose.z[i]) * model.scale + model.origin;
+    };
+    float front = vertex(0).x;
+    for (std::size_t i = 1; i < model.vertex_count; ++i) front = std::max(front, vertex(i).x);
+    math::Vec3 sum(0.0f);
+    float count = 0;
+    for (std::size_t i = 0; i < model.vertex_count; ++i)
+      if (vertex(i).x >= front - kReach) {
+        sum += vertex(i);
+        ++count;
+      }
+    return sum / count;
+  };
+  return model.is_wide() ? find(model.wide_pose(PoseIndex{})) : find(model.pose(PoseIndex{}));
+}
+
 }  // namespace temblor::render
