@@ -70,6 +70,18 @@ TEST_F(DebrisTest, AFlashThrowsACasingAndSmokes) {
   EXPECT_TRUE(effects_.puffs().empty());
 }
 
+// Demos show each packet's events at the time of the last frame.
+TEST_F(DebrisTest, AFlashCountsWhileTimeStandsStill) {
+  InterpolatedEntity soldier = body(2, hall());
+  show(soldier, 1);
+  soldier.has_muzzle_flash = true;
+  show(soldier, 1);
+  EXPECT_EQ(effects_.casings().size(), 1u);
+  soldier.has_muzzle_flash = false;
+  show(soldier, 1);
+  EXPECT_EQ(effects_.casings().size(), 1u);
+}
+
 // Stock frames of the player: 103 is a nail, 107 a rocket, 113 a shot, 12 a run.
 TEST_F(DebrisTest, TheFrameOfAPlayerNamesTheGun) {
   EXPECT_EQ(find_gun_of_body("progs/player.mdl", 103), Gun::kNailgun);
