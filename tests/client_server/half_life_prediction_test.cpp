@@ -70,16 +70,22 @@ TEST(HalfLifePrediction, PlayersCrouchAndStandUpWithoutCorrections) {
   expect_small_corrections(game);
 }
 
-TEST(HalfLifePrediction, ThePaceFallsInTheFrameOfTheKey) {
+TEST(HalfLifePrediction, PaceAndEyesFallWithTheKey) {
   SKIP_WITHOUT_GAME();
   const HalfLifeHall hall("");
   PredictedGame game(hall.path(), "hall", kFarAway);
   ASSERT_TRUE(game.join());
   game.run(0.8, kWalk);
   const float walking = game.shown()->velocity.x;
+  EXPECT_EQ(game.shown()->crouching_eyes_z, 22);
   game.run(0.05, kCrouchedWalk);
+  EXPECT_LT(*game.shown()->crouching_eyes_z, 20);
   EXPECT_LT(game.shown()->velocity.x, walking - 20);
   EXPECT_GT(game.player()[field::kVelocity].x, walking - 1) << "the server has not received the key yet";
+  game.run(1, kCrouchedWalk);
+  EXPECT_EQ(game.shown()->crouching_eyes_z, 6);
+  game.run(1);
+  EXPECT_EQ(game.shown()->crouching_eyes_z, 22);
 }
 
 TEST(HalfLifePrediction, CrouchingPlayersFitThroughPassagesAndStayLowInThem) {

@@ -143,9 +143,9 @@ Agreement compare_tick_by_tick(PredictedGame& io_game, std::uint64_t seed, int t
     const std::vector<client::SolidModel> solids = exact_solids(io_game.game());
     if (tick > 0 && after.number == before.number + 1) {
       const client::PredictionWorld world{io_game.level(), solids,
-                                          io_game.client().move_parameters()->physics,
-                                          io_game.player()[field::kViewOffset].z};
+                                          io_game.client().move_parameters()->physics};
       client::PredictedPlayer predicted = client::make_predicted_player(before);
+      predicted.eyes_z = io_game.player()[field::kViewOffset].z;
       for (const client::NumberedMove& sent : io_game.client().sent_moves())
         if (sent.number == after.number)
           client::step(predicted, sent.move, io_game.client().move_parameters()->world_tick_s, world);

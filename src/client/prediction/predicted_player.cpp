@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "math/angles.h"
+#include "movement/crouch.h"
 #include "movement/walk.h"
 #include "world/visibility.h"
 
@@ -129,17 +130,18 @@ class PredictionTracer final : public movement::WalkEnvironment {
 
 // Crouches as the server does (server/physics/crouch.h), and returns the effort. A box of the game code's own
 // is not known here.
-std::size_t crouch(PredictedPlayer& io_predicted, float wish_up, const PredictionWorld& world) {
+std::size_t crouch(PredictedPlayer& io_predicted, float wish_up, float tick_s, const PredictionWorld& world) {
   if (!world.level.is_half_life) return 0;
   const PredictionTracer tracer(world, io_predicted);
   io_predicted.player.is_crouching =
       movement::is_crouching_next(io_predicted.player, wish_up, [&] { return tracer.can_stand_up(); });
+  if (io_predicted.player.move_mode == movement::MoveMode::kWalk)
+    io_predicted.eyes_z = movement::move_eyes(io_predicted.eyes_z, io_predicted.player.is_crouching, tick_s);
   return tracer.effort();
 }
 
 // At the edge of a pool, a wall at the waist and free space at the eyes lets the swimmer jump out.
-void try_jump_out_of_water(PredictedPlayer& io_predicted, const PredictionWorld& world,
-                           const PredictionTracer& tracer) {
+void try_jump_out_of_water(PredictedPlayer& io_predicted, const PredictionTracer& tracer) {
   movement::Player& player = io_predicted.player;
   math::Vec3 ahead(math::basis_from_angles(player.angles_deg).forward);
   ahead.z = 0;
@@ -149,7 +151,7 @@ void try_jump_out_of_water(PredictedPlayer& io_predicted, const PredictionWorld&
   const world::Trace wall = tracer.line(waist, waist + ahead);
   if (wall.fraction == 1) return;
   player.water_jump_velocity = wall.plane_normal * -kLedgeSpeed;
-  const math::Vec3 eyes = waist + math::Vec3(0, 0, world.eyes_z);
+  const math::Vec3 eyes = waist + math::Vec3(0, 0, io_predicted.eyes_z);
   if (tracer.line(eyes, eyes + ahead).fraction < 1) return;
   player.is_jumping_out_of_water = true;
   io_predicted.is_jump_released = false;
@@ -179,7 +181,7 @@ void apply_jump_button(PredictedPlayer& io_predicted, std::uint8_t buttons) {
 void update_water_level(PredictedPlayer& io_predicted, const PredictionWorld& world) {
   movement::Player& player = io_predicted.player;
   const movement::Water water = movement::find_water(
-      player.body.origin, {.maxs = make_player_box(player).maxs.z, .eyes = world.eyes_z},
+      player.body.origin, {.maxs = make_player_box(player).maxs.z, .eyes = io_predicted.eyes_z},
       [&](const math::Vec3& point) { return world::point_contents(world.level, point); });
   player.water_level = water.level;
   io_predicted.swim_up_speed = water.at_feet == world::Contents::kSlime  ? kSwimUpSlime
@@ -251,7 +253,7 @@ std::size_t step(PredictedPlayer& io_predicted, const net::Move& move, double du
                  const PredictionWorld& world) {
   movement::Player& player = io_predicted.player;
   const auto tick_s = static_cast<float>(duration_s);
-  const std::size_t crouch_effort = crouch(io_predicted, static_cast<float>(move.up), world);
+  const std::size_t crouch_effort = crouch(io_predicted, static_cast<float>(move.up), tick_s, world);
   PredictionTracer tracer(world, io_predicted);
   const movement::Command command{
       move.angles_deg,
@@ -260,7 +262,7 @@ std::size_t step(PredictedPlayer& io_predicted, const net::Move& move, double du
     return tracer.line(probe.start, probe.end).fraction == 1;
   });
   if (player.water_level == kWaistDeep && player.move_mode != movement::MoveMode::kNoClip)
-    try_jump_out_of_water(io_predicted, world, tracer);
+    try_jump_out_of_water(io_predicted, tracer);
   apply_jump_button(io_predicted, move.buttons);
   player.body.velocity = movement::limit_velocity(player.body.velocity, world.settings.max_velocity);
   if (player.move_mode == movement::MoveMode::kWalk) {

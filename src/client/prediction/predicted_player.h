@@ -29,13 +29,13 @@ struct PredictionWorld {
   const world::Level& level;
   std::span<const SolidModel> solids;  // sorted by entity
   math::PhysicsSettings settings{};
-  // Eye height above the player's origin, units.
-  float eyes_z = 22;
 };
 
 // The state that a move starts from and changes. Server and client must agree on all of it.
 struct PredictedPlayer {
   movement::Player player;
+  // The eyes' height above the player's origin, units. Only crouching changes it.
+  float eyes_z = 22;
   bool is_jump_released = true;
   // Units per second while jump is held under water; depends on the liquid.
   float swim_up_speed = 100;

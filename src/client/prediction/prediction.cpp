@@ -146,19 +146,22 @@ std::optional<PredictedMotion> Prediction::advance(const ClientState& state, con
       moves_.empty() ? acknowledged_->number : std::max(moves_.back().number, acknowledged_->number);
   ground_ = now.ground;
   shown_at_s_ = now_s_;
-  return PredictedMotion{now.origin + error_, now.predicted.player.body.velocity, now.on_ground};
+  PredictedMotion motion{now.origin + error_, now.predicted.player.body.velocity, now.on_ground};
+  if (level.is_half_life) motion.crouching_eyes_z = now.predicted.eyes_z;
+  return motion;
 }
 
-PredictionWorld Prediction::make_world(const ClientState& state, const world::Level& level) const {
-  return {level, solids_, parameters_->physics, state.game().data.view_height};
+PredictionWorld Prediction::make_world(const world::Level& level) const {
+  return {level, solids_, parameters_->physics};
 }
 
 // Starts over from the acknowledged state.
 Prediction::ShownPlayer Prediction::restart(const ClientState& state, const world::Level& level,
                                             std::span<const InterpolatedEntity> drawn) {
   update_solids(state, level);
-  const PredictionWorld world = make_world(state, level);
+  const PredictionWorld world = make_world(level);
   latest_ = make_predicted_player(*acknowledged_);
+  latest_->eyes_z = state.game().data.view_height;
   latest_base_ = acknowledgment_count_;
   play_sent_moves(acknowledged_->number, world, *latest_);
   return predict_shown(*latest_, world, drawn);
@@ -168,7 +171,7 @@ Prediction::ShownPlayer Prediction::restart(const ClientState& state, const worl
 // with a restart from that.
 Prediction::ShownPlayer Prediction::continue_prediction(const ClientState& state, const world::Level& level,
                                                         std::span<const InterpolatedEntity> drawn) {
-  const PredictionWorld world = make_world(state, level);
+  const PredictionWorld world = make_world(level);
   play_sent_moves(last_played_, world, *latest_);
   ShownPlayer now = predict_shown(*latest_, world, drawn);
   // A player who steps onto or off a lift that is drawn elsewhere than predicted glides instead of jumping.

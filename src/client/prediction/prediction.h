@@ -65,7 +65,7 @@ class Prediction {
     math::Vec3 origin{0.0f};
   };
   // The world that solids_ describe.
-  PredictionWorld make_world(const ClientState& state, const world::Level& level) const;
+  PredictionWorld make_world(const world::Level& level) const;
   ShownPlayer restart(const ClientState& state, const world::Level& level,
                       std::span<const InterpolatedEntity> drawn);
   ShownPlayer continue_prediction(const ClientState& state, const world::Level& level,

@@ -121,7 +121,9 @@ void View::view_from_eyes(const Game& game, const ViewInput& input, const ViewSe
   const float bob = compute_bob(input.time_s, velocity) * settings.bob;
   const math::Vec3 up(0, 0, 1);
   const math::Vec3 stair_offset = up * stair_offset_;
-  const math::Vec3 eye_world = place_world_ + up * (game.data.view_height + bob);
+  const float eyes_z =
+      input.own ? input.own->crouching_eyes_z.value_or(game.data.view_height) : game.data.view_height;
+  const math::Vec3 eye_world = place_world_ + up * (eyes_z + bob);
 
   math::Vec3 head_deg =
       input.view_angles_deg + kick_.angles_deg(input.time_s, settings.kick_s) * settings.kick;

@@ -39,6 +39,8 @@ struct ViewSettings {
 struct PredictedMotion {
   math::Vec3 origin_world{0.0f}, velocity{0.0f};
   bool on_ground = false;
+  // The eyes' height above the origin where players can crouch; otherwise the server's counts.
+  std::optional<float> crouching_eyes_z{};
 };
 
 // The inputs of a frame.

@@ -1,7 +1,6 @@
 #include "server/physics/crouch.h"
 
-#include <algorithm>
-
+#include "movement/crouch.h"
 #include "movement/player.h"
 #include "server/move_trace.h"
 #include "server/physics/entity_moves.h"
@@ -9,10 +8,6 @@
 
 namespace temblor::server {
 namespace {
-
-// Above the origin, in units. Eyes at 6 are as far above the feet as Half-Life's crouching player's.
-constexpr float kStandingEyes = 22, kCrouchedEyes = 6;
-constexpr float kEyeSpeed = (kStandingEyes - kCrouchedEyes) / 0.2f;  // units per second
 
 bool has_height(const Edict& player, const math::Vec3& maxs) {
   return player[field::kMins] == movement::kPlayerMins && player[field::kMaxs] == maxs;
@@ -30,11 +25,9 @@ void set_height(const Edict& player, const math::Vec3& maxs) {
   player.set(field::kSize, maxs - movement::kPlayerMins);
 }
 
-// Other heights belong to game code: those of the dead, for example.
-void move_eyes(const Edict& player, float wanted, float distance) {
+void set_eyes(const Edict& player, float height) {
   math::Vec3 eyes = player[field::kViewOffset];
-  if (eyes.z < kCrouchedEyes || eyes.z > kStandingEyes) return;
-  eyes.z = std::clamp(wanted, eyes.z - distance, eyes.z + distance);
+  eyes.z = height;
   player.set(field::kViewOffset, eyes);
 }
 
@@ -52,7 +45,8 @@ void crouch(GameWorld& io_world, vm::EntityIndex player, float wish_up) {
   const bool is_low = movement::is_crouching_next(make_player(io_world, edict), wish_up,
                                                   [&] { return can_stand_up(io_world, edict); });
   set_height(edict, is_low ? movement::kCrouchedMaxs : movement::kPlayerMaxs);
-  move_eyes(edict, is_low ? kCrouchedEyes : kStandingEyes, kEyeSpeed * tick_seconds(io_world));
+  set_eyes(edict,
+           movement::move_eyes(math::Vec3(edict[field::kViewOffset]).z, is_low, tick_seconds(io_world)));
 }
 
 }  // namespace temblor::server
