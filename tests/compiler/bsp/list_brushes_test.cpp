@@ -8,6 +8,7 @@
 #include "formats/bspx/brush_list.h"
 #include "support/effort.h"
 #include "support/levels/room_map.h"
+#include "world/level.h"
 
 namespace temblor::test {
 namespace {
@@ -63,12 +64,14 @@ TEST(ListBrushes, AgreesWithTheDrawnHull) {
   const std::vector<formats::ListedModel> models = read_list(result.draft.bsp);
   ASSERT_GE(models.size(), 2u);
   EXPECT_EQ(models[0].model, 0u);
+  const auto level = world::make_level(result.draft.bsp, "room").value();
   std::mt19937 random(7);
   std::uniform_real_distribution<float> x(-127, 127), z(1, 127);
   int filled = 0;
   for (int i = 0; i < effort(20000, 2000); ++i) {
     const math::Vec3 point(x(random), x(random), z(random));
-    const int expected = static_cast<int>(contents_at(result, point));
+    const int expected =
+        static_cast<int>(world::hull_contents(*level, world::ModelIndex{0}, world::Hull::kPoint, point));
     ASSERT_EQ(listed_contents(models[0], point), expected) << point.x << " " << point.y << " " << point.z;
     filled += expected != -1 ? 1 : 0;
   }

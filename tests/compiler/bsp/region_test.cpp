@@ -6,6 +6,7 @@
 #include "formats/levels/entities.h"
 #include "support/levels/room_map.h"
 #include "support/random.h"
+#include "world/level.h"
 
 namespace temblor::test {
 namespace {
@@ -63,6 +64,11 @@ TEST(Region, MakesASealedLevelOfItsBounds) {
   EXPECT_THAT(list_warnings(warnings), ::testing::Not(HasSubstr("info_player_start")));
 }
 
+// contents_at for many points of one level.
+world::Contents point_contents(const world::Level& level, const math::Vec3& point) {
+  return world::hull_contents(level, world::ModelIndex{0}, world::Hull::kPoint, point);
+}
+
 // Wherever the bounds are, everything inside is as in the whole level.
 TEST(Region, KeepsContentsOfEveryPointInIt) {
   std::string blocks;
@@ -71,18 +77,19 @@ TEST(Region, KeepsContentsOfEveryPointInIt) {
     const Vec3d at(random.in_cube(120));
     blocks += box_text(at, at + Vec3d(40, 30, 50), i % 3 == 0 ? "*water" : "block");
   }
-  const compiler::DraftResult whole = compile_draft(hall(blocks));
+  const auto whole = world::make_level(compile_draft(hall(blocks)).draft.bsp, "whole").value();
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Random place(seed);
     const Vec3d mins(place.uniform(-250, 0), place.uniform(-120, 0), place.uniform(1, 60));
     const Vec3d maxs = mins + Vec3d(place.uniform(20, 200), place.uniform(20, 120), place.uniform(20, 60));
-    const compiler::DraftResult part =
+    const compiler::DraftResult result =
         compile_draft(hall(blocks + box_text(mins, maxs, "region")), {.fill_outside = false});
+    const auto part = world::make_level(result.draft.bsp, "part").value();
     for (int i = 0; i < 200; ++i) {
       const math::Vec3 point(mins + (maxs - mins) * (Vec3d(place.in_cube(0.49)) + 0.5));
-      EXPECT_EQ(contents_at(part, point), contents_at(whole, point)) << seed;
+      EXPECT_EQ(point_contents(*part, point), point_contents(*whole, point)) << seed;
       const math::Vec3 in_the_shell(point.x, point.y, maxs.z + 8);
-      EXPECT_EQ(contents_at(part, in_the_shell), world::Contents::kSolid) << seed;
+      EXPECT_EQ(point_contents(*part, in_the_shell), world::Contents::kSolid) << seed;
     }
   }
 }

@@ -48,7 +48,7 @@ BitMatrix random_matrix(std::size_t size, test::Random& random) {
 }
 
 TEST(VisibilityLump, ReadsBackEqualToTheMatrix) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::effort(20, 4); ++seed) {
     test::Random random(seed);
     formats::Bsp bsp = test::small_bsp({.tiny = seed % 2 == 0});
     const PortalSet portals = make_tree_portals(bsp).value();
