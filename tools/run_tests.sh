@@ -65,13 +65,14 @@ show_failures() {
        END { if (running) printf "%s", text }' "$1" | head -200
 }
 
-# begin NAME COMMAND...: runs the command beside the next steps. It has the lowest priority, so it takes the time that they
-# leave idle: tests of other engines mostly wait, and the last test of a suite leaves the other cores free.
+# begin NAME NICENESS COMMAND...: runs the command beside the next steps. With niceness 19, it takes the time that they
+# leave idle: tests of other engines mostly wait, and the last test of a suite leaves the other cores free. With 5, it has a
+# third of a test's share, so that a short command does not end long after them.
 begin() {
-  local name=$1
-  shift
+  local name=$1 niceness=$2
+  shift 2
   mkdir -p build
-  (renice -n 19 -p "$BASHPID" >/dev/null; "$@") >"build/$name.out" 2>&1 &
+  (renice -n "$niceness" -p "$BASHPID" >/dev/null; "$@") >"build/$name.out" 2>&1 &
   jobs[$name]=$!
 }
 # finish NAME: waits for it, prints its output, and returns its status.
@@ -125,7 +126,7 @@ has_clang() { command -v clang++-16 >/dev/null; }
 check_release() {
   step "release: build"
   if ! check "release build" eval 'configure release && build release'; then return; fi
-  if [ "$kind" = check ] && has_clang; then begin sanitize build_sanitizers; fi
+  if [ "$kind" = check ] && has_clang; then begin sanitize 19 build_sanitizers; fi
   step "release: test"
   suite release -LE 'check|peers'
 }
@@ -141,7 +142,8 @@ build_sanitizers() {
   configure sanitize -DTEMBLOR_FUZZ_SECONDS=1 && build sanitize all scripted_player
 }
 make_packages() {
-  make --no-print-directory package >build/package.log 2>&1 || { tail -20 build/package.log; return 1; }
+  TEMBLOR_QUICK_PACKAGES=1 make --no-print-directory package >build/package.log 2>&1 ||
+    { tail -20 build/package.log; return 1; }
   tools/check_packages.sh
 }
 
@@ -151,10 +153,10 @@ check_sanitizers() {
     skip "address and undefined-behavior sanitizers, fuzzing: clang++-16 is not installed"
     return
   fi
-  if [ -z "${jobs[sanitize]:-}" ]; then begin sanitize build_sanitizers; fi
+  if [ -z "${jobs[sanitize]:-}" ]; then begin sanitize 19 build_sanitizers; fi
   if ! check "sanitize build" finish sanitize; then return; fi
-  if [ -d build/release/game/id1/maps ]; then begin levels tools/compare_levels.sh build/release build/sanitize; fi
-  begin packages make_packages
+  if [ -d build/release/game/id1/maps ]; then begin levels 5 tools/compare_levels.sh build/release build/sanitize; fi
+  begin packages 5 make_packages
   step "sanitize: test, replay every fuzz corpus, fuzz each target for 1 s"
   suite sanitize -LE peers
   if [ -n "${jobs[levels]:-}" ]; then check "levels and demos are identical with both compilers" finish levels; fi
@@ -174,7 +176,7 @@ check_threads() {
 
 check_packages() {
   step "packages: build, install, start, and remove them"
-  if [ -z "${jobs[packages]:-}" ]; then begin packages make_packages; fi
+  if [ -z "${jobs[packages]:-}" ]; then begin packages 5 make_packages; fi
   finish packages
   case $? in
     0) passed=$((passed + 1)) ;;
