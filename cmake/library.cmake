@@ -62,10 +62,11 @@ function(temblor_test_flags)
 endfunction()
 
 # temblor_test(NAME [SHARDS N] [CHECK_ONLY] [OPTIMIZED] [SLOW PATTERN] [PEERS PATTERN] [DEPENDS ...] [SOURCES ...]
-#              [DEFINITIONS ...] [NEEDS ...]): compiles tests/NAME/**.cpp and SOURCES into the GoogleTest program NAME_test.
-# Sources called X_test.cpp are left out if none of their lines match TEMBLOR_TESTS_LIKE. OPTIMIZED chooses the flags (see
-# above). NEEDS lists targets to build before the program runs. ctest runs the program as N processes that share its tests,
-# so that a fixture is set up a few times instead of once per test. ctest's labels divide the tests:
+#              [DEFINITIONS ...] [NEEDS ...]): compiles tests/NAME/**.cpp and SOURCES into the GoogleTest program
+# NAME_test, as a unity build. Sources called X_test.cpp are left out if none of their lines match TEMBLOR_TESTS_LIKE.
+# OPTIMIZED chooses the flags (see above). NEEDS lists targets to build before the program runs. ctest runs the program as N
+# processes that share its tests, so that a fixture is set up a few times instead of once per test. ctest's labels divide
+# the tests:
 #   (none)  `make test` runs them
 #   check   only `make check` runs them: all tests of a CHECK_ONLY program, which the target `all` does not build either,
 #           and those that match SLOW (a GoogleTest filter, `Suite.*:Suite.Test`)
@@ -97,6 +98,7 @@ function(temblor_test name)
   endif()
   target_link_libraries(${name}_test PRIVATE ${ARG_DEPENDS} temblor_${kind}_flags GTest::gtest_main)
   temblor_use_headers(${name}_test temblor_${kind}_headers)
+  temblor_unity_build(${name}_test)
 
   if(TEMBLOR_TEST_FILTER)
     temblor_test_shards(${name} ${name} "${TEMBLOR_TEST_FILTER}" "${ARG_SHARDS}" "")

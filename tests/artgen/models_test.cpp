@@ -39,7 +39,7 @@ Model parse_model(const std::string& lines) {
   return model.ok() ? std::move(model).value() : Model{};
 }
 
-std::string error_message(const std::string& lines) {
+std::string model_error(const std::string& lines) {
   const auto model = read_model(parse_asset("model progs/test.mdl\n" + lines));
   return model.ok() ? "" : model.error().message();
 }
@@ -323,8 +323,8 @@ TEST(ModelScripts, ErrorsNameTheLineAndTheAllowedValues) {
       {body + "  flags glow\n", "line 5: flags: 'glow' is not one of rocket_trail"},
   };
   for (const auto& [lines, message] : cases)
-    EXPECT_TRUE(error_message(lines).starts_with(message)) << error_message(lines);
-  EXPECT_TRUE(error_message("  ball q 0,0,0 1,1,1\n").find("the model has no paint") != std::string::npos);
+    EXPECT_TRUE(model_error(lines).starts_with(message)) << model_error(lines);
+  EXPECT_TRUE(model_error("  ball q 0,0,0 1,1,1\n").find("the model has no paint") != std::string::npos);
 }
 
 TEST(ModelScripts, TooLargeModelsAreErrors) {
@@ -336,7 +336,7 @@ TEST(ModelScripts, TooLargeModelsAreErrors) {
             "line 1: model: it reaches 90001 units from its origin; the limit is 65536");
   std::string many = kPaintAndBone;
   for (int i = 0; i < 20; ++i) many += "  ball a 0,0,0 1,1,1 sides=40 rows=20\n";
-  EXPECT_EQ(error_message(many), "line 1: model: 30400 triangles; a model has at most 8192");
+  EXPECT_EQ(model_error(many), "line 1: model: 30400 triangles; a model has at most 8192");
 }
 
 base::Result<std::vector<ArtFile>> build_art(const std::string& text) {

@@ -26,7 +26,7 @@
 namespace temblor::artgen {
 namespace {
 
-std::vector<ScriptLine> parse_lines(std::string_view text) {
+std::vector<ScriptLine> parse_sound_lines(std::string_view text) {
   base::Result<std::vector<ScriptLine>> lines = read_script(text);
   EXPECT_TRUE(lines.ok());
   return lines.ok() ? std::move(lines).value() : std::vector<ScriptLine>();
@@ -34,13 +34,13 @@ std::vector<ScriptLine> parse_lines(std::string_view text) {
 
 Signal patch(std::string_view text, double seconds) {
   const base::Result<Signal> signal =
-      render_patch(parse_lines(text), {kSynthesisRate, seconds, seconds, 1, 7});
+      render_patch(parse_sound_lines(text), {kSynthesisRate, seconds, seconds, 1, 7});
   EXPECT_TRUE(signal.ok()) << (signal.ok() ? "" : signal.error().message());
   return signal.ok() ? *signal : Signal();
 }
 
-std::string error_message(std::string_view sound) {
-  const base::Result<std::vector<ArtPart>> made = make_sound_file(parse_lines(sound).front());
+std::string sound_error(std::string_view sound) {
+  const base::Result<std::vector<ArtPart>> made = make_sound_file(parse_sound_lines(sound).front());
   return made.ok() ? "none" : made.error().message();
 }
 
@@ -65,7 +65,7 @@ double db(double ratio) {
 
 TEST(SoundLanguage, CurvesGoThroughTheirPoints) {
   const std::vector<ScriptLine> lines =
-      parse_lines("x level=0..1@0.5..0 pitch=100..400 steady=3 even=0..1..0");
+      parse_sound_lines("x level=0..1@0.5..0 pitch=100..400 steady=3 even=0..1..0");
   Arguments arguments(lines.front());
   const Curve level = read_curve_setting(arguments, "level", 1, {0, 1}, 2);
   for (const auto& [time_s, value] :
@@ -201,7 +201,7 @@ TEST(SoundLanguage, ALoopContinuesAtItsStart) {
       "sound x/y length=1 loop=0.25 class=ambience blend=0.2\n"
       "  noise pink\n"
       "    lowpass 300\n";
-  const base::Result<std::vector<ArtPart>> made = make_sound_file(parse_lines(text).front());
+  const base::Result<std::vector<ArtPart>> made = make_sound_file(parse_sound_lines(text).front());
   ASSERT_TRUE(made.ok());
   const base::Result<formats::Wav> wav = formats::read_wav(made->front().bytes);
   ASSERT_TRUE(wav.ok());
@@ -214,30 +214,30 @@ TEST(SoundLanguage, ALoopContinuesAtItsStart) {
 }
 
 TEST(SoundLanguage, ErrorsNameTheLine) {
-  EXPECT_NE(error_message("sound x/y length=1\n  hum pitch=3")
+  EXPECT_NE(sound_error("sound x/y length=1\n  hum pitch=3")
                 .find("line 2: hum: expected a voice or an effect: tone"),
             std::string::npos);
-  EXPECT_NE(error_message("sound x/y length=1\n  tone saw pitch=high")
+  EXPECT_NE(sound_error("sound x/y length=1\n  tone saw pitch=high")
                 .find("line 2: tone: pitch=high must be a number"),
             std::string::npos);
-  EXPECT_NE(error_message("sound x/y length=1\n  tone round").find("'round' is not one of sine, triangle"),
+  EXPECT_NE(sound_error("sound x/y length=1\n  tone round").find("'round' is not one of sine, triangle"),
             std::string::npos);
-  EXPECT_NE(error_message("sound x/y length=1\n  strike cheese").find("'cheese' is not one of bar, bell"),
+  EXPECT_NE(sound_error("sound x/y length=1\n  strike cheese").find("'cheese' is not one of bar, bell"),
             std::string::npos);
-  EXPECT_NE(error_message("sound x/y length=1\n  throat x").find("'x' is not a vowel sequence"),
+  EXPECT_NE(sound_error("sound x/y length=1\n  throat x").find("'x' is not a vowel sequence"),
             std::string::npos);
-  EXPECT_NE(error_message("sound x/y length=1\n  tone sine loud=3").find("unknown setting 'loud'"),
+  EXPECT_NE(sound_error("sound x/y length=1\n  tone sine loud=3").find("unknown setting 'loud'"),
             std::string::npos);
-  EXPECT_NE(error_message("sound x/y length=1\n  tone sine at=2").find("begins after the end of the sound"),
+  EXPECT_NE(sound_error("sound x/y length=1\n  tone sine at=2").find("begins after the end of the sound"),
             std::string::npos);
-  EXPECT_NE(error_message("sound x/y\n  tone sine").find("length= (seconds) is required"), std::string::npos);
-  EXPECT_NE(error_message("sound ../y length=1\n  tone sine").find("FOLDER/NAME"), std::string::npos);
-  EXPECT_NE(error_message("sound x/y length=1 class=loud\n  tone sine").find("not one of blast, weapon"),
+  EXPECT_NE(sound_error("sound x/y\n  tone sine").find("length= (seconds) is required"), std::string::npos);
+  EXPECT_NE(sound_error("sound ../y length=1\n  tone sine").find("FOLDER/NAME"), std::string::npos);
+  EXPECT_NE(sound_error("sound x/y length=1 class=loud\n  tone sine").find("not one of blast, weapon"),
             std::string::npos);
 }
 
 TEST(SoundLanguage, NotesHaveTheirPitchAndWrapAround) {
-  const std::vector<ScriptLine> lines = parse_lines(
+  const std::vector<ScriptLine> lines = parse_sound_lines(
       "music track09 bpm=60 bars=2 beats=4\n"
       "  instrument flute tail=1 room=0\n"
       "    tone sine pitch=1 attack=0.01 fade=0.01\n"
@@ -264,7 +264,7 @@ TEST(SoundLanguage, NotesHaveTheirPitchAndWrapAround) {
 
 TEST(SoundLanguage, MusicErrorsNameTheProblem) {
   const auto error = [](const std::string& below) {
-    const std::vector<ScriptLine> lines = parse_lines("music track02 bars=2\n" + below);
+    const std::vector<ScriptLine> lines = parse_sound_lines("music track02 bars=2\n" + below);
     const base::Result<Score> score = read_score(lines.front());
     return score.ok() ? "none" : score.error().message();
   };

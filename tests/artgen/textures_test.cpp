@@ -45,7 +45,7 @@ formats::WadTexture one(std::string_view script) {
   return made.ok() && !made->empty() ? made->front() : formats::WadTexture();
 }
 
-std::string error_message(std::string_view script) {
+std::string texture_error(std::string_view script) {
   const base::Result<std::vector<formats::WadTexture>> made = make(script);
   return made.ok() ? "none" : made.error().message();
 }
@@ -177,25 +177,25 @@ TEST(Textures, AnAdditionalLineDoesNotChangeOthers) {
 }
 
 TEST(Textures, ErrorsNameTheLine) {
-  EXPECT_EQ(error_message("texture a 20x16"), "line 1: texture: 20x16: sides must be multiples of 16");
-  EXPECT_EQ(error_message("texture much_too_long_a_name 16x16"),
+  EXPECT_EQ(texture_error("texture a 20x16"), "line 1: texture: 20x16: sides must be multiples of 16");
+  EXPECT_EQ(texture_error("texture much_too_long_a_name 16x16"),
             "line 1: texture: 'much_too_long_a_name': a texture's name has 1 to 15 characters");
-  EXPECT_EQ(error_message("texture a 16x16\n  brcks"), "line 2: brcks: unknown texture layer");
-  EXPECT_EQ(error_message("texture a 16x16\n  fill slate 0.4\n    noise"),
+  EXPECT_EQ(texture_error("texture a 16x16\n  brcks"), "line 2: brcks: unknown texture layer");
+  EXPECT_EQ(texture_error("texture a 16x16\n  fill slate 0.4\n    noise"),
             "line 3: noise: no line can be under this layer");
-  EXPECT_EQ(error_message("texture a 16x16\n  rect slat 0.4"),
+  EXPECT_EQ(texture_error("texture a 16x16\n  rect slat 0.4"),
             "line 2: rect: 'slat' is not a color ramp; expected one of gray brown brick sand red olive gold "
             "teal blue "
             "purple slate rust skin green fire electric");
-  EXPECT_EQ(error_message("texture a 16x16\n  rect at=4"), "line 2: rect: at=4 is not X,Y");
-  EXPECT_EQ(error_message("texture a 16x16\n  rect size=0x4"), "line 2: rect: size=0x4 is not WIDTHxHEIGHT");
-  EXPECT_EQ(error_message("texture a 16x16\n  disc\n    disc radios=4"),
+  EXPECT_EQ(texture_error("texture a 16x16\n  rect at=4"), "line 2: rect: at=4 is not X,Y");
+  EXPECT_EQ(texture_error("texture a 16x16\n  rect size=0x4"), "line 2: rect: size=0x4 is not WIDTHxHEIGHT");
+  EXPECT_EQ(texture_error("texture a 16x16\n  disc\n    disc radios=4"),
             "line 3: disc: unknown setting 'radios'");
-  EXPECT_EQ(error_message("texture a 16x16\n  text \"~\""),
+  EXPECT_EQ(texture_error("texture a 16x16\n  text \"~\""),
             "line 2: text: '~' cannot be written: signs have no such letter");
-  EXPECT_EQ(error_message("texture a 16x16\n  inlay size=32x8"),
+  EXPECT_EQ(texture_error("texture a 16x16\n  inlay size=32x8"),
             "line 2: inlay: size=32x8 is not inside 16x16");
-  EXPECT_EQ(error_message("animation a 16x16 frames=11"), "line 1: animation: frames=11 is not from 1 to 10");
+  EXPECT_EQ(texture_error("animation a 16x16 frames=11"), "line 1: animation: frames=11 is not from 1 to 10");
 }
 
 }  // namespace

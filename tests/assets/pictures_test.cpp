@@ -22,17 +22,17 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-struct Loaded {
+struct LoadedPictures {
   Pictures pictures;
   std::vector<std::string> notes;
 };
-Loaded load(const std::filesystem::path& base_folder) {
-  Loaded loaded;
+LoadedPictures load(const std::filesystem::path& base_folder) {
+  LoadedPictures loaded;
   loaded.pictures = Pictures::load(vfs::FileSystem::open(base_folder).value(), loaded.notes);
   return loaded;
 }
 
-formats::Picture solid(std::uint32_t width, std::uint32_t height, std::uint8_t index) {
+formats::Picture filled_picture(std::uint32_t width, std::uint32_t height, std::uint8_t index) {
   return {width, height, std::vector<std::uint8_t>(std::size_t{width} * height, index)};
 }
 
@@ -46,9 +46,9 @@ class StockFolder {
   StockFolder() {
     for (const StockPicture& stock : stock_picture_files())
       folder_.write(std::string("id1/") + stock.name,
-                    formats::write_picture(solid(stock.width, stock.height, 3)));
+                    formats::write_picture(filled_picture(stock.width, stock.height, 3)));
     for (const StockPicture& stock : stock_wad_pictures())
-      lump_bytes_.push_back(formats::write_picture(solid(stock.width, stock.height, 4)));
+      lump_bytes_.push_back(formats::write_picture(filled_picture(stock.width, stock.height, 4)));
     lump_bytes_.push_back(base::ByteVector(128 * 128, std::byte{0}));
     lump_bytes_.back()[5] = std::byte{9};
   }
@@ -76,11 +76,11 @@ class StockFolder {
 TEST(Pictures, AreFoundIgnoringCase) {
   const StockFolder stock;
   stock.write_wad(stock.wad());
-  const Loaded loaded = load(stock.folder().path());
+  const LoadedPictures loaded = load(stock.folder().path());
   EXPECT_THAT(loaded.notes, IsEmpty());
   for (const char* name : {"sbar", "SBar"}) {
     ASSERT_NE(loaded.pictures.find(name), nullptr);
-    EXPECT_EQ(*loaded.pictures.find(name), solid(320, 24, 4));
+    EXPECT_EQ(*loaded.pictures.find(name), filled_picture(320, 24, 4));
   }
   ASSERT_NE(loaded.pictures.find("gfx/complete.lmp"), nullptr);
   EXPECT_EQ(loaded.pictures.find("gfx/complete.lmp")->pixels[0], 3);
@@ -91,7 +91,7 @@ TEST(Pictures, AreFoundIgnoringCase) {
 TEST(Pictures, HaveTransparentCharacters) {
   const StockFolder stock;
   stock.write_wad(stock.wad());
-  const Loaded loaded = load(stock.folder().path());
+  const LoadedPictures loaded = load(stock.folder().path());
   const formats::Picture& characters = loaded.pictures.characters();
   ASSERT_EQ(characters.pixels.size(), 128u * 128u);
   EXPECT_EQ(characters.pixels[5], 9);
@@ -100,23 +100,23 @@ TEST(Pictures, HaveTransparentCharacters) {
 
 TEST(Pictures, FindsModAndStockPictures) {
   const StockFolder stock;
-  const base::ByteVector own = formats::write_picture(solid(2, 3, 77));
+  const base::ByteVector own = formats::write_picture(filled_picture(2, 3, 77));
   std::vector<formats::WadLump> lumps = stock.lumps();
   lumps.push_back({"hammer", formats::kWadPicture, own});
   lumps.push_back({"sbar", formats::kWadPicture, own});
   stock.write_wad(formats::write_wad(lumps).value());
   stock.folder().write("id1/gfx/title.lmp", own);
-  const Loaded loaded = load(stock.folder().path());
+  const LoadedPictures loaded = load(stock.folder().path());
   EXPECT_THAT(loaded.notes, IsEmpty());
-  EXPECT_EQ(*loaded.pictures.find("hammer"), solid(2, 3, 77));
-  EXPECT_EQ(*loaded.pictures.find("gfx/title.lmp"), solid(2, 3, 77));
-  EXPECT_EQ(*loaded.pictures.find("sbar"), solid(320, 24, 4)) << "the first of a name counts";
+  EXPECT_EQ(*loaded.pictures.find("hammer"), filled_picture(2, 3, 77));
+  EXPECT_EQ(*loaded.pictures.find("gfx/title.lmp"), filled_picture(2, 3, 77));
+  EXPECT_EQ(*loaded.pictures.find("sbar"), filled_picture(320, 24, 4)) << "the first of a name counts";
 }
 
 TEST(Pictures, MissingOnesAreCheckerboards) {
   const test::TemporaryFolder empty;
   empty.write("id1/readme.txt", "nothing here");
-  const Loaded loaded = load(empty.path());
+  const LoadedPictures loaded = load(empty.path());
   EXPECT_THAT(loaded.notes, ElementsAre(AllOf(HasSubstr("gfx.wad"), HasSubstr("conchars"), HasSubstr("more"),
                                               Not(HasSubstr("damaged")))));
   for (const std::span<const StockPicture> pictures : {stock_wad_pictures(), stock_picture_files()})
@@ -134,12 +134,12 @@ TEST(Pictures, MissingOnesAreCheckerboards) {
 TEST(Pictures, PlaceholdersAreNotReal) {
   const StockFolder stock;
   stock.write_wad(stock.wad());
-  const Loaded whole = load(stock.folder().path());
+  const LoadedPictures whole = load(stock.folder().path());
   EXPECT_EQ(whole.pictures.find_real("GFX/Pause.lmp"), whole.pictures.find("gfx/pause.lmp"));
   EXPECT_EQ(whole.pictures.find_real("gfx/nowhere.lmp"), nullptr);
   std::filesystem::remove(stock.folder().path() / "id1/gfx/pause.lmp");
   stock.folder().write("id1/gfx/inter.lmp", "damaged");
-  const Loaded loaded = load(stock.folder().path());
+  const LoadedPictures loaded = load(stock.folder().path());
   for (const char* name : {"gfx/pause.lmp", "GFX/INTER.lmp"}) {
     EXPECT_NE(loaded.pictures.find(name), nullptr) << name;
     EXPECT_EQ(loaded.pictures.find_real(name), nullptr) << name;
@@ -154,7 +154,7 @@ TEST(Pictures, DamagedOnesAreNamedCheckerboards) {
     if (lump.name == "DISC" || lump.name == "CONCHARS") lump.data = lump.data.first(lump.data.size() - 1);
   stock.write_wad(formats::write_wad(lumps).value());
   stock.folder().write("id1/gfx/pause.lmp", "cut");
-  const Loaded loaded = load(stock.folder().path());
+  const LoadedPictures loaded = load(stock.folder().path());
   EXPECT_THAT(loaded.notes, ElementsAre(AllOf(HasSubstr("damaged: disc"), HasSubstr("conchars"),
                                               HasSubstr("gfx/pause.lmp"), Not(HasSubstr("sbar")))));
   EXPECT_TRUE(is_checker(*loaded.pictures.find("disc")));
@@ -180,7 +180,7 @@ TEST(Pictures, DamagedArchiveGivesPlaceholders) {
         bytes[place] = static_cast<std::byte>(random.bits());
       }
     stock.write_wad(bytes);
-    const Loaded loaded = load(stock.folder().path());
+    const LoadedPictures loaded = load(stock.folder().path());
     for (const StockPicture& picture : stock_wad_pictures())
       ASSERT_NE(loaded.pictures.find(picture.name), nullptr) << picture.name;
     EXPECT_LE(loaded.notes.size(), 1u);
@@ -189,7 +189,7 @@ TEST(Pictures, DamagedArchiveGivesPlaceholders) {
 
 TEST(Pictures, FindsAllStockPictures) {
   DATA_FOLDER_OR_SKIP(data);
-  const Loaded loaded = load(data);
+  const LoadedPictures loaded = load(data);
   EXPECT_THAT(loaded.notes, IsEmpty());
   EXPECT_EQ(loaded.pictures.find("sbar")->width, 320u);
   EXPECT_EQ(loaded.pictures.find("num_0")->width, 24u);

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
+#include "command/colors.h"
 #include "command/console.h"
 
 namespace temblor::command {
@@ -16,8 +16,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
 class CompletionTest : public ::testing::Test {
  protected:

@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <map>
+
+#include "command/colors.h"
 
 namespace temblor::command {
 namespace {
@@ -17,8 +18,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
-
-constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
 class ConsoleTest : public ::testing::Test {
  protected:

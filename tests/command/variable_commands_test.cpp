@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
+#include "command/colors.h"
 #include "command/console.h"
 
 namespace temblor::command {
@@ -16,8 +16,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
-
-constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
 class VariableCommands : public ::testing::Test {
  protected:

@@ -3,16 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <string_view>
+
+#include "command/colors.h"
 
 namespace temblor::command {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-constexpr std::array<std::string_view, 3> kColors = {"red", "green", "blue"};
 
 // A table with one variable of each type.
 struct Table {

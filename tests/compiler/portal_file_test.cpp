@@ -28,7 +28,7 @@ std::string rooms_text() {
          point_text("info_player_start", {64, 64, 64});
 }
 
-compiler::BitMatrix find_visibility(const compiler::PortalSet& set) {
+compiler::BitMatrix search_visibility(const compiler::PortalSet& set) {
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   const compiler::SearchablePortals portals(set);
   compiler::VisibilityState state = compiler::begin_visibility(portals);
@@ -51,7 +51,7 @@ TEST_F(PortalFileOfRooms, GivesTheSameVisibility) {
   ASSERT_TRUE(portals.ok()) << portals.error().what;
   ASSERT_EQ(portals->cluster_of_leaf, draft_.portals.cluster_of_leaf);
   ASSERT_EQ(portals->portals.size(), draft_.portals.portals.size());
-  const compiler::BitMatrix expected = find_visibility(draft_.portals), found = find_visibility(*portals);
+  const compiler::BitMatrix expected = search_visibility(draft_.portals), found = search_visibility(*portals);
   std::size_t hidden = 0;
   for (std::uint32_t from = 0; from < file_.cluster_count; ++from)
     for (std::uint32_t to = 0; to < file_.cluster_count; ++to) {

@@ -33,9 +33,9 @@ struct Expanded {
   std::string error() const { return map.ok() ? "no error" : map.error().message(); }
 };
 
-using Files = std::map<fs::path, std::string>;
+using MapFiles = std::map<fs::path, std::string>;
 
-Expanded expand(const std::string& text, const Files& files) {
+Expanded expand(const std::string& text, const MapFiles& files) {
   const auto read_text = [&](const fs::path& path) -> base::Result<std::string> {
     const auto found = files.find(path);
     if (found == files.end()) return base::error(base::ErrorCode::kNotFound, "no such file");
@@ -133,8 +133,8 @@ TEST(Prefabs, VisBlockersKeepTheirClass) {
     std::string text = one_side(distance);
     return text.replace(text.find("worldspawn"), 10, "func_illusionary_visblocker");
   };
-  const Files files{{"maps/p.map", one_side("8", blocker("16") + prefab("q.map"))},
-                    {"maps/q.map", one_side("32", blocker("64"))}};
+  const MapFiles files{{"maps/p.map", one_side("8", blocker("16") + prefab("q.map"))},
+                       {"maps/q.map", one_side("32", blocker("64"))}};
   const Expanded expanded = expand(
       one_side("1") + prefab("p.map", "\"origin\" \"100 0 0\"\n\"_external_map_classname\" \"func_wall\"\n") +
           "{\n\"classname\" \"light\"\n}\n",
@@ -198,12 +198,12 @@ TEST(Prefabs, RejectCyclesAndNameTheChain) {
 }
 
 TEST(Prefabs, RejectTooManyOrTooDeep) {
-  Files deep;
+  MapFiles deep;
   for (int i = 0; i < 20; ++i)
     deep["maps/" + std::to_string(i) + ".map"] = prefab(std::to_string(i + 1) + ".map");
   EXPECT_THAT(expand(prefab("0.map"), deep).error(), HasSubstr("at most 16 deep"));
   // Each names the next one ten times: 10^9 in all, if nothing counted them.
-  Files many;
+  MapFiles many;
   for (int i = 0; i < 9; ++i)
     for (int copies = 0; copies < 10; ++copies)
       many["maps/" + std::to_string(i) + ".map"] += prefab(std::to_string(i + 1) + ".map");

@@ -36,7 +36,7 @@ std::shared_ptr<const world::Level> load(const std::filesystem::path& path) {
   return level.ok() ? *level : nullptr;
 }
 
-bool overlap(const math::Bounds& a, const math::Bounds& b) {
+bool boxes_overlap(const math::Bounds& a, const math::Bounds& b) {
   for (int axis = 0; axis < 3; ++axis)
     if (a.mins[axis] > b.maxs[axis] || b.mins[axis] > a.maxs[axis]) return false;
   return true;
@@ -46,7 +46,7 @@ bool overlap(const math::Bounds& a, const math::Bounds& b) {
 bool is_waiting(const world::Level& level, const math::Bounds& box) {
   return std::any_of(level.entities.begin(), level.entities.end(), [&](const formats::Entity& entity) {
     return entity.classname() == "trigger_teleport" && entity.find("targetname") &&
-           overlap(entity_box(level, entity), box);
+           boxes_overlap(entity_box(level, entity), box);
   });
 }
 

@@ -11,7 +11,7 @@ namespace temblor::movement {
 namespace {
 
 constexpr math::PhysicsSettings kStock{};
-constexpr float kTick_s = 1.0f / 72;
+constexpr float kStockTick_s = 1.0f / 72;
 constexpr math::Vec3 kLevelLook{0, 0, 0};
 
 TEST(Velocity, ComesToRestWithinTheDistanceOfTheFormula) {
@@ -36,13 +36,13 @@ TEST(Velocity, ComesToRestWithinTheDistanceOfTheFormula) {
 
 TEST(Velocity, IsSlowedTwiceAsMuchAtAnEdge) {
   const math::Vec3 velocity(200, 100, -40);
-  const math::Vec3 plain = apply_ground_friction(velocity, kStock, kTick_s, false);
-  const math::Vec3 edge = apply_ground_friction(velocity, kStock, kTick_s, true);
+  const math::Vec3 plain = apply_ground_friction(velocity, kStock, kStockTick_s, false);
+  const math::Vec3 edge = apply_ground_friction(velocity, kStock, kStockTick_s, true);
   const float lost = glm::length(velocity - plain), lost_at_edge = glm::length(velocity - edge);
   EXPECT_NEAR(lost_at_edge / lost, 2, 1e-4);
   // All components, although only the horizontal ones count as speed.
   EXPECT_NEAR(edge.z / velocity.z, edge.x / velocity.x, 1e-5);
-  EXPECT_EQ(apply_ground_friction({0, 0, 50}, kStock, kTick_s, true), math::Vec3(0, 0, 50));
+  EXPECT_EQ(apply_ground_friction({0, 0, 50}, kStock, kStockTick_s, true), math::Vec3(0, 0, 50));
 }
 
 TEST(Velocity, EdgesAreProbedAheadOfTheFeet) {
@@ -56,24 +56,26 @@ TEST(Velocity, OnGroundReachesTheWishedSpeedAndNoMore) {
     math::Vec3 velocity(0.0f);
     float before = 0;
     for (int tick = 0; tick < 144; ++tick) {
-      velocity = apply_ground_friction(velocity, kStock, kTick_s, false);
-      velocity = accelerate_on_ground(velocity, {0, speed, 0}, kStock, kTick_s);
+      velocity = apply_ground_friction(velocity, kStock, kStockTick_s, false);
+      velocity = accelerate_on_ground(velocity, {0, speed, 0}, kStock, kStockTick_s);
       EXPECT_GE(velocity.y, before);
       before = velocity.y;
     }
     EXPECT_NEAR(velocity.y, speed, 1e-3);
   }
   // The first tick: an acceleration of 10 times the wished speed.
-  EXPECT_NEAR(accelerate_on_ground({0, 0, 0}, {320, 0, 0}, kStock, kTick_s).x, 10 * 320 * kTick_s, 1e-3);
+  EXPECT_NEAR(accelerate_on_ground({0, 0, 0}, {320, 0, 0}, kStock, kStockTick_s).x, 10 * 320 * kStockTick_s,
+              1e-3);
 }
 
 TEST(Velocity, InAirGainsOnlyThirtyAlongTheWish) {
   math::Vec3 velocity(0, 300, 0);
-  for (int tick = 0; tick < 72; ++tick) velocity = accelerate_in_air(velocity, {320, 0, 0}, kStock, kTick_s);
+  for (int tick = 0; tick < 72; ++tick)
+    velocity = accelerate_in_air(velocity, {320, 0, 0}, kStock, kStockTick_s);
   EXPECT_NEAR(velocity.x, 30, 1e-3);
   EXPECT_EQ(velocity.y, 300);
   // But as quickly as for 320: it is reached in the first tick.
-  EXPECT_NEAR(accelerate_in_air({0, 0, 0}, {320, 0, 0}, kStock, kTick_s).x, 30, 1e-3);
+  EXPECT_NEAR(accelerate_in_air({0, 0, 0}, {320, 0, 0}, kStock, kStockTick_s).x, 30, 1e-3);
   // A wish perpendicular to the velocity adds speed, as players found out.
   EXPECT_GT(glm::length(velocity), 301);
 }
@@ -81,20 +83,20 @@ TEST(Velocity, InAirGainsOnlyThirtyAlongTheWish) {
 TEST(Velocity, SwimmingReachesSevenTenths) {
   math::Vec3 velocity(0.0f);
   for (int tick = 0; tick < 200; ++tick)
-    velocity = accelerate_in_water(velocity, {0, 90, 0}, {.forward = 400}, kStock, kTick_s);
+    velocity = accelerate_in_water(velocity, {0, 90, 0}, {.forward = 400}, kStock, kStockTick_s);
   EXPECT_NEAR(velocity.y, 320 * 0.7, 0.01);
   EXPECT_NEAR(velocity.x, 0, 0.01);
   // A player who looks down swims down.
   velocity = math::Vec3(0.0f);
   for (int tick = 0; tick < 200; ++tick)
-    velocity = accelerate_in_water(velocity, {90, 0, 0}, {.forward = 200}, kStock, kTick_s);
+    velocity = accelerate_in_water(velocity, {90, 0, 0}, {.forward = 200}, kStock, kStockTick_s);
   EXPECT_NEAR(velocity.z, -200 * 0.7, 0.01);
 }
 
 TEST(Velocity, PlayersWithoutAWishSinkInWater) {
   math::Vec3 velocity(200, 0, 0);
   for (int tick = 0; tick < 300; ++tick)
-    velocity = accelerate_in_water(velocity, kLevelLook, {}, kStock, kTick_s);
+    velocity = accelerate_in_water(velocity, kLevelLook, {}, kStock, kStockTick_s);
   EXPECT_NEAR(velocity.z, -60 * 0.7, 0.01);
   EXPECT_NEAR(velocity.x, 0, 0.01);
 }
@@ -128,7 +130,7 @@ TEST(Velocity, GroundAccelerationNeverOvershoots) {
   test::Random random(3);
   for (int i = 0; i < 2000; ++i) {
     const math::Vec3 velocity = random.in_cube(400), wished = random.in_cube(300);
-    const math::Vec3 after = accelerate_on_ground(velocity, wished, kStock, kTick_s);
+    const math::Vec3 after = accelerate_on_ground(velocity, wished, kStock, kStockTick_s);
     const math::Vec3 direction = glm::normalize(wished);
     const float before_along = glm::dot(velocity, direction), along = glm::dot(after, direction);
     EXPECT_LE(along, std::max(before_along, glm::length(wished)) + 0.01f);

@@ -22,8 +22,8 @@ namespace {
 using math::Vec3d;
 
 using HullTable = std::vector<std::pair<world::Hull, HullBox>>;
-const HullTable kHulls = {{world::Hull::kPlayer, {{-16, -16, -24}, {16, 16, 32}}},
-                          {world::Hull::kLarge, {{-32, -32, -24}, {32, 32, 64}}}};
+const HullTable kHullBoxes = {{world::Hull::kPlayer, {{-16, -16, -24}, {16, 16, 32}}},
+                              {world::Hull::kLarge, {{-32, -32, -24}, {32, 32, 64}}}};
 const HullTable kHullsOfHalfLife = {{world::Hull::kPlayer, {{-16, -16, -36}, {16, 16, 36}}},
                                     {world::Hull::kLarge, {{-32, -32, -32}, {32, 32, 32}}},
                                     {world::Hull::kLow, {{-16, -16, -18}, {16, 16, 18}}}};
@@ -33,7 +33,7 @@ const HullTable kHullsOfHalfLife = {{world::Hull::kPlayer, {{-16, -16, -36}, {16
 constexpr double kUnsure = 0.1;  // units
 
 void expect_hulls_agree(const formats::Map& map, int points, Random& io_random,
-                        const HullTable& hulls = kHulls) {
+                        const HullTable& hulls = kHullBoxes) {
   const auto level = make_level_of_brushes(map, {.half_life = &hulls == &kHullsOfHalfLife});
   const std::vector<Solid> solids = solids_of_world(map);
   int wrong = 0, solid_points = 0, sure = 0;

@@ -15,9 +15,9 @@ namespace {
 
 using math::Vec3d;
 
-constexpr double kHalf = 48;  // half of the pedestal's width and depth
+constexpr double kHalfPedestal = 48;  // half of the pedestal's width and depth
 
-std::string side_text(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+std::string bend_side_text(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return fmt::format("( {} {} {} ) ( {} {} {} ) ( {} {} {} ) stone 0 0 0 1 1\n", a.x, a.y, a.z, b.x, b.y, b.z,
                      c.x, c.y, c.z);
 }
@@ -30,11 +30,12 @@ std::string pedestal_text(double bend, Random& io_random) {
   const Vec3d ridge(io_random.uniform(-30, 30), io_random.uniform(-30, 30), io_random.uniform(0, 20));
   const auto top = [&](double slope) {
     const Vec3d down(0, 0, slope * 16);
-    return side_text(ridge, ridge + across * 16.0 + down, ridge + along * 16.0);
+    return bend_side_text(ridge, ridge + across * 16.0 + down, ridge + along * 16.0);
   };
-  std::string text = box_text({-kHalf, -kHalf, -256}, {kHalf, kHalf, 128}, "stone");
+  std::string text =
+      box_text({-kHalfPedestal, -kHalfPedestal, -256}, {kHalfPedestal, kHalfPedestal, 128}, "stone");
   text.resize(text.find('}'));
-  return text + top(tilt) + top(tilt - bend / kHalf) + "}\n";
+  return text + top(tilt) + top(tilt - bend / kHalfPedestal) + "}\n";
 }
 
 // The area of the pedestal that the world's faces cover, seen from above.
@@ -66,7 +67,7 @@ TEST(FlatBends, LeaveNoGaps) {
     const auto made = compiler::make_draft(
         parse_map(text), [](std::string_view) { return math::Vec2d(64, 64); }, {}, jobs, warnings);
     ASSERT_TRUE(made.ok());
-    EXPECT_NEAR(area_from_above(made.value().draft.bsp), 4 * kHalf * kHalf, 2)
+    EXPECT_NEAR(area_from_above(made.value().draft.bsp), 4 * kHalfPedestal * kHalfPedestal, 2)
         << "seed " << seed << ", bend " << bend;
   }
 }
@@ -92,11 +93,11 @@ Vec3d corner_of_rock(std::size_t column, std::size_t row) {
 
 std::string prism_text(const std::array<Vec3d, 3>& lower) {
   const auto above = [](Vec3d point) { return Vec3d(point.x, point.y, kTop); };
-  std::string text = "{\n" + side_text(lower[0], lower[1], lower[2]);
-  text += side_text(above(lower[0]), above(lower[2]), above(lower[1]));
+  std::string text = "{\n" + bend_side_text(lower[0], lower[1], lower[2]);
+  text += bend_side_text(above(lower[0]), above(lower[2]), above(lower[1]));
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3d &a = lower[i], &b = lower[(i + 1) % 3];
-    text += side_text(a, above(a), b);
+    text += bend_side_text(a, above(a), b);
   }
   return text + "}\n";
 }

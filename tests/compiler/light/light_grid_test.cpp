@@ -18,7 +18,7 @@
 namespace temblor::test {
 namespace {
 
-using Place = std::array<std::int32_t, 3>;
+using GridPlace = std::array<std::int32_t, 3>;
 
 compiler::LightOptions with_grid(float step = 32) {
   compiler::LightOptions options;
@@ -219,7 +219,7 @@ TEST(LightGridOctree, HoldsEverySampleOfRandomBlocks) {
     for (std::int32_t z = 0; z < grid.size[2]; ++z)
       for (std::int32_t y = 0; y < grid.size[1]; ++y)
         for (std::int32_t x = 0; x < grid.size[0]; ++x) {
-          const Place place{x, y, z};
+          const GridPlace place{x, y, z};
           const compiler::GridBlock& block = blocks.block_at(place);
           const auto found = formats::find_grid_lights(grid, place);
           const bool is_open = !block.samples.empty() &&

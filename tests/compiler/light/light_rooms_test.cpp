@@ -23,7 +23,7 @@ struct Measured {
 };
 
 // The light of a room, and ericw-tools' result.
-struct Room {
+struct LitRoom {
   const char* name;
   std::string world_keys;
   std::string light_keys;  // of the light below; with its own "light" and "origin" these count
@@ -43,7 +43,7 @@ std::string lamp_text(double low, double high) {
   return box_text({low, low, 200}, {high, high, 216}, "lamp");
 }
 
-std::string room_text(const Room& room) {
+std::string lit_room_text(const LitRoom& room) {
   std::string brushes = walls_text({0, 0, 0}, {512, 512, room.has_sky ? 272 : 256}, "wall");
   if (room.has_sky) brushes += box_text({-16, -16, 256}, {528, 528, 272}, "sky1");
   brushes += box_text({300, 300, 0}, {364, 364, 128}, "wall") + room.brushes;
@@ -51,7 +51,7 @@ std::string room_text(const Room& room) {
          (room.has_sky ? std::string() : entity_text("light", room.light_keys));
 }
 
-std::vector<Room> list_rooms() {
+std::vector<LitRoom> list_rooms() {
   const std::string lit_lamp = kLampAt + key("light", "120");
   return {
       {"plain", "", kLight, "", {2724, 14.3, 87}},
@@ -83,11 +83,11 @@ std::vector<Room> list_rooms() {
   };
 }
 
-class LightRooms : public ::testing::TestWithParam<Room> {};
+class LightRooms : public ::testing::TestWithParam<LitRoom> {};
 
 TEST_P(LightRooms, LightIsWithinFivePercent) {
-  const Room& room = GetParam();
-  const auto level = lit_map(room_text(room));
+  const LitRoom& room = GetParam();
+  const auto level = lit_map(lit_room_text(room));
   const double sum = std::accumulate(level->light.begin(), level->light.end(), 0.0);
   const double most = *std::max_element(level->light.begin(), level->light.end());
   const double expected = room.expected.samples * room.expected.mean;
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(OfEricwTools, LightRooms, ::testing::ValuesIn(list_room
 TEST(LightRooms, LiquidsAddSamplesOfTheSameMean) {
   const std::string water = box_text({0, 0, 0}, {512, 200, 40}, "*water");
   const auto measure = [&](const std::string& world_keys) {
-    const auto level = lit_map(room_text({"", world_keys, kLight, water, {}}));
+    const auto level = lit_map(lit_room_text({"", world_keys, kLight, water, {}}));
     return Measured{static_cast<double>(level->light.size()),
                     std::accumulate(level->light.begin(), level->light.end(), 0.0) /
                         static_cast<double>(level->light.size()),

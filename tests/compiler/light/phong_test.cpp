@@ -34,7 +34,7 @@ math::Vec3 normal_at(const compiler::LitLevel& lit, const math::Vec3d& wall, con
   return compiler::PhongNormals(lit).at(compiler::make_light_grid(lit, face_with(lit, wall)), point);
 }
 
-void expect_near(const math::Vec3& a, const math::Vec3& b) {
+void expect_normal(const math::Vec3& a, const math::Vec3& b) {
   EXPECT_LT(glm::length(a - b), 1e-3f)
       << a.x << ' ' << a.y << ' ' << a.z << " for " << b.x << ' ' << b.y << ' ' << b.z;
 }
@@ -43,25 +43,25 @@ TEST(Phong, CornersPointBetweenTheirFaces) {
   const compiler::LitLevel lit = smooth_room("'_phong_angle' '90'");
   const math::Vec3 inward = glm::normalize(math::Vec3(-1, -1, -1));
   for (const math::Vec3d& wall : {kWallX, kWallY, kWallZ})
-    expect_near(normal_at(lit, wall, {64, 64, 64}), inward);
+    expect_normal(normal_at(lit, wall, {64, 64, 64}), inward);
 }
 
 TEST(Phong, NeighborsAgreeAlongTheirEdge) {
   const compiler::LitLevel lit = smooth_room("'_phong_angle' '90'");
   for (int z = -64; z <= 64; z += 8) {
     const math::Vec3d point(64, 64, z);
-    expect_near(normal_at(lit, kWallX, point), normal_at(lit, kWallY, point));
+    expect_normal(normal_at(lit, kWallX, point), normal_at(lit, kWallY, point));
   }
-  expect_near(normal_at(lit, kWallX, {64, 64, 0}), glm::normalize(math::Vec3(-1, -1, 0)));
+  expect_normal(normal_at(lit, kWallX, {64, 64, 0}), glm::normalize(math::Vec3(-1, -1, 0)));
   // By symmetry.
-  expect_near(normal_at(lit, kWallX, {64, 0, 0}), {-1, 0, 0});
+  expect_normal(normal_at(lit, kWallX, {64, 0, 0}), {-1, 0, 0});
 }
 
 TEST(Phong, SharpAnglesStayEdges) {
   for (const compiler::LitLevel& lit : {smooth_room("'_phong_angle' '89'"),
                                         smooth_room("'_phong_angle' '120' '_phong_angle_concave' '60'")}) {
     EXPECT_TRUE(compiler::PhongNormals(lit).is_curved(face_with(lit, kWallX)));
-    expect_near(normal_at(lit, kWallX, {64, 64, 64}), {-1, 0, 0});
+    expect_normal(normal_at(lit, kWallX, {64, 64, 64}), {-1, 0, 0});
   }
   const compiler::LitLevel flat = smooth_room("");
   EXPECT_FALSE(compiler::PhongNormals(flat).is_curved(face_with(flat, kWallX)));

@@ -36,7 +36,7 @@ Line reversed(const Line& line) {
   return {line.to, line.from};
 }
 
-std::string side_text(const Vec3d& a, const Vec3d& b, const Vec3d& c, std::string_view texture) {
+std::string wall_side_text(const Vec3d& a, const Vec3d& b, const Vec3d& c, std::string_view texture) {
   return fmt::format("( {} {} {} ) ( {} {} {} ) ( {} {} {} ) {} 0 0 0 1 1\n", a.x, a.y, a.z, b.x, b.y, b.z,
                      c.x, c.y, c.z, texture);
 }
@@ -45,9 +45,9 @@ std::string side_text(const Vec3d& a, const Vec3d& b, const Vec3d& c, std::strin
 std::string prism_text(std::span<const Line> lines, double bottom, double top, std::string_view texture) {
   std::string text = "{\n";
   for (const Line& line : lines)
-    text += side_text(Vec3d(line.from, 0), Vec3d(line.from, 64), Vec3d(line.to, 0), texture);
-  text += side_text({0, 0, top}, {0, 64, top}, {64, 0, top}, texture);
-  text += side_text({0, 0, bottom}, {64, 0, bottom}, {0, 64, bottom}, texture);
+    text += wall_side_text(Vec3d(line.from, 0), Vec3d(line.from, 64), Vec3d(line.to, 0), texture);
+  text += wall_side_text({0, 0, top}, {0, 64, top}, {64, 0, top}, texture);
+  text += wall_side_text({0, 0, bottom}, {64, 0, bottom}, {0, 64, bottom}, texture);
   return text + "}\n";
 }
 

@@ -18,16 +18,16 @@ namespace {
 
 using base::ErrorCode;
 
-constexpr auto kKeepGoing = [](std::size_t, std::size_t) { return true; };
+constexpr auto kNeverStop = [](std::size_t, std::size_t) { return true; };
 
 PortalSet small_portals() {
   return make_tree_portals(test::small_bsp()).value();
 }
 
-VisibilityState finished_state(const PortalSet& portals) {
+VisibilityState finish_visibility(const PortalSet& portals) {
   base::Jobs jobs(1);
   VisibilityState state = begin_visibility(portals);
-  EXPECT_EQ(continue_visibility(portals, jobs, kKeepGoing, state), VisibilityEnd::kFinished);
+  EXPECT_EQ(continue_visibility(portals, jobs, kNeverStop, state), VisibilityEnd::kFinished);
   return state;
 }
 
@@ -60,8 +60,8 @@ TEST(VisibilityState, ReadsBackEqual) {
   const PortalSet portals = small_portals();
   const VisibilityState begun = begin_visibility(portals);
   VisibilityState swept = stopped_state(portals);
-  swept.swept = finished_state(portals).seen;
-  for (const VisibilityState& state : {begun, stopped_state(portals), finished_state(portals), swept}) {
+  swept.swept = finish_visibility(portals).seen;
+  for (const VisibilityState& state : {begun, stopped_state(portals), finish_visibility(portals), swept}) {
     const auto read = read_visibility_state(write_visibility_state(state), begun);
     ASSERT_TRUE(read.ok()) << read.error().message();
     EXPECT_EQ(*read, state);
@@ -70,7 +70,7 @@ TEST(VisibilityState, ReadsBackEqual) {
 
 TEST(VisibilityState, RejectsAnotherLevel) {
   PortalSet portals = small_portals();
-  const base::ByteVector bytes = write_visibility_state(finished_state(portals));
+  const base::ByteVector bytes = write_visibility_state(finish_visibility(portals));
   portals.portals[0].winding_world[0].x += 1;
   const VisibilityState begun = begin_visibility(portals);
   const auto read = read_visibility_state(bytes, begun);
@@ -79,7 +79,7 @@ TEST(VisibilityState, RejectsAnotherLevel) {
   EXPECT_NE(read.error().what.find("another level"), std::string::npos);
 
   VisibilityState state = begun;
-  const VisibilityState other = finished_state(small_portals());
+  const VisibilityState other = finish_visibility(small_portals());
   const auto merged = merge_visibility_state(other, state);
   ASSERT_FALSE(merged.ok());
   EXPECT_EQ(merged.error().code, ErrorCode::kUsage);
@@ -95,7 +95,7 @@ TEST(VisibilityState, RejectsDamage) {
     portals.portals.push_back({{{x, 0, 0}, {x, 0, 10}, {x, 10, 10}, {x, 10, 0}}, {1, 0, 0}, x, {i + 1, i}});
   }
   const VisibilityState begun = begin_visibility(portals);
-  const base::ByteVector bytes = write_visibility_state(finished_state(portals));
+  const base::ByteVector bytes = write_visibility_state(finish_visibility(portals));
   test::for_each_truncation(bytes, [&](const base::ByteVector& cut) {
     EXPECT_FALSE(read_visibility_state(cut, begun).ok()) << cut.size();
   });
@@ -112,7 +112,7 @@ TEST(VisibilityState, RejectsDamage) {
 
 TEST(VisibilityState, RejectsTwoResultsForOnePortal) {
   const PortalSet portals = small_portals();
-  const VisibilityState state = finished_state(portals);
+  const VisibilityState state = finish_visibility(portals);
   VisibilityState wrong = state, merged = state;
   wrong.seen.row(5)[0] ^= 1;
   const auto status = merge_visibility_state(wrong, merged);
@@ -131,7 +131,7 @@ base::ByteVector work_in_shares(const PortalSet& portals, std::uint32_t share_co
     bool finished = true;
     for (std::uint32_t index = 0; index < share_count; ++index) {
       VisibilityState own = read_visibility_state(all, begun).value();
-      const auto end = continue_visibility(portals, jobs, kKeepGoing, own, {index, share_count});
+      const auto end = continue_visibility(portals, jobs, kNeverStop, own, {index, share_count});
       finished = finished && end == VisibilityEnd::kFinished;
       const auto left = read_visibility_state(write_visibility_state(own), begun);
       EXPECT_TRUE(merge_visibility_state(*left, merged).ok());
@@ -144,7 +144,7 @@ base::ByteVector work_in_shares(const PortalSet& portals, std::uint32_t share_co
 
 TEST(VisibilityState, MergedSharesEqualASingleRun) {
   const PortalSet portals = small_portals();
-  const base::ByteVector whole = write_visibility_state(finished_state(portals));
+  const base::ByteVector whole = write_visibility_state(finish_visibility(portals));
   for (const std::uint32_t share_count : {1u, 2u, 3u, 16u}) {
     int rounds = 0;
     EXPECT_EQ(work_in_shares(portals, share_count, rounds), whole) << share_count << " shares";
@@ -167,7 +167,7 @@ TEST(VisibilityState, SharesDoNotRepeatSweeps) {
   EXPECT_EQ(continue_visibility(searchable, jobs, keep_first, first, {0, 2}), VisibilityEnd::kWaiting);
   EXPECT_EQ(done_first, 0u);
   EXPECT_EQ(first.swept.rows(), first.seen.rows());
-  EXPECT_EQ(continue_visibility(searchable, jobs, kKeepGoing, second, {1, 2}), VisibilityEnd::kWaiting);
+  EXPECT_EQ(continue_visibility(searchable, jobs, kNeverStop, second, {1, 2}), VisibilityEnd::kWaiting);
   EXPECT_EQ(second.swept.rows(), 0u);
   VisibilityState merged = begun;
   ASSERT_TRUE(merge_visibility_state(second, merged).ok());
@@ -188,7 +188,7 @@ TEST(VisibilityState, SharesDoNotRepeatSweeps) {
   EXPECT_GT(done_at_start, 0u);
 
   int rounds = 0;
-  EXPECT_EQ(work_in_shares(portals, 2, rounds), write_visibility_state(finished_state(portals)));
+  EXPECT_EQ(work_in_shares(portals, 2, rounds), write_visibility_state(finish_visibility(portals)));
 
   first.swept.row(7)[0] ^= 1;
   const auto status = merge_visibility_state(first, merged);

@@ -16,7 +16,7 @@ using namespace std::string_literals;
 
 constexpr std::string_view kPoints = "( 0 0 0 ) ( 0 1 0 ) ( 0 0 1 ) ";
 
-Map read_text(std::string_view text) {
+Map read_map_text(std::string_view text) {
   auto map = read_map(text);
   EXPECT_TRUE(map.ok()) << map.error().message();
   return map.ok() ? std::move(map).value() : Map{};
@@ -29,7 +29,7 @@ std::string error_of_map(std::string_view text) {
 
 // Reads a map with one side, whose texture and alignment are the text `rest`.
 MapSide read_side(std::string_view rest) {
-  const Map map = read_text("{\n{\n" + std::string(kPoints) + std::string(rest) + "\n}\n}");
+  const Map map = read_map_text("{\n{\n" + std::string(kPoints) + std::string(rest) + "\n}\n}");
   if (map.entities.size() != 1 || map.entities[0].brushes.size() != 1 ||
       map.entities[0].brushes[0].sides.size() != 1) {
     ADD_FAILURE() << rest;
@@ -55,7 +55,7 @@ Map without_lines(Map map) {
 }
 
 TEST(Map, EntitiesBrushesAndSidesKnowTheirLines) {
-  const Map map = read_text(
+  const Map map = read_map_text(
       "// Game: Quake\r\n{\r\n\"classname\" \"worldspawn\"\r\n// brush 0\r\n{\r\n"
       "( 1 -2.5 3e1 ) ( 0 1 0 ) ( 0 0 1 ) wall 1 2 3 4 5\r\n"
       "( 0 0 0 ) ( 0 1 0 ) ( 0 0 1 ) wall 0 0 0 1 1 // behind\r\n}\r\n}\r\n{\n\"a\" \"b\"\n}");
@@ -94,8 +94,8 @@ TEST(Map, ValveAlignment) {
 }
 
 TEST(Map, BrushPrimitiveAlignment) {
-  const Map map = read_text("{ { brushDef { " + std::string(kPoints) +
-                            "( ( 0.5 0 0.25 ) ( 0 2 -1 ) ) base/floor 1 2 3 } } }");
+  const Map map = read_map_text("{ { brushDef { " + std::string(kPoints) +
+                                "( ( 0.5 0 0.25 ) ( 0 2 -1 ) ) base/floor 1 2 3 } } }");
   const MapSide& side = map.entities.at(0).brushes.at(0).sides.at(0);
   EXPECT_EQ(side.texture, "base/floor");
   EXPECT_EQ(side.texturing.alignment, MapAlignment::kBrushPrimitive);
@@ -105,8 +105,8 @@ TEST(Map, BrushPrimitiveAlignment) {
 }
 
 TEST(Map, DialectsMayBeMixed) {
-  const Map map = read_text("{ { " + std::string(kPoints) + "a 0 0 0 1 1 " + std::string(kPoints) +
-                            "b [ 1 0 0 0 ] [ 0 1 0 0 ] 0 1 1 } { brushDef { } } }");
+  const Map map = read_map_text("{ { " + std::string(kPoints) + "a 0 0 0 1 1 " + std::string(kPoints) +
+                                "b [ 1 0 0 0 ] [ 0 1 0 0 ] 0 1 1 } { brushDef { } } }");
   ASSERT_EQ(map.entities.at(0).brushes.size(), 2u);
   EXPECT_EQ(map.entities[0].brushes[0].sides.at(0).texturing.alignment, MapAlignment::kStandard);
   EXPECT_EQ(map.entities[0].brushes[0].sides.at(1).texturing.alignment, MapAlignment::kValve);
@@ -131,7 +131,7 @@ TEST(Map, ReadsSideFlags) {
 }
 
 TEST(Map, SkipsPatches) {
-  const Map map = read_text(
+  const Map map = read_map_text(
       "{\n{\npatchDef2\n{\n{grate\n( 3 3 0 0 0 )\n(\n( ( 0 0 0 0 0 ) ( 0 8 0 0 1 ) )\n)\n}\n}\n"
       "{\n}\n}");
   ASSERT_EQ(map.entities.at(0).brushes.size(), 1u);
@@ -139,20 +139,20 @@ TEST(Map, SkipsPatches) {
 }
 
 TEST(Map, BrushWithoutSidesIsKept) {
-  EXPECT_EQ(read_text("{ { } }").entities.at(0).brushes.size(), 1u);
+  EXPECT_EQ(read_map_text("{ { } }").entities.at(0).brushes.size(), 1u);
 }
 
 TEST(Map, CommentsLineEndsAndTheEnd) {
-  EXPECT_TRUE(read_text("").entities.empty());
-  EXPECT_TRUE(read_text(" // only\r; this").entities.empty());
-  EXPECT_EQ(read_text("\xef\xbb\xbf{\r}\r\n{ }\n").entities.at(1).line, 3u);
-  EXPECT_EQ(read_text("{ }\0{ not read"s).entities.size(), 1u);
+  EXPECT_TRUE(read_map_text("").entities.empty());
+  EXPECT_TRUE(read_map_text(" // only\r; this").entities.empty());
+  EXPECT_EQ(read_map_text("\xef\xbb\xbf{\r}\r\n{ }\n").entities.at(1).line, 3u);
+  EXPECT_EQ(read_map_text("{ }\0{ not read"s).entities.size(), 1u);
 }
 
 TEST(Map, QuotesInsideValues) {
   const auto value = [](std::string_view quoted) {
     return std::string(
-        read_text("{\n\"k\" " + std::string(quoted) + "\n}").entities.at(0).fields.find("k").value());
+        read_map_text("{\n\"k\" " + std::string(quoted) + "\n}").entities.at(0).fields.find("k").value());
   };
   EXPECT_EQ(value(R"("say \"hi\" twice")"), "say 'hi' twice");
   EXPECT_EQ(value(R"("\"")"), "'");
@@ -217,7 +217,7 @@ TEST(Map, HundredThousandBrushes) {
     for (int side = 0; side < 6; ++side) text += std::string(kPoints) + "wall 0 0 0 1 1\n";
     text += "}\n";
   }
-  EXPECT_EQ(read_text(text + "}").entities.at(0).brushes.size(), static_cast<std::size_t>(brushes));
+  EXPECT_EQ(read_map_text(text + "}").entities.at(0).brushes.size(), static_cast<std::size_t>(brushes));
 }
 
 // Classifies the lines of a stock map by their first character: sides start with a parenthesis, pairs with a
@@ -257,10 +257,10 @@ TEST(Map, StockMapsReadAndRoundTrip) {
   for (const auto& entry : std::filesystem::directory_iterator(data / "mapsrc")) {
     SCOPED_TRACE(entry.path().filename());
     const base::ByteVector bytes = test::read_file(entry.path());
-    const Map map = read_text(base::as_text(bytes));
+    const Map map = read_map_text(base::as_text(bytes));
     EXPECT_EQ(count_map_lines(map), count_lines(base::as_text(bytes)));
     EXPECT_EQ(map.entities.at(0).fields.classname(), "worldspawn");
-    EXPECT_EQ(without_lines(read_text(write_map(map))), without_lines(map));
+    EXPECT_EQ(without_lines(read_map_text(write_map(map))), without_lines(map));
     ++maps;
   }
   EXPECT_GT(maps, 0);
@@ -279,7 +279,7 @@ double random_number(test::Random& random) {
   }
 }
 
-std::string random_text(test::Random& random, std::string_view alphabet) {
+std::string random_map_text(test::Random& random, std::string_view alphabet) {
   std::string text(random.below(6), ' ');
   for (char& c : text) c = alphabet[random.below(alphabet.size())];
   return text;
@@ -289,7 +289,7 @@ MapSide random_side(test::Random& random) {
   MapSide side;
   for (math::Vec3d& point : side.points_world)
     for (const int axis : {0, 1, 2}) point[axis] = random_number(random);
-  side.texture = random_text(random, "a{};/*+ ()[]\xc3");
+  side.texture = random_map_text(random, "a{};/*+ ()[]\xc3");
   MapTexturing& texturing = side.texturing;
   texturing.alignment = static_cast<MapAlignment>(random.below(3));
   if (texturing.alignment == MapAlignment::kBrushPrimitive) {
@@ -315,8 +315,8 @@ Map random_map(test::Random& random) {
   map.entities.resize(random.below(4));
   for (MapEntity& entity : map.entities) {
     for (std::size_t i = random.below(4); i > 0; --i)
-      entity.fields.pairs.emplace_back(random_text(random, "ab{}/\\ ;"),
-                                       random_text(random, "cd{}/\\ '\xff"));
+      entity.fields.pairs.emplace_back(random_map_text(random, "ab{}/\\ ;"),
+                                       random_map_text(random, "cd{}/\\ '\xff"));
     entity.brushes.resize(random.below(3));
     for (MapBrush& brush : entity.brushes)
       for (std::size_t i = random.below(5); i > 0; --i) brush.sides.push_back(random_side(random));
@@ -328,7 +328,8 @@ TEST(Map, RoundTrips) {
   for (int seed = 0; seed < test::effort(3000, 300); ++seed) {
     test::Random random(static_cast<std::uint64_t>(seed));
     const Map map = random_map(random);
-    EXPECT_TRUE(without_lines(read_text(write_map(map))) == map) << "seed " << seed << '\n' << write_map(map);
+    EXPECT_TRUE(without_lines(read_map_text(write_map(map))) == map) << "seed " << seed << '\n'
+                                                                     << write_map(map);
   }
 }
 
@@ -336,7 +337,7 @@ TEST(Map, TruncatedTextIsAnErrorOrTheFirstEntities) {
   test::Random random(1);
   for (int round = 0; round < test::effort(20, 4); ++round) {
     const std::string text = write_map(random_map(random));
-    const Map whole = read_text(text);
+    const Map whole = read_map_text(text);
     for (std::size_t size = 0; size < text.size(); ++size) {
       const auto map = read_map(std::string_view(text).substr(0, size));
       if (map.ok()) {
