@@ -48,6 +48,13 @@ TEST(ForeignNames, SetTheSameSettingInItsUnit) {
   host.command("cl_bob");
   host.run(0.1);
   EXPECT_TRUE(host.has_printed("\"cl_bob\" is called \"v_bob\" here"));
+  host.command("v_kickroll 0.3; gl_polyblend 0; vid_fullscreen; _cl_color");
+  host.run(0.1);
+  EXPECT_EQ(number(host, "v_kick"), 0.5);
+  for (const char* tint : {"v_tint_damage", "v_tint_bonus", "v_tint_powerup", "v_tint_liquid"})
+    EXPECT_EQ(number(host, tint), 0) << tint;
+  EXPECT_TRUE(host.has_printed("\"vid_fullscreen\" is called \"vid_mode\" here; it is \"window\""));
+  EXPECT_TRUE(host.has_printed("they are \"0\" and \"0\""));
 }
 
 // The lines that QuakeSpasm writes.
@@ -80,7 +87,7 @@ TEST(ForeignNames, RejectValuesThatMeanNothing) {
   host.command("color");
   host.run(0.1);
   EXPECT_TRUE(host.has_printed("color is 2 3"));
-  EXPECT_TRUE(host.has_printed("\"_cl_name\" is called name here"));
+  EXPECT_TRUE(host.has_printed("\"_cl_name\" is called \"name\" here"));
   host.command("_cl_color 255; _cl_color 3.5; vid_fullscreen maybe");
   host.run(0.1);
   EXPECT_EQ(number(host, "topcolor"), 13);

@@ -24,7 +24,10 @@ constexpr const char* kNames =
     "v_centermove host_timescale host_speeds host_autosave _cl_name _cl_color m_filter fov_adapt "
     "sv_altnoclip pr_engine campaign con_logcenterprint scr_centertime scr_printspeed snd_mixspeed "
     "snd_waterfx ambient_fade language user users setinfo serverinfo rate team skin observe tp_msg "
-    "loc r_fastsky r_skyalpha r_skyfog ping tell heartbeat addip listip killserver";
+    "loc r_fastsky r_skyalpha r_skyfog ping tell heartbeat addip listip killserver "
+    "v_kickpitch v_kickroll cl_bobcycle cl_bobup cl_rollspeed gl_cshiftpercent vid_borderless vid_bpp "
+    "vid_desktopfullscreen vid_fsaa vid_refreshrate vid_describemodes timerefresh r_pos r_drawflat "
+    "showturtle showpause scr_usekfont v_centerspeed cmdline";
 // At the console of a dedicated server.
 constexpr const char* kServerNames = "users edicts ping tell heartbeat addip listip version killserver";
 

@@ -1,6 +1,7 @@
 #include "client/hud/crosshair.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace temblor::client {
 namespace {
@@ -27,8 +28,11 @@ void draw_bar(const Panel& middle, const Bar& bar, int line_px, std::uint8_t col
 
 void draw_crosshair(const Panel& panel, const CrosshairLook& look) {
   if (look.shape == Crosshair::kNone) return;
-  if (look.shape == Crosshair::kCharacter)
-    return panel.centered().draw_character('+', -kCharacterSide / 2, -kCharacterSide / 2);
+  if (look.shape == Crosshair::kCharacter) {
+    const int scale =
+        std::max(1, static_cast<int>(std::lround(static_cast<float>(panel.scale()) * look.scale)));
+    return panel.with_scale(scale).centered().draw_character('+', -kCharacterSide / 2, -kCharacterSide / 2);
+  }
   // In frame pixels: at the status bar's scale it would hide the target.
   constexpr int kLinesPerFrame = 540;
   const int line_px = std::max(1, static_cast<int>(panel.frame_height_px() * look.scale / kLinesPerFrame));

@@ -56,6 +56,9 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
   marks_ = variables.add_bool("r_marks", defaults.effects.marks,
                               "Shots leave bullet holes, scorches and blood on walls, doors and lifts.");
   bob_ = factor("v_bob", defaults.view.bob, 4, "View bob while walking. 1: original strength.");
+  bob_cycle_ = variables.add_float("cl_bobcycle", defaults.view.bob_cycle_s, 0, 10,
+                                   "Seconds for which a view bob lasts. 0: no bob.");
+  bob_up_ = variables.add_float("cl_bobup", defaults.view.bob_up, 0, 1, "Share of a view bob that rises.");
   roll_ = factor("v_roll", defaults.view.roll, 4, "How far the view leans when strafing.");
   kick_ = factor("v_kick", defaults.view.kick, 4, "How hard damage shakes the view.");
   shake_ = factor("v_shake", defaults.view.shake, 4, "How hard recoil and explosions shake the view.");
@@ -158,6 +161,8 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.effects.barrel_beams = variables.bool_value(barrel_beams_);
   settings.effects.marks = variables.bool_value(marks_);
   settings.view.bob = factor(bob_);
+  settings.view.bob_cycle_s = variables.float_value(bob_cycle_);
+  settings.view.bob_up = variables.float_value(bob_up_);
   settings.view.roll = factor(roll_);
   settings.view.kick = factor(kick_);
   settings.view.shake = factor(shake_);

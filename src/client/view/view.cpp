@@ -118,7 +118,7 @@ void View::view_from_eyes(const Game& game, const ViewInput& input, const ViewSe
                           PlayerView& io_view) const {
   const math::Basis look = math::basis_from_angles(input.view_angles_deg);
   const math::Vec3 velocity = velocity_.value(input.time_s);
-  const float bob = compute_bob(input.time_s, velocity) * settings.bob;
+  const float bob = compute_bob(input.time_s, velocity, settings.bob_cycle_s, settings.bob_up) * settings.bob;
   const math::Vec3 up(0, 0, 1);
   const math::Vec3 stair_offset = up * stair_offset_;
   const float eyes_z =

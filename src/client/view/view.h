@@ -23,9 +23,10 @@ namespace temblor::client {
 // Factors on the strength of each effect; 1 is the original's strength.
 struct ViewSettings {
   float bob = 1, roll = 1, kick = 1;
-  float shake = 1;      // of recoil and blasts, which the server sends
-  double kick_s = 0.5;  // how long damage shakes the view
-  float idle_sway = 0;  // the original's strength during an intermission is 1
+  double bob_cycle_s = 0.6, bob_up = 0.5;  // see compute_bob()
+  float shake = 1;                         // of recoil and blasts, which the server sends
+  double kick_s = 0.5;                     // how long damage shakes the view
+  float idle_sway = 0;                     // the original's strength during an intermission is 1
   float damage_tint = 1, bonus_tint = 1, powerup_tint = 1, contents_tint = 1;
   bool natural_liquids = false;  // see contents_tint()
   render::Tint open_tint{};      // of the view in the open, from the server

@@ -8,13 +8,14 @@
 
 namespace temblor::client {
 
-// A sine of time, scaled by horizontal speed: 0.6 s per cycle, 2 % of the speed in units, of which 30 % are
-// constant. Stock Quake's rise and fall may differ in length (cl_bobup); its default is equal.
-float compute_bob(double time_s, const math::Vec3& velocity) {
-  constexpr double kCycle_s = 0.6, kPerSpeed = 0.02, kSteady = 0.3;
-  const double phase = time_s / kCycle_s - std::floor(time_s / kCycle_s);
+// A sine of time, scaled by horizontal speed: 2 % of the speed in units, of which 30 % are constant.
+float compute_bob(double time_s, const math::Vec3& velocity, double cycle_s, double up) {
+  constexpr double kPerSpeed = 0.02, kSteady = 0.3;
+  if (!(cycle_s > 0)) return 0;
+  const double phase = time_s / cycle_s - std::floor(time_s / cycle_s);
+  const double half_turns = phase < up ? phase / up : 1 + (phase - up) / (1 - up);
   const double size = std::hypot(double{velocity.x}, double{velocity.y}) * kPerSpeed;
-  const double bob = size * kSteady + size * (1 - kSteady) * std::sin(2 * std::numbers::pi * phase);
+  const double bob = size * kSteady + size * (1 - kSteady) * std::sin(std::numbers::pi * half_turns);
   return static_cast<float>(std::clamp(bob, -7.0, 4.0));
 }
 

@@ -11,7 +11,8 @@
 namespace temblor::client {
 
 // The vertical bob of walking, -7 to 4 units. `velocity`: units per second; only its horizontal part counts.
-float compute_bob(double time_s, const math::Vec3& velocity);
+// It rises for a share `up` of each cycle, 0 to 1. A cycle of 0 s: none.
+float compute_bob(double time_s, const math::Vec3& velocity, double cycle_s = 0.6, double up = 0.5);
 
 // The roll of moving sideways: 2 degrees at 200 units per second and above, in proportion below. `right`: the
 // unit vector to the view's right.

@@ -24,6 +24,16 @@ constexpr std::array kCounterparts = {
     Counterpart{"cl_bob", "v_bob", 50},          // the stock value is 0.02
     Counterpart{"cl_rollangle", "v_roll", 0.5},  // 2 degrees
     Counterpart{"v_gunkick", "v_shake"},
+    Counterpart{"v_kickpitch", "v_kick", 1 / 0.6},  // 0.6 degrees for each point of damage
+    Counterpart{"v_kickroll", "v_kick", 1 / 0.6},
+    Counterpart{"gl_polyblend", "v_tint_damage"},
+    Counterpart{"gl_polyblend", "v_tint_bonus"},
+    Counterpart{"gl_polyblend", "v_tint_powerup"},
+    Counterpart{"gl_polyblend", "v_tint_liquid"},
+    Counterpart{"gl_cshiftpercent", "v_tint_damage", 0.01},
+    Counterpart{"gl_cshiftpercent", "v_tint_bonus", 0.01},
+    Counterpart{"gl_cshiftpercent", "v_tint_powerup", 0.01},
+    Counterpart{"gl_cshiftpercent", "v_tint_liquid", 0.01},
     Counterpart{"r_lerpmodels", "cl_nolerp", -1, 1},
     Counterpart{"r_lerpmove", "cl_nolerp", -1, 1},
     Counterpart{"snd_waterfx", "s_underwater"},
@@ -53,7 +63,7 @@ constexpr std::string_view kIgnored =
     " "
     "r_scale r_softemu r_shadows r_waterquality r_oldwater r_oldskyleaf r_fastsky r_skyalpha "
     "r_skyfog r_sky_quality r_stereo r_noshadow_list r_clearcolor r_overbright "
-    "r_overbright_models r_quadparticles cl_bobcycle cl_bobup cl_rollspeed "
+    "r_overbright_models r_quadparticles cl_rollspeed "
     "v_iyaw_cycle v_iroll_cycle v_ipitch_cycle v_iyaw_level v_iroll_level v_ipitch_level scr_ofsx "
     "scr_ofsy scr_ofsz scr_showram scr_showturtle scr_showpause scr_conwidth scr_menubgalpha "
     "m_filter snd_mixspeed snd_speed snd_filterquality snd_show ambient_fade nosound precache "
@@ -61,10 +71,15 @@ constexpr std::string_view kIgnored =
     "r_viewmodel_quake sv_fishfix loadas8bit crosshairx crosshairy sys_throttle mem_list "
     "scr_sbar fov_adapt sv_altnoclip pr_engine con_logcenterprint v_centermove skyroom rate "
     "heartbeat tp_msg team skin setinfo serverinfo user observe listen test test2 viewmodel "
-    "viewframe viewnext viewprev language ";
+    "viewframe viewnext viewprev language "
+    "vid_borderless vid_bpp vid_config_x vid_config_y vid_describecurrentmode vid_describemodes "
+    "vid_desktopfullscreen vid_fsaa vid_fsaamode vid_refreshrate vid_unlock vid_wait "
+    "r_drawflat r_norefresh r_pos r_stereodepth scr_usekfont showpause showturtle timerefresh tracepos "
+    "v_centerspeed cl_shownet devstats flush hunk_print imagedump imagelist in_debugkeys max_edicts mcache "
+    "serverprofile snd_noextraupdate sndspeed sv_freezenonclients cmdline ";
 
-// Config files contain all settings of other renderers and of their windows. A typed vid_ name may be a
-// mistyped one of ours.
+// Config files contain all settings of other renderers and of their windows. Another typed vid_ name may be
+// a mistyped one of ours.
 bool is_ignored(std::string_view name, bool is_in_file) {
   return kIgnored.find(fmt::format(" {} ", name)) != std::string_view::npos || name.starts_with("gl_") ||
          (is_in_file && name.starts_with("vid_"));
@@ -105,22 +120,30 @@ bool ForeignNames::set_converted(std::string_view name, Arguments arguments) {
   const bool is_name = name == "_cl_name", is_color = name == "_cl_color";
   const bool is_switch = found_switch != kSwitches.end();
   if (!is_name && !is_color && !is_switch) return false;
-  const std::string value = arguments.size() > 1 ? arguments[1] : "";
+  const auto value_text = [&](std::string_view own) { return variables_.find(own)->text; };
+  if (arguments.size() == 1) {
+    const std::string_view own = is_name ? "name" : is_switch ? found_switch->own : "topcolor";
+    console_.print_error(
+        is_color ? fmt::format("\"{}\" is called \"topcolor\" and \"bottomcolor\" here; they are "
+                               "\"{}\" and \"{}\"",
+                               name, value_text("topcolor"), value_text("bottomcolor"))
+                 : fmt::format("\"{}\" is called \"{}\" here; it is \"{}\"", name, own, value_text(own)));
+    return true;
+  }
+  const std::string value = arguments[1];
   const auto set = [&](std::string_view own, std::string_view text) {
     if (const base::Status status = variables_.set(own, text); !status.ok())
       console_.print_error(status.error().message());
   };
-  if (is_name && arguments.size() > 1) {
+  if (is_name) {
     set("name", value);
     return true;
   }
   const std::optional<double> number = command::parse_number(value);
   const bool is_whole = number && *number == std::floor(*number);
-  if (is_name || !number || *number < 0 || *number > kMaxColors || (is_color && !is_whole)) {
-    const std::string_view own = is_name ? "name" : is_color ? "topcolor and bottomcolor" : found_switch->own;
-    console_.print_error(
-        fmt::format("\"{}\" is called {} here{}", name, own,
-                    is_name ? "" : fmt::format("; it takes a number from 0 to {}", kMaxColors)));
+  if (!number || *number < 0 || *number > kMaxColors || (is_color && !is_whole)) {
+    console_.print_error(fmt::format("\"{}\" is called {} here; it takes a number from 0 to {}", name,
+                                     is_color ? "topcolor and bottomcolor" : found_switch->own, kMaxColors));
   } else if (is_color) {
     const int colors = static_cast<int>(*number);
     set("topcolor", std::to_string(std::min(colors / 16, kLastColor)));

@@ -18,6 +18,11 @@ TEST(ViewMotion, Bob) {
   EXPECT_NEAR(compute_bob(0.45, running * 4.0f), -7, 1e-4);      // -10.24, cut off
   EXPECT_NEAR(compute_bob(600.45, running), 1.92 - 4.48, 1e-3);  // the same as a thousand cycles earlier
   EXPECT_EQ(compute_bob(0.15, {0, 0, 300}), 0);
+  // It rises for a quarter of a second, and falls for three quarters.
+  EXPECT_NEAR(compute_bob(0.1, running * 0.5f, 1, 0.25), 0.96 + 2.24 * 0.951057, 1e-4);
+  EXPECT_NEAR(compute_bob(0.625, running * 0.5f, 1, 0.25), 0.96 - 2.24, 1e-4);
+  for (const double up : {0.0, 1.0}) EXPECT_TRUE(std::isfinite(compute_bob(0.3, running, 0.6, up))) << up;
+  EXPECT_EQ(compute_bob(0.15, running, 0, 0.5), 0);
 }
 
 TEST(ViewMotion, StrafeRoll) {

@@ -49,9 +49,11 @@ std::optional<std::filesystem::path> make_quakespasm_folder(const TemporaryFolde
   folder.write("base/id1/quake.rc", "stuffcmds\n");
   folder.write("base/id1/progs.dat", read_file(progs));
   const std::filesystem::path base = folder.path() / "base";
-  for (const auto& entry : std::filesystem::directory_iterator(data / "id1"))
-    if (entry.path().extension() != ".dem")
-      std::filesystem::create_symlink(entry.path(), base / "id1" / entry.path().filename());
+  for (const auto& entry : std::filesystem::directory_iterator(data / "id1")) {
+    const std::filesystem::path link = base / "id1" / entry.path().filename();
+    if (entry.path().extension() != ".dem" && !std::filesystem::exists(link))
+      std::filesystem::create_symlink(entry.path(), link);
+  }
   return base;
 }
 
