@@ -55,7 +55,7 @@ void draw_text_lines(const Panel& panel, std::string_view text, int line_height,
   }
 }
 
-void draw_center_text(const Panel& panel, std::string_view text, std::size_t letters) {
+void draw_center_text(const Panel& panel, std::string_view text, std::size_t letters, int min_top_px) {
   // Like stock Quake, up to four lines start at 35 % of the frame's height, more at row 48 of the 320 x 200
   // screen. Large text that would leave the frame starts further up.
   constexpr int kShortLines = 4, kLongY = 48;
@@ -65,7 +65,8 @@ void draw_center_text(const Panel& panel, std::string_view text, std::size_t let
   const int top = lines <= kShortLines ? static_cast<int>(height * kShortTop)
                                        : (height - kScreenHeight * scale) / 2 + kLongY * scale;
   const int last_top = std::max(0, height - lines * kCharacterSide * scale);
-  draw_text_lines(panel.with_top(std::min(top, last_top)), text, kCharacterSide, letters);
+  draw_text_lines(panel.with_top(std::min(std::max(top, min_top_px), last_top)), text, kCharacterSide,
+                  letters);
 }
 
 std::size_t count_written_letters(double seconds, double letters_per_second) {

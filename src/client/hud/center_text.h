@@ -19,9 +19,10 @@ void draw_text_lines(const Panel& panel, std::string_view text, int line_height,
                      std::size_t letters = std::string_view::npos);
 
 // Draws the text in the middle of the frame. Short texts begin above the middle, long ones further up, like
-// those of stock Quake. `letters` as above, for text that is being written.
-void draw_center_text(const Panel& panel, std::string_view text,
-                      std::size_t letters = std::string_view::npos);
+// those of stock Quake, but not above `min_top_px` if they fit below it. `letters` as above, for text that is
+// being written.
+void draw_center_text(const Panel& panel, std::string_view text, std::size_t letters = std::string_view::npos,
+                      int min_top_px = 0);
 
 // How many letters of a finale's text are visible after `seconds`.
 std::size_t count_written_letters(double seconds, double letters_per_second);

@@ -66,11 +66,14 @@ void draw_intermission(const Panel& panel, const Game& game, float par_s) {
 
 void draw_finale(const Panel& panel, const Panel& letters, const Game& game, double time_s,
                  double letters_per_second) {
-  constexpr int kTitleY = 16;
-  if (game.ending == Ending::kFinale)
+  constexpr int kTitleY = 16, kTitleBottom = 44;  // with a gap below it
+  int min_top_px = 0;
+  if (game.ending == Ending::kFinale) {
     panel.in_middle(kScreenHeight).draw_centered_picture("gfx/finale.lmp", kTitleY);
+    min_top_px = (panel.frame_height_px() - kScreenHeight * panel.scale()) / 2 + kTitleBottom * panel.scale();
+  }
   draw_center_text(letters, game.ending_text,
-                   count_written_letters(time_s - game.ending_since_s, letters_per_second));
+                   count_written_letters(time_s - game.ending_since_s, letters_per_second), min_top_px);
 }
 
 }  // namespace temblor::client

@@ -133,6 +133,9 @@ void net_stats(Server& io_server) {
     print(io_server, fmt::format("#{:<3} {:<15} was sent {} of {} visible entities\n", slot + 1, client.name,
                                  sent.entities, sent.entities + sent.entities_left_out));
   }
+  if (const std::size_t count = io_server.buffers.snapshot.unnumbered; count > 0)
+    print(io_server, fmt::format("{} more {} no number in protocol 15 and cannot be seen\n", count,
+                                 count == 1 ? "has" : "have"));
 }
 
 void say(Server& io_server, Arguments arguments) {

@@ -555,6 +555,22 @@ TEST(Hud, WritesTheFinaleLetterByLetter) {
   EXPECT_EQ(letters_at(200), "abcdefghijkl");
 }
 
+// At 640 x 480, text is larger than the title.
+TEST(Hud, TextOfTheFinaleIsBelowItsTitle) {
+  Game game = rich_game();
+  game.ending = Ending::kFinale;
+  game.ending_text = "one\ntwo\nthree\nfour\nfive\nsix\nseven\nlast";
+  const Drawn drawn = draw_calm(game, {640, 480, 2}, {.size = {.text = 1.5f}});
+  int title_bottom = 0, text_top = drawn.height;
+  for (const render::DrawCommand& command : drawn.list.commands)
+    if (command.picture == &art().pictures().characters())
+      text_top = std::min(text_top, command.area.y);
+    else
+      title_bottom = std::max(title_bottom, command.area.y + command.area.height);
+  EXPECT_GT(title_bottom, 0);
+  EXPECT_GE(text_top, title_bottom);
+}
+
 TEST(Hud, ShowsTheIntermission) {
   Game game = rich_game();
   game.ending = Ending::kIntermission;
