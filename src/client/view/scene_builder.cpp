@@ -95,31 +95,26 @@ void SceneBuilder::add_entity(const SceneInput& input, const InterpolatedEntity&
   }
 }
 
-// Games without a model for a kind of beam show nothing for it.
+render::AliasInstance& SceneBuilder::add_model(const render::AliasModel& model,
+                                               const math::Vec3& origin_world, const math::Vec3& angles_deg) {
+  render::AliasInstance& instance = alias_models_.emplace_back();
+  instance.model = &model;
+  instance.origin_world = origin_world;
+  instance.angles_deg = angles_deg;
+  return instance;
+}
+
+// Games without a model for a kind of beam or casing show nothing for it.
 void SceneBuilder::add_beams(const SceneInput& input) {
-  for (const BeamPiece& piece : input.effects.beams()) {
-    const render::AliasModel* model = input.models.beam(piece.model, input.prefers_md5);
-    if (model == nullptr) continue;
-    render::AliasInstance instance;
-    instance.model = model;
-    instance.origin_world = piece.origin_world;
-    instance.angles_deg = piece.angles_deg;
-    instance.full_bright = true;
-    alias_models_.push_back(instance);
-  }
+  for (const BeamPiece& piece : input.effects.beams())
+    if (const render::AliasModel* model = input.models.beam(piece.model, input.prefers_md5))
+      add_model(*model, piece.origin_world, piece.angles_deg).full_bright = true;
 }
 
 void SceneBuilder::add_casings(const SceneInput& input) {
-  for (const CasingPiece& piece : input.effects.casings()) {
-    const render::AliasModel* model = input.models.casing(piece.model, input.prefers_md5);
-    if (model == nullptr) continue;
-    render::AliasInstance instance;
-    instance.model = model;
-    instance.origin_world = piece.origin_world;
-    instance.angles_deg = piece.angles_deg;
-    instance.alpha = piece.alpha;
-    alias_models_.push_back(instance);
-  }
+  for (const CasingPiece& piece : input.effects.casings())
+    if (const render::AliasModel* model = input.models.casing(piece.model, input.prefers_md5))
+      add_model(*model, piece.origin_world, piece.angles_deg).alpha = piece.alpha;
 }
 
 void SceneBuilder::add_puffs(const SceneInput& input) {

@@ -47,6 +47,9 @@ class SceneBuilder {
                   std::vector<std::string>& io_notes);
   void add_alias(const SceneInput& input, const InterpolatedEntity& entity, const render::AliasModel& model);
   void add_sprite(const SceneInput& input, const InterpolatedEntity& entity, const formats::Spr& sprite);
+  // Adds a model at a place. The result is valid until the next one is added.
+  render::AliasInstance& add_model(const render::AliasModel& model, const math::Vec3& origin_world,
+                                   const math::Vec3& angles_deg);
   void add_beams(const SceneInput& input);
   void add_casings(const SceneInput& input);
   void add_puffs(const SceneInput& input);

@@ -56,7 +56,7 @@ base::Status make_visibility(VisibilityKind kind, base::Jobs& jobs, CompileWatch
     return set_visibility(find_roughly_visible_clusters(portals, jobs), kind, io_build);
   VisibilityState state = resume_visibility(io_build, portals);
   const base::Status end = compute_in_steps(portals, jobs, watcher, state);
-  if (end.ok()) state.swept = {};                             // of no use any more
+  if (end.ok()) state.swept = {};                             // later runs do not need it
   io_build.visibility_state = write_visibility_state(state);  // kept in case light is stopped
   TRY_STATUS(end);
   return set_visibility(find_visible_clusters(portals, state), kind, io_build);
