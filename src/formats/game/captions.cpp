@@ -24,14 +24,14 @@ Captions read_captions(std::string_view text) {
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
     if (line.empty() || line.starts_with("//")) continue;
     const std::size_t end = std::min(line.find_first_of(kCaptionBlanks), line.size());
-    const std::string_view caption = trim_blanks(line.substr(end));
+    // Cut first, so that a caption reads the same after it is written.
+    const std::string_view caption = trim_blanks(trim_blanks(line.substr(end)).substr(0, kMaxCaptionChars));
     if (caption.empty() || end > kMaxSoundChars) {
       if (captions.bad_lines.size() < kMaxBadLines) captions.bad_lines.push_back(number);
       continue;
     }
-    captions.texts.insert_or_assign(
-        base::to_lower(line.substr(0, end)),
-        caption == kSilent ? "" : base::printable(trim_blanks(caption.substr(0, kMaxCaptionChars))));
+    captions.texts.insert_or_assign(base::to_lower(line.substr(0, end)),
+                                    caption == kSilent ? "" : base::printable(caption));
   }
   return captions;
 }

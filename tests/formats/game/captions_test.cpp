@@ -38,6 +38,11 @@ TEST(SoundCaptions, AreShortPrintableAndBounded) {
   EXPECT_TRUE(read_captions("").texts.empty());
 }
 
+TEST(SoundCaptions, AreCutBeforeADashMeansSilence) {
+  const Captions cut = read_captions("a.wav -" + std::string(kMaxCaptionChars, ' ') + "text");
+  EXPECT_THAT(cut.texts, ElementsAre(Pair("a.wav", "")));
+}
+
 TEST(SoundCaptions, WrittenLinesAreReadAgain) {
   const std::string text = format_caption_line("a/b.wav", "bell rings") + format_caption_line("c/d.wav", "");
   EXPECT_EQ(text, "a/b.wav bell rings\nc/d.wav -\n");
