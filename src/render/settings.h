@@ -44,6 +44,7 @@ struct Settings {
   bool colored_light = true;  // false: gray light even where the level has colored samples
   AliasRaster alias_raster = AliasRaster::kAuto;
   bool lit_liquids = true;  // false: liquids are full-bright even where the level has light for them
+  bool caustics = false;    // moving light on what lies under water
   bool alias_snap = false;  // rounds alias vertices to whole pixels and maps textures affinely, as Quake did
   // Updates the light of odd and even faces in alternate frames; the other half shows the light of the
   // previous frame (Scene::light_before).

@@ -57,6 +57,7 @@ RenderSettings::RenderSettings(command::Variables& variables) {
   variables.add_alias("r_coloured_light", "r_colored_light");  // old spelling
   lit_liquids_ = variables.add_bool("r_litwater", defaults.lit_liquids,
                                     "Lights liquids, in levels that were compiled for it.");
+  caustics_ = variables.add_bool("r_caustics", defaults.caustics, "Water throws moving light on its ground.");
   relight_alternate_ =
       variables.add_bool("r_relight_alternate", defaults.relight_alternate,
                          "Relights only half of the faces with changing light in each frame.");
@@ -92,6 +93,7 @@ render::Settings RenderSettings::read(const command::Variables& variables) const
                                                              : render::LightView::kLit;
   settings.colored_light = variables.bool_value(colored_light_);
   settings.lit_liquids = variables.bool_value(lit_liquids_);
+  settings.caustics = variables.bool_value(caustics_);
   settings.relight_alternate = variables.bool_value(relight_alternate_);
   settings.band_rows = static_cast<int>(variables.int_value(band_rows_));
   settings.alias_raster = static_cast<render::AliasRaster>(variables.choice_value(alias_raster_));

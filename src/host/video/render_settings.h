@@ -19,7 +19,8 @@ class RenderSettings {
  private:
   command::VariableIndex threads_, job_backend_, mip_rule_, force_mip_, perspective_, simd_kernels_,
       prefetch_, surface_cache_, cache_mb_, use_pvs_, fill_depth_, draw_world_, full_bright_, light_only_,
-      colored_light_, lit_liquids_, relight_alternate_, band_rows_, show_, alias_raster_, alias_snap_;
+      colored_light_, lit_liquids_, caustics_, relight_alternate_, band_rows_, show_, alias_raster_,
+      alias_snap_;
 };
 
 }  // namespace temblor::host

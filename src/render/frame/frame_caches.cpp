@@ -20,7 +20,8 @@ LevelData::LevelData(const world::Level& level, const ColorTables& colors)
       has_liquid(has_liquid_leaf(level)),
       tables(make_level_tables(level)),
       outlines(make_face_outlines(level)),
-      cutouts(level, colors) {}
+      cutouts(level, colors),
+      water_faces(level) {}
 
 void FrameCaches::prepare(const Scene& scene, const Settings& settings, const FrameBuffer& frame) {
   if (!jobs || jobs->threads() != settings.threads || job_backend != settings.job_backend) {

@@ -13,6 +13,7 @@
 #include "render/screen/warp.h"
 #include "render/spans/skybox.h"
 #include "render/surfaces/cutout_textures.h"
+#include "render/surfaces/light/caustics.h"
 #include "render/surfaces/paint_marks.h"
 #include "render/surfaces/surface_cache.h"
 #include "render/view/frame_context.h"
@@ -31,6 +32,7 @@ struct LevelData {
   LevelTables tables;
   FaceOutlines outlines;
   CutoutTextures cutouts;
+  WaterFaces water_faces;
 };
 
 struct FrameCaches {

@@ -66,7 +66,8 @@ FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, Fr
   f.visible = clock.end(Stage::kVisibility, find_visible_faces(context, f.view, level.tables));
   f.edges = clock.end(Stage::kEdges, emit_edges(context, f.view, f.visible, level.outlines));
   f.spans = clock.end(Stage::kScan, scan_edges(context, f.view, f.edges));
-  const SurfaceRequests requests = select_surfaces(context, f.view, f.edges, f.spans, level.cutouts);
+  const SurfaceRequests requests =
+      select_surfaces(context, f.view, f.edges, f.spans, level.cutouts, level.water_faces);
   f.surfaces = reserve_surfaces(context, requests, io_caches.surfaces);
   build_surfaces(context, f.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
   clock.end(Stage::kSurfaces);

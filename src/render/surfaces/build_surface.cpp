@@ -9,7 +9,8 @@
 #include "render/edges/edge_table.h"
 #include "render/surfaces/build_kernels.h"
 #include "render/surfaces/cutout_textures.h"
-#include "render/surfaces/light_samples.h"
+#include "render/surfaces/light/caustics.h"
+#include "render/surfaces/light/light_samples.h"
 
 namespace temblor::render {
 
@@ -68,8 +69,9 @@ class Builder {
         simd_(simd_kernels),
         scratch_(scratch),
         face_(level.face(request.face)),
-        grid_(sample_grid(face_, request.tile_s, request.tile_t,
-                          choose_sample_texels(level, face_, request.mip))),
+        light_grid_(sample_grid(face_, request.tile_s, request.tile_t,
+                                choose_sample_texels(level, face_, request.mip))),
+        grid_(has_caustics() ? refine_for_caustics(light_grid_, request.mip) : light_grid_),
         drawn_(request.texture != nullptr ? *request.texture : level.texture(request.contents.texture)),
         texture_(drawn_, request.mip, first_texel(0), first_texel(1)),
         indices_(drawn_.indices(request.mip).data()),
@@ -151,6 +153,7 @@ class Builder {
 
  private:
   std::int32_t texels_per_sample() const { return at_mip(grid_.texels, request_.mip); }
+  bool has_caustics() const { return request_.contents.caustic_step != 0; }
   bool has_holes() const { return drawn_.kind == world::TextureKind::kCutout; }
   bool shows_only_light() const { return request_.contents.light_view == LightView::kLightOnly; }
   // Replaces all texels of a row except for holes.
@@ -254,8 +257,11 @@ class Builder {
       const std::size_t count = columns() * static_cast<std::size_t>(grid_.rows);
       return {scratch_.allocate_filled<std::uint32_t>(count, kSumAsStored), 1};
     }
-    return sum_light(level_, face_, grid_,
-                     {request_.contents.style_values, request_.contents.colored, request_.lights}, scratch_);
+    const LightSums sums =
+        sum_light(level_, face_, light_grid_,
+                  {request_.contents.style_values, request_.contents.colored, request_.lights}, scratch_);
+    if (!has_caustics()) return sums;
+    return add_caustics(level_, face_, request_.contents.caustic_step, sums, light_grid_, grid_, scratch_);
   }
 
   std::size_t columns() const { return static_cast<std::size_t>(grid_.columns); }
@@ -280,7 +286,8 @@ class Builder {
   const bool simd_;
   base::Arena& scratch_;
   const world::Face& face_;
-  const SampleGrid grid_;
+  const SampleGrid light_grid_;  // where light is computed
+  const SampleGrid grid_;        // the samples of the block: the same, or finer for caustics
   const world::Texture& drawn_;
   TextureRows texture_;
   const std::uint8_t* const indices_;  // of the whole mip level

@@ -9,6 +9,8 @@
 //   rgb:     h = min(sum, 65280) >> 1, so that 16384 shows a color as it is;
 //            channel = min(255, (2 * color * h + 16384) >> 15), for red, green, and blue
 //
+// Caustics multiply the sums, at samples that are closer together (caustics.h).
+//
 // If samples or lights are colored, `sum` of an indexed block is that of the brightest channel. In the light
 // of colored dynamic lights, a second table then gives the lit texel the color of the strongest of them
 // (tint_tables.h). Its row is interpolated like light: row 31 where all light has that color.
@@ -29,7 +31,7 @@
 #include "base/arena.h"
 #include "render/color/color_tables.h"
 #include "render/frame_buffer.h"
-#include "render/surfaces/face_lights.h"
+#include "render/surfaces/light/face_lights.h"
 #include "render/surfaces/paint_marks.h"
 #include "render/surfaces/surface_block.h"
 #include "render/surfaces/surface_cache.h"

@@ -34,21 +34,6 @@ bool glows_through(int opacity_256) {
   return opacity_256 < kOpaque256 / 2;
 }
 
-// Steps along the plane of a face, in units, that move by one texel along one axis and by none along the
-// other: the inverse of the texture axes. Nothing if the axes are parallel on the plane.
-struct TexelSteps {
-  math::Vec3d s, t;
-};
-std::optional<TexelSteps> texel_steps(const FacePlacement& placed) {
-  const math::Vec3d s = placed.s_axis - placed.normal * glm::dot(placed.normal, placed.s_axis);
-  const math::Vec3d t = placed.t_axis - placed.normal * glm::dot(placed.normal, placed.t_axis);
-  const double ss = glm::dot(s, s), st = glm::dot(s, t), tt = glm::dot(t, t);
-  const double determinant = ss * tt - st * st;
-  constexpr double kAlongOneLine = 1e-9;
-  if (!(determinant > kAlongOneLine * ss * tt)) return std::nullopt;
-  return TexelSteps{(s * tt - t * st) / determinant, (t * ss - s * st) / determinant};
-}
-
 // A unit vector in a random direction, without trigonometry: the same on every machine.
 math::Vec2d random_turn(std::uint64_t hash) {
   const double t = static_cast<double>(hash >> 40) * 0x1p-23 - 1;  // tangent of a quarter of the turn
@@ -214,7 +199,7 @@ std::span<const PlacedMark> place_marks(const world::Level& level, const world::
                                         base::Arena& arena) {
   if (marks.empty()) return {};
   const FacePlacement placed = place_face(level, face, ModelView{});
-  const std::optional<TexelSteps> steps = texel_steps(placed);
+  const std::optional<TexelSteps> steps = find_texel_steps(placed);
   if (!steps) return {};
   const MarkPlacer placer(placed, *steps, {place.tile_s * kTileTexels, place.tile_t * kTileTexels}, place.mip,
                           place.shape);

@@ -5,7 +5,8 @@
 #include "render/color/warped_rows.h"
 #include "render/surfaces/build_surface.h"
 #include "render/surfaces/choose_mip.h"
-#include "render/surfaces/light_samples.h"
+#include "render/surfaces/light/caustics.h"
+#include "render/surfaces/light/light_samples.h"
 #include "render/surfaces/surface_draws.h"
 
 namespace temblor::render {
@@ -32,7 +33,7 @@ constexpr std::size_t kSurfacesPerJob = 32;
 class SurfaceSelector {
  public:
   SurfaceSelector(const FrameContext& context, const ViewFrame& view, const EdgeTable& table,
-                  const SpanTable& spans, const CutoutTextures& cutouts)
+                  const SpanTable& spans, const CutoutTextures& cutouts, const WaterFaces& water_faces)
       : scene_(context.scene),
         level_(context.level()),
         settings_(context.settings),
@@ -40,6 +41,7 @@ class SurfaceSelector {
         table_(table),
         spans_(spans),
         cutouts_(cutouts),
+        water_faces_(water_faces),
         format_(context.format),
         light_now_{scene_.lights, scene_.light_styles},
         warp_phase_(static_cast<float>(compute_turbulence_phase(scene_.time_s))),
@@ -167,6 +169,8 @@ class SurfaceSelector {
     contents.colored = shows_color() && !level_.light_rgb.empty();
     for (std::size_t style = 0; style < face.style_count; ++style)
       contents.style_values[style] = current_light(surface.face).light_styles[face.styles[style]];
+    if (settings_.caustics && water_faces_.contains(surface.face))
+      contents.caustic_step = find_caustic_step(surface.face, scene_.time_s);
     if (!has_dynamic_light_[base::to_size(draw.surface)]) return;
     io_request.lights = lights_on_tile(surface, sample_grid(face, io_request.tile_s, io_request.tile_t));
     contents.lights = hash_lights(io_request.lights);
@@ -285,6 +289,7 @@ class SurfaceSelector {
   const EdgeTable& table_;
   const SpanTable& spans_;
   const CutoutTextures& cutouts_;
+  const WaterFaces& water_faces_;
   const PixelFormat format_;
   const SceneLight light_now_;
   const float warp_phase_;
@@ -297,8 +302,9 @@ class SurfaceSelector {
 }  // namespace
 
 SurfaceRequests select_surfaces(const FrameContext& context, const ViewFrame& view, const EdgeTable& table,
-                                const SpanTable& spans, const CutoutTextures& cutouts) {
-  SurfaceSelector selector(context, view, table, spans, cutouts);
+                                const SpanTable& spans, const CutoutTextures& cutouts,
+                                const WaterFaces& water_faces) {
+  SurfaceSelector selector(context, view, table, spans, cutouts, water_faces);
   selector.sum_visible_pixels();
   const std::size_t job_count = (table.surfaces.size() + kSurfacesPerJob - 1) / kSurfacesPerJob;
   std::vector<base::Arena>& scratch = context.arenas.scratch;

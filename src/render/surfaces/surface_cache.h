@@ -39,9 +39,10 @@ struct BlockContents {
   std::array<std::uint16_t, 4> style_values{};  // of the face's light styles; 256: the light as stored
   bool colored = false;
   LightView light_view = LightView::kLit;
-  float warp_phase = 0;      // of a liquid, in texels (warped_rows.h); 0 for other faces
-  std::uint64_t lights = 0;  // hash of the dynamic lights on it; 0: none
-  std::uint64_t marks = 0;   // revision of the marks on its face; 0: none
+  float warp_phase = 0;            // of a liquid, in texels (warped_rows.h); 0 for other faces
+  std::uint32_t caustic_step = 0;  // of the caustics on it (caustics.h); 0: none
+  std::uint64_t lights = 0;        // hash of the dynamic lights on it; 0: none
+  std::uint64_t marks = 0;         // revision of the marks on its face; 0: none
   bool operator==(const BlockContents&) const = default;
 };
 

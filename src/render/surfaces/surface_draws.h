@@ -19,6 +19,7 @@
 #include "render/edges/span_table.h"
 #include "render/surfaces/build_surface.h"
 #include "render/surfaces/cutout_textures.h"
+#include "render/surfaces/light/caustics.h"
 #include "render/surfaces/surface_cache.h"
 #include "render/view/frame_context.h"
 
@@ -83,9 +84,10 @@ struct SurfaceBlocks {
   SurfaceCounts counts;
 };
 
-// `cutouts` must be those of the scene's level. Runs in parallel over surfaces.
+// `cutouts` and `water_faces` must be those of the scene's level. Runs in parallel over surfaces.
 SurfaceRequests select_surfaces(const FrameContext& context, const ViewFrame& view, const EdgeTable& table,
-                                const SpanTable& spans, const CutoutTextures& cutouts);
+                                const SpanTable& spans, const CutoutTextures& cutouts,
+                                const WaterFaces& water_faces);
 
 // Sets the blocks of the requests' draws. Blocks stay in place until the next frame. Runs on one thread,
 // since the cache is not thread-safe.

@@ -29,6 +29,16 @@ FacePlacement place_face(const world::Level& level, const world::Face& face, con
   return placed;
 }
 
+std::optional<TexelSteps> find_texel_steps(const FacePlacement& placed) {
+  const math::Vec3d s = placed.s_axis - placed.normal * glm::dot(placed.normal, placed.s_axis);
+  const math::Vec3d t = placed.t_axis - placed.normal * glm::dot(placed.normal, placed.t_axis);
+  const double ss = glm::dot(s, s), st = glm::dot(s, t), tt = glm::dot(t, t);
+  const double determinant = ss * tt - st * st;
+  constexpr double kAlongOneLine = 1e-9;
+  if (!(determinant > kAlongOneLine * ss * tt)) return std::nullopt;
+  return TexelSteps{(s * tt - t * st) / determinant, (t * ss - s * st) / determinant};
+}
+
 double facing(const ViewFrame& view, const math::Vec3d& normal, double distance) {
   return view.perspective ? glm::dot(normal, view.eye_world) - distance
                           : -glm::dot(normal, view.axes.forward);

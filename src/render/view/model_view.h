@@ -2,6 +2,8 @@
 // world space. Computed once per instance and frame; the identity for the world itself.
 #pragma once
 
+#include <optional>
+
 #include "render/view/view_frame.h"
 
 namespace temblor::render {
@@ -36,6 +38,14 @@ struct FacePlacement : FacePlane {
 };
 
 FacePlacement place_face(const world::Level& level, const world::Face& face, const ModelView& model_view);
+
+// Steps along the plane of a face, in units, that move by one texel along one texture axis and by none along
+// the other.
+struct TexelSteps {
+  math::Vec3d s, t;
+};
+// The inverse of the texture axes. Nothing if the axes are parallel on the plane.
+std::optional<TexelSteps> find_texel_steps(const FacePlacement& placed);
 
 // Perspective: the eye's distance in front of the plane, in units. Orthographic: the cosine between the
 // plane's normal and the direction to the eye. Not positive: the back is visible.

@@ -10,7 +10,7 @@
 
 #include "render/edges/face_outlines.h"
 #include "render/renderer.h"
-#include "render/surfaces/light_samples.h"
+#include "render/surfaces/light/light_samples.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/drawable_level.h"

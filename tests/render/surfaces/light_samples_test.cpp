@@ -1,6 +1,6 @@
 // Light maps of other resolutions, turned any way, against the definition: linear interpolation between the
 // four samples around a texel, in real numbers.
-#include "render/surfaces/light_samples.h"
+#include "render/surfaces/light/light_samples.h"
 
 #include <gtest/gtest.h>
 

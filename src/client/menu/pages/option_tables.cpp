@@ -50,6 +50,7 @@ std::span<const OptionLook> screen_options() {
       {.variable = "cl_nolerp", .label = "Classic animation"},
       {.variable = "r_marks", .label = "Bullet holes, blood"},
       {.variable = "r_dynamic_colors", .label = "Colored flashes"},
+      {.variable = "r_caustics", .label = "Light under water"},
       {.variable = "r_particles_max", .label = "Particles", .high = 32768, .step = 2048, .zero = "none"},
       {.variable = "r_fog", .label = "Fog"},
       {.variable = "r_skybox", .label = "Skyboxes"},

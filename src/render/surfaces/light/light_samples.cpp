@@ -1,4 +1,4 @@
-#include "render/surfaces/light_samples.h"
+#include "render/surfaces/light/light_samples.h"
 
 #include <algorithm>
 

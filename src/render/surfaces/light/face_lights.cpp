@@ -1,4 +1,4 @@
-#include "render/surfaces/face_lights.h"
+#include "render/surfaces/light/face_lights.h"
 
 #include <algorithm>
 #include <cmath>

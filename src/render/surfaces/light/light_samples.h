@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/arena.h"
-#include "render/surfaces/face_lights.h"
+#include "render/surfaces/light/face_lights.h"
 #include "world/level.h"
 
 namespace temblor::render {
