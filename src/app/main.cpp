@@ -20,6 +20,7 @@
 #include "app/commands/serve_command.h"
 #include "app/commands/settings_command.h"
 #include "app/files/diagnostics.h"
+#include "app/files/game_defaults.h"
 #include "app/stock_tools/stock_command.h"
 #include "command/variables.h"
 #include "host/host_variables.h"
@@ -76,16 +77,17 @@ void describe_command_line(Command& program, Commands& io_commands) {
 }
 
 // Sets the console variables before the command reads them: `host::HostVariables` registers them,
-// `apply_options` applies
-// --set, --show, and --threads.
+// `apply_game_defaults` applies the game's default.cfg, and `apply_options` --set, --show, and --threads.
 base::Status run(const Commands& commands) {
   command::Variables variables;
   const host::HostVariables settings(variables);
   if (commands.render_command->parsed()) {
+    apply_game_defaults(commands.common.folders, variables);
     TRY_STATUS(apply_options(commands.common, commands.render.frame.threads, variables));
     return run_render(commands.render, commands.common.folders, settings);
   }
   if (commands.bench_command->parsed()) {
+    apply_game_defaults(commands.common.folders, variables);
     TRY_STATUS(apply_options(commands.common, commands.bench.frame.threads, variables));
     return run_bench(commands.bench, commands.common.folders, settings.presentation(), settings.render());
   }

@@ -130,6 +130,22 @@ TEST_F(RenderProgram, UsesSettings) {
   EXPECT_NE(draw(small_render({"--set", "r_colored_light=0"})), plain);
 }
 
+TEST_F(RenderProgram, UsesTheGamesOwnSettings) {
+  const SmallGame game;
+  const auto drawn = [&](const Words& more) {
+    Words words = small_render({"--basedir", game.path().string(), "--map", "small"});
+    words.insert(words.end(), more.begin(), more.end());
+    return draw(words);
+  };
+  const Png plain = drawn({});
+  game.folder().write("id1/default.cfg",
+                      "bind x quit; r_mip_force 3 // coarse\nr_fullbright maybe\nnonsense 1\n");
+  EXPECT_NE(drawn({}), plain);
+  EXPECT_EQ(drawn({"--set", "r_mip_force=-1"}), plain);
+  game.folder().write("mod/default.cfg", "r_mip_force -1");
+  EXPECT_EQ(drawn({"--game", "mod"}), plain);
+}
+
 TEST_F(RenderProgram, ShowDrawsDifferentPictures) {
   std::vector<Png> pictures = {draw(small_render())};
   for (const char* kind : {"faces", "edges", "spans", "surfaces", "mips", "pvs", "overdraw", "depth"}) {
