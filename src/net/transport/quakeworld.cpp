@@ -34,8 +34,8 @@ base::ByteVector make_quakeworld_status_request() {
   return make_packet("status", "\n");
 }
 
-bool is_quakeworld_status_request(base::Bytes packet) {
-  return begins_with(packet, "status");
+bool is_status_request(base::Bytes packet) {
+  return begins_with(packet, "status") || begins_with(packet, "getstatus");
 }
 
 bool is_quakeworld_status(base::Bytes packet) {

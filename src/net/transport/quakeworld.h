@@ -18,7 +18,8 @@ bool is_quakeworld_join(base::Bytes packet);
 base::ByteVector make_quakeworld_print(std::string_view text);
 
 base::ByteVector make_quakeworld_status_request();
-bool is_quakeworld_status_request(base::Bytes packet);
+// A request of QuakeWorld's or DarkPlaces's status.
+bool is_status_request(base::Bytes packet);
 // Whether a QuakeWorld server has answered that request.
 bool is_quakeworld_status(base::Bytes packet);
 

@@ -59,16 +59,19 @@ void ServerEndpoint::update(double now_s) {
     half_open.channel.update(now_s, SendTo{*sockets_[half_open.socket], half_open.address});
   disconnect_resender_.update(now_s);
   // drop() removes connections, so it must not run inside the loop.
-  std::vector<ConnectionId> silent, without_answer;
+  std::vector<ConnectionId> silent, without_answer, garbled;
   for (Connection& connection : connections_) {
     connection.channel.update(now_s, SendTo{*sockets_[connection.peer.socket], connection.peer.address});
     if (now_s - connection.last_received_s > settings_.timeout_s)
       silent.push_back(connection.id);
     else if (!answers_in_time(connection))
       without_answer.push_back(connection.id);
+    else if (sends_only_garbage(connection))
+      garbled.push_back(connection.id);
   }
   for (const ConnectionId id : silent) drop(id, "timed out");
   for (const ConnectionId id : without_answer) drop(id, "does not answer");
+  for (const ConnectionId id : garbled) drop(id, "sends unreadable packets");
 }
 
 base::Status ServerEndpoint::send_reliable(ConnectionId connection, base::Bytes message) {
@@ -185,8 +188,8 @@ void ServerEndpoint::handle_packet(const ReceivedPacket& packet) {
 void ServerEndpoint::handle_control(const ReceivedPacket& packet) {
   const auto read = read_control_packet(packet.bytes);
   if (!read.ok()) {
-    // Our own client asks every server whether it is one of QuakeWorld.
-    if (is_quakeworld_status_request(packet.bytes)) return;
+    // Our own client asks every server whether it is one of QuakeWorld or DarkPlaces.
+    if (is_status_request(packet.bytes)) return;
     ++statistics_.malformed;
     if (is_quakeworld_join(packet.bytes)) explain_to_quakeworld(packet.from, packet.bytes.size());
     return;
@@ -249,8 +252,10 @@ void ServerEndpoint::handle_connection_packet(Connection& connection, base::Byte
   if (!message.ok()) {
     if (message.error().code == base::ErrorCode::kTooLarge) return drop(connection.id, message.error().what);
     ++statistics_.malformed;
+    ++connection.unreadable_packets;
     return;
   }
+  connection.unreadable_packets = 0;
   connection.last_received_s = now_s_;
   if (message->has_value()) queue_message(connection.id, **message);
 }
@@ -436,6 +441,13 @@ bool ServerEndpoint::answers_in_time(const Connection& connection) const {
   if (connection.peer.address.is_local() || !connection.first_message_s) return true;
   return connection.channel.acknowledged_fragments() != connection.handshake_fragments ||
          now_s_ - *connection.first_message_s <= settings_.answer_timeout_s;
+}
+
+// A client that loads a level is silent, but sends nothing unreadable. A few such packets may be forged.
+bool ServerEndpoint::sends_only_garbage(const Connection& connection) const {
+  constexpr std::size_t kMinPackets = 5;
+  return connection.unreadable_packets >= kMinPackets &&
+         now_s_ - connection.last_received_s > settings_.garbage_timeout_s;
 }
 
 bool ServerEndpoint::has_connection_of_host(const platform::Address& address) const {

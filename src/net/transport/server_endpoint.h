@@ -15,7 +15,7 @@
 //   is ignored: a client repeats what is reliable.
 // - A connection has a rate limit for packets, and ends after timeout_s of silence. It must acknowledge
 //   something of its first reliable message within answer_timeout_s. Clients do that before they load a
-//   level.
+//   level. Unreadable packets end it after garbage_timeout_s without others.
 // - Packets of ended connections are answered with the disconnect message again (disconnect_resender.h).
 //
 // The endpoint reads no clock: callers pass the time in seconds, which never goes back.
@@ -50,7 +50,8 @@ struct ServerEndpointSettings {
   std::size_t max_connections = 16;
   double timeout_s = 300;           // ends a connection after this much silence
   double half_open_timeout_s = 10;  // forgets a half-open peer after this time
-  double answer_timeout_s = 5;  // ends a connection that acknowledges nothing of its first reliable message
+  double answer_timeout_s = 5;    // ends a connection that acknowledges nothing of its first reliable message
+  double garbage_timeout_s = 10;  // ends a connection that sent only unreadable packets for this time
   // Port that CCREP_ACCEPT names instead of the socket's own; for servers behind NAT. 0: the socket's own
   // port.
   std::uint16_t announced_port = 0;
@@ -181,6 +182,7 @@ class ServerEndpoint {
     TokenBucket packets{};
     std::uint32_t handshake_fragments = 0;    // acknowledged before it became a connection
     std::optional<double> first_message_s{};  // when its first reliable message was sent
+    std::size_t unreadable_packets = 0;       // since last_received_s
   };
   struct ReceivedPacket {
     Peer from;
@@ -225,6 +227,7 @@ class ServerEndpoint {
   const Connection* find_replaceable(const platform::Address& newcomer) const;
   bool can_take(const platform::Address& newcomer) const;
   bool answers_in_time(const Connection& connection) const;
+  bool sends_only_garbage(const Connection& connection) const;
   bool has_connection_of_host(const platform::Address& address) const;
   bool is_banned(const platform::Address& address) const;
 

@@ -363,6 +363,7 @@ TEST(ServerEndpoint, ExplainsToQuakeWorldClientsThatTheyCannotJoin) {
   BarePeer asker(bench.network, host(2, 1));
   asker.send("\xff\xff\xff\xffgetchallenge\n"s);
   asker.send("\xff\xff\xff\xffstatus\n"s);  // of server lists, which must not show this server
+  asker.send("\xff\xff\xff\xffgetstatus\n"s);
   asker.send("\xff\xff\xff\xff"s);
   bench.tick();
   EXPECT_THAT(asker.received(),
