@@ -190,11 +190,26 @@ TEST(Joining, AKilledPlayerWhoComesBackHasItsNameAgain) {
   players.run(0.3);
   players.join("Joe");
   players.run(1);
-  EXPECT_THAT(players.names(), ElementsAre("joe", "Joe (2)"));  // the old one may only be slow
+  EXPECT_THAT(players.names(), ElementsAre("joe", "Joe"));  // the old one may only be slow
   players.run(1.5);
   EXPECT_THAT(players.names(), ElementsAre("Joe"));
   EXPECT_TRUE(players.is_playing(1));
   EXPECT_THAT(players.served().console(), HasSubstr("came back with another connection"));
+}
+
+TEST(Joining, APlayerWhoWasOnlySlowKeepsItsName) {
+  SKIP_WITHOUT_QUAKEC();
+  PlayersOfOneHost players;
+  players.join("joe");
+  players.run(2);
+  players.kill(0);
+  players.join("joe");
+  players.run(1);
+  ASSERT_THAT(players.names(), ElementsAre("joe", "joe"));
+  players.revive(0);
+  players.run(5);
+  EXPECT_THAT(players.names(), ElementsAre("joe", "joe (2)"));
+  EXPECT_TRUE(players.is_playing(0) && players.is_playing(1));
 }
 
 TEST(Joining, TwoPlayersOfOneNameAndHostKeepTheirPlaces) {
@@ -249,6 +264,39 @@ TEST(Joining, ANewcomerThatSendsGarbageIsDropped) {
   served.run(0.1);
   EXPECT_EQ(served.server().endpoint.connections(), 0u);
   EXPECT_THAT(served.console(), HasSubstr("sent an unreadable message"));
+}
+
+// It acknowledges the level's files, as a client that loads them. A real one sends nothing then.
+TEST(Joining, ANewcomerThatSendsUnreadablePacketsIsDroppedSoon) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  SlowClient slow(served);
+  const auto socket = served.network().open(platform::ip4_address({10, 0, 9, 7}, 4000));
+  const auto send = [&](std::string_view bytes) { socket->send(kServedAddress, base::as_bytes(bytes)); };
+  using namespace std::string_view_literals;
+  send("\x80\0\0\x0c\x01QUAKE\0\x03"sv);
+  slow.run(0.1);
+  send("\0\x02\0\x08\0\0\0\0"sv);
+  for (int i = 0; i < 10; ++i) {
+    while (const auto datagram = socket->receive())
+      if (datagram->bytes.size() > 8)
+        send(std::string("\0\x02\0\x08"sv) + std::string(base::as_text(datagram->bytes.subspan(4, 4))));
+    slow.run(0.1);
+  }
+  const auto send_garbage_for = [&](int seconds) {
+    for (int i = 0; i < seconds; ++i) {
+      send("junk and more junk");
+      slow.run(1);
+    }
+  };
+  send_garbage_for(8);
+  EXPECT_EQ(served.server().endpoint.connections(), 2u) << served.console();
+  send_garbage_for(4);
+  EXPECT_EQ(served.server().endpoint.connections(), 1u);
+  EXPECT_THAT(served.console(), HasSubstr("sends unreadable packets"));
+  slow.say("prespawn");
+  slow.run(1);
+  EXPECT_EQ(slow.signon, 2);
 }
 
 // Stock clients acknowledge the level's files before they load them.
