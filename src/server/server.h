@@ -43,7 +43,7 @@ struct ServerSetup {
   net::ServerEndpoint::Sockets sockets;  // one or more
   net::ServerEndpointSettings wire{};    // its number of connections follows from max_clients
   std::uint32_t max_clients = 8;         // 1: single player; stock clients refuse more than 16
-  bool prefers_newest_protocol = false;  // see GameRequest; for games that no other engine's client can join
+  net::Protocol oldest_protocol = net::Protocol::kNetQuake;  // see GameRequest
   std::filesystem::path program_file{};  // the game's code on disk; empty: progs.dat of the game folders
   // The folder for saved games, demos and files that the game's code writes. Empty: nothing is written.
   std::filesystem::path write_folder{};

@@ -87,8 +87,10 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
                          "1: a dead player who fires loads the level's last save (jumping restarts the "
                          "level); 0: always restarts.");
   constexpr std::array<std::string_view, 4> kProtocols = {"auto", "15", "666", "999"};
-  protocol_ = v.add_choice("sv_protocol", kProtocols,
-                           "Protocol of the next level; auto: the oldest one that can express the level.");
+  protocol_ =
+      v.add_choice("sv_protocol", kProtocols,
+                   "Protocol of the next level; auto: the oldest one that can express the level, but at "
+                   "least 666 in games that a player starts.");
   host_name_ = v.add_text("hostname", "Temblor", "The server's name in server browsers.");
   language_ = v.add_text("language", assets::kDefaultLanguage,
                          "Language of the texts of games that have several: english, french, german, "

@@ -70,7 +70,7 @@ RunningLevel::RunningLevel(const LoadedMap& loaded, const std::filesystem::path&
                           .settings = rules,
                           .sockets = std::move(sockets),
                           .max_clients = 1,
-                          .prefers_newest_protocol = true,
+                          .oldest_protocol = net::Protocol::kRmq,
                           .program_file = program,
                           .print = [this](std::string_view text) { console_ += text; },
                           .prints_events = false});

@@ -30,18 +30,20 @@ Session::~Session() {
 }
 
 server::ServerSetup Session::make_setup(net::ServerEndpoint::Sockets sockets, std::uint32_t max_clients) {
-  return {.library = library_,
-          .settings = settings_,
-          .sockets = std::move(sockets),
-          .wire = make_endpoint_settings(services_),
-          .max_clients = max_clients,
-          .prefers_newest_protocol = max_clients == 1,
-          .program_file = program_file_,
-          .write_folder = write_folder_,
-          .write_file = services_.write_file,
-          .print = [this](std::string_view text) { server_output_ += text; },
-          .prints_events = false,
-          .seed = services_.seed};
+  return {
+      .library = library_,
+      .settings = settings_,
+      .sockets = std::move(sockets),
+      .wire = make_endpoint_settings(services_),
+      .max_clients = max_clients,
+      // Others join a player's game with newer programs, as a rule, and the player wants to see all of it.
+      .oldest_protocol = max_clients == 1 ? net::Protocol::kRmq : net::Protocol::kFitzQuake,
+      .program_file = program_file_,
+      .write_folder = write_folder_,
+      .write_file = services_.write_file,
+      .print = [this](std::string_view text) { server_output_ += text; },
+      .prints_events = false,
+      .seed = services_.seed};
 }
 
 base::Status Session::open_server(std::uint32_t max_clients, std::uint16_t port,

@@ -141,9 +141,8 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
   constexpr std::array kOldestFirst = {net::Protocol::kNetQuake, net::Protocol::kFitzQuake,
                                        net::Protocol::kRmq};
   for (const net::Protocol protocol : kOldestFirst) {
-    std::optional<net::Protocol> wanted = settings.protocol();
-    if (!wanted && request.prefers_newest_protocol) wanted = kOldestFirst.back();
-    if (wanted && *wanted != protocol) continue;
+    const std::optional<net::Protocol> wanted = settings.protocol();
+    if (wanted ? *wanted != protocol : protocol < request.oldest_protocol) continue;
     const bool is_last = wanted || protocol == kOldestFirst.back();
     base::Result<std::unique_ptr<Game>> game =
         Game::start({.program = program,

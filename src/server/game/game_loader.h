@@ -26,9 +26,9 @@ struct GameRequest {
   std::uint64_t seed = 1;
   // How many entities a saved game contains. The protocol must have room for them.
   std::size_t min_entities = 0;
-  // Without a protocol in the settings: use the newest instead of the oldest. It has the finest positions and
-  // angles, but stock clients may not speak it.
-  bool prefers_newest_protocol = false;
+  // Without a protocol in the settings: the oldest one to use. Newer ones have finer positions and angles and
+  // more entities, but stock clients may not speak them.
+  net::Protocol oldest_protocol = net::Protocol::kNetQuake;
 };
 
 struct LoadedGame {
@@ -37,8 +37,8 @@ struct LoadedGame {
 };
 
 // Loads maps/MAP.bsp and progs.dat, and sets the game up. The protocol is the one in `settings`, or the
-// oldest (see prefers_newest_protocol) that has room for all models, sounds, and entities, for translucent
-// and scaled ones, and for places past +-4095 units. Errors name the file.
+// oldest from GameRequest::oldest_protocol on that has room for all models, sounds, and entities, for
+// translucent and scaled ones, and for places past +-4095 units. Errors name the file.
 base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVariables& settings,
                                    const GameServices& services);
 

@@ -95,7 +95,7 @@ GameRequest make_request(const Server& server, std::string_view map) {
           .program_file = setup.program_file,
           .max_clients = setup.max_clients,
           .seed = setup.seed,
-          .prefers_newest_protocol = setup.prefers_newest_protocol};
+          .oldest_protocol = setup.oldest_protocol};
 }
 
 base::Result<LoadedGame> load_level(Server& io_server, const GameRequest& request) {
