@@ -61,6 +61,8 @@ TEST_F(ViewCommands, FogIsThereWhileItIsNotDrawn) {
 }
 
 TEST_F(ViewCommands, SkyChangesTheSkybox) {
+  type("sky");
+  EXPECT_TRUE(game_->has_printed("sky: the level's own texture"));
   type("sky night_");
   EXPECT_EQ(state().skybox, "night_");
   type("sky");

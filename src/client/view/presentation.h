@@ -101,6 +101,8 @@ class Presentation {
   const render::Scene& scene() const { return scene_; }
   // The fog of the level or server, also if the player turned it off.
   const render::Fog& fog() const { return environment_.fog(); }
+  // The skybox in this level; empty: the level's sky texture.
+  const std::string& skybox_name(const Game& game) const { return environment_.skybox_name(game); }
   const render::DrawList& draw_list(const ClientState& state, int width, int height,
                                     const PresentationSettings& settings);
 

@@ -8,7 +8,7 @@ void SceneEnvironment::apply(const Moment& moment, const EnvironmentSettings& se
   const net::Fog fog = compute_fog(moment.game, {level_.fog.density, level_.fog.color, 0}, moment.time_s);
   fog_ = {fog.density, fog.color};
   if (settings.fog) io_scene.fog = fog_;
-  const std::string& skybox = moment.game.skybox ? *moment.game.skybox : level_.skybox;
+  const std::string& skybox = skybox_name(moment.game);
   if (!settings.skybox || skybox.empty()) {
     io_scene.skybox = nullptr;
     return;

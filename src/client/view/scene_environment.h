@@ -28,6 +28,10 @@ class SceneEnvironment {
  public:
   void begin_level(const world::Level& level) { level_ = parse_environment(level); }
   const LevelEnvironment& level() const { return level_; }
+  // Empty: the level's sky texture.
+  const std::string& skybox_name(const Game& game) const {
+    return game.skybox ? *game.skybox : level_.skybox;
+  }
 
   // The source of skyboxes, and the game at a time. A default Game has no messages: the level decides.
   struct Moment {

@@ -66,8 +66,9 @@ void sky_command(Host& io_host, Arguments arguments) {
   client::ClientState* const state = find_shown_state(io_host, arguments);
   if (state == nullptr) return;
   if (arguments.size() > 1) return apply_message(io_host, *state, net::Skybox{arguments[1]});
-  const std::optional<std::string>& name = state->game().skybox;
-  print_line(io_host, name ? fmt::format("sky: \"{}\"", base::quotable(*name)) : "sky: that of the level");
+  const std::string& name = io_host.game.data->presentation.skybox_name(state->game());
+  print_line(io_host, name.empty() ? "sky: the level's own texture"
+                                   : fmt::format("sky: \"{}\"", base::quotable(name)));
 }
 
 void flash_command(Host& io_host, Arguments arguments) {
