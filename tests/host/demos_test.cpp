@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "client/demo/demo_session.h"
 #include "formats/game/dem.h"
 #include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "host/session/session.h"
+#include "platform/posix/udp_socket.h"
 #include "support/generated_demo.h"
 #include "support/programs/quakec.h"
 
@@ -224,6 +226,34 @@ TEST(HostDemos, AttractModeDefaultsToDemo1To3) {
   game.restart();
   game.run(0.1);
   EXPECT_EQ(game.demo(), nullptr);
+}
+
+// A game that others may join records from the start of a level on, also of one that the player starts.
+TEST(HostDemos, ARecordingWaitsForTheNextLevelAndGame) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game({"maxplayers 2"});
+  game.host().services.open_socket = [&](std::uint16_t) {
+    return platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+  };
+  game.command("map small");
+  ASSERT_TRUE(game.run_until_playing());
+  EXPECT_EQ(game.session().server()->game->setup().dialect.protocol, net::Protocol::kFitzQuake);
+  game.command("record film; map small");
+  game.run(0.2);
+  ASSERT_TRUE(game.run_until_playing());
+  game.command("maxplayers 3; map small");  // another server
+  game.run(0.2);
+  ASSERT_TRUE(game.run_until_playing());
+  game.run(1);
+  game.command("stop");
+  game.run(0.1);
+  EXPECT_TRUE(std::filesystem::exists(game.folder().path() / "id1/film.dem"));
+  game.command("record other; maxplayers 4; map small");
+  game.run(0.2);
+  ASSERT_TRUE(game.run_until_playing());
+  game.command("stop");
+  game.run(0.1);
+  EXPECT_TRUE(std::filesystem::exists(game.folder().path() / "id1/other.dem"));
 }
 
 }  // namespace

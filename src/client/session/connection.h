@@ -87,6 +87,8 @@ class Connection {
   // through level changes until finish_recording().
   void start_recording() { recording_.emplace(); }
   bool is_recording() const { return recording_.has_value(); }
+  // A recording has been started, and no level has begun since.
+  bool waits_to_record() const { return recording_ && recording_->is_empty(); }
   // The demo's bytes (.dem); nothing if no recording was started or no level has begun since.
   std::optional<base::ByteVector> finish_recording();
 

@@ -204,4 +204,9 @@ base::Status finish_recording(Host& io_host) {
   return base::Ok{};
 }
 
+bool waits_to_record(const Host& host) {
+  const Session& session = *host.game.session;
+  return session.connection() != nullptr && session.connection()->waits_to_record();
+}
+
 }  // namespace temblor::host

@@ -44,5 +44,7 @@ base::Status record_demo(Host& io_host, std::string_view name);
 base::Status stop_recording(Host& io_host);
 // Like stop_recording(), but does nothing if no demo is being recorded. Call it whenever a game ends.
 base::Status finish_recording(Host& io_host);
+// A recording has been started, but no level has begun since. It goes on in the next game.
+bool waits_to_record(const Host& host);
 
 }  // namespace temblor::host

@@ -14,7 +14,11 @@ namespace {
 constexpr int kMaxScreenshots = 10000;
 
 base::Status open_own_server(Host& io_host, std::uint32_t max_clients) {
-  return io_host.game.session->open_server(max_clients, io_host.variables.port(), io_host.variables.player());
+  Session& session = *io_host.game.session;
+  const bool leaves_other = session.server() == nullptr;
+  TRY_STATUS(session.open_server(max_clients, io_host.variables.port(), io_host.variables.player()));
+  if (leaves_other) io_host.stuffed_text.restore(io_host);
+  return base::Ok{};
 }
 
 // Finishes start_map() and load_game(). If the level could not be started, a new server has no game and is
@@ -37,9 +41,11 @@ base::Status start_map(Host& io_host, std::string_view map) {
   const std::string file = fmt::format("maps/{}.bsp", map);
   if (!io_host.game.data->library.files().contains(file))
     return base::error(base::ErrorCode::kNotFound, "No level \"{}\". Type maps to list all levels.", map);
-  TRY_STATUS(finish_recording(io_host));
+  const bool waits_to_record = host::waits_to_record(io_host);
+  if (!waits_to_record) TRY_STATUS(finish_recording(io_host));
   stop_demo(io_host);
   TRY_STATUS(open_own_server(io_host, io_host.variables.max_players()));
+  if (waits_to_record) io_host.game.session->connection()->start_recording();
   return show_started_game(io_host, server::start_map(*io_host.game.session->server(), map));
 }
 
@@ -49,9 +55,11 @@ base::Status load_game(Host& io_host, std::string_view name) {
   std::error_code ignored;
   if (!std::filesystem::exists(io_host.game.data->write_folder / file, ignored))
     return base::error(base::ErrorCode::kNotFound, "No saved game \"{}\".", name);
-  TRY_STATUS(finish_recording(io_host));
+  const bool waits_to_record = host::waits_to_record(io_host);
+  if (!waits_to_record) TRY_STATUS(finish_recording(io_host));
   stop_demo(io_host);
   TRY_STATUS(open_own_server(io_host, 1));
+  if (waits_to_record) io_host.game.session->connection()->start_recording();
   return show_started_game(io_host, server::load_saved_game(*io_host.game.session->server(), name));
 }
 
@@ -68,9 +76,12 @@ base::Status save_game(Host& io_host, std::string_view name, std::string_view ti
 }
 
 base::Status connect_to_server(Host& io_host, std::string_view address) {
-  TRY_STATUS(finish_recording(io_host));
+  const bool waits_to_record = host::waits_to_record(io_host);
+  if (!waits_to_record) TRY_STATUS(finish_recording(io_host));
   stop_demo(io_host);
   TRY_STATUS(io_host.game.session->connect(address, io_host.variables.player()));
+  if (waits_to_record) io_host.game.session->connection()->start_recording();
+  io_host.stuffed_text.restore(io_host);
   io_host.game.session->connection()->state().set_texts(load_game_texts(io_host));
   io_host.game.last_server = address;
   io_host.console.ui.close();
