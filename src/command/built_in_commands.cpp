@@ -23,22 +23,22 @@ void Console::add_built_in_commands() {
               [this](Arguments) { waiting_ = true; });
 }
 
-const std::string* Console::find_alias(std::string_view name) const {
+const Alias* Console::find_alias(std::string_view name) const {
   const auto found = aliases_.find(base::to_lower(name));
   return found != aliases_.end() ? &found->second : nullptr;
 }
 
-void Console::set_alias(std::string_view name, std::string_view text) {
-  if (text.empty())
+void Console::set_alias(std::string_view name, Alias alias) {
+  if (alias.text.empty())
     aliases_.erase(base::to_lower(name));
   else
-    aliases_[base::to_lower(name)] = text;
+    aliases_[base::to_lower(name)] = std::move(alias);
 }
 
 // A name that is taken by a command or variable is refused, because the alias would never run.
 void Console::alias_command(Arguments arguments) {
   if (arguments.size() == 1) {
-    for (const auto& [name, text] : aliases_) print(fmt::format("{}: {}", name, text));
+    for (const auto& [name, alias] : aliases_) print(fmt::format("{}: {}", name, alias.text));
     return;
   }
   const std::string name = base::to_lower(arguments[1]);
@@ -46,15 +46,16 @@ void Console::alias_command(Arguments arguments) {
     const auto found = aliases_.find(name);
     if (found == aliases_.end())
       return print_error(fmt::format("there is no alias \"{}\"", base::quotable(name)));
-    return print(fmt::format("{}: {}", name, found->second));
+    return print(fmt::format("{}: {}", name, found->second.text));
   }
   if (commands_.contains(name) || variables_.find(name) != nullptr)
     return print_error(fmt::format("\"{}\" is a command or variable and cannot be an alias", arguments[1]));
   // A single word was quoted as a whole and may contain several commands: alias both "+attack; +jump".
   // Several words are one command, whose quotes must be restored: alias hi say "good day".
-  aliases_[name] = arguments.size() == 3
-                       ? arguments[2]
-                       : join_words(std::vector<std::string>(arguments.begin() + 2, arguments.end()));
+  aliases_[name] = {arguments.size() == 3
+                        ? arguments[2]
+                        : join_words(std::vector<std::string>(arguments.begin() + 2, arguments.end())),
+                    place_.source};
 }
 
 void Console::unalias_command(Arguments arguments) {
@@ -85,7 +86,7 @@ void Console::exec_command(Arguments arguments) {
   if (!count_expansion(arguments[1], *text)) return;
   // Report only the file that the player asked for, not files that it includes.
   if (!is_in_file()) print(fmt::format("exec {}", base::quotable(arguments[1])));
-  insert(*text, {.place = {.file = arguments[1]}, .has_lines = true});
+  insert(*text, {.place = {.file = arguments[1], .source = place_.source}, .has_lines = true});
 }
 
 }  // namespace temblor::command

@@ -61,8 +61,8 @@ std::vector<Candidate> Console::find_candidates(Kinds kinds, std::string_view pr
     for (const auto& [name, command] : commands_)
       if (starts_with(name, prefix)) found.push_back({name, CandidateKind::kCommand, "", command.help});
   if (kinds.aliases)
-    for (const auto& [name, text] : aliases_)
-      if (starts_with(name, prefix)) found.push_back({name, CandidateKind::kAlias, text, ""});
+    for (const auto& [name, alias] : aliases_)
+      if (starts_with(name, prefix)) found.push_back({name, CandidateKind::kAlias, alias.text, ""});
   if (kinds.variables)
     for (const Variable* variable : variables_.all())
       if (starts_with(variable->name, prefix))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
@@ -45,8 +46,13 @@ bool Console::check_room_for(std::string_view text) {
   return false;
 }
 
-void Console::append(std::string_view text) {
-  if (check_room_for(text)) text_ += fmt::format("{}\n", text);
+void Console::append(std::string_view text, Source source) {
+  if (!check_room_for(text)) return;
+  text_ += fmt::format("{}\n", text);
+  // Many lines in a row make one part.
+  if (parts_.empty() || parts_.front().place.source != source || !parts_.front().place.file.empty())
+    parts_.insert(parts_.begin(), Part{.place = {.source = source}});
+  parts_.front().left_chars += text.size() + 1;
 }
 
 void Console::insert(std::string_view text, Part part) {
@@ -62,7 +68,7 @@ void Console::insert(std::string_view text, Part part) {
 }
 
 // Consumes a command and the newline or ';' after it. The place of the command is that of the first part with
-// text left, which may have started inside of an outer part.
+// text left.
 std::string Console::take_command() {
   const std::string_view pending = std::string_view(text_).substr(done_);
   const std::size_t length = command_length(pending);
@@ -71,11 +77,9 @@ std::string Console::take_command() {
   const std::size_t taken = std::min(length + 1, pending.size());
   done_ += taken;
   while (!parts_.empty() && parts_.back().left_chars == 0) parts_.pop_back();
-  place_ = {};
-  if (parts_.empty()) return command;
   Part& part = parts_.back();
   place_ = part.place;
-  part.left_chars -= std::min(taken, part.left_chars);
+  part.left_chars -= taken;
   if (part.has_lines && ends_line) ++part.place.line;
   return command;
 }
@@ -84,7 +88,12 @@ void Console::run() {
   waiting_ = false;
   expansions_ = 0;
   expanded_chars_ = 0;
-  while (has_pending() && !waiting_) execute(take_command());
+  while (has_pending() && !waiting_) {
+    const std::string command = take_command();
+    if (place_.source == Source::kPlayer) finish_server_commands();
+    execute(command);
+  }
+  finish_server_commands();
   place_ = {};
   // Erase only when at least half is done, so that a text with many waits is not moved for each of them.
   if (done_ * 2 < text_.size()) return;
@@ -92,16 +101,27 @@ void Console::run() {
   done_ = 0;
 }
 
+void Console::finish_server_commands() {
+  if (std::exchange(runs_server_commands_, false) && server_rules_.finish) server_rules_.finish();
+}
+
 // Commands take precedence over aliases, and aliases over variables; alias_command() refuses names that are
 // taken, but a command or variable may be registered later.
 void Console::execute(std::string_view command) {
   const std::vector<std::string> words = split_words(command);
   if (words.empty()) return;
+  if (place_.source == Source::kServer) {
+    runs_server_commands_ = true;
+    if (server_rules_.may_run && !server_rules_.may_run(words)) return;
+  }
   const std::string name = base::to_lower(words[0]);
   if (const auto found = commands_.find(name); found != commands_.end()) {
     found->second.run(words);
   } else if (const auto alias = aliases_.find(name); alias != aliases_.end()) {
-    if (count_expansion(words[0], alias->second)) insert(alias->second, {.place = place_});
+    const auto& [text, source] = alias->second;
+    Place place = place_;
+    place.source = std::max(place.source, source);
+    if (count_expansion(words[0], text)) insert(text, {.place = std::move(place)});
   } else if (const Variable* variable = variables_.find(name); variable != nullptr) {
     variable_command(*variable, words);
   } else if (!unknown_handler_ || !unknown_handler_(words)) {

@@ -6,15 +6,19 @@
 // the rest, so that commands run in the order of the expanded text.
 //
 //   text_:   run already | alias text | rest of a file | appended text
-//   parts_:              |  parts[1]  |    parts[0]    |
+//   parts_:              |  parts[2]  |    parts[1]    |   parts[0]
 //            0 ......... done_
 //
 // The first word of a command is looked up, ignoring case, as a command, then an alias, then a variable
 // ("NAME" prints it, "NAME VALUE" sets it). Errors of commands in files start with the file and line:
 // "server.cfg:12: ...".
+//
+// Each part of the pending text has a Source. Aliases and files that the server's text expands, the text
+// after its `wait`, and the aliases that it has defined are the server's, too.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <span>
@@ -27,6 +31,16 @@
 #include "command/variables.h"
 
 namespace temblor::command {
+
+// The origin of a command: the player (the keyboard, config files), or the server that the player is on.
+enum class Source : std::uint8_t { kPlayer, kServer };
+
+struct Alias {
+  std::string text;
+  Source source = Source::kPlayer;  // of the command that defined it
+  bool operator==(const Alias&) const = default;
+};
+using Aliases = std::map<std::string, Alias, std::less<>>;  // by name in lower case
 
 class Console {
  public:
@@ -64,8 +78,16 @@ class Console {
   // Without a loader, `exec` reports that there are no files.
   void set_loader(Loader loader) { loader_ = std::move(loader); }
 
-  // Appends commands and a newline to the pending text, for the next run().
-  void append(std::string_view text);
+  // Appends commands and a newline to the pending text, for the next run(). Without a source, they have that
+  // of the running command.
+  void append(std::string_view text) { append(text, place_.source); }
+  void append(std::string_view text, Source source);
+  // How run() treats commands of Source::kServer. Without it, like those of the player.
+  struct ServerRules {
+    std::function<bool(Arguments)> may_run;  // called before each of them; false: the command is dropped
+    std::function<void()> finish;            // called after the last of several in a row
+  };
+  void set_server_rules(ServerRules rules) { server_rules_ = std::move(rules); }
   // Runs pending commands until none remain, or until `wait` defers the rest to the next run(). Commands may
   // call append() and execute(), but not run().
   void run();
@@ -85,10 +107,11 @@ class Console {
   // The file of the running command; empty: none.
   const std::string& file() const { return place_.file; }
 
-  // Returns the text of an alias; null: there is none.
-  const std::string* find_alias(std::string_view name) const;
+  const Aliases& aliases() const { return aliases_; }
+  // Returns null if there is no such alias.
+  const Alias* find_alias(std::string_view name) const;
   // Sets an alias; without a text, removes it.
-  void set_alias(std::string_view name, std::string_view text);
+  void set_alias(std::string_view name, Alias alias);
 
   // Finds commands, aliases, and variables with this prefix (ignoring case), sorted by name.
   std::vector<Candidate> candidates(std::string_view prefix) const;
@@ -107,11 +130,12 @@ class Console {
   };
   // The source of a command, for error messages: a file and a line, counted from 1.
   struct Place {
-    std::string file;  // empty: typed, bound to a key, or sent by the server
+    std::string file{};  // empty: typed, bound to a key, or sent by the server
     std::size_t line = 1;
+    Source source = Source::kPlayer;
   };
-  // A part of the pending text that came from an alias or file. Parts follow one another, starting at done_.
-  // An alias that interrupts a file is a part of its own, in front of the rest of the file.
+  // A part of the pending text, with one place and source. Parts follow one another from done_ to the end. An
+  // alias that interrupts a file is a part of its own, in front of the rest of the file.
   struct Part {
     Place place;                 // of its next command; an alias has the place of its call
     bool has_lines = false;      // true for a file, whose commands advance the line
@@ -137,6 +161,8 @@ class Console {
   void insert(std::string_view text, Part part);
   // Removes and returns the next pending command, and updates place_.
   std::string take_command();
+  // Ends a row of the server's commands, if one runs.
+  void finish_server_commands();
   // Counts the expansion of an alias or file. Returns false above the limits of one run(); then it has
   // printed an error and dropped the pending text.
   bool count_expansion(std::string_view name, std::string_view text);
@@ -169,13 +195,15 @@ class Console {
   UnknownName unknown_handler_;
   UnknownName foreign_setter_;
   std::map<std::string, RegisteredCommand, std::less<>> commands_;  // by name in lower case
-  std::map<std::string, std::string, std::less<>> aliases_;         // name in lower case to text
+  Aliases aliases_;
   // Pending commands, after done_ characters that were run.
   std::string text_;
   std::size_t done_ = 0;
-  // Parts of the pending text; the last element comes first in it. The text after all parts was appended.
+  // Parts of the pending text; the last element comes first in it.
   std::vector<Part> parts_;
-  Place place_;           // of the running command
+  Place place_;  // of the running command
+  ServerRules server_rules_;
+  bool runs_server_commands_ = false;
   bool waiting_ = false;  // `wait` was run: stop until the next run()
   std::map<std::string, std::size_t, std::less<>> errors_in_files_;
   int expansions_ = 0;  // since the start of run()

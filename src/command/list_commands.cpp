@@ -62,7 +62,7 @@ void Console::help_command(Arguments arguments) {
   if (const auto command = commands_.find(name); command != commands_.end())
     print(command->second.help);
   else if (const auto alias = aliases_.find(name); alias != aliases_.end())
-    print(fmt::format("\"{}\" is an alias of {}", alias->first, alias->second));
+    print(fmt::format("\"{}\" is an alias of {}", alias->first, alias->second.text));
   else if (const Variable* variable = variables_.find(name); variable != nullptr)
     print(fmt::format("{} Takes {}; {} by default.", variable->help, describe_values(*variable),
                       variable->default_text));

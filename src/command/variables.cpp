@@ -241,6 +241,22 @@ base::Status Variables::restore(std::string_view name) {
   return reset(name);
 }
 
+VariableValue Variables::value(VariableIndex index) const {
+  const Variable& variable = get(index);
+  return {variable.text, variable.version, variable.is_kept};
+}
+
+void Variables::put_back(VariableIndex index, const VariableValue& value) {
+  Variable& variable = variables_[base::to_size(index)];
+  const std::optional<Parsed> parsed = parse_value(variable, value.text);
+  CHECK(parsed, "{}: {}", variable.name, value.text);
+  variable.text = parsed->text;
+  variable.number = parsed->number;
+  variable.version = value.version;
+  variable.is_kept = value.is_kept;
+  ++version_;
+}
+
 const Variable* Variables::find(std::string_view name) const {
   const std::optional<VariableIndex> index = find_index(name);
   return index ? &get(*index) : nullptr;

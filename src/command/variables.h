@@ -44,6 +44,14 @@ struct Variable {
   bool is_kept = false;              // user-made: config files must contain it (`seta`)
 };
 
+// A value that a variable had, for Variables::put_back().
+struct VariableValue {
+  std::string text;
+  std::uint64_t version = 0;
+  bool is_kept = false;
+  bool operator==(const VariableValue&) const = default;
+};
+
 class Variables {
  public:
   static constexpr std::size_t kMaxUserMade = 1024;
@@ -83,6 +91,11 @@ class Variables {
   base::Status adopt_as_default(std::string_view name);
   // Sets the default that was registered, and makes it the default again.
   base::Status restore(std::string_view name);
+
+  std::size_t size() const { return variables_.size(); }
+  VariableValue value(VariableIndex index) const;
+  // Sets a value that value() has returned, with its own version: the variable counts as never changed since.
+  void put_back(VariableIndex index, const VariableValue& value);
 
   // Returns null if there is no such variable.
   const Variable* find(std::string_view name) const;

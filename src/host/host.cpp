@@ -49,6 +49,7 @@ base::Result<HostPointer> start_host(Services services, const HostVariables& var
                                [&host](std::string_view line) { print_line(host, line); });
   client::add_input_commands(host.console.commands, host.input.player, host.input.event_time_s);
   add_host_commands(host);
+  StuffedText::add_rules(host);
   host.console.commands.set_foreign_setter([&host](command::Console::Arguments arguments) {
     return host.console.foreign_names.set_known(arguments);
   });

@@ -250,15 +250,15 @@ void HostVariables::adopt_game_defaults() const {
   }
 }
 
-std::string HostVariables::to_text(const Overrides& overrides) const {
+std::string HostVariables::to_text(const command::Variables& own_values, const Overrides& overrides) const {
   std::string text;
   for (const std::string& name : registered_->saved) {
-    const command::Variable& variable = *variables_->find(name);
+    const command::Variable& variable = *own_values.find(name);
     const std::string& value = overrides.own_text(variable);
     if (value != variable.default_text)
       text += fmt::format("{}\n", command::join_words({variable.name, value}));
   }
-  for (const command::Variable* variable : variables_->all())
+  for (const command::Variable* variable : own_values.all())
     if (variable->is_kept && variable->text != variable->default_text)
       text += fmt::format("{}\n", command::join_words({"seta", variable->name, variable->text}));
   return text;

@@ -80,9 +80,9 @@ class HostVariables {
   // game's default.cfg, so that to_text() contains what the player has changed since.
   void adopt_game_defaults() const;
   // Returns console commands, one per line, that set the player's own variables that differ from their
-  // defaults. A variable that the command line overrides appears with the player's own value. Variables of
-  // the server are not included.
-  std::string to_text(const Overrides& overrides) const;
+  // defaults. `own_values`: this table, or a copy of it without the changes of a server. A variable that the
+  // command line overrides appears with the player's own value. Variables of the server are not included.
+  std::string to_text(const command::Variables& own_values, const Overrides& overrides) const;
 
  private:
   struct Registered;

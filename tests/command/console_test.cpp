@@ -68,6 +68,26 @@ TEST_F(ConsoleTest, AppendedTextsDoNotRunTogether) {
   EXPECT_THAT(notes_, ElementsAre("[o]", "[two]"));
 }
 
+// The rules see each command of the server, and none of the player's.
+TEST_F(ConsoleTest, TheServersTextKeepsItsSource) {
+  std::vector<std::string> seen;
+  console_.set_server_rules({.may_run =
+                                 [&](Console::Arguments words) {
+                                   seen.push_back(words.back());
+                                   return words.back() != "refused";
+                                 },
+                             .finish = [&] { seen.emplace_back("end"); }});
+  files_["server.cfg"] = "note file; note refused";
+  console_.append("alias mine \"note own\"; note player");
+  console_.append("alias theirs \"note alias\"; wait; mine; exec server.cfg; note last", Source::kServer);
+  console_.append("note player; theirs; note player");
+  for (int i = 0; i < 2; ++i) console_.run();
+  EXPECT_THAT(seen, ElementsAre("note alias", "wait", "end", "mine", "own", "server.cfg", "file", "refused",
+                                "last", "end", "alias", "end"));
+  EXPECT_THAT(notes_,
+              ElementsAre("[player]", "[own]", "[file]", "[last]", "[player]", "[alias]", "[player]"));
+}
+
 TEST_F(ConsoleTest, UnknownNamesGiveALine) {
   run("fly high");
   EXPECT_THAT(lines_, ElementsAre("unknown command or variable \"fly\""));

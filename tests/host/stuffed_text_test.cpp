@@ -1,6 +1,7 @@
 // Lines that a server sends for the player's console.
 #include "host/session/stuffed_text.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "client/input/key_names.h"
 #include "host/frame/host_parts.h"
 #include "host/headless_host.h"
+#include "support/game_data.h"
 #include "support/programs/quakec.h"
 
 namespace temblor::test {
@@ -18,19 +20,23 @@ TEST(StuffedText, OnlyHarmlessLinesAreSafe) {
   for (const char* line :
        {"play misc/hello.wav", "fog 0.1", "fov 120", "impulse 12", "v_cshift 1 2 3 4", "r_wateralpha 0.5",
         "alias tossrune \"impulse 20\"", "bind x +attack", "bind x \"+attack; impulse 2\"", "BF", "-attack",
-        "+showscores", "color 4 4", "bf; bind x \"impulse 2\"; bind y +jump", "crosshair 0"})
+        "+showscores", "color 4 4", "bind x \"color 4; fov 30\"", "bf; bind x \"impulse 2\"; bind y +jump",
+        "crosshair 0"})
     EXPECT_TRUE(host::may_be_stuffed(line)) << line;
   for (const char* line :
        {"play x; quit", "bind w quit", "bind w \"impulse 1; quit\"", "alias x \"rcon_password y\"",
         "exec evil.cfg", "quit", "connect 10.0.0.1", "unbindall", "rcon_password x", "-attack; quit", "rune",
-        "bind x rune", "bind x \"color 4\"", "name thief", "set fov 1", "alias", "bind w", ""})
+        "bind x rune", "wait", "name thief", "set fov 1", "alias", "bind w", ""})
     EXPECT_FALSE(host::may_be_stuffed(line)) << line;
 }
 
 TEST(StuffedText, AliasesOfTheServerAreSafe) {
+  const command::Aliases aliases = {{"rune", {"impulse 20", command::Source::kServer}},
+                                    {"own", {"quit", command::Source::kPlayer}}};
   for (const char* line : {"rune", "RUNE; bf", "bind x rune", "alias two \"rune; rune\""})
-    EXPECT_TRUE(host::may_be_stuffed(line, {"rune"})) << line;
-  EXPECT_FALSE(host::may_be_stuffed("rune; quit", {"rune"}));
+    EXPECT_TRUE(host::may_be_stuffed(line, aliases)) << line;
+  for (const char* line : {"rune; quit", "own", "bind x own"})
+    EXPECT_FALSE(host::may_be_stuffed(line, aliases)) << line;
 }
 
 class StuffedTextInAGame : public ::testing::Test {
@@ -53,7 +59,25 @@ class StuffedTextInAGame : public ::testing::Test {
   std::string bound(std::string_view key) {
     return game_->host().input.bindings.commands(*client::find_key(key));
   }
-  const std::string* alias(std::string_view name) { return game_->host().console.commands.find_alias(name); }
+  // Empty: there is none.
+  std::string alias(std::string_view name) {
+    const command::Alias* const found = game_->host().console.commands.find_alias(name);
+    return found != nullptr ? found->text : std::string();
+  }
+  // The file that `writeconfig now` writes.
+  std::string saved_settings() {
+    return std::string(base::as_text(read_file(game_->folder().path() / "id1/now.cfg")));
+  }
+  // All that a line can change.
+  std::string settings() {
+    std::string text = game_->host().input.bindings.to_text();
+    for (const auto& [name, alias] : game_->host().console.commands.aliases())
+      text += fmt::format("alias {} {} {}\n", name, alias.text, static_cast<int>(alias.source));
+    for (const command::Variable* variable : game_->variables().variables().all())
+      if (!variable->is_user_made || !variable->text.empty())
+        text += fmt::format("{} {} {}\n", variable->name, variable->text, variable->is_kept);
+    return text;
+  }
   std::optional<HeadlessHost> game_;
 };
 
@@ -67,15 +91,15 @@ TEST_F(StuffedTextInAGame, IsUndoneWhenThePlayerLeaves) {
   send("bind x \"impulse 20\"");
   send("v_cshift 255 0 0 128");
   EXPECT_EQ(value("fov"), "70");
-  EXPECT_EQ(*alias("own"), "impulse 9");
-  EXPECT_EQ(*alias("rune"), "impulse 20");
+  EXPECT_EQ(alias("own"), "impulse 9");
+  EXPECT_EQ(alias("rune"), "impulse 20");
   EXPECT_EQ(bound("x"), "impulse 20");
   EXPECT_EQ(game_->host().video.server_tint.opacity, 0.5f);
   leave();
   EXPECT_EQ(value("fov"), "100");
   EXPECT_EQ(value("r_wateralpha"), "1");
-  EXPECT_EQ(*alias("own"), "echo mine");
-  EXPECT_EQ(alias("rune"), nullptr);
+  EXPECT_EQ(alias("own"), "echo mine");
+  EXPECT_EQ(alias("rune"), "");
   EXPECT_EQ(bound("x"), "own");
   EXPECT_EQ(game_->host().video.server_tint.opacity, 0);
 }
@@ -187,6 +211,98 @@ TEST_F(StuffedTextInAGame, MusicFollowsTheCommands) {
   send("playvol misc/menu1.wav 0.5");
   send("playvol misc/menu1.wav");
   EXPECT_TRUE(game_->has_printed("playvol FILE VOLUME"));
+}
+
+// Each way to change a setting.
+TEST_F(StuffedTextInAGame, IsUndoneAndNeverSavedHoweverItIsSent) {
+  game_->command("cl_stufftext 2; sensitivity 7; r_wateralpha 0.25; seta mine 1; alias more \"echo more\"");
+  game_->run(0.1);
+  game_->folder().write("id1/evil.cfg", "fov 33; bind x evil\nalias own \"echo evil\"");
+  for (const char* line : {"unbind x",
+                           "unbindall",
+                           "cycle fov 50 60",
+                           "inc sensitivity 2",
+                           "toggle freelook",
+                           "reset fov",
+                           "resetall; cl_stufftext 2",
+                           "set fov 44",
+                           "seta mine 2",
+                           "exec evil.cfg",
+                           "fov 50;crosshair 3",
+                           "bind x quit;alias y quit",
+                           "wait;wait;fov 55;wait;unbind x",
+                           "bind x \"fov 20\";writeconfig now",
+                           "alias deep \"fov 51; wait; exec evil.cfg\";deep",
+                           "unalias own",
+                           "unaliasall",
+                           "color 4 5",
+                           "name thief",
+                           "sizedown",
+                           "alias own \"echo mine\"",
+                           "exec default.cfg;fov 61",
+                           "seta theirs 3;sensitivity 9"}) {
+    SCOPED_TRACE(line);
+    game_->command("writeconfig now");
+    game_->run(0.02);
+    const std::string before = settings(), saved = saved_settings();
+    send(line);
+    EXPECT_FALSE(settings() == before) << "it has changed something";
+    game_->command("writeconfig now");
+    game_->run(0.02);
+    EXPECT_TRUE(saved_settings() == saved);
+    game_->host().stuffed_text.restore(game_->host());
+    EXPECT_TRUE(settings() == before);
+  }
+}
+
+TEST_F(StuffedTextInAGame, KeysAndAliasesOfTheServerAreItsText) {
+  send("alias zoom \"fov 30\"; bind x zoom; bind y \"fov 40\"");
+  game_->press(*client::find_key("x"));
+  game_->run(0.1);
+  EXPECT_EQ(value("fov"), "30");
+  leave();
+  EXPECT_EQ(value("fov"), "100");
+}
+
+TEST_F(StuffedTextInAGame, MayNotRunMoreThroughAKeyThanByItself) {
+  game_->command("cl_stufftext 2");
+  game_->run(0.1);
+  send("bind x \"name thief\"");
+  game_->command("cl_stufftext 1");
+  game_->press(*client::find_key("x"));
+  game_->run(0.1);
+  EXPECT_EQ(value("name"), "player");
+  // The player's own keys may do anything.
+  game_->command("bind x \"name hero\"");
+  game_->run(0.1);
+  game_->release(*client::find_key("x"));
+  game_->press(*client::find_key("x"));
+  game_->run(0.1);
+  EXPECT_EQ(value("name"), "hero");
+}
+
+TEST_F(StuffedTextInAGame, KeepsAChangeBetweenTwoOfTheServer) {
+  send("fov 60");
+  game_->command("fov 95");
+  game_->run(0.1);
+  send("fov 70");
+  leave();
+  EXPECT_EQ(value("fov"), "95");
+}
+
+// A value of the command line is not saved, also after a server has changed it meanwhile.
+TEST_F(StuffedTextInAGame, LeavesTheCommandLineItsValue) {
+  game_->command("fov 105; writeconfig");
+  game_->run(0.1);
+  game_->restart([](command::Variables& variables) { return variables.set("fov", "120"); });
+  game_->command("map small");
+  ASSERT_TRUE(game_->run_until_playing());
+  send("fov 60");
+  leave();
+  EXPECT_EQ(value("fov"), "120");
+  game_->command("writeconfig now");
+  game_->run(0.1);
+  EXPECT_NE(saved_settings().find("fov 105\n"), std::string::npos);
 }
 
 }  // namespace

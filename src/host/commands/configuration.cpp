@@ -94,12 +94,11 @@ std::string read_history(const GameData& data) {
   return {};
 }
 
-std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables,
-                               const Overrides& overrides) {
+std::string configuration_text(std::string_view bindings, std::string_view variables) {
   return fmt::format(
       "// Written by Temblor when it ends. Put your own commands into autoexec.cfg: it runs after this "
       "file.\n{}{}",
-      bindings.to_text(), variables.to_text(overrides));
+      bindings, variables);
 }
 
 }  // namespace temblor::host

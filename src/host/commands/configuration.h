@@ -16,8 +16,6 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "client/input/bindings.h"
-#include "host/host_variables.h"
 #include "host/session/game_data.h"
 
 namespace temblor::host {
@@ -51,8 +49,7 @@ base::Result<ReadConfiguration> read_configuration(const GameData& data);
 // Copies kConfigurationFile to "temblor.cfg.damaged" next to it, because it is overwritten when the program
 // ends. Replaces an older copy. Returns the path of the copy; none if the write folder holds no such file.
 base::Result<std::optional<std::filesystem::path>> copy_damaged_configuration(const GameData& data);
-// Returns the console commands that restore the current bindings and settings.
-std::string configuration_text(const client::Bindings& bindings, const HostVariables& variables,
-                               const Overrides& overrides);
+// Returns the text of kConfigurationFile from those of Bindings::to_text() and HostVariables::to_text().
+std::string configuration_text(std::string_view bindings, std::string_view variables);
 
 }  // namespace temblor::host

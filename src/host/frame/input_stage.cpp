@@ -67,7 +67,10 @@ void handle_key(Host& io_host, const platform::KeyChange& key) {
   if (!key.down)
     console.append(io_host.input.held.release(key.key));
   else
-    console.append(io_host.input.held.press(key.key, commands));
+    console.append(io_host.input.held.press(key.key, commands),
+                   io_host.stuffed_text.has_bound(io_host.input.bindings, key.key)
+                       ? command::Source::kServer
+                       : command::Source::kPlayer);
   // Run them now, so that events within a frame keep their order and their times.
   console.run();
 }

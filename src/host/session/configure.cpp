@@ -36,8 +36,11 @@ void report_damaged_configuration(Host& io_host, std::size_t wrong_lines) {
   io_host.notices.push_back({"Damaged settings", text, {{"Options", client::MenuPage::kOptions}}});
 }
 
-std::string current_configuration(const Host& host) {
-  return configuration_text(host.input.bindings, host.variables, host.overrides);
+// While the player is on a server, without what that has set.
+std::string current_configuration(Host& io_host) {
+  const StuffedText::OwnSettings own = io_host.stuffed_text.own_settings(io_host);
+  return configuration_text(own.bindings.to_text(),
+                            io_host.variables.to_text(own.variables, io_host.overrides));
 }
 
 // Stock data has this script in quake.rc; `stuffcmds` marks where the commands of the command line run.

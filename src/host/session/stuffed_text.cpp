@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/text.h"
-#include "client/input/key_names.h"
 #include "command/text.h"
 #include "host/frame/host_parts.h"
 
@@ -36,31 +35,29 @@ std::vector<std::string_view> split_commands(std::string_view line) {
   return commands;
 }
 
-bool is_button(std::string_view name) {
-  return name.starts_with('+') || name.starts_with('-');
+// Commands that keys and aliases may run, too.
+bool is_safe_to_bind(std::string_view name, const command::Aliases& aliases) {
+  const auto alias = aliases.find(name);
+  return contains(kSafeCommands, name) || contains(kSafeVariables, name) || name.starts_with('+') ||
+         name.starts_with('-') ||
+         (alias != aliases.end() && alias->second.source == command::Source::kServer);
 }
 
-// Commands that keys and aliases may run, too: they change nothing that would have to be restored.
-bool is_safe_to_bind(std::string_view name, const AliasNames& own_aliases) {
-  return name != "color" && (contains(kSafeCommands, name) || is_button(name) || own_aliases.contains(name));
-}
-
-bool is_text_safe_to_bind(std::string_view text, const AliasNames& own_aliases) {
+bool is_text_safe_to_bind(std::string_view text, const command::Aliases& aliases) {
   for (const std::string_view command : split_commands(text)) {
     const std::vector<std::string> words = command::split_words(command);
-    if (!words.empty() && !is_safe_to_bind(base::to_lower(words[0]), own_aliases)) return false;
+    if (!words.empty() && !is_safe_to_bind(base::to_lower(words[0]), aliases)) return false;
   }
   return true;
 }
 
-bool is_safe(const std::vector<std::string>& words, const AliasNames& own_aliases) {
+bool is_safe(command::Console::Arguments words, const command::Aliases& aliases) {
   const std::string name = base::to_lower(words[0]);
-  if (contains(kSafeVariables, name) || contains(kSafeCommands, name) || is_safe_to_bind(name, own_aliases))
-    return true;
+  if (is_safe_to_bind(name, aliases)) return true;
   if ((name != "alias" && name != "bind") || words.size() < 3) return false;
   const std::string text =
       words.size() == 3 ? words[2] : command::join_words({words.begin() + 2, words.end()});
-  return is_text_safe_to_bind(text, own_aliases);
+  return is_text_safe_to_bind(text, aliases);
 }
 
 bool is_known(const Host& host, const std::string& name) {
@@ -68,76 +65,70 @@ bool is_known(const Host& host, const std::string& name) {
   return std::find(known.begin(), known.end(), name) != known.end();
 }
 
+command::Alias find_alias(const command::Aliases& aliases, const std::string& name) {
+  const auto found = aliases.find(name);
+  return found != aliases.end() ? found->second : command::Alias();
+}
+
 }  // namespace
 
-bool may_be_stuffed(std::string_view line, const AliasNames& own_aliases) {
+bool may_be_stuffed(std::string_view line, const command::Aliases& aliases) {
   bool has_command = false;
   for (const std::string_view command : split_commands(line)) {
     const std::vector<std::string> words = command::split_words(command);
     if (words.empty()) continue;
     has_command = true;
-    if (!is_safe(words, own_aliases)) return false;
+    if (!is_safe(words, aliases)) return false;
   }
   return has_command;
 }
 
-std::string StuffedText::read(const Host& host, Kind kind, const std::string& name) {
-  switch (kind) {
-    case Kind::kVariable:
-      return host.variables.variables().find(name)->text;
-    case Kind::kAlias: {
-      const std::string* const text = host.console.commands.find_alias(name);
-      return text != nullptr ? *text : std::string();
-    }
-    case Kind::kKey:
-      return host.input.bindings.commands(*client::find_key(name));
-  }
-  return {};
+// A later change of the server keeps the player's value, unless the player has set another one in between.
+template <typename Key, typename Value>
+void StuffedText::note_change(Changes<Key, Value>& io_changes, const Key& key, const Value& before,
+                              const Value& after) {
+  if (before == after) return;
+  const auto [found, is_new] = io_changes.try_emplace(key, Change<Value>{before, after});
+  if (is_new) return;
+  Change<Value>& change = found->second;
+  if (change.sent != before) change.own = before;
+  change.sent = after;
+  if (change.own == after) io_changes.erase(found);
 }
 
-void StuffedText::write(Host& io_host, const Change& change) {
-  switch (change.kind) {
-    case Kind::kVariable:
-      print_if_error(io_host, io_host.variables.variables().set(change.name, change.own));
-      break;
-    case Kind::kAlias:
-      io_host.console.commands.set_alias(change.name, change.own);
-      break;
-    case Kind::kKey:
-      io_host.input.bindings.bind(*client::find_key(change.name), change.own);
-      break;
-  }
+StuffedText::Settings StuffedText::copy_settings(const Host& host) {
+  const command::Variables& variables = host.variables.variables();
+  Settings settings{.aliases = host.console.commands.aliases(), .bindings = host.input.bindings};
+  for (std::size_t index = 0; index < variables.size(); ++index)
+    settings.variables.push_back(variables.value(base::to_index<command::VariableIndex>(index)));
+  return settings;
 }
 
 // In a game on this machine, the rules that game code sets stay: they belong to the player's next game.
-std::vector<StuffedText::Change> StuffedText::find_changes(const Host& host,
-                                                           const std::vector<std::string>& words,
-                                                           bool is_trusted) {
-  const std::string name = base::to_lower(words[0]);
-  std::vector<Change> changes;
-  const auto add = [&](Kind kind, std::string changed) {
-    changes.push_back({kind, changed, read(host, kind, changed), {}});
-  };
-  if (words.size() > 1 && name == "color") {
-    add(Kind::kVariable, "topcolor");
-    add(Kind::kVariable, "bottomcolor");
-  } else if (words.size() > 1 && (!is_trusted || contains(kSafeVariables, name)) &&
-             host.variables.variables().find(name) != nullptr) {
-    add(Kind::kVariable, name);
-  } else if (words.size() > 2 && name == "alias") {
-    add(Kind::kAlias, base::to_lower(words[1]));
-  } else if (words.size() > 2 && name == "bind" && client::find_key(words[1])) {
-    add(Kind::kKey, words[1]);
+void StuffedText::note_variables(const Host& host, const std::vector<command::VariableValue>& after) {
+  const command::Variables& variables = host.variables.variables();
+  for (std::size_t index = 0; index < after.size(); ++index) {
+    const std::string& name = variables.get(base::to_index<command::VariableIndex>(index)).name;
+    if (is_trusted_ && !contains(kSafeVariables, name)) continue;
+    const bool was_made = index >= before_->variables.size();
+    note_change(variables_, index, was_made ? command::VariableValue() : before_->variables[index],
+                after[index]);
   }
-  return changes;
 }
 
-AliasNames StuffedText::find_own_aliases(const Host& host) const {
-  AliasNames names;
-  for (const Change& change : changes_)
-    if (change.kind == Kind::kAlias && read(host, change.kind, change.name) == change.sent)
-      names.insert(change.name);
-  return names;
+void StuffedText::note_changes(const Host& host) {
+  if (!before_) return;
+  Settings after = copy_settings(host);
+  note_variables(host, after.variables);
+  for (const auto& [name, alias] : before_->aliases)
+    note_change(aliases_, name, alias, find_alias(after.aliases, name));
+  for (const auto& [name, alias] : after.aliases)
+    note_change(aliases_, name, find_alias(before_->aliases, name), alias);
+  for (std::size_t i = 0; i < platform::kKeys; ++i) {
+    const auto key = static_cast<platform::Key>(i);
+    note_change(keys_, key, before_->bindings.commands(key), after.bindings.commands(key));
+  }
+  before_ = std::move(after);
 }
 
 // Names of other engines' commands would do nothing here anyway.
@@ -147,46 +138,80 @@ void StuffedText::refuse(Host& io_host, const std::string& name) {
                fmt::format("The server's command \"{}\" was refused (cl_stufftext).", base::quotable(name)));
 }
 
-void StuffedText::run_command(Host& io_host, std::string_view command, bool is_trusted) {
-  const std::vector<std::string> words = command::split_words(command);
-  if (words.empty()) return;
+bool StuffedText::may_run(Host& io_host, command::Console::Arguments words) {
   const std::string name = base::to_lower(words[0]);
-  const StuffedTextRule rule = is_trusted ? StuffedTextRule::kAll : io_host.variables.stuffed_text();
+  const StuffedTextRule rule = is_trusted_ ? StuffedTextRule::kAll : io_host.variables.stuffed_text();
   if (rule == StuffedTextRule::kNone ||
-      (rule == StuffedTextRule::kSafe && !is_safe(words, find_own_aliases(io_host))))
-    return refuse(io_host, name);
-  if (name.starts_with('+') && is_known(io_host, name)) held_.insert(name.substr(1));
-  if (name.starts_with('-')) held_.erase(name.substr(1));
-  std::vector<Change> changes = find_changes(io_host, words, is_trusted);
-  if (changes.empty()) return io_host.console.commands.append(command);
-  // These run at once, so that the result can be read.
-  io_host.console.commands.execute(command);
-  for (Change& change : changes) {
-    const auto known = std::find_if(changes_.begin(), changes_.end(), [&](const Change& other) {
-      return other.kind == change.kind && base::equal_ignoring_case(other.name, change.name);
-    });
-    Change& kept = known == changes_.end() ? changes_.emplace_back(std::move(change)) : *known;
-    kept.sent = read(io_host, kept.kind, kept.name);
+      (rule == StuffedTextRule::kSafe && !is_safe(words, io_host.console.commands.aliases()))) {
+    refuse(io_host, name);
+    return false;
   }
+  // A key passes its number, and releases the button itself.
+  if (name.starts_with('+') && words.size() == 1) held_.insert(name.substr(1));
+  if (name.starts_with('-')) held_.erase(name.substr(1));
+  if (!before_) before_ = copy_settings(io_host);
+  return true;
+}
+
+void StuffedText::add_rules(Host& io_host) {
+  io_host.console.commands.set_server_rules({.may_run =
+                                                 [&io_host](command::Console::Arguments words) {
+                                                   return io_host.stuffed_text.may_run(io_host, words);
+                                                 },
+                                             .finish =
+                                                 [&io_host] {
+                                                   io_host.stuffed_text.note_changes(io_host);
+                                                   io_host.stuffed_text.before_.reset();
+                                                 }});
 }
 
 void StuffedText::run(Host& io_host, std::string_view line, bool is_trusted) {
-  const std::vector<std::string_view> commands = split_commands(line);
-  // All commands of a server with every right run in their order, because `wait` may separate them.
-  const bool runs_all = is_trusted || io_host.variables.stuffed_text() == StuffedTextRule::kAll;
-  if (commands.size() > 1 && runs_all) return io_host.console.commands.append(line);
-  for (const std::string_view command : commands) run_command(io_host, command, is_trusted);
+  is_trusted_ = is_trusted;
+  io_host.console.commands.append(line, command::Source::kServer);
 }
 
-// The latest change is undone first.
+bool StuffedText::has_bound(const client::Bindings& bindings, platform::Key key) const {
+  const auto change = keys_.find(key);
+  return change != keys_.end() && change->second.sent == bindings.commands(key);
+}
+
+void StuffedText::undo_variables(command::Variables& io_variables) const {
+  for (const auto& [number, change] : variables_) {
+    const auto index = base::to_index<command::VariableIndex>(number);
+    if (io_variables.value(index) == change.sent) io_variables.put_back(index, change.own);
+  }
+}
+
+void StuffedText::undo_bindings(client::Bindings& io_bindings) const {
+  for (const auto& [key, change] : keys_)
+    if (io_bindings.commands(key) == change.sent) io_bindings.bind(key, change.own);
+}
+
+StuffedText::OwnSettings StuffedText::own_settings(const Host& host) {
+  note_changes(host);
+  OwnSettings own{host.variables.variables(), host.input.bindings};
+  undo_variables(own.variables);
+  undo_bindings(own.bindings);
+  return own;
+}
+
 void StuffedText::restore(Host& io_host) {
+  note_changes(io_host);
   refused_.clear();
   io_host.video.server_tint = {};
-  for (const std::string& button : std::exchange(held_, {})) io_host.console.commands.execute("-" + button);
-  for (; !changes_.empty(); changes_.pop_back()) {
-    const Change& change = changes_.back();
-    if (read(io_host, change.kind, change.name) == change.sent) write(io_host, change);
-  }
+  for (std::size_t i = 0; i < client::kButtons; ++i)
+    if (const auto button = static_cast<client::Button>(i); held_.contains(client::button_name(button).name))
+      io_host.input.player.buttons()[button].release(0, io_host.timing.now_s);
+  held_.clear();
+  undo_variables(io_host.variables.variables());
+  undo_bindings(io_host.input.bindings);
+  for (const auto& [name, change] : aliases_)
+    if (find_alias(io_host.console.commands.aliases(), name) == change.sent)
+      io_host.console.commands.set_alias(name, change.own);
+  variables_.clear();
+  aliases_.clear();
+  keys_.clear();
+  if (before_) before_ = copy_settings(io_host);
 }
 
 }  // namespace temblor::host
