@@ -64,6 +64,14 @@ TEST(HudProgramInAGame, GetsKeysAndCommands) {
   game.command("bind x \"echo bound x\"; bind y \"echo bound y\"; paint 1 2");
   game.run(0.1);
   EXPECT_EQ(count_printed(game, "painted: paint 1 2"), 1);
+  // Before the program is loaded.
+  game.restart(nullptr, {"map small", "paint 3", "daub"});
+  ASSERT_TRUE(game.run_until_playing());
+  game.run(0.1);
+  EXPECT_EQ(count_printed(game, "painted: paint 3"), 1);
+  EXPECT_EQ(count_printed(game, "unknown command or variable \"daub\""), 1);
+  game.command("bind x \"echo bound x\"; bind y \"echo bound y\"");
+  game.run(0.1);
   for (const char key : {'x', 'y'}) {
     game.press(platform::Key{static_cast<std::uint16_t>(key)});
     game.run(0.1);

@@ -152,6 +152,10 @@ void HudProgram::fail(const base::Error& error) {
       "{}: {}\nThe built-in HUD draws instead. cl_nocsqc 1 turns such programs off.\n", kProgramFile, text));
 }
 
+bool HudProgram::exists() const {
+  return services_.library.files().contains(kProgramFile);
+}
+
 // A game without the file has no program, which is no error.
 void HudProgram::start(const Game& game) {
   is_loaded_ = true;
@@ -339,6 +343,7 @@ base::Status HudProgram::pass_command(const Game& game, std::string_view line) {
 }
 
 bool HudProgram::run_command(const Game& game, std::string_view line) {
+  if (!is_loaded_) start(game);
   if (!running_ || running_->entries.console_command == vm::kNoFunction) return false;
   const std::string name = base::to_lower(line.substr(0, line.find(' ')));
   if (!running_->context.commands.contains(name)) return false;

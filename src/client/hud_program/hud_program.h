@@ -75,6 +75,8 @@ class HudProgram {
   HudProgram(const HudProgram&) = delete;
   HudProgram& operator=(const HudProgram&) = delete;
 
+  // Whether the game folders have a program.
+  bool exists() const;
   // Ends the running program. The next draw() loads it again, and calls CSQC_Init.
   void begin_level();
   // Runs the program for a frame. Without a program, nothing is active.
@@ -97,8 +99,8 @@ class HudProgram {
 
   // CSQC_InputEvent: returns whether the program consumed the event.
   bool handle_event(const Game& game, const platform::InputEvent& event);
-  // CSQC_ConsoleCommand: `line` is a command that the console does not know. Returns whether the program has
-  // registered it, and handled it.
+  // CSQC_ConsoleCommand: `line` is a command that the console does not know. Loads the program if this level
+  // has no draw() yet. Returns whether the program has registered the command, and handled it.
   bool run_command(const Game& game, std::string_view line);
 
  private:

@@ -125,10 +125,15 @@ bool pass_event_to_hud_program(Host& io_host, const platform::InputEvent& event)
 }
 
 bool run_hud_program_command(Host& io_host, command::Console::Arguments arguments) {
-  const client::ClientState* const state = find_drawn_state(io_host);
-  if (state == nullptr || !io_host.video.presentation_settings.runs_hud_program) return false;
-  return io_host.game.hud_program->run_command(
-      state->game(), command::join_words(std::vector<std::string>(arguments.begin(), arguments.end())));
+  client::HudProgram& program = *io_host.game.hud_program;
+  if (!io_host.video.presentation_settings.runs_hud_program) return false;
+  std::string line = command::join_words(std::vector<std::string>(arguments.begin(), arguments.end()));
+  if (const client::ClientState* const state = find_drawn_state(io_host))
+    return program.run_command(state->game(), line);
+  // A game that is starting: the program may know the command as soon as it is loaded.
+  if (io_host.game.session->connection() == nullptr || !program.exists()) return false;
+  io_host.options.commands_in_game.push_back(std::move(line));
+  return true;
 }
 
 }  // namespace temblor::host

@@ -109,7 +109,7 @@ void send_moves(Host& io_host, const client::InputSettings& settings) {
 
 void run_commands(Host& io_host) {
   LoadedGame& game = io_host.game;
-  if (game.session->is_playing())
+  if (has_view(io_host))
     for (const std::string& line : std::exchange(io_host.options.commands_in_game, {}))
       io_host.console.commands.append(line);
   io_host.console.commands.run();
