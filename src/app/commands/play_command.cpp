@@ -144,6 +144,8 @@ base::Status run_play(const PlayOptions& options, const CommonOptions& common,
   if (!choice.warning.empty()) print_line(choice.warning);
   const host::GameFolders folders{choice.base_folder, common.folders.games, user_folder(user),
                                   is_installed_game(choice.base_folder)};
+  // Report a damaged archive before a window opens.
+  TRY_STATUS(host::mount_games(folders));
   TRY(PlayWatch watch, PlayWatch::begin(options.watch, folders));
   base::Result<std::unique_ptr<platform::Window>> opened =
       platform::sdl2::open_window("Temblor", variables.window());
