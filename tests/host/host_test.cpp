@@ -1,6 +1,7 @@
 // A complete game without a display: levels, input, saved settings, pictures.
 #include "host/host.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "host/session/games.h"
+#include "platform/posix/udp_socket.h"
 #include "support/game_data.h"
 #include "support/programs/quakec.h"
 
@@ -476,6 +478,22 @@ TEST(Host, ReportsALostWindowOnceEachTime) {
   game.window().set_can_present(false);
   game.run(0.1);
   EXPECT_EQ(count_reports(), 2);
+}
+
+// The clock of the first frame counts, although nothing was read from the network before.
+TEST(Host, AsksAServerOnceAtATime) {
+  SKIP_WITHOUT_QUAKEC();
+  const auto server = platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+  ASSERT_TRUE(server.ok());
+  HeadlessHost game;
+  game.restart(nullptr, {fmt::format("connect 127.0.0.1:{}", (*server)->local_address().port)});
+  game.host().services.look_up = platform::posix::look_up;
+  game.host().services.open_socket = [](std::uint16_t) {
+    return platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+  };
+  game.run(0.1);
+  EXPECT_TRUE((*server)->receive().has_value());
+  EXPECT_FALSE((*server)->receive().has_value());
 }
 
 }  // namespace

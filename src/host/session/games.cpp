@@ -16,7 +16,8 @@ constexpr int kMaxScreenshots = 10000;
 base::Status open_own_server(Host& io_host, std::uint32_t max_clients) {
   Session& session = *io_host.game.session;
   const bool leaves_other = session.server() == nullptr;
-  TRY_STATUS(session.open_server(max_clients, io_host.variables.port(), io_host.variables.player()));
+  TRY_STATUS(session.open_server(max_clients, io_host.variables.port(), io_host.variables.player(),
+                                 io_host.timing.now_s));
   if (leaves_other) io_host.stuffed_text.restore(io_host);
   return base::Ok{};
 }
@@ -79,7 +80,7 @@ base::Status connect_to_server(Host& io_host, std::string_view address) {
   const bool waits_to_record = host::waits_to_record(io_host);
   if (!waits_to_record) TRY_STATUS(finish_recording(io_host));
   stop_demo(io_host);
-  TRY_STATUS(io_host.game.session->connect(address, io_host.variables.player()));
+  TRY_STATUS(io_host.game.session->connect(address, io_host.variables.player(), io_host.timing.now_s));
   if (waits_to_record) io_host.game.session->connection()->start_recording();
   io_host.stuffed_text.restore(io_host);
   io_host.game.session->connection()->state().set_texts(load_game_texts(io_host));

@@ -47,7 +47,7 @@ server::ServerSetup Session::make_setup(net::ServerEndpoint::Sockets sockets, st
 }
 
 base::Status Session::open_server(std::uint32_t max_clients, std::uint16_t port,
-                                  const client::PlayerSettings& player) {
+                                  const client::PlayerSettings& player, double now_s) {
   if (server_ && max_clients_ == max_clients) return base::Ok{};
   // Close an old server that others may join first: the new one needs its port.
   if (server_ && max_clients_ > 1) disconnect("The host has started another game.");
@@ -68,18 +68,18 @@ base::Status Session::open_server(std::uint32_t max_clients, std::uint16_t port,
   server_ = std::make_unique<server::Server>(make_setup(std::move(sockets), max_clients));
   max_clients_ = max_clients;
   connection_.emplace(network_->open(), player);
-  connection_->connect(local, now_s_);
+  connection_->connect(local, now_s);
   return base::Ok{};
 }
 
-base::Status Session::connect(std::string_view address, const client::PlayerSettings& player) {
+base::Status Session::connect(std::string_view address, const client::PlayerSettings& player, double now_s) {
   if (!services_.open_socket || !services_.look_up)
     return base::error(base::ErrorCode::kUsage, "no network is available");
   TRY(const platform::Address server, services_.look_up(address, kDefaultPort));
   TRY(std::unique_ptr<platform::DatagramSocket> socket, services_.open_socket(0));
   disconnect("");
   connection_.emplace(std::move(socket), player);
-  connection_->connect(server, now_s_);
+  connection_->connect(server, now_s);
   return base::Ok{};
 }
 

@@ -34,16 +34,16 @@ class Session {
 
   // Starts a server for this number of players and connects to it. Keeps the running server if it has the
   // same number of players. With more than one, others may join over UDP at `port`; fails if the port is not
-  // free. The server has no level until server::start_map() or load_saved_game().
+  // free. The server has no level until server::start_map() or load_saved_game(). `now_s`: the window's clock.
   base::Status open_server(std::uint32_t max_clients, std::uint16_t port,
-                           const client::PlayerSettings& player);
+                           const client::PlayerSettings& player, double now_s);
   // Null: no server runs in this program.
   server::Server* server() { return server_.get(); }
   // A single-player game on our own server.
   bool is_alone() const { return server_ != nullptr && max_clients_ == 1; }
   // Connects to a server on another machine: "HOST" or "HOST:PORT". Ends the current game, unless the address
   // cannot be resolved.
-  base::Status connect(std::string_view address, const client::PlayerSettings& player);
+  base::Status connect(std::string_view address, const client::PlayerSettings& player, double now_s);
   // Leaves the game, and shuts down our own server. `reason` is shown to its other players. Does nothing if
   // there is no game.
   void disconnect(std::string_view reason);
