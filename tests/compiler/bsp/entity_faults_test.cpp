@@ -53,7 +53,26 @@ TEST(EntityFaults, CorrectEntitiesHaveNone) {
                                                 "\"\n\"sofftangle\" \"1\"\n\"_Phong\" \"1\"")),
       IsEmpty());
   for (const std::string_view name : compiler::known_key_names())
-    EXPECT_THAT(list_faults(entity_text("light", fmt::format("\"_{}\" \"1\"", name))), IsEmpty()) << name;
+    EXPECT_THAT(list_faults(entity_text("light", fmt::format("\"targetname\" \"1\"\n\"_{}\" \"1\"", name))),
+                IsEmpty())
+        << name;
+}
+
+TEST(EntityFaults, SurfaceLightsNameALight) {
+  const std::string brushes = entity_text("func_group", "\"_surflight_targetname\" \"lamps\"",
+                                          box_text({0, 0, 0}, {8, 8, 8}, "wall"));
+  const auto with_name = [&](const char* of_class, const char* key, const char* name) {
+    return list_faults(brushes + entity_text(of_class, fmt::format("\"{}\" \"{}\"", key, name)));
+  };
+  EXPECT_THAT(with_name("light_torch_small_walltorch", "targetname", "lamps"), IsEmpty());
+  EXPECT_THAT(with_name("func_detail", "_switchableshadow_target", "lamps"), IsEmpty());
+  const auto is_reported = ElementsAre(
+      "surface lights with a missing light: entity 0 (func_group), line 1: no light has the targetname "
+      "lamps, "
+      "so _surflight_targetname is ignored");
+  EXPECT_THAT(with_name("light", "targetname", "lamp"), is_reported);
+  EXPECT_THAT(with_name("light", "target", "lamps"), is_reported);
+  EXPECT_THAT(with_name("trigger_relay", "targetname", "lamps"), is_reported);
 }
 
 TEST(EntityFaults, FirstEntityIsWorldspawn) {

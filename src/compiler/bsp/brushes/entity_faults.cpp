@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "compiler/bsp/brushes/key_names.h"
 #include "compiler/bsp/brushes/level_entities.h"
+#include "compiler/light/sources/entity_lights.h"
 
 namespace temblor::compiler {
 namespace {
@@ -26,10 +27,19 @@ constexpr std::string_view kBrushOnlyClasses[] = {
     "trigger_teleport",
 };
 
+// Whether a light has the name, or a switchable shadow shares the style of such lights.
+bool has_switch_named(const formats::Map& map, std::string_view name) {
+  return std::ranges::any_of(map.entities, [&](const formats::MapEntity& entity) {
+    const formats::Entity& fields = entity.fields;
+    return (is_light(fields) && fields.find("targetname") == name) ||
+           fields.find("_switchableshadow_target") == name;
+  });
+}
+
 class FaultFinder {
  public:
-  FaultFinder(const formats::MapEntity& entity, std::size_t number, Warnings& io_warnings)
-      : entity_(entity), number_(number), warnings_(io_warnings) {}
+  FaultFinder(const formats::Map& map, std::size_t number, Warnings& io_warnings)
+      : map_(map), entity_(map.entities[number]), number_(number), warnings_(io_warnings) {}
 
   void find() {
     const std::string_view of_class = entity_.fields.classname();
@@ -45,6 +55,11 @@ class FaultFinder {
                                            base::quotable(key), value.size(), "4,096"));
       if (key.starts_with('_')) check_name(key);
     }
+    const std::string_view lights = entity_.fields.find("_surflight_targetname").value_or("");
+    if (!lights.empty() && !has_switch_named(map_, lights))
+      warn("surface lights with a missing light",
+           fmt::format("no light has the targetname {}, so _surflight_targetname is ignored",
+                       base::quotable(lights)));
   }
 
  private:
@@ -65,6 +80,7 @@ class FaultFinder {
                            of_class.empty() ? "no class" : base::quotable(of_class), entity_.line, what)});
   }
 
+  const formats::Map& map_;
   const formats::MapEntity& entity_;
   std::size_t number_;
   Warnings& warnings_;
@@ -89,7 +105,7 @@ base::Status check_worldspawn(const formats::Map& map) {
 }
 
 void warn_about_entity_faults(const formats::Map& map, Warnings& io_warnings) {
-  for (std::size_t i = 0; i < map.entities.size(); ++i) FaultFinder(map.entities[i], i, io_warnings).find();
+  for (std::size_t i = 0; i < map.entities.size(); ++i) FaultFinder(map, i, io_warnings).find();
 }
 
 }  // namespace temblor::compiler
