@@ -1,4 +1,4 @@
-// Method: radiosity, gathered by rays. Every face gets a grid of nodes, one for every fourth luxel along each
+// Method: radiosity, gathered by rays. Every face gets a grid of nodes, one for every third luxel along each
 // axis and at least on the rim. From each node go kRays rays, distributed by the cosine of their angle, and
 // each remembers the node nearest to where it ends. The mean light of those nodes is what the node gets. So
 // each ray is traced only once, however often the light bounces. Light is interpolated between nodes; those
@@ -27,8 +27,8 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr int kLuxelsToNode = 4;
-constexpr int kRays = 128;  // of each node
+constexpr int kLuxelsToNode = 3;
+constexpr int kRays = 126;  // of each node; of the numbers near it, best for parallel plates
 constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t kHiddenNode = kNoNode - 1;  // the ray begins in solid
 constexpr float kFar = 1 << 20;                     // longer than any level

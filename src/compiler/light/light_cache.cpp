@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t kLightCacheMagic = 0x48434c54;
 // Raise this if the layout changes, or if light is measured in another way.
-constexpr std::uint32_t kLightCacheVersion = 2;
+constexpr std::uint32_t kLightCacheVersion = 3;
 constexpr std::size_t kStartBytes = 8, kHashBytes = 8;
 
 static_assert(sizeof(math::Vec3) == 3 * sizeof(float));

@@ -13,7 +13,7 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr std::uint32_t kShardMagic = 0x48534c54, kShardVersion = 2;
+constexpr std::uint32_t kShardMagic = 0x48534c54, kShardVersion = 3;
 
 void write_layer(const LightLayer& layer, base::ByteWriter& io_writer) {
   io_writer.u8(layer.style);

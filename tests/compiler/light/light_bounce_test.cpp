@@ -122,7 +122,7 @@ double corner_form_factor(double width, double depth, double distance) {
          (2 * std::numbers::pi);
 }
 
-// A lit floor and a dark ceiling between walls that take no part. They are large beside the 64 units between
+// A lit floor and a dark ceiling between walls that take no part. They are large beside the 48 units between
 // the compiler's nodes.
 TEST(LightBounce, ParallelPlatesExchangeTheirFormFactor) {
   constexpr double kHalf = 192, kHeight = 256, kOuter = 208;
