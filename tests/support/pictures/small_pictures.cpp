@@ -120,10 +120,10 @@ char to_character(int code) {
 
 // 16 rows of 16 characters; index 0 is transparent.
 base::ByteVector characters() {
-  constexpr int kSide = 128, kCell = 8;
+  constexpr int kSide = 128, kCharacterSide = 8;
   formats::Picture picture = clear_picture(kSide, kSide);
   for (int code = 0; code < 256; ++code)
-    draw_glyph(to_character(code), {code % 16 * kCell + 1, code / 16 * kCell, 6, 7},
+    draw_glyph(to_character(code), {code % 16 * kCharacterSide + 1, code / 16 * kCharacterSide, 6, 7},
                code >= 32 && code < 128 ? Ramp::kGray : Ramp::kGold, picture);
   base::ByteVector bytes;
   for (const std::uint8_t pixel : picture.pixels)
