@@ -1,14 +1,13 @@
 #include "client/hud/hud.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "client/hud/center_text.h"
 #include "client/hud/ending.h"
+#include "client/hud/layouts/layout.h"
 #include "client/hud/panel.h"
 #include "client/hud/scoreboard.h"
-#include "client/hud/status_bar.h"
 
 namespace temblor::client {
 
@@ -16,28 +15,6 @@ namespace {
 
 // How long the face shows pain, as in the original, and how long after a death its hint appears.
 constexpr double kPainSeconds = 0.2, kHintAfterSeconds = 1;
-
-// The score bar replaces the status bar while the player is dead or looks at the scores.
-void draw_bars(const Panel& panel, const Game& game, const HudTimes& times, double time_s,
-               const HudSettings& settings, assets::MissionPack pack) {
-  const BarLook look{settings.opacity, settings.safe_colors, pack, settings.teamplay};
-  const Panel bar = panel.at_bottom(kBarHeight);
-  if (!settings.parts.bars) {
-    if (settings.parts.scores && settings.shows_scores)
-      draw_level_scores(bar, game, time_s, settings.opacity);
-    return;
-  }
-  if (settings.status_bar == StatusBar::kNone) {
-    if (settings.shows_scores) draw_level_scores(bar, game, time_s, settings.opacity);
-    return;
-  }
-  if (settings.status_bar == StatusBar::kFull)
-    draw_inventory(panel.at_bottom(kBarHeight + kInventoryHeight), game, times, time_s, look);
-  if (game.stat(Stat::kHealth) <= 0 || settings.shows_scores)
-    draw_level_scores(bar, game, time_s, settings.opacity);
-  else
-    draw_status_bar(bar, game, times, time_s, look);
-}
 
 // Draws the hint above the status bar, whose height stays free even if it is hidden.
 void draw_death_hint(const Panel& panel, const Panel& letters, std::string_view hint) {
@@ -49,20 +26,21 @@ void draw_death_hint(const Panel& panel, const Panel& letters, std::string_view 
 
 // Draws everything of a running level. The ranking hides center texts, as both are in the middle. The
 // crosshair is no text, so it does not grow with it.
-void draw_play(const Panel& panel, const Panel& letters, const Game& game, const HudTimes& times,
-               double time_s, const HudSettings& settings, assets::MissionPack pack) {
+void draw_play(const LayoutFrame& frame, const Panel& letters, const Notices& notices) {
+  const auto& [panel, game, times, time_s, settings, pack] = frame;
   const HudParts& parts = settings.parts;
+  const bool is_alive = game.stat(Stat::kHealth) > 0;
   const int crosshair_scale =
       choose_scale(panel.frame_width_px(), panel.frame_height_px(), {settings.size.scale});
-  if (parts.crosshair && game.stat(Stat::kHealth) > 0)
-    draw_crosshair(panel.with_scale(crosshair_scale), settings.crosshair);
-  draw_bars(panel, game, times, time_s, settings, pack);
-  const bool is_dead_in_deathmatch = game.deathmatch && game.stat(Stat::kHealth) <= 0;
-  if (parts.scores && (is_dead_in_deathmatch || (settings.shows_scores && game.players.size() > 1)))
+  if (parts.crosshair && is_alive) draw_crosshair(panel.with_scale(crosshair_scale), settings.crosshair);
+  if (parts.bars && is_alive)
+    notices.draw(panel, game, time_s, settings.notices, measure_layout(frame), settings.camera);
+  draw_layout(frame);
+  if (parts.scores && ((game.deathmatch && !is_alive) || (settings.shows_scores && game.players.size() > 1)))
     draw_ranking(panel.in_middle(kScreenHeight), game);
   else if (parts.center_text && time_s - game.center_text_since_s < settings.center_text_s)
     draw_center_text(letters, game.center_text);
-  if (parts.hints && game.stat(Stat::kHealth) <= 0 && time_s - times.died_s >= kHintAfterSeconds)
+  if (parts.hints && !is_alive && time_s - times.died_s >= kHintAfterSeconds)
     draw_death_hint(panel, letters, settings.death_hint);
 }
 
@@ -83,6 +61,7 @@ void Hud::begin_level() {
   is_dead_ = false;
   items_ = 0;
   last_time_s_ = kNever;
+  notices_.begin_level();
 }
 
 void Hud::advance(const Game& game, const Events& events, double time_s) {
@@ -100,6 +79,7 @@ void Hud::advance(const Game& game, const Events& events, double time_s) {
   is_dead_ = is_dead;
   for (const net::Damage& damage : events.damages)
     if (damage.armor > 0 || damage.blood > 0) times_.pain_until_s = time_s + kPainSeconds;
+  notices_.advance(game, events, time_s);
 }
 
 void Hud::draw(const Game& game, double time_s, int width, int height, const HudSettings& settings,
@@ -108,7 +88,7 @@ void Hud::draw(const Game& game, double time_s, int width, int height, const Hud
   const Panel letters = panel.with_scale(choose_text_scale(width, height, settings.size));
   switch (game.ending) {
     case Ending::kNone:
-      draw_play(panel, letters, game, times_, time_s, settings, pack_);
+      draw_play({panel, game, times_, time_s, settings, pack_}, letters, notices_);
       break;
     case Ending::kIntermission:
       if (settings.parts.ending) draw_intermission(panel, game, settings.par_s);
@@ -119,6 +99,18 @@ void Hud::draw(const Game& game, double time_s, int width, int height, const Hud
       break;
   }
   if (game.paused) draw_pause(panel);
+}
+
+int Hud::weapon_list_height_px(const Game& game, double time_s, int width, int height,
+                               const HudSettings& settings) const {
+  if (!settings.notices.weapons || !settings.parts.bars || !notices_.shows_weapons(time_s) ||
+      game.ending != Ending::kNone || game.stat(Stat::kHealth) <= 0)
+    return 0;
+  render::DrawList unused;
+  const int scale = choose_scale(width, height, settings.size);
+  const LayoutHeights heights =
+      measure_layout({Panel(pictures_, unused, width, height, scale), game, times_, time_s, settings, pack_});
+  return (heights.middle + kNoticeGap + kWeaponListHeight) * scale;
 }
 
 }  // namespace temblor::client

@@ -1,5 +1,5 @@
-// The heads-up display: status bar, center text, crosshair, intermission and finale screens, as a
-// render::DrawList.
+// The heads-up display: status bar or other layouts, notices, center text, crosshair, intermission and finale
+// screens, as a render::DrawList.
 //
 // ClientState: Game, Events --advance()--> times of pickups, pain, death --draw()--> render::DrawList
 //
@@ -10,26 +10,36 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "assets/mission_pack.h"
 #include "assets/pictures.h"
 #include "client/hud/crosshair.h"
 #include "client/hud/hud_parts.h"
+#include "client/hud/notices/notices.h"
 #include "client/session/client_state.h"
 #include "render/draw_list.h"
+#include "render/scene.h"
 
 namespace temblor::client {
 
-// How much of the status bar is shown; kSmall is without the inventory row.
-enum class StatusBar { kNone, kSmall, kFull };  // kSmall: without the inventory row
+// How much of the status bar is shown. kSmall: without the inventory row, or in the corners without items.
+enum class StatusBar { kNone, kSmall, kFull };
+
+// The values of the variable `scr_hudstyle`. kClassic is the original's status bar.
+enum class HudLayout { kClassic, kCorners, kMinimal };
 
 struct HudSettings {
+  HudLayout layout = HudLayout::kClassic;
   StatusBar status_bar = StatusBar::kFull;
   HudSize size{};
   // Opacity of the status bar's background, 0 to 1.
   float opacity = 1;
   CrosshairLook crosshair{};
+  NoticeSettings notices{};
+  // The player's view, for the directions of damage.
+  std::optional<render::Camera> camera{};
   // How long a message stays in the middle of the screen, and how fast the text of a finale appears.
   double center_text_s = 2, letters_per_second = 8;
   // +showscores is held.
@@ -61,7 +71,7 @@ struct HudTimes {
 class Hud {
  public:
   explicit Hud(const assets::Pictures& pictures, assets::MissionPack pack = assets::MissionPack::kNone)
-      : pictures_(pictures), pack_(pack) {
+      : pictures_(pictures), pack_(pack), notices_(pack) {
     begin_level();
   }
 
@@ -73,11 +83,15 @@ class Hud {
   // the commands are valid while the pictures live.
   void draw(const Game& game, double time_s, int width, int height, const HudSettings& settings,
             render::DrawList& io_list) const;
+  // How far the weapon list reaches up from the frame's bottom, in frame pixels; 0: it is not shown.
+  int weapon_list_height_px(const Game& game, double time_s, int width, int height,
+                            const HudSettings& settings) const;
 
  private:
   const assets::Pictures& pictures_;
   assets::MissionPack pack_;
   HudTimes times_;
+  Notices notices_;
   // The state at the last advance().
   std::uint32_t items_ = 0;
   int armor_ = 0;

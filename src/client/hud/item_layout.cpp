@@ -7,15 +7,16 @@ namespace temblor::client {
 namespace {
 
 constexpr int kWeaponWidth = 24;
-constexpr int kIconY = 8;                // of the icons in the inventory
-constexpr int kAmmoX = 224, kAmmoY = 0;  // of the ammo in the status bar
+constexpr int kIconY = 8;  // of the icons in the inventory
 
-constexpr WeaponSlot weapon(int place, const char* name) {
-  return {std::uint32_t{kItemShotgun} << place, name, place * kWeaponWidth};
+constexpr WeaponSlot weapon(int place, const char* name, Stat ammo) {
+  return {std::uint32_t{kItemShotgun} << place, name, place * kWeaponWidth, ammo};
 }
-constexpr WeaponSlot kStockWeapons[] = {weapon(0, "shotgun"),  weapon(1, "sshotgun"), weapon(2, "nailgun"),
-                                        weapon(3, "snailgun"), weapon(4, "rlaunch"),  weapon(5, "srlaunch"),
-                                        weapon(6, "lightng"),  weapon(7, "tremor")};
+constexpr WeaponSlot kStockWeapons[] = {
+    weapon(0, "shotgun", Stat::kShells),  weapon(1, "sshotgun", Stat::kShells),
+    weapon(2, "nailgun", Stat::kNails),   weapon(3, "snailgun", Stat::kNails),
+    weapon(4, "rlaunch", Stat::kRockets), weapon(5, "srlaunch", Stat::kRockets),
+    weapon(6, "lightng", Stat::kCells),   weapon(7, "tremor", Stat::kCells)};
 constexpr std::span kSharedWeapons = std::span(kStockWeapons).first(7);
 // The laser covers the right half of the wide picture of the lightning gun.
 constexpr WeaponSlot kHipnoticWeapons[] = {kStockWeapons[0],
@@ -25,8 +26,10 @@ constexpr WeaponSlot kHipnoticWeapons[] = {kStockWeapons[0],
                                            kStockWeapons[4],
                                            kStockWeapons[5],
                                            kStockWeapons[6],
-                                           {kHipnoticLaserCannon, "laser", 176},
-                                           {kHipnoticMjolnir, "mjolnir", 200}};
+                                           {kHipnoticLaserCannon, "laser", 176, Stat::kCells},
+                                           {kHipnoticMjolnir, "mjolnir", 200, Stat::kCells}};
+
+constexpr WeaponSlot kHipnoticExtraWeapons[] = {{kHipnoticProximityGun, "prox", 96, Stat::kRockets}};
 
 constexpr ItemIcon kKeys[] = {{kItemKey1, "sb_key1", 192, kIconY, 'S'},
                               {kItemKey2, "sb_key2", 208, kIconY, 'G'}};
@@ -62,8 +65,9 @@ constexpr ItemIcon kRogueIcons[] = {kKeys[0],
 constexpr ItemIcon kHipnoticKeys[] = {{kItemKey1, "sb_key1", 209, 3, 'S'},
                                       {kItemKey2, "sb_key2", 209, 12, 'G'}};
 
+// The layouts place it.
 constexpr ItemIcon ammo(std::uint32_t item, const char* picture) {
-  return {item, picture, kAmmoX, kAmmoY};
+  return {item, picture, 0, 0};
 }
 constexpr ItemIcon kStockAmmo[] = {ammo(kItemShells, "sb_shells"), ammo(kItemNails, "sb_nails"),
                                    ammo(kItemRockets, "sb_rocket"), ammo(kItemCells, "sb_cells")};
@@ -73,12 +77,24 @@ constexpr ItemIcon kRogueAmmo[] = {ammo(kRogueShells, "sb_shells"),         ammo
                                    ammo(kRogueLavaNails, "r_ammolava"),     ammo(kRoguePlasma, "r_ammomulti"),
                                    ammo(kRogueMultiRockets, "r_ammoplasma")};
 
+constexpr std::uint32_t kStockTimed = kItemInvisibility | kItemInvulnerability | kItemSuit | kItemQuad;
+
 constexpr ItemLayout kStockLayout{
-    kStockWeapons, kStockIcons, {}, kStockAmmo, {kItemArmor1, kItemArmor2, kItemArmor3}};
-constexpr ItemLayout kHipnoticLayout{
-    kHipnoticWeapons, kHipnoticIcons, kHipnoticKeys, kStockAmmo, {kItemArmor1, kItemArmor2, kItemArmor3}};
-constexpr ItemLayout kRogueLayout{
-    kSharedWeapons, kRogueIcons, {}, kRogueAmmo, {kRogueArmor1, kRogueArmor2, kRogueArmor3}};
+    kStockWeapons, {}, kStockIcons, {}, kStockAmmo, {kItemArmor1, kItemArmor2, kItemArmor3}, kStockTimed};
+constexpr ItemLayout kHipnoticLayout{kHipnoticWeapons,
+                                     kHipnoticExtraWeapons,
+                                     kHipnoticIcons,
+                                     kHipnoticKeys,
+                                     kStockAmmo,
+                                     {kItemArmor1, kItemArmor2, kItemArmor3},
+                                     kStockTimed | kHipnoticWetSuit | kHipnoticEmpathyShields};
+constexpr ItemLayout kRogueLayout{kSharedWeapons,
+                                  {},
+                                  kRogueIcons,
+                                  {},
+                                  kRogueAmmo,
+                                  {kRogueArmor1, kRogueArmor2, kRogueArmor3},
+                                  kStockTimed | kRogueShield | kRogueAntigravity};
 
 }  // namespace
 
@@ -92,6 +108,13 @@ const ItemLayout& find_item_layout(assets::MissionPack pack) {
       break;
   }
   return kStockLayout;
+}
+
+int find_armor_kind(std::uint32_t items, assets::MissionPack pack) {
+  const auto& armors = find_item_layout(pack).armors;
+  int kind = 3;
+  while (kind > 0 && (items & armors[static_cast<std::size_t>(kind) - 1]) == 0) --kind;
+  return kind;
 }
 
 }  // namespace temblor::client

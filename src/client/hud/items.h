@@ -41,6 +41,7 @@ enum RogueItemBits : std::uint32_t {
   kRogueRockets = 1u << 9,
   kRogueCells = 1u << 10,
   kRogueLavaNailgun = 1u << 12,  // the first of five weapons with other ammo, in consecutive bits
+  kRogueOtherWeapons = 31u << 12,
   kRogueArmor1 = 1u << 23,
   kRogueArmor2 = 1u << 24,
   kRogueArmor3 = 1u << 25,

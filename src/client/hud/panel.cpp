@@ -75,6 +75,12 @@ void Panel::draw_picture(std::string_view name, int x, int y, float opacity) con
        .opacity = opacity});
 }
 
+PictureSize Panel::picture_size(std::string_view name) const {
+  const formats::Picture* const picture = pictures_->find(name);
+  if (picture == nullptr) return {};
+  return {static_cast<int>(picture->width), static_cast<int>(picture->height)};
+}
+
 void Panel::draw_centered_picture(std::string_view name, int y) const {
   if (const formats::Picture* const found = pictures_->find(name))
     draw_picture(name, (kScreenWidth - static_cast<int>(found->width)) / 2, y);
@@ -88,7 +94,7 @@ void Panel::fill(int x, int y, int width, int height, std::uint8_t index, float 
 }
 
 // Characters are parts of one picture of 16 x 16 characters. Spaces draw nothing.
-void Panel::draw_character(std::uint8_t character, int x, int y) const {
+void Panel::draw_character(std::uint8_t character, int x, int y, float opacity) const {
   constexpr int kShape = 127;  // codes from 128 on are the same shapes in another color
   if ((character & kShape) == ' ') return;
   list_->commands.push_back({.picture = &pictures_->characters(),
@@ -96,12 +102,13 @@ void Panel::draw_character(std::uint8_t character, int x, int y) const {
                                       kCharacterSide * scale_},
                              .part_x = character % kCharactersPerRow * kCharacterSide,
                              .part_y = character / kCharactersPerRow * kCharacterSide,
-                             .scale = scale_});
+                             .scale = scale_,
+                             .opacity = opacity});
 }
 
-void Panel::draw_text(std::string_view text, int x, int y) const {
+void Panel::draw_text(std::string_view text, int x, int y, float opacity) const {
   for (const char c : text) {
-    draw_character(static_cast<std::uint8_t>(c), x, y);
+    draw_character(static_cast<std::uint8_t>(c), x, y, opacity);
     x += kCharacterSide;
   }
 }

@@ -30,6 +30,10 @@ int choose_scale(int frame_width, int frame_height, HudSize size);
 // The same for text that is broken into lines, which may grow until 20 columns or 8 lines fit.
 int choose_text_scale(int frame_width, int frame_height, HudSize size);
 
+struct PictureSize {
+  int width = 0, height = 0;
+};
+
 // Appends what it draws to a list. Coordinates are relative to the panel's upper left corner, x right and y
 // down; they may be outside it. Pictures and list must outlive the panel, which is cheap to copy.
 class Panel {
@@ -61,13 +65,15 @@ class Panel {
   bool has_picture(std::string_view name) const { return pictures_->find_real(name) != nullptr; }
   // Draws a picture of the game (assets/pictures.h). Draws nothing if there is no picture of that name.
   void draw_picture(std::string_view name, int x, int y, float opacity = 1) const;
+  // The size of that picture in its own pixels; 0 if there is none.
+  PictureSize picture_size(std::string_view name) const;
   // Draws it centered on the panel's 320 pixels.
   void draw_centered_picture(std::string_view name, int y) const;
   // Fills with the palette color `index`.
   void fill(int x, int y, int width, int height, std::uint8_t index, float opacity = 1) const;
   // Draw characters of the console's character set, 8 pixels apart.
-  void draw_character(std::uint8_t character, int x, int y) const;
-  void draw_text(std::string_view text, int x, int y) const;
+  void draw_character(std::uint8_t character, int x, int y, float opacity = 1) const;
+  void draw_text(std::string_view text, int x, int y, float opacity = 1) const;
   // Draws large digits, 24 pixels apart, right-aligned in `digits` places. A number that does not fit is
   // shown as the largest or smallest that does. `alarm`: in the warning color.
   void draw_number(int value, int digits, bool alarm, int x, int y) const;

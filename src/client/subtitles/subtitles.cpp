@@ -89,13 +89,14 @@ void Subtitles::advance(const Game& game, const Events& events, const render::Ca
   if (lines_.size() > kMaxLines) lines_.erase(lines_.begin(), lines_.end() - kMaxLines);
 }
 
-void Subtitles::draw(const assets::Pictures& pictures, int width, int height, HudSize size,
+void Subtitles::draw(const assets::Pictures& pictures, int width, int height, HudSize size, int covered_px,
                      render::DrawList& io_list) const {
   const Panel panel(pictures, io_list, width, height, choose_scale(width, height, size));
   const Panel letters = panel.with_scale(choose_text_scale(width, height, size));
   constexpr int kPadding = 2;
   // From the newest caption upward.
-  int top_px = height - (kBarHeight + kInventoryHeight + kAboveBar) * panel.scale();
+  const int bars_px = (kBarHeight + kInventoryHeight) * panel.scale();
+  int top_px = height - std::max(bars_px, covered_px) - kAboveBar * panel.scale();
   for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
     const std::string text = format_caption(line->caption, line->side);
     const int rows = count_text_lines(letters, text);

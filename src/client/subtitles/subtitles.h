@@ -36,9 +36,10 @@ class Subtitles {
   // Adds captions for audible sounds from outside the view that the player did not make, and removes captions
   // after two seconds. If time runs backward, removes all captions.
   void advance(const Game& game, const Events& events, const render::Camera& camera, double time_s);
-  // Draws the captions in the lower middle of a frame of `width` x `height` pixels, the newest at the bottom.
-  // The commands are valid while the pictures live.
-  void draw(const assets::Pictures& pictures, int width, int height, HudSize size,
+  // Draws the captions in the lower middle of a frame of `width` x `height` pixels, the newest at the bottom,
+  // above the status bar and the `covered_px` at the frame's bottom. The commands are valid while the
+  // pictures live.
+  void draw(const assets::Pictures& pictures, int width, int height, HudSize size, int covered_px,
             render::DrawList& io_list) const;
 
  private:

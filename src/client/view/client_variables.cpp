@@ -18,8 +18,9 @@ StatusBar to_status_bar(std::int64_t view_size) {
 }
 
 // The original lifts the weapon by up to 2 units, so that the status bar does not cover it.
-float choose_weapon_rise(StatusBar bar) {
-  if (bar == StatusBar::kNone) return 0;
+float choose_weapon_rise(const HudSettings& hud) {
+  const StatusBar bar = hud.status_bar;
+  if (bar == StatusBar::kNone || hud.layout != HudLayout::kClassic) return 0;
   return bar == StatusBar::kSmall ? 1 : 2;
 }
 
@@ -78,6 +79,17 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
                                         "Water tints the view blue and slime green. 0: as the original.");
   view_size_ = variables.add_int("viewsize", 100, 30, kNoBarViewSize,
                                  "110 hides the inventory row, 120 the whole status bar.");
+  hud_layout_ = variables.add_int("scr_hudstyle", 0, 0, 2,
+                                  "Layout of the HUD. 0: status bar, 1: in the corners, 2: health and ammo "
+                                  "only.");
+  pickups_ =
+      variables.add_bool("scr_pickups", defaults.hud.notices.pickups, "Lists what you pick up, on the left.");
+  weapon_list_ = variables.add_bool("scr_weaponlist", defaults.hud.notices.weapons,
+                                    "Shows all weapons and their ammo for a second when you change weapons.");
+  power_timers_ = variables.add_bool("scr_poweruptimers", defaults.hud.notices.power_timers,
+                                     "Shows power-ups with the seconds that are left, on the right.");
+  damage_arcs_ = variables.add_bool("scr_damagedirection", defaults.hud.notices.damage,
+                                    "Arcs around the crosshair show where damage comes from.");
   hud_scale_ = variables.add_int("scr_scale", defaults.hud.size.scale, 0, 64,
                                  "Status bar size. 0 picks a size that fits the window.");
   hud_opacity_ = factor("scr_sbaralpha", defaults.hud.opacity, 1, "Opacity of the status bar's background.");
@@ -174,7 +186,8 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.view.powerup_tint = factor(powerup_tint_);
   settings.view.contents_tint = factor(contents_tint_);
   settings.hud.status_bar = to_status_bar(variables.int_value(view_size_));
-  settings.view.weapon_rise = choose_weapon_rise(settings.hud.status_bar);
+  settings.hud.layout = static_cast<HudLayout>(variables.int_value(hud_layout_));
+  settings.view.weapon_rise = choose_weapon_rise(settings.hud);
   settings.hud.size.scale = static_cast<int>(variables.int_value(hud_scale_));
   settings.hud.opacity = factor(hud_opacity_);
   settings.hud.crosshair = {static_cast<Crosshair>(variables.int_value(crosshair_)),
@@ -182,6 +195,8 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
                             variables.float_value(crosshair_scale_)};
   settings.hud.center_text_s = variables.float_value(center_time_);
   settings.hud.letters_per_second = variables.float_value(print_speed_);
+  settings.hud.notices = {variables.bool_value(pickups_), variables.bool_value(weapon_list_),
+                          variables.bool_value(power_timers_), variables.bool_value(damage_arcs_)};
   settings.hud.safe_colors = variables.bool_value(safe_colors_);
   settings.runs_hud_program = !variables.bool_value(no_hud_program_);
   settings.show_weapon = variables.bool_value(show_weapon_);

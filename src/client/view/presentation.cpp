@@ -176,6 +176,7 @@ const render::DrawList& Presentation::draw_list(const ClientState& state, int wi
   draw_list_.clear();
   HudSettings hud = settings.hud;
   hud.par_s = environment_.level().par_s;
+  hud.camera = scene_.camera;
   const HudDrawing* const program = hud_program_ != nullptr ? &hud_program_->drawing() : nullptr;
   const bool has_program = program != nullptr && program->is_active;
   if (has_program) {
@@ -188,7 +189,9 @@ const render::DrawList& Presentation::draw_list(const ClientState& state, int wi
     const std::vector<render::DrawCommand>& drawn = hud_program_->draw_list().commands;
     draw_list_.commands.insert(draw_list_.commands.end(), drawn.begin(), drawn.end());
   }
-  if (settings.subtitles) subtitles_.draw(pictures_, width, height, settings.hud.size, draw_list_);
+  if (settings.subtitles)
+    subtitles_.draw(pictures_, width, height, settings.hud.size,
+                    hud_.weapon_list_height_px(state.game(), time_s_, width, height, hud), draw_list_);
   return draw_list_;
 }
 

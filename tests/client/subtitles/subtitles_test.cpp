@@ -84,7 +84,7 @@ TEST(Subtitles, ShowUnseenSoundsForTwoSeconds) {
   Subtitles subtitles({{{"dog/dsight.wav", "dog growls"}, {"misc/null.wav", ""}}, {}});
   const auto commands = [&] {
     render::DrawList list;
-    subtitles.draw(pictures, 640, 480, {}, list);
+    subtitles.draw(pictures, 640, 480, {}, 0, list);
     return list.commands.size();
   };
   Events events;
@@ -107,6 +107,10 @@ TEST(Subtitles, ShowUnseenSoundsForTwoSeconds) {
   sound(8, 1, {-200, 5, 0});  // the same caption is shown once
   subtitles.advance(game, events, {}, 10);
   EXPECT_EQ(commands(), 1 + std::string("vdoggrowlsv").size());
+  render::DrawList above;
+  subtitles.draw(pictures, 640, 480, {}, 200, above);
+  for (const render::DrawCommand& command : above.commands)
+    EXPECT_LE(command.area.y + command.area.height, 480 - 200) << "covered by the weapon list";
   events.sounds.clear();
   subtitles.advance(game, events, {}, 11.9);
   EXPECT_GT(commands(), 0u);

@@ -38,6 +38,11 @@ std::vector<Case> cases() {
       {"v_tint_liquid=0.5", [](const auto& s) { return s.view.contents_tint; }, 1, 0.5},
       {"viewsize=120", [bar](const auto& s) { return bar(s.hud.status_bar); }, bar(StatusBar::kFull),
        bar(StatusBar::kNone)},
+      {"scr_hudstyle=2", [](const auto& s) { return static_cast<double>(s.hud.layout); }, 0, 2},
+      {"scr_pickups=1", [](const auto& s) { return s.hud.notices.pickups; }, 0, 1},
+      {"scr_weaponlist=1", [](const auto& s) { return s.hud.notices.weapons; }, 0, 1},
+      {"scr_poweruptimers=1", [](const auto& s) { return s.hud.notices.power_timers; }, 0, 1},
+      {"scr_damagedirection=1", [](const auto& s) { return s.hud.notices.damage; }, 0, 1},
       {"scr_scale=3", [](const auto& s) { return s.hud.size.scale; }, 0, 3},
       {"crosshair=2", [](const auto& s) { return static_cast<double>(s.hud.crosshair.shape); }, 0, 2},
       {"crosshair_color=251", [](const auto& s) { return s.hud.crosshair.color; }, 15, 251},
@@ -84,6 +89,7 @@ TEST(ClientVariables, TheWeaponIsRaisedAboveTheStatusBar) {
   EXPECT_EQ(rise("viewsize=109"), 2);
   EXPECT_EQ(rise("viewsize=110"), 1);
   EXPECT_EQ(rise("viewsize=120"), 0);
+  EXPECT_EQ(rise("scr_hudstyle=1"), 0) << "the corners leave the middle free";
 }
 
 }  // namespace

@@ -39,12 +39,18 @@ std::span<const OptionLook> picture_options() {
 
 std::span<const OptionLook> screen_options() {
   static constexpr std::string_view kCrosshairs[] = {"off", "cross", "dot", "lines"};
+  static constexpr std::string_view kLayouts[] = {"status bar", "corners", "minimal"};
   static constexpr std::string_view kMipRules[] = {"smooth", "classic"};
   static constexpr std::string_view kPerspectives[] = {"exact", "classic"};
   static constexpr OptionLook kLooks[] = {
       {.variable = "viewsize", .label = "View size", .low = 100, .high = 120, .step = 10},
+      {.variable = "scr_hudstyle", .label = "HUD layout", .names = kLayouts},
       {.variable = "scr_scale", .label = "Status bar size", .high = 8, .step = 1, .zero = "auto"},
       {.variable = "scr_sbaralpha", .label = "Status bar opacity", .shown_factor = 100, .unit = "%"},
+      {.variable = "scr_pickups", .label = "List of pickups"},
+      {.variable = "scr_weaponlist", .label = "List of weapons"},
+      {.variable = "scr_poweruptimers", .label = "Power-up timers"},
+      {.variable = "scr_damagedirection", .label = "Damage direction"},
       {.variable = "crosshair", .label = "Crosshair", .names = kCrosshairs},
       {.variable = "r_drawviewmodel", .label = "Show weapon"},
       {.variable = "cl_nolerp", .label = "Classic animation"},

@@ -5,31 +5,20 @@
 //   | armor 25 |  face  | health 100 |  ammo 50                    |   status bar: 24 pixels
 #pragma once
 
-#include "assets/mission_pack.h"
 #include "client/hud/hud.h"
+#include "client/hud/layouts/player_figures.h"
 #include "client/hud/panel.h"
 #include "client/session/client_state.h"
 
 namespace temblor::client {
 
-// How both bars are drawn.
-struct BarLook {
-  // Opacity of the background, 0 to 1.
-  float opacity = 1;
-  // Adds marks to warnings and to kinds of armor and keys.
-  bool safe_colors = false;
-  // Decides the items' bits and places.
-  assets::MissionPack pack = assets::MissionPack::kNone;
-  // The rule of that name.
-  int teamplay = 0;
-};
-
 // Draws armor, face, health and ammo with their numbers. `bar`: a panel kBarHeight high.
-void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s, BarLook look);
+void draw_status_bar(const Panel& bar, const Game& game, const HudTimes& times, double time_s,
+                     const BarLook& look);
 
 // Draws weapons, all ammo counts, keys, power-ups, sigils, and in a deathmatch the leaders' frags.
 // `inventory`: a panel kInventoryHeight high.
 void draw_inventory(const Panel& inventory, const Game& game, const HudTimes& times, double time_s,
-                    BarLook look);
+                    const BarLook& look);
 
 }  // namespace temblor::client
