@@ -169,6 +169,8 @@ TEST(Layouts, CornersHaveFiguresAtTheEdges) {
   EXPECT_EQ(corner("sb_sigil1"), math::Vec2d(400 - 10, 300 - 44));
   EXPECT_EQ(corner("sb_key1"), math::Vec2d(400 - 26, 300 - 44));
   EXPECT_TRUE(find_places(drawn, "sbar").empty());
+  set_stat(busy.game, Stat::kArmor, 0);
+  EXPECT_TRUE(find_places(busy.draw({400, 300}, settings), "anum_0").empty()) << "no armor, no number";
   settings.status_bar = StatusBar::kSmall;
   EXPECT_TRUE(find_places(busy.draw({400, 300}, settings), "sb_key1").empty());
   settings.status_bar = StatusBar::kNone;

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "client/hud/items.h"
 #include "client/hud/scoreboard.h"
 
 namespace temblor::client {
@@ -55,7 +56,9 @@ void draw_corners(const Panel& panel, const Game& game, const HudTimes& times, d
   if (uses_ammo(game, look.pack))
     draw_ammo(at_right(panel, kFigureWidth, bottom, kFigureHeight), 0, game, look);
   bottom += kFigureHeight + kRowGap;
-  draw_armor(at_left(panel, bottom, kFigureHeight), 0, game, look, time_s - times.armor_dropped_s);
+  // Without a bar around it, a 0 would have nothing that says it is armor.
+  if (game.stat(Stat::kArmor) > 0 || has_items(game, kItemInvulnerability))
+    draw_armor(at_left(panel, bottom, kFigureHeight), 0, game, look, time_s - times.armor_dropped_s);
   if (!items.are_shown) return;
   draw_item_row(panel, game, items.items, look, bottom);
   bottom += kIconHeight + kRowGap;
