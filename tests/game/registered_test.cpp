@@ -105,6 +105,11 @@ TEST_F(EpisodeEnd, ReturnsToTheHallInTheRegisteredGame) {
   EXPECT_EQ(leave("e4m7"), "f");
 }
 
+TEST_F(EpisodeEnd, OfOurGameHasNoOrderForm) {
+  EXPECT_EQ(leave("t4"), "f");
+  EXPECT_THAT(text_, ::testing::HasSubstr("Seismograph"));
+}
+
 TEST_F(EpisodeEnd, ShowsOnlyScoresElsewhere) {
   EXPECT_EQ(leave("e1m6"), "");
   EXPECT_EQ(leave("e1m7", server::GameKind::kDeathmatch), "");
