@@ -68,8 +68,7 @@ TEST(EntityFaults, SurfaceLightsNameALight) {
   EXPECT_THAT(with_name("func_detail", "_switchableshadow_target", "lamps"), IsEmpty());
   const auto is_reported = ElementsAre(
       "surface lights with a missing light: entity 0 (func_group), line 1: no light has the targetname "
-      "lamps, "
-      "so _surflight_targetname is ignored");
+      "lamps, so _surflight_targetname is ignored");
   EXPECT_THAT(with_name("light", "targetname", "lamp"), is_reported);
   EXPECT_THAT(with_name("light", "target", "lamps"), is_reported);
   EXPECT_THAT(with_name("trigger_relay", "targetname", "lamps"), is_reported);
