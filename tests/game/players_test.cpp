@@ -251,6 +251,17 @@ TEST(Players, SeeCorrectSingularsAndPlurals) {
   }
 }
 
+// QuakeSpasm ends with an error if anything but a player walks.
+TEST(Players, LeaveABodyThatDoesNotWalk) {
+  DATA_FOLDER_OR_SKIP(data);
+  PlayedLevel game(data, "lqdm1", kProgs, {.kind = server::GameKind::kDeathmatch, .players = 2});
+  game.join(0);
+  game.run(0.2);
+  game.call_function("ClientDisconnect", vm::EntityIndex{1});
+  for (std::uint32_t i = 3; i < game.edict_count(); ++i)
+    EXPECT_TRUE(game.is_free(i) || game.edict(i).move_type() != server::MoveType::kWalk) << i;
+}
+
 TEST(Players, LeaveThroughTheExitAndKeepTheirItems) {
   DATA_FOLDER_OR_SKIP(data);
   PlayedLevel game(data, "lq_e0m1", kProgs);
