@@ -19,14 +19,14 @@ VisibilityShard make_visibility_shard(const Build& build, WorkShare share, base:
   return {write_visibility_state(state), end};
 }
 
-base::Result<MergedVisibility> merge_visibility_shards(std::span<const base::Bytes> shards, Build& io_build) {
+base::Result<MergedVisibility> merge_visibility_shards(std::span<const NamedShard> shards, Build& io_build) {
   if (shards.empty()) return base::error(base::ErrorCode::kUsage, "there are no visibility shards to merge");
   const SearchablePortals portals(io_build.portals);
   VisibilityState state = resume_visibility(io_build, portals);
   const VisibilityState begun = begin_visibility(portals);
-  for (const base::Bytes bytes : shards) {
-    TRY(const VisibilityState shard, read_visibility_state(bytes, begun));
-    TRY_STATUS(merge_visibility_state(shard, state));
+  for (const NamedShard& named : shards) {
+    TRY(const VisibilityState shard, read_visibility_state(named.bytes, begun).with_file(named.file));
+    TRY_STATUS(merge_visibility_state(shard, state).with_file(named.file));
   }
   const auto finished = std::ranges::count(state.finished, 1);
   const MergedVisibility merged{static_cast<std::size_t>(finished), state.finished.size()};
@@ -45,7 +45,7 @@ base::Result<LightShardBytes> make_light_shard(const Build& build, WorkShare sha
   return light_shard(build.bsp, build.face_keys, options, {share.index, share.count}, begun, jobs, progress);
 }
 
-base::Status merge_light_shards(std::span<const base::Bytes> shards, const LightOptions& options,
+base::Status merge_light_shards(std::span<const NamedShard> shards, const LightOptions& options,
                                 base::Jobs& jobs, Build& io_build, Warnings& io_warnings) {
   TRY(const StageKey key, find_light_key(io_build, options));
   TRY(LightSummary light, merge_light(io_build.bsp, io_build.face_keys, options, shards, jobs, io_warnings));

@@ -30,9 +30,9 @@ struct MergedVisibility {
   std::size_t finished_portals, portals;
 };
 // Adds shards to the build's visibility_state. When nothing is left to do, the build gets its visibility.
-// Fails with the errors of read_visibility_state(), and with kUsage without any shard; the build is then
-// unchanged.
-base::Result<MergedVisibility> merge_visibility_shards(std::span<const base::Bytes> shards, Build& io_build);
+// Fails with the errors of read_visibility_state(), which name the file of the shard, and with kUsage without
+// any shard; the build is then unchanged.
+base::Result<MergedVisibility> merge_visibility_shards(std::span<const NamedShard> shards, Build& io_build);
 
 // Lights every share.count-th light map, beginning with map share.index. `begun`: an earlier result for the
 // same share, to continue; empty or anything else: start over. The finished bytes do not depend on how often
@@ -43,7 +43,7 @@ base::Result<LightShardBytes> make_light_shard(const Build& build, WorkShare sha
 
 // Merges all shards, in any order, into the light that make_light() would have made. Fails with kUsage if a
 // shard is missing, duplicate or unfinished, or belongs to another level or other options.
-base::Status merge_light_shards(std::span<const base::Bytes> shards, const LightOptions& options,
+base::Status merge_light_shards(std::span<const NamedShard> shards, const LightOptions& options,
                                 base::Jobs& jobs, Build& io_build, Warnings& io_warnings);
 
 }  // namespace temblor::compiler

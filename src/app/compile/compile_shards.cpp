@@ -130,7 +130,8 @@ base::Result<T> as_file_error(base::Result<T> result) {
 }
 
 // Merges the shards into the session's build.
-base::Status merge(CompileStage stage, std::span<const base::Bytes> shards, CompileSession& io_session) {
+base::Status merge(CompileStage stage, std::span<const compiler::NamedShard> shards,
+                   CompileSession& io_session) {
   if (stage == CompileStage::kVisibility) {
     TRY(const compiler::MergedVisibility merged,
         as_file_error(compiler::merge_visibility_shards(shards, io_session.build())));
@@ -176,7 +177,8 @@ base::Status merge_shards(CompileStage stage, CompileSession& io_session) {
     TRY(base::ByteVector shard, vfs::read_disk_file(file));
     bytes.push_back(std::move(shard));
   }
-  const std::vector<base::Bytes> shards(bytes.begin(), bytes.end());
+  std::vector<compiler::NamedShard> shards;
+  for (std::size_t i = 0; i < files.size(); ++i) shards.push_back({bytes[i], files[i].string()});
   const fs::path all_of_them =
       fs::path(io_session.paths().bsp).replace_extension(fmt::format(".{}-*", stage_name(stage)));
   TRY_STATUS(merge(stage, shards, io_session).with_file(all_of_them.string()));

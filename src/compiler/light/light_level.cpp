@@ -311,6 +311,23 @@ LightCache make_empty_cache(const PreparedLight& prepared, formats::Bsp unlit_bs
   return cache;
 }
 
+// `is_merged`: the shards before it, one place for each that there should be.
+base::Status check_shard(const ReadShard& shard, std::uint64_t level, const std::vector<bool>& is_merged) {
+  const ShardHeader& header = shard.header;
+  if (header.level != level)
+    return base::error(base::ErrorCode::kUsage,
+                       "light shard {} of {} belongs to another level, or to other options: make it again",
+                       header.index + 1, header.count);
+  const bool is_one_of_them = header.count == is_merged.size();
+  if (!is_one_of_them || is_merged[header.index])
+    return base::error(base::ErrorCode::kUsage, "light shard {} of {} {} among {} shards", header.index + 1,
+                       header.count, is_one_of_them ? "appears twice" : "is", is_merged.size());
+  if (!shard.is_finished)
+    return base::error(base::ErrorCode::kUsage, "light shard {} of {} is not finished: run its command again",
+                       header.index + 1, header.count);
+  return base::Ok{};
+}
+
 }  // namespace
 
 base::Status check_light() {
@@ -375,28 +392,17 @@ base::Result<LightShardBytes> light_shard(const formats::Bsp& bsp, const FaceKey
 
 // Checks all shards before it changes the level.
 base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& face_keys,
-                                       const LightOptions& options, std::span<const base::Bytes> shards,
+                                       const LightOptions& options, std::span<const NamedShard> shards,
                                        base::Jobs& io_jobs, Warnings& io_warnings) {
   TRY(const PreparedLight prepared, prepare(io_bsp, face_keys, options, io_warnings));
   const std::vector<std::size_t> luxels = count_luxels_by_map(prepared.lit);
   const std::uint64_t level = hash_light_input(strip_light(io_bsp), face_keys, options);
   LightWork work = begin_light(prepared.lit, has_bounces(prepared));
   std::vector<bool> merged(shards.size());
-  for (const base::Bytes bytes : shards) {
-    TRY(const ReadShard shard, read_shard(bytes, luxels, work));
-    const ShardHeader& header = shard.header;
-    if (header.level != level)
-      return base::error(base::ErrorCode::kUsage,
-                         "light shard {} of {} belongs to another level, or to other options: make it again",
-                         header.index + 1, header.count);
-    if (header.count != shards.size() || merged[header.index])
-      return base::error(base::ErrorCode::kUsage, "light shard {} of {} {} among {} shards", header.index + 1,
-                         header.count, header.count == shards.size() ? "appears twice" : "is", shards.size());
-    if (!shard.is_finished)
-      return base::error(base::ErrorCode::kUsage,
-                         "light shard {} of {} is not finished: run its command again", header.index + 1,
-                         header.count);
-    merged[header.index] = true;
+  for (const NamedShard& named : shards) {
+    TRY(const ReadShard shard, read_shard(named.bytes, luxels, work).with_file(named.file));
+    TRY_STATUS(check_shard(shard, level, merged).with_file(named.file));
+    merged[shard.header.index] = true;
   }
   if (shards.empty()) return base::error(base::ErrorCode::kUsage, "there are no light shards to merge");
   if (!are_bounces_for(prepared, work))

@@ -91,10 +91,16 @@ base::Result<LightShardBytes> light_shard(const formats::Bsp& bsp, const FaceKey
                                           const LightOptions& options, const LightShard& shard,
                                           base::Bytes begun, base::Jobs& io_jobs, Progress progress);
 
+// The bytes of a shard, of light or of visibility, and the file that they come from.
+struct NamedShard {
+  base::Bytes bytes;
+  std::string file{};  // for errors; empty: unknown
+};
+
 // Merges all shards, in any order. Fails with kUsage if one is missing, duplicate or unfinished, or belongs
 // to another level, other lights or other options.
 base::Result<LightSummary> merge_light(formats::Bsp& io_bsp, const FaceKeys& face_keys,
-                                       const LightOptions& options, std::span<const base::Bytes> shards,
+                                       const LightOptions& options, std::span<const NamedShard> shards,
                                        base::Jobs& io_jobs, Warnings& io_warnings);
 
 }  // namespace temblor::compiler

@@ -78,7 +78,7 @@ TEST_F(CompileProgram, MismatchedShardsAreAFileError) {
     folder_.write("room.map", map);
     const ProgramRun merged = run(stage, {"--merge"});
     EXPECT_EQ(merged.exit_status, 1) << merged.err;
-    EXPECT_THAT(merged.err, HasSubstr(fmt::format("room.{}-*", stage)));
+    EXPECT_THAT(merged.err, HasSubstr(fmt::format("room.{}-1-of-2: ", stage)));
     EXPECT_THAT(merged.err, Not(HasSubstr("--help")));
   }
 }

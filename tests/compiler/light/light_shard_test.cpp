@@ -43,7 +43,9 @@ base::Result<compiler::LightSummary> merge(formats::Bsp& io_bsp, std::vector<bas
                                            const compiler::LightOptions& options = {}) {
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   compiler::Warnings warnings;
-  return compiler::merge_light(io_bsp, list_keys(io_bsp), options, shards, jobs, warnings);
+  std::vector<compiler::NamedShard> named;
+  for (std::size_t i = 0; i < shards.size(); ++i) named.push_back({shards[i], fmt::format("file {}", i)});
+  return compiler::merge_light(io_bsp, list_keys(io_bsp), options, named, jobs, warnings);
 }
 
 TEST(LightShards, MergeToTheSameBytes) {

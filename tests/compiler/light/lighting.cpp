@@ -132,7 +132,8 @@ LitResult light_in_all_ways(const std::string& world_keys, const std::string& en
         compiler::light_shard(bsp, keys, options, {i, 3}, {}, jobs, compiler::kIgnoreProgress).value().bytes);
   formats::Bsp merged = bsp;
   EXPECT_TRUE(
-      compiler::merge_light(merged, keys, options, {{shards[0], shards[1], shards[2]}}, jobs, warnings).ok());
+      compiler::merge_light(merged, keys, options, {{{shards[0]}, {shards[1]}, {shards[2]}}}, jobs, warnings)
+          .ok());
   EXPECT_EQ(merged, once.bsp);
   return once;
 }
