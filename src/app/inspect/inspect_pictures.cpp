@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,14 @@ base::Result<Inspection> inspect_picture(base::Bytes bytes) {
       {"height", picture.height},
       {"transparent pixels", std::count(picture.pixels.begin(), picture.pixels.end(), kTransparentPixel)},
       {"problems", Inspection::array()}};
+}
+
+// A square of pixels without a header.
+base::Result<Inspection> inspect_raw_picture(base::Bytes bytes) {
+  const auto side = static_cast<std::size_t>(std::lround(std::sqrt(bytes.size())));
+  if (side == 0 || side * side != bytes.size())
+    return base::malformed("{} bytes are not the pixels of a square", bytes.size());
+  return Inspection{{"width", side}, {"height", side}, {"problems", Inspection::array()}};
 }
 
 base::Result<Inspection> inspect_palette(base::Bytes bytes) {

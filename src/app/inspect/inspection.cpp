@@ -39,30 +39,35 @@ enum class Format {
   kMd5Model,
   kMd5Animation,
   kMd3,
-  kLux
+  kLux,
+  kRegisteredMark,
+  kCharacters
 };
 
-constexpr std::array<const char*, 21> kFormatNames = {"level",
-                                                      "colored light",
-                                                      "entity text",
-                                                      "PAK",
-                                                      "PK3",
-                                                      "WAD2",
-                                                      "picture",
-                                                      "palette",
-                                                      "colormap",
-                                                      "model",
-                                                      "sprite",
-                                                      "demo",
-                                                      "WAD3",
-                                                      "map",
-                                                      "compiled QuakeC",
-                                                      "sound",
-                                                      "visibility patches",
-                                                      "MD5 model",
-                                                      "MD5 animation",
-                                                      "MD3 model",
-                                                      "light directions"};
+constexpr std::array<const char*, 23> kFormatNames = {
+    "level",
+    "colored light",
+    "entity text",
+    "PAK",
+    "PK3",
+    "WAD2",
+    "picture",
+    "palette",
+    "colormap",
+    "model",
+    "sprite",
+    "demo",
+    "WAD3",
+    "map",
+    "compiled QuakeC",
+    "sound",
+    "visibility patches",
+    "MD5 model",
+    "MD5 animation",
+    "MD3 model",
+    "light directions",
+    "mark of the registered game, a picture without a header",
+    "console characters, a picture without a header"};
 
 // Detects formats that start with a magic number.
 std::optional<Format> detect_format_by_content(base::Bytes bytes) {
@@ -97,6 +102,8 @@ std::optional<Format> detect_format_by_name(const std::filesystem::path& path, s
   const std::string name = base::to_lower(path.filename().string());
   const std::string extension = base::to_lower(path.extension().string());
   if (extension == ".lmp") {
+    if (name == "pop.lmp") return Format::kRegisteredMark;
+    if (name == "conchars.lmp") return Format::kCharacters;
     if (name == "palette.lmp" || size == 768) return Format::kPalette;
     if (name == "colormap.lmp" || size == 16384 || size == 16385) return Format::kColormap;
     return Format::kPicture;
@@ -149,6 +156,9 @@ base::Result<Inspection> inspect_bytes(Format format, base::ByteVector bytes) {
       return inspect_wad(bytes);
     case Format::kPicture:
       return inspect_picture(bytes);
+    case Format::kRegisteredMark:
+    case Format::kCharacters:
+      return inspect_raw_picture(bytes);
     case Format::kPalette:
       return inspect_palette(bytes);
     case Format::kColormap:

@@ -30,6 +30,7 @@ base::Result<Inspection> inspect_pak(const std::filesystem::path& path);
 base::Result<Inspection> inspect_pk3(base::ByteVector bytes);
 base::Result<Inspection> inspect_wad(base::Bytes bytes);
 base::Result<Inspection> inspect_picture(base::Bytes bytes);
+base::Result<Inspection> inspect_raw_picture(base::Bytes bytes);
 base::Result<Inspection> inspect_palette(base::Bytes bytes);
 base::Result<Inspection> inspect_colormap(base::Bytes bytes);
 base::Result<Inspection> inspect_dem(base::Bytes bytes);

@@ -48,6 +48,17 @@ class InspectProgram : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+// Some pictures have no header.
+TEST_F(InspectProgram, PicturesWithoutAHeader) {
+  for (const auto& [name, side] : {std::pair{"pop.lmp", 16}, {"conchars.lmp", 128}}) {
+    const base::ByteVector pixels(static_cast<std::size_t>(side * side), std::byte{7});
+    const json object = inspect(name, pixels);
+    EXPECT_THAT(object.at("format"), HasSubstr("a picture without a header"));
+    EXPECT_EQ(object.at("width"), side);
+    EXPECT_EQ(object.at("height"), side);
+  }
+}
+
 TEST_F(InspectProgram, LevelsOfAllVersions) {
   const SmallGame game;
   const formats::Bsp& level = game.level();
