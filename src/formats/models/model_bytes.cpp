@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/check.h"
 #include "formats/models/group_time.h"
@@ -11,6 +13,8 @@ namespace temblor::formats {
 namespace {
 
 constexpr std::int32_t kSingle = 0, kGroup = 1;
+constexpr float kReplacedMemberS = 0.1f;
+constexpr float kEndlessS = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -74,15 +78,18 @@ void write_group_members(base::ByteWriter& io_writer, std::size_t members) {
   if (members > 0) io_writer.u32(static_cast<std::uint32_t>(members));
 }
 
-// Compares each end time with the one before it, which it has checked already, so that the error names the
-// first bad one.
+// The place of a time without a sensible one is small and visible. Only a time at the end of what a float can
+// hold leaves no room after it.
 base::Result<std::vector<float>> read_group_times(base::ByteReader& io_reader, std::uint32_t members,
                                                   std::string_view part) {
   const std::size_t offset = io_reader.offset();
   TRY_STATUS(need_bytes(io_reader, std::uint64_t{members} * sizeof(float), part));
   std::vector<float> end_times_s(members);
   for (std::size_t i = 0; i < members; ++i) {
+    const float last_s = i > 0 ? end_times_s[i - 1] : 0;
     end_times_s[i] = io_reader.f32();
+    if (!std::isfinite(end_times_s[i]) || end_times_s[i] <= last_s)
+      end_times_s[i] = std::max(last_s + kReplacedMemberS, std::nextafter(last_s, kEndlessS));
     if (!are_group_times(std::span(end_times_s).subspan(i > 0 ? i - 1 : 0, i > 0 ? 2 : 1)))
       return base::malformed(
           "{} at offset {:#x}: end time {} of {} is {} after {}, end times must be positive and increasing",

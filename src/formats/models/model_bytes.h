@@ -42,7 +42,8 @@ std::string member_name(std::string_view part, std::string_view kind, std::uint3
 // Writes the start of a single (0 members) or a group.
 void write_group_members(base::ByteWriter& io_writer, std::size_t members);
 
-// Reads one end time for each member, and checks are_group_times().
+// Reads one end time for each member. A member that would end before it begins, or never, is shown for 0.1 s
+// instead. The result satisfies are_group_times().
 base::Result<std::vector<float>> read_group_times(base::ByteReader& io_reader, std::uint32_t members,
                                                   std::string_view part);
 // CHECKs are_group_times().

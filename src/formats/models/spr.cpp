@@ -28,12 +28,9 @@ bool is_valid_offset(const SprPicture& picture) {
 // Returns the number of frames, and stores all other fields in out_spr.
 base::Result<std::uint32_t> read_header(base::ByteReader& io_reader, Spr& out_spr) {
   TRY_STATUS(read_file_kind(io_reader, kSprFile, kSprHeaderBytes));
-  const std::size_t orientation_offset = io_reader.offset();
   const std::uint32_t orientation = io_reader.u32();
-  if (orientation > kLastOrientation)
-    return base::malformed("header at offset {:#x}: unknown orientation {} (expected 0 to {})",
-                           orientation_offset, orientation, kLastOrientation);
-  out_spr.orientation = static_cast<SprOrientation>(orientation);
+  out_spr.orientation =
+      orientation <= kLastOrientation ? static_cast<SprOrientation>(orientation) : SprOrientation::kParallel;
   out_spr.bounding_radius = read_unused_number(io_reader);
   out_spr.max_width = io_reader.u32();
   out_spr.max_height = io_reader.u32();

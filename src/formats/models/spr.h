@@ -2,7 +2,7 @@
 //
 //   header, 36 bytes    0  "IDSP"
 //                       4  version i32 (1)
-//                       8  orientation i32          SprOrientation
+//                       8  orientation i32          SprOrientation; unknown: parallel to the view plane
 //                      12  bounding radius f32
 //                      16  maximum width i32, maximum height i32
 //                      24  number of frames i32

@@ -197,21 +197,25 @@ TEST(Mdl, GroupsOfSkins) {
   EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 4, 0)),
               HasSubstr("skin 1 at offset 0x6d: empty group"));
   EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 4, 1 << 30)), HasSubstr("4294967296 bytes"));
+  const auto with_end = [&](std::size_t at, float end_s) {
+    return read_mdl(test::with_number(valid, at, end_s)).value().skins[1].end_times_s;
+  };
+  const std::vector<float> ends = read_mdl(valid).value().skins[1].end_times_s;
   for (const float end_s : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()})
-    EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 8, end_s)), HasSubstr("end time 0 of 2"));
+    EXPECT_EQ(with_end(kGroupAt + 8, end_s), (std::vector<float>{0.1f, ends[1]})) << end_s;
   for (const float end_s : {0.25f, 0.1f, std::numeric_limits<float>::infinity()})
-    EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 12, end_s)),
-                HasSubstr(fmt::format("skin 1 at offset {:#x}: end time 1 of 2", kGroupAt + 12)));
+    EXPECT_EQ(with_end(kGroupAt + 12, end_s), (std::vector<float>{ends[0], ends[0] + 0.1f})) << end_s;
+  // No time is after the largest one.
+  EXPECT_THAT(error_of_mdl(test::with_number(valid, kGroupAt + 8, std::numeric_limits<float>::max())),
+              HasSubstr(fmt::format("skin 1 at offset {:#x}: end time 1 of 2", kGroupAt + 12)));
 }
 
 TEST(Mdl, GroupsOfFrames) {
   const Mdl model = test::small_mdl();
   const base::ByteVector valid = write_mdl(model);
   const std::size_t group_at = valid.size() - (16 + 3 * 4 + 3 * (24 + 4 * 4));
-  EXPECT_EQ(error_of_mdl(test::with_number(valid, group_at + 16 + 4, 0.05f)),
-            fmt::format("frame 1 at offset {:#x}: end time 1 of 3 is 0.05 after 0.1, end times must be "
-                        "positive and increasing",
-                        group_at + 16 + 4));
+  EXPECT_EQ(read_mdl(test::with_number(valid, group_at + 16 + 4, 0.05f)).value().frames[1].end_times_s[1],
+            0.2f);
   // More members than a model may have poses, all present.
   Mdl crowded = model;
   crowded.texels.resize(1);

@@ -71,9 +71,9 @@ TEST(Spr, FaultsOfTheHeader) {
   const base::ByteVector valid = smallest_sprite();
   EXPECT_THAT(error_of_spr(test::with_number(valid, 0, 0)), HasSubstr("not a sprite"));
   EXPECT_THAT(error_of_spr(test::with_number(valid, kVersionAt, 2)), HasSubstr("version 2"));  // Half-Life's
-  for (const std::int32_t orientation : {5, -1})
-    EXPECT_THAT(error_of_spr(test::with_number(valid, kOrientationAt, orientation)),
-                HasSubstr("header at offset 0x8: unknown orientation"));
+  for (const std::int32_t orientation : {5, 7, -1})
+    EXPECT_EQ(read_spr(test::with_number(valid, kOrientationAt, orientation)).value().orientation,
+              SprOrientation::kParallel);
   EXPECT_EQ(error_of_spr(test::with_number(valid, kFramesAt, 0)), "header at offset 0x18: no frames");
   EXPECT_THAT(error_of_spr(test::with_number(valid, kFramesAt, 1u << 31)), HasSubstr("2147483648 frames"));
   EXPECT_THAT(error_of_spr(test::with_number(valid, kFramesAt, 2)), HasSubstr("frame 1 at offset 0x3a"));
@@ -103,8 +103,11 @@ TEST(Spr, FaultsOfAGroup) {
   EXPECT_THAT(error_of_spr(test::with_number(valid, kGroupAt + 4, 0)),
               HasSubstr("frame 1 at offset 0x3e: empty group"));
   EXPECT_THAT(error_of_spr(test::with_number(valid, kGroupAt + 4, ~0u)), HasSubstr("are left"));
-  EXPECT_THAT(error_of_spr(test::with_number(valid, kGroupAt + 12, 0.5f)),
-              HasSubstr("end time 1 of 2 is 0.5 after 0.5"));
+  const auto with_end = [&](float end_s) {
+    return read_spr(test::with_number(valid, kGroupAt + 12, end_s)).value().frames[1].end_times_s;
+  };
+  for (const float end_s : {0.5f, 0.0f, -3.0f, std::numeric_limits<float>::infinity()})
+    EXPECT_EQ(with_end(end_s), (std::vector<float>{0.5f, 0.5f + 0.1f})) << end_s;
   EXPECT_THAT(error_of_spr(test::with_number(valid, kGroupAt + 16 + 8, 0)),
               HasSubstr("frame 1, picture 0 at offset 0x4e: 0 x 4"));
 }
