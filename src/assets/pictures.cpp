@@ -32,8 +32,9 @@ formats::Picture make_checker(std::uint32_t width, std::uint32_t height) {
   return picture;
 }
 
-// Loads the pictures and the font of gfx.wad. Skips damaged pictures, and names them in `io_bad`. Lumps of
-// other types are not pictures, except the font, which has no header and the type of a texture.
+// Loads the pictures and the font of gfx.wad. Skips damaged pictures, and names them in `io_bad`. The font
+// has no header. Other engines find pictures by name, so those of another type are loaded too; an unreadable
+// lump of such a type is no picture.
 void load_wad(const vfs::FileSystem& files, PictureMap& io_pictures,
               std::optional<formats::Picture>& out_characters, std::vector<std::string>& io_bad) {
   const base::Result<base::ByteVector> bytes = files.read(kWad);
@@ -46,9 +47,9 @@ void load_wad(const vfs::FileSystem& files, PictureMap& io_pictures,
   for (const formats::WadLump& lump : *lumps) {
     const std::string name = base::to_lower(lump.name);
     const bool is_characters = name == kCharacters;
-    if (!is_characters && lump.type != formats::kWadPicture) continue;
     base::Result<formats::Picture> picture =
         is_characters ? formats::read_conchars(lump.data) : formats::read_picture(lump.data);
+    if (!picture.ok() && !is_characters && lump.type != formats::kWadPicture) continue;
     if (!picture.ok())
       io_bad.push_back(fmt::format("{}: {}", base::printable(name), picture.error().message()));
     else if (is_characters)

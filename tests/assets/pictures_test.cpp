@@ -147,6 +147,20 @@ TEST(Pictures, PlaceholdersAreNotReal) {
   EXPECT_NE(loaded.pictures.find_real("sbar"), nullptr);
 }
 
+TEST(Pictures, MayHaveAnyType) {
+  const StockFolder stock;
+  std::vector<formats::WadLump> lumps = stock.lumps();
+  const base::ByteVector colors(768, std::byte{255});
+  for (std::size_t i = 0; i < lumps.size(); ++i) lumps[i].type = static_cast<std::uint8_t>(i);
+  lumps.push_back({"PALETTE", formats::kWadPalette, colors});
+  stock.write_wad(formats::write_wad(lumps).value());
+  const LoadedPictures loaded = load(stock.folder().path());
+  EXPECT_THAT(loaded.notes, IsEmpty());
+  EXPECT_EQ(*loaded.pictures.find_real("sbar"), filled_picture(320, 24, 4));
+  EXPECT_EQ(loaded.pictures.characters().pixels[5], 9);
+  EXPECT_EQ(loaded.pictures.find("palette"), nullptr);
+}
+
 TEST(Pictures, DamagedOnesAreNamedCheckerboards) {
   const StockFolder stock;
   std::vector<formats::WadLump> lumps = stock.lumps();

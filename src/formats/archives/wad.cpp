@@ -1,5 +1,6 @@
 #include "formats/archives/wad.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "base/text.h"
@@ -12,22 +13,25 @@ constexpr std::string_view kWad3Magic = "WAD3";
 constexpr std::size_t kWadHeaderBytes = 12;
 constexpr std::size_t kRecordBytes = 32;
 
-// Returns the part of `wad` that a table entry names; nothing if it is not inside of `wad`.
-base::Bytes find_data(base::Bytes wad, std::int32_t offset, std::int32_t size) {
-  const bool is_inside =
-      offset >= 0 && size >= 0 && std::uint64_t(offset) + std::uint64_t(size) <= wad.size();
-  return is_inside ? wad.subspan(std::size_t(offset), std::size_t(size)) : base::Bytes{};
+// Returns the part of `wad` that begins at `offset` and has the larger of the two sizes. If that is not
+// inside, tries the smaller one, then takes what there is. Other engines do not look at sizes.
+base::Bytes find_data(base::Bytes wad, std::int32_t offset, std::int32_t stored_size, std::int32_t size) {
+  if (offset < 0 || std::size_t(offset) >= wad.size()) return {};
+  const base::Bytes rest = wad.subspan(std::size_t(offset));
+  const auto [smaller, larger] = std::minmax(stored_size, size);
+  for (const std::int32_t bytes : {larger, smaller})
+    if (bytes >= 0 && std::size_t(bytes) <= rest.size()) return rest.first(std::size_t(bytes));
+  return rest;
 }
 
 WadLump read_record(base::ByteReader& io_reader, base::Bytes wad) {
   const std::int32_t offset = io_reader.i32();
+  const std::int32_t stored_size = io_reader.i32();
   const std::int32_t size = io_reader.i32();
-  io_reader.i32();  // the size after decompression
   const std::uint8_t type = io_reader.u8();
-  const std::uint8_t compression = io_reader.u8();
-  io_reader.take(2);  // padding
+  io_reader.take(3);  // the compression, which no known tool uses, and padding
   std::string name = io_reader.fixed_text(kWadNameChars);
-  return {std::move(name), type, compression == 0 ? find_data(wad, offset, size) : base::Bytes{}};
+  return {std::move(name), type, find_data(wad, offset, stored_size, size)};
 }
 
 }  // namespace

@@ -42,9 +42,9 @@ struct WadLump {
   base::Bytes data;
 };
 
-// Returns the lumps in file order. Lumps are inside of `bytes` and may overlap. A lump that is not inside, or
-// is compressed, which no known tool writes, has no data: a game may never use it, and its reader reports
-// the error when it does.
+// Returns the lumps in file order. Lumps are inside of `bytes` and may overlap. A lump whose sizes differ has
+// the larger one that is inside; one that begins outside has no data: a game may never use it, and its reader
+// reports the error when it does. The compression is ignored, because no known tool compresses lumps.
 base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes);
 
 // Checks the first four bytes only.
