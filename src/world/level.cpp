@@ -129,6 +129,7 @@ base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::str
   level->name = std::move(name);
   level->is_half_life = bsp.version == formats::BspVersion::k30;
   if (level->is_half_life) level->hull_boxes = kHalfLifeHulls;
+  if (!bsp.repairs.empty()) level->notes.push_back(std::move(bsp.repairs));
   formats::EntityText text = formats::read_faulty_entities(bsp.entities);
   level->entities = std::move(text.entities);
   if (!text.first_fault.empty())

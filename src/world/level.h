@@ -283,8 +283,9 @@ using ColoredTextures = std::vector<std::optional<formats::ColoredTexture>>;
 // size is ignored, with a note, and so are a damaged light grid and faults of the entity text. Light maps
 // come from DECOUPLED_LM, else from LMSHIFT, else from the faces; damaged lumps are ignored, with a note. A
 // face whose light is outside of the samples has none, with a note. `colored` replaces the texels of the
-// textures of bsp.miptexes with the same index; each must fit its texture's size. Fails if light has a style
-// above 63, or if a face is larger than any real level's (over 2^20 texels).
+// textures of bsp.miptexes with the same index; each must fit its texture's size. A light style above 63 is
+// style 0. A face larger than any real level's (over 2^20 texels) is left out, with a note. Fails if faces
+// share their light samples too often.
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
                                                       const formats::Lit* lit = nullptr,
                                                       ColoredTextures colored = {});

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 
 #include "client/demo/demo_player.h"
@@ -278,6 +279,31 @@ TEST(Server, LevelWithNewLightIsReloadedAndTheGameContinues) {
   ASSERT_TRUE(served.client(me).is_playing()) << served.console();
   EXPECT_THAT(served.console(), HasSubstr("the game continues"));
   EXPECT_EQ(served.game().player(0)[server::field::kHealth], 42);
+}
+
+TEST(Server, PlayersSpawnInADamagedLevel) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served;
+  const std::size_t me = served.add_client("tester");
+  ASSERT_TRUE(served.run_until_playing(me));
+  const math::Vec3 start = served.game().player(0)[server::field::kOrigin];
+  change_level_file(served, [](formats::Bsp& level) {
+    constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+    level.models[0].head_nodes[3] = 99999;
+    level.models[0].visible_leaves = 99999;
+    level.models.back().mins.x = level.models.back().origin.y = kNoNumber;
+    for (formats::BspPlane& plane : level.planes) plane.type = 99;
+    for (formats::BspLeaf& leaf : level.leaves) leaf.visibility_offset = 1 << 28;
+    level.faces[0].side = 7;
+    level.faces[1].styles[0] = 200;
+    level.texinfos[0].miptex = 5000;
+    level.vertices[0].z = kNoNumber;
+  });
+  served.command("map small");
+  served.run(3);
+  ASSERT_TRUE(served.client(me).is_playing()) << served.console();
+  EXPECT_THAT(served.console(), HasSubstr("repaired or left out"));
+  EXPECT_LT(glm::distance(start, served.game().player(0)[server::field::kOrigin]), 5);
 }
 
 TEST(Server, PlayersStayWhereTheyAreWhenTheirLevelRestarts) {

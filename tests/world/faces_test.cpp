@@ -189,25 +189,40 @@ TEST(Faces, HaveNoLightIfItWouldBePastTheEnd) {
   }
 }
 
-TEST(Faces, LightStyleThatNoTableHoldsIsAnError) {
+TEST(Faces, LightStyleThatNoTableHoldsIsNormal) {
   formats::Bsp bsp = artgen::make_small_level({.tiny = true});
   formats::BspFace& face = bsp.faces[find_lit_face(bsp)];
-  face.styles[0] = 63;
-  EXPECT_TRUE(make_level(bsp, "last style").ok());
-  face.styles[0] = 64;
-  EXPECT_FALSE(make_level(bsp, "no such style").ok());
+  for (const auto& [style, used] : {std::pair<int, int>{63, 63}, {64, 0}, {200, 0}, {254, 0}}) {
+    face.styles[0] = static_cast<std::uint8_t>(style);
+    const auto level = make_level(bsp, "style");
+    ASSERT_TRUE(level.ok()) << level.error().message();
+    EXPECT_EQ((*level)->faces[find_lit_face(bsp)].styles[0], used) << style;
+  }
 }
 
-TEST(Faces, AbsurdTextureScaleIsAnError) {
+void expect_all_left_out(const base::Result<std::shared_ptr<const Level>>& level) {
+  ASSERT_TRUE(level.ok()) << level.error().message();
+  ASSERT_EQ((*level)->notes.size(), 1u);
+  EXPECT_EQ((*level)->notes[0].find(base::counted((*level)->faces.size(), "face") + " left out: "), 0u);
+  for (const Face& face : (*level)->faces) {
+    EXPECT_EQ(face.kind, FaceKind::kUnlit);
+    EXPECT_EQ(face.texture_extents, (std::array<std::int32_t, 2>{0, 0}));
+    for (std::uint32_t i = 1; i < face.surfedge_count; ++i)
+      EXPECT_EQ((*level)->surfedge_start(face.first_surfedge + i),
+                (*level)->surfedge_start(face.first_surfedge));
+  }
+}
+
+TEST(Faces, AbsurdTextureScaleLeavesFacesOut) {
   const formats::Bsp bsp = artgen::make_small_level({.tiny = true});
   for (const float scale : {1e6f, 1e20f, 3e38f, -3e38f}) {
     formats::Bsp scaled = bsp;
     for (formats::BspTexinfo& info : scaled.texinfos) info.t_axis *= scale;
-    EXPECT_FALSE(make_level(scaled, "scaled").ok()) << scale;
+    expect_all_left_out(make_level(scaled, "scaled"));
   }
   formats::Bsp shifted = bsp;
   for (formats::BspTexinfo& info : shifted.texinfos) info.s_offset = 3e7f;
-  EXPECT_FALSE(make_level(shifted, "shifted").ok());
+  expect_all_left_out(make_level(shifted, "shifted"));
 }
 
 }  // namespace

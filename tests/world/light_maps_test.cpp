@@ -151,8 +151,8 @@ TEST(LightMaps, DamagedLumpsAreIgnoredWithANote) {
     formats::set_scaled_light(maps, bsp);
     return find_notes(stock, bsp);
   };
-  for (const auto& notes : {with_scaled({4, samples, {0, 255, 255, 255}}), with_scaled({0, 0, {0, 1, 2, 3}}),
-                            with_scaled({4, 0, {64, 255, 255, 255}})}) {
+  for (const auto& notes :
+       {with_scaled({4, samples, {0, 255, 255, 255}}), with_scaled({0, 0, {0, 1, 2, 3}})}) {
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_TRUE(notes[0].starts_with("lump LMSHIFT: " + face + ": ")) << notes[0];
     EXPECT_TRUE(notes[0].ends_with("; it is ignored")) << notes[0];

@@ -125,6 +125,7 @@ base::Status take_portal_file(const fs::path& path, compiler::Build& io_build) {
 base::Result<compiler::Build> read_level_build(const fs::path& bsp_path, bool water_is_transparent) {
   TRY(const base::ByteVector bytes, vfs::read_disk_file(bsp_path));
   TRY(formats::Bsp bsp, formats::read_bsp(bytes).with_file(bsp_path.string()));
+  if (!bsp.repairs.empty()) print_note(fmt::format("{}: {}", bsp_path.string(), bsp.repairs));
   std::optional<formats::Lit> lit;
   const fs::path lit_path = make_level_paths(bsp_path).lit;
   if (const auto lit_bytes = vfs::read_disk_file(lit_path); lit_bytes.ok()) {

@@ -25,7 +25,9 @@ base::Result<formats::Bsp> read_back(const formats::Bsp& bsp, const CompileOptio
   base::Result<base::ByteVector> bytes = formats::write_bsp(bsp, version);
   if (!bytes.ok() && version == BspVersion::k29) bytes = formats::write_bsp(bsp, BspVersion::kBsp2);
   TRY(const base::ByteVector written, std::move(bytes));
-  return formats::read_bsp(written);
+  TRY(formats::Bsp back, formats::read_bsp(written));
+  if (!back.repairs.empty()) return base::malformed("{}", back.repairs);
+  return back;
 }
 
 // Textures come first: a .bsp stores no names for textures without pixels.

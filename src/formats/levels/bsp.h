@@ -166,6 +166,9 @@ struct Bsp {
   std::vector<std::int32_t> surfedges;  // negative: edge -value, traversed backward
   std::vector<BspModel> models;
   std::vector<BspxLump> bspx;
+  // Damage that read_bsp() has repaired, in a sentence that names the first damaged record; empty: none. It
+  // is not part of the file.
+  std::string repairs;
 
   // Returns the first BSPX lump with this name, or null.
   const BspxLump* find_bspx(std::string_view name) const;
@@ -179,10 +182,11 @@ struct Bsp {
 //
 // Normalizes on the way, without loss: the entity text ends at its first zero; in a level without visibility,
 // every leaf's offset becomes -1; in a level without clipnodes, hulls 1-3 become empty contents; a plane of
-// type 0-2 whose normal is not that axis gets type 3-5; bounds are clamped to +-kBspMaxCoordinate; texture
+// type 0-2 whose normal is not that axis, or of an unknown type, gets the right one; bounds are clamped to
+// +-kBspMaxCoordinate; texture
 // names are truncated to 15 characters; bytes after the last lump that are not BSPX are ignored. Replaces
 // what a game does not need: records that it never reaches (bsp/unused.h), damaged textures (bsp/textures.h),
-// and damaged BSPX lumps.
+// and damaged BSPX lumps. Repairs what other engines ignore (bsp/repair.h), and notes that in `repairs`.
 base::Result<Bsp> read_bsp(base::Bytes bytes);
 
 // Writes a level as `version`, without validation. Version 30 has no gray samples: it gets the colors of the

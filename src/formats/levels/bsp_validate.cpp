@@ -17,11 +17,8 @@ BspFault fault(BspLump lump, std::size_t record, fmt::format_string<Args...> rea
   return {lump, record, fmt::format(reason, std::forward<Args>(args)...)};
 }
 
-bool is_sane(float value) {
+bool is_sane_number(float value) {
   return std::abs(value) <= kBspMaxCoordinate;  // false for NaN
-}
-bool is_sane(const math::Vec3& vector) {
-  return is_sane(vector.x) && is_sane(vector.y) && is_sane(vector.z);
 }
 
 // Finds the first range [first, first + count) that exceeds an array of `size`, or makes the total of all
@@ -42,23 +39,26 @@ Fault check_ranges(const std::vector<Record>& records, BspLump lump, std::size_t
   return std::nullopt;
 }
 
-Fault check_planes(const Bsp& bsp) {
+Fault check_plane(const BspPlane& plane, std::size_t i) {
   constexpr BspLump kLump = BspLump::kPlanes;
   constexpr float kLengthSquaredTolerance = 0.02f;
-  for (std::size_t i = 0; i < bsp.planes.size(); ++i) {
-    const BspPlane& plane = bsp.planes[i];
-    if (!is_sane(plane.normal) || !is_sane(plane.distance))
-      return fault(kLump, i, "a number is not finite or too large");
-    const float length_squared = glm::dot(plane.normal, plane.normal);
-    if (std::abs(length_squared - 1) > kLengthSquaredTolerance)
-      return fault(kLump, i, "the length of the normal is {}, not 1", std::sqrt(length_squared));
-    if (plane.type < 0 || plane.type > 5) return fault(kLump, i, "type {} is not 0 to 5", plane.type);
-    math::Vec3 axis(0.0f);
-    axis[plane.type % 3] = 1;
-    if (plane.type < 3 && plane.normal != axis)
-      return fault(kLump, i, "type {} does not fit the normal {} {} {}", plane.type, plane.normal.x,
-                   plane.normal.y, plane.normal.z);
-  }
+  if (!is_sane(plane.normal) || !is_sane_number(plane.distance))
+    return fault(kLump, i, "a number is not finite or too large");
+  const float length_squared = glm::dot(plane.normal, plane.normal);
+  if (std::abs(length_squared - 1) > kLengthSquaredTolerance)
+    return fault(kLump, i, "the length of the normal is {}, not 1", std::sqrt(length_squared));
+  if (plane.type < 0 || plane.type > 5) return fault(kLump, i, "type {} is not 0 to 5", plane.type);
+  math::Vec3 axis(0.0f);
+  axis[plane.type % 3] = 1;
+  if (plane.type < 3 && plane.normal != axis)
+    return fault(kLump, i, "type {} does not fit the normal {} {} {}", plane.type, plane.normal.x,
+                 plane.normal.y, plane.normal.z);
+  return std::nullopt;
+}
+
+Fault check_planes(const Bsp& bsp) {
+  for (std::size_t i = 0; i < bsp.planes.size(); ++i)
+    if (auto found = check_plane(bsp.planes[i], i)) return found;
   return std::nullopt;
 }
 
@@ -94,9 +94,7 @@ Fault check_texinfos(const Bsp& bsp) {
   constexpr BspLump kLump = BspLump::kTexinfo;
   for (std::size_t i = 0; i < bsp.texinfos.size(); ++i) {
     const BspTexinfo& texinfo = bsp.texinfos[i];
-    if (!is_sane(texinfo.s_axis) || !is_sane(texinfo.t_axis) || !is_sane(texinfo.s_offset) ||
-        !is_sane(texinfo.t_offset))
-      return fault(kLump, i, "a number is not finite or too large");
+    if (!is_sane(texinfo)) return fault(kLump, i, "a number is not finite or too large");
     if (texinfo.miptex < 0 || static_cast<std::size_t>(texinfo.miptex) >= bsp.miptexes.size())
       return fault(kLump, i, "texture {} is past the end ({})", texinfo.miptex, bsp.miptexes.size());
   }
@@ -194,16 +192,6 @@ Fault check_marksurfaces(const Bsp& bsp) {
   return std::nullopt;
 }
 
-// Checks a child of a node, or a head node of hull 0.
-bool is_node_or_leaf(const Bsp& bsp, std::int32_t child) {
-  return child >= 0 ? static_cast<std::size_t>(child) < bsp.nodes.size()
-                    : static_cast<std::size_t>(~child) < bsp.leaves.size();
-}
-
-bool is_clipnode_or_contents(const Bsp& bsp, std::int32_t child) {
-  return child >= 0 ? static_cast<std::size_t>(child) < bsp.clipnodes.size() : child >= kBspMinContents;
-}
-
 Fault check_nodes(const Bsp& bsp) {
   constexpr BspLump kLump = BspLump::kNodes;
   for (std::size_t i = 0; i < bsp.nodes.size(); ++i) {
@@ -265,6 +253,36 @@ std::optional<BspFault> find_fault(const Bsp& bsp) {
                       bsp_file::check_node_trees, bsp_file::check_clipnode_trees})
     if (auto found = check(bsp)) return found;
   return std::nullopt;
+}
+
+bool is_sane(const math::Vec3& vector) {
+  return is_sane_number(vector.x) && is_sane_number(vector.y) && is_sane_number(vector.z);
+}
+
+bool is_sane(const BspTexinfo& texinfo) {
+  return is_sane(texinfo.s_axis) && is_sane(texinfo.t_axis) && is_sane_number(texinfo.s_offset) &&
+         is_sane_number(texinfo.t_offset);
+}
+
+bool is_valid_plane(const BspPlane& plane) {
+  return !check_plane(plane, 0).has_value();
+}
+
+std::int32_t find_plane_type(const math::Vec3& normal) {
+  const math::Vec3 size = glm::abs(normal);
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  math::Vec3 unit(0.0f);
+  unit[axis] = 1;
+  return normal == unit ? axis : 3 + axis;
+}
+
+bool is_node_or_leaf(const Bsp& bsp, std::int32_t child) {
+  return child >= 0 ? static_cast<std::size_t>(child) < bsp.nodes.size()
+                    : static_cast<std::size_t>(~child) < bsp.leaves.size();
+}
+
+bool is_clipnode_or_contents(const Bsp& bsp, std::int32_t child) {
+  return child >= 0 ? static_cast<std::size_t>(child) < bsp.clipnodes.size() : child >= kBspMinContents;
 }
 
 }  // namespace temblor::formats

@@ -1,5 +1,6 @@
 // Validation of a level. Every Bsp from read_bsp() satisfies these rules, so no other code needs to check
-// them. (If a rule is broken, it first replaces the records that no game reaches: bsp/unused.h.)
+// them. (If a rule is broken, it first replaces the records that no game reaches, bsp/unused.h, and repairs
+// others, bsp/repair.h.)
 //
 // numbers    finite, coordinates, axes and offsets within +-kBspMaxCoordinate
 // planes     normals of length 1 (to 1 %); type 0-5; types 0-2 have exactly that axis, positive, as normal
@@ -47,5 +48,15 @@ struct BspFault {
 
 // Returns the first violation, or nullopt.
 std::optional<BspFault> find_fault(const Bsp& bsp);
+
+// The rules of single records, for find_fault() and for repair.
+bool is_sane(const math::Vec3& vector);
+bool is_sane(const BspTexinfo& texinfo);  // its axes and offsets
+bool is_valid_plane(const BspPlane& plane);
+std::int32_t find_plane_type(const math::Vec3& normal);  // 0 to 5
+// Whether a child of a node, or a head of hull 0, exists.
+bool is_node_or_leaf(const Bsp& bsp, std::int32_t child);
+// Whether a child of a clipnode, or a head of hulls 1 to 3, exists or is contents.
+bool is_clipnode_or_contents(const Bsp& bsp, std::int32_t child);
 
 }  // namespace temblor::formats

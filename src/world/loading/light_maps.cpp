@@ -55,10 +55,8 @@ base::Status set_light(const Level& level, const formats::FaceStyles& styles, st
   if (offset < 0) return base::Ok{};
   for (const std::uint8_t style : styles) {
     if (style == kNoStyle) break;
-    if (style >= kLightStyles)
-      return base::malformed("face {}: light style {}, but the highest is {}", number, style,
-                             kLightStyles - 1);
-    io_face.styles[io_face.style_count++] = style;
+    // No game can set a higher style. In the original, those have normal light, as style 0 has.
+    io_face.styles[io_face.style_count++] = style < kLightStyles ? style : std::uint8_t{0};
   }
   if (io_face.style_count == 0) return base::Ok{};
   const auto first = static_cast<std::uint64_t>(offset);

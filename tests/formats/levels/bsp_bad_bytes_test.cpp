@@ -69,8 +69,9 @@ TEST(BspBadBytes, FlippedBitsFailOrLeaveValidLevel) {
     const std::size_t flips = 1 + random.below(8);
     for (std::size_t i = 0; i < flips; ++i)
       file[random.below(file.size())] ^= static_cast<std::byte>(1u << random.below(8));
-    const auto bsp = read_bsp(file);
+    auto bsp = read_bsp(file);
     if (!bsp.ok()) continue;
+    bsp->repairs.clear();
     ++sound;
     const auto again = write_bsp(*bsp, bsp->version);
     ASSERT_TRUE(again.ok()) << "seed " << run << ": " << again.error().message();
@@ -126,13 +127,16 @@ TEST(BspBadBytes, LumpsMadeOfTheSameBytes) {
   EXPECT_EQ(error_of_bsp(file).substr(0, 13), "lumps overlap");
 }
 
+// The textures that the table still lists are kept; the numbers after it are no headers.
 TEST(BspBadBytes, TextureCounts) {
+  const Bsp room = read_bsp(test::make_cube_room_file(BspVersion::k29)).value();
   for (const std::uint32_t count : {0x80000000u, 0xffffffffu, 0x1000u}) {
     auto file = test::make_cube_room_file(BspVersion::k29);
     poke(file, read_lump_offset(file, BspLump::kTextures), count);
-    EXPECT_NE(error_of_bsp(file).find(fmt::format("lump textures: {} textures do not fit", count)),
-              std::string::npos)
-        << error_of_bsp(file);
+    const auto back = read_bsp(file);
+    ASSERT_TRUE(back.ok()) << back.error().message();
+    EXPECT_GT(back->miptexes.size(), room.miptexes.size());
+    EXPECT_EQ(back->miptexes[0], room.miptexes[0]);
   }
 }
 

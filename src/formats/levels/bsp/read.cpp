@@ -1,14 +1,17 @@
 // Reads a level: the header, the records of each lump (records.h), and BSPX; then validates all with
-// find_fault(), without the records that no game reaches.
+// find_fault(), without the records that no game reaches and after repair.
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <glm/common.hpp>
 #include <span>
 
+#include "base/text.h"
 #include "formats/levels/bsp.h"
 #include "formats/levels/bsp/bspx.h"
 #include "formats/levels/bsp/half_life.h"
 #include "formats/levels/bsp/lumps.h"
 #include "formats/levels/bsp/records.h"
+#include "formats/levels/bsp/repair.h"
 #include "formats/levels/bsp/textures.h"
 #include "formats/levels/bsp/unused.h"
 #include "formats/levels/bsp_validate.h"
@@ -18,12 +21,6 @@ namespace bsp_file {
 namespace {
 
 constexpr std::int32_t kEmptyContents = -1;
-
-math::Vec3 axis_normal(std::int32_t axis) {
-  math::Vec3 normal(0.0f);
-  normal[axis] = 1;
-  return normal;
-}
 
 // An Io for records.h that reads fields.
 class RecordReader {
@@ -110,7 +107,7 @@ base::Result<Bsp> read_lumps(base::Bytes file, const Header& header) {
   const std::string_view text = base::as_text(lumps.bytes(BspLump::kEntities));
   bsp.entities = text.substr(0, text.find('\0'));
   TRY(bsp.planes, lumps.records<BspPlane>(BspLump::kPlanes));
-  TRY(bsp.miptexes, read_textures(lumps.bytes(BspLump::kTextures), header.version));
+  bsp.miptexes = read_textures(lumps.bytes(BspLump::kTextures), header.version);
   TRY(bsp.vertices, lumps.records<math::Vec3>(BspLump::kVertices));
   bsp.visibility = lumps.numbers(BspLump::kVisibility);
   TRY(bsp.nodes, lumps.records<BspNode>(BspLump::kNodes));
@@ -127,17 +124,13 @@ base::Result<Bsp> read_lumps(base::Bytes file, const Header& header) {
   return bsp;
 }
 
-std::int32_t dominant_axis(const math::Vec3& normal) {
-  const math::Vec3 size = glm::abs(normal);
-  if (size.x >= size.y && size.x >= size.z) return 0;
-  return size.y >= size.z ? 1 : 2;
-}
-
-// Gives a plane of an axial type whose normal is not exactly that axis a non-axial type.
+// No engine needs the type of a plane: it follows from the normal. Types 3 to 5 are kept, because compilers
+// differ in how they choose among equal components.
 void correct_plane_types(std::vector<BspPlane>& io_planes) {
-  for (BspPlane& plane : io_planes)
-    if (plane.type >= 0 && plane.type < 3 && plane.normal != axis_normal(plane.type))
-      plane.type = 3 + dominant_axis(plane.normal);
+  for (BspPlane& plane : io_planes) {
+    const std::int32_t type = find_plane_type(plane.normal);
+    if (plane.type < 0 || plane.type > 5 || (plane.type < 3 && plane.type != type)) plane.type = type;
+  }
 }
 
 // Resets offsets into empty lumps, which compilers leave at 0.
@@ -192,6 +185,19 @@ base::Error describe(const BspFault& fault, const Header& header) {
                          *fault.record, offset, fault.reason);
 }
 
+// Repairs the level, and describes that with the first fault. Returns an error for a fault that remains.
+base::Status repair(const BspFault& first_fault, const Header& header, Bsp& io_bsp) {
+  const std::size_t changed = repair_level(io_bsp);
+  if (const auto fault = find_fault(io_bsp)) return describe(*fault, header);
+  io_bsp.repairs = describe(first_fault, header).what;
+  if (changed > 1)
+    io_bsp.repairs += fmt::format("; this and {} are repaired or left out",
+                                  base::counted(changed - 1, "other damaged record"));
+  else
+    io_bsp.repairs += "; it is repaired or left out";
+  return base::Ok{};
+}
+
 }  // namespace
 }  // namespace bsp_file
 
@@ -201,12 +207,11 @@ base::Result<Bsp> read_bsp(base::Bytes bytes) {
   bsp_file::correct_plane_types(bsp.planes);
   bsp_file::clear_offsets_into_empty_lumps(bsp);
   if (bsp.version == BspVersion::k30) bsp_file::separate_gray_light(bsp);
-  auto fault = find_fault(bsp);
-  if (fault) {
+  if (auto fault = find_fault(bsp)) {
     bsp_file::reset_unused(bsp);
     fault = find_fault(bsp);
+    if (fault) TRY_STATUS(bsp_file::repair(*fault, header, bsp));
   }
-  if (fault) return bsp_file::describe(*fault, header);
   return bsp;
 }
 

@@ -103,14 +103,11 @@ base::Status write_texture(base::ByteWriter& writer, const BspMiptex& texture, B
 
 }  // namespace
 
-base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump, BspVersion version) {
+std::vector<BspMiptex> read_textures(base::Bytes lump, BspVersion version) {
   std::vector<BspMiptex> textures;
   if (lump.empty()) return textures;
   base::ByteReader reader(lump);
-  const std::uint32_t count = reader.u32();
-  if (!reader.ok() || count > reader.remaining() / 4)
-    return base::malformed("lump textures: {} textures do not fit into {} bytes", count, lump.size());
-
+  const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(reader.u32(), reader.remaining() / 4));
   textures.reserve(count);
   std::size_t budget_bytes = lump.size();
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -19,12 +19,12 @@
 
 namespace temblor::formats::bsp_file {
 
-// Returns an error if the table exceeds the lump. A texture whose header is outside of the lump is not
-// present. One whose size is not 1..kBspMaxTextureSize, or whose mip 0 exceeds the lump, alone or together
-// with the textures before it, keeps its name and has no mip levels. If only a smaller mip level is outside,
-// it is sampled from mip 0, because other engines never read it.
-// One whose palette exceeds the lump has none, which means the game's.
-base::Result<std::vector<BspMiptex>> read_textures(base::Bytes lump, BspVersion version);
+// A table that exceeds the lump ends with it. A texture whose header is outside of the lump is not present.
+// One whose size is not 1..kBspMaxTextureSize, or whose mip 0 exceeds the lump, alone or together with the
+// textures before it, keeps its name and has no mip levels. If only a smaller mip level is outside, it is
+// sampled from mip 0, because other engines never read it. One whose palette exceeds the lump has none, which
+// means the game's.
+std::vector<BspMiptex> read_textures(base::Bytes lump, BspVersion version);
 
 // Returns kTooLarge for a name over 15 characters.
 // Palettes are written in version 30 only.

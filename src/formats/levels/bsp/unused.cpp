@@ -4,12 +4,13 @@
 #include <cstdlib>
 #include <utility>
 
+#include "formats/levels/bsp/repair_faces.h"
+
 namespace temblor::formats::bsp_file {
 namespace {
 
 constexpr BspPlane kSomePlane{{1, 0, 0}, 0, 0};
 constexpr std::int32_t kSolidLeaf = -2, kEmptyClip = -1;  // contents
-constexpr std::size_t kMinFaceEdges = 3;
 
 // The records of one lump that are in use.
 class Marks {
@@ -139,28 +140,15 @@ void reset(std::vector<Record>& io_records, const Marks& used, const Record& rep
     if (!used[i]) io_records[i] = replacement;
 }
 
-// Gives each unused face an outline of its own, because no two faces may share surfedges.
-void reset_faces(Bsp& io_bsp, const Marks& used) {
-  const auto edge = static_cast<std::int32_t>(io_bsp.edges.size());
-  io_bsp.edges.emplace_back();  // from vertex 0 to vertex 0
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (used[i]) continue;
-    io_bsp.faces[i] = BspFace{};
-    io_bsp.faces[i].first_surfedge = static_cast<std::uint32_t>(io_bsp.surfedges.size());
-    io_bsp.faces[i].surfedge_count = kMinFaceEdges;
-    io_bsp.surfedges.insert(io_bsp.surfedges.end(), kMinFaceEdges, edge);
-  }
-}
-
 template <typename Record>
 void make_not_empty(std::vector<Record>& io_records, const Record& record) {
   if (io_records.empty()) io_records.push_back(record);
 }
 
-bool are_all_used(const Marks& used) {
-  for (std::size_t i = 0; i < used.size(); ++i)
-    if (!used[i]) return false;
-  return true;
+std::vector<bool> list_unused(const Marks& used) {
+  std::vector<bool> unused(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i) unused[i] = !used[i];
+  return unused;
 }
 
 }  // namespace
@@ -190,10 +178,7 @@ void reset_unused(Bsp& io_bsp) {
   reset(io_bsp.marksurfaces, used.marksurfaces, 0u);
   make_not_empty(io_bsp.planes, kSomePlane);
   make_not_empty(io_bsp.vertices, math::Vec3(0.0f));
-  if (!are_all_used(used.faces)) {
-    make_not_empty(io_bsp.texinfos, BspTexinfo{});
-    reset_faces(io_bsp, used.faces);
-  }
+  clear_faces(io_bsp, list_unused(used.faces));
   if (!io_bsp.texinfos.empty()) make_not_empty(io_bsp.miptexes, BspMiptex{});
   if (!io_bsp.surfedges.empty()) make_not_empty(io_bsp.edges, BspEdge{});
 }
