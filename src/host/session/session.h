@@ -34,7 +34,8 @@ class Session {
 
   // Starts a server for this number of players and connects to it. Keeps the running server if it has the
   // same number of players. With more than one, others may join over UDP at `port`; fails if the port is not
-  // free. The server has no level until server::start_map() or load_saved_game(). `now_s`: the window's clock.
+  // free. The server has no level until server::start_map() or load_saved_game(). `now_s`: the window's
+  // clock.
   base::Status open_server(std::uint32_t max_clients, std::uint16_t port,
                            const client::PlayerSettings& player, double now_s);
   // Null: no server runs in this program.
