@@ -44,6 +44,16 @@ std::size_t command_length(std::string_view text) {
   return text.size();
 }
 
+std::vector<std::string_view> split_commands(std::string_view text) {
+  std::vector<std::string_view> commands;
+  while (!text.empty()) {
+    const std::size_t length = command_length(text);
+    commands.push_back(text.substr(0, length));
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return commands;
+}
+
 std::vector<std::string> split_words(std::string_view command) {
   std::vector<std::string> words;
   std::size_t i = 0;

@@ -20,6 +20,9 @@ namespace temblor::command {
 // the line belongs to the command. 0 for an empty command.
 std::size_t command_length(std::string_view text);
 
+// Splits a text into its commands, as parts of `text`; some may be empty.
+std::vector<std::string_view> split_commands(std::string_view text);
+
 // Splits a command into words and removes quotes; so words may be empty. An unclosed quote ends with the
 // text.
 std::vector<std::string> split_words(std::string_view command);

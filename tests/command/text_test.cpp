@@ -29,6 +29,12 @@ TEST(CommandLength, QuotesHoldSemicolonsButNotNewlines) {
   EXPECT_EQ(first_command("say \"open\nnext"), "say \"open");
 }
 
+TEST(SplitCommands, KeepsEmptyCommandsAndComments) {
+  EXPECT_EQ(split_commands("a; \"b;c\" // d;e\n;f\n"),
+            (std::vector<std::string_view>{"a", " \"b;c\" // d;e", "", "f"}));
+  EXPECT_TRUE(split_commands("").empty());
+}
+
 TEST(CommandLength, CommentsReachToTheEndOfTheLine) {
   EXPECT_EQ(first_command("god // be; strong \"\nnext"), "god // be; strong \"");
   EXPECT_EQ(first_command("say \"http://x\"; next"), "say \"http://x\"");

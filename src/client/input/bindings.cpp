@@ -87,12 +87,10 @@ std::size_t to_index(Key key) {
 // the '+' commands had.
 std::string make_release_commands(std::string_view commands, Key key) {
   std::string ending;
-  while (!commands.empty()) {
-    const std::size_t length = command::command_length(commands);
-    const std::vector<std::string> words = command::split_words(commands.substr(0, length));
+  for (const std::string_view command : command::split_commands(commands)) {
+    const std::vector<std::string> words = command::split_words(command);
     if (!words.empty() && words[0].starts_with('+'))
       ending += fmt::format("-{} {}\n", words[0].substr(1), to_index(key));
-    commands.remove_prefix(std::min(length + 1, commands.size()));
   }
   return ending;
 }
@@ -101,15 +99,12 @@ std::string make_release_commands(std::string_view commands, Key key) {
 // action held by two keys lasts until both are released.
 std::string make_press_commands(std::string_view commands, Key key) {
   std::string beginning;
-  while (!commands.empty()) {
-    const std::size_t length = command::command_length(commands);
-    const std::string_view command = commands.substr(0, length);
+  for (const std::string_view command : command::split_commands(commands)) {
     const std::vector<std::string> words = command::split_words(command);
     if (!words.empty() && words[0].starts_with('+'))
       beginning += fmt::format("{} {}\n", words[0], to_index(key));
     else
       beginning += fmt::format("{}\n", command);
-    commands.remove_prefix(std::min(length + 1, commands.size()));
   }
   return beginning;
 }

@@ -25,16 +25,6 @@ bool contains(std::span<const std::string_view> names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<std::string_view> split_commands(std::string_view line) {
-  std::vector<std::string_view> commands;
-  while (!line.empty()) {
-    const std::size_t length = command::command_length(line);
-    commands.push_back(line.substr(0, length));
-    line.remove_prefix(std::min(length + 1, line.size()));
-  }
-  return commands;
-}
-
 // Commands that keys and aliases may run, too.
 bool is_safe_to_bind(std::string_view name, const command::Aliases& aliases) {
   const auto alias = aliases.find(name);
@@ -44,7 +34,7 @@ bool is_safe_to_bind(std::string_view name, const command::Aliases& aliases) {
 }
 
 bool is_text_safe_to_bind(std::string_view text, const command::Aliases& aliases) {
-  for (const std::string_view command : split_commands(text)) {
+  for (const std::string_view command : command::split_commands(text)) {
     const std::vector<std::string> words = command::split_words(command);
     if (!words.empty() && !is_safe_to_bind(base::to_lower(words[0]), aliases)) return false;
   }
@@ -74,7 +64,7 @@ command::Alias find_alias(const command::Aliases& aliases, const std::string& na
 
 bool may_be_stuffed(std::string_view line, const command::Aliases& aliases) {
   bool has_command = false;
-  for (const std::string_view command : split_commands(line)) {
+  for (const std::string_view command : command::split_commands(line)) {
     const std::vector<std::string> words = command::split_words(command);
     if (words.empty()) continue;
     has_command = true;
