@@ -7,9 +7,10 @@
 
 namespace temblor::render {
 
-// `count` pixels of a row. A pixel is drawn if depth * nearer >= z and its texel is not clear.
+// `count` pixels of a row. A pixel is drawn if depth * nearer >= z and its texel is not clear. Fog gives
+// clear colors a hue, but their alpha stays 0.
 struct MergeRow {
-  const void* texels;  // bytes (255: clear) or 0xffRRGGBB (0: clear)
+  const void* texels;  // bytes (255: clear) or 0xffRRGGBB (0x00RRGGBB: clear)
   const float* depth;  // of the texels
   void* pixels;        // of the frame, which are changed
   float* z;            // the depth of those pixels

@@ -42,10 +42,12 @@ HWY_INLINE Mask InFront(const MergeRow& row, int i) {
   return hn::RebindMask(DU(), hn::Ge(depth, hn::LoadU(d, row.z + i)));
 }
 
-// Removes clear texels from `shown`.
-HWY_INLINE Mask NotClear(const MergeRow& row, hn::Vec<DU> texels, uint32_t clear, Mask shown) {
-  const DU du;
-  return row.has_holes ? hn::And(shown, hn::Ne(texels, hn::Set(du, clear))) : shown;
+// Remove clear texels from `shown`.
+HWY_INLINE Mask NotClearBytes(const MergeRow& row, hn::Vec<DU> texels, Mask shown) {
+  return row.has_holes ? hn::And(shown, hn::Ne(texels, hn::Set(DU(), 255))) : shown;
+}
+HWY_INLINE Mask NotClearColors(const MergeRow& row, hn::Vec<DU> texels, Mask shown) {
+  return row.has_holes ? hn::And(shown, hn::Ne(hn::ShiftRight<24>(texels), hn::Zero(DU()))) : shown;
 }
 
 HWY_INLINE void WriteDepth(const MergeRow& row, int i, Mask shown) {
@@ -67,7 +69,7 @@ void MergeOpaqueU8(const MergeRow& row) {
   int i = 0;
   for (; i + lanes <= row.count; i += lanes) {
     const auto texels = LoadBytes(row.texels, i);
-    const auto shown = NotClear(row, texels, 255, InFront(row, i));
+    const auto shown = NotClearBytes(row, texels, InFront(row, i));
     if (hn::AllFalse(du, shown)) continue;
     StoreBytes(hn::IfThenElse(shown, texels, LoadBytes(row.pixels, i)), row.pixels, i);
     WriteDepth(row, i, shown);
@@ -82,7 +84,7 @@ void MergeOpaqueU32(const MergeRow& row) {
   int i = 0;
   for (; i + lanes <= row.count; i += lanes) {
     const auto texels = hn::LoadU(du, static_cast<const uint32_t*>(row.texels) + i);
-    const auto shown = NotClear(row, texels, 0, InFront(row, i));
+    const auto shown = NotClearColors(row, texels, InFront(row, i));
     if (hn::AllFalse(du, shown)) continue;
     hn::StoreU(hn::IfThenElse(shown, texels, hn::LoadU(du, pixels + i)), du, pixels + i);
     WriteDepth(row, i, shown);
@@ -98,7 +100,7 @@ void MergeBlendU8(const MergeRow& row) {
   int i = 0;
   for (; i + lanes <= row.count; i += lanes) {
     const auto texels = LoadBytes(row.texels, i);
-    const auto shown = NotClear(row, texels, 255, InFront(row, i));
+    const auto shown = NotClearBytes(row, texels, InFront(row, i));
     if (hn::AllFalse(du, shown)) continue;
     const auto under = LoadBytes(row.pixels, i);
     // The table is looked up one pixel at a time: a gather of bytes is slower.
@@ -122,7 +124,7 @@ void MergeBlendU32(const MergeRow& row) {
   int i = 0;
   for (; i + lanes <= row.count; i += lanes) {
     const auto texels = hn::LoadU(du, static_cast<const uint32_t*>(row.texels) + i);
-    const auto shown = NotClear(row, texels, 0, InFront(row, i));
+    const auto shown = NotClearColors(row, texels, InFront(row, i));
     if (hn::AllFalse(du, shown)) continue;
     const auto under = hn::LoadU(du, pixels + i);
     const auto low = hn::Add(hn::Mul(hn::BitCast(d16, hn::And(texels, two)), over),

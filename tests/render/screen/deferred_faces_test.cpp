@@ -345,6 +345,38 @@ TEST(DeferredFaces, BlendBrushModels) {
   EXPECT_LE(off * 100, blended) << off << " of " << blended;
 }
 
+// Through the holes of a translucent model, the picture behind shows, whatever the fog.
+TEST(DeferredFaces, StayClearInFog) {
+  const DrawableLevel fenced = with_fences(small_level());
+  auto solid = std::make_shared<world::Level>(*fenced.level);
+  solid->identity = std::make_shared<const world::LevelIdentity>();
+  for (world::Texture& texture : solid->textures)
+    if (texture.kind == world::TextureKind::kCutout) texture.kind = world::TextureKind::kOpaque;
+  std::size_t holes = 0;
+  for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
+    render::Renderer renderer(fenced.palette, fenced.colormap), of_solid(fenced.palette, fenced.colormap);
+    for (int number = 0; number < effort(60, 10); ++number) {
+      Viewpoint viewpoint = viewpoint_number(*fenced.level, number);
+      const auto with_alpha = [&](render::Renderer& io_renderer, const world::Level& level, float alpha) {
+        for (render::BrushModelInstance& model : viewpoint.brush_models) model.alpha = alpha;
+        render::Scene scene = viewpoint.scene(level);
+        scene.fog = {2, {0.9f, 0.1f, 0.5f}};
+        return draw(io_renderer, scene, format, {.force_mip = 0});
+      };
+      const Drawn filled = with_alpha(of_solid, *solid, 1), opaque = with_alpha(renderer, *fenced.level, 1),
+                  without = with_alpha(renderer, *fenced.level, 0),
+                  half = with_alpha(renderer, *fenced.level, 0.5f);
+      for (std::size_t i = 0; i < half.frame.pixel_count(); ++i) {
+        if (opaque.frame.depth()[i] != without.frame.depth()[i]) continue;
+        holes += filled.frame.depth()[i] != without.frame.depth()[i];
+        ASSERT_EQ(frame_pixel(half.frame, i), frame_pixel(without.frame, i))
+            << "view " << number << ", " << i;
+      }
+    }
+  }
+  EXPECT_GT(holes, 300u);
+}
+
 // A translucent ball above the water is blended over it, and one in the water under it. Each pixel is
 // composed from pictures of the water and of the ball alone.
 TEST(DeferredFaces, AreBlendedWithModelsFromBackToFront) {

@@ -25,7 +25,7 @@ struct MergeCase {
     const std::size_t count = random.below(70);
     for (std::size_t i = 0; i < count; ++i) {
       const bool clear = random.chance(0.3);
-      texels.push_back(clear ? static_cast<Pixel>(sizeof(Pixel) == 1 ? 255 : 0)
+      texels.push_back(clear ? static_cast<Pixel>(sizeof(Pixel) == 1 ? 255 : random.bits() & 0xffffffu)
                              : static_cast<Pixel>(random.bits() | 0xff000000u));
       pixels.push_back(static_cast<Pixel>(random.bits() | 0xff000000u));
       depth.push_back(static_cast<float>(random.uniform(0, 1)));
@@ -46,8 +46,8 @@ struct MergeCase {
     return row;
   }
   bool shows(std::size_t i) const {
-    const Pixel clear = sizeof(Pixel) == 1 ? static_cast<Pixel>(255) : Pixel{0};
-    return depth[i] * row.nearer >= z[i] && !(row.has_holes && texels[i] == clear);
+    const bool is_clear = sizeof(Pixel) == 1 ? texels[i] == 255 : texels[i] < 0x1000000u;
+    return depth[i] * row.nearer >= z[i] && !(row.has_holes && is_clear);
   }
 };
 
