@@ -3,13 +3,14 @@
 #include "render/frame/stage_clock.h"
 #include "render/screen/fog_band.h"
 #include "render/spans/draw_spans.h"
+#include "render/translucent/banded_layers.h"
 
 namespace temblor::render {
 
 namespace {
 
 // The order matters. Deferred faces with holes write depth, so models behind a fence's wire stay hidden. Fog
-// covers everything opaque; translucent faces are fogged one by one before they are blended.
+// covers everything opaque; translucent layers are fogged one by one before they are blended.
 StageTimes draw_band(const FrameContext& context, const BandedPicture& picture, std::size_t number,
                      base::Arena& scratch, FrameBuffer& io_frame) {
   const WorldPicture& world = picture.world;
@@ -21,7 +22,7 @@ StageTimes draw_band(const FrameContext& context, const BandedPicture& picture, 
   draw_band_spans(context, world.view, band, world.sources, io_frame);
   clock.end(Stage::kSpans);
   if (world.sources.fill_depth) {  // all of these are tested against depth
-    draw_deferred_faces(picture.opaque_faces, world, band, scratch, io_frame);
+    draw_deferred_faces(picture.order.faces.opaque, world, band, scratch, io_frame);
     clock.end(Stage::kTranslucent);
     draw_alias_models(picture.alias_models, simd, rows, io_frame);
     clock.end(Stage::kModels);
@@ -32,7 +33,8 @@ StageTimes draw_band(const FrameContext& context, const BandedPicture& picture, 
   }
   fog_band(world.fog, band, world.sources.draws, scratch, io_frame);
   clock.end(Stage::kScreen);
-  draw_deferred_faces(picture.translucent_faces, world, band, scratch, io_frame);
+  draw_banded_layers(picture.order.layers.first(picture.order.banded), picture.order, world, band, scratch,
+                     io_frame);
   clock.end(Stage::kTranslucent);
   if (picture.tints_bands && picture.tint.changes_pixels()) picture.tint.apply_to_rows(rows, io_frame);
   clock.end(Stage::kScreen);
@@ -45,8 +47,7 @@ BandedPicture make_banded_picture(const FrameContext& context, const WorldPictur
                                   const TranslucentOrder& order) {
   const Scene& scene = context.scene;
   return {.world = world,
-          .opaque_faces = order.faces.opaque,
-          .translucent_faces = order.faces.translucent.first(order.banded),
+          .order = order,
           .tint = PictureTint(scene.tint, context.colors, context.format, context.settings.simd_kernels),
           .tints_bands = order.banded == order.layers.size() && !scene.underwater};
 }

@@ -1,14 +1,14 @@
 // Stages 6 to 9, as far as they can be drawn band by band:
 //
 //   world spans -> opaque deferred faces -> alias models -> sprites -> particles -> fog
-//               -> the farthest translucent faces -> tint
+//               -> the farthest translucent faces and sprites -> tint
 //
 // A band of rows passes through all of these before the next band begins, while its pixels and depth are in
 // the core's own cache. Separate passes over the frame would each wait for memory: up to twelve bytes per
 // pixel for little computation.
 //
-// Translucent faces belong here only if they are behind all other translucent layers, which is the usual
-// case. The other layers are drawn afterwards (translucent/draw_translucent.h).
+// Translucent faces and sprites belong here only if they are behind all translucent models, which is the
+// usual case. The other layers are drawn afterwards (translucent/draw_translucent.h).
 #pragma once
 
 #include <span>
@@ -26,12 +26,11 @@ namespace temblor::render {
 // The input of all bands. Spans refer to the frame's arena.
 struct BandedPicture {
   WorldPicture world;
-  std::span<const DeferredFace> opaque_faces{};
+  const TranslucentOrder& order;
   std::span<const PreparedAlias> alias_models{};
   std::span<const SpriteQuad> sprites{};
   // By band of `world.spans`.
   ParticleBands particles{};
-  std::span<const DeferredFace> translucent_faces{};
   PictureTint tint{};
   // False: something is drawn after the bands (translucent layers, the warp), so the tint has to wait.
   bool tints_bands = false;

@@ -83,7 +83,7 @@ FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, Fr
     picture.particles = clock.end(Stage::kParticles, place_particles(context, f.view));
   }
   clock.end_in_parts(draw_banded_picture(context, picture, io_frame));
-  if (f.has_models) draw_translucent(context, order, world, io_frame);
+  draw_translucent(context, order, world, io_frame);
   clock.end(Stage::kTranslucent);
   finish_picture(context, picture, io_caches.warp, io_frame);
   clock.end(Stage::kScreen);

@@ -198,16 +198,4 @@ void draw_deferred_faces(std::span<const DeferredFace> faces, const WorldPicture
   }
 }
 
-void draw_deferred_faces(std::span<const DeferredFace> faces, const FrameContext& context,
-                         const WorldPicture& world, FrameBuffer& io_frame) {
-  if (faces.empty()) return;
-  const std::span<const Band> bands = world.spans.bands;
-  std::vector<base::Arena>& scratch = context.arenas.scratch;
-  FrameArenas::grow(scratch, bands.size());
-  context.jobs.parallel_for(bands.size(), [&](std::size_t number) {
-    scratch[number].reset();
-    draw_deferred_faces(faces, world, bands[number], scratch[number], io_frame);
-  });
-}
-
 }  // namespace temblor::render

@@ -47,8 +47,4 @@ DeferredFaces sort_deferred_faces(const FrameContext& context, const WorldPictur
 void draw_deferred_faces(std::span<const DeferredFace> faces, const WorldPicture& world, const Band& band,
                          base::Arena& arena, FrameBuffer& io_frame);
 
-// Draws the faces in all bands, in parallel.
-void draw_deferred_faces(std::span<const DeferredFace> faces, const FrameContext& context,
-                         const WorldPicture& world, FrameBuffer& io_frame);
-
 }  // namespace temblor::render

@@ -3,36 +3,23 @@
 #include <optional>
 
 #include "render/alias/draw_translucent_alias.h"
-#include "render/sprites/draw_sprites.h"
+#include "render/translucent/banded_layers.h"
 #include "render/translucent/merge_kernels.h"
 
 namespace temblor::render {
 
 namespace {
 
-// Draws one layer at a time into the whole frame.
-class TranslucentDrawer {
+// Draws one model at a time into the whole frame.
+class ModelDrawer {
  public:
-  TranslucentDrawer(const FrameContext& context, const WorldPicture& world, FrameBuffer& io_frame)
+  ModelDrawer(const FrameContext& context, const WorldPicture& world, FrameBuffer& io_frame)
       : context_(context), world_(world), frame_(io_frame) {}
 
   void draw_alias(const AliasInstance& instance, AliasRole role) {
     const std::optional<AliasPicture> picture = draw_alias_picture(context_, world_.view, instance, role);
     if (!picture) return;
     for (int row = 0; row < picture->height; ++row) merge_row(*picture, row, instance.alpha);
-  }
-
-  void draw_sprite(const SpriteInstance& sprite) {
-    const std::optional<SpriteQuad> quad = make_sprite_quad(world_.view, sprite);
-    if (!quad) return;
-    const SpriteBlend blend{blend_table(sprite.alpha), opacity_256(sprite.alpha),
-                            world_.fog.is_on() ? &world_.fog : nullptr};
-    draw_sprite_instance(*quad, blend, world_.colors, context_.settings.simd_kernels, {0, frame_.height()},
-                         frame_);
-  }
-
-  void draw_faces(std::span<const DeferredFace> faces) {
-    draw_deferred_faces(faces, context_, world_, frame_);
   }
 
  private:
@@ -71,35 +58,37 @@ class TranslucentDrawer {
   FrameBuffer& frame_;
 };
 
+// Draws faces and sprites in all bands, in parallel.
+void draw_bands(std::span<const TranslucentLayer> layers, const FrameContext& context,
+                const TranslucentOrder& order, const WorldPicture& world, FrameBuffer& io_frame) {
+  const std::span<const Band> bands = world.spans.bands;
+  std::vector<base::Arena>& scratch = context.arenas.scratch;
+  FrameArenas::grow(scratch, bands.size());
+  context.jobs.parallel_for(bands.size(), [&](std::size_t number) {
+    scratch[number].reset();
+    draw_banded_layers(layers, order, world, bands[number], scratch[number], io_frame);
+  });
+}
+
 }  // namespace
 
 void draw_translucent(const FrameContext& context, const TranslucentOrder& order, const WorldPicture& world,
                       FrameBuffer& io_frame) {
-  using Kind = TranslucentLayer::Kind;
   const Scene& scene = context.scene;
   const std::span<const TranslucentLayer> layers = order.layers.subspan(order.banded);
-  TranslucentDrawer drawer(context, world, io_frame);
+  ModelDrawer drawer(context, world, io_frame);
   for (std::size_t i = 0; i < layers.size();) {
     const TranslucentLayer& layer = layers[i];
-    std::size_t next = i + 1;
-    switch (layer.kind) {
-      case Kind::kFace:
-        // faces.translucent has the same order as the layers, so faces with no other layer between them are
-        // drawn together, band by band.
-        next = i + count_leading_faces(layers.subspan(i));
-        drawer.draw_faces(order.faces.translucent.subspan(layer.number, next - i));
-        break;
-      case Kind::kAlias:
-        drawer.draw_alias(scene.alias_models[layer.number], AliasRole::kWorld);
-        break;
-      case Kind::kSprite:
-        drawer.draw_sprite(scene.sprites[layer.number]);
-        break;
-      case Kind::kViewWeapon:
-        drawer.draw_alias(*scene.view_weapon, AliasRole::kViewWeapon);
-        break;
+    if (const std::size_t banded = count_banded_layers(layers.subspan(i)); banded > 0) {
+      draw_bands(layers.subspan(i, banded), context, order, world, io_frame);
+      i += banded;
+      continue;
     }
-    i = next;
+    if (layer.kind == TranslucentLayer::Kind::kViewWeapon)
+      drawer.draw_alias(*scene.view_weapon, AliasRole::kViewWeapon);
+    else
+      drawer.draw_alias(scene.alias_models[layer.number], AliasRole::kWorld);
+    ++i;
   }
 }
 

@@ -1,13 +1,13 @@
 // Stage 9, second part. Draws the translucent layers that are not drawn with the opaque picture
-// (frame/banded_picture.h): models and sprites, and the faces in front of them.
+// (frame/banded_picture.h): models, and the faces and sprites in front of them.
 #pragma once
 
 #include "render/translucent/translucent_layers.h"
 
 namespace temblor::render {
 
-// Draws the layers from order.banded on. Models and sprites are fogged and then blended, each pixel of a
-// model once. Depth does not change.
+// Draws the layers from order.banded on. Models are fogged and then blended, each of their pixels once.
+// Depth does not change.
 void draw_translucent(const FrameContext& context, const TranslucentOrder& order, const WorldPicture& world,
                       FrameBuffer& io_frame);
 

@@ -32,25 +32,36 @@ TranslucentOrder sort_translucent(const FrameContext& context, const WorldPictur
   base::ArenaVector<TranslucentLayer> layers(context.arena(), faces.size() + 16);
   for (std::uint32_t i = 0; i < faces.size(); ++i)
     layers.push_back({faces[i].key, faces[i].depth, Kind::kFace, i});
-  const auto add = [&](Kind kind, std::uint32_t number, const math::Vec3& origin) {
+  const auto add = [&](Kind kind, std::size_t number, const math::Vec3& origin) {
     const SortKey key = visible.leaf_keys[base::to_size(world::find_leaf(*scene.level, origin))];
     const double z = view.to_view(math::Vec3d(origin)).z;
-    layers.push_back({key, view.depth(std::max(z, view.near_z)), kind, number});
+    layers.push_back({key, view.depth(std::max(z, view.near_z)), kind, static_cast<std::uint32_t>(number)});
   };
-  for (std::uint32_t i = 0; i < scene.alias_models.size(); ++i)
-    if (is_translucent(scene.alias_models[i].alpha)) add(Kind::kAlias, i, scene.alias_models[i].origin_world);
-  for (std::uint32_t i = 0; i < scene.sprites.size(); ++i)
-    if (is_translucent(scene.sprites[i].alpha)) add(Kind::kSprite, i, scene.sprites[i].origin_world);
+  base::ArenaVector<SpriteQuad> quads(context.arena(), scene.sprites.size());
+  if (world.sources.fill_depth) {
+    for (std::size_t i = 0; i < scene.alias_models.size(); ++i)
+      if (is_translucent(scene.alias_models[i].alpha))
+        add(Kind::kAlias, i, scene.alias_models[i].origin_world);
+    for (const SpriteInstance& sprite : scene.sprites) {
+      if (!is_translucent(sprite.alpha)) continue;
+      const std::optional<SpriteQuad> quad = make_sprite_quad(view, sprite);
+      if (!quad) continue;
+      add(Kind::kSprite, quads.size(), sprite.origin_world);
+      quads.push_back(*quad);
+    }
+  }
   std::sort(layers.begin(), layers.end(), is_behind);
-  if (scene.view_weapon != nullptr && is_translucent(scene.view_weapon->alpha))
+  if (world.sources.fill_depth && scene.view_weapon != nullptr && is_translucent(scene.view_weapon->alpha))
     layers.push_back({kNotVisited, 0, Kind::kViewWeapon, 0});
-  return {sorted, layers.view(), count_leading_faces(layers.view())};
+  return {sorted, quads.view(), layers.view(), count_banded_layers(layers.view())};
 }
 
-std::size_t count_leading_faces(std::span<const TranslucentLayer> layers) {
-  const auto other = std::ranges::find_if(
-      layers, [](const TranslucentLayer& layer) { return layer.kind != TranslucentLayer::Kind::kFace; });
-  return static_cast<std::size_t>(other - layers.begin());
+std::size_t count_banded_layers(std::span<const TranslucentLayer> layers) {
+  using Kind = TranslucentLayer::Kind;
+  const auto model = std::ranges::find_if(layers, [](const TranslucentLayer& layer) {
+    return layer.kind == Kind::kAlias || layer.kind == Kind::kViewWeapon;
+  });
+  return static_cast<std::size_t>(model - layers.begin());
 }
 
 }  // namespace temblor::render

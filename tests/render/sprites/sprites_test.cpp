@@ -11,6 +11,7 @@
 #include "render/color/blend_tables.h"
 #include "render/renderer.h"
 #include "render/sprites/draw_sprites.h"
+#include "render/translucent/blend_sprite.h"
 #include "support/effort.h"
 #include "support/levels/drawable_level.h"
 #include "support/pictures/frames.h"
@@ -298,8 +299,8 @@ TEST(Sprites, BlendThroughTheTableOrByOpacity) {
     const Before before = fill(frame, 1.0 / 30, random);
     const render::SpriteBlend blend{table.data(), 64};
     for (int row = 0; row < 60; row += 7)
-      render::draw_sprite_instance(*facing.quad, blend, some_tables(), row % 2 == 0,
-                                   {row, std::min(row + 7, 60)}, frame);
+      render::blend_sprite(*facing.quad, blend, some_tables(), row % 2 == 0, {row, std::min(row + 7, 60)},
+                           frame);
     std::size_t blended = 0;
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 80; ++x) {
@@ -334,7 +335,7 @@ TEST(Sprites, AreFoggedBeforeTheyAreBlended) {
     render::FrameBuffer frame(80, 60, format);
     const Before before = fill(frame, 1.0 / 60, random);
     const std::uint8_t* const table = some_tables().blends.table_for(0.25f);
-    render::draw_sprite_instance(*facing.quad, {table, 64, &fog}, some_tables(), true, {0, 60}, frame);
+    render::blend_sprite(*facing.quad, {table, 64, &fog}, some_tables(), true, {0, 60}, frame);
     std::size_t blended = 0;
     for (std::size_t i = 0; i < frame.pixel_count(); ++i) {
       const Hit hit = meet(facing.view, facing.instance, static_cast<int>(i % 80), static_cast<int>(i / 80));
