@@ -213,6 +213,14 @@ base::Status read_lamp(const ScriptLine& script_line, const Scope& scope, LevelS
   return line.finish();
 }
 
+// The light of fire flickers, unless style= says otherwise.
+void read_fire_keys(LevelScriptLine& line, formats::Entity& io_fire, double bright) {
+  constexpr double kFlickering = 1;
+  read_light_color(line, io_fire, "255 160 72");
+  set_key(io_fire, "light", bright);
+  if (!line.has("style")) set_key(io_fire, "style", kFlickering);
+}
+
 // `torch north 64,72 200` on a wall, `flame 64,64,32 250` anywhere.
 base::Status read_torch(const ScriptLine& script_line, const Scope& scope, LevelScript& io_script) {
   LevelScriptLine line(script_line, scope);
@@ -220,8 +228,7 @@ base::Status read_torch(const ScriptLine& script_line, const Scope& scope, Level
   Point at = line.wall_position(side);
   at[side_axis(side) % 2] += is_upper(side) ? -8 : 8;
   formats::Entity torch = make_entity(line, "light_torch_small_walltorch");
-  read_light_color(line, torch, "255 160 72");
-  set_key(torch, "light", read_brightness(line, 220));
+  read_fire_keys(line, torch, read_brightness(line, 220));
   add_point_entity(line, std::move(torch), at, {}, io_script);
   return line.finish();
 }
@@ -231,8 +238,7 @@ base::Status read_flame(const ScriptLine& script_line, const Scope& scope, Level
   const Point at = line.position();
   formats::Entity flame =
       make_entity(line, line.flag("large") ? "light_flame_large_yellow" : "light_flame_small_yellow");
-  read_light_color(line, flame, "255 160 72");
-  set_key(flame, "light", read_brightness(line, 250));
+  read_fire_keys(line, flame, read_brightness(line, 250));
   add_point_entity(line, std::move(flame), at, {}, io_script);
   return line.finish();
 }
