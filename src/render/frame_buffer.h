@@ -10,6 +10,7 @@
 
 #include "base/large_memory.h"
 #include "formats/images/palette.h"
+#include "render/tint.h"
 
 namespace temblor::render {
 
@@ -54,12 +55,17 @@ class FrameBuffer {
   std::span<float> depth() { return {depth_.get(), pixel_count()}; }
   std::span<const float> depth() const { return const_cast<FrameBuffer*>(this)->depth(); }
 
+  // Indexed frames are tinted through their palette when they are shown (present.h). Rgb frames: no tint.
+  void set_palette_tint(const Tint& tint) { palette_tint_ = tint; }
+  const Tint& palette_tint() const { return palette_tint_; }
+
  private:
   int width_ = 0, height_ = 0;
   PixelFormat format_ = PixelFormat::kIndexed;
   base::LargeMemory<std::uint8_t> indexed_;
   base::LargeMemory<std::uint32_t> rgb_;
   base::LargeMemory<float> depth_;
+  Tint palette_tint_;
 };
 
 // Rows [first, end) of a frame.

@@ -5,9 +5,18 @@
 #include <cstring>
 
 #include "base/check.h"
+#include "render/color/blend_tables.h"
 #include "render/screen/present_kernels.h"
 
 namespace temblor::render {
+
+formats::Palette shown_palette(const FrameBuffer& frame, const formats::Palette& palette) {
+  const Tint& tint = frame.palette_tint();
+  const formats::Rgb color = to_bytes(tint.color / 255.0f);
+  formats::Palette tinted = palette;
+  for (formats::Rgb& entry : tinted) entry = blend_colors(color, entry, opacity_256(tint.opacity));
+  return tinted;
+}
 
 void present(const FrameBuffer& frame, const formats::Palette& palette, bool simd_kernels, base::Jobs& jobs,
              std::span<std::uint32_t> out) {

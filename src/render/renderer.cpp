@@ -36,6 +36,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   const Settings settings = resolve_settings(asked, scene, io_frame);
   FrameCaches& caches = state_->caches;
   caches.prepare(scene, settings, io_frame);
+  io_frame.set_palette_tint(io_frame.format() == PixelFormat::kIndexed ? scene.tint : Tint());
   const FrameContext context{scene, settings, io_frame.format(), caches.colors, *caches.jobs, caches.arenas};
   const FrameRecord& record = state_->last = render_frame(context, caches, io_frame);
   draw_debug_view(settings.show,

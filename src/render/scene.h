@@ -15,6 +15,7 @@
 #include "math/vec.h"
 #include "render/alias_model.h"
 #include "render/marks.h"
+#include "render/tint.h"
 #include "world/animation.h"
 #include "world/level.h"
 
@@ -135,12 +136,6 @@ struct Line {
   math::Vec3 from_world{0.0f}, to_world{0.0f};
   formats::Rgb color{255, 255, 255};
   bool is_depth_tested = false;  // hidden by opaque faces, models, sprites, and particles in front of it
-};
-
-// A color blended over the finished view: damage, pickups, the inside of liquids.
-struct Tint {
-  math::Vec3 color{0.0f};  // 0 to 255
-  float opacity = 0;       // 0 to 1
 };
 
 // Opacities of liquids by kind, 0 to 1. Texture names decide the kind (view/face_opacity.h).

@@ -5,6 +5,7 @@
 
 #include "artgen/palette.h"
 #include "formats/images/png.h"
+#include "render/present.h"
 
 namespace temblor::test {
 namespace {
@@ -16,10 +17,11 @@ TEST_P(GoldenScenes, LookAsTheyDid) {
   SCOPED_TRACE(scene.shows);
   render::FrameBuffer frame(kGoldenWidth, kGoldenHeight, scene.format);
   scene.draw(frame);
-  const base::ByteVector png =
-      scene.format == render::PixelFormat::kIndexed
-          ? formats::write_png(frame.indexed(), kGoldenWidth, kGoldenHeight, artgen::make_palette()).value()
-          : formats::write_png(frame.rgb(), kGoldenWidth, kGoldenHeight).value();
+  const base::ByteVector png = scene.format == render::PixelFormat::kIndexed
+                                   ? formats::write_png(frame.indexed(), kGoldenWidth, kGoldenHeight,
+                                                        render::shown_palette(frame, artgen::make_palette()))
+                                         .value()
+                                   : formats::write_png(frame.rgb(), kGoldenWidth, kGoldenHeight).value();
   expect_golden(scene.name, png, scene.tolerance);
 }
 

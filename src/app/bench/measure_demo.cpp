@@ -24,7 +24,7 @@ class Window {
   }
   void present(const render::FrameBuffer& frame, const formats::Palette& palette) {
     if (pixels_ != nullptr)
-      render::present(frame, palette, options_.settings.simd_kernels, jobs_,
+      render::present(frame, render::shown_palette(frame, palette), options_.settings.simd_kernels, jobs_,
                       {pixels_.get(), frame.pixel_count()});
   }
 

@@ -110,7 +110,7 @@ base::Error Film::cannot_write() const {
 std::span<const std::uint32_t> Film::expand_colors(const render::FrameBuffer& frame) {
   if (frame.format() == render::PixelFormat::kRgb) return frame.rgb();
   expanded_.resize(frame.pixel_count());
-  render::present(frame, palette_, true, jobs_, expanded_);
+  render::present(frame, render::shown_palette(frame, palette_), true, jobs_, expanded_);
   return expanded_;
 }
 

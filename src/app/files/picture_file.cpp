@@ -9,6 +9,7 @@
 #include "app/files/atomic_write.h"
 #include "base/text.h"
 #include "formats/images/png.h"
+#include "render/present.h"
 
 namespace temblor::app {
 namespace {
@@ -60,10 +61,10 @@ base::Result<std::string> numbered_name(const std::string& pattern, std::size_t 
 
 base::Status write_picture_file(const std::string& path, const render::FrameBuffer& frame,
                                 const formats::Palette& palette) {
-  TRY(const base::ByteVector png,
-      frame.format() == render::PixelFormat::kIndexed
-          ? formats::write_png(frame.indexed(), frame.width(), frame.height(), palette)
-          : formats::write_png(frame.rgb(), frame.width(), frame.height()));
+  TRY(const base::ByteVector png, frame.format() == render::PixelFormat::kIndexed
+                                      ? formats::write_png(frame.indexed(), frame.width(), frame.height(),
+                                                           render::shown_palette(frame, palette))
+                                      : formats::write_png(frame.rgb(), frame.width(), frame.height()));
   return write_file(path, png);
 }
 

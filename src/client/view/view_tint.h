@@ -6,7 +6,7 @@
 #include <span>
 
 #include "net/protocol/server_message.h"
-#include "render/scene.h"
+#include "render/tint.h"
 #include "world/level.h"
 
 namespace temblor::client {

@@ -7,6 +7,7 @@
 #include "host/frame/host_parts.h"
 #include "host/session/configure.h"
 #include "host/session/demos.h"
+#include "render/present.h"
 
 namespace temblor::host {
 namespace {
@@ -122,7 +123,8 @@ void write_save_picture(Host& io_host, const render::FrameBuffer& frame) {
   const formats::Palette& palette = io_host.game.data->look.palette;
   // One of the two is empty, depending on the frame's format.
   std::vector<std::uint32_t> rgb(frame.rgb().begin(), frame.rgb().end());
-  for (const std::uint8_t index : frame.indexed()) rgb.push_back(render::to_rgb(palette[index]));
+  const formats::Palette shown = render::shown_palette(frame, palette);
+  for (const std::uint8_t index : frame.indexed()) rgb.push_back(render::to_rgb(shown[index]));
   Thumbnails& thumbnails = io_host.game.menu_lists->thumbnails();
   const formats::Picture picture = make_thumbnail(rgb, frame.width(), frame.height(), thumbnails.colors());
   const base::Result<base::ByteVector> png =

@@ -34,7 +34,8 @@ base::Status Screen::show(const formats::Palette& palette, const ScreenSettings&
   shown_ = std::as_const(frame_).rgb();
   if (frame_.format() == render::PixelFormat::kIndexed) {
     expanded_.resize(frame_.pixel_count());
-    render::present(frame_, apply_tone(table, palette), true, jobs_, expanded_);
+    render::present(frame_, apply_tone(table, render::shown_palette(frame_, palette)), true, jobs_,
+                    expanded_);
     shown_ = expanded_;
   } else if (!settings.tone.is_neutral()) {
     apply_tone(table, jobs_, frame_.rgb());

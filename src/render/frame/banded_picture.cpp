@@ -48,7 +48,7 @@ BandedPicture make_banded_picture(const FrameContext& context, const WorldPictur
   const Scene& scene = context.scene;
   return {.world = world,
           .order = order,
-          .tint = PictureTint(scene.tint, context.colors, context.format, context.settings.simd_kernels),
+          .tint = PictureTint(scene.tint, context.format, context.settings.simd_kernels),
           .tints_bands = order.banded == order.layers.size() && !scene.underwater};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "base/check.h"
 
@@ -90,7 +91,8 @@ void Warp::move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, co
       const Pixel* const from = pixels.data() + row_[y];
       Pixel* const row = &io_spare.pixels[y * width];
       for (std::size_t x = first_x; x < end_x; ++x) row[x] = from[column_[x]];
-      if (tint.changes_pixels()) tint.apply(std::span(row + first_x, end_x - first_x));
+      if constexpr (std::is_same_v<Pixel, std::uint32_t>)
+        if (tint.changes_pixels()) tint.apply(std::span(row + first_x, end_x - first_x));
     }
   });
   io_frame.exchange(io_spare.pixels);

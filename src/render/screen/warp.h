@@ -19,7 +19,8 @@ namespace temblor::render {
 class Warp {
  public:
   // Changes pixels only; depth stays. The picture is slightly enlarged, so that nothing is taken from beyond
-  // its borders. The tint is applied while pixels are in the caches.
+  // its borders. The tint of rgb frames is applied while pixels are
+  // in the caches.
   void apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame);
 
   // Allocates the memory that apply() needs for frames of this size and format, so that the first frame under

@@ -7,13 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "render/color/color_tables.h"
+#include "render/present.h"
+#include "render/renderer.h"
 #include "render/screen/tint_kernels.h"
 #include "render/screen/tint_picture.h"
 #include "render/screen/warp.h"
 #include "render/simd_targets.h"
 #include "support/levels/drawable_level.h"
 #include "support/pictures/frames.h"
+#include "support/pictures/viewpoints.h"
 #include "support/random.h"
 
 namespace temblor::test {
@@ -97,27 +99,21 @@ TEST(Warp, IsTheSameInBothFormatsAndForAnyThreads) {
 }
 
 TEST(Warp, TintsWhatItMoves) {
-  const DrawableLevel drawable = small_level({.tiny = true});
-  const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
   base::Jobs jobs(2, base::JobBackend::kStdThread);
-  for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb})
-    for (unsigned seed = 0; seed < 10; ++seed) {
-      Random random(seed);
-      const int width = 1 + static_cast<int>(random.below(300)),
-                height = 1 + static_cast<int>(random.below(200));
-      FrameBuffer together(width, height, format), apart(width, height, format);
-      for (std::size_t i = 0; i < together.rgb().size(); ++i)
-        together.rgb()[i] = apart.rgb()[i] = 0xff000000u | static_cast<std::uint32_t>(random.bits());
-      for (std::size_t i = 0; i < together.indexed().size(); ++i)
-        together.indexed()[i] = apart.indexed()[i] = static_cast<std::uint8_t>(random.bits());
-      const render::PictureTint tint({{255, 80, 0}, 0.3f}, tables, format, true);
-      render::Warp warp;
-      warp.apply(seed, tint, jobs, together);
-      warp.apply(seed, {}, jobs, apart);
-      render::tint_picture(tint, jobs, apart);
-      ASSERT_TRUE(std::ranges::equal(together.rgb(), apart.rgb())) << seed;
-      ASSERT_TRUE(std::ranges::equal(together.indexed(), apart.indexed())) << seed;
-    }
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    Random random(seed);
+    const int width = 1 + static_cast<int>(random.below(300)),
+              height = 1 + static_cast<int>(random.below(200));
+    FrameBuffer together(width, height, PixelFormat::kRgb), apart(width, height, PixelFormat::kRgb);
+    for (std::size_t i = 0; i < together.rgb().size(); ++i)
+      together.rgb()[i] = apart.rgb()[i] = 0xff000000u | static_cast<std::uint32_t>(random.bits());
+    const render::PictureTint tint({{255, 80, 0}, 0.3f}, PixelFormat::kRgb, true);
+    render::Warp warp;
+    warp.apply(seed, tint, jobs, together);
+    warp.apply(seed, {}, jobs, apart);
+    render::tint_picture(tint, jobs, apart);
+    ASSERT_TRUE(std::ranges::equal(together.rgb(), apart.rgb())) << seed;
+  }
 }
 
 TEST(TintKernels, BlendEveryChannel) {
@@ -148,43 +144,51 @@ TEST(TintKernels, BlendEveryChannel) {
   }
 }
 
-TEST(Tint, TurnsIndicesIntoTheNearestOfTheirBlends) {
+TEST(Tint, ChangesThePaletteOfIndexedFrames) {
   const DrawableLevel drawable = small_level({.tiny = true});
-  const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
-  base::Jobs jobs(1);
-  for (const float opacity : {0.1f, 0.5f, 0.9f, 1.0f}) {
-    FrameBuffer frame(16, 16, PixelFormat::kIndexed);
-    for (std::size_t i = 0; i < 256; ++i) frame.indexed()[i] = static_cast<std::uint8_t>(i);
-    render::tint_picture({{{255, 80, 0}, opacity}, tables, frame.format(), true}, jobs, frame);
-    for (std::size_t i = 0; i < 256; ++i) {
-      const auto distance = [&](std::size_t entry) {
-        const auto blend = [&](int own, int tint) {
-          return std::floor(own + (tint - own) * std::round(double{opacity} * 256) / 256 + 0.5);
-        };
-        const formats::Rgb own = drawable.palette[i], at = drawable.palette[entry];
-        return std::pow(at.r - blend(own.r, 255), 2) + std::pow(at.g - blend(own.g, 80), 2) +
-               std::pow(at.b - blend(own.b, 0), 2);
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  const Viewpoint viewpoint{.camera = player_cameras(*drawable.level).at(0)};
+  render::Scene scene = viewpoint.scene(*drawable.level);
+  const auto draw_scene = [&](PixelFormat format) {
+    FrameBuffer frame(160, 100, format);
+    renderer.render(scene, {}, frame);
+    return frame;
+  };
+  const FrameBuffer plain = draw_scene(PixelFormat::kIndexed);
+  for (const bool underwater : {false, true})
+    for (const float opacity : {0.1f, 0.5f, 0.9f, 1.0f}) {
+      scene.underwater = underwater;
+      scene.tint = {{255, 80, 0}, opacity};
+      const FrameBuffer frame = draw_scene(PixelFormat::kIndexed);
+      EXPECT_TRUE(underwater || copy_picture(frame) == copy_picture(plain));
+      const formats::Palette shown = render::shown_palette(frame, drawable.palette);
+      const auto blend = [&](int own, int tint) {
+        return static_cast<int>(
+            std::floor(own + (tint - own) * std::round(double{opacity} * 256) / 256 + 0.5));
       };
-      const std::size_t end = i >= 224 ? 255 : 224;
-      for (std::size_t entry = 0; entry < end; ++entry)
-        ASSERT_LE(distance(frame.indexed()[i]), distance(entry)) << i;
-      ASSERT_LT(frame.indexed()[i], end);
+      for (std::size_t i = 0; i < 256; ++i) {
+        EXPECT_EQ(shown[i].r, blend(drawable.palette[i].r, 255)) << i;
+        EXPECT_EQ(shown[i].g, blend(drawable.palette[i].g, 80)) << i;
+        EXPECT_EQ(shown[i].b, blend(drawable.palette[i].b, 0)) << i;
+      }
     }
-  }
+  const FrameBuffer rgb = draw_scene(PixelFormat::kRgb);
+  EXPECT_EQ(rgb.palette_tint().opacity, 0) << "its pixels are tinted";
 }
 
 TEST(Tint, WithoutOpacityChangesNothing) {
-  const DrawableLevel drawable = small_level({.tiny = true});
-  const render::ColorTables tables = render::make_color_tables(drawable.palette, drawable.colormap);
   base::Jobs jobs(1);
-  for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
-    FrameBuffer frame(31, 7, format);
-    fill_frame(frame, 0x5a);
-    const FrameCopy before = copy_picture(frame);
-    for (const float opacity : {0.0f, -1.0f}) {
-      render::tint_picture({{{255, 80, 0}, opacity}, tables, frame.format(), true}, jobs, frame);
-      EXPECT_TRUE(copy_picture(frame) == before);
-    }
+  FrameBuffer frame(31, 7, PixelFormat::kRgb);
+  fill_frame(frame, 0x5a);
+  const FrameCopy before = copy_picture(frame);
+  for (const float opacity : {0.0f, -1.0f}) {
+    const render::Tint none{{255, 80, 0}, opacity};
+    render::tint_picture({none, frame.format(), true}, jobs, frame);
+    EXPECT_TRUE(copy_picture(frame) == before);
+    FrameBuffer indexed(31, 7, PixelFormat::kIndexed);
+    indexed.set_palette_tint(none);
+    const formats::Palette palette = small_level({.tiny = true}).palette;
+    EXPECT_EQ(render::shown_palette(indexed, palette), palette);
   }
 }
 
