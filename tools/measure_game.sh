@@ -58,7 +58,7 @@ row "---" "---" "---"
 compile_time
 first_frame
 packages
-for level in start t1 t2 t3 t5; do
+for level in start t1 t2 t3 t4 t5; do
   measure_demo "$level, from start to exit" 1920x1080 "6.9 ms (144 per second)" "$game/tours/$level.dem"
 done
 for level in "${levels[@]}"; do

@@ -134,7 +134,7 @@ TEST_P(ShippedLevels, ArePlayedByPairs) {
 std::vector<Game> games() {
   std::vector<Game> games;
   for (int skill = 0; skill < 4; ++skill)
-    for (const char* map : {"start", "t1", "t2", "t3", "t5"}) games.push_back({map, skill});
+    for (const char* map : {"start", "t1", "t2", "t3", "t4", "t5"}) games.push_back({map, skill});
   return games;
 }
 
