@@ -149,7 +149,7 @@ bool is_built(const char* map) {
 
 TEST(ShippedStart, LeadsToEachLevel) {
   if (!is_built("start")) GTEST_SKIP() << "start has not been built";
-  for (const char* map : {"t1", "t2", "t3", "gallery", "tdm1"}) {
+  for (const char* map : {"t1", "t2", "t3", "t4", "t5", "gallery", "tdm1"}) {
     player::RunSetup setup = make_god_setup({"start", 1}, 1);
     setup.exit_map = map;
     const player::RunReport report = player::play_level(setup).value();
