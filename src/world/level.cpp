@@ -140,7 +140,7 @@ base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::str
   take_light_grid(bsp, *level);
   level->textures =
       make_textures(bsp.miptexes, colored, level->is_half_life ? NameRules::kHalfLife : NameRules::kQuake);
-  TRY_STATUS(make_faces(bsp, *level));
+  make_faces(bsp, *level);
   return std::shared_ptr<const Level>(std::move(level));
 }
 

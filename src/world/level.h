@@ -9,6 +9,7 @@
 // Frame-dependent state never goes in here; its owners keep it in arrays by FaceIndex and so on.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -142,6 +143,10 @@ struct Face {
   // Size of a stock light map: one sample at each multiple of 16 texels, both ends included.
   std::int32_t light_width() const { return texture_extents[0] / 16 + 1; }
   std::int32_t light_height() const { return texture_extents[1] / 16 + 1; }
+
+  // Larger than the faces of most levels. A hostile file may hold many huge ones, each of which would take
+  // memory when it is drawn with light. So the size of the file bounds how many have light.
+  bool is_large() const { return std::max(texture_extents[0], texture_extents[1]) > 512; }
 };
 
 // Projects positions to texture coordinates: s = dot(position, s_axis) + s_offset, in texels of mip 0, and t
@@ -284,8 +289,8 @@ using ColoredTextures = std::vector<std::optional<formats::ColoredTexture>>;
 // come from DECOUPLED_LM, else from LMSHIFT, else from the faces; damaged lumps are ignored, with a note. A
 // face whose light is outside of the samples has none, with a note. `colored` replaces the texels of the
 // textures of bsp.miptexes with the same index; each must fit its texture's size. A light style above 63 is
-// style 0. A face larger than any real level's (over 2^20 texels) is left out, with a note. Fails if faces
-// share their light samples too often.
+// style 0. A face larger than any real level's (over 2^20 texels) is left out, with a note. Large faces have
+// no light if others share the light samples too often, with a note.
 base::Result<std::shared_ptr<const Level>> make_level(formats::Bsp bsp, std::string name,
                                                       const formats::Lit* lit = nullptr,
                                                       ColoredTextures colored = {});

@@ -189,6 +189,48 @@ TEST(Faces, HaveNoLightIfItWouldBePastTheEnd) {
   }
 }
 
+// Small faces take a surface with or without light. Large ones share all samples of the level at most 64
+// times.
+TEST(Faces, LoseTheirLightIfManyLargeOnesShareIt) {
+  formats::Bsp bsp = artgen::make_small_level({.tiny = true});
+  const std::size_t lit = find_lit_face(bsp);
+  const formats::BspFace shared = bsp.faces[lit];
+  constexpr std::size_t kFaces = 3000;
+  const auto count_dark = [&](float scale, std::string& out_note) {
+    formats::Bsp crowded = bsp;
+    formats::BspTexinfo large = bsp.texinfos[shared.texinfo];
+    large.s_axis *= scale;
+    large.t_axis *= scale;
+    crowded.texinfos.push_back(large);
+    formats::BspFace face = shared;
+    face.texinfo = static_cast<std::uint32_t>(bsp.texinfos.size());
+    face.light_offset = 0;
+    face.styles = {0, kNoStyle, kNoStyle, kNoStyle};
+    crowded.lighting.assign(100'000, 200);
+    for (formats::BspFace& other : crowded.faces) other.light_offset = -1;
+    crowded.faces.insert(crowded.faces.end(), kFaces, face);
+    for (std::size_t i = 0; i < kFaces; ++i) {
+      auto& first = crowded.faces[bsp.faces.size() + i].first_surfedge;
+      const std::size_t from = first;
+      first = static_cast<std::uint32_t>(crowded.surfedges.size());
+      for (std::size_t k = 0; k < face.surfedge_count; ++k)
+        crowded.surfedges.push_back(crowded.surfedges[from + k]);
+    }
+    const auto level = make_level(crowded, "crowded").value();
+    out_note = level->notes.empty() ? "" : level->notes[0];
+    return std::ranges::count_if(std::span(level->faces).subspan(bsp.faces.size()),
+                                 [](const Face& made) { return made.light == kNoLight; });
+  };
+  std::string note;
+  EXPECT_EQ(count_dark(1, note), 0);
+  EXPECT_EQ(note, "");
+  const Face face = test_level("one", bsp).level->faces[lit];
+  const float scale = 4096.0f / static_cast<float>(face.texture_extents[0]);
+  const auto dark = count_dark(scale, note);
+  EXPECT_EQ(note.find(std::to_string(dark) + " faces too large to share the level's 100000"), 0u) << note;
+  EXPECT_GT(dark, 0);
+}
+
 TEST(Faces, LightStyleThatNoTableHoldsIsNormal) {
   formats::Bsp bsp = artgen::make_small_level({.tiny = true});
   formats::BspFace& face = bsp.faces[find_lit_face(bsp)];

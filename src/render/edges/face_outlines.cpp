@@ -43,13 +43,9 @@ world::FaceIndex neighbor_at(const EdgeUsers& users, bool backward) {
 }  // namespace
 
 bool has_surface(const world::Face& face) {
-  // Light samples bound the extent of a lit face by the size of the file. Faces without samples have no such
-  // bound, and a hostile file may hold many huge ones, each of which would take a block.
-  constexpr std::int32_t kMaxExtentInTheDark = 512;
+  // Light samples bound the large faces by the size of the file. Those without samples have no such bound.
   if (face.kind == world::FaceKind::kLiquid) return face.light != world::kNoLight;
-  return face.kind == world::FaceKind::kLit &&
-         (face.light != world::kNoLight ||
-          std::max(face.texture_extents[0], face.texture_extents[1]) <= kMaxExtentInTheDark);
+  return face.kind == world::FaceKind::kLit && (face.light != world::kNoLight || !face.is_large());
 }
 
 TileGrid tile_grid(const world::Face& face) {

@@ -77,7 +77,7 @@ FaceKind choose_face_kind(const Level& level, TextureKind texture, const formats
 
 }  // namespace
 
-base::Status make_faces(const formats::Bsp& bsp, Level& io_level) {
+void make_faces(const formats::Bsp& bsp, Level& io_level) {
   // make_textures() puts the placeholder for missing textures last.
   const std::size_t missing = io_level.textures.size() - 1;
   io_level.faces.reserve(bsp.faces.size());
@@ -100,7 +100,7 @@ base::Status make_faces(const formats::Bsp& bsp, Level& io_level) {
     io_level.faces.push_back(face);
   }
   add_note(left_out, io_level);
-  return set_light_maps(bsp, io_level);
+  set_light_maps(bsp, io_level);
 }
 
 }  // namespace temblor::world

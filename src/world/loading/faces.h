@@ -2,14 +2,12 @@
 // directly: the kind follows from the texture's name, and the rectangle from the vertices.
 #pragma once
 
-#include "base/result.h"
 #include "formats/levels/bsp.h"
 #include "world/level.h"
 
 namespace temblor::world {
 
-// Fills io_level.faces. The level's edges, vertices, axes, textures and light must be complete. Fails as
-// make_level() does.
-base::Status make_faces(const formats::Bsp& bsp, Level& io_level);
+// Fills io_level.faces. The level's edges, vertices, axes, textures and light must be complete.
+void make_faces(const formats::Bsp& bsp, Level& io_level);
 
 }  // namespace temblor::world

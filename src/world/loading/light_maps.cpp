@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::int32_t kStockTexels = 16;
 
-// Compilers let few faces share light samples, if any. A malicious file could let all faces share one large
-// light map, and so ask for far more surface memory than the file has bytes.
+// Compilers let few large faces share light samples, if any. A malicious file could let all of them share one
+// large light map, and so ask for far more surface memory than the file has bytes.
 constexpr std::uint64_t kMaxSharing = 64;
 // Faces with few samples of their own need surface memory too. This allows for that of 4,000 tiles of 256
 // texels.
@@ -46,33 +46,25 @@ bool can_be_lit(const formats::Bsp& bsp, const Level& level, std::size_t number)
 }
 
 // Sets a face's styles and first sample; an offset of -1 is no light. `samples` for each style must be inside
-// of the level's.
+// of the level's; after an error, the face has no light.
 base::Status set_light(const Level& level, const formats::FaceStyles& styles, std::int32_t offset,
                        std::uint64_t samples, std::size_t number, Face& io_face) {
   io_face.styles = {kNoStyle, kNoStyle, kNoStyle, kNoStyle};
   io_face.style_count = 0;
   io_face.light = kNoLight;
-  if (offset < 0) return base::Ok{};
-  for (const std::uint8_t style : styles) {
-    if (style == kNoStyle) break;
-    // No game can set a higher style. In the original, those have normal light, as style 0 has.
-    io_face.styles[io_face.style_count++] = style < kLightStyles ? style : std::uint8_t{0};
-  }
-  if (io_face.style_count == 0) return base::Ok{};
+  const auto count = static_cast<std::uint8_t>(std::ranges::find(styles, kNoStyle) - styles.begin());
+  if (offset < 0 || count == 0) return base::Ok{};
   const auto first = static_cast<std::uint64_t>(offset);
-  const std::uint64_t all_samples = samples * io_face.style_count;
+  const std::uint64_t all_samples = samples * count;
   if (first + all_samples > level.light.size())
     return base::malformed("face {}: its {} light samples at {} are outside of the level's {}", number,
                            all_samples, first, level.light.size());
+  // No game can set a higher style. In the original, those have normal light, as style 0 has.
+  for (std::size_t i = 0; i < count; ++i)
+    io_face.styles[i] = styles[i] < kLightStyles ? styles[i] : std::uint8_t{0};
+  io_face.style_count = count;
   io_face.light = static_cast<std::uint32_t>(first);
   return base::Ok{};
-}
-
-bool is_outside(const Level& level, const formats::BspFace& bsp_face, std::uint64_t samples) {
-  if (bsp_face.light_offset < 0) return false;
-  const auto styles = std::ranges::find(bsp_face.styles, kNoStyle) - bsp_face.styles.begin();
-  return static_cast<std::uint64_t>(bsp_face.light_offset) + samples * static_cast<std::uint64_t>(styles) >
-         level.light.size();
 }
 
 // Engines ignored any light of liquids, so light with unknown styles is ignored too.
@@ -81,31 +73,37 @@ bool has_only_known_styles(const formats::FaceStyles& styles) {
   return std::all_of(styles.begin(), end, [](std::uint8_t style) { return style < kLightStyles; });
 }
 
+// How many samples may have surfaces for them.
+std::uint64_t count_allowed_samples(const Level& level) {
+  return std::max(level.light.size() * kMaxSharing, kMinAllowedSamples);
+}
+
 // The file stores only the offset of the samples; their number follows from the size of the face and the
-// number of its styles. A face whose samples would be outside of the level's has none.
-base::Status set_stock_maps(const formats::Bsp& bsp, Level& io_level) {
+// number of its styles. A face whose samples would be outside of the level's has none, and neither has a
+// large one beyond the limit.
+void set_stock_maps(const formats::Bsp& bsp, Level& io_level) {
+  const std::uint64_t allowed = count_allowed_samples(io_level);
   std::uint64_t samples = 0;
-  std::size_t outside = 0;
+  std::size_t outside = 0, crowded = 0;
   for (std::size_t i = 0; i < io_level.faces.size(); ++i) {
     Face& face = io_level.faces[i];
-    const std::uint64_t own = count_samples(face.light_width(), face.light_height());
     const formats::BspFace& from = bsp.faces[i];
+    const std::uint64_t own = count_samples(face.light_width(), face.light_height());
     bool is_lit = can_be_lit(bsp, io_level, i);
     if (face.kind == FaceKind::kLiquid) is_lit &= has_only_known_styles(from.styles);
-    const bool is_without_samples = is_outside(io_level, from, own);
-    if (is_without_samples && face.kind == FaceKind::kLit) ++outside;
-    is_lit &= !is_without_samples;
-    TRY_STATUS(set_light(io_level, from.styles, is_lit ? from.light_offset : -1, own, i, face));
-    if (face.light != kNoLight) samples += own;
-    if (samples > io_level.light.size() * kMaxSharing)
-      return base::malformed(
-          "face {}: the faces up to this one use the level's {} light samples more than {} times", i,
-          io_level.light.size(), kMaxSharing);
+    const bool is_crowded = is_lit && from.light_offset >= 0 && face.is_large() && samples + own > allowed;
+    if (is_crowded) ++crowded;
+    const std::int32_t offset = is_lit && !is_crowded ? from.light_offset : -1;
+    if (!set_light(io_level, from.styles, offset, own, i, face).ok() && face.kind == FaceKind::kLit)
+      ++outside;
+    if (face.light != kNoLight && face.is_large()) samples += own;
   }
   if (outside > 0)
     io_level.notes.push_back(fmt::format("{} with light samples outside of the level's {}: no light there",
                                          base::counted(outside, "face"), io_level.light.size()));
-  return base::Ok{};
+  if (crowded > 0)
+    io_level.notes.push_back(fmt::format("{} too large to share the level's {} light samples: no light there",
+                                         base::counted(crowded, "face"), io_level.light.size()));
 }
 
 bool is_multiple(double value, double unit) {
@@ -224,7 +222,7 @@ base::Result<std::vector<MapSource>> find_decoupled_maps(const formats::Bsp& bsp
 // state.
 base::Status set_maps(const formats::Bsp& bsp, const std::vector<MapSource>& sources, Level& io_level) {
   io_level.light_map_grids.clear();
-  const std::uint64_t allowed = std::max(io_level.light.size() * kMaxSharing, kMinAllowedSamples);
+  const std::uint64_t allowed = count_allowed_samples(io_level);
   std::uint64_t stock_samples = 0;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     Face& face = io_level.faces[i];
@@ -278,7 +276,7 @@ void darken_liquids(const formats::Bsp& bsp, Level& io_level) {
     return face.kind == FaceKind::kLiquid && face.light != kNoLight;
   });
   if (!has_lit_liquids) return;
-  const std::uint64_t allowed = std::max(io_level.light.size() * kMaxSharing, kMinAllowedSamples);
+  const std::uint64_t allowed = count_allowed_samples(io_level);
   std::uint64_t samples = 0;
   for (std::size_t i = 0; i < io_level.faces.size(); ++i) {
     Face& face = io_level.faces[i];
@@ -291,12 +289,11 @@ void darken_liquids(const formats::Bsp& bsp, Level& io_level) {
 
 }  // namespace
 
-base::Status set_light_maps(const formats::Bsp& bsp, Level& io_level) {
+void set_light_maps(const formats::Bsp& bsp, Level& io_level) {
   if (!use_maps(bsp, find_decoupled_maps(bsp, io_level), "DECOUPLED_LM", io_level) &&
       !use_maps(bsp, find_scaled_maps(bsp, io_level), "LMSHIFT", io_level))
-    TRY_STATUS(set_stock_maps(bsp, io_level));
+    set_stock_maps(bsp, io_level);
   darken_liquids(bsp, io_level);
-  return base::Ok{};
 }
 
 }  // namespace temblor::world
