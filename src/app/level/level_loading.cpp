@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/files/game_files.h"
+#include "app/level/builtin_palette.h"
 #include "artgen/small_level.h"
 #include "base/text.h"
 
@@ -76,6 +77,17 @@ base::Result<assets::Look> find_optional_look(const GameFolders& folders,
   return make_builtin_look();
 }
 
+// Without game data, a level is drawn with the built-in palette.
+base::Status check_palette(const GameFolders& folders, LoadedMap& io_loaded) {
+  TRY(const bool fits, fits_builtin_palette(*io_loaded.level, folders));
+  if (!fits)
+    io_loaded.notes.push_back(fmt::format(
+        "{}: drawn with Temblor's palette; if the level is of another game, its colors are wrong: "
+        "name that game with --basedir DIR",
+        io_loaded.name));
+  return base::Ok{};
+}
+
 // Puts the level and its .lit in the place of those that a game directory may have under the same name.
 void mount_level(const std::filesystem::path& file, const std::string& name, vfs::FileSystem& io_files) {
   const std::string stem = fmt::format("{}{}", kMapFolder, name);
@@ -94,6 +106,7 @@ base::Result<LoadedMap> load_level_on_disk(const GameFolders& folders, const std
   TRY(loaded.look, find_optional_look(folders, loaded.notes));
   TRY(assets::LoadedLevel level, assets::load_level_file(file, loaded.look.palette));
   attach_level(std::move(level), loaded);
+  if (has_no_game_data(folders)) TRY_STATUS(check_palette(folders, loaded));
   if (!files) return loaded;
   mount_level(file, loaded.name, *files);
   loaded.library = std::make_shared<const assets::Library>(*std::move(files));

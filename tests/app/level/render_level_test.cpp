@@ -271,6 +271,24 @@ TEST_F(RenderLevel, LevelOnDiskNeedsNoGameData) {
   EXPECT_THAT(failed.err, HasSubstr("--basedir"));
 }
 
+// The texels of the level's textures are the only sign of its palette.
+TEST_F(RenderLevel, LevelOnDiskOfAnotherGameGetsANote) {
+  formats::Bsp bsp = game_.level();
+  const TemporaryFolder empty;
+  const auto draw_alone = [&] {
+    empty.write("castle.bsp", formats::write_bsp(bsp, formats::BspVersion::k29).value());
+    return run_program_alone(empty.path(),
+                             {"render", "--map", "castle.bsp", "--size", "160x96", "-o", "x.png"});
+  };
+  EXPECT_EQ(draw_alone().err, "");
+  bsp.miptexes[0].mips[0][0] ^= 1;
+  const ProgramRun drawn = draw_alone();
+  EXPECT_EQ(drawn.exit_status, 0) << drawn.err;
+  EXPECT_TRUE(is_one_error_line(drawn.err)) << drawn.err;
+  EXPECT_THAT(drawn.err, HasSubstr("note: castle: drawn with Temblor's palette"));
+  EXPECT_THAT(drawn.err, HasSubstr("--basedir"));
+}
+
 // Game data without a palette: a folder that only holds levels.
 TEST_F(RenderLevel, LevelOnDiskNeedsNoPalette) {
   const Png expected = draw(kHall);
