@@ -37,19 +37,14 @@ TEST_P(RejectedBsp, NamesTheFault) {
 
 // Other damage is repaired (bsp_repair_test.cpp).
 const Case kFaults[] = {
-    {"NodePlane", DAMAGE(b.nodes[3].plane = 6), "lump nodes: node 3: plane 6 is past the end (6)"},
     {"ClipnodePlane", DAMAGE(b.clipnodes[3].plane = 6),
      "lump clipnodes: clipnode 3: plane 6 is past the end (6)"},
     {"WorldHead", DAMAGE(b.models[0].head_nodes[0] = 7),
      "lump models: model 0: head 7 of hull 0 is neither one of 7 nodes nor of 2 leaves"},
-    {"WorldClipHead", DAMAGE(b.models[0].head_nodes[2] = 99999),
-     "lump models: model 0: head 99999 of hull 2 is neither one of 6 clipnodes nor contents"},
+    {"WorldClipHead", DAMAGE(b.models[0].head_nodes[1] = 99999),
+     "lump models: model 0: head 99999 of hull 1 is neither one of 6 clipnodes nor contents"},
     {"NoModels", DAMAGE(b.models.clear()), "lump models: model 0 (the world) is missing"},
     {"NoLeaves", DAMAGE(b.leaves.clear()), "lump leaves: leaf 0 (solid) is missing"},
-    {"NodeCycle", DAMAGE(b.nodes[4].children[0] = 0), "lump nodes: node 0: it is reached twice"},
-    {"NodeItsOwnChild", DAMAGE(b.nodes[6].children[1] = 6), "lump nodes: node 6: it is reached twice"},
-    {"NodeShared", DAMAGE(b.nodes[2].children[0] = 4), "lump nodes: node 4: it is reached twice"},
-    {"NodeOfTwoModels", DAMAGE(b.models[1].head_nodes[0] = 3), "lump nodes: node 3: it is reached twice"},
     {"ClipnodeCycle", DAMAGE(b.clipnodes[5].children[0] = 2),
      "lump clipnodes: clipnode 2: a path from it comes back to it"},
     {"ClipnodeItsOwnChild", DAMAGE(b.clipnodes[5].children[1] = 5),
@@ -63,14 +58,14 @@ INSTANTIATE_TEST_SUITE_P(Faults, RejectedBsp, testing::ValuesIn(kFaults), case_n
 
 TEST(RejectedBspOffset, NamesTheRecordsOffsetInTheFile) {
   Bsp bsp = test::make_cube_room();
-  bsp.nodes[2].plane = 9;
-  for (const auto& [version, node_bytes] : {std::pair(BspVersion::k29, 24u), {BspVersion::kBsp2, 44u}}) {
+  bsp.clipnodes[2].plane = 9;
+  for (const auto& [version, clipnode_bytes] : {std::pair(BspVersion::k29, 8u), {BspVersion::kBsp2, 12u}}) {
     const auto file = write_bsp(bsp, version).value();
     base::ByteReader header(file);
-    header.seek(4 + 8 * 5);
-    const std::uint32_t offset = header.u32() + 2 * node_bytes;
+    header.seek(4 + 8 * 9);
+    const std::uint32_t offset = header.u32() + 2 * clipnode_bytes;
     EXPECT_EQ(read_bsp(file).error().what,
-              fmt::format("lump nodes: node 2 at offset {:#x}: plane 9 is past the end (6)", offset));
+              fmt::format("lump clipnodes: clipnode 2 at offset {:#x}: plane 9 is past the end (6)", offset));
   }
 }
 

@@ -49,6 +49,14 @@ void forget_surfedges(Bsp& io_bsp, std::size_t first, std::size_t count) {
   std::fill_n(io_bsp.surfedges.begin() + static_cast<std::ptrdiff_t>(first), count, 0);
 }
 
+// Appends nodes, of which each is the back child of the one before; the first belongs to model 1.
+void make_chain(std::uint32_t length, Bsp& io_bsp) {
+  const auto first = static_cast<std::int32_t>(io_bsp.nodes.size());
+  io_bsp.models[1].head_nodes[0] = first;
+  for (std::uint32_t i = 1; i <= length; ++i)
+    io_bsp.nodes.push_back({0, {-1, i < length ? first + static_cast<std::int32_t>(i) : -1}, {}, {}, 0, 0});
+}
+
 std::string remove_offset(std::string text) {
   const std::size_t begin = text.find(" at offset ");
   if (begin != std::string::npos) text.erase(begin, text.find(':', begin) - begin);
@@ -185,6 +193,18 @@ const RepairCase kTreeRepairs[] = {
     {"NodeChild", CHANGE(b.nodes[3].children[1] = 7),
      "lump nodes: node 3: child 7 is neither one of 7 nodes nor of 2 leaves",
      CHANGE(b.nodes[3].children[1] = -1)},
+    {"NodePlane", CHANGE(b.nodes[3].plane = 6; b.nodes[4].plane = 99999),
+     "lump nodes: node 3: plane 6 is past the end (6); this and 1 other damaged record",
+     CHANGE(b.nodes[3].plane = b.nodes[4].plane = 6; b.planes.push_back({{1, 0, 0}, kBspMaxCoordinate, 0}))},
+    {"NodeCycle", CHANGE(b.nodes[4].children[0] = 0),
+     "lump nodes: node 0: it is reached twice; it is repaired", CHANGE(b.nodes[4].children[0] = -1)},
+    {"NodeItsOwnChild", CHANGE(b.nodes[6].children[1] = 6), "lump nodes: node 6: it is reached twice",
+     CHANGE(b.nodes[6].children[1] = -1)},
+    {"NodeShared", CHANGE(b.nodes[2].children[0] = 4), "lump nodes: node 4: it is reached twice",
+     CHANGE(std::ranges::replace(b.nodes[3].children, 4, -1))},
+    {"NodesTooDeep", CHANGE(make_chain(kBspMaxTreeDepth + 2, b)),
+     "lump nodes: node 2055: the tree is deeper than 2048 nodes; it is repaired",
+     CHANGE(b.nodes[kBspMaxTreeDepth + 6].children[1] = -1; b.nodes[6] = {0, {-1, -1}, {}, {}, 0, 0})},
     {"NodeFaces", CHANGE(b.nodes[3].face_count = 200),
      "lump nodes: node 3: face 3 and the 200 after it are past the end (6); this and 1 other damaged record",
      CHANGE(b.nodes[3].face_count = 1)},
@@ -211,6 +231,12 @@ const RepairCase kModelRepairs[] = {
     {"ClipHead", CHANGE(b.models[1].head_nodes[2] = 99999),
      "lump models: model 1: head 99999 of hull 2 is neither one of 6 clipnodes nor contents",
      CHANGE(b.models[1].head_nodes[2] = -1)},
+    {"HeadInAnotherTree", CHANGE(b.models[1].head_nodes[0] = 3),
+     "lump nodes: node 3: it is reached twice; it is repaired",
+     CHANGE(b.models[1].head_nodes[0] = -2; b.nodes[6] = {0, {-1, -1}, {}, {}, 0, 0})},
+    {"LargeHullOfTheWorld", CHANGE(b.models[0].head_nodes[2] = 99999),
+     "lump models: model 0: head 99999 of hull 2 is neither one of 6 clipnodes nor contents",
+     CHANGE(b.models[0].head_nodes[2] = b.models[0].head_nodes[1])},
     {"UnusedHullOfTheWorld", CHANGE(b.models[0].head_nodes[3] = 99999),
      "lump models: model 0: head 99999 of hull 3 is neither one of 6 clipnodes nor contents",
      CHANGE(b.models[0].head_nodes[3] = -1)},

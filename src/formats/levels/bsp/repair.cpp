@@ -8,14 +8,16 @@
 
 #include "formats/levels/bsp/repair_faces.h"
 #include "formats/levels/bsp/repair_ranges.h"
+#include "formats/levels/bsp/repair_trees.h"
 #include "formats/levels/bsp_validate.h"
 
 namespace temblor::formats::bsp_file {
 namespace {
 
-constexpr std::int32_t kEmpty = -1, kSolid = -2;  // contents
-constexpr std::int32_t kOutside = ~0;             // leaf 0
-constexpr std::size_t kQuakePlayerHulls = 3;      // hulls 0 to 2; hull 3 is not used
+constexpr std::int32_t kEmpty = -1, kSolid = -2;              // contents
+constexpr std::int32_t kOutside = ~0;                         // leaf 0
+constexpr std::size_t kQuakePlayerHulls = 2, kLargeHull = 2;  // 1: players, 2: large monsters, 3: unused
+constexpr BspPlane kAllSpaceBehind{{1, 0, 0}, kBspMaxCoordinate, 0};
 
 float limit(float value) {
   if (std::isnan(value)) return 0;
@@ -95,12 +97,18 @@ std::size_t repair_marksurfaces(Bsp& io_bsp) {
 
 std::size_t repair_nodes(Bsp& io_bsp) {
   std::size_t changed = 0;
+  const auto planes = static_cast<std::uint32_t>(io_bsp.planes.size());
   for (BspNode& node : io_bsp.nodes) {
     bool is_changed = repair_box(node.mins, node.maxs);
+    if (node.plane >= planes) {
+      node.plane = planes;
+      is_changed = true;
+    }
     for (std::int32_t& child : node.children)
       if (!is_node_or_leaf(io_bsp, child)) is_changed |= replace(child, kOutside);
     changed += is_changed;
   }
+  if (std::ranges::count(io_bsp.nodes, planes, &BspNode::plane) > 0) io_bsp.planes.push_back(kAllSpaceBehind);
   return changed + fit_ranges(io_bsp.nodes, io_bsp.faces.size(), &BspNode::first_face, &BspNode::face_count);
 }
 
@@ -133,12 +141,6 @@ void measure_faces(const Bsp& bsp, BspModel& io_model) {
   io_model.maxs = is_empty ? math::Vec3(0.0f) : maxs;
 }
 
-// The head of an empty leaf, or leaf 0 if there is none.
-std::int32_t find_empty_leaf(const Bsp& bsp) {
-  const auto found = std::ranges::find(bsp.leaves, kEmpty, &BspLeaf::contents);
-  return found == bsp.leaves.end() ? kOutside : ~static_cast<std::int32_t>(found - bsp.leaves.begin());
-}
-
 bool repair_heads(const Bsp& bsp, bool is_world, BspModel& io_model) {
   bool is_changed = false;
   if (!is_world && !is_node_or_leaf(bsp, io_model.head_nodes[0]))
@@ -149,7 +151,8 @@ bool repair_heads(const Bsp& bsp, bool is_world, BspModel& io_model) {
                                                             : kQuakePlayerHulls;
   for (std::size_t hull = kept; hull < io_model.head_nodes.size(); ++hull)
     if (!is_clipnode_or_contents(bsp, io_model.head_nodes[hull]))
-      is_changed |= replace(io_model.head_nodes[hull], kEmpty);
+      is_changed |= replace(io_model.head_nodes[hull],
+                            is_world && hull == kLargeHull ? io_model.head_nodes[1] : kEmpty);
   return is_changed;
 }
 
@@ -182,7 +185,8 @@ std::size_t repair_level(Bsp& io_bsp) {
   changed += repair_leaves(io_bsp);
   changed += repair_nodes(io_bsp);
   changed += repair_clipnodes(io_bsp);
-  return changed + repair_models(io_bsp);
+  changed += repair_models(io_bsp);
+  return changed + repair_node_trees(io_bsp);
 }
 
 }  // namespace temblor::formats::bsp_file
