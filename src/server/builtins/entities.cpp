@@ -1,4 +1,6 @@
 // Built-in functions that make, place, shape and remove entities.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/text.h"
@@ -26,17 +28,21 @@ base::Status setorigin(Call& io_call) {
 }
 
 // setmodel(entity, name): also sets modelindex, and the size to the model's box. The model must be precached.
+// Without a brush model that only the level's entities name, the entity is a point.
 base::Status setmodel(Call& io_call) {
   TRY(const vm::EntityIndex entity, io_call.entity(0));
   const std::string_view name = io_call.text(1);
   const std::vector<ServerModel>& models = io_call.world.models;
   const auto found = std::find_if(models.begin(), models.end(),
                                   [&](const ServerModel& model) { return model.name == name; });
-  if (found == models.end()) return io_call.error("\"{}\" was not precached", base::quotable(name));
+  const bool is_found = found != models.end();
+  if (!is_found && !name.starts_with('*'))
+    return io_call.error("\"{}\" was not precached", base::quotable(name));
+  if (!is_found) io_call.warn_once(fmt::format("the level has no brush model \"{}\"", base::quotable(name)));
   const Edict edict = io_call.world.edicts[entity];
   edict.set(field::kModel, io_call.machine.parameter_string(1));
-  edict.set(field::kModelIndex, static_cast<float>(found - models.begin()));
-  set_size(edict, found->box);
+  edict.set(field::kModelIndex, is_found ? static_cast<float>(found - models.begin()) : 0.0f);
+  set_size(edict, is_found ? found->box : math::Bounds{});
   return linked(io_call, entity);
 }
 

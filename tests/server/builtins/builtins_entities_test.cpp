@@ -97,6 +97,16 @@ TEST(EntityBuiltins, SetmodelTakesNumberAndBoxOfAPrecachedModel) {
               HasSubstr("builtin setmodel: \"progs/dog.mdl\" was not precached"));
 }
 
+TEST(EntityBuiltins, SetmodelMakesAPointWithoutTheLevelsBrushModel) {
+  Stage stage;
+  const vm::EntityIndex thing = stage.spawn();
+  stage.run("setmodel", thing, "*1");
+  stage.run("setmodel", thing, "*99");
+  EXPECT_EQ(stage.edict(thing)[field::kModelIndex], 0);
+  EXPECT_EQ(stage.edict(thing)[field::kSize], Vec3(0.0f));
+  EXPECT_EQ(stage.printed, "builtin setmodel: the level has no brush model \"*99\"\n");
+}
+
 TEST(EntityBuiltins, MakestaticIsSentToJoiningClients) {
   Stage stage({net::Protocol::kFitzQuake, 0});
   const vm::EntityIndex torch = stage.spawn_box(kHall, Solid::kBox);
