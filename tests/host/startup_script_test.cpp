@@ -81,6 +81,14 @@ TEST_F(StartupScript, SettingsOfTheGameAreDefaultsThatPlayersCanChange) {
 }
 
 // They are written at the end, so a script that forgets them must not erase them.
+// Scripts and players can read it before a game begins.
+TEST_F(StartupScript, KnowsTheRegisteredGame) {
+  start({{"autoexec.cfg", "alias unused"}});
+  EXPECT_EQ(text("registered"), "0");
+  start({{"gfx/pop.lmp", std::string(256, '\0')}});
+  EXPECT_EQ(text("registered"), "1");
+}
+
 TEST_F(StartupScript, ReadsTheSettingsAlsoWithoutAnExec) {
   start({{"quake.rc", "sensitivity 7\n"}, {"config.cfg", "fov 100\n"}});
   EXPECT_EQ(text("fov"), "100");

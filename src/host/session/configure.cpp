@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "assets/library.h"
 #include "base/text.h"
 #include "command/text.h"
 #include "host/commands/configuration.h"
@@ -140,6 +141,8 @@ base::Status run_configuration(Host& io_host) {
   // Discard the settings of the previous game folders. The command line's values are applied again below.
   io_host.overrides.release_changed(variables);
   io_host.variables.reset();
+  io_host.variables.server().set_registered(
+      io_host.game.data->library.files().contains(assets::kRegisteredMark));
   io_host.console.commands.set_loader(
       [&io_host](std::string_view name) { return read_console_file(io_host, name); });
   run_startup_script(io_host);
