@@ -101,6 +101,20 @@ void Console::run() {
   done_ = 0;
 }
 
+void Console::drop_server_text() {
+  std::string kept_text;
+  std::vector<Part> kept_parts;  // the next one first
+  std::size_t begin = done_;
+  for (auto part = parts_.rbegin(); part != parts_.rend(); begin += (part++)->left_chars) {
+    if (part->place.source == Source::kServer) continue;
+    kept_text.append(text_, begin, part->left_chars);
+    kept_parts.push_back(*part);
+  }
+  text_ = std::move(kept_text);
+  done_ = 0;
+  parts_.assign(kept_parts.rbegin(), kept_parts.rend());
+}
+
 void Console::finish_server_commands() {
   if (std::exchange(runs_server_commands_, false) && server_rules_.finish) server_rules_.finish();
 }

@@ -94,6 +94,9 @@ class Console {
   // Returns whether commands wait for run(), for example after `wait`.
   bool has_pending() const { return done_ < text_.size(); }
 
+  // Drops what is left of the pending text of Source::kServer.
+  void drop_server_text();
+
   // Runs one command now, before the pending text. If it is an alias or `exec`, its expansion is only
   // inserted before the pending text, and runs with run().
   void execute(std::string_view command);

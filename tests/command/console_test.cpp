@@ -88,6 +88,20 @@ TEST_F(ConsoleTest, TheServersTextKeepsItsSource) {
               ElementsAre("[player]", "[own]", "[file]", "[last]", "[player]", "[alias]", "[player]"));
 }
 
+TEST_F(ConsoleTest, DropsOnlyTheServersText) {
+  console_.append("note 1; wait; note 2");
+  console_.append("alias theirs \"wait; note 3\"; theirs; note 4", Source::kServer);
+  console_.append("note 5");
+  console_.append("note 6", Source::kServer);
+  console_.append("note 7; wait; note 8");
+  console_.run();
+  console_.run();
+  console_.drop_server_text();
+  for (int i = 0; i < 2; ++i) console_.run();
+  EXPECT_THAT(notes_, ElementsAre("[1]", "[2]", "[5]", "[7]", "[8]"));
+  EXPECT_FALSE(console_.has_pending());
+}
+
 TEST_F(ConsoleTest, UnknownNamesGiveALine) {
   run("fly high");
   EXPECT_THAT(lines_, ElementsAre("unknown command or variable \"fly\""));

@@ -104,6 +104,15 @@ TEST_F(StuffedTextInAGame, IsUndoneWhenThePlayerLeaves) {
   EXPECT_EQ(game_->host().video.server_tint.opacity, 0);
 }
 
+TEST_F(StuffedTextInAGame, DoesNotRunAfterThePlayerHasLeft) {
+  game_->command("wait; wait; wait; disconnect; wait; echo left");
+  send("fov 60; bind x +attack");
+  game_->run(0.2);
+  EXPECT_TRUE(game_->has_printed("left"));
+  EXPECT_EQ(value("fov"), "100");
+  EXPECT_EQ(bound("x"), "own");
+}
+
 TEST_F(StuffedTextInAGame, MayRunItsOwnAliasesButNotThePlayers) {
   send("own");
   EXPECT_TRUE(game_->has_printed("The server's command \"own\" was refused (cl_stufftext)."));

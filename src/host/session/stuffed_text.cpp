@@ -187,6 +187,8 @@ StuffedText::OwnSettings StuffedText::own_settings(const Host& host) {
 
 void StuffedText::restore(Host& io_host) {
   note_changes(io_host);
+  // It could change settings later, when nobody undoes that. A game on this machine may go on to another one.
+  if (!is_trusted_) io_host.console.commands.drop_server_text();
   refused_.clear();
   io_host.video.server_tint = {};
   for (std::size_t i = 0; i < client::kButtons; ++i)
