@@ -133,20 +133,22 @@ base::Status read_texels(base::ByteReader& io_reader, std::uint32_t count, Mdl& 
   return base::Ok{};
 }
 
+// Leaves out triangles with vertices that do not exist, unless no triangle is left.
 base::Status read_triangles(base::ByteReader& io_reader, const Counts& counts, Mdl& out_mdl) {
   TRY_STATUS(need_bytes(io_reader, std::uint64_t{counts.triangles} * kTriangleBytes, "triangles"));
-  out_mdl.triangles.resize(counts.triangles);
+  const std::size_t offset = io_reader.offset();
+  out_mdl.triangles.reserve(counts.triangles);
   for (std::size_t i = 0; i < counts.triangles; ++i) {
-    const std::size_t offset = io_reader.offset();
-    MdlTriangle& triangle = out_mdl.triangles[i];
+    MdlTriangle triangle;
     triangle.faces_front = io_reader.i32() != 0;
-    for (std::uint32_t& vertex : triangle.vertices) {
-      vertex = io_reader.u32();
-      if (vertex >= counts.vertices)
-        return base::malformed("triangle {} at offset {:#x}: vertex {} of {}", i, offset, vertex,
-                               counts.vertices);
-    }
+    for (std::uint32_t& vertex : triangle.vertices) vertex = io_reader.u32();
+    if (std::ranges::all_of(triangle.vertices,
+                            [&](std::uint32_t vertex) { return vertex < counts.vertices; }))
+      out_mdl.triangles.push_back(triangle);
   }
+  if (out_mdl.triangles.empty())
+    return base::malformed("triangles at offset {:#x}: each has a vertex past the end ({})", offset,
+                           counts.vertices);
   return base::Ok{};
 }
 

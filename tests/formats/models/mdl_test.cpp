@@ -177,10 +177,24 @@ TEST(Mdl, ReplacesNormalsThatDoNotExist) {
 TEST(Mdl, RejectsIndicesOutOfRange) {
   const base::ByteVector valid = smallest_model();
   for (const std::uint32_t vertex : {1u, 1u << 31})
-    EXPECT_EQ(error_of_mdl(test::with_number(valid, kSmallestTriangleAt + 8, vertex)),
-              fmt::format("triangle 0 at offset {:#x}: vertex {} of 1", kSmallestTriangleAt, vertex));
+    EXPECT_EQ(
+        error_of_mdl(test::with_number(valid, kSmallestTriangleAt + 8, vertex)),
+        fmt::format("triangles at offset {:#x}: each has a vertex past the end (1)", kSmallestTriangleAt));
   EXPECT_THAT(error_of_mdl(test::with_number(valid, kSmallestTexelAt + 4, 1 << 30)),
               HasSubstr(fmt::format("vertex 0 at offset {:#x}: 1073741824, -6", kSmallestTexelAt)));
+}
+
+TEST(Mdl, LeavesOutTrianglesOfMissingVertices) {
+  constexpr std::size_t kTriangleCountAt = 64, kTriangleBytes = 16;
+  base::ByteVector bytes = test::with_number(smallest_model(), kTriangleCountAt, 3);
+  for (const std::uint32_t vertex : {1u, ~0u}) {
+    const auto at = bytes.begin() + kSmallestTriangleAt;
+    bytes.insert(at, kTriangleBytes, std::byte{0});
+    bytes = test::with_number(bytes, kSmallestTriangleAt + 12, vertex);
+  }
+  const auto mdl = read_mdl(bytes);
+  ASSERT_TRUE(mdl.ok()) << mdl.error().message();
+  EXPECT_EQ(write_mdl(*mdl), smallest_model());
 }
 
 TEST(Mdl, RejectsUnknownGroupTypes) {
