@@ -20,13 +20,15 @@ base::Result<PakHeader> read_pak_header(base::Bytes header, std::uint64_t archiv
   if (!reader.ok())
     return base::malformed("PAK header needs {} bytes, the file has {}", kPakHeaderBytes, header.size());
   if (magic != kPakMagic) return base::malformed("not a PAK file: it does not start with \"PACK\"");
-  if (offset < 0 || bytes < 0 || std::uint64_t(offset) + std::uint64_t(bytes) > archive_bytes)
+  // Bytes after the last whole record do not matter.
+  const std::uint64_t record_bytes = bytes < 0 ? 0 : std::uint64_t(bytes) / kPakRecordBytes * kPakRecordBytes;
+  if (offset < 0 || bytes < 0 || std::uint64_t(offset) + record_bytes > archive_bytes)
     return base::malformed("PAK directory: offset {} and {} bytes are outside of the file ({} bytes)", offset,
                            bytes, archive_bytes);
   if (std::size_t(bytes) / kPakRecordBytes > kMaxPakEntries)
     return base::error(base::ErrorCode::kTooLarge, "PAK directory: {} entries, the limit is {}",
                        std::size_t(bytes) / kPakRecordBytes, kMaxPakEntries);
-  return PakHeader{std::uint64_t(offset), std::uint64_t(bytes) / kPakRecordBytes * kPakRecordBytes};
+  return PakHeader{std::uint64_t(offset), record_bytes};
 }
 
 // Offsets and sizes are signed in the file; negative ones are like those past the end. The sum is computed in

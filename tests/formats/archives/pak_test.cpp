@@ -123,6 +123,13 @@ std::vector<std::string> names_in(base::Bytes bytes) {
   return names;
 }
 
+TEST(Pak, IgnoresBytesAfterTheLastWholeRecord) {
+  const std::vector<std::string> both = {"maps/ab", "c"};
+  for (const std::int32_t size : {129, 191})
+    EXPECT_EQ(names_in(test::with_number(hand_made_pak(), 8, size)), both);
+  EXPECT_FALSE(read_pak(test::with_number(hand_made_pak(), 8, 192)).ok());
+}
+
 // A game may never open such a file.
 TEST(Pak, IgnoresEntriesOutsideOfTheFile) {
   const std::vector<std::string> only_first = {"maps/ab"}, only_second = {"c"};
