@@ -10,6 +10,7 @@
 #include "host/headless_host.h"
 #include "host/session/session.h"
 #include "platform/posix/udp_socket.h"
+#include "server/session/stages.h"
 #include "support/generated_demo.h"
 #include "support/programs/quakec.h"
 
@@ -254,6 +255,22 @@ TEST(HostDemos, ARecordingWaitsForTheNextLevelAndGame) {
   game.command("stop");
   game.run(0.1);
   EXPECT_TRUE(std::filesystem::exists(game.folder().path() / "id1/other.dem"));
+}
+
+TEST(HostDemos, ARecordingThatWaitsEndsWithALineIfTheServerDropsThePlayer) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game({"maxplayers 2"});
+  game.host().services.open_socket = [&](std::uint16_t) {
+    return platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+  };
+  game.command("map small");
+  ASSERT_TRUE(game.run_until_playing());
+  game.command("record film");
+  game.run(0.1);
+  server::drop_client(*game.session().server(), 0, "Too good.");
+  game.run(0.2);
+  EXPECT_TRUE(game.has_printed("Too good."));
+  EXPECT_TRUE(game.has_printed("film.dem: nothing was recorded"));
 }
 
 }  // namespace

@@ -191,11 +191,10 @@ base::Status finish_recording(Host& io_host) {
   if (name.empty()) return base::Ok{};
   if (server::Server* const server = session.server(); server != nullptr && server->recorder.has_value())
     return server::stop_demo(*server);
-  if (!recording && session.connection() != nullptr && session.connection()->is_recording())
-    recording = session.connection()->finish_recording();
-  else if (!recording)
-    return base::Ok{};
-  if (!recording)
+  if (session.connection() != nullptr && session.connection()->is_recording())
+    recording = session.connection()->finish_recording().value_or(base::ByteVector());
+  if (!recording) return base::Ok{};
+  if (recording->empty())
     return base::error(base::ErrorCode::kUsage, "{}: nothing was recorded, because no new level has started",
                        name);
   const std::filesystem::path path = io_host.game.data->write_folder / name;

@@ -100,7 +100,8 @@ std::optional<std::string> Session::read(double now_s) {
   connection_->update(now_s);
   if (!connection_->is_connecting() && !connection_->is_connected()) {
     std::string reason = connection_->disconnect_reason();
-    lost_recording_ = connection_->finish_recording();
+    if (connection_->is_recording())
+      lost_recording_ = connection_->finish_recording().value_or(base::ByteVector());
     disconnect("");
     return reason;
   }
