@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::size_t kMaxReasonBytes = 200;
 
+// The client shows the reason as one line, so a line end would become a visible character.
 base::ByteVector make_disconnect_message(std::string_view reason) {
+  while (reason.ends_with('\n')) reason.remove_suffix(1);
   base::ByteWriter writer;
   const std::string text = base::printable(reason.substr(0, kMaxReasonBytes)) + "\n";
   if (!reason.empty()) CHECK(write_message(Print{text}, Dialect{}, writer).ok());

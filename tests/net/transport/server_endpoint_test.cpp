@@ -250,7 +250,7 @@ TEST(ServerEndpoint, ResendsDisconnectWhilePeerKeepsSending) {
   Bench bench;
   BarePeer client(bench.network, host(2, 1));
   bench.connect(client);
-  bench.server.endpoint.disconnect(ConnectionId{1}, "kicked");
+  bench.server.endpoint.disconnect(ConnectionId{1}, "kicked\n");  // one line, whatever its end
   // svc_print, svc_disconnect.
   EXPECT_THAT(client.received(), ElementsAre(unreliable(0, "\x08kicked\n\0\x02"s)));
   EXPECT_FALSE(bench.server.send(1, "x"));
