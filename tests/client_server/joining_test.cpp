@@ -17,6 +17,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // A client that sends nothing on its own, and stores the names of levels and all text that it is sent.
 class SlowClient {
@@ -326,9 +327,9 @@ TEST(Joining, ANewcomerThatNeverGetsThereLosesItsSlot) {
   const std::size_t player = served.add_client("player");
   ASSERT_TRUE(served.run_until_playing(player));
   SlowClient slow(served);
-  slow.run(100);
+  slow.run(70);
   slow.say("prespawn");
-  slow.run(75);
+  slow.run(70);
   EXPECT_EQ(served.server().endpoint.connections(), 2u);
   slow.run(10);
   EXPECT_EQ(served.server().endpoint.connections(), 1u);
@@ -357,6 +358,37 @@ TEST(Joining, TheProtocolHasRoomForHowEntitiesLook) {
             net::Protocol::kFitzQuake);
   EXPECT_EQ(protocol(".float alpha;\n", " local entity e; e = spawn(); e.alpha = 0.5; "),
             net::Protocol::kFitzQuake);
+}
+
+// DarkPlaces prints packets like this one whether it is connected or not.
+std::string read_notice_after_leaving(std::string_view protocol) {
+  ServedGame served;
+  CHECK(served.variables().set("sv_protocol", protocol).ok());
+  served.command("map small");
+  served.run(0.1);
+  const auto socket = served.network().open(platform::ip4_address({10, 0, 9, 9}, 4000));
+  const auto send = [&](std::string_view bytes) { socket->send(kServedAddress, base::as_bytes(bytes)); };
+  using namespace std::string_view_literals;
+  send("\x80\0\0\x0c\x01QUAKE\0\x03"sv);
+  served.run(0.1);
+  send("\0\x02\0\x08\0\0\0\0"sv);
+  served.run(0.1);
+  CHECK(served.server().endpoint.connections() == 1);
+  send("\0\x10\0\x09\0\0\0\0\x02"sv);  // clc_disconnect
+  served.run(0.1);
+  std::string notice;
+  while (const auto datagram = socket->receive())
+    if (base::as_text(datagram->bytes).starts_with("\xff\xff\xff\xffn"))
+      notice = base::as_text(datagram->bytes);
+  return notice + served.console();
+}
+
+TEST(Joining, AClientThatCannotReadTheProtocolIsSentTheSettingForIt) {
+  SKIP_WITHOUT_QUAKEC();
+  const std::string notice = read_notice_after_leaving("666");
+  EXPECT_THAT(notice, HasSubstr("nThis game uses protocol 666."));
+  EXPECT_THAT(notice, HasSubstr("as DarkPlaces, set: sv_protocol 15"));
+  EXPECT_THAT(read_notice_after_leaving("15"), Not(HasSubstr("sv_protocol")));
 }
 
 }  // namespace

@@ -88,6 +88,11 @@ base::Status ServerEndpoint::send_unreliable(ConnectionId connection, base::Byte
   return found->channel.send_unreliable(message, SendTo{*sockets_[found->peer.socket], found->peer.address});
 }
 
+void ServerEndpoint::send_notice(ConnectionId connection, std::string_view text) {
+  if (const Connection* found = find(connection))
+    sockets_[found->peer.socket]->send(found->peer.address, make_quakeworld_print(text));
+}
+
 bool ServerEndpoint::can_send_reliable(ConnectionId connection) const {
   const Connection* found = find(connection);
   return found != nullptr && found->channel.can_send_reliable();

@@ -122,6 +122,8 @@ class ServerEndpoint {
   // unread). After any other error of send_reliable() the client is missing a message: disconnect it.
   base::Status send_reliable(ConnectionId connection, base::Bytes message);
   base::Status send_unreliable(ConnectionId connection, base::Bytes message);
+  // Sends a text outside of the connection, which DarkPlaces prints even after it has left.
+  void send_notice(ConnectionId connection, std::string_view text);
   // Returns false if the connection has ended.
   bool can_send_reliable(ConnectionId connection) const;
   // Ends a connection, sends the peer the reason (unless it is empty), and discards its unread events. Does

@@ -65,6 +65,7 @@ struct Client {
   SpawnParameters parameters{};  // with which the player enters the next level
   double joined_at_s = 0;        // by the server's clock
   double loads_since_s = 0;      // when it was sent the level info
+  double waits_since_s = 0;      // while it joins: since when it has all that it was sent
   std::int16_t sent_frags = 0;   // what the score boards show
   bool has_spawned = false;      // in any level since it connected
   bool loads_old_level = false;  // the level changed again before the client had loaded it

@@ -99,6 +99,24 @@ void handle_join_command(Server& io_server, std::size_t slot, bool is_spawn) {
   if (!status.ok()) handle_game_failure(io_server, status.error());
 }
 
+// DarkPlaces reads protocol 15 only. It leaves at once, with a page of numbers on its console.
+void handle_leave(Server& io_server, std::size_t slot) {
+  const Client& client = io_server.clients[slot];
+  const auto protocol = static_cast<int>(io_server.clients.dialect().protocol);
+  if (client.stage == ClientStage::kLoading && !client.has_spawned &&
+      protocol != static_cast<int>(net::Protocol::kNetQuake)) {
+    io_server.endpoint.send_notice(
+        client.connection,
+        fmt::format("This game uses protocol {}. If your program cannot read it, ask the host to set: "
+                    "sv_protocol 15\n",
+                    protocol));
+    print(io_server, fmt::format("client {} left before it had loaded the level. If it cannot read protocol "
+                                 "{}, as DarkPlaces, set: sv_protocol 15\n",
+                                 client.address, protocol));
+  }
+  drop_client(io_server, slot, "left");
+}
+
 // The words of the handshake are handled here, and never reach game code.
 void handle_command(Server& io_server, std::size_t slot, std::string_view line) {
   Client& client = io_server.clients[slot];
@@ -114,7 +132,7 @@ void handle_command(Server& io_server, std::size_t slot, std::string_view line) 
   } else if (name == "begin") {
     if (client.stage == ClientStage::kSpawned) begin_play(io_server, slot);
   } else if (name == "dropclient" || name == "drop") {
-    drop_client(io_server, slot, "left");
+    handle_leave(io_server, slot);
   } else if (!client.is_in_game() || !offer_command_to_game(io_server, slot, line)) {
     run_player_command(io_server, slot, line);
   }
@@ -129,7 +147,7 @@ void handle_early_packet(Server& io_server, std::size_t slot, net::ClientMessage
   if (!message.ok() && !client.has_spawned)
     client.drop_reason = make_unreadable_reason(message.error());
   else if (message.ok() && *message && std::holds_alternative<net::Disconnect>(**message))
-    drop_client(io_server, slot, "left");
+    handle_leave(io_server, slot);
 }
 
 }  // namespace
@@ -148,7 +166,7 @@ void handle_packet(Server& io_server, std::size_t slot, base::Bytes bytes, bool 
       return;
     }
     if (!message->has_value()) break;
-    if (std::holds_alternative<net::Disconnect>(**message)) return drop_client(io_server, slot, "left");
+    if (std::holds_alternative<net::Disconnect>(**message)) return handle_leave(io_server, slot);
     if (const auto* move = std::get_if<net::Move>(&**message)) {
       if (client.stage != ClientStage::kPlaying) continue;
       batch.add(*move);

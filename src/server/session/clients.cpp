@@ -86,6 +86,11 @@ bool Clients::is_loading(std::size_t slot) const {
   return client.stage == ClientStage::kLoading && client.queued.empty();
 }
 
+bool Clients::has_unacknowledged(std::size_t slot) const {
+  const Client& client = clients_[slot];
+  return !client.queued.empty() || !endpoint_.can_send_reliable(client.connection);
+}
+
 void Clients::clear_queue(std::size_t slot) {
   Client& client = clients_[slot];
   client.queued.clear();

@@ -41,6 +41,8 @@ class Clients {
 
   // --- Reliable messages. Free slots and bots ignore them.
 
+  // Whether the client has not acknowledged all of them.
+  bool has_unacknowledged(std::size_t slot) const;
   // Appends to the last queued message up to the size that set_dialect() allows. Held back while the client
   // loads.
   void queue(std::size_t slot, base::Bytes bytes);

@@ -25,7 +25,7 @@ void handle_event(Server& io_server, const net::PeerConnected& event) {
   const std::optional<std::size_t> slot = find_slot_for_newcomer(io_server);
   if (!io_server.game || !slot) {
     io_server.endpoint.disconnect(event.connection,
-                                  io_server.game ? "The server is full.\n" : "No level is running.\n");
+                                  io_server.game ? "The server is full." : "No level is running.");
     return;
   }
   const double now_s = io_server.clock.now_s;
@@ -59,6 +59,16 @@ void handle_event(Server& io_server, const net::RemoteCommand& event) {
   print(io_server,
         fmt::format("rcon from {}: {}\n", platform::to_text(event.from), base::printable(event.command)));
   io_server.endpoint.reply_to_remote_command(event, run_and_capture(io_server, event.command));
+}
+
+// Slow computers take up to a minute to load a large level. A client that acknowledges packets for longer,
+// but does not ask for the next step, would keep its slot forever.
+bool is_stuck(Clients& io_clients, std::size_t slot, double now_s) {
+  constexpr double kMaxStep_s = 75, kMaxJoining_s = 180;
+  Client& client = io_clients[slot];
+  if (client.is_free() || client.is_bot() || client.stage == ClientStage::kPlaying) return false;
+  if (io_clients.has_unacknowledged(slot)) client.waits_since_s = now_s;
+  return now_s - client.waits_since_s > kMaxStep_s || now_s - client.loads_since_s > kMaxJoining_s;
 }
 
 }  // namespace
@@ -114,15 +124,11 @@ void send_empty_slot(Server& io_server, std::size_t slot) {
   io_server.clients.send_to_all(net::UpdateColors{number, 0});
 }
 
-// Slow computers take a while to load a large level. A client that acknowledges packets for longer, but does
-// not ask for the next step, would keep its slot forever.
 void drop_failed_clients(Server& io_server) {
-  constexpr double kMaxJoining_s = 180;
   Clients& clients = io_server.clients;
   for (std::size_t slot = 0; slot < clients.size(); ++slot) {
     Client& client = clients[slot];
-    if (client.stage > ClientStage::kFree && client.stage < ClientStage::kPlaying &&
-        io_server.clock.now_s - client.loads_since_s > kMaxJoining_s && client.drop_reason.empty())
+    if (is_stuck(clients, slot, io_server.clock.now_s) && client.drop_reason.empty())
       client.drop_reason = "did not finish to join";
     if (!client.is_free() && !client.drop_reason.empty())
       drop_client(io_server, slot, std::string(client.drop_reason));
