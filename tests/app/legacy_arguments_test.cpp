@@ -35,6 +35,24 @@ TEST(LegacyArguments, WindowAndSoundAreThoseOfOtherEngines) {
   EXPECT_THAT(ours({"render", "-width", "8", "-window"}), ElementsAre("render", "-width", "8", "-window"));
 }
 
+TEST(LegacyArguments, ServersAreThoseOfOtherEngines) {
+  EXPECT_THAT(
+      ours({"-dedicated", "8", "-basedir", "quake", "-port", "26001", "+deathmatch", "1", "+map", "dm1"}),
+      ElementsAre("--basedir", "quake", "serve", "--maxclients", "8", "--port", "26001", "--map", "dm1",
+                  "--exec", "deathmatch 1"));
+  EXPECT_THAT(ours({"-dedicated"}), ElementsAre("serve", "--map", "start"));
+  EXPECT_THAT(ours({"-listen", "-udpport", "26001", "+map", "dm1"}),
+              ElementsAre("--set", "maxplayers=8", "play", "--set", "port=26001", "--exec", "map dm1"));
+  EXPECT_THAT(ours({"-listen", "4", "-game", "mod"}),
+              ElementsAre("--set", "maxplayers=4", "--game", "mod", "play"));
+}
+
+TEST(LegacyArguments, OptionsWithoutMeaningAreDropped) {
+  EXPECT_THAT(ours({"-heapsize", "64000", "-nojoy", "-zone", "512", "+map", "start", "-condebug"}),
+              ElementsAre("play", "--exec", "map start"));
+  EXPECT_THAT(ours({"-heapsize"}), ElementsAre("-heapsize"));
+}
+
 TEST(LegacyArguments, MissionPacksAreGamesBelowTheMods) {
   EXPECT_THAT(ours({"-game", "mod", "-hipnotic", "+map", "hip1m1"}),
               ElementsAre("--game", "hipnotic", "--game", "mod", "play", "--exec", "map hip1m1"));
