@@ -107,6 +107,8 @@ TEST(HostileProgram, APlayerWhoMakesItFailTwiceIsDroppedAndOthersStay) {
   }
   EXPECT_FALSE(served.client(bad).is_playing());
   EXPECT_TRUE(served.client(good).is_playing()) << served.console();
+  EXPECT_THAT(served.console(), HasSubstr("client bad (10.0.0."));
+  EXPECT_THAT(served.console(), HasSubstr("removed: game code failed twice for it"));
 }
 
 TEST(HostileProgram, UnknownClassesAreSkippedAndReported) {

@@ -226,7 +226,12 @@ void handle_game_failure(Server& io_server, const base::Error& error) {
   // A player whose actions make it fail again and again is dropped, and the others play on.
   const std::optional<std::size_t> blamed = game.blamed_player();
   const bool drops_blamed = fails_again && blamed && !io_server.clients[*blamed].is_free();
-  if (drops_blamed) io_server.clients.release(*blamed, notice);
+  if (drops_blamed) {
+    const Client& client = io_server.clients[*blamed];
+    print(io_server, fmt::format("client {} ({}) removed: game code failed twice for it\n", client.name,
+                                 client.address));
+    io_server.clients.release(*blamed, notice);
+  }
   if (!fails_again || drops_blamed) {
     // Printed after the restart, because a client shows no text while it loads a level.
     if (const base::Status restarted = restart_level(io_server); restarted.ok())
