@@ -377,7 +377,9 @@ void ServerEndpoint::explain_to_quakeworld(const Peer& to, std::size_t request_b
     return;
   }
   send_bytes_to_unverified_peer(
-      to, make_quakeworld_print("This is a Quake server, not QuakeWorld: join it with a Quake client.\n"),
+      to,
+      make_quakeworld_print(
+          "This is a Quake server. QuakeWorld clients cannot join it: use a Quake client.\n"),
       request_bytes, is_known);
 }
 

@@ -367,8 +367,8 @@ TEST(ServerEndpoint, ExplainsToQuakeWorldClientsThatTheyCannotJoin) {
   asker.send("\xff\xff\xff\xff"s);
   bench.tick();
   EXPECT_THAT(asker.received(),
-              ElementsAre("\xff\xff\xff\xffnThis is a Quake server, not QuakeWorld: join it "
-                          "with a Quake client.\n"));
+              ElementsAre("\xff\xff\xff\xffnThis is a Quake server. QuakeWorld clients cannot "
+                          "join it: use a Quake client.\n"));
   EXPECT_EQ(bench.server.endpoint.statistics().malformed, 2u) << "our own clients ask for the status, too";
 }
 
