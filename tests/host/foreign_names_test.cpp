@@ -35,6 +35,12 @@ TEST(ForeignNames, SetTheSameSettingInItsUnit) {
   host.command("r_showtris 0");
   host.run(0.1);
   EXPECT_EQ(host.variables().variables().find("r_show")->text, "picture");
+  host.command("v_kicktime 0; vid_gamma 0.75; cl_maxfps 77; show_fps 1");
+  host.run(0.1);
+  EXPECT_EQ(number(host, "v_kicktime"), 0);
+  EXPECT_EQ(number(host, "gamma"), 0.75);
+  EXPECT_EQ(number(host, "host_maxfps"), 77);
+  EXPECT_EQ(number(host, "scr_showfps"), 1);
   host.command("joy_deadzone 0.25");
   host.run(0.1);
   EXPECT_EQ(number(host, "joy_deadzone_look"), 0.25);

@@ -63,8 +63,8 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
   roll_ = factor("v_roll", defaults.view.roll, 4, "How far the view leans when strafing.");
   kick_ = factor("v_kick", defaults.view.kick, 4, "How hard damage shakes the view.");
   shake_ = factor("v_shake", defaults.view.shake, 4, "How hard recoil and explosions shake the view.");
-  kick_time_ = variables.add_float("v_kicktime", static_cast<double>(defaults.view.kick_s), 0.01, 10,
-                                   "How long damage shakes the view, in seconds.");
+  kick_time_ = variables.add_float("v_kicktime", static_cast<double>(defaults.view.kick_s), 0, 10,
+                                   "How long damage shakes the view, in seconds. 0: not at all.");
   idle_sway_ = factor("v_idlescale", defaults.view.idle_sway, 100,
                       "How far the view sways all the time. 0: not at all.");
   damage_tint_ =

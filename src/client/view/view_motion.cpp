@@ -56,6 +56,7 @@ void DamageKick::add(const net::Damage& damage, const math::Vec3& body_world, fl
 }
 
 math::Vec3 DamageKick::angles_deg(double time_s, double duration_s) const {
+  if (duration_s <= 0) return math::Vec3{0.0f};
   const double left = 1 - (time_s - since_s_) / duration_s;
   return kick_deg_ * static_cast<float>(std::max(0.0, left));
 }

@@ -78,6 +78,7 @@ TEST(ViewMotion, DamageKick) {
   EXPECT_NEAR(kick.angles_deg(1.25, kKick_s).x, 12, 1e-3);
   EXPECT_EQ(kick.angles_deg(1.5, kKick_s), math::Vec3(0.0f));
   EXPECT_EQ(kick.angles_deg(9, kKick_s), math::Vec3(0.0f));
+  EXPECT_EQ(kick.angles_deg(1, 0), math::Vec3(0.0f)) << "v_kicktime 0 turns it off";
   // From the right of a player who looks along +y: +x. Little damage counts as 10.
   kick.add({0, 1, {500, 10, 10}}, {0, 10, 10}, 90, 2);
   EXPECT_NEAR(kick.angles_deg(2, kKick_s).x, 0, 1e-3);
