@@ -23,6 +23,26 @@ std::string format_number(const Variable& variable, double number) {
                                              : fmt::format("{:.9g}", number);
 }
 
+// Other engines move a number that is out of range into it, so their config files may hold one. 2 turns a
+// switch on.
+std::optional<std::string> find_nearest_value(const Variable& variable, std::string_view value) {
+  const std::optional<double> number = parse_number(value);
+  if (!number) return std::nullopt;
+  if (variable.type == VariableType::kBool) return *number != 0 ? "1" : "0";
+  if (!is_number(variable)) return std::nullopt;
+  return format_number(variable, std::clamp(*number, variable.min, variable.max));
+}
+
+// Returns what to tell the player: nothing, or why the value is another one or was refused.
+base::Status set_or_move_into_range(Variables& io_variables, const Variable& variable,
+                                    std::string_view value) {
+  base::Status status = io_variables.set(variable.name, value);
+  if (status.ok()) return status;
+  const std::optional<std::string> nearest = find_nearest_value(variable, value);
+  if (!nearest || !io_variables.set(variable.name, *nearest).ok()) return status;
+  return base::error(status.error().code, "{}; it is \"{}\" now", status.error().what, variable.text);
+}
+
 }  // namespace
 
 void Console::add_variable_commands() {
@@ -54,7 +74,7 @@ void Console::variable_command(const Variable& variable, Arguments arguments) {
   if (arguments.size() == 1)
     print(fmt::format("\"{}\" is \"{}\"", variable.name, variable.text));
   else
-    print_if_error(variables_.set(variable.name, arguments[1]));
+    print_if_error(set_or_move_into_range(variables_, variable, arguments[1]));
 }
 
 void Console::set_command(Arguments arguments) {
@@ -62,8 +82,8 @@ void Console::set_command(Arguments arguments) {
   const std::string name = base::to_lower(arguments[1]);
   if (commands_.contains(name) || aliases_.contains(name))
     return print_error(fmt::format("\"{}\" is not a variable", base::quotable(arguments[1])));
-  if (variables_.find(name) != nullptr) {
-    print_if_error(variables_.set(name, arguments[2]));
+  if (const Variable* const variable = variables_.find(name); variable != nullptr) {
+    print_if_error(set_or_move_into_range(variables_, *variable, arguments[2]));
   } else {
     if (foreign_setter_ && foreign_setter_(arguments.subspan(1))) return;
     print_if_error(variables_.make(arguments[1], arguments[2]));

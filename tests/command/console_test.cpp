@@ -107,6 +107,13 @@ TEST_F(ConsoleTest, UnknownNamesGiveALine) {
   EXPECT_THAT(lines_, ElementsAre("unknown command or variable \"fly\""));
 }
 
+TEST_F(ConsoleTest, NumbersOutOfRangeAreMovedIntoIt) {
+  run("sensitivity 99; set sensitivity -1; sensitivity; sensitivity fast; sensitivity");
+  EXPECT_THAT(lines_, ElementsAre(AllOf(HasSubstr("0 to 20"), HasSubstr("it is \"20\" now")),
+                                  HasSubstr("it is \"0\" now"), "\"sensitivity\" is \"0\"",
+                                  HasSubstr("cannot be \"fast\""), "\"sensitivity\" is \"0\""));
+}
+
 TEST_F(ConsoleTest, VariablesAreShownAndSet) {
   run("Sensitivity; sensitivity 7; sensitivity; set sensitivity 8; sensitivity 99; reset sensitivity");
   EXPECT_THAT(lines_,
