@@ -10,6 +10,7 @@
 #include "client/input/key_names.h"
 #include "host/frame/host_parts.h"
 #include "host/headless_host.h"
+#include "host/session/games.h"
 #include "support/game_data.h"
 #include "support/programs/quakec.h"
 
@@ -297,6 +298,22 @@ TEST_F(StuffedTextInAGame, KeepsAChangeBetweenTwoOfTheServer) {
   send("fov 70");
   leave();
   EXPECT_EQ(value("fov"), "95");
+}
+
+TEST_F(StuffedTextInAGame, WaitsNoLongerThanItsGame) {
+  game_->command("cl_stufftext 2");
+  game_->run(0.1);
+  std::string line = "fov 60";
+  for (int i = 0; i < 20; ++i) line += ";wait";
+  send(line + ";name thief; echo arrived");
+  EXPECT_EQ(value("fov"), "60");
+  host::disconnect(game_->host());  // by the menu: a typed line runs after those that wait
+  game_->command("map small");
+  ASSERT_TRUE(game_->run_until_playing());
+  game_->run(0.5);
+  EXPECT_EQ(value("fov"), "100");
+  EXPECT_EQ(value("name"), "player");
+  EXPECT_FALSE(game_->has_printed("arrived"));
 }
 
 // A value of the command line is not saved, also after a server has changed it meanwhile.
