@@ -62,7 +62,8 @@ void draw_triangles(benchmark::State& state) {
   std::vector<Pixel> pixels(kScreenWidth * kScreenHeight);
   std::vector<float> depth(pixels.size(), 0.0f);
   const std::size_t count = field.triangles.size() / 3;
-  std::vector<render::FrontTriangle> fronts(count);
+  std::vector<std::uint32_t> numbers(count + render::kFrontsSpare);
+  std::vector<render::TriangleRows> rows(numbers.size());
   render::TriangleJob job{field.vertices.data(),
                           field.texels.data(),
                           field.triangles.data(),
@@ -74,11 +75,11 @@ void draw_triangles(benchmark::State& state) {
                           colors.data(),
                           {32768, 30000, 28000},
                           true,
-                          fronts.data(),
-                          0};
+                          state.range(0) <= 8,
+                          {numbers.data(), rows.data(), 0}};
   const render::TriangleTarget target{pixels.data(), depth.data(), kScreenWidth, 0, 0, kScreenHeight};
   for (auto _ : state) {
-    if constexpr (kFronts) job.front_count = render::find_front_triangles_simd(job, fronts.data());
+    if constexpr (kFronts) render::find_front_triangles_simd(job, job.fronts);
     Draw(job, target);
     benchmark::ClobberMemory();
   }

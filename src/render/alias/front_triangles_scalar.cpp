@@ -28,7 +28,7 @@ std::int16_t to_row(std::int32_t row) {
 
 // Branchless: every triangle is written, and the count advances only if it is kept. Which way a triangle
 // faces is unpredictable.
-std::size_t find_front_triangles_scalar(const TriangleJob& job, FrontTriangle* out) {
+void find_front_triangles_scalar(const TriangleJob& job, FrontTriangles& io_fronts) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < job.triangle_count; ++i) {
     const std::uint32_t* corners = job.triangles + i * 3;
@@ -39,11 +39,12 @@ std::size_t find_front_triangles_scalar(const TriangleJob& job, FrontTriangle* o
     const std::int16_t top = to_row(first_pixel(least(a.y, b.y, c.y)));
     const std::int16_t bottom = to_row(first_pixel(most(a.y, b.y, c.y)));
     const bool has_columns = first_pixel(least(a.x, b.x, c.x)) < first_pixel(most(a.x, b.x, c.x));
-    out[count] = {{corners[0], corners[1], corners[2]}, top, bottom};
+    io_fronts.numbers[count] = static_cast<std::uint32_t>(i);
+    io_fronts.rows[count] = {top, bottom};
     count += static_cast<std::size_t>(cross > 0) & static_cast<std::size_t>(has_columns) &
              static_cast<std::size_t>(top < bottom);
   }
-  return count;
+  io_fronts.count = count;
 }
 
 }  // namespace temblor::render

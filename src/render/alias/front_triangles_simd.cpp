@@ -12,8 +12,8 @@ namespace temblor::render::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
-size_t FindFrontTriangles(const TriangleJob& job, FrontTriangle* out) {
-  return find_front_triangles_scalar(job, out);
+void FindFrontTriangles(const TriangleJob& job, FrontTriangles& io_fronts) {
+  find_front_triangles_scalar(job, io_fronts);
 }
 
 #else
@@ -68,9 +68,8 @@ HWY_INLINE VI FacesFront(const Points& a, const Points& b, const Points& c) {
   return hn::OddEven(odd, even);
 }
 
-// Branchless: every triangle is written, and the count advances only if it is kept. Which way a triangle
-// faces is unpredictable.
-size_t FindFrontTriangles(const TriangleJob& job, FrontTriangle* out) {
+// Branchless, because it is unpredictable which way a triangle faces.
+void FindFrontTriangles(const TriangleJob& job, FrontTriangles& io_fronts) {
   const DI d;
   size_t count = 0;
   for (size_t first = 0; first < job.triangle_count; first += kAtOnce) {
@@ -82,21 +81,15 @@ size_t FindFrontTriangles(const TriangleJob& job, FrontTriangle* out) {
     const Points c = LoadPoints(job.vertices, corners, 2);
     const VI top = ToRow(FirstPixel(Least(a.y, b.y, c.y))), bottom = ToRow(FirstPixel(Most(a.y, b.y, c.y)));
     const auto has_columns = hn::Lt(FirstPixel(Least(a.x, b.x, c.x)), FirstPixel(Most(a.x, b.x, c.x)));
-    const auto is_kept =
-        hn::And(hn::And(has_columns, hn::Lt(top, bottom)), hn::MaskFromVec(FacesFront(a, b, c)));
-    uint8_t kept[8] = {};
-    hn::StoreMaskBits(d, is_kept, kept);
-    HWY_ALIGN int32_t tops[kAtOnce], bottoms[kAtOnce];
-    hn::Store(top, d, tops);
-    hn::Store(bottom, d, bottoms);
-    for (size_t i = 0; i < rest; ++i) {
-      out[count] = {{corners[i][0], corners[i][1], corners[i][2]},
-                    static_cast<int16_t>(tops[i]),
-                    static_cast<int16_t>(bottoms[i])};
-      count += static_cast<size_t>(kept[0] >> i & 1);
-    }
+    const auto is_front = hn::And(hn::MaskFromVec(FacesFront(a, b, c)), hn::FirstN(d, rest));
+    const auto is_kept = hn::And(hn::And(has_columns, hn::Lt(top, bottom)), is_front);
+    const VI numbers = hn::Add(hn::Iota(d, 0), hn::Set(d, static_cast<int32_t>(first)));
+    const VI rows = hn::Or(top, hn::ShiftLeft<16>(bottom));  // as TriangleRows
+    hn::StoreU(hn::Compress(numbers, is_kept), d, reinterpret_cast<int32_t*>(io_fronts.numbers + count));
+    hn::StoreU(hn::Compress(rows, is_kept), d, reinterpret_cast<int32_t*>(io_fronts.rows + count));
+    count += hn::CountTrue(d, is_kept);
   }
-  return count;
+  io_fronts.count = count;
 }
 
 #endif
@@ -109,8 +102,8 @@ namespace temblor::render {
 
 HWY_EXPORT(FindFrontTriangles);
 
-std::size_t find_front_triangles_simd(const TriangleJob& job, FrontTriangle* out) {
-  return HWY_DYNAMIC_DISPATCH(FindFrontTriangles)(job, out);
+void find_front_triangles_simd(const TriangleJob& job, FrontTriangles& io_fronts) {
+  HWY_DYNAMIC_DISPATCH(FindFrontTriangles)(job, io_fronts);
 }
 
 }  // namespace temblor::render

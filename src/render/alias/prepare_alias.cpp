@@ -53,13 +53,21 @@ void project_poses(const FrameContext& context, const ViewFrame& view, const Ali
   context.settings.simd_kernels ? project_vertices_simd(job) : project_vertices_scalar(job);
 }
 
+// The mean length of the triangles' sides on the screen, at most.
+double compute_side_px(const AliasPlacement& placement) {
+  const double units = double{placement.instance->model->mean_side} * placement.instance->scale;
+  return units * placement.largest_pixels_per_unit;
+}
+
 // Subdivision does not clip, so the whole box must be inside the picture.
 bool chooses_subdivision(const Settings& settings, const AliasPlacement& placement) {
   if (!placement.inside_screen || settings.alias_raster == AliasRaster::kAffine) return false;
   if (settings.alias_raster == AliasRaster::kSubdivision) return true;
-  const double units = double{placement.instance->model->mean_side} * placement.instance->scale;
-  return units * placement.largest_pixels_per_unit < kSubdivisionSidePx;
+  return compute_side_px(placement) < kSubdivisionSidePx;
 }
+
+// Rows of such triangles have about two pixels. Found by measuring (docs/decisions/alias-triangles.md).
+constexpr double kShortRowsSidePx = 5;
 
 }  // namespace
 
@@ -111,10 +119,12 @@ PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
   for (int channel = 0; channel < 3; ++channel)
     job.tint[channel] = static_cast<std::int32_t>(light.color[channel] * 32768.0f + 0.5f);
   job.perspective = placement.perspective && !settings.alias_snap;
+  job.has_short_rows = compute_side_px(placement) < kShortRowsSidePx;
   if (settings.simd_kernels && !prepared.by_subdivision) {
-    const std::span<FrontTriangle> fronts = arena.allocate<FrontTriangle>(job.triangle_count);
-    job.front_count = find_front_triangles_simd(job, fronts.data());
-    job.fronts = fronts.data();
+    const std::size_t room = job.triangle_count + kFrontsSpare;
+    job.fronts.numbers = arena.allocate<std::uint32_t>(room).data();
+    job.fronts.rows = arena.allocate<TriangleRows>(room).data();
+    find_front_triangles_simd(job, job.fronts);
   }
   return prepared;
 }

@@ -15,12 +15,20 @@ struct TexelPoint {
   float s, t;
 };
 
-// A front-facing triangle whose bounding box contains at least one pixel center. Triangles smaller than a
-// pixel often contain none.
-struct FrontTriangle {
-  std::uint32_t corners[3];
-  std::int16_t first_row, row_end;  // clamped to 0 to 32767
+// The rows of a triangle, clamped to 0 to 32767.
+struct TriangleRows {
+  std::int16_t first, end;
 };
+
+// The front-facing triangles whose bounding box contains at least one pixel center. Triangles smaller than a
+// pixel often contain none. Both arrays have room for kFrontsSpare more elements, because whole vectors are
+// written.
+struct FrontTriangles {
+  std::uint32_t* numbers;  // in increasing order
+  TriangleRows* rows;
+  std::size_t count;
+};
+constexpr std::size_t kFrontsSpare = 8;
 
 // The triangles of one model instance.
 struct TriangleJob {
@@ -35,14 +43,15 @@ struct TriangleJob {
   const void* colors;
   std::int32_t tint[3];  // rgb: red, green, blue of the light, in 32768ths
   bool perspective;      // false: affine whatever the triangle's size
-  // SIMD only: the front triangles, in the order of `triangles`, found once for all bands of a picture.
-  const FrontTriangle* fronts;
-  std::size_t front_count;
+  // SIMD only: most rows of the triangles have one to three pixels. Changes the order of work, not the
+  // result.
+  bool has_short_rows;
+  FrontTriangles fronts;  // SIMD only: found once for all bands of a picture
 };
 
-// Writes the front triangles to `out`, which has room for job.triangle_count. Returns their number.
-std::size_t find_front_triangles_scalar(const TriangleJob& job, FrontTriangle* out);
-std::size_t find_front_triangles_simd(const TriangleJob& job, FrontTriangle* out);
+// Fills the arrays of io_fronts, which have room for job.triangle_count and kFrontsSpare elements.
+void find_front_triangles_scalar(const TriangleJob& job, FrontTriangles& io_fronts);
+void find_front_triangles_simd(const TriangleJob& job, FrontTriangles& io_fronts);
 
 // The destination: rows of `width` pixels, of which the first in memory is row `first_row` of the picture.
 // Only rows from row_begin up to row_end (exclusive) are drawn.

@@ -1,20 +1,20 @@
 // Hot loop. The SIMD version of triangle_kernels_scalar.cpp, compiled once for each instruction set. Its
 // phases, in which a vector's lanes are different things:
 //
-//   ListTriangles          lanes are triangles   corners, field by field
-//   SetUp                  lanes are triangles   gradients and sides
-//   RowList::AddTriangles  lanes are triangles   a row of each: first pixel, length, and start values
-//   RowList::AddRows       lanes are rows        the same, for the rows of one taller triangle
-//   RowList::DrawRow       lanes are pixels      depth test; scalar code then looks up the texels
-//   (RowSegments)
+//   FindTouching    lanes are triangles   those that touch the target's rows
+//   ListTriangles   lanes are triangles   corners, field by field
+//   SetUp           lanes are triangles   gradients and sides
+//   AddTriangles    lanes are triangles   a row of each: first pixel, length, and start values
+//   AddRows         lanes are rows        the same, for the rows of one taller triangle
+//   (rows/row_kernels_simd.cpp)           draws the list of rows
 //
 // Each phase fills a list that the next one consumes, so that the unpredictable branches of one phase do not
 // wait for the divisions of another.
+#include "render/alias/rows/row_list.h"
 #include "render/alias/triangle_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/alias/triangle_kernels_simd.cpp"
-#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -34,25 +34,14 @@ void DrawTrianglesU32(const TriangleJob& job, const TriangleTarget& target) {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Rows of most triangles are shorter than eight pixels; wider vectors would be mostly empty.
-using DF = hn::CappedTag<float, 8>;
-using DI = hn::Rebind<int32_t, DF>;
-using DU = hn::RebindToUnsigned<DI>;
-using D8 = hn::Rebind<uint8_t, DU>;
-using VF = hn::Vec<DF>;
+using DI = hn::CappedTag<int32_t, 8>;
 using VI = hn::Vec<DI>;
-using VU = hn::Vec<DU>;
-using MF = hn::Mask<DF>;
-// Vectors of rows.
+// Vectors of triangles or rows, as in row_kernels_simd.cpp.
 using DD = hn::CappedTag<double, 8>;
 using DDF = hn::Rebind<float, DD>;
 using DDI = hn::Rebind<int32_t, DD>;
 using VD = hn::Vec<DD>;
 using VDF = hn::Vec<DDF>;
-
-// The distance, in rows of the list, at which the destination is prefetched.
-constexpr size_t kRowsAhead = 24;
-constexpr float kMinDepth = 1e-20f;
 
 // Triangles that touch the target's rows, field by field. They are listed long before they are set up: a
 // vector that is loaded right after its parts were stored waits until all work before it is done.
@@ -80,71 +69,6 @@ struct Setups {
   HWY_ALIGN int32_t perspective[kCapacity];
 };
 
-// Segments of rows, at most a vector long, whose depth is written and whose texels are still to be looked up.
-// The lookup is done for many segments together, pixel by pixel: a gather takes as long for unused lanes as
-// for used ones, and most lanes would be unused.
-class RowSegments {
- public:
-  bool has_room() const { return size_ < kCapacity; }
-  // Adds `count` pixels; the bits of `shown` say which of them passed the depth test.
-  HWY_INLINE void Add(int place, int count, uint8_t shown, VI texels, VI light) {
-    place_[size_] = place;
-    shown_[size_] = shown;
-    first_[size_++] = static_cast<int32_t>(pixels_);
-    hn::StoreU(texels, DI(), texels_ + pixels_);
-    hn::StoreU(light, DI(), light_ + pixels_);
-    pixels_ += static_cast<size_t>(count);
-  }
-  HWY_INLINE void Draw(const TriangleJob& job, uint8_t* out);
-  HWY_INLINE void Draw(const TriangleJob& job, uint32_t* out);
-
- private:
-  template <typename Pixel>
-  HWY_INLINE void Store(const Pixel* colors, Pixel* out);
-
-  static constexpr size_t kCapacity = 256, kMaxPixels = kCapacity * 8,
-                          kSpare = 8;  // whole vectors are written
-  int32_t place_[kCapacity], first_[kCapacity];
-  uint8_t shown_[kCapacity];
-  // By pixel.
-  HWY_ALIGN int32_t texels_[kMaxPixels + kSpare], light_[kMaxPixels + kSpare];
-  size_t size_ = 0, pixels_ = 0;
-};
-
-// Rows that have pixels, in drawing order. They are listed before any of them is drawn: the number of rows
-// and pixels of a triangle is unpredictable, and a branch that depends on it would stall until the triangle's
-// divisions are done.
-class RowList {
- public:
-  // Whether there is room for eight more vectors of rows.
-  bool has_room() const { return size_ <= kCapacity - 8 * 8; }
-  // Adds the rows from `row` up to `end`, at most a vector of them, of one triangle.
-  HWY_INLINE void AddRows(const Setups& setups, int triangle, int row, int end, const TriangleTarget& target);
-  // Adds all rows, from `row` up to `end`, of a vector of triangles. None has more than `most` rows, at
-  // most 8.
-  HWY_INLINE void AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int most,
-                               const TriangleTarget& target);
-  template <typename Pixel>
-  HWY_NOINLINE void Draw(const TriangleJob& job, const TriangleTarget& target);
-
- private:
-  template <typename Source>
-  HWY_INLINE void Store(const Setups& setups, Source of, hn::Vec<DDI> rows, hn::Vec<DDI> end,
-                        const TriangleTarget& target);
-  template <typename Pixel, bool kPerspective>
-  HWY_INLINE void DrawRow(const TriangleJob& job, size_t row, const TriangleTarget& target,
-                          RowSegments& io_segments) const;
-
-  static constexpr size_t kCapacity = 256, kSpare = 8;
-  HWY_ALIGN int32_t place_[kCapacity];  // of its first pixel in the target
-  HWY_ALIGN int32_t count_[kCapacity];  // not positive: the row has no pixels
-  HWY_ALIGN int32_t perspective_[kCapacity];
-  HWY_ALIGN float value_[4][kCapacity], step_[4][kCapacity];  // depth, light, s, t
-  HWY_ALIGN int32_t order_[kCapacity + kSpare];               // the numbers of the rows that have pixels
-  size_t size_ = 0, ordered_ = 0;
-  RowSegments segments_;
-};
-
 HWY_INLINE VDF Least(VDF a, VDF b, VDF c) {
   return hn::Min(hn::Min(a, b), c);
 }
@@ -158,17 +82,17 @@ struct Corner {
 };
 
 // Copies the corners of four triangles to the list, field by field.
-HWY_INLINE void ListCorners(const TriangleJob& job, const FrontTriangle* const (&from)[4], int first,
+HWY_INLINE void ListCorners(const TriangleJob& job, const uint32_t* const (&from)[4], int first,
                             TriangleList& io_list) {
   const hn::FixedTag<float, 4> d4;
   const hn::FixedTag<float, 2> d2;
   static_assert(sizeof(ScreenVertex) == 16 && sizeof(TexelPoint) == 8);
   for (int corner = 0; corner < 3; ++corner) {
     const auto vertex = [&](int i) HWY_ATTR {
-      return hn::LoadU(d4, reinterpret_cast<const float*>(job.vertices + from[i]->corners[corner]));
+      return hn::LoadU(d4, reinterpret_cast<const float*>(job.vertices + from[i][corner]));
     };
     const auto texel = [&](int i) HWY_ATTR {
-      return hn::ZeroExtendVector(d4, hn::LoadU(d2, &job.texels[from[i]->corners[corner]].s));
+      return hn::ZeroExtendVector(d4, hn::LoadU(d2, &job.texels[from[i][corner]].s));
     };
     const auto v0 = vertex(0), v1 = vertex(1), v2 = vertex(2), v3 = vertex(3);
     const auto xy01 = hn::InterleaveLower(d4, v0, v1), xy23 = hn::InterleaveLower(d4, v2, v3);
@@ -184,19 +108,55 @@ HWY_INLINE void ListCorners(const TriangleJob& job, const FrontTriangle* const (
   }
 }
 
+// The triangles of a batch that touch the target's rows.
+struct TouchingTriangles {
+  static constexpr int kCapacity = 256, kSpare = TriangleList::kCapacity;
+
+  HWY_ALIGN uint32_t numbers[kCapacity + kSpare];
+  HWY_ALIGN int32_t row[kCapacity + kSpare], row_end[kCapacity + kSpare];  // inside the target
+  int size;
+};
+
+// Finds them among front triangles `begin` to `end` (exclusive), at most kCapacity. The last one is repeated,
+// without rows, to complete a vector.
+HWY_INLINE void FindTouching(const FrontTriangles& fronts, size_t begin, size_t end,
+                             const TriangleTarget& target, TouchingTriangles& out) {
+  const DI d;
+  const VI row_begin = hn::Set(d, target.row_begin), row_end = hn::Set(d, target.row_end);
+  size_t size = 0;
+  for (size_t i = begin; i < end; i += hn::Lanes(d)) {
+    const VI rows = hn::LoadU(d, reinterpret_cast<const int32_t*>(fronts.rows + i));
+    const VI first = hn::Max(hn::And(rows, hn::Set(d, 0xffff)), row_begin);
+    const VI last = hn::Min(hn::ShiftRight<16>(rows), row_end);
+    const auto touches = hn::And(hn::Lt(first, last), hn::FirstN(d, end - i));
+    hn::StoreU(hn::Compress(hn::LoadU(d, reinterpret_cast<const int32_t*>(fronts.numbers + i)), touches), d,
+               reinterpret_cast<int32_t*>(out.numbers + size));
+    hn::StoreU(hn::Compress(first, touches), d, out.row + size);
+    hn::StoreU(hn::Compress(last, touches), d, out.row_end + size);
+    size += hn::CountTrue(d, touches);
+  }
+  out.size = static_cast<int>(size);
+  if (size == 0) return;
+  for (size_t i = 0; i < 8; ++i) {
+    out.numbers[size + i] = out.numbers[size - 1];
+    out.row[size + i] = out.row_end[size + i] = out.row[size - 1];
+  }
+}
+
 // `count` is at least 1. The list's last vector is completed with copies of a triangle, without rows.
-HWY_INLINE void ListTriangles(const TriangleJob& job, const FrontTriangle* const* from, int count,
-                              const TriangleTarget& target, TriangleList& out) {
+HWY_INLINE void ListTriangles(const TriangleJob& job, const TouchingTriangles& from, int begin, int count,
+                              TriangleList& out) {
+  const DDI d;
   out.size = count;
-  for (int first = 0; first < (count + 7) / 8 * 8; first += 4) {
-    const FrontTriangle* four[4];
-    for (int i = 0; i < 4; ++i) {
-      const int number = first + i;
-      four[i] = from[HWY_MIN(number, count - 1)];
-      out.row[number] = HWY_MAX(four[i]->first_row, target.row_begin);
-      out.row_end[number] = number < count ? HWY_MIN(four[i]->row_end, target.row_end) : out.row[number];
-    }
+  const int end = (count + 7) / 8 * 8;
+  for (int first = 0; first < end; first += 4) {
+    const uint32_t* four[4];
+    for (int i = 0; i < 4; ++i) four[i] = job.triangles + size_t{from.numbers[begin + first + i]} * 3;
     ListCorners(job, four, first, out);
+  }
+  for (int first = 0; first < end; first += static_cast<int>(hn::Lanes(d))) {
+    hn::StoreU(hn::LoadU(d, from.row + begin + first), d, out.row + first);
+    hn::StoreU(hn::LoadU(d, from.row_end + begin + first), d, out.row_end + first);
   }
 }
 
@@ -284,8 +244,8 @@ struct EachItsOwn {
 };
 
 template <typename Source>
-HWY_INLINE void RowList::Store(const Setups& setups, Source of, hn::Vec<DDI> rows, hn::Vec<DDI> end,
-                               const TriangleTarget& target) {
+HWY_INLINE void StoreRows(const Setups& setups, Source of, hn::Vec<DDI> rows, hn::Vec<DDI> end,
+                          const TriangleTarget& target, RowList& io_list) {
   const DD d;
   const DDF df;
   const DDI di;
@@ -304,257 +264,126 @@ HWY_INLINE void RowList::Store(const Setups& setups, Source of, hn::Vec<DDI> row
   const VD from_y = hn::Sub(y, of(setups.corner_y));
   const VD rows_above = hn::Sub(y, hn::Set(d, static_cast<double>(target.first_row)));
   const auto count = hn::DemoteTo(di, hn::Sub(right, left));
-  hn::StoreU(hn::IfThenElseZero(hn::Lt(rows, end), count), di, count_ + size_);
-  hn::StoreU(hn::DemoteTo(di, hn::Add(hn::Mul(rows_above, width), left)), di, place_ + size_);
-  hn::StoreU(of(setups.perspective), di, perspective_ + size_);
+  hn::StoreU(hn::IfThenElseZero(hn::Lt(rows, end), count), di, io_list.count + io_list.size);
+  hn::StoreU(hn::DemoteTo(di, hn::Add(hn::Mul(rows_above, width), left)), di, io_list.place + io_list.size);
+  hn::StoreU(of(setups.perspective), di, io_list.perspective + io_list.size);
   for (int i = 0; i < 4; ++i) {
     const VD dx = of(setups.dx[i]);
     const VD along = hn::Add(of(setups.at_corner[i]), hn::Mul(dx, from_x));
     const VD value = hn::Add(along, hn::Mul(of(setups.dy[i]), from_y));
-    hn::StoreU(hn::DemoteTo(df, value), df, value_[i] + size_);
-    hn::StoreU(hn::DemoteTo(df, dx), df, step_[i] + size_);
+    hn::StoreU(hn::DemoteTo(df, value), df, io_list.value[i] + io_list.size);
+    hn::StoreU(hn::DemoteTo(df, dx), df, io_list.step[i] + io_list.size);
   }
-  size_ += hn::Lanes(d);
+  io_list.size += hn::Lanes(d);
 }
 
-HWY_INLINE void RowList::AddRows(const Setups& setups, int triangle, int row, int end,
-                                 const TriangleTarget& target) {
+// Whether the next group might not fit.
+HWY_INLINE bool IsFull(const RowList& list) {
+  return list.size > RowList::kCapacity - RowList::kMaxGroupRows;
+}
+
+HWY_INLINE void EndGroup(RowList& io_list) {
+  io_list.group_end[io_list.groups++] = static_cast<int32_t>(io_list.size);
+}
+
+// Adds the rows from `row` up to `end`, at most a vector of them, of one triangle.
+template <bool kShortRows>
+HWY_INLINE void AddRows(const Setups& setups, int triangle, int row, int end, const TriangleTarget& target,
+                        RowList& io_list) {
   const DDI di;
   const auto lanes = hn::Iota(di, 0);
-  const size_t first = size_;
-  Store(setups, OneTriangle{triangle}, hn::Add(hn::Set(di, row), lanes), hn::Set(di, end), target);
-  const auto has_pixels = hn::Gt(hn::LoadU(di, count_ + first), hn::Zero(di));
+  const size_t first = io_list.size;
+  StoreRows(setups, OneTriangle{triangle}, hn::Add(hn::Set(di, row), lanes), hn::Set(di, end), target,
+            io_list);
+  if constexpr (kShortRows) return EndGroup(io_list);
+  const auto has_pixels = hn::Gt(hn::LoadU(di, io_list.count + first), hn::Zero(di));
   const auto numbers = hn::Add(hn::Set(di, static_cast<int32_t>(first)), lanes);
-  hn::StoreU(hn::Compress(numbers, has_pixels), di, order_ + ordered_);
-  ordered_ += hn::CountTrue(di, has_pixels);
+  hn::StoreU(hn::Compress(numbers, has_pixels), di, io_list.order + io_list.ordered);
+  io_list.ordered += hn::CountTrue(di, has_pixels);
 }
 
-// The first vector has the first row of each triangle, the next one the second rows, and so on. Rows are
-// drawn triangle by triangle: pixels must meet the triangles in their order, and the next triangle often
-// continues a row, and would wait until the row's depth is written.
-HWY_INLINE void RowList::AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int most,
-                                      const TriangleTarget& target) {
+// Adds all rows, from `row` up to `end`, of a vector of triangles. None has more than `most` rows. The first
+// vector has the first row of each triangle, the next one the second rows, and so on. Rows are drawn triangle
+// by triangle, also because the next triangle often continues a row, and would wait until the row's depth is
+// written.
+template <bool kShortRows>
+HWY_INLINE void AddTriangles(const Setups& setups, hn::Vec<DDI> row, hn::Vec<DDI> end, int most,
+                             const TriangleTarget& target, RowList& io_list) {
   const DDI di;
-  const size_t lanes = hn::Lanes(di), first = size_;
-  for (int i = 0; i < most; ++i) Store(setups, EachItsOwn{}, hn::Add(row, hn::Set(di, i)), end, target);
+  const size_t lanes = hn::Lanes(di), first = io_list.size;
+  for (int i = 0; i < most; ++i)
+    StoreRows(setups, EachItsOwn{}, hn::Add(row, hn::Set(di, i)), end, target, io_list);
+  if constexpr (kShortRows) return EndGroup(io_list);
   for (size_t lane = 0; lane < lanes; ++lane)
-    for (size_t number = first + lane; number < size_; number += lanes) {
-      order_[ordered_] = static_cast<int32_t>(number);
-      ordered_ += static_cast<size_t>(count_[number] > 0);
+    for (size_t number = first + lane; number < io_list.size; number += lanes) {
+      io_list.order[io_list.ordered] = static_cast<int32_t>(number);
+      io_list.ordered += static_cast<size_t>(io_list.count[number] > 0);
     }
 }
 
-// Truncates. Highway's ConvertTo guards against numbers that do not fit 32 bits, which these never are.
-HWY_INLINE VI ToWhole(VF v) {
-#if HWY_TARGET <= HWY_AVX3
-  return VI{_mm256_cvttps_epi32(v.raw)};
-#else
-  return hn::ConvertTo(DI(), v);
-#endif
+HWY_INLINE void Clear(RowList& out) {
+  out.size = out.ordered = out.groups = 0;
 }
 
-// The position of each lane's texel in the skin.
-HWY_INLINE VI SkinTexels(const TriangleJob& job, VF s, VF t) {
-  const DF d;
-  const VF last_s = hn::Set(d, static_cast<float>(job.skin_width - 1));
-  const VF last_t = hn::Set(d, static_cast<float>(job.skin_height - 1));
-  const VI column = ToWhole(hn::Max(hn::Min(s, last_s), hn::Zero(d)));
-  const VI row = ToWhole(hn::Max(hn::Min(t, last_t), hn::Zero(d)));
-  return hn::Add(hn::Mul(row, hn::Set(DI(), job.skin_width)), column);
+HWY_INLINE void DrawList(const TriangleJob& job, const TriangleTarget& target, uint8_t, RowList& io_list) {
+  draw_rows_u8_simd(job, io_list, target);
+  Clear(io_list);
 }
-
-HWY_INLINE VI BoundedLight(VF light, uint8_t) {
-  const DF d;
-  const VI whole = ToWhole(hn::Max(hn::Min(light, hn::Set(d, kDarkestRow)), hn::Zero(d)));
-  return hn::And(whole, hn::Set(DI(), ~255));
-}
-HWY_INLINE VI BoundedLight(VF light, uint32_t) {
-  const DF d;
-  return ToWhole(hn::Max(hn::Min(light, hn::Set(d, kBrightestLight)), hn::Zero(d)));
-}
-
-// The SIMD version of lit_texel in affine_triangle.h.
-HWY_INLINE VU LitColors(const TriangleJob& job, VU color, VI light) {
-  const DU du;
-  const DI di;
-  const VU opaque = hn::Set(du, 0xff000000u);
-  const auto channel = [&](VU value, int tint) HWY_ATTR {
-    const VI tinted = hn::ShiftRight<15>(hn::Mul(light, hn::Set(di, tint)));
-    const VI doubled = hn::BitCast(di, hn::Add(value, value));
-    const VI lit = hn::ShiftRight<15>(hn::Add(hn::Mul(doubled, tinted), hn::Set(di, 16384)));
-    return hn::BitCast(du, hn::Min(lit, hn::Set(di, 255)));
-  };
-  const VU byte = hn::Set(du, 255);
-  const VU red = channel(hn::And(hn::ShiftRight<16>(color), byte), job.tint[0]);
-  const VU green = channel(hn::And(hn::ShiftRight<8>(color), byte), job.tint[1]);
-  const VU blue = channel(hn::And(color, byte), job.tint[2]);
-  const VU lit = hn::Or(hn::Or(hn::ShiftLeft<16>(red), hn::ShiftLeft<8>(green)), blue);
-  const auto is_lit = hn::Ne(hn::And(color, opaque), hn::Zero(du));
-  return hn::Or(opaque, hn::IfThenElse(is_lit, lit, color));
-}
-
-// Pixels outside the mask may belong to another band: not even their old value may be written back.
-#if HWY_TARGET <= HWY_AVX3
-HWY_INLINE VF LoadDepth(MF covered, const float* depth, int) {
-  return hn::MaskedLoad(covered, DF(), depth);
-}
-HWY_INLINE uint8_t StoreDepth(MF shown, VF depth, float* out) {
-  hn::BlendedStore(depth, shown, DF(), out);
-  return shown.raw;
-}
-HWY_INLINE void StorePixels(unsigned shown, const uint8_t* from, uint8_t* out) {
-  hn::BlendedStore(hn::LoadU(D8(), from), hn::Mask<D8>{static_cast<__mmask16>(shown)}, D8(), out);
-}
-HWY_INLINE void StorePixels(unsigned shown, const uint32_t* from, uint32_t* out) {
-  hn::BlendedStore(hn::LoadU(DU(), from), hn::Mask<DU>{static_cast<__mmask8>(shown)}, DU(), out);
-}
-#else
-HWY_INLINE VF LoadDepth(MF, const float* depth, int count) {
-  HWY_ALIGN float lanes[8] = {};
-  for (int i = 0; i < count; ++i) lanes[i] = depth[i];
-  return hn::Load(DF(), lanes);
-}
-template <typename Pixel>
-HWY_INLINE void StorePixels(unsigned shown, const Pixel* from, Pixel* out) {
-  for (int i = 0; shown >> i != 0; ++i)
-    if ((shown >> i & 1) != 0) out[i] = from[i];
-}
-HWY_INLINE uint8_t StoreDepth(MF shown, VF depth, float* out) {
-  HWY_ALIGN float depths[8];
-  hn::Store(depth, DF(), depths);
-  uint8_t bits[8] = {};
-  hn::StoreMaskBits(DF(), shown, bits);
-  StorePixels(bits[0], depths, out);
-  return bits[0];
-}
-#endif
-
-template <typename Pixel>
-HWY_INLINE void RowSegments::Store(const Pixel* colors, Pixel* out) {
-  for (size_t i = 0; i < size_; ++i) StorePixels(shown_[i], colors + first_[i], out + place_[i]);
-  size_ = pixels_ = 0;
-}
-
-HWY_INLINE void RowSegments::Draw(const TriangleJob& job, uint8_t* out) {
-  HWY_ALIGN uint8_t colors[kMaxPixels + kSpare];
-  look_up_texels_u8(job, texels_, light_, pixels_, colors);
-  Store(colors, out);
-}
-
-HWY_INLINE void RowSegments::Draw(const TriangleJob& job, uint32_t* out) {
-  const DU d;
-  HWY_ALIGN uint32_t colors[kMaxPixels + kSpare];
-  look_up_texels_u32(job, texels_, pixels_, colors);
-  for (size_t i = 0; i < pixels_; i += hn::Lanes(d))
-    hn::Store(LitColors(job, hn::Load(d, colors + i), hn::Load(DI(), light_ + i)), d, colors + i);
-  Store(colors, out);
-}
-
-template <typename Pixel, bool kPerspective>
-HWY_INLINE void RowList::DrawRow(const TriangleJob& job, size_t row, const TriangleTarget& target,
-                                 RowSegments& io_segments) const {
-  const DF d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const int end = count_[row];
-  int x = 0;
-  do {
-    const int count = HWY_MIN(end - x, lanes), place = place_[row] + x;
-    const VF lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(x)));
-    const auto at_lanes = [&](int i) HWY_ATTR {
-      return hn::Add(hn::Set(d, value_[i][row]), hn::Mul(lane, hn::Set(d, step_[i][row])));
-    };
-    const MF covered = hn::FirstN(d, static_cast<size_t>(count));
-    const VF depth = at_lanes(0);
-    const MF shown = hn::And(covered, hn::Ge(depth, LoadDepth(covered, target.depth + place, count)));
-    if (!hn::AllFalse(d, shown)) {
-      VF s = at_lanes(2), t = at_lanes(3);
-      if constexpr (kPerspective) {
-        const VF z = hn::Div(hn::Set(d, 1.0f), hn::Max(depth, hn::Set(d, kMinDepth)));
-        s = hn::Mul(s, z);
-        t = hn::Mul(t, z);
-      }
-      const uint8_t shown_bits = StoreDepth(shown, depth, target.depth + place);
-      io_segments.Add(place, count, shown_bits, SkinTexels(job, s, t), BoundedLight(at_lanes(1), Pixel{}));
-      if (!io_segments.has_room()) io_segments.Draw(job, static_cast<Pixel*>(target.pixels));
-    }
-    x += lanes;
-  } while (x < end);
-}
-
-template <typename Pixel>
-HWY_NOINLINE void RowList::Draw(const TriangleJob& job, const TriangleTarget& target) {
-  // The picture is larger than the first-level cache, and the next triangle may be anywhere.
-  const auto prefetch = [&](size_t i) HWY_ATTR {
-    hwy::Prefetch(target.depth + place_[order_[i]]);
-    hwy::Prefetch(static_cast<const Pixel*>(target.pixels) + place_[order_[i]]);
-  };
-  for (size_t i = 0; i < HWY_MIN(kRowsAhead, ordered_); ++i) prefetch(i);
-  for (size_t i = 0; i < ordered_; ++i) {
-    prefetch(HWY_MIN(i + kRowsAhead, ordered_ - 1));
-    const size_t row = static_cast<size_t>(order_[i]);
-    if (perspective_[row] != 0)
-      DrawRow<Pixel, true>(job, row, target, segments_);
-    else
-      DrawRow<Pixel, false>(job, row, target, segments_);
-  }
-  size_ = ordered_ = 0;
-  segments_.Draw(job, static_cast<Pixel*>(target.pixels));
+HWY_INLINE void DrawList(const TriangleJob& job, const TriangleTarget& target, uint32_t, RowList& io_list) {
+  draw_rows_u32_simd(job, io_list, target);
+  Clear(io_list);
 }
 
 // Adds the rows of a vector of triangles, which have been set up, and draws the list when it is full. Vectors
 // of rows take many triangles or one, whichever needs fewer vectors.
-template <typename Pixel>
+template <typename Pixel, bool kShortRows>
 HWY_INLINE void ListRows(const TriangleJob& job, const TriangleTarget& target, const TriangleList& triangles,
-                         int first, const Setups& setups, RowList& io_rows) {
+                         int first, const Setups& setups, RowList& io_list) {
   const DDI di;
   const int at_once = static_cast<int>(hn::Lanes(di)), count = HWY_MIN(at_once, triangles.size - first);
   const auto row = hn::LoadU(di, triangles.row + first), end = hn::LoadU(di, triangles.row_end + first);
   const int most = hn::GetLane(hn::MaxOfLanes(di, hn::Sub(end, row)));
   if (most < count) {
-    io_rows.AddTriangles(setups, row, end, most, target);
-    if (!io_rows.has_room()) io_rows.Draw<Pixel>(job, target);
+    AddTriangles<kShortRows>(setups, row, end, most, target, io_list);
+    if (IsFull(io_list)) DrawList(job, target, Pixel{}, io_list);
     return;
   }
   for (int i = 0; i < count; ++i)
     for (int y = triangles.row[first + i]; y < triangles.row_end[first + i]; y += at_once) {
-      io_rows.AddRows(setups, i, y, triangles.row_end[first + i], target);
-      if (!io_rows.has_room()) io_rows.Draw<Pixel>(job, target);
+      AddRows<kShortRows>(setups, i, y, triangles.row_end[first + i], target, io_list);
+      if (IsFull(io_list)) DrawList(job, target, Pixel{}, io_list);
     }
 }
 
-template <typename Pixel>
+template <typename Pixel, bool kShortRows>
 HWY_INLINE void DrawTriangles(const TriangleJob& job, const TriangleTarget& target) {
-  // Triangles that touch the target's rows are collected first, branchless.
-  constexpr size_t kBatch = 256;
-  const FrontTriangle* here[kBatch];
   const int at_once = static_cast<int>(hn::Lanes(DD()));
+  TouchingTriangles touching;
   TriangleList triangles;
   Setups setups;
   RowList rows;
-  for (size_t begin = 0; begin < job.front_count; begin += kBatch) {
-    const size_t end = HWY_MIN(begin + kBatch, job.front_count);
-    int count = 0;
-    for (size_t i = begin; i < end; ++i) {
-      here[count] = job.fronts + i;
-      count += static_cast<int>(job.fronts[i].row_end > target.row_begin) &
-               static_cast<int>(job.fronts[i].first_row < target.row_end);
-    }
-    for (int listed = 0; listed < count; listed += TriangleList::kCapacity) {
-      ListTriangles(job, here + listed, HWY_MIN(count - listed, TriangleList::kCapacity), target, triangles);
+  Clear(rows);
+  for (size_t begin = 0; begin < job.fronts.count; begin += TouchingTriangles::kCapacity) {
+    FindTouching(job.fronts, begin, HWY_MIN(begin + TouchingTriangles::kCapacity, job.fronts.count), target,
+                 touching);
+    for (int listed = 0; listed < touching.size; listed += TriangleList::kCapacity) {
+      ListTriangles(job, touching, listed, HWY_MIN(touching.size - listed, TriangleList::kCapacity),
+                    triangles);
       for (int first = 0; first < triangles.size; first += at_once) {
         SetUp(job, triangles, first, setups);
-        ListRows<Pixel>(job, target, triangles, first, setups, rows);
+        ListRows<Pixel, kShortRows>(job, target, triangles, first, setups, rows);
       }
     }
   }
-  rows.Draw<Pixel>(job, target);
+  DrawList(job, target, Pixel{}, rows);
 }
 
 void DrawTrianglesU8(const TriangleJob& job, const TriangleTarget& target) {
-  DrawTriangles<uint8_t>(job, target);
+  job.has_short_rows ? DrawTriangles<uint8_t, true>(job, target) : DrawTriangles<uint8_t, false>(job, target);
 }
 void DrawTrianglesU32(const TriangleJob& job, const TriangleTarget& target) {
-  DrawTriangles<uint32_t>(job, target);
+  job.has_short_rows ? DrawTriangles<uint32_t, true>(job, target)
+                     : DrawTriangles<uint32_t, false>(job, target);
 }
 
 #endif
