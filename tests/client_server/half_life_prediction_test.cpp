@@ -1,11 +1,17 @@
-// Prediction of the player's own moves in Half-Life's levels: crouching, and the water of brush entities.
+// Players in Half-Life's levels: prediction of crouching and of the water of brush entities, and the places
+// where others see crouching players.
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "client/prediction/predicted_player.h"
 #include "client_server/predicted_game.h"
+#include "client_server/served_game.h"
 #include "compiler/drafts.h"
 #include "formats/levels/bsp.h"
 #include "support/levels/room_map.h"
+#include "support/programs/quakec.h"
 #include "support/programs/temporary_folder.h"
 
 namespace temblor::test {
@@ -24,17 +30,20 @@ constexpr std::uint8_t kJump = 2;
 constexpr net::Move kWalk{.forward = kAhead}, kCrouchedWalk{.forward = kAhead, .up = kDown};
 
 // A hall along x with additional brushes and entities.
+base::ByteVector hall_level(const std::string& brushes, const std::string& entities) {
+  const std::string map =
+      entity_text("worldspawn", "", walls_text({0, -128, 0}, {1024, 128, 256}, "wall") + brushes) +
+      point_text("info_player_start", {64, 0, 36}) + entities;
+  compiler::DraftResult result = compile_draft(map, {.half_life = true});
+  CHECK(!result.leak, "the hall leaks");
+  for (formats::BspMiptex& texture : result.draft.bsp.miptexes) texture.name.clear();
+  return formats::write_bsp(result.draft.bsp, formats::BspVersion::k30).value();
+}
+
 class HalfLifeHall {
  public:
   explicit HalfLifeHall(const std::string& brushes, const std::string& entities = {}) {
-    const std::string map =
-        entity_text("worldspawn", "", walls_text({0, -128, 0}, {1024, 128, 256}, "wall") + brushes) +
-        point_text("info_player_start", {64, 0, 36}) + entities;
-    compiler::DraftResult result = compile_draft(map, {.half_life = true});
-    CHECK(!result.leak, "the hall leaks");
-    for (formats::BspMiptex& texture : result.draft.bsp.miptexes) texture.name.clear();
-    folder_.write("id1/maps/hall.bsp",
-                  formats::write_bsp(result.draft.bsp, formats::BspVersion::k30).value());
+    folder_.write("id1/maps/hall.bsp", hall_level(brushes, entities));
   }
   const std::filesystem::path& path() const { return folder_.path(); }
 
@@ -125,6 +134,40 @@ TEST(HalfLifePrediction, PlayersSwimInWaterEntitiesWithoutCorrections) {
   EXPECT_GT(game.shown()->origin_world.z, 100) << "swims up";
   game.run(4);  // it sinks to the floor
   expect_small_corrections(game);
+}
+
+// Where a client sees a player.
+float seen_z(ServedGame& io_served, std::size_t client, std::size_t player) {
+  std::vector<client::EntityPlace> places;
+  io_served.client(client).state().copy_latest_places(places);
+  const auto place = std::ranges::find(places, player + 1, &client::EntityPlace::number);
+  return place == places.end() ? NAN : place->origin_world.z;
+}
+
+TEST(HalfLifeSnapshots, OthersSeeACrouchingPlayerAsLowAsItsEyes) {
+  SKIP_WITHOUT_QUAKEC();
+  const base::ByteVector level = hall_level("", "");
+  ServedGame served(small_program(), {.files = {{"id1/maps/hall.bsp", std::string(base::as_text(level))}}});
+  served.command("map hall\n");
+  for (const std::size_t player : {served.add_client("first"), served.add_client("second")})
+    ASSERT_TRUE(served.run_until_playing(player)) << player;
+  const auto expect_seen = [&](float drop) {
+    for (const std::size_t viewer : {0u, 1u})
+      for (const std::size_t player : {0u, 1u}) {
+        const float z = Vec3(served.game().player(player)[field::kOrigin]).z;
+        EXPECT_NEAR(seen_z(served, viewer, player), viewer == player ? z : z - drop, 0.2)
+            << viewer << " sees " << player;
+      }
+  };
+  served.run(1);
+  expect_seen(0);
+  served.run(1, {.up = kDown});
+  expect_seen(16);
+  // The dead lie, and need no help.
+  served.game().player(1).set(field::kHealth, 0.0f);
+  served.run(0.1, {.up = kDown});
+  const float dead_z = Vec3(served.game().player(1)[field::kOrigin]).z;
+  EXPECT_NEAR(seen_z(served, 0, 1), dead_z, 0.2);
 }
 
 }  // namespace

@@ -37,6 +37,14 @@ bool is_crouching(const GameWorld& world, const Edict& player) {
   return world.level->is_half_life && has_height(player, movement::kCrouchedMaxs);
 }
 
+// The eyes are lowered smoothly.
+float find_crouched_drop(const GameWorld& world, const Edict& player) {
+  const float eyes_z = math::Vec3(player[field::kViewOffset]).z;
+  const bool is_lowered = world.level->is_half_life && player.move_type() == MoveType::kWalk &&
+                          player[field::kHealth] > 0 && movement::is_crouching_height(eyes_z);
+  return is_lowered ? movement::kStandingEyes - eyes_z : 0;
+}
+
 void crouch(GameWorld& io_world, vm::EntityIndex player, float wish_up) {
   if (!io_world.level->is_half_life) return;
   const Edict edict = io_world.edicts[player];

@@ -14,4 +14,8 @@ void crouch(GameWorld& io_world, vm::EntityIndex player, float wish_up);
 // Whether crouch() has made the player's box low.
 bool is_crouching(const GameWorld& world, const Edict& player);
 
+// By how many units others see the player lower: models of Quake's players cannot crouch, and their heads
+// would be in the ceilings of low passages. The legs are in the floor instead. Zero for players who stand.
+float find_crouched_drop(const GameWorld& world, const Edict& player);
+
 }  // namespace temblor::server

@@ -99,9 +99,10 @@ void choose_entities(Game& io_game, std::size_t slot, const Snapshot& snapshot, 
   std::size_t bytes = 0;
   for (std::uint32_t i = 0; i < snapshot.entities.size(); ++i) {
     const Snapshot::Entity& entity = snapshot.entities[i];
+    const bool is_itself = entity.index == own;
+    if (entity.viewers == (is_itself ? Snapshot::Viewers::kOthers : Snapshot::Viewers::kItself)) continue;
     const bool is_seen =
-        entity.index == own ||
-        (entity.is_visible && io_scratch.sight.sees(io_game.world().edicts.state(entity.index)));
+        is_itself || (entity.is_visible && io_scratch.sight.sees(io_game.world().edicts.state(entity.index)));
     if (!is_seen) continue;
     seen.push_back(i);
     bytes += entity.end - entity.begin;

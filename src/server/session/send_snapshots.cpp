@@ -178,7 +178,8 @@ void send_snapshots(Server& io_server) {
 void write_visible_entities(const Server& server, base::ByteWriter& io_writer) {
   const Snapshot& snapshot = server.buffers.snapshot;
   for (const Snapshot::Entity& entity : snapshot.entities)
-    if (entity.is_visible) io_writer.bytes(snapshot.entity_bytes(entity));
+    if (entity.is_visible && entity.viewers != Snapshot::Viewers::kOthers)
+      io_writer.bytes(snapshot.entity_bytes(entity));
 }
 
 // Bots appear in the list of clients so that score boards, `status` and browsers show them.

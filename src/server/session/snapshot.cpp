@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "net/protocol/message_writer.h"
+#include "server/physics/crouch.h"
 
 namespace temblor::server {
 namespace {
@@ -19,9 +20,8 @@ std::optional<T> if_changed(T now, T before) {
 
 // A `step` entity is interpolated by clients from one think to the next. The time of the next think is sent
 // only if it is not the usual one.
-net::EntityUpdate make_update(const Edict& edict, const EdictState& state, const LookFields& fields,
+net::EntityUpdate make_update(const net::Baseline& now, const Edict& edict, const EdictState& state,
                               double time_s) {
-  const net::Baseline now = make_baseline(edict, fields);
   const net::Baseline& before = state.baseline;
   net::EntityUpdate update;
   update.number = static_cast<std::uint16_t>(base::to_size(edict.index()));
@@ -46,6 +46,18 @@ net::EntityUpdate make_update(const Edict& edict, const EdictState& state, const
   return update;
 }
 
+// Leaves out an update that cannot be written.
+void add_update(const net::EntityUpdate& update, const net::Dialect& dialect, Snapshot::Entity entity,
+                Snapshot& io_snapshot) {
+  entity.begin = io_snapshot.bytes.size();
+  if (!net::write_message(update, dialect, io_snapshot.bytes).ok()) return;
+  const bool has_words = net::parse_entity_update(base::Bytes(io_snapshot.bytes.view()).subspan(entity.begin),
+                                                  dialect, io_snapshot.words.emplace_back());
+  CHECK(has_words, "a written entity can be read back");
+  entity.end = io_snapshot.bytes.size();
+  io_snapshot.entities.push_back(entity);
+}
+
 }  // namespace
 
 // Players without a model are included, because their own client needs them (for the origin of its view).
@@ -61,24 +73,25 @@ void take_snapshot(GameWorld& io_world, const vm::Machine& machine, const LookFi
     const EdictState& state = io_world.edicts.state(index);
     if (state.is_free) continue;
     const Edict edict = io_world.edicts[index];
+    const bool is_player = number <= io_world.edicts.client_count();
     const bool is_visible = edict[field::kModelIndex] > 0 && !machine.text(edict[field::kModel]).empty();
-    if (!is_visible && number > io_world.edicts.client_count()) continue;
+    if (!is_visible && !is_player) continue;
     if (is_stock && number >= kMaxEntitiesOfProtocol15) {
       ++io_snapshot.unnumbered;
       continue;
     }
-    const std::size_t begin = io_snapshot.bytes.size();
-    const net::EntityUpdate update = make_update(edict, state, fields, io_world.time_s);
-    if (!net::write_message(update, dialect, io_snapshot.bytes).ok()) continue;
-    const bool has_words = net::parse_entity_update(base::Bytes(io_snapshot.bytes.view()).subspan(begin),
-                                                    dialect, io_snapshot.words.emplace_back());
-    CHECK(has_words, "a written entity can be read back");
-    io_snapshot.entities.push_back({.index = index,
-                                    .owner = edict[field::kOwner],
-                                    .is_visible = is_visible,
-                                    .origin = edict[field::kOrigin],
-                                    .begin = begin,
-                                    .end = io_snapshot.bytes.size()});
+    const float drop = is_player && is_visible ? find_crouched_drop(io_world, edict) : 0;
+    net::Baseline now = make_baseline(edict, fields);
+    Snapshot::Entity entity{.index = index,
+                            .owner = edict[field::kOwner],
+                            .is_visible = is_visible,
+                            .viewers = drop > 0 ? Snapshot::Viewers::kItself : Snapshot::Viewers::kAll,
+                            .origin = edict[field::kOrigin]};
+    add_update(make_update(now, edict, state, io_world.time_s), dialect, entity, io_snapshot);
+    if (drop == 0) continue;
+    now.origin.z -= drop;
+    entity.viewers = Snapshot::Viewers::kOthers;
+    add_update(make_update(now, edict, state, io_world.time_s), dialect, entity, io_snapshot);
   }
 }
 

@@ -17,10 +17,13 @@
 namespace temblor::server {
 
 struct Snapshot {
+  // A crouching player is there twice: for itself, at its origin, and lowered for all others.
+  enum class Viewers : std::uint8_t { kAll, kItself, kOthers };
   struct Entity {
     vm::EntityIndex index{};
     vm::EntityIndex owner{};  // of a missile: who fired it
     bool is_visible = false;  // has a model; without one, only the entity's own player gets it
+    Viewers viewers = Viewers::kAll;
     math::Vec3 origin{0.0f};
     std::size_t begin = 0, end = 0;  // of its bytes in `bytes`
   };
