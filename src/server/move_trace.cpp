@@ -157,7 +157,7 @@ EntityTrace trace_move(GameWorld& io_world, const math::Vec3& start, const math:
 
 // Game code has no names for currents. They count as water, as in stock Quake.
 world::Contents point_contents(const GameWorld& world, const math::Vec3& point) {
-  const world::Contents contents = world::point_contents(*world.level, point);
+  const world::Contents contents = world::point_contents(*world.level, point, world.liquids);
   const bool is_current = contents <= world::Contents::kCurrent0 && contents >= world::Contents::kCurrentDown;
   return is_current ? world::Contents::kWater : contents;
 }

@@ -20,22 +20,23 @@ namespace {
 
 // The liquid of the brush entities at a point. The space of such a model is solid or liquid, as its texture
 // says.
-Contents find_liquid(const Level& level, const math::Vec3& point) {
+Contents find_liquid(const Level& level, const math::Vec3& point, std::span<const PlacedLiquid> placed) {
   for (std::size_t i = 0; i < level.brush_entities.size(); ++i) {
     const BrushEntity& entity = level.brush_entities[i];
     if (entity.liquid == Contents::kEmpty) continue;
-    const math::Vec3 place = point - entity.origin;
-    if (hull_contents(level, base::to_index<ModelIndex>(i), Hull::kPoint, place) != Contents::kEmpty)
-      return entity.liquid;
+    const auto model = base::to_index<ModelIndex>(i);
+    const auto moved = std::ranges::find(placed, model, &PlacedLiquid::model);
+    const math::Vec3 place = point - (moved == placed.end() ? entity.origin : moved->origin);
+    if (hull_contents(level, model, Hull::kPoint, place) != Contents::kEmpty) return entity.liquid;
   }
   return Contents::kEmpty;
 }
 
 }  // namespace
 
-Contents point_contents(const Level& level, const math::Vec3& point) {
+Contents point_contents(const Level& level, const math::Vec3& point, std::span<const PlacedLiquid> placed) {
   const Contents contents = level.leaf(find_leaf(level, point)).contents;
-  return contents == Contents::kEmpty ? find_liquid(level, point) : contents;
+  return contents == Contents::kEmpty ? find_liquid(level, point, placed) : contents;
 }
 
 namespace {

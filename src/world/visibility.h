@@ -14,9 +14,17 @@ namespace temblor::world {
 // Returns the leaf of the world's hull 0 that contains the point. A point on a plane counts as in front. Leaf
 // 0 is solid.
 LeafIndex find_leaf(const Level& level, const math::Vec3& point);
+
+// A func_water of a Half-Life level: its model, and where it is now.
+struct PlacedLiquid {
+  ModelIndex model{};
+  math::Vec3 origin{0.0f};
+};
+
 // The contents of that leaf. In an empty leaf of a Half-Life level, a func_water at the point counts: its
-// liquid. Other brush models do not count.
-Contents point_contents(const Level& level, const math::Vec3& point);
+// liquid. Other brush models do not count. A func_water that is not in `placed` is where the level puts it.
+Contents point_contents(const Level& level, const math::Vec3& point,
+                        std::span<const PlacedLiquid> placed = {});
 
 // Decompresses the PVS row of a leaf: one bit for each leaf, bit i for leaf i + 1 (leaf 0 is solid).
 //

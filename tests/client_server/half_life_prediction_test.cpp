@@ -136,6 +136,32 @@ TEST(HalfLifePrediction, PlayersSwimInWaterEntitiesWithoutCorrections) {
   expect_small_corrections(game);
 }
 
+// The water comes down from the ceiling when the player walks through the trigger, and fills the floor. While
+// it moves, the client sees it later than the server.
+TEST(HalfLifePrediction, PlayersSwimWhereWaterHasMoved) {
+  SKIP_WITHOUT_GAME();
+  const HalfLifeHall hall(
+      "",
+      entity_text("func_water", R"("targetname" "sea" "angles" "90 0 0" "speed" "200" "wait" "-1")",
+                  box_text({256, -128, 128}, {768, 128, 256}, "wall")) +
+          entity_text("trigger_once", R"("target" "sea")", box_text({112, -128, 0}, {128, 128, 64}, "wall")));
+  PredictedGame game(hall.path(), "hall", kFarAway);
+  ASSERT_TRUE(game.join());
+  game.put_player({400, 0, 24.03125f});
+  game.run(0.2);
+  EXPECT_EQ(game.player()[field::kWaterLevel], 0);
+  game.put_player({64, 0, 24.03125f});
+  game.run(2.5, kWalk);
+  EXPECT_EQ(game.player()[field::kWaterLevel], 3);
+  game.run(1);
+  game.prediction().reset_report();
+  game.run(1, {.buttons = kJump});
+  game.run(0.6, {.forward = -kAhead, .up = kDown});
+  game.run(4);
+  EXPECT_EQ(game.player()[field::kWaterLevel], 3);
+  expect_small_corrections(game);
+}
+
 // Where a client sees a player.
 float seen_z(ServedGame& io_served, std::size_t client, std::size_t player) {
   std::vector<client::EntityPlace> places;

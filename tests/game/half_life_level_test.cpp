@@ -231,6 +231,40 @@ TEST(HalfLifeLevel, PlayersSwimInWaterEntities) {
   }
 }
 
+// How deep a player stands in the pool before and after it is triggered.
+struct Depths {
+  float before, after;
+};
+Depths find_depths(std::string_view keys, LevelFor level_for = LevelFor::kHalfLife) {
+  const RoomData room(half_life_hall("", pool(keys, "wall")), HasTremor::kYes, level_for);
+  PlayedLevel game(room.path(), "room", kProgs);
+  enter_pool(game);
+  game.input(0).command = {};
+  game.run(1);
+  Depths depths{};
+  depths.before = game.player(0)[field::kWaterLevel];
+  const auto water = game.of_class("func_water");
+  EXPECT_EQ(water.size(), 1u);
+  game.use(water.at(0), 1);
+  game.run(4);
+  depths.after = game.player(0)[field::kWaterLevel];
+  EXPECT_THAT(game.errors(), IsEmpty());
+  return depths;
+}
+
+TEST(HalfLifeLevel, WaterEntitiesMoveLikeDoorsWhenTriggered) {
+  const Depths rises = find_depths(R"("targetname" "sea" "angles" "-90 0 0" "wait" "-1")");
+  EXPECT_EQ(rises.before, 3);
+  EXPECT_EQ(rises.after, 0) << "now above the player";
+  const Depths falls = find_depths(R"("angles" "90 0 0" "wait" "-1" "lip" "40")");
+  EXPECT_EQ(falls.after, 2) << "40 of 128 units are left";
+  const Depths starts_open = find_depths(R"("angles" "-90 0 0" "wait" "-1" "spawnflags" "1")");
+  EXPECT_EQ(starts_open.before, 0);
+  EXPECT_EQ(starts_open.after, 3);
+  const Depths returns = find_depths(R"("angles" "-90 0 0" "wait" "0.5" "speed" "400")");
+  EXPECT_EQ(returns.after, 3) << "back again";
+}
+
 TEST(HalfLifeLevel, SkinsOfWaterEntitiesAreLiquids) {
   const auto find_type = [](std::string_view keys, LevelFor level_for = LevelFor::kHalfLife) {
     const RoomData room(half_life_hall("", pool(keys, "wall")), HasTremor::kYes, level_for);

@@ -182,7 +182,7 @@ void update_water_level(PredictedPlayer& io_predicted, const PredictionWorld& wo
   movement::Player& player = io_predicted.player;
   const movement::Water water = movement::find_water(
       player.body.origin, {.maxs = make_player_box(player).maxs.z, .eyes = io_predicted.eyes_z},
-      [&](const math::Vec3& point) { return world::point_contents(world.level, point); });
+      [&](const math::Vec3& point) { return world::point_contents(world.level, point, world.liquids); });
   player.water_level = water.level;
   io_predicted.swim_up_speed = water.at_feet == world::Contents::kSlime  ? kSwimUpSlime
                                : water.at_feet == world::Contents::kLava ? kSwimUpLava

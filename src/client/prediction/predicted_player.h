@@ -14,6 +14,7 @@
 #include "net/protocol/client_message.h"
 #include "net/protocol/numbered_moves.h"
 #include "world/trace.h"
+#include "world/visibility.h"
 
 namespace temblor::client {
 
@@ -29,6 +30,7 @@ struct PredictionWorld {
   const world::Level& level;
   std::span<const SolidModel> solids;  // sorted by entity
   math::PhysicsSettings settings{};
+  std::span<const world::PlacedLiquid> liquids{};
 };
 
 // The state that a move starts from and changes. Server and client must agree on all of it.

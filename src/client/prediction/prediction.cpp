@@ -51,14 +51,19 @@ void Prediction::begin_frame(const Connection& connection, const net::Move& pend
   now_s_ = now_s;
 }
 
-// The brush models near the player, at their latest places.
+// The brush models near the player, and the water of Half-Life's levels, at their latest places.
 void Prediction::update_solids(const ClientState& state, const world::Level& level) {
   state.copy_latest_places(places_);
   solids_.clear();
-  for (const EntityPlace& place : places_)
-    if (const auto model = find_brush_model(state.game(), place.model, level);
-        model && !is_passable(level, *model))
+  liquids_.clear();
+  for (const EntityPlace& place : places_) {
+    const auto model = find_brush_model(state.game(), place.model, level);
+    if (!model) continue;
+    if (!is_passable(level, *model))
       solids_.push_back({place.number, *model, place.origin_world});
+    else
+      liquids_.push_back({*model, place.origin_world});  // only those of func_water are looked up
+  }
   keep_nearest(solids_, level, acknowledged_->origin, kMaxSolids);
 }
 
@@ -152,7 +157,7 @@ std::optional<PredictedMotion> Prediction::advance(const ClientState& state, con
 }
 
 PredictionWorld Prediction::make_world(const world::Level& level) const {
-  return {level, solids_, parameters_->physics};
+  return {level, solids_, parameters_->physics, liquids_};
 }
 
 // Starts over from the acknowledged state.

@@ -91,6 +91,7 @@ class Prediction {
   // State that lasts from frame to frame.
   std::vector<EntityPlace> places_;
   std::vector<SolidModel> solids_;
+  std::vector<world::PlacedLiquid> liquids_;
   // The player after all sent moves; nothing without a prediction.
   std::optional<PredictedPlayer> latest_;
   // The number of the last move in latest_.

@@ -82,6 +82,19 @@ void Presentation::note_missing_marks(const Events& events) {
   }
 }
 
+// Finds the water of a Half-Life level, which may have risen.
+void Presentation::place_liquids(const world::Level& level, std::span<const InterpolatedEntity> entities) {
+  liquids_.clear();
+  if (!level.is_half_life) return;
+  const std::span<const world::ModelIndex> submodels = models_->submodels();
+  for (const InterpolatedEntity& entity : entities) {
+    const std::size_t number = entity.model;
+    const world::ModelIndex model = number < submodels.size() ? submodels[number] : world::ModelIndex{0};
+    if (level.brush_entities[base::to_size(model)].liquid != world::Contents::kEmpty)
+      liquids_.push_back({model, entity.origin_world});
+  }
+}
+
 // Advances effects, view and heads-up display to the time, and returns what there is to see. The order
 // matters: the view starts at the predicted place, and effects at the gun in the view.
 Presentation::FrameView Presentation::advance_parts(ClientState& io_state, double time_s,
@@ -93,6 +106,8 @@ Presentation::FrameView Presentation::advance_parts(ClientState& io_state, doubl
       io_state.interpolate_entities(time_s, client_settings_);
   const world::Level& level = *models_->level();
   ViewInput moment{time_s, view_angles_deg, find_entity(entities, game.view_entity), level};
+  place_liquids(level, entities);
+  moment.liquids = liquids_;
   if (prediction_ && settings.predict) moment.own = prediction_->advance(io_state, level, entities);
   std::optional<math::Vec3> predicted_origin_world;
   if (moment.own) predicted_origin_world = moment.own->origin_world;

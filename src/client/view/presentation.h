@@ -125,6 +125,7 @@ class Presentation {
   };
   FrameView advance_parts(ClientState& io_state, double time_s, const math::Vec3& view_angles_deg,
                           const PresentationSettings& settings);
+  void place_liquids(const world::Level& level, std::span<const InterpolatedEntity> entities);
   void make_scene(const ClientState& state, double time_s, const FrameView& frame_view,
                   const PresentationSettings& settings);
 
@@ -132,6 +133,7 @@ class Presentation {
   std::vector<std::string> notes_;  // declared before pictures_, which adds to it
   assets::Pictures pictures_;
   MarkPictures mark_pictures_;
+  std::vector<world::PlacedLiquid> liquids_;  // at the time of the frame
   // The missing pictures of marks that were noted in this level.
   std::vector<std::string> missing_marks_;
   std::optional<ModelTable> models_;

@@ -65,7 +65,7 @@ PlayerView View::advance(const Game& game, const Events& events, const ViewInput
   else
     view_from_eyes(game, input, settings, view);
   view.leaf = world::find_leaf(input.level, view.camera.origin_world);
-  view.contents = world::point_contents(input.level, view.camera.origin_world);
+  view.contents = world::point_contents(input.level, view.camera.origin_world, input.liquids);
   view.underwater = is_liquid(view.contents);
   view.tint = tint(game, view.contents, settings);
   return view;

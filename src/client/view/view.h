@@ -17,6 +17,7 @@
 #include "client/view/view_tint.h"
 #include "render/scene.h"
 #include "world/level.h"
+#include "world/visibility.h"
 
 namespace temblor::client {
 
@@ -55,6 +56,7 @@ struct ViewInput {
   const world::Level& level;
   // Replaces the view entity's origin and the packet's velocity.
   std::optional<PredictedMotion> own{};
+  std::span<const world::PlacedLiquid> liquids{};
 };
 
 // The view of a frame.

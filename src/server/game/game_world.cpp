@@ -1,5 +1,7 @@
 #include "server/game/game_world.h"
 
+#include <algorithm>
+
 namespace temblor::server {
 namespace {
 
@@ -83,6 +85,19 @@ base::Status touch_triggers(GameWorld& io_world, vm::EntityIndex entity) {
   return status;
 }
 
+// Water of Half-Life's levels rises and falls.
+void place_liquid(GameWorld& io_world, const Edict& edict) {
+  const ServerModel* const model = io_world.find_model(edict);
+  if (model == nullptr || !model->brush_model) return;
+  const world::BrushEntity& entity = io_world.level->brush_entities[base::to_size(*model->brush_model)];
+  if (entity.liquid == world::Contents::kEmpty) return;
+  const auto placed = std::ranges::find(io_world.liquids, *model->brush_model, &world::PlacedLiquid::model);
+  if (placed == io_world.liquids.end())
+    io_world.liquids.push_back({*model->brush_model, edict[field::kOrigin]});
+  else
+    placed->origin = edict[field::kOrigin];
+}
+
 }  // namespace
 
 const ServerModel* GameWorld::find_model(const Edict& edict) const {
@@ -111,6 +126,7 @@ base::Status link(GameWorld& io_world, vm::EntityIndex entity, TouchTriggers tou
   state.is_in_too_many_leaves = false;
   if (edict[field::kModelIndex] != 0) find_leaves(*io_world.level, io_world.level->world().head, box, state);
 
+  if (io_world.level->is_half_life) place_liquid(io_world, edict);
   const Solid solid = edict.solid();
   if (solid == Solid::kNot) return base::Ok{};
   io_world.areas.link(entity, box, solid == Solid::kTrigger ? AreaKind::kTrigger : AreaKind::kSolid);

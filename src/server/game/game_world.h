@@ -16,6 +16,7 @@
 #include "server/game/edicts.h"
 #include "server/game/game_calls.h"
 #include "world/level.h"
+#include "world/visibility.h"
 
 namespace temblor::server {
 
@@ -60,6 +61,7 @@ struct GameWorld {
   std::optional<Field<float>> gravity_field{};
   std::vector<PhysicsSound> sounds{};  // of this tick; the caller of the tick sends and clears them
   Scratch scratch{};
+  std::vector<world::PlacedLiquid> liquids{};  // of a Half-Life level, where link() found them
 
   // The model of an entity's modelindex. Null: there is no such model.
   const ServerModel* find_model(const Edict& edict) const;
