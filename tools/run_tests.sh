@@ -141,6 +141,10 @@ check_game() {
 build_sanitizers() {
   configure sanitize -DTEMBLOR_FUZZ_SECONDS=1 && build sanitize all scripted_player
 }
+# The build needs only the libraries of the tests that have several threads.
+build_threads() {
+  configure tsan && build tsan base_test audio_test render_test
+}
 make_packages() {
   TEMBLOR_QUICK_PACKAGES=1 make --no-print-directory package >build/package.log 2>&1 ||
     { tail -20 build/package.log; return 1; }
@@ -157,6 +161,7 @@ check_sanitizers() {
   if ! check "sanitize build" finish sanitize; then return; fi
   if [ -d build/release/game/id1/maps ]; then begin levels 5 tools/compare_levels.sh build/release build/sanitize; fi
   begin packages 5 make_packages
+  begin tsan 19 build_threads
   step "sanitize: test, replay every fuzz corpus, fuzz each target for 1 s"
   suite sanitize -LE peers
   if [ -n "${jobs[levels]:-}" ]; then check "levels and demos are identical with both compilers" finish levels; fi
@@ -164,11 +169,13 @@ check_sanitizers() {
 
 check_threads() {
   step "tsan: build and run the tests of code with several threads"
+  if [ -z "${jobs[tsan]:-}" ]; then begin tsan 19 build_threads; fi
+  if ! check "tsan build" finish tsan; then return; fi
   # The thread sanitizer of gcc 12 fails if addresses are randomized more; setarch -R turns that off.
   if [ "$(cat /proc/sys/vm/mmap_rnd_bits 2>/dev/null || echo 32)" -gt 28 ]; then launcher=(setarch -R); fi
   if ! "${launcher[@]}" true 2>/dev/null; then
     skip "tsan: this machine randomizes addresses too much, and setarch -R is not allowed"
-  elif check "tsan build" eval 'configure tsan && build tsan base_test audio_test render_test'; then
+  else
     suite tsan -R '^(base|audio|render)(\.|$)'
   fi
   launcher=()
