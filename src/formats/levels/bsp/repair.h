@@ -17,9 +17,10 @@ namespace temblor::formats::bsp_file {
 //              side except 0 is the back; a negative light offset means no light
 //   leaf       sees everything if its visibility is not in the lump; unknown contents are empty; leaf 0 is
 //              solid
-//   node       a child that does not exist becomes leaf 0; with a plane that does not exist, all space is
-//   behind clipnode   unknown contents are empty; a child that does not exist becomes solid model      bounds
-//   that are not finite become those of its faces; the origin becomes 0; a head that does
+//   node       a child that does not exist becomes leaf 0; a plane that does not exist has all space behind
+//              it
+//   clipnode   unknown contents are empty; a child that does not exist becomes solid
+//   model      bounds that are not finite become those of its faces; the origin becomes 0; a head that does
 //              not exist becomes empty space, except the heads that move players in the world: large monsters
 //              take those of players; the count of leaves is limited
 //   trees      a branch to a node that another one has reached, or below kBspMaxTreeDepth, becomes leaf 0; a
