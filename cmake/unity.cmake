@@ -4,15 +4,19 @@
 option(TEMBLOR_UNITY "Compile large targets as unity builds" ON)
 set(kFilesInAUnityFile 14)
 
-# temblor_unity_build(TARGET [BY_FOLDER] [APART FILE...]): compiles the target, if it exists, as a unity build. Names in
-# the unnamed namespaces of one target must then differ; sources listed after APART are compiled separately. So are the
-# kernel sources, which Highway includes once for each instruction set. BY_FOLDER puts the sources of one folder into one
-# unity file, for a library whose folders share few headers.
+# temblor_unity_build(TARGET [BY_FOLDER] [FILES N] [APART FILE...]): compiles the target, if it exists, as a unity build.
+# Names in the unnamed namespaces of one target must then differ; sources listed after APART are compiled separately. So are
+# the kernel sources, which Highway includes once for each instruction set. BY_FOLDER puts the sources of one folder into
+# one unity file, for a library whose folders share few headers. FILES is the number of sources in a unity file: more of
+# them compile faster together, but a change of one takes longer.
 function(temblor_unity_build target)
   if(NOT TARGET ${target})
     return()
   endif()
-  cmake_parse_arguments(ARG "BY_FOLDER" "" "APART" ${ARGN})
+  cmake_parse_arguments(ARG "BY_FOLDER" "FILES" "APART" ${ARGN})
+  if(NOT ARG_FILES)
+    set(ARG_FILES ${kFilesInAUnityFile})
+  endif()
   get_target_property(sources ${target} SOURCES)
   if(ARG_BY_FOLDER)
     foreach(source IN LISTS sources)
@@ -24,7 +28,7 @@ function(temblor_unity_build target)
   endif()
   list(FILTER sources INCLUDE REGEX "_simd\\.cpp$")
   set_source_files_properties(${sources} ${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TEMBLOR_UNITY} UNITY_BUILD_BATCH_SIZE ${kFilesInAUnityFile})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TEMBLOR_UNITY} UNITY_BUILD_BATCH_SIZE ${ARG_FILES})
   if(TEMBLOR_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ treats a unity file like a header, whose types could differ between the sources that include it.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
