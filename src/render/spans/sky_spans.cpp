@@ -27,7 +27,8 @@ SkySpans make_layers(const world::Texture& texture, const ViewFrame& view, doubl
   const OwnColors own = own_colors(texture, mip);
   RepeatingTexture front_layer, back_layer;
   if (format == PixelFormat::kIndexed) {
-    const auto as_is = [&](std::size_t texel) { return indices[texel]; };
+    // By value: stores to bytes may change what a reference leads to, and would keep the loop from vectors.
+    const auto as_is = [indices](std::size_t texel) { return indices[texel]; };
     front_layer = copy_repeating<std::uint8_t>(front, as_is, arena);
     back_layer = copy_repeating<std::uint8_t>(behind, as_is, arena);
   } else if (own.colors != nullptr) {
