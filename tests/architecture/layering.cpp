@@ -79,7 +79,7 @@ const NamesByName& allowed_stages() {
 const Names& frame_headers() {
   static const Names names = {"render/alias_model.h", "render/draw_list.h",    "render/frame_buffer.h",
                               "render/frame_stats.h", "render/mark_picture.h", "render/marks.h",
-                              "render/scene.h",       "render/settings.h"};
+                              "render/scene.h",       "render/settings.h",     "render/tint.h"};
   return names;
 }
 
