@@ -8,8 +8,6 @@ namespace temblor::render {
 
 namespace {
 
-using Kind = TranslucentLayer::Kind;
-
 void draw_sprite(const SpriteQuad& quad, const WorldPicture& world, const Band& band, FrameBuffer& io_frame) {
   const bool indexed = io_frame.format() == PixelFormat::kIndexed;
   const SpriteBlend blend{indexed ? world.colors.blends.table_for(quad.alpha) : nullptr,
@@ -25,7 +23,9 @@ void draw_sprite(const SpriteQuad& quad, const WorldPicture& world, const Band& 
 void draw_banded_layers(std::span<const TranslucentLayer> layers, const TranslucentOrder& order,
                         const WorldPicture& world, const Band& band, base::Arena& arena,
                         FrameBuffer& io_frame) {
-  const auto is_sprite = [](const TranslucentLayer& layer) { return layer.kind == Kind::kSprite; };
+  const auto is_sprite = [](const TranslucentLayer& layer) {
+    return layer.kind == TranslucentLayer::Kind::kSprite;
+  };
   for (auto layer = layers.begin(); layer != layers.end();) {
     if (is_sprite(*layer)) {
       draw_sprite(order.sprites[layer->number], world, band, io_frame);
