@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <optional>
 
 #include "client_server/served_game.h"
@@ -249,19 +250,32 @@ TEST(Joining, AnotherHostCannotReplaceAKilledPlayer) {
   EXPECT_THAT(players.names(), ElementsAre("joe", "joe (2)"));
 }
 
+// A peer whose packets are written byte by byte.
+class RawPeer {
+ public:
+  RawPeer(ServedGame& io_served, std::uint8_t last_address_byte)
+      : socket_(io_served.network().open(platform::ip4_address({10, 0, 9, last_address_byte}, 4000))) {}
+  void send(std::string_view bytes) { socket_->send(kServedAddress, base::as_bytes(bytes)); }
+  auto receive() { return socket_->receive(); }
+  void request_connection() { send(std::string_view("\x80\0\0\x0c\x01QUAKE\0\x03", 12)); }
+  // Acknowledges the server's first reliable packet.
+  void acknowledge_first() { send(std::string_view("\0\x02\0\x08\0\0\0\0", 8)); }
+
+ private:
+  std::unique_ptr<platform::DatagramSocket> socket_;
+};
+
 // It completes the handshake and then sends bytes that no client sends.
 TEST(Joining, ANewcomerThatSendsGarbageIsDropped) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
-  const auto socket = served.network().open(platform::ip4_address({10, 0, 9, 9}, 4000));
-  const auto send = [&](std::string_view bytes) { socket->send(kServedAddress, base::as_bytes(bytes)); };
-  using namespace std::string_view_literals;
-  send("\x80\0\0\x0c\x01QUAKE\0\x03"sv);
+  RawPeer peer(served, 9);
+  peer.request_connection();
   served.run(0.1);
-  send("\0\x02\0\x08\0\0\0\0"sv);
+  peer.acknowledge_first();
   served.run(0.1);
   ASSERT_EQ(served.server().endpoint.connections(), 1u);
-  send("\0\x10\0\x0c\0\0\0\0\xde\xad\xbe\xef"sv);
+  peer.send(std::string_view("\0\x10\0\x0c\0\0\0\0\xde\xad\xbe\xef", 12));
   served.run(0.1);
   EXPECT_EQ(served.server().endpoint.connections(), 0u);
   EXPECT_THAT(served.console(), HasSubstr("sent an unreadable message"));
@@ -272,21 +286,19 @@ TEST(Joining, ANewcomerThatSendsUnreadablePacketsIsDroppedSoon) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
   SlowClient slow(served);
-  const auto socket = served.network().open(platform::ip4_address({10, 0, 9, 7}, 4000));
-  const auto send = [&](std::string_view bytes) { socket->send(kServedAddress, base::as_bytes(bytes)); };
-  using namespace std::string_view_literals;
-  send("\x80\0\0\x0c\x01QUAKE\0\x03"sv);
+  RawPeer peer(served, 7);
+  peer.request_connection();
   slow.run(0.1);
-  send("\0\x02\0\x08\0\0\0\0"sv);
+  peer.acknowledge_first();
   for (int i = 0; i < 10; ++i) {
-    while (const auto datagram = socket->receive())
+    while (const auto datagram = peer.receive())
       if (datagram->bytes.size() > 8)
-        send(std::string("\0\x02\0\x08"sv) + std::string(base::as_text(datagram->bytes.subspan(4, 4))));
+        peer.send(std::string("\0\x02\0\x08", 4) + std::string(base::as_text(datagram->bytes.subspan(4, 4))));
     slow.run(0.1);
   }
   const auto send_garbage_for = [&](int seconds) {
     for (int i = 0; i < seconds; ++i) {
-      send("junk and more junk");
+      peer.send("junk and more junk");
       slow.run(1);
     }
   };
@@ -305,11 +317,10 @@ TEST(Joining, ANewcomerMayLoadForLongButMustAcknowledge) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served;
   SlowClient slow(served);
-  const auto silent = served.network().open(platform::ip4_address({10, 0, 9, 8}, 4000));
-  using namespace std::string_view_literals;
-  silent->send(kServedAddress, base::as_bytes("\x80\0\0\x0c\x01QUAKE\0\x03"sv));
+  RawPeer silent(served, 8);
+  silent.request_connection();
   slow.run(0.1);
-  silent->send(kServedAddress, base::as_bytes("\0\x02\0\x08\0\0\0\0"sv));
+  silent.acknowledge_first();
   slow.run(4);
   EXPECT_EQ(served.server().endpoint.connections(), 2u);
   slow.run(2);
@@ -366,18 +377,16 @@ std::string read_notice_after_leaving(std::string_view protocol) {
   CHECK(served.variables().set("sv_protocol", protocol).ok());
   served.command("map small");
   served.run(0.1);
-  const auto socket = served.network().open(platform::ip4_address({10, 0, 9, 9}, 4000));
-  const auto send = [&](std::string_view bytes) { socket->send(kServedAddress, base::as_bytes(bytes)); };
-  using namespace std::string_view_literals;
-  send("\x80\0\0\x0c\x01QUAKE\0\x03"sv);
+  RawPeer peer(served, 9);
+  peer.request_connection();
   served.run(0.1);
-  send("\0\x02\0\x08\0\0\0\0"sv);
+  peer.acknowledge_first();
   served.run(0.1);
   CHECK(served.server().endpoint.connections() == 1);
-  send("\0\x10\0\x09\0\0\0\0\x02"sv);  // clc_disconnect
+  peer.send(std::string_view("\0\x10\0\x09\0\0\0\0\x02", 9));  // clc_disconnect
   served.run(0.1);
   std::string notice;
-  while (const auto datagram = socket->receive())
+  while (const auto datagram = peer.receive())
     if (base::as_text(datagram->bytes).starts_with("\xff\xff\xff\xffn"))
       notice = base::as_text(datagram->bytes);
   return notice + served.console();

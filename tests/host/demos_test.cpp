@@ -229,15 +229,20 @@ TEST(HostDemos, AttractModeDefaultsToDemo1To3) {
   EXPECT_EQ(game.demo(), nullptr);
 }
 
+// The game must have been started with `maxplayers 2` or more.
+bool start_listen_game(HeadlessHost& io_game) {
+  io_game.host().services.open_socket = [](std::uint16_t) {
+    return platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+  };
+  io_game.command("map small");
+  return io_game.run_until_playing();
+}
+
 // A game that others may join records from the start of a level on, also of one that the player starts.
 TEST(HostDemos, ARecordingWaitsForTheNextLevelAndGame) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game({"maxplayers 2"});
-  game.host().services.open_socket = [&](std::uint16_t) {
-    return platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
-  };
-  game.command("map small");
-  ASSERT_TRUE(game.run_until_playing());
+  ASSERT_TRUE(start_listen_game(game));
   EXPECT_EQ(game.session().server()->game->setup().dialect.protocol, net::Protocol::kFitzQuake);
   game.command("record film; map small");
   game.run(0.2);
@@ -260,11 +265,7 @@ TEST(HostDemos, ARecordingWaitsForTheNextLevelAndGame) {
 TEST(HostDemos, ARecordingThatWaitsEndsWithALineIfTheServerDropsThePlayer) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game({"maxplayers 2"});
-  game.host().services.open_socket = [&](std::uint16_t) {
-    return platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
-  };
-  game.command("map small");
-  ASSERT_TRUE(game.run_until_playing());
+  ASSERT_TRUE(start_listen_game(game));
   game.command("record film");
   game.run(0.1);
   server::drop_client(*game.session().server(), 0, "Too good.");
