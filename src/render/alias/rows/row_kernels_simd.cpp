@@ -2,8 +2,7 @@
 // row by row, and those of few pixels column by column, because most lanes of a row's vector would be empty:
 //
 //   DrawRow       lanes are the pixels of a row        depth test; scalar code then looks up the texels
-//   FillColumns   lanes are rows, one pixel of each    scalar code then tests, looks up, and writes each
-//   pixel
+//   FillColumns   lanes are rows, one pixel of each    scalar code then tests, looks up, and writes it
 //
 // Both have the results of affine_triangle.h, bit for bit.
 #include "render/alias/rows/row_list.h"

@@ -21,7 +21,8 @@ struct RowList {
   alignas(64) std::int32_t place[kCapacity];        // of the row's first pixel in the target
   alignas(64) std::int32_t count[kCapacity];        // not positive: the row has no pixels
   alignas(64) std::int32_t perspective[kCapacity];  // 0 or -1
-  // Of depth, light, s, and t: the value at the first pixel, and the step to the next.
+  // Four values vary along a row: depth, light, s, and t. Each begins at `value` and changes by `step` per
+  // pixel.
   alignas(64) float value[4][kCapacity], step[4][kCapacity];
   std::size_t size;
   // Without short rows: the numbers of the rows that have pixels, in drawing order. Pixels must meet the
