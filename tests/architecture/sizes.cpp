@@ -10,10 +10,6 @@ namespace temblor::test {
 
 namespace {
 
-bool is_name_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 // The number of parameters between the parenthesis at `open` and its partner, and the position behind the
 // partner. Commas inside brackets and template arguments do not separate parameters.
 struct ParameterList {

@@ -1,6 +1,7 @@
 // Reads the sources for the architecture tests: paths, lines, includes, and text without comments.
 #pragma once
 
+#include <cctype>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ struct SourceFile {
   std::vector<Include> includes;
   std::string text;  // without comments; line numbers are unchanged
 };
+
+// True for a character of a C++ name.
+inline bool is_name_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 SourceFile parse_source(std::string path, const std::string& text);
 

@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "architecture/source_tree.h"
+
 namespace temblor::test {
 
 namespace {
@@ -16,9 +18,6 @@ bool is_letter(char c) {
 }
 bool is_upper(char c) {
   return std::isupper(static_cast<unsigned char>(c)) != 0;
-}
-bool is_name_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 std::string to_lower(std::string_view text) {

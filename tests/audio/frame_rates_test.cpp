@@ -11,7 +11,6 @@ namespace temblor::test {
 namespace {
 
 constexpr double kLength_s = 6;
-constexpr std::size_t kSecond = audio::kFramesPerSecond;
 
 // The listener walks and turns; it passes water and dives.
 audio::Scene make_moving_scene(double time_s) {

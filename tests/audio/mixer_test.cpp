@@ -14,7 +14,6 @@ using audio::Mixer;
 using audio::SoundEvents;
 using audio::StartedSound;
 
-constexpr std::size_t kSecond = audio::kFramesPerSecond;
 constexpr std::int32_t kSelf = 1, kOther = 7;
 
 // Each sound is a different constant, so the output level shows which sounds play.

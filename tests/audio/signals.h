@@ -13,6 +13,9 @@
 
 namespace temblor::test {
 
+// The frames of a second.
+inline constexpr std::size_t kSecond = audio::kFramesPerSecond;
+
 // A mono sound of 16 bits.
 formats::Wav sine_wav(double frequency_hz, double amplitude, std::uint32_t frames_per_second,
                       std::size_t frames);

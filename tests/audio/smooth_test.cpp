@@ -16,7 +16,6 @@ namespace {
 using audio::Mixer;
 using audio::SoundEvents;
 
-constexpr std::size_t kSecond = audio::kFramesPerSecond;
 constexpr double kTone_hz = 100;
 constexpr double kNaturalStep =
     0.5 * 2 * std::numbers::pi * kTone_hz / static_cast<double>(kSecond);  // 0.0065

@@ -11,8 +11,6 @@
 namespace temblor::test {
 namespace {
 
-constexpr double kServerTick_s = 1.0 / 72;
-
 // After a second, the game spawns `temp1` boxes around the player, none of which moves, and the player owns
 // the last one.
 std::string crowded_program() {
@@ -78,7 +76,7 @@ TEST_P(CrowdInANetwork, ArrivesInTurnAndWhatIsOwnAlways) {
   std::set<std::uint16_t> seen, always = seen_entities(served, me);
   constexpr int kTicks = 36;  // half a second
   for (int tick = 0; tick < kTicks; ++tick) {
-    served.run(kServerTick_s);
+    served.run(kTick_s);
     const std::set<std::uint16_t> now = seen_entities(served, me);
     seen.insert(now.begin(), now.end());
     std::erase_if(always, [&](std::uint16_t number) { return !now.contains(number); });
@@ -88,7 +86,7 @@ TEST_P(CrowdInANetwork, ArrivesInTurnAndWhatIsOwnAlways) {
   EXPECT_TRUE(always.contains(own_missile));
   EXPECT_GT(always.size(), 20u) << "the nearest ones do not flicker";
   served.command("net_stats");
-  served.run(kServerTick_s);
+  served.run(kTick_s);
   EXPECT_THAT(served.console(), ::testing::ContainsRegex("was sent [0-9]+ of 402 visible entities"));
 }
 

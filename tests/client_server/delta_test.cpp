@@ -19,7 +19,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr double kTick_s = 1.0 / 72;
 constexpr std::uint8_t kTimeMessage = 7;
 
 // A crowd that wanders around, comes and goes, and makes sounds.

@@ -24,9 +24,9 @@ namespace field = server::field;
   if (!std::filesystem::exists(TEMBLOR_GAME_PROGRAM)) GTEST_SKIP() << "the game's QuakeC is not compiled"
 
 // 200 ms from key to answer.
-constexpr NetworkConditions kFarAway{.delay_s = 0.1};
+constexpr NetworkConditions kSlowNetwork{.delay_s = 0.1};
 constexpr std::int16_t kAhead = 300, kDown = -200, kUp = 200;
-constexpr std::uint8_t kJump = 2;
+constexpr std::uint8_t kJumpButton = 2;
 constexpr net::Move kWalk{.forward = kAhead}, kCrouchedWalk{.forward = kAhead, .up = kDown};
 
 // A hall along x with additional brushes and entities.
@@ -66,7 +66,7 @@ void expect_small_corrections(PredictedGame& io_game) {
 TEST(HalfLifePrediction, PlayersCrouchAndStandUpWithoutCorrections) {
   SKIP_WITHOUT_GAME();
   const HalfLifeHall hall("");
-  PredictedGame game(hall.path(), "hall", kFarAway);
+  PredictedGame game(hall.path(), "hall", kSlowNetwork);
   ASSERT_TRUE(game.join());
   game.prediction().reset_report();
   for (int i = 0; i < 3; ++i) {
@@ -82,7 +82,7 @@ TEST(HalfLifePrediction, PlayersCrouchAndStandUpWithoutCorrections) {
 TEST(HalfLifePrediction, PaceAndEyesFallWithTheKey) {
   SKIP_WITHOUT_GAME();
   const HalfLifeHall hall("");
-  PredictedGame game(hall.path(), "hall", kFarAway);
+  PredictedGame game(hall.path(), "hall", kSlowNetwork);
   ASSERT_TRUE(game.join());
   game.run(0.8, kWalk);
   const float walking = game.shown()->velocity.x;
@@ -102,7 +102,7 @@ TEST(HalfLifePrediction, CrouchingPlayersFitThroughPassagesAndStayLowInThem) {
   for (const bool is_entity : {false, true}) {
     const HalfLifeHall hall(is_entity ? std::string() : low_passage(),
                             is_entity ? entity_text("func_wall", "", low_passage()) : std::string());
-    PredictedGame game(hall.path(), "hall", kFarAway);
+    PredictedGame game(hall.path(), "hall", kSlowNetwork);
     ASSERT_TRUE(game.join());
     game.prediction().reset_report();
     game.run(3, kWalk);
@@ -123,14 +123,14 @@ TEST(HalfLifePrediction, PlayersSwimInWaterEntitiesWithoutCorrections) {
   SKIP_WITHOUT_GAME();
   const HalfLifeHall hall(
       "", entity_text("func_water", "\"skin\" \"-3\"", box_text({256, -128, 0}, {768, 128, 128}, "wall")));
-  PredictedGame game(hall.path(), "hall", kFarAway);
+  PredictedGame game(hall.path(), "hall", kSlowNetwork);
   ASSERT_TRUE(game.join());
   game.prediction().reset_report();
   game.run(2, kWalk);
   EXPECT_EQ(game.player()[field::kWaterLevel], 3);
   game.run(0.4, {.forward = kAhead, .up = kUp});
   game.run(0.6, {.forward = -kAhead, .up = kDown});
-  game.run(1.5, {.buttons = kJump});
+  game.run(1.5, {.buttons = kJumpButton});
   EXPECT_GT(game.shown()->origin_world.z, 100) << "swims up";
   game.run(4);  // it sinks to the floor
   expect_small_corrections(game);
@@ -145,7 +145,7 @@ TEST(HalfLifePrediction, PlayersSwimWhereWaterHasMoved) {
       entity_text("func_water", R"("targetname" "sea" "angles" "90 0 0" "speed" "200" "wait" "-1")",
                   box_text({256, -128, 128}, {768, 128, 256}, "wall")) +
           entity_text("trigger_once", R"("target" "sea")", box_text({112, -128, 0}, {128, 128, 64}, "wall")));
-  PredictedGame game(hall.path(), "hall", kFarAway);
+  PredictedGame game(hall.path(), "hall", kSlowNetwork);
   ASSERT_TRUE(game.join());
   game.put_player({400, 0, 24.03125f});
   game.run(0.2);
@@ -155,7 +155,7 @@ TEST(HalfLifePrediction, PlayersSwimWhereWaterHasMoved) {
   EXPECT_EQ(game.player()[field::kWaterLevel], 3);
   game.run(1);
   game.prediction().reset_report();
-  game.run(1, {.buttons = kJump});
+  game.run(1, {.buttons = kJumpButton});
   game.run(0.6, {.forward = -kAhead, .up = kDown});
   game.run(4);
   EXPECT_EQ(game.player()[field::kWaterLevel], 3);

@@ -20,6 +20,9 @@
 
 namespace temblor::test {
 
+// A step of the server at 72 per second.
+inline constexpr double kTick_s = 1.0 / 72;
+
 // System and built-in definitions of game/quakec, then a game whose parts tests replace: players walk, and
 // doors are boxes that print when they are touched. `extra` precedes the functions that every game has.
 std::string small_program(std::string_view extra = "");

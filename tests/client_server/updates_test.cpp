@@ -12,7 +12,6 @@
 namespace temblor::test {
 namespace {
 
-constexpr double kTick_s = 1.0 / 72;
 constexpr double kDelay_s = 0.1;
 
 // The game: a player makes a sound once per second, in a cloud of entities that move in every tick, so that

@@ -27,7 +27,7 @@ constexpr PixelSize kSize{640, 400};
 constexpr std::array<std::uint32_t, 3> kColors = {0xffcc2200, 0xff00bb33, 0xff1144dd};
 
 // Runs the test that uses this again on a display of its own, and returns.
-#define RUN_ON_DISPLAY(server_options)                                                                  \
+#define RUN_ON_X11_DISPLAY(server_options)                                                              \
   if (std::system("command -v xvfb-run xauth >/dev/null") != 0)                                         \
     GTEST_SKIP() << "a display (xvfb, xauth) is not installed";                                         \
   if (std::getenv("TEMBLOR_TEST_DISPLAY") == nullptr) {                                                 \
@@ -98,7 +98,7 @@ class ScreenReader {
 };
 
 TEST(X11Presenter, VsyncShowsAPicturePerRefresh) {
-  RUN_ON_DISPLAY("");
+  RUN_ON_X11_DISPLAY("");
   const auto window = open_shared(true);
   ASSERT_NE(window, nullptr);
   EXPECT_THAT(window->describe(), HasSubstr("vsync by the Present extension"));
@@ -114,7 +114,7 @@ TEST(X11Presenter, VsyncShowsAPicturePerRefresh) {
 
 // present() returns when the picture is in the window.
 TEST(X11Presenter, APictureIsInTheWindowWhenPresentReturns) {
-  RUN_ON_DISPLAY("");
+  RUN_ON_X11_DISPLAY("");
   const auto window = open_shared(true);
   ASSERT_NE(window, nullptr);
   ScreenReader screen;
@@ -129,7 +129,7 @@ TEST(X11Presenter, APictureIsInTheWindowWhenPresentReturns) {
 
 // Another thread reads the screen while pictures of one color each are shown.
 TEST(X11Presenter, TheScreenNeverShowsTwoPictures) {
-  RUN_ON_DISPLAY("");
+  RUN_ON_X11_DISPLAY("");
   constexpr int kReads = 100;
   for (const bool vsync : {true, false}) {
     const auto window = open_shared(vsync);
@@ -155,7 +155,7 @@ TEST(X11Presenter, TheScreenNeverShowsTwoPictures) {
 }
 
 TEST(X11Presenter, PicturesFillAWindowOfAnotherSize) {
-  RUN_ON_DISPLAY("");
+  RUN_ON_X11_DISPLAY("");
   const auto window = open_shared(true);
   ASSERT_NE(window, nullptr);
   ScreenReader screen;
@@ -172,7 +172,7 @@ TEST(X11Presenter, PicturesFillAWindowOfAnotherSize) {
 
 // Shows pictures through SDL's surface instead.
 TEST(X11Presenter, AServerWithoutSharedMemoryHasNoVsync) {
-  RUN_ON_DISPLAY("-extension MIT-SHM");
+  RUN_ON_X11_DISPLAY("-extension MIT-SHM");
   const auto window = open_shared(true);
   ASSERT_NE(window, nullptr);
   EXPECT_THAT(window->describe(), HasSubstr("without vsync"));

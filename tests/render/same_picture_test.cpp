@@ -16,8 +16,8 @@ namespace temblor::test {
 namespace {
 
 constexpr int kSameViews = effort(12, 2);
-constexpr int kWidth = effort(333, 133),
-              kHeight = effort(211, 67);  // not multiples of what kernels, bands and blocks work in
+constexpr int kSameWidth = effort(333, 133),
+              kSameHeight = effort(211, 67);  // not multiples of what kernels, bands and blocks work in
 
 struct NamedSettings {
   std::string name;
@@ -37,7 +37,7 @@ std::vector<NamedSettings> settings_of_one_picture() {
             settings.job_backend = backend;
           });
   }
-  for (const int rows : {1, 7, 64, kHeight})
+  for (const int rows : {1, 7, 64, kSameHeight})
     add(fmt::format("bands of {} rows", rows),
         [&](render::Settings& settings) { settings.band_rows = rows; });
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{20000}, std::size_t{1} << 20})
@@ -55,7 +55,7 @@ std::vector<NamedSettings> settings_of_one_picture() {
   return all;
 }
 
-Viewpoint viewpoint_number(const world::Level& level, int number) {
+Viewpoint make_viewpoint(const world::Level& level, int number) {
   Random random(static_cast<std::uint64_t>(number));
   Viewpoint viewpoint{.camera = random_camera(level, random),
                       .brush_models = shown_brush_models(level),
@@ -70,7 +70,7 @@ Viewpoint viewpoint_number(const world::Level& level, int number) {
 // Draws with `io_renderer` into a frame filled with garbage.
 FrameCopy draw(render::Renderer& io_renderer, const render::Scene& scene, const render::Settings& settings,
                render::PixelFormat format) {
-  render::FrameBuffer frame(kWidth, kHeight, format);
+  render::FrameBuffer frame(kSameWidth, kSameHeight, format);
   fill_frame(frame, 0x5a);
   io_renderer.render(scene, settings, frame);
   return copy_picture(frame);
@@ -94,7 +94,7 @@ void expect_independent_of_settings(const DrawableLevel& drawable) {
   std::vector<render::Renderer> renderers;
   for (std::size_t i = 0; i < all.size(); ++i) renderers.emplace_back(drawable.palette, drawable.colormap);
   for (int number = 0; number < kSameViews; ++number) {
-    const Viewpoint viewpoint = viewpoint_number(*drawable.level, number);
+    const Viewpoint viewpoint = make_viewpoint(*drawable.level, number);
     const render::Scene scene = viewpoint.scene(*drawable.level);
     for (const render::PixelFormat format : kBothFormats) {
       for (const auto perspective : {render::Perspective::kExact, render::Perspective::kEvery16}) {
@@ -116,7 +116,7 @@ void expect_independent_of_history(const DrawableLevel& drawable) {
     std::vector<Viewpoint> viewpoints;
     std::vector<FrameCopy> expected;
     for (int number = 0; number < kSameViews; ++number) {
-      viewpoints.push_back(viewpoint_number(*drawable.level, number));
+      viewpoints.push_back(make_viewpoint(*drawable.level, number));
       expected.push_back(draw_cold(drawable, viewpoints.back().scene(*drawable.level), {}, format));
     }
     render::Renderer renderer(drawable.palette, drawable.colormap);
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, StockLevelSamePicture, testing::Values("start",
 
 TEST(SamePicture, AfterALightStyleChanged) {
   const DrawableLevel drawable = small_level({.four_styles = true});
-  const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
+  const Viewpoint viewpoint = make_viewpoint(*drawable.level, 0);
   render::Scene bright = viewpoint.scene(*drawable.level), dark = bright;
   bright.light_styles.fill(300);
   dark.light_styles.fill(40);
@@ -178,7 +178,7 @@ TEST(SamePicture, AfterALightStyleChanged) {
 
 TEST(SamePicture, AfterTheSettingsOfAnother) {
   const DrawableLevel drawable = small_level({.colored_light = true});
-  const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
+  const Viewpoint viewpoint = make_viewpoint(*drawable.level, 0);
   const render::Scene scene = viewpoint.scene(*drawable.level);
   const render::Settings others[] = {
       {.mip_rule = render::MipRule::kStock}, {.force_mip = 2}, {.colored_light = false}, {.use_pvs = false}};
@@ -217,7 +217,7 @@ TEST(SamePicture, AfterALevelThatIsGone) {
     drawable.level =
         world::make_level(artgen::make_small_level({.colored_light = seed % 2 == 0, .seed = seed}), "new")
             .value();
-    const Viewpoint viewpoint = viewpoint_number(*drawable.level, 0);
+    const Viewpoint viewpoint = make_viewpoint(*drawable.level, 0);
     const render::Scene scene = viewpoint.scene(*drawable.level);
     const FrameCopy expected = draw_cold(drawable, scene, {}, render::PixelFormat::kRgb);
     expect_same(expected, draw(renderer, scene, {}, render::PixelFormat::kRgb), fmt::format("seed {}", seed));
@@ -229,9 +229,9 @@ TEST(SamePicture, AfterALevelAtTheSameAddress) {
   const DrawableLevel tiny = small_level({.tiny = true}), full = small_level();
   world::Level level = *tiny.level;
   render::Renderer renderer(full.palette, full.colormap);
-  draw(renderer, viewpoint_number(level, 0).scene(level), {}, render::PixelFormat::kRgb);
+  draw(renderer, make_viewpoint(level, 0).scene(level), {}, render::PixelFormat::kRgb);
   level = *full.level;
-  const Viewpoint viewpoint = viewpoint_number(level, 0);
+  const Viewpoint viewpoint = make_viewpoint(level, 0);
   const FrameCopy expected = draw_cold(full, viewpoint.scene(*full.level), {}, render::PixelFormat::kRgb);
   expect_same(expected, draw(renderer, viewpoint.scene(level), {}, render::PixelFormat::kRgb),
               "the second level");

@@ -11,7 +11,7 @@ namespace temblor::client {
 namespace {
 
 // Palette indices.
-constexpr std::uint8_t kConsoleBlack = 0, kWhite = 254;
+constexpr std::uint8_t kConsoleBlack = 0, kConsoleWhite = 254;
 constexpr int kConsoleMargin = 1;  // columns
 
 // A palette translation for high contrast. The character pictures draw bright glyphs with shadows in the
@@ -19,7 +19,7 @@ constexpr int kConsoleMargin = 1;  // columns
 constexpr render::ColorTranslation kBlackAndWhite = [] {
   constexpr std::size_t kDarkGrays = 6;
   render::ColorTranslation colors{};
-  colors.fill(kWhite);
+  colors.fill(kConsoleWhite);
   for (std::size_t i = 0; i < kDarkGrays; ++i) colors[i] = kConsoleBlack;
   return colors;
 }();

@@ -12,8 +12,8 @@ namespace temblor::client {
 
 namespace {
 
-constexpr float kBodyGravity = 800;  // units/s^2
-constexpr float kRadius = 0.6f;      // of a casing, units
+constexpr float kBodyGravity = 800;    // units/s^2
+constexpr float kCasingRadius = 0.6f;  // of a casing, units
 
 math::Vec3 fly(const CasingLeg& leg, double after_s) {
   const auto t = static_cast<float>(after_s);
@@ -58,7 +58,7 @@ void Casings::compute_legs(const world::Level& level, Casing& io_casing) {
     const std::optional<Bounce> bounce = find_bounce(level, leg);
     if (!bounce) return;
     const math::Vec3 falling(0, 0, -kBodyGravity * static_cast<float>(bounce->after_s));
-    CasingLeg next{leg.start_s + bounce->after_s, bounce->place_world + bounce->normal * kRadius,
+    CasingLeg next{leg.start_s + bounce->after_s, bounce->place_world + bounce->normal * kCasingRadius,
                    reflect(leg.velocity + falling, bounce->normal), false};
     const bool is_slow = bounce->normal.z > kFloor && glm::length(next.velocity) < kSlow;
     next.is_rest = is_slow || io_casing.leg_count + 1 == kMaxLegs;

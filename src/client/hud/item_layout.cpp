@@ -7,7 +7,7 @@ namespace temblor::client {
 namespace {
 
 constexpr int kWeaponWidth = 24;
-constexpr int kIconY = 8;  // of the icons in the inventory
+constexpr int kInventoryIconY = 8;  // of the icons in the inventory
 
 constexpr WeaponSlot weapon(int place, const char* name, Stat ammo) {
   return {std::uint32_t{kItemShotgun} << place, name, place * kWeaponWidth, ammo};
@@ -31,24 +31,24 @@ constexpr WeaponSlot kHipnoticWeapons[] = {kStockWeapons[0],
 
 constexpr WeaponSlot kHipnoticExtraWeapons[] = {{kHipnoticProximityGun, "prox", 96, Stat::kRockets}};
 
-constexpr ItemIcon kKeys[] = {{kItemKey1, "sb_key1", 192, kIconY, 'S'},
-                              {kItemKey2, "sb_key2", 208, kIconY, 'G'}};
-constexpr ItemIcon kPowerups[] = {{kItemInvisibility, "sb_invis", 224, kIconY},
-                                  {kItemInvulnerability, "sb_invuln", 240, kIconY},
-                                  {kItemSuit, "sb_suit", 256, kIconY},
-                                  {kItemQuad, "sb_quad", 272, kIconY}};
-constexpr ItemIcon kSigils[] = {{kItemSigil1, "sb_sigil1", 288, kIconY},
-                                {kItemSigil1 << 1, "sb_sigil2", 296, kIconY},
-                                {kItemSigil1 << 2, "sb_sigil3", 304, kIconY},
-                                {kItemSigil1 << 3, "sb_sigil4", 312, kIconY}};
+constexpr ItemIcon kKeys[] = {{kItemKey1, "sb_key1", 192, kInventoryIconY, 'S'},
+                              {kItemKey2, "sb_key2", 208, kInventoryIconY, 'G'}};
+constexpr ItemIcon kPowerups[] = {{kItemInvisibility, "sb_invis", 224, kInventoryIconY},
+                                  {kItemInvulnerability, "sb_invuln", 240, kInventoryIconY},
+                                  {kItemSuit, "sb_suit", 256, kInventoryIconY},
+                                  {kItemQuad, "sb_quad", 272, kInventoryIconY}};
+constexpr ItemIcon kSigils[] = {{kItemSigil1, "sb_sigil1", 288, kInventoryIconY},
+                                {kItemSigil1 << 1, "sb_sigil2", 296, kInventoryIconY},
+                                {kItemSigil1 << 2, "sb_sigil3", 304, kInventoryIconY},
+                                {kItemSigil1 << 3, "sb_sigil4", 312, kInventoryIconY}};
 constexpr ItemIcon kStockIcons[] = {kKeys[0],     kKeys[1],   kPowerups[0], kPowerups[1], kPowerups[2],
                                     kPowerups[3], kSigils[0], kSigils[1],   kSigils[2],   kSigils[3]};
 constexpr ItemIcon kHipnoticIcons[] = {kPowerups[0],
                                        kPowerups[1],
                                        kPowerups[2],
                                        kPowerups[3],
-                                       {kHipnoticWetSuit, "sb_wsuit", 288, kIconY},
-                                       {kHipnoticEmpathyShields, "sb_eshld", 304, kIconY},
+                                       {kHipnoticWetSuit, "sb_wsuit", 288, kInventoryIconY},
+                                       {kHipnoticEmpathyShields, "sb_eshld", 304, kInventoryIconY},
                                        kSigils[0],
                                        kSigils[1],
                                        kSigils[2],
@@ -59,8 +59,8 @@ constexpr ItemIcon kRogueIcons[] = {kKeys[0],
                                     kPowerups[1],
                                     kPowerups[2],
                                     kPowerups[3],
-                                    {kRogueShield, "r_shield1", 288, kIconY},
-                                    {kRogueAntigravity, "r_agrav1", 304, kIconY}};
+                                    {kRogueShield, "r_shield1", 288, kInventoryIconY},
+                                    {kRogueAntigravity, "r_agrav1", 304, kInventoryIconY}};
 // The weapons of this pack take the keys' place in the inventory.
 constexpr ItemIcon kHipnoticKeys[] = {{kItemKey1, "sb_key1", 209, 3, 'S'},
                                       {kItemKey2, "sb_key2", 209, 12, 'G'}};

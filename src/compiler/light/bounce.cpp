@@ -32,7 +32,7 @@ constexpr int kRays = 126;  // of each node; of the numbers near it, best for pa
 constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t kHiddenNode = kNoNode - 1;  // the ray begins in solid
 constexpr float kFar = 1 << 20;                     // longer than any level
-constexpr float kGray = 127.0f / 255;               // reflected without the textures' colors
+constexpr float kGrayReflectance = 127.0f / 255;    // reflected without the textures' colors
 
 // The nodes of one face.
 struct NodeGrid {
@@ -93,14 +93,14 @@ math::Vec3 find_mean_color(const world::Texture& texture, const formats::Palette
     sum += math::Vec3d(palette[texel].r, palette[texel].g, palette[texel].b);
     ++count;
   }
-  return count > 0 ? math::Vec3(sum / (count * 255)) : math::Vec3(kGray);
+  return count > 0 ? math::Vec3(sum / (count * 255)) : math::Vec3(kGrayReflectance);
 }
 
 // The share of light that each face sends back, by channel, 0 to 1; 0 for those that take no part.
 std::vector<math::Vec3> find_reflectances(const LitLevel& lit, const BounceSettings& settings,
                                           const std::optional<formats::Palette>& palette) {
   const world::Level& level = *lit.level;
-  std::vector<math::Vec3> of_texture(level.textures.size(), math::Vec3(kGray));
+  std::vector<math::Vec3> of_texture(level.textures.size(), math::Vec3(kGrayReflectance));
   if (palette && settings.color_scale > 0)
     for (std::size_t i = 0; i < of_texture.size(); ++i)
       of_texture[i] =

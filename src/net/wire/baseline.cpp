@@ -4,8 +4,8 @@ namespace temblor::net {
 namespace {
 
 // Flags of FitzQuake's form. Each one announces a wider or an additional field.
-enum BaselineFlags : std::uint32_t { kLargeModel = 1, kLargeFrame = 2, kAlpha = 4, kScale = 8 };
-constexpr std::uint32_t kAllFlags = kLargeModel | kLargeFrame | kAlpha | kScale;
+enum BaselineFlags : std::uint32_t { kLargeModel = 1, kLargeFrame = 2, kHasAlpha = 4, kHasScale = 8 };
+constexpr std::uint32_t kAllFlags = kLargeModel | kLargeFrame | kHasAlpha | kHasScale;
 
 // The fields that both forms share.
 void read_common_fields(Baseline& out_baseline, FieldReader& io_fields) {
@@ -24,8 +24,8 @@ std::uint32_t compute_flags(const Baseline& baseline, const Dialect& dialect) {
   std::uint32_t flags = 0;
   if (baseline.model > 255) flags |= kLargeModel;
   if (baseline.frame > 255) flags |= kLargeFrame;
-  if (encode_alpha(baseline.alpha) != encode_alpha(1)) flags |= kAlpha;
-  if (baseline.scale != 1) flags |= kScale;
+  if (encode_alpha(baseline.alpha) != encode_alpha(1)) flags |= kHasAlpha;
+  if (baseline.scale != 1) flags |= kHasScale;
   return flags;
 }
 
@@ -47,8 +47,8 @@ void write_baseline(const Baseline& baseline, std::uint32_t flags, FieldWriter& 
     io_fields.coord(baseline.origin[axis]);
     io_fields.angle_deg(baseline.angles_deg[axis]);
   }
-  if (flags & kAlpha) io_fields.u8(encode_alpha(baseline.alpha));
-  if (flags & kScale) io_fields.steps8(baseline.scale, kScaleSteps);
+  if (flags & kHasAlpha) io_fields.u8(encode_alpha(baseline.alpha));
+  if (flags & kHasScale) io_fields.steps8(baseline.scale, kScaleSteps);
 }
 
 }  // namespace
@@ -68,8 +68,8 @@ Baseline read_baseline2(FieldReader& io_fields) {
   baseline.model = flags & kLargeModel ? io_fields.u16() : io_fields.u8();
   baseline.frame = flags & kLargeFrame ? io_fields.u16() : io_fields.u8();
   read_common_fields(baseline, io_fields);
-  if (flags & kAlpha) baseline.alpha = decode_alpha(io_fields.u8());
-  if (flags & kScale) baseline.scale = static_cast<float>(io_fields.u8()) / kScaleSteps;
+  if (flags & kHasAlpha) baseline.alpha = decode_alpha(io_fields.u8());
+  if (flags & kHasScale) baseline.scale = static_cast<float>(io_fields.u8()) / kScaleSteps;
   return baseline;
 }
 

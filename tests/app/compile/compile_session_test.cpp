@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
-std::string room(const char* keys = "") {
+std::string session_room(const char* keys = "") {
   return entity_text("worldspawn", keys, walls_text({-128, -128, 0}, {128, 128, 128}, "wall")) +
          point_text("info_player_start", {0, 0, 32}) + entity_text("light", "\"origin\" \"64 64 96\"");
 }
@@ -49,18 +49,18 @@ class CompileSessionTest : public ::testing::Test {
 };
 
 TEST_F(CompileSessionTest, OverwritesNeitherTheMapNorItsOwnFiles) {
-  folder_.write("room.map", room());
+  folder_.write("room.map", session_room());
   fs::create_symlink("room.map", path("link.bsp"));
   for (const char* out : {"room.map", "./room.map", "link.bsp", "room.lit", "room.pts", "room.build"}) {
     const ProgramRun run = compile({"room.map", "-o", out});
     EXPECT_EQ(run.exit_status, 2) << out;
     EXPECT_THAT(run.err, HasSubstr("-o")) << out;
-    EXPECT_EQ(read_text(path("room.map")), room()) << out;
+    EXPECT_EQ(read_text(path("room.map")), session_room()) << out;
   }
 }
 
 TEST_F(CompileSessionTest, LightsALevelWithAnUppercaseNameInPlace) {
-  folder_.write("room.map", room());
+  folder_.write("room.map", session_room());
   ASSERT_EQ(compile({"room.map", "--only", "bsp", "--clean"}).exit_status, 0);
   fs::rename(path("room.bsp"), path("ROOM.BSP"));
   const std::string before = read_text(path("ROOM.BSP"));
@@ -89,7 +89,7 @@ TEST_F(CompileSessionTest, ShardsOfALevelThatLeaks) {
 }
 
 TEST_F(CompileSessionTest, ShardsStayUntilTheLevelIsWritten) {
-  folder_.write("room.map", room());
+  folder_.write("room.map", session_room());
   const ProgramRun shard = compile({"room.map", "--only", "light", "--shard", "1/1"});
   ASSERT_EQ(shard.exit_status, 0) << shard.err;
   fs::create_directory(path("room.bsp"));
@@ -129,7 +129,8 @@ TEST_F(CompileSessionTest, WatchNoticesASaveDuringTheFirstRun) {
   const auto part = [](const char* texture) {
     return entity_text("worldspawn", "", box_text({32, 32, 0}, {64, 64, 64}, texture));
   };
-  folder_.write("room.map", room() + entity_text("misc_external_map", "\"_external_map\" \"part.map\""));
+  folder_.write("room.map",
+                session_room() + entity_text("misc_external_map", "\"_external_map\" \"part.map\""));
   folder_.write("part.map", part("sooner"));
   ASSERT_EQ(mkfifo(path("room.bsp").c_str(), 0600), 0);
   const auto program =

@@ -17,7 +17,8 @@ using world::Hull;
 const std::string kBlock = box_text({-32, -32, 0}, {32, 32, 64}, "stone");
 constexpr double kBlockSide = 64 * 64;
 
-std::string room_with(std::string_view classname, std::string_view fields, const std::string& brushes) {
+std::string room_with_entity(std::string_view classname, std::string_view fields,
+                             const std::string& brushes) {
   return room_text() + entity_text(classname, fields, brushes);
 }
 
@@ -39,7 +40,7 @@ bool is_marked(const formats::Bsp& bsp, std::uint32_t face) {
 
 TEST(BrushKinds, DetailWallCutsNoFloor) {
   const DraftResult empty = compile_draft(room_text());
-  const DraftResult wall = compile_draft(room_with("func_detail_wall", "", kBlock));
+  const DraftResult wall = compile_draft(room_with_entity("func_detail_wall", "", kBlock));
   EXPECT_EQ(contents_at(wall, {0, 0, 32}), Contents::kSolid);
   EXPECT_EQ(contents_at(wall, {0, 0, 80}, Hull::kPlayer), Contents::kSolid);
   EXPECT_EQ(count_faces(wall, "wall"), count_faces(empty, "wall"));
@@ -68,8 +69,8 @@ TEST(BrushKinds, FenceShowsWhatItCovers) {
 
 TEST(BrushKinds, MirrorInsideDrawsFacesBothWays) {
   for (const char* classname : {"func_detail_fence", "func_detail_illusionary", "func_wall", "func_door"}) {
-    const DraftResult once = compile_draft(room_with(classname, "", kBlock));
-    const DraftResult both = compile_draft(room_with(classname, "\"_mirrorinside\" \"1\"", kBlock));
+    const DraftResult once = compile_draft(room_with_entity(classname, "", kBlock));
+    const DraftResult both = compile_draft(room_with_entity(classname, "\"_mirrorinside\" \"1\"", kBlock));
     EXPECT_EQ(find_level_fault(both), "") << classname;
     EXPECT_EQ(measure_area(once, "stone", 0, 1, -32), 0) << classname;
     EXPECT_DOUBLE_EQ(measure_area(both, "stone", 0, 1, -32), kBlockSide) << classname;
@@ -84,9 +85,9 @@ TEST(BrushKinds, NoClipFacesKeepsFacesBetweenBrushes) {
   const std::string two =
       box_text({-64, -32, 0}, {0, 32, 64}, "left") + box_text({0, -32, 0}, {64, 32, 64}, "right");
   for (const char* classname : {"func_detail_fence", "func_detail_illusionary", "func_wall"}) {
-    const DraftResult clipped = compile_draft(room_with(classname, "", two));
+    const DraftResult clipped = compile_draft(room_with_entity(classname, "", two));
     EXPECT_EQ(measure_area(clipped, "left", 0, 1, 0), 0) << classname;
-    const DraftResult kept = compile_draft(room_with(classname, "\"_noclipfaces\" \"1\"", two));
+    const DraftResult kept = compile_draft(room_with_entity(classname, "\"_noclipfaces\" \"1\"", two));
     EXPECT_EQ(find_level_fault(kept), "") << classname;
     EXPECT_DOUBLE_EQ(measure_area(kept, "left", 0, 1, 0), kBlockSide) << classname;
     EXPECT_DOUBLE_EQ(measure_area(kept, "right", 0, -1, 0), kBlockSide) << classname;
@@ -122,7 +123,7 @@ TEST(BrushKinds, HullsDecideWhatABrushStops) {
                                                                       {"nan", true, true, true},
                                                                       {"1e30", false, false, false}}) {
     const DraftResult result =
-        compile_draft(room_with("func_detail", fmt::format("\"_hulls\" \"{}\"", key), kBlock));
+        compile_draft(room_with_entity("func_detail", fmt::format("\"_hulls\" \"{}\"", key), kBlock));
     const auto contents = [](bool stops) { return stops ? Contents::kSolid : Contents::kEmpty; };
     EXPECT_EQ(contents_at(result, {0, 0, 40}), contents(stops_points)) << key;
     EXPECT_EQ(contents_at(result, {0, 0, 40}, Hull::kPlayer), contents(stops_players)) << key;
@@ -134,7 +135,7 @@ TEST(BrushKinds, HullsDecideWhatABrushStops) {
 // It is as wide as the room, so neither half of the room sees the other.
 TEST(BrushKinds, VisBlockerIsOpaqueButNotSolid) {
   const std::string curtain = box_text({-16, -128, 0}, {16, 128, 128}, "cloth");
-  const DraftResult result = compile_draft(room_with("func_illusionary_visblocker", "", curtain));
+  const DraftResult result = compile_draft(room_with_entity("func_illusionary_visblocker", "", curtain));
   EXPECT_FALSE(result.leak);
   EXPECT_EQ(contents_at(result, {0, 0, 64}), Contents::kEmpty);
   EXPECT_EQ(contents_at(result, {0, 0, 64}, Hull::kPlayer), Contents::kEmpty);
@@ -186,7 +187,7 @@ TEST(BrushKinds, SkippedSidesAreNotDrawn) {
 // A model without any face: points pass through it, boxes do not.
 TEST(BrushKinds, ClipAloneMakesAModelThatPointsPass) {
   const DraftResult result =
-      compile_draft(room_with("func_wall", "", box_text({-32, -32, 0}, {32, 32, 64}, "clip")));
+      compile_draft(room_with_entity("func_wall", "", box_text({-32, -32, 0}, {32, 32, 64}, "clip")));
   EXPECT_EQ(find_level_fault(result), "");
   ASSERT_EQ(result.draft.bsp.models.size(), 2u);
   EXPECT_GE(result.draft.bsp.models[1].head_nodes[0], 0)
@@ -203,7 +204,7 @@ TEST(BrushKinds, ClipAloneMakesAModelThatPointsPass) {
 TEST(BrushKinds, LiquidAndSkyOfABrushEntityAreSolid) {
   for (const char* texture : {"*water", "sky1"}) {
     const DraftResult result =
-        compile_draft(room_with("func_wall", "", box_text({-32, -32, 0}, {32, 32, 64}, texture)));
+        compile_draft(room_with_entity("func_wall", "", box_text({-32, -32, 0}, {32, 32, 64}, texture)));
     const auto level = world::make_level(result.draft.bsp, "room").value();
     for (const Hull hull : {Hull::kPoint, Hull::kPlayer})
       EXPECT_EQ(world::hull_contents(*level, world::ModelIndex{1}, hull, {0, 0, 32}), Contents::kSolid)

@@ -16,8 +16,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr std::size_t kVersionAt = 4, kOrientationAt = 8, kRadiusAt = 12, kFramesAt = 24, kBeamAt = 28,
-                      kSprHeaderBytes = 36, kFrameAt = 36, kPictureAt = 40;
+constexpr std::size_t kSpriteVersionAt = 4, kSpriteOrientationAt = 8, kSpriteRadiusAt = 12,
+                      kSpriteFramesAt = 24, kSpriteBeamAt = 28, kSprHeaderBytes = 36, kFrameAt = 36,
+                      kPictureAt = 40;
 
 // A sprite, byte by byte: one frame of 2 x 1 texels.
 base::ByteVector smallest_sprite() {
@@ -70,14 +71,17 @@ TEST(Spr, RejectsEveryTruncationWithOffset) {
 TEST(Spr, FaultsOfTheHeader) {
   const base::ByteVector valid = smallest_sprite();
   EXPECT_THAT(error_of_spr(test::with_number(valid, 0, 0)), HasSubstr("not a sprite"));
-  EXPECT_THAT(error_of_spr(test::with_number(valid, kVersionAt, 2)), HasSubstr("version 2"));  // Half-Life's
+  EXPECT_THAT(error_of_spr(test::with_number(valid, kSpriteVersionAt, 2)),
+              HasSubstr("version 2"));  // Half-Life's
   for (const std::int32_t orientation : {5, 7, -1})
-    EXPECT_EQ(read_spr(test::with_number(valid, kOrientationAt, orientation)).value().orientation,
+    EXPECT_EQ(read_spr(test::with_number(valid, kSpriteOrientationAt, orientation)).value().orientation,
               SprOrientation::kParallel);
-  EXPECT_EQ(error_of_spr(test::with_number(valid, kFramesAt, 0)), "header at offset 0x18: no frames");
-  EXPECT_THAT(error_of_spr(test::with_number(valid, kFramesAt, 1u << 31)), HasSubstr("2147483648 frames"));
-  EXPECT_THAT(error_of_spr(test::with_number(valid, kFramesAt, 2)), HasSubstr("frame 1 at offset 0x3a"));
-  for (const std::size_t at : {kRadiusAt, kBeamAt})
+  EXPECT_EQ(error_of_spr(test::with_number(valid, kSpriteFramesAt, 0)), "header at offset 0x18: no frames");
+  EXPECT_THAT(error_of_spr(test::with_number(valid, kSpriteFramesAt, 1u << 31)),
+              HasSubstr("2147483648 frames"));
+  EXPECT_THAT(error_of_spr(test::with_number(valid, kSpriteFramesAt, 2)),
+              HasSubstr("frame 1 at offset 0x3a"));
+  for (const std::size_t at : {kSpriteRadiusAt, kSpriteBeamAt})
     EXPECT_EQ(error_of_spr(test::with_number(valid, at, std::numeric_limits<float>::quiet_NaN())),
               "no error");
 }

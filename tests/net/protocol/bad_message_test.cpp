@@ -15,13 +15,13 @@ namespace {
 
 using base::ErrorCode;
 using test::k15;
+using test::k666;
 using test::make_reader;
 using test::pack_bytes;
 using test::written;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
-constexpr Dialect k666{Protocol::kFitzQuake, 0};
 constexpr Dialect kFloats{Protocol::kRmq, kFloatCoord | kFloatAngle};
 
 // Reads bytes, as if from offset 1000 of a file, to their first error.

@@ -29,7 +29,7 @@ base::ByteVector written(const ClientMessage& message, Protocol protocol) {
   return std::move(writer).take();
 }
 
-base::Error make_read_error(base::Bytes bytes, Protocol protocol = Protocol::kNetQuake) {
+base::Error make_client_read_error(base::Bytes bytes, Protocol protocol = Protocol::kNetQuake) {
   ClientMessageReader reader(bytes, protocol);
   while (true) {
     const auto message = reader.next();
@@ -109,18 +109,18 @@ TEST(ClientMessage, AnglesRoundTripWithinHalfAStep) {
 TEST(BadClientMessage, NamesUnknownNumbers) {
   for (int id = 0; id < 256; ++id) {
     if (id >= 1 && id <= 4) continue;
-    const base::Error error = make_read_error(pack_bytes({1, id, 1}));
+    const base::Error error = make_client_read_error(pack_bytes({1, id, 1}));
     EXPECT_EQ(error.code, ErrorCode::kUnsupported);
     EXPECT_EQ(error.message(), "offset 1: message " + std::to_string(id) + ": unknown message");
   }
 }
 
 TEST(BadClientMessage, RejectsTruncation) {
-  EXPECT_EQ(make_read_error(base::Bytes(kMove15).first(5)).message(),
+  EXPECT_EQ(make_client_read_error(base::Bytes(kMove15).first(5)).message(),
             "offset 0: clc_move: message ends after 5 of 16 bytes");
-  EXPECT_EQ(make_read_error(base::Bytes(kMove666).first(18), Protocol::kRmq).message(),
+  EXPECT_EQ(make_client_read_error(base::Bytes(kMove666).first(18), Protocol::kRmq).message(),
             "offset 0: clc_move: message ends after 18 of 19 bytes");
-  EXPECT_EQ(make_read_error(pack_bytes({1, 1, 4, 'a'})).message(),
+  EXPECT_EQ(make_client_read_error(pack_bytes({1, 1, 4, 'a'})).message(),
             "offset 2: clc_stringcmd: text has no terminating zero");
 }
 
@@ -134,7 +134,7 @@ TEST(BadClientMessage, RejectsLongTexts) {
     base::ByteVector bytes = pack_bytes({4});
     bytes.resize(size + 1, std::byte{'a'});
     bytes.push_back(std::byte{0});
-    const base::Error error = make_read_error(bytes);
+    const base::Error error = make_client_read_error(bytes);
     EXPECT_EQ(error.code, ErrorCode::kTooLarge);
     EXPECT_EQ(error.message(), "offset 0: clc_stringcmd: text of " + std::to_string(size) +
                                    " bytes exceeds the limit of 1023");
@@ -148,9 +148,9 @@ TEST(BadClientMessage, RejectsLongTexts) {
 TEST(BadClientMessage, RejectsNonFiniteNumbers) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   constexpr float kEndless = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(make_read_error(test::with_number(kMove15, 1, kNone)).message(),
+  EXPECT_EQ(make_client_read_error(test::with_number(kMove15, 1, kNone)).message(),
             "offset 0: clc_move: time is nan");
-  EXPECT_EQ(make_read_error(test::with_number(kMove666, 1, -kEndless), Protocol::kFitzQuake).message(),
+  EXPECT_EQ(make_client_read_error(test::with_number(kMove666, 1, -kEndless), Protocol::kFitzQuake).message(),
             "offset 0: clc_move: time is -inf");
   base::ByteWriter writer;
   EXPECT_FALSE(write_client_message(Move{.time_s = kNone}, Protocol::kNetQuake, writer).ok());

@@ -11,6 +11,8 @@
 namespace temblor::test {
 
 inline constexpr net::Dialect k15{};
+inline constexpr net::Dialect k666{net::Protocol::kFitzQuake, 0};
+inline constexpr net::Dialect k999{net::Protocol::kRmq, net::kInt32Coord | net::kShortAngle};
 
 inline base::ByteVector pack_bytes(std::initializer_list<int> numbers) {
   base::ByteVector bytes;

@@ -11,10 +11,9 @@ namespace temblor::net {
 namespace {
 
 using test::k15;
+using test::k666;
+using test::k999;
 using test::make_reader;
-
-constexpr Dialect k666{Protocol::kFitzQuake, 0};
-constexpr Dialect k999{Protocol::kRmq, kInt32Coord | kShortAngle};
 
 // Builds bytes from numbers, and text without a terminating zero.
 class Packet {

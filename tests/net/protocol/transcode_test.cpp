@@ -17,9 +17,8 @@ namespace temblor::net {
 namespace {
 
 using test::k15;
-
-constexpr Dialect kDialect666{Protocol::kFitzQuake, 0};
-constexpr Dialect kDialect999{Protocol::kRmq, kInt32Coord | kShortAngle};
+using test::k666;
+using test::k999;
 
 // The text of every message, packet by packet; ServerInfo without its dialect.
 std::vector<std::string> list_texts(base::Bytes dem, Dialect& out_dialect) {
@@ -45,7 +44,7 @@ TEST(Transcode, DemoOfProtocol15IsSameIn666And999) {
     Dialect dialect;
     const std::vector<std::string> texts = list_texts(original, dialect);
     ASSERT_EQ(dialect, k15);
-    for (const Dialect& to : {kDialect666, kDialect999}) {
+    for (const Dialect& to : {k666, k999}) {
       const auto transcoded = test::transcode(original, to);
       ASSERT_TRUE(transcoded.ok()) << transcoded.error().message();
       EXPECT_TRUE(list_texts(*transcoded, dialect) == texts) << name << " in protocol " << int(to.protocol);
@@ -58,7 +57,7 @@ TEST(Transcode, RoundTripIsIdentical) {
   DATA_FOLDER_OR_SKIP(folder);
   for (const char* name : {"demo2_lite.dem", "demo3_lite.dem"}) {
     const base::ByteVector original = test::read_file(folder / "id1" / name);
-    const auto there = test::transcode(original, kDialect666);
+    const auto there = test::transcode(original, k666);
     ASSERT_TRUE(there.ok()) << there.error().message();
     const auto back = test::transcode(*there, k15);
     ASSERT_TRUE(back.ok()) << back.error().message();
@@ -70,7 +69,7 @@ TEST(Transcode, RoundTripIsIdentical) {
 TEST(Transcode, DemoOfProtocol999IsRoundedIn666) {
   DATA_FOLDER_OR_SKIP(folder);
   const base::ByteVector original = test::read_file(folder / "id1/demo3.dem");
-  const auto transcoded = test::transcode(original, kDialect666);
+  const auto transcoded = test::transcode(original, k666);
   ASSERT_TRUE(transcoded.ok()) << transcoded.error().message();
   const auto packets = test::dem_packets(original), transcoded_packets = test::dem_packets(*transcoded);
   ASSERT_EQ(packets.size(), transcoded_packets.size());
@@ -104,7 +103,7 @@ TEST(Transcode, NamesOffsetOfUnreadableMessage) {
   const std::string_view nop("\1", 1), unknown("\1\115", 2);
   recording.add({1, 2, 3}, base::as_bytes(nop));
   recording.add({1, 2, 3}, base::as_bytes(unknown));
-  const auto transcoded = test::transcode(std::move(recording).take(), kDialect666);
+  const auto transcoded = test::transcode(std::move(recording).take(), k666);
   ASSERT_FALSE(transcoded.ok());
   // After "-1\n", two lengths with three angles each, and two nops.
   EXPECT_EQ(transcoded.error().message(), "offset 37: message 77: unknown message (after svc_nop)");

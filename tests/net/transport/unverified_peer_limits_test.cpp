@@ -9,7 +9,7 @@
 namespace temblor::net {
 namespace {
 
-platform::Address host(unsigned number, unsigned port = 1) {
+platform::Address peer(unsigned number, unsigned port = 1) {
   const auto byte = [&](unsigned shift) { return static_cast<std::uint8_t>(number >> shift); };
   return platform::ip4_address({10, byte(16), byte(8), byte(0)}, static_cast<std::uint16_t>(port));
 }
@@ -30,17 +30,17 @@ TEST(TokenBucket, AllowsBurstThenRate) {
 TEST(UnverifiedPeerLimits, PortsOfHostShareBudget) {
   UnverifiedPeerLimits limits({.connections_per_host = {10, 1}, .connections_in_total = {100, 10}});
   int admitted = 0;
-  for (unsigned port = 1; port <= 1000; ++port) admitted += limits.admit_connection_request(host(1, port), 0);
+  for (unsigned port = 1; port <= 1000; ++port) admitted += limits.admit_connection_request(peer(1, port), 0);
   EXPECT_EQ(admitted, 10);
   // Its rejected requests do not use up the budget of others.
-  EXPECT_TRUE(limits.admit_connection_request(host(2), 0));
-  EXPECT_TRUE(limits.admit_connection_request(host(1), 1));
+  EXPECT_TRUE(limits.admit_connection_request(peer(2), 0));
+  EXPECT_TRUE(limits.admit_connection_request(peer(1), 1));
 }
 
 TEST(UnverifiedPeerLimits, AllHostsShareCommonBudget) {
   UnverifiedPeerLimits limits({.connections_per_host = {10, 1}, .connections_in_total = {100, 10}});
   int admitted = 0;
-  for (unsigned i = 0; i < 100000; ++i) admitted += limits.admit_connection_request(host(i), i / 10000.0);
+  for (unsigned i = 0; i < 100000; ++i) admitted += limits.admit_connection_request(peer(i), i / 10000.0);
   EXPECT_NEAR(admitted, 100 + 10 * 10, 1);
 }
 
@@ -52,12 +52,12 @@ TEST(UnverifiedPeerLimits, FloodIsNotAmplified) {
   test::Random random(1);
   for (int i = 0; i < 200000; ++i) {
     const double now_s = i / 200000.0 * kSeconds;
-    const auto from = random.chance(0.5) ? host(7) : host(static_cast<unsigned>(random.below(1 << 20)));
+    const auto from = random.chance(0.5) ? peer(7) : peer(static_cast<unsigned>(random.below(1 << 20)));
     if (!limits.admit_query(from, false, now_s) ||
         !limits.admit_reply(from, kQuestion, kAnswer, false, now_s))
       continue;
     answered += kAnswer + kBelow;
-    if (from.same_host(host(7))) to_victim += kAnswer + kBelow;
+    if (from.same_host(peer(7))) to_victim += kAnswer + kBelow;
   }
   const UnverifiedPeerRates rates;
   // A million other hosts may have evicted the victim from the table now and then.
@@ -71,7 +71,7 @@ TEST(UnverifiedPeerLimits, VictimGetsBurstAndTrickle) {
   double sent = 0;
   for (int i = 0; i < 100000; ++i) {
     const double now_s = i / 1000.0;
-    if (limits.admit_query(host(7), false, now_s) && limits.admit_reply(host(7), 12, 100, false, now_s))
+    if (limits.admit_query(peer(7), false, now_s) && limits.admit_reply(peer(7), 12, 100, false, now_s))
       sent += 128;
   }
   const Rate rate = UnverifiedPeerRates{}.reply_bytes_per_host;
@@ -81,12 +81,12 @@ TEST(UnverifiedPeerLimits, VictimGetsBurstAndTrickle) {
 
 TEST(UnverifiedPeerLimits, PlayersAreExemptFromCommonBudget) {
   UnverifiedPeerLimits limits;
-  for (unsigned i = 0; i < 100000; ++i) limits.admit_query(host(i), false, 0);
-  EXPECT_FALSE(limits.admit_query(host(200000), false, 0));
-  EXPECT_TRUE(limits.admit_query(host(200001), true, 0));
-  EXPECT_TRUE(limits.admit_reply(host(200001), 12, 100, true, 0));
+  for (unsigned i = 0; i < 100000; ++i) limits.admit_query(peer(i), false, 0);
+  EXPECT_FALSE(limits.admit_query(peer(200000), false, 0));
+  EXPECT_TRUE(limits.admit_query(peer(200001), true, 0));
+  EXPECT_TRUE(limits.admit_reply(peer(200001), 12, 100, true, 0));
   // A reply no larger than its request is always free.
-  EXPECT_TRUE(limits.admit_reply(host(200002), 12, 12, false, 0));
+  EXPECT_TRUE(limits.admit_reply(peer(200002), 12, 12, false, 0));
 }
 
 TEST(UnverifiedPeerLimits, Ip6NetworkCountsAsOneHost) {
@@ -99,12 +99,12 @@ TEST(UnverifiedPeerLimits, Ip6NetworkCountsAsOneHost) {
 TEST(UnverifiedPeerLimits, LimitsWrongPasswords) {
   UnverifiedPeerLimits limits;
   for (int i = 0; i < 5; ++i) {
-    EXPECT_TRUE(limits.admit_password(host(1), 0));
-    limits.record_wrong_password(host(1), 0);
+    EXPECT_TRUE(limits.admit_password(peer(1), 0));
+    limits.record_wrong_password(peer(1), 0);
   }
-  EXPECT_FALSE(limits.admit_password(host(1), 0));
-  EXPECT_TRUE(limits.admit_password(host(2), 0));
-  EXPECT_TRUE(limits.admit_password(host(1), 12.1));
+  EXPECT_FALSE(limits.admit_password(peer(1), 0));
+  EXPECT_TRUE(limits.admit_password(peer(2), 0));
+  EXPECT_TRUE(limits.admit_password(peer(1), 12.1));
 }
 
 TEST(Password, ComparesInConstantTime) {

@@ -19,7 +19,7 @@ namespace {
 using render::ScreenVertex;
 using render::TexelPoint;
 
-constexpr int kCanvasWidth = 97, kCanvasHeight = 61, kSkinWidth = 61, kSkinHeight = 43;
+constexpr int kModelCanvasWidth = 97, kModelCanvasHeight = 61, kSkinWidth = 61, kSkinHeight = 43;
 constexpr float kUntouched = -1;
 
 struct Mesh {
@@ -39,8 +39,8 @@ std::vector<std::uint8_t> numbered_skin() {
 template <typename Pixel>
 struct TriangleCanvas {
   // Memory past the last row, filled like the picture, reveals writes beyond it.
-  std::vector<Pixel> pixels = std::vector<Pixel>(kCanvasWidth * kCanvasHeight + 64, Pixel{77});
-  std::vector<float> depth = std::vector<float>(kCanvasWidth * kCanvasHeight + 64, kUntouched);
+  std::vector<Pixel> pixels = std::vector<Pixel>(kModelCanvasWidth * kModelCanvasHeight + 64, Pixel{77});
+  std::vector<float> depth = std::vector<float>(kModelCanvasWidth * kModelCanvasHeight + 64, kUntouched);
   bool operator==(const TriangleCanvas& other) const {
     return pixels == other.pixels &&
            std::memcmp(depth.data(), other.depth.data(), depth.size() * sizeof(float)) == 0;
@@ -105,7 +105,7 @@ ScreenVertex random_vertex(Random& random, double spread_px, bool snapped) {
     const double px = size / 2.0 + random.uniform(-spread_px, spread_px);
     return static_cast<std::int32_t>(std::lround(snapped ? std::round(px) * 256 : px * 256));
   };
-  return {coordinate(kCanvasWidth), coordinate(kCanvasHeight),
+  return {coordinate(kModelCanvasWidth), coordinate(kModelCanvasHeight),
           static_cast<float>(random.log_uniform(0.001, 0.1)), static_cast<float>(random.uniform(0, 16320))};
 }
 
@@ -161,11 +161,11 @@ TEST(TriangleKernels, CoverExactlyWhatTheFillRuleSays) {
     TriangleCanvas<std::uint8_t> canvas;
     render::draw_triangles_u8_scalar(
         make_job(mesh, skin, colors.table, true),
-        {canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
+        {canvas.pixels.data(), canvas.depth.data(), kModelCanvasWidth, 0, 0, kModelCanvasHeight});
     const ScreenVertex* corner[3] = {&mesh.vertices[0], &mesh.vertices[1], &mesh.vertices[2]};
-    for (int y = 0; y < kCanvasHeight; ++y)
-      for (int x = 0; x < kCanvasWidth; ++x)
-        ASSERT_EQ(canvas.depth[static_cast<std::size_t>(y * kCanvasWidth + x)] != kUntouched,
+    for (int y = 0; y < kModelCanvasHeight; ++y)
+      for (int x = 0; x < kModelCanvasWidth; ++x)
+        ASSERT_EQ(canvas.depth[static_cast<std::size_t>(y * kModelCanvasWidth + x)] != kUntouched,
                   covers(corner, x, y))
             << "seed " << seed << " pixel " << x << " " << y;
   }
@@ -188,7 +188,7 @@ TEST(TriangleKernels, CoverPixelsAlongSharedSidesOnce) {
                                   0.5f, 0});
         field.texels.push_back(random_texel(random));
       }
-    std::vector<int> writes(kCanvasWidth * kCanvasHeight);
+    std::vector<int> writes(kModelCanvasWidth * kModelCanvasHeight);
     for (std::uint32_t row = 0; row < kCells; ++row)
       for (std::uint32_t column = 0; column < kCells; ++column) {
         const std::uint32_t a = row * (kCells + 1) + column, c = a + kCells + 1;
@@ -198,14 +198,14 @@ TEST(TriangleKernels, CoverPixelsAlongSharedSidesOnce) {
           TriangleCanvas<std::uint8_t> canvas;
           render::draw_triangles_u8_scalar(
               make_job(one, skin, colors.table, true),
-              {canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
+              {canvas.pixels.data(), canvas.depth.data(), kModelCanvasWidth, 0, 0, kModelCanvasHeight});
           for (std::size_t i = 0; i < writes.size(); ++i) writes[i] += canvas.depth[i] != kUntouched;
         }
       }
-    for (int y = 0; y < kCanvasHeight; ++y)
-      for (int x = 0; x < kCanvasWidth; ++x) {
+    for (int y = 0; y < kModelCanvasHeight; ++y)
+      for (int x = 0; x < kModelCanvasWidth; ++x) {
         const bool inside = x >= 4 && x < 4 + 81 && y >= 3 && y < 3 + 54;
-        ASSERT_EQ(writes[static_cast<std::size_t>(y * kCanvasWidth + x)], inside ? 1 : 0)
+        ASSERT_EQ(writes[static_cast<std::size_t>(y * kModelCanvasWidth + x)], inside ? 1 : 0)
             << "seed " << seed << " pixel " << x << " " << y;
       }
   }
@@ -253,13 +253,13 @@ TEST(TriangleKernels, DepthAndTexelsAreWithinTheirErrors) {
       TriangleCanvas<std::uint8_t> s_canvas, t_canvas;
       render::draw_triangles_u8_scalar(
           make_job(mesh, s_skin, identity, perspective),
-          {s_canvas.pixels.data(), s_canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
+          {s_canvas.pixels.data(), s_canvas.depth.data(), kModelCanvasWidth, 0, 0, kModelCanvasHeight});
       render::draw_triangles_u8_scalar(
           make_job(mesh, t_skin, identity, perspective),
-          {t_canvas.pixels.data(), t_canvas.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
-      for (int y = 0; y < kCanvasHeight; ++y)
-        for (int x = 0; x < kCanvasWidth; ++x) {
-          const auto i = static_cast<std::size_t>(y * kCanvasWidth + x);
+          {t_canvas.pixels.data(), t_canvas.depth.data(), kModelCanvasWidth, 0, 0, kModelCanvasHeight});
+      for (int y = 0; y < kModelCanvasHeight; ++y)
+        for (int x = 0; x < kModelCanvasWidth; ++x) {
+          const auto i = static_cast<std::size_t>(y * kModelCanvasWidth + x);
           if (s_canvas.depth[i] == kUntouched) continue;
           ++compared;
           const AtPixel at = reference_at(mesh, x, y);
@@ -291,11 +291,11 @@ void expect_twins() {
     job.has_short_rows = seed % 4 < 2;
     TriangleCanvas<Pixel> expected, drawn;
     // In two bands; SIMD draws only one of them.
-    const int middle = static_cast<int>(random.below(kCanvasHeight));
-    Plain(job, {expected.pixels.data(), expected.depth.data(), kCanvasWidth, 0, 0, kCanvasHeight});
-    draw_fronts<Vector>(job, {drawn.pixels.data(), drawn.depth.data(), kCanvasWidth, 0, 0, middle});
-    draw_fronts<Vector>(job,
-                        {drawn.pixels.data(), drawn.depth.data(), kCanvasWidth, 0, middle, kCanvasHeight});
+    const int middle = static_cast<int>(random.below(kModelCanvasHeight));
+    Plain(job, {expected.pixels.data(), expected.depth.data(), kModelCanvasWidth, 0, 0, kModelCanvasHeight});
+    draw_fronts<Vector>(job, {drawn.pixels.data(), drawn.depth.data(), kModelCanvasWidth, 0, 0, middle});
+    draw_fronts<Vector>(
+        job, {drawn.pixels.data(), drawn.depth.data(), kModelCanvasWidth, 0, middle, kModelCanvasHeight});
     ASSERT_TRUE(expected == drawn) << "seed " << seed;
   }
 }
@@ -345,12 +345,12 @@ TEST(TriangleKernels, WriteOnlyToThePicture) {
       if (random.chance(0.05)) vertex.light = random.chance(0.5) ? -HUGE_VALF : std::nanf("");
     }
     TriangleCanvas<std::uint32_t> canvas;
-    const render::TriangleTarget target{canvas.pixels.data(), canvas.depth.data(), kCanvasWidth, 0, 5,
-                                        kCanvasHeight};
+    const render::TriangleTarget target{canvas.pixels.data(), canvas.depth.data(), kModelCanvasWidth, 0, 5,
+                                        kModelCanvasHeight};
     render::draw_triangles_u32_scalar(make_job(mesh, skin, colors.table, true), target);
     draw_fronts<render::draw_triangles_u32_simd>(make_job(mesh, skin, colors.table, true), target);
     for (std::size_t i = 0; i < canvas.pixels.size(); ++i) {
-      const bool is_outside = i < 5 * kCanvasWidth || i >= kCanvasWidth * kCanvasHeight;
+      const bool is_outside = i < 5 * kModelCanvasWidth || i >= kModelCanvasWidth * kModelCanvasHeight;
       ASSERT_TRUE(!is_outside || canvas.pixels[i] == 77) << "seed " << seed;
     }
   }

@@ -109,7 +109,7 @@ class Scanner {
   base::Jobs jobs_{1};
 };
 
-Viewpoint viewpoint_number(const world::Level& level, int number) {
+Viewpoint make_plain_viewpoint(const world::Level& level, int number) {
   Random random(static_cast<std::uint64_t>(number));
   Viewpoint viewpoint{.camera = random_camera(level, random), .brush_models = shown_brush_models(level)};
   if (number % 4 == 3) viewpoint.camera.projection = render::Projection::kOrthographic;
@@ -127,7 +127,7 @@ void expect_the_edge_lists_pixels(const world::Level& level) {
   std::size_t covered = 0;
   for (int number = 0; number < effort(30, 4); ++number) {
     SCOPED_TRACE(fmt::format("{}, view {}", level.name, number));
-    Scanner scanner(level, viewpoint_number(level, number), 97, 61);
+    Scanner scanner(level, make_plain_viewpoint(level, number), 97, 61);
     std::map<std::tuple<std::uint32_t, bool>, std::vector<render::VisibleFace>> by_plane;
     for (std::uint32_t i = 0; i < level.faces.size(); ++i) {
       const world::Face& face = level.faces[i];
@@ -187,7 +187,7 @@ void expect_half_water(const DrawableLevel& drawable, int views, std::size_t min
   for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
     render::Renderer renderer(drawable.palette, drawable.colormap);
     for (int number = 0; number < views; ++number) {
-      const Viewpoint viewpoint = viewpoint_number(level, number);
+      const Viewpoint viewpoint = make_plain_viewpoint(level, number);
       render::Scene scene = viewpoint.scene(level);
       const Drawn opaque = draw(renderer, scene, format);
       scene.liquid_alpha = {0, 0, 0, 0};
@@ -245,7 +245,7 @@ TEST(DeferredFaces, ShowFencesAndWhatIsBehindThem) {
         without_holes(fenced.palette, fenced.colormap), without(fenced.palette, fenced.colormap);
     const render::Settings near{.force_mip = 0};
     for (int number = 0; number < effort(30, 4); ++number) {
-      const Viewpoint viewpoint = viewpoint_number(*fenced.level, number);
+      const Viewpoint viewpoint = make_plain_viewpoint(*fenced.level, number);
       const Drawn drawn = draw(with_holes, viewpoint.scene(*fenced.level), format, near);
       const Drawn all = draw(without_holes, viewpoint.scene(*solid.level), format, near);
       const Drawn behind = draw(without, viewpoint.scene(*absent.level), format, near);
@@ -289,7 +289,7 @@ TEST(DeferredFaces, AddBrushModels) {
       std::size_t added = 0, off = 0;
       render::Renderer renderer(drawable.palette, drawable.colormap);
       for (int number = 0; number < 60; ++number) {
-        Viewpoint viewpoint = viewpoint_number(level, number);
+        Viewpoint viewpoint = make_plain_viewpoint(level, number);
         const auto with_alpha = [&](float alpha, bool is_additive) {
           for (render::BrushModelInstance& model : viewpoint.brush_models) {
             model.alpha = alpha;
@@ -324,7 +324,7 @@ TEST(DeferredFaces, BlendBrushModels) {
   std::size_t blended = 0, off = 0;
   render::Renderer renderer(drawable.palette, drawable.colormap);
   for (int number = 0; number < effort(150, 20); ++number) {
-    Viewpoint viewpoint = viewpoint_number(level, number);
+    Viewpoint viewpoint = make_plain_viewpoint(level, number);
     const auto with_alpha = [&](float alpha) {
       for (render::BrushModelInstance& model : viewpoint.brush_models) model.alpha = alpha;
       return draw(renderer, viewpoint.scene(level), PixelFormat::kRgb);
@@ -356,7 +356,7 @@ TEST(DeferredFaces, StayClearInFog) {
   for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
     render::Renderer renderer(fenced.palette, fenced.colormap), of_solid(fenced.palette, fenced.colormap);
     for (int number = 0; number < effort(60, 10); ++number) {
-      Viewpoint viewpoint = viewpoint_number(*fenced.level, number);
+      Viewpoint viewpoint = make_plain_viewpoint(*fenced.level, number);
       const auto with_alpha = [&](render::Renderer& io_renderer, const world::Level& level, float alpha) {
         for (render::BrushModelInstance& model : viewpoint.brush_models) model.alpha = alpha;
         render::Scene scene = viewpoint.scene(level);
@@ -401,7 +401,7 @@ TEST(DeferredFaces, AreBlendedWithModelsFromBackToFront) {
                                                 static_cast<float>(random.uniform(-60, 60)), height);
     // Models are sorted by the leaf of their origin, which is not a wall.
     if (world::point_contents(level, instance.origin_world) == world::Contents::kSolid) continue;
-    Viewpoint viewpoint = viewpoint_number(level, 0);
+    Viewpoint viewpoint = make_plain_viewpoint(level, 0);
     viewpoint.camera.projection = render::Projection::kPerspective;
     viewpoint.camera.origin_world =
         instance.origin_world + math::Vec3(static_cast<float>(random.uniform(-40, 40)),
@@ -443,7 +443,7 @@ TEST(DeferredFaces, AreTintedWithEverythingElse) {
   constexpr PixelFormat format = PixelFormat::kRgb;
   for (int number = 0; number < effort(20, 6); ++number)
     for (const bool has_ball : {false, true}) {
-      Viewpoint viewpoint = viewpoint_number(*drawable.level, number);
+      Viewpoint viewpoint = make_plain_viewpoint(*drawable.level, number);
       render::Scene scene = viewpoint.scene(*drawable.level);
       scene.liquid_alpha = {0.5f, 0.25f, 0.75f, 0.9f};
       render::AliasInstance instance;
@@ -491,7 +491,7 @@ TEST(DeferredFaces, AreTheSameForAnyThreadsKernelsBandsAndHistory) {
   std::vector<render::Renderer> renderers;
   for (std::size_t i = 0; i < all.size(); ++i) renderers.emplace_back(drawable.palette, drawable.colormap);
   for (int number = 0; number < effort(12, 3); ++number) {
-    Viewpoint viewpoint = viewpoint_number(*drawable.level, number);
+    Viewpoint viewpoint = make_plain_viewpoint(*drawable.level, number);
     for (render::BrushModelInstance& model : viewpoint.brush_models) model.alpha = 0.6f;
     const render::Scene scene = everything(viewpoint, *drawable.level);
     for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {

@@ -18,7 +18,7 @@ using render::FrameBuffer;
 using render::Line;
 using render::PixelFormat;
 
-constexpr std::uint32_t kUntouched = 0xff000000, kWhite = 0xffffffff;
+constexpr std::uint32_t kUndrawn = 0xff000000, kWhite = 0xffffffff;
 
 render::ViewFrame make_view(const render::Camera& camera, int width, int height) {
   static const DrawableLevel level = small_level();
@@ -30,7 +30,7 @@ render::ViewFrame make_view(const render::Camera& camera, int width, int height)
 
 FrameBuffer draw(const std::vector<Line>& lines, const render::ViewFrame& view) {
   FrameBuffer frame(view.width, view.height, PixelFormat::kRgb);
-  std::ranges::fill(frame.rgb(), kUntouched);
+  std::ranges::fill(frame.rgb(), kUndrawn);
   draw_lines(lines, view, artgen::make_palette(), frame);
   return frame;
 }
@@ -106,7 +106,7 @@ TEST(Lines, WithADepthTestAreHiddenByWhatIsNearer) {
   for (const PixelFormat format : {PixelFormat::kRgb, PixelFormat::kIndexed}) {
     FrameBuffer frame(64, 40, format);
     const auto count = [&](float distance, bool is_depth_tested, bool left) {
-      std::ranges::fill(frame.rgb(), kUntouched);
+      std::ranges::fill(frame.rgb(), kUndrawn);
       std::ranges::fill(frame.indexed(), std::uint8_t{0});
       for (std::size_t i = 0; i < frame.pixel_count(); ++i)
         frame.depth()[i] = i % 64 < 32 ? 1.0f / 50 : std::numeric_limits<float>::lowest();
@@ -115,7 +115,7 @@ TEST(Lines, WithADepthTestAreHiddenByWhatIsNearer) {
       int drawn = 0;
       for (std::size_t i = 0; i < frame.pixel_count(); ++i)
         if ((i % 64 < 32) == left)
-          drawn += format == PixelFormat::kRgb ? frame.rgb()[i] != kUntouched : frame.indexed()[i] != 0;
+          drawn += format == PixelFormat::kRgb ? frame.rgb()[i] != kUndrawn : frame.indexed()[i] != 0;
       return drawn;
     };
     EXPECT_EQ(count(40, true, true), 32) << "in front";
@@ -130,7 +130,7 @@ TEST(Lines, WithADepthTestAreHiddenByWhatIsNearer) {
 TEST(Lines, AreTestedWhereTheyAre) {
   const render::ViewFrame view = make_view({}, 200, 150);
   FrameBuffer frame(200, 150, PixelFormat::kRgb);
-  std::ranges::fill(frame.rgb(), kUntouched);
+  std::ranges::fill(frame.rgb(), kUndrawn);
   std::ranges::fill(frame.depth(), 1.0f / 100);
   draw_lines(std::vector<Line>{{{10, 5, -9}, {400, 5, -9}, {255, 255, 255}, true}}, view,
              artgen::make_palette(), frame);

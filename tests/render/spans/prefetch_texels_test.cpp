@@ -19,12 +19,12 @@ using render::ScreenPlane;
 using render::Span;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 ScreenPlane any_plane(Random& random) {
   const auto any_number = [&] {
-    constexpr std::array kNumbers = {0.0,  -0.0, 1.0,   -1.0,      1e-320,     -1e-320,  1e-30,
-                                     1e30, 1e38, 1e300, kInfinity, -kInfinity, kNoNumber};
+    constexpr std::array kNumbers = {0.0,  -0.0, 1.0,   -1.0,      1e-320,     -1e-320,    1e-30,
+                                     1e30, 1e38, 1e300, kInfinity, -kInfinity, kNotANumber};
     return kNumbers[random.below(kNumbers.size())];
   };
   const double at_origin = any_number(), dx = any_number(), dy = any_number();

@@ -262,17 +262,17 @@ TEST(ParticleKernels, ProjectTheSameOnEveryInstructionSet) {
 }
 
 template <typename Pixel>
-struct Canvas {
+struct ParticleCanvas {
   static constexpr std::size_t kWidth = 61, kRows = 40;  // of exactly this size: the sanitizer sees more
   std::vector<Pixel> pixels = std::vector<Pixel>(kWidth * kRows);
   std::vector<float> depth = std::vector<float>(kWidth * kRows);
-  bool operator==(const Canvas&) const = default;
+  bool operator==(const ParticleCanvas&) const = default;
   render::ParticleTarget target() { return {pixels.data(), depth.data(), kWidth}; }
 };
 
 template <typename Pixel>
-Canvas<Pixel> random_canvas(Random& random) {
-  Canvas<Pixel> canvas;
+ParticleCanvas<Pixel> random_canvas(Random& random) {
+  ParticleCanvas<Pixel> canvas;
   for (Pixel& pixel : canvas.pixels) pixel = static_cast<Pixel>(random.bits());
   for (float& depth : canvas.depth) depth = static_cast<float>(random.below(6));
   return canvas;
@@ -281,7 +281,7 @@ Canvas<Pixel> random_canvas(Random& random) {
 // Few different depths, so that many are equal to what is there; also in the last columns and rows.
 template <typename Pixel>
 std::vector<render::ParticleRect> random_rects(Random& random) {
-  using C = Canvas<Pixel>;
+  using C = ParticleCanvas<Pixel>;
   std::vector<render::ParticleRect> rects(random.below(60));
   for (render::ParticleRect& rect : rects) {
     const std::size_t width = 1 + random.below(C::kWidth), height = 1 + random.below(20);
@@ -299,7 +299,7 @@ void expect_twins(Kernel vector, Kernel plain) {
   for_each_simd_target([&] {
     for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(effort(300, 50)); ++seed) {
       Random random(seed);
-      Canvas<Pixel> by_simd = random_canvas<Pixel>(random), by_scalar = by_simd;
+      ParticleCanvas<Pixel> by_simd = random_canvas<Pixel>(random), by_scalar = by_simd;
       const std::vector<render::ParticleRect> rects = random_rects<Pixel>(random);
       vector(rects.data(), rects.size(), by_simd.target());
       plain(rects.data(), rects.size(), by_scalar.target());
