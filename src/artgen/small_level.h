@@ -16,6 +16,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "formats/levels/bsp.h"
@@ -46,6 +48,9 @@ struct SmallLevelOptions {
 // The level passes all checks of formats/levels/bsp_validate.h and fits version 29 of the format. Model 0 is
 // the world, model 1 a door.
 formats::Bsp make_small_level(const SmallLevelOptions& options = {});
+// The textures of the default level that have these names, and all frames of their animations. Ignores case,
+// and names that the level does not have. Painting all of them takes most of the level's time.
+std::vector<formats::BspMiptex> make_small_level_textures(std::span<const std::string_view> names);
 
 // A box of the world's shape, for tests that compare the BSP with its definition. The world is solid except
 // in these boxes; later boxes replace earlier ones where they overlap.

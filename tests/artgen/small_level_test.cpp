@@ -2,6 +2,7 @@
 // each option promises.
 #include "artgen/small_level.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formats/levels/bsp.h"
@@ -260,6 +262,23 @@ TEST(SmallLevel, CanOmitATexture) {
   EXPECT_EQ(std::count_if(whole.miptexes.begin(), whole.miptexes.end(), empty), 0);
   const formats::Bsp lacking = test::small_bsp({.missing_texture = true});
   EXPECT_EQ(std::count_if(lacking.miptexes.begin(), lacking.miptexes.end(), empty), 1);
+}
+
+TEST(SmallLevel, MakesOnlyTheNamedTextures) {
+  const auto make_named = [](std::vector<std::string_view> names) {
+    std::vector<std::string> made;
+    for (const formats::BspMiptex& texture : make_small_level_textures(names)) made.push_back(texture.name);
+    return made;
+  };
+  EXPECT_THAT(make_named({}), testing::IsEmpty());
+  EXPECT_THAT(make_named({"Slabs", "unknown", "BRICK", "slabs", "+", "panel"}),
+              testing::ElementsAre("brick", "slabs"));
+  EXPECT_THAT(make_named({"+1PANEL"}), testing::ElementsAre("+0panel", "+1panel", "+apanel"));
+
+  const formats::Bsp level = test::small_bsp();
+  std::vector<std::string_view> all;
+  for (const formats::BspMiptex& texture : level.miptexes) all.push_back(texture.name);
+  EXPECT_TRUE(make_small_level_textures(all) == level.miptexes);
 }
 
 TEST(SmallLevel, SeedChangesTheTexturesOnly) {

@@ -127,8 +127,8 @@ base::Status write(const CompileCommandOptions& options, CompileSession& io_sess
 
 // Makes a WAD from PNG files, in the colors of the game's palette.
 base::Status write_wad(const CompileCommandOptions& options, const GameFolders& folders) {
-  TRY(const assets::Look look, find_look(folders));
-  TRY(const base::ByteVector wad, make_wad_from_pictures(options.textures, look.palette));
+  TRY(const formats::Palette palette, find_palette(folders));
+  TRY(const base::ByteVector wad, make_wad_from_pictures(options.textures, palette));
   return replace_file(options.out, wad);
 }
 

@@ -186,11 +186,11 @@ CompileSession::CompileSession(const CompileCommandOptions& options, formats::Pa
 // Checks everything that is cheap to check, so that a long compilation does not fail at its end.
 base::Result<std::unique_ptr<CompileSession>> CompileSession::begin(const CompileCommandOptions& options,
                                                                     const GameFolders& folders) {
-  TRY(const assets::Look look, find_look(folders));
+  TRY(const formats::Palette palette, find_palette(folders));
   const LevelPaths paths = make_level_paths(choose_output(options));
   TRY_STATUS(check_output(options.source, paths));
   if (make_compile_options(options).light_policy == StagePolicy::kBuild) TRY_STATUS(compiler::check_light());
-  std::unique_ptr<CompileSession> session(new CompileSession(options, look.palette, paths));
+  std::unique_ptr<CompileSession> session(new CompileSession(options, palette, paths));
   session->game_wads_ = list_game_wads(folders);
   // If a .bsp is compiled to another file, that file's build does not belong to it.
   const bool is_its_own_source = !is_level(options.source) || is_same_file(options.source, paths.bsp);

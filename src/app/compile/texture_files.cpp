@@ -13,6 +13,9 @@
 #include "base/text.h"
 #include "compiler/make_wad.h"
 #include "compiler/wad_paths.h"
+#include "formats/archives/wad.h"
+#include "formats/images/wad_texture.h"
+#include "formats/levels/bsp.h"
 #include "vfs/disk.h"
 
 namespace temblor::app {
@@ -58,6 +61,16 @@ bool add_first_readable(const std::vector<fs::path>& candidates, std::vector<Fil
   return false;
 }
 
+// Lists the textures of all sides, with repetitions.
+std::vector<std::string_view> find_names(const formats::Map& map) {
+  std::vector<std::string_view> names;
+  for (const formats::MapEntity& entity : map.entities)
+    for (const formats::MapBrush& brush : entity.brushes)
+      for (const formats::MapSide& side : brush.sides)
+        if (names.empty() || names.back() != side.texture) names.emplace_back(side.texture);
+  return names;
+}
+
 }  // namespace
 
 void TextureFiles::add(std::string name, base::ByteVector file) {
@@ -72,6 +85,20 @@ base::Result<base::ByteVector> make_wad_from_pictures(const fs::path& folder,
     return base::Error{base::ErrorCode::kNotFound, "--textures: the folder has no .png file",
                        folder.string()};
   return make_picture_wad(pictures, palette);
+}
+
+base::Result<base::ByteVector> make_builtin_wad(std::span<const std::string_view> names) {
+  std::vector<formats::BspMiptex> textures = artgen::make_small_level_textures(names);
+  std::vector<base::ByteVector> records;
+  records.reserve(textures.size());
+  std::vector<formats::WadLump> lumps;
+  for (formats::BspMiptex& texture : textures) {
+    TRY(base::ByteVector record,
+        formats::write_wad_texture({texture.name, texture.width, texture.height, std::move(texture.mips)}));
+    records.push_back(std::move(record));
+    lumps.push_back({std::move(texture.name), formats::kWadTexture, records.back()});
+  }
+  return formats::write_wad(lumps);
 }
 
 std::vector<fs::path> list_game_wads(const GameFolders& folders) {
@@ -145,9 +172,8 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
   }
   // The built-in textures use Temblor's palette, so they would have wrong colors with another one.
   if (palette == artgen::make_palette()) {
-    TRY(base::ByteVector own, formats::write_bsp(artgen::make_small_level({.pvs = false, .light = false}),
-                                                 formats::BspVersion::k29));
-    files.add("Temblor's own", std::move(own));
+    TRY(base::ByteVector builtin, make_builtin_wad(find_names(map)));
+    files.add("Temblor's own", std::move(builtin));
   }
   for (const fs::path& wad : places.game_wads) add_first_readable({wad}, io_stamps, files);
   return files;

@@ -9,7 +9,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/commands/options.h"
@@ -44,6 +46,10 @@ struct TexturePlaces {
 // Converts the PNG files of a folder to a WAD. kNotFound if there is none.
 base::Result<base::ByteVector> make_wad_from_pictures(const std::filesystem::path& folder,
                                                       const formats::Palette& palette);
+
+// Makes a WAD of the small built-in level's textures with these names, and their animations. It is empty if
+// the level has none of them.
+base::Result<base::ByteVector> make_builtin_wad(std::span<const std::string_view> names);
 
 // Lists the paths GAME/textures.wad of the game directories, the last one first. The files need not exist.
 // Empty without game data.

@@ -78,6 +78,12 @@ base::Result<assets::Look> find_look(const GameFolders& folders) {
   return assets::load_look(files);
 }
 
+base::Result<formats::Palette> find_palette(const GameFolders& folders) {
+  if (has_no_game_data(folders)) return artgen::make_palette();
+  TRY(const assets::Look look, find_look(folders));
+  return look.palette;
+}
+
 // Names with the same distance are sorted by name, so the order does not depend on the file system.
 std::string suggest(std::string_view wanted, std::vector<std::string> names) {
   if (names.empty()) return "there are none";

@@ -9,6 +9,7 @@
 #include "app/commands/options.h"
 #include "assets/assets.h"
 #include "base/result.h"
+#include "formats/images/palette.h"
 #include "vfs/file_system.h"
 
 namespace temblor::app {
@@ -29,6 +30,8 @@ assets::Look make_builtin_look();
 // Returns the palette and colormap of the game data; Temblor's own if --basedir is not given and the current
 // directory does not contain id1.
 base::Result<assets::Look> find_look(const GameFolders& folders);
+// Returns the palette only, without making a colormap for Temblor's own.
+base::Result<formats::Palette> find_palette(const GameFolders& folders);
 
 // Returns "similar names: a, b, c" with the names closest to `wanted` by edit distance, or "there are none".
 std::string suggest(std::string_view wanted, std::vector<std::string> names);

@@ -36,6 +36,10 @@ base::Result<bool> fits_builtin_palette(const world::Level& level, const GameFol
   std::vector<FileStamp> stamps;
   compiler::Warnings warnings;
   TRY(const TextureFiles files, find_textures(places, {}, formats::Map{}, palette, stamps, warnings));
+  std::vector<std::string_view> names;
+  for (const world::Texture* texture : others) names.emplace_back(texture->name);
+  TRY(const base::ByteVector builtin, make_builtin_wad(names));
+  remove_textures({"Temblor's own", builtin}, palette, others);
   // Sources may have different textures of the same name.
   for (const compiler::TextureSource& source : files.sources) remove_textures(source, palette, others);
   return others.empty();

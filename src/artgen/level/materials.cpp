@@ -7,9 +7,11 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <unordered_map>
 
 #include "artgen/palette.h"
 #include "artgen/scripts/noise.h"
+#include "base/text.h"
 
 namespace temblor::artgen {
 namespace {
@@ -142,29 +144,52 @@ constexpr MaterialPainter kPainters[] = {
     {"sky_dusk", paint_sky},    {"+1panel", paint_panel_1}, {"+apanel", paint_panel_alternate},
 };
 
-// The palette color nearest to the average of a square of texels. It is full-bright if more than half of the
-// texels are.
-std::uint8_t average_texels(const formats::Palette& palette, const formats::BspMiptex& miptex,
-                            std::uint32_t x0, std::uint32_t y0, std::uint32_t side) {
-  int red = 0, green = 0, blue = 0, fullbright = 0;
+// Finds palette colors for averages of texels. Remembers them, because a texture has few different averages.
+class AverageColors {
+ public:
+  // Returns the color nearest to the average of a square of texels. It is full-bright if more than half of
+  // the texels are.
+  std::uint8_t find(const formats::BspMiptex& miptex, std::uint32_t x0, std::uint32_t y0, std::uint32_t side);
+
+ private:
+  std::uint8_t find_nearest(const formats::Rgb& average, bool bright) const;
+
+  formats::Palette palette_ = make_palette();
+  // By average color in the lower 24 bits, and full-bright or not in the next one.
+  std::unordered_map<std::uint32_t, std::uint8_t> found_;
+};
+
+std::uint8_t AverageColors::find(const formats::BspMiptex& miptex, std::uint32_t x0, std::uint32_t y0,
+                                 std::uint32_t side) {
+  std::uint32_t red = 0, green = 0, blue = 0, fullbright = 0;
   for (std::uint32_t y = y0; y < y0 + side; ++y) {
     for (std::uint32_t x = x0; x < x0 + side; ++x) {
       const std::uint8_t texel = miptex.mips[0][y * miptex.width + x];
-      red += palette[texel].r;
-      green += palette[texel].g;
-      blue += palette[texel].b;
+      red += palette_[texel].r;
+      green += palette_[texel].g;
+      blue += palette_[texel].b;
       fullbright += texel >= kFirstFullbright ? 1 : 0;
     }
   }
-  const int count = static_cast<int>(side * side);
+  const std::uint32_t count = side * side;
   const bool bright = fullbright * 2 > count;
+  const auto average = [count](std::uint32_t sum) { return static_cast<std::uint8_t>(sum / count); };
+  const formats::Rgb color{average(red), average(green), average(blue)};
+  const std::uint32_t key =
+      (bright ? 1u << 24 : 0u) | std::uint32_t{color.r} << 16 | std::uint32_t{color.g} << 8 | color.b;
+  const auto [place, is_new] = found_.try_emplace(key);
+  if (is_new) place->second = find_nearest(color, bright);
+  return place->second;
+}
+
+std::uint8_t AverageColors::find_nearest(const formats::Rgb& average, bool bright) const {
   const int first = bright ? kFirstFullbright : 0;
   const int last = bright ? kTransparent : kFirstFullbright;
   int best = first;
   int best_distance = std::numeric_limits<int>::max();
   for (int i = first; i < last; ++i) {
-    const formats::Rgb& color = palette[static_cast<std::size_t>(i)];
-    const int dr = color.r - red / count, dg = color.g - green / count, db = color.b - blue / count;
+    const formats::Rgb& color = palette_[static_cast<std::size_t>(i)];
+    const int dr = color.r - average.r, dg = color.g - average.g, db = color.b - average.b;
     const int distance = dr * dr + dg * dg + db * db;
     if (distance < best_distance) {
       best = i;
@@ -175,12 +200,12 @@ std::uint8_t average_texels(const formats::Palette& palette, const formats::BspM
 }
 
 // Each mip level averages squares of the full-size texture.
-void add_mips(const formats::Palette& palette, formats::BspMiptex& io_miptex) {
+void add_mips(AverageColors& io_colors, formats::BspMiptex& io_miptex) {
   for (std::uint32_t mip = 1; mip < io_miptex.mips.size(); ++mip) {
     const std::uint32_t side = 1u << mip;
     for (std::uint32_t y = 0; y < io_miptex.height; y += side)
       for (std::uint32_t x = 0; x < io_miptex.width; x += side)
-        io_miptex.mips[mip].push_back(average_texels(palette, io_miptex, x, y, side));
+        io_miptex.mips[mip].push_back(io_colors.find(io_miptex, x, y, side));
   }
 }
 
@@ -198,18 +223,38 @@ formats::BspMiptex paint(const MaterialPainter& material, std::int32_t shrink, s
   return miptex;
 }
 
+// Whether a texture is the wanted one or another frame of its animation: "+0panel" and "+apanel".
+bool is_same_texture(std::string_view name, std::string_view wanted) {
+  constexpr std::size_t kFrameMark = 2;
+  const bool are_frames = name.starts_with('+') && wanted.starts_with('+') && wanted.size() >= kFrameMark;
+  return are_frames ? base::equal_ignoring_case(name.substr(kFrameMark), wanted.substr(kFrameMark))
+                    : base::equal_ignoring_case(name, wanted);
+}
+
 }  // namespace
 
 std::vector<formats::BspMiptex> make_materials(const SmallLevelOptions& options) {
-  const formats::Palette palette = make_palette();
+  AverageColors colors;
   std::vector<formats::BspMiptex> miptexes;
   for (const MaterialPainter& material : kPainters) {
     miptexes.push_back(paint(material, options.tiny ? kTinyShrink : 1, options.seed));
-    add_mips(palette, miptexes.back());
+    add_mips(colors, miptexes.back());
   }
   if (options.missing_texture) {
     formats::BspMiptex& brick = miptexes[static_cast<std::size_t>(Material::kBrick)];
     for (std::vector<std::uint8_t>& mip : brick.mips) mip.clear();
+  }
+  return miptexes;
+}
+
+std::vector<formats::BspMiptex> make_small_level_textures(std::span<const std::string_view> names) {
+  AverageColors colors;
+  std::vector<formats::BspMiptex> miptexes;
+  for (const MaterialPainter& material : kPainters) {
+    const auto is_this = [&](std::string_view name) { return is_same_texture(material.name, name); };
+    if (std::ranges::none_of(names, is_this)) continue;
+    miptexes.push_back(paint(material, 1, SmallLevelOptions{}.seed));
+    add_mips(colors, miptexes.back());
   }
   return miptexes;
 }
