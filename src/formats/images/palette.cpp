@@ -1,10 +1,10 @@
 #include "formats/images/palette.h"
 
 #include <algorithm>
-#include <limits>
 #include <span>
 
 #include "base/check.h"
+#include "formats/images/nearest_color.h"
 
 namespace temblor::formats {
 namespace {
@@ -13,26 +13,8 @@ constexpr std::size_t kPaletteBytes = 256 * 3;
 constexpr std::size_t kColormapBytes = Colormap::kRows * 256;
 
 // Shades one channel for row `row`, rounded like the stock generator.
-int shade_channel(std::uint8_t channel, int row) {
-  return std::min(255, (channel * (63 - row) + 16) / 32);
-}
-
-// Returns the index of the nearest color among the first `candidates`; ties go to the lowest index.
-std::uint8_t find_nearest_index(const Palette& palette, int candidates, int r, int g, int b) {
-  int best = 0;
-  int best_distance = std::numeric_limits<int>::max();
-  for (int i = 0; i < candidates; ++i) {
-    const Rgb& color = palette[static_cast<std::size_t>(i)];
-    const int dr = color.r - r;
-    const int dg = color.g - g;
-    const int db = color.b - b;
-    const int distance = dr * dr + dg * dg + db * db;
-    if (distance < best_distance) {
-      best = i;
-      best_distance = distance;
-    }
-  }
-  return static_cast<std::uint8_t>(best);
+std::uint8_t shade_channel(std::uint8_t channel, int row) {
+  return static_cast<std::uint8_t>(std::min(255, (channel * (63 - row) + 16) / 32));
 }
 
 }  // namespace
@@ -81,16 +63,16 @@ base::ByteVector write_colormap(const Colormap& colormap) {
 
 Colormap make_colormap(const Palette& palette) {
   // Index 255 marks transparent pixels in pictures, so no shaded color may become 255.
-  constexpr int kCandidates = 255;
+  const NearestColor colors(palette, 0, kTransparentIndex);
   Colormap colormap;
   const int lit_colors = 256 - colormap.fullbrights;
   for (int row = 0; row < Colormap::kRows; ++row) {
+    const auto shade = [row](std::uint8_t channel) { return shade_channel(channel, row); };
     for (int index = 0; index < 256; ++index) {
       const Rgb& color = palette[static_cast<std::size_t>(index)];
       colormap.rows[static_cast<std::size_t>(row * 256 + index)] =
           index >= lit_colors ? static_cast<std::uint8_t>(index)
-                              : find_nearest_index(palette, kCandidates, shade_channel(color.r, row),
-                                                   shade_channel(color.g, row), shade_channel(color.b, row));
+                              : colors.find({shade(color.r), shade(color.g), shade(color.b)});
     }
   }
   return colormap;
