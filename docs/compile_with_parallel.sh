@@ -28,7 +28,9 @@ run_shards() { # of a stage
 # Visibility is done in rounds, each of which uses what the one before found; fourteen at most.
 for _ in $(seq 14); do
   run_shards vis
-  "${compile[@]}" --only vis --merge
+  merged=$("${compile[@]}" --only vis --merge)
+  echo "$merged"
+  [[ $merged == *"run the shards again"* ]] || break
 done
 run_shards light
 "${compile[@]}" --only light --merge
