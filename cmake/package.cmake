@@ -24,6 +24,9 @@ install(FILES packaging/temblor.desktop COMPONENT game DESTINATION "${CMAKE_INST
 install(FILES LICENSE README.md COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # Debian requires the license under this name.
 install(FILES LICENSE COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright)
+# The scripts are where the documentation says (docs/compiling.md).
+install(PROGRAMS docs/compile_with_parallel.sh COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs")
+install(PROGRAMS packaging/compile_with_slurm.sh COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}/packaging")
 install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.map" PATTERN "*.png" PATTERN "*.jpg")
 
 # All libraries except those of the C library, which must match the system's loader.

@@ -6,6 +6,7 @@
 #   SBATCH_PARTITION=night packaging/compile_with_slurm.sh 48 castle.map
 #
 # TEMBLOR: the program, "temblor" unless set. Prints the number of the last job; the level is complete when it ends.
+# All jobs write to temblor-FIRST.log, where FIRST is the number of the first one. If a job fails, Slurm cancels the rest.
 #SBATCH --cpus-per-task=1
 #SBATCH --output=temblor-%A.log
 #SBATCH --open-mode=append
@@ -29,7 +30,7 @@ shift
 last=""
 submit() { # OPTION... -- WORD...: after the job before; if one fails, the rest are canceled
   local options=(--parsable --export=ALL --job-name=temblor)
-  [ -z "$last" ] || options+=(--dependency="afterok:$last" --kill-on-invalid-dep=yes)
+  [ -z "$last" ] || options+=(--dependency="afterok:$last" --kill-on-invalid-dep=yes --output="$log")
   while [ "$1" != -- ]; do
     options+=("$1")
     shift
@@ -40,6 +41,7 @@ submit() { # OPTION... -- WORD...: after the job before; if one fails, the rest 
 }
 
 submit -- --bsp "$@"
+log=temblor-$last.log
 # Visibility is done in rounds, each of which uses what the one before found; fourteen at most.
 for _ in $(seq 14); do
   submit --array="1-$shards" -- --shard vis "$shards" "$@"

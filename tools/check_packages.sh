@@ -50,6 +50,9 @@ cp build/release/levels/maps/b_bh10.map build/release/levels/textures.wad "$work
 (cd "$work" && "$program" compile b_bh10.map --wad textures.wad -o box.bsp) >"$work/compile.txt" 2>&1 ||
   { cat "$work/compile.txt"; fail "the unpacked program cannot compile a level"; }
 rm -rf "$HOME" /tmp/temblor_package_test.png
+for script in docs/compile_with_parallel.sh packaging/compile_with_slurm.sh; do
+  [ -x "$(only_file "$work"/archive/temblor-*/share/doc/temblor/$script)" ] || fail "the archive has no script $script"
+done
 
 root=$work/root
 kind=

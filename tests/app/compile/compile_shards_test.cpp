@@ -115,7 +115,7 @@ while [[ $1 == --* ]]; do
   case $1 in
     --dependency=afterok:*) [ "${1##*:}" = "$(cat last)" ] || exit 1 ;;
     --array=1-*) tasks=$(seq "${1##*-}" | shuf) ;;
-    --parsable | --export=ALL | --job-name=* | --kill-on-invalid-dep=yes) ;;
+    --parsable | --export=ALL | --job-name=* | --kill-on-invalid-dep=yes | --output=temblor-1.log) ;;
     *) exit 1 ;;
   esac
   shift
