@@ -50,6 +50,21 @@ TEST(TrenchBroom, FilesAreJson) {
     EXPECT_TRUE(fs::exists(kFolder / definitions.get<std::string>())) << definitions;
 }
 
+// TrenchBroom splits parameters at blanks, which paths may contain.
+TEST(TrenchBroom, ProfilesQuotePaths) {
+  const auto config = nlohmann::json::parse(read_text(kFolder / "CompilationProfiles.cfg"));
+  const std::regex path("\\$\\{[A-Z_]*PATH\\}"), quoted_path("\"\\$\\{[A-Z_]*PATH\\}[^\" ]*\"");
+  std::size_t tools = 0;
+  for (const auto& profile : config.at("profiles"))
+    for (const auto& task : profile.at("tasks")) {
+      if (task.at("type") != "tool") continue;
+      const std::string words = task.at("parameters");
+      EXPECT_FALSE(std::regex_search(std::regex_replace(words, quoted_path, ""), path)) << words;
+      ++tools;
+    }
+  EXPECT_GT(tools, 0u);
+}
+
 // The compiled program lists every function; those of classes that a map can contain have no parameters and
 // begin like this. Other functions that begin so are helpers of these classes.
 TEST(TrenchBroom, EveryClassOfTheGameIsDefined) {
