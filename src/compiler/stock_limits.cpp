@@ -73,16 +73,24 @@ std::string describe_largest_texture(const formats::Map& map, const formats::Bsp
   return place;
 }
 
-std::string describe_longest_entity(const formats::Map& map) {
-  const auto count_letters = [](const formats::MapEntity& entity) {
+// Names the longest of the entities that are in the level. Groups of the world are not.
+std::string describe_longest_entity(const LimitPlaces& places) {
+  std::size_t count = 0, longest = 0, most_letters = 0, next = 0;
+  for (std::size_t i = 0; i < places.map.entities.size(); ++i) {
+    const formats::MapEntity& entity = places.map.entities[i];
+    if (!is_point_entity(entity) &&
+        (next == places.brush_entities.size() || !places.brush_entities[next++].is_in_level))
+      continue;
+    ++count;
     std::size_t letters = 0;
-    for (const auto& [key, value] : entity.fields.pairs) letters += key.size() + value.size();
-    return letters;
-  };
-  const auto longest = std::ranges::max_element(map.entities, {}, count_letters);
-  if (longest == map.entities.end()) return "";
-  return fmt::format("{} entities; the longest is {}", map.entities.size(),
-                     describe_entity(map, static_cast<std::size_t>(longest - map.entities.begin())));
+    for (const auto& [key, value] : entity.fields.pairs)
+      if (!is_editor_key(key)) letters += key.size() + value.size();
+    if (letters <= most_letters) continue;
+    most_letters = letters;
+    longest = i;
+  }
+  if (count == 0) return "";
+  return fmt::format("{} entities; the longest is {}", count, describe_entity(places.map, longest));
 }
 
 std::string describe_model_with_most_faces(const LimitPlaces& places, const formats::Bsp& bsp) {
@@ -153,8 +161,7 @@ void warn_about_bytes(const LimitPlaces& places, const formats::Bsp& bsp, Warnin
   const std::vector<PartCount> parts = count_bytes(bsp);
   if (parts[kTextures].is_exceeded())
     warn(parts[kTextures], describe_largest_texture(places.map, bsp), io_warnings);
-  if (parts[kEntities].is_exceeded())
-    warn(parts[kEntities], describe_longest_entity(places.map), io_warnings);
+  if (parts[kEntities].is_exceeded()) warn(parts[kEntities], describe_longest_entity(places), io_warnings);
   if (parts[kVisibility].is_exceeded()) warn(parts[kVisibility], describe_model(places, 0), io_warnings);
   if (parts[kLight].is_exceeded())
     warn(parts[kLight], describe_model_with_most_faces(places, bsp), io_warnings);
