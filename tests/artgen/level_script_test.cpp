@@ -270,6 +270,23 @@ TEST(LevelScripts, PartsOfATrainKeepItsLowerCorner) {
             "line 6: part: it reaches farther west, south or down than the train's own box");
 }
 
+TEST(LevelScripts, BrushEntitiesHaveParts) {
+  const formats::Map map = build_map(
+      "  room a 0,0,0 to 256,256,128\n"
+      "    brush func_wall 64,64,0 size 32x32x32 plate\n"
+      "      part 32,32,32 to 48,48,64 wood\n");
+  const formats::MapEntity* wall = find_class(map, "func_wall");
+  ASSERT_NE(wall, nullptr);
+  ASSERT_EQ(wall->brushes.size(), 2u);
+  EXPECT_TRUE(is_behind_all(wall->brushes[0], {70, 70, 16}));
+  EXPECT_TRUE(is_behind_all(wall->brushes[1], {40, 40, 48}));
+  EXPECT_EQ(wall->brushes[1].sides[0].texture, "wood");
+  EXPECT_EQ(level_error("  room a 0,0,0 to 256,256,128\n"
+                        "    brush func_wall 64,64,0 size 32x32x32 plate\n"
+                        "      stop 64,64,0\n"),
+            "line 4: stop: only 'part' lines can be under a brush entity");
+}
+
 TEST(LevelScripts, ClipUnderALeaningCrystalStopsPlayersButNotLights) {
   const formats::Map map = build_map(
       "  room a 0,0,0 to 256,256,128\n"

@@ -136,18 +136,26 @@ void add_train(LevelScriptLine& line, const Box& box, const std::vector<Stop>& s
                     stops[i].wait, io_script);
 }
 
-// A solid that moves with the train: walls or a load. A train's position is the lower corner of all its
-// solids, so none may extend below the corner of the first box.
-base::Status read_part(LevelScriptLine& part, const Box& train, std::vector<Solid>& io_solids) {
+// Another solid of the same entity.
+base::Status read_part(LevelScriptLine& part, std::string_view default_texture,
+                       std::vector<Solid>& io_solids) {
   const Box box = part.box();
-  const Looks looks = part.looks(part.to_world(box), "metal1");
+  io_solids.push_back(make_solid(part, box, part.looks(part.to_world(box), default_texture)));
+  return part.finish();
+}
+
+// Walls or a load. A train's position is the lower corner of all its solids, so none may extend below the
+// corner of the first box.
+base::Status read_train_part(const ScriptLine& script_line, const Scope& scope, const Box& train,
+                             std::vector<Solid>& io_solids) {
+  LevelScriptLine corner(script_line, scope), part(script_line, scope);
+  const Point low = corner.box().low;
   for (int axis = 0; axis < 3; ++axis)
-    if (box.low[axis] < train.low[axis]) {
+    if (low[axis] < train.low[axis]) {
       part.set_error("it reaches farther west, south or down than the train's own box");
       break;
     }
-  io_solids.push_back(make_solid(part, box, looks));
-  return part.finish();
+  return read_part(part, "metal1", io_solids);
 }
 
 base::Status read_train(const ScriptLine& script_line, const Scope& scope, LevelScript& io_script) {
@@ -157,13 +165,13 @@ base::Status read_train(const ScriptLine& script_line, const Scope& scope, Level
   std::vector<Solid> solids = {make_solid(line, box, looks)};
   std::vector<Stop> stops;
   for (const ScriptLine& below : script_line.below) {
-    LevelScriptLine stop(below, scope);
     if (below.keyword == "part") {
-      TRY_STATUS(read_part(stop, box, solids));
+      TRY_STATUS(read_train_part(below, scope, box, solids));
       continue;
     }
     if (below.keyword != "stop")
       return script_error(below, "only 'stop' and 'part' lines can be under a train");
+    LevelScriptLine stop(below, scope);
     stops.push_back({stop.position(box.low.z), stop.number("wait", 0, 0, 3600)});
     TRY_STATUS(stop.finish());
   }
@@ -254,15 +262,20 @@ base::Status read_teleporter(const ScriptLine& script_line, const Scope& scope, 
 }
 
 // A brush entity of any class: `brush func_illusionary 0,0,0 size 64x64x4 vine1`. Settings become keys as for
-// make_entity.
+// make_entity. Lines `part BOX TEXTURE` below it add solids.
 base::Status read_brush(const ScriptLine& script_line, const Scope& scope, LevelScript& io_script) {
   LevelScriptLine line(script_line, scope);
   const std::string classname = line.next_text();
   const Box box = line.box_or(scope.bounds());
-  const Looks looks = line.looks(line.to_world(box), "trigger");
+  std::vector<Solid> solids = {make_solid(line, box, line.looks(line.to_world(box), "trigger"))};
+  for (const ScriptLine& below : script_line.below) {
+    if (below.keyword != "part") return script_error(below, "only 'part' lines can be under a brush entity");
+    LevelScriptLine part(below, scope);
+    TRY_STATUS(read_part(part, "trigger", solids));
+  }
   formats::Entity entity = make_entity(line, classname);
   if (line.has("way")) set_key(entity, "angle", find_move_angle(line, line.side("way", Side::kUp)));
-  add_brush_entity(std::move(entity), {make_solid(line, box, looks)}, io_script);
+  add_brush_entity(std::move(entity), std::move(solids), io_script);
   return line.finish();
 }
 
