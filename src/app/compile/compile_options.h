@@ -50,6 +50,8 @@ struct CompileCommandOptions {
   std::string textures;
   // WADs, levels, and folders, searched before those that the map names.
   std::vector<std::string> wads;
+  // The option with which this command line adds such a folder.
+  std::string wad_option = "--wad";
   // Run only this stage, and keep what is still valid of the others.
   std::optional<CompileStage> only{};
   // Compute this part of visibility or light, or merge the results of all parts. Both need `only`.

@@ -247,8 +247,9 @@ base::Result<compiler::CompileReport> CompileSession::run_map(const compiler::Co
                                                               compiler::Warnings& io_warnings) {
   TRY(formats::Map map, read_map_file(options_.source, source_files_, io_warnings));
   change_map(options_, map);
-  TRY(const TextureFiles textures, find_textures({options_.textures, options_.wads, game_wads_},
-                                                 options_.source, map, palette_, source_files_, io_warnings));
+  TRY(const TextureFiles textures,
+      find_textures({options_.textures, options_.wads, game_wads_, options_.wad_option}, options_.source, map,
+                    palette_, source_files_, io_warnings));
   return compiler::compile_level({map, textures.sources, palette_}, how, {jobs_, watcher, io_warnings},
                                  build_);
 }

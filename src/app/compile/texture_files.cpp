@@ -166,9 +166,9 @@ base::Result<TextureFiles> find_textures(const TexturePlaces& places, const fs::
     if (!is_found && !is_already_included(entry, places))
       io_warnings.push_back(
           {"WAD not found",
-           fmt::format("{} in the \"wad\" key of worldspawn, line {} (use --wad FOLDER to add "
-                       "a folder to search)",
-                       base::quotable(entry, kMaxChars), map.entities.front().line)});
+           fmt::format(
+               "{} in the \"wad\" key of worldspawn, line {} (use {} FOLDER to add a folder to search)",
+               base::quotable(entry, kMaxChars), map.entities.front().line, places.wad_option)});
   }
   // The built-in textures use Temblor's palette, so they would have wrong colors with another one.
   if (palette == artgen::make_palette()) {

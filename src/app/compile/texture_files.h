@@ -41,6 +41,8 @@ struct TexturePlaces {
   std::vector<std::string> wads;
   // WADs of the game directories; missing ones are skipped.
   std::vector<std::filesystem::path> game_wads{};
+  // The option that adds to `wads`, for messages.
+  std::string wad_option = "--wad";
 };
 
 // Converts the PNG files of a folder to a WAD. kNotFound if there is none.

@@ -140,6 +140,7 @@ StockCommand make_command(StockTool tool) {
   StockCommand command;
   command.tool = tool;
   command.options.only = kStages[static_cast<std::size_t>(tool)];
+  command.options.wad_option = "-wadpath";
   command.options.portals = tool == StockTool::kQbsp;
   command.options.keeps_portals = tool != StockTool::kQbsp;
   return command;

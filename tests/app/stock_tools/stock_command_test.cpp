@@ -105,6 +105,9 @@ TEST(StockCommand, TranslatesFlags) {
 TEST(StockCommand, NotesFlagsWithoutEffect) {
   EXPECT_THAT(parse({"qbsp", "-nopercent", "-oldaxis", "-verbose", "-log", "a"}).notes, IsEmpty());
   EXPECT_THAT(parse({"light", "-novanilla", "a"}).notes, ElementsAre(HasSubstr("-novanilla has no effect")));
+  // Build scripts still have the flags of older versions.
+  EXPECT_THAT(parse({"qbsp", "-bspleak", "-transsky", "a"}).notes,
+              ElementsAre(HasSubstr("-bspleak has no effect"), HasSubstr("-transsky has no effect")));
   EXPECT_THAT(parse({"qbsp", "-wadpath", "no/such/folder", "a"}).notes,
               ElementsAre(HasSubstr("no/such/folder")));
   EXPECT_THAT(parse({"qbsp", "-basedir", "no/such", "a"}).notes, ElementsAre(HasSubstr("has no id1")));

@@ -67,6 +67,12 @@ TEST_F(StockTools, RunABuildScript) {
   EXPECT_EQ(read_level("out.bsp").version, formats::BspVersion::kBsp2);
 }
 
+TEST_F(StockTools, HintsNameTheirOwnFlags) {
+  folder_.write("rooms.map", two_rooms("\"wad\" \"missing.wad\""));
+  EXPECT_THAT(run({"qbsp", "rooms.map"}).err, HasSubstr("(use -wadpath FOLDER to add a folder to search)"));
+  EXPECT_THAT(run({"compile", "rooms.map"}).err, HasSubstr("(use --wad FOLDER to add a folder to search)"));
+}
+
 // Without the build file, portals come from the portal file; it is the only one that knows of detail.
 TEST_F(StockTools, VisReadsThePortalFile) {
   folder_.write("rooms.map", two_rooms());
