@@ -29,12 +29,11 @@ void print_warnings(const compiler::Warnings& warnings) {
 }
 
 std::string describe_leak(const compiler::LeakPath& leak) {
-  const math::Vec3d& place = leak.points_world.front();
+  const math::Vec3d &inside = leak.points_world.front(), &outside = leak.points_world.back();
   return fmt::format(
       "the level leaks, so it has no visibility: entity {} ({}) at {:g} {:g} {:g}, line {} of the map, can "
-      "reach the "
-      "outside",
-      leak.entity, leak.classname, place.x, place.y, place.z, leak.line);
+      "reach the outside at {:.0f} {:.0f} {:.0f}",
+      leak.entity, leak.classname, inside.x, inside.y, inside.z, leak.line, outside.x, outside.y, outside.z);
 }
 
 // The path itself is in the files; the message says where it starts and how to see it.

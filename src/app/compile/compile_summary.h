@@ -14,7 +14,7 @@ namespace temblor::app {
 void print_warnings(const compiler::Warnings& warnings);
 
 // Returns "the level leaks, so it has no visibility: entity 3 (light) at 0 0 64, line 120 of the map, can
-// reach the outside".
+// reach the outside at 144 0 64".
 std::string describe_leak(const compiler::LeakPath& leak);
 
 // Prints where the level leaks and which files show the path.

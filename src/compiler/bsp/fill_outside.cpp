@@ -19,6 +19,24 @@ math::Vec3d compute_portal_center(const Winding& winding) {
   return sum / static_cast<double>(winding.size());
 }
 
+// The point of an exit that is nearest to a point: straight ahead, or on its edge.
+math::Vec3d find_nearest_point(const LeafExit& exit, const math::Vec3d& from_world) {
+  math::Vec3d ahead = from_world, nearest = exit.winding[0];
+  ahead[exit.axis] = nearest[exit.axis];
+  bool has_left = false, has_right = false;
+  for (std::size_t i = 0; i < exit.winding.size(); ++i) {
+    const math::Vec3d& begin = exit.winding[i];
+    const math::Vec3d edge = exit.winding[(i + 1) % exit.winding.size()] - begin;
+    const double side = glm::cross(edge, ahead - begin)[exit.axis];
+    has_left |= side > 0;
+    has_right |= side < 0;
+    const double along = glm::dot(ahead - begin, edge) / glm::dot(edge, edge);
+    const math::Vec3d on_edge = begin + std::clamp(along, 0.0, 1.0) * edge;
+    if (glm::distance(on_edge, ahead) < glm::distance(nearest, ahead)) nearest = on_edge;
+  }
+  return has_left && has_right ? nearest : ahead;
+}
+
 Flood flood_from_outside(const Tree& tree, const PlaneSet& planes, const LeafPortals& portals) {
   std::vector<std::uint32_t> outermost;
   for (std::uint32_t leaf = 0; leaf < tree.leaves.size(); ++leaf)
@@ -73,22 +91,54 @@ std::optional<std::size_t> find_leaking_occupant(std::span<const math::Vec3d> oc
   return has_inside ? std::nullopt : on_border;
 }
 
+// The point at which the way from a point in the box to one outside leaves it.
+math::Vec3d find_border(const Box& box, const math::Vec3d& inside, const math::Vec3d& outside) {
+  double fraction = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double end = std::clamp(outside[axis], box.mins[axis], box.maxs[axis]);
+    if (end != outside[axis])
+      fraction = std::min(fraction, (end - inside[axis]) / (outside[axis] - inside[axis]));
+  }
+  return inside + fraction * (outside - inside);
+}
+
+// The way from a point in a leaf out of the box of all brushes. The last leaf may be a large part of the
+// level, if a whole wall is missing, so the way goes on to the nearest place where that leaf touches the
+// edge.
+std::vector<math::Vec3d> find_way_out(const math::Vec3d& from_world, std::uint32_t leaf, const Tree& tree,
+                                      const LeafPortals& portals, const Flood& flood) {
+  std::vector<math::Vec3d> way_world = {from_world};
+  for (std::uint32_t portal = flood.through[leaf]; portal != kNoPortal; portal = flood.through[leaf]) {
+    const LeafPortal& door = portals.portals[portal];
+    way_world.push_back(compute_portal_center(door.winding));
+    leaf = door.leaves[0] == leaf ? door.leaves[1] : door.leaves[0];
+  }
+  const math::Vec3d last_world = way_world.back();
+  const Box brushes{tree.box.mins + kRoomAround, tree.box.maxs - kRoomAround};
+  if (glm::clamp(last_world, brushes.mins, brushes.maxs) != last_world) return way_world;
+  std::optional<math::Vec3d> end_world;
+  for (const LeafExit& exit : portals.exits) {
+    if (exit.leaf != leaf) continue;
+    const math::Vec3d point_world = find_nearest_point(exit, last_world);
+    if (!end_world || glm::distance(point_world, last_world) < glm::distance(*end_world, last_world))
+      end_world = point_world;
+  }
+  if (end_world) end_world = find_border(brushes, last_world, *end_world);
+  if (end_world && *end_world != last_world) way_world.push_back(*end_world);
+  return way_world;
+}
+
 }  // namespace
 
 std::optional<Leak> fill_outside(Tree& io_tree, const PlaneSet& planes, const LeafPortals& portals,
                                  std::span<const math::Vec3d> occupants) {
   const Flood found = flood_from_outside(io_tree, planes, portals);
   if (const auto occupant = find_leaking_occupant(occupants, io_tree, planes, found)) {
-    Leak leak{*occupant, {occupants[*occupant]}};
-    const auto leaves = find_leaves_around(occupants[*occupant], kOnPlaneEpsilon, io_tree, planes);
-    std::uint32_t leaf =
+    const math::Vec3d& from_world = occupants[*occupant];
+    const auto leaves = find_leaves_around(from_world, kOnPlaneEpsilon, io_tree, planes);
+    const std::uint32_t leaf =
         *std::ranges::find_if(leaves, [&](std::uint32_t near) { return bool{found.reached[near]}; });
-    for (std::uint32_t portal = found.through[leaf]; portal != kNoPortal; portal = found.through[leaf]) {
-      const LeafPortal& door = portals.portals[portal];
-      leak.path_world.push_back(compute_portal_center(door.winding));
-      leaf = door.leaves[0] == leaf ? door.leaves[1] : door.leaves[0];
-    }
-    return leak;
+    return Leak{*occupant, find_way_out(from_world, leaf, io_tree, portals, found)};
   }
   if (occupants.empty()) return std::nullopt;  // an ammunition box, for example, is all outside
   for (std::size_t leaf = 0; leaf < io_tree.leaves.size(); ++leaf)

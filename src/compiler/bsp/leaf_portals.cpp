@@ -27,8 +27,10 @@ class PortalMaker {
       Winding winding = make_base_winding(walls_[i]);
       for (std::size_t other = 0; other < walls_.size(); ++other)
         if (other != i) cut_to_back(winding, walls_[other], true);
-      spread(tree_.root, std::move(winding), -walls_[i].normal,
-             [&](std::uint32_t leaf, Winding) { out_.is_outermost[leaf] = true; });
+      spread(tree_.root, std::move(winding), -walls_[i].normal, [&](std::uint32_t leaf, Winding part) {
+        out_.is_outermost[leaf] = true;
+        out_.exits.push_back({leaf, walls_[i].axis, std::move(part)});
+      });
     }
     if (tree_.root >= 0) visit(tree_.root);
     return std::move(out_);

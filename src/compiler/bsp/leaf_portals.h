@@ -20,10 +20,18 @@ struct LeafPortal {
   std::array<std::uint32_t, 2> leaves;  // in front of the plane, behind it
 };
 
+// The part of a face of the tree's box that a leaf touches.
+struct LeafExit {
+  std::uint32_t leaf;
+  int axis;  // on which the face is perpendicular
+  Winding winding;
+};
+
 // All portals of a tree, in the order of its nodes.
 struct LeafPortals {
   std::vector<LeafPortal> portals;
-  std::vector<bool> is_outermost;  // by leaf: it touches the faces of the tree's box
+  std::vector<LeafExit> exits;
+  std::vector<bool> is_outermost;  // by leaf: it has an exit
 };
 
 // Makes the portals of a tree. Tiny ones (is_tiny) are left out.

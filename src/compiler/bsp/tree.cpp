@@ -15,7 +15,6 @@
 namespace temblor::compiler {
 namespace {
 
-constexpr double kRoomAround = 128;  // around the brushes, in units
 // A node with more brushes is split by a plane near its center.
 constexpr std::size_t kMaxWeighed = 96;
 

@@ -30,6 +30,9 @@ struct TreeLeaf {
   std::vector<std::uint32_t> brushes;  // indices of the brushes that fill it, the highest first
 };
 
+// The margin of a tree's box around the brushes, in units.
+constexpr double kRoomAround = 128;
+
 // Children have higher numbers than their parents.
 struct Tree {
   std::vector<TreeNode> nodes;

@@ -105,6 +105,25 @@ TEST(MakeDraft, HoleInTheWallIsALeakWithAPath) {
   EXPECT_EQ(find_level_fault(result), "");
 }
 
+// The room is one leaf, which may reach the edge of the tree's box.
+TEST(MakeDraft, WayOutEndsOutsideWhicheverWallIsMissing) {
+  const std::string walls = walls_text(kRoomMins, kRoomMaxs, "wall");
+  std::vector<std::size_t> ends = {0};
+  while (ends.back() < walls.size()) ends.push_back(walls.find("}\n", ends.back()) + 2);
+  ASSERT_EQ(ends.size(), 7u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::string rest = walls.substr(0, ends[i]) + walls.substr(ends[i + 1]);
+    const DraftResult result =
+        compile_draft(entity_text("worldspawn", "", rest) + point_text("info_player_start", {0, 0, 32}));
+    ASSERT_TRUE(result.leak) << i;
+    const Vec3d end = result.leak->points_world.back();
+    EXPECT_GE(result.leak->points_world.size(), 2u) << i;
+    EXPECT_TRUE(glm::any(glm::lessThanEqual(end, Vec3d(kRoomMins))) ||
+                glm::any(glm::greaterThanEqual(end, Vec3d(kRoomMaxs))))
+        << i << ": " << end.x << " " << end.y << " " << end.z;
+  }
+}
+
 TEST(MakeDraft, WithoutEntitiesTheOutsideIsDrawnWithAWarning) {
   const auto draft_warnings = [](const std::string& text) {
     compiler::Warnings warnings;
