@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "world/entity_opacity.h"
 
 namespace temblor::app {
 namespace {
@@ -49,10 +50,17 @@ LevelScene make_level_scene(std::shared_ptr<const world::Level> level, const wor
     if (world::is_excluded(entity, rules)) continue;
     apply_switched_light(entity, scene.light_styles);
     const auto model = find_brush_model(*level, entity);
-    if (!model || !is_shown(entity.classname())) continue;
+    const float opacity = world::find_opacity(entity, level->is_half_life);
+    if (!model || !is_shown(entity.classname()) || opacity == 0) continue;
     render::BrushModelInstance instance;
     instance.model = *model;
     instance.origin_world = entity.find_vec3("origin").value_or(math::Vec3(0.0f));
+    instance.alpha = opacity;
+    if (level->is_half_life) {
+      const world::BrushEntity& keys = level->brush_entities[base::to_size(*model)];
+      instance.is_additive = keys.is_additive;
+      instance.color = keys.color;
+    }
     scene.brush_models.push_back(instance);
   }
   scene.level = std::move(level);

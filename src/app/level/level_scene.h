@@ -19,7 +19,7 @@ struct LevelScene {
 };
 
 // Places every entity with a model "*N" at its `origin`, except those that `rules` exclude, and those that
-// are invisible in the game: triggers, and gates of unfinished episodes.
+// are invisible in the game: triggers, gates of unfinished episodes, and entities with an opacity of 0.
 LevelScene make_level_scene(std::shared_ptr<const world::Level> level, const world::SpawnRules& rules = {});
 
 // Returns the scene that `camera` sees, `time_s` seconds into the level. Valid while `level_scene` lives.

@@ -8,6 +8,7 @@
 
 #include "server/game/field_text.h"
 #include "server/game/half_life/brush_entities.h"
+#include "world/entity_opacity.h"
 
 namespace temblor::server {
 namespace {
@@ -100,8 +101,10 @@ base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_ma
     TRY_STATUS(set_keys(io_machine, io_world.edicts[index], entities[i], notes));
     const Edict edict = io_world.edicts[index];
     const bool is_half_life = io_world.level->is_half_life;
-    if (const auto alpha = is_half_life ? find_half_life_alpha(entities[i]) : std::nullopt)
-      TRY_STATUS(set_key(io_machine, edict, "alpha", *alpha, notes));
+    // In the field, 0 is the default, and numbers below 0 are invisible.
+    if (const auto opacity = is_half_life ? world::find_half_life_opacity(entities[i]) : std::nullopt)
+      TRY_STATUS(
+          set_key(io_machine, edict, "alpha", *opacity == 0 ? "-1" : fmt::format("{}", *opacity), notes));
     if (i > 0 && is_left_out(edict.whole(field::kSpawnFlags), rules, is_half_life)) {
       remove(io_world, index);
       ++report.filtered;

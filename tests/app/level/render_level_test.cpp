@@ -35,13 +35,15 @@ const Words kCourt = {"--pos", "1000,500,-20", "--angles", "10,315,0"};
 class RenderLevel : public ::testing::Test {
  protected:
   // Adds keys to the world, and entities to the level.
-  void write_level(const Keys& world_keys, const std::vector<Keys>& more = {}) {
+  void write_level(const Keys& world_keys, const std::vector<Keys>& more = {},
+                   formats::BspVersion version = formats::BspVersion::k29) {
     formats::Bsp bsp = game_.level();
     std::vector<formats::Entity> entities = formats::read_entities(bsp.entities).value();
     for (const auto& key : world_keys) entities[0].pairs.push_back(key);
-    for (const Keys& keys : more) entities.push_back({keys});
+    // The first entity of a model has the keys that count in Half-Life's levels.
+    for (const Keys& keys : more) entities.insert(entities.begin() + 1, {keys});
     bsp.entities = formats::write_entities(entities);
-    game_.folder().write("id1/maps/small.bsp", formats::write_bsp(bsp, formats::BspVersion::k29).value());
+    game_.folder().write("id1/maps/small.bsp", formats::write_bsp(bsp, version).value());
   }
   // A wall in the hall: the door's brush model, 400 units nearer.
   static Keys wall(const std::string& flags) {
@@ -133,6 +135,41 @@ TEST_F(RenderLevel, LiquidsHaveTheLevelsOpacity) {
   EXPECT_EQ(draw(kCourt), translucent);
   EXPECT_EQ(draw(kCourt, {"--set", "r_wateralpha=1"}), translucent)
       << "the level comes first, as in the game";
+}
+
+TEST_F(RenderLevel, EntitiesHaveTheOpacityOfTheirKeys) {
+  const auto draw_wall = [&](const Keys& more) {
+    Keys keys = wall("0");
+    keys.insert(keys.end(), more.begin(), more.end());
+    write_level({}, {keys});
+    return draw(kHall);
+  };
+  write_level({});
+  const Png without = draw(kHall), opaque = draw_wall({});
+  ASSERT_NE(opaque, without);
+  const Png translucent = draw_wall({{"alpha", "0.5"}});
+  EXPECT_NE(translucent, opaque);
+  EXPECT_NE(translucent, without);
+  EXPECT_EQ(draw_wall({{"alpha", "0"}}), opaque);
+  EXPECT_EQ(draw_wall({{"alpha", "-1"}}), without);
+}
+
+TEST_F(RenderLevel, EntitiesOfHalfLifeHaveItsRenderModes) {
+  const auto draw_wall = [&](const Keys& more) {
+    Keys keys = wall("0");
+    keys.insert(keys.end(), more.begin(), more.end());
+    write_level({}, {keys}, formats::BspVersion::k30);
+    return draw(kHall);
+  };
+  write_level({}, {}, formats::BspVersion::k30);
+  const Png without = draw(kHall), opaque = draw_wall({});
+  const Png half = draw_wall({{"rendermode", "2"}, {"renderamt", "128"}});
+  EXPECT_NE(half, opaque);
+  EXPECT_NE(half, without);
+  EXPECT_NE(draw_wall({{"rendermode", "5"}, {"renderamt", "128"}}), half) << "additive";
+  EXPECT_NE(draw_wall({{"rendermode", "1"}, {"renderamt", "128"}, {"rendercolor", "255 0 0"}}), half);
+  EXPECT_EQ(draw_wall({{"rendermode", "2"}}), without);
+  EXPECT_EQ(draw_wall({{"rendermode", "4"}, {"renderamt", "9"}}), opaque);
 }
 
 TEST_F(RenderLevel, ShowsTheLevelsFog) {

@@ -1,10 +1,7 @@
 #include "server/game/half_life/brush_entities.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <string_view>
 
 namespace temblor::server {
@@ -36,19 +33,6 @@ std::size_t find_brush_model(const GameWorld& world, const formats::Entity& enti
 }
 
 }  // namespace
-
-// A missing or unreadable amount is 0, as in Half-Life.
-std::optional<std::string> find_half_life_alpha(const formats::Entity& entity) {
-  constexpr int kNormal = 0, kAlphaTested = 4, kOpaqueAmount = 255;
-  const auto find_number = [&](std::string_view key) {
-    const std::string text(entity.find(key).value_or(""));
-    return static_cast<int>(std::clamp(std::strtol(text.c_str(), nullptr, 10), 0l, 255l));
-  };
-  const int mode = find_number("rendermode");
-  if (mode == kNormal || mode == kAlphaTested) return std::nullopt;
-  const int amount = find_number("renderamt");
-  return amount == 0 ? "-1" : fmt::format("{}", static_cast<double>(amount) / kOpaqueAmount);
-}
 
 base::Result<bool> show_half_life_entity(GameWorld& io_world, const formats::Entity& entity,
                                          vm::EntityIndex index) {

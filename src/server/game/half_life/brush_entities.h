@@ -10,9 +10,6 @@
 //   all other classes                   left out
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "base/result.h"
 #include "formats/levels/entities.h"
 #include "server/game/game_world.h"
@@ -23,11 +20,5 @@ namespace temblor::server {
 // then nothing has changed.
 base::Result<bool> show_half_life_entity(GameWorld& io_world, const formats::Entity& entity,
                                          vm::EntityIndex index);
-
-// The value of the field "alpha" (GameWorld: 0 is the default, below 0 invisible) for an entity's keys
-// "rendermode" and "renderamt". Nothing for entities that are drawn as usual: modes 0 (normal) and 4 (only
-// alpha-tested). Modes 1 (color), 2 (texture), 3 (glow), and 5 (additive) get the same; world::BrushEntity
-// has the rest of modes 1 and 5.
-std::optional<std::string> find_half_life_alpha(const formats::Entity& entity);
 
 }  // namespace temblor::server
