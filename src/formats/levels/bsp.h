@@ -186,7 +186,8 @@ struct Bsp {
 // +-kBspMaxCoordinate; texture
 // names are truncated to 15 characters; bytes after the last lump that are not BSPX are ignored. Replaces
 // what a game does not need: records that it never reaches (bsp/unused.h), damaged textures (bsp/textures.h),
-// and damaged BSPX lumps. Repairs what other engines ignore (bsp/repair.h), and notes that in `repairs`.
+// and damaged BSPX lumps. Repairs what other engines ignore (bsp/repair.h, bsp/lumps.h), and notes that in
+// `repairs`.
 base::Result<Bsp> read_bsp(base::Bytes bytes);
 
 // Writes a level as `version`, without validation. Version 30 has no gray samples: it gets the colors of the

@@ -53,6 +53,12 @@ base::Result<BspVersion> parse_version(std::int32_t word) {
   }
 }
 
+// A level plays without the rest of these lumps: other code checks each range in them.
+bool may_be_cut(BspLump lump) {
+  return lump == BspLump::kEntities || lump == BspLump::kTextures || lump == BspLump::kVisibility ||
+         lump == BspLump::kLighting;
+}
+
 bool begins_with_entity(base::Bytes lump) {
   const std::string_view text = base::as_text(lump);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -68,6 +74,11 @@ void swap_back_entities(base::Bytes file, Header& io_header) {
     std::swap(entities, planes);
 }
 
+LumpPlace cut_to_file(LumpPlace place, std::size_t file_size) {
+  if (place.offset >= file_size) return {};
+  return {place.offset, static_cast<std::uint32_t>(file_size - place.offset)};
+}
+
 }  // namespace
 
 base::Result<Header> read_header(base::Bytes file) {
@@ -80,19 +91,19 @@ base::Result<Header> read_header(base::Bytes file) {
   if (file.size() < kHeaderBytes)
     return base::malformed("{} bytes are shorter than the header ({} bytes)", file.size(), kHeaderBytes);
 
-  std::uint64_t total = 0;
   for (std::size_t i = 0; i < kBspLumpCount; ++i) {
     const std::uint32_t offset = reader.u32(), size = reader.u32();
     if (size == 0) continue;  // the offset of an empty lump is meaningless
-    if (std::uint64_t{offset} + size > file.size())
-      return base::malformed("lump {}: {} bytes at offset {:#x} extend past the end of the file ({} bytes)",
-                             lump_name(static_cast<BspLump>(i)), size, offset, file.size());
+    const auto lump = static_cast<BspLump>(i);
     header.lumps[i] = {offset, size};
-    total += size;
+    if (std::uint64_t{offset} + size <= file.size()) continue;
+    const base::Error fault =
+        base::malformed("lump {}: {} bytes at offset {:#x} extend past the end of the file ({} bytes)",
+                        lump_name(lump), size, offset, file.size());
+    if (!may_be_cut(lump)) return fault;
+    header.lumps[i] = cut_to_file(header.lumps[i], file.size());
+    if (header.repairs.empty()) header.repairs = fault.what + "; the rest is missing";
   }
-  if (total > file.size())
-    return base::malformed("lumps overlap: together they have {} bytes, but the file has only {}", total,
-                           file.size());
   if (header.version == BspVersion::k30) swap_back_entities(file, header);
   return header;
 }

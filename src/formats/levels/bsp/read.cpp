@@ -104,6 +104,7 @@ base::Result<Bsp> read_lumps(base::Bytes file, const Header& header) {
   const LumpReader lumps(file, header);
   Bsp bsp;
   bsp.version = header.version;
+  bsp.repairs = header.repairs;
   const std::string_view text = base::as_text(lumps.bytes(BspLump::kEntities));
   bsp.entities = text.substr(0, text.find('\0'));
   TRY(bsp.planes, lumps.records<BspPlane>(BspLump::kPlanes));
@@ -189,7 +190,8 @@ base::Error describe(const BspFault& fault, const Header& header) {
 base::Status repair(const BspFault& first_fault, const Header& header, Bsp& io_bsp) {
   const std::size_t changed = repair_level(io_bsp);
   if (const auto fault = find_fault(io_bsp)) return describe(*fault, header);
-  io_bsp.repairs = describe(first_fault, header).what;
+  if (!io_bsp.repairs.empty()) io_bsp.repairs += "; ";
+  io_bsp.repairs += describe(first_fault, header).what;
   if (changed > 1)
     io_bsp.repairs += fmt::format("; this and {} are repaired or left out",
                                   base::counted(changed - 1, "other damaged record"));
