@@ -44,8 +44,9 @@ class Tokenizer {
     }
     token.kind = Token::Kind::kText;
     if (rest_.front() != '"') {
-      const auto end =
-          std::ranges::find_if(rest_, [](char c) { return is_space(c) || is_brace(c) || c == '"'; });
+      // A quote inside of a word is a part of it, so an open quote costs other engines one entity, not the
+      // rest.
+      const auto end = std::ranges::find_if(rest_, [](char c) { return is_space(c) || is_brace(c); });
       token.text = take(static_cast<std::size_t>(end - rest_.begin()));
       return token;
     }
@@ -135,6 +136,11 @@ bool read_numbers(std::string_view text, std::span<float> out_numbers) {
   return at == end;
 }
 
+// Only bare words contain quotes, and those stay bare.
+std::string written_text(std::string_view text) {
+  return text.find('"') == std::string_view::npos ? fmt::format("\"{}\"", text) : std::string(text);
+}
+
 }  // namespace
 
 std::optional<std::string_view> Entity::find(std::string_view key) const {
@@ -183,7 +189,8 @@ std::string write_entities(const std::vector<Entity>& entities) {
   std::string text;
   for (const Entity& entity : entities) {
     text += "{\n";
-    for (const auto& [key, value] : entity.pairs) text += fmt::format("\"{}\" \"{}\"\n", key, value);
+    for (const auto& [key, value] : entity.pairs)
+      text += fmt::format("{} {}\n", written_text(key), written_text(value));
     text += "}\n";
   }
   return text;

@@ -43,7 +43,7 @@ struct EntityText {
 };
 
 // Parses entity text. Keys and values are quoted, and may contain anything except quotes (backslashes are not
-// escapes); or they are bare words up to white space, a brace, or a quote. Comments run from // to the end of
+// escapes); or they are bare words up to white space or a brace. Comments run from // to the end of
 // the line, or from /* to */. The text ends at its first zero byte.
 //
 // Passes over faults, so that a level with a damaged entity can be played: an entity also ends at the next
@@ -54,8 +54,8 @@ EntityText read_faulty_entities(std::string_view text);
 // The same, but a fault is an error, for programs that write the text again.
 base::Result<std::vector<Entity>> read_entities(std::string_view text);
 
-// Writes entity text. If no key or value contains a quote or zero byte, the text reads back as equal
-// entities.
+// Writes entity text. Entities that were read, and others without a quote or zero byte in a key or value,
+// read back equal.
 std::string write_entities(const std::vector<Entity>& entities);
 
 }  // namespace temblor::formats

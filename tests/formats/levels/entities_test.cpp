@@ -63,9 +63,19 @@ TEST(Entities, KeepsBackslashes) {
   EXPECT_EQ(read(R"({"message" "two\nlines \\ \"})")[0].find("message"), R"(two\nlines \\ \)");
 }
 
-TEST(Entities, BareWordsEndAtSpacesBracesAndQuotes) {
-  EXPECT_EQ(read("{classname light origin\"1 2 3\"angle 90}")[0].pairs,
-            (Pairs{{"classname", "light"}, {"origin", "1 2 3"}, {"angle", "90"}}));
+TEST(Entities, BareWordsEndAtSpacesAndBraces) {
+  EXPECT_EQ(read("{classname light say\"a b\" angle 90}")[0].pairs,
+            (Pairs{{"classname", "light"}, {"say\"a", "b\""}, {"angle", "90"}}));
+}
+
+// QuakeSpasm and DarkPlaces spawn the same four of these five.
+TEST(Entities, AnOpenQuoteCostsOneEntity) {
+  const std::string good = "{\n\"classname\" \"good\"\n\"origin\" \"1 2 3\"\n}\n";
+  const auto entities = read(good + good + "{\n\"classname\" \"bad\"\n\"message\" \"open\n}\n" + good + good);
+  ASSERT_EQ(entities.size(), 4u);
+  EXPECT_EQ(entities[2].find("classname"), "bad");
+  EXPECT_EQ(entities[2].find("classname\""), "good");
+  EXPECT_EQ(entities[3].find("origin"), "1 2 3");
 }
 
 TEST(Entities, LongKeysAndValuesAreKept) {
@@ -117,7 +127,7 @@ TEST(Entities, FaultsArePassedOver) {
   EXPECT_THAT(faulty("{\"a\" \"b\" {\"c\" \"d\"} {\"e\" \"f\"}"), ElementsAre("a=b", "c=d", "e=f"));
   EXPECT_THAT(faulty("{\"a\" {\"c\" \"d\"}"), ElementsAre("", "c=d"));
   EXPECT_THAT(faulty("} x {\"a\" \"b\"} } \"y\" {\"c\" \"d\"} z"), ElementsAre("a=b", "c=d"));
-  EXPECT_THAT(faulty("{\"message\" \"say \\\"hi\\\"\"}"), ElementsAre("message=say \\ hi\\="));
+  EXPECT_THAT(faulty("{\"message\" \"say \\\"hi\\\"\"}"), ElementsAre("message=say \\"));
 }
 
 TEST(Entities, OddKeysAreKept) {
