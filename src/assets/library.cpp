@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "assets/image_files.h"
 #include "assets/models/external_skins.h"
+#include "base/text.h"
 
 namespace temblor::assets {
 namespace {
@@ -91,13 +95,21 @@ std::array<formats::Image, 6> Library::skybox(std::string_view name,
   // In the order of the sides that the header documents.
   constexpr std::array<const char*, 6> kSuffixes = {"rt", "bk", "lf", "ft", "up", "dn"};
   std::array<formats::Image, 6> sides;
+  std::vector<std::string> notes;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     base::Result<formats::Image> side = read_side(files_, fmt::format("gfx/env/{}{}", name, kSuffixes[i]));
     if (side.ok())
       sides[i] = std::move(side).value();
     else
-      io_notes.push_back(fmt::format("{}; this side of the sky is empty", side.error().message()));
+      notes.push_back(fmt::format("{}; this side of the sky is empty", side.error().message()));
   }
+  if (notes.size() == sides.size())
+    io_notes.push_back(fmt::format(
+        "sky \"{0}\": there is no picture gfx/env/{0}rt.tga, or of another side; the level's own sky "
+        "is drawn",
+        base::printable(name)));
+  else
+    std::ranges::move(notes, std::back_inserter(io_notes));
   return sides;
 }
 

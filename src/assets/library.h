@@ -49,7 +49,7 @@ class Library {
                                                     std::vector<std::string>& io_notes) const;
   base::Result<formats::Spr> sprite(std::string_view path) const;
   // Loads gfx/env/NAMErt.tga and so on, or .png, or .jpg: right (+x), back, left, front, up, down. Missing
-  // and damaged sides are empty images (0 x 0), with a line in `io_notes` for each.
+  // and damaged sides are empty images (0 x 0), with a line in `io_notes` for each, or one for all six.
   std::array<formats::Image, 6> skybox(std::string_view name, std::vector<std::string>& io_notes) const;
   // `path`: a PNG file, such as "gfx/marks/smile.png".
   base::Result<formats::Image> image(std::string_view path) const;

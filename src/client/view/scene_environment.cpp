@@ -1,5 +1,7 @@
 #include "client/view/scene_environment.h"
 
+#include <algorithm>
+
 namespace temblor::client {
 
 void SceneEnvironment::apply(const Moment& moment, const EnvironmentSettings& settings,
@@ -18,7 +20,9 @@ void SceneEnvironment::apply(const Moment& moment, const EnvironmentSettings& se
     skybox_ = {};
     skybox_.sides = moment.library.skybox(skybox, io_notes);
   }
-  io_scene.skybox = &skybox_;
+  const bool is_missing =
+      std::ranges::all_of(skybox_.sides, [](const formats::Image& side) { return side.pixels.empty(); });
+  io_scene.skybox = is_missing ? nullptr : &skybox_;
 }
 
 }  // namespace temblor::client

@@ -40,7 +40,8 @@ class SceneEnvironment {
     double time_s;
   };
   // Sets the environment of the scene, which refers to the skybox in this object. A skybox is loaded only
-  // when its name changes; each side that is missing is a line in `io_notes`.
+  // when its name changes; missing sides are lines in `io_notes`. Without any side, the level's sky texture
+  // is drawn, as in other engines.
   void apply(const Moment& moment, const EnvironmentSettings& settings, std::vector<std::string>& io_notes,
              render::Scene& io_scene);
 

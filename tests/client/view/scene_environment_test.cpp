@@ -71,6 +71,17 @@ TEST_F(SceneEnvironmentTest, LoadsASkyboxOnlyOnce) {
   EXPECT_NE(apply().skybox->identity, identity);
 }
 
+TEST_F(SceneEnvironmentTest, ASkyboxWithoutAnySideLeavesTheLevelsSky) {
+  game_.skybox = "nowhere";
+  EXPECT_EQ(apply().skybox, nullptr);
+  ASSERT_EQ(notes_.size(), 1u);
+  EXPECT_NE(notes_[0].find("gfx/env/nowherert.tga"), std::string::npos) << notes_[0];
+  EXPECT_EQ(apply().skybox, nullptr);
+  EXPECT_TRUE(notes_.empty());
+  game_.skybox = "dawn";
+  EXPECT_NE(apply().skybox, nullptr);
+}
+
 TEST_F(SceneEnvironmentTest, SettingsTurnOffFogAndSkybox) {
   const render::Scene scene = apply({.liquid_alpha = {}, .fog = false, .skybox = false});
   EXPECT_EQ(scene.fog.density, 0);
