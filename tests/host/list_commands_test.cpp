@@ -1,6 +1,10 @@
-// path, flocate, mapname, mods, demos, saves, and others: commands that list files.
+// path, dir, flocate, mapname, mods, demos, saves, and others: commands that list files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "host/headless_host.h"
 #include "support/programs/quakec.h"
@@ -32,6 +36,35 @@ TEST(ListCommands, ShowFilesAndTheLevel) {
   host.run(0.1);
   EXPECT_TRUE(host.has_printed("1 game folder"));
   EXPECT_FALSE(host.has_printed("unknown"));
+}
+
+TEST(ListCommands, DirListsAFolder) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost host;
+  for (const char* name : {"e1m1.bsp", "e1m2.bsp", "e1m1.lit", "e2m1.bsp", "old/e1m9.bsp"})
+    host.folder().write(std::string("id1/maps/") + name, "");
+  host.restart();
+  const auto list = [&](const std::string& arguments) {
+    host.command("echo \"" + arguments + ":\"; dir " + arguments);
+    host.run(0.1);
+    const auto begin = std::ranges::find(host.lines(), arguments + ":");
+    const auto end = std::find_if(begin, host.lines().end(), [](const std::string& line) {
+      return line.ends_with(" name") || line.ends_with(" names");
+    });
+    EXPECT_NE(end, host.lines().end());
+    return end == host.lines().end() ? std::vector<std::string>() : std::vector(begin + 1, end + 1);
+  };
+  using ::testing::Contains;
+  using ::testing::ElementsAre;
+  EXPECT_THAT(list("maps/E1*.bsp"), ElementsAre("   e1m1.bsp", "   e1m2.bsp", "2 names"));
+  EXPECT_THAT(list("maps/*m1*"), ElementsAre("   e1m1.bsp", "   e1m1.lit", "   e2m1.bsp", "3 names"));
+  EXPECT_THAT(list("maps/e1m1"), ElementsAre("0 names"));
+  EXPECT_THAT(list("maps"), Contains("   old/"));
+  EXPECT_THAT(list("maps/old"), ElementsAre("   e1m9.bsp", "1 name"));
+  EXPECT_THAT(list(""), Contains("   maps/"));
+  host.command("flocate E1M2.bsp");
+  host.run(0.1);
+  EXPECT_TRUE(host.has_printed("maps/e1m2.bsp: " + (host.folder().path() / "id1/maps/e1m2.bsp").string()));
 }
 
 TEST(ListCommands, ScreenshotsTakeTheNextFreeNumber) {

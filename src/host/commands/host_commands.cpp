@@ -75,7 +75,7 @@ constexpr std::array kServerCommands = {
     CommandHelp{"addip", "addip ADDRESS[/BITS]: refuses connections. Without an argument: lists all bans."},
     CommandHelp{"removeip", "removeip ADDRESS[/BITS]: lifts a ban."},
     CommandHelp{"listip", "Lists all bans."},
-    CommandHelp{"edicts", "edicts [CLASS]: lists the server's entities."},
+    CommandHelp{"edicts", "edicts [PART]: lists the server's entities, or those whose class contains PART."},
     CommandHelp{"edictcount", "Counts the server's entities."},
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
@@ -85,13 +86,60 @@ void print_sources(Host& io_host) {
                                             : source.path.string());
 }
 
-// Prints where a file of the game comes from.
+// Prints where a file of the game comes from. A name without a folder may be in any one.
 void locate_file(Host& io_host, Arguments arguments) {
   if (arguments.size() != 2)
     return io_host.console.commands.print_error("flocate FILE: for example maps/start.bsp");
-  const std::string where = io_host.game.data->library.files().where(arguments[1]);
-  print_line(io_host, where.empty() ? fmt::format("\"{}\" is in no game folder", base::quotable(arguments[1]))
-                                    : where);
+  const vfs::FileSystem& files = io_host.game.data->library.files();
+  const std::string& name = arguments[1];
+  const std::string where = files.where(name);
+  if (!where.empty()) return print_line(io_host, where);
+  const std::vector<std::string> elsewhere = files.list("", "/" + base::to_lower(name));
+  for (const std::string& found : elsewhere)
+    print_line(io_host, fmt::format("{}: {}", found, files.where(found)));
+  if (elsewhere.empty())
+    print_line(io_host, fmt::format("\"{}\" is in no game folder", base::quotable(name)));
+}
+
+// Whether the name has this form, in which each '*' is any text.
+bool has_form(std::string_view name, std::string_view form) {
+  std::size_t n = 0, f = 0, after_star = std::string_view::npos, star_begin = 0;
+  while (n < name.size()) {
+    if (f < form.size() && form[f] == '*') {
+      after_star = ++f;
+      star_begin = n;
+    } else if (f < form.size() && form[f] == name[n]) {
+      ++f;
+      ++n;
+    } else if (after_star != std::string_view::npos) {
+      f = after_star;
+      n = ++star_begin;
+    } else {
+      return false;
+    }
+  }
+  return form.find_first_not_of('*', f) == std::string_view::npos;
+}
+
+// Prints the files and folders in a folder of the game, or those whose names have a form.
+void print_folder(Host& io_host, Arguments arguments) {
+  std::string folder = arguments.size() > 1 ? base::to_lower(arguments[1]) : "";
+  std::string form = "*";
+  if (folder.find('*') != std::string::npos) {
+    const std::size_t name = folder.rfind('/') + 1;
+    form = folder.substr(name);
+    folder.resize(name);
+  } else if (!folder.empty() && !folder.ends_with('/')) {
+    folder += '/';
+  }
+  std::set<std::string> names;
+  for (const std::string& file : io_host.game.data->library.files().list(folder, "")) {
+    const std::string name = file.substr(folder.size());
+    const std::size_t end = std::min(name.find('/'), name.size());
+    if (has_form(std::string_view(name).substr(0, end), form)) names.insert(name.substr(0, end + 1));
+  }
+  for (const std::string& name : names) print_line(io_host, fmt::format("   {}", name));
+  print_line(io_host, base::counted(names.size(), "name"));
 }
 
 void print_level_name(Host& io_host) {
@@ -119,9 +167,11 @@ void add_list_commands(Host& io_host) {
   };
   add("version", "Shows the version of Temblor.",
       [](Host& host, Arguments) { print_line(host, host.options.version); });
-  for (const char* const name : {"path", "dir"})
-    add(name, "Lists the folders and archives that the game's files come from, in the order of search.",
-        [](Host& host, Arguments) { print_sources(host); });
+  add("path", "Lists the folders and archives that the game's files come from, in the order of search.",
+      [](Host& host, Arguments) { print_sources(host); });
+  add("dir",
+      "dir [FOLDER]: lists the files in a folder of the game; dir maps/e1*.bsp: those with such names.",
+      print_folder);
   add("flocate", "flocate FILE: shows where a file of the game comes from.", locate_file);
   add("mapname", "Shows the name of the level.", [](Host& host, Arguments) { print_level_name(host); });
   add("randmap", "Starts a new game on a random level.",

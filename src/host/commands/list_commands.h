@@ -1,5 +1,5 @@
 // Console commands about files and the running level, under the names that other engines gave them: path,
-// flocate, mapname, randmap, mods, demos, saves, configs, skies, and so on.
+// dir, flocate, mapname, randmap, mods, demos, saves, configs, skies, and so on.
 #pragma once
 
 namespace temblor::host {

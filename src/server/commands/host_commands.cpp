@@ -193,7 +193,7 @@ void entity(Server& io_server, Arguments arguments) {
     print(io_server, fmt::format("{:<16} {}\n", name, value));
 }
 
-// All entities, or those of one class.
+// All entities, or those whose class contains the argument.
 void list_entities(Server& io_server, Arguments arguments) {
   if (!io_server.game) return io_server.console.print_error("edicts: no level is running");
   Edicts& edicts = io_server.game->world().edicts;
@@ -202,7 +202,7 @@ void list_entities(Server& io_server, Arguments arguments) {
     const vm::EntityIndex entity{i};
     if (edicts.is_free(entity)) continue;
     const std::string name(io_server.game->machine().text(edicts[entity][field::kClassName]));
-    if (arguments.size() > 1 && name != arguments[1]) continue;
+    if (arguments.size() > 1 && name.find(arguments[1]) == std::string::npos) continue;
     const math::Vec3 at = edicts[entity][field::kOrigin];
     print(io_server, fmt::format("{:5} {:<28} {:.0f} {:.0f} {:.0f}\n", i, name, at.x, at.y, at.z));
     ++shown;
@@ -309,7 +309,7 @@ void add_host_commands(Server& io_server) {
   add("profile", "Lists the QuakeC functions that ran the most instructions since the last call.", 0,
       [](Server& s, Arguments) { profile(s); });
   add("edict", "edict NUMBER: shows the fields of an entity.", 1, entity);
-  add("edicts", "edicts [CLASS]: lists the entities.", 0, list_entities);
+  add("edicts", "edicts [PART]: lists the entities, or those whose class contains PART.", 0, list_entities);
   add("edictcount", "Counts the entities.", 0, [](Server& s, Arguments) { count_entities(s); });
   // Other servers' names for some of these.
   add("users", "Shows the level and its players.", 0, [](Server& s, Arguments) { status(s); });
