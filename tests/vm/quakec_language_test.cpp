@@ -142,7 +142,28 @@ const std::vector<Sample>& samples() {
             show(apply(factorial, 4)); print("a", "b", "c", "d", "e", "f", "g", "h");
             counter = spawn(); counter.count = 2; counter.count += 3; show(counter.count);
           };)",
-       {"10921", "walk1", "1", "walk2", "2", "720", "2 3 9", "24", "abcdefgh", "5"}}};
+       {"10921", "walk1", "1", "walk2", "2", "720", "2 3 9", "24", "abcdefgh", "5"}},
+      {"Values",
+       R"(float primes[4] = {2, 3, 5, 7}; vector corners[2] = {'1 2 3', '4 5 6'}; string words[2] = {"a", "b"};
+          nosave float kept; const float kNine = 9;
+          .void(float f) act; void(float f) tell = { show(f); };
+          $frame stand1 stand2 stand3
+          void() rest = [$stand3, rest] { };
+          float add(float a, float b) { return a + b; }
+          #define AREA(a,b) ((a) * (b))
+          #ifdef AREA
+          void() main = {
+            local float i; local .float reach; local .vector spot;
+            :again
+            i += 1; if (i < 3) goto again;
+            show(primes[i]); show_vector(corners[i - 2]); print(words[i - 2]); kept = i; show(add(kept, kNine));
+            reach = health; self.reach = 3; spot = origin; self.spot = '7 8 9'; reach = origin_y;
+            show(self.health); show_vector(self.origin); show(self.reach);
+            self.act = tell; self.act(AREA(2, 3)); rest(); show(self.frame);
+            if (words[0]) print("set"); if (!"") print("empty"); print("tab\t" "quote\"");
+          };
+          #endif)",
+       {"7", "4 5 6", "b", "12", "3", "7 8 9", "8", "6", "2", "set", "empty", "tab\tquote\""}}};
   return kSamples;
 }
 
@@ -193,7 +214,18 @@ const std::vector<Sample>& extended_samples() {
             look('0 0 1'); look('0 1 0'); self.origin = '5 9 6'; self.origin -= '0 1 0'; show_vector(self.origin);
           };)",
        {"7654", "4",  "6",     "1 2 3", "text", "12",          "8",  "3",  "4 5 6", "7i",
-        "item", "12", "4 5 6", "item",  "3",    "1065353216i", "11", "up", "level", "5 8 6"}}};
+        "item", "12", "4 5 6", "item",  "3",    "1065353216i", "11", "up", "level", "5 8 6"}},
+      {"Nesting",
+       R"(typedef struct { float a[3]; vector v[2]; } Row;
+          Row rows[2]; union { vector v; float f; } both; .float slots[3]; .vector spots[2];
+          void() main = {
+            local float i; local int k;
+            k = 1i; rows[k].a[2] = 5; rows[1].v[k] = '1 2 3'; show(rows[1].a[k + 1i]); show_vector(rows[k].v[1]);
+            show(rows[0].a[2]); both.v = '7 8 9'; show(both.f);
+            i = 1; self.spots[i] = '4 5 6'; show_vector(self.spots[1]); self.slots[i] = 4; show(self.slots[1]);
+            k = (int)3.7; show_int(k); i = 6; print(i ? "yes" : "no");
+          };)",
+       {"5", "1 2 3", "0", "7", "4 5 6", "4", "3i", "yes"}}};
   return kSamples;
 }
 
