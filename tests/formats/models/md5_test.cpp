@@ -95,9 +95,9 @@ TEST(Md5, ErrorsNameTheLine) {
     const auto model = read_md5_model(replaced(mesh, old, by));
     return model.ok() ? "none" : model.error().what;
   };
-  EXPECT_EQ(model_error("MD5Version 10", "MD5Version 6"),
-            "line 1: \"6\" is not a whole number from 10 to 10");
-  EXPECT_EQ(model_error("\"hand\"\t0", "\"hand\"\t1"), "line 9: \"1\" is not a whole number from -1 to 0");
+  EXPECT_EQ(model_error("MD5Version 10", "MD5Version 6"), "line 1: \"6\" instead of 10");
+  EXPECT_EQ(model_error("\"hand\"\t0", "\"hand\"\t1"),
+            "line 9: the parent of joint 1 is joint 1, not an earlier one or -1");
   EXPECT_EQ(model_error("numverts 3", "numverts 2"), "line 18: \"vert\" instead of \"numtris\"");
   EXPECT_EQ(model_error("numverts 3", "numverts 70000"),
             "line 15: \"70000\" is not a whole number from 0 to 65536");

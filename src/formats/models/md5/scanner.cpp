@@ -92,7 +92,9 @@ std::int32_t Md5Scanner::whole_number(std::int32_t min, std::int32_t max) {
   const std::string_view found = word();
   const auto value = parse<std::int32_t>(found);
   if (ok() && (!value || *value < min || *value > max))
-    fail(fmt::format("\"{}\" is not a whole number from {} to {}", base::quotable(found), min, max));
+    fail(min == max
+             ? fmt::format("\"{}\" instead of {}", base::quotable(found), min)
+             : fmt::format("\"{}\" is not a whole number from {} to {}", base::quotable(found), min, max));
   return ok() ? *value : 0;
 }
 
