@@ -107,7 +107,7 @@ std::string join_first_names(std::vector<std::string> names) {
 // would otherwise fill the console.
 Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& io_notes) {
   Pictures loaded;
-  std::vector<std::string> bad, missing;
+  std::vector<std::string> bad, bad_details, missing;
   std::optional<formats::Picture> characters;
   load_wad(files, loaded.pictures_, characters, bad);
   load_files(files, loaded.pictures_, bad);
@@ -116,7 +116,7 @@ Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& 
   add_placeholders(stock_wad_pictures(), loaded.pictures_, missing);
   add_placeholders(stock_picture_files(), loaded.pictures_, missing);
   for (const std::string& name : add_details(
-           files, [&](std::string_view name) { return loaded.find_own(name); }, bad))
+           files, [&](std::string_view name) { return loaded.find_own(name); }, bad_details))
     std::erase(missing, name);
   loaded.placeholders_.insert(missing.begin(), missing.end());
 
@@ -126,6 +126,8 @@ Pictures Pictures::load(const vfs::FileSystem& files, std::vector<std::string>& 
   if (!bad.empty())
     note += fmt::format("{}damaged: {}", note.empty() ? "pictures " : "; ", join_first_names(bad));
   if (!note.empty()) io_notes.push_back(fmt::format("{}: {}", files.describe(kWad), note));
+  if (!bad_details.empty())
+    io_notes.push_back(fmt::format("pictures damaged: {}", join_first_names(bad_details)));
   return loaded;
 }
 

@@ -168,9 +168,11 @@ TEST(Pictures, DamagedOnesAreNamedCheckerboards) {
     if (lump.name == "DISC" || lump.name == "CONCHARS") lump.data = lump.data.first(lump.data.size() - 1);
   stock.write_wad(formats::write_wad(lumps).value());
   stock.folder().write("id1/gfx/pause.lmp", "cut");
+  stock.folder().write("id1/gfx/sbar.png", "cut");
   const LoadedPictures loaded = load(stock.folder().path());
   EXPECT_THAT(loaded.notes, ElementsAre(AllOf(HasSubstr("damaged: disc"), HasSubstr("conchars"),
-                                              HasSubstr("gfx/pause.lmp"), Not(HasSubstr("sbar")))));
+                                              HasSubstr("gfx/pause.lmp"), Not(HasSubstr("sbar"))),
+                                        AllOf(HasSubstr("sbar.png"), Not(HasSubstr("gfx.wad")))));
   EXPECT_TRUE(is_checker(*loaded.pictures.find("disc")));
   EXPECT_TRUE(is_checker(*loaded.pictures.find("gfx/pause.lmp")));
   EXPECT_FALSE(is_checker(*loaded.pictures.find("sbar")));
