@@ -60,7 +60,7 @@ void Debris::show_hit_in_liquid(const BurstContext& burst, const math::Vec3& end
     start_world = from;
   }
   std::optional<Crossing> crossing;
-  if (start_world) crossing = find_crossing(input.level, *start_world, end_world);
+  if (start_world) crossing = find_crossing(input.level, *start_world, end_world, input.liquids);
   if (crossing) spawn_splash(burst, *crossing, kPelletSplash, puffs_);
   const math::Vec3 above = end_world + math::Vec3(0, 0, 2 * kChest);
   spawn_bubbles(burst, crossing ? crossing->surface_world : above, end_world, kBubbles, puffs_);
@@ -72,7 +72,7 @@ void Debris::show_splash(const InterpolatedEntity& entity, const EffectsInput& i
   const float height = entity.model < input.model_heights.size() ? input.model_heights[entity.model] : 0;
   if (entity.is_new || height <= 0) return;
   const std::optional<Crossing> crossing =
-      find_crossing(input.level, entity.previous_origin_world, entity.origin_world);
+      find_crossing(input.level, entity.previous_origin_world, entity.origin_world, input.liquids);
   if (!crossing || !splash_times_.begin(entity.number, input.time_s)) return;
   EffectRandom random(make_seed(entity.number, input.time_s));
   const BurstContext burst{io_pool, random, input.time_s};

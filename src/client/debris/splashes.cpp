@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "world/visibility.h"
-
 namespace temblor::client {
 
 namespace {
@@ -41,11 +39,11 @@ bool is_liquid_contents(world::Contents contents) {
          contents != world::Contents::kSky;
 }
 
-std::optional<Crossing> find_crossing(const world::Level& level, const math::Vec3& from,
-                                      const math::Vec3& to) {
+std::optional<Crossing> find_crossing(const world::Level& level, const math::Vec3& from, const math::Vec3& to,
+                                      std::span<const world::PlacedLiquid> liquids) {
   constexpr float kExact = 1.0f / 16;
-  const world::Contents at_start = world::point_contents(level, from);
-  const world::Contents at_end = world::point_contents(level, to);
+  const world::Contents at_start = world::point_contents(level, from, liquids);
+  const world::Contents at_end = world::point_contents(level, to, liquids);
   const bool starts_inside = is_liquid_contents(at_start), ends_inside = is_liquid_contents(at_end);
   if (starts_inside == ends_inside || at_start == world::Contents::kSolid ||
       at_end == world::Contents::kSolid)
@@ -54,7 +52,7 @@ std::optional<Crossing> find_crossing(const world::Level& level, const math::Vec
   while (glm::distance(outside, inside) > kExact) {
     const math::Vec3 middle = (outside + inside) * 0.5f;
     if (middle == outside || middle == inside) break;  // far from the origin, floats are coarse
-    (is_liquid_contents(world::point_contents(level, middle)) ? inside : outside) = middle;
+    (is_liquid_contents(world::point_contents(level, middle, liquids)) ? inside : outside) = middle;
   }
   return Crossing{outside, ends_inside ? at_end : at_start, ends_inside};
 }

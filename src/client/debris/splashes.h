@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "client/debris/puffs.h"
 #include "client/effects/particle_bursts.h"
 #include "world/level.h"
+#include "world/visibility.h"
 
 namespace temblor::client {
 
@@ -20,9 +22,10 @@ struct Crossing {
   world::Contents liquid{};
   bool enters = false;
 };
-// Returns nothing if the two ends are both in a liquid, or neither is. Within 1/16 of a unit.
-std::optional<Crossing> find_crossing(const world::Level& level, const math::Vec3& from,
-                                      const math::Vec3& to);
+// Returns nothing if the two ends are both in a liquid, or neither is. Within 1/16 of a unit. `liquids` says
+// where the func_water of a Half-Life level are now (world::point_contents).
+std::optional<Crossing> find_crossing(const world::Level& level, const math::Vec3& from, const math::Vec3& to,
+                                      std::span<const world::PlacedLiquid> liquids = {});
 
 // `size`: 1 is a player that falls in, 0.3 a nail.
 void spawn_splash(const BurstContext& context, const Crossing& crossing, float size, Puffs& io_puffs);

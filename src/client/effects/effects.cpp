@@ -341,7 +341,7 @@ bool Effects::State::show_impact(const BurstContext& burst, const TempEntity& wh
   if (what.kind != TempEntityKind::kGunshot && what.kind != TempEntityKind::kSpike &&
       what.kind != TempEntityKind::kSuperSpike)
     return false;
-  if (is_liquid_contents(world::point_contents(input.level, what.origin))) {
+  if (is_liquid_contents(world::point_contents(input.level, what.origin, input.liquids))) {
     if (choices.splashes) debris.show_hit_in_liquid(burst, what.origin, input);
     return choices.splashes;
   }

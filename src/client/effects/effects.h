@@ -24,6 +24,7 @@
 #include "client/session/interpolated_entity.h"
 #include "render/scene.h"
 #include "world/level.h"
+#include "world/visibility.h"
 
 namespace temblor::client {
 
@@ -61,6 +62,8 @@ struct EffectsInput {
   std::span<const float> model_heights{};
   // The view entity's gun; nothing if the picture does not show it in the hand.
   std::optional<HeldGun> held_gun{};
+  // The func_water of a Half-Life level, where they are now: things splash into them.
+  std::span<const world::PlacedLiquid> liquids{};
 };
 
 // The yaw of models that rotate on the spot, such as items (formats::kMdlRotate), in [0, 360): 100 degrees a

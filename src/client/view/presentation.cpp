@@ -121,10 +121,11 @@ Presentation::FrameView Presentation::advance_parts(ClientState& io_state, doubl
   std::optional<HeldGun> held_gun;
   if (settings.show_weapon)
     held_gun = find_held_gun(game, *models_, view, settings.weapon_fov_deg, settings.choices.md5_models);
-  effects_.advance(io_state.events(),
-                   {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world,
-                    models_->submodels(), &mark_pictures_, game.models, models_->heights(), held_gun},
-                   settings.effects);
+  effects_.advance(
+      io_state.events(),
+      {level, time_s, entities, models_->flags(), game.view_entity, predicted_origin_world,
+       models_->submodels(), &mark_pictures_, game.models, models_->heights(), held_gun, liquids_},
+      settings.effects);
   hud_.advance(game, io_state.events(), time_s);
   if (settings.subtitles) subtitles_.advance(game, io_state.events(), view.camera, time_s);
   if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);

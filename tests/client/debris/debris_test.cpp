@@ -31,7 +31,8 @@ class DebrisTest : public ::testing::Test {
                       .view_entity = kViewer,
                       .model_names = names_,
                       .model_heights = heights_,
-                      .held_gun = held},
+                      .held_gun = held,
+                      .liquids = liquids_},
                      settings_);
   }
   InterpolatedEntity body(std::uint16_t model, const math::Vec3& origin) const {
@@ -49,6 +50,7 @@ class DebrisTest : public ::testing::Test {
   std::shared_ptr<const world::Level> level_ = test::small_level().level;
   const std::vector<std::string> names_ = {"", "maps/small.bsp", "progs/soldier.mdl", "progs/player.mdl"};
   const std::vector<float> heights_ = {0, 0, 56, 56};
+  std::vector<world::PlacedLiquid> liquids_;
   EffectsSettings settings_{.casings = true, .smoke = true, .impacts = true, .splashes = true};
   Effects effects_;
 };
@@ -134,6 +136,33 @@ TEST_F(DebrisTest, BodiesSplashIntoThePool) {
   show(viewer, 1.05);
   EXPECT_GT(effects_.particles().size(), 20u);
   EXPECT_FALSE(effects_.puffs().empty());
+}
+
+// The door of the level becomes a func_water of Half-Life that has moved into the hall.
+TEST_F(DebrisTest, BodiesAndShotsSplashWhereWaterHasMoved) {
+  const auto flooded = std::make_shared<world::Level>(*level_);
+  flooded->is_half_life = true;
+  flooded->brush_entities.resize(flooded->models.size());
+  flooded->brush_entities[1].liquid = world::Contents::kWater;
+  level_ = flooded;
+  const math::Bounds door = artgen::small_level_door();
+  const math::Vec3 inside = hall(), beside = inside + math::Vec3(door.maxs.x - door.mins.x, 0, 0);
+  InterpolatedEntity viewer = body(3, inside);
+  viewer.previous_origin_world = beside;
+  show(viewer, 1);
+  EXPECT_EQ(effects_.particles().size(), 0u) << "the water is still in the doorway";
+  liquids_ = {{world::ModelIndex{1}, inside - (door.mins + door.maxs) * 0.5f}};
+  show(viewer, 1.05);
+  EXPECT_GT(effects_.particles().size(), 20u);
+  ASSERT_FALSE(effects_.puffs().empty());
+  EXPECT_EQ(effects_.puffs()[0].picture, PuffPicture::kRing);
+  effects_.begin_level();
+  Events events;
+  events.temp_entities.push_back({TempEntityKind::kGunshot, inside, {}, 0});
+  show(body(3, beside), 2, events);
+  show(body(3, beside), 2.25);
+  ASSERT_FALSE(effects_.puffs().empty());
+  EXPECT_EQ(effects_.puffs()[0].picture, PuffPicture::kBubble);
 }
 
 // A gunshot in front of a wall of bricks: dust. In the pool: bubbles and no chips.
