@@ -91,7 +91,7 @@ TEST(HudProgramInAGame, ThatFailsIsReportedOnce) {
   game.run(0.5);
   game.command("map small");
   game.run(0.5);
-  EXPECT_EQ(count_printed(game, "csprogs.dat: "), 1);
+  EXPECT_EQ(count_printed(game, "id1/csprogs.dat: "), 1);
   EXPECT_TRUE(game.session().is_playing());
 }
 

@@ -148,8 +148,9 @@ void HudProgram::fail(const base::Error& error) {
   const std::string text = error.message();
   if (text == last_failure_ || !services_.print) return;
   last_failure_ = text;
-  services_.print(fmt::format(
-      "{}: {}\nThe built-in HUD draws instead. cl_nocsqc 1 turns such programs off.\n", kProgramFile, text));
+  services_.print(
+      fmt::format("{}: {}\nThe built-in HUD draws instead. cl_nocsqc 1 turns such programs off.\n",
+                  services_.library.files().describe(kProgramFile), text));
 }
 
 bool HudProgram::exists() const {
