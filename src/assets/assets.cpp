@@ -60,13 +60,14 @@ base::Result<LoadedLevel> make_loaded_level(std::string name, base::ByteVector b
   TRY(formats::Bsp bsp, formats::read_bsp(bytes).with_file(file));
   bytes = {};  // do not keep a large level twice
   LoadedLevel loaded;
-  const std::optional<formats::Lit> lit = apply_additions(read, name, bsp, loaded.notes);
+  const Additions additions = apply_additions(read, name, bsp, loaded.notes);
+  loaded.entities_file = additions.entities_file.empty() ? file : additions.entities_file;
   fill_wad_textures(read_wad, bsp, loaded.notes);
   world::ColoredTextures textures = replace_textures(bsp, loaded.notes);
   if (palette) add_own_palettes(*palette, bsp, textures);
-  TRY(loaded.level,
-      world::make_level(std::move(bsp), std::move(name), lit ? &*lit : nullptr, std::move(textures))
-          .with_file(file));
+  TRY(loaded.level, world::make_level(std::move(bsp), std::move(name),
+                                      additions.lit ? &*additions.lit : nullptr, std::move(textures))
+                        .with_file(file));
   for (const std::string& note : loaded.level->notes)
     loaded.notes.push_back(fmt::format("{}: {}", file, note));
   note_missing_textures(*loaded.level, loaded.notes);

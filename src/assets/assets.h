@@ -31,6 +31,7 @@ struct LoadedLevel {
   // Problems that did not prevent loading, one line each, with the file: missing textures, a .lit file that
   // does not match. For the console.
   std::vector<std::string> notes;
+  std::string entities_file;  // the level, or the .ent file that replaces its entities
 };
 
 struct LevelOptions {

@@ -344,6 +344,33 @@ TEST(Host, AnUnknownLanguageNamesTheKnownOnes) {
   EXPECT_TRUE(game.has_printed("there is no language \"klingon\" here, only english, german"));
 }
 
+TEST(Host, FaultsOfTextsAreNamedAtTheStart) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game;
+  game.folder().write("id1/localization/loc_english.txt", std::string_view("a = \"x\"\nb = \"y\n"));
+  game.restart(nullptr, {"map small"});
+  ASSERT_TRUE(game.run_until_playing());
+  EXPECT_TRUE(game.has_printed("loc_english.txt: line 2: "));
+}
+
+TEST(Host, FaultsOfEntitiesNameTheirFile) {
+  SKIP_WITHOUT_QUAKEC();
+  const std::string entities =
+      "{ \"classname\" \"worldspawn\" }\n{ \"classname\" \"info_player_start\" \"origin\" \"64 128 40\" }\n";
+  HeadlessHost game;
+  game.folder().write("id1/maps/small.ent", entities + "{ \"classname\" \"func_nonesuch\" }\n");
+  game.restart(nullptr, {"map small"});
+  ASSERT_TRUE(game.run_until_playing());
+  EXPECT_TRUE(game.has_printed("small.ent: entity 2 at 0 0 0: there is no function"));
+  // More text than the game code's strings can hold.
+  game.folder().write("id1/maps/small.ent",
+                      entities + "{ \"classname\" \"" + std::string(std::size_t{65} << 20, 'x') + "\" }\n");
+  game.command("map small");
+  game.run(0.2);
+  EXPECT_TRUE(game.has_printed("small: entity 2: out of string memory"));
+  EXPECT_TRUE(game.session().is_playing()) << "the running game goes on";
+}
+
 TEST(Host, DrawsWindowsOfAnySize) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game({"map small"});

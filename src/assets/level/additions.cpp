@@ -46,9 +46,9 @@ base::Result<formats::Lit> read_matching_lit(base::Bytes bytes, const formats::B
 
 }  // namespace
 
-std::optional<formats::Lit> apply_additions(const AdditionReader& read, std::string_view name,
-                                            formats::Bsp& io_bsp, std::vector<std::string>& io_notes) {
-  std::optional<formats::Lit> lit;
+Additions apply_additions(const AdditionReader& read, std::string_view name, formats::Bsp& io_bsp,
+                          std::vector<std::string>& io_notes) {
+  Additions additions;
   // Calls `apply` with the file's bytes, if there is one, and notes a failure of either.
   const auto apply_file = [&](std::string_view suffix, std::string_view consequence, const auto& apply) {
     const std::optional<Addition> file = read(suffix);
@@ -58,16 +58,19 @@ std::optional<formats::Lit> apply_additions(const AdditionReader& read, std::str
     status = std::move(status).with_file(file->name);
     if (!status.ok()) io_notes.push_back(fmt::format("{}; {}", status.error().message(), consequence));
   };
-  apply_file(".ent", "these entities are ignored", [&](const std::string& file, base::Bytes bytes) {
-    return replace_entities(file, bytes, io_bsp, io_notes);
-  });
+  apply_file(".ent", "these entities are ignored",
+             [&](const std::string& file, base::Bytes bytes) -> base::Status {
+               TRY_STATUS(replace_entities(file, bytes, io_bsp, io_notes));
+               additions.entities_file = file;
+               return base::Ok{};
+             });
   apply_file(".vis", "this visibility is ignored",
              [&](const std::string&, base::Bytes bytes) { return replace_visibility(bytes, name, io_bsp); });
   apply_file(".lit", "colored light is ignored", [&](const std::string&, base::Bytes bytes) -> base::Status {
-    TRY(lit, read_matching_lit(bytes, io_bsp));
+    TRY(additions.lit, read_matching_lit(bytes, io_bsp));
     return base::Ok{};
   });
-  return lit;
+  return additions;
 }
 
 }  // namespace temblor::assets

@@ -27,9 +27,13 @@ struct Addition {
 // Reads the file next to the level with this suffix (".ent"); nullopt: there is none.
 using AdditionReader = std::function<std::optional<Addition>(std::string_view suffix)>;
 
-// Replaces the entity text and visibility of the level `name`, and returns the colored light that matches it,
-// if any.
-std::optional<formats::Lit> apply_additions(const AdditionReader& read, std::string_view name,
-                                            formats::Bsp& io_bsp, std::vector<std::string>& io_notes);
+struct Additions {
+  std::optional<formats::Lit> lit;  // if it matches the level
+  std::string entities_file;        // in messages; empty: the level's own entities
+};
+
+// Replaces the entity text and visibility of the level `name`, and returns the rest.
+Additions apply_additions(const AdditionReader& read, std::string_view name, formats::Bsp& io_bsp,
+                          std::vector<std::string>& io_notes);
 
 }  // namespace temblor::assets

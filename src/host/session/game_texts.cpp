@@ -12,14 +12,11 @@ const std::shared_ptr<const formats::Localization>& load_game_texts(Host& io_hos
   GameTexts& loaded = io_host.game.texts;
   const std::string& language = io_host.variables.server().language();
   if (loaded.texts != nullptr && loaded.language == language) return loaded.texts;
-  const bool is_choice = loaded.texts != nullptr;
   std::vector<std::string> notes;
   loaded.language = language;
   loaded.texts = std::make_shared<const formats::Localization>(
       assets::load_localization(io_host.game.data->library.files(), language, notes));
-  // Without a choice, nobody waits for them: the server prints them when a level starts.
-  if (is_choice)
-    for (const std::string& note : notes) print_line(io_host, note);
+  for (const std::string& note : notes) print_line(io_host, note);
   return loaded.texts;
 }
 

@@ -136,6 +136,7 @@ base::Result<LoadedGame> load_game(const GameRequest& request, const ServerVaria
   settings.set_registered(services.library.files().contains(assets::kRegisteredMark));
   LoadedGame result;
   result.notes = std::move(loaded.notes);
+  result.entities_file = std::move(loaded.entities_file);
   const auto localization = std::make_shared<const formats::Localization>(
       assets::load_localization(services.library.files(), settings.language(), result.notes));
   constexpr std::array kOldestFirst = {net::Protocol::kNetQuake, net::Protocol::kFitzQuake,

@@ -34,6 +34,7 @@ struct GameRequest {
 struct LoadedGame {
   std::unique_ptr<Game> game;
   std::vector<std::string> notes;  // for the host, one line each
+  std::string entities_file;       // in messages
 };
 
 // Loads maps/MAP.bsp and progs.dat, and sets the game up. The protocol is the one in `settings`, or the

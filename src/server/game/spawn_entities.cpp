@@ -98,7 +98,8 @@ base::Result<SpawnReport> spawn_entities(GameWorld& io_world, vm::Machine& io_ma
     if (i > 0) {
       TRY(index, io_world.edicts.spawn(io_world.time_s));
     }
-    TRY_STATUS(set_keys(io_machine, io_world.edicts[index], entities[i], notes));
+    if (const base::Status set = set_keys(io_machine, io_world.edicts[index], entities[i], notes); !set.ok())
+      return base::error(set.error().code, "{}: entity {}: {}", io_world.level->name, i, set.error().what);
     const Edict edict = io_world.edicts[index];
     const bool is_half_life = io_world.level->is_half_life;
     // In the field, 0 is the default, and numbers below 0 are invisible.

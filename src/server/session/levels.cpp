@@ -110,7 +110,7 @@ void set_game(Server& io_server, LoadedGame loaded) {
   for (const std::string& note : loaded.notes)
     print_event(io_server, fmt::format("{}: {}\n", game.map_name, note));
   for (const std::string& fault : io_server.game->spawn_report().unknown_classes)
-    print(io_server, fmt::format("maps/{}.bsp: {}\n", game.map_name, fault));
+    print(io_server, fmt::format("{}: {}\n", loaded.entities_file, fault));
   if (io_server.recorder) print_if_error(io_server, stop_demo(io_server));
   Clients& clients = io_server.clients;
   io_server.clock.is_paused = false;
