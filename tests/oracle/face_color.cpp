@@ -34,19 +34,24 @@ math::Vec2d position_on_light_map(const world::Level& level, const world::Face& 
   return level.light_map_grids[face.light_map_grid].position(s, t);
 }
 
-double light_of_sample(const world::Level& level, const world::Face& face,
-                       const world::LightStyleValues& styles, std::size_t column, std::size_t row,
-                       LightColor color, std::size_t channel) {
+Light light_of_sample(const world::Level& level, const world::Face& face,
+                      const world::LightStyleValues& styles, std::size_t column, std::size_t row,
+                      LightColor color) {
   const auto width = static_cast<std::size_t>(level.light_size(face)[0]);
   const auto height = static_cast<std::size_t>(level.light_size(face)[1]);
   const bool rgb = color == LightColor::kRgb && !level.light_rgb.empty();
-  double sum = 0;
+  Light sum{};
   for (std::size_t style = 0; style < face.style_count; ++style) {
     const std::size_t sample = face.light + (style * height + row) * width + column;
-    const double value = rgb ? level.light_rgb[sample * 3 + channel] : level.light[sample];
-    sum += value * styles[face.styles[style]];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const double value = rgb ? level.light_rgb[sample * 3 + channel] : level.light[sample];
+      sum[channel] += value * styles[face.styles[style]];
+    }
   }
-  return std::min(sum, kBrightest);
+  const double brightest = *std::max_element(sum.begin(), sum.end());
+  if (brightest > kBrightest)
+    for (double& channel : sum) channel *= kBrightest / brightest;
+  return sum;
 }
 
 }  // namespace
@@ -72,7 +77,7 @@ Light sample_light(const world::Level& level, const world::Face& face, const wor
   const GridPosition t = grid_position(on_map.y, level.light_size(face)[1]);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const auto sample = [&](std::size_t column, std::size_t row) {
-      return light_of_sample(level, face, styles, column, row, color, channel);
+      return light_of_sample(level, face, styles, column, row, color)[channel];
     };
     const double above = std::lerp(sample(s.before, t.before), sample(s.after, t.before), s.fraction);
     const double below = std::lerp(sample(s.before, t.after), sample(s.after, t.after), s.fraction);

@@ -23,10 +23,10 @@ struct TexelPosition {
 std::uint8_t texel_at(const world::Texture& texture, TexelPosition position);
 
 // Red, green, and blue light of a texel in 8.8 fixed point, as real numbers; all three equal for gray light.
-// A sample of the light map contributes sample x style value (256: as stored), summed over the face's styles,
-// at most 255 x 256. Samples are 16 texels apart, the first one at the face's texture_mins; between them
-// light is linear in s and t, and outside it is that of the border. A face without samples is black
-// (full-bright faces have another FaceKind).
+// A sample of the light map contributes sample x style value (256: as stored), summed over the face's styles.
+// If the brightest channel is above 255 x 256, all three are scaled to make it so. Samples are 16 texels
+// apart, the first one at the face's texture_mins; between them light is linear in s and t, and outside it is
+// that of the border. A face without samples is black (full-bright faces have another FaceKind).
 using Light = std::array<double, 3>;
 enum class LightColor { kGray, kRgb };
 Light sample_light(const world::Level& level, const world::Face& face, const world::LightStyleValues& styles,

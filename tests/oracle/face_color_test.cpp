@@ -93,6 +93,14 @@ TEST(LightAt, HasColor) {
   EXPECT_EQ(gray, (Light{50 * 256, 50 * 256, 50 * 256})) << "a level without colors";
 }
 
+TEST(LightAt, KeepsItsHueWhereItIsCutOff) {
+  const world::Level level = lit_level();
+  const Light light = sample_light(level, level.faces[0], make_styles(256 * 10, 0), {0, 0}, LightColor::kRgb);
+  EXPECT_DOUBLE_EQ(light[2], 255 * 256);
+  EXPECT_DOUBLE_EQ(light[0] / light[2], 50.0 / 52);
+  EXPECT_DOUBLE_EQ(light[1] / light[2], 51.0 / 52);
+}
+
 TEST(LightAt, IsBlackWithoutSamples) {
   world::Level level = lit_level();
   level.faces[0].light = world::kNoLight;

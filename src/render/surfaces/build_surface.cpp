@@ -18,6 +18,8 @@ namespace {
 
 // The sum of light that shows the palette's colors as they are, in both pixel formats.
 constexpr std::uint32_t kSumAsStored = 32768;
+// The sum of full light: a sample of 255 with a style value of 256.
+constexpr std::int32_t kFullSum = 65280;
 // Half a row of tint tables.
 constexpr std::int16_t kRoundTint = 128;
 
@@ -87,9 +89,7 @@ class Builder {
   // Row by row: texels, marks on them, light for the row, then the kernel.
   void build_indexed() {
     const LightSums sums = sum_tile_light();
-    const std::span<const std::int16_t> samples = make_samples(sums, 1, [](std::uint32_t sum) {
-      return static_cast<std::int16_t>(std::max((65280 - static_cast<std::int32_t>(sum)) >> 2, 64));
-    });
+    const std::span<const std::int16_t> samples = make_dark_samples(sums);
     const std::span<std::int16_t> row_light = row_samples(1);
     const Tint tint = sums.channels == 3 ? make_tint(sums) : Tint{};
     const std::span<std::int16_t> row_tint = row_samples(1);
@@ -121,9 +121,7 @@ class Builder {
   }
 
   void build_rgb() {
-    const std::span<const std::int16_t> samples = make_samples(sum_tile_light(), 4, [](std::uint32_t sum) {
-      return static_cast<std::int16_t>(std::min<std::uint32_t>(sum, 65280) >> 1);
-    });
+    const std::span<const std::int16_t> samples = make_rgb_samples(sum_tile_light());
     const std::span<std::int16_t> row_light = row_samples(4);
     const std::span<std::uint32_t> colors = row_of_texels<std::uint32_t>();
     const std::span<std::uint8_t> indices = row_of_texels<std::uint8_t>();
@@ -200,23 +198,34 @@ class Builder {
     simd_ ? build_indexed_row_simd(row) : build_indexed_row_scalar(row);
   }
 
-  // The light of the tile's samples, row by row, each sum passed through `convert`. With one channel it is
-  // the brightest of the sums' channels; with four they are blue, green, red, and 0. There is one extra row,
-  // so that every row of texels has samples above and below it.
-  template <typename Convert>
-  std::span<const std::int16_t> make_samples(const LightSums& sums, std::size_t channels, Convert convert) {
+  // Numbers of the tile's samples, row by row. There is one extra row, so that every row of texels has
+  // samples above and below it.
+  std::span<std::int16_t> allocate_samples(const LightSums& sums, std::size_t channels) {
     const std::size_t count = sums.values.size() / sums.channels;
-    const std::span<std::int16_t> samples =
-        scratch_.allocate_filled<std::int16_t>((count + columns()) * channels, 0);
-    for (std::size_t sample = 0; sample < count; ++sample) {
-      const std::uint32_t* sum = &sums.values[sample * sums.channels];
-      std::int16_t* out = &samples[sample * channels];
-      if (channels == 1) {
-        out[0] = convert(*std::max_element(sum, sum + sums.channels));
-        continue;
+    return scratch_.allocate_filled<std::int16_t>((count + columns()) * channels, 0);
+  }
+  // For `indexed`: the darkness of each sample's brightest channel.
+  std::span<const std::int16_t> make_dark_samples(const LightSums& sums) {
+    const std::span<std::int16_t> samples = allocate_samples(sums, 1);
+    std::int16_t* out = samples.data();
+    for (const std::uint32_t* sum = sums.values.data(); sum != sums.values.data() + sums.values.size();
+         sum += sums.channels)
+      *out++ = static_cast<std::int16_t>(std::max(
+          (kFullSum - static_cast<std::int32_t>(*std::max_element(sum, sum + sums.channels))) >> 2, 64));
+    return samples;
+  }
+  // For `rgb`: blue, green, red, and 0. Light brighter than full light is scaled, so that its hue stays.
+  std::span<const std::int16_t> make_rgb_samples(const LightSums& sums) {
+    const std::span<std::int16_t> samples = allocate_samples(sums, 4);
+    std::int16_t* out = samples.data();
+    for (const std::uint32_t* sum = sums.values.data(); sum != sums.values.data() + sums.values.size();
+         sum += sums.channels, out += 4) {
+      const std::uint64_t brightest = *std::max_element(sum, sum + sums.channels);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const std::uint32_t value = sum[sums.channels == 3 ? 2 - channel : 0];
+        out[channel] = static_cast<std::int16_t>(
+            brightest <= kFullSum ? value >> 1 : value * std::uint64_t{kFullSum / 2} / brightest);
       }
-      for (std::size_t channel = 0; channel < 3; ++channel)
-        out[channel] = convert(sum[sums.channels == 3 ? 2 - channel : 0]);
     }
     return samples;
   }

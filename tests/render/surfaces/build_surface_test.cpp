@@ -73,7 +73,9 @@ class SurfaceDefinition {
     for (int channel = 0; channel < 3; ++channel) {
       const std::uint8_t value = color[static_cast<std::size_t>(channel)];
       const std::int64_t h = lit(x, y, [&](std::int64_t column, std::int64_t row) {
-        return std::min<std::int64_t>(light_sum(column, row, channel), 65280) / 2;
+        // Full light or less in the brightest channel.
+        const std::int64_t sum = light_sum(column, row, channel), brightest = brightest_sum(column, row);
+        return brightest > 65280 ? sum * 32640 / brightest : sum / 2;
       });
       const std::int64_t lit_value = std::min<std::int64_t>(255, floor_shifted(2 * value * h + 16384, 15));
       const std::int64_t unlit = glow[static_cast<std::size_t>(channel)];
