@@ -103,7 +103,7 @@ struct DynamicLight {
   float radius = 0;
   // Light below this is omitted, which shrinks the area that must be rebuilt.
   float least = 0;
-  // Factors for red, green, and blue. Models in indexed frames ignore them.
+  // Factors for red, green, and blue.
   math::Vec3 color{1.0f};
 };
 

@@ -46,6 +46,31 @@ std::span<const Pixel> replace_player_rows(std::span<const Pixel> table, const P
   return dressed;
 }
 
+// A copy of the colormap as colored light shows it.
+std::span<const std::uint8_t> tint_colormap(const ColorTables& tables, const AliasLight& light,
+                                            base::Arena& arena) {
+  const std::span<const std::uint8_t> rows(tables.colormap.rows);
+  const std::uint8_t* const tint = tables.tints.rows_for(light.tint_color) + light.tint_row * 256;
+  const std::span<std::uint8_t> tinted = arena.allocate<std::uint8_t>(rows.size());
+  std::transform(rows.begin(), rows.end(), tinted.begin(), [&](std::uint8_t index) { return tint[index]; });
+  return tinted;
+}
+
+float find_brightest(const math::Vec3& light) {
+  return std::max({light.x, light.y, light.z});
+}
+float find_darkest(const math::Vec3& light) {
+  return std::min({light.x, light.y, light.z});
+}
+
+// The row of the tint table of a light of this color that is part of `sum`. The share of the light in the sum
+// follows from the difference of channels, which white light does not have (Builder::make_tint()).
+std::size_t choose_tint_row(const math::Vec3& sum, const math::Vec3& color) {
+  const float full_difference = 1 - find_darkest(color) / find_brightest(color);
+  const float share = (find_brightest(sum) - find_darkest(sum)) / (find_brightest(sum) * full_difference);
+  return static_cast<std::size_t>(std::max(0.0f, std::min(1.0f, share)) * float{kTintRows - 1} + 0.5f);
+}
+
 }  // namespace
 
 AliasLight light_alias(const Scene& scene, const AliasInstance& instance, PixelFormat format,
@@ -55,19 +80,30 @@ AliasLight light_alias(const Scene& scene, const AliasInstance& instance, PixelF
   if (light.full_bright) return light;
   const world::PointLight floor =
       world::sample_light(*scene.level, scene.light_styles, instance.origin_world);
-  const bool colored = format == PixelFormat::kRgb && colored_light;
-  math::Vec3 shade = glm::max(colored ? floor.rgb : math::Vec3(floor.gray), math::Vec3(instance.min_light));
+  const bool is_rgb = format == PixelFormat::kRgb;
+  const math::Vec3 shade =
+      glm::max(is_rgb && colored_light ? floor.rgb : math::Vec3(floor.gray), math::Vec3(instance.min_light));
   math::Vec3 ambient = shade;
+  float strongest = 0;
+  math::Vec3 strongest_color{1.0f};
   for (const DynamicLight& dynamic : scene.lights) {
     const float added = dynamic.radius - glm::distance(dynamic.origin_world, instance.origin_world);
-    if (added > 0) ambient += format == PixelFormat::kRgb ? dynamic.color * added : math::Vec3(added);
+    if (!(added > 0)) continue;
+    const math::Vec3 color = is_rgb || colored_light ? dynamic.color : math::Vec3(1);
+    ambient += color * added;
+    if (added <= strongest || find_brightest(color) == find_darkest(color)) continue;
+    strongest = added;
+    strongest_color = color;
   }
   // The brightest channel is clamped and the others follow, so that the hue stays.
-  const auto brightest = [](const math::Vec3& v) { return std::max({v.x, v.y, v.z}); };
-  const float max_ambient = brightest(ambient);
-  if (max_ambient > 0) light.color = ambient / max_ambient;
+  const float max_ambient = find_brightest(ambient);
+  if (is_rgb && max_ambient > 0) light.color = ambient / max_ambient;
+  if (!is_rgb && strongest > 0) {
+    light.tint_color = {strongest_color.x, strongest_color.y, strongest_color.z};
+    light.tint_row = choose_tint_row(ambient, strongest_color);
+  }
   light.ambient = std::min(max_ambient, kMaxAmbient);
-  light.shade = std::min(brightest(shade), kMaxLight - light.ambient);
+  light.shade = std::min(find_brightest(shade), kMaxLight - light.ambient);
   return light;
 }
 
@@ -92,10 +128,11 @@ NormalLights light_normals(const AliasLight& light, const AliasPlacement& placem
   return by_normal;
 }
 
-const void* instance_colors(const ColorTables& tables, const AliasInstance& instance, PixelFormat format,
-                            base::Arena& arena) {
+const void* instance_colors(const ColorTables& tables, const AliasInstance& instance, const AliasLight& light,
+                            PixelFormat format, base::Arena& arena) {
   if (format == PixelFormat::kIndexed) {
-    const std::span<const std::uint8_t> rows(tables.colormap.rows);
+    std::span<const std::uint8_t> rows(tables.colormap.rows);
+    if (light.tint_row != 0) rows = tint_colormap(tables, light, arena);
     return instance.colors ? replace_player_rows(rows, *instance.colors, arena).data() : rows.data();
   }
   const std::span<const std::uint32_t> colors(tables.surface_rgb);

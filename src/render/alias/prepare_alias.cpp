@@ -115,7 +115,7 @@ PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
   job.skin = model.skin_picture(instance.skin);
   job.skin_width = static_cast<std::int32_t>(model.skin_width);
   job.skin_height = static_cast<std::int32_t>(model.skin_height);
-  job.colors = instance_colors(context.colors, instance, format, arena);
+  job.colors = instance_colors(context.colors, instance, light, format, arena);
   for (int channel = 0; channel < 3; ++channel)
     job.tint[channel] = static_cast<std::int32_t>(light.color[channel] * 32768.0f + 0.5f);
   job.perspective = placement.perspective && !settings.alias_snap;

@@ -59,6 +59,61 @@ TEST_F(LightAlias, DynamicLightsAddToTheAmbientWhatTheirRadiusLeaves) {
   EXPECT_NEAR(colored.color.z, 10.0 / 50, 1e-5);
 }
 
+// A light of 60 falls on white light of 20 from the floor.
+TEST_F(LightAlias, ColoredLightsTintIndexedModelsByTheirShare) {
+  const auto light_with_color = [&](const math::Vec3& color) {
+    const render::DynamicLight lights[] = {{instance_.origin_world + math::Vec3(0, 30, 40), 110, 0, color}};
+    scene_.lights = lights;
+    return light();
+  };
+  instance_.min_light = 20;
+  const render::AliasLight white = light_with_color({1, 1, 1}), orange = light_with_color({1, 0.5f, 0.25f});
+  EXPECT_EQ(white.tint_row, 0u);
+  EXPECT_EQ(orange.tint_row, 23u) << "three quarters of 31";
+  EXPECT_EQ(orange.tint_color, (std::array<float, 3>{1, 0.5f, 0.25f}));
+  EXPECT_EQ(orange.color, math::Vec3(1));
+  EXPECT_EQ(orange.ambient, white.ambient);
+  EXPECT_EQ(orange.shade, white.shade);
+  instance_.min_light = 0;
+  EXPECT_EQ(light_with_color({0.25f, 1, 0.5f}).tint_row, std::size_t{render::kTintRows - 1});
+  const render::DynamicLight blue[] = {{instance_.origin_world, 110, 0, {0, 0, 1}}};
+  scene_.lights = blue;
+  EXPECT_EQ(render::light_alias(scene_, instance_, render::PixelFormat::kIndexed, false).tint_row, 0u);
+}
+
+TEST_F(LightAlias, StrongestColoredLightChoosesTheTint) {
+  const render::DynamicLight lights[] = {{instance_.origin_world, 20, 0, {1, 0, 0}},
+                                         {instance_.origin_world, 40, 0, {0, 0, 1}},
+                                         {instance_.origin_world, 90, 0, {1, 1, 1}},
+                                         {instance_.origin_world + math::Vec3(0, 0, 70), 80, 0, {0, 1, 0}}};
+  scene_.lights = lights;
+  EXPECT_EQ(light().tint_color, (std::array<float, 3>{0, 0, 1}));
+}
+
+TEST_F(LightAlias, TintsTheColormapWithTheTableOfSurfaces) {
+  const render::ColorTables tables = render::make_color_tables(drawable_.palette, drawable_.colormap);
+  const auto colors = [&](const render::AliasLight& light, base::Arena& arena) {
+    return static_cast<const std::uint8_t*>(
+        render::instance_colors(tables, instance_, light, render::PixelFormat::kIndexed, arena));
+  };
+  base::Arena arena;
+  EXPECT_EQ(colors({}, arena), tables.colormap.rows.data()) << "white light costs nothing";
+  render::AliasLight light;
+  light.tint_color = {1, 0.5f, 0};
+  light.tint_row = 20;
+  const std::uint8_t* const tint = tables.tints.rows_for(light.tint_color) + light.tint_row * 256;
+  const std::uint8_t* const plain = colors(light, arena);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < tables.colormap.rows.size(); ++i) {
+    ASSERT_EQ(plain[i], tint[tables.colormap.rows[i]]);
+    changed += plain[i] != tables.colormap.rows[i];
+  }
+  EXPECT_GT(changed, tables.colormap.rows.size() / 4);
+  instance_.colors = {4, 12};
+  const std::uint8_t* const dressed = colors(light, arena);
+  for (std::size_t row = 0; row < 64; ++row) ASSERT_EQ(dressed[row * 256 + 16], plain[row * 256 + 64]);
+}
+
 TEST_F(LightAlias, NormalsAreLitFromOneFixedDirection) {
   for (int seed = 0; seed < 50; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
@@ -105,7 +160,7 @@ TEST_F(LightAlias, PlayersWearTheirColors) {
   base::Arena arena;
   instance_.colors = {4, 12};
   const auto* rows = static_cast<const std::uint8_t*>(
-      render::instance_colors(tables, instance_, render::PixelFormat::kIndexed, arena));
+      render::instance_colors(tables, instance_, {}, render::PixelFormat::kIndexed, arena));
   for (std::size_t row = 0; row < 64; ++row)
     for (std::size_t i = 0; i < 256; ++i) {
       // Row 4 unchanged; row 12 is reversed.
@@ -115,7 +170,7 @@ TEST_F(LightAlias, PlayersWearTheirColors) {
       ASSERT_EQ(rows[row * 256 + i], drawable_.colormap.rows[row * 256 + shown]);
     }
   const auto* colors = static_cast<const std::uint32_t*>(
-      render::instance_colors(tables, instance_, render::PixelFormat::kRgb, arena));
+      render::instance_colors(tables, instance_, {}, render::PixelFormat::kRgb, arena));
   EXPECT_EQ(colors[16], tables.surface_rgb[64]);
   EXPECT_EQ(colors[96], tables.surface_rgb[207]);
   EXPECT_EQ(colors[200], tables.surface_rgb[200]);
