@@ -41,10 +41,11 @@ endfunction()
 
 # The demos behind the main menu show a minute of each level and a walk through the gallery. `make bench` draws the tours,
 # which pass all stops and secrets, some of them under water, on their way to the exit.
-set(shown_levels t1 tdm1 t2 gallery t3 tdm2 start)
+set(shown_levels t1 tdm1 t2 gallery t3 tdm2 t4 start t5)
 set(shown_start --tour --exit t2)
 set(shown_gallery --tour --limit 105 --protocol 666)
 set(shown_t2 --seed 8 --limit 60)
+set(shown_t4 --seed 4 --limit 60)
 set(shown_tdm1 --deathmatch 7 --seed 2 --limit 60)
 set(shown_tdm2 --deathmatch 7 --seed 2 --limit 60)
 set(tour_start --god --tour --exit t3)

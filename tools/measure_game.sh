@@ -10,7 +10,6 @@ build=build/release
 game=$build/game
 program=$PWD/$build/temblor
 levels=(start t1 t2 t3 t4 t5 tdm1 tdm2 gallery)
-menu_demos=(start t1 t2 t3 tdm1 tdm2 gallery)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
@@ -62,7 +61,7 @@ packages
 for level in start t1 t2 t3 t4 t5; do
   measure_demo "$level, from start to exit" 1920x1080 "6.9 ms (144 per second)" "$game/tours/$level.dem"
 done
-for level in "${menu_demos[@]}"; do
+for level in "${levels[@]}"; do
   measure_demo "$level, menu background" 1920x1080 "6.9 ms (144 per second)" "$level"
 done
 measure_demo "gallery, menu background" 3840x2160 "16.7 ms (60 per second)" gallery
