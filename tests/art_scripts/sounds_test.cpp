@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_text(const fs::path& path) {
+std::string read_source_text(const fs::path& path) {
   const base::ByteVector bytes = test::read_file(path);
   return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
@@ -35,7 +35,7 @@ std::string read_text(const fs::path& path) {
 std::vector<ScriptFile> read_scripts_with(std::string_view word) {
   std::vector<ScriptFile> scripts;
   for (const fs::directory_entry& entry : fs::directory_iterator(TEMBLOR_SOURCE_DIR "/game/art/sounds")) {
-    base::Result<std::vector<ScriptLine>> things = read_script(read_text(entry.path()));
+    base::Result<std::vector<ScriptLine>> things = read_script(read_source_text(entry.path()));
     EXPECT_TRUE(things.ok()) << entry.path();
     if (!things.ok()) continue;
     std::erase_if(*things, [&](const ScriptLine& thing) { return thing.keyword != word; });
@@ -53,7 +53,7 @@ std::vector<ArtFile> make(const std::vector<ScriptFile>& scripts) {
 
 using Sounds = std::map<std::string, formats::Wav>;
 
-const Sounds& shipped() {
+const Sounds& shipped_sounds() {
   static const Sounds sounds = [] {
     Sounds made;
     for (const ArtFile& file : make(read_scripts_with("sound"))) {
@@ -100,7 +100,7 @@ double measure_loudest_db(const std::vector<double>& samples, double rate) {
 
 // The centroid of the power spectrum of the whole sound, from its definition.
 double measure_centroid_hz(const std::string& name) {
-  const formats::Wav& wav = shipped().at(name);
+  const formats::Wav& wav = shipped_sounds().at(name);
   const std::vector<double> samples = to_doubles(wav);
   constexpr std::size_t kWindow = 1024;
   double weighted = 0, powers = 0;
@@ -131,14 +131,14 @@ TEST(ShippedSounds, EverySoundThatTheGameNamesExists) {
           (entry.path().extension() != ".qc" && entry.path().extension() != ".cpp") ||
           test::needs_stock_data(entry.path()))
         continue;
-      const std::string text = read_text(entry.path());
+      const std::string text = read_source_text(entry.path());
       for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it)
         named.insert((*it)[1]);
     }
   }
   EXPECT_GT(named.size(), 150u);
   EXPECT_TRUE(named.contains("misc/menu1.wav") && named.contains("ogre/ogwake.wav"));
-  for (const std::string& sound : named) EXPECT_TRUE(shipped().contains(sound)) << sound;
+  for (const std::string& sound : named) EXPECT_TRUE(shipped_sounds().contains(sound)) << sound;
 }
 
 // A caption that only names the file would not help.
@@ -169,7 +169,7 @@ TEST(ShippedSounds, AreAsLoudAsTheirClass) {
       {"blast", {-13, -5}},   {"weapon", {-16, -6}},  {"impact", {-20, -7}},    {"voice", {-14, -7}},
       {"murmur", {-20, -11}}, {"player", {-17, -9}},  {"body", {-18, -9}},      {"item", {-17, -10}},
       {"signal", {-19, -9}},  {"machine", {-16, -9}}, {"ambience", {-22, -10}}, {"menu", {-19, -10}}};
-  for (const auto& [name, wav] : shipped()) {
+  for (const auto& [name, wav] : shipped_sounds()) {
     if (name == kNull) continue;
     const auto& [low, high] = bounds.at(find_class_name(name));
     const double loud = measure_loudest_db(to_doubles(wav), wav.frames_per_second);
@@ -179,7 +179,7 @@ TEST(ShippedSounds, AreAsLoudAsTheirClass) {
 }
 
 TEST(ShippedSounds, NothingClipsOrHasAnOffset) {
-  for (const auto& [name, wav] : shipped()) {
+  for (const auto& [name, wav] : shipped_sounds()) {
     EXPECT_EQ(wav.channels, 1) << name;
     EXPECT_EQ(wav.bits, 16) << name;
     const std::vector<double> samples = to_doubles(wav);
@@ -195,7 +195,7 @@ TEST(ShippedSounds, NothingClipsOrHasAnOffset) {
 }
 
 TEST(ShippedSounds, EndsAreQuietAndLoopsHaveNoSeam) {
-  for (const auto& [name, wav] : shipped()) {
+  for (const auto& [name, wav] : shipped_sounds()) {
     const std::vector<double> samples = to_doubles(wav);
     if (!wav.loop) {
       EXPECT_LT(std::abs(samples.front()), 0.01) << name;
@@ -218,7 +218,7 @@ TEST(ShippedSounds, LastAsLongAsTheirKind) {
       {"blast", {1, 7}},      {"weapon", {0.3, 1.6}}, {"impact", {0.1, 1.6}},  {"voice", {0.4, 2.7}},
       {"murmur", {0.8, 2}},   {"player", {0.4, 2.3}}, {"body", {0.2, 0.9}},    {"item", {0.2, 1.2}},
       {"signal", {0.2, 2.2}}, {"machine", {0.4, 3}},  {"ambience", {1.5, 10}}, {"menu", {0.05, 0.5}}};
-  for (const auto& [name, wav] : shipped()) {
+  for (const auto& [name, wav] : shipped_sounds()) {
     const auto& [low, high] = bounds.at(find_class_name(name));
     const double seconds = static_cast<double>(wav.frame_count()) / wav.frames_per_second;
     EXPECT_GE(seconds, low) << name;
@@ -231,14 +231,14 @@ TEST(ShippedSounds, LastAsLongAsTheirKind) {
         "ambience/drone6.wav", "ambience/swamp1.wav", "ambience/swamp2.wav", "ambience/fl_hum1.wav",
         "plats/train1.wav", "plats/plat1.wav", "plats/medplat1.wav", "doors/winch2.wav", "doors/stndr1.wav",
         "weapons/tremor2.wav"})
-    EXPECT_TRUE(shipped().at(name).loop.has_value()) << name;
+    EXPECT_TRUE(shipped_sounds().at(name).loop.has_value()) << name;
 }
 
 TEST(ShippedSounds, ShotsStartAtOnceAndDecay) {
   for (const char* name :
        {"weapons/shotgn2.wav", "weapons/rocket1i.wav", "weapons/spike2.wav", "weapons/grenade.wav",
         "weapons/r_exp3.wav", "soldier/sattck1.wav", "weapons/tremor.wav"}) {
-    const formats::Wav& wav = shipped().at(name);
+    const formats::Wav& wav = shipped_sounds().at(name);
     const std::vector<double> samples = to_doubles(wav);
     const auto power = [&](double from, double to) {
       double sum = 0;

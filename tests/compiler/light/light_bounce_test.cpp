@@ -236,10 +236,10 @@ TEST(LightBounce, EqualsTracedPaths) {
                    point_text("info_player_start", {32, 32, 40}));
   };
   const auto direct = lit_with(0);
-  struct Place {
+  struct LitPlace {
     Vec3d at, normal;
   };
-  std::vector<Place> places;
+  std::vector<LitPlace> places;
   for (const double x : {80.0, 200.0, 400.0})
     for (const double y : {80.0, 300.0})
       for (const double z : {0.0, 256.0}) places.push_back({{x, y, z}, {0, 0, z == 0 ? 1 : -1}});

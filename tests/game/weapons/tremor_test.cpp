@@ -11,7 +11,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 namespace field = server::field;
 
-constexpr float kTremor = 128, kThunderbolt = 64, kAxe = 4096;
+constexpr float kTremorItem = 128, kThunderbolt = 64, kAxe = 4096;
 constexpr float kTremorImpulse = 13;
 
 // Two players in a hall of 1200 units; the first strikes the ground in the direction of the second.
@@ -26,7 +26,7 @@ class Tremor : public ::testing::Test {
     game_->join(1);
     game_->put(game_->player(0), {64, 0, 25});
     server::Edict striker = game_->player(0);
-    striker.set(field::kItems, kTremor + kAxe);
+    striker.set(field::kItems, kTremorItem + kAxe);
     striker.set(field::kAmmoCells, 50);
     striker.set(field::kImpulse, kTremorImpulse);
     game_->run(1);
@@ -138,7 +138,7 @@ TEST_F(Tremor, IgnoresFliersAndThrowsWalkers) {
   game_->run(0.5);
   server::Edict striker = game_->player(0);
   striker.set_flag(server::flag::kNoTarget);
-  striker.set(field::kItems, kTremor + kAxe);
+  striker.set(field::kItems, kTremorItem + kAxe);
   striker.set(field::kAmmoCells, 50);
   striker.set(field::kImpulse, kTremorImpulse);
   const std::uint32_t flyer = game_->spawn("monster_wizard", {250, 0, 40}, 180);
@@ -178,15 +178,15 @@ TEST_F(Tremor, IsNamedWhenItKills) {
 TEST_F(Tremor, SharesItsKeyWithTheThunderbolt) {
   begin();
   server::Edict player = game_->player(0);
-  player.set(field::kItems, kTremor + kThunderbolt + kAxe);
-  for (const float expected : {kThunderbolt, kTremor, kThunderbolt}) {
+  player.set(field::kItems, kTremorItem + kThunderbolt + kAxe);
+  for (const float expected : {kThunderbolt, kTremorItem, kThunderbolt}) {
     player.set(field::kImpulse, 8);
     game_->run(0.2);
     EXPECT_EQ(player[field::kWeapon], expected);
   }
   player.set(field::kImpulse, 10);  // the weapon after lightning, and then the first one
   game_->run(0.2);
-  EXPECT_EQ(player[field::kWeapon], kTremor);
+  EXPECT_EQ(player[field::kWeapon], kTremorItem);
   player.set(field::kImpulse, 10);
   game_->run(0.2);
   EXPECT_EQ(player[field::kWeapon], kAxe);
@@ -200,7 +200,7 @@ TEST_F(Tremor, CanBePickedUp) {
   player.set(field::kAmmoCells, 0);
   game_->spawn("weapon_tremor", player[field::kOrigin], 0);
   game_->run(1);
-  EXPECT_EQ(player[field::kWeapon], kTremor);
+  EXPECT_EQ(player[field::kWeapon], kTremorItem);
   EXPECT_EQ(player[field::kAmmoCells], 20);
   EXPECT_EQ(game_->text(player[field::kWeaponModel]), "progs/v_tremor.mdl");
 }
