@@ -52,8 +52,9 @@ RenderSettings::RenderSettings(command::Variables& variables) {
   draw_world_ = variables.add_bool("r_drawworld", defaults.draw_world, "Draws the level itself.");
   full_bright_ = variables.add_bool("r_fullbright", false, "Draws the level without light and shadows.");
   light_only_ = variables.add_bool("r_lightmap", false, "Draws the level's light without its textures.");
-  colored_light_ = variables.add_bool("r_colored_light", defaults.colored_light,
-                                      "Uses the level's colored light, in true color only.");
+  colored_light_ =
+      variables.add_bool("r_colored_light", defaults.colored_light,
+                         "Shows colored light: the level's in true color only, that of blasts always.");
   variables.add_alias("r_coloured_light", "r_colored_light");  // old spelling
   lit_liquids_ = variables.add_bool("r_litwater", defaults.lit_liquids,
                                     "Lights liquids, in levels that were compiled for it.");

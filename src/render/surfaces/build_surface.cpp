@@ -18,8 +18,6 @@ namespace {
 
 // The sum of light that shows the palette's colors as they are, in both pixel formats.
 constexpr std::uint32_t kSumAsStored = 32768;
-// The sum of full light: a sample of 255 with a style value of 256.
-constexpr std::int32_t kFullSum = 65280;
 // Half a row of tint tables.
 constexpr std::int16_t kRoundTint = 128;
 
@@ -209,24 +207,21 @@ class Builder {
     const std::span<std::int16_t> samples = allocate_samples(sums, 1);
     std::int16_t* out = samples.data();
     for (const std::uint32_t* sum = sums.values.data(); sum != sums.values.data() + sums.values.size();
-         sum += sums.channels)
-      *out++ = static_cast<std::int16_t>(std::max(
-          (kFullSum - static_cast<std::int32_t>(*std::max_element(sum, sum + sums.channels))) >> 2, 64));
+         sum += sums.channels) {
+      const std::uint32_t shown = std::min(*std::max_element(sum, sum + sums.channels), kFullLight);
+      *out++ = static_cast<std::int16_t>(std::max((kFullLight - shown) >> 2, 64u));
+    }
     return samples;
   }
-  // For `rgb`: blue, green, red, and 0. Light brighter than full light is scaled, so that its hue stays.
+  // For `rgb`: blue, green, red, and 0.
   std::span<const std::int16_t> make_rgb_samples(const LightSums& sums) {
     const std::span<std::int16_t> samples = allocate_samples(sums, 4);
     std::int16_t* out = samples.data();
     for (const std::uint32_t* sum = sums.values.data(); sum != sums.values.data() + sums.values.size();
-         sum += sums.channels, out += 4) {
-      const std::uint64_t brightest = *std::max_element(sum, sum + sums.channels);
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        const std::uint32_t value = sum[sums.channels == 3 ? 2 - channel : 0];
-        out[channel] = static_cast<std::int16_t>(
-            brightest <= kFullSum ? value >> 1 : value * std::uint64_t{kFullSum / 2} / brightest);
-      }
-    }
+         sum += sums.channels, out += 4)
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        out[channel] =
+            static_cast<std::int16_t>(std::min(sum[sums.channels == 3 ? 2 - channel : 0], kFullLight) >> 1);
     return samples;
   }
 

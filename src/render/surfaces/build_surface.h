@@ -6,8 +6,7 @@
 // that of LightSums (256: the light as stored):
 //
 //   indexed: t = max(64, (65280 - sum) >> 2); colormap row = t >> 8, stock Quake's arithmetic
-//   rgb:     h = sum >> 1, so that 16384 shows a color as it is; sum * 32640 / brightest, rounded down, if
-//            the sum of the brightest channel is larger than 65280, which keeps the hue;
+//   rgb:     h = min(sum, 65280) >> 1, so that 16384 shows a color as it is;
 //            channel = min(255, (2 * color * h + 16384) >> 15), for red, green, and blue
 //
 // Caustics multiply the sums, at samples that are closer together (caustics.h).

@@ -75,7 +75,7 @@ class SurfaceDefinition {
       const std::int64_t h = lit(x, y, [&](std::int64_t column, std::int64_t row) {
         // Full light or less in the brightest channel.
         const std::int64_t sum = light_sum(column, row, channel), brightest = brightest_sum(column, row);
-        return brightest > 65280 ? sum * 32640 / brightest : sum / 2;
+        return (brightest > 65280 ? sum * 65280 / brightest : sum) / 2;
       });
       const std::int64_t lit_value = std::min<std::int64_t>(255, floor_shifted(2 * value * h + 16384, 15));
       const std::int64_t unlit = glow[static_cast<std::size_t>(channel)];

@@ -90,6 +90,16 @@ std::span<std::uint32_t> in_three_channels(std::span<const std::uint32_t> gray, 
   return sums;
 }
 
+// Scales samples whose brightest channel exceeds full light, so that their hue stays.
+void limit_to_full_light(std::span<std::uint32_t> io_sums) {
+  for (auto sum = io_sums.begin(); sum != io_sums.end(); sum += 3) {
+    const std::uint32_t brightest = std::max({sum[0], sum[1], sum[2]});
+    if (brightest <= kFullLight) continue;
+    for (int channel = 0; channel < 3; ++channel)
+      sum[channel] = static_cast<std::uint32_t>(std::uint64_t{sum[channel]} * kFullLight / brightest);
+  }
+}
+
 void add_light(const FaceLight& light, const SampleGrid& grid, std::size_t channels,
                std::span<std::uint32_t> io_sums) {
   std::uint32_t* sum = io_sums.data();
@@ -129,6 +139,7 @@ LightSums sum_light(const world::Level& level, const world::Face& face, const Sa
   const bool is_stock = face.light_map_grid == world::kStockGrid;
   std::span<std::uint32_t> sums = is_stock ? sum_styles(level, face, grid, light, channels, arena)
                                            : resample_styles(level, face, grid, light, channels, arena);
+  if (channels == 3) limit_to_full_light(sums);
   if (channels == 1 && std::any_of(light.lights.begin(), light.lights.end(), has_color)) {
     sums = in_three_channels(sums, arena);
     channels = 3;

@@ -25,8 +25,10 @@ struct TileLight {
   std::span<const FaceLight> lights;
 };
 
-// Row by row, `channels` values per sample: one (gray), or red, green, and blue. 65280 is full light, a
-// sample of 255 with a style value of 256.
+// The sum of full light: a sample of 255 with a style value of 256.
+inline constexpr std::uint32_t kFullLight = 65280;
+
+// Row by row, `channels` values per sample: one (gray), or red, green, and blue.
 struct LightSums {
   std::span<const std::uint32_t> values;
   std::size_t channels = 1;
@@ -36,6 +38,9 @@ struct LightSums {
 //
 //   sample * style value                                            over the face's styles, and
 //   256 * (light at the nearest point - distance on face) * color   over the lights that reach the sample.
+//
+// If the brightest channel of a colored light map's sum exceeds full light, all three are scaled to make it
+// so, before the lights are added: a flickering torch keeps its hue, and a light never darkens a channel.
 //
 // Samples of light maps that are not stock are interpolated between the four samples around their position,
 // which is rounded to 1/256 of their distance, and rounded down.
