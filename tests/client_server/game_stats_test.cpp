@@ -1,4 +1,5 @@
-// Stats that game code chooses with clientstat() and globalstat(), from the server's QuakeC to the clients.
+// Values from the server's QuakeC for the HUDs of clients: stats that game code chooses with clientstat() and
+// globalstat(), and the ends of power-ups.
 #include <gtest/gtest.h>
 
 #include "client_server/served_game.h"
@@ -97,6 +98,32 @@ TEST(GameStats, ThatChangeAlwaysArriveOverABadNetwork) {
   served.run(20);
   EXPECT_NEAR(number(served.client(0).state().game(), 99), served.game().time_s(), 3);
   EXPECT_LT(served.server().clients[0].queued_bytes, 4096u);
+}
+
+TEST(PowerupEnds, ReachTheirPlayer) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(".float super_damage_finished, radsuit_finished;"), {.max_clients = 2});
+  for (const char* const name : {"one", "two"}) served.add_client(name);
+  ASSERT_TRUE(served.run_until_playing(0));
+  ASSERT_TRUE(served.run_until_playing(1));
+  served.run(0.5);
+  const auto set = [&](std::string_view field, float value) {
+    set_word(served, field, std::bit_cast<std::uint32_t>(value));
+  };
+  constexpr float kSuit = 1u << 21, kQuad = 1u << 22;
+  set("super_damage_finished", 47.25f);
+  set("radsuit_finished", 12.5f);
+  set("items", kQuad);
+  served.run(0.5);
+  const client::Game& game = served.client(0).state().game();
+  EXPECT_EQ(game.powerup_ends_s[22], 47.25f);
+  EXPECT_EQ(game.powerup_ends_s[21], 0) << "the player does not have it";
+  set("items", kQuad + kSuit);
+  set("super_damage_finished", 60);
+  served.run(0.5);
+  EXPECT_EQ(game.powerup_ends_s[22], 60);
+  EXPECT_EQ(game.powerup_ends_s[21], 12.5f);
+  EXPECT_EQ(served.client(1).state().game().powerup_ends_s[22], 0);
 }
 
 TEST(GameStats, WithBadNumbersOrNamesOnlyWarn) {

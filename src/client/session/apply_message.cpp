@@ -205,7 +205,7 @@ struct ClientState::Apply {
 
   // Collects text to whole lines: a line may arrive in pieces, and a piece may contain several lines. "bf" is
   // the bonus flash; lines that begin with "//" are comments: requests for marks, stats of the game's own,
-  // and those with which Temblor servers talk to the Connection.
+  // ends of power-ups, and those with which Temblor servers talk to the Connection.
   base::Status operator()(const net::StuffText& stuffed) {
     for (const char c : stuffed.text) {
       if (c != '\n') {
@@ -219,6 +219,8 @@ struct ClientState::Apply {
         add_mark_request(state.command_line_);
       else if (net::is_game_stat(state.command_line_))
         set_game_stat(state.command_line_);
+      else if (net::is_powerup_end(state.command_line_))
+        set_powerup_end(state.command_line_);
       else if (!state.command_line_.starts_with("//"))
         events.commands.push_back(state.command_line_);
       state.command_line_.clear();
@@ -236,6 +238,14 @@ struct ClientState::Apply {
     } else {
       game.game_stats[stat->number] = std::move(stat->value);
     }
+  }
+
+  void set_powerup_end(std::string_view line) {
+    const base::Result<net::PowerupEnd> end = net::read_powerup_end(line);
+    if (end.ok())
+      game.powerup_ends_s[end->bit] = end->end_s;
+    else
+      print_problem(line, end.error());
   }
 
   // Errors reach the console, as they help the author of the game code.

@@ -26,6 +26,7 @@
 #include "formats/game/localization.h"
 #include "net/protocol/game_stat.h"
 #include "net/protocol/mark_request.h"
+#include "net/protocol/powerup_end.h"
 #include "net/protocol/server_message.h"
 #include "world/animation.h"
 
@@ -95,6 +96,8 @@ struct Game {
   std::array<std::int32_t, net::kStats> stats{};
   // Stats of the game's own that are not whole numbers, for HUD programs.
   std::map<std::uint8_t, net::StatValue> game_stats;
+  // When power-ups end, by bit of the items. 0: the server has not sent it.
+  std::array<float, net::PowerupEnd::kMaxBit + 1> powerup_ends_s{};
   net::ClientData data;  // from the last packet
   world::LightStylePatterns light_styles;
   // The angles that the server last set.

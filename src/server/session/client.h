@@ -77,6 +77,7 @@ struct Client {
   MoveQueue moves;
   std::optional<net::MoveParameters> sent_move_parameters{};  // in this level
   std::map<std::uint8_t, net::StatValue> sent_stats{};        // of the game's own, in this level
+  std::map<std::uint8_t, float> sent_powerup_ends_s{};        // by bit of the items, in this level
   CommandLimit commands;
   std::array<float, 16> pings_s{};  // a ring buffer
   std::size_t ping_count = 0;       // since the client joined

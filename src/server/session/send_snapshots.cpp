@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "net/protocol/powerup_end.h"
 #include "server/server.h"
 #include "server/session/move_parameters.h"
 #include "server/session/stages.h"
@@ -47,19 +49,49 @@ void send_frags(Server& io_server) {
   }
 }
 
-// Sends the game's own stats that have changed, to clients that number their moves: only they read these
-// lines. A client that still waits for earlier messages gets the newest values later.
-void send_game_stats(Server& io_server, std::size_t slot) {
+// Whether the client gets values that have changed as lines of text. Only clients that number their moves
+// read them. A client that still waits for earlier messages gets the newest values later.
+bool takes_values(const Client& client) {
   constexpr std::size_t kMaxWaitingBytes = 1024;
+  return client.moves.is_numbered() && client.queued_bytes <= kMaxWaitingBytes;
+}
+
+// Sends the game's own stats that have changed.
+void send_game_stats(Server& io_server, std::size_t slot) {
   Game& game = *io_server.game;
   Client& client = io_server.clients[slot];
-  if (!client.moves.is_numbered() || client.queued_bytes > kMaxWaitingBytes) return;
   for (const auto& [number, stat] : game.context().sent_stats) {
     net::StatValue value = read_sent_stat(stat, game.machine(), Game::player_index(slot));
     const auto [sent, is_new] = client.sent_stats.try_emplace(number);
     if (!is_new && sent->second == value) continue;
     sent->second = std::move(value);
     io_server.clients.send(slot, net::StuffText{net::format_game_stat({number, sent->second})});
+  }
+}
+
+// Sends when the player's power-ups end, if the program has the stock game's fields for that.
+void send_powerup_ends(Server& io_server, std::size_t slot) {
+  struct Powerup {
+    std::uint8_t bit;
+    std::string_view field;
+  };
+  constexpr Powerup kPowerups[] = {{19, "invisible_finished"},
+                                   {20, "invincible_finished"},
+                                   {21, "radsuit_finished"},
+                                   {22, "super_damage_finished"}};
+  const vm::Machine& machine = io_server.game->machine();
+  const auto player = Game::player_index(slot);
+  const float items = io_server.game->player(slot)[field::kItems];
+  if (!(items >= 0 && items < 4294967296.0f)) return;
+  for (const Powerup& powerup : kPowerups) {
+    if ((static_cast<std::uint32_t>(items) >> powerup.bit & 1) == 0) continue;
+    const formats::ProgsDefinition* const definition = machine.program().find_field(powerup.field);
+    if (definition == nullptr) continue;
+    const auto end_s = std::bit_cast<float>(machine.entity(player)[definition->offset]);
+    float& sent_s = io_server.clients[slot].sent_powerup_ends_s[powerup.bit];
+    if (end_s == sent_s || !std::isfinite(end_s)) continue;
+    sent_s = end_s;
+    io_server.clients.send(slot, net::StuffText{net::format_powerup_end({powerup.bit, end_s})});
   }
 }
 
@@ -163,7 +195,10 @@ void send_snapshots(Server& io_server) {
     Client& client = io_server.clients[slot];
     queue_reliable_messages(io_server, slot);
     if (client.stage != ClientStage::kPlaying) continue;
-    send_game_stats(io_server, slot);
+    if (takes_values(client)) {
+      send_game_stats(io_server, slot);
+      send_powerup_ends(io_server, slot);
+    }
     if (io_server.recorder && io_server.recorder->slot() == slot)
       record_messages(io_server, slot, io_server.clients.take_recorded());
     if (take_snapshot_turn(io_server, slot))

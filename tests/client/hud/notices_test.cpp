@@ -232,6 +232,22 @@ TEST(PowerTimers, ShowNoNumberIfTheStartIsUnknown) {
   EXPECT_THAT(scene.names(), ElementsAre("sb_quad"));
 }
 
+TEST(PowerTimers, EndWhenTheServerSays) {
+  NoticeScene scene(kTimers);
+  Events level;
+  level.new_level = true;
+  scene.game.data.items |= kQuad | kSuit;
+  scene.game.powerup_ends_s[22] = static_cast<float>(scene.time_s + 12.5);
+  scene.step(0.1, level);
+  EXPECT_THAT(scene.names(), UnorderedElementsAre("sb_quad", "13", "sb_suit")) << "a saved game";
+  scene.game.powerup_ends_s[21] = static_cast<float>(scene.time_s + 60);
+  scene.step(1);
+  EXPECT_THAT(scene.names(), UnorderedElementsAre("sb_quad", "12", "sb_suit", "59"));
+  scene.game.powerup_ends_s[21] = static_cast<float>(scene.time_s + 200);
+  scene.step(12);
+  EXPECT_THAT(scene.names(), UnorderedElementsAre("sb_quad", "sb_suit")) << "three digits do not fit";
+}
+
 // The middle of what the arcs cover, relative to the crosshair, in units of its distance from there.
 math::Vec2d find_arc(const NoticeScene& scene) {
   math::Vec2d sum(0);

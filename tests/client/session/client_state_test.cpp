@@ -112,6 +112,15 @@ TEST(ClientState, GamesHaveStatsOfTheirOwn) {
   EXPECT_FALSE(state.game().game_stats.contains(40)) << "it is a whole number now";
 }
 
+TEST(ClientState, PowerupsEndWhenTheServerSays) {
+  ClientState state = state_in_level();
+  apply(state, {net::StuffText{"//temblor powerup 22 45.5\n//temblor powerup 32 1\n"}});
+  EXPECT_EQ(state.game().powerup_ends_s[22], 45.5f);
+  EXPECT_EQ(state.game().powerup_ends_s[21], 0);
+  EXPECT_EQ(state.events().prints.size(), 1u) << "there is no bit 32";
+  EXPECT_TRUE(state.events().commands.empty());
+}
+
 TEST(ClientState, PlayersHaveNamesFragsAndColors) {
   ClientState state = state_in_level();
   apply(state, {net::UpdateName{2, "Ranger"}, net::UpdateFrags{2, -3}, net::UpdateColors{2, 0xd4}});

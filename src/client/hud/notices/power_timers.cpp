@@ -14,16 +14,15 @@ namespace temblor::client {
 
 namespace {
 
-constexpr double kPowerLasts_s = 30;
+constexpr double kPowerLasts_s = 30, kMaxShown_s = 99;
 constexpr int kPowerSide = 16;
 
-// The seconds that are left after `since_s`, as text; empty if there are none. The last five are in the
-// second color of the characters.
-std::string format_seconds(double since_s) {
+// The seconds that are left as text; empty if there are none or more than two digits. The last five are in
+// the second color of the characters.
+std::string format_seconds(double left_s) {
   constexpr double kLast_s = 5;
   constexpr int kSecondColor = 128;
-  if (!(since_s >= 0 && since_s < kPowerLasts_s)) return {};
-  const double left_s = kPowerLasts_s - since_s;
+  if (!(left_s > 0 && left_s <= kMaxShown_s)) return {};
   std::string text = fmt::format("{}", static_cast<int>(std::ceil(left_s)));
   if (left_s <= kLast_s)
     for (char& digit : text) digit = static_cast<char>(digit + kSecondColor);
@@ -52,8 +51,11 @@ void PowerTimers::draw(const Panel& panel, const Game& game, assets::MissionPack
   for (const ItemIcon& icon : layout.inventory) {
     if ((icon.item & layout.timed) == 0 || !has_items(game, icon.item)) continue;
     y -= kPowerTimerHeight;
-    const double gained_s = gained_s_[static_cast<std::size_t>(std::countr_zero(icon.item))];
-    const std::string text = format_seconds(time_s - gained_s);
+    const auto bit = static_cast<std::size_t>(std::countr_zero(icon.item));
+    const double sent_s = game.powerup_ends_s[bit];
+    const double since_s = time_s - gained_s_[bit];
+    const double estimate_s = since_s >= 0 ? kPowerLasts_s - since_s : 0;
+    const std::string text = format_seconds(sent_s != 0 ? sent_s - time_s : estimate_s);
     const int text_width = static_cast<int>(text.size()) * kCharacterSide;
     panel.fill(-kPowerSide - text_width - 1, y, kPowerSide + text_width + 1, kPowerTimerHeight - 1, 0,
                kBackground);

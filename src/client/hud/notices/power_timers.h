@@ -1,6 +1,7 @@
-// The power-ups that the player has, each with the seconds that are left. Servers do not send when they end.
-// A power-up lasts 30 seconds from the frame in which its item appears; one that was there before (a saved
-// game, a jump in a demo) is shown without a number, and so is one that lasts longer.
+// The power-ups that the player has, each with the seconds that are left. Temblor servers send when they end
+// (net/protocol/powerup_end.h). With others, a power-up lasts 30 seconds from the frame in which its item
+// appears; one that was there before (a saved game, a jump in a demo) is shown without a number, and so is
+// one that lasts longer.
 #pragma once
 
 #include <array>
