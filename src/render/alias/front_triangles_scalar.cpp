@@ -5,7 +5,7 @@ namespace temblor::render {
 
 namespace {
 
-std::int32_t first_pixel(std::int32_t steps) {
+std::int32_t first_covered_pixel(std::int32_t steps) {
   static_assert(kSubpixels == 1 << 8);
   return (steps + (kSubpixels - 1)) >> 8;
 }
@@ -36,9 +36,10 @@ void find_front_triangles_scalar(const TriangleJob& job, FrontTriangles& io_fron
                        &c = job.vertices[corners[2]];
     const std::int64_t cross = (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
                                (std::int64_t{c.x} - a.x) * (std::int64_t{b.y} - a.y);
-    const std::int16_t top = to_row(first_pixel(least(a.y, b.y, c.y)));
-    const std::int16_t bottom = to_row(first_pixel(most(a.y, b.y, c.y)));
-    const bool has_columns = first_pixel(least(a.x, b.x, c.x)) < first_pixel(most(a.x, b.x, c.x));
+    const std::int16_t top = to_row(first_covered_pixel(least(a.y, b.y, c.y)));
+    const std::int16_t bottom = to_row(first_covered_pixel(most(a.y, b.y, c.y)));
+    const bool has_columns =
+        first_covered_pixel(least(a.x, b.x, c.x)) < first_covered_pixel(most(a.x, b.x, c.x));
     io_fronts.numbers[count] = static_cast<std::uint32_t>(i);
     io_fronts.rows[count] = {top, bottom};
     count += static_cast<std::size_t>(cross > 0) & static_cast<std::size_t>(has_columns) &

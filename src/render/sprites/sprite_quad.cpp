@@ -81,7 +81,7 @@ bool is_beside_screen(const ViewFrame& view, const SpriteOutline& outline) {
   return all_left || all_right;
 }
 
-bool is_finite(const math::Vec3& v) {
+bool is_finite_vector(const math::Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
@@ -101,7 +101,7 @@ std::optional<SpriteQuad> make_sprite_quad(const ViewFrame& view, const SpriteIn
   const formats::SprPicture& picture = *sprite.picture;
   CHECK(picture.texels.size() == std::size_t{picture.width} * picture.height, "{} texels of {}x{}",
         picture.texels.size(), picture.width, picture.height);
-  if (!is_finite(sprite.origin_world) || !is_finite(sprite.angles_deg) || !(sprite.scale > 0) ||
+  if (!is_finite_vector(sprite.origin_world) || !is_finite_vector(sprite.angles_deg) || !(sprite.scale > 0) ||
       !std::isfinite(sprite.scale))
     return std::nullopt;
   const std::optional<SpriteAxes> axes = sprite_axes(view, sprite);
