@@ -19,7 +19,7 @@
 namespace temblor::compiler {
 namespace {
 
-using test::compute_face_areaskTexelsASample;
+using test::compute_face_areas;
 using test::visible_area;
 
 TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevels) {
@@ -39,7 +39,7 @@ TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevels) {
 
     const auto our_level = world::make_level(ours, name).value();
     const auto their_level = world::make_level(theirs, name).value();
-    const std::vector<double> areas = compute_face_areaskTexelsASample(*our_level);
+    const std::vector<double> areas = compute_face_areas(*our_level);
     test::Random random(1);
     double our_area = 0, their_area = 0;
     for (int i = 0; i < test::effort(1000, 30); ++i) {
@@ -58,8 +58,7 @@ TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevels) {
 // Leaves and faces are those of our own tree here, so only areas can be compared.
 void expect_draws_no_more(const world::Level& ours, const formats::Bsp& finished, const std::string& name) {
   const auto theirs = world::make_level(finished, name).value();
-  const std::vector<double> our_areas = compute_face_areaskTexelsASample(ours),
-                            their_areas = compute_face_areaskTexelsASample(*theirs);
+  const std::vector<double> our_areas = compute_face_areas(ours), their_areas = compute_face_areas(*theirs);
   test::Random random(1);
   double our_area = 0, their_area = 0;
   for (int i = 0; i < test::effort(1000, 30); ++i) {

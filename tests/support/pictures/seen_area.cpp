@@ -4,7 +4,7 @@
 
 namespace temblor::test {
 
-std::vector<double> compute_face_areaskTexelsASample(const world::Level& level) {
+std::vector<double> compute_face_areas(const world::Level& level) {
   std::vector<double> areas;
   for (const world::Face& face : level.faces) {
     const auto corner = [&](std::uint32_t i) {

@@ -8,10 +8,10 @@
 namespace temblor::test {
 
 // The area of each face in square units.
-std::vector<double> compute_face_areaskTexelsASample(const world::Level& level);
+std::vector<double> compute_face_areas(const world::Level& level);
 
 // The area of the faces of all leaves in the leaf's PVS, each counted once. `areas`: from
-// compute_face_areaskTexelsASample().
+// compute_face_areas().
 double visible_area(const world::Level& level, world::LeafIndex from, const std::vector<double>& areas);
 
 }  // namespace temblor::test
