@@ -165,8 +165,8 @@ double area_share(const fs::path& data, const std::string& name, const formats::
   const formats::Bsp finished = compiler::finished_level(data, name);
   const auto ours = world::make_level(compiled, name).value(),
              theirs = world::make_level(finished, name).value();
-  const std::vector<double> our_areas = test::compute_face_areaskTexelsASample(*ours),
-                            their_areas = test::compute_face_areaskTexelsASample(*theirs);
+  const std::vector<double> our_areas = test::compute_face_areas(*ours),
+                            their_areas = test::compute_face_areas(*theirs);
   test::Random random(1);
   double our_sum = 0, their_sum = 0;
   for (int i = 0; i < 1000; ++i) {
