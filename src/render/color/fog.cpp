@@ -27,8 +27,9 @@ FrameFog::FrameFog(const Fog& fog, bool perspective, PixelFormat format, const C
   // them.
   step_end_depths_.front() = row_.curve->step_ends[0];
   step_end_depths_.back() = row_.curve->step_ends[kFogSteps + 1];
-  if (format == PixelFormat::kIndexed)
-    row_.rows = io_tables.rows_for(fog.color, tables.palette, tables.match);
+  if (format != PixelFormat::kIndexed) return;
+  row_.rows = io_tables.rows_for(fog.color, tables.palette, tables.match);
+  if (perspective) cells_ = make_fog_cells(step_end_depths_.data());
 }
 
 void FrameFog::apply(void* io_pixels, std::span<const float> depth) const {
@@ -49,6 +50,7 @@ FogRow FrameFog::make_row(void* io_pixels, std::span<const float> depth) const {
   row.depth = depth.data();
   row.count = static_cast<std::int32_t>(depth.size());
   row.step_end_depths = step_end_depths_.data();
+  row.cells = &cells_;
   return row;
 }
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/check.h"
+
 namespace temblor::render {
 
 namespace {
@@ -56,6 +58,23 @@ FogCurve make_fog_curve() {
         curve.cubic[power][piece] = static_cast<float>(cubic[power]);
     }
   return curve;
+}
+
+FogCells make_fog_cells(const float* step_end_depths) {
+  const auto cell_of = [](float depth) { return std::bit_cast<std::int32_t>(depth) >> FogCells::kShift; };
+  FogCells cells{};
+  cells.first = cell_of(step_end_depths[kFogSteps]);
+  cells.count = cell_of(step_end_depths[1]) - cells.first + 1;
+  CHECK(cells.count <= FogCells::kMaxCells, "{} cells", cells.count);
+  int step = kFogSteps;
+  for (std::int32_t cell = 0; cell < cells.count; ++cell) {
+    const bool has_end = cell_of(step_end_depths[step]) == cells.first + cell;
+    cells.ends[cell] = has_end ? step_end_depths[step] : -std::numeric_limits<float>::infinity();
+    step -= has_end ? 1 : 0;
+    cells.steps[cell] = step;
+  }
+  CHECK(step == 0, "{} steps are left", step);
+  return cells;
 }
 
 }  // namespace temblor::render

@@ -3,6 +3,9 @@
 // functions of the nearness x = 1 / (rate * z), so that no pixel needs a division or an exponential.
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 namespace temblor::render {
 
 constexpr int kFogSteps = 64;
@@ -24,5 +27,29 @@ struct FogCurve {
 };
 
 FogCurve make_fog_curve();
+
+// Finds the step at a depth without a search. The bits of a positive float, without the lowest 17, number its
+// cells: 64 in each octave. A step is at least 1/33 octave wide, and a cell at most 1/44, so that a cell
+// holds at most one end of a step. For perspective only: the depths of steps must be positive.
+struct FogCells {
+  static constexpr int kShift = 17, kMaxCells = 320;
+
+  std::int32_t first, count;      // number of the first cell, and how many cells there are
+  float ends[kMaxCells];          // the end in the cell; -infinity if there is none
+  std::int32_t steps[kMaxCells];  // the step at this end and nearer
+
+  // Depths outside of all cells belong to the first and the last one.
+  std::int32_t cell_at(float depth) const {
+    const std::int32_t cell = (std::bit_cast<std::int32_t>(depth) >> kShift) - first;
+    return cell < 0 ? 0 : cell < count ? cell : count - 1;
+  }
+  int step_at(float depth) const {
+    const std::int32_t cell = cell_at(depth);
+    return steps[cell] + (depth < ends[cell] ? 1 : 0);
+  }
+};
+
+// `step_end_depths`: FogCurve::step_ends, times a positive factor.
+FogCells make_fog_cells(const float* step_end_depths);
 
 }  // namespace temblor::render

@@ -27,12 +27,14 @@ struct FogRow {
   const FogCurve* curve;         // rgb
   const std::uint8_t* rows;      // indexed: FogTables
   const float* step_end_depths;  // indexed: FogCurve::step_ends, but of depths
+  const FogCells* cells;         // indexed, perspective: the same steps
 };
 
 // The share of fog at a depth, in 64ths.
 int fog_step_at(const float* step_end_depths, float depth);
 
 void fog_row_u8_scalar(const FogRow& row);
+void fog_pixels_u8_scalar(const FogRow& row, std::int32_t first, std::int32_t end);  // a part of the row
 void fog_row_u32_scalar(const FogRow& row);
 void fog_row_u8_simd(const FogRow& row);
 void fog_row_u32_simd(const FogRow& row);

@@ -31,11 +31,15 @@ int fog_step_at(const float* step_end_depths, float depth) {
   return step + (depth < step_end_depths[step + 1] ? 1 : 0);
 }
 
-// Neighboring pixels usually share a step: then a pixel costs only its table lookup.
 void fog_row_u8_scalar(const FogRow& row) {
+  fog_pixels_u8_scalar(row, 0, row.count);
+}
+
+// Neighboring pixels usually share a step: then a pixel costs only its table lookup.
+void fog_pixels_u8_scalar(const FogRow& row, std::int32_t first, std::int32_t end) {
   auto* const pixels = static_cast<std::uint8_t*>(row.pixels);
   int step = 0;
-  for (std::int32_t i = 0; i < row.count; ++i) {
+  for (std::int32_t i = first; i < end; ++i) {
     if (is_sky(row, i)) {
       pixels[i] = row.rows[row.sky_share * kFogSteps / 256 * 256 + pixels[i]];
       continue;

@@ -108,11 +108,103 @@ void FogRowU8(const FogRow& row) {
   }
 }
 
-#else
+#elif HWY_TARGET == HWY_SCALAR
 
-// Without such lookups SIMD gains nothing over scalar code.
 void FogRowU8(const FogRow& row) {
   fog_row_u8_scalar(row);
+}
+
+#else
+
+using D8 = hn::CappedTag<uint8_t, 32>;
+using DDepth = hn::RepartitionToWide<hn::RepartitionToWide<D8> >;
+using DDepthF = hn::RebindToFloat<DDepth>;
+constexpr int kGroup = static_cast<int>(hn::MaxLanes(D8()));
+
+// Whether a group of pixels lies within one step.
+HWY_INLINE bool IsWithin(const float* depths, float end, float next_end) {
+  const DDepthF d;
+  const auto nearer = hn::Set(d, end), farther = hn::Set(d, next_end);
+  auto within = hn::And(hn::Lt(hn::LoadU(d, depths), nearer), hn::Ge(hn::LoadU(d, depths), farther));
+  for (int i = static_cast<int>(hn::Lanes(d)); i < kGroup; i += static_cast<int>(hn::Lanes(d))) {
+    const auto depth = hn::LoadU(d, depths + i);
+    within = hn::And(within, hn::And(hn::Lt(depth, nearer), hn::Ge(depth, farther)));
+  }
+  return hn::AllTrue(d, within);
+}
+
+// The same for the plane of the sky; `first` is the number of the group's first pixel.
+HWY_INLINE bool IsSky(const FogRow& row, int first) {
+  const DDepthF d;
+  auto is_sky = hn::MaskFromVec(hn::BitCast(d, hn::Set(DDepth(), ~0u)));
+  for (int i = 0; i < kGroup; i += static_cast<int>(hn::Lanes(d))) {
+    const auto number = hn::ConvertTo(d, hn::Iota(hn::RebindToSigned<DDepth>(), first + i));
+    const auto sky = hn::Add(hn::Set(d, row.sky), hn::Mul(number, hn::Set(d, row.sky_step)));
+    is_sky = hn::And(is_sky, hn::Eq(hn::LoadU(d, row.depth + first + i), sky));
+  }
+  return hn::AllTrue(d, is_sky);
+}
+
+// Looks a group up in a table of 256 bytes, as 16 tables of 16. A byte shuffle gives 0 where the top bit of
+// an index is set, and the saturated sum sets it unless the index is in the current table.
+HWY_INLINE void LookUp(const uint8_t* table, uint8_t* io_indices) {
+  const D8 d;
+  auto indices = hn::LoadU(d, io_indices);
+  auto found = hn::Zero(d);
+  for (int part = 0; part < 16; ++part) {
+    const auto at = hn::SaturatedAdd(indices, hn::Set(d, 0x70));
+    found = hn::Or(found, hn::TableLookupBytesOr0(hn::LoadDup128(d, table + 16 * part), at));
+    indices = hn::Sub(indices, hn::Set(d, 16));
+  }
+  hn::StoreU(found, d, io_indices);
+}
+
+// Fogs up to kGroup pixels that are not sky, one by one, and returns the step of the last one. Their cells
+// (see FogCells) are found first, for all of them.
+HWY_INLINE int FogSinglePixels(const FogRow& row, int first, int end, int step) {
+  HWY_ALIGN int32_t cells[kGroup];
+  const hn::RebindToSigned<DDepth> d;
+  const auto lowest = hn::Set(d, row.cells->first), last = hn::Set(d, row.cells->count - 1);
+  const float* const depths = row.depth + first;
+  const int count = end - first;
+  int found = 0;
+  for (; found + static_cast<int>(hn::Lanes(d)) <= count; found += static_cast<int>(hn::Lanes(d))) {
+    const auto number =
+        hn::ShiftRight<FogCells::kShift>(hn::BitCast(d, hn::LoadU(DDepthF(), depths + found)));
+    hn::Store(hn::Max(hn::Min(hn::Sub(number, lowest), last), hn::Zero(d)), d, cells + found);
+  }
+  for (; found < count; ++found) cells[found] = row.cells->cell_at(depths[found]);
+  const float* const ends = row.cells->ends;
+  const int32_t* const steps = row.cells->steps;
+  const uint8_t* const rows = row.rows;
+  auto* const pixels = static_cast<uint8_t*>(row.pixels) + first;
+  for (int i = 0; i < count; ++i) {
+    step = steps[cells[i]] + (depths[i] < ends[cells[i]] ? 1 : 0);
+    pixels[i] = rows[step * 256 + pixels[i]];
+  }
+  return step;
+}
+
+// A group of pixels at a time: most groups lie within one step, that of the previous pixels, or are all sky.
+void FogRowU8(const FogRow& row) {
+  if (!row.perspective) return fog_row_u8_scalar(row);
+  auto* const pixels = static_cast<uint8_t*>(row.pixels);
+  const uint8_t* const sky = row.rows + row.sky_share * kFogSteps / 256 * 256;
+  int step = 0;
+  for (int first = 0; first < row.count; first += kGroup) {
+    const int end = HWY_MIN(first + kGroup, row.count);
+    const bool is_whole = end == first + kGroup;
+    if (row.has_sky && is_whole && IsSky(row, first)) {
+      LookUp(sky, pixels + first);
+    } else if (row.has_sky) {
+      fog_pixels_u8_scalar(row, first, end);
+    } else if (is_whole &&
+               IsWithin(row.depth + first, row.step_end_depths[step], row.step_end_depths[step + 1])) {
+      LookUp(row.rows + step * 256, pixels + first);
+    } else {
+      step = FogSinglePixels(row, first, end, step);
+    }
+  }
 }
 
 #endif

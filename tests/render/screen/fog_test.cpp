@@ -25,6 +25,7 @@ struct FogCase {
   std::vector<float> depth;
   std::vector<float> step_end_depths;
   render::FogCurve curve = render::make_fog_curve();
+  render::FogCells cells{};
   double rate = 0;
   FogRow row{};
 
@@ -54,6 +55,7 @@ struct FogCase {
       step_end_depths.push_back(static_cast<float>(
           row.perspective || std::isinf(nearness) ? nearness * rate : -1 / (nearness * rate)));
     }
+    if (row.perspective) cells = render::make_fog_cells(step_end_depths.data());
   }
   FogRow ready(void* pixels) {
     row.pixels = pixels;
@@ -61,6 +63,7 @@ struct FogCase {
     row.rows = rows.data();
     row.curve = &curve;
     row.step_end_depths = step_end_depths.data();
+    row.cells = &cells;
     return row;
   }
   double share(std::size_t i) const {
@@ -111,6 +114,27 @@ TEST(FogCurve, IsTheFormulaInSteps) {
     for (int power = 3; power >= 0; --power) share = share * x + curve.cubic[power][piece];
     const double nearness = static_cast<double>(x);
     ASSERT_NEAR(static_cast<double>(share), 256 * (1 - std::exp(-1 / (nearness * nearness))) + 0.5, 0.1) << x;
+  }
+}
+
+// Against the search, around each end of a step and at extreme depths.
+TEST(FogCells, FindTheSameSteps) {
+  const render::FogCurve curve = render::make_fog_curve();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (float rate = 1e-6f; rate < 10; rate *= 1.37f) {
+    std::vector<float> ends;
+    for (const float end : curve.step_ends) ends.push_back(end * rate);
+    const render::FogCells cells = render::make_fog_cells(ends.data());
+    const auto expect_step = [&](float depth) {
+      ASSERT_EQ(cells.step_at(depth), render::fog_step_at(ends.data(), depth)) << depth << ", rate " << rate;
+    };
+    for (const float end : ends)
+      for (const float depth : {std::nextafter(end, -kInfinity), end, std::nextafter(end, kInfinity)})
+        if (std::isfinite(depth)) expect_step(depth);
+    for (const float depth :
+         {-kInfinity, std::numeric_limits<float>::lowest(), -1.0f, -0.0f, 0.0f, 1e-38f, 1e38f, kInfinity})
+      expect_step(depth);
+    for (float depth = rate / 8; depth < 64 * rate; depth *= 1.0007f) expect_step(depth);
   }
 }
 
