@@ -80,6 +80,10 @@ void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_
     }
 }
 
+void Renderer::make_blend_tables() const {
+  state_->caches.colors.blends.make_all();
+}
+
 void Renderer::drop_surfaces() {
   state_->caches.surfaces.clear();
 }

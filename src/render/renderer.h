@@ -56,6 +56,10 @@ class Renderer {
   // have one element for each pixel (CHECKed).
   void pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_t> out_writes) const;
 
+  // Computes the tables with which indexed frames blend, all at once (20 to 50 ms the first time). Otherwise
+  // a frame computes each when it first needs it, so that a frame in which something fades is late.
+  void make_blend_tables() const;
+
   // Empties the surface cache: the next frame builds all of its surfaces.
   void drop_surfaces();
 

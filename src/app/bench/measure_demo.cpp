@@ -51,8 +51,7 @@ base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::Present
   Samples samples;
   samples.reserve(length.packets);
   Progress progress("frames");
-  // Do the work that happens once per level, such as allocating buffers.
-  run.draw();
+  run.warm_up();
   for (bool has_more = true; has_more;) {
     progress.update(samples.frame_ms.size(), length.packets);
     const std::uint64_t allocations_before = allocation_count();

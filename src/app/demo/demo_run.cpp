@@ -41,6 +41,11 @@ base::Result<bool> DemoRun::advance_by_packet() {
   return has_more;
 }
 
+void DemoRun::warm_up() {
+  if (frame_.format() == render::PixelFormat::kIndexed) renderer_.make_blend_tables();
+  draw();
+}
+
 render::FrameStats DemoRun::draw() {
   render::FrameStats stats = renderer_.render(scene(), render_settings_, frame_);
   renderer_.draw_overlay(*overlay_, frame_, stats);

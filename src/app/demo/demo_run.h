@@ -27,6 +27,9 @@ class DemoRun {
 
   // Result of the last advance. Valid until the next one.
   const render::Scene& scene() const { return playback_.presentation().scene(); }
+  // Does the work that happens once per level or session, such as allocating buffers: the next frames take as
+  // long as they do in the middle of a game.
+  void warm_up();
   // Draws the scene with the status bar and texts on it.
   render::FrameStats draw();
   const render::FrameBuffer& frame() const { return frame_; }

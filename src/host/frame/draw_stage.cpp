@@ -103,6 +103,8 @@ void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer
   render::FrameStats stats;
   overlay.clear();
   if (has_view(io_host) && !io_host.console.ui.covers_frame()) {
+    // The first view of a session appears after a level has loaded, so nobody notices this wait.
+    if (io_frame.format() == render::PixelFormat::kIndexed) data.renderer.make_blend_tables();
     stats = data.renderer.render(data.presentation.scene(), settings.render, io_frame);
     // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
     if (!io_host.saves.picture_request.empty()) write_save_picture(io_host, io_frame);

@@ -67,6 +67,12 @@ const std::uint8_t* BlendTables::sums() const {
   return tables_->bytes.get() + (kSteps - 1) * kTableSize;
 }
 
+void BlendTables::make_all() const {
+  for (int pair = 1; pair <= kSteps / 2; ++pair)
+    table_for(static_cast<float>(pair) / static_cast<float>(kSteps));
+  sums();
+}
+
 const std::uint8_t* FogTables::rows_for(const math::Vec3& color, const formats::Palette& palette,
                                         const PaletteMatch& match) {
   const formats::Rgb fog = to_bytes(color);
