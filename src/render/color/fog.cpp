@@ -6,6 +6,8 @@ namespace {
 
 // Densities are per this many units.
 constexpr float kDensityUnits = 64;
+// Beyond these densities per unit, depths of steps may be too small or too large for FogCells.
+constexpr float kMinCellRate = 1e-30f, kMaxCellRate = 1e30f;
 
 }  // namespace
 
@@ -29,7 +31,8 @@ FrameFog::FrameFog(const Fog& fog, bool perspective, PixelFormat format, const C
   step_end_depths_.back() = row_.curve->step_ends[kFogSteps + 1];
   if (format != PixelFormat::kIndexed) return;
   row_.rows = io_tables.rows_for(fog.color, tables.palette, tables.match);
-  if (perspective) cells_ = make_fog_cells(step_end_depths_.data());
+  has_cells_ = perspective && rate > kMinCellRate && rate < kMaxCellRate;
+  if (has_cells_) cells_ = make_fog_cells(step_end_depths_.data());
 }
 
 void FrameFog::apply(void* io_pixels, std::span<const float> depth) const {
@@ -50,7 +53,7 @@ FogRow FrameFog::make_row(void* io_pixels, std::span<const float> depth) const {
   row.depth = depth.data();
   row.count = static_cast<std::int32_t>(depth.size());
   row.step_end_depths = step_end_depths_.data();
-  row.cells = &cells_;
+  row.cells = has_cells_ ? &cells_ : nullptr;
   return row;
 }
 

@@ -40,6 +40,7 @@ class FrameFog {
   FogRow row_;  // everything that is the same for all rows of the frame
   std::array<float, kFogSteps + 2> step_end_depths_{};
   FogCells cells_{};
+  bool has_cells_ = false;
   bool is_on_;
   PixelFormat format_;
   bool simd_kernels_;

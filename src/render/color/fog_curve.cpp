@@ -1,5 +1,6 @@
 #include "render/color/fog_curve.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -61,20 +62,30 @@ FogCurve make_fog_curve() {
 }
 
 FogCells make_fog_cells(const float* step_end_depths) {
-  const auto cell_of = [](float depth) { return std::bit_cast<std::int32_t>(depth) >> FogCells::kShift; };
+  const auto cell_number = [](float depth) { return std::bit_cast<std::int32_t>(depth) >> FogCells::kShift; };
   FogCells cells{};
-  cells.first = cell_of(step_end_depths[kFogSteps]);
-  cells.count = cell_of(step_end_depths[1]) - cells.first + 1;
+  cells.first = cell_number(step_end_depths[kFogSteps]);
+  cells.count = cell_number(step_end_depths[1]) - cells.first + 1;
   CHECK(cells.count <= FogCells::kMaxCells, "{} cells", cells.count);
   int step = kFogSteps;
   for (std::int32_t cell = 0; cell < cells.count; ++cell) {
-    const bool has_end = cell_of(step_end_depths[step]) == cells.first + cell;
+    const bool has_end = cell_number(step_end_depths[step]) == cells.first + cell;
     cells.ends[cell] = has_end ? step_end_depths[step] : -std::numeric_limits<float>::infinity();
     step -= has_end ? 1 : 0;
     cells.steps[cell] = step;
   }
   CHECK(step == 0, "{} steps are left", step);
   return cells;
+}
+
+std::int32_t find_fog_cell(const FogCells& cells, float depth) {
+  return std::clamp((std::bit_cast<std::int32_t>(depth) >> FogCells::kShift) - cells.first, 0,
+                    cells.count - 1);
+}
+
+int find_fog_step(const FogCells& cells, float depth) {
+  const std::int32_t cell = find_fog_cell(cells, depth);
+  return cells.steps[cell] + (depth < cells.ends[cell] ? 1 : 0);
 }
 
 }  // namespace temblor::render

@@ -3,7 +3,6 @@
 // functions of the nearness x = 1 / (rate * z), so that no pixel needs a division or an exponential.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 namespace temblor::render {
@@ -37,19 +36,14 @@ struct FogCells {
   std::int32_t first, count;      // number of the first cell, and how many cells there are
   float ends[kMaxCells];          // the end in the cell; -infinity if there is none
   std::int32_t steps[kMaxCells];  // the step at this end and nearer
-
-  // Depths outside of all cells belong to the first and the last one.
-  std::int32_t cell_at(float depth) const {
-    const std::int32_t cell = (std::bit_cast<std::int32_t>(depth) >> kShift) - first;
-    return cell < 0 ? 0 : cell < count ? cell : count - 1;
-  }
-  int step_at(float depth) const {
-    const std::int32_t cell = cell_at(depth);
-    return steps[cell] + (depth < ends[cell] ? 1 : 0);
-  }
 };
 
 // `step_end_depths`: FogCurve::step_ends, times a positive factor.
 FogCells make_fog_cells(const float* step_end_depths);
+
+// The cell of a depth, from 0, and its step. Depths outside of all cells belong to the first and the last
+// one.
+std::int32_t find_fog_cell(const FogCells& cells, float depth);
+int find_fog_step(const FogCells& cells, float depth);
 
 }  // namespace temblor::render

@@ -27,7 +27,7 @@ struct FogRow {
   const FogCurve* curve;         // rgb
   const std::uint8_t* rows;      // indexed: FogTables
   const float* step_end_depths;  // indexed: FogCurve::step_ends, but of depths
-  const FogCells* cells;         // indexed, perspective: the same steps
+  const FogCells* cells;         // indexed: the same steps; null in parallel projection
 };
 
 // The share of fog at a depth, in 64ths.

@@ -173,7 +173,7 @@ HWY_INLINE int FogSinglePixels(const FogRow& row, int first, int end, int step) 
         hn::ShiftRight<FogCells::kShift>(hn::BitCast(d, hn::LoadU(DDepthF(), depths + found)));
     hn::Store(hn::Max(hn::Min(hn::Sub(number, lowest), last), hn::Zero(d)), d, cells + found);
   }
-  for (; found < count; ++found) cells[found] = row.cells->cell_at(depths[found]);
+  for (; found < count; ++found) cells[found] = find_fog_cell(*row.cells, depths[found]);
   const float* const ends = row.cells->ends;
   const int32_t* const steps = row.cells->steps;
   const uint8_t* const rows = row.rows;
@@ -187,7 +187,7 @@ HWY_INLINE int FogSinglePixels(const FogRow& row, int first, int end, int step) 
 
 // A group of pixels at a time: most groups lie within one step, that of the previous pixels, or are all sky.
 void FogRowU8(const FogRow& row) {
-  if (!row.perspective) return fog_row_u8_scalar(row);
+  if (row.cells == nullptr) return fog_row_u8_scalar(row);
   auto* const pixels = static_cast<uint8_t*>(row.pixels);
   const uint8_t* const sky = row.rows + row.sky_share * kFogSteps / 256 * 256;
   int step = 0;

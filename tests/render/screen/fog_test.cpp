@@ -63,7 +63,7 @@ struct FogCase {
     row.rows = rows.data();
     row.curve = &curve;
     row.step_end_depths = step_end_depths.data();
-    row.cells = &cells;
+    row.cells = row.perspective ? &cells : nullptr;
     return row;
   }
   double share(std::size_t i) const {
@@ -126,7 +126,8 @@ TEST(FogCells, FindTheSameSteps) {
     for (const float end : curve.step_ends) ends.push_back(end * rate);
     const render::FogCells cells = render::make_fog_cells(ends.data());
     const auto expect_step = [&](float depth) {
-      ASSERT_EQ(cells.step_at(depth), render::fog_step_at(ends.data(), depth)) << depth << ", rate " << rate;
+      ASSERT_EQ(render::find_fog_step(cells, depth), render::fog_step_at(ends.data(), depth))
+          << depth << ", rate " << rate;
     };
     for (const float end : ends)
       for (const float depth : {std::nextafter(end, -kInfinity), end, std::nextafter(end, kInfinity)})
@@ -157,6 +158,28 @@ TEST(FogRow, IsTheSameInSimd) {
       ASSERT_EQ(plain.rgb, vector.rgb) << seed;
     }
   });
+}
+
+// A level's fog may have any density.
+TEST(Fog, IsTheSameInSimdAtExtremeDensities) {
+  const DrawableLevel drawable = small_level();
+  const render::ColorTables colors = render::make_color_tables(drawable.palette, drawable.colormap);
+  for (const float density :
+       {1e-45f, 1e-38f, 1e-29f, 1.0f, 1e31f, 1e38f, std::numeric_limits<float>::infinity()}) {
+    std::vector<std::uint8_t> pixels[2];
+    for (const bool simd : {false, true}) {
+      render::FogTables tables;
+      const render::FrameFog fog({density, {0.3f, 0.5f, 0.7f}}, true, render::PixelFormat::kIndexed, colors,
+                                 tables, simd);
+      std::vector<float> depths;
+      for (int i = 0; i < 200; ++i) {
+        depths.push_back(std::ldexp(1.0f, i - 100));
+        pixels[simd].push_back(static_cast<std::uint8_t>(i));
+      }
+      fog.apply(pixels[simd].data(), depths);
+    }
+    EXPECT_EQ(pixels[0], pixels[1]) << density;
+  }
 }
 
 // Every pixel of a foggy picture is that of the clear picture, fogged by its depth; sky by half.
