@@ -83,8 +83,8 @@ class BlendTables {
   // lights a sum.
   const std::uint8_t* sums() const;
 
-  // Computes all tables that do not exist yet: 20 to 50 ms for a program that would otherwise lose them in
-  // the frames in which something fades. Thread-safe.
+  // Computes all tables that do not exist yet, which takes 20 to 50 ms. A program that plays calls it while
+  // nobody watches, so that no frame waits for a table. Thread-safe.
   void make_all() const;
 
  private:

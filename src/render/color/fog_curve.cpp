@@ -83,9 +83,4 @@ std::int32_t find_fog_cell(const FogCells& cells, float depth) {
                     cells.count - 1);
 }
 
-int find_fog_step(const FogCells& cells, float depth) {
-  const std::int32_t cell = find_fog_cell(cells, depth);
-  return cells.steps[cell] + (depth < cells.ends[cell] ? 1 : 0);
-}
-
 }  // namespace temblor::render

@@ -41,9 +41,7 @@ struct FogCells {
 // `step_end_depths`: FogCurve::step_ends, times a positive factor.
 FogCells make_fog_cells(const float* step_end_depths);
 
-// The cell of a depth, from 0, and its step. Depths outside of all cells belong to the first and the last
-// one.
+// The cell of a depth, from 0. Depths outside of all cells belong to the first or the last one.
 std::int32_t find_fog_cell(const FogCells& cells, float depth);
-int find_fog_step(const FogCells& cells, float depth);
 
 }  // namespace temblor::render

@@ -27,7 +27,8 @@ struct FogRow {
   const FogCurve* curve;         // rgb
   const std::uint8_t* rows;      // indexed: FogTables
   const float* step_end_depths;  // indexed: FogCurve::step_ends, but of depths
-  const FogCells* cells;         // indexed: the same steps; null in parallel projection
+  // Indexed: the same steps; null in parallel projection and for densities that FogCells cannot number.
+  const FogCells* cells;
 };
 
 // The share of fog at a depth, in 64ths.

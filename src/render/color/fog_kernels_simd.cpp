@@ -145,15 +145,26 @@ HWY_INLINE bool IsSky(const FogRow& row, int first) {
   return hn::AllTrue(d, is_sky);
 }
 
-// Looks a group up in a table of 256 bytes, as 16 tables of 16. A byte shuffle gives 0 where the top bit of
-// an index is set, and the saturated sum sets it unless the index is in the current table.
+// Makes indices for a lookup in 16 bytes, which gives 0 where the top bit is set: those of 16 and above get
+// it.
+HWY_INLINE hn::Vec<D8> MarkBeyond16(hn::Vec<D8> indices) {
+  const D8 d;
+  const auto sum = hn::SaturatedAdd(indices, hn::Set(d, 0x70));
+#if HWY_ARCH_X86
+  return sum;  // the lookup ignores bits 4 to 6
+#else
+  return hn::And(sum, hn::Set(d, 0x8f));
+#endif
+}
+
+// Looks a group up in a table of 256 bytes, as 16 tables of 16.
 HWY_INLINE void LookUp(const uint8_t* table, uint8_t* io_indices) {
   const D8 d;
   auto indices = hn::LoadU(d, io_indices);
   auto found = hn::Zero(d);
   for (int part = 0; part < 16; ++part) {
-    const auto at = hn::SaturatedAdd(indices, hn::Set(d, 0x70));
-    found = hn::Or(found, hn::TableLookupBytesOr0(hn::LoadDup128(d, table + 16 * part), at));
+    const auto entries = hn::LoadDup128(d, table + 16 * part);
+    found = hn::Or(found, hn::TableLookupBytesOr0(entries, MarkBeyond16(indices)));
     indices = hn::Sub(indices, hn::Set(d, 16));
   }
   hn::StoreU(found, d, io_indices);

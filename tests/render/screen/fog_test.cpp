@@ -126,8 +126,9 @@ TEST(FogCells, FindTheSameSteps) {
     for (const float end : curve.step_ends) ends.push_back(end * rate);
     const render::FogCells cells = render::make_fog_cells(ends.data());
     const auto expect_step = [&](float depth) {
-      ASSERT_EQ(render::find_fog_step(cells, depth), render::fog_step_at(ends.data(), depth))
-          << depth << ", rate " << rate;
+      const std::int32_t cell = render::find_fog_cell(cells, depth);
+      const int step = cells.steps[cell] + (depth < cells.ends[cell] ? 1 : 0);
+      ASSERT_EQ(step, render::fog_step_at(ends.data(), depth)) << depth << ", rate " << rate;
     };
     for (const float end : ends)
       for (const float depth : {std::nextafter(end, -kInfinity), end, std::nextafter(end, kInfinity)})
