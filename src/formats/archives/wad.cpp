@@ -47,9 +47,8 @@ base::Result<std::vector<WadLump>> read_wad(base::Bytes bytes) {
     return base::malformed("not a WAD file: it starts with neither \"WAD2\" nor \"WAD3\"");
   if (count < 0 || table_offset < 0 ||
       std::uint64_t(table_offset) + std::uint64_t(count) * kRecordBytes > bytes.size())
-    return base::malformed(
-        "WAD table: its place is outside of the file (offset {}, lumps: {}, file of {} bytes)", table_offset,
-        count, bytes.size());
+    return base::malformed("WAD table: {} lumps at offset {} are outside of the file ({} bytes)", count,
+                           table_offset, bytes.size());
   reader.seek(std::size_t(table_offset));
   std::vector<WadLump> lumps;
   lumps.reserve(std::size_t(count));
