@@ -16,9 +16,10 @@ constexpr double kHuge = 1e6;
 constexpr std::int64_t kMinRate = 2500;
 
 // The rules that stock servers report, and those that game code reads.
-constexpr std::array<std::string_view, 12> kRules = {
-    "sv_maxspeed",  "sv_friction", "sv_gravity", "sv_accelerate", "sv_stopspeed", "sv_maxvelocity",
-    "edgefriction", "fraglimit",   "timelimit",  "teamplay",      "noexit",       "samelevel",
+constexpr std::array<std::string_view, 13> kRules = {
+    "sv_maxspeed",    "sv_friction",  "sv_gravity",   "sv_accelerate", "sv_stopspeed",
+    "sv_maxvelocity", "edgefriction", "fraglimit",    "timelimit",     "teamplay",
+    "noexit",         "samelevel",    "capturelimit",
 };
 // They are reported, too, but a change is not announced to players: it takes effect with the next level.
 constexpr std::array<std::string_view, 3> kRulesOfNextLevel = {"deathmatch", "coop", "skill"};
@@ -43,8 +44,11 @@ ServerVariables::ServerVariables(command::Variables& io_variables) : variables_(
   skill_ = v.add_float("skill", 1, 0, 3, "Skill of the next level: 0 easy, 1 normal, 2 hard, 3 nightmare.");
   deathmatch_ = v.add_int("deathmatch", 0, 0, 255, "1: the next level is a deathmatch.");
   coop_ = v.add_bool("coop", false, "1: the next level is played cooperatively.");
-  v.add_int("teamplay", 0, 0, 255, "1: teammates cannot hurt each other (for game code).");
+  v.add_int("teamplay", 0, 0, 255,
+            "1: teammates cannot hurt each other; 2: they can; 3: capture the flag (for game code).");
   v.add_int("fraglimit", 0, 0, 1000000, "Frags that end a deathmatch; 0: no limit (for game code).");
+  v.add_int("capturelimit", 0, 0, 1000000,
+            "Captures that end a game of capture the flag; 0: no limit (for game code).");
   v.add_float("timelimit", 0, 0, 1000000, "Minutes until a deathmatch ends; 0: no limit (for game code).");
   v.add_bool("samelevel", false, "1: a deathmatch stays in the same level (for game code).");
   v.add_int("noexit", 0, 0, 255, "1: players cannot leave the level in a deathmatch (for game code).");

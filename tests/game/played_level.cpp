@@ -22,6 +22,7 @@ PlayedLevel::PlayedLevel(const std::filesystem::path& data, std::string_view map
     : library_(vfs::FileSystem::open(data).value()), settings_(variables_), inputs_(settings.players) {
   CHECK(variables_.set("developer", "1").ok());  // shows the program's dprint
   CHECK(variables_.set("skill", std::to_string(settings.skill)).ok());
+  for (const auto& [variable, value] : settings.rules) CHECK(variables_.set(variable, value).ok());
   const server::GameServices services{.library = library_,
                                       .io_variables = variables_,
                                       .print = [this](std::string_view text) { printed_ += text; }};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "server/game/game_loader.h"
@@ -20,6 +21,8 @@ struct PlayedSettings {
   int skill = 1;
   server::GameKind kind = server::GameKind::kSingle;
   std::uint32_t players = 1;
+  // Variables that the level reads when it begins.
+  std::vector<std::pair<std::string, std::string>> rules = {};
 };
 
 class PlayedLevel {
