@@ -24,6 +24,11 @@ void draw_death_hint(const Panel& panel, const Panel& letters, std::string_view 
   draw_text_lines(letters.with_top(bottom - height), hint, kTextLine);
 }
 
+// Whether players with the same pants are a team. Those with flags count captures, which clients do not know.
+bool has_team_scores(const Game& game, const HudSettings& settings) {
+  return game.deathmatch && (settings.teamplay == 1 || settings.teamplay == 2);
+}
+
 // Draws everything of a running level. The ranking hides center texts, as both are in the middle. The
 // crosshair is no text, so it does not grow with it.
 void draw_play(const LayoutFrame& frame, const Panel& letters, const Notices& notices) {
@@ -36,9 +41,11 @@ void draw_play(const LayoutFrame& frame, const Panel& letters, const Notices& no
   if (parts.bars && is_alive)
     notices.draw(panel, game, time_s, settings.notices, measure_layout(frame), settings.camera);
   draw_layout(frame);
-  if (parts.scores && ((game.deathmatch && !is_alive) || (settings.shows_scores && game.players.size() > 1)))
+  if (parts.scores &&
+      ((game.deathmatch && !is_alive) || (settings.shows_scores && game.players.size() > 1))) {
+    if (has_team_scores(game, settings)) draw_team_scores(panel.in_middle(kScreenHeight), game);
     draw_ranking(panel.in_middle(kScreenHeight), game);
-  else if (parts.center_text && time_s - game.center_text_since_s < settings.center_text_s)
+  } else if (parts.center_text && time_s - game.center_text_since_s < settings.center_text_s)
     draw_center_text(letters, game.center_text);
   if (parts.hints && !is_alive && time_s - times.died_s >= kHintAfterSeconds)
     draw_death_hint(panel, letters, settings.death_hint);
@@ -91,7 +98,9 @@ void Hud::draw(const Game& game, double time_s, int width, int height, const Hud
       draw_play({panel, game, times_, time_s, settings, pack_}, letters, notices_);
       break;
     case Ending::kIntermission:
-      if (settings.parts.ending) draw_intermission(panel, game, settings.par_s);
+      if (!settings.parts.ending) break;
+      if (has_team_scores(game, settings)) draw_team_scores(panel.in_middle(kScreenHeight), game);
+      draw_intermission(panel, game, settings.par_s);
       break;
     case Ending::kFinale:
     case Ending::kCutScene:

@@ -48,8 +48,8 @@ struct HudSettings {
   std::string_view death_hint{};
   // The level's par time, for the intermission; 0: none.
   float par_s = 0;
-  // The rule of that name, for Dissolution of Eternity's games of teams. Servers do not send it, so this is
-  // the player's own variable, as in other engines.
+  // The rule of that name, for the scores of teams and Dissolution of Eternity's games with flags. Servers do
+  // not send it, so this is the player's own variable, as in other engines.
   int teamplay = 0;
   // Adds marks to information that the original shows only by color.
   bool safe_colors = false;

@@ -155,6 +155,35 @@ void draw_team_frame(const Panel& bar, const Game& game) {
   }
 }
 
+void draw_team_scores(const Panel& screen, const Game& game) {
+  constexpr std::size_t kShown = 6;
+  constexpr int kY = 32, kWidth = 40, kApart = 48;
+  std::array<Player, 16> teams;  // by color
+  for (std::size_t i = 0; i < teams.size(); ++i)
+    teams[i].shirt = teams[i].pants = static_cast<std::uint8_t>(i);
+  std::array<bool, 16> has_players{};
+  for (const Player& player : game.players) {
+    if (player.name.empty()) continue;
+    has_players[player.pants & 15u] = true;
+    Player& team = teams[player.pants & 15u];
+    team.frags = static_cast<std::int16_t>(team.frags + player.frags);
+  }
+  std::array<std::uint8_t, 16> order{};
+  std::size_t count = 0;
+  for (std::uint8_t color = 0; color < teams.size(); ++color)
+    if (has_players[color]) order[count++] = color;
+  if (count < 2) return;
+  std::sort(order.begin(), order.begin() + count, [&](std::uint8_t a, std::uint8_t b) {
+    return teams[a].frags != teams[b].frags ? teams[a].frags > teams[b].frags : a < b;
+  });
+  count = std::min(count, kShown);
+  int x = (kScreenWidth - (static_cast<int>(count) - 1) * kApart - kWidth) / 2;
+  for (const std::uint8_t color : std::span(order).first(count)) {
+    draw_frags(screen, teams[color], {x, kY, kWidth, kCharacterSide});
+    x += kApart;
+  }
+}
+
 void draw_ranking(const Panel& screen, const Game& game) {
   // Players beyond the bottom of the screen are not shown.
   constexpr int kTitleY = 8, kFirstY = 40, kApart = 10;

@@ -19,6 +19,7 @@ namespace temblor::client {
 // bytes: the menu replaces what the console's characters cannot show, and quotes names in commands.
 struct MenuLevel {
   std::string name, title;
+  bool has_flags = false;  // capture the flag can be played in it
 };
 struct MenuEpisode {
   std::string title, first_level;

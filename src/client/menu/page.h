@@ -49,6 +49,9 @@ struct Page {
   }
 };
 
+// The rows of the host page's game mode, in their order.
+enum class HostMode { kDeathmatch, kTeams, kCaptureTheFlag, kCooperative };
+
 // Choices that the player has made but not applied. They live as long as the menu, so that a page shows them
 // again when it is rebuilt.
 struct MenuChoices {
@@ -57,8 +60,8 @@ struct MenuChoices {
   struct Host {
     std::string level;
     int players = 8;
-    // 0: deathmatch, 1: cooperative.
-    int mode = 0;
+    HostMode mode = HostMode::kDeathmatch;
+    bool has_friendly_fire = false;  // in team games
     // The number of players that bots fill the game up to; nothing before the player has chosen it.
     std::optional<int> bot_fill = std::nullopt;
   } host;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <span>
 
 #include "base/text.h"
 #include "formats/game/sav.h"
@@ -33,23 +34,24 @@ Settings are in temblor.cfg, saved games in NAME.sav, screenshots in temblorNNNN
 Commands in autoexec.cfg run at every start.
 )";
 
-// Reads the title of a level: the key "message" of its first entity, worldspawn. Returns an empty text if the
-// file is damaged. Only the entities are parsed, to keep the list fast when there are hundreds of levels. The
-// start of a BSP file, in 32-bit little-endian integers:
+// Reads the entities of a level; none if the file is damaged. Nothing else is parsed, to keep the list fast
+// when there are hundreds of levels. The start of a BSP file, in 32-bit little-endian integers:
 //
 //   version | lump 0: offset, size | lump 1: offset, size | ...
 //             the entities, as text
-std::string read_title(const vfs::FileSystem& files, const std::string& file) {
+std::vector<formats::Entity> read_level_entities(const vfs::FileSystem& files, const std::string& file) {
   const base::Result<base::ByteVector> bytes = files.read(file);
   if (!bytes.ok()) return {};
   base::ByteReader reader(*bytes);
   reader.u32();  // the version; in all versions the first lump holds the entities
   const std::uint32_t offset = reader.u32(), size = reader.u32();
   if (!reader.ok() || offset > bytes->size() || size > bytes->size() - offset) return {};
-  const std::vector<formats::Entity> entities =
-      formats::read_faulty_entities(base::as_text(base::Bytes(*bytes).subspan(offset, size))).entities;
-  if (entities.empty()) return {};
-  return std::string(entities.front().find("message").value_or(""));
+  return formats::read_faulty_entities(base::as_text(base::Bytes(*bytes).subspan(offset, size))).entities;
+}
+
+bool has_class(std::span<const formats::Entity> entities, std::string_view name) {
+  return std::ranges::any_of(entities,
+                             [&](const formats::Entity& entity) { return entity.find("classname") == name; });
 }
 
 }  // namespace
@@ -119,7 +121,9 @@ std::vector<client::MenuLevel> MenuLists::levels() {
   for (const std::string& file : files.list("maps/", ".bsp")) {
     const std::string name = file.substr(5, file.size() - 9);
     // b_*.bsp are the models of ammo boxes.
-    if (!name.starts_with("b_")) levels_.push_back({name, level_title(name)});
+    if (name.starts_with("b_")) continue;
+    const LevelTexts& texts = level_texts(name);
+    levels_.push_back({name, texts.title, texts.has_flags});
   }
   std::ranges::sort(levels_, {}, [](const client::MenuLevel& level) { return make_play_order(level.name); });
   return levels_;
@@ -138,12 +142,16 @@ std::vector<client::MenuEpisode> MenuLists::episodes() {
   return find_episodes(levels_of_game);
 }
 
-const std::string& MenuLists::level_title(const std::string& level) {
-  const auto [entry, is_new] = titles_.try_emplace(level);
+const MenuLists::LevelTexts& MenuLists::level_texts(const std::string& level) {
+  const auto [entry, is_new] = texts_.try_emplace(level);
   const std::string file = "maps/" + level + ".bsp";
   if (!is_new || !data_.library.files().contains(file)) return entry->second;
-  entry->second = load_game_texts(host_)->localize(read_title(data_.library.files(), file));
-  return entry->second;
+  const std::vector<formats::Entity> entities = read_level_entities(data_.library.files(), file);
+  if (entities.empty()) return entry->second;
+  LevelTexts& texts = entry->second;
+  texts.title = load_game_texts(host_)->localize(entities.front().find("message").value_or(""));
+  texts.has_flags = has_class(entities, "item_flag_team1") && has_class(entities, "item_flag_team2");
+  return texts;
 }
 
 std::vector<client::MenuSave> MenuLists::saves() {
@@ -157,7 +165,7 @@ std::vector<client::MenuSave> MenuLists::saves() {
       saves.push_back({.name = name, .title = {}, .level_title = "damaged", .date = format_date(path)});
       continue;
     }
-    client::MenuSave save = describe_save(*sav, level_title(sav->map));
+    client::MenuSave save = describe_save(*sav, level_texts(sav->map).title);
     save.name = name;
     save.date = format_date(path);
     saves.push_back(std::move(save));

@@ -36,14 +36,18 @@ class MenuLists {
  private:
   std::vector<client::MenuLevel> levels();
   std::vector<client::MenuEpisode> episodes();
-  // The title of a level by its name, "e1m1". Empty if the level has no title or does not exist. Each level
-  // is read only once.
-  const std::string& level_title(const std::string& level);
+  struct LevelTexts {
+    std::string title;
+    bool has_flags = false;
+  };
+  // Texts of a level by its name, "e1m1". The title is empty if the level has none or does not exist. Each
+  // level is read only once.
+  const LevelTexts& level_texts(const std::string& level);
   Host& host_;
   const GameData& data_;
   Thumbnails thumbnails_;
   std::vector<client::MenuLevel> levels_;  // cached
-  std::map<std::string, std::string> titles_;
+  std::map<std::string, LevelTexts> texts_;
 };
 
 // Returns the names of the files in the write folder that end with `suffix` (".sav"), without it, newest

@@ -499,6 +499,22 @@ TEST(Hud, ShowsTheRankingWhenDead) {
   EXPECT_FALSE(draw_calm(game).shows("gfx/inter.lmp"));
 }
 
+TEST(Hud, ShowsTheSumsOfTeamsAboveTheRanking) {
+  Game game = deathmatch();
+  set(game, Stat::kHealth, 0);
+  const std::vector<std::string> without = draw_calm(game, kHudSizes[2]).lines();
+  for (Player& player : game.players) player.pants = player.name == "Bob" ? 4 : 13;
+  for (const int teamplay : {1, 2})
+    EXPECT_THAT(draw_calm(game, kHudSizes[2], {.teamplay = teamplay}).lines(), Contains("12 5")) << teamplay;
+  EXPECT_EQ(draw_calm(game, kHudSizes[2], {.teamplay = 3}).lines(), without) << "captures count, not frags";
+  for (Player& player : game.players) player.pants = 4;
+  EXPECT_EQ(draw_calm(game, kHudSizes[2], {.teamplay = 1}).lines(), without) << "one team";
+  game.ending = Ending::kIntermission;
+  game.players[0].pants = 13;
+  EXPECT_GT(draw_calm(game, kHudSizes[2], {.teamplay = 1}).lines().size(),
+            draw_calm(game, kHudSizes[2]).lines().size());
+}
+
 TEST(Hud, CentersTextForTwoSeconds) {
   Game game = rich_game();
   game.center_text = "one\ntwo three\n\nfour";

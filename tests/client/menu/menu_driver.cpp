@@ -62,6 +62,7 @@ void register_menu_variables(command::Variables& io_variables) {
   v.add_int("deathmatch", 0, 0, 255, "Deathmatch.");
   v.add_int("teamplay", 0, 0, 255, "Whether players of one team hurt each other.");
   v.add_int("fraglimit", 0, 0, 1000000, "Kills that end a deathmatch.");
+  v.add_int("capturelimit", 0, 0, 1000000, "Captures that end the game.");
   v.add_int("bot_fill", 0, 0, 16, "Bots fill the game up to this many players.");
   v.add_int("bot_skill", 1, 0, 3, "Skill of the bots.");
   v.add_int("topcolor", 4, 0, 13, "Color of the shirt.");

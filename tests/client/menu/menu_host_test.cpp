@@ -31,15 +31,15 @@ TEST(MenuHost, HostsAGame) {
   hand.press(Key::kEnter);
   EXPECT_EQ(hand.variables().find("port")->text, "26001") << "not a number";
   ASSERT_TRUE(hand.choose("Start game"));
-  EXPECT_THAT(hand.commands(),
-              ElementsAre("disconnect", "maxplayers 9", "deathmatch 1", "coop 0", "bot_fill 4", "map e1m7"));
+  EXPECT_THAT(hand.commands(), ElementsAre("disconnect", "maxplayers 9", "deathmatch 1", "coop 0",
+                                           "teamplay 0", "bot_fill 4", "map e1m7"));
   hand.menu().open(MenuPage::kHost);
-  ASSERT_TRUE(hand.choose("Game mode"));
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(hand.choose("Game mode"));
   EXPECT_FALSE(hand.go_to("Frag limit"));
   EXPECT_TRUE(hand.go_to("Skill"));
   ASSERT_TRUE(hand.choose("Start game"));
   EXPECT_THAT(hand.commands(),
-              ElementsAre("disconnect", "maxplayers 9", "deathmatch 0", "coop 1", "map e1m7"));
+              ElementsAre("disconnect", "maxplayers 9", "deathmatch 0", "coop 1", "teamplay 0", "map e1m7"));
 }
 
 TEST(MenuHost, HostsAnArenaWithBots) {
@@ -68,6 +68,37 @@ TEST(MenuHost, HostsAnArenaWithBots) {
   hand.menu().open(MenuPage::kHost);
   ASSERT_TRUE(hand.go_to("Fill with bots"));
   EXPECT_THAT(hand.selected(), HasSubstr("none"));
+}
+
+TEST(MenuHost, HostsTeams) {
+  MenuDriver hand;
+  hand.menu().open(MenuPage::kHost);
+  EXPECT_FALSE(hand.go_to("Friendly fire"));
+  ASSERT_TRUE(hand.choose("Game mode"));
+  ASSERT_TRUE(hand.choose("Start game"));
+  EXPECT_THAT(hand.commands(), IsSupersetOf({"deathmatch 1", "teamplay 1", "bot_fill 4"}));
+  hand.menu().open(MenuPage::kHost);
+  ASSERT_TRUE(hand.choose("Friendly fire"));
+  EXPECT_TRUE(hand.go_to("Frag limit"));
+  ASSERT_TRUE(hand.choose("Start game"));
+  EXPECT_THAT(hand.commands(), Contains("teamplay 2"));
+}
+
+TEST(MenuHost, HostsCaptureTheFlagInALevelWithFlags) {
+  MenuContent content = MenuDriver::some_content();
+  content.levels = [] {
+    return std::vector<client::MenuLevel>{{"tdm1", "The Anvil"}, {"tdm3", "The Two Towers", true}};
+  };
+  MenuDriver hand(content);
+  hand.menu().open(MenuPage::kHost);
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(hand.choose("Game mode"));
+  EXPECT_THAT(hand.all_text(), HasSubstr("The Two Towers"));
+  EXPECT_FALSE(hand.go_to("Frag limit"));
+  ASSERT_TRUE(hand.go_to("Capture limit"));
+  for (int i = 0; i < 3; ++i) hand.press(Key::kRightArrow);
+  EXPECT_EQ(hand.variables().find("capturelimit")->text, "3");
+  ASSERT_TRUE(hand.choose("Start game"));
+  EXPECT_THAT(hand.commands(), IsSupersetOf({"deathmatch 1", "teamplay 3", "map tdm3"}));
 }
 
 TEST(MenuHost, HostsWithAsManyBotsAsTheConsoleHasSet) {

@@ -15,7 +15,7 @@ namespace temblor::client {
 namespace {
 
 constexpr int kMaxPlayers = 16, kMinPlayers = 2;
-constexpr int kDeathmatch = 0;
+constexpr int kCaptureTheFlag = 3;  // of the variable "teamplay"
 
 // The palette rows that the stock picture of the player uses for shirt and pants.
 constexpr int kRowShades = 16, kShirtRow = 1, kPantsRow = 6;
@@ -129,12 +129,28 @@ std::unique_ptr<Row> make_players_row(MenuChoices::Host& io_host) {
 
 std::unique_ptr<Row> make_mode_row(MenuChoices::Host& io_host) {
   LocalChoiceRow::Parts parts;
-  parts.names = {"deathmatch", "co-op"};
-  parts.chosen = [&io_host] { return io_host.mode; };
-  parts.choose = [&io_host](int number) { io_host.mode = number; };
-  parts.help = "Fight each other, or fight the monsters together.";
+  parts.names = {"deathmatch", "teams", "capture the flag", "co-op"};
+  parts.chosen = [&io_host] { return static_cast<int>(io_host.mode); };
+  parts.choose = [&io_host](int number) { io_host.mode = static_cast<HostMode>(number); };
+  parts.help = "Each for itself, in teams by color, with two flags, or together against the monsters.";
   parts.refresh = true;
   return std::make_unique<LocalChoiceRow>("Game mode", std::move(parts));
+}
+
+std::unique_ptr<Row> make_friendly_fire_row(MenuChoices::Host& io_host) {
+  LocalChoiceRow::Parts parts;
+  parts.names = {"off", "on"};
+  parts.chosen = [&io_host] { return io_host.has_friendly_fire ? 1 : 0; };
+  parts.choose = [&io_host](int number) { io_host.has_friendly_fire = number != 0; };
+  parts.help = "Whether teammates can hurt each other.";
+  return std::make_unique<LocalChoiceRow>("Friendly fire", std::move(parts));
+}
+
+// The variable "teamplay" of game code.
+int find_teamplay(const MenuChoices::Host& host) {
+  if (host.mode == HostMode::kCaptureTheFlag) return kCaptureTheFlag;
+  if (host.mode != HostMode::kTeams) return 0;
+  return host.has_friendly_fire ? 2 : 1;
 }
 
 // A text field: a slider cannot hit one of 65536 ports.
@@ -177,11 +193,12 @@ std::unique_ptr<Row> make_bot_fill_row(const PageContext& context) {
 // `disconnect` ends a running game first: maxplayers applies to the next game that starts.
 Outcome start_host_game(const PageContext& context) {
   const MenuChoices::Host& chosen = context.choices.host;
-  const bool deathmatch = chosen.mode == kDeathmatch;
+  const bool deathmatch = chosen.mode != HostMode::kCooperative;
   Outcome started{.leaving = Leaving::kClose};
   started.commands = {"disconnect", fmt::format("maxplayers {}", chosen.players),
                       fmt::format("deathmatch {}", deathmatch ? 1 : 0),
-                      fmt::format("coop {}", deathmatch ? 0 : 1)};
+                      fmt::format("coop {}", deathmatch ? 0 : 1),
+                      fmt::format("teamplay {}", find_teamplay(chosen))};
   if (deathmatch && context.variables.find(kBotFill) != nullptr)
     started.commands.push_back(fmt::format("{} {}", kBotFill, read_bot_fill(context)));
   started.commands.push_back(command::join_words({"map", chosen.level}));
@@ -206,16 +223,22 @@ std::function<const formats::Picture*()> make_player_picture(const PageContext& 
   };
 }
 
-// Makes sure that the chosen level exists. The first choice is an arena, which games call "dm" and a number.
+// Makes sure that the chosen level exists. The first choice is an arena, which games call "dm" and a number,
+// or a level with flags if they are to be captured.
 void choose_host_level(const PageContext& context) {
   const std::vector<MenuLevel> levels = call_or_default(context.content.levels);
   std::string& chosen = context.choices.host.level;
-  const auto is_chosen = [&](const MenuLevel& level) { return level.name == chosen; };
+  const bool needs_flags = context.choices.host.mode == HostMode::kCaptureTheFlag &&
+                           std::ranges::any_of(levels, &MenuLevel::has_flags);
+  const auto is_chosen = [&](const MenuLevel& level) {
+    return level.name == chosen && (level.has_flags || !needs_flags);
+  };
   if (levels.empty()) {
     chosen = "start";
   } else if (std::none_of(levels.begin(), levels.end(), is_chosen)) {
-    const auto arena = std::ranges::find_if(
-        levels, [](const MenuLevel& level) { return level.name.find("dm") != std::string::npos; });
+    const auto arena = std::ranges::find_if(levels, [&](const MenuLevel& level) {
+      return needs_flags ? level.has_flags : level.name.find("dm") != std::string::npos;
+    });
     chosen = (arena != levels.end() ? *arena : levels.front()).name;
   }
 }
@@ -268,18 +291,22 @@ Page make_host_page(const PageContext& context) {
   page.rows.push_back(std::make_unique<LevelRow>(chosen.level, find_level_title(context, chosen.level)));
   page.rows.push_back(make_mode_row(chosen));
   page.rows.push_back(make_players_row(chosen));
-  if (chosen.mode == kDeathmatch) {
-    static constexpr std::string_view kTeams[] = {"off", "no friendly fire", "friendly fire"};
-    page.add(make_option_row(
-        context.variables,
-        {.variable = "fraglimit", .label = "Frag limit", .high = 100, .step = 5, .zero = "none"}));
+  if (chosen.mode != HostMode::kCooperative) {
+    if (chosen.mode == HostMode::kTeams) page.rows.push_back(make_friendly_fire_row(chosen));
+    if (chosen.mode == HostMode::kCaptureTheFlag)
+      page.add(make_option_row(
+          context.variables,
+          {.variable = "capturelimit", .label = "Capture limit", .high = 20, .step = 1, .zero = "none"}));
+    else
+      page.add(make_option_row(
+          context.variables,
+          {.variable = "fraglimit", .label = "Frag limit", .high = 100, .step = 5, .zero = "none"}));
     page.add(make_option_row(context.variables, {.variable = "timelimit",
                                                  .label = "Time limit",
                                                  .high = 60,
                                                  .step = 5,
                                                  .unit = " min",
                                                  .zero = "none"}));
-    page.add(make_option_row(context.variables, {.variable = "teamplay", .label = "Teams", .names = kTeams}));
     page.add(make_bot_fill_row(context));
     static constexpr std::string_view kBotSkills[] = {"easy", "normal", "hard", "expert"};
     page.add(make_option_row(context.variables,
