@@ -49,16 +49,15 @@ TEST_F(Flags, AreCaptured) {
   move_to(0, kBlueBase);
   EXPECT_EQ(state(blue_), kCarried);
   EXPECT_THAT(game_.said(), HasSubstr(" took the "));
-  EXPECT_EQ(game_.player(0).whole(field::kEffects) & (kDimLight | kBlueLight), kDimLight | kBlueLight);
   move_to(0, {600, 300, 24});
   EXPECT_LT(glm::length(place(blue_) - game_.player(0)[field::kOrigin]), 40) << "it is on the carrier's back";
+  EXPECT_EQ(game_.edict(blue_).whole(field::kEffects), kDimLight | kBlueLight);
   move_to(0, kRedBase);
   EXPECT_EQ(state(blue_), kHome);
   EXPECT_NEAR(place(blue_).x, kBlueBase.x, 1);
   EXPECT_EQ(game_.global("red_captures"), 1);
   EXPECT_EQ(game_.global("blue_captures"), 0);
   EXPECT_EQ(game_.player(0)[field::kFrags], 5);
-  EXPECT_EQ(game_.player(0).whole(field::kEffects) & kDimLight, 0);
   EXPECT_THAT(game_.said(), HasSubstr(" captured the "));
   EXPECT_THAT(game_.errors(), IsEmpty());
 }
