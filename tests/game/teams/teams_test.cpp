@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "game/open_ground.h"
 #include "game/teams/team_rooms.h"
 
 namespace temblor::test {
@@ -134,8 +135,8 @@ TEST_F(Teams, StandOnAPodiumInTheEnd) {
     const math::Vec3 way = at - game.player(0)[field::kOrigin];
     EXPECT_NEAR(at.z, 24, 1);
     EXPECT_LT(glm::length(way), 200);
-    const float yaw = glm::radians(game.player(0)[field::kAngles].y);
-    EXPECT_GT(glm::dot(glm::normalize(way), math::Vec3(std::cos(yaw), std::sin(yaw), 0)), 0.8f);
+    const math::Vec3 facing = yaw_direction(game.player(0)[field::kAngles].y);
+    EXPECT_GT(glm::dot(glm::normalize(way), facing), 0.8f);
   }
   EXPECT_EQ(game.player(0)[field::kOrigin], game.player(2)[field::kOrigin]);
   EXPECT_THAT(game.errors(), IsEmpty());
