@@ -9,7 +9,7 @@ runs=${1:-3}
 build=build/release
 game=$build/game
 program=$PWD/$build/temblor
-levels=(start t1 t2 t3 t4 t5 tdm1 tdm2 gallery)
+levels=(start t1 t2 t3 t4 t5 tdm1 tdm2 tdm3 tdm4 gallery)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 

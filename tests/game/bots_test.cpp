@@ -120,7 +120,7 @@ TEST_P(ShippedArenas, EightBotsPlayUnstuckAndAvoidHazards) {
   EXPECT_LT(static_cast<float>(played.accidents), 3 + played.frags / 8);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedArenas, ::testing::Values("tdm1", "tdm2"),
+INSTANTIATE_TEST_SUITE_P(All, ShippedArenas, ::testing::Values("tdm1", "tdm2", "tdm3", "tdm4"),
                          [](const auto& arena) { return arena.param; });
 
 // A small level, one with lava, and shorter games in large ones, which tell sanitizers nothing new.

@@ -159,7 +159,7 @@ TEST(ShippedStart, LeadsToEachLevel) {
 }
 
 TEST(ShippedArenas, ArePlayedAgainstBots) {
-  for (const char* map : {"tdm1", "tdm2"}) {
+  for (const char* map : {"tdm1", "tdm2", "tdm3", "tdm4"}) {
     if (!is_built(map)) GTEST_SKIP() << map << " has not been built";
     player::RunSetup setup = make_mortal_setup({map, 1}, 2);
     setup.session.bots = 7;
