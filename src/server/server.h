@@ -104,7 +104,9 @@ struct Server {
   std::optional<DemoRecorder> recorder;
   std::optional<std::string> captured_output;  // see run_and_capture()
   std::uint64_t sent_rules_version = 0;  // of the variables, when players were last sent the changed rules
-  double failed_at_s = -1e9;             // when the game's code last failed
+  // From where all players see and hear, for recordings of camera flights. Empty: from their own eyes.
+  std::optional<math::Vec3> camera_world;
+  double failed_at_s = -1e9;  // when the game's code last failed
   bool wants_to_quit = false;
 };
 

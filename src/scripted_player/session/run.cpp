@@ -80,7 +80,13 @@ class Run {
   bool is_deathmatch() const { return setup_.session.bots > 0; }
   double played_s() const { return session_->now_s() - began_s_; }
 
-  void step() { session_->step(moves_); }
+  void step() {
+    if (setup_.place_camera && session_->has_game())
+      session_->server().camera_world =
+          setup_.place_camera(session_->game().time_s() + kTick_s,
+                              session_->game().player(session_->slot(0))[server::field::kOrigin]);
+    session_->step(moves_);
+  }
 
   // Plays until an exit, the limit, an error of the game code, or until every player has given up. A level
   // that restarts is a new server::Game with the same map name; a different name means that an exit was

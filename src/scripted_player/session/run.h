@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ struct RunSetup {
   GraphCache* graphs = nullptr;
   // Called every few seconds of game time with each player's position and task; may be empty.
   std::function<void(std::string_view line)> on_status{};
+  // Called before each tick with the level's time after it and the first player's place. The players see and
+  // hear from the place that it returns. May be empty.
+  std::function<std::optional<math::Vec3>(double time_s, const math::Vec3& player_world)> place_camera{};
 };
 
 struct RunReport {

@@ -49,17 +49,23 @@ std::int16_t sent_i16(float value) {
   return static_cast<std::int16_t>(std::isfinite(value) ? std::clamp(value, -32768.0f, 32767.0f) : 0.0f);
 }
 
+// The place from which distances count.
+math::Vec3 find_ear(const DatagramRequest& request) {
+  return request.camera_world.value_or(request.game.player(request.slot)[field::kOrigin]);
+}
+
 // The share of the room that entities get in turn, if not all fit.
 constexpr std::size_t kTurnsShare = 4;
 
 // Keeps as many of `io_seen` as fit, in order of number: the player's own entity, the other players and the
 // player's missiles, then the nearest of the others, and in a quarter of the room those that were not sent
 // for the longest time. So everything arrives within a few ticks, and nothing nearby flickers.
-void keep_what_fits(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
-                    EntityTurns& io_turns, std::vector<std::uint32_t>& io_seen) {
-  const vm::EntityIndex own = Game::player_index(slot);
-  const math::Vec3 eye = io_game.player(slot)[field::kOrigin];
-  const std::uint32_t players = io_game.world().edicts.client_count();
+void keep_what_fits(const DatagramRequest& request, std::size_t room, EntityTurns& io_turns,
+                    std::vector<std::uint32_t>& io_seen) {
+  const Snapshot& snapshot = request.snapshot;
+  const vm::EntityIndex own = Game::player_index(request.slot);
+  const math::Vec3 eye = find_ear(request);
+  const std::uint32_t players = request.game.world().edicts.client_count();
   const auto rank = [&](std::uint32_t i) {
     const Snapshot::Entity& entity = snapshot.entities[i];
     const math::Vec3 away = entity.origin - eye;
@@ -77,7 +83,7 @@ void keep_what_fits(Game& io_game, std::size_t slot, const Snapshot& snapshot, s
       kept_bytes += entity.end - entity.begin;
     }
   };
-  io_turns.last.resize(std::max<std::size_t>(io_turns.last.size(), io_game.world().edicts.count()));
+  io_turns.last.resize(std::max<std::size_t>(io_turns.last.size(), request.game.world().edicts.count()));
   std::stable_sort(io_seen.begin(), io_seen.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
   keep_up_to(room - room / kTurnsShare);
@@ -91,9 +97,11 @@ void keep_what_fits(Game& io_game, std::size_t slot, const Snapshot& snapshot, s
 }
 
 // Chooses the entities that this player sees, in order of number.
-void choose_entities(Game& io_game, std::size_t slot, const Snapshot& snapshot, std::size_t room,
-                     EntityTurns& io_turns, DatagramScratch& io_scratch, DatagramCounts& io_counts) {
-  const vm::EntityIndex own = Game::player_index(slot);
+void choose_entities(const DatagramRequest& request, std::size_t room, EntityTurns& io_turns,
+                     DatagramScratch& io_scratch, DatagramCounts& io_counts) {
+  Game& io_game = request.game;
+  const Snapshot& snapshot = request.snapshot;
+  const vm::EntityIndex own = Game::player_index(request.slot);
   std::vector<std::uint32_t>& seen = io_scratch.seen;
   seen.clear();
   std::size_t bytes = 0;
@@ -108,21 +116,22 @@ void choose_entities(Game& io_game, std::size_t slot, const Snapshot& snapshot, 
     bytes += entity.end - entity.begin;
   }
   const std::size_t all = seen.size();
-  if (bytes > room) keep_what_fits(io_game, slot, snapshot, room, io_turns, seen);
+  if (bytes > room) keep_what_fits(request, room, io_turns, seen);
   io_counts.entities = seen.size();
   io_counts.entities_left_out = all - seen.size();
 }
 
 // Visibility starts at the player's eye, not at its origin.
-void update_sight(Game& io_game, const Edict& player, DatagramScratch& io_scratch) {
-  io_scratch.sight.update(*io_game.world().level, player[field::kOrigin] + player[field::kViewOffset]);
+void update_sight(Game& io_game, const Edict& player, const std::optional<math::Vec3>& camera_world,
+                  DatagramScratch& io_scratch) {
+  io_scratch.sight.update(*io_game.world().level,
+                          camera_world.value_or(player[field::kOrigin] + player[field::kViewOffset]));
 }
 
 // Calls `write` with each event that the player can see or hear, then with the messages to everyone.
 template <typename Write>
-void for_each_event(Game& io_game, std::size_t slot, const Sight& sight, Write write) {
+void for_each_event(Game& io_game, const math::Vec3& ear, const Sight& sight, Write write) {
   Outbox& outbox = io_game.outbox();
-  const math::Vec3 ear = io_game.player(slot)[field::kOrigin];
   const auto reaches = [&](const Outbox::Placed& placed) {
     if (!placed.place) return true;
     if (placed.earshot_units) return glm::distance(ear, *placed.place) < *placed.earshot_units;
@@ -149,7 +158,7 @@ void write_events(const DatagramRequest& request, std::size_t max_size, const Si
   }
   io_pending.events.truncate(0);
   io_pending.event_ends.clear();
-  for_each_event(request.game, request.slot, sight, write);
+  for_each_event(request.game, find_ear(request), sight, write);
 }
 
 // The direction of damage comes from the middle of what inflicted it.
@@ -216,7 +225,7 @@ DatagramCounts write_datagram(const DatagramRequest& request, PendingUpdates& io
   const std::size_t max_size = io_writer.size() + request.max_bytes;
   const Edict edict = io_game.player(slot);
   set_ideal_pitch(io_game.world(), edict.index());
-  update_sight(io_game, edict, io_scratch);
+  update_sight(io_game, edict, request.camera_world, io_scratch);
 
   DatagramCounts counts;
   io_scratch.time = io_writer.size();
@@ -233,7 +242,7 @@ DatagramCounts write_datagram(const DatagramRequest& request, PendingUpdates& io
   }
   io_scratch.entities = io_writer.size();
   const std::size_t room = max_size > io_writer.size() ? max_size - io_writer.size() : 0;
-  choose_entities(io_game, slot, snapshot, room, io_pending.entity_turns, io_scratch, counts);
+  choose_entities(request, room, io_pending.entity_turns, io_scratch, counts);
   for (const std::uint32_t i : io_scratch.seen) io_writer.bytes(snapshot.entity_bytes(snapshot.entities[i]));
   io_scratch.events = io_writer.size();
   write_events(request, max_size, io_scratch.sight, io_pending, counts, io_writer);
@@ -262,9 +271,10 @@ bool split_datagram(base::Bytes datagram, const Snapshot& snapshot, const net::D
 
 DatagramCounts keep_events(Game& io_game, std::size_t slot, std::size_t max_bytes,
                            DatagramScratch& io_scratch, PendingUpdates& io_pending) {
-  update_sight(io_game, io_game.player(slot), io_scratch);
+  const Edict player = io_game.player(slot);
+  update_sight(io_game, player, std::nullopt, io_scratch);
   DatagramCounts counts;
-  for_each_event(io_game, slot, io_scratch.sight, [&](base::Bytes event) {
+  for_each_event(io_game, player[field::kOrigin], io_scratch.sight, [&](base::Bytes event) {
     if (io_pending.events.size() + event.size() > max_bytes) {
       counts.events_left_out = true;
       return;

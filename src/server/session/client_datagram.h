@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,8 @@ struct DatagramRequest {
   std::size_t slot;
   const Snapshot& snapshot;
   std::size_t max_bytes;
+  // Sees and hears instead of the player. Empty: the player's eye.
+  std::optional<math::Vec3> camera_world{};
 };
 // Appends a datagram. Clears dmg_take, dmg_save and fixangle of the player's entity, because it sends them.
 // If there is not enough room for all visible entities, some are left out: players, own missiles and what is

@@ -149,7 +149,8 @@ void send_snapshot(Server& io_server, std::size_t slot) {
   client.sent_counts = write_datagram({.game = *io_server.game,
                                        .slot = slot,
                                        .snapshot = buffers.snapshot,
-                                       .max_bytes = max_datagram_bytes(io_server, slot)},
+                                       .max_bytes = max_datagram_bytes(io_server, slot),
+                                       .camera_world = io_server.camera_world},
                                       client.pending, buffers.scratch, buffers.datagram);
   const bool is_reliable = io_server.settings().has_reliable_updates();
   const bool is_delta = !is_reliable && client.accepts_deltas && write_delta(io_server, slot);
