@@ -7,7 +7,9 @@
 #include <CLI/Formatter.hpp>
 #include <fstream>
 
+#include "scripted_player/film/make_film.h"
 #include "scripted_player/session/run.h"
+#include "vfs/disk.h"
 
 namespace temblor::player {
 namespace {
@@ -21,6 +23,25 @@ bool write(const std::string& file, base::Bytes bytes) {
   return false;
 }
 
+// Makes the film of a script. Returns the exit status.
+int record_film(const std::string& script_file, const std::string& base_folder,
+                const std::string& demo_file) {
+  const auto make = [&]() -> base::Result<Film> {
+    TRY(const base::ByteVector text, vfs::read_disk_file(script_file));
+    TRY(const FilmScript script,
+        read_film_script({reinterpret_cast<const char*>(text.data()), text.size()}).with_file(script_file));
+    return make_film(script, base_folder);
+  };
+  const base::Result<Film> film = make();
+  if (!film.ok()) {
+    fmt::print(stderr, "scripted_player: {}\n", film.error().message());
+    return 2;
+  }
+  if (!write(demo_file, film->demo)) return 2;
+  fmt::print("{}: {:.1f} s, {} bytes\n", demo_file, film->length_s, film->demo.size());
+  return 0;
+}
+
 int run(int argument_count, char** arguments) {
   CLI::App program(
       "Plays a level from its start to its exit. Exit status: 0 if it reached the exit, 1 if not, 2 for an "
@@ -28,13 +49,13 @@ int run(int argument_count, char** arguments) {
   RunSetup setup;
   setup.session.map = "start";
   int players = 0;
-  std::string record, report_file, place_file, base_folder, program_file;
+  std::string record, film, report_file, place_file, base_folder, program_file;
   std::vector<float> waypoints;
   bool is_peaceful = false, is_verbose = false;
   program.add_option("--basedir", base_folder, "Directory that contains id1")->required();
   program.add_option("--game", setup.session.games, "Game directory to add to id1; repeatable");
   program.add_option("--progs", program_file, "Game code; default: progs.dat of the game directories");
-  program.add_option("--map", setup.session.map, "Level to play")->required();
+  CLI::Option* map = program.add_option("--map", setup.session.map, "Level to play");
   program.add_option("--skill", setup.session.skill, "Skill, 0 to 3")->check(CLI::Range(0, 3));
   program.add_option("--seed", setup.session.seed, "Seed of all random numbers");
   program.add_option("--coop", players, "Number of cooperating players")->check(CLI::Range(1, 16));
@@ -48,7 +69,10 @@ int run(int argument_count, char** arguments) {
       ->capture_default_str();
   program.add_option("--exit", setup.exit_map, "Take the exit to this level");
   program.add_option("--waypoints", waypoints, "Points to visit first: X Y Z X Y Z ...");
-  program.add_option("--record", record, "Record a demo of the first player");
+  CLI::Option* record_option = program.add_option("--record", record, "Record a demo of the first player");
+  program.add_option("--film", film, "Record the demo of a film script (game/film.script) instead")
+      ->needs(record_option)
+      ->excludes(map);
   program.add_option("--report", report_file, "Write the results as JSON");
   program.add_option("--places", place_file, "Write every place that a player can reach, as text");
   program.add_flag("--secrets", setup.visits_secrets, "Visit every secret");
@@ -65,6 +89,11 @@ int run(int argument_count, char** arguments) {
     return 2;
   }
 
+  if (!film.empty()) return record_film(film, base_folder, record);
+  if (map->empty()) {
+    fmt::print(stderr, "scripted_player: --map or --film is required\n");
+    return 2;
+  }
   if (waypoints.size() % 3 != 0) {
     fmt::print(stderr, "scripted_player: --waypoints: each point needs three numbers, X Y Z\n");
     return 2;
