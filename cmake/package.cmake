@@ -13,7 +13,7 @@ install(TARGETS temblor RUNTIME_DEPENDENCY_SET libraries COMPONENT game)
 
 # Only files that the build makes, without saved games and settings.
 install(DIRECTORY "${CMAKE_BINARY_DIR}/game/id1" DESTINATION "${game_folder}" COMPONENT game
-        FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|(start|t[0-9]|tdm[0-9]|gallery)\\.dem|quake\\.rc)$")
+        FILES_MATCHING REGEX "/id1/(gfx|maps|music|progs|sound)/." REGEX "/id1/(progs\\.(dat|lno)|[^/]*\\.wad|(film|start|t[0-9]|tdm[0-9]|gallery)\\.dem|quake\\.rc)$")
 install(FILES "${CMAKE_BINARY_DIR}/game/id1/icon/temblor.png" COMPONENT game
         DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/256x256/apps")
 # The game configuration for TrenchBroom (docs/mapping.md).

@@ -64,8 +64,19 @@ foreach(level IN ITEMS start t1 t2 t3 t4 t5)
   temblor_demo(${level} "${tours}/${level}.dem" ${tour_${level}})
   list(APPEND tour_demos "${tours}/${level}.dem")
 endforeach()
+# The film comes first.
+set(film "${shipped}/film.dem")
+set(film_script "${CMAKE_CURRENT_SOURCE_DIR}/film.script")
+add_custom_command(
+  OUTPUT "${film}"
+  COMMAND scripted_player --basedir "${CMAKE_CURRENT_BINARY_DIR}" --film "${film_script}" --record "${film}"
+  DEPENDS ${all_levels} "${shipped}/progs.dat" "${art_made}" "${film_script}" scripted_player
+  COMMENT "Film"
+  VERBATIM)
+list(APPEND demos "${film}")
+
 list(JOIN shown_levels " " names)
-file(CONFIGURE OUTPUT "${shipped}/quake.rc" CONTENT "exec default.cfg\nexec config.cfg\nexec autoexec.cfg\nstuffcmds\nstartdemos ${names}\n")
+file(CONFIGURE OUTPUT "${shipped}/quake.rc" CONTENT "exec default.cfg\nexec config.cfg\nexec autoexec.cfg\nstuffcmds\nstartdemos film ${names}\n")
 configure_file(default.cfg "${shipped}/default.cfg" COPYONLY)
 add_custom_target(game_demos DEPENDS ${demos})
 add_custom_target(game_tours DEPENDS ${tour_demos})
