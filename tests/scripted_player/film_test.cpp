@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "client/demo/demo_session.h"
 #include "scripted_player/film/make_film.h"
@@ -59,6 +61,32 @@ TEST(Film, HasTheShotsOfItsScript) {
     EXPECT_EQ(game.ending, client::Ending::kCutScene);
   });
   EXPECT_NEAR(own_views, 72, 10);
+  EXPECT_NEAR(flights, 144, 3);
+}
+
+// The player is in one room, the camera in another, which the player cannot see.
+TEST(Film, ShowsWhatTheCameraSees) {
+  const math::Vec3d far(2000, 0, 64);
+  const MadeRooms rooms(entity_text("worldspawn", "",
+                                    walls_text({-320, -320, 0}, {320, 320, 256}, "wall") +
+                                        walls_text({1680, -320, 0}, {2320, 320, 256}, "wall")) +
+                            point_text("info_player_start", {0, 0, 32}) + point_text("info_notnull", far) +
+                            entity_text("func_wall", "", box_text({2100, -32, 0}, {2164, 32, 64}, "wall")),
+                        compiler::StagePolicy::kBuild);
+  player::FilmScript script = make_script();
+  for (player::CameraKey& key : script.scenes.front().shots.back().camera) key.place.x += 2000;
+  const player::Film film = player::make_film(script, rooms.setup().session.base_folder).value();
+  int flights = 0;
+  for_each_packet(film.demo, [&](const client::DemoPlayer& player) {
+    std::vector<client::EntityPlace> places;
+    player.state().copy_latest_places(places);
+    const bool shows_block = std::any_of(places.begin(), places.end(), [&](const client::EntityPlace& place) {
+      return place.model > 0 && player.state().game().models.at(place.model) == "*1";
+    });
+    const bool is_flight = player.state().game().view_entity != 1;
+    EXPECT_EQ(shows_block, is_flight);
+    flights += is_flight ? 1 : 0;
+  });
   EXPECT_NEAR(flights, 144, 3);
 }
 

@@ -9,11 +9,11 @@
 
 namespace temblor::test {
 
-MadeRooms::MadeRooms(const std::string& map_text) {
+MadeRooms::MadeRooms(const std::string& map_text, compiler::StagePolicy visibility) {
   base::Jobs jobs(1, base::JobBackend::kStdThread);
   compiler::CompileOptions options;
   options.light_policy = compiler::StagePolicy::kSkip;
-  options.visibility_policy = compiler::StagePolicy::kSkip;
+  options.visibility_policy = visibility;
   compiler::CompileWatcher nobody;
   compiler::Warnings warnings;
   compiler::Build build;

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "compiler/compile_options.h"
 #include "scripted_player/session/run.h"
 #include "support/programs/temporary_folder.h"
 
@@ -12,7 +13,8 @@ namespace temblor::test {
 class MadeRooms {
  public:
   // Compiles the level as "rooms". CHECKs that it compiles and does not leak.
-  explicit MadeRooms(const std::string& map_text);
+  explicit MadeRooms(const std::string& map_text,
+                     compiler::StagePolicy visibility = compiler::StagePolicy::kSkip);
 
   // Skill 1, one player.
   player::RunSetup setup() const;
