@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/check.h"
@@ -42,6 +43,11 @@ void PlayedLevel::check(const base::Status& status, std::string_view doing) {
   const vm::Machine& machine = game_->machine();
   errors_.push_back(
       fmt::format("{}: {}\n{}", doing, status.error().message(), machine.describe(machine.failure_trace())));
+}
+
+bool PlayedLevel::has_sound(std::string_view name) const {
+  const std::vector<std::string>& sounds = game_->precache().sounds;
+  return std::find(sounds.begin(), sounds.end(), name) != sounds.end();
 }
 
 void PlayedLevel::join(std::uint32_t slot) {

@@ -46,6 +46,8 @@ class PlayedLevel {
   void join(std::uint32_t slot);
   // Sets a variable of the server.
   void set(std::string_view variable, std::string_view value);
+  // Whether clients are sent this sound before the level begins.
+  bool has_sound(std::string_view name) const;
   bool is_bot(std::uint32_t slot) const { return game_->is_bot(slot); }
   server::PlayerInput& input(std::uint32_t slot) { return inputs_[slot]; }
   void tick();

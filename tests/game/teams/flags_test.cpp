@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "game/teams/team_rooms.h"
 
 namespace temblor::test {
@@ -9,6 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 namespace field = server::field;
 
 enum FlagState { kHome, kCarried, kDropped };
@@ -133,6 +136,24 @@ TEST(FlagGame, KnowsWhereBlueIsInTheStockPalette) {
   EXPECT_EQ(game.player(0)[field::kTeam], kRed);
   EXPECT_EQ(game.player(1)[field::kTeam], kStockBlue);
   EXPECT_THAT(game.errors(), IsEmpty());
+}
+
+TEST(FlagGame, UsesStockSoundsWithoutItsArt) {
+  const RoomData data(team_hall_text());
+  const auto hear_capture = [&] {
+    PlayedLevel game = begin_team_game(data, "3");
+    game.join(0);
+    game.run(1);
+    game.put(game.player(0), kBlueBase);
+    game.run(0.5);
+    EXPECT_THAT(game.said(), HasSubstr(" took the "));
+    EXPECT_THAT(game.printed(), Not(HasSubstr("precache")));
+    EXPECT_THAT(game.errors(), IsEmpty());
+    return game.has_sound("flags/taken.wav");
+  };
+  EXPECT_TRUE(hear_capture());
+  std::filesystem::remove(data.path() / "id1/progs/flag.mdl");
+  EXPECT_FALSE(hear_capture());
 }
 
 TEST(FlagGame, NeedsItsVariable) {
