@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -259,6 +261,37 @@ TEST(LevelScripts, RockLeavesOpeningsFree) {
   for (int y = 4; y < 512; y += 20)
     for (int z = 40; z < 256; z += 20) bulging += is_solid(map, {4.5, y + 0.5, z + 0.5}) ? 1 : 0;
   EXPECT_GT(bulging, 100) << "the far wall is rock";
+}
+
+// How far the rock of the west wall protrudes at a point.
+int measure_rock(const formats::Map& map, int y, int z) {
+  int x = 0;
+  while (x < 256 && is_solid(map, {x + 0.5, y + 0.5, z + 0.5})) ++x;
+  return x;
+}
+
+TEST(LevelScripts, RockHasLayers) {
+  const formats::Map map = build_map(
+      "  room a 0,0,0 to 512,512,256\n"
+      "    cave rock rough=120 seed=5 layers=mud layer=64 sides=west\n");
+  std::set<int> first_column;
+  for (int layer = 0; layer < 4; ++layer) {
+    for (int y = 5; y < 512; y += test::effort(7, 50)) {
+      const int lowest = measure_rock(map, y, 64 * layer + 1);
+      EXPECT_GE(lowest, 8);
+      EXPECT_EQ(measure_rock(map, y, 64 * layer + 62), lowest) << layer << " " << y;
+    }
+    first_column.insert(measure_rock(map, 5, 64 * layer + 32));
+  }
+  EXPECT_GE(first_column.size(), 3u) << "layers protrude differently";
+  std::map<std::string, int> fronts;
+  for (const formats::MapBrush& brush : find_class(map, "func_detail")->brushes)
+    ++fronts[brush.sides[0].texture];
+  EXPECT_EQ(fronts["rock"], 16);
+  EXPECT_EQ(fronts["mud"], 16);
+  EXPECT_EQ(level_error("  room a 0,0,0 to 512,512,256\n"
+                        "    cave rock layer=64\n"),
+            "line 3: cave: unknown setting 'layer'");
 }
 
 TEST(LevelScripts, PartsOfATrainKeepItsLowerCorner) {

@@ -47,6 +47,8 @@ base::Status read_cave(const ScriptLine& script_line, const Scope& scope, LevelS
   const int rough = line.integer("rough", 48, 1, 1024);
   const int floor_rough = line.integer("floor_rough", std::min(rough, 20), 1, 1024);
   face.cell = line.integer("cell", 64, 16, 512);
+  face.layer_texture = line.text("layers", "");
+  if (!face.layer_texture.empty()) face.layer_height = line.integer("layer", 64, 16, 512);
   face.scale = line.number("scale", 1, 0.125, 16);
   face.seed = static_cast<std::uint64_t>(line.integer("seed", 1, 0, 1 << 30));
   face.line = script_line.number;

@@ -103,6 +103,10 @@ struct RockFace {
   std::string texture, ledge_texture;
   // The size of its facets and the largest bulge, in units.
   int cell = 64, rough = 48;
+  // The height of layers, which alternate between the two textures and differ in how far they protrude; 0: no
+  // layers.
+  int layer_height = 0;
+  std::string layer_texture;
   double scale = 1;
   std::uint64_t seed = 0;
   std::int32_t line = 0;

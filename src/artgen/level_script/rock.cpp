@@ -1,7 +1,10 @@
 #include "artgen/level_script/rock.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "base/hash.h"
 
@@ -56,13 +59,15 @@ double distance_to(const std::vector<Box>& openings, const SideAxes& axes, Point
   return nearest;
 }
 
-// How far the rock protrudes at a point: two octaves of noise between 8 and `rough` units, less near
-// openings.
-int bulge_at(const RockFace& face, const std::vector<Box>& openings, const SideAxes& axes, Point point) {
+// How far the rock protrudes at a point: two octaves of noise between 8 and `rough` units, and `push` (-1 to
+// 1) times a third of that; less near openings.
+int bulge_at(const RockFace& face, const std::vector<Box>& openings, const SideAxes& axes, Point point,
+             double push) {
   const double scale = 1.0 / (2.0 * face.cell);
   const double u = point[axes.u] * scale, v = point[axes.v] * scale;
   const std::uint64_t seed = base::hash_with(face.seed, side_index(face.side));
-  const double rough = 0.65 * smooth_noise(u, v, seed) + 0.35 * smooth_noise(2.3 * u, 2.3 * v, seed + 1);
+  const double noise = 0.65 * smooth_noise(u, v, seed) + 0.35 * smooth_noise(2.3 * u, 2.3 * v, seed + 1);
+  const double rough = std::clamp(noise + push / 3, 0.0, 1.0);
   const double least = std::min(8, face.rough);
   const double free = std::clamp(distance_to(openings, axes, point) / face.cell - 0.25, 0.0, 1.0);
   return static_cast<int>(std::lround((least + rough * (face.rough - least)) * free));
@@ -94,43 +99,55 @@ double smooth_noise(double x, double y, std::uint64_t seed) {
 std::vector<Solid> make_rock(const RockFace& face, const std::vector<Space>& spaces) {
   const SideAxes axes = find_side_axes(face.side);
   const std::vector<Box> openings = find_openings(face.box, face.side, spaces);
+  const bool is_layered = face.layer_height > 0 && axes.across != 2;
   const int columns = steps_along(face.box, axes.u, face.cell),
-            rows = steps_along(face.box, axes.v, face.cell);
-  // A grid point on the wall, and the same point moved to the rock's front.
-  const auto foot = [&](int column, int row) {
+            rows = steps_along(face.box, axes.v, is_layered ? face.layer_height : face.cell);
+  // A grid point on the wall, and the same point moved to the rock's front as a corner of a row's cell. A
+  // layer keeps its bulge from bottom to top, as sediment does.
+  const auto foot = [&](int column, double row) {
     Point point(0);
     point[axes.across] = face.box.at(face.side);
     point[axes.u] = face.box.low[axes.u] + face.box.size()[axes.u] * column / columns;
-    point[axes.v] = face.box.low[axes.v] + face.box.size()[axes.v] * row / rows;
+    point[axes.v] = face.box.low[axes.v] + static_cast<int>(face.box.size()[axes.v] * row / rows);
     return point;
   };
-  const auto front = [&](int column, int row) {
+  const auto front = [&](int column, int row, int row_of_cell) {
     Point point = foot(column, row);
-    const int bulge = bulge_at(face, openings, axes, point);
+    const double push = is_layered ? 2 * noise_at(row_of_cell, 0, face.seed) - 1 : 0;
+    const Point measured = is_layered ? foot(column, row_of_cell + 0.5) : point;
+    const int bulge = bulge_at(face, openings, axes, measured, push);
     point[axes.across] += is_upper(face.side) ? -bulge : bulge;
     return point;
   };
-  Looks looks = make_uniform_looks(face.texture, face.box);
-  looks[side_index(Side::kUp)].texture = face.ledge_texture;
-  for (Look& look : looks) look.scale = math::Vec2d(face.scale);
+  const auto make_looks = [&](int row) {
+    Looks looks =
+        make_uniform_looks(is_layered && row % 2 != 0 ? face.layer_texture : face.texture, face.box);
+    looks[side_index(Side::kUp)].texture = face.ledge_texture;
+    for (Look& look : looks) look.scale = math::Vec2d(face.scale);
+    return looks;
+  };
   std::vector<Solid> solids;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       if (covers_any(openings, axes, foot(column, row), foot(column + 1, row + 1))) continue;
-      // The diagonals of neighboring quads alternate, so that the rock shows no direction.
-      const bool other = (row + column) % 2 != 0;
       const std::array<std::pair<int, int>, 4> ring = {
           {{column, row}, {column + 1, row}, {column + 1, row + 1}, {column, row + 1}}};
-      for (const bool second : {false, true}) {
-        const std::size_t from = (other ? 1u : 0u) + (second ? 2u : 0u);
+      const auto add_prism = [&](std::span<const std::size_t> ring_corners) {
         std::vector<Point> corners;
-        for (const std::size_t k : {from, from + 1, from + 2}) {
+        for (const std::size_t k : ring_corners) {
           const auto& [u, v] = ring[k % 4];
           corners.push_back(foot(u, v));
-          corners.push_back(front(u, v));
+          corners.push_back(front(u, v, row));
         }
-        if (!make_hull(corners).empty()) solids.push_back({std::move(corners), looks, face.line});
+        if (!make_hull(corners).empty()) solids.push_back({std::move(corners), make_looks(row), face.line});
+      };
+      if (is_layered) {  // the front is flat
+        add_prism(std::array<std::size_t, 4>{0, 1, 2, 3});
+        continue;
       }
+      // The diagonals of neighboring quads alternate, so that the rock shows no direction.
+      const std::size_t from = static_cast<std::size_t>(row + column) % 2;
+      for (const std::size_t k : {from, from + 2}) add_prism(std::array<std::size_t, 3>{k, k + 1, k + 2});
     }
   return solids;
 }
