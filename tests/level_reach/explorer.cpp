@@ -92,8 +92,10 @@ void Explorer::collect_links() {
       const float height = entity.find_number("height").value_or(box.maxs.z - box.mins.z - 8);
       math::Bounds shaft = box;
       shaft.mins.z -= height;
-      const math::Vec3 middle = (box.mins + box.maxs) * 0.5f;
-      links_.push_back({shaft, {middle.x, middle.y, box.maxs.z + 24}});
+      // Far enough from the middle to stand on the floor around it.
+      const math::Vec3 middle = (box.mins + box.maxs) * 0.5f, size = box.maxs - box.mins;
+      const float to_edge = std::max(size.x, size.y) * 0.5f + kMaxs.x + 8;
+      links_.push_back({shaft, {middle.x, middle.y, box.maxs.z + 25}, math::Vec3(0.0f), to_edge});
     }
   }
 }
@@ -143,10 +145,21 @@ void Explorer::visit(const math::Vec3& position) {
 void Explorer::follow_links(const math::Vec3& position) {
   for (const Link& link : links_) {
     if (!overlap(box_at(position), link.box)) continue;
-    if (link.velocity == math::Vec3(0.0f))
+    if (link.to_edge > 0)
+      leave_lift(link);
+    else if (link.velocity == math::Vec3(0.0f))
       land(link.to);
     else
       for (const math::Vec3& drift : list_directions()) fly(position, link.velocity + drift * 30.0f);
+  }
+}
+
+// The lift itself is not solid here, so the player must leave it before falling.
+void Explorer::leave_lift(const Link& link) {
+  if (trace(link.to, link.to).start_solid) return;
+  for (const math::Vec3& direction : list_directions()) {
+    land(trace(link.to, link.to + direction * link.to_edge).end);
+    fly(link.to, direction * kRunSpeed + math::Vec3(0, 0, kJumpSpeed));
   }
 }
 

@@ -24,15 +24,18 @@ class Explorer {
   std::size_t position_count() const { return positions_.size(); }
 
  private:
-  // A player in `box` can get to `to`, or with a velocity is thrown from where it is.
+  // A player in `box` can get to `to`, or with a velocity is thrown from where it is. `to` is the middle of a
+  // raised lift if the distance to its edge is not 0.
   struct Link {
     math::Bounds box;
     math::Vec3 to;
     math::Vec3 velocity{0.0f};
+    float to_edge = 0;
   };
 
   void collect_links();
   void visit(const math::Vec3& position);
+  void leave_lift(const Link& link);
   void walk(const math::Vec3& position, const math::Vec3& direction);
   void fly(math::Vec3 position, math::Vec3 velocity);
   void swim(const math::Vec3& position);
