@@ -26,4 +26,4 @@ if [ ${#tiles[@]} = 0 ]; then
   echo "level_sheet.sh: tools/level_views.txt has no views of $level" >&2
   exit 1
 fi
-montage -background '#181818' -tile 3x -resize 320x180 -geometry +2+2 -strip -quality 78 "${tiles[@]}" "$out"
+montage -background '#181818' -tile 3x -resize 320x180 -geometry +2+2 -strip -interlace Plane -quality 70 "${tiles[@]}" "$out"
