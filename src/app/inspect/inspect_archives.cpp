@@ -69,7 +69,7 @@ base::Result<Inspection> inspect_pk3(base::ByteVector bytes) {
   Inspection files = Inspection::array();
   Inspection problems(std::vector<std::string>(pk3.left_out().begin(), pk3.left_out().end()));
   for (std::size_t i = 0; i < pk3.entries().size(); ++i) {
-    const formats::Pk3Entry& entry = pk3.entries()[i];
+    const formats::ZipRecord& entry = pk3.entries()[i];
     files.push_back({{"name", entry.name}, {"bytes", entry.size}});
     const auto unpacked = pk3.read(i, formats::Pk3::Checksum::kVerify);
     if (!unpacked.ok()) problems.push_back(unpacked.error().message());

@@ -1,17 +1,12 @@
 // PK3 archives: zip files with another extension, as later engines use them. Supports stored and deflated
-// entries, also with zip64 records. Built on libzip, with our own limits against zip bombs and damaged
-// directories:
+// entries, also with zip64 records (zip_directory.h describes the layout). zlib packs and unpacks the data
+// (L. Peter Deutsch, RFC 1951, 1996); our own limits stop zip bombs.
 //
-//   | local header, packed data | local header, packed data | ... | central directory | end record |
-//
-// Reading starts at the end record, which has the place of the central directory. Bytes before the archive
-// (a program that unpacks it) and after it are ignored. The whole archive stays in memory; entries are
-// unpacked when they are read.
+// The whole archive stays in memory; entries are unpacked when they are read.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +14,7 @@
 #include "base/bytes.h"
 #include "base/result.h"
 #include "formats/archives/archive.h"
+#include "formats/archives/zip_directory.h"
 
 namespace temblor::formats {
 
@@ -27,22 +23,12 @@ struct Pk3Limits {
   std::uint64_t unpacked_bytes = std::uint64_t{1} << 30;  // limit for all entries together
 };
 
-// A file in the archive.
-struct Pk3Entry {
-  std::string name;             // as stored; is_contained_name()
-  std::uint64_t size = 0;       // unpacked bytes, as declared in the archive
-  std::uint64_t zip_index = 0;  // index in the zip directory, which also lists folders
-};
-
 // An open archive. Owns the packed bytes, and unpacks entries on demand.
 class Pk3 {
  public:
-  Pk3(Pk3&&) noexcept;
-  Pk3& operator=(Pk3&&) noexcept;
-  ~Pk3();
-
-  // Files in the order of the zip directory, without folders. Names may repeat; the last one counts.
-  std::span<const Pk3Entry> entries() const { return entries_; }
+  // Files in the order of the zip directory, without folders. is_contained_name(name); names may repeat, and
+  // the last one counts.
+  std::span<const ZipRecord> entries() const { return entries_; }
   // The reasons why other files were left out.
   std::span<const std::string> left_out() const { return left_out_; }
 
@@ -54,11 +40,10 @@ class Pk3 {
 
  private:
   friend base::Result<Pk3> read_pk3(base::ByteVector bytes, const Pk3Limits& limits);
-  struct Zip;
-  Pk3(std::unique_ptr<Zip> zip, std::vector<Pk3Entry> entries, std::vector<std::string> left_out);
+  Pk3() = default;
 
-  std::unique_ptr<Zip> zip_;
-  std::vector<Pk3Entry> entries_;
+  base::ByteVector bytes_;
+  std::vector<ZipRecord> entries_;
   std::vector<std::string> left_out_;
 };
 
@@ -68,7 +53,8 @@ class Pk3 {
 base::Result<Pk3> read_pk3(base::ByteVector bytes, const Pk3Limits& limits = {});
 
 // Packs files in the given order. The result is reproducible: all entries have the date 1980-01-01. Names
-// must be unique and satisfy is_contained_name(), or it returns kUsage.
+// must be unique and satisfy is_contained_name(), or it returns kUsage. Returns kTooLarge for more than
+// 65,535 files or 4 GiB.
 base::Result<base::ByteVector> write_pk3(std::span<const ArchiveFile> files);
 
 }  // namespace temblor::formats

@@ -123,6 +123,7 @@ std::string reason_to_leave_out(const ZipByHand& entry) {
 TEST(Pk3, LeavesOutNamesThatLeaveTheFolder) {
   for (const char* name : {"../x", "/etc/passwd", "a/../../x", "..\\x", "c:\\x", "a//b", "./a", "a\nb"})
     EXPECT_THAT(reason_to_leave_out({.name = name, .data = "x"}), HasSubstr("leads outside"));
+  EXPECT_THAT(reason_to_leave_out({.name = std::string("a\0b", 3), .data = "x"}), HasSubstr("leads outside"));
 }
 
 TEST(Pk3, LeavesOutEncryptedEntries) {
@@ -208,6 +209,63 @@ TEST(Pk3, BytesAroundTheArchiveAreIgnored) {
                        test::to_bytes(comment)));
 }
 
+// Signatures and other records may follow the directory. The place in the end record is right then.
+TEST(Pk3, BytesAfterTheDirectoryAreIgnored) {
+  base::ByteVector zip = make_zip_of_one({.name = "f", .data = "abc"});
+  const base::ByteVector signature = test::to_bytes("PK\5\5 and a signature");
+  zip.insert(zip.end() - test::kZipEndRecordBytes, signature.begin(), signature.end());
+  expect_one_file(zip);
+}
+
+// Old programs wrote only the low 16 bits of the number.
+TEST(Pk3, ReadsMoreRecordsThanTheEndRecordCounts) {
+  const base::ByteVector zip =
+      make_zip(std::vector<ZipByHand>{{.name = "a", .data = "one"}, {.name = "b", .data = "two"}});
+  for (const std::uint16_t entries : {std::uint16_t{0}, std::uint16_t{1}}) {
+    const auto pk3 = read_pk3(test::with_number(zip, zip.size() - test::kZipEndRecordBytes + 10, entries));
+    ASSERT_TRUE(pk3.ok()) << pk3.error().message();
+    EXPECT_EQ(pk3->entries().size(), 2u);
+    EXPECT_TRUE(pk3->left_out().empty());
+  }
+}
+
+TEST(Pk3, ReportsUnreadableRecords) {
+  base::ByteVector zip =
+      make_zip(std::vector<ZipByHand>{{.name = "a", .data = "one"}, {.name = "b", .data = "two"}});
+  // The mark of the second directory record, which is the last thing before the end record.
+  const std::size_t second = zip.size() - test::kZipEndRecordBytes - 47;
+  const auto pk3 = read_pk3(test::with_number(zip, second, 0u));
+  ASSERT_TRUE(pk3.ok()) << pk3.error().message();
+  ASSERT_EQ(pk3->entries().size(), 1u);
+  EXPECT_EQ(*pk3->read(0), test::to_bytes("one"));
+  ASSERT_EQ(pk3->left_out().size(), 1u);
+  EXPECT_THAT(pk3->left_out()[0], HasSubstr("1 record of the directory"));
+}
+
+TEST(Pk3, DamagedLocalHeaderFailsOnRead) {
+  const base::ByteVector zip =
+      make_zip(std::vector<ZipByHand>{{.name = "a", .data = "one"}, {.name = "b", .data = "two"}});
+  constexpr std::size_t kLocalNameField = 26;
+  for (const base::ByteVector& bytes :
+       {test::with_number(zip, 0, 0u), test::with_number(zip, kLocalNameField, 0xffffffffu)}) {
+    const auto pk3 = read_pk3(bytes);
+    ASSERT_TRUE(pk3.ok()) << pk3.error().message();
+    const auto damaged = pk3->read(0);
+    ASSERT_FALSE(damaged.ok());
+    EXPECT_THAT(damaged.error().what, HasSubstr("\"a\": its data is not in the archive"));
+    EXPECT_EQ(*pk3->read(1), test::to_bytes("two"));
+  }
+}
+
+TEST(Pk3, KeepsBothFilesOfOneName) {
+  const auto pk3 =
+      read_pk3(make_zip(std::vector<ZipByHand>{{.name = "a", .data = "old"}, {.name = "a", .data = "new"}}));
+  ASSERT_TRUE(pk3.ok());
+  ASSERT_EQ(pk3->entries().size(), 2u);
+  EXPECT_EQ(*pk3->read(0), test::to_bytes("old"));
+  EXPECT_EQ(*pk3->read(1), test::to_bytes("new"));
+}
+
 // The zip64 records of an archive with one directory record.
 base::ByteVector with_zip64(const base::ByteVector& zip, std::uint64_t entries, std::uint64_t extra_bytes) {
   base::ByteReader end(zip);
@@ -243,6 +301,37 @@ TEST(Pk3, ReadsZip64) {
     zip = test::with_number(zip, end_record + field, std::uint16_t{0xffff});
   for (const std::size_t field : {12u, 16u}) zip = test::with_number(zip, end_record + field, 0xffffffffu);
   expect_one_file(zip);
+}
+
+TEST(Pk3, ReadsZip64AfterOtherBytes) {
+  expect_one_file(join(base::ByteVector(70000, std::byte{7}),
+                       with_zip64(make_zip_of_one({.name = "f", .data = "abc"}), 1, 0)));
+}
+
+// Sizes and offset of a record in its zip64 field, as programs write them that do not know the size in
+// advance.
+TEST(Pk3, ReadsZip64FieldsOfRecords) {
+  constexpr std::size_t kExtraField = 30, kRecordBytes = 46;
+  const base::ByteVector plain = make_zip_of_one({.name = "f", .data = "abc"});
+  const std::size_t end_record = plain.size() - test::kZipEndRecordBytes;
+  const std::size_t directory = end_record - kRecordBytes - 1;
+  base::ByteWriter writer;
+  writer.bytes(base::Bytes(plain).first(end_record));
+  writer.u16(0x7075);  // another field before it
+  writer.u16(2);
+  writer.u16(0);
+  writer.u16(1);
+  writer.u16(3 * 8);
+  writer.write<std::uint64_t>(3);  // bytes unpacked
+  writer.write<std::uint64_t>(3);  // bytes packed
+  writer.write<std::uint64_t>(0);  // offset of the local header
+  const auto extra_bytes = static_cast<std::uint16_t>(writer.size() - end_record);
+  writer.patch(directory + kExtraField, extra_bytes);
+  for (const std::size_t field : {20u, 24u, 42u}) writer.patch(directory + field, 0xffffffffu);
+  writer.bytes(base::Bytes(plain).subspan(end_record));
+  writer.patch(end_record + extra_bytes + test::kZipEndDirectorySizeField,
+               static_cast<std::uint32_t>(kRecordBytes + 1 + extra_bytes));
+  expect_one_file(std::move(writer).take());
 }
 
 TEST(Pk3, RejectsHugeZip64DirectoryBeforeParsing) {
@@ -289,6 +378,7 @@ TEST(Pk3, WriteRejectsInvalidFiles) {
   EXPECT_FALSE(write_pk3({}).ok());
   EXPECT_FALSE(write_pk3(std::vector<ArchiveFile>{{"../a", {}}}).ok());
   EXPECT_FALSE(write_pk3(std::vector<ArchiveFile>{{"a", {}}, {"a", {}}}).ok());
+  EXPECT_FALSE(write_pk3(std::vector<ArchiveFile>(65536, ArchiveFile{"a", {}})).ok());
 }
 
 }  // namespace
