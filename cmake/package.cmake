@@ -29,9 +29,11 @@ install(PROGRAMS docs/compile_with_parallel.sh COMPONENT game DESTINATION "${CMA
 install(PROGRAMS packaging/compile_with_slurm.sh COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}/packaging")
 install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.map" PATTERN "*.png" PATTERN "*.jpg")
 
-# All libraries except those of the C library, which must match the system's loader.
+# All libraries except those that come with every system: the C library, which must match the system's loader; the compiler's
+# libraries, which graphics drivers need in the system's version; and systemd's, for PulseAudio's messages to the journal.
 install(RUNTIME_DEPENDENCY_SET libraries COMPONENT libraries DESTINATION "${library_folder}"
-        PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv)\\.so" POST_EXCLUDE_REGEXES "/ld-linux[^/]*$")
+        PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv|stdc\\+\\+|gcc_s|systemd)\\.so"
+        POST_EXCLUDE_REGEXES "/ld-linux[^/]*$")
 # Remove the search paths of the libraries, because they would precede the program's.
 install(CODE "file(GLOB brought \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${library_folder}/*.so*\")
 foreach(library IN LISTS brought)
@@ -39,16 +41,17 @@ foreach(library IN LISTS brought)
     file(RPATH_REMOVE FILE \"\${library}\")
   endif()
 endforeach()" COMPONENT libraries)
-if(EXISTS /usr/share/doc AND EXISTS /usr/bin/dpkg-query)
-  set(licenses "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/libraries")
-  set(tool "${CMAKE_SOURCE_DIR}/tools/package_licenses.sh")
-  install(CODE "execute_process(COMMAND \"${tool}\" \"$<TARGET_FILE:temblor>\" \"${licenses}\"
-                                COMMAND_ERROR_IS_FATAL ANY)" COMPONENT libraries)
-  install(CODE "execute_process(COMMAND \"${tool}\" \"$<TARGET_FILE:embree>\" \"${licenses}\"
-                                COMMAND_ERROR_IS_FATAL ANY)" COMPONENT light)
-endif()
 install(FILES "$<TARGET_FILE:embree>" DESTINATION "${library_folder}" COMPONENT light
         RENAME "$<TARGET_SONAME_FILE_NAME:embree>")
+# After the libraries, because it searches for their licenses.
+if(EXISTS /usr/share/doc AND EXISTS /usr/bin/dpkg-query)
+  set(root "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}")
+  foreach(part IN ITEMS libraries light)
+    install(CODE "execute_process(COMMAND \"${CMAKE_SOURCE_DIR}/tools/package_licenses.sh\" \"${root}/${library_folder}\"
+                                          \"${root}/${CMAKE_INSTALL_DOCDIR}/libraries\"
+                                  COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${part})
+  endforeach()
+endif()
 
 set(CPACK_PACKAGE_NAME temblor)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Quake-class game and engine that draws without a GPU")

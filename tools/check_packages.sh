@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests the packages that `make package` wrote to build/release:
-#   Archives: unpacks them; the program draws a picture and compiles a map with light.
+#   Archives: unpacks them; the program draws a picture and compiles a map with light. It starts in a clean system too.
 #   Debian package: installs it in a clean system made by debootstrap; the game starts there without a display, and
 #   removing the package leaves no files.
 # Without debootstrap or a package mirror, the package is unpacked with `dpkg --root` into an empty folder, where the
@@ -78,6 +78,12 @@ if [ $kind = system ]; then
   printf '#!/bin/sh\nexit 101\n' >"$root/usr/sbin/policy-rc.d"  # start no services
   chmod +x "$root/usr/sbin/policy-rc.d"
   inside=(chroot "$root" env DEBIAN_FRONTEND=noninteractive HOME="$HOME" PATH=/usr/sbin:/usr/bin:/sbin:/bin:/usr/games)
+  # The program finds the archive's libraries through /proc. The clean system has all others.
+  if [ -n "$is_mounted" ]; then
+    cp -r "$work/archive" "$root/archive"
+    try_game "${inside[@]}" "${program#"$work"}"
+    rm -rf "$root/archive"
+  fi
   cp "$deb" "$root/temblor.deb"
   "${inside[@]}" sh -c 'apt-get update -qq && apt-get install -y -qq --no-install-recommends /temblor.deb' >"$work/install.txt" 2>&1 ||
     { tail -20 "$work/install.txt"; fail "the Debian package cannot be installed"; }

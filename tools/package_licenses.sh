@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# Usage: tools/package_licenses.sh PROGRAM FOLDER: copies Debian's copyright file of each library that the program is linked
-# with into the folder, for the archive that contains these libraries.
+# Usage: tools/package_licenses.sh LIBRARIES FOLDER: copies Debian's copyright file of each library in the folder LIBRARIES into
+# FOLDER, for the archive that contains these libraries.
 set -euo pipefail
-program=$1 folder=$2
+libraries=$1 folder=$2
 mkdir -p "$folder"
-ldd "$program" | awk '$3 ~ "^/" { print $3 }' | while read -r library; do
-  file=$(readlink -f "$library")
-  # dpkg may still list a file of /usr/lib under /lib.
-  package=$({ dpkg-query -S "$file" || dpkg-query -S "${file#/usr}"; } 2>/dev/null | head -1 | cut -d: -f1) || true
-  if [ -n "$package" ]; then cp "/usr/share/doc/$package/copyright" "$folder/$package.txt"; fi
+mapfile -t files < <(find "$libraries" -name '*.so*' -printf '*/%f\n')
+# dpkg-query fails if one of the files is in no package, such as a library that was built here.
+{ dpkg-query -S "${files[@]}" 2>/dev/null || true; } | cut -d: -f1 | sort -u | while read -r package; do
+  if [ -f "/usr/share/doc/$package/copyright" ]; then cp "/usr/share/doc/$package/copyright" "$folder/$package.txt"; fi
 done
