@@ -1,11 +1,10 @@
 #include "architecture/wording.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
-#include <regex>
 #include <set>
-#include <utility>
 
 #include "architecture/source_tree.h"
 
@@ -120,18 +119,29 @@ base::Result<std::vector<RetiredWord>> parse_retired_words(std::string_view text
   return words;
 }
 
-std::vector<std::string> find_retired_words(const std::string& path, std::string_view whole_text,
-                                            const std::vector<RetiredWord>& words) {
+RetiredWordFinder::RetiredWordFinder(std::vector<RetiredWord> words) : words_(std::move(words)) {
+  for (const RetiredWord& word : words_)
+    if (word.kind == RetiredWord::Kind::kPattern) patterns_.emplace_back(word.text, &word);
+}
+
+const RetiredWordFinder::Verdict& RetiredWordFinder::judge(std::string_view use) {
+  if (const auto known = verdicts_.find(use); known != verdicts_.end()) return known->second;
+  Verdict& verdict = verdicts_[std::string(use)];
+  const std::string_view name = use.substr(0, use.find('('));
+  const auto search = [&](RetiredWord::Kind kind, std::string_view text) {
+    for (const RetiredWord& word : words_)
+      if (word.kind == kind && word.text == text) verdict.names_and_parts.push_back(&word);
+  };
+  search(RetiredWord::Kind::kName, name);
+  for_each_part(name, [&](std::string_view part) { search(RetiredWord::Kind::kPart, to_lower(part)); });
+  for (const auto& [pattern, word] : patterns_)
+    if (std::regex_search(use.begin(), use.end(), pattern)) verdict.patterns.push_back(word);
+  return verdict;
+}
+
+std::vector<std::string> RetiredWordFinder::find(const std::string& path, std::string_view whole_text) {
   const std::string text = remove_marked_lines(whole_text);
-  std::map<std::string, const RetiredWord*, std::less<>> parts, names;
-  for (const RetiredWord& word : words) {
-    if (word.kind == RetiredWord::Kind::kPart) parts[word.text] = &word;
-    if (word.kind == RetiredWord::Kind::kName) names[word.text] = &word;
-  }
-  std::vector<std::pair<std::regex, const RetiredWord*>> patterns;
-  for (const RetiredWord& word : words)
-    if (word.kind == RetiredWord::Kind::kPattern) patterns.emplace_back(word.text, &word);
-  std::set<std::string, std::less<>> matched;  // regular expressions are slow: match each name once
+  std::set<std::string_view> reported;  // names that match patterns
   std::vector<std::string> violations;
   int line = 1;
   for (std::size_t i = 0; i < text.size();) {
@@ -142,20 +152,15 @@ std::vector<std::string> find_retired_words(const std::string& path, std::string
     const std::size_t begin = i;
     while (i < text.size() && is_name_character(text[i])) ++i;
     const std::string_view name = std::string_view(text).substr(begin, i - begin);
-    if (const auto found = names.find(name); found != names.end())
-      violations.push_back(describe(path, line, name, *found->second));
     const std::string_view use(name.data(), name.size() + (i < text.size() && text[i] == '(' ? 1 : 0));
-    if (!patterns.empty() && matched.emplace(use).second)
-      for (const auto& [pattern, word] : patterns)
-        if (std::regex_search(use.begin(), use.end(), pattern))
-          violations.push_back(describe(path, line, use, *word));
-    for_each_part(name, [&](std::string_view part) {
-      if (const auto found = parts.find(to_lower(part)); found != parts.end())
-        violations.push_back(describe(path, line, name, *found->second));
-    });
+    const Verdict& verdict = judge(use);
+    for (const RetiredWord* word : verdict.names_and_parts)
+      violations.push_back(describe(path, line, name, *word));
+    if (!verdict.patterns.empty() && reported.insert(use).second)
+      for (const RetiredWord* word : verdict.patterns) violations.push_back(describe(path, line, use, *word));
   }
   const FlatText flat = flatten(text);
-  for (const RetiredWord& word : words) {
+  for (const RetiredWord& word : words_) {
     if (word.kind != RetiredWord::Kind::kPhrase) continue;
     for (std::size_t at = flat.text.find(word.text); at != std::string::npos;
          at = flat.text.find(word.text, at + 1)) {
@@ -170,6 +175,12 @@ std::vector<std::string> find_retired_words(const std::string& path, std::string
 
 std::vector<std::string> find_sentences_without_subject(const std::string& path, std::string_view text) {
   static const std::regex start_of_sentence(R"((^|[.:!?] )(What|Who|Whose|Of|As) )");
+  // Few comments contain these words, and a regular expression is slow.
+  const auto may_match = [](std::string_view comment) {
+    constexpr std::array<std::string_view, 5> kWords = {"What ", "Who ", "Whose ", "Of ", "As "};
+    return std::ranges::any_of(
+        kWords, [&](std::string_view word) { return comment.find(word) != std::string_view::npos; });
+  };
   std::vector<std::string> violations;
   bool starts_sentence = true;  // the next comment line does
   for (int line = 1; !text.empty(); ++line) {
@@ -182,7 +193,7 @@ std::vector<std::string> find_sentences_without_subject(const std::string& path,
     }
     std::string comment(row.substr(mark + 3));
     if (!starts_sentence) comment.insert(0, "...");  // the line continues a sentence
-    if (std::regex_search(comment, start_of_sentence))
+    if (may_match(comment) && std::regex_search(comment, start_of_sentence))
       violations.push_back(path + ":" + std::to_string(line) +
                            ": start this sentence with its subject: " + comment);
     starts_sentence = row.ends_with('.') || row.ends_with(':');

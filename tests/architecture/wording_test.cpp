@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 // Every text that we write. CONTRIBUTING.md, the list of retired words, and the tests of this rule name them.
 std::vector<std::string> text_files() {
@@ -39,13 +40,19 @@ std::vector<RetiredWord> words_from(std::string_view text) {
   return words.ok() ? *words : std::vector<RetiredWord>{};
 }
 
+std::vector<std::string> find_retired_words(const std::string& path, std::string_view text,
+                                            const std::vector<RetiredWord>& words) {
+  return RetiredWordFinder(words).find(path, text);
+}
+
 TEST(Wording, NoRetiredWordIsUsed) {
   const std::vector<RetiredWord> words =
       words_from(read_text(repository_root() / "tests/architecture/retired_words.txt"));
   ASSERT_GT(words.size(), 40u);
+  RetiredWordFinder finder(words);
   std::vector<std::string> violations;
   for (const std::string& path : text_files()) {
-    const auto found = find_retired_words(path, read_text(repository_root() / path), words);
+    const auto found = finder.find(path, read_text(repository_root() / path));
     violations.insert(violations.end(), found.begin(), found.end());
   }
   EXPECT_THAT(violations, IsEmpty());
@@ -96,6 +103,16 @@ TEST(WordingRules, FindPatternsOfNames) {
   const auto words = words_from("pattern: \\b[a-z_]+_of\\( -> a verb\n");
   EXPECT_THAT(find_retired_words("a.h", "int x;\nint size_of(int);\nint of(int);\n", words),
               ElementsAre(HasSubstr("a.h:2: 'size_of('")));
+}
+
+TEST(WordingRules, FindTheSameNameInEachFileAndPatternsOnceInAFile) {
+  RetiredWordFinder finder(words_from("part: colours -> colors\npattern: \\bkMost[A-Z] -> kMax...\n"));
+  const std::string_view text = "kMostColours;\nkMostColours;\n";
+  for (const char* path : {"a.h", "b.h"})
+    EXPECT_THAT(finder.find(path, text),
+                UnorderedElementsAre(HasSubstr("use 'colors'"), HasSubstr("use 'colors'"),
+                                     HasSubstr("use 'kMax...'")))
+        << path;
 }
 
 TEST(WordingRules, IgnoreMarkedLines) {
