@@ -176,7 +176,7 @@ TEST_F(MixerTest, StaticSoundsLoopAndEndWithTheLevel) {
 }
 
 TEST_F(MixerTest, HundredsOfVoicesPlayAtOnce) {
-  for (int i = 0; i < 900; ++i) start(0.001f, i + 10, 1);
+  for (int i = 0; i < 900; ++i) start(0.001f, i + 10, 1, kSecond);
   EXPECT_NEAR(level(), 0.9, 1e-4);
   EXPECT_EQ(mixer.stats().left_out, 0u);
 }
@@ -194,7 +194,7 @@ TEST_F(MixerTest, FullMixerEndsTheVoiceWithTheLeastTimeLeft) {
 }
 
 TEST_F(MixerTest, NewSoundIsLeftOutIfNoVoiceMayEnd) {
-  for (std::size_t i = 0; i < Mixer::kMaxVoices; ++i) start(0, kSelf, 0);
+  for (std::size_t i = 0; i < Mixer::kMaxVoices; ++i) start(0, kSelf, 0, kSecond);
   EXPECT_EQ(mixer.stats().left_out, 0u);
   start(0.2f, kOther, 0);
   EXPECT_EQ(mixer.stats().left_out, 1u);
