@@ -44,6 +44,7 @@ struct Canvas {
 template <typename Texel, typename Value>
 std::vector<Texel> make_texels(int width, int height, Value value) {
   std::vector<Texel> texels;
+  texels.reserve(static_cast<std::size_t>(width * height) + render::kTexelPadding / sizeof(Texel));
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) texels.push_back(static_cast<Texel>(value(column, row)));
   texels.insert(texels.end(), render::kTexelPadding / sizeof(Texel), static_cast<Texel>(0xeeeeeeeeu));

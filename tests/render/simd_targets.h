@@ -18,10 +18,12 @@ class ForcedVectorTarget {
   ForcedVectorTarget& operator=(const ForcedVectorTarget&) = delete;
 };
 
-// Calls body() for each instruction set that was compiled and that this processor supports.
+// Calls body() for each instruction set that was compiled and that this processor supports. Call it inside
+// loops over cases, so that all instruction sets share the case and its scalar result.
 template <typename Body>
 void for_each_simd_target(Body body) {
-  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  static const std::vector<std::int64_t> targets =
+      hwy::SupportedAndGeneratedTargets();  // slow in virtual machines
   for (const std::int64_t target : targets) {
     const ForcedVectorTarget forced(target);
     SCOPED_TRACE(hwy::TargetName(target));

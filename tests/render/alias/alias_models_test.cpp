@@ -78,10 +78,11 @@ class ModelAgainstRays {
       if (!hit.hit) continue;
       least = std::min(least, hit.depth * (1 - kDepthError));
       most = std::max(most, hit.depth * (1 + kDepthError));
+      // Rounding a corner also tilts a triangle that is nearly edge-on. More rays only widen the range.
+      const double tilt = (most - least) / 2;
+      if (depth >= least - tilt && depth <= most + tilt) return true;
     }
-    // Rounding a corner also tilts a triangle that is nearly edge-on.
-    const double tilt = (most - least) / 2;
-    return depth >= least - tilt && depth <= most + tilt;
+    return false;
   }
 
   const DrawableLevel drawable_ = small_level({.pvs = false});

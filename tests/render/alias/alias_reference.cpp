@@ -36,6 +36,10 @@ ReferenceMesh reference_mesh(const formats::Mdl& mdl, std::size_t pose, const re
            texel.s + 0.5 + (shifted ? mdl.skin_width / 2 : 0),
            texel.t + 0.5});
     }
+  for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
+    const ReferenceCorner* corner = &mesh.corners[i];
+    mesh.normals.push_back(glm::cross(corner[2].view - corner[0].view, corner[1].view - corner[0].view));
+  }
   return mesh;
 }
 
@@ -46,14 +50,14 @@ ReferenceHit reference_hit(const ReferenceMesh& mesh, const ReferencePicture& pi
   ReferenceHit nearest;
   for (std::size_t triangle = 0; triangle * 3 < mesh.corners.size(); ++triangle) {
     const ReferenceCorner* corner = &mesh.corners[triangle * 3];
-    // Point = z * ray = a + u (b - a) + v (c - a).
-    const math::Vec3d ab = corner[1].view - corner[0].view, ac = corner[2].view - corner[0].view;
-    const math::Vec3d normal = glm::cross(ac, ab);  // outward
+    const math::Vec3d& normal = mesh.normals[triangle];
     const double facing = glm::dot(normal, ray);
     // In view space x, y, z are left-handed, so that an outward normal of a front runs along the ray.
     if (facing <= 0) continue;
     const double z = glm::dot(normal, corner[0].view) / facing;
     if (!(z >= near_z) || (nearest.hit && 1 / z < nearest.depth)) continue;
+    // Point = z * ray = a + u (b - a) + v (c - a).
+    const math::Vec3d ab = corner[1].view - corner[0].view, ac = corner[2].view - corner[0].view;
     const math::Vec3d ap = ray * z - corner[0].view;
     const double scale = 1 / glm::dot(normal, normal);
     const double u = glm::dot(glm::cross(ac, ap), normal) * scale;

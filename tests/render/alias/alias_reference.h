@@ -26,6 +26,7 @@ struct ReferenceCorner {
 };
 struct ReferenceMesh {
   std::vector<ReferenceCorner> corners;  // three a triangle, clockwise seen from outside
+  std::vector<math::Vec3d> normals;      // one a triangle, outward, of any length
 };
 // Number `pose` of the model's poses, in file order, with the instance's placement.
 ReferenceMesh reference_mesh(const formats::Mdl& mdl, std::size_t pose, const render::AliasInstance& instance,

@@ -122,39 +122,43 @@ using RepeatingTexels = testing::Types<std::uint8_t, std::uint32_t>;
 TYPED_TEST_SUITE(RepeatingSpans, RepeatingTexels);
 
 TYPED_TEST(RepeatingSpans, SimdEqualsScalar) {
-  for_each_simd_target([] {
-    for (int seed = 0; seed < effort(3000, 60); ++seed) {
-      Random random(static_cast<std::uint64_t>(seed));
-      RepeatCase repeat(random, RepeatingWalks::kAnywhere);
-      const std::vector<TypeParam> texels = make_noise<TypeParam>(repeat.width, repeat.height, random);
-      repeat.job.texels = texels.data();
-      const bool with_depth = random.chance(0.8);
-      Canvas<TypeParam> plain, vector;
-      RepeatingKernels<TypeParam>::repeat_scalar(repeat.job, plain.target(with_depth));
+  for (int seed = 0; seed < effort(3000, 60); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    RepeatCase repeat(random, RepeatingWalks::kAnywhere);
+    const std::vector<TypeParam> texels = make_noise<TypeParam>(repeat.width, repeat.height, random);
+    repeat.job.texels = texels.data();
+    const bool with_depth = random.chance(0.8);
+    Canvas<TypeParam> plain;
+    RepeatingKernels<TypeParam>::repeat_scalar(repeat.job, plain.target(with_depth));
+    for_each_simd_target([&] {
+      Canvas<TypeParam> vector;
       RepeatingKernels<TypeParam>::repeat_simd(repeat.job, vector.target(with_depth));
       ASSERT_TRUE(plain == vector) << fmt::format("seed {}, texture {}x{}, amplitude {}, divide {}", seed,
                                                   repeat.width, repeat.height, repeat.job.amplitude,
                                                   repeat.job.divide);
-    }
-  });
+    });
+    if (this->HasFatalFailure()) return;
+  }
 }
 
 TYPED_TEST(RepeatingSpans, SimdEqualsScalarForSky) {
-  for_each_simd_target([] {
-    for (int seed = 0; seed < effort(3000, 60); ++seed) {
-      Random random(static_cast<std::uint64_t>(seed));
-      SkyCase sky(random);
-      const std::vector<TypeParam> clouds = make_clouds<TypeParam>(sky.width, sky.height, random);
-      const std::vector<TypeParam> back = make_noise<TypeParam>(sky.width, sky.height, random);
-      sky.job.clouds = clouds.data();
-      sky.job.back = back.data();
-      const bool with_depth = random.chance(0.8);
-      Canvas<TypeParam> plain, vector;
-      RepeatingKernels<TypeParam>::sky_scalar(sky.job, plain.target(with_depth));
+  for (int seed = 0; seed < effort(3000, 60); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    SkyCase sky(random);
+    const std::vector<TypeParam> clouds = make_clouds<TypeParam>(sky.width, sky.height, random);
+    const std::vector<TypeParam> back = make_noise<TypeParam>(sky.width, sky.height, random);
+    sky.job.clouds = clouds.data();
+    sky.job.back = back.data();
+    const bool with_depth = random.chance(0.8);
+    Canvas<TypeParam> plain;
+    RepeatingKernels<TypeParam>::sky_scalar(sky.job, plain.target(with_depth));
+    for_each_simd_target([&] {
+      Canvas<TypeParam> vector;
       RepeatingKernels<TypeParam>::sky_simd(sky.job, vector.target(with_depth));
       ASSERT_TRUE(plain == vector) << fmt::format("seed {}, layers {}x{}", seed, sky.width, sky.height);
-    }
-  });
+    });
+    if (this->HasFatalFailure()) return;
+  }
 }
 
 TYPED_TEST(RepeatingSpans, WriteNoPixelOutsideTheSpans) {

@@ -159,12 +159,13 @@ TEST_F(MipViews, FindTheNearestDepthOnTheScreen) {
     // Samples: the nearest one in the picture, and the nearest one close to the picture.
     double on_screen = view.depth(1e9), about_screen = on_screen;
     constexpr int kSamples = 300;
+    const Vec3d corner = view.to_view(corners[1]);
+    const Vec3d side_0 = view.to_view(corners[0]) - corner, side_2 = view.to_view(corners[2]) - corner;
     for (int i = 0; i <= kSamples; ++i)
       for (int j = 0; j <= (corners.size() == 4 ? kSamples : kSamples - i); ++j) {
-        const Vec3d point = corners[1] + (corners[0] - corners[1]) * (static_cast<double>(i) / kSamples) +
-                            (corners[2] - corners[1]) * (static_cast<double>(j) / kSamples);
-        const Vec3d in_view = view.to_view(point);
-        if (in_view.z < view.near_z) continue;
+        const Vec3d in_view = corner + side_0 * (static_cast<double>(i) / kSamples) +
+                              side_2 * (static_cast<double>(j) / kSamples);
+        if (in_view.z < view.near_z || view.depth(in_view.z) <= on_screen) continue;
         const math::Vec2d screen = view.to_screen(in_view);
         const auto within = [&](double slack_x, double slack_y) {
           return screen.x >= -slack_x && screen.x <= view.width - 1 + slack_x && screen.y >= -slack_y &&
