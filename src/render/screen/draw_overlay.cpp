@@ -81,8 +81,9 @@ class IndexedPaint {
       for (; first != end; ++first) *first = multiply(index, *first, opacity_256_);
     else if (table_ == nullptr)
       std::fill(first, end, index);
-    else
-      for (; first != end; ++first) *first = table_[index * 256 + *first];
+    else  // `table_` could change with each pixel that is written, a local pointer cannot
+      for (const std::uint8_t* const blends = table_ + index * 256; first != end; ++first)
+        *first = blends[*first];
   }
   // The texel's own opacity counts, too.
   void put_detail(const formats::PictureDetail& detail, std::size_t texel, std::uint8_t* pixel) const {
@@ -141,10 +142,13 @@ class RgbPaint {
   }
   void fill(std::uint8_t index, std::uint32_t* first, std::uint32_t* end) const {
     const std::uint32_t color = colors_[translation_ != nullptr ? (*translation_)[index] : index];
-    if (mode_ == DrawMode::kBlend && opacity_256_ == kOpaque256)
+    const int share_256 = opacity_256_;  // local, like `blends` above
+    if (mode_ != DrawMode::kBlend)
+      for (; first != end; ++first) *first = combine(color, *first, share_256);
+    else if (share_256 == kOpaque256)
       std::fill(first, end, color);
     else
-      for (; first != end; ++first) *first = combine(color, *first, opacity_256_);
+      for (; first != end; ++first) *first = blend_rgb(color, *first, share_256);
   }
   void put_detail(const formats::PictureDetail& detail, std::size_t texel, std::uint32_t* pixel) const {
     const std::uint32_t color = detail.colors[texel];
