@@ -305,8 +305,11 @@ TEST(Host, ScreenshotsNeverReplaceOthers) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game({"map small"});
   ASSERT_TRUE(game.run_until_playing());
-  for (int number = 0; number < 10000; ++number)
-    if (number != 9998) game.folder().write(fmt::format("id1/temblor{:04}.png", number), std::string_view());
+  // One empty file with many names is quicker to make than as many files.
+  const std::filesystem::path first = game.folder().write("id1/temblor0000.png", std::string_view());
+  for (int number = 1; number < 10000; ++number)
+    if (number != 9998)
+      std::filesystem::create_hard_link(first, first.parent_path() / fmt::format("temblor{:04}.png", number));
   game.command("screenshot");
   game.run(0.02, 0.01);
   EXPECT_GT(std::filesystem::file_size(game.folder().path() / "id1/temblor9998.png"), 0u);
