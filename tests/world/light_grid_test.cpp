@@ -6,6 +6,7 @@
 #include "artgen/small_level.h"
 #include "support/effort.h"
 #include "support/levels/drawable_level.h"
+#include "support/levels/small_bsp.h"
 #include "support/random.h"
 #include "world/sample_light.h"
 
@@ -42,13 +43,12 @@ std::optional<math::Vec3d> find_mean(const formats::LightGrid& grid, const world
                                      const math::Vec3& point) {
   math::Vec3d sum(0.0);
   double weights = 0;
+  const math::Vec3d in_steps = (math::Vec3d(point) - math::Vec3d(grid.mins)) / math::Vec3d(grid.step);
+  const auto hat = [](double off) { return std::max(0.0, 1 - std::abs(off)); };
   for (int x = 0; x < kSide; ++x)
     for (int y = 0; y < kSide; ++y)
       for (int z = 0; z < kSide; ++z) {
-        const math::Vec3d place = math::Vec3d(grid.mins) + math::Vec3d(grid.step) * math::Vec3d(x, y, z);
-        const math::Vec3d off = (math::Vec3d(point) - place) / math::Vec3d(grid.step);
-        const double weight = std::max(0.0, 1 - std::abs(off.x)) * std::max(0.0, 1 - std::abs(off.y)) *
-                              std::max(0.0, 1 - std::abs(off.z));
+        const double weight = hat(in_steps.x - x) * hat(in_steps.y - y) * hat(in_steps.z - z);
         const auto& sample = grid.samples[static_cast<std::size_t>(x + kSide * (y + kSide * z))];
         if (weight <= 0 || sample.light_count == formats::GridSample::kOccluded) continue;
         for (std::uint32_t i = 0; i < sample.light_count; ++i) {
@@ -63,7 +63,7 @@ std::optional<math::Vec3d> find_mean(const formats::LightGrid& grid, const world
 }
 
 std::shared_ptr<const world::Level> level_with_grid(const formats::LightGrid& grid) {
-  formats::Bsp bsp = artgen::make_small_level({});
+  formats::Bsp bsp = small_bsp({});
   bsp.bspx.push_back({formats::kLightGridLump, formats::write_light_grid(grid)});
   return world::make_level(std::move(bsp), "level with a grid").value();
 }
@@ -124,7 +124,7 @@ TEST(LightGridSampling, HasGrayOfTheStrongestChannel) {
 }
 
 TEST(LightGridSampling, ADamagedGridIsLeftOutWithANote) {
-  formats::Bsp bsp = artgen::make_small_level({});
+  formats::Bsp bsp = small_bsp({});
   bsp.bspx.push_back({formats::kLightGridLump, base::ByteVector(50)});
   const auto level = world::make_level(std::move(bsp), "level with a damaged grid").value();
   EXPECT_FALSE(level->light_grid.has_value());

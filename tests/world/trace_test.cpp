@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "support/effort.h"
 #include "support/game_data.h"
@@ -23,24 +24,31 @@ using IsSolid = std::function<bool(const math::Vec3&)>;
 constexpr float kGap = 1.0f / 32;
 constexpr float kSampleUnits = 0.25f;
 
+// The center, and 26 points of a sphere around it.
+std::vector<math::Vec3> make_offsets(float radius) {
+  std::vector<math::Vec3> offsets;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) {
+        const math::Vec3 direction(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+        offsets.push_back(direction * (radius / std::max(1.0f, glm::length(direction))));
+      }
+  return offsets;
+}
+
 // The surroundings of a point: whether everything, or nothing, close to it is solid. "Close" is a little more
 // than the gap that traces keep.
 struct Surroundings {
   bool all_solid = true, none_solid = true;
 };
 Surroundings surroundings(const IsSolid& is_solid, const math::Vec3& point) {
-  constexpr float kRadius = 0.1f;
+  static const std::vector<math::Vec3> offsets = make_offsets(0.1f);
   Surroundings result;
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) {
-        const math::Vec3 direction(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-        const float length = std::max(1.0f, glm::length(direction));
-        const bool solid = is_solid(point + direction * (kRadius / length));
-        result.all_solid = result.all_solid && solid;
-        result.none_solid = result.none_solid && !solid;
-      }
-    }
+  for (const math::Vec3& offset : offsets) {
+    const bool solid = is_solid(point + offset);
+    result.all_solid = result.all_solid && solid;
+    result.none_solid = result.none_solid && !solid;
+    if (!result.all_solid && !result.none_solid) break;
   }
   return result;
 }

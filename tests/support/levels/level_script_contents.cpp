@@ -7,14 +7,13 @@
 namespace temblor::test {
 
 std::int32_t find_contents(std::span<const artgen::SmallLevelBox> boxes, const math::Vec3& point) {
-  std::int32_t contents = kSolidContents;
-  for (const artgen::SmallLevelBox& box : boxes) {
-    bool inside = true;
-    for (int axis = 0; axis < 3; ++axis)
-      inside = inside && point[axis] > box.bounds.mins[axis] && point[axis] < box.bounds.maxs[axis];
-    if (inside) contents = box.contents;
+  // The last box counts, so search from the end.
+  for (auto box = boxes.rbegin(); box != boxes.rend(); ++box) {
+    int axis = 0;
+    while (axis < 3 && point[axis] > box->bounds.mins[axis] && point[axis] < box->bounds.maxs[axis]) ++axis;
+    if (axis == 3) return box->contents;
   }
-  return contents;
+  return kSolidContents;
 }
 
 bool stops_box(std::span<const artgen::SmallLevelBox> boxes, const math::Bounds& box) {
