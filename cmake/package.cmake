@@ -29,10 +29,10 @@ install(PROGRAMS docs/compile_with_parallel.sh COMPONENT game DESTINATION "${CMA
 install(PROGRAMS packaging/compile_with_slurm.sh COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}/packaging")
 install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.map" PATTERN "*.png" PATTERN "*.jpg")
 
-# All libraries except those that come with every system: the C library, which must match the system's loader; the compiler's
-# libraries, which graphics drivers need in the system's version; and systemd's, for PulseAudio's messages to the journal.
+# All libraries except those that come with every system: the C library, which must match the system's loader, and the
+# compiler's libraries, which graphics drivers need in the system's version.
 install(RUNTIME_DEPENDENCY_SET libraries COMPONENT libraries DESTINATION "${library_folder}"
-        PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv|stdc\\+\\+|gcc_s|systemd)\\.so"
+        PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv|stdc\\+\\+|gcc_s)\\.so"
         POST_EXCLUDE_REGEXES "/ld-linux[^/]*$")
 # Remove the search paths of the libraries, because they would precede the program's.
 install(CODE "file(GLOB brought \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${library_folder}/*.so*\")
