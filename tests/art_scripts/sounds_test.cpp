@@ -98,7 +98,21 @@ double measure_loudest_db(const std::vector<double>& samples, double rate) {
   return 10 * std::log10(best + 1e-12);
 }
 
-// The centroid of the power spectrum of the whole sound, from its definition.
+// The power of one bin of the Fourier transform, with a Hann window, from its definition.
+double measure_bin_power(const std::vector<double>& samples, std::size_t start, std::size_t window,
+                         std::size_t bin) {
+  const auto turn =
+      std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(bin) / static_cast<double>(window));
+  std::complex<double> sum = 0, place = 1;
+  for (std::size_t i = 0; i < window; ++i, place *= turn)
+    sum +=
+        samples[start + i] *
+        (0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(window))) *
+        place;
+  return std::norm(sum);
+}
+
+// The centroid of the power spectrum of the whole sound.
 double measure_centroid_hz(const std::string& name) {
   const formats::Wav& wav = shipped_sounds().at(name);
   const std::vector<double> samples = to_doubles(wav);
@@ -106,12 +120,7 @@ double measure_centroid_hz(const std::string& name) {
   double weighted = 0, powers = 0;
   for (std::size_t start = 0; start + kWindow <= samples.size(); start += kWindow * 2) {
     for (std::size_t bin = 1; bin < kWindow / 2; bin += 2) {
-      const auto turn = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(bin) / kWindow);
-      std::complex<double> sum = 0, place = 1;
-      for (std::size_t i = 0; i < kWindow; ++i, place *= turn)
-        sum += samples[start + i] *
-               (0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / kWindow)) * place;
-      const double power = std::norm(sum);
+      const double power = measure_bin_power(samples, start, kWindow, bin);
       weighted += power * static_cast<double>(bin) * wav.frames_per_second / kWindow;
       powers += power;
     }
@@ -273,6 +282,89 @@ TEST(ShippedSounds, CreaturesDifferInTheirPitch) {
   EXPECT_GT(measure_centroid_hz("weapons/tink1.wav"), 2000);
   EXPECT_LT(measure_centroid_hz("doors/stndr2.wav"), 400);
   EXPECT_LT(measure_centroid_hz("weapons/r_exp3.wav"), 700);
+}
+
+// The timbre of a sound in the course of time: in each part, the share of each band of the ear in the power,
+// in dB.
+struct Timbre {
+  std::vector<std::vector<double>> parts;
+  double seconds = 0;
+};
+
+// Splits the sound, without its last quiet part, into equal parts.
+Timbre measure_timbre(const std::string& name) {
+  // The upper ends of critical bands (Eberhard Zwicker, "Subdivision of the audible frequency range into
+  // critical bands", 1961).
+  constexpr double kEnds_hz[] = {100,  200,  300,  400,  510,  630,  770,  920,  1080, 1270, 1480,
+                                 1720, 2000, 2320, 2700, 3150, 3700, 4400, 5300, 6400, 7700, 1e9};
+  constexpr std::size_t kParts = 8, kWindow = 1024;
+  constexpr double kQuiet = 1e-3;
+  const formats::Wav& wav = shipped_sounds().at(name);
+  std::vector<double> samples = to_doubles(wav);
+  double power = 0, sum = 0;
+  for (const double sample : samples) power += sample * sample;
+  std::size_t length = 0;
+  while (length < samples.size() && sum < 0.98 * power) {
+    sum += samples[length] * samples[length];
+    ++length;
+  }
+  samples.resize(std::max(length, kWindow));
+  Timbre timbre;
+  timbre.seconds = static_cast<double>(length) / wav.frames_per_second;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const std::size_t start = std::min(part * (length / kParts), samples.size() - kWindow);
+    std::vector<double> bands(std::size(kEnds_hz));
+    double whole = 1e-12;
+    for (std::size_t bin = 1; bin < kWindow / 2; ++bin) {
+      const double hz = static_cast<double>(bin) * wav.frames_per_second / kWindow;
+      const double in_bin = measure_bin_power(samples, start, kWindow, bin);
+      bands[static_cast<std::size_t>(std::upper_bound(std::begin(kEnds_hz), std::end(kEnds_hz), hz) -
+                                     kEnds_hz)] += in_bin;
+      whole += in_bin;
+    }
+    for (double& band : bands) band = 10 * std::log10(band / whole + kQuiet);
+    timbre.parts.push_back(bands);
+  }
+  return timbre;
+}
+
+// The mean over the parts of the root mean square over the bands, and 3 dB for each doubling of the length.
+double measure_distance_db(const Timbre& a, const Timbre& b) {
+  double distance = 0;
+  for (std::size_t part = 0; part < a.parts.size(); ++part) {
+    const std::vector<double>&in_a = a.parts[part], &in_b = b.parts[part];
+    double sum = 0;
+    for (std::size_t band = 0; band < in_a.size(); ++band)
+      sum += (in_a[band] - in_b[band]) * (in_a[band] - in_b[band]);
+    distance += std::sqrt(sum / static_cast<double>(in_a.size()));
+  }
+  return distance / static_cast<double>(a.parts.size()) + 3 * std::abs(std::log2(a.seconds / b.seconds));
+}
+
+// Players can tell monsters apart with their eyes closed, by each kind of sound. Two sounds of one monster on
+// the same occasion, such as the four shouts of the enforcer, are not compared.
+TEST(ShippedSounds, MonstersAreDistinguishableByEachKindOfSound) {
+  const std::vector<std::string> kinds[] = {
+      {"soldier/sight1", "dog/dsight", "knight/ksight", "ogre/ogwake", "wizard/wsight", "enforcer/sight1",
+       "demon/sight2", "shambler/ssight", "zombie/z_idle", "hknight/sight1", "shalrath/sight", "blob/sight1",
+       "fish/idle", "boss2/idle"},
+      {"soldier/idle", "dog/idle", "knight/idle", "ogre/ogidle", "wizard/widle1", "enforcer/idle1",
+       "demon/idle1", "shambler/sidle", "zombie/z_idle1", "hknight/idle", "shalrath/idle", "fish/idle"},
+      {"soldier/pain1", "dog/dpain1", "knight/khurt", "ogre/ogpain1", "wizard/wpain", "enforcer/pain1",
+       "demon/dpain1", "shambler/shurt2", "zombie/z_pain", "hknight/pain1", "shalrath/pain"},
+      {"soldier/death1", "dog/ddeath", "knight/kdeath", "ogre/ogdth", "wizard/wdeath", "enforcer/death1",
+       "demon/ddeath", "shambler/sdeath", "zombie/z_gib", "hknight/death1", "shalrath/death", "blob/death1",
+       "fish/death", "boss2/death"},
+      {"soldier/sattck1", "dog/dattack1", "knight/sword1", "ogre/ogsawatk1", "wizard/wattack",
+       "enforcer/enfire", "demon/djump", "shambler/sattck1", "zombie/z_shot1", "hknight/attack1",
+       "shalrath/attack", "blob/hit1", "fish/bite"}};
+  for (const std::vector<std::string>& kind : kinds) {
+    std::vector<Timbre> timbres;
+    for (const std::string& name : kind) timbres.push_back(measure_timbre(name + ".wav"));
+    for (std::size_t a = 0; a < kind.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        EXPECT_GE(measure_distance_db(timbres[a], timbres[b]), 5.8) << kind[a] << " and " << kind[b];
+  }
 }
 
 TEST(ShippedSounds, AreTheSameBytesEveryTime) {
