@@ -16,6 +16,7 @@
 
 #include "art_scripts/stock_data.h"
 #include "artgen/art.h"
+#include "artgen/sounds/signal.h"
 #include "base/parallel_for.h"
 #include "formats/game/captions.h"
 #include "formats/sounds/wav.h"
@@ -374,48 +375,99 @@ TEST(ShippedSounds, AreTheSameBytesEveryTime) {
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].bytes, second[i].bytes) << first[i].path;
 }
 
-TEST(ShippedMusic, LoopsWithoutAGapAndIsSmall) {
-  const test::TemporaryFolder folder;
-  std::size_t bytes = 0, pieces = 0;
-  for (const ArtFile& file : make(read_scripts_with("music"))) {
-    if (!file.path.starts_with("music/")) continue;
-    ++pieces;
-    bytes += file.bytes.size();
-    const std::string path = folder.write("piece.ogg", file.bytes).string();
-    SF_INFO info{};
-    SNDFILE* const sound = sf_open(path.c_str(), SFM_READ, &info);
-    ASSERT_NE(sound, nullptr) << file.path;
-    std::vector<double> frames(static_cast<std::size_t>(info.frames * info.channels));
-    EXPECT_EQ(sf_readf_double(sound, frames.data(), info.frames), info.frames) << file.path;
-    sf_close(sound);
-    ASSERT_EQ(info.channels, 2);
-    std::vector<double> left;
-    for (std::size_t i = 0; i < frames.size(); i += 2) left.push_back(frames[i]);
+// A decoded music file.
+struct Recording {
+  std::size_t bytes = 0;
+  int rate = 0;
+  std::vector<Signal> channels;
+};
 
-    const double seconds = static_cast<double>(left.size()) / info.samplerate;
-    EXPECT_GE(seconds, 90) << file.path;
-    EXPECT_LE(seconds, 185) << file.path;
-    const double loud = measure_loudest_db(left, info.samplerate);
-    EXPECT_GT(loud, -18) << file.path;
-    EXPECT_LT(loud, -6) << file.path;
-    EXPECT_LT(*std::max_element(left.begin(), left.end()), 1.0) << file.path;
-    EXPECT_GT(*std::min_element(left.begin(), left.end()), -1.0) << file.path;
+Recording decode(const ArtFile& file) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("piece.ogg", file.bytes).string();
+  SF_INFO info{};
+  SNDFILE* const sound = sf_open(path.c_str(), SFM_READ, &info);
+  if (sound == nullptr) return {};
+  const auto count = static_cast<std::size_t>(info.channels);
+  std::vector<double> frames(static_cast<std::size_t>(info.frames) * count);
+  EXPECT_EQ(sf_readf_double(sound, frames.data(), info.frames), info.frames) << file.path;
+  sf_close(sound);
+  Recording recording{file.bytes.size(), info.samplerate, std::vector<Signal>(count)};
+  for (std::size_t i = 0; i < frames.size(); ++i) recording.channels[i % count].push_back(frames[i]);
+  return recording;
+}
+
+// The pieces and their combat layers, by the name without the extension.
+const std::map<std::string, Recording>& shipped_music() {
+  static const std::map<std::string, Recording> music = [] {
+    std::map<std::string, Recording> made;
+    for (const ArtFile& file : make(read_scripts_with("music")))
+      if (file.path.starts_with("music/"))
+        made.emplace(file.path.substr(6, file.path.size() - 10), decode(file));
+    return made;
+  }();
+  return music;
+}
+
+bool is_layer(const std::string& name) {
+  return name.ends_with("_combat");
+}
+
+TEST(ShippedMusic, LoopsWithoutAGapAndIsSmall) {
+  std::size_t bytes = 0, layer_bytes = 0, pieces = 0;
+  for (const auto& [name, recording] : shipped_music()) {
+    (is_layer(name) ? layer_bytes : bytes) += recording.bytes;
+    pieces += is_layer(name) ? 0 : 1;
+    ASSERT_EQ(recording.channels.size(), is_layer(name) ? 1u : 2u) << name;
+    const Signal& left = recording.channels[0];
+
+    const double seconds = static_cast<double>(left.size()) / recording.rate;
+    EXPECT_GE(seconds, is_layer(name) ? 10 : 90) << name;
+    EXPECT_LE(seconds, is_layer(name) ? 30 : 185) << name;
+    const double loud = measure_loudest_db(left, recording.rate);
+    EXPECT_GT(loud, -18) << name;
+    EXPECT_LT(loud, -6) << name;
+    EXPECT_LT(*std::max_element(left.begin(), left.end()), 1.0) << name;
+    EXPECT_GT(*std::min_element(left.begin(), left.end()), -1.0) << name;
     // No second is silent, not even at the loop point, where the last and the first second belong together.
-    const auto second = static_cast<std::size_t>(info.samplerate);
+    const auto second = static_cast<std::size_t>(recording.rate);
     for (std::size_t start = 0; start + second <= left.size(); start += second)
       EXPECT_GT(measure_loudest_db({left.begin() + static_cast<std::ptrdiff_t>(start),
                                     left.begin() + static_cast<std::ptrdiff_t>(start + second)},
-                                   info.samplerate),
+                                   recording.rate),
                 -50)
-          << file.path << " " << start / second;
+          << name << " " << start / second;
     double steps = 0;
     for (std::size_t i = 1; i < second / 20; ++i)
       steps = std::max({steps, std::abs(left[i] - left[i - 1]),
                         std::abs(left[left.size() - i] - left[left.size() - i - 1])});
-    EXPECT_LE(std::abs(left.front() - left.back()), 2 * steps + 2e-3) << file.path;
+    EXPECT_LE(std::abs(left.front() - left.back()), 2 * steps + 2e-3) << name;
   }
   EXPECT_EQ(pieces, 3u);
   EXPECT_LT(bytes, 6u * 1024 * 1024);
+  EXPECT_LT(layer_bytes, 300'000u);
+}
+
+// The sums of the decoded files leave 0.3 dB of headroom, and the layers fit into the pieces a whole number
+// of times.
+TEST(ShippedMusic, CombatLayersDivideTheirPiecesAndDoNotClip) {
+  const double most = std::pow(10.0, -0.3 / 20);
+  std::size_t layers = 0;
+  for (const auto& [name, piece] : shipped_music()) {
+    if (is_layer(name)) continue;
+    const auto found = shipped_music().find(name + "_combat");
+    ASSERT_NE(found, shipped_music().end()) << name;
+    ++layers;
+    const Signal& layer = found->second.channels[0];
+    EXPECT_EQ(found->second.rate, piece.rate) << name;
+    EXPECT_EQ(piece.channels[0].size() % layer.size(), 0u) << name;
+    double peak = 0;
+    for (const Signal& channel : piece.channels)
+      for (std::size_t i = 0; i < channel.size(); ++i)
+        peak = std::max(peak, std::abs(channel[i] + layer[i % layer.size()]));
+    EXPECT_LE(peak, most) << name;
+  }
+  EXPECT_EQ(layers, 3u);
 }
 
 }  // namespace

@@ -262,6 +262,38 @@ TEST(SoundLanguage, NotesHaveTheirPitchAndWrapAround) {
   EXPECT_GT(heard(0.1, 1046.5), 0.05);  // its tail wraps around
 }
 
+TEST(SoundLanguage, CombatLayerFitsOnTopOfThePiece) {
+  // A bar lasts 106,666.7 frames, so the rounding matters.
+  const std::vector<ScriptLine> lines = parse_sound_lines(
+      "music track09 bpm=72 bars=8 beats=4 fight_bars=2\n"
+      "  instrument horn tail=0.1 room=0\n"
+      "    tone square pitch=1 attack=0.01 fade=0.01\n"
+      "  pattern one horn\n"
+      "    notes A4:4\n"
+      "  play one at=1 times=8\n"
+      "  fight one at=2\n");
+  const base::Result<Score> score = read_score(lines.front());
+  ASSERT_TRUE(score.ok()) << score.error().message();
+  EXPECT_EQ(score->pattern_plays.size(), 1u);
+  const auto piece = render_score(*score);
+  const auto layer = render_combat_layer(*score, *piece);
+  ASSERT_TRUE(layer.ok());
+  const Signal& left = (*piece)[0];
+  ASSERT_EQ(layer->size() * 4, left.size());
+  double peak = 0, layer_peak = 0;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const double sample = (*layer)[i % layer->size()];
+    layer_peak = std::max(layer_peak, std::abs(sample));
+    peak = std::max(peak, std::abs(left[i] + sample));
+  }
+  EXPECT_LE(peak, std::pow(10.0, -1.0 / 20));
+  EXPECT_GT(layer_peak, 0.1);
+  const auto parts = make_music_file(lines.front());
+  ASSERT_TRUE(parts.ok());
+  ASSERT_EQ(parts->size(), 2u);
+  EXPECT_EQ((*parts)[1].path, "music/track09_combat.ogg");
+}
+
 TEST(SoundLanguage, MusicErrorsNameTheProblem) {
   const auto error = [](const std::string& below) {
     const std::vector<ScriptLine> lines = parse_sound_lines("music track02 bars=2\n" + below);
@@ -277,7 +309,12 @@ TEST(SoundLanguage, MusicErrorsNameTheProblem) {
   EXPECT_NE(
       error("  instrument a\n  pattern p a\n    notes A4\n  play p at=3").find("after the end of the piece"),
       std::string::npos);
-  EXPECT_NE(error("  dance").find("expected instrument, pattern, play or room"), std::string::npos);
+  EXPECT_NE(error("  instrument a\n  pattern p a\n    notes A4\n  fight p at=3").find("after the end"),
+            std::string::npos);
+  const std::vector<ScriptLine> uneven = parse_sound_lines("music track02 bars=5 fight_bars=2\n");
+  EXPECT_NE(read_score(uneven.front()).error().message().find("fight_bars= must divide bars="),
+            std::string::npos);
+  EXPECT_NE(error("  dance").find("expected instrument, pattern, play, fight, or room"), std::string::npos);
 }
 
 TEST(SoundLanguage, VorbisIsReadByAnotherLibraryAndReproducible) {

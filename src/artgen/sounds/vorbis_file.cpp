@@ -23,8 +23,10 @@ class Encoder {
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  bool start(const VorbisSettings& settings) {
-    if (vorbis_encode_init_vbr(&info_, 2, settings.frames_per_second, settings.quality) != 0) return false;
+  bool start(std::size_t channels, const VorbisSettings& settings) {
+    if (vorbis_encode_init_vbr(&info_, static_cast<long>(channels), settings.frames_per_second,
+                               settings.quality) != 0)
+      return false;
     if (vorbis_analysis_init(&state_, &info_) != 0) return false;
     vorbis_block_init(&state_, &block_);
     ogg_stream_init(&stream_, settings.serial);
@@ -46,7 +48,7 @@ class Encoder {
   }
 
   // Encodes samples from `start`. A count of 0 marks the end of the stream.
-  void write_samples(const std::array<Signal, 2>& channels, std::size_t start, std::size_t count) {
+  void write_samples(std::span<const Signal> channels, std::size_t start, std::size_t count) {
     if (count > 0) {
       float** const buffer = vorbis_analysis_buffer(&state_, static_cast<int>(count));
       for (std::size_t channel = 0; channel < channels.size(); ++channel)
@@ -94,14 +96,15 @@ class Encoder {
 
 }  // namespace
 
-base::Result<base::ByteVector> write_vorbis(const std::array<Signal, 2>& channels,
+base::Result<base::ByteVector> write_vorbis(std::span<const Signal> channels,
                                             const VorbisSettings& settings) {
-  CHECK(channels[0].size() == channels[1].size(), "{} {}", channels[0].size(), channels[1].size());
+  CHECK(!channels.empty() && channels.front().size() == channels.back().size(), "{}", channels.size());
   Encoder encoder;
-  if (!encoder.start(settings))
-    return base::error(base::ErrorCode::kUnsupported,
-                       "the Vorbis encoder does not support {} frames per second at quality {}",
-                       settings.frames_per_second, settings.quality);
+  if (!encoder.start(channels.size(), settings))
+    return base::error(
+        base::ErrorCode::kUnsupported,
+        "the Vorbis encoder does not support {} channels with {} frames per second at quality {}",
+        channels.size(), settings.frames_per_second, settings.quality);
   encoder.write_headers();
   // The size of the encoder's input buffer; the result does not depend on it.
   constexpr std::size_t kPiece = 4096;

@@ -2,7 +2,7 @@
 // input makes the same bytes.
 #pragma once
 
-#include <array>
+#include <span>
 
 #include "artgen/sounds/signal.h"
 #include "base/bytes.h"
@@ -19,9 +19,8 @@ struct VorbisSettings {
   int serial = 1;
 };
 
-// Encodes a left and a right channel, which must have the same length. Fails if the encoder does not support
+// Encodes one channel, or a left and a right one of the same length. Fails if the encoder does not support
 // the settings.
-base::Result<base::ByteVector> write_vorbis(const std::array<Signal, 2>& channels,
-                                            const VorbisSettings& settings);
+base::Result<base::ByteVector> write_vorbis(std::span<const Signal> channels, const VorbisSettings& settings);
 
 }  // namespace temblor::artgen

@@ -105,27 +105,28 @@ base::Status read_pattern(const ScriptLine& line, Score& io_score) {
   return base::Ok{};
 }
 
-base::Status read_play(const ScriptLine& line, double beats_per_bar, Score& io_score) {
+// `bars`: the length of the part in which it plays.
+base::Status read_play(const ScriptLine& line, const Score& score, std::int32_t bars,
+                       std::vector<PatternPlay>& io_plays) {
   Arguments arguments(line);
   PatternPlay play;
   const std::string name = arguments.text();
-  const std::optional<std::size_t> pattern = find_named(io_score.patterns, name);
+  const std::optional<std::size_t> pattern = find_named(score.patterns, name);
   if (!pattern)
     arguments.set_error(fmt::format("no pattern '{}' is defined above this line", base::quotable(name)));
-  const double bars = io_score.beats / beats_per_bar;
   play.pattern = pattern.value_or(0);
   // Bars count from 1, beats from 0.
-  play.at_beat = (arguments.number("at", 1, 1, bars + 1) - 1) * beats_per_bar;
+  play.at_beat = (arguments.number("at", 1, 1, bars + 1) - 1) * score.beats_per_bar;
   play.times = arguments.integer("times", 1, 1, 1000);
   // Without every=, repetitions follow one another at the next bar.
-  const double own_bars = pattern ? std::ceil(io_score.patterns[*pattern].beats / beats_per_bar) : 1;
-  play.every_beats = arguments.number("every", own_bars, 0.01, bars) * beats_per_bar;
+  const double own_bars = pattern ? std::ceil(score.patterns[*pattern].beats / score.beats_per_bar) : 1;
+  play.every_beats = arguments.number("every", own_bars, 0.01, bars) * score.beats_per_bar;
   play.level = arguments.number("level", 1, 0, 10);
   play.half_tones = arguments.integer("transpose", 0, -48, 48);
-  if (play.at_beat + play.every_beats * (play.times - 1) >= io_score.beats)
+  if (play.at_beat + play.every_beats * (play.times - 1) >= bars * score.beats_per_bar)
     arguments.set_error("it plays after the end of the piece");
   TRY_STATUS(arguments.finish());
-  io_score.pattern_plays.push_back(play);
+  io_plays.push_back(play);
   return base::Ok{};
 }
 
@@ -144,13 +145,15 @@ base::Result<Score> read_score(const ScriptLine& asset) {
   Score score;
   score.name = arguments.text();
   score.beats_per_minute = arguments.number("bpm", 60, 10, 400);
-  const double beats_per_bar = arguments.number("beats", 4, 1, 64);
-  score.beats = beats_per_bar * arguments.integer("bars", 16, 1, 1000);
+  score.beats_per_bar = arguments.number("beats", 4, 1, 64);
+  score.bars = arguments.integer("bars", 16, 1, 1000);
+  score.combat_bars = arguments.integer("fight_bars", score.bars, 1, score.bars);
   score.quality = static_cast<float>(arguments.number("quality", 0.3, -0.1, 1));
   score.gain_db = arguments.number("louder", 0, -40, 12);
   constexpr double kMaxLength_s = 600;
-  if (score.seconds(score.beats) > kMaxLength_s)
+  if (score.seconds(score.bars * score.beats_per_bar) > kMaxLength_s)
     arguments.set_error("the piece lasts longer than ten minutes");
+  if (score.bars % score.combat_bars != 0) arguments.set_error("fight_bars= must divide bars=");
   const bool is_name = score.name.size() == 7 && score.name.starts_with("track") &&
                        score.name.find_first_not_of("0123456789", 5) == std::string::npos;
   if (!is_name) arguments.set_error("the name must be track02 to track99");
@@ -161,11 +164,13 @@ base::Result<Score> read_score(const ScriptLine& asset) {
     else if (line.keyword == "pattern")
       TRY_STATUS(read_pattern(line, score));
     else if (line.keyword == "play")
-      TRY_STATUS(read_play(line, beats_per_bar, score));
+      TRY_STATUS(read_play(line, score, score.bars, score.pattern_plays));
+    else if (line.keyword == "fight")
+      TRY_STATUS(read_play(line, score, score.combat_bars, score.combat_plays));
     else if (line.keyword == "room")
       TRY_STATUS(read_room(line, score));
     else
-      return script_error(line, "expected instrument, pattern, play or room");
+      return script_error(line, "expected instrument, pattern, play, fight, or room");
   }
   return score;
 }

@@ -6,9 +6,11 @@
 //     pattern toll bell
 //       notes D3:4 _:2 A2+D3:2              a note with its beats, a rest, a chord
 //     play toll at=1 times=4 every=2 level=0.8 transpose=0
+//     fight toll at=1                       the same, in the combat layer, which is fight_bars= long
 //     room size=1 ring=5 dull=2500          reverberation for what instruments send into it
 //
-// Bars count from 1. The piece loops: what rings after the last bar is heard in the first one.
+// Bars count from 1. The piece loops, and so does its layer: sounds that ring after the last bar are heard in
+// the first one. A layer is a loop of a few bars, because it must be small.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +50,7 @@ struct Pattern {
   std::vector<Note> notes;
 };
 
-// A `play` line: a pattern that is repeated `times` times from `at_beat` on.
+// A `play` or `fight` line: a pattern that is repeated `times` times from `at_beat` on.
 struct PatternPlay {
   std::size_t pattern = 0;
   double at_beat = 0, every_beats = 0, level = 1;
@@ -59,8 +61,9 @@ struct PatternPlay {
 struct Score {
   std::string name;
   double beats_per_minute = 60;
-  // The length of the piece.
-  double beats = 4;
+  double beats_per_bar = 4;
+  // The length of the piece, and of its combat layer, which divides it.
+  std::int32_t bars = 16, combat_bars = 16;
   // The quality setting of the Vorbis encoder.
   float quality = 0.3F;
   // Added to the loudness that all music has.
@@ -69,6 +72,8 @@ struct Score {
   std::vector<Instrument> instruments;
   std::vector<Pattern> patterns;
   std::vector<PatternPlay> pattern_plays;
+  // The layer that is added in combat; empty if the piece has none.
+  std::vector<PatternPlay> combat_plays;
 
   // The time of a beat.
   double seconds(double beat) const { return beat * 60 / beats_per_minute; }
