@@ -73,21 +73,33 @@ base::Result<formats::Wav> Library::sound(std::string_view name) const {
 }
 
 // The game folder takes precedence over the format, so that a mod's .mp3 replaces the .ogg of id1.
-base::Result<MusicFile> Library::music(int track) const {
-  const std::string stem = fmt::format("music/track{:02}", track);
+std::string Library::find_music(std::string_view stem) const {
   std::string best;
   for (const char* suffix : {".ogg", ".opus", ".flac", ".mp3", ".wav"}) {
-    const std::string name = stem + suffix;
+    const std::string name = fmt::format("{}{}", stem, suffix);
     if (files_.contains(name) && (best.empty() || files_.find_game(name) > files_.find_game(best)))
       best = name;
   }
-  if (best.empty()) {
+  return best;
+}
+
+base::Result<MusicFile> Library::music(int track) const {
+  const std::string stem = fmt::format("music/track{:02}", track);
+  const std::string name = find_music(stem);
+  if (name.empty()) {
     base::Error error =
         base::error(base::ErrorCode::kNotFound, "no such file in music/ (.ogg, .opus, .flac, .mp3, or .wav)");
     error.file = stem;
     return error;
   }
-  return MusicFile{files_.describe(best), files_.reader(best)};
+  return MusicFile{files_.describe(name), files_.reader(name)};
+}
+
+std::optional<MusicFile> Library::combat_layer(int track) const {
+  const std::string stem = fmt::format("music/track{:02}", track);
+  const std::string piece = find_music(stem), layer = find_music(stem + "_combat");
+  if (piece.empty() || layer.empty() || files_.find_game(piece) != files_.find_game(layer)) return {};
+  return MusicFile{files_.describe(layer), files_.reader(layer)};
 }
 
 std::array<formats::Image, 6> Library::skybox(std::string_view name,

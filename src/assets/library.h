@@ -58,11 +58,17 @@ class Library {
   // Finds music/trackNN with the extension .ogg, .opus, .flac, .mp3, or .wav (first match) in the highest
   // game folder. Returns kNotFound if there is none, which is common.
   base::Result<MusicFile> music(int track) const;
+  // Finds music/trackNN_combat, which plays together with the track in combat. It must be in the same game
+  // folder as the track, since a mod's music does not fit the layers of another game.
+  std::optional<MusicFile> combat_layer(int track) const;
   base::Result<Look> look() const { return load_look(files_); }
   Pictures pictures(std::vector<std::string>& io_notes) const { return Pictures::load(files_, io_notes); }
   const vfs::FileSystem& files() const { return files_; }
 
  private:
+  // `stem`: without the extension. Returns the file's name, or nothing if there is none.
+  std::string find_music(std::string_view stem) const;
+
   vfs::FileSystem files_;
 };
 

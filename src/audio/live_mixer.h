@@ -30,8 +30,12 @@ class LiveMixer {
   // (mixing/fold_events.h), so the backlog stays bounded.
   void post(const Scene& scene, const SoundEvents& events);
   // Game thread. See MusicStream.
-  void play_music(OpenMusic open) { music_.play(std::move(open)); }
+  void play_music(OpenMusic open, OpenMusic open_combat = nullptr) {
+    music_.play(std::move(open), std::move(open_combat));
+  }
   std::optional<base::Error> take_music_failure() { return music_.take_failure(); }
+  std::optional<base::Error> take_combat_failure() { return music_.take_combat_failure(); }
+  void set_combat(bool combat) { music_.set_combat(combat); }
   void pause_music(bool paused) { music_.set_paused(paused); }
   // Any thread. Whether the current music file is damaged.
   bool music_has_failed() const { return music_.has_failed(); }

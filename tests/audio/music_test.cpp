@@ -224,6 +224,75 @@ TEST(MusicStreamThreads, PlayDoesNotWaitForAFile) {
   EXPECT_NEAR(measure_amplitude(std::span(left).last(8000), 880), 0.5, 1e-2);
 }
 
+// A track of 440 Hz with a combat layer.
+class CombatLayer : public ::testing::Test {
+ protected:
+  void start(audio::OpenMusic layer) {
+    stream.play(tone(440), std::move(layer));
+    wait_until_ready(stream);
+  }
+  // Returns `frames` frames of the left channel.
+  std::vector<float> listen(std::size_t frames) {
+    std::vector<float> heard;
+    while (heard.size() < frames) {
+      std::vector<float> samples(2 * std::min<std::size_t>(4800, frames - heard.size()));
+      while (stream.frames_ready() < samples.size() / 2)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      stream.read(samples);
+      const Stereo stereo = split(samples);
+      heard.insert(heard.end(), stereo.left.begin(), stereo.left.end());
+    }
+    return heard;
+  }
+  // Listens for whole periods of both tones, so that the track does not spill into the layer's measurement.
+  double layer_level() { return measure_amplitude(listen(kLevel_frames), 880); }
+
+  static constexpr std::size_t kLevel_frames = kFramesPerSecond / 20;  // 22 and 44 periods
+
+  audio::MusicStream stream;
+};
+
+TEST_F(CombatLayer, RisesInOneSecondAndFallsInSix) {
+  start(tone(880));
+  EXPECT_LT(layer_level(), 1e-3);
+  stream.set_combat(true);
+  listen(kFramesPerSecond / 2 - kLevel_frames / 2);
+  EXPECT_NEAR(layer_level(), 0.25, 0.01);
+  listen(kFramesPerSecond / 2);
+  EXPECT_NEAR(layer_level(), 0.5, 0.01);
+  stream.set_combat(false);
+  listen(3 * kFramesPerSecond - kLevel_frames / 2);
+  EXPECT_NEAR(layer_level(), 0.25, 0.01);
+  listen(3 * kFramesPerSecond);
+  EXPECT_LT(layer_level(), 1e-3);
+}
+
+// The layer is the negative of the track, but lasts only a quarter of a second, so the sum is silence as long
+// as both repeat in step. At 32 kHz both are resampled.
+TEST_F(CombatLayer, StaysWithTheTrackToTheSample) {
+  for (const std::uint32_t rate : {48000u, 32000u}) {
+    const auto open = [rate](std::size_t frames, double level) -> audio::OpenMusic {
+      return [=] { return MusicDecoder::open(formats::write_wav(sine_wav(440, level, rate, frames))); };
+    };
+    stream.set_combat(true);
+    stream.play(open(rate, 0.5), open(rate / 4, -0.5));
+    wait_until_ready(stream);
+    listen(kFramesPerSecond + 4800);
+    EXPECT_LT(peak(listen(5 * kFramesPerSecond)), 1e-6f) << rate;
+  }
+}
+
+TEST_F(CombatLayer, IsReportedOnceIfDamaged) {
+  start([] { return MusicDecoder::open(to_bytes("this is no music")); });
+  stream.set_combat(true);
+  const std::optional<base::Error> failure = stream.take_combat_failure();
+  ASSERT_TRUE(failure);
+  EXPECT_THAT(failure->message(), testing::HasSubstr("not a playable music file"));
+  EXPECT_FALSE(stream.take_combat_failure());
+  EXPECT_FALSE(stream.take_failure());
+  EXPECT_NEAR(measure_amplitude(listen(4800), 440), 0.5, 1e-2) << "the track plays alone";
+}
+
 TEST(MusicStreamThreads, UnreadableMusicIsReportedOnce) {
   audio::MusicStream stream;
   stream.play([] { return MusicDecoder::open(to_bytes("this is no music")); });

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "audio/sound.h"
+
 namespace temblor::audio {
 namespace {
 
@@ -27,14 +29,16 @@ MusicStream::~MusicStream() {
   thread_.join();
 }
 
-void MusicStream::play(OpenMusic open) {
+void MusicStream::play(OpenMusic open, OpenMusic open_combat) {
   {
     const std::lock_guard lock(mutex_);
     std::swap(next_, open);
+    std::swap(next_combat_, open_combat);
     has_next_ = true;
     is_interrupted_ = true;
     has_failed_ = false;  // the previous music may have failed
     failure_.reset();
+    combat_failure_.reset();
   }
   wake_.notify_one();
 }
@@ -44,21 +48,34 @@ std::optional<base::Error> MusicStream::take_failure() {
   return std::exchange(failure_, std::nullopt);
 }
 
+std::optional<base::Error> MusicStream::take_combat_failure() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(combat_failure_, std::nullopt);
+}
+
 // Marks the unread frames as dropped, since they belong to the previous music. Opens the file without the
 // mutex, so play() never waits for a disk. A newer request hides a failure of this one.
 void MusicStream::open_next(std::unique_lock<std::mutex>& io_lock) {
   const OpenMusic open = std::exchange(next_, nullptr);
+  const OpenMusic open_combat = std::exchange(next_combat_, nullptr);
   has_next_ = is_interrupted_ = has_failed_ = false;
   decoder_.reset();
+  combat_decoder_.reset();
   dropped_.store(written_, std::memory_order_release);
   if (open == nullptr) return;
   io_lock.unlock();
   base::Result<MusicDecoder> opened = open();
+  std::optional<base::Result<MusicDecoder>> combat;
+  if (opened.ok() && open_combat != nullptr) combat = open_combat();
   io_lock.lock();
   if (opened.ok())
     decoder_.emplace(std::move(opened).value());
   else if (!has_next_)
     failure_ = opened.error();
+  if (combat && combat->ok())
+    combat_decoder_.emplace(std::move(*combat).value());
+  else if (combat && !has_next_)
+    combat_failure_ = combat->error();
 }
 
 // The decoder thread. Without music it sleeps until play() or the destructor wakes it.
@@ -85,10 +102,24 @@ void MusicStream::fill() {
     // Pieces divide the ring evenly, so none wraps around its end.
     const std::span<float> piece = std::span(ring_).subspan(2 * (written % kRing_frames), 2 * kPiece_frames);
     decoder_->read(piece);
+    decode_combat(std::span(combat_ring_).subspan(2 * (written % kRing_frames), 2 * kPiece_frames));
     written += kPiece_frames;
     written_.store(written, std::memory_order_release);
   }
   if (!is_interrupted_) has_failed_ = decoder_->has_failed();
+}
+
+// Writes silence without a layer. A damaged layer is reported and dropped.
+void MusicStream::decode_combat(std::span<float> out_samples) {
+  if (!combat_decoder_) {
+    std::fill(out_samples.begin(), out_samples.end(), 0.0f);
+    return;
+  }
+  combat_decoder_->read(out_samples);
+  if (!combat_decoder_->has_failed()) return;
+  combat_decoder_.reset();
+  const std::lock_guard lock(mutex_);
+  if (!has_next_) combat_failure_ = base::malformed("the combat layer is damaged");
 }
 
 std::size_t MusicStream::frames_ready() const {
@@ -102,6 +133,20 @@ void MusicStream::copy_from_ring(std::span<float> out_samples, std::size_t from_
   std::copy_n(ring_.begin() + static_cast<std::ptrdiff_t>(at), before_end, out_samples.begin());
   std::copy_n(ring_.begin(), out_samples.size() - before_end,
               out_samples.begin() + static_cast<std::ptrdiff_t>(before_end));
+}
+
+// Adds the combat layer and moves its gain toward the target, by one step per frame.
+void MusicStream::add_combat(std::span<float> io_samples, std::size_t from_frame) {
+  constexpr auto kRise = static_cast<float>(1 / (kRise_s * kFramesPerSecond));
+  constexpr auto kFall = static_cast<float>(1 / (kFall_s * kFramesPerSecond));
+  const bool combat = combat_;
+  if (!combat && combat_gain_ == 0) return;
+  for (std::size_t i = 0; i < io_samples.size(); i += 2) {
+    combat_gain_ = combat ? std::min(1.0f, combat_gain_ + kRise) : std::max(0.0f, combat_gain_ - kFall);
+    const std::size_t at = 2 * ((from_frame + i / 2) % kRing_frames);
+    io_samples[i] += combat_gain_ * combat_ring_[at];
+    io_samples[i + 1] += combat_gain_ * combat_ring_[at + 1];
+  }
 }
 
 // Adds the decaying offset: after a break, the signal slides from its last value instead of jumping. Offsets
@@ -128,6 +173,7 @@ void MusicStream::read(std::span<float> out_samples) {
   };
   if (count > 0) {
     copy_from_ring(music, from);
+    add_combat(music, from);
     if (from != read || !was_playing_) start_bridge(music, last_.data());
     bridge(music);
     last_ = {music[music.size() - 2], music[music.size() - 1]};
