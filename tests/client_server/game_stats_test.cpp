@@ -126,6 +126,38 @@ TEST(PowerupEnds, ReachTheirPlayer) {
   EXPECT_EQ(served.client(1).state().game().powerup_ends_s[22], 0);
 }
 
+// A monster that has chosen the second player, near and far, dead and alive.
+TEST(CombatStates, ReachTheHuntedPlayer) {
+  SKIP_WITHOUT_QUAKEC();
+  ServedGame served(small_program(), {.max_clients = 2});
+  for (const char* const name : {"one", "two"}) served.add_client(name);
+  ASSERT_TRUE(served.run_until_playing(0));
+  ASSERT_TRUE(served.run_until_playing(1));
+  served.run(0.5);
+  server::Edicts& edicts = served.game().world().edicts;
+  const server::Edict monster = edicts[edicts.spawn(served.game().time_s()).value()];
+  monster.set(server::field::kFlags, static_cast<float>(server::flag::kMonster));
+  monster.set(server::field::kHealth, 10.0f);
+  monster.set(server::field::kEnemy, server::Game::player_index(1));
+  const auto is_hunted = [&](std::size_t client) { return served.client(client).state().game().is_hunted; };
+  const auto move_monster = [&](float distance) {
+    const server::Edict player = served.game().player(1);
+    monster.set(server::field::kOrigin, player[server::field::kOrigin] + math::Vec3{distance, 0, 0});
+  };
+  move_monster(2000);
+  served.run(0.5);
+  EXPECT_FALSE(is_hunted(1)) << "too far away";
+  move_monster(1000);
+  served.run(0.5);
+  EXPECT_TRUE(is_hunted(1));
+  EXPECT_FALSE(is_hunted(0));
+  monster.set(server::field::kHealth, 0.0f);
+  served.run(1);
+  EXPECT_TRUE(is_hunted(1)) << "for two seconds";
+  served.run(2);
+  EXPECT_FALSE(is_hunted(1));
+}
+
 TEST(GameStats, WithBadNumbersOrNamesOnlyWarn) {
   SKIP_WITHOUT_QUAKEC();
   ServedGame served(

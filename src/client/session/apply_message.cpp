@@ -205,7 +205,7 @@ struct ClientState::Apply {
 
   // Collects text to whole lines: a line may arrive in pieces, and a piece may contain several lines. "bf" is
   // the bonus flash; lines that begin with "//" are comments: requests for marks, stats of the game's own,
-  // ends of power-ups, and those with which Temblor servers talk to the Connection.
+  // ends of power-ups, combat states, and those with which Temblor servers talk to the Connection.
   base::Status operator()(const net::StuffText& stuffed) {
     for (const char c : stuffed.text) {
       if (c != '\n') {
@@ -221,6 +221,8 @@ struct ClientState::Apply {
         set_game_stat(state.command_line_);
       else if (net::is_powerup_end(state.command_line_))
         set_powerup_end(state.command_line_);
+      else if (net::is_combat_state(state.command_line_))
+        set_combat_state(state.command_line_);
       else if (!state.command_line_.starts_with("//"))
         events.commands.push_back(state.command_line_);
       state.command_line_.clear();
@@ -246,6 +248,14 @@ struct ClientState::Apply {
       game.powerup_ends_s[end->bit] = end->end_s;
     else
       print_problem(line, end.error());
+  }
+
+  void set_combat_state(std::string_view line) {
+    const base::Result<bool> hunted = net::read_combat_state(line);
+    if (hunted.ok())
+      game.is_hunted = *hunted;
+    else
+      print_problem(line, hunted.error());
   }
 
   // Errors reach the console, as they help the author of the game code.
@@ -307,6 +317,7 @@ struct ClientState::Apply {
   }
   base::Status operator()(const net::Damage& damage) {
     events.damages.push_back(damage);
+    game.last_damage_s = now_s();
     return base::Ok{};
   }
   base::Status operator()(const net::BonusFlash&) {

@@ -7,6 +7,11 @@
 
 namespace temblor::client {
 
+bool is_in_combat(const Game& game, double time_s) {
+  constexpr double kHurt_s = 5;
+  return game.is_hunted || (game.last_damage_s && time_s - *game.last_damage_s < kHurt_s);
+}
+
 // New fog fades in over the mixture that was visible when its message arrived.
 FogMixture compute_fog_mixture(const Game& game, double time_s) {
   if (!game.fog) return {};

@@ -24,6 +24,7 @@
 #include "client/session/interpolated_entity.h"
 #include "client/session/interpolation.h"
 #include "formats/game/localization.h"
+#include "net/protocol/combat_state.h"
 #include "net/protocol/game_stat.h"
 #include "net/protocol/mark_request.h"
 #include "net/protocol/powerup_end.h"
@@ -112,6 +113,8 @@ struct Game {
   std::string center_text;
   double center_text_since_s = 0;
   std::uint8_t music_track = 0;
+  bool is_hunted = false;               // by monsters; only Temblor servers send it
+  std::optional<double> last_damage_s;  // when the player was last hurt
   // Set by the server; if not set, the level's worldspawn decides.
   std::optional<std::string> skybox;
   // Set by the server; see compute_fog().
@@ -122,6 +125,9 @@ struct Game {
 
   std::int32_t stat(Stat stat) const { return stats[static_cast<std::size_t>(stat)]; }
 };
+
+// Whether the player fights at a time: monsters hunt it, or it was hurt in the last five seconds.
+bool is_in_combat(const Game& game, double time_s);
 
 // The server's fog at a time, with fading applied.
 FogMixture compute_fog_mixture(const Game& game, double time_s);

@@ -78,6 +78,8 @@ struct Client {
   std::optional<net::MoveParameters> sent_move_parameters{};  // in this level
   std::map<std::uint8_t, net::StatValue> sent_stats{};        // of the game's own, in this level
   std::map<std::uint8_t, float> sent_powerup_ends_s{};        // by bit of the items, in this level
+  bool was_sent_combat = false;                               // the combat state, in this level
+  double hunted_at_s = 0;                                     // the last tick, by the level's time
   CommandLimit commands;
   std::array<float, 16> pings_s{};  // a ring buffer
   std::size_t ping_count = 0;       // since the client joined

@@ -25,6 +25,7 @@ base::Status send_level_info(Server& io_server, std::size_t slot) {
   client.sent_move_parameters.reset();
   client.sent_stats.clear();
   client.sent_powerup_ends_s.clear();
+  client.was_sent_combat = false;
   if (client.sent_snapshots) client.sent_snapshots->reset();
   TRY(base::ByteVector message, make_level_message(*io_server.game, slot));
   io_server.clients.queue_alone(slot, std::move(message));

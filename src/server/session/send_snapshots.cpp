@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "net/protocol/combat_state.h"
 #include "net/protocol/powerup_end.h"
 #include "server/server.h"
 #include "server/session/move_parameters.h"
@@ -93,6 +94,35 @@ void send_powerup_ends(Server& io_server, std::size_t slot) {
     sent_s = end_s;
     io_server.clients.send(slot, net::StuffText{net::format_powerup_end({powerup.bit, end_s})});
   }
+}
+
+// Whether a living monster near the player has chosen it as its enemy.
+bool is_hunted(Game& io_game, std::size_t slot) {
+  constexpr float kMaxDistance = 1500;
+  Edicts& edicts = io_game.world().edicts;
+  const math::Vec3 place = io_game.player(slot)[field::kOrigin];
+  for (std::uint32_t number = 1; number < edicts.count(); ++number) {
+    if (edicts.is_free(vm::EntityIndex{number})) continue;
+    const Edict monster = edicts[vm::EntityIndex{number}];
+    if (monster.has_flag(flag::kMonster) && monster[field::kEnemy] == Game::player_index(slot) &&
+        monster[field::kHealth] > 0 && glm::distance(monster[field::kOrigin], place) < kMaxDistance)
+      return true;
+  }
+  return false;
+}
+
+// Sends whether the player fights monsters. The state ends two seconds after the last one has gone, so that
+// monsters that change enemies cause no messages.
+void send_combat_state(Server& io_server, std::size_t slot) {
+  constexpr double kHold_s = 2;
+  Client& client = io_server.clients[slot];
+  const double now_s = io_server.game->time_s();
+  const bool hunted = is_hunted(*io_server.game, slot);
+  if (hunted) client.hunted_at_s = now_s;
+  const bool fights = hunted || (client.was_sent_combat && now_s - client.hunted_at_s < kHold_s);
+  if (fights == client.was_sent_combat) return;
+  client.was_sent_combat = fights;
+  io_server.clients.send(slot, net::StuffText{net::format_combat_state(fights)});
 }
 
 // Whether this client gets a snapshot in this tick: not while a reliable one is still in flight, and not if
@@ -199,6 +229,7 @@ void send_snapshots(Server& io_server) {
     if (takes_values(client)) {
       send_game_stats(io_server, slot);
       send_powerup_ends(io_server, slot);
+      send_combat_state(io_server, slot);
     }
     if (io_server.recorder && io_server.recorder->slot() == slot)
       record_messages(io_server, slot, io_server.clients.take_recorded());

@@ -121,6 +121,24 @@ TEST(ClientState, PowerupsEndWhenTheServerSays) {
   EXPECT_TRUE(state.events().commands.empty());
 }
 
+TEST(ClientState, KnowsWhetherThePlayerFights) {
+  ClientState state = state_in_level();
+  packet(state, 50, {});
+  EXPECT_FALSE(client::is_in_combat(state.game(), 50));
+  apply(state, {net::StuffText{"//temblor combat 1\n"}});
+  EXPECT_TRUE(client::is_in_combat(state.game(), 50));
+  apply(state, {net::StuffText{"//temblor combat 0\n"}});
+  EXPECT_FALSE(client::is_in_combat(state.game(), 50));
+  EXPECT_TRUE(state.events().prints.empty());
+  apply(state, {net::StuffText{"//temblor combat 7\n"}});
+  EXPECT_EQ(state.events().prints.size(), 1u);
+  packet(state, 60, {net::Damage{}});
+  EXPECT_TRUE(client::is_in_combat(state.game(), 64));
+  EXPECT_FALSE(client::is_in_combat(state.game(), 66));
+  apply(state, {net::StuffText{"//temblor combat 1\n"}, server_info()});
+  EXPECT_FALSE(client::is_in_combat(state.game(), 61)) << "a new level";
+}
+
 TEST(ClientState, PlayersHaveNamesFragsAndColors) {
   ClientState state = state_in_level();
   apply(state, {net::UpdateName{2, "Ranger"}, net::UpdateFrags{2, -3}, net::UpdateColors{2, 0xd4}});
