@@ -29,6 +29,7 @@ struct Volumes {
   float ambient = 0.3f;          // 0 to 1, a factor for Scene::ambient_levels
   float music = 1;               // 0 to 1
   float muffled_underwater = 0;  // 0 (clear, as in air) to 1 (dull)
+  bool music_layers = true;      // the combat layers of music are heard
 };
 
 struct Scene {

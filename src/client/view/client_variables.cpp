@@ -150,6 +150,8 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
   sound_volume_ = variables.add_float("volume", 0.7, 0, 1, "Volume of sound effects.");
   ambient_level_ = variables.add_float("ambient_level", 0.3, 0, 1, "Volume of water and wind.");
   music_volume_ = factor("bgmvolume", defaults.volumes.music, 1, "Volume of the music.");
+  music_layers_ = variables.add_bool("bgm_layers", defaults.volumes.music_layers,
+                                     "Adds the music's combat layer in fights.");
   muffled_underwater_ = factor("s_underwater", defaults.volumes.muffled_underwater, 1,
                                "How much sounds are muffled underwater. The original: 0.");
 }
@@ -208,7 +210,7 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.level.external_textures = variables.bool_value(external_textures_);
   settings.subtitles = variables.bool_value(subtitles_);
   settings.volumes = {factor(sound_volume_), factor(ambient_level_), factor(music_volume_),
-                      factor(muffled_underwater_)};
+                      factor(muffled_underwater_), variables.bool_value(music_layers_)};
   return settings;
 }
 

@@ -14,6 +14,13 @@ constexpr int kFastRetries = 10;
 // How much sound is mixed for one frame without a device; a hitch skips the rest.
 constexpr double kMaxMixed_s = 0.1;
 
+audio::OpenMusic open_later(assets::MusicFile file) {
+  return [file = std::move(file)]() -> base::Result<audio::MusicDecoder> {
+    TRY(base::ByteVector bytes, file.read());
+    return audio::MusicDecoder::open(std::move(bytes)).with_file(file.name);
+  };
+}
+
 }  // namespace
 
 SoundOutput::SoundOutput(OpenAudioDevice open) : open_(std::move(open)) {
@@ -57,6 +64,8 @@ void SoundOutput::advance(double time_s, const audio::Scene& scene, const audio:
   time_s_ = time_s;
   if (const std::optional<base::Error> failure = mixer_.take_music_failure())
     notes_.push_back(fmt::format("{}. No music will play", failure->message()));
+  if (const std::optional<base::Error> failure = mixer_.take_combat_failure())
+    notes_.push_back(fmt::format("{}. Music track {} plays without it", failure->message(), track_));
   if (mixer_.music_has_failed() && !has_noted_music_) {
     has_noted_music_ = true;
     notes_.push_back(fmt::format("Music track {} is damaged and stops early", track_));
@@ -70,10 +79,8 @@ void SoundOutput::play_music(const assets::Library& library, int track) {
   base::Result<assets::MusicFile> file = library.music(track);
   // Most installations have no music, or only some of it, so missing files are not reported.
   if (track == 0 || !file.ok()) return mixer_.play_music(nullptr);
-  mixer_.play_music([file = std::move(file).value()]() -> base::Result<audio::MusicDecoder> {
-    TRY(base::ByteVector bytes, file.read());
-    return audio::MusicDecoder::open(std::move(bytes)).with_file(file.name);
-  });
+  const std::optional<assets::MusicFile> combat = library.combat_layer(track);
+  mixer_.play_music(open_later(std::move(file).value()), combat ? open_later(*combat) : nullptr);
 }
 
 std::string SoundOutput::describe() const {

@@ -33,6 +33,8 @@ class SoundOutput {
   // Plays a track by its server number; 0 for none. Does nothing if that track is playing. The file is read
   // by another thread; problems are noted in a later advance().
   void play_music(const assets::Library& library, int track);
+  // Whether the player fights, so that the track's combat layer is heard.
+  void set_combat(bool combat) { mixer_.set_combat(combat); }
   void pause_music(bool paused) { mixer_.pause_music(paused); }
 
   bool has_device() const { return device_ != nullptr; }

@@ -83,7 +83,11 @@ void play_sound(Host& io_host) {
     const client::Game* const game = demo                   ? &demo->state().game()
                                      : session.is_playing() ? &session.connection()->state().game()
                                                             : nullptr;
+    const double time_s = demo                   ? demo->state().time_s()
+                          : session.is_playing() ? session.connection()->state().time_s()
+                                                 : 0;
     output->play_music(io_host.game.data->library, game != nullptr ? game->music_track : 0);
+    output->set_combat(game != nullptr && is_in_combat(*game, time_s) && scene.scene().volumes.music_layers);
     output->pause_music(is_halted(io_host) || io_host.sound.is_music_paused ||
                         (game != nullptr && game->paused));
     for (const std::string& note : output->take_notes()) print_line(io_host, note);

@@ -67,6 +67,11 @@ TEST_F(MenuOptions, SwitchesSlidersAndChoicesSetTheirVariable) {
   EXPECT_THAT(hand_.selected(), HasSubstr("50%"));
   hand_.press(Key::kRightArrow);
   EXPECT_EQ(value("bgmvolume"), "0.55");
+  expect_at(MenuPage::kSound, "Combat music");
+  EXPECT_THAT(hand_.selected(), HasSubstr("on"));
+  hand_.press(Key::kEnter);
+  EXPECT_EQ(value("bgm_layers"), "0");
+  EXPECT_THAT(hand_.selected(), HasSubstr("off"));
 }
 
 TEST_F(MenuOptions, ShowHelpAndNameOfTheirVariable) {

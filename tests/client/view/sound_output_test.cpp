@@ -10,11 +10,13 @@
 #include <span>
 #include <thread>
 
+#include "formats/sounds/wav.h"
 #include "support/programs/small_game.h"
 
 namespace temblor::client {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -106,6 +108,10 @@ TEST_F(SoundOutputTest, ReplacesALostDeviceAndSoundsContinue) {
 TEST_F(SoundOutputTest, ReportsDamagedMusicButNotMissingMusic) {
   const test::SmallGame game;
   game.folder().write("id1/music/track03.ogg", "this is no music at all");
+  const formats::Wav wav{
+      .frames_per_second = 48000, .channels = 1, .bits = 16, .samples = {1, 2}, .loop = {}};
+  game.folder().write("id1/music/track05.wav", formats::write_wav(wav));
+  game.folder().write("id1/music/track05_combat.ogg", "nor is this");
   const assets::Library library(vfs::FileSystem::open(game.path()).value());
   double time_s = 0;
   // The notes while another thread opens the music: waits for a second at most.
@@ -121,6 +127,9 @@ TEST_F(SoundOutputTest, ReportsDamagedMusicButNotMissingMusic) {
   output.play_music(library, 3);
   EXPECT_THAT(notes(), ElementsAre(HasSubstr("track03.ogg: not a playable music file")));
   output.play_music(library, 3);
+  output.play_music(library, 5);
+  EXPECT_THAT(notes(), ElementsAre(AllOf(HasSubstr("track05_combat.ogg: not a playable music file"),
+                                         HasSubstr("Music track 5 plays without it"))));
   output.play_music(library, 2);
   output.play_music(library, 0);
   EXPECT_THAT(notes(), IsEmpty());

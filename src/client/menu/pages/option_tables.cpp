@@ -86,6 +86,7 @@ std::span<const OptionLook> sound_options() {
        .step = 0.05,
        .shown_factor = 100,
        .unit = "%"},
+      {.variable = "bgm_layers", .label = "Combat music"},
       {.variable = "ambient_level",
        .label = "Ambient sounds",
        .high = 1,
