@@ -111,10 +111,11 @@ bool is_hunted(Game& io_game, std::size_t slot) {
   return false;
 }
 
-// Sends whether the player fights monsters. The state ends two seconds after the last one has gone, so that
-// monsters that change enemies cause no messages.
+// Sends whether the player fights monsters; a deathmatch may have many players and hardly has monsters. The
+// state ends two seconds after the last one has gone, so that monsters that change enemies cause no messages.
 void send_combat_state(Server& io_server, std::size_t slot) {
   constexpr double kHold_s = 2;
+  if (io_server.game->setup().kind == GameKind::kDeathmatch) return;
   Client& client = io_server.clients[slot];
   const double now_s = io_server.game->time_s();
   const bool hunted = is_hunted(*io_server.game, slot);
