@@ -1,13 +1,17 @@
-// The small headers of base: text, typed indices, function references.
+// The small headers of base: text, words, typed indices, function references.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "base/function_ref.h"
 #include "base/index.h"
 #include "base/text.h"
+#include "base/words.h"
 
 namespace temblor::base {
 namespace {
@@ -46,6 +50,23 @@ static_assert(IndexType<CrateIndex>);
 enum class Color : std::uint8_t {};
 static_assert(!IndexType<std::uint32_t> && !IndexType<Color>);
 static_assert(!std::is_convertible_v<CrateIndex, ShelfIndex> && !std::is_convertible_v<int, CrateIndex>);
+
+TEST(Words, AreSplitAtSeparators) {
+  using Words = std::vector<std::string_view>;
+  EXPECT_EQ(split_words(" at 2,  3\t", " ,\t"), (Words{"at", "2", "3"}));
+  EXPECT_EQ(split_words("one", " "), Words{"one"});
+  EXPECT_EQ(split_words("", " "), Words{});
+  EXPECT_EQ(split_words(" ,", ", "), Words{});
+}
+
+TEST(Words, AreNumbersOnlyAsAWhole) {
+  EXPECT_EQ(parse_number<float>("-2.5"), -2.5f);
+  EXPECT_EQ(parse_number<int>("12"), 12);
+  for (const char* const word : {"", "2x", " 2", "+2", "nan", "inf", "1e99"})
+    EXPECT_FALSE(parse_number<float>(word)) << word;
+  EXPECT_FALSE(parse_number<std::uint8_t>("256"));
+  EXPECT_FALSE(parse_number<std::uint8_t>("-1"));
+}
 
 TEST(Index, GoesToAPositionAndBack) {
   EXPECT_EQ(to_size(CrateIndex{7}), 7u);

@@ -1,11 +1,11 @@
 #include "net/protocol/mark_request.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
 #include "base/text.h"
+#include "base/words.h"
 
 namespace temblor::net {
 namespace {
@@ -15,29 +15,9 @@ constexpr std::string_view kShapes[] = {"*hole", "*scorch", "*blood"};
 // Limit for coordinates and angles, so that sums and products stay finite.
 constexpr float kMaxMarkNumber = 1e6f;
 
-// Quotes separate words too: they surround the vectors that QuakeC prints.
-std::vector<std::string_view> split_words(std::string_view text) {
-  constexpr std::string_view kBetween = " '\t\r\n";
-  std::vector<std::string_view> words;
-  for (std::size_t begin = text.find_first_not_of(kBetween); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBetween, begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = text.find_first_not_of(kBetween, end);
-  }
-  return words;
-}
-
-template <typename Number>
-std::optional<Number> parse_whole_word(std::string_view word) {
-  Number number{};
-  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (failure != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return number;
-}
-
-std::optional<float> parse_number(std::string_view word) {
-  const std::optional<float> number = parse_whole_word<float>(word);
-  if (!number || !std::isfinite(*number) || std::abs(*number) > kMaxMarkNumber) return std::nullopt;
+std::optional<float> parse_mark_number(std::string_view word) {
+  const std::optional<float> number = base::parse_number<float>(word);
+  if (!number || std::abs(*number) > kMaxMarkNumber) return std::nullopt;
   return number;
 }
 
@@ -51,7 +31,7 @@ bool is_picture_name(std::string_view name) {
 
 std::optional<std::uint32_t> parse_model(std::string_view word) {
   if (!word.starts_with('*')) return std::nullopt;
-  const std::optional<std::uint32_t> number = parse_whole_word<std::uint32_t>(word.substr(1));
+  const std::optional<std::uint32_t> number = base::parse_number<std::uint32_t>(word.substr(1));
   return number && *number > 0 ? number : std::nullopt;
 }
 
@@ -62,7 +42,8 @@ bool is_mark_request(std::string_view line) {
 }
 
 base::Result<MarkRequest> read_mark_request(std::string_view line) {
-  const std::vector<std::string_view> words = split_words(line.substr(kMarkPrefix.size()));
+  // Quotes separate words too: they surround the vectors that QuakeC prints.
+  const std::vector<std::string_view> words = base::split_words(line.substr(kMarkPrefix.size()), " '\t\r\n");
   constexpr std::size_t kFewest = 5, kMost = 7;
   if (words.size() < kFewest || words.size() > kMost)
     return base::malformed("{} words, expected PICTURE X Y Z RADIUS [TURN [*N]]", words.size());
@@ -73,17 +54,17 @@ base::Result<MarkRequest> read_mark_request(std::string_view line) {
         base::quotable(words[0]), MarkRequest::kMaxNameChars);
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view word = words[static_cast<std::size_t>(axis) + 1];
-    const std::optional<float> number = parse_number(word);
+    const std::optional<float> number = parse_mark_number(word);
     if (!number) return base::malformed("coordinate \"{}\" is not a number", base::quotable(word));
     request.origin[axis] = *number;
   }
-  const std::optional<float> radius = parse_number(words[4]);
+  const std::optional<float> radius = parse_mark_number(words[4]);
   if (!radius || *radius < MarkRequest::kMinRadius || *radius > MarkRequest::kMaxRadius)
     return base::malformed("radius \"{}\" is not a number from {} to {}", base::quotable(words[4]),
                            MarkRequest::kMinRadius, MarkRequest::kMaxRadius);
   request.radius = *radius;
   if (words.size() > kFewest) {
-    const std::optional<float> turn_deg = parse_number(words[5]);
+    const std::optional<float> turn_deg = parse_mark_number(words[5]);
     if (!turn_deg) return base::malformed("turn \"{}\" is not a number", base::quotable(words[5]));
     request.turn_deg = *turn_deg;
   }

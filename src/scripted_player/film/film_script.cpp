@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "base/text.h"
+#include "base/words.h"
 
 namespace temblor::player {
 namespace {
@@ -14,36 +16,12 @@ namespace {
 // Before a place that is relative to the player.
 constexpr std::string_view kRelative = "player+";
 
-// The words of a line, without its comment.
-std::vector<std::string_view> split_words(std::string_view line) {
-  line = line.substr(0, line.find('#'));
-  std::vector<std::string_view> words;
-  constexpr std::string_view kSpaces = " \t\r";
-  for (std::size_t begin = line.find_first_not_of(kSpaces); begin != line.npos;) {
-    const std::size_t end = std::min(line.find_first_of(kSpaces, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(kSpaces, end);
-  }
-  return words;
-}
-
-template <typename Number>
-std::optional<Number> parse_number(std::string_view text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  if constexpr (std::is_floating_point_v<Number>)
-    if (!std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
 std::optional<math::Vec3> parse_place(std::string_view text) {
   math::Vec3 place(0.0f);
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t comma = text.find(',');
     if ((comma == text.npos) != (axis == 2)) return std::nullopt;
-    const std::optional<float> number = parse_number<float>(text.substr(0, comma));
+    const std::optional<float> number = base::parse_number<float>(text.substr(0, comma));
     if (!number) return std::nullopt;
     place[axis] = *number;
     if (axis < 2) text.remove_prefix(comma + 1);
@@ -58,7 +36,9 @@ class ScriptParser {
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_;
-      if (const auto words = split_words(text.substr(0, end)); !words.empty()) TRY_STATUS(add_line(words));
+      const std::string_view line = text.substr(0, end);
+      const auto words = base::split_words(line.substr(0, line.find('#')), " \t\r");
+      if (!words.empty()) TRY_STATUS(add_line(words));
       text.remove_prefix(std::min(end + 1, text.size()));
     }
     TRY_STATUS(finish_scene());
@@ -200,7 +180,7 @@ class ScriptParser {
 
   template <typename Number>
   static bool read_number(std::string_view text, Number& out_number) {
-    const std::optional<Number> number = parse_number<Number>(text);
+    const std::optional<Number> number = base::parse_number<Number>(text);
     if (number) out_number = *number;
     return number.has_value();
   }
