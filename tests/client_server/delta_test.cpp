@@ -174,8 +174,8 @@ TEST(Differences, RecordingsOfBothEndsAreTheSame) {
     ASSERT_EQ(begin[static_cast<std::ptrdiff_t>(i)], whole[i]) << i;
   EXPECT_GT(pack_bytes(whole), whole.size() * 200) << "else there is little to compress";
   EXPECT_LT(sent, pack_bytes(whole) / 4);
-  RecordProperty("whole_bytes", static_cast<int>(pack_bytes(whole)));
-  RecordProperty("sent_bytes", static_cast<int>(sent));
+  ::testing::Test::RecordProperty("whole_bytes", static_cast<int>(pack_bytes(whole)));
+  ::testing::Test::RecordProperty("sent_bytes", static_cast<int>(sent));
 }
 
 TEST(Differences, StockClientsAreSentTheSameAsEver) {

@@ -95,8 +95,8 @@ TEST(Updates, ALostDatagramFreezesOneTickAndAReliableOneARoundTripAndMore) {
   EXPECT_GT(reliable.longest_s, 2 * kDelay_s + 0.1) << "a round trip, and the wait for it";
   EXPECT_LT(reliable.longest_s, 2);
   EXPECT_TRUE(served.client(me).is_playing()) << served.client(me).disconnect_reason();
-  RecordProperty("frozen_unreliable_ms", static_cast<int>(freezes.longest_s * 1000));
-  RecordProperty("frozen_reliable_ms", static_cast<int>(reliable.longest_s * 1000));
+  ::testing::Test::RecordProperty("frozen_unreliable_ms", static_cast<int>(freezes.longest_s * 1000));
+  ::testing::Test::RecordProperty("frozen_reliable_ms", static_cast<int>(reliable.longest_s * 1000));
 
   ASSERT_TRUE(served.variables().set("sv_reliableupdates", "0").ok());
   served.run(1);

@@ -134,7 +134,7 @@ TEST_P(StockMaps, LookLikeTheFinishedLevels) {
   EXPECT_GT(met, rays / 2);
   EXPECT_EQ(holes, 0);
   EXPECT_GE(agree, met * 0.99);
-  for (const auto& [what, times] : differences) RecordProperty(what, times);
+  for (const auto& [what, times] : differences) ::testing::Test::RecordProperty(what, times);
 }
 
 std::vector<const char*> maps_with_rooms() {

@@ -53,7 +53,7 @@ TEST(Angles, AreThreeRotationsOneAfterAnother) {
     expect_near(basis.forward, turned({1, 0, 0}), "forward ");
     expect_near(basis.right, turned({0, -1, 0}), "right ");
     expect_near(basis.up, turned({0, 0, 1}), "up ");
-    ASSERT_FALSE(HasFailure()) << angles_deg.x << " " << angles_deg.y << " " << angles_deg.z;
+    ASSERT_FALSE(::testing::Test::HasFailure()) << angles_deg.x << " " << angles_deg.y << " " << angles_deg.z;
   }
 }
 

@@ -84,8 +84,8 @@ class ShippedLevels : public ::testing::TestWithParam<Game> {
       outcome.deaths += report.deaths.size();
       outcome.text += text;
     }
-    RecordProperty("games_won", static_cast<int>(outcome.won));
-    RecordProperty("deaths", static_cast<int>(outcome.deaths));
+    ::testing::Test::RecordProperty("games_won", static_cast<int>(outcome.won));
+    ::testing::Test::RecordProperty("deaths", static_cast<int>(outcome.deaths));
     return outcome;
   }
 };
@@ -196,7 +196,7 @@ TEST(ShippedGallery, IsTouredByMortals) {
       expect_working_monsters(report);
       deaths += report.deaths.size();
     }
-    RecordProperty(fmt::format("deaths_on_skill_{}", skill), static_cast<int>(deaths));
+    ::testing::Test::RecordProperty(fmt::format("deaths_on_skill_{}", skill), static_cast<int>(deaths));
     EXPECT_LE(deaths, kMaxDeaths[skill] * seeds(3)) << "skill " << skill;
   }
 }

@@ -156,7 +156,7 @@ TEST_P(StockDemos, ShowTheEntitiesOfTheirPackets) {
       ++expected, ++compared;
     }
     ASSERT_EQ(expected, naive.shown().end());
-    if (HasFailure()) return;
+    if (::testing::Test::HasFailure()) return;
   }
   EXPECT_GT(compared, GetParam().packets) << "the player and other entities";
 }

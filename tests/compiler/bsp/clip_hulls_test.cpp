@@ -102,7 +102,7 @@ TEST(ClipHulls, AgreeForSlantedBrushes) {
     expect_hulls_agree(parse_map(entity_text("worldspawn", "", text + "}\n")), effort(2000, 200), random);
     expect_hulls_agree(parse_map(entity_text("worldspawn", "", text + "}\n")), effort(2000, 200), random,
                        kHullsOfHalfLife);
-    if (HasFailure()) return;
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

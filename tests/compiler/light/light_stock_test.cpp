@@ -58,8 +58,8 @@ TEST(LightStock, MeanLightMatchesFinishedLevels) {
         formats::read_bsp(read_file(base_folder / "id1/maps" / (name + ".bsp"))).value();
     const LitResult ours = light(makers, stock.options, 2);
     const MeanLight mean = compare(makers, ours.bsp);
-    RecordProperty(name,
-                   fmt::format("{:.1f} for {:.1f}, {:.1f} apart", mean.ours, mean.makers, mean.difference));
+    ::testing::Test::RecordProperty(
+        name, fmt::format("{:.1f} for {:.1f}, {:.1f} apart", mean.ours, mean.makers, mean.difference));
     EXPECT_NEAR(mean.ours, mean.makers, 5) << name;
     EXPECT_LT(mean.difference, 28) << name;
   }

@@ -49,7 +49,7 @@ TEST(VisibilityTightness, LetsThroughNoMoreThanFinishedLevels) {
       our_area += visible_area(*our_level, leaf, areas);
       their_area += visible_area(*their_level, leaf, areas);
     }
-    RecordProperty(name, std::to_string(our_area / their_area));
+    ::testing::Test::RecordProperty(name, std::to_string(our_area / their_area));
     EXPECT_LE(our_area, 1.05 * their_area) << name;
     EXPECT_GT(our_area, 0.5 * their_area) << name << ": so little that something must be missing";
   }

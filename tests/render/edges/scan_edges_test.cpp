@@ -241,7 +241,7 @@ TEST(ScanEdges, ShowsThePolygonWithTheSmallestKey) {
     for (std::size_t i = 0; i < hand_made.polygons.size(); ++i)
       hand_made.polygons[i].key = static_cast<render::SortKey>(random.below(1000) * 1000 + i);
     hand_made.expect_as_defined();
-    if (HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
 }
 
@@ -264,7 +264,7 @@ TEST(ScanEdges, ShowsTheNearestOfEqualKeys) {
       hand_made.polygons[i].depth = {nearness[i], nearness[i] * dx, nearness[i] * dy};
     }
     hand_made.expect_as_defined();
-    if (HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
 }
 
@@ -347,7 +347,7 @@ TEST(ScanEdges, FindsOnEveryRowWhatItFindsWithoutTheRowAbove) {
     }
     const HandMadeTable table(hand_made.view, hand_made.polygons);
     expect_same_in_any_bands(table.view(), {}, hand_made.view);
-    if (HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
 }
 
@@ -494,7 +494,7 @@ TEST(EmittedEdges, ShowTheTriangleWithTheSmallestKey) {
     StageParts parts;
     const EdgeTable table = emit(solid.level, solid.view, solid.faces, parts);
     const auto pixels = list_pixels(scan(table, {}, solid.view, solid.view.height), solid.view);
-    ASSERT_FALSE(HasFailure());
+    ASSERT_FALSE(::testing::Test::HasFailure());
     // Draws are surfaces, since no face has tiles.
     for (int y = 0; y < solid.view.height; ++y)
       for (int x = 0; x < solid.view.width; ++x) {
@@ -511,7 +511,7 @@ TEST(EmittedEdges, ShowTheTriangleWithTheSmallestKey) {
         triangles_shown += draw != 0;
       }
     expect_same_in_any_bands(table, {}, solid.view);
-    if (HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
   EXPECT_GT(triangles_shown, pixels_checked / 10);
   EXPECT_LT(triangles_shown, pixels_checked / 10 * 9);
@@ -583,7 +583,7 @@ TEST(ScanEdges, CutsLargeFacesAtTheirTiles) {
     const TiledCase tiled(random);
     const auto pixels =
         list_pixels(scan(tiled.table, tiled.scene, tiled.view, tiled.view.height), tiled.view);
-    ASSERT_FALSE(HasFailure());
+    ASSERT_FALSE(::testing::Test::HasFailure());
     const render::TileGrid grid = render::tile_grid(tiled.level.faces[0]);
     for (int y = 0; y < tiled.view.height; ++y)
       for (int x = 0; x < tiled.view.width; ++x) {
@@ -598,7 +598,7 @@ TEST(ScanEdges, CutsLargeFacesAtTheirTiles) {
         ++checked;
       }
     expect_same_in_any_bands(tiled.table, tiled.scene, tiled.view);
-    if (HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
   EXPECT_GT(checked, effort(80, 6) * 1000);
 }

@@ -134,7 +134,7 @@ TEST_P(BuildRows, SimdMatchesTheScalarReference) {
             << count << " indices, seed " << seed;
         ASSERT_EQ(colors, rgb.drawn(render::build_rgb_row_simd)) << count << " colors, seed " << seed;
       });
-      if (HasFatalFailure()) return;
+      if (::testing::Test::HasFatalFailure()) return;
     }
 }
 

@@ -396,7 +396,7 @@ TEST(Surfaces, OfNoiseAreAsDefined) {
     SCOPED_TRACE(seed);
     Random random(static_cast<std::uint64_t>(seed));
     expect_all_as_defined(make_random_level(random), random, 3);
-    if (HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
 }
 
