@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "audio/mixing/focus.h"
 #include "audio/mixing/mix_kernels.h"
 #include "base/check.h"
 #include "base/hash.h"
@@ -97,7 +98,8 @@ void Mixer::start(const StartedSound& started) {
              .channel = started.channel,
              .origin_world = started.origin_world,
              .volume = started.volume,
-             .attenuation = started.attenuation});
+             .attenuation = started.attenuation,
+             .is_threat = is_threat(started)});
 }
 
 void Mixer::start(const StaticSound& started) {
@@ -126,6 +128,12 @@ void Mixer::end_replaced_voice(std::int32_t entity, int channel) {
     if (oldest == nullptr || voice.number < oldest->number) oldest = &voice;
   }
   if (oldest != nullptr) end_voice(*oldest);
+}
+
+// The listener's own sounds, loops, and sounds that are equally loud everywhere threaten nobody from a place.
+bool Mixer::is_threat(const StartedSound& started) const {
+  return started.is_threat && started.entity != scene_.listener.entity && !started.sound->loop &&
+         started.attenuation > 0;
 }
 
 // Returns the sample at which the sound should start. Two copies of a sound that start in the same frame
@@ -213,6 +221,7 @@ void Mixer::render_block(std::span<float> out_samples, std::span<const float> mu
   const EarBuffers ears{std::span(left_).first(count), std::span(right_).first(count)};
   std::fill(ears.left.begin(), ears.left.end(), 0.0f);
   std::fill(ears.right.begin(), ears.right.end(), 0.0f);
+  aim_focus(voices_, scene_.volumes.focus);
   for (Voice& voice : voices_) mix_voice(voice, ears);
   for (Ambient& ambient : ambients_)
     if (ambient.sound) mix_ambient(ambient, ears);

@@ -4,8 +4,8 @@
 // frames that follow. The same calls return the same samples, so videos and tests use it as well as a sound
 // device.
 //
-//   SoundEvents -> voices -> per-ear gains (mixing/spatial.h) -> sum -> muffle -> volume, + music -> limiter
-//   -> out
+//   SoundEvents -> voices -> per-ear gains (mixing/spatial.h) -> focus (mixing/focus.h) -> sum -> muffle
+//   -> volume, + music -> limiter -> out
 //
 // Every gain moves along a straight line (Glide), so no change clicks. The output is Limiter::kDelay_frames
 // late. Ambient sounds bypass the voices: they have no position, only a level that fades.
@@ -79,6 +79,7 @@ class Mixer {
   void start(const StartedSound& started);
   void start(const StaticSound& started);
   void stop(const StoppedSound& stopped);
+  bool is_threat(const StartedSound& started) const;
   void end_replaced_voice(std::int32_t entity, int channel);
   void add_voice(Voice voice);
   bool make_room();

@@ -30,6 +30,7 @@ struct Volumes {
   float music = 1;               // 0 to 1
   float muffled_underwater = 0;  // 0 (clear, as in air) to 1 (dull)
   bool music_layers = true;      // the combat layers of music are heard
+  bool focus = true;             // the nearest threat is the clearest, see mixing/focus.h
 };
 
 struct Scene {
@@ -49,8 +50,9 @@ struct StartedSound {
   std::int32_t entity = kNoEntity;
   int channel = kFreeChannel;
   math::Vec3 origin_world{0.0f};
-  float volume = 1;       // 0 to 1
-  float attenuation = 1;  // silent at 1000 units / attenuation; 0: equally loud everywhere
+  float volume = 1;        // 0 to 1
+  float attenuation = 1;   // silent at 1000 units / attenuation; 0: equally loud everywhere
+  bool is_threat = false;  // the voice or weapon of a creature; softened while a nearer threat sounds
 };
 
 // Stops every started sound on this channel of this entity.

@@ -21,6 +21,10 @@ EarGains compute_ear_gains(const Listener& listener, const math::Vec3& origin_wo
   return {clamp_gain(loudness * (1 - side)), clamp_gain(loudness * (1 + side))};
 }
 
+float compute_closeness(const Listener& listener, const math::Vec3& origin_world) {
+  return clamp_gain(1 - glm::distance(origin_world, listener.origin_world) / kMaxDistance);
+}
+
 float compute_ambient_level(std::uint8_t leaf_level, float share) {
   const float level = share * static_cast<float>(leaf_level);
   return level < 8 ? 0 : level;

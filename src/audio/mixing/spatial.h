@@ -17,6 +17,9 @@ struct EarGains {
 EarGains compute_ear_gains(const Listener& listener, const math::Vec3& origin_world, float volume,
                            float attenuation);
 
+// 1 at the listener; falls linearly to 0 at 1000 units, also beyond and if the position is NaN.
+float compute_closeness(const Listener& listener, const math::Vec3& origin_world);
+
 // The target level of an ambient sound, 0 to 255: `share` of the leaf's level, and 0 below 8.
 float compute_ambient_level(std::uint8_t leaf_level, float share);
 

@@ -26,7 +26,7 @@ std::size_t find_end(const Sound& sound) {
 // change linearly within it.
 std::size_t compute_stretch_frames(const Voice& voice, std::size_t wanted) {
   std::size_t frames = std::min(wanted, find_end(*voice.sound) - voice.position);
-  for (const Glide* glide : {&voice.left, &voice.right})
+  for (const Glide* glide : {&voice.left, &voice.right, &voice.focus})
     if (glide->frames_left() > 0) frames = std::min(frames, glide->frames_left());
   if (voice.fade.frames_left() > 0) frames = std::min({frames, voice.fade.frames_left(), kStraight_frames});
   return frames;
@@ -37,18 +37,20 @@ void mix_stretch(const Voice& voice, std::size_t frames, float* left, float* rig
   if (voice.is_silent()) return;
   const auto count = static_cast<float>(frames);
   const auto at = [&](const Glide& glide, float place) { return glide.value() + glide.step() * place; };
-  const float fade_end = at(voice.fade, count);
-  const float left_gain = voice.left.value() * voice.fade.value();
-  const float right_gain = voice.right.value() * voice.fade.value();
+  const float share = voice.fade.value() * voice.focus.value();
+  const float share_end = at(voice.fade, count) * at(voice.focus, count);
+  const float left_gain = voice.left.value() * share;
+  const float right_gain = voice.right.value() * share;
   mix_simd({voice.sound->samples.data() + voice.position, frames, left, right, left_gain,
-            (at(voice.left, count) * fade_end - left_gain) / count, right_gain,
-            (at(voice.right, count) * fade_end - right_gain) / count});
+            (at(voice.left, count) * share_end - left_gain) / count, right_gain,
+            (at(voice.right, count) * share_end - right_gain) / count});
 }
 
 // Moves past a stretch: advances the ramps, wraps around the loop, and detects the end.
 void advance(Voice& io_voice, std::size_t frames) {
   io_voice.left.advance(frames);
   io_voice.right.advance(frames);
+  io_voice.focus.advance(frames);
   const bool was_fading = io_voice.fade.frames_left() > 0;
   io_voice.fade.advance(frames);
   if (io_voice.is_ending && was_fading && io_voice.fade.frames_left() == 0) io_voice.has_ended = true;
@@ -84,12 +86,14 @@ std::size_t Voice::frames_left() const {
 
 void place_voice(Voice& io_voice, const Listener& listener) {
   const EarGains gains = compute_gains(io_voice, listener);
+  io_voice.closeness = compute_closeness(listener, io_voice.origin_world);
   io_voice.left = Glide(gains.left);
   io_voice.right = Glide(gains.right);
 }
 
 void move_voice(Voice& io_voice, const Listener& listener, std::size_t frames) {
   const EarGains gains = compute_gains(io_voice, listener);
+  io_voice.closeness = compute_closeness(listener, io_voice.origin_world);
   io_voice.left.go_to(gains.left, frames);
   io_voice.right.go_to(gains.right, frames);
 }

@@ -1,6 +1,6 @@
 // A voice: one sound that plays, its position, its loudness in each ear, and its fades.
 //
-//   gain of an ear = Glide of the ear (position, volume, listener) * fade (start and end)
+//   gain of an ear = Glide of the ear (position, volume, listener) * fade (start and end) * focus (focus.h)
 //
 // A voice fades in, plays, and ends either with its samples or with a fade-out after end_voice(). The mixer
 // owns the voices and removes those that have ended.
@@ -49,8 +49,11 @@ struct Voice {
   int channel = kFreeChannel;
   math::Vec3 origin_world{0.0f};
   float volume = 1, attenuation = 1;
+  bool is_threat = false;    // see StartedSound
   Glide left{}, right{};     // gains from the position
   Glide fade{1};             // the fade in and out
+  Glide focus{1};            // softens threats that are not the nearest
+  float closeness = 0;       // 1 at the listener, 0 at 1000 units or more
   std::uint64_t number = 0;  // orders voices by age; the oldest has the lowest number
   bool is_new = true;        // no frame has been played yet
   bool is_ending = false;    // fades out and then ends

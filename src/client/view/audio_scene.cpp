@@ -58,6 +58,16 @@ float to_volume(std::uint8_t volume) {
   return static_cast<float>(volume) / 255;
 }
 
+// Game code plays shouts on channel 2 and shots on channel 1. Doors and lifts, which are submodels of the
+// level, use channel 2 too. Sounds of entities out of view count.
+bool is_threat(const Game& game, std::span<const InterpolatedEntity> entities, const net::Sound& what) {
+  constexpr int kWeaponChannel = 1, kVoiceChannel = 2;
+  if (what.entity == 0 || (what.channel != kWeaponChannel && what.channel != kVoiceChannel)) return false;
+  const InterpolatedEntity* entity = find_entity(entities, what.entity);
+  return entity == nullptr || entity->model >= game.models.size() ||
+         !game.models[entity->model].starts_with('*');
+}
+
 }  // namespace
 
 // Starts the ambient sounds of water and wind, two of the four kinds for which a level's leaves have volumes.
@@ -112,8 +122,8 @@ void AudioScene::add_sound(const net::SpawnStaticSound& what) {
   events_.statics.push_back({sound, what.origin, to_volume(what.volume), what.attenuation});
 }
 
-void AudioScene::advance(const Game& game, const Events& events, const world::Level& level,
-                         const PlayerView& view, const audio::Volumes& volumes) {
+void AudioScene::advance(const Game& game, const Events& events, std::span<const InterpolatedEntity> entities,
+                         const world::Level& level, const PlayerView& view, const audio::Volumes& volumes) {
   scene_.listener.origin_world = view.camera.origin_world;
   scene_.listener.right = math::Vec3(math::basis_from_angles(view.camera.angles_deg).right);
   scene_.listener.entity = game.view_entity;
@@ -127,7 +137,8 @@ void AudioScene::advance(const Game& game, const Events& events, const world::Le
                                .channel = what.channel,
                                .origin_world = what.origin,
                                .volume = to_volume(what.volume),
-                               .attenuation = what.attenuation});
+                               .attenuation = what.attenuation,
+                               .is_threat = is_threat(game, entities, what)});
   for (const net::TempEntity& what : events.temp_entities) add_sound(what);
   for (const net::StopSound& what : events.stopped_sounds)
     events_.stopped.push_back({what.entity, what.channel});

@@ -13,6 +13,7 @@
 #include "assets/library.h"
 #include "audio/scene.h"
 #include "client/session/client_state.h"
+#include "client/session/interpolated_entity.h"
 #include "client/session/sound_table.h"
 #include "client/view/view.h"
 #include "world/level.h"
@@ -31,9 +32,10 @@ class AudioScene {
   void resume(std::span<const net::SpawnStaticSound> static_sounds);
   // Ends all sounds of the level.
   void end_level();
-  // Starts the sounds of `events`, and moves the listener to the view's camera.
-  void advance(const Game& game, const Events& events, const world::Level& level, const PlayerView& view,
-               const audio::Volumes& volumes);
+  // Starts the sounds of `events`, and moves the listener to the view's camera. `entities`: in view, sorted
+  // by number.
+  void advance(const Game& game, const Events& events, std::span<const InterpolatedEntity> entities,
+               const world::Level& level, const PlayerView& view, const audio::Volumes& volumes);
   // Plays a sound that does not belong to the game, such as a menu click, at a volume of 0 to 1. `name` as in
   // game code: "misc/menu1.wav".
   void play_local(const std::string& name, float volume = 1);

@@ -154,6 +154,9 @@ ClientVariables::ClientVariables(command::Variables& variables) : choices_(varia
                                      "Adds the music's combat layer in fights.");
   muffled_underwater_ = factor("s_underwater", defaults.volumes.muffled_underwater, 1,
                                "How much sounds are muffled underwater. The original: 0.");
+  focus_ = variables.add_bool(
+      "snd_focus", defaults.volumes.focus,
+      "Softens creatures that are farther away than the nearest one you hear. The original: 0.");
 }
 
 PresentationSettings ClientVariables::read(const command::Variables& variables) const {
@@ -209,8 +212,12 @@ PresentationSettings ClientVariables::read(const command::Variables& variables) 
   settings.environment.skybox = variables.bool_value(skybox_);
   settings.level.external_textures = variables.bool_value(external_textures_);
   settings.subtitles = variables.bool_value(subtitles_);
-  settings.volumes = {factor(sound_volume_), factor(ambient_level_), factor(music_volume_),
-                      factor(muffled_underwater_), variables.bool_value(music_layers_)};
+  settings.volumes = {factor(sound_volume_),
+                      factor(ambient_level_),
+                      factor(music_volume_),
+                      factor(muffled_underwater_),
+                      variables.bool_value(music_layers_),
+                      variables.bool_value(focus_)};
   return settings;
 }
 

@@ -25,7 +25,7 @@ class ClientVariables {
       teleport_alpha_, fog_, skybox_, external_textures_, subtitles_, crosshair_, crosshair_color_,
       crosshair_scale_, safe_colors_, no_hud_program_, idle_sway_, kick_time_, center_time_, print_speed_,
       no_flash_, colored_lights_, casings_, smoke_, impacts_, splashes_, barrel_beams_, sound_volume_,
-      ambient_level_, music_volume_, muffled_underwater_, music_layers_;
+      ambient_level_, music_volume_, muffled_underwater_, music_layers_, focus_;
 };
 
 }  // namespace temblor::client

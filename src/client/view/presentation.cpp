@@ -128,7 +128,7 @@ Presentation::FrameView Presentation::advance_parts(ClientState& io_state, doubl
       settings.effects);
   hud_.advance(game, io_state.events(), time_s);
   if (settings.subtitles) subtitles_.advance(game, io_state.events(), view.camera, time_s);
-  if (has_sound_) audio_scene_.advance(game, io_state.events(), level, view, settings.volumes);
+  if (has_sound_) audio_scene_.advance(game, io_state.events(), entities, level, view, settings.volumes);
   time_s_ = time_s;
   io_state.events().clear();
   return {entities, view};

@@ -51,12 +51,13 @@ class AudioSceneTest : public ::testing::Test {
   // The mixer events that these events alone lead to.
   audio::SoundEvents heard(const Events& events) {
     scene().events().clear();
-    scene().advance(game, events, *level, view, {});
+    scene().advance(game, events, entities, *level, view, {});
     return scene().events();
   }
 
   test::SmallGame small_game;
   Game game;
+  std::vector<InterpolatedEntity> entities;
   PlayerView view;
   std::shared_ptr<const world::Level> level = test::small_level().level;
   std::optional<assets::Library> library;
@@ -110,6 +111,23 @@ TEST_F(AudioSceneTest, SoundMessagesBecomeMixerEvents) {
   ASSERT_THAT(got.stopped, SizeIs(1));
   EXPECT_EQ(got.stopped[0].entity, 9);
   EXPECT_EQ(got.stopped[0].channel, 3);
+}
+
+TEST_F(AudioSceneTest, VoicesAndWeaponsOfCreaturesAreThreats) {
+  game.models = {"", "maps/m.bsp", "*1", "progs/ogre.mdl"};
+  entities = {{.number = 5, .model = 2}, {.number = 6, .model = 3}};
+  const auto is_threat = [&](std::uint16_t entity, std::uint8_t channel) {
+    Events events;
+    events.sounds.push_back({.entity = entity, .channel = channel, .sound = 1});
+    return heard(events).started.at(0).is_threat;
+  };
+  EXPECT_TRUE(is_threat(6, 1));
+  EXPECT_TRUE(is_threat(6, 2));
+  EXPECT_FALSE(is_threat(6, 0));
+  EXPECT_FALSE(is_threat(6, 4)) << "footsteps";
+  EXPECT_FALSE(is_threat(5, 2)) << "a door";
+  EXPECT_TRUE(is_threat(7, 2)) << "out of view";
+  EXPECT_FALSE(is_threat(0, 2)) << "the world";
 }
 
 TEST_F(AudioSceneTest, StaticSoundsMustLoop) {
@@ -176,7 +194,7 @@ TEST_F(AudioSceneTest, ListenerIsWhereTheCameraIs) {
   view.camera.origin_world = {10, 20, 30};
   view.camera.angles_deg = {0, 90, 0};  // along +y: right is +x
   view.underwater = true;
-  scene().advance(game, {}, *level, view, {0.5f, 0.125f, 0.25f, 1});
+  scene().advance(game, {}, {}, *level, view, {0.5f, 0.125f, 0.25f, 1});
   const audio::Scene& got = scene().scene();
   EXPECT_EQ(got.listener.origin_world, math::Vec3(10, 20, 30));
   EXPECT_NEAR(glm::distance(got.listener.right, math::Vec3(1, 0, 0)), 0, 1e-6);
@@ -192,12 +210,12 @@ TEST_F(AudioSceneTest, AmbientLevelsAreThoseOfTheLeaf) {
   world::Level copy = *level;
   copy.leaves[3].ambient = {1, 2, 3, 4};
   view.leaf = world::LeafIndex{3};
-  scene().advance(game, {}, copy, view, {});
+  scene().advance(game, {}, {}, copy, view, {});
   EXPECT_THAT(scene().scene().ambient_levels, ElementsAre(1, 2, 3, 4));
 }
 
 TEST_F(AudioSceneTest, LocalSoundsBelongToTheListener) {
-  scene().advance(game, {}, *level, view, {});
+  scene().advance(game, {}, {}, *level, view, {});
   scene().events().clear();
   scene().play_local("misc/menu1.wav");
   ASSERT_THAT(scene().events().started, SizeIs(1));

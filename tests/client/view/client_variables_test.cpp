@@ -59,6 +59,7 @@ std::vector<Case> cases() {
       {"volume=0.5", [](const auto& s) { return s.volumes.sounds; }, double{0.7f}, 0.5},
       {"ambient_level=0.5", [](const auto& s) { return s.volumes.ambient; }, double{0.3f}, 0.5},
       {"bgm_layers=0", [](const auto& s) { return s.volumes.music_layers ? 1.0f : 0.0f; }, 1, 0},
+      {"snd_focus=0", [](const auto& s) { return s.volumes.focus ? 1.0f : 0.0f; }, 1, 0},
       {"bgmvolume=0.5", [](const auto& s) { return s.volumes.music; }, 1, 0.5},
       {"s_underwater=0.5", [](const auto& s) { return s.volumes.muffled_underwater; }, 0, 0.5},
       {"r_nolerp_list=a,,b", [](const auto& s) { return static_cast<double>(s.no_lerp_models.size()); }, 3,

@@ -99,6 +99,7 @@ std::span<const OptionLook> sound_options() {
        .step = 0.1,
        .shown_factor = 100,
        .unit = "%"},
+      {.variable = "snd_focus", .label = "Focus on nearest"},
       {.variable = "snd_muteunfocused", .label = "Mute in background"},
   };
   return kLooks;
