@@ -65,6 +65,11 @@ void PlayedLevel::tick() {
   for (server::PlayerInput& input : inputs_) input.impulse = 0;
   const base::Bytes said = game_->outbox().reliable().view();
   said_.append(reinterpret_cast<const char*>(said.data()), said.size());
+  for (std::uint32_t slot = 0; slot < inputs_.size(); ++slot) {
+    if (!inputs_[slot].is_active) continue;
+    const base::Bytes sent = game_->outbox().reliable_to(vm::EntityIndex{slot + 1})->view();
+    sent_[slot].append(reinterpret_cast<const char*>(sent.data()), sent.size());
+  }
   game_->outbox().clear_tick();
 }
 

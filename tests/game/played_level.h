@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,8 @@ class PlayedLevel {
   const std::string& printed() const { return printed_; }
   // Reliable messages to all clients (bprint and others), as raw bytes.
   const std::string& said() const { return said_; }
+  // Reliable messages to one player (sprint, stuffcmd and others), as raw bytes.
+  const std::string& sent_to(std::uint32_t slot) { return sent_[slot]; }
   std::optional<std::string> change_level() const { return game_->requests().change_level; }
   const std::string& commands() const { return game_->requests().commands; }
 
@@ -92,6 +95,7 @@ class PlayedLevel {
   std::unique_ptr<server::Game> game_;
   std::vector<server::PlayerInput> inputs_;
   std::string printed_, said_;
+  std::map<std::uint32_t, std::string> sent_;
   std::vector<std::string> errors_;
 };
 

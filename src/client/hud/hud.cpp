@@ -26,7 +26,7 @@ void draw_death_hint(const Panel& panel, const Panel& letters, std::string_view 
 
 // Whether players with the same pants are a team. Those with flags count captures, which clients do not know.
 bool has_team_scores(const Game& game, const HudSettings& settings) {
-  return game.deathmatch && (settings.teamplay == 1 || settings.teamplay == 2);
+  return game.deathmatch && (settings.teamplay == 1 || settings.teamplay == 2 || has_captures(game));
 }
 
 // Draws everything of a running level. The ranking hides center texts, as both are in the middle. The

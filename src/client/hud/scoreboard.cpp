@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -90,6 +91,18 @@ void draw_standing(const Panel& bar, const Game& game) {
   draw_tally(bar, "Place", place, players, kLowerY);
 }
 
+constexpr std::size_t kTeams = 16;
+// By color; none: there is no such team.
+using TeamScores = std::array<std::optional<std::int16_t>, kTeams>;
+
+TeamScores sum_frags(const Game& game) {
+  TeamScores sums;
+  for (const Player& player : game.players)
+    if (std::optional<std::int16_t>& sum = sums[player.pants & 15u]; !player.name.empty())
+      sum = static_cast<std::int16_t>(sum.value_or(0) + player.frags);
+  return sums;
+}
+
 // Draws text centered, shortened with "..." to at most that many characters.
 void draw_shortened(const Panel& bar, std::string_view text, std::size_t max_chars, int middle_x, int y) {
   constexpr std::string_view kMissing = "...";
@@ -155,31 +168,36 @@ void draw_team_frame(const Panel& bar, const Game& game) {
   }
 }
 
+bool has_captures(const Game& game) {
+  return std::any_of(game.captures.begin(), game.captures.end(),
+                     [](const auto& count) { return count.has_value(); });
+}
+
 void draw_team_scores(const Panel& screen, const Game& game) {
   constexpr std::size_t kShown = 6;
+  constexpr std::string_view kCaptures = "Captures";
   constexpr int kY = 32, kWidth = 40, kApart = 48;
-  std::array<Player, 16> teams;  // by color
-  for (std::size_t i = 0; i < teams.size(); ++i)
-    teams[i].shirt = teams[i].pants = static_cast<std::uint8_t>(i);
-  std::array<bool, 16> has_players{};
-  for (const Player& player : game.players) {
-    if (player.name.empty()) continue;
-    has_players[player.pants & 15u] = true;
-    Player& team = teams[player.pants & 15u];
-    team.frags = static_cast<std::int16_t>(team.frags + player.frags);
-  }
-  std::array<std::uint8_t, 16> order{};
+  const bool captures = has_captures(game);
+  const TeamScores scores = captures ? game.captures : sum_frags(game);
+  std::array<Player, kTeams> teams;  // as a player in the team's color
   std::size_t count = 0;
-  for (std::uint8_t color = 0; color < teams.size(); ++color)
-    if (has_players[color]) order[count++] = color;
+  for (std::uint8_t color = 0; color < kTeams; ++color) {
+    if (!scores[color]) continue;
+    Player& team = teams[count++];
+    team.frags = *scores[color];
+    team.shirt = team.pants = color;
+  }
   if (count < 2) return;
-  std::sort(order.begin(), order.begin() + count, [&](std::uint8_t a, std::uint8_t b) {
-    return teams[a].frags != teams[b].frags ? teams[a].frags > teams[b].frags : a < b;
+  std::sort(teams.begin(), teams.begin() + count, [](const Player& a, const Player& b) {
+    return a.frags != b.frags ? a.frags > b.frags : a.pants < b.pants;
   });
   count = std::min(count, kShown);
-  int x = (kScreenWidth - (static_cast<int>(count) - 1) * kApart - kWidth) / 2;
-  for (const std::uint8_t color : std::span(order).first(count)) {
-    draw_frags(screen, teams[color], {x, kY, kWidth, kCharacterSide});
+  const int label_width = captures ? static_cast<int>(kCaptures.size() + 1) * kCharacterSide : 0;
+  int x = (kScreenWidth - label_width - (static_cast<int>(count) - 1) * kApart - kWidth) / 2;
+  if (captures) screen.draw_text(kCaptures, x, kY);
+  x += label_width;
+  for (const Player& team : std::span(teams).first(count)) {
+    draw_frags(screen, team, {x, kY, kWidth, kCharacterSide});
     x += kApart;
   }
 }

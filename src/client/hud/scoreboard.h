@@ -23,8 +23,11 @@ void draw_leaders(const Panel& inventory, const Game& game);
 // `bar`: a panel kBarHeight high.
 void draw_team_frame(const Panel& bar, const Game& game);
 
-// Draws the sum of each team's frags above the ranking, best first, in boxes of the pants' color; nothing
-// with one team. `screen`: a panel kScreenHeight high.
+// Whether the server has sent the captures of capture the flag.
+bool has_captures(const Game& game);
+
+// Draws each team's captures, else the sum of its frags, above the ranking, best first, in boxes of the
+// pants' color; nothing with one team. `screen`: a panel kScreenHeight high.
 void draw_team_scores(const Panel& screen, const Game& game);
 
 // Draws all players, best first, with an arrow at the player's own row. `screen`: a panel kScreenHeight high.

@@ -223,6 +223,8 @@ struct ClientState::Apply {
         set_powerup_end(state.command_line_);
       else if (net::is_combat_state(state.command_line_))
         set_combat_state(state.command_line_);
+      else if (net::is_team_captures(state.command_line_))
+        set_captures(state.command_line_);
       else if (!state.command_line_.starts_with("//"))
         events.commands.push_back(state.command_line_);
       state.command_line_.clear();
@@ -256,6 +258,14 @@ struct ClientState::Apply {
       game.is_hunted = *hunted;
     else
       print_problem(line, hunted.error());
+  }
+
+  void set_captures(std::string_view line) {
+    const base::Result<net::TeamCaptures> captures = net::read_team_captures(line);
+    if (captures.ok())
+      game.captures[captures->color] = captures->count;
+    else
+      print_problem(line, captures.error());
   }
 
   // Errors reach the console, as they help the author of the game code.

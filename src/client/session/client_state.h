@@ -29,6 +29,7 @@
 #include "net/protocol/mark_request.h"
 #include "net/protocol/powerup_end.h"
 #include "net/protocol/server_message.h"
+#include "net/protocol/team_captures.h"
 #include "world/animation.h"
 
 namespace temblor::client {
@@ -101,6 +102,8 @@ struct Game {
   std::array<float, net::PowerupEnd::kMaxBit + 1> powerup_ends_s{};
   net::ClientData data;  // from the last packet
   world::LightStylePatterns light_styles;
+  // In capture the flag, by the color of a team's pants: its captures.
+  std::array<std::optional<std::int16_t>, net::TeamCaptures::kMaxColor + 1> captures;
   // The angles that the server last set.
   math::Vec3 set_angles_deg{0.0f};
   // How often the server has set the angles, so that each time can be noticed. Goes on from level to level.

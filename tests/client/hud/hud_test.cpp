@@ -515,6 +515,17 @@ TEST(Hud, ShowsTheSumsOfTeamsAboveTheRanking) {
             draw_calm(game, kHudSizes[2]).lines().size());
 }
 
+TEST(Hud, ShowsTheCapturesOfTeamsAboveTheRanking) {
+  Game game = deathmatch();
+  set(game, Stat::kHealth, 0);
+  for (Player& player : game.players) player.pants = player.name == "Bob" ? 4 : 13;
+  game.captures[4] = 0;
+  game.captures[13] = 2;
+  EXPECT_THAT(draw_calm(game, kHudSizes[2], {.teamplay = 3}).lines(), Contains("Captures 2 0"));
+  game.ending = Ending::kIntermission;
+  EXPECT_THAT(draw_calm(game, kHudSizes[2], {.teamplay = 3}).lines(), Contains("Captures 2 0"));
+}
+
 TEST(Hud, CentersTextForTwoSeconds) {
   Game game = rich_game();
   game.center_text = "one\ntwo three\n\nfour";

@@ -121,6 +121,17 @@ TEST(ClientState, PowerupsEndWhenTheServerSays) {
   EXPECT_TRUE(state.events().commands.empty());
 }
 
+TEST(ClientState, KnowsTheCapturesOfTeams) {
+  ClientState state = state_in_level();
+  apply(state, {net::StuffText{"//temblor captures 4 2\n//temblor captures 16 1\n"}});
+  EXPECT_EQ(state.game().captures[4], 2);
+  EXPECT_EQ(state.game().captures[8], std::nullopt);
+  EXPECT_EQ(state.events().prints.size(), 1u) << "there is no color 16";
+  EXPECT_TRUE(state.events().commands.empty());
+  apply(state, {server_info()});
+  EXPECT_EQ(state.game().captures[4], std::nullopt) << "a new level";
+}
+
 TEST(ClientState, KnowsWhetherThePlayerFights) {
   ClientState state = state_in_level();
   packet(state, 50, {});

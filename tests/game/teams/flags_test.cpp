@@ -65,6 +65,24 @@ TEST_F(Flags, AreCaptured) {
   EXPECT_THAT(game_.errors(), IsEmpty());
 }
 
+// The text that was stuffed into a client, without the messages' bytes 9 and 0.
+std::string find_captures(std::string sent) {
+  std::erase_if(sent, [](char c) { return c == '\t' || c == '\0'; });
+  const std::size_t at = sent.rfind("//temblor captures 4 ");
+  return at == std::string::npos ? "" : sent.substr(at);
+}
+
+TEST_F(Flags, SendTheCapturesToPlayers) {
+  for (const std::uint32_t slot : {0u, 1u})
+    EXPECT_THAT(find_captures(game_.sent_to(slot)),
+                HasSubstr("//temblor captures 4 0\n//temblor captures 8 0\n"));
+  move_to(0, kBlueBase);
+  move_to(0, kRedBase);
+  for (const std::uint32_t slot : {0u, 1u})
+    EXPECT_THAT(find_captures(game_.sent_to(slot)),
+                HasSubstr("//temblor captures 4 1\n//temblor captures 8 0\n"));
+}
+
 TEST_F(Flags, AreNotCapturedWhileTheOwnFlagIsAway) {
   move_to(0, kBlueBase);
   move_to(1, kRedBase);
