@@ -86,7 +86,7 @@ TEST(ShippedTextures, IncludeAllThatLevelsName) {
       "wire1 "
       "dial1 trim1..trim6 step1..step3 pillar1 pillar2 door1..door4 door_gold door_silver gate1 "
       "light1..light5 "
-      "lamp1 lamp2 window1 window2 sign_exit sign_keys sign_danger sign_t1..sign_t3 sign_dm "
+      "lamp1 lamp2 window1 window2 sign_exit sign_keys sign_danger sign_t1..sign_t3 sign_tdm1..sign_tdm4 "
       "sign_skill1..sign_skill4 sign_1..sign_11 sign_gallery sky_dusk sky_storm sky_ash *water1 *water2 "
       "*slime1 "
       "*lava1 *tele1 +0forge +1forge +2forge +3forge +0pulse +1pulse +2pulse +3pulse +0screen +1screen "
