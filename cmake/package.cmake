@@ -27,7 +27,9 @@ install(FILES LICENSE COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAM
 # The scripts are where the documentation says (docs/compiling.md).
 install(PROGRAMS docs/compile_with_parallel.sh COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs")
 install(PROGRAMS packaging/compile_with_slurm.sh COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}/packaging")
-install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.map" PATTERN "*.png" PATTERN "*.jpg")
+# The game before and after is for readers of the sources.
+install(DIRECTORY docs COMPONENT game DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.map" PATTERN "*.png" PATTERN "*.jpg"
+        PATTERN "game.md" EXCLUDE PATTERN "before_after" EXCLUDE)
 
 # All libraries except those that come with every system: the C library, which must match the system's loader, and the
 # compiler's libraries, which graphics drivers need in the system's version.
