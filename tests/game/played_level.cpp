@@ -97,9 +97,26 @@ float PlayedLevel::edict_number(std::uint32_t number, std::string_view field_nam
   return edict(number)[server::Field<float>{definition->offset}];
 }
 
+std::string PlayedLevel::edict_function(std::uint32_t number, std::string_view field_name) {
+  const vm::Program& program = game_->machine().program();
+  const formats::ProgsDefinition* const definition = program.find_field(field_name);
+  CHECK(definition != nullptr, "{}", field_name);
+  return std::string(
+      program.function_name(edict(number)[server::Field<vm::FunctionIndex>{definition->offset}]));
+}
+
 void PlayedLevel::put(server::Edict edict, const math::Vec3& origin) {
   edict.set(field::kOrigin, origin);
   check(server::link(world(), edict.index(), server::TouchTriggers::kYes), "put");
+}
+
+bool PlayedLevel::sees(std::uint32_t watcher, std::uint32_t other) {
+  const auto eyes = [this](std::uint32_t number) {
+    return edict(number)[field::kOrigin] + edict(number)[field::kViewOffset];
+  };
+  return !server::trace_move(world(), eyes(watcher), {}, {}, eyes(other), server::MoveKind::kNoMonsters,
+                             edict(watcher).index())
+              .hit;
 }
 
 std::uint32_t PlayedLevel::spawn(std::string_view name, const math::Vec3& origin, float yaw_deg) {

@@ -66,6 +66,8 @@ class PlayedLevel {
   float global(std::string_view name) const;
   // A field that only this program declares.
   float edict_number(std::uint32_t number, std::string_view field_name);
+  // The name of the function in such a field.
+  std::string edict_function(std::uint32_t number, std::string_view field_name);
   double variable(std::string_view name) const { return variables_.find(name)->number; }
   double time_s() const { return game_->time_s(); }
   std::uint64_t state_hash() const { return game_->state_hash(); }
@@ -74,6 +76,8 @@ class PlayedLevel {
   void put(server::Edict edict, const math::Vec3& origin);
   // Spawns an entity of this class as if it were part of the level, and runs until it has settled.
   std::uint32_t spawn(std::string_view name, const math::Vec3& origin, float yaw_deg);
+  // Whether nothing solid is between the eyes of two entities.
+  bool sees(std::uint32_t watcher, std::uint32_t other);
   // Whether a box of this size has room at a place, and floor below it.
   bool has_room(const math::Vec3& origin, const math::Vec3& mins, const math::Vec3& maxs);
   // Calls a function of the program as the engine would.
