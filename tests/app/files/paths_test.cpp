@@ -89,7 +89,7 @@ std::string make_play_script(const std::string& base) {
          "' 1280x1024x24 \"$T\" --basedir " +
          base +
          R"( --game mymod play --nosound --size 160x120 --duration 60 --exec '
-host_maxfps 60; alias w "wait; wait; wait; wait; wait; wait; wait; wait; wait; wait"
+host_maxfps 60; sv_autosave 0; alias w "wait; wait; wait; wait; wait; wait; wait; wait; wait; wait"
 map small; w; w; w; screenshot; screenshot shots/named; screenshot twice.png; save first; w; w; load first; w; w
 record film; w; stop; condump; condump notes.txt; exec my.cfg; sensitivity 5; bind x "echo bound"; writeconfig
 demos; saves; flocate my.cfg; w; playdemo film; w; quit'
