@@ -67,5 +67,20 @@ TEST(Recovery, RestartsTheLevelWhenTrapped) {
   EXPECT_LT(outcome.at.x, 600);
 }
 
+// The lift rises with the player, who is then put on the edge of the floor below it, and has to ride it
+// again.
+TEST(Recovery, StepsAsideForALiftThatIsAbove) {
+  const std::string floor =
+      box_text({0, 0, 0}, {472, 256, 32}, "floor") + box_text({472, 0, 0}, {600, 64, 32}, "floor") +
+      box_text({472, 192, 0}, {600, 256, 32}, "floor") + box_text({600, 0, 0}, {1024, 256, 160}, "floor");
+  const Outcome outcome = play_from(
+      entity_text("worldspawn", "", walls_text({0, 0, 0}, {1024, 256, 256}, "wall") + floor) +
+          entity_text("info_player_start", "\"origin\" \"536 128 64\"\n\"angle\" \"0\"") +
+          entity_text("func_plat", "\"height\" \"128\"", box_text({472, 64, 144}, {600, 192, 160}, "lift")) +
+          exit_text({960, 0, 160}, {1024, 256, 256}),
+      {536, 72, 56.1f});
+  EXPECT_GT(outcome.at.x, 940);
+}
+
 }  // namespace
 }  // namespace temblor::test

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "scripted_player/decisions/lift_wait.h"
+
 namespace temblor::player {
 namespace {
 
@@ -270,12 +272,15 @@ bool Walker::missed_ride(const Place& from) const {
          movers_->state(from.mover) != from.state;
 }
 
-// Waits in front of a mover, and goes back if it is coming.
+// Waits in front of a mover, and goes back if it is coming. After some time, leaves the place below a lift.
 void Walker::wait_for_mover(const Self& self, const Link& link, bool goes_back, Steering& out) {
   const math::Vec3 here = graph_->place(route_->places[index_]).at;
   out.look_at = graph_->place(link.to).at + kEyeHeight;
   if (!goes_back) {
-    out.velocity = compute_wish(velocity_to_stand_at(self, here), self.velocity);
+    std::optional<math::Vec3> beside;
+    if (is_impatient_)
+      beside = find_place_beside_lift(*graph_, space_->facts(), *movers_, link, route_->places[index_]);
+    out.velocity = compute_wish(velocity_to_stand_at(self, beside.value_or(here)), self.velocity);
     return;
   }
   const math::Vec3 back = graph_->place(route_->places[index_ - 1]).at;
