@@ -24,7 +24,8 @@ void draw_death_hint(const Panel& panel, const Panel& letters, std::string_view 
   draw_text_lines(letters.with_top(bottom - height), hint, kTextLine);
 }
 
-// Whether players with the same pants are a team. Those with flags count captures, which clients do not know.
+// Whether players with the same pants are a team. Those with flags have scores if the server sends their
+// captures.
 bool has_team_scores(const Game& game, const HudSettings& settings) {
   return game.deathmatch && (settings.teamplay == 1 || settings.teamplay == 2 || has_captures(game));
 }

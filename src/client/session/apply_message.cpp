@@ -205,7 +205,7 @@ struct ClientState::Apply {
 
   // Collects text to whole lines: a line may arrive in pieces, and a piece may contain several lines. "bf" is
   // the bonus flash; lines that begin with "//" are comments: requests for marks, stats of the game's own,
-  // ends of power-ups, combat states, and those with which Temblor servers talk to the Connection.
+  // ends of power-ups, combat states, captures, and those with which Temblor servers talk to the Connection.
   base::Status operator()(const net::StuffText& stuffed) {
     for (const char c : stuffed.text) {
       if (c != '\n') {
@@ -245,27 +245,26 @@ struct ClientState::Apply {
   }
 
   void set_powerup_end(std::string_view line) {
-    const base::Result<net::PowerupEnd> end = net::read_powerup_end(line);
-    if (end.ok())
-      game.powerup_ends_s[end->bit] = end->end_s;
-    else
-      print_problem(line, end.error());
+    apply_comment(line, net::read_powerup_end(line),
+                  [this](const net::PowerupEnd& end) { game.powerup_ends_s[end.bit] = end.end_s; });
   }
 
   void set_combat_state(std::string_view line) {
-    const base::Result<bool> hunted = net::read_combat_state(line);
-    if (hunted.ok())
-      game.is_hunted = *hunted;
-    else
-      print_problem(line, hunted.error());
+    apply_comment(line, net::read_combat_state(line), [this](bool hunted) { game.is_hunted = hunted; });
   }
 
   void set_captures(std::string_view line) {
-    const base::Result<net::TeamCaptures> captures = net::read_team_captures(line);
-    if (captures.ok())
-      game.captures[captures->color] = captures->count;
+    apply_comment(line, net::read_team_captures(line), [this](const net::TeamCaptures& captures) {
+      game.captures[captures.color] = captures.count;
+    });
+  }
+
+  template <typename Value, typename Apply>
+  void apply_comment(std::string_view line, const base::Result<Value>& read, const Apply& apply) {
+    if (read.ok())
+      apply(*read);
     else
-      print_problem(line, captures.error());
+      print_problem(line, read.error());
   }
 
   // Errors reach the console, as they help the author of the game code.

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <span>
 
+#include "base/words.h"
 #include "net/transport/base64url.h"
 
 namespace temblor::net {
@@ -20,19 +20,11 @@ std::string_view take_word(std::string_view& io_text) {
   return word;
 }
 
-template <typename Number>
-bool parse_whole(std::string_view word, Number& out_number) {
-  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), out_number);
-  return failure == std::errc{} && end == word.data() + word.size();
-}
-
 base::Result<StatValue> read_value(std::string_view type, std::string_view word) {
   if (type == "i") {
-    std::int32_t value = 0;
-    if (parse_whole(word, value)) return StatValue(value);
+    if (const auto value = base::parse_number<std::int32_t>(word)) return StatValue(*value);
   } else if (type == "f") {
-    float value = 0;
-    if (parse_whole(word, value) && std::isfinite(value)) return StatValue(value);
+    if (const auto value = base::parse_number<float>(word)) return StatValue(*value);
   } else if (type == "s") {
     std::string text(GameStat::kMaxTextChars, '\0');
     if (const auto size = read_base64url(word, std::as_writable_bytes(std::span(text)))) {
@@ -68,12 +60,12 @@ bool is_game_stat(std::string_view line) {
 
 base::Result<GameStat> read_game_stat(std::string_view line) {
   line.remove_prefix(kStatPrefix.size());
-  int number = 0;
-  if (!parse_whole(take_word(line), number) || number < GameStat::kFirst || number > GameStat::kLast)
+  const auto number = base::parse_number<int>(take_word(line));
+  if (!number || *number < GameStat::kFirst || *number > GameStat::kLast)
     return base::malformed("the number of a stat is not {} to {}", GameStat::kFirst, GameStat::kLast);
   const std::string_view type = take_word(line);
   TRY(StatValue value, read_value(type, line));
-  return GameStat{static_cast<std::uint8_t>(number), std::move(value)};
+  return GameStat{static_cast<std::uint8_t>(*number), std::move(value)};
 }
 
 }  // namespace temblor::net

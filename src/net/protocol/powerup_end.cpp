@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
+#include <optional>
+
+#include "base/words.h"
 
 namespace temblor::net {
 
@@ -22,15 +23,14 @@ bool is_powerup_end(std::string_view line) {
 }
 
 base::Result<PowerupEnd> read_powerup_end(std::string_view line) {
-  PowerupEnd end;
-  const char* const last = line.data() + line.size();
-  const auto bit = std::from_chars(line.data() + kPowerupPrefix.size(), last, end.bit);
-  if (bit.ec != std::errc{} || end.bit > PowerupEnd::kMaxBit || bit.ptr == last || *bit.ptr != ' ')
+  line.remove_prefix(kPowerupPrefix.size());
+  const std::size_t space = line.find(' ');
+  const auto bit = base::parse_number<std::uint8_t>(line.substr(0, space));
+  if (!bit || *bit > PowerupEnd::kMaxBit || space == std::string_view::npos)
     return base::malformed("the bit of a power-up is not 0 to {}", PowerupEnd::kMaxBit);
-  const auto time = std::from_chars(bit.ptr + 1, last, end.end_s);
-  if (time.ec != std::errc{} || time.ptr != last || !std::isfinite(end.end_s))
-    return base::malformed("the end of a power-up is not a time");
-  return end;
+  const auto end_s = base::parse_number<float>(line.substr(space + 1));
+  if (!end_s) return base::malformed("the end of a power-up is not a time");
+  return PowerupEnd{*bit, *end_s};
 }
 
 }  // namespace temblor::net

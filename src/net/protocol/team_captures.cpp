@@ -1,6 +1,8 @@
 #include "net/protocol/team_captures.h"
 
-#include <charconv>
+#include <optional>
+
+#include "base/words.h"
 
 namespace temblor::net {
 
@@ -15,16 +17,14 @@ bool is_team_captures(std::string_view line) {
 }
 
 base::Result<TeamCaptures> read_team_captures(std::string_view line) {
-  TeamCaptures captures;
-  const char* const last = line.data() + line.size();
-  const auto color = std::from_chars(line.data() + kCapturesPrefix.size(), last, captures.color);
-  if (color.ec != std::errc{} || captures.color > TeamCaptures::kMaxColor || color.ptr == last ||
-      *color.ptr != ' ')
+  line.remove_prefix(kCapturesPrefix.size());
+  const std::size_t space = line.find(' ');
+  const auto color = base::parse_number<std::uint8_t>(line.substr(0, space));
+  if (!color || *color > TeamCaptures::kMaxColor || space == std::string_view::npos)
     return base::malformed("the color of a team is not 0 to {}", TeamCaptures::kMaxColor);
-  const auto count = std::from_chars(color.ptr + 1, last, captures.count);
-  if (count.ec != std::errc{} || count.ptr != last || captures.count < 0)
-    return base::malformed("the captures are not a count");
-  return captures;
+  const auto count = base::parse_number<std::int16_t>(line.substr(space + 1));
+  if (!count || *count < 0) return base::malformed("the captures are not a count");
+  return TeamCaptures{*color, *count};
 }
 
 }  // namespace temblor::net
