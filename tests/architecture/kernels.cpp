@@ -16,9 +16,13 @@ bool includes_highway(const SourceFile& file) {
                      [](const Include& include) { return include.target.starts_with("hwy/"); });
 }
 
+// A kernel file, or a part that several share: Highway's kind of header guard includes it once per target,
+// and its code is in the target's own namespace.
 bool is_compiled_per_target(const SourceFile& file) {
+  const auto contains = [&](std::string_view text) { return file.text.find(text) != std::string::npos; };
   return std::any_of(file.includes.begin(), file.includes.end(),
-                     [](const Include& include) { return include.target == "hwy/foreach_target.h"; });
+                     [](const Include& include) { return include.target == "hwy/foreach_target.h"; }) ||
+         (contains("== defined(HWY_TARGET_TOGGLE)") && contains("::HWY_NAMESPACE {"));
 }
 
 bool may_hold_kernels(std::string_view path) {

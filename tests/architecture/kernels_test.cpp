@@ -11,6 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 TEST(Kernels, IncludeNoFunctionBodiesOfOurs) {
   EXPECT_THAT(find_kernel_violations(engine_sources()), IsEmpty());
@@ -33,6 +34,22 @@ TEST(KernelRules, KernelFilesIncludeOnlyPlainData) {
                 ElementsAre(HasSubstr("includes base/deep.h")))
         << body;
   }
+}
+
+TEST(KernelRules, KernelFilesShareCodeThatIsCompiledPerTarget) {
+  const std::string kernel = "#include \"hwy/foreach_target.h\"\n#include \"render/spans/shared-inl.h\"\n";
+  const std::string guard = "#if defined(SHARED_INL_H) == defined(HWY_TARGET_TOGGLE)\n";
+  const std::string body = "int f(int x) { return _mm_cvtsi128_si32(g(x)); }\n";
+  const auto violations = [&](const std::string& header) {
+    return find_kernel_violations(
+        invent({{"render/spans/kernel.cpp", kernel}, {"render/spans/shared-inl.h", header}}));
+  };
+  EXPECT_THAT(violations(guard + "namespace temblor::render::HWY_NAMESPACE {\n" + body), IsEmpty());
+  // In a namespace that all targets share, the linker would choose one of their functions.
+  const auto is_refused =
+      UnorderedElementsAre(HasSubstr("which has function bodies"), HasSubstr("one instruction set"));
+  EXPECT_THAT(violations(guard + "namespace temblor::render {\n" + body), is_refused);
+  EXPECT_THAT(violations("namespace temblor::render::HWY_NAMESPACE {\n" + body), is_refused);
 }
 
 TEST(KernelRules, RejectSimdCodeOutsideTheKernelFolders) {

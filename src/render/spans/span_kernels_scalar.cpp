@@ -23,8 +23,8 @@ std::int32_t clamped(float texel, std::int32_t last) {
   return static_cast<std::int32_t>(smaller(larger(texel, 0.0f), static_cast<float>(last)));
 }
 
-template <typename Texel>
 // Draws spans of one surface block.
+template <typename Texel>
 class SpanDrawer {
  public:
   SpanDrawer(const SurfaceSpans& spans, const KernelTarget& target) : spans_(spans), target_(target) {}
