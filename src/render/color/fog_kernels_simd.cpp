@@ -267,39 +267,63 @@ HWY_INLINE hn::Vec<DF> CurveAt(const FogCurve& curve, hn::Vec<DF> x) {
   return share;
 }
 
+// Shares are never negative and fit 32 bits; Highway's ConvertTo also guards against numbers that do not.
+HWY_INLINE hn::Vec<DI> Truncate(hn::Vec<DF> v) {
+#if HWY_TARGET == HWY_AVX2
+  return hn::Vec<DI>{_mm256_cvttps_epi32(v.raw)};
+#else
+  return hn::ConvertTo(DI(), v);
+#endif
+}
+
+// The values that all pixels of a row share. They are read once: the compiler cannot know that no pixel
+// overlaps `row`.
+struct FogOfRow {
+  hn::Vec<DF> rate, sky, sky_step;
+  hn::Vec<DI> sky_share;
+  hn::Vec<D16> low_color, high_color;
+  const FogCurve& curve;
+
+  HWY_INLINE explicit FogOfRow(const FogRow& row)
+      : rate(hn::Set(DF(), row.inverse_rate)),
+        sky(hn::Set(DF(), row.sky)),
+        sky_step(hn::Set(DF(), row.sky_step)),
+        sky_share(hn::Set(DI(), row.sky_share)),
+        low_color(hn::BitCast(D16(), hn::Set(DU(), row.color & 0x00ff00ffu))),
+        high_color(hn::BitCast(D16(), hn::Set(DU(), row.color >> 8 & 0x00ff00ffu))),
+        curve(*row.curve) {}
+};
+
 // The share of fog in 256ths, for the pixels from number i of the row on.
 template <bool kPerspective, bool kHasSky>
-HWY_INLINE hn::Vec<DI> Share256(const FogRow& row, int i, const float* depths) {
+HWY_INLINE hn::Vec<DI> Share256(const FogOfRow& fog, int i, const float* depths) {
   const DF d;
   const DI di;
   const auto depth = hn::LoadU(d, depths);
-  const auto rate = hn::Set(d, row.inverse_rate);
-  auto x =
-      kPerspective ? hn::Mul(depth, rate) : hn::Div(rate, hn::Max(hn::Neg(depth), hn::Set(d, kMinDistance)));
+  auto x = kPerspective ? hn::Mul(depth, fog.rate)
+                        : hn::Div(fog.rate, hn::Max(hn::Neg(depth), hn::Set(d, kMinDistance)));
   x = hn::Max(hn::Min(x, hn::Set(d, kMaxNearness)), hn::Set(d, kMinNearness));
-  const auto whole = hn::ConvertTo(di, CurveAt(*row.curve, x));
+  const auto whole = Truncate(CurveAt(fog.curve, x));
   if (!kHasSky) return whole;
-  const auto lane = hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(i)));
-  const auto sky = hn::Add(hn::Set(d, row.sky), hn::Mul(lane, hn::Set(d, row.sky_step)));
-  return hn::IfThenElse(hn::RebindMask(di, hn::Eq(depth, sky)), hn::Set(di, row.sky_share), whole);
+  const auto lane = hn::Iota(d, static_cast<float>(i));
+  const auto sky = hn::Add(fog.sky, hn::Mul(lane, fog.sky_step));
+  return hn::IfThenElse(hn::RebindMask(di, hn::Eq(depth, sky)), fog.sky_share, whole);
 }
 
 // Fogs one vector of pixels. Two channels at a time, in the halves of a lane: under * 256 + (color - under) *
 // fog, a sum that is right modulo 2^16 although its parts wrap. Alpha gets no fog.
 template <bool kPerspective, bool kHasSky>
-HWY_INLINE void FogPixels(const FogRow& row, int i, const float* depths, uint32_t* pixels) {
+HWY_INLINE void FogPixels(const FogOfRow& row, int i, const float* depths, uint32_t* pixels) {
   const DU du;
   const D16 d16;
-  const auto low_color = hn::BitCast(d16, hn::Set(du, row.color & 0x00ff00ffu));
-  const auto high_color = hn::BitCast(d16, hn::Set(du, row.color >> 8 & 0x00ff00ffu));
   const auto round = hn::Set(d16, 128);
   const auto fog = hn::BitCast(du, Share256<kPerspective, kHasSky>(row, i, depths));
   const auto low_fog = hn::BitCast(d16, hn::Or(fog, hn::ShiftLeft<16>(fog)));
   const auto high_fog = hn::BitCast(d16, fog);
   const auto under = hn::BitCast(d16, hn::LoadU(du, pixels));
   const auto low_bytes = hn::Set(d16, 0x00ff), high_bytes = hn::Set(d16, 0xff00);
-  const auto low = hn::Mul(hn::Sub(low_color, hn::And(under, low_bytes)), low_fog);
-  const auto high = hn::Mul(hn::Sub(high_color, hn::ShiftRight<8>(under)), high_fog);
+  const auto low = hn::Mul(hn::Sub(row.low_color, hn::And(under, low_bytes)), low_fog);
+  const auto high = hn::Mul(hn::Sub(row.high_color, hn::ShiftRight<8>(under)), high_fog);
   const auto low_sum = hn::Add(hn::Add(hn::ShiftLeft<8>(under), round), low);
   const auto high_sum = hn::Add(hn::Add(hn::And(under, high_bytes), round), high);
   const auto out = hn::Or(hn::ShiftRight<8>(low_sum), hn::And(high_sum, high_bytes));
@@ -309,20 +333,22 @@ HWY_INLINE void FogPixels(const FogRow& row, int i, const float* depths, uint32_
 template <bool kPerspective, bool kHasSky>
 HWY_INLINE void FogWholeRow(const FogRow& row) {
   constexpr int kLanes = static_cast<int>(hn::MaxLanes(DI()));
+  const FogOfRow fog(row);
+  const int count = row.count;
+  const float* const depths = row.depth;
   auto* const pixels = static_cast<uint32_t*>(row.pixels);
   int i = 0;
-  for (; i + kLanes <= row.count; i += kLanes)
-    FogPixels<kPerspective, kHasSky>(row, i, row.depth + i, pixels + i);
-  if (i == row.count) return;
+  for (; i + kLanes <= count; i += kLanes) FogPixels<kPerspective, kHasSky>(fog, i, depths + i, pixels + i);
+  if (i == count) return;
   // The last pixels are copied to a buffer: memory after the row may be unreadable or another thread's.
   HWY_ALIGN float last_depths[16] = {};
   HWY_ALIGN uint32_t last[16] = {};
-  for (int j = i; j < row.count; ++j) {
-    last_depths[j - i] = row.depth[j];
+  for (int j = i; j < count; ++j) {
+    last_depths[j - i] = depths[j];
     last[j - i] = pixels[j];
   }
-  FogPixels<kPerspective, kHasSky>(row, i, last_depths, last);
-  for (int j = i; j < row.count; ++j) pixels[j] = last[j - i];
+  FogPixels<kPerspective, kHasSky>(fog, i, last_depths, last);
+  for (int j = i; j < count; ++j) pixels[j] = last[j - i];
 }
 
 void FogRowU32(const FogRow& row) {
