@@ -77,8 +77,12 @@ class RowSegments {
 // Truncates. Highway's ConvertTo guards against numbers that do not fit 32 bits, which these never are.
 template <typename D>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D> > ToWhole(D, hn::Vec<D> v) {
-#if HWY_TARGET <= HWY_AVX3
-  return VI{_mm256_cvttps_epi32(v.raw)};
+#if HWY_TARGET <= HWY_AVX2
+  using Whole = hn::Vec<hn::RebindToSigned<D> >;
+  if constexpr (hn::MaxLanes(D()) == 8)
+    return Whole{_mm256_cvttps_epi32(v.raw)};
+  else
+    return Whole{_mm_cvttps_epi32(v.raw)};
 #else
   return hn::ConvertTo(hn::RebindToSigned<D>(), v);
 #endif
@@ -139,6 +143,27 @@ HWY_INLINE void StorePixels(unsigned shown, const uint8_t* from, uint8_t* out) {
 }
 HWY_INLINE void StorePixels(unsigned shown, const uint32_t* from, uint32_t* out) {
   hn::BlendedStore(hn::LoadU(DU(), from), hn::Mask<DU>{static_cast<__mmask8>(shown)}, DU(), out);
+}
+#elif HWY_TARGET == HWY_AVX2
+HWY_INLINE VF LoadDepth(MF covered, const float* depth, int) {
+  return hn::MaskedLoad(covered, DF(), depth);
+}
+HWY_INLINE uint8_t StoreDepth(MF shown, VF depth, float* out) {
+  hn::BlendedStore(depth, shown, DF(), out);
+  return static_cast<uint8_t>(_mm256_movemask_ps(shown.raw));
+}
+HWY_INLINE void StorePixels(unsigned shown, const uint8_t* from, uint8_t* out) {
+  if (shown == 255) return hn::StoreU(hn::LoadU(D8(), from), D8(), out);
+  for (; shown != 0; shown &= shown - 1) {
+    const size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(shown);
+    out[i] = from[i];
+  }
+}
+HWY_INLINE void StorePixels(unsigned shown, const uint32_t* from, uint32_t* out) {
+  const DU d;
+  if (shown == 255) return hn::StoreU(hn::LoadU(d, from), d, out);
+  const VU bit = hn::Shl(hn::Set(d, 1u), hn::Iota(d, 0u));
+  hn::BlendedStore(hn::LoadU(d, from), hn::TestBit(hn::Set(d, shown), bit), d, out);
 }
 #else
 HWY_INLINE VF LoadDepth(MF, const float* depth, int count) {
