@@ -33,21 +33,28 @@ class WarpedRows {
         s_(s),
         t_(t),
         phase_(double{phase_texels}),
-        row_(arena.allocate<std::size_t>(width)),
-        rows_down_(arena.allocate<std::int64_t>(width)) {
+        row_(arena.allocate<std::int32_t>(width)),
+        down_(arena.allocate<std::int32_t>(width)) {
     for (std::size_t x = 0; x < width; ++x)
-      rows_down_[x] = find_shift(s_ + static_cast<std::int64_t>(x)) % height_;
+      down_[x] = static_cast<std::int32_t>(find_shift(s_ + static_cast<std::int64_t>(x)) % height_ * width_);
   }
 
   // The numbers of the texels of row y in the mip level; valid until the next call.
-  std::span<const std::size_t> row(std::int32_t y) {
-    const std::int64_t first_line = wrap(t_ + y, height_);
-    std::int64_t column = wrap(s_ + find_shift(t_ + y), width_);
-    for (std::size_t x = 0; x < row_.size(); ++x) {
-      std::int64_t line = first_line + rows_down_[x];
-      if (line >= height_) line -= height_;
-      row_[x] = static_cast<std::size_t>(line * width_ + column);
-      if (++column == width_) column = 0;
+  std::span<const std::int32_t> row(std::int32_t y) {
+    const auto width = static_cast<std::size_t>(width_);
+    const auto first_line = static_cast<std::int32_t>(wrap(t_ + y, height_) * width_);
+    const auto texture_texels = static_cast<std::int32_t>(width_ * height_);
+    auto column = static_cast<std::size_t>(wrap(s_ + find_shift(t_ + y), width_));
+    // Runs that do not cross the edge of the texture: the compiler makes vectors of them.
+    for (std::size_t done = 0, run = 0; done < row_.size(); done += run, column = 0) {
+      run = std::min(row_.size() - done, width - column);
+      const std::int32_t* const down = &down_[done];
+      std::int32_t* const out = &row_[done];
+      for (std::size_t i = 0; i < run; ++i) {
+        const std::int32_t line = first_line + down[i];
+        const std::int32_t wrapped_line = line < texture_texels ? line : line - texture_texels;
+        out[i] = wrapped_line + static_cast<std::int32_t>(column + i);
+      }
     }
     return row_;
   }
@@ -69,8 +76,8 @@ class WarpedRows {
   double scale_;  // texels of mip 0 in one
   std::int64_t width_, height_, s_, t_;
   double phase_;
-  std::span<std::size_t> row_;
-  std::span<std::int64_t> rows_down_;  // by column: the displacement of t, below the texture's height
+  std::span<std::int32_t> row_;
+  std::span<std::int32_t> down_;  // by column: the displacement of t, as texels of whole rows of the texture
 };
 
 }  // namespace temblor::render

@@ -1,7 +1,7 @@
 #include "render/surfaces/build_surface.h"
 
 #include <algorithm>
-#include <cstring>
+#include <functional>
 #include <optional>
 
 #include "render/color/own_colors.h"
@@ -96,10 +96,8 @@ class Builder {
     const std::span<std::uint8_t> unmarked = row_of_texels<std::uint8_t>();
     auto* out = reinterpret_cast<std::uint8_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
-      visit_row(y, [&](std::size_t x, std::size_t texel, std::size_t count) {
-        std::memcpy(&texels[x], indices_ + texel, count);
-      });
-      texture_.next_row();
+      begin_row(y);
+      copy_row(indices_, texels);
       if (shows_only_light()) replace_texels(texels, texels, tables_.gray);
       if (has_holes()) std::copy_n(texels.begin(), width(), unmarked.begin());
       if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, texels);
@@ -126,15 +124,13 @@ class Builder {
     const std::span<std::uint32_t> glow = row_of_texels<std::uint32_t>();
     auto* out = reinterpret_cast<std::uint32_t*>(request_.block.texels);
     for (std::int32_t y = 0; y < request_.block.shape.height; ++y, out += request_.block.shape.width) {
-      visit_row(y, [&](std::size_t x, std::size_t texel, std::size_t count) {
-        if (own_.colors != nullptr)
-          std::memcpy(&colors[x], own_.colors + texel, count * sizeof(colors[0]));
-        else
-          for (std::size_t i = 0; i < count; ++i) colors[x + i] = tables_.surface_rgb[indices_[texel + i]];
-        if (has_holes()) std::memcpy(&indices[x], indices_ + texel, count);
-        if (glow_ != nullptr) std::memcpy(&glow[x], glow_ + texel, count * sizeof(glow[0]));
-      });
-      texture_.next_row();
+      begin_row(y);
+      if (own_.colors != nullptr)
+        copy_row(own_.colors, colors);
+      else
+        copy_row(indices_, colors, [table = tables_.surface_rgb.data()](std::uint8_t i) { return table[i]; });
+      if (has_holes()) copy_row(indices_, indices);
+      if (glow_ != nullptr) copy_row(glow_, glow);
       if (shows_only_light()) replace_texels(indices, colors, tables_.surface_rgb[tables_.gray]);
       if (!marks_.empty()) paint_marks(*mark_tables_, marks_, y, colors);
       interpolate_down(samples, 4, y, row_light);
@@ -177,12 +173,21 @@ class Builder {
     const std::int64_t tile = axis == 0 ? request_.tile_s : request_.tile_t;
     return at_mip(face_.texture_mins[axis] + tile * kTileTexels, request_.mip);
   }
-  // Passes the texels of row y, which comes after row y - 1, to `each_run` as TextureRows does.
-  template <typename EachRun>
-  void visit_row(std::int32_t y, EachRun each_run) {
-    if (!warped_) return texture_.visit_row(width(), each_run);
-    const std::span<const std::size_t> texels = warped_->row(y);
-    for (std::size_t x = 0; x < texels.size(); ++x) each_run(x, texels[x], 1);
+  // Goes to row y of the texture; row y - 1 was the last one.
+  void begin_row(std::int32_t y) {
+    if (warped_)
+      warped_texels_ = warped_->row(y);
+    else if (y > 0)
+      texture_.next_row();
+  }
+  // Copies the row's values of an image with one value for each texel of the mip level.
+  template <typename From, typename To, typename Convert = std::identity>
+  void copy_row(const From* from, std::span<To> out, Convert convert = {}) const {
+    for (std::size_t x = 0; x < warped_texels_.size(); ++x) out[x] = convert(from[warped_texels_[x]]);
+    if (warped_) return;
+    texture_.visit_row(width(), [&](std::size_t x, std::size_t texel, std::size_t count) {
+      std::transform(from + texel, from + texel + count, &out[x], convert);
+    });
   }
 
   std::size_t width() const { return static_cast<std::size_t>(request_.block.shape.width); }
@@ -298,6 +303,7 @@ class Builder {
   const OwnColors own_;
   const std::uint32_t* const glow_;   // null if it is not shown
   std::optional<WarpedRows> warped_;  // liquids only
+  std::span<const std::int32_t> warped_texels_{};
   const std::span<const PlacedMark> marks_;
 };
 

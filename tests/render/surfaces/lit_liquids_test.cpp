@@ -177,7 +177,7 @@ TEST(WarpedRows, FollowTheFormula) {
     constexpr std::size_t kWidth = 50;
     render::WarpedRows rows(texture, mip, s0, t0, kWidth, kPhase, arena);
     for (std::int32_t y = 0; y < 40; ++y) {
-      const std::span<const std::size_t> row = rows.row(y);
+      const std::span<const std::int32_t> row = rows.row(y);
       for (std::size_t x = 0; x < kWidth; ++x) {
         const double scale = 1 << mip;
         const double s = (static_cast<double>(s0) + static_cast<double>(x) + 0.5) * scale;
@@ -190,8 +190,7 @@ TEST(WarpedRows, FollowTheFormula) {
           return (whole % size + size) % size;
         };
         const std::int64_t column = texel(s + shift(t), 64 >> mip), line = texel(t + shift(s), 32 >> mip);
-        ASSERT_EQ(row[x], static_cast<std::size_t>(line * (64 >> mip) + column))
-            << mip << " " << x << " " << y;
+        ASSERT_EQ(row[x], line * (64 >> mip) + column) << mip << " " << x << " " << y;
       }
     }
   }
