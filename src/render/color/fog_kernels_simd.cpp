@@ -117,6 +117,7 @@ void FogRowU8(const FogRow& row) {
 #else
 
 using D8 = hn::CappedTag<uint8_t, 32>;
+using DS8 = hn::RebindToSigned<D8>;
 using DDepth = hn::RepartitionToWide<hn::RepartitionToWide<D8> >;
 using DDepthF = hn::RebindToFloat<DDepth>;
 constexpr int kGroup = static_cast<int>(hn::MaxLanes(D8()));
@@ -145,29 +146,28 @@ HWY_INLINE bool IsSky(const FogRow& row, int first) {
   return hn::AllTrue(d, is_sky);
 }
 
-// Makes indices for a lookup in 16 bytes, which gives 0 where the top bit is set: those of 16 and above get
-// it.
-HWY_INLINE hn::Vec<D8> MarkBeyond16(hn::Vec<D8> indices) {
+// A lookup in a table of 16 << kBits bytes. One in 16 bytes takes the lowest four bits of an index; then each
+// higher bit chooses one of two results. In `top_bits[n]`, bit 4 + n of the index is the top one.
+template <int kBits>
+HWY_INLINE hn::Vec<D8> LookUp(const uint8_t* table, hn::Vec<D8> low_bits, const hn::Vec<DS8> (&top_bits)[4]) {
   const D8 d;
-  const auto sum = hn::SaturatedAdd(indices, hn::Set(d, 0x70));
-#if HWY_ARCH_X86
-  return sum;  // the lookup ignores bits 4 to 6
-#else
-  return hn::And(sum, hn::Set(d, 0x8f));
-#endif
+  if constexpr (kBits == 0) {
+    return hn::TableLookupBytes(hn::LoadDup128(d, table), low_bits);
+  } else {
+    const auto lower = hn::BitCast(DS8(), LookUp<kBits - 1>(table, low_bits, top_bits));
+    const auto upper = hn::BitCast(DS8(), LookUp<kBits - 1>(table + (8 << kBits), low_bits, top_bits));
+    return hn::BitCast(d, hn::IfNegativeThenElse(top_bits[kBits - 1], upper, lower));
+  }
 }
 
-// Looks a group up in a table of 256 bytes, as 16 tables of 16.
+// Looks a group up in a table of 256 bytes.
 HWY_INLINE void LookUp(const uint8_t* table, uint8_t* io_indices) {
   const D8 d;
-  auto indices = hn::LoadU(d, io_indices);
-  auto found = hn::Zero(d);
-  for (int part = 0; part < 16; ++part) {
-    const auto entries = hn::LoadDup128(d, table + 16 * part);
-    found = hn::Or(found, hn::TableLookupBytesOr0(entries, MarkBeyond16(indices)));
-    indices = hn::Sub(indices, hn::Set(d, 16));
-  }
-  hn::StoreU(found, d, io_indices);
+  const auto indices = hn::LoadU(d, io_indices);
+  const hn::Vec<DS8> top_bits[4] = {
+      hn::BitCast(DS8(), hn::ShiftLeft<3>(indices)), hn::BitCast(DS8(), hn::ShiftLeft<2>(indices)),
+      hn::BitCast(DS8(), hn::ShiftLeft<1>(indices)), hn::BitCast(DS8(), indices)};
+  hn::StoreU(LookUp<4>(table, hn::And(indices, hn::Set(d, 15)), top_bits), d, io_indices);
 }
 
 // Fogs up to kGroup pixels that are not sky, one by one, and returns the step of the last one. Their cells
