@@ -526,7 +526,8 @@ on_GetPointer : {
   FOUND(LoadPWord, 1, find_readable(A + B, 1), fail_pointer(at, A + B))
   FOUND(LoadPVector, kVectorWords, find_readable(A + B, kVectorWords), fail_pointer(at, A + B))
 on_BoundCheck:
-  if (A - static_cast<std::uint32_t>(at->c) >= static_cast<std::uint32_t>(at->b - at->c))
+  if (A - static_cast<std::uint32_t>(at->c) >=
+      static_cast<std::uint32_t>(at->b) - static_cast<std::uint32_t>(at->c))
     FAIL(fail_index(at, A));
   NEXT();
 on_SwitchF:
