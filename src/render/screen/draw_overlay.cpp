@@ -1,4 +1,5 @@
 // Draws row by row: a pixel of a picture becomes a run of `scale` pixels, clipped at the sides of the frame.
+// The other rows of an opaque picture's pixel are copies of the first.
 #include "render/screen/draw_overlay.h"
 
 #include <algorithm>
@@ -72,6 +73,9 @@ class IndexedPaint {
         table_(choose_table(command, tables.blends)),
         translation_(command.tint != nullptr ? &command.tint->indices : command.translation) {}
 
+  // A pixel does not depend on the one below it.
+  bool is_opaque() const { return factor_ == 0 && table_ == nullptr; }
+
   static std::uint8_t* row(FrameBuffer& frame, std::int64_t y) {
     return frame.indexed().data() + y * frame.width();
   }
@@ -137,6 +141,8 @@ class RgbPaint {
         colors_(command.tint != nullptr ? command.tint->rgb : tables.rgb),
         translation_(command.tint == nullptr ? command.translation : nullptr) {}
 
+  bool is_opaque() const { return mode_ == DrawMode::kBlend && opacity_256_ == kOpaque256; }
+
   static std::uint32_t* row(FrameBuffer& frame, std::int64_t y) {
     return frame.rgb().data() + y * frame.width();
   }
@@ -187,17 +193,41 @@ void fill_rectangle(const DrawCommand& command, const Clip& clip, const Paint& p
   }
 }
 
+// Copies the opaque pixels of [x_first, x_end) from the row above, which shows the same pixels of the
+// picture. `source` is the one at x_first, which is shown up to `run_end`.
+template <typename Pixel>
+void copy_row_above(const std::uint8_t* source, std::int64_t run_end, const Clip& clip, std::int64_t scale,
+                    const Pixel* above, Pixel* io_row) {
+  std::int64_t opaque_first = clip.x_first;
+  const auto copy_up_to = [&](std::int64_t x) {
+    if (opaque_first < x) std::copy(above + opaque_first, above + x, io_row + opaque_first);
+  };
+  for (std::int64_t x = clip.x_first; x < clip.x_end; x = run_end, run_end += scale, ++source) {
+    if (*source != kClear) continue;
+    copy_up_to(x);
+    opaque_first = run_end;
+  }
+  copy_up_to(clip.x_end);
+}
+
 template <typename Paint>
 void draw_picture(const DrawCommand& command, const Clip& clip, const Paint& paint, FrameBuffer& io_frame) {
   const formats::Picture& picture = *command.picture;
   const std::int64_t left = command.area.x, top = command.area.y, scale = command.scale;
+  // The first run may begin left of the frame, so it may be shorter than `scale`.
+  const std::int64_t first_column = (clip.x_first - left) / scale;
+  const std::int64_t first_run_end = left + (first_column + 1) * scale;
   for (std::int64_t y = clip.y_first; y < clip.y_end; ++y) {
     const std::uint8_t* source = picture.pixels.data() +
                                  (command.part_y + (y - top) / scale) * std::int64_t{picture.width} +
-                                 command.part_x + (clip.x_first - left) / scale;
+                                 command.part_x + first_column;
     auto* const row = Paint::row(io_frame, y);
-    // The first run may begin left of the frame, so it may be shorter than `scale`.
-    std::int64_t run_end = left + ((clip.x_first - left) / scale + 1) * scale;
+    const bool begins_texel = (y - top) % scale == 0 || y == clip.y_first;
+    if (!begins_texel && paint.is_opaque()) {
+      copy_row_above(source, first_run_end, clip, scale, Paint::row(io_frame, y - 1), row);
+      continue;
+    }
+    std::int64_t run_end = first_run_end;
     for (std::int64_t x = clip.x_first; x < clip.x_end; x = run_end, run_end += scale, ++source) {
       if (*source == kClear) continue;
       paint.fill(*source, row + x, row + std::min(run_end, clip.x_end));
