@@ -56,12 +56,13 @@ GridLighter::GridLighter(const SmallLevelLayout& layout, const CellGrid& grid)
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::vector<float>& lines = grid.lines[axis];
     const auto units = static_cast<std::size_t>(lines.back() - lines.front());
-    std::uint16_t cell = 0;
+    CellPosition cell{};
     for (std::size_t unit = 0; unit < units; ++unit) {
-      while (lines.front() + static_cast<float>(unit) >= lines[cell + 1u]) ++cell;
-      cell_by_unit_[axis].push_back(cell);
+      while (lines.front() + static_cast<float>(unit) >= lines[cell[axis] + 1]) ++cell[axis];
+      index_by_unit_[axis].push_back(grid.index(cell));
     }
   }
+  for (const Cell& cell : grid.cells) is_solid_.push_back(cell.contents == kContentsSolid ? 1 : 0);
 }
 
 // Samples the line every 8 units. Walls are thicker than that.
@@ -70,12 +71,12 @@ bool GridLighter::is_blocked(const math::Vec3& from, const math::Vec3& to) const
   const int steps = static_cast<int>(glm::length(path) / kShadowStepUnits) + 1;
   for (int step = 0; step < steps; ++step) {
     const math::Vec3 at = from + path * (static_cast<float>(step) / static_cast<float>(steps));
-    CellPosition cell{};
+    std::size_t index = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const float unit = at[static_cast<int>(axis)] - grid_.lines[axis].front();
-      cell[axis] = cell_by_unit_[axis][static_cast<std::size_t>(unit)];
+      index += index_by_unit_[axis][static_cast<std::size_t>(unit)];
     }
-    if (grid_.at(cell).contents == kContentsSolid) return true;
+    if (is_solid_[index] != 0) return true;
   }
   return false;
 }

@@ -47,9 +47,11 @@ class GridLighter {
 
   const SmallLevelLayout& layout_;
   const CellGrid& grid_;
-  // For each axis: the cell that contains each whole unit, counted from the grid's first line. A table,
-  // because the shadow rays look up cells often.
-  std::array<std::vector<std::uint16_t>, 3> cell_by_unit_;
+  // Tables, because the shadow rays look up cells often. For each axis, and each whole unit from the grid's
+  // first line: the index of the cell that contains it, among the first cells of the other axes. The sum of
+  // three is the index of the cell that contains a point.
+  std::array<std::vector<std::size_t>, 3> index_by_unit_;
+  std::vector<std::uint8_t> is_solid_;  // for each cell
 };
 
 }  // namespace temblor::artgen

@@ -24,13 +24,13 @@ class Flood {
   // Marks in io_seen all cells on lines that start in `from` and go up or down on each axis as `up` says.
   // Cells are visited in the order of the directions, so that one pass is enough. The outermost cells of a
   // grid are never open, so steps need no bounds check.
-  void run(const CellRange& from, const std::array<bool, 3>& up, std::vector<bool>& io_seen) {
+  void run(const CellRange& from, const std::array<bool, 3>& up, std::vector<std::uint8_t>& io_seen) {
     // A line continues behind a cell if the cell is open or if the line starts there, even inside a sky.
-    passes_.assign(grid_.cells.size(), false);
+    passes_.assign(grid_.cells.size(), 0);
     const std::array<std::ptrdiff_t, 3> strides = {
         1, static_cast<std::ptrdiff_t>(grid_.size(0)),
         static_cast<std::ptrdiff_t>(grid_.size(0) * grid_.size(1))};
-    for_each_cell(grid_, from, [&](std::size_t cell) { passes_[cell] = io_seen[cell] = true; });
+    for_each_cell(grid_, from, [&](std::size_t cell) { passes_[cell] = io_seen[cell] = 1; });
     for (std::size_t k = 1; k + 1 < grid_.size(2); ++k) {
       for (std::size_t j = 1; j + 1 < grid_.size(1); ++j) {
         for (std::size_t i = 1; i + 1 < grid_.size(0); ++i) {
@@ -38,12 +38,12 @@ class Flood {
               grid_.index({up[0] ? i : grid_.size(0) - 1 - i, up[1] ? j : grid_.size(1) - 1 - j,
                            up[2] ? k : grid_.size(2) - 1 - k});
           const std::int32_t contents = grid_.cells[cell].contents;
-          if (contents == kContentsSolid || passes_[cell]) continue;
+          if (contents == kContentsSolid || passes_[cell] != 0) continue;
           for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::ptrdiff_t back = up[axis] ? -strides[axis] : strides[axis];
-            if (!passes_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + back)]) continue;
-            io_seen[cell] = true;
-            passes_[cell] = contents != kContentsSky;
+            if (passes_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + back)] == 0) continue;
+            io_seen[cell] = 1;
+            passes_[cell] = contents != kContentsSky ? 1 : 0;
           }
         }
       }
@@ -53,7 +53,7 @@ class Flood {
  private:
   const CellGrid& grid_;
   // Kept between runs to avoid allocations.
-  std::vector<bool> passes_;
+  std::vector<std::uint8_t> passes_;
 };
 
 }  // namespace
@@ -68,13 +68,13 @@ std::vector<std::vector<std::uint8_t>> find_visible_leaves(const CellGrid& grid,
   Flood flood(grid);
   std::vector<std::vector<std::uint8_t>> rows;
   for (const GridTree::Leaf& leaf : leaves) {
-    std::vector<bool> seen(grid.cells.size(), false);
+    std::vector<std::uint8_t> seen(grid.cells.size(), 0);
     for (unsigned octant = 0; octant < 8; ++octant)
       flood.run(leaf.range, {(octant & 1) != 0, (octant & 2) != 0, (octant & 4) != 0}, seen);
     std::vector<std::uint8_t> row((leaves.size() + 7) / 8);
     for (std::size_t cell = 0; cell < seen.size(); ++cell) {
       const std::uint32_t other = leaf_by_cell[cell];
-      if (seen[cell] && other != kNoLeaf)
+      if (seen[cell] != 0 && other != kNoLeaf)
         row[other / 8] = static_cast<std::uint8_t>(row[other / 8] | (1u << (other % 8)));
     }
     rows.push_back(std::move(row));
