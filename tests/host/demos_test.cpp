@@ -132,12 +132,13 @@ TEST(HostDemos, AttractModePlaysDemosInALoop) {
   game.restart();
   game.run(1);
   ASSERT_NE(game.demo(), nullptr) << "behind the menu";
+  constexpr double kFrame_s = 0.05;
   const double length_s = game.demo()->end_s() - game.demo()->begin_s();
-  game.run(length_s);
+  game.run(length_s, kFrame_s);
   ASSERT_NE(game.demo(), nullptr);
   EXPECT_LT(demo_second(game), 2) << "the second one";
   EXPECT_TRUE(game.has_printed("broken.dem"));
-  game.run(length_s);
+  game.run(length_s, kFrame_s);
   ASSERT_NE(game.demo(), nullptr) << "the first again";
   tap(game, Key::kEscape);
   const double before_s = demo_second(game);

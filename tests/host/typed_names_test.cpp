@@ -33,17 +33,18 @@ constexpr const char* kServerNames = "users edicts ping tell heartbeat addip lis
 
 TEST(TypedNames, AreKnown) {
   SKIP_WITHOUT_QUAKEC();
+  constexpr double kOneFrame_s = 0.01;
   HeadlessHost game({"map small"});
   ASSERT_TRUE(game.run_until_playing());
   std::istringstream names(kNames);
   for (std::string name; names >> name;) {
     game.command(name);
-    game.run(0.03);
+    game.run(kOneFrame_s);
     EXPECT_FALSE(game.has_printed("unknown command or variable \"" + name + "\"")) << name;
   }
   // The same check finds a name that nobody knows.
   game.command("r_nothing");
-  game.run(0.03);
+  game.run(kOneFrame_s);
   EXPECT_TRUE(game.has_printed("unknown command or variable \"r_nothing\""));
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <optional>
 
@@ -110,18 +111,29 @@ struct Drawn {
   render::DrawList list;
   std::vector<std::uint8_t> pixels;
 
+  // The next pixel with the index from `first` on, or null. Unlike std::find, memchr is quick without
+  // optimization.
+  static const std::uint8_t* find(const std::uint8_t* first, const std::uint8_t* end, std::uint8_t index) {
+    return static_cast<const std::uint8_t*>(std::memchr(first, index, static_cast<std::size_t>(end - first)));
+  }
   std::size_t count(const std::string& picture) const {
-    return static_cast<std::size_t>(std::count(pixels.begin(), pixels.end(), art().pick_index(picture)));
+    const std::uint8_t index = art().pick_index(picture);
+    const std::uint8_t* const end = pixels.data() + pixels.size();
+    std::size_t count = 0;
+    for (const std::uint8_t* at = pixels.data(); (at = find(at, end, index)) != nullptr; ++at) ++count;
+    return count;
   }
   bool shows(const std::string& picture) const { return count(picture) > 0; }
   // The upper left corner, in the original's pixels from the bar's center and the frame's bottom.
   std::optional<math::Vec2d> corner(const std::string& picture) const {
     const auto index = art().pick_index(picture);
     std::optional<math::Vec2d> corner;
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        if (pixels[static_cast<std::size_t>(y * width + x)] == index && (!corner || x < corner->x))
-          corner = corner ? math::Vec2d(x, corner->y) : math::Vec2d(x, y);
+    for (int y = 0; y < height; ++y) {
+      const std::uint8_t* const row = pixels.data() + std::ptrdiff_t{y} * width;
+      const int columns = corner ? static_cast<int>(corner->x) : width;
+      if (const std::uint8_t* const found = find(row, row + columns, index))
+        corner = math::Vec2d(static_cast<double>(found - row), corner ? corner->y : y);
+    }
     if (!corner) return corner;
     return math::Vec2d((corner->x - width / 2.0) / scale + 160, (corner->y - height) / scale);
   }

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "client/menu/canvas.h"
 #include "client/menu/menu_driver.h"
 #include "formats/images/palette.h"
@@ -17,11 +20,12 @@ namespace {
 using test::MenuDriver;
 
 // Stripes of all colors, brightest in the middle.
-void paint_scene(render::FrameBuffer& io_frame) {
-  for (int y = 0; y < io_frame.height(); ++y)
-    for (int x = 0; x < io_frame.width(); ++x)
-      io_frame.indexed()[static_cast<std::size_t>(y * io_frame.width() + x)] =
-          static_cast<std::uint8_t>((x * 24 / io_frame.width()) % 16 * 16 + 8 + (y / 16 + x / 16) % 8);
+std::vector<std::uint8_t> paint_scene(int width, int height) {
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      pixels.push_back(static_cast<std::uint8_t>((x * 24 / width) % 16 * 16 + 8 + (y / 16 + x / 16) % 8));
+  return pixels;
 }
 
 // A placeholder for a level's overview: rectangles.
@@ -55,7 +59,8 @@ TEST(MenuPictures, EveryPageStaysInTheFrame) {
   };
   const std::pair<const char*, int> text_sizes[] = {{"0.5", 50}, {"1", 100}, {"2", 200}, {"4", 400}};
   for (const Size& size :
-       {Size{320, 200}, Size{640, 480}, Size{1280, 720}, Size{1920, 1080}, Size{600, 1500}})
+       {Size{320, 200}, Size{640, 480}, Size{1280, 720}, Size{1920, 1080}, Size{600, 1500}}) {
+    const std::vector<std::uint8_t> scene = paint_scene(size.width, size.height);
     for (int shown = 0; shown < static_cast<int>(MenuPage::kCount) * 4; ++shown) {
       const int page = shown / 4;
       const auto& [text_size, percent] = text_sizes[shown % 4];
@@ -64,7 +69,7 @@ TEST(MenuPictures, EveryPageStaysInTheFrame) {
       menu.open(static_cast<MenuPage>(page));
       menu.handle({0, platform::KeyChange{platform::Key::kDownArrow, true, false}});
       render::FrameBuffer frame(size.width, size.height, render::PixelFormat::kIndexed);
-      paint_scene(frame);
+      std::ranges::copy(scene, frame.indexed().begin());
       render::DrawList list;
       menu.draw(size.width, size.height, 0.1, list);
       render::FrameStats stats;
@@ -84,6 +89,7 @@ TEST(MenuPictures, EveryPageStaysInTheFrame) {
       EXPECT_EQ(has_title_picture, page == static_cast<int>(MenuPage::kOptions) && canvas_has_title) << page;
       test::show_picture(fmt::format("menu_{}_{}_{}", size.width, page, percent), frame, palette);
     }
+  }
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ std::int64_t surface_between(std::int64_t a, std::int64_t b, int i, int n) {
 // One texel of a face's block, computed from the level's data.
 class SurfaceDefinition {
  public:
-  SurfaceDefinition(const DrawableLevel& drawable, const BlockRequest& request)
+  SurfaceDefinition(const DrawableLevel& drawable, const BlockRequest& request, const SurfaceShape& shape)
       : drawable_(drawable),
         level_(*drawable.level),
         request_(request),
@@ -50,7 +50,14 @@ class SurfaceDefinition {
                                                             : nullptr),
         texels_apart_(own_grid_ != nullptr ? std::max(own_grid_->texels, 1 << std::max(request.mip, 0))
                                            : kTexelsASample),
-        texels_per_sample_(static_cast<int>(floor_shifted(texels_apart_, request.mip))) {}
+        texels_per_sample_(static_cast<int>(floor_shifted(texels_apart_, request.mip))),
+        columns_(shape.width / texels_per_sample_ + 2),
+        rows_(shape.height / texels_per_sample_ + 2) {
+    for (int channel = 0; channel < (request.contents.colored ? 3 : 1); ++channel)
+      for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column)
+          light_sums_[static_cast<std::size_t>(channel)].push_back(compute_light_sum(column, row, channel));
+  }
 
   std::uint8_t indexed(int x, int y) const {
     const std::int64_t t = lit(x, y, [&](std::int64_t column, std::int64_t row) {
@@ -114,8 +121,15 @@ class SurfaceDefinition {
     return brightest;
   }
 
-  // The face's samples, for all of its styles. Past the last sample, the value does not matter.
+  // Without colored light, all channels have the same.
   std::int64_t light_sum(std::int64_t column, std::int64_t row, int channel) const {
+    const std::vector<std::int64_t>& sums =
+        light_sums_[static_cast<std::size_t>(request_.contents.colored ? channel : 0)];
+    return sums[static_cast<std::size_t>(row * columns_ + column)];
+  }
+
+  // The face's samples, for all of its styles. Past the last sample, the value does not matter.
+  std::int64_t compute_light_sum(std::int64_t column, std::int64_t row, int channel) const {
     if (own_grid_ != nullptr) return own_light_sum(column, row, channel);
     const std::int64_t width = face_.texture_extents[0] / 16 + 1, height = face_.texture_extents[1] / 16 + 1;
     column += request_.tile_s * 16;
@@ -181,6 +195,8 @@ class SurfaceDefinition {
   const world::Face& face_;
   const world::LightMapGrid* own_grid_;  // null: a stock light map
   const int texels_apart_, texels_per_sample_;
+  const int columns_, rows_;                             // of light_sums_
+  std::array<std::vector<std::int64_t>, 3> light_sums_;  // each is used for many texels
 };
 
 // A block in memory of exactly its size and padding.
@@ -215,7 +231,7 @@ void expect_as_defined(const DrawableLevel& drawable, BlockRequest request, Pixe
       indexed ? 1 : 4);
   request.block = block.view();
   render::build_surface(*drawable.level, tables, nullptr, request, format, simd_kernels, scratch);
-  const SurfaceDefinition definition(drawable, request);
+  const SurfaceDefinition definition(drawable, request, block.shape);
   for (int y = 0; y < block.shape.height; ++y)
     for (int x = y % kTexelStep; x < block.shape.width; x += kTexelStep) {
       if (indexed) {
