@@ -57,8 +57,7 @@ function(temblor_test_flags)
     target_compile_options(temblor_test_flags INTERFACE -Og)
   endif()
   foreach(kind IN LISTS kinds)
-    temblor_headers(temblor_${kind}_headers temblor_${kind}_flags <gmock/gmock.h> <gtest/gtest.h>
-                    "${CMAKE_SOURCE_DIR}/tests/support/test_macros.h")
+    temblor_headers(temblor_${kind}_headers temblor_${kind}_flags "${CMAKE_SOURCE_DIR}/tests/support/test_macros.h")
   endforeach()
 endfunction()
 

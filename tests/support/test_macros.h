@@ -2,9 +2,22 @@
 // factory class, and the code to register them, which takes g++ 13 ms, for each of our thousands of tests.
 // Here, TEST makes a function. The precompiled header of tests has this file. Without it (`make lint`), tests
 // use GoogleTest's macros and run the same.
+//
+// The sanitizer tree optimizes tests with slow references. There, clang leaves GoogleTest's templates and the
+// bodies of tests as they are: optimizing them takes longer than it saves.
 #pragma once
 
+#ifdef __clang__
+#pragma clang optimize off
+#endif
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#ifdef __clang__
+#pragma clang optimize on
+#define TEMBLOR_UNOPTIMIZED [[clang::optnone]]
+#else
+#define TEMBLOR_UNOPTIMIZED
+#endif
 
 namespace temblor::test {
 
@@ -18,14 +31,16 @@ class FunctionTest : public ::testing::Test {
   void (*m_body)();
 };
 
-inline bool add_test(const char* suite, const char* name, const char* file, int line, void (*body)()) {
+[[gnu::noinline]] inline bool add_test(const char* suite, const char* name, const char* file, int line,
+                                       void (*body)()) {
   ::testing::RegisterTest(suite, name, nullptr, nullptr, file, line,
                           [body]() -> ::testing::Test* { return new FunctionTest(body); });
   return true;
 }
 
 template <typename Fixture>
-bool add_fixture_test(const char* fixture, const char* name, const char* file, int line, Fixture* (*make)()) {
+[[gnu::noinline]] bool add_fixture_test(const char* fixture, const char* name, const char* file, int line,
+                                        Fixture* (*make)()) {
   ::testing::RegisterTest(fixture, name, nullptr, nullptr, file, line, make);
   return true;
 }
@@ -34,7 +49,7 @@ bool add_fixture_test(const char* fixture, const char* name, const char* file, i
 
 #undef TEST
 #define TEST(suite, name)                                                                   \
-  static void suite##_##name##_Test();                                                      \
+  TEMBLOR_UNOPTIMIZED static void suite##_##name##_Test();                                  \
   [[maybe_unused]] static const bool suite##_##name##_is_added =                            \
       ::temblor::test::add_test(#suite, #name, __FILE__, __LINE__, &suite##_##name##_Test); \
   static void suite##_##name##_Test()
@@ -42,7 +57,7 @@ bool add_fixture_test(const char* fixture, const char* name, const char* file, i
 #undef TEST_F
 #define TEST_F(fixture, name)                                                                         \
   struct fixture##_##name##_Test : fixture {                                                          \
-    void TestBody() override;                                                                         \
+    TEMBLOR_UNOPTIMIZED void TestBody() override;                                                     \
     static fixture* new_test() { return new fixture##_##name##_Test; }                                \
   };                                                                                                  \
   [[maybe_unused]] static const bool fixture##_##name##_is_added = ::temblor::test::add_fixture_test( \
