@@ -51,9 +51,7 @@ void visit_everything(PlayedLevel& io_game) {
 
 TEST_P(Levels, RunWithoutErrorsWhileEverythingIsTouchedAndUsed) {
   DATA_FOLDER_OR_SKIP(data);
-  const bool is_arena = GetParam().starts_with("lqdm");
   for (const server::GameKind kind : {server::GameKind::kCooperative, server::GameKind::kDeathmatch}) {
-    if (kQuick && is_arena != (kind == server::GameKind::kDeathmatch)) continue;
     PlayedLevel game(data, GetParam(), kProgs, {.skill = 2, .kind = kind, .players = 2});
     game.join(0);
     game.join(1);
