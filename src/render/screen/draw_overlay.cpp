@@ -73,7 +73,7 @@ class IndexedPaint {
         table_(choose_table(command, tables.blends)),
         translation_(command.tint != nullptr ? &command.tint->indices : command.translation) {}
 
-  // A pixel does not depend on the one below it.
+  // Whether nothing under the picture shows through.
   bool is_opaque() const { return factor_ == 0 && table_ == nullptr; }
 
   static std::uint8_t* row(FrameBuffer& frame, std::int64_t y) {

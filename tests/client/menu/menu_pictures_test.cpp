@@ -19,7 +19,7 @@ namespace {
 
 using test::MenuDriver;
 
-// Stripes of all colors, brightest in the middle.
+// The pixels of a scene: stripes of all colors, brightest in the middle.
 std::vector<std::uint8_t> paint_scene(int width, int height) {
   std::vector<std::uint8_t> pixels;
   for (int y = 0; y < height; ++y)
