@@ -5,10 +5,9 @@
 #include "base/check.h"
 #include "render/frame/frame_caches.h"
 #include "render/frame/render_frame.h"
+#include "render/frame/render_views.h"
 #include "render/frame/resolve_settings.h"
 #include "render/frame/stage_clock.h"
-#include "render/screen/debug_view.h"
-#include "render/screen/draw_lines.h"
 #include "render/screen/draw_overlay.h"
 
 namespace temblor::render {
@@ -27,23 +26,45 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuffer& io_frame) {
+namespace {
+
+void check_input(const Scene& scene, const FrameBuffer& frame) {
   // Spans store x, y, and count as 16-bit numbers.
   constexpr int kMaxSize = 8192;
-  const int width = io_frame.width(), height = io_frame.height();
+  const int width = frame.width(), height = frame.height();
   CHECK(scene.level != nullptr);
   CHECK(width >= 1 && width <= kMaxSize && height >= 1 && height <= kMaxSize, "{}x{}", width, height);
+}
+
+void set_palette_tint(const Scene& scene, FrameBuffer& io_frame) {
+  io_frame.set_palette_tint(io_frame.format() == PixelFormat::kIndexed ? scene.tint : Tint());
+}
+
+}  // namespace
+
+FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuffer& io_frame) {
+  check_input(scene, io_frame);
   const Settings settings = resolve_settings(asked, scene, io_frame);
   FrameCaches& caches = state_->caches;
-  caches.prepare(scene, settings, io_frame);
-  io_frame.set_palette_tint(io_frame.format() == PixelFormat::kIndexed ? scene.tint : Tint());
-  const FrameContext context{scene, settings, io_frame.format(), caches.colors, *caches.jobs, caches.arenas};
+  caches.prepare(scene, settings);
+  caches.view.prepare(caches.level, io_frame);
+  set_palette_tint(scene, io_frame);
+  const FrameContext context{scene,         settings,     io_frame.format(),
+                             caches.colors, *caches.jobs, caches.view.arenas};
   const FrameRecord& record = state_->last = render_frame(context, caches, io_frame);
-  draw_debug_view(settings.show,
-                  {*scene.level, record.view, record.edges, record.spans, record.surfaces.draws},
-                  caches.colors.palette, io_frame);
-  draw_lines(scene.lines, record.view, caches.colors.palette, io_frame);
+  draw_over_picture(context, record, io_frame);
   return collect_frame_stats(record, scene);
+}
+
+void Renderer::render_views(std::span<const View> views, const Settings& settings) {
+  for (const View& view : views) {
+    CHECK(view.scene != nullptr && view.frame != nullptr);
+    check_input(*view.scene, *view.frame);
+    CHECK(view.scene->level->identity == views.front().scene->level->identity, "views of two levels");
+    CHECK(view.frame->format() == views.front().frame->format(), "views in two formats");
+    set_palette_tint(*view.scene, *view.frame);
+  }
+  render::render_views(views, settings, state_->caches);
 }
 
 // Const, but runs jobs: an overlay may be drawn before the first frame, when there are no threads yet.

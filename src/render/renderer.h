@@ -34,6 +34,12 @@ struct PixelFace {
   static constexpr std::uint32_t kNothing = 0xffffffff;
 };
 
+// A scene and the frame that shows it, for Renderer::render_views. Neither is null.
+struct View {
+  const Scene* scene;
+  FrameBuffer* frame;
+};
+
 // Owns the caches that live longer than a frame. Not thread-safe, but it runs jobs of its own in parallel;
 // several renderers can exist in one process.
 class Renderer {
@@ -46,6 +52,11 @@ class Renderer {
   // Draws `scene` into every pixel of `io_frame`, whose width and height must be 1 to 8192 (CHECKed). Equal
   // scenes and settings make equal pixels, whatever was drawn before and for any number of threads.
   FrameStats render(const Scene& scene, const Settings& settings, FrameBuffer& io_frame);
+
+  // Draws each view as render() does: the frames get the same pixels. But each thread draws whole views, so
+  // that many small views use all threads, and surfaces that several views show are built once. All scenes
+  // must have the same level, and all frames the same format (CHECKed). Keeps memory for as many views.
+  void render_views(std::span<const View> views, const Settings& settings);
 
   // Draws `list` over `io_frame`, command by command, and adds the time it takes to `io_stats`. CHECKs that
   // parts are inside their pictures; areas may be anywhere. Opacity is exact in rgb. Indexed frames round it

@@ -23,16 +23,19 @@ LevelData::LevelData(const world::Level& level, const ColorTables& colors)
       cutouts(level, colors),
       water_faces(level) {}
 
-void FrameCaches::prepare(const Scene& scene, const Settings& settings, const FrameBuffer& frame) {
+void ViewCaches::prepare(const LevelData& level, const FrameBuffer& frame) {
+  // In every frame, since the frame's size may change: the first frame under water must not wait for memory.
+  if (level.has_liquid) warp.prepare(frame);
+  arenas.frame.reset();
+}
+
+void FrameCaches::prepare(const Scene& scene, const Settings& settings) {
   if (!jobs || jobs->threads() != settings.threads || job_backend != settings.job_backend) {
     jobs.emplace(settings.threads, settings.job_backend);
     job_backend = settings.job_backend;
   }
   if (level.identity != scene.level->identity) level = LevelData(*scene.level, colors);
-  // In every frame, since the frame's size may change: the first frame under water must not wait for memory.
-  if (level.has_liquid) warp.prepare(frame);
   if (has_marks(scene) && !mark_tables) mark_tables.emplace(colors);
-  arenas.frame.reset();
 }
 
 }  // namespace temblor::render

@@ -35,12 +35,22 @@ struct LevelData {
   WaterFaces water_faces;
 };
 
+// One view's own memory. Several views that are drawn at once share everything else.
+struct ViewCaches {
+  // Prepares for a frame of this size and format.
+  void prepare(const LevelData& level, const FrameBuffer& frame);
+
+  FrameArenas arenas;
+  FogTables fog_tables;
+  Warp warp;
+};
+
 struct FrameCaches {
   explicit FrameCaches(ColorTables game_colors) : colors(std::move(game_colors)) {}
 
-  // Prepares the caches for a frame. Costs next to nothing when level, threads, frame size, and format are
-  // those of the previous frame.
-  void prepare(const Scene& scene, const Settings& settings, const FrameBuffer& frame);
+  // Prepares everything but the views' own memory. Costs next to nothing when level and threads are those of
+  // the previous frame.
+  void prepare(const Scene& scene, const Settings& settings);
 
   ColorTables colors;
   // Made when a scene has marks for the first time: it takes milliseconds.
@@ -48,12 +58,12 @@ struct FrameCaches {
   // None before the first frame. Owns the worker threads.
   std::optional<base::Jobs> jobs;
   base::JobBackend job_backend{};
-  FrameArenas arenas;
   LevelData level;
   SurfaceCache surfaces;
   PreparedSkybox skybox;
-  FogTables fog_tables;
-  Warp warp;
+  // For a frame that is drawn alone, and for those that are drawn at once (render_views.h).
+  ViewCaches view;
+  std::vector<ViewCaches> views;
 };
 
 }  // namespace temblor::render

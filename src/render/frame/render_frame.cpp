@@ -4,6 +4,8 @@
 
 #include "render/frame/banded_picture.h"
 #include "render/frame/stage_clock.h"
+#include "render/screen/debug_view.h"
+#include "render/screen/draw_lines.h"
 #include "render/spans/span_sources.h"
 #include "render/translucent/draw_translucent.h"
 
@@ -58,21 +60,24 @@ void count_surfaces(const SurfaceBlocks& blocks, FrameStats& io_stats) {
 }  // namespace
 
 // Each line is one stage; clock.end() attributes its time.
-FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, FrameBuffer& io_frame) {
-  FrameRecord f;
+SurfaceRequests find_surfaces(const FrameContext& context, const LevelData& level, const FrameBuffer& frame,
+                              FrameRecord& io_record) {
+  FrameRecord& f = io_record;
   StageClock clock(f.times);
-  const LevelData& level = io_caches.level;
-  f.view = clock.end(Stage::kView, make_view_frame(context.scene, io_frame.width(), io_frame.height()));
+  f.view = clock.end(Stage::kView, make_view_frame(context.scene, frame.width(), frame.height()));
   f.visible = clock.end(Stage::kVisibility, find_visible_faces(context, f.view, level.tables));
   f.edges = clock.end(Stage::kEdges, emit_edges(context, f.view, f.visible, level.outlines));
   f.spans = clock.end(Stage::kScan, scan_edges(context, f.view, f.edges));
-  const SurfaceRequests requests =
-      select_surfaces(context, f.view, f.edges, f.spans, level.cutouts, level.water_faces);
-  f.surfaces = reserve_surfaces(context, requests, io_caches.surfaces);
-  build_surfaces(context, f.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
-  clock.end(Stage::kSurfaces);
-  const SpanSources sources = prepare_span_sources(context, f.view, f.surfaces.draws, io_caches.skybox);
-  const FrameFog fog = make_fog(context, f.view, io_caches.fog_tables);
+  return clock.end(Stage::kSurfaces,
+                   select_surfaces(context, f.view, f.edges, f.spans, level.cutouts, level.water_faces));
+}
+
+void draw_surfaces(const FrameContext& context, PreparedSkybox& io_skybox, ViewCaches& io_view,
+                   FrameRecord& io_record, FrameBuffer& io_frame) {
+  FrameRecord& f = io_record;
+  StageClock clock(f.times);
+  const SpanSources sources = prepare_span_sources(context, f.view, f.surfaces.draws, io_skybox);
+  const FrameFog fog = make_fog(context, f.view, io_view.fog_tables);
   const WorldPicture world{f.spans, f.edges, sources, context.colors, fog, f.view};
   const TranslucentOrder order = clock.end(Stage::kTranslucent, sort_translucent(context, world, f.visible));
   BandedPicture picture = clock.end(Stage::kScreen, make_banded_picture(context, world, order));
@@ -85,9 +90,26 @@ FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, Fr
   clock.end_in_parts(draw_banded_picture(context, picture, io_frame));
   draw_translucent(context, order, world, io_frame);
   clock.end(Stage::kTranslucent);
-  finish_picture(context, picture, io_caches.warp, io_frame);
+  finish_picture(context, picture, io_view.warp, io_frame);
   clock.end(Stage::kScreen);
+}
+
+FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, FrameBuffer& io_frame) {
+  FrameRecord f;
+  const SurfaceRequests requests = find_surfaces(context, io_caches.level, io_frame, f);
+  StageClock clock(f.times);
+  f.surfaces = reserve_surfaces(context, requests, io_caches.surfaces);
+  build_surfaces(context, f.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
+  clock.end(Stage::kSurfaces);
+  draw_surfaces(context, io_caches.skybox, io_caches.view, f, io_frame);
   return f;
+}
+
+void draw_over_picture(const FrameContext& context, const FrameRecord& record, FrameBuffer& io_frame) {
+  draw_debug_view(context.settings.show,
+                  {context.level(), record.view, record.edges, record.spans, record.surfaces.draws},
+                  context.colors.palette, io_frame);
+  draw_lines(context.scene.lines, record.view, context.colors.palette, io_frame);
 }
 
 FrameStats collect_frame_stats(const FrameRecord& record, const Scene& scene) {

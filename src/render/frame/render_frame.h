@@ -28,8 +28,21 @@ struct FrameRecord {
   StageTimes times;
 };
 
-// `io_caches` must have been prepared for the scene. Writes every pixel of `io_frame`.
+// `io_caches` and its `view` must have been prepared for the scene. Writes every pixel of `io_frame`.
 FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, FrameBuffer& io_frame);
+
+// render_frame in parts: the stages before the surface cache, which only one thread may change, and those
+// after it. Different views may run each part at the same time (render_views.h).
+//
+// `frame`: only its size counts.
+SurfaceRequests find_surfaces(const FrameContext& context, const LevelData& level, const FrameBuffer& frame,
+                              FrameRecord& io_record);
+// Needs the record with its surfaces, and the scene's skybox unless only one view is drawn.
+void draw_surfaces(const FrameContext& context, PreparedSkybox& io_skybox, ViewCaches& io_view,
+                   FrameRecord& io_record, FrameBuffer& io_frame);
+
+// Draws the debug view of the settings, and the scene's lines, over the finished picture.
+void draw_over_picture(const FrameContext& context, const FrameRecord& record, FrameBuffer& io_frame);
 
 // Counts from the record; `times` are copied. Separate from drawing, so that no stage has to count.
 FrameStats collect_frame_stats(const FrameRecord& record, const Scene& scene);
