@@ -11,6 +11,7 @@
 
 #include "app/bench/measurement.h"
 #include "app/bench/measurement_output.h"
+#include "app/files/diagnostics.h"
 
 namespace temblor::app {
 namespace {
@@ -98,6 +99,7 @@ base::Status report_demo_format(const LoadedDemo& demo, const client::Presentati
                                 const render::Settings& settings, render::PixelFormat format) {
   MeasureOptions options = main_options(settings, format, kCoarseStepDeg);
   TRY(const Measurement one, measure_demo(demo, presentation, options));
+  for (const std::string& note : one.notes) print_note(note);
   options.settings.threads = 2;
   TRY(const Measurement two, measure_demo(demo, presentation, options));
   const std::string name = pixel_format_name(format);

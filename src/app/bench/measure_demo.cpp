@@ -3,7 +3,6 @@
 #include "app/bench/measurement.h"
 #include "app/bench/samples.h"
 #include "app/demo/demo_run.h"
-#include "app/files/diagnostics.h"
 #include "app/files/progress.h"
 #include "base/check.h"
 #include "base/large_memory.h"
@@ -77,15 +76,15 @@ base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::Present
 
 }  // namespace
 
-// Notes are the same in each run, so only those of the first are printed. Counts come from the first run, and
-// each frame's times from its fastest run.
+// Notes and counts are the same in each run, so those of the first count. Each frame's times are those of its
+// fastest run.
 base::Result<Measurement> measure_demo(const LoadedDemo& demo,
                                        const client::PresentationSettings& presentation,
                                        const MeasureOptions& options) {
   Measurement result;
   result.options = options;
   TRY(PlayedDemo played, play_once(demo, presentation, options, result));
-  for (const std::string& note : played.notes) print_note(note);
+  result.notes = std::move(played.notes);
   for (int i = 1; i < options.runs; ++i) {
     Measurement again;
     TRY(const PlayedDemo other, play_once(demo, presentation, options, again));

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/bench/distribution.h"
@@ -93,6 +94,8 @@ struct Measurement {
   // when more is seen than before.
   std::uint64_t max_allocations = 0;
   std::size_t allocating_frames = 0;
+  // Only of demos: problems that playing it found, for the user.
+  std::vector<std::string> notes;
 
   // Adds a frame with this number of allocations.
   void count_allocations(std::uint64_t count);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/bench/bench_report.h"
@@ -10,6 +11,7 @@
 #include "app/commands/command_line.h"
 #include "app/files/diagnostics.h"
 #include "app/level/level_loading.h"
+#include "base/function_ref.h"
 
 namespace temblor::app {
 namespace {
@@ -26,12 +28,14 @@ Examples:
   temblor --basedir ~/quake bench --map e1m1
   temblor --basedir ~/quake bench --map e1m1 --map e1m2 --size 1280x720 --color indexed --threads 1 --cold
   temblor --basedir ~/quake bench --demo demo1 --json > demo1.json
-  temblor --basedir ~/quake bench --map start --report > table.md)";
+  temblor --basedir ~/quake bench --map start --report > table.md
+  temblor --basedir ~/quake bench --demo demo1 --size 640x480 --size 1920x1080)";
 
 // Translates the options of the command to those of a measurement.
-MeasureOptions make_measure_options(const BenchOptions& options, const render::Settings& settings) {
+MeasureOptions make_measure_options(const BenchOptions& options, FrameSize size,
+                                    const render::Settings& settings) {
   MeasureOptions measure_options;
-  measure_options.size = options.frame.size;
+  measure_options.size = size;
   measure_options.format = options.frame.format;
   measure_options.fov_deg = options.frame.fov_deg;
   measure_options.step_deg = options.step_deg;
@@ -41,6 +45,55 @@ MeasureOptions make_measure_options(const BenchOptions& options, const render::S
   measure_options.settings = settings;
   return measure_options;
 }
+
+// Measures one level or demo.
+using Measure = base::FunctionRef<base::Result<Measurement>(const MeasureOptions&)>;
+
+// Measures levels and demos at all sizes and prints the results: JSON when everything has been measured, text
+// at once, because measuring takes long.
+class BenchRun {
+ public:
+  BenchRun(const BenchOptions& options, const render::Settings& settings)
+      : options_(options), settings_(settings) {}
+
+  base::Status measure_all_sizes(const std::string& name, Measure measure) {
+    std::vector<std::string> notes;
+    for (const FrameSize& size : options_.sizes) {
+      const MeasureOptions measure_options = make_measure_options(options_, size, settings_);
+      TRY(const Measurement measurement, measure(measure_options));
+      print_new_notes(measurement, notes);
+      if (options_.json)
+        results_.push_back(make_json(name, measurement));
+      else
+        print_at_once(describe_measurement(name, measurement));
+    }
+    return base::Ok{};
+  }
+
+  // A name or command need not be UTF-8.
+  void print_json() const {
+    const nlohmann::json& json = results_.size() == 1 ? results_[0] : results_;
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+
+ private:
+  // Output to a pipe must not wait for the end, because Ctrl-C would lose it.
+  static void print_at_once(const std::string& text) {
+    fmt::print("{}", text);
+    std::fflush(stdout);
+  }
+
+  // Repeated measurements find the same problems, which are printed once.
+  static void print_new_notes(const Measurement& measurement, std::vector<std::string>& io_printed) {
+    if (io_printed == measurement.notes) return;
+    io_printed = measurement.notes;
+    for (const std::string& note : io_printed) print_note(note);
+  }
+
+  const BenchOptions& options_;
+  const render::Settings& settings_;
+  nlohmann::json results_ = nlohmann::json::array();
+};
 
 }  // namespace
 
@@ -56,7 +109,10 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->take_all();
-  add_frame_options(*command, io_options.frame);
+  add_parsed_list_option(*command, "--size", io_options.sizes, parse_size, "Size in pixels; repeatable")
+      ->type_name("WxH")
+      ->default_str("1920x1080");
+  add_frame_options_without_size(*command, io_options.frame);
   command->add_option("--step", io_options.step_deg, "Angle between two views")
       ->type_name("DEGREES")
       ->check(in_range(0.1, 360.0))
@@ -68,12 +124,11 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
   command->add_flag("--cold", io_options.cold, "Also measure views with an empty surface cache");
   command->add_flag("--relight", io_options.relight, "Also measure views with changing light");
   Option* json = command->add_flag("--json", io_options.json,
-                                   "Print JSON: one object, or a list for several levels and demos");
+                                   "Print JSON: one object, or a list for several levels, demos, and sizes");
   command
       ->add_flag("--report", io_options.report,
                  "Print the tables of docs/performance.md in Markdown; takes minutes and chooses sizes, "
-                 "threads, and "
-                 "formats itself")
+                 "threads, and formats itself")
       ->excludes(json);
   command->footer(kBenchHelpFooter);
   return command;
@@ -85,22 +140,17 @@ base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
   std::vector<std::string> maps = options.maps;
   if (maps.empty() && options.demos.empty()) maps.emplace_back();
   if (options.report) print_report_header();
-  // JSON is printed when everything has been measured, text and tables at once, because measuring takes long.
-  nlohmann::json results = nlohmann::json::array();
-  const auto show = [&](const std::string& name, const Measurement& measurement) {
-    if (options.json)
-      results.push_back(make_json(name, measurement));
-    else
-      fmt::print("{}", describe_measurement(name, measurement));
-  };
+  BenchRun run(options, settings);
   for (const std::string& map : maps) {
     TRY(const LoadedMap loaded, load_map(folders, map));
     for (const std::string& note : loaded.notes) print_note(note);
     const std::string& name = loaded.level->name;
-    if (options.report)
+    if (options.report) {
       print_report(name, loaded, settings, options.step_deg);
-    else
-      show(name, measure(loaded, make_measure_options(options, settings)));
+      continue;
+    }
+    TRY_STATUS(run.measure_all_sizes(
+        name, [&](const MeasureOptions& measure_options) { return measure(loaded, measure_options); }));
   }
   for (const std::string& demo : options.demos) {
     TRY(const LoadedDemo loaded, load_demo(folders, demo));
@@ -108,11 +158,11 @@ base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
       TRY_STATUS(print_demo_report(demo, loaded, presentation, settings));
       continue;
     }
-    TRY(const Measurement measurement,
-        measure_demo(loaded, presentation, make_measure_options(options, settings)));
-    show(demo, measurement);
+    TRY_STATUS(run.measure_all_sizes(demo, [&](const MeasureOptions& measure_options) {
+      return measure_demo(loaded, presentation, measure_options);
+    }));
   }
-  if (options.json) fmt::print("{}\n", (results.size() == 1 ? results[0] : results).dump(2));
+  if (options.json) run.print_json();
   return base::Ok{};
 }
 

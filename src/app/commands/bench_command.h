@@ -16,7 +16,9 @@ class Command;
 struct BenchOptions {
   // Without maps and demos, the small built-in level is measured.
   std::vector<std::string> maps, demos;
-  FrameOptions frame{.size = {1920, 1080}};
+  // Each level and demo is measured at all sizes, in this order. The size in `frame` is not used.
+  std::vector<FrameSize> sizes = {{1920, 1080}};
+  FrameOptions frame{.size = {}};
   // Angle between two views of a circle.
   double step_deg = 5;
   // Runs of each demo; the fastest time of every frame counts.

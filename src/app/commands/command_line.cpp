@@ -11,6 +11,18 @@
 #include <optional>
 
 namespace temblor::app {
+namespace {
+
+// CLI11 reports errors by exceptions; the rest of the program uses base::Result.
+template <typename Text>
+std::function<void(const Text&)> throw_errors(const std::string& name,
+                                              std::function<std::string(const Text&)> read) {
+  return [name, read = std::move(read)](const Text& text) {
+    if (std::string error = read(text); !error.empty()) throw CLI::ValidationError(name, std::move(error));
+  };
+}
+
+}  // namespace
 
 Condition in_range(int min, int max) {
   return std::make_shared<CLI::Range>(min, max);
@@ -118,13 +130,17 @@ Option* Command::add_flag(const std::string& name, bool& io_value, const std::st
   return &options_.emplace_back(*app_.add_flag(name, io_value, help));
 }
 
-// CLI11 reports errors by exceptions; the rest of the program uses base::Result.
 Option* Command::add_text_option(const std::string& name, std::function<std::string(const std::string&)> read,
                                  const std::string& help) {
-  const auto read_or_throw = [name, read = std::move(read)](const std::string& text) {
-    if (std::string error = read(text); !error.empty()) throw CLI::ValidationError(name, std::move(error));
-  };
-  return &options_.emplace_back(*app_.add_option_function<std::string>(name, read_or_throw, help));
+  return &options_.emplace_back(
+      *app_.add_option_function<std::string>(name, throw_errors(name, std::move(read)), help));
+}
+
+Option* Command::add_text_list_option(const std::string& name,
+                                      std::function<std::string(const std::vector<std::string>&)> read,
+                                      const std::string& help) {
+  return &options_.emplace_back(
+      *app_.add_option_function<std::vector<std::string>>(name, throw_errors(name, std::move(read)), help));
 }
 
 void Command::footer(const std::string& text) {
@@ -211,6 +227,10 @@ void add_frame_options(Command& command, FrameOptions& io_options) {
   add_parsed_option(command, "--size", io_options.size, parse_size, "Size in pixels")
       ->type_name("WxH")
       ->default_str(fmt::format("{}x{}", io_options.size.width, io_options.size.height));
+  add_frame_options_without_size(command, io_options);
+}
+
+void add_frame_options_without_size(Command& command, FrameOptions& io_options) {
   add_parsed_option(command, "--color", io_options.format, parse_color,
                     "256 colors as in the original, or true color with colored light")
       ->type_name("indexed|rgb")

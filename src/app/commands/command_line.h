@@ -81,6 +81,10 @@ class Command {
   // `read` receives the option's text and returns an error message, or an empty string.
   Option* add_text_option(const std::string& name, std::function<std::string(const std::string&)> read,
                           const std::string& help);
+  // The same for a repeatable option: `read` receives the texts of all repetitions, in order.
+  Option* add_text_list_option(const std::string& name,
+                               std::function<std::string(const std::vector<std::string>&)> read,
+                               const std::string& help);
   // Sets the text below the options in the help text.
   void footer(const std::string& text);
   // Adds an option that prints the version.
@@ -127,6 +131,8 @@ class Command {
 void add_common_options(Command& program, CommonOptions& io_options);
 // Adds --size, --color, --fov, and --threads. The initial values of `io_options` are the defaults.
 void add_frame_options(Command& command, FrameOptions& io_options);
+// The same without --size, for a command that takes several sizes.
+void add_frame_options_without_size(Command& command, FrameOptions& io_options);
 
 // Adds an option whose text `parse` converts to a T. `value` may also be a std::optional<T>.
 template <typename T, typename Value>
@@ -141,6 +147,22 @@ Option* add_parsed_option(Command& command, const std::string& name, Value& valu
         return std::string();
       },
       help);
+}
+
+// Adds a repeatable option. If it is given, its values replace those of `values`, which are the default.
+template <typename T>
+Option* add_parsed_list_option(Command& command, const std::string& name, std::vector<T>& values,
+                               base::Result<T> (*parse)(std::string_view), const std::string& help) {
+  const auto read = [&values, parse](const std::vector<std::string>& texts) {
+    values.clear();
+    for (const std::string& text : texts) {
+      const base::Result<T> parsed = parse(text);
+      if (!parsed.ok()) return parsed.error().what;
+      values.push_back(parsed.value());
+    }
+    return std::string();
+  };
+  return command.add_text_list_option(name, read, help)->allow_extra_args(false)->take_all();
 }
 
 }  // namespace temblor::app

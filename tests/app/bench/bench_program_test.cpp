@@ -13,6 +13,7 @@ namespace temblor::test {
 namespace {
 
 using nlohmann::json;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Words = std::vector<std::string>;
@@ -79,6 +80,21 @@ TEST(BenchProgram, SeveralLevelsGiveAList) {
   const json results = bench(game.path(), {"--map", "small", "--map", "small"});
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[0].at("map"), "small");
+}
+
+TEST(BenchProgram, MeasuresEachLevelAtAllSizes) {
+  const SmallGame game;
+  const json results = bench(game.path(), {"--map", "small", "--size", "32x16", "--map", "small"});
+  std::vector<std::string> sizes;
+  for (const json& result : results) sizes.push_back(result.at("size"));
+  EXPECT_THAT(sizes, ElementsAre("64x48", "32x16", "64x48", "32x16"));
+}
+
+TEST(BenchProgram, RejectsBadSizes) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program(folder.path(), {"bench", "--size", "64x48", "--size", "64x0"});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_THAT(run.err, HasSubstr("--size: \"64x0\" is not WIDTHxHEIGHT"));
 }
 
 TEST(BenchProgram, PrintsText) {
