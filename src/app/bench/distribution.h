@@ -1,4 +1,4 @@
-// Summary of measured values: median, 99th percentile, and maximum.
+// Summaries of measured values: of many frames, and of a few runs.
 #pragma once
 
 #include <vector>
@@ -12,6 +12,14 @@ struct Distribution {
 // Percentile p is the smallest value that at least p % of the values do not exceed (nearest rank). All 0
 // without values.
 Distribution compute_distribution(std::vector<double> values);
+
+// A few values: the middle one, or the mean of the two in the middle, and both ends.
+struct Spread {
+  double median = 0, min = 0, max = 0;
+};
+
+// All 0 without values.
+Spread compute_spread(std::vector<double> values);
 
 // Returns 0 without values.
 double compute_mean(const std::vector<double>& values);

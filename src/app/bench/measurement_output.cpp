@@ -30,6 +30,11 @@ double compute_present_baselines(const Measurement& measurement) {
   return measurement.present_ms.p50 / measurement.baseline_ms.p50;
 }
 
+std::string describe_conditions(const MeasureOptions& options) {
+  return fmt::format("{} {}, threads: {}", format_size(options.size), pixel_format_name(options.format),
+                     options.settings.threads);
+}
+
 // Columns are aligned, so that two runs can be compared line by line.
 std::string describe_measurement(const std::string& name, const Measurement& m) {
   std::string text;
@@ -43,9 +48,8 @@ std::string describe_measurement(const std::string& name, const Measurement& m) 
                    count.max);
   };
   const bool is_demo = m.places == 0;
-  fmt::format_to(out, "{}: {} frames{}, {} {}, threads: {}\n", name, m.frames,
-                 is_demo ? "" : fmt::format(" from {} places", m.places), format_size(m.options.size),
-                 pixel_format_name(m.options.format), m.options.settings.threads);
+  fmt::format_to(out, "{}: {} frames{}, {}\n", name, m.frames,
+                 is_demo ? "" : fmt::format(" from {} places", m.places), describe_conditions(m.options));
   fmt::format_to(out, "  {:<11}{:>9.1f}\n", "fps", m.fps);
   times("frame", m.frame_ms);
   if (is_demo) {

@@ -13,6 +13,9 @@ namespace temblor::app {
 double compute_render_baselines(const Measurement& measurement);
 double compute_present_baselines(const Measurement& measurement);
 
+// Returns "1920x1080 rgb, threads: 1".
+std::string describe_conditions(const MeasureOptions& options);
+
 // Returns several lines, each with a newline.
 std::string describe_measurement(const std::string& name, const Measurement& measurement);
 
@@ -26,6 +29,8 @@ std::string describe_measurement(const std::string& name, const Measurement& mea
 //   cache_bytes, allocations, allocating_frames           also circle_cache_bytes (--cold)
 //   relight {still_ms, relit_ms, alternate_ms, ...}       only with --relight
 //   models, triangles, particles, slowest_frame           only of demos
+//
+// `temblor bench --against` adds "against" (comparison.h).
 nlohmann::json make_json(const std::string& name, const Measurement& measurement);
 
 }  // namespace temblor::app

@@ -4,12 +4,16 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/bench/bench_report.h"
+#include "app/bench/comparison.h"
 #include "app/bench/measurement.h"
 #include "app/bench/measurement_output.h"
+#include "app/bench/other_program.h"
 #include "app/commands/command_line.h"
 #include "app/files/diagnostics.h"
+#include "app/files/interrupt.h"
 #include "app/level/level_loading.h"
 #include "base/function_ref.h"
 
@@ -21,6 +25,9 @@ constexpr const char* kBenchHelpFooter =
 intermission camera. Every view is drawn once before it is measured. A demo is drawn with one frame per
 packet. After each frame, the benchmark measures the fill baseline: a plain loop that fills the frame from
 one texture. The ratio of both times depends little on the machine.
+--against compares with another program: both run in turns, and the ratio of their frame rates is printed. In
+COMMAND, $1 and $2 are the width and height, and $3 is the level or demo. In JSON, all values outside "against"
+are of the first round.
 `temblor --help` describes --basedir, --game, --set, and --show.
 
 Examples:
@@ -29,7 +36,7 @@ Examples:
   temblor --basedir ~/quake bench --map e1m1 --map e1m2 --size 1280x720 --color indexed --threads 1 --cold
   temblor --basedir ~/quake bench --demo demo1 --json > demo1.json
   temblor --basedir ~/quake bench --map start --report > table.md
-  temblor --basedir ~/quake bench --demo demo1 --size 640x480 --size 1920x1080)";
+  temblor --basedir ~/quake bench --demo demo1 --size 640x480 --size 1920x1080 --against './timedemo.sh $1 $2')";
 
 // Translates the options of the command to those of a measurement.
 MeasureOptions make_measure_options(const BenchOptions& options, FrameSize size,
@@ -46,6 +53,10 @@ MeasureOptions make_measure_options(const BenchOptions& options, FrameSize size,
   return measure_options;
 }
 
+std::string require_text(const std::string& text) {
+  return text.find_first_not_of(" \t\n") == std::string::npos ? "a command is missing" : "";
+}
+
 // Measures one level or demo.
 using Measure = base::FunctionRef<base::Result<Measurement>(const MeasureOptions&)>;
 
@@ -54,12 +65,18 @@ using Measure = base::FunctionRef<base::Result<Measurement>(const MeasureOptions
 class BenchRun {
  public:
   BenchRun(const BenchOptions& options, const render::Settings& settings)
-      : options_(options), settings_(settings) {}
+      : options_(options), settings_(settings) {
+    if (!options.against.empty()) interrupt_.emplace();
+  }
 
   base::Status measure_all_sizes(const std::string& name, Measure measure) {
     std::vector<std::string> notes;
     for (const FrameSize& size : options_.sizes) {
       const MeasureOptions measure_options = make_measure_options(options_, size, settings_);
+      if (interrupt_) {
+        TRY_STATUS(compare(name, measure, measure_options, notes));
+        continue;
+      }
       TRY(const Measurement measurement, measure(measure_options));
       print_new_notes(measurement, notes);
       if (options_.json)
@@ -90,8 +107,32 @@ class BenchRun {
     for (const std::string& note : io_printed) print_note(note);
   }
 
+  // Alternates with the other program. JSON has the first of our measurements.
+  base::Status compare(const std::string& name, Measure measure, const MeasureOptions& measure_options,
+                       std::vector<std::string>& io_notes) {
+    Comparison comparison{.command = options_.against, .fps = {}, .other_fps = {}};
+    const OtherProgram other{options_.against, measure_options.size, name};
+    nlohmann::json result;
+    if (!options_.json) print_at_once(fmt::format("{}: {}\n", name, describe_conditions(measure_options)));
+    for (int round = 0; round < options_.rounds; ++round) {
+      TRY(const Measurement measurement, measure(measure_options));
+      print_new_notes(measurement, io_notes);
+      if (round == 0) result = make_json(name, measurement);
+      TRY(const double other_fps, measure_other_program(other, *interrupt_));
+      comparison.fps.push_back(measurement.fps);
+      comparison.other_fps.push_back(other_fps);
+      if (!options_.json) print_at_once(describe_last_round(comparison));
+    }
+    result["against"] = make_json(comparison);
+    results_.push_back(std::move(result));
+    if (!options_.json) print_at_once(describe_ratio(comparison));
+    return base::Ok{};
+  }
+
   const BenchOptions& options_;
   const render::Settings& settings_;
+  // Only with another program, which must not survive Ctrl-C.
+  std::optional<Interrupt> interrupt_;
   nlohmann::json results_ = nlohmann::json::array();
 };
 
@@ -125,11 +166,24 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
   command->add_flag("--relight", io_options.relight, "Also measure views with changing light");
   Option* json = command->add_flag("--json", io_options.json,
                                    "Print JSON: one object, or a list for several levels, demos, and sizes");
-  command
-      ->add_flag("--report", io_options.report,
-                 "Print the tables of docs/performance.md in Markdown; takes minutes and chooses sizes, "
-                 "threads, and formats itself")
-      ->excludes(json);
+  Option* report =
+      command
+          ->add_flag("--report", io_options.report,
+                     "Print the tables of docs/performance.md in Markdown; takes minutes and chooses sizes, "
+                     "threads, and formats itself")
+          ->excludes(json);
+  Option* against =
+      command
+          ->add_option("--against", io_options.against,
+                       "Compare with another program: a shell command whose last number is frames per second")
+          ->type_name("COMMAND")
+          ->check(require_text)
+          ->excludes(report);
+  command->add_option("--rounds", io_options.rounds, "Alternating runs of both programs")
+      ->type_name("N")
+      ->check(in_range(1, 100))
+      ->capture_default_str()
+      ->needs(against);
   command->footer(kBenchHelpFooter);
   return command;
 }

@@ -29,12 +29,16 @@ struct BenchOptions {
   bool json = false;
   // Print the tables of docs/performance.md instead.
   bool report = false;
+  // A shell command whose frame rate is compared with ours in this many alternating runs; empty: none.
+  std::string against;
+  int rounds = 3;
 };
 
 Command* add_bench_command(Command& program, BenchOptions& io_options);
 
 // Measures the maps, then the demos, and prints each result when it is done; JSON is printed at the end.
-// Errors: a level or demo that cannot be loaded, or a damaged demo.
+// Errors: a level or demo that cannot be loaded, a damaged demo, or a problem of options.against
+// (measure_other_program()).
 base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
                        const client::PresentationSettings& presentation, const render::Settings& settings);
 
