@@ -55,7 +55,7 @@ class Renderer {
 
   // Draws each view as render() does: the frames get the same pixels. But each thread draws whole views, so
   // that many small views use all threads, and surfaces that several views show are built once. All scenes
-  // must have the same level, and all frames the same format (CHECKed). Keeps memory for as many views.
+  // must have the same level, and all frames the same format (CHECKed).
   void render_views(std::span<const View> views, const Settings& settings);
 
   // Draws `list` over `io_frame`, command by command, and adds the time it takes to `io_stats`. CHECKs that

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kMebibyte = 1024.0 * 1024.0;
 
+}  // namespace
+
 nlohmann::json make_json(const Distribution& values) {
   return {{"p50", values.p50}, {"p99", values.p99}, {"max", values.max}};
 }
@@ -18,8 +20,6 @@ nlohmann::json make_json(const Distribution& values) {
 std::string format_size(const FrameSize& size) {
   return fmt::format("{}x{}", size.width, size.height);
 }
-
-}  // namespace
 
 // The medians of both are from the same run, so slow phases of the machine affect both.
 double compute_render_baselines(const Measurement& measurement) {

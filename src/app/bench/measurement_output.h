@@ -32,5 +32,9 @@ std::string describe_measurement(const std::string& name, const Measurement& mea
 //
 // `temblor bench --against` adds "against" (comparison.h).
 nlohmann::json make_json(const std::string& name, const Measurement& measurement);
+// Returns an object with p50, p99, and max.
+nlohmann::json make_json(const Distribution& values);
+// Returns "1920x1080".
+std::string format_size(const FrameSize& size);
 
 }  // namespace temblor::app

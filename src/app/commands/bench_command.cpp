@@ -8,6 +8,7 @@
 
 #include "app/bench/bench_report.h"
 #include "app/bench/comparison.h"
+#include "app/bench/measure_views.h"
 #include "app/bench/measurement.h"
 #include "app/bench/measurement_output.h"
 #include "app/bench/other_program.h"
@@ -28,6 +29,8 @@ one texture. The ratio of both times depends little on the machine.
 --against compares with another program: both run in turns, and the ratio of their frame rates is printed. In
 COMMAND, $1 and $2 are the width and height, and $3 is the level or demo. In JSON, all values outside "against"
 are of the first round.
+--views draws many small views of a level at once, as programs that learn to play do, and compares that with
+drawing them one by one.
 `temblor --help` describes --basedir, --game, --set, and --show.
 
 Examples:
@@ -36,6 +39,7 @@ Examples:
   temblor --basedir ~/quake bench --map e1m1 --map e1m2 --size 1280x720 --color indexed --threads 1 --cold
   temblor --basedir ~/quake bench --demo demo1 --json > demo1.json
   temblor --basedir ~/quake bench --map start --report > table.md
+  temblor --basedir ~/quake bench --map start --views 64 --threads 2
   temblor --basedir ~/quake bench --demo demo1 --size 640x480 --size 1920x1080 --against './timedemo.sh $1 $2')";
 
 // Translates the options of the command to those of a measurement.
@@ -53,8 +57,23 @@ MeasureOptions make_measure_options(const BenchOptions& options, FrameSize size,
   return measure_options;
 }
 
+// The resolution of a monitor, or of a picture that a program learns from.
+std::vector<FrameSize> choose_sizes(const BenchOptions& options) {
+  if (!options.sizes.empty()) return options.sizes;
+  return {options.views > 0 ? FrameSize{160, 120} : FrameSize{1920, 1080}};
+}
+
 std::string require_text(const std::string& text) {
   return text.find_first_not_of(" \t\n") == std::string::npos ? "a command is missing" : "";
+}
+
+// Each pixel takes up to eight bytes, so this is 1 GiB.
+base::Status check_views_fit(int views, FrameSize size) {
+  constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
+  const std::int64_t pixels = std::int64_t{views} * size.width * size.height;
+  if (pixels <= kMaxPixels) return base::Ok{};
+  return base::error(base::ErrorCode::kUsage, "--views {} --size {} has {} pixels; the limit is {}", views,
+                     format_size(size), pixels, kMaxPixels);
 }
 
 // Measures one level or demo.
@@ -71,7 +90,7 @@ class BenchRun {
 
   base::Status measure_all_sizes(const std::string& name, Measure measure) {
     std::vector<std::string> notes;
-    for (const FrameSize& size : options_.sizes) {
+    for (const FrameSize& size : choose_sizes(options_)) {
       const MeasureOptions measure_options = make_measure_options(options_, size, settings_);
       if (interrupt_) {
         TRY_STATUS(compare(name, measure, measure_options, notes));
@@ -83,6 +102,21 @@ class BenchRun {
         results_.push_back(make_json(name, measurement));
       else
         print_at_once(describe_measurement(name, measurement));
+    }
+    return base::Ok{};
+  }
+
+  // Views at once, at all sizes.
+  base::Status measure_views_at_all_sizes(const LoadedMap& map) {
+    const std::string& name = map.level->name;
+    for (const FrameSize& size : choose_sizes(options_)) {
+      TRY_STATUS(check_views_fit(options_.views, size));
+      const ViewsMeasurement measurement = measure_views(map, make_measure_options(options_, size, settings_),
+                                                         static_cast<std::size_t>(options_.views));
+      if (options_.json)
+        results_.push_back(make_views_json(name, measurement));
+      else
+        print_at_once(describe_views(name, measurement));
     }
     return base::Ok{};
   }
@@ -146,11 +180,13 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->take_all();
-  command->add_option("--demo", io_options.demos, "Demo of the game, or a .dem file; repeatable")
-      ->type_name("NAME")
-      ->allow_extra_args(false)
-      ->take_all();
-  add_parsed_list_option(*command, "--size", io_options.sizes, parse_size, "Size in pixels; repeatable")
+  Option* demo =
+      command->add_option("--demo", io_options.demos, "Demo of the game, or a .dem file; repeatable")
+          ->type_name("NAME")
+          ->allow_extra_args(false)
+          ->take_all();
+  add_parsed_list_option(*command, "--size", io_options.sizes, parse_size,
+                         "Size in pixels; repeatable (default with --views: 160x120)")
       ->type_name("WxH")
       ->default_str("1920x1080");
   add_frame_options_without_size(*command, io_options.frame);
@@ -162,8 +198,10 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
       ->type_name("N")
       ->check(in_range(1, 100))
       ->capture_default_str();
-  command->add_flag("--cold", io_options.cold, "Also measure views with an empty surface cache");
-  command->add_flag("--relight", io_options.relight, "Also measure views with changing light");
+  Option* cold =
+      command->add_flag("--cold", io_options.cold, "Also measure views with an empty surface cache");
+  Option* relight =
+      command->add_flag("--relight", io_options.relight, "Also measure views with changing light");
   Option* json = command->add_flag("--json", io_options.json,
                                    "Print JSON: one object, or a list for several levels, demos, and sizes");
   Option* report =
@@ -184,6 +222,14 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
       ->check(in_range(1, 100))
       ->capture_default_str()
       ->needs(against);
+  command->add_option("--views", io_options.views, "Draw N views of a level at once instead of one at a time")
+      ->type_name("N")
+      ->check(in_range(1, kMaxViews))
+      ->excludes(demo)
+      ->excludes(report)
+      ->excludes(against)
+      ->excludes(cold)
+      ->excludes(relight);
   command->footer(kBenchHelpFooter);
   return command;
 }
@@ -201,6 +247,10 @@ base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
     const std::string& name = loaded.level->name;
     if (options.report) {
       print_report(name, loaded, settings, options.step_deg);
+      continue;
+    }
+    if (options.views > 0) {
+      TRY_STATUS(run.measure_views_at_all_sizes(loaded));
       continue;
     }
     TRY_STATUS(run.measure_all_sizes(

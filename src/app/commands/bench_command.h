@@ -16,8 +16,9 @@ class Command;
 struct BenchOptions {
   // Without maps and demos, the small built-in level is measured.
   std::vector<std::string> maps, demos;
-  // Each level and demo is measured at all sizes, in this order. The size in `frame` is not used.
-  std::vector<FrameSize> sizes = {{1920, 1080}};
+  // Each level and demo is measured at all sizes, in this order; empty: one default size. The size in `frame`
+  // is not used.
+  std::vector<FrameSize> sizes;
   FrameOptions frame{.size = {}};
   // Angle between two views of a circle.
   double step_deg = 5;
@@ -25,6 +26,8 @@ struct BenchOptions {
   int runs = 1;
   // Also measure with an empty surface cache, and with changing light.
   bool cold = false, relight = false;
+  // Measure so many views of each level at once instead of one at a time; 0: do not.
+  int views = 0;
   // Print JSON instead of text.
   bool json = false;
   // Print the tables of docs/performance.md instead.

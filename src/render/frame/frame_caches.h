@@ -35,7 +35,7 @@ struct LevelData {
   WaterFaces water_faces;
 };
 
-// One view's own memory. Several views that are drawn at once share everything else.
+// The memory of one view while it is drawn. Views that are drawn at the same time share everything else.
 struct ViewCaches {
   // Prepares for a frame of this size and format.
   void prepare(const LevelData& level, const FrameBuffer& frame);
@@ -61,7 +61,7 @@ struct FrameCaches {
   LevelData level;
   SurfaceCache surfaces;
   PreparedSkybox skybox;
-  // For a frame that is drawn alone, and for those that are drawn at once (render_views.h).
+  // For a frame that is drawn alone, and by thread for those that are drawn at once (render_views.h).
   ViewCaches view;
   std::vector<ViewCaches> views;
 };

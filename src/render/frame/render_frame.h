@@ -37,7 +37,7 @@ FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, Fr
 // `frame`: only its size counts.
 SurfaceRequests find_surfaces(const FrameContext& context, const LevelData& level, const FrameBuffer& frame,
                               FrameRecord& io_record);
-// Needs the record with its surfaces, and the scene's skybox unless only one view is drawn.
+// Needs the record with its surfaces. While others use `io_skybox`, it must be that of the scene already.
 void draw_surfaces(const FrameContext& context, PreparedSkybox& io_skybox, ViewCaches& io_view,
                    FrameRecord& io_record, FrameBuffer& io_frame);
 

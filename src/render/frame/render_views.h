@@ -1,11 +1,8 @@
 // Several views of one level, drawn at once: for split screens, thumbnails, and programs that learn to play.
 //
-//   each view, in parallel:  find the surfaces that its spans need
-//   one thread:              look all of them up in the shared cache, and reserve the missing ones
-//   in parallel:             build the missing ones
-//   each view, in parallel:  draw
-//
-// A view is drawn by one thread, because a small picture has too little work to be divided.
+// Each thread draws one view after the other, from start to finish, because a small picture has too little
+// work to be divided. Only the surface cache is shared: threads look up its blocks one at a time, build those
+// that are missing, and wait for blocks that another thread is building.
 #pragma once
 
 #include <span>

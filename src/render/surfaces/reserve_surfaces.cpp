@@ -26,29 +26,25 @@ void begin_surface_frame(const FrameContext& context, SurfaceCache& io_cache) {
                        settings.surface_cache);
 }
 
-FoundSurfaces find_cached_surfaces(const FrameContext& context, const SurfaceRequests& requests,
-                                   SurfaceCache& io_cache) {
-  base::ArenaVector<std::uint32_t> not_found(context.arena(), 256);
+// Two passes: the first marks the blocks that are in the cache as used, so that reserving memory for the
+// others in the second pass cannot evict them.
+SurfaceBlocks reserve_surfaces(const FrameContext& context, const SurfaceRequests& requests,
+                               SurfaceCache& io_cache) {
+  const world::Level& level = context.level();
+  base::ArenaVector<BlockRequest> missing(context.arena(), 256);
+  base::ArenaVector<std::uint32_t> not_found(context.arena(), 256);  // into requests.blocks
   SurfaceCounts counts;
   for (std::uint32_t i = 0; i < requests.blocks.size(); ++i) {
     const BlockRequest& request = requests.blocks[i];
     SurfaceCache::Lookup found;
-    if (!io_cache.find(find_slot(io_cache, request, context.level()), request.contents, found)) {
+    if (!io_cache.find(find_slot(io_cache, request, level), request.contents, found)) {
       not_found.push_back(i);
       continue;
     }
     requests.draws[request.draw].block = found.block;
     count_use(found, counts);
   }
-  return {not_found.view(), counts};
-}
-
-SurfaceBlocks reserve_missing_surfaces(const FrameContext& context, const SurfaceRequests& requests,
-                                       const FoundSurfaces& found, SurfaceCache& io_cache) {
-  const world::Level& level = context.level();
-  base::ArenaVector<BlockRequest> missing(context.arena(), 256);
-  SurfaceCounts counts = found.counts;
-  for (const std::uint32_t i : found.not_found) {
+  for (const std::uint32_t i : not_found) {
     BlockRequest& request = requests.blocks[i];
     const SurfaceShape shape =
         surface_shape(level.face(request.face), request.tile_s, request.tile_t, request.mip);
@@ -63,15 +59,6 @@ SurfaceBlocks reserve_missing_surfaces(const FrameContext& context, const Surfac
   counts.cache = io_cache.counts();
   counts.cache_bytes = io_cache.bytes_in_use();
   return {{requests.draws, requests.first_deferred}, missing.view(), counts};
-}
-
-// The first pass marks the blocks that are in the cache as used, so that reserving memory for the others in
-// the second pass cannot evict them.
-SurfaceBlocks reserve_surfaces(const FrameContext& context, const SurfaceRequests& requests,
-                               SurfaceCache& io_cache) {
-  begin_surface_frame(context, io_cache);
-  const FoundSurfaces found = find_cached_surfaces(context, requests, io_cache);
-  return reserve_missing_surfaces(context, requests, found, io_cache);
 }
 
 // Interleaved: neighboring requests are often of similar size, so every job gets a mix.

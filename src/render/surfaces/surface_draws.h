@@ -89,23 +89,13 @@ SurfaceRequests select_surfaces(const FrameContext& context, const ViewFrame& vi
                                 const SpanTable& spans, const CutoutTextures& cutouts,
                                 const WaterFaces& water_faces);
 
+// Begins a frame of the cache. Views that are drawn at once share one.
+void begin_surface_frame(const FrameContext& context, SurfaceCache& io_cache);
+
 // Sets the blocks of the requests' draws. Blocks stay in place until the next frame. Runs on one thread,
 // since the cache is not thread-safe.
 SurfaceBlocks reserve_surfaces(const FrameContext& context, const SurfaceRequests& requests,
                                SurfaceCache& io_cache);
-
-// The parts of reserve_surfaces, for several views that use the cache in the same frame: begin it once, find
-// the surfaces of all views, then reserve those that were not found. A block that two views need is missing
-// only for the first.
-struct FoundSurfaces {
-  std::span<const std::uint32_t> not_found;  // into SurfaceRequests::blocks
-  SurfaceCounts counts;
-};
-void begin_surface_frame(const FrameContext& context, SurfaceCache& io_cache);
-FoundSurfaces find_cached_surfaces(const FrameContext& context, const SurfaceRequests& requests,
-                                   SurfaceCache& io_cache);
-SurfaceBlocks reserve_missing_surfaces(const FrameContext& context, const SurfaceRequests& requests,
-                                       const FoundSurfaces& found, SurfaceCache& io_cache);
 
 // Builds the missing blocks in parallel. `mark_tables` may be null for scenes without marks.
 void build_surfaces(const FrameContext& context, const SurfaceBlocks& blocks, const MarkTables* mark_tables);

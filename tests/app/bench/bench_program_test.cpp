@@ -106,5 +106,47 @@ TEST(BenchProgram, PrintsText) {
     EXPECT_THAT(run.out, HasSubstr(word));
 }
 
+TEST(BenchProgram, DrawsViewsAtOnce) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program(folder.path(), {"bench", "--json", "--views", "3", "--size", "32x24",
+                                                     "--size", "64x48", "--threads", "2"});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  const json results = json::parse(run.out);
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].at("size"), "32x24");
+  EXPECT_EQ(results[1].at("size"), "64x48");
+  for (const json& result : results) {
+    EXPECT_EQ(result.at("views"), 3);
+    EXPECT_EQ(result.at("threads"), 2);
+    EXPECT_GT(result.at("at_once_ms").at("p50"), 0.0);
+    EXPECT_NEAR(
+        result.at("ratio"),
+        result.at("at_once_ms").at("p50").get<double>() / result.at("one_by_one_ms").at("p50").get<double>(),
+        1e-9);
+  }
+}
+
+TEST(BenchProgram, DrawsSmallViewsByDefault) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program(folder.path(), {"bench", "--views", "1"});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr(": 1 view, 160x120 rgb"));
+}
+
+TEST(BenchProgram, RefusesViewsThatNeedTooMuchMemory) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program(folder.path(), {"bench", "--views", "64", "--size", "8192x8192"});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_THAT(run.err,
+              HasSubstr("--views 64 --size 8192x8192 has 4294967296 pixels; the limit is 134217728"));
+}
+
+TEST(BenchProgram, RefusesViewsOfADemo) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_program(folder.path(), {"bench", "--views", "2", "--demo", "demo1"});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_THAT(run.err, HasSubstr("--views"));
+}
+
 }  // namespace
 }  // namespace temblor::test
