@@ -22,6 +22,10 @@ bench:
 	cmake --preset release
 	cmake --build --preset release --target temblor benchmarks game shipped_game game_tours
 	build/release/temblor $(WITH_DATA) bench --report $(BENCHED)
+	for color in indexed rgb; do \
+	  build/release/temblor $(WITH_DATA) bench --views 64 --threads 2 --color $$color \
+	    $(if $(TEMBLOR_DATA),$(addprefix --map ,$(MAPS))) || exit; \
+	done
 	tools/measure_game.sh
 	tools/measure_latency.sh
 	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)

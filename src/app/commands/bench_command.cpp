@@ -72,7 +72,7 @@ base::Status check_views_fit(int views, FrameSize size) {
   constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
   const std::int64_t pixels = std::int64_t{views} * size.width * size.height;
   if (pixels <= kMaxPixels) return base::Ok{};
-  return base::error(base::ErrorCode::kUsage, "--views {} --size {} has {} pixels; the limit is {}", views,
+  return base::error(base::ErrorCode::kUsage, "{} views of {} have {} pixels; the limit is {}", views,
                      format_size(size), pixels, kMaxPixels);
 }
 

@@ -137,8 +137,7 @@ TEST(BenchProgram, RefusesViewsThatNeedTooMuchMemory) {
   const TemporaryFolder folder;
   const ProgramRun run = run_program(folder.path(), {"bench", "--views", "64", "--size", "8192x8192"});
   EXPECT_EQ(run.exit_status, 2);
-  EXPECT_THAT(run.err,
-              HasSubstr("--views 64 --size 8192x8192 has 4294967296 pixels; the limit is 134217728"));
+  EXPECT_THAT(run.err, HasSubstr("64 views of 8192x8192 have 4294967296 pixels; the limit is 134217728"));
 }
 
 TEST(BenchProgram, RefusesViewsOfADemo) {
