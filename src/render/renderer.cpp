@@ -16,6 +16,7 @@ struct Renderer::State {
   explicit State(ColorTables colors) : caches(std::move(colors)) {}
 
   FrameCaches caches;
+  FrameStages stages;
   // The results of the last frame's stages. They point into the arenas of `caches`; pixel_faces() reads them.
   FrameRecord last;
 };
@@ -51,7 +52,7 @@ FrameStats Renderer::render(const Scene& scene, const Settings& asked, FrameBuff
   set_palette_tint(scene, io_frame);
   const FrameContext context{scene,         settings,     io_frame.format(),
                              caches.colors, *caches.jobs, caches.view.arenas};
-  const FrameRecord& record = state_->last = render_frame(context, caches, io_frame);
+  const FrameRecord& record = state_->last = render_frame(context, state_->stages, caches, io_frame);
   draw_over_picture(context, record, io_frame);
   return collect_frame_stats(record, scene);
 }
@@ -103,6 +104,10 @@ void Renderer::pixel_faces(std::span<PixelFace> out_faces, std::span<std::uint8_
 
 void Renderer::make_blend_tables() const {
   state_->caches.colors.blends.make_all();
+}
+
+void Renderer::replace_stages(const FrameStages& stages) {
+  state_->stages = stages;
 }
 
 void Renderer::drop_surfaces() {

@@ -34,6 +34,9 @@ struct PixelFace {
   static constexpr std::uint32_t kNothing = 0xffffffff;
 };
 
+// Stages of a frame that can be replaced (render/frame/frame_stages.h).
+struct FrameStages;
+
 // A scene and the frame that shows it, for Renderer::render_views. Neither is null.
 struct View {
   const Scene* scene;
@@ -70,6 +73,9 @@ class Renderer {
   // Computes the tables with which indexed frames blend, all at once (20 to 50 ms the first time). Otherwise
   // a frame computes each when it first needs it, so that a frame in which something fades is late.
   void make_blend_tables() const;
+
+  // Makes render(), but not render_views(), use these stages. For the laboratory.
+  void replace_stages(const FrameStages& stages);
 
   // Empties the surface cache: the next frame builds all of its surfaces.
   void drop_surfaces();

@@ -25,6 +25,9 @@ NamesByName make_allowed_folders() {
       {"vm", {"formats", "math", "base"}},
       {"net", {"formats", "platform", "math", "base"}},
       {"render", {"world", "formats", "math", "base"}},
+      // Finds the right picture without the renderer's stages, by rays.
+      {"oracle", {"render", "world", "formats", "math", "base"}},
+      {"lab", {"render", "world", "formats", "math", "base"}},
       {"audio", {"formats", "math", "base"}},
       // Built-in functions of QuakeC that server and client share.
       {"builtins", {"vm", "command", "formats", "math", "base"}},
@@ -38,11 +41,12 @@ NamesByName make_allowed_folders() {
   };
   Names below_host;
   for (const auto& [folder, unused] : table)
-    if (folder != "compiler" && folder != "artgen") below_host.insert(folder);
+    if (folder != "compiler" && folder != "artgen" && folder != "oracle") below_host.insert(folder);
   table["host"] = below_host;
   table["scripted_player"] = below_host;
+  table["scripted_player"].erase("lab");
   Names below_app = below_host;
-  below_app.insert({"host", "compiler", "artgen"});
+  below_app.insert({"host", "compiler", "artgen", "oracle"});
   table["app"] = below_app;
   return table;
 }
@@ -122,7 +126,9 @@ std::string check_include(const Location& from, const Location& to, const std::s
   if (!folder->second.contains(to.folder)) return from.folder + " may not include " + to.folder;
   // The program alone chooses the implementations of platform interfaces.
   const bool is_chosen_by_app = from.folder == "app" && to.folder == "platform";
-  if (!to.room.empty() && !is_chosen_by_app && !has_public_rooms(to.folder))
+  // The laboratory replaces stages of the renderer, and builds on the others.
+  const bool is_stage_for_lab = from.folder == "lab" && to.folder == "render";
+  if (!to.room.empty() && !is_chosen_by_app && !is_stage_for_lab && !has_public_rooms(to.folder))
     return to.folder + "/" + to.room + " is private to " + to.folder;
   return "";
 }

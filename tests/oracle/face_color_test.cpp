@@ -1,5 +1,5 @@
 // Texels and light by the definition, against numbers computed by hand.
-#include "oracle/face_color.h"
+#include "oracle/rays/face_color.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,8 @@ struct Pictures {
   render::PixelFormat format = render::PixelFormat::kIndexed;
   render::Projection projection = render::Projection::kPerspective;
   int views = 1;
+  const render::FrameStages* stages = nullptr;  // null: the engine's own
+  bool may_be_wrong = false;                    // wrong faces are counted, but do not fail the test
 };
 
 // Views of 640 x 480, 500 random pixels each. Every second view has its brush models moved, and half of each

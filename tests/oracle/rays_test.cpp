@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "oracle/polygon_level.h"
-#include "oracle/ray_scene.h"
+#include "oracle/rays/ray_scene.h"
 #include "support/random.h"
 
 namespace temblor::oracle {

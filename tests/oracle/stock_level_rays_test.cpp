@@ -2,7 +2,7 @@
 // it is open. This checks the oracle's rays and faces against the level's tree, which they do not use.
 #include <gtest/gtest.h>
 
-#include "oracle/ray_scene.h"
+#include "oracle/rays/ray_scene.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/drawable_level.h"

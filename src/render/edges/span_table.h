@@ -25,12 +25,13 @@ struct PixelSum {
 
 // A band of scan lines and its spans, grouped by draw (one surface, or one tile of a large surface):
 //
-//   draws       2         7         9           draw numbers, increasing
+//   draws       2         7         9           draw numbers; those of deferred faces come last
 //   span_begin  0         3         4      6    where each draw's spans begin; one more at the end
 //   spans       a  b  c   d         e  f        each group ordered by row, then from left to right
 //
-// The spans of opaque surfaces cover each pixel once. A deferred surface's spans cover everything that it
-// would cover if it were alone on the screen.
+// The spans of opaque surfaces cover each pixel once; those of some techniques of the laboratory overlap, and
+// later draws are in front. A deferred surface's spans cover everything that it would cover if it were alone
+// on the screen.
 struct Band {
   int first_row, row_count;
   std::span<const Span> spans;

@@ -2,7 +2,6 @@
 
 #include "render/frame/stage_clock.h"
 #include "render/screen/fog_band.h"
-#include "render/spans/draw_spans.h"
 #include "render/translucent/banded_layers.h"
 
 namespace temblor::render {
@@ -19,7 +18,7 @@ StageTimes draw_band(const FrameContext& context, const BandedPicture& picture, 
   const bool simd = context.settings.simd_kernels;
   StageTimes times;
   StageClock clock(times);
-  draw_band_spans(context, world.view, band, world.sources, io_frame);
+  picture.stages.draw_band_spans(context, world.view, band, world.sources, io_frame);
   clock.end(Stage::kSpans);
   if (world.sources.fill_depth) {  // all of these are tested against depth
     draw_deferred_faces(picture.order.faces.opaque, world, band, scratch, io_frame);
@@ -43,10 +42,11 @@ StageTimes draw_band(const FrameContext& context, const BandedPicture& picture, 
 
 }  // namespace
 
-BandedPicture make_banded_picture(const FrameContext& context, const WorldPicture& world,
-                                  const TranslucentOrder& order) {
+BandedPicture make_banded_picture(const FrameContext& context, const FrameStages& stages,
+                                  const WorldPicture& world, const TranslucentOrder& order) {
   const Scene& scene = context.scene;
-  return {.world = world,
+  return {.stages = stages,
+          .world = world,
           .order = order,
           .tint = PictureTint(scene.tint, context.format, context.settings.simd_kernels),
           .tints_bands = order.banded == order.layers.size() && !scene.underwater};

@@ -14,6 +14,7 @@
 #include <span>
 
 #include "render/alias/draw_alias_models.h"
+#include "render/frame/frame_stages.h"
 #include "render/frame_stats.h"
 #include "render/particles/draw_particles.h"
 #include "render/screen/tint_picture.h"
@@ -25,6 +26,7 @@ namespace temblor::render {
 
 // The input of all bands. Spans refer to the frame's arena.
 struct BandedPicture {
+  const FrameStages& stages;
   WorldPicture world;
   const TranslucentOrder& order;
   std::span<const PreparedAlias> alias_models{};
@@ -37,8 +39,8 @@ struct BandedPicture {
 };
 
 // Fills in everything except models, sprites, and particles.
-BandedPicture make_banded_picture(const FrameContext& context, const WorldPicture& world,
-                                  const TranslucentOrder& order);
+BandedPicture make_banded_picture(const FrameContext& context, const FrameStages& stages,
+                                  const WorldPicture& world, const TranslucentOrder& order);
 
 // Draws all bands in parallel. Returns the time of each stage, summed over all bands and threads.
 StageTimes draw_banded_picture(const FrameContext& context, const BandedPicture& picture,

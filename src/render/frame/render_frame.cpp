@@ -60,27 +60,27 @@ void count_surfaces(const SurfaceBlocks& blocks, FrameStats& io_stats) {
 }  // namespace
 
 // Each line is one stage; clock.end() attributes its time.
-SurfaceRequests find_surfaces(const FrameContext& context, const LevelData& level, const FrameBuffer& frame,
-                              FrameRecord& io_record) {
+SurfaceRequests find_surfaces(const FrameContext& context, const FrameStages& stages, const LevelData& level,
+                              const FrameBuffer& frame, FrameRecord& io_record) {
   FrameRecord& f = io_record;
   StageClock clock(f.times);
   f.view = clock.end(Stage::kView, make_view_frame(context.scene, frame.width(), frame.height()));
-  f.visible = clock.end(Stage::kVisibility, find_visible_faces(context, f.view, level.tables));
-  f.edges = clock.end(Stage::kEdges, emit_edges(context, f.view, f.visible, level.outlines));
-  f.spans = clock.end(Stage::kScan, scan_edges(context, f.view, f.edges));
+  f.visible = clock.end(Stage::kVisibility, stages.find_visible_faces(context, f.view, level.tables));
+  f.edges = clock.end(Stage::kEdges, stages.emit_edges(context, f.view, f.visible, level.outlines));
+  f.spans = clock.end(Stage::kScan, stages.scan_edges(context, f.view, f.edges));
   return clock.end(Stage::kSurfaces,
                    select_surfaces(context, f.view, f.edges, f.spans, level.cutouts, level.water_faces));
 }
 
-void draw_surfaces(const FrameContext& context, PreparedSkybox& io_skybox, ViewCaches& io_view,
-                   FrameRecord& io_record, FrameBuffer& io_frame) {
+void draw_surfaces(const FrameContext& context, const FrameStages& stages, PreparedSkybox& io_skybox,
+                   ViewCaches& io_view, FrameRecord& io_record, FrameBuffer& io_frame) {
   FrameRecord& f = io_record;
   StageClock clock(f.times);
   const SpanSources sources = prepare_span_sources(context, f.view, f.surfaces.draws, io_skybox);
   const FrameFog fog = make_fog(context, f.view, io_view.fog_tables);
   const WorldPicture world{f.spans, f.edges, sources, context.colors, fog, f.view};
   const TranslucentOrder order = clock.end(Stage::kTranslucent, sort_translucent(context, world, f.visible));
-  BandedPicture picture = clock.end(Stage::kScreen, make_banded_picture(context, world, order));
+  BandedPicture picture = clock.end(Stage::kScreen, make_banded_picture(context, stages, world, order));
   f.has_models = sources.fill_depth;
   if (f.has_models) {
     f.alias_models = picture.alias_models = clock.end(Stage::kModels, prepare_alias_models(context, f.view));
@@ -94,15 +94,16 @@ void draw_surfaces(const FrameContext& context, PreparedSkybox& io_skybox, ViewC
   clock.end(Stage::kScreen);
 }
 
-FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, FrameBuffer& io_frame) {
+FrameRecord render_frame(const FrameContext& context, const FrameStages& stages, FrameCaches& io_caches,
+                         FrameBuffer& io_frame) {
   FrameRecord f;
-  const SurfaceRequests requests = find_surfaces(context, io_caches.level, io_frame, f);
+  const SurfaceRequests requests = find_surfaces(context, stages, io_caches.level, io_frame, f);
   StageClock clock(f.times);
   begin_surface_frame(context, io_caches.surfaces);
   f.surfaces = reserve_surfaces(context, requests, io_caches.surfaces);
   build_surfaces(context, f.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
   clock.end(Stage::kSurfaces);
-  draw_surfaces(context, io_caches.skybox, io_caches.view, f, io_frame);
+  draw_surfaces(context, stages, io_caches.skybox, io_caches.view, f, io_frame);
   return f;
 }
 

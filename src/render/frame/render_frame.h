@@ -9,6 +9,7 @@
 
 #include "render/alias/draw_alias_models.h"
 #include "render/frame/frame_caches.h"
+#include "render/frame/frame_stages.h"
 #include "render/frame_stats.h"
 #include "render/surfaces/surface_draws.h"
 
@@ -29,17 +30,18 @@ struct FrameRecord {
 };
 
 // `io_caches` and its `view` must have been prepared for the scene. Writes every pixel of `io_frame`.
-FrameRecord render_frame(const FrameContext& context, FrameCaches& io_caches, FrameBuffer& io_frame);
+FrameRecord render_frame(const FrameContext& context, const FrameStages& stages, FrameCaches& io_caches,
+                         FrameBuffer& io_frame);
 
 // render_frame in parts: the stages before the surface cache, which only one thread may change, and those
 // after it. Different views may run each part at the same time (render_views.h).
 //
 // `frame`: only its size counts.
-SurfaceRequests find_surfaces(const FrameContext& context, const LevelData& level, const FrameBuffer& frame,
-                              FrameRecord& io_record);
+SurfaceRequests find_surfaces(const FrameContext& context, const FrameStages& stages, const LevelData& level,
+                              const FrameBuffer& frame, FrameRecord& io_record);
 // Needs the record with its surfaces. While others use `io_skybox`, it must be that of the scene already.
-void draw_surfaces(const FrameContext& context, PreparedSkybox& io_skybox, ViewCaches& io_view,
-                   FrameRecord& io_record, FrameBuffer& io_frame);
+void draw_surfaces(const FrameContext& context, const FrameStages& stages, PreparedSkybox& io_skybox,
+                   ViewCaches& io_view, FrameRecord& io_record, FrameBuffer& io_frame);
 
 // Draws the debug view of the settings, and the scene's lines, over the finished picture.
 void draw_over_picture(const FrameContext& context, const FrameRecord& record, FrameBuffer& io_frame);

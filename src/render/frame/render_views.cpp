@@ -54,13 +54,14 @@ void draw_view(const View& view, const Settings& asked, SharedSurfaces& io_surfa
   const Settings settings = resolve_settings(asked, *view.scene, *view.frame);
   base::Jobs this_thread(1);
   io_own.prepare(io_caches.level, *view.frame);
+  const FrameStages stages;
   const FrameContext context{*view.scene,      settings,    view.frame->format(),
                              io_caches.colors, this_thread, io_own.arenas};
   FrameRecord record;
-  const SurfaceRequests requests = find_surfaces(context, io_caches.level, *view.frame, record);
+  const SurfaceRequests requests = find_surfaces(context, stages, io_caches.level, *view.frame, record);
   record.surfaces =
       io_surfaces.get(context, requests, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
-  draw_surfaces(context, io_caches.skybox, io_own, record, *view.frame);
+  draw_surfaces(context, stages, io_caches.skybox, io_own, record, *view.frame);
   draw_over_picture(context, record, *view.frame);
 }
 

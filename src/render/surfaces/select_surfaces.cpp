@@ -271,8 +271,8 @@ class SurfaceSelector {
   double nearest_span_depth(std::uint32_t number, const ScreenPlane& depth) const {
     double nearest = view_.depth(1e9);
     for (const Band& band : spans_.bands) {
-      const auto found = std::lower_bound(band.draws.begin(), band.draws.end(), number);
-      if (found == band.draws.end() || *found != number) continue;
+      const auto found = std::ranges::find(band.draws, number);
+      if (found == band.draws.end()) continue;
       const auto position = static_cast<std::size_t>(found - band.draws.begin());
       for (std::uint32_t i = band.span_begin[position]; i < band.span_begin[position + 1]; ++i) {
         const Span& span = band.spans[i];

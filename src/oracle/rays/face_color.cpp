@@ -1,4 +1,4 @@
-#include "oracle/face_color.h"
+#include "oracle/rays/face_color.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "oracle/camera_rays.h"
+#include "oracle/rays/camera_rays.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "oracle/ray_scene.h"
+#include "oracle/rays/ray_scene.h"
 
 #include <cmath>
 

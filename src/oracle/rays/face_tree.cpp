@@ -1,4 +1,4 @@
-#include "oracle/face_tree.h"
+#include "oracle/rays/face_tree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include "base/function_ref.h"
 #include "math/vec.h"
-#include "oracle/camera_rays.h"
+#include "oracle/rays/camera_rays.h"
 #include "world/level.h"
 
 namespace temblor::oracle {

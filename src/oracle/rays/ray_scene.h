@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "oracle/camera_rays.h"
-#include "oracle/face_tree.h"
+#include "oracle/rays/camera_rays.h"
+#include "oracle/rays/face_tree.h"
 #include "render/scene.h"
 #include "world/level.h"
 

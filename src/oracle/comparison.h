@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "formats/images/palette.h"
-#include "oracle/camera_rays.h"
-#include "oracle/face_color.h"
-#include "oracle/ray_scene.h"
+#include "oracle/rays/camera_rays.h"
+#include "oracle/rays/face_color.h"
+#include "oracle/rays/ray_scene.h"
 #include "render/frame_buffer.h"
 #include "render/renderer.h"
 #include "render/scene.h"

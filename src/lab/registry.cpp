@@ -1,0 +1,165 @@
+#include "lab/registry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.h"
+#include "base/words.h"
+#include "lab/hidden_surfaces/depth_edges.h"
+#include "lab/hidden_surfaces/painter.h"
+#include "lab/hidden_surfaces/span_sorting.h"
+#include "lab/hidden_surfaces/z_buffer.h"
+
+namespace temblor::lab {
+
+namespace {
+
+using base::ErrorCode;
+
+constexpr std::array<Parameter, 0> kNoParameters{};
+constexpr std::array kPainterParameters{
+    Parameter{"pvs", 1, 0, 1, "1: draws the potentially visible set; 0: everything in the frustum"}};
+constexpr std::array kZBufferParameters{
+    Parameter{"order", 0, 0, 1, "0: faces from front to back; 1: from back to front"}};
+constexpr std::array kSpanSortingParameters{
+    Parameter{"depth", 0, 0, 1, "0: compares spans by BSP order; 1: by 1/z"}};
+constexpr std::array kAbuttingParameters{
+    Parameter{"epsilon", 1e-5, 0, 0.1, "relative difference of 1/z up to which surfaces touch"},
+    Parameter{"gradient", 1, 0, 1,
+              "1: of touching surfaces, the one that comes nearer to the right is in front"},
+    Parameter{"mesh", 1, 0, 1, "1: across a shared edge, a surface takes the place of its neighbor"}};
+
+constexpr std::string_view kAlternatives = "Consider the Alternatives: Quake's Hidden-Surface Removal";
+constexpr std::string_view kSortedSpans = "Sorted Spans in Action";
+
+render::FrameStages make_engine(std::span<const double> /*values*/, Counter* /*counter*/) {
+  return {};
+}
+
+constexpr std::array kTechniques{
+    Technique{
+        .name = "bsp-edges",
+        .title = "Edges sorted by BSP order",
+        .summary = "The engine: one list of edges, scanned row by row; BSP order decides what is in front.",
+        .article = kSortedSpans,
+        .heading = "Quake and sorted spans",
+        .replaces = "nothing",
+        .expected = "Draws every pixel once. The slowest frames are not much slower than the others.",
+        .max_wrong_share = 0,
+        .parameters = kNoParameters,
+        .make_stages = make_engine},
+    Technique{.name = "painter",
+              .title = "Painter's algorithm",
+              .summary = "Draws whole faces from back to front, each over those before it.",
+              .article = kAlternatives,
+              .heading = "Leveling and improving performance",
+              .replaces = "scan, spans",
+              .expected =
+                  "Half as many pixels again as the screen has. In places, the potentially visible set "
+                  "has five times as many faces as can be seen, and the frame rate drops there. Brush "
+                  "models that overlap in a circle have no right order.",
+              .max_wrong_share = 0.001,
+              .parameters = kPainterParameters,
+              .make_stages = make_painter},
+    Technique{.name = "z-buffer",
+              .title = "Depth buffer for the world",
+              .summary = "Compares the depth of each pixel with what has been drawn there.",
+              .article = kAlternatives,
+              .heading = "Sorted spans",
+              .replaces = "scan, spans",
+              .expected = "Tests each pixel of every face, so it is too slow for the world.",
+              .max_wrong_share = 0,
+              .parameters = kZBufferParameters,
+              .make_stages = make_z_buffer},
+    Technique{.name = "span-sorting",
+              .title = "Span sorting",
+              .summary = "Turns each face into spans, and clips them against the nearest spans of their row.",
+              .article = kAlternatives,
+              .heading = "Edges versus spans",
+              .replaces = "scan",
+              .expected =
+                  "Finds the same spans as edge sorting, with more time for sorting, because neighbors "
+                  "share no edges.",
+              .max_wrong_share = 0.001,
+              .parameters = kSpanSortingParameters,
+              .make_stages = make_span_sorting},
+    Technique{
+        .name = "independent-edges",
+        .title = "Edges sorted by 1/z, independent",
+        .summary = "Compares depths once, where a surface begins. Surfaces that touch get into disorder.",
+        .article = kSortedSpans,
+        .heading = "Independent span sorting",
+        .replaces = "scan",
+        .expected = "The fastest of the three kinds, and wrong where walls meet floors.",
+        .max_wrong_share = 0.15,
+        .parameters = kNoParameters,
+        .make_stages = make_independent_edges},
+    Technique{.name = "abutting-edges",
+              .title = "Edges sorted by 1/z, abutting",
+              .summary = "Nearly equal depths are decided by which surface comes nearer to the right.",
+              .article = kSortedSpans,
+              .heading = "Abutting span sorting",
+              .replaces = "scan",
+              .expected = "Right almost everywhere, and as slow as BSP order. An error spreads to neighbors "
+                          "across shared edges.",
+              .max_wrong_share = 0.05,
+              .parameters = kAbuttingParameters,
+              .make_stages = make_abutting_edges},
+    Technique{.name = "intersecting-edges",
+              .title = "Edges sorted by 1/z, intersecting",
+              .summary = "Compares depths at both ends of every span, and splits spans where surfaces cross.",
+              .article = kSortedSpans,
+              .heading = "Intersecting span sorting",
+              .replaces = "scan",
+              .expected = "Needs no order at all. The slowest of the three kinds.",
+              .max_wrong_share = 0,
+              .parameters = kNoParameters,
+              .make_stages = make_intersecting_edges},
+};
+
+// Parses "NAME=VALUE" into the value of that parameter.
+base::Status set_parameter(std::string_view text, Choice& io_choice) {
+  const Technique& technique = *io_choice.technique;
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string_view name = text.substr(0, equals);
+  const auto found = std::ranges::find(technique.parameters, name, &Parameter::name);
+  if (found == technique.parameters.end()) {
+    if (technique.parameters.empty())
+      return base::error(ErrorCode::kUsage, "{} has no parameters, so \"{}\" cannot be set", technique.name,
+                         base::quotable(text));
+    std::vector<std::string_view> names;
+    std::ranges::transform(technique.parameters, std::back_inserter(names), &Parameter::name);
+    return base::error(ErrorCode::kUsage, "{} has no parameter \"{}\"; it has {}", technique.name,
+                       base::quotable(name), fmt::join(names, ", "));
+  }
+  const std::optional<double> value =
+      base::parse_number<double>(text.substr(std::min(equals + 1, text.size())));
+  if (!value || *value < found->min || *value > found->max)
+    return base::error(ErrorCode::kUsage, "{}: \"{}\" must be {}=N, with N from {} to {}", technique.name,
+                       base::quotable(text), name, found->min, found->max);
+  io_choice.values[static_cast<std::size_t>(found - technique.parameters.begin())] = *value;
+  return base::Ok{};
+}
+
+}  // namespace
+
+std::span<const Technique> list_techniques() {
+  return kTechniques;
+}
+
+base::Result<Choice> parse_choice(std::string_view text) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const auto found = std::ranges::find(kTechniques, text.substr(0, colon), &Technique::name);
+  if (found == kTechniques.end())
+    return base::error(ErrorCode::kUsage, "there is no technique \"{}\"; `temblor lab list` lists them",
+                       base::quotable(text.substr(0, colon)));
+  Choice choice{&*found, {}};
+  std::ranges::transform(found->parameters, std::back_inserter(choice.values), &Parameter::value);
+  for (const std::string_view word : base::split_words(text.substr(std::min(colon + 1, text.size())), ","))
+    TRY_STATUS(set_parameter(word, choice));
+  return choice;
+}
+
+}  // namespace temblor::lab

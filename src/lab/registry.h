@@ -1,0 +1,18 @@
+// The techniques of the laboratory.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "lab/technique.h"
+
+namespace temblor::lab {
+
+// In the order of the laboratory's book.
+std::span<const Technique> list_techniques();
+
+// Parses "NAME" or "NAME:PARAMETER=VALUE,PARAMETER=VALUE". Errors are kUsage: an unknown name (the error
+// names similar ones), an unknown parameter, a value out of range.
+base::Result<Choice> parse_choice(std::string_view text);
+
+}  // namespace temblor::lab

@@ -1,0 +1,33 @@
+#include "lab/technique.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace temblor::lab {
+
+Counts& Counts::operator+=(const Counts& other) {
+  spans_sorted += other.spans_sorted;
+  comparisons += other.comparisons;
+  pixels_tested += other.pixels_tested;
+  bytes += other.bytes;
+  return *this;
+}
+
+Counts Counter::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(sum_, {});
+}
+
+std::string Choice::label() const {
+  std::string label(technique->name);
+  char separator = ':';
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] == technique->parameters[i].value) continue;
+    label += fmt::format("{}{}={}", separator, technique->parameters[i].name, values[i]);
+    separator = ',';
+  }
+  return label;
+}
+
+}  // namespace temblor::lab

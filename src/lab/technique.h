@@ -1,0 +1,78 @@
+// A technique of the laboratory: another way to draw that Abrash's articles describe or weigh, as functions
+// that replace stages of the engine's frame. It draws the same scenes as the engine, so that pictures and
+// costs can be compared.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/frame/frame_stages.h"
+
+namespace temblor::lab {
+
+// A number that changes how a technique works. Switches are 0 or 1.
+struct Parameter {
+  std::string_view name;
+  double value;  // the default
+  double min, max;
+  std::string_view meaning;
+};
+
+// Work that a technique does in a frame, beyond what render::FrameStats counts.
+struct Counts {
+  std::uint64_t spans_sorted = 0;   // spans that were put in order, or clipped against others
+  std::uint64_t comparisons = 0;    // which of two surfaces is nearer
+  std::uint64_t pixels_tested = 0;  // depth tests of single pixels
+  std::uint64_t bytes = 0;          // memory that the engine does not need
+
+  Counts& operator+=(const Counts& other);
+};
+
+// The counts of a frame. Several threads may add to it.
+class Counter {
+ public:
+  void add(const Counts& counts) {
+    const std::lock_guard lock(mutex_);
+    sum_ += counts;
+  }
+  // The sum since the last call.
+  Counts take();
+
+ private:
+  std::mutex mutex_;
+  Counts sum_;
+};
+
+struct Technique {
+  std::string_view name;              // as on the command line
+  std::string_view title;             // for people
+  std::string_view summary;           // one sentence
+  std::string_view article, heading;  // of the paragraph that describes it
+  std::string_view replaces;          // stage of the engine
+  std::string_view expected;          // the result that the article leads us to expect
+  // The share of pixels that may show a wrong face. 0: only pixels next to an edge may.
+  double max_wrong_share;
+  std::span<const Parameter> parameters;
+  // The stages, with a value for each parameter. They share state between stages of one frame, so they must
+  // not draw two frames at once. `counter` may be null: then the technique counts nothing, which is faster.
+  // It must outlive the stages.
+  render::FrameStages (*make_stages)(std::span<const double> values, Counter* counter);
+};
+
+// A technique and the values of its parameters.
+struct Choice {
+  const Technique* technique = nullptr;
+  std::vector<double> values;
+
+  render::FrameStages make_stages(Counter* counter = nullptr) const {
+    return technique->make_stages(values, counter);
+  }
+  // The name and the parameters that are not at their default, in the form of the command line.
+  std::string label() const;
+};
+
+}  // namespace temblor::lab

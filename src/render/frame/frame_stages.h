@@ -1,0 +1,31 @@
+// The stages that the laboratory can replace, as functions with the types of the engine's own stages. A frame
+// calls each once, the last one once for each band.
+#pragma once
+
+#include <functional>
+
+#include "render/edges/edge_table.h"
+#include "render/edges/span_table.h"
+#include "render/spans/draw_spans.h"
+#include "render/view/visible_faces.h"
+
+namespace temblor::render {
+
+// By default the engine's own stages. The headers of those describe what each has to return.
+struct FrameStages {
+  std::function<VisibleFaces(const FrameContext& context, const ViewFrame& view, const LevelTables& tables)>
+      find_visible_faces = render::find_visible_faces;
+  std::function<EdgeTable(const FrameContext& context, const ViewFrame& view, const VisibleFaces& visible,
+                          const FaceOutlines& outlines)>
+      emit_edges =
+          [](const FrameContext& context, const ViewFrame& view, const VisibleFaces& visible,
+             const FaceOutlines& outlines) { return render::emit_edges(context, view, visible, outlines); };
+  std::function<SpanTable(const FrameContext& context, const ViewFrame& view, const EdgeTable& table)>
+      scan_edges = render::scan_edges;
+  // Called by several threads at once, for different bands.
+  std::function<void(const FrameContext& context, const ViewFrame& view, const Band& band,
+                     const SpanSources& sources, FrameBuffer& io_frame)>
+      draw_band_spans = render::draw_band_spans;
+};
+
+}  // namespace temblor::render
