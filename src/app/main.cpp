@@ -14,6 +14,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/compile_command.h"
 #include "app/commands/inspect_command.h"
+#include "app/commands/lab_command.h"
 #include "app/commands/legacy_arguments.h"
 #include "app/commands/play_command.h"
 #include "app/commands/render_command.h"
@@ -51,6 +52,7 @@ struct Commands {
   PlayOptions play;
   ServeOptions serve;
   ArtOptions art;
+  LabOptions lab;
   Command* render_command = nullptr;
   Command* bench_command = nullptr;
   Command* inspect_command = nullptr;
@@ -59,6 +61,7 @@ struct Commands {
   Command* serve_command = nullptr;
   Command* art_command = nullptr;
   Command* settings_command = nullptr;
+  LabCommands lab_commands;
 };
 
 void describe_command_line(Command& program, Commands& io_commands) {
@@ -73,6 +76,7 @@ void describe_command_line(Command& program, Commands& io_commands) {
   io_commands.play_command = add_play_command(program, io_commands.play);
   io_commands.serve_command = add_serve_command(program, io_commands.serve);
   io_commands.art_command = add_art_command(program, io_commands.art);
+  io_commands.lab_commands = add_lab_command(program, io_commands.lab);
   io_commands.settings_command = add_settings_command(program);
 }
 
@@ -90,6 +94,12 @@ base::Status run(const Commands& commands) {
     apply_game_defaults(commands.common.folders, variables);
     TRY_STATUS(apply_options(commands.common, commands.bench.frame.threads, variables));
     return run_bench(commands.bench, commands.common.folders, settings.presentation(), settings.render());
+  }
+  if (commands.lab_commands.lab->parsed()) {
+    apply_game_defaults(commands.common.folders, variables);
+    TRY_STATUS(apply_options(commands.common, commands.lab.frame.threads, variables));
+    return run_lab(commands.lab_commands, commands.lab, commands.common.folders, settings.presentation(),
+                   settings.render());
   }
   TRY_STATUS(apply_options(commands.common, std::nullopt, variables));
   if (commands.inspect_command->parsed()) return run_inspect(commands.inspect);
@@ -150,6 +160,20 @@ std::string describe_misplaced_option(const Command& program) {
                      fmt::join(owners, ", "), is_played ? "play" : owners.front(), option);
 }
 
+// Explains that a command, such as `lab`, needs one of its own commands. Empty if it has one.
+std::string describe_missing_subcommand(const Command& program) {
+  for (const Command& command : program.subcommands()) {
+    if (!command.parsed() || command.subcommands().empty()) continue;
+    std::vector<std::string> names;
+    for (const Command& own : command.subcommands()) {
+      if (own.parsed()) return {};
+      names.push_back(own.name());
+    }
+    return fmt::format("{} must be followed by one of: {}", command.name(), fmt::join(names, ", "));
+  }
+  return {};
+}
+
 // Describes what is wrong with the command line. Replaces CLI11's message where that would mislead.
 std::string describe_parse_error(const Command& program, const CommonOptions& options,
                                  const Command::Parsed& parsed) {
@@ -164,6 +188,7 @@ std::string describe_parse_error(const Command& program, const CommonOptions& op
   if (has_no_command && !unknown.empty())
     return fmt::format("unknown command or option \"{}\"", unknown.front());
   if (has_no_command && parsed.is_command_missing) return "no command given; `temblor play` starts the game";
+  if (std::string missing = describe_missing_subcommand(program); !missing.empty()) return missing;
   return parsed.error;
 }
 

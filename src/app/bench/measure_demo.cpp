@@ -45,6 +45,7 @@ base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::Present
   const FrameOptions frame_options{
       .size = options.size, .format = options.format, .fov_deg = options.fov_deg, .threads = {}};
   TRY(DemoRun run, DemoRun::start(demo, frame_options, presentation, options.settings));
+  if (options.technique != nullptr) run.replace_stages(options.technique->make_stages());
   Window window(run.frame(), options);
   const int baseline_placement = find_fastest_placement(run.frame());
   Samples samples;

@@ -50,6 +50,7 @@ class Bench {
         frame_(options.size.width, options.size.height, options.format),
         baseline_placement_(find_fastest_placement(frame_)),
         jobs_(options.settings.threads, options.settings.job_backend) {
+    if (options.technique != nullptr) renderer_.replace_stages(options.technique->make_stages());
     for (const Viewpoint& viewpoint : list_viewpoints(*map.level))
       circles_.push_back(make_circle_views(viewpoint, options.fov_deg, options.step_deg));
     if (options.format == render::PixelFormat::kIndexed) {

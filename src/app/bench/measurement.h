@@ -18,6 +18,7 @@
 #include "app/level/level_loading.h"
 #include "base/result.h"
 #include "client/view/presentation.h"
+#include "lab/technique.h"
 #include "render/renderer.h"
 
 namespace temblor::app {
@@ -35,6 +36,8 @@ struct MeasureOptions {
   // Also measure views with changing light.
   bool relight = false;
   render::Settings settings;
+  // The technique that draws the frames; null: the engine's own stages.
+  const lab::Choice* technique = nullptr;
 };
 
 // Render times of the same views with constant and with changing light.

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "app/commands/command_line.h"
-#include "app/commands/play_watch.h"
+#include "app/compile/play_watch.h"
 #include "app/files/atomic_write.h"
 #include "app/files/game_files.h"
 #include "app/files/interrupt.h"

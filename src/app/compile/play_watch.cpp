@@ -1,4 +1,4 @@
-#include "app/commands/play_watch.h"
+#include "app/compile/play_watch.h"
 
 #include <fmt/format.h>
 

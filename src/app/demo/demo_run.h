@@ -25,6 +25,9 @@ class DemoRun {
   base::Result<bool> advance_to(double time_s);
   base::Result<bool> advance_by_packet();
 
+  // Draws with other stages from now on (render::Renderer::replace_stages).
+  void replace_stages(const render::FrameStages& stages) { renderer_.replace_stages(stages); }
+
   // Result of the last advance. Valid until the next one.
   const render::Scene& scene() const { return playback_.presentation().scene(); }
   // Does the work that happens once per level or session, such as allocating buffers: the next frames take as

@@ -1,0 +1,181 @@
+#include "app/commands/lab_command.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command_line.h"
+#include "app/files/diagnostics.h"
+#include "app/files/picture_file.h"
+#include "app/lab/lab_picture.h"
+#include "app/lab/lab_scenes.h"
+#include "app/lab/technique_figures.h"
+#include "lab/registry.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr const char* kLabHelpFooter =
+    R"(A technique replaces a stage of the engine and draws the same scene. Its times are measured like those of
+`temblor bench`. Its pixels are compared with an oracle, which follows a ray through each pixel.
+TECHNIQUE is a name, or a name with parameters: abutting-edges:epsilon=0.001,mesh=0
+
+Examples:
+  temblor lab list
+  temblor lab run painter -o painter.png
+  temblor --basedir ~/quake lab run independent-edges --map e1m1 --color indexed -o edges.png
+  temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json)";
+
+// The first technique of every comparison: the engine itself.
+constexpr std::string_view kEngine = "bsp-edges";
+
+void add_scene_options(Command& command, LabOptions& io_options) {
+  const Option* map = command
+                          .add_option("--map", io_options.map,
+                                      "Level of the game, or a .bsp file (default: a small built-in level)")
+                          ->type_name("NAME");
+  Option* demo = command.add_option("--demo", io_options.demo, "Demo of the game, or a .dem file")
+                     ->type_name("NAME")
+                     ->excludes(map);
+  add_parsed_option(command, "--pos", io_options.position_world, parse_vec3,
+                    "Position of the camera in the picture and the oracle's views (default: several)")
+      ->type_name("X,Y,Z")
+      ->excludes(demo);
+  add_parsed_option(command, "--angles", io_options.angles_deg, parse_vec3,
+                    "Its direction in degrees; positive pitch looks down")
+      ->type_name("PITCH,YAW,ROLL")
+      ->excludes(demo);
+  add_frame_options(command, io_options.frame);
+  command.add_option("--step", io_options.step_deg, "Angle between two measured views of a level")
+      ->type_name("DEGREES")
+      ->check(in_range(1.0, 360.0))
+      ->capture_default_str();
+  command.add_flag("--json", io_options.json, "Print JSON");
+}
+
+nlohmann::json make_json(const lab::Technique& technique) {
+  nlohmann::json parameters = nlohmann::json::array();
+  for (const lab::Parameter& parameter : technique.parameters)
+    parameters.push_back({{"name", parameter.name},
+                          {"default", parameter.value},
+                          {"min", parameter.min},
+                          {"max", parameter.max},
+                          {"meaning", parameter.meaning}});
+  return {{"name", technique.name},
+          {"title", technique.title},
+          {"summary", technique.summary},
+          {"article", technique.article},
+          {"heading", technique.heading},
+          {"replaces", technique.replaces},
+          {"expected", technique.expected},
+          {"max_wrong_share", technique.max_wrong_share},
+          {"parameters", std::move(parameters)}};
+}
+
+void print_list(bool json) {
+  if (json) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const lab::Technique& technique : lab::list_techniques()) list.push_back(make_json(technique));
+    fmt::print("{}\n", list.dump(2));
+    return;
+  }
+  for (const lab::Technique& technique : lab::list_techniques()) {
+    fmt::print("{}: {}\n  {}\n  From \"{}\", {}. Replaces: {}.\n  Expected: {}\n", technique.name,
+               technique.title, technique.summary, technique.article, technique.heading, technique.replaces,
+               technique.expected);
+    for (const lab::Parameter& parameter : technique.parameters)
+      fmt::print("  {}={}, {} to {}. {}\n", parameter.name, parameter.value, parameter.min, parameter.max,
+                 parameter.meaning);
+  }
+}
+
+base::Result<LabScenes> load_scenes(const LabOptions& options, const GameFolders& folders,
+                                    client::PresentationSettings presentation) {
+  presentation.view.fov_deg = options.frame.fov_deg;
+  if (!options.demo.empty()) return LabScenes::load_demo(folders, options.demo, presentation);
+  return LabScenes::load_level(folders, options.map,
+                               {options.position_world, options.angles_deg, options.frame.fov_deg});
+}
+
+base::Status write_picture(const LabOptions& options, const lab::Choice& choice, const LabScenes& scenes,
+                           const render::Settings& settings) {
+  const FrameSize size = options.frame.size;
+  const assets::Look& look = scenes.look();
+  render::FrameBuffer technique(size.width, size.height, options.frame.format);
+  render::FrameBuffer engine(size.width, size.height, options.frame.format);
+  TRY_STATUS(scenes.show_picture_scene([&](const render::Scene& scene) {
+    render::Renderer renderer(look.palette, look.colormap);
+    renderer.render(scene, settings, engine);
+    renderer.replace_stages(choice.make_stages());
+    renderer.render(scene, settings, technique);
+  }));
+  return write_lab_picture(options.out, technique, engine, look.palette);
+}
+
+base::Status compare(const std::vector<std::string>& texts, const LabOptions& options,
+                     const LabScenes& scenes, const render::Settings& settings) {
+  FigureOptions figure_options;
+  figure_options.measure.size = options.frame.size;
+  figure_options.measure.format = options.frame.format;
+  figure_options.measure.fov_deg = options.frame.fov_deg;
+  figure_options.measure.step_deg = options.step_deg;
+  figure_options.measure.settings = settings;
+  std::vector<TechniqueFigures> figures;
+  for (const std::string& text : texts) {
+    TRY(const lab::Choice choice, lab::parse_choice(text));
+    TRY(TechniqueFigures found, find_figures(scenes, choice, figure_options));
+    figures.push_back(std::move(found));
+  }
+  if (options.json)
+    fmt::print(
+        "{}\n",
+        app::make_json(scenes.name(), figures).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  else
+    fmt::print("{}", describe_figures(scenes.name(), figures));
+  return base::Ok{};
+}
+
+}  // namespace
+
+LabCommands add_lab_command(Command& program, LabOptions& io_options) {
+  LabCommands commands;
+  commands.lab = program.add_subcommand("lab", "Compare techniques of Michael Abrash's articles");
+  commands.lab->require_subcommand();
+  commands.lab->footer(kLabHelpFooter);
+  commands.list = commands.lab->add_subcommand("list", "List the techniques");
+  commands.list->add_flag("--json", io_options.json, "Print JSON");
+  commands.run = commands.lab->add_subcommand("run", "Compare a technique with the engine");
+  commands.run->add_option("TECHNIQUE", io_options.technique, "Name, or NAME:PARAMETER=VALUE,...")
+      ->required();
+  add_scene_options(*commands.run, io_options);
+  commands.run
+      ->add_option("-o,--output", io_options.out,
+                   "Picture of the technique, the engine, and their difference, side by side")
+      ->type_name("FILE.png");
+  commands.compare = commands.lab->add_subcommand("compare", "Print a table of several techniques");
+  commands.compare->add_option("TECHNIQUES", io_options.techniques, "Names, as for run")->required();
+  add_scene_options(*commands.compare, io_options);
+  return commands;
+}
+
+base::Status run_lab(const LabCommands& commands, const LabOptions& options, const GameFolders& folders,
+                     const client::PresentationSettings& presentation, const render::Settings& settings) {
+  if (commands.list->parsed()) {
+    print_list(options.json);
+    return base::Ok{};
+  }
+  const bool is_run = commands.run->parsed();
+  std::vector<std::string> texts =
+      is_run ? std::vector<std::string>{std::string(kEngine), options.technique} : options.techniques;
+  for (const std::string& text : texts) TRY_STATUS(lab::parse_choice(text));  // before loading anything
+  if (is_run && !options.out.empty()) TRY_STATUS(numbered_name(options.out, 0));
+  TRY(const LabScenes scenes, load_scenes(options, folders, presentation));
+  for (const std::string& note : scenes.notes()) print_note(note);
+  if (is_run && !options.out.empty()) {
+    TRY(const lab::Choice choice, lab::parse_choice(options.technique));
+    TRY_STATUS(write_picture(options, choice, scenes, settings));
+  }
+  return compare(texts, options, scenes, settings);
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,51 @@
+// `temblor lab`: the laboratory, which runs the techniques of Abrash's articles side by side.
+//
+//   lab list                 the techniques
+//   lab run TECHNIQUE        one technique against the engine: figures, and a picture
+//   lab compare TECHNIQUES   a table of several techniques
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands/options.h"
+#include "base/result.h"
+#include "client/view/presentation.h"
+#include "render/settings.h"
+
+namespace temblor::app {
+
+class Command;
+
+struct LabOptions {
+  // "NAME" or "NAME:PARAMETER=VALUE,...".
+  std::string technique;                // run
+  std::vector<std::string> techniques;  // compare
+  // Level name or .bsp file, or a demo; without either, the small built-in level.
+  std::string map, demo;
+  std::optional<math::Vec3> position_world, angles_deg;
+  FrameOptions frame{.size = {1280, 720}};
+  // Angle between two measured views of a level.
+  double step_deg = 30;
+  bool json = false;
+  // Picture file of `run`; empty: none.
+  std::string out;
+};
+
+// The commands, to find the one that was given. The program owns them.
+struct LabCommands {
+  Command* lab = nullptr;
+  Command* list = nullptr;
+  Command* run = nullptr;
+  Command* compare = nullptr;
+};
+
+LabCommands add_lab_command(Command& program, LabOptions& io_options);
+
+// Errors: an unknown technique or parameter, a level or demo that cannot be loaded, a picture that cannot be
+// written.
+base::Status run_lab(const LabCommands& commands, const LabOptions& options, const GameFolders& folders,
+                     const client::PresentationSettings& presentation, const render::Settings& settings);
+
+}  // namespace temblor::app

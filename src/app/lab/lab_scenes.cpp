@@ -1,0 +1,80 @@
+#include "app/lab/lab_scenes.h"
+
+#include <algorithm>
+
+#include "app/demo/demo_playback.h"
+#include "app/level/viewpoints.h"
+#include "client/demo/demo_player.h"
+
+namespace temblor::app {
+
+base::Result<LabScenes> LabScenes::load_level(const GameFolders& folders, const std::string& map,
+                                              const LabCamera& camera) {
+  LabScenes scenes;
+  TRY(scenes.map_, load_map(folders, map));
+  const world::Level& level = *scenes.map_->level;
+  scenes.name_ = level.name;
+  scenes.level_scene_ = make_level_scene(scenes.map_->level);
+  std::vector<Viewpoint> viewpoints{find_start_viewpoint(level)};
+  if (!camera.position_world && !camera.angles_deg)
+    std::ranges::copy(list_viewpoints(level), std::back_inserter(viewpoints));
+  for (const Viewpoint& viewpoint : viewpoints)
+    scenes.cameras_.push_back({.origin_world = camera.position_world.value_or(viewpoint.eye_world),
+                               .angles_deg = camera.angles_deg.value_or(viewpoint.angles_deg),
+                               .fov_deg = camera.fov_deg});
+  return scenes;
+}
+
+base::Result<LabScenes> LabScenes::load_demo(const GameFolders& folders, const std::string& demo,
+                                             const client::PresentationSettings& presentation) {
+  LabScenes scenes;
+  TRY(LoadedDemo loaded, app::load_demo(folders, demo));
+  scenes.name_ = demo;
+  scenes.demo_ = std::make_unique<const LoadedDemo>(std::move(loaded));
+  scenes.presentation_ = presentation;
+  return scenes;
+}
+
+render::Scene LabScenes::see(std::size_t camera) const {
+  return make_scene(level_scene_, cameras_[camera], 0.0);
+}
+
+base::Status LabScenes::for_each_scene(Use use) const {
+  if (map_) {
+    const std::size_t count = std::min(cameras_.size(), kMaxScenes);
+    for (std::size_t i = 0; i < count; ++i) use(see(i * cameras_.size() / count));
+    return base::Ok{};
+  }
+  TRY(const client::DemoLength length, client::DemoPlayer::scan(demo_->bytes, demo_->name));
+  TRY(DemoPlayback playback, DemoPlayback::open(*demo_, presentation_));
+  // Parts of equal length, each with its scene in the middle.
+  std::size_t played = 0;
+  for (std::size_t i = 0; i < kMaxScenes; ++i) {
+    const std::size_t wanted = std::max<std::size_t>(length.packets * (2 * i + 1) / (2 * kMaxScenes), 1);
+    bool has_more = true;
+    for (; played < wanted && has_more; ++played) {
+      TRY(has_more, playback.advance_by_packet());
+    }
+    if (i > 0 && !has_more) break;
+    use(playback.presentation().scene());
+  }
+  return base::Ok{};
+}
+
+base::Status LabScenes::show_picture_scene(Use use) const {
+  if (map_) {
+    use(see(0));
+    return base::Ok{};
+  }
+  std::size_t number = 0;
+  return for_each_scene([&](const render::Scene& scene) {
+    if (number++ == kMaxScenes / 2) use(scene);
+  });
+}
+
+base::Result<Measurement> LabScenes::measure(const MeasureOptions& options) const {
+  if (map_) return app::measure(*map_, options);
+  return measure_demo(*demo_, presentation_, options);
+}
+
+}  // namespace temblor::app

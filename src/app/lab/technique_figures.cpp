@@ -1,0 +1,220 @@
+#include "app/lab/technique_figures.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "app/bench/measurement_output.h"
+
+namespace temblor::app {
+namespace {
+
+// The world and opaque brush models alone: the oracle knows nothing else.
+render::Scene make_judged_scene(const render::Scene& scene,
+                                std::vector<render::BrushModelInstance>& out_brush_models) {
+  out_brush_models.clear();
+  for (const render::BrushModelInstance& model : scene.brush_models)
+    if (model.alpha == 1 && !model.is_additive && !model.color) out_brush_models.push_back(model);
+  render::Scene judged;
+  judged.level = scene.level;
+  judged.camera = scene.camera;
+  judged.brush_models = out_brush_models;
+  judged.time_s = scene.time_s;
+  judged.light_styles = scene.light_styles;
+  return judged;
+}
+
+// Draws views with a technique and its counters.
+class CountedViews {
+ public:
+  CountedViews(const assets::Look& look, const lab::Choice& choice, const FigureOptions& options)
+      : look_(look),
+        options_(options),
+        renderer_(look.palette, look.colormap),
+        frame_(options.measure.size.width, options.measure.size.height, options.measure.format),
+        faces_(frame_.pixel_count()),
+        writes_(frame_.pixel_count()) {
+    renderer_.replace_stages(choice.make_stages(&counter_));
+  }
+
+  void add(const render::Scene& scene) {
+    std::vector<render::BrushModelInstance> brush_models;
+    const render::Scene judged = make_judged_scene(scene, brush_models);
+    if (!prepared_ || &prepared_->level() != judged.level)
+      prepared_ = std::make_unique<oracle::PreparedLevel>(*judged.level);
+    render::Settings settings = options_.measure.settings;
+    settings.force_mip = 0;
+    settings.show = render::Show::kPicture;
+    settings.light_view = render::LightView::kLit;
+    renderer_.render(judged, settings, frame_);
+    renderer_.pixel_faces(faces_, writes_);
+    const double pixels = static_cast<double>(frame_.pixel_count());
+    const lab::Counts counts = counter_.take();
+    figures_.pixels_written += std::accumulate(writes_.begin(), writes_.end(), 0.0) / pixels;
+    figures_.pixels_tested += static_cast<double>(counts.pixels_tested) / pixels;
+    figures_.comparisons += static_cast<double>(counts.comparisons);
+    figures_.spans_sorted += static_cast<double>(counts.spans_sorted);
+    figures_.bytes += static_cast<double>(counts.bytes);
+    ++figures_.views;
+    judge(judged, settings.use_pvs);
+  }
+
+  ViewFigures means() const {
+    ViewFigures means = figures_;
+    const double views = static_cast<double>(std::max<std::size_t>(means.views, 1));
+    for (double* sum :
+         {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.spans_sorted, &means.bytes})
+      *sum /= views;
+    return means;
+  }
+
+ private:
+  // Pixels at equal distances in the order of rows. The distance has no common factor with the width, so they
+  // lie in all columns.
+  void judge(const render::Scene& scene, bool use_pvs) {
+    const oracle::Comparison comparison(*prepared_, scene,
+                                        {frame_, faces_, look_.palette, look_.colormap, use_pvs});
+    const auto pixels = frame_.pixel_count();
+    const auto width = static_cast<std::size_t>(frame_.width());
+    std::size_t step = std::max<std::size_t>(pixels / static_cast<std::size_t>(options_.judged_pixels), 1);
+    while (std::gcd(step, width) != 1) ++step;
+    for (std::size_t i = step / 2; i < pixels; i += step)
+      comparison.pixel(static_cast<int>(i % width), static_cast<int>(i / width), figures_.tally);
+  }
+
+  const assets::Look& look_;
+  const FigureOptions& options_;
+  lab::Counter counter_;
+  render::Renderer renderer_;
+  render::FrameBuffer frame_;
+  std::vector<render::PixelFace> faces_;
+  std::vector<std::uint8_t> writes_;
+  std::unique_ptr<oracle::PreparedLevel> prepared_;
+  ViewFigures figures_;
+};
+
+double compute_ratio(const TechniqueFigures& figures, const TechniqueFigures& first) {
+  return figures.measurement.frame_ms.p50 / first.measurement.frame_ms.p50;
+}
+
+double share_wrong(const oracle::Tally& tally) {
+  return tally.pixels == 0 ? 0 : static_cast<double>(tally.wrong_face) / static_cast<double>(tally.pixels);
+}
+
+// Appends lines of a table, one column for each technique.
+class Table {
+ public:
+  explicit Table(std::span<const TechniqueFigures> figures) : figures_(figures) {
+    for (const TechniqueFigures& column : figures)
+      widths_.push_back(std::max<std::size_t>(column.choice.label().size(), 9));
+    text_ = fmt::format("{:<24}", "");
+    for (std::size_t i = 0; i < figures.size(); ++i)
+      text_ += fmt::format("  {:>{}}", figures[i].choice.label(), widths_[i]);
+    text_ += "\n";
+  }
+  // `value` is a function of TechniqueFigures.
+  template <typename Value>
+  void add(const char* label, int decimals, Value value) {
+    text_ += fmt::format("{:<24}", label);
+    for (std::size_t i = 0; i < figures_.size(); ++i)
+      text_ += fmt::format("  {:>{}.{}f}", value(figures_[i]), widths_[i], decimals);
+    text_ += "\n";
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::span<const TechniqueFigures> figures_;
+  std::vector<std::size_t> widths_;
+  std::string text_;
+};
+
+}  // namespace
+
+base::Result<TechniqueFigures> find_figures(const LabScenes& scenes, const lab::Choice& choice,
+                                            const FigureOptions& options) {
+  TechniqueFigures figures{choice, {}, {}};
+  MeasureOptions measure = options.measure;
+  measure.technique = &choice;
+  TRY(figures.measurement, scenes.measure(measure));
+  figures.measurement.options.technique = nullptr;  // refers to a parameter
+  CountedViews views(scenes.look(), choice, options);
+  TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) { views.add(scene); }));
+  figures.views = views.means();
+  return figures;
+}
+
+std::string describe_figures(const std::string& name, std::span<const TechniqueFigures> figures) {
+  const Measurement& first = figures.front().measurement;
+  std::string text =
+      fmt::format("{}: {} frames, {}; {} views counted and compared with the oracle\n", name, first.frames,
+                  describe_conditions(first.options), figures.front().views.views);
+  Table table(figures);
+  table.add("frame, ms: median", 3, [](const auto& f) { return f.measurement.frame_ms.p50; });
+  table.add("  99th percentile", 3, [](const auto& f) { return f.measurement.frame_ms.p99; });
+  table.add("  slowest", 3, [](const auto& f) { return f.measurement.frame_ms.max; });
+  table.add("  99th / median", 2,
+            [](const auto& f) { return f.measurement.frame_ms.p99 / f.measurement.frame_ms.p50; });
+  table.add("  times the first", 2, [&](const auto& f) { return compute_ratio(f, figures.front()); });
+  for (std::size_t stage = 0; stage < render::kStages; ++stage) {
+    const bool is_zero = std::ranges::all_of(
+        figures, [&](const auto& f) { return f.measurement.stage_cycles_per_pixel[stage] < 0.005; });
+    if (is_zero) continue;
+    table.add(fmt::format("cycles/pixel: {}", render::kStageNames[stage]).c_str(), 2,
+              [&](const auto& f) { return f.measurement.stage_cycles_per_pixel[stage]; });
+  }
+  table.add("faces drawn", 0, [](const auto& f) { return f.measurement.faces_drawn.p50; });
+  table.add("edges", 0, [](const auto& f) { return f.measurement.edges.p50; });
+  table.add("spans", 0, [](const auto& f) { return f.measurement.spans.p50; });
+  table.add("surfaces", 0, [](const auto& f) { return f.measurement.surfaces.p50; });
+  table.add("surface cache, MiB", 1,
+            [](const auto& f) { return static_cast<double>(f.measurement.cache_bytes) / (1 << 20); });
+  table.add("pixels written / pixel", 2, [](const auto& f) { return f.views.pixels_written; });
+  table.add("depth tests / pixel", 2, [](const auto& f) { return f.views.pixels_tested; });
+  table.add("spans sorted", 0, [](const auto& f) { return f.views.spans_sorted; });
+  table.add("comparisons", 0, [](const auto& f) { return f.views.comparisons; });
+  table.add("memory, KiB", 0, [](const auto& f) { return f.views.bytes / 1024; });
+  table.add("wrong faces, %", 3, [](const auto& f) { return 100 * share_wrong(f.views.tally); });
+  return text + table.text();
+}
+
+nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigures> figures) {
+  const Measurement& first = figures.front().measurement;
+  nlohmann::json json = {{first.places == 0 ? "demo" : "map", name},
+                         {"size", format_size(first.options.size)},
+                         {"color", pixel_format_name(first.options.format)},
+                         {"threads", first.options.settings.threads},
+                         {"techniques", nlohmann::json::array()}};
+  for (const TechniqueFigures& f : figures) {
+    const Measurement& m = f.measurement;
+    nlohmann::json technique = {{"name", f.choice.technique->name},
+                                {"parameters", nlohmann::json::object()},
+                                {"frame_ms", make_json(m.frame_ms)},
+                                {"ratio", compute_ratio(f, figures.front())},
+                                {"faces_drawn", m.faces_drawn.p50},
+                                {"edges", m.edges.p50},
+                                {"spans", m.spans.p50},
+                                {"surfaces_built", m.surfaces_built},
+                                {"pixels_written", f.views.pixels_written},
+                                {"pixels_tested", f.views.pixels_tested},
+                                {"comparisons", f.views.comparisons},
+                                {"spans_sorted", f.views.spans_sorted},
+                                {"bytes", f.views.bytes},
+                                {"judged",
+                                 {{"pixels", f.views.tally.pixels},
+                                  {"wrong", f.views.tally.wrong_face},
+                                  {"tied", f.views.tally.tied},
+                                  {"near_edge", f.views.tally.near_edge}}}};
+    for (std::size_t i = 0; i < f.choice.values.size(); ++i)
+      technique["parameters"][std::string(f.choice.technique->parameters[i].name)] = f.choice.values[i];
+    for (std::size_t stage = 0; stage < render::kStages; ++stage) {
+      technique["stages"][render::kStageNames[stage]] = m.stage_ms[stage];
+      technique["cycles_per_pixel"][render::kStageNames[stage]] = m.stage_cycles_per_pixel[stage];
+    }
+    json["techniques"].push_back(std::move(technique));
+  }
+  return json;
+}
+
+}  // namespace temblor::app

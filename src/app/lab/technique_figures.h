@@ -1,0 +1,54 @@
+// The figures of a technique: its times and counts, and its errors against the oracle.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/bench/measurement.h"
+#include "app/lab/lab_scenes.h"
+#include "lab/registry.h"
+#include "oracle/comparison.h"
+
+namespace temblor::app {
+
+// Means of several views, which are drawn once more with counters.
+struct ViewFigures {
+  std::size_t views = 0;
+  double pixels_written = 0;                            // per pixel of the frame; 1: no overdraw
+  double pixels_tested = 0;                             // per pixel
+  double comparisons = 0, spans_sorted = 0, bytes = 0;  // per frame
+  oracle::Tally tally;
+};
+
+struct TechniqueFigures {
+  lab::Choice choice;
+  Measurement measurement;
+  ViewFigures views;
+};
+
+struct FigureOptions {
+  MeasureOptions measure;  // its technique is not used
+  // Pixels of each view that are compared with the oracle.
+  int judged_pixels = 4000;
+};
+
+base::Result<TechniqueFigures> find_figures(const LabScenes& scenes, const lab::Choice& choice,
+                                            const FigureOptions& options);
+
+// A table with a column for each technique; ratios are to the first one.
+std::string describe_figures(const std::string& name, std::span<const TechniqueFigures> figures);
+
+// An object: map or demo, size, color, threads, and a list "techniques" of
+//
+//   name, parameters {name: value}
+//   frame_ms {p50, p99, max}, ratio                      of medians, to the first technique
+//   stages {name: ms}, cycles_per_pixel {name: cycles}
+//   faces_drawn, edges, spans, surfaces_built            medians, and a sum
+//   pixels_written, pixels_tested                        per pixel of the frame
+//   comparisons, spans_sorted, bytes                     per frame
+//   judged {pixels, wrong, tied, near_edge}              against the oracle
+nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigures> figures);
+
+}  // namespace temblor::app
