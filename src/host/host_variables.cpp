@@ -15,6 +15,7 @@
 #include "host/session/stuffed_text.h"
 #include "host/video/render_settings.h"
 #include "host/video/screen.h"
+#include "lab/registry.h"
 #include "platform/window.h"
 #include "server/server_variables.h"
 
@@ -29,7 +30,13 @@ constexpr std::array<std::string_view, 2> kColors = {"rgb", "indexed"};
 // Settings that would confuse a player who finds them again the next day.
 constexpr auto kDebugging = std::to_array<std::string_view>(
     {"r_show", "r_speeds", "r_drawworld", "r_drawentities", "r_fullbright", "r_lightmap", "r_lockpvs",
-     "r_showbboxes", "host_timescale", "chase_active", "maxplayers"});
+     "r_showbboxes", "r_technique", "host_timescale", "chase_active", "maxplayers"});
+
+std::vector<std::string_view> list_technique_names() {
+  std::vector<std::string_view> names;
+  for (const lab::Technique& technique : lab::list_techniques()) names.push_back(technique.name);
+  return names;
+}
 
 std::vector<std::string> list_names(const command::Variables& variables) {
   std::vector<std::string> names;
@@ -49,8 +56,8 @@ struct HostVariables::Registered {
   server::ServerVariables server;
   command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
       max_fps, time_scale, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble,
-      parallel, show_speed, show_latency, show_clock, show_player_speed, show_renderer, stuffed_text,
-      max_players, port, start_demos, pause_unfocused, mute_unfocused;
+      parallel, show_speed, show_latency, show_clock, show_player_speed, show_renderer, technique,
+      stuffed_text, max_players, port, start_demos, pause_unfocused, mute_unfocused;
   std::vector<std::string> saved;  // the names of the player's own variables
 };
 
@@ -111,6 +118,8 @@ HostVariables::Registered::Registered(command::Variables& variables)
       variables.add_bool("scr_showspeed", false, "Shows your horizontal speed, in units per second.");
   show_renderer = variables.add_int("r_speeds", 0, 0, 2,
                                     "Shows what the renderer draws in a frame; 2: and how long it takes.");
+  technique = variables.add_choice("r_technique", list_technique_names(),
+                                   "Draws the level by another method of the laboratory.");
 
   start_demos = variables.add_bool("cl_startdemos", true, "Plays demos behind the menu at the start.");
   stuffed_text = variables.add_int("cl_stufftext", 1, 0, 2,
@@ -191,7 +200,12 @@ ReadoutSettings HostVariables::readouts() const {
           .latency = variables_->bool_value(registered_->show_latency),
           .clock = variables_->bool_value(registered_->show_clock),
           .player_speed = variables_->bool_value(registered_->show_player_speed),
-          .renderer = static_cast<int>(variables_->int_value(registered_->show_renderer))};
+          .renderer = static_cast<int>(variables_->int_value(registered_->show_renderer)),
+          .technique = technique()};
+}
+
+std::size_t HostVariables::technique() const {
+  return variables_->choice_value(registered_->technique);
 }
 
 StuffedTextRule HostVariables::stuffed_text() const {

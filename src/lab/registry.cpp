@@ -149,14 +149,19 @@ std::span<const Technique> list_techniques() {
   return kTechniques;
 }
 
+Choice make_default_choice(std::size_t number) {
+  Choice choice{&kTechniques[number], {}};
+  std::ranges::transform(choice.technique->parameters, std::back_inserter(choice.values), &Parameter::value);
+  return choice;
+}
+
 base::Result<Choice> parse_choice(std::string_view text) {
   const std::size_t colon = std::min(text.find(':'), text.size());
   const auto found = std::ranges::find(kTechniques, text.substr(0, colon), &Technique::name);
   if (found == kTechniques.end())
     return base::error(ErrorCode::kUsage, "there is no technique \"{}\"; `temblor lab list` lists them",
                        base::quotable(text.substr(0, colon)));
-  Choice choice{&*found, {}};
-  std::ranges::transform(found->parameters, std::back_inserter(choice.values), &Parameter::value);
+  Choice choice = make_default_choice(static_cast<std::size_t>(found - kTechniques.begin()));
   for (const std::string_view word : base::split_words(text.substr(std::min(colon + 1, text.size())), ","))
     TRY_STATUS(set_parameter(word, choice));
   return choice;

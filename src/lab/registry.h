@@ -11,6 +11,9 @@ namespace temblor::lab {
 // In the order of the laboratory's book.
 std::span<const Technique> list_techniques();
 
+// Technique `number` of the list, with the defaults of its parameters.
+Choice make_default_choice(std::size_t number);
+
 // Parses "NAME" or "NAME:PARAMETER=VALUE,PARAMETER=VALUE". Errors are kUsage: an unknown name (the error
 // names similar ones), an unknown parameter, a value out of range.
 base::Result<Choice> parse_choice(std::string_view text);

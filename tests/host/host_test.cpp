@@ -12,6 +12,7 @@
 #include "host/frame/host_parts.h"
 #include "host/headless_host.h"
 #include "host/session/games.h"
+#include "lab/registry.h"
 #include "platform/posix/udp_socket.h"
 #include "support/game_data.h"
 #include "support/programs/quakec.h"
@@ -299,6 +300,26 @@ TEST(Host, ScreenshotMatchesTheWindow) {
   ASSERT_TRUE(image.ok());
   ASSERT_EQ(image->pixels.size(), shown.size());
   EXPECT_EQ(image->pixels, shown);
+}
+
+TEST(Host, DrawsByATechniqueOfTheLaboratory) {
+  SKIP_WITHOUT_QUAKEC();
+  HeadlessHost game({"map small"});
+  ASSERT_TRUE(game.run_until_playing());
+  game.run(0.2);
+  const auto technique = [&] { return lab::list_techniques()[game.host().game.data->technique].name; };
+  EXPECT_EQ(technique(), "bsp-edges");
+  game.command("r_technique painter");
+  game.run(0.1);
+  EXPECT_EQ(technique(), "painter");
+  EXPECT_GT(count_colors(game.window().shown()), 50u);
+  game.command("r_technique photons");
+  game.run(0.1);
+  EXPECT_TRUE(game.has_printed("intersecting-edges")) << "names the valid values";
+  EXPECT_EQ(technique(), "painter");
+  game.command("r_technique bsp-edges");
+  game.run(0.1);
+  EXPECT_EQ(technique(), "bsp-edges");
 }
 
 TEST(Host, ScreenshotsNeverReplaceOthers) {

@@ -312,9 +312,9 @@ std::vector<MenuCommand> menu_commands() {
           {"menu_video", MenuPage::kVideo},       {"menu_screen", MenuPage::kScreen},
           {"menu_sound", MenuPage::kSound},       {"menu_controls", MenuPage::kControls},
           {"menu_keys", MenuPage::kKeys},         {"menu_accessibility", MenuPage::kAccessibility},
-          {"menu_games", MenuPage::kGameFolders}, {"menu_gamedata", MenuPage::kGameData},
-          {"menu_demos", MenuPage::kDemos},       {"help_menu", MenuPage::kHelp},
-          {"menu_quit", MenuPage::kQuit}};
+          {"menu_lab", MenuPage::kLaboratory},    {"menu_games", MenuPage::kGameFolders},
+          {"menu_gamedata", MenuPage::kGameData}, {"menu_demos", MenuPage::kDemos},
+          {"help_menu", MenuPage::kHelp},         {"menu_quit", MenuPage::kQuit}};
 }
 
 Menu::Menu(command::Variables& io_variables, const assets::Pictures& pictures, MenuContent content)

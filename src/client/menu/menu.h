@@ -46,6 +46,7 @@ enum class MenuPage {
   kControls,
   kKeys,
   kAccessibility,
+  kLaboratory,
   kGameFolders,
   kGameData,
   kDemos,

@@ -53,6 +53,11 @@ struct MenuGameData {
   std::string name, title, folder;
   bool in_use = false;
 };
+// A way to draw the level. `name` is the value of `r_technique`, `summary` a sentence.
+struct MenuTechnique {
+  std::string name, title, summary;
+  bool in_use = false;
+};
 struct MenuServer {
   std::string address, name, level;
   int players = 0, max_players = 0, ping_ms = 0;
@@ -75,6 +80,9 @@ struct MenuContent {
   std::function<std::vector<MenuDemo>()> demos;
   std::function<std::vector<MenuGameFolder>()> game_folders;
   std::function<std::vector<MenuGameData>()> game_data;
+
+  // The techniques of the laboratory; none: no laboratory.
+  std::function<std::vector<MenuTechnique>()> techniques;
 
   // The servers that have answered so far.
   std::function<std::vector<MenuServer>()> servers;

@@ -140,5 +140,7 @@ Page make_sound_page(const PageContext& context);
 Page make_controls_page(const PageContext& context);
 Page make_keys_page(const PageContext& context);
 Page make_accessibility_page(const PageContext& context);
+// Chooses a technique, and closes the menu so that the player sees it.
+Page make_laboratory_page(const PageContext& context);
 
 }  // namespace temblor::client

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "client/session/client_state.h"
 #include "host/frame/host_parts.h"
+#include "lab/registry.h"
 
 namespace temblor::host {
 namespace {
@@ -33,6 +35,13 @@ void add_renderer_lines(int detail, const render::FrameStats& stats, std::vector
     io_lines.push_back(fmt::format("{} {:5.2f} ms", render::kStageNames[stage], stats.stages.ms[stage]));
 }
 
+void add_technique_line(const lab::Technique& technique, const render::FrameStats& stats,
+                        std::vector<std::string>& io_lines) {
+  const auto& ms = stats.stages.ms;
+  io_lines.push_back(fmt::format("{}  {:5.2f} ms  spans {}", technique.name,
+                                 std::accumulate(ms.begin(), ms.end(), 0.0), stats.spans));
+}
+
 }  // namespace
 
 // The sums restart at 0 at the end of an interval.
@@ -53,6 +62,8 @@ std::vector<std::string> list_readouts(const ReadoutSettings& settings, const Re
   if (input.game == nullptr) return lines;
   if (settings.clock) lines.push_back(format_clock(input.time_s));
   if (settings.player_speed) lines.push_back(format_player_speed(*input.game));
+  if (settings.technique > 0)
+    add_technique_line(lab::list_techniques()[settings.technique], input.stats, lines);
   if (settings.renderer > 0) add_renderer_lines(settings.renderer, input.stats, lines);
   return lines;
 }

@@ -1,5 +1,5 @@
-// Lines of numbers in the corner of the screen: scr_showfps, scr_showlatency, scr_clock, scr_showspeed, and
-// r_speeds.
+// Lines of numbers in the corner of the screen: scr_showfps, scr_showlatency, scr_clock, scr_showspeed,
+// r_speeds, and the figures of the laboratory's technique (r_technique).
 #pragma once
 
 #include <string>
@@ -20,6 +20,8 @@ struct FrameTimes;
 struct ReadoutSettings {
   bool frame_rate = false, latency = false, clock = false, player_speed = false;
   int renderer = 0;  // r_speeds; 2: also the time of each stage
+  // r_technique: the number in lab::list_techniques(). The engine's own, 0, adds no line.
+  std::size_t technique = 0;
 
   bool operator==(const ReadoutSettings&) const = default;
 };

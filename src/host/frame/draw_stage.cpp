@@ -15,6 +15,7 @@
 #include "host/frame/hud_program_stage.h"
 #include "host/frame/presentation_settings.h"
 #include "host/session/games.h"
+#include "lab/registry.h"
 
 namespace temblor::host {
 namespace {
@@ -96,6 +97,12 @@ void add_overlays(Host& io_host, const DrawSettings& settings, const render::Fra
   add_readouts(io_host, settings, stats, width, height);
 }
 
+void apply_technique(std::size_t technique, GameData& io_data) {
+  if (io_data.technique == technique) return;
+  io_data.technique = technique;
+  io_data.renderer.replace_stages(lab::make_default_choice(technique).make_stages());
+}
+
 // Draws the view and the overlay on top, or a black background if there is no view or the console covers it.
 void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer& io_frame) {
   GameData& data = *io_host.game.data;
@@ -105,6 +112,7 @@ void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer
   if (has_view(io_host) && !io_host.console.ui.covers_frame()) {
     // The first view of a session appears after a level has loaded, so nobody notices this wait.
     if (io_frame.format() == render::PixelFormat::kIndexed) data.renderer.make_blend_tables();
+    apply_technique(settings.readouts.technique, data);
     stats = data.renderer.render(data.presentation.scene(), settings.render, io_frame);
     // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
     if (!io_host.saves.picture_request.empty()) write_save_picture(io_host, io_frame);

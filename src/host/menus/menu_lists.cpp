@@ -15,6 +15,7 @@
 #include "host/menus/save_list.h"
 #include "host/session/game_texts.h"
 #include "host/session/games.h"
+#include "lab/registry.h"
 #include "vfs/disk.h"
 
 namespace temblor::host {
@@ -209,6 +210,15 @@ std::vector<client::MenuGameData> MenuLists::game_data() const {
   return list;
 }
 
+std::vector<client::MenuTechnique> MenuLists::techniques() const {
+  const std::size_t used = host_.variables.technique();
+  std::vector<client::MenuTechnique> list;
+  for (const lab::Technique& technique : lab::list_techniques())
+    list.push_back({std::string(technique.name), std::string(technique.title), std::string(technique.summary),
+                    list.size() == used});
+  return list;
+}
+
 client::MenuContent MenuLists::content() {
   Host* const host = &host_;
   return {
@@ -226,6 +236,7 @@ client::MenuContent MenuLists::content() {
       .demos = [this] { return demos(); },
       .game_folders = [this] { return game_folders(); },
       .game_data = [this] { return game_data(); },
+      .techniques = [this] { return techniques(); },
       .servers = [host] { return host->search.found(); },
       .search_servers = [host] { search_servers(*host); },
       .displays = [host] { return host->services.window.displays(); },

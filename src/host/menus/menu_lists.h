@@ -32,6 +32,8 @@ class MenuLists {
   std::vector<client::MenuGameFolder> game_folders() const;
   // HostOptions::sources.
   std::vector<client::MenuGameData> game_data() const;
+  // The laboratory's.
+  std::vector<client::MenuTechnique> techniques() const;
 
  private:
   std::vector<client::MenuLevel> levels();

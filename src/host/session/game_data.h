@@ -35,6 +35,8 @@ struct GameData {
   assets::Look look;  // palette and color map
   client::Presentation presentation;
   render::Renderer renderer;
+  // The technique whose stages the renderer has; see HostVariables::technique().
+  std::size_t technique = 0;
 };
 
 }  // namespace temblor::host

@@ -197,6 +197,28 @@ TEST_F(MenuOptions, ShirtAndPantsColorsWrapAround) {
   EXPECT_EQ(value("topcolor"), "5");
 }
 
+TEST(MenuLaboratory, ChoosesATechniqueAndClosesTheMenu) {
+  MenuContent content = MenuDriver::some_content();
+  content.techniques = [] {
+    return std::vector<MenuTechnique>{{"bsp-edges", "Edges by BSP order", "The engine.", false},
+                                      {"painter", "Painter's algorithm", "From back to front.", true}};
+  };
+  MenuDriver hand(content);
+  hand.menu().open(MenuPage::kOptions);
+  ASSERT_TRUE(hand.choose("Laboratory"));
+  EXPECT_EQ(hand.selected(), "Painter's algorithm") << "the one in use";
+  EXPECT_THAT(hand.all_text(), HasSubstr("From back to front."));
+  hand.press(Key::kUpArrow);
+  hand.press(Key::kEnter);
+  EXPECT_THAT(hand.commands(), ElementsAre("r_technique bsp-edges"));
+  EXPECT_FALSE(hand.menu().is_open());
+}
+
+TEST_F(MenuOptions, HasNoLaboratoryWithoutTechniques) {
+  hand_.menu().open(MenuPage::kOptions);
+  EXPECT_THAT(hand_.all_text(), Not(HasSubstr("Laboratory")));
+}
+
 TEST_F(MenuOptions, TextSizeMakesLettersLarger) {
   hand_.resize({1920, 1080});
   hand_.menu().open(MenuPage::kAccessibility);

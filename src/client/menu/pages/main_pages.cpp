@@ -44,6 +44,8 @@ PageMaker find_page_maker(const PageContext& context, MenuPage page) {
       return make_keys_page;
     case MenuPage::kAccessibility:
       return make_accessibility_page;
+    case MenuPage::kLaboratory:
+      return make_laboratory_page;
     case MenuPage::kGameFolders:
       return make_game_folders_page;
     case MenuPage::kGameData:

@@ -149,6 +149,7 @@ Page make_options_page(const PageContext& context) {
   add_link("Controls", MenuPage::kControls);
   add_link("Keys", MenuPage::kKeys);
   add_link("Accessibility", MenuPage::kAccessibility);
+  if (!call_or_default(context.content.techniques).empty()) add_link("Laboratory", MenuPage::kLaboratory);
   if (!call_or_default(context.content.game_data).empty()) add_link("Game data", MenuPage::kGameData);
   page.rows.push_back(std::make_unique<ActionRow>(
       "Console", [] { return Outcome{.commands = {"toggleconsole"}, .leaving = Leaving::kClose}; }));
@@ -182,6 +183,23 @@ Page make_controls_page(const PageContext& context) {
 
 Page make_accessibility_page(const PageContext& context) {
   return make_table_page(context, "Accessibility", accessibility_options());
+}
+
+Page make_laboratory_page(const PageContext& context) {
+  Page page;
+  page.title = "Laboratory";
+  page.text = "Draw the level by other methods than the engine's own. Some of them make mistakes.";
+  for (const MenuTechnique& technique : call_or_default(context.content.techniques)) {
+    if (technique.in_use) page.first_choice = page.rows.size();
+    page.rows.push_back(std::make_unique<ActionRow>(
+        technique.title,
+        [name = technique.name] {
+          return Outcome{.commands = {command::join_words({"r_technique", name})},
+                         .leaving = Leaving::kClose};
+        },
+        fmt::format("{} (r_technique {})", technique.summary, technique.name)));
+  }
+  return page;
 }
 
 Page make_keys_page(const PageContext& context) {

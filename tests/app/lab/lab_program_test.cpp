@@ -1,0 +1,120 @@
+// `temblor lab`: lists, measures, and pictures techniques.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "support/programs/small_game.h"
+
+namespace temblor::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using Words = std::vector<std::string>;
+
+ProgramRun lab(const std::filesystem::path& folder, Words words) {
+  words.insert(words.begin(), "lab");
+  return run_program(folder, words);
+}
+
+TEST(LabProgram, ListsTechniquesAndTheirParameters) {
+  const TemporaryFolder folder;
+  const ProgramRun text = lab(folder.path(), {"list"});
+  EXPECT_EQ(text.exit_status, 0);
+  EXPECT_THAT(text.out, HasSubstr("painter: Painter's algorithm\n"));
+  EXPECT_THAT(text.out, HasSubstr("  pvs=1, 0 to 1. "));
+  const json list = json::parse(lab(folder.path(), {"list", "--json"}).out);
+  EXPECT_EQ(list.at(0).at("name"), "bsp-edges");
+  for (const json& technique : list) EXPECT_FALSE(technique.at("article").get<std::string>().empty());
+}
+
+TEST(LabProgram, RunComparesWithTheEngineAndWritesAPicture) {
+  const TemporaryFolder folder;
+  const ProgramRun run = lab(folder.path(), {"run", "painter", "--size", "64x48", "--step", "180", "--color",
+                                             "indexed", "-o", "x.png"});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("64x48 indexed"));
+  EXPECT_THAT(run.out, HasSubstr("bsp-edges"));
+  const Png png = read_png(folder.path() / "x.png");
+  EXPECT_EQ(png.width, 3u * 64);
+  EXPECT_EQ(png.height, 48u);
+  EXPECT_GT(count_colors(png), 10u);
+}
+
+// The third panel is black for equal pictures only.
+TEST(LabProgram, ThePictureShowsTheDifference) {
+  const TemporaryFolder folder;
+  const auto count_different = [&](const char* technique) {
+    const ProgramRun run =
+        lab(folder.path(), {"run", technique, "--size", "160x120", "--step", "360", "--pos",
+                            "407.3,500.6,62.4", "--angles", "1.3,279.5,0", "-o", "x.png"});
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    const Png png = read_png(folder.path() / "x.png");
+    std::size_t different = 0;
+    for (std::size_t y = 0; y < 120; ++y)
+      for (std::size_t x = 0; x < 160; ++x) {
+        const std::uint8_t* const pixel = png.rgb.data() + 3 * (y * 480 + 320 + x);
+        different += pixel[0] + pixel[1] + pixel[2] > 0;
+      }
+    return different;
+  };
+  EXPECT_EQ(count_different("bsp-edges"), 0u);
+  EXPECT_EQ(count_different("intersecting-edges"), 0u);
+  EXPECT_GT(count_different("independent-edges"), 100u);
+}
+
+TEST(LabProgram, CompareCountsWorkAndErrors) {
+  const TemporaryFolder folder;
+  const ProgramRun run =
+      lab(folder.path(), {"compare", "bsp-edges", "painter", "z-buffer:order=1", "intersecting-edges",
+                          "--size", "160x120", "--step", "180", "--json"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result.at("size"), "160x120");
+  const json& techniques = result.at("techniques");
+  ASSERT_EQ(techniques.size(), 4u);
+  EXPECT_EQ(techniques[0].at("ratio"), 1.0);
+  EXPECT_EQ(techniques[0].at("pixels_written"), 1.0);
+  EXPECT_GT(techniques[1].at("pixels_written"), 1.0);
+  EXPECT_EQ(techniques[2].at("parameters").at("order"), 1.0);
+  EXPECT_GT(techniques[2].at("pixels_tested"), 1.0);
+  EXPECT_GT(techniques[3].at("comparisons"), 0.0);
+  for (const json& technique : techniques) {
+    EXPECT_EQ(technique.at("judged").at("wrong"), 0) << technique.at("name");
+    EXPECT_GT(technique.at("judged").at("pixels"), 1000) << technique.at("name");
+    EXPECT_GT(technique.at("frame_ms").at("p50"), 0.0);
+  }
+}
+
+TEST(LabProgram, ExplainsMistakes) {
+  const TemporaryFolder folder;
+  struct Mistake {
+    Words words;
+    const char* message;
+  };
+  const std::vector<Mistake> mistakes = {
+      {{}, "lab must be followed by one of: list, run, compare"},
+      {{"run"}, "TECHNIQUE is required"},
+      {{"run", "nonsense"}, "there is no technique \"nonsense\""},
+      {{"compare", "painter", "nonsense"}, "there is no technique \"nonsense\""},
+      {{"run", "painter:pvs=7"}, "must be pvs=N, with N from 0 to 1"},
+      {{"run", "painter", "--map", "missing"}, "missing"},
+      {{"run", "painter", "--demo", "missing"}, "missing"},
+      {{"run", "painter", "-o", "x.gif"}, ".png"},
+      {{"run", "painter", "-o", "nowhere/x.png"}, "nowhere/x.png"},
+      {{"run", "painter", "--step", "0"}, "--step"}};
+  for (const Mistake& mistake : mistakes) {
+    Words words = mistake.words;
+    if (!words.empty()) words.insert(words.end(), {"--size", "16x16"});
+    const ProgramRun run = lab(folder.path(), words);
+    EXPECT_NE(run.exit_status, 0) << mistake.message;
+    EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(mistake.message));
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test
