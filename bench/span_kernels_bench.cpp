@@ -36,7 +36,7 @@ void draw_spans(benchmark::State& state) {
 }
 
 constexpr auto kExact = render::KernelDivide::kEveryPixel;
-constexpr auto kEvery16 = render::KernelDivide::kEvery16;
+constexpr auto kEvery16 = render::KernelDivide::kAffine;
 
 void span_lengths(benchmark::internal::Benchmark* benchmark) {
   for (const int length : {4, 16, 40, 120}) benchmark->Arg(length);

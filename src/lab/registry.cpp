@@ -11,6 +11,7 @@
 #include "lab/hidden_surfaces/painter.h"
 #include "lab/hidden_surfaces/span_sorting.h"
 #include "lab/hidden_surfaces/z_buffer.h"
+#include "lab/perspective/affine_spans.h"
 
 namespace temblor::lab {
 
@@ -31,6 +32,10 @@ constexpr std::array kAbuttingParameters{
               "1: of touching surfaces, the one that comes nearer to the right is in front"},
     Parameter{"mesh", 1, 0, 1, "1: across a shared edge, a surface takes the place of its neighbor"}};
 
+constexpr std::array kAffineParameters{Parameter{
+    "pixels", 8192, 1, 8192, "pixels between two divisions; 8192: only the ends of a span are exact"}};
+
+constexpr std::string_view kBigPicture = "Quake's 3-D Engine: The Big Picture";
 constexpr std::string_view kAlternatives = "Consider the Alternatives: Quake's Hidden-Surface Removal";
 constexpr std::string_view kSortedSpans = "Sorted Spans in Action";
 
@@ -117,6 +122,18 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kNoParameters,
               .make_stages = make_intersecting_edges},
+    Technique{.name = "affine-spans",
+              .title = "Textures without perspective",
+              .summary = "Divides at a few pixels of a span, and steps texels evenly in between.",
+              .article = kBigPicture,
+              .heading = "The client",
+              .replaces = "spans",
+              .expected =
+                  "A division every 16 pixels looks like one at each pixel, and hides the division's time. "
+                  "Without any, textures bend and swim.",
+              .max_wrong_share = 0,
+              .parameters = kAffineParameters,
+              .make_stages = make_affine_spans},
 };
 
 // Parses "NAME=VALUE" into the value of that parameter.

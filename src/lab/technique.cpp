@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace temblor::lab {
@@ -11,6 +12,8 @@ Counts& Counts::operator+=(const Counts& other) {
   comparisons += other.comparisons;
   pixels_tested += other.pixels_tested;
   bytes += other.bytes;
+  pixels_off += other.pixels_off;
+  max_texel_error = std::max(max_texel_error, other.max_texel_error);
   return *this;
 }
 

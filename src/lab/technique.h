@@ -28,6 +28,9 @@ struct Counts {
   std::uint64_t comparisons = 0;    // which of two surfaces is nearer
   std::uint64_t pixels_tested = 0;  // depth tests of single pixels
   std::uint64_t bytes = 0;          // memory that the engine does not need
+  // Pixels that show another texel than the exact one, and the largest distance between the two along s or t.
+  std::uint64_t pixels_off = 0;
+  double max_texel_error = 0;
 
   Counts& operator+=(const Counts& other);
 };

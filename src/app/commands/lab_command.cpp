@@ -50,6 +50,12 @@ void add_scene_options(Command& command, LabOptions& io_options) {
       ->type_name("DEGREES")
       ->check(in_range(1.0, 360.0))
       ->capture_default_str();
+  command
+      .add_option("--rounds", io_options.rounds,
+                  "Measure each technique N times, in turns, and keep the fastest")
+      ->type_name("N")
+      ->check(in_range(1, 100))
+      ->capture_default_str();
   command.add_flag("--json", io_options.json, "Print JSON");
 }
 
@@ -120,12 +126,13 @@ base::Status compare(const std::vector<std::string>& texts, const LabOptions& op
   figure_options.measure.fov_deg = options.frame.fov_deg;
   figure_options.measure.step_deg = options.step_deg;
   figure_options.measure.settings = settings;
-  std::vector<TechniqueFigures> figures;
+  figure_options.rounds = options.rounds;
+  std::vector<lab::Choice> choices;
   for (const std::string& text : texts) {
-    TRY(const lab::Choice choice, lab::parse_choice(text));
-    TRY(TechniqueFigures found, find_figures(scenes, choice, figure_options));
-    figures.push_back(std::move(found));
+    TRY(lab::Choice choice, lab::parse_choice(text));
+    choices.push_back(std::move(choice));
   }
+  TRY(const std::vector<TechniqueFigures> figures, find_figures(scenes, choices, figure_options));
   if (options.json)
     fmt::print(
         "{}\n",

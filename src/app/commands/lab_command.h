@@ -28,6 +28,8 @@ struct LabOptions {
   FrameOptions frame{.size = {1280, 720}};
   // Angle between two measured views of a level.
   double step_deg = 30;
+  // Measurements of each technique, in turns; the fastest counts.
+  int rounds = 1;
   bool json = false;
   // Picture file of `run`; empty: none.
   std::string out;

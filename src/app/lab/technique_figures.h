@@ -19,6 +19,8 @@ struct ViewFigures {
   double pixels_written = 0;                            // per pixel of the frame; 1: no overdraw
   double pixels_tested = 0;                             // per pixel
   double comparisons = 0, spans_sorted = 0, bytes = 0;  // per frame
+  double pixels_off = 0;                                // share of the frame: they show another texel
+  double max_texel_error = 0;                           // of all views, in texels of mip 0
   oracle::Tally tally;
 };
 
@@ -30,12 +32,16 @@ struct TechniqueFigures {
 
 struct FigureOptions {
   MeasureOptions measure;  // its technique is not used
+  // Measurements of each technique; the one with the smallest median counts.
+  int rounds = 1;
   // Pixels of each view that are compared with the oracle.
   int judged_pixels = 4000;
 };
 
-base::Result<TechniqueFigures> find_figures(const LabScenes& scenes, const lab::Choice& choice,
-                                            const FigureOptions& options);
+// The figures of each technique. Techniques are measured in turns, because a machine's speed changes.
+base::Result<std::vector<TechniqueFigures>> find_figures(const LabScenes& scenes,
+                                                         std::span<const lab::Choice> choices,
+                                                         const FigureOptions& options);
 
 // A table with a column for each technique; ratios are to the first one.
 std::string describe_figures(const std::string& name, std::span<const TechniqueFigures> figures);
@@ -48,6 +54,7 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
 //   faces_drawn, edges, spans, surfaces_built            medians, and a sum
 //   pixels_written, pixels_tested                        per pixel of the frame
 //   comparisons, spans_sorted, bytes                     per frame
+//   texels_off, max_texel_error                          share of pixels; the largest distance along s or t
 //   judged {pixels, wrong, tied, near_edge}              against the oracle
 nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigures> figures);
 

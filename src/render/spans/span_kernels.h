@@ -5,7 +5,7 @@
 // the span's first pixel. So results do not depend on the vector's width, and no error accumulates.
 //
 // 1/z, s/z, and t/z are linear on the screen, so a pixel needs one division. Stock Quake divides only every
-// 16 pixels (KernelDivide::kEvery16; Michael Abrash, "Quake's 3-D Engine: The Big Picture").
+// 16 pixels (KernelDivide::kAffine; Michael Abrash, "Quake's 3-D Engine: The Big Picture").
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,14 @@ struct KernelPlane {
 
 // 1/z is positive on visible faces, but rounding may bring it to 0: divisions use at least this.
 constexpr float kMinSpanDepth = 1e-20f;
-// Pixels between two divisions with kEvery16.
+// Pixels between two divisions with kAffine, unless the laboratory chooses another number.
 constexpr int kAffinePixels = 16;
 // Repeating coordinates are clamped to this range, so that they fit an integer; only far parts of enormous
 // faces exceed it.
 constexpr float kFarTexel = 4e6f;
 
 // How often s and t are divided by depth. kNone: parallel projection, where they are linear.
-enum class KernelDivide : std::uint8_t { kEveryPixel, kEvery16, kNone };
+enum class KernelDivide : std::uint8_t { kEveryPixel, kAffine, kNone };
 
 // The destination. Rows are `width` pixels apart. If `depth` is null, no depth is written.
 struct KernelTarget {
@@ -51,6 +51,7 @@ struct SurfaceSpans {
   std::int32_t last_s, last_t;
   const Span* spans;
   std::size_t span_count;
+  std::int32_t affine_pixels = kAffinePixels;
 };
 
 // Spans of a texture that repeats endlessly, still or warped: s is displaced by amplitude * (1 + sin of t),

@@ -42,7 +42,7 @@ class SpanDrawer {
         const float z = 1.0f / larger(depth.at(lane), kMinSpanDepth);
         put(i, s.at(lane) * z, t.at(lane) * z);
       } else {
-        const int last = span.count - i < kAffinePixels ? span.count - i : kAffinePixels;
+        const int last = span.count - i < spans_.affine_pixels ? span.count - i : spans_.affine_pixels;
         draw_affine(i, last, depth, s, t);
         i += last - 1;
       }
@@ -68,7 +68,7 @@ class SpanDrawer {
     out_[i] = static_cast<const Texel*>(spans_.texels)[texel];
   }
 
-  // Up to sixteen pixels, interpolated between two exact points.
+  // Pixels interpolated between two exact points.
   void draw_affine(int first, int count, const Line& depth, const Line& s, const Line& t) {
     const float lane = static_cast<float>(first), end = static_cast<float>(first + count - 1);
     const float z_first = 1.0f / larger(depth.at(lane), kMinSpanDepth);

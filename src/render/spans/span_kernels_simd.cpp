@@ -180,16 +180,16 @@ HWY_INLINE void DrawAffine(const Line& s, const Line& t, const Sampler& sampler,
   }
 }
 
-// Exact at both ends of every sixteen pixels, affine in between.
+// Exact at both ends of every `affine_pixels`, affine in between.
 template <typename Texel>
-HWY_INLINE void DrawEvery16(const SpanLines& lines, const Sampler& sampler, const Texel* texels, int count,
-                            Texel* out) {
+HWY_INLINE void DrawAffineParts(const SpanLines& lines, const Sampler& sampler, const Texel* texels,
+                                int affine_pixels, int count, Texel* out) {
   const auto z_at = [&](float lane) {
     const float depth = lines.depth.base + lane * lines.depth.step;
     return 1.0f / (depth > kMinSpanDepth ? depth : kMinSpanDepth);
   };
-  for (int first = 0; first < count; first += kAffinePixels) {
-    const int now = count - first < kAffinePixels ? count - first : kAffinePixels;
+  for (int first = 0; first < count; first += affine_pixels) {
+    const int now = count - first < affine_pixels ? count - first : affine_pixels;
     const float lane = static_cast<float>(first), end = static_cast<float>(first + now - 1);
     const float z_first = z_at(lane), z_end = z_at(end);
     const float pixels = static_cast<float>(now > 1 ? now - 1 : 1);
@@ -229,7 +229,7 @@ HWY_INLINE void DrawSurfaceSpans(const SurfaceSpans& spans, const KernelTarget& 
     if (spans.divide == KernelDivide::kNone)
       DrawAffine(lines.s, lines.t, sampler, texels, span.count, out);
     else
-      DrawEvery16(lines, sampler, texels, span.count, out);
+      DrawAffineParts(lines, sampler, texels, spans.affine_pixels, span.count, out);
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 KernelDivide choose_divide(const Settings& settings, const ViewFrame& view) {
   if (!view.perspective) return KernelDivide::kNone;
-  return settings.perspective == Perspective::kExact ? KernelDivide::kEveryPixel : KernelDivide::kEvery16;
+  return settings.perspective == Perspective::kExact ? KernelDivide::kEveryPixel : KernelDivide::kAffine;
 }
 
 void draw_surface(const SpanSources& sources, const SurfaceDraw& draw, std::span<const Span> spans,
@@ -24,7 +24,8 @@ void draw_surface(const SpanSources& sources, const SurfaceDraw& draw, std::span
                          draw.block.shape.width - 1,
                          draw.block.shape.height - 1,
                          spans.data(),
-                         spans.size()};
+                         spans.size(),
+                         sources.affine_pixels};
   if (sources.format == PixelFormat::kIndexed)
     sources.simd_kernels ? draw_surface_spans_u8_simd(job, target)
                          : draw_surface_spans_u8_scalar(job, target);

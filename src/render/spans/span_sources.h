@@ -23,6 +23,7 @@ struct SpanSources {
   std::optional<SkyboxSpans> skybox;  // without depth and spans
   PixelFormat format;
   KernelDivide divide;
+  int affine_pixels = kAffinePixels;
   bool simd_kernels;
   bool fill_depth;  // false: nothing in this frame needs depth (Settings::fill_depth)
 };

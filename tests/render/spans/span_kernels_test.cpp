@@ -15,8 +15,9 @@ using render::KernelTarget;
 using render::Span;
 using render::SurfaceSpans;
 
-constexpr KernelDivide kDivides[] = {KernelDivide::kEveryPixel, KernelDivide::kEvery16, KernelDivide::kNone};
-constexpr int kAffinePixels = 16;
+constexpr KernelDivide kDivides[] = {KernelDivide::kEveryPixel, KernelDivide::kAffine, KernelDivide::kNone};
+// Pixels between two divisions: of the engine, and of the laboratory.
+constexpr std::array<std::int32_t, 5> kAffinePixels = {16, 1, 8, 32, 8192};
 
 template <typename Texel>
 struct Kernels;
@@ -55,6 +56,7 @@ struct SurfaceCase {
     width = size();
     height = size();
     spans = random_spans(random);
+    job.affine_pixels = kAffinePixels[random.below(kAffinePixels.size())];
     const bool anywhere = walks == Walks::kAnywhere;
     const CornerValues depth = random_depth(random, anywhere);
     const auto coordinate = [&](int texels) {
@@ -210,9 +212,9 @@ Coordinate defined_coordinate(const SurfaceSpans& job, const render::KernelPlane
     const RunValue value(plane, span, i);
     return {value.value, value.tolerance};
   }
-  // Exact at the first and last of every sixteen pixels, linear in between.
-  const int first = i / kAffinePixels * kAffinePixels;
-  const int last = std::min(first + kAffinePixels, int{span.count}) - 1;
+  // Exact at the first and last pixel of every part, linear in between.
+  const int first = i / job.affine_pixels * job.affine_pixels;
+  const int last = std::min(first + job.affine_pixels, int{span.count}) - 1;
   const Coordinate begin = exact(first), end = exact(last);
   const double along = last == first ? 0 : static_cast<double>(i - first) / (last - first);
   return {
@@ -295,8 +297,8 @@ std::string divide_name(const testing::TestParamInfo<KernelDivide>& test) {
   switch (test.param) {
     case KernelDivide::kEveryPixel:
       return "EveryPixel";
-    case KernelDivide::kEvery16:
-      return "Every16";
+    case KernelDivide::kAffine:
+      return "Affine";
     case KernelDivide::kNone:
       return "None";
   }
