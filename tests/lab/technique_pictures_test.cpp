@@ -45,17 +45,22 @@ TEST_P(TechniqueOfSmallLevel, ShowsWhatRaysSee) {
 INSTANTIATE_TEST_SUITE_P(Techniques, TechniqueOfSmallLevel, testing::ValuesIn(kChoices),
                          [](const auto& test) { return make_name(test.param); });
 
+// Loading levels takes most of the time with sanitizers.
+std::vector<const char*> stock_levels() {
+  if (test::kQuick) return {"lq_e1m2"};
+  return {"start", "lq_e0m1", "lq_e1m2"};
+}
+
 using StockCase = std::tuple<const char*, const char*>;
 class TechniqueOfStockLevel : public testing::TestWithParam<StockCase> {};
 
 TEST_P(TechniqueOfStockLevel, ShowsWhatRaysSee) {
   DATA_FOLDER_OR_SKIP(data);
-  judge(test::stock_level(data, std::get<0>(GetParam())), std::get<1>(GetParam()), test::effort(40, 2));
+  judge(test::stock_level(data, std::get<0>(GetParam())), std::get<1>(GetParam()), test::effort(15, 2));
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, TechniqueOfStockLevel,
-                         testing::Combine(testing::Values("start", "lq_e0m1", "lq_e1m2"),
-                                          testing::ValuesIn(kChoices)),
+                         testing::Combine(testing::ValuesIn(stock_levels()), testing::ValuesIn(kChoices)),
                          [](const auto& test) {
                            return std::string(std::get<0>(test.param)) + "_" +
                                   make_name(std::get<1>(test.param));

@@ -80,19 +80,30 @@ bool may_come_first(const Fragment& a, const Fragment& b) {
   return all_behind(b.corners, nearer, farther);
 }
 
-// Orders fragments with equal sort keys. Each time, the farthest one that may come before all others is next;
-// if there is none, because they form a circle, the farthest one.
-void order_fragments(std::span<Fragment> io_fragments) {
-  std::ranges::sort(io_fragments, {}, &Fragment::center_depth);
-  for (std::size_t i = 0; i < io_fragments.size(); ++i) {
-    const std::span<Fragment> rest = io_fragments.subspan(i);
-    const auto next = std::ranges::find_if(rest, [&](const Fragment& candidate) {
-      return std::ranges::all_of(rest, [&](const Fragment& other) {
-        return &other == &candidate || may_come_first(candidate, other);
-      });
-    });
-    if (next != rest.end()) std::rotate(rest.begin(), next, next + 1);
+// Returns the numbers of fragments with equal sort keys from back to front. Each time, the farthest one that
+// may come before all others is next; if there is none, because they form a circle, the farthest one. Takes
+// time with the square of their number.
+std::span<const std::uint32_t> order_fragments(std::span<const Fragment> fragments, base::Arena& arena) {
+  const std::size_t count = fragments.size();
+  const std::span<std::uint32_t> farthest_first = arena.allocate<std::uint32_t>(count);
+  std::iota(farthest_first.begin(), farthest_first.end(), 0u);
+  std::ranges::sort(farthest_first, {}, [&](std::uint32_t i) { return fragments[i].center_depth; });
+  // How many of the fragments that are left each one must not come before.
+  const std::span<std::uint32_t> blocked = arena.allocate_filled<std::uint32_t>(count, 0);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t other = 0; other < count; ++other)
+      blocked[i] += other != i && !may_come_first(fragments[i], fragments[other]);
+  const std::span<std::uint32_t> order = arena.allocate<std::uint32_t>(count);
+  for (std::size_t done = 0; done < count; ++done) {
+    const std::span<std::uint32_t> left = farthest_first.first(count - done);
+    auto next = std::ranges::find_if(left, [&](std::uint32_t i) { return blocked[i] == 0; });
+    if (next == left.end()) next = left.begin();
+    order[done] = *next;
+    std::rotate(next, next + 1, left.end());
+    for (const std::uint32_t i : left.first(left.size() - 1))
+      blocked[i] -= !may_come_first(fragments[i], fragments[order[done]]);
   }
+  return order;
 }
 
 render::Band order_band(const render::Band& band, std::span<const std::uint32_t> rank, base::Arena& arena) {
@@ -137,8 +148,8 @@ std::span<const std::uint32_t> order_back_to_front(const render::FrameContext& c
       for (std::size_t i = begin; i < end; ++i)
         fragments[i - begin] =
             measure_fragment(table, order[i], list_corners(table, edges, order[i], width, arena));
-      order_fragments(fragments);
-      for (std::size_t i = begin; i < end; ++i) order[i] = fragments[i - begin].surface;
+      const std::span<const std::uint32_t> sorted = order_fragments(fragments, arena);
+      for (std::size_t i = begin; i < end; ++i) order[i] = fragments[sorted[i - begin]].surface;
     }
     begin = end;
   }
