@@ -98,7 +98,7 @@ constexpr std::array kTechniques{
         .heading = "Independent span sorting",
         .replaces = "scan",
         .expected = "The fastest of the three kinds, and wrong where walls meet floors.",
-        .max_wrong_share = 0.15,
+        .max_wrong_share = 0.1,
         .parameters = kNoParameters,
         .make_stages = make_independent_edges},
     Technique{.name = "abutting-edges",
@@ -109,7 +109,7 @@ constexpr std::array kTechniques{
               .replaces = "scan",
               .expected = "Right almost everywhere, and as slow as BSP order. An error spreads to neighbors "
                           "across shared edges.",
-              .max_wrong_share = 0.05,
+              .max_wrong_share = 0.001,
               .parameters = kAbuttingParameters,
               .make_stages = make_abutting_edges},
     Technique{.name = "intersecting-edges",

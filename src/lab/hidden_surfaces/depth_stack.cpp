@@ -23,7 +23,9 @@ void DepthStack::walk(int row, std::span<const double> x, std::span<const render
     const SurfaceIndex trailing = records[place].trailing, leading = records[place].leading;
     const bool ends = trailing != kBackground && --inside(trailing, row) == 0;
     const bool begins = leading != kBackground && ++inside(leading, row) == 1;
-    if (ends && begins && rule_.keeps_mesh) {
+    // Edges left of the screen are all at 0, in no order, so the surface that ends may be anywhere in the
+    // stack.
+    if (ends && begins && rule_.keeps_mesh && x[place] > 0) {
       replace(trailing, leading);
     } else {
       if (ends) remove(trailing);

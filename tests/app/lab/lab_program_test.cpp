@@ -48,9 +48,9 @@ TEST(LabProgram, RunComparesWithTheEngineAndWritesAPicture) {
 TEST(LabProgram, ThePictureShowsTheDifference) {
   const TemporaryFolder folder;
   const auto count_different = [&](const char* technique) {
-    const ProgramRun run =
-        lab(folder.path(), {"run", technique, "--size", "160x120", "--step", "360", "--pos",
-                            "407.3,500.6,62.4", "--angles", "1.3,279.5,0", "-o", "x.png"});
+    const ProgramRun run = lab(
+        folder.path(), {"run", technique, "--size", "160x120", "--step", "360", "--pos",
+                        "837.4178,301.96698,-32.26322", "--angles", "4.335917,331.44476,0", "-o", "x.png"});
     EXPECT_EQ(run.exit_status, 0) << run.err;
     const Png png = read_png(folder.path() / "x.png");
     std::size_t different = 0;
