@@ -10,6 +10,7 @@ namespace temblor::lab {
 Counts& Counts::operator+=(const Counts& other) {
   spans_sorted += other.spans_sorted;
   comparisons += other.comparisons;
+  splits += other.splits;
   pixels_tested += other.pixels_tested;
   bytes += other.bytes;
   pixels_off += other.pixels_off;

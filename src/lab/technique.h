@@ -25,7 +25,8 @@ struct Parameter {
 // Work that a technique does in a frame, beyond what render::FrameStats counts.
 struct Counts {
   std::uint64_t spans_sorted = 0;   // spans that were put in order, or clipped against others
-  std::uint64_t comparisons = 0;    // which of two surfaces is nearer
+  std::uint64_t comparisons = 0;    // which of two surfaces is nearer, or on which side of a line one is
+  std::uint64_t splits = 0;         // parts of faces that a line cut in two
   std::uint64_t pixels_tested = 0;  // depth tests of single pixels
   std::uint64_t bytes = 0;          // memory that the engine does not need
   // Pixels that show another texel than the exact one, and the largest distance between the two along s or t.

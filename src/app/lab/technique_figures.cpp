@@ -55,6 +55,7 @@ class CountedViews {
     figures_.pixels_written += std::accumulate(writes_.begin(), writes_.end(), 0.0) / pixels;
     figures_.pixels_tested += static_cast<double>(counts.pixels_tested) / pixels;
     figures_.comparisons += static_cast<double>(counts.comparisons);
+    figures_.splits += static_cast<double>(counts.splits);
     figures_.spans_sorted += static_cast<double>(counts.spans_sorted);
     figures_.bytes += static_cast<double>(counts.bytes);
     figures_.pixels_off += static_cast<double>(counts.pixels_off) / pixels;
@@ -66,8 +67,8 @@ class CountedViews {
   ViewFigures means() const {
     ViewFigures means = figures_;
     const double views = static_cast<double>(std::max<std::size_t>(means.views, 1));
-    for (double* sum : {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.spans_sorted,
-                        &means.bytes, &means.pixels_off})
+    for (double* sum : {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits,
+                        &means.spans_sorted, &means.bytes, &means.pixels_off})
       *sum /= views;
     return means;
   }
@@ -183,6 +184,7 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("depth tests / pixel", 2, [](const auto& f) { return f.views.pixels_tested; });
   table.add("spans sorted", 0, [](const auto& f) { return f.views.spans_sorted; });
   table.add("comparisons", 0, [](const auto& f) { return f.views.comparisons; });
+  table.add("splits", 0, [](const auto& f) { return f.views.splits; });
   table.add("memory, KiB", 0, [](const auto& f) { return f.views.bytes / 1024; });
   table.add("wrong texels, %", 2, [](const auto& f) { return 100 * f.views.pixels_off; });
   table.add("largest error, texels", 2, [](const auto& f) { return f.views.max_texel_error; });
@@ -210,6 +212,7 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                 {"pixels_written", f.views.pixels_written},
                                 {"pixels_tested", f.views.pixels_tested},
                                 {"comparisons", f.views.comparisons},
+                                {"splits", f.views.splits},
                                 {"spans_sorted", f.views.spans_sorted},
                                 {"bytes", f.views.bytes},
                                 {"texels_off", f.views.pixels_off},
