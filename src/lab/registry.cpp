@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "base/words.h"
+#include "lab/hidden_surfaces/beam_tree.h"
 #include "lab/hidden_surfaces/depth_edges.h"
 #include "lab/hidden_surfaces/painter.h"
 #include "lab/hidden_surfaces/span_sorting.h"
@@ -24,6 +25,9 @@ constexpr std::array kPainterParameters{
     Parameter{"pvs", 1, 0, 1, "1: draws the potentially visible set; 0: everything in the frustum"}};
 constexpr std::array kZBufferParameters{
     Parameter{"order", 0, 0, 1, "0: faces from front to back; 1: from back to front"}};
+constexpr std::array kBeamTreeParameters{
+    Parameter{"bands", 1, 0, 1, "1: a tree for each band of rows; 0: one tree for the frame"},
+    Parameter{"nodes", 4e5, 0, 4e6, "nodes of a frame's trees; then faces are clipped span by span"}};
 constexpr std::array kSpanSortingParameters{
     Parameter{"depth", 0, 0, 1, "0: compares spans by BSP order; 1: by 1/z"}};
 constexpr std::array kAbuttingParameters{
@@ -78,6 +82,18 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kZBufferParameters,
               .make_stages = make_z_buffer},
+    Technique{
+        .name = "beam-tree",
+        .title = "Beam tree",
+        .summary = "Takes faces from front to back, and splits each by the outlines of those before it.",
+        .article = kAlternatives,
+        .heading = "Sorted spans",
+        .replaces = "scan",
+        .expected = "Draws every pixel once, but splitting faces costs much time. Some views cost far "
+                    "more than others.",
+        .max_wrong_share = 0.001,
+        .parameters = kBeamTreeParameters,
+        .make_stages = make_beam_tree},
     Technique{.name = "span-sorting",
               .title = "Span sorting",
               .summary = "Turns each face into spans, and clips them against the nearest spans of their row.",

@@ -159,7 +159,8 @@ std::string make_name(const testing::TestParamInfo<const char*>& test) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Techniques, HiddenSurfaces,
-                         testing::Values("painter", "z-buffer", "z-buffer:order=1", "span-sorting",
+                         testing::Values("painter", "z-buffer", "z-buffer:order=1", "beam-tree",
+                                         "beam-tree:bands=0", "beam-tree:nodes=300", "span-sorting",
                                          "span-sorting:depth=1", "independent-edges", "abutting-edges",
                                          "intersecting-edges"),
                          make_name);

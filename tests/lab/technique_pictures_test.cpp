@@ -10,9 +10,17 @@ namespace temblor::lab {
 namespace {
 
 // Every technique, and those variants that have another order or comparison.
-constexpr auto kChoices = {"painter",           "painter:pvs=0",  "z-buffer",
-                           "z-buffer:order=1",  "span-sorting",   "span-sorting:depth=1",
-                           "independent-edges", "abutting-edges", "abutting-edges:mesh=0",
+constexpr auto kChoices = {"painter",
+                           "painter:pvs=0",
+                           "z-buffer",
+                           "z-buffer:order=1",
+                           "beam-tree",
+                           "beam-tree:bands=0",
+                           "span-sorting",
+                           "span-sorting:depth=1",
+                           "independent-edges",
+                           "abutting-edges",
+                           "abutting-edges:mesh=0",
                            "intersecting-edges"};
 
 void judge(const test::DrawableLevel& level, const char* text, int views) {
