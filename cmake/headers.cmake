@@ -22,11 +22,7 @@ function(temblor_use_headers target name)
 endfunction()
 
 # Both options let ccache work with precompiled headers.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(temblor_flags INTERFACE -fpch-preprocess)
-else()
-  target_compile_options(temblor_flags INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
-endif()
+target_compile_options(temblor_flags INTERFACE "$<IF:${gnu},-fpch-preprocess,SHELL:-Xclang -fno-pch-timestamp>")
 temblor_headers(temblor_common_headers temblor_flags)
 
 # temblor_is_cold(TARGET): gives a target its flags and the precompiled header. Tests spend little time in a cold target, so

@@ -31,11 +31,11 @@ function(temblor_library name)
   endif()
 endfunction()
 
-# Defines the flags of tests, and a precompiled header with GoogleTest. In the sanitizer tree, it defines both twice:
+# Defines the flags of tests, and a precompiled header with GoogleTest. If clang optimizes the tree, it defines both twice:
 # temblor_optimized_test_flags is for tests that compute much themselves, for example every pixel of a picture.
 function(temblor_test_flags)
   set(kinds test)
-  if(TEMBLOR_SANITIZE AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND (TEMBLOR_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Release"))
     list(APPEND kinds optimized_test)
   endif()
   # mold links a test program ten times as fast as GNU ld. The program itself is linked with the system's linker.
@@ -53,6 +53,7 @@ function(temblor_test_flags)
   # Tests are mostly templates of GoogleTest that run once: optimizing them takes longer than it saves.
   if(TARGET temblor_optimized_test_flags)
     target_compile_options(temblor_test_flags INTERFACE -O0)
+    target_compile_options(temblor_optimized_test_flags INTERFACE -O1)
   elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(temblor_test_flags INTERFACE -Og)
   endif()

@@ -135,15 +135,18 @@ TEST(HudMarks, SafeColorsLabelTheKeys) {
   HudSettings settings;
   settings.safe_colors = true;
   Game game = game_with(100, 100, 100);
-  constexpr std::uint32_t kKeys[] = {1u << 17, 1u << 18};
-  for (const auto& [key, letter] : {std::pair(kKeys[0], 'S'), std::pair(kKeys[1], 'G')}) {
-    game.data.items = key;
+  struct Key {
+    std::uint32_t item;
+    char letter;
+  };
+  for (const Key& key : {Key{1u << 17, 'S'}, Key{1u << 18, 'G'}}) {
+    game.data.items = key.item;
     render::DrawList list;
     Hud(test::no_pictures()).draw(game, 1000, 320, 200, settings, list);
     EXPECT_EQ(std::ranges::count_if(list.commands,
-                                    [letter](const render::DrawCommand& command) {
+                                    [&key](const render::DrawCommand& command) {
                                       return command.picture == &test::no_pictures().characters() &&
-                                             command.part_y / 8 * 16 + command.part_x / 8 == letter;
+                                             command.part_y / 8 * 16 + command.part_x / 8 == key.letter;
                                     }),
               1);
   }
