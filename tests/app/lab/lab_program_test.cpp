@@ -101,8 +101,8 @@ TEST(LabProgram, ExplainsMistakes) {
       {{"run", "nonsense"}, "there is no technique \"nonsense\""},
       {{"compare", "painter", "nonsense"}, "there is no technique \"nonsense\""},
       {{"run", "painter:pvs=7"}, "must be pvs=N, with N from 0 to 1"},
-      {{"run", "painter", "--map", "missing"}, "missing"},
-      {{"run", "painter", "--demo", "missing"}, "missing"},
+      {{"run", "painter", "--map", "./missing.bsp"}, "missing.bsp"},
+      {{"run", "painter", "--demo", "missing"}, "temblor: "},
       {{"run", "painter", "-o", "x.gif"}, ".png"},
       {{"run", "painter", "-o", "nowhere/x.png"}, "nowhere/x.png"},
       {{"run", "painter", "--step", "0"}, "--step"}};
