@@ -101,8 +101,12 @@ Room make_room(Random& random, const Vec2d& a, const Vec2d& b, bool opens_first_
                  direction.x * std::sin(angle) + direction.y * std::cos(angle));
   };
   const Vec2d along = glm::normalize(b - a);
-  const Vec2d far = (a + b) * 0.5 + turned(turn_counterclockwise(along), 25) * random.uniform(180, 360);
-  const Vec2d half = turned(along, 15) * (glm::length(b - a) / 2 * random.uniform(0.9, 1.2));
+  // One random number for each statement: compilers may evaluate the operands of an expression in any order,
+  // and all must make the same maps.
+  const double length = random.uniform(180, 360);
+  const Vec2d far = (a + b) * 0.5 + turned(turn_counterclockwise(along), 25) * length;
+  const double half_width = glm::length(b - a) / 2 * random.uniform(0.9, 1.2);
+  const Vec2d half = turned(along, 15) * half_width;
   // Whole numbers for some rooms, as mappers have them, and others between.
   const auto place = [&, is_whole = random.chance(0.5)](const Vec2d& point) {
     return is_whole ? glm::round(point) : point;
@@ -139,17 +143,20 @@ std::string column_text(Random& random, const Vec2d& at, double radius, double b
 }
 
 std::string furniture_text(Random& random, const Vec2d& middle, std::string& io_world) {
-  const Vec2d at = middle + Vec2d(random.uniform(-60, 60), random.uniform(-60, 60));
+  const double y = random.uniform(-60, 60), x = random.uniform(-60, 60);
+  const Vec2d at = middle + Vec2d(x, y);
   switch (random.below(6)) {
     case 0:
       return entity_text("func_detail", "", column_text(random, at, 24, kFloor, 200, "pillar"));
     case 1:
       io_world += column_text(random, at, random.uniform(10, 50), kFloor - 8, kCeiling + 8, "column");
       return "";
-    case 2:
-      io_world += column_text(random, at, random.uniform(30, 80), kFloor, random.uniform(8, 40),
-                              random.chance(0.5) ? "*water" : "*slime");
+    case 2: {
+      const char* const liquid = random.chance(0.5) ? "*water" : "*slime";
+      const double top = random.uniform(8, 40), radius = random.uniform(30, 80);
+      io_world += column_text(random, at, radius, kFloor, top, liquid);
       return "";
+    }
     case 3:
       return entity_text("func_detail_wall", "", column_text(random, at, 30, -8, 50, "crate"));
     case 4:
