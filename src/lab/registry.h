@@ -8,7 +8,7 @@
 
 namespace temblor::lab {
 
-// In the order of the laboratory's book.
+// In the order of the laboratory's book. The first is the engine itself.
 std::span<const Technique> list_techniques();
 
 // Technique `number` of the list, with the defaults of its parameters.

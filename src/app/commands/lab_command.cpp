@@ -26,9 +26,6 @@ Examples:
   temblor --basedir ~/quake lab run independent-edges --map e1m1 --color indexed -o edges.png
   temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json)";
 
-// The first technique of every comparison: the engine itself.
-constexpr std::string_view kEngine = "bsp-edges";
-
 void add_scene_options(Command& command, LabOptions& io_options) {
   const Option* map = command
                           .add_option("--map", io_options.map,
@@ -172,8 +169,8 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
     return base::Ok{};
   }
   const bool is_run = commands.run->parsed();
-  std::vector<std::string> texts =
-      is_run ? std::vector<std::string>{std::string(kEngine), options.technique} : options.techniques;
+  std::vector<std::string> texts = options.techniques;
+  if (is_run) texts = {std::string(lab::list_techniques().front().name), options.technique};
   for (const std::string& text : texts) TRY_STATUS(lab::parse_choice(text));  // before loading anything
   if (is_run && !options.out.empty()) TRY_STATUS(numbered_name(options.out, 0));
   TRY(const LabScenes scenes, load_scenes(options, folders, presentation));

@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "render/edges/edge_table.h"
 #include "render/edges/span_table.h"
 #include "render/spans/draw_spans.h"
 #include "render/view/visible_faces.h"
@@ -15,11 +14,6 @@ namespace temblor::render {
 struct FrameStages {
   std::function<VisibleFaces(const FrameContext& context, const ViewFrame& view, const LevelTables& tables)>
       find_visible_faces = render::find_visible_faces;
-  std::function<EdgeTable(const FrameContext& context, const ViewFrame& view, const VisibleFaces& visible,
-                          const FaceOutlines& outlines)>
-      emit_edges =
-          [](const FrameContext& context, const ViewFrame& view, const VisibleFaces& visible,
-             const FaceOutlines& outlines) { return render::emit_edges(context, view, visible, outlines); };
   std::function<SpanTable(const FrameContext& context, const ViewFrame& view, const EdgeTable& table)>
       scan_edges = render::scan_edges;
   // Called by several threads at once, for different bands.

@@ -66,7 +66,7 @@ SurfaceRequests find_surfaces(const FrameContext& context, const FrameStages& st
   StageClock clock(f.times);
   f.view = clock.end(Stage::kView, make_view_frame(context.scene, frame.width(), frame.height()));
   f.visible = clock.end(Stage::kVisibility, stages.find_visible_faces(context, f.view, level.tables));
-  f.edges = clock.end(Stage::kEdges, stages.emit_edges(context, f.view, f.visible, level.outlines));
+  f.edges = clock.end(Stage::kEdges, emit_edges(context, f.view, f.visible, level.outlines));
   f.spans = clock.end(Stage::kScan, stages.scan_edges(context, f.view, f.edges));
   return clock.end(Stage::kSurfaces,
                    select_surfaces(context, f.view, f.edges, f.spans, level.cutouts, level.water_faces));
