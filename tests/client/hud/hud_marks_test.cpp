@@ -135,11 +135,11 @@ TEST(HudMarks, SafeColorsLabelTheKeys) {
   HudSettings settings;
   settings.safe_colors = true;
   Game game = game_with(100, 100, 100);
-  struct Key {
+  struct ShownKey {
     std::uint32_t item;
     char letter;
   };
-  for (const Key& key : {Key{1u << 17, 'S'}, Key{1u << 18, 'G'}}) {
+  for (const ShownKey& key : {ShownKey{1u << 17, 'S'}, ShownKey{1u << 18, 'G'}}) {
     game.data.items = key.item;
     render::DrawList list;
     Hud(test::no_pictures()).draw(game, 1000, 320, 200, settings, list);
