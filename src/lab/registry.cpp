@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/text.h"
 #include "base/words.h"
@@ -169,9 +170,11 @@ base::Status set_parameter(std::string_view text, Choice& io_choice) {
   }
   const std::optional<double> value =
       base::parse_number<double>(text.substr(std::min(equals + 1, text.size())));
-  if (!value || *value < found->min || *value > found->max)
-    return base::error(ErrorCode::kUsage, "{}: \"{}\" must be {}=N, with N from {} to {}", technique.name,
-                       base::quotable(text), name, found->min, found->max);
+  const auto is_whole = [](double number) { return std::trunc(number) == number; };
+  const bool must_be_whole = is_whole(found->min) && is_whole(found->max);
+  if (!value || *value < found->min || *value > found->max || (must_be_whole && !is_whole(*value)))
+    return base::error(ErrorCode::kUsage, "{}: \"{}\" must be {}=N, with {}N from {} to {}", technique.name,
+                       base::quotable(text), name, must_be_whole ? "a whole " : "", found->min, found->max);
   io_choice.values[static_cast<std::size_t>(found - technique.parameters.begin())] = *value;
   return base::Ok{};
 }

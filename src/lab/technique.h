@@ -14,7 +14,7 @@
 
 namespace temblor::lab {
 
-// A number that changes how a technique works. Switches are 0 or 1.
+// A number that changes how a technique works. Switches are 0 or 1. Whole bounds allow whole numbers only.
 struct Parameter {
   std::string_view name;
   double value;  // the default

@@ -43,8 +43,8 @@ TEST(Registry, ExplainsWrongNamesAndValues) {
   EXPECT_EQ(find_error("painter:size=3"), "painter has no parameter \"size\"; it has pvs");
   EXPECT_EQ(find_error("bsp-edges:pvs=1"), "bsp-edges has no parameters, so \"pvs=1\" cannot be set");
   for (const char* text : {"painter:pvs=2", "painter:pvs=-1", "painter:pvs=", "painter:pvs",
-                           "painter:pvs=nan", "painter:pvs=1e999", "painter:pvs=1x"})
-    EXPECT_NE(find_error(text).find("must be pvs=N, with N from 0 to 1"), std::string::npos) << text;
+                           "painter:pvs=nan", "painter:pvs=1e999", "painter:pvs=1x", "painter:pvs=0.5"})
+    EXPECT_NE(find_error(text).find("must be pvs=N, with a whole N from 0 to 1"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(LabProgram, ExplainsMistakes) {
       {{"run"}, "TECHNIQUE is required"},
       {{"run", "nonsense"}, "there is no technique \"nonsense\""},
       {{"compare", "painter", "nonsense"}, "there is no technique \"nonsense\""},
-      {{"run", "painter:pvs=7"}, "must be pvs=N, with N from 0 to 1"},
+      {{"run", "painter:pvs=7"}, "must be pvs=N, with a whole N from 0 to 1"},
       {{"run", "painter", "--map", "./missing.bsp"}, "missing.bsp"},
       {{"run", "painter", "--demo", "missing"}, "temblor: "},
       {{"run", "painter", "-o", "x.gif"}, ".png"},
