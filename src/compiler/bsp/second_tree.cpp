@@ -18,6 +18,13 @@ bool touch(const Box& a, const Box& b) {
          glm::all(glm::lessThanEqual(b.mins - kOnPlaneEpsilon, a.maxs));
 }
 
+// Returns whether that changes the brush.
+bool split_by_all_sides(Brush& io_brush) {
+  bool has_changed = false;
+  for (BrushSide& side : io_brush.sides) has_changed |= !std::exchange(side.splits, true);
+  return has_changed;
+}
+
 // The brushes with only those sides splitting at which the contents change or a face is visible. Sides of
 // hint brushes always split.
 std::vector<Brush> keep_bounding_sides(const Tree& tree, std::span<const LeafPortal> portals,
@@ -49,8 +56,12 @@ std::vector<Brush> keep_bounding_sides(const Tree& tree, std::span<const LeafPor
     // No brush of these leaves has a side there: the plane belongs to another brush and is so near to a side
     // of one of these that the tree took them for one. Keep all their sides.
     for (const TreeLeaf* leaf : {&front, &back})
-      for (const std::uint32_t brush : leaf->brushes)
-        for (BrushSide& side : kept[brush].sides) side.splits = true;
+      for (const std::uint32_t brush : leaf->brushes) split_by_all_sides(kept[brush]);
+    // Or neither leaf has a brush: the outside was filled up to here, through a gap too thin for the flood.
+    // The wall behind that gap bounds the level, but a filled leaf hides it.
+    if (front.brushes.empty() && back.brushes.empty())
+      for (Brush& brush : kept)
+        if (touch(brush.box, box)) split_by_all_sides(brush);
   }
   return kept;
 }
@@ -222,7 +233,7 @@ bool keep_sides_at(const std::vector<bool>& is_wrong, const Tree& first, std::sp
     if (!is_wrong[portal.leaves[0]] && !is_wrong[portal.leaves[1]]) continue;
     for (const std::uint32_t leaf : portal.leaves)
       for (const std::uint32_t brush : first.leaves[leaf].brushes)
-        for (BrushSide& side : io_kept[brush].sides) has_changed |= !std::exchange(side.splits, true);
+        has_changed |= split_by_all_sides(io_kept[brush]);
   }
   return has_changed;
 }

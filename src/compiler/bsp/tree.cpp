@@ -228,13 +228,23 @@ class TreeBuilder {
     }
   }
 
+  // A side in a node's plane must not ask for another node. It also decides where its piece goes. Distances
+  // cannot: all of a very thin piece counts as in the plane, and it would fill the wrong half of the node.
+  static std::optional<Where> settle_sides(PlaneIndex number, Piece& io_piece) {
+    std::optional<Where> where;
+    for (PieceSide& side : io_piece.sides) {
+      if (stored(side.plane) != number) continue;
+      side.splits = false;
+      where = side.plane == number ? Where::kBack : Where::kFront;
+    }
+    return where;
+  }
+
   // Distributes the pieces of a node to its two sides.
   void divide(Pieces pieces, PlaneIndex number, Pieces& out_front, Pieces& out_back) {
     const Plane& plane = planes_[number];
     for (Piece& piece : pieces) {
-      // A side in the plane has its node now: it must not ask for another.
-      for (PieceSide& side : piece.sides) side.splits &= stored(side.plane) != number;
-      switch (find_side(compute_reach(piece, plane))) {
+      switch (settle_sides(number, piece).value_or(find_side(compute_reach(piece, plane)))) {
         case Where::kFront:
           out_front.push_back(std::move(piece));
           break;
