@@ -1,4 +1,4 @@
-// Sealed levels, leaks, and pockets (compiler/bsp/fill_outside.h).
+// Sealed levels, leaks, and pockets (compiler/bsp/outside/fill_outside.h).
 #include <gtest/gtest.h>
 
 #include "compiler/drafts.h"
@@ -84,38 +84,60 @@ TEST(Sealing, SlitsLeakIfTheyAreWiderThanATenth) {
 }
 
 // Two sides that differ by a few hundredths of a degree leave a wedge between the brushes.
-TEST(Sealing, WedgesBetweenNearlyParallelSidesDoNotLeak) {
-  constexpr double kEnd = 0.09;  // the width of the wedge at y = 144
-  const std::string left = box_text(kCeilingMins, {0, 144, 144}, "left");
-  // The side at x = 0 is turned around the edge at y = -144.
-  std::string right = box_text({0, -144, 128}, kCeilingMaxs, "right");
-  const std::string side = "( 0 -144 128 ) ( 0 144 128 ) ( 0 -144 144 )";
-  ASSERT_NE(right.find(side), std::string::npos) << right;
-  right.replace(right.find(side), side.size(),
-                fmt::format("( 0 -144 128 ) ( {} 144 128 ) ( 0 -144 144 )", kEnd));
-  const DraftResult result = compile_draft(room_under(left + right) + kStart);
-  EXPECT_FALSE(result.leak);
-  EXPECT_EQ(find_level_fault(result), "");
+TEST(Sealing, WedgesBetweenNearlyParallelSidesLeakWhereTheyAreWide) {
+  for (const double end : {0.02, 0.09, 0.15, 0.5}) {  // the width of the wedge at y = 144
+    const std::string left = box_text(kCeilingMins, {0, 144, 144}, "left");
+    // The side at x = 0 is turned around the edge at y = -144.
+    std::string right = box_text({0, -144, 128}, kCeilingMaxs, "right");
+    const std::string side = "( 0 -144 128 ) ( 0 144 128 ) ( 0 -144 144 )";
+    ASSERT_NE(right.find(side), std::string::npos) << right;
+    right.replace(right.find(side), side.size(),
+                  fmt::format("( 0 -144 128 ) ( {} 144 128 ) ( 0 -144 144 )", end));
+    const DraftResult result = compile_draft(room_under(left + right) + kStart);
+    EXPECT_EQ(result.leak.has_value(), end > 0.1) << end;
+    EXPECT_EQ(find_level_fault(result), "");
+  }
 }
 
-// A hint's side cuts the floor just below its top, and the slice above is too thin for a piece of the floor's
-// brush. It passes below the walls.
-TEST(Sealing, SlicesOfABrushDoNotLeak) {
+// Walls that stand on a floor, which reaches far beyond them with `floor_reach_units`.
+std::string room_on_floor(double floor_reach_units) {
+  const double reach = 144 + floor_reach_units;
   std::string walls = box_text({-144, -144, 128}, {144, 144, 144}, "wall") +
-                      box_text({-256, -256, -16}, {256, 256, 0}, "floor");
+                      box_text({-reach, -reach, -16}, {reach, reach, 0}, "floor");
   for (const double side : {-1.0, 1.0}) {
     walls += box_text(glm::min(Vec3d(128 * side, -144, 0), Vec3d(144 * side, 0, 0)),
                       glm::max(Vec3d(128 * side, 0, 128), Vec3d(144 * side, 144, 128)), "wall");
     walls += box_text(glm::min(Vec3d(-128, 128 * side, 0), Vec3d(0, 144 * side, 0)),
                       glm::max(Vec3d(0, 128 * side, 128), Vec3d(128, 144 * side, 128)), "wall");
   }
+  return walls;
+}
+
+// A hint whose top goes from z = -`begin` at y = -200 to z = -`end` at y = `far`.
+std::string hint_below_floor(double begin, double end, double far) {
+  std::string hint = box_text({-200, -200, -8}, {200, far, -1}, "hintskip");
+  hint.erase(hint.rfind(fmt::format("( 200 {} -1", far)));
+  return hint + fmt::format("( 200 {0} -{2} ) ( 200 -200 -{1} ) ( -200 {0} -{2} ) hint 0 0 0 1 1\n}}\n", far,
+                            begin, end);
+}
+
+// A hint's side cuts the floor just below its top, and the slice above is too thin for a piece of the floor's
+// brush. It passes below the walls.
+TEST(Sealing, SlicesOfABrushDoNotLeak) {
   for (const double depth : {0.02, 0.04, 0.06, 0.08}) {
-    std::string hint = box_text({-200, -200, -8}, {200, 200, -1}, "hintskip");
-    hint.erase(hint.rfind("( 200 200 -1"));
-    hint += fmt::format("( 200 200 -{} ) ( 200 -200 -{} ) ( -200 200 -{} ) hint 0 0 0 1 1\n}}\n", depth,
-                        depth + 0.01, depth + 0.01);
-    const DraftResult result = compile_draft(entity_text("worldspawn", "", walls + hint) + kStart);
+    const std::string world = room_on_floor(112) + hint_below_floor(depth + 0.01, depth, 200);
+    const DraftResult result = compile_draft(entity_text("worldspawn", "", world) + kStart);
     EXPECT_FALSE(result.leak) << depth;
+    EXPECT_EQ(find_level_fault(result), "");
+  }
+}
+
+// The floor ends behind the walls. Beyond its end, the slice gets wider.
+TEST(Sealing, SlicesThatGetWiderOutsideDoNotLeak) {
+  for (const double end : {0.05, 0.15, 0.3}) {
+    const std::string world = room_on_floor(0) + hint_below_floor(0.02, end, 1000);
+    const DraftResult result = compile_draft(entity_text("worldspawn", "", world) + kStart);
+    EXPECT_FALSE(result.leak) << end;
     EXPECT_EQ(find_level_fault(result), "");
   }
 }

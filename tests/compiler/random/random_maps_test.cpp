@@ -133,5 +133,10 @@ TEST(ManyRandomMaps, KeepTiltedWallsInPlace) {
   for (const std::uint64_t seed : {986, 1211, 1216, 1355, 2451, 2917, 4300}) check_maps(seed, seed + 1);
 }
 
+// Wedges along tilted walls are narrow in a room and wide outside of it.
+TEST(ManyRandomMaps, KeepWedgesSealed) {
+  for (const std::uint64_t seed : {4346, 16617, 18254}) check_maps(seed, seed + 1);
+}
+
 }  // namespace
 }  // namespace temblor::test

@@ -1,8 +1,9 @@
 // Floods the leaves of a tree through its portals.
 //
-// Openings that are too narrow stop the flood. An opening is a portal, or a leaf between two planes that are
-// as near to each other: the flood crosses such a leaf only from one plane to the other, never along them.
-// Depends on nothing but the tree, so trees of drawn and clip hulls are flooded alike.
+// Openings that are too narrow stop the flood. An opening is a portal, or a leaf, or the narrow part of a
+// leaf, between two planes that are as near to each other: the flood crosses it only from one plane to the
+// other, never along them. Depends on nothing but the tree, so trees of drawn and clip hulls are flooded
+// alike.
 #pragma once
 
 #include <cstdint>

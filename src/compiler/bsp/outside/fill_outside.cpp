@@ -1,8 +1,8 @@
-#include "compiler/bsp/fill_outside.h"
+#include "compiler/bsp/outside/fill_outside.h"
 
 #include <algorithm>
 
-#include "compiler/bsp/flood.h"
+#include "compiler/bsp/outside/flood.h"
 
 namespace temblor::compiler {
 namespace {
