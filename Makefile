@@ -1,5 +1,5 @@
 # `make play` and `make test`, the two commands of the README, install what they need. The other targets are for developers.
-.PHONY: play test check bench package install format lint fuzz clean shipped
+.PHONY: play test check bench book package install format lint fuzz clean shipped
 
 SOURCES = find src tests bench fuzz -name '*.cpp' -o -name '*.h'
 MAPS = start lq_e0m1 lq_e1m2
@@ -34,6 +34,10 @@ bench:
 	build/release/bench/server_bench
 	$(if $(TEMBLOR_DATA),build/release/bench/client_server_bench build/release/game/id1/progs.dat)
 	$(if $(TEMBLOR_DATA),build/release/bench/host_bench build/release/game/id1/progs.dat)
+
+# Compares the laboratory's techniques on three levels of the game. Begin with build/release/book/index.html.
+book: shipped
+	build/release/temblor --basedir build/release/game lab book --map start --map t1 --map t3 -o build/release/book
 
 # Writes a Debian package and two archives to build/release.
 package: shipped

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <numeric>
 #include <thread>
 
 #include "app/bench/measurement.h"
 #include "app/bench/measurement_output.h"
 #include "app/files/diagnostics.h"
+#include "app/files/system.h"
 
 namespace temblor::app {
 namespace {
@@ -179,20 +179,11 @@ void report_surface_cache(const LoadedMap& map, const render::Settings& settings
   }
 }
 
-// Reads the processor's name from the system (Linux only).
-std::string read_processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  // A line is, for example, "model name      : AMD EPYC".
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(std::min(line.find(": ") + 2, line.size()));
-  return "unknown processor";
-}
-
 }  // namespace
 
 void print_report_header() {
-  fmt::print("Machine: {}, {} threads. {}x{} and one thread unless stated otherwise.\n",
-             read_processor_name(), std::thread::hardware_concurrency(), kMainSize.width, kMainSize.height);
+  fmt::print("Machine: {}, {} threads. {}x{} and one thread unless stated otherwise.\n", processor_name(),
+             std::thread::hardware_concurrency(), kMainSize.width, kMainSize.height);
 }
 
 void print_report(const std::string& map_name, const LoadedMap& map, const render::Settings& settings,

@@ -7,6 +7,7 @@
 #include "app/commands/command_line.h"
 #include "app/files/diagnostics.h"
 #include "app/files/picture_file.h"
+#include "app/lab/book/write_book.h"
 #include "app/lab/lab_picture.h"
 #include "app/lab/lab_scenes.h"
 #include "app/lab/technique_figures.h"
@@ -24,7 +25,8 @@ Examples:
   temblor lab list
   temblor lab run painter -o painter.png
   temblor --basedir ~/quake lab run independent-edges --map e1m1 --color indexed -o edges.png
-  temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json)";
+  temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json
+  temblor --basedir ~/quake lab book --map start --map e1m1 -o book)";
 
 void add_scene_options(Command& command, LabOptions& io_options) {
   const Option* map = command
@@ -139,6 +141,25 @@ base::Status compare(const std::vector<std::string>& texts, const LabOptions& op
   return base::Ok{};
 }
 
+base::Status make_book(const LabOptions& options, const GameFolders& folders,
+                       const render::Settings& settings) {
+  BookOptions book;
+  book.size = options.frame.size;
+  book.format = options.frame.format;
+  book.settings = settings;
+  if (!options.frame.threads) book.settings.threads = 1;  // so that machines can be compared
+  std::vector<LabScenes> levels;
+  std::vector<std::string> maps = options.maps;
+  if (maps.empty()) maps.emplace_back();
+  for (const std::string& map : maps) {
+    TRY(LabScenes level,
+        LabScenes::load_level(folders, map,
+                              {.position_world = {}, .angles_deg = {}, .fov_deg = options.frame.fov_deg}));
+    levels.push_back(std::move(level));
+  }
+  return write_book(options.out, levels, book);
+}
+
 }  // namespace
 
 LabCommands add_lab_command(Command& program, LabOptions& io_options) {
@@ -159,6 +180,15 @@ LabCommands add_lab_command(Command& program, LabOptions& io_options) {
   commands.compare = commands.lab->add_subcommand("compare", "Print a table of several techniques");
   commands.compare->add_option("TECHNIQUES", io_options.techniques, "Names, as for run")->required();
   add_scene_options(*commands.compare, io_options);
+  commands.book = commands.lab->add_subcommand("book", "Write pages that compare all techniques");
+  commands.book
+      ->add_option("--map", io_options.maps,
+                   "Level of the game, or a .bsp file; repeatable (default: a small built-in level)")
+      ->type_name("NAME");
+  add_frame_options(*commands.book, io_options.frame);
+  commands.book->add_option("-o,--output", io_options.out, "Folder for the pages")
+      ->type_name("FOLDER")
+      ->required();
   return commands;
 }
 
@@ -168,6 +198,7 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
     print_list(options.json);
     return base::Ok{};
   }
+  if (commands.book->parsed()) return make_book(options, folders, settings);
   const bool is_run = commands.run->parsed();
   std::vector<std::string> texts = options.techniques;
   if (is_run) texts = {std::string(lab::list_techniques().front().name), options.technique};

@@ -3,6 +3,7 @@
 //   lab list                 the techniques
 //   lab run TECHNIQUE        one technique against the engine: figures, and a picture
 //   lab compare TECHNIQUES   a table of several techniques
+//   lab book                 pages about all of them
 #pragma once
 
 #include <optional>
@@ -31,8 +32,10 @@ struct LabOptions {
   // Measurements of each technique, in turns; the fastest counts.
   int rounds = 1;
   bool json = false;
-  // Picture file of `run`; empty: none.
+  // Picture file of `run`; empty: none. Folder of `book`.
   std::string out;
+  // Levels of `book`; empty: the small built-in level.
+  std::vector<std::string> maps;
 };
 
 // The commands, to find the one that was given. The program owns them.
@@ -41,12 +44,13 @@ struct LabCommands {
   Command* list = nullptr;
   Command* run = nullptr;
   Command* compare = nullptr;
+  Command* book = nullptr;
 };
 
 LabCommands add_lab_command(Command& program, LabOptions& io_options);
 
-// Errors: an unknown technique or parameter, a level or demo that cannot be loaded, a picture that cannot be
-// written.
+// Errors: an unknown technique or parameter, a level or demo that cannot be loaded, a picture or page
+// that cannot be written.
 base::Status run_lab(const LabCommands& commands, const LabOptions& options, const GameFolders& folders,
                      const client::PresentationSettings& presentation, const render::Settings& settings);
 

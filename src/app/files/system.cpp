@@ -1,6 +1,8 @@
 #include "app/files/system.h"
 
+#include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <random>
 
 namespace temblor::app {
@@ -20,6 +22,14 @@ net::Secret make_secret() {
   std::random_device device;
   for (auto& word : secret) word = std::uint64_t{device()} << 32 | device();
   return secret;
+}
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  // A line is, for example, "model name      : AMD EPYC".
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.find(": ") + 2, line.size()));
+  return "unknown processor";
 }
 
 }  // namespace temblor::app

@@ -1,8 +1,9 @@
-// The machine's clock and its sources of random numbers. Libraries receive time and seeds as parameters, so
-// that tests can repeat them; only the program calls these.
+// The machine's name, its clock, and its sources of random numbers. Libraries receive time and seeds as
+// parameters, so that tests can repeat them; only the program calls these.
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "net/transport/server_endpoint.h"
 
@@ -14,5 +15,7 @@ double clock_s();
 std::uint64_t make_seed();
 // Returns an unpredictable secret from the system's random device.
 net::Secret make_secret();
+// Returns the processor's name, as Linux knows it.
+std::string processor_name();
 
 }  // namespace temblor::app

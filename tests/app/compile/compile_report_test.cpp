@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "app/compile/compile_program.h"
-#include "app/compile/report/html.h"
 #include "app/compile/report/level_plan.h"
+#include "app/html/html.h"
 #include "app/program.h"
 #include "formats/images/image.h"
 #include "support/game_data.h"
 #include "support/levels/room_map.h"
+#include "support/page_markup.h"
 #include "world/level.h"
 #include "world/visibility.h"
 
@@ -44,43 +45,6 @@ std::string two_rooms() {
   return entity_text("worldspawn", "\"message\" \"Salt &amp; <b>stone</b>\"", world) +
          point_text("info_player_start", {64, 64, 32}) +
          entity_text("light", "\"origin\" \"64 64 96\"\n\"light\" \"500\"");
-}
-
-// Removes the contents of embedded pictures. std::regex needs stack memory for each character that it
-// matches.
-std::string without_pictures(std::string text) {
-  const std::string mark = "base64,";
-  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) {
-    at += mark.size();
-    text.erase(at, text.find('"', at) - at);
-  }
-  return text;
-}
-
-// Returns the first fault of a page that should be well-formed XML: tags that do not match, attributes
-// without quotes, or loose markup characters. Empty: none.
-std::string find_markup_fault(std::string text) {
-  text.erase(0, text.find('\n'));  // <!DOCTYPE html>
-  text = without_pictures(std::move(text));
-  const std::regex tag(R"(<(/?)([a-zA-Z0-9]+)((?: [a-zA-Z:-]+="[^"<]*")*) ?(/?)>)");
-  std::vector<std::string> open;
-  std::size_t done = 0;
-  for (std::sregex_iterator found(text.begin(), text.end(), tag), end; found != end; ++found) {
-    const std::string between = text.substr(done, static_cast<std::size_t>(found->position()) - done);
-    if (between.find_first_of("<>") != std::string::npos) return "loose markup: " + between.substr(0, 200);
-    done = static_cast<std::size_t>(found->position() + found->length());
-    const std::string name = (*found)[2];
-    if ((*found)[1].length() > 0) {
-      if (open.empty() || open.back() != name) return "unexpected end of " + name;
-      open.pop_back();
-    } else if ((*found)[4].length() == 0) {
-      open.push_back(name);
-    }
-  }
-  if (!open.empty()) return "unclosed " + open.back();
-  if (text.find_first_of("<>", done) != std::string::npos) return "loose markup at the end";
-  const std::regex entity("&(?!(amp|lt|gt|quot);)");
-  return std::regex_search(text, entity) ? "loose &" : "";
 }
 
 // Returns the part of the page with that id.

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "app/compile/report/html.h"
+#include "app/html/html.h"
 #include "formats/images/image.h"
 #include "formats/images/png.h"
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "app/compile/leak_picture.h"
-#include "app/compile/report/html.h"
 #include "app/compile/report/level_figures.h"
 #include "app/compile/report/level_plan.h"
 #include "app/compile/report/report_style.h"
 #include "app/compile/report/texture_table.h"
+#include "app/html/html.h"
 #include "base/text.h"
 #include "compiler/stock_limits.h"
 #include "world/level.h"
@@ -221,12 +221,7 @@ base::Result<std::string> make_level_report(const LevelReportInput& input) {
   const formats::Lit* const lit = input.build.lit ? &*input.build.lit : nullptr;
   TRY(const std::shared_ptr<const world::Level> level,
       world::make_level(input.build.bsp, input.level_file, lit));
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
-      "charset=\"utf-8\"/>\n<meta name=\"viewport\" "
-      "content=\"width=device-width\"/>\n<title>{}</title>\n<style>{}"
-      "</style>\n</head>\n<body>\n",
-      escape_html(input.level_file), kReportStyle);
+  std::string html = begin_page(input.level_file, kReportStyle);
   html += write_head(input, *level);
   if (input.compiled.leak) {
     TRY(const base::ByteVector picture, draw_leak(input.build.bsp, input.compiled.leak->points_world));

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/compile/report/html.h"
 #include "app/compile/report/level_figures.h"
+#include "app/html/html.h"
 #include "base/text.h"
 #include "formats/images/png.h"
 

@@ -1,4 +1,4 @@
-// Pieces of HTML for reports. They are also well-formed XML.
+// Pieces of HTML pages. They are also well-formed XML.
 #pragma once
 
 #include <string>
@@ -7,6 +7,9 @@
 #include "base/bytes.h"
 
 namespace temblor::app {
+
+// Returns a page from its first line to <body>. Its style sheet is that of all our pages and `more_style`.
+std::string begin_page(std::string_view title, std::string_view more_style);
 
 // Makes text from a file safe as content and as an attribute. Other characters than printable ASCII become
 // '?'.

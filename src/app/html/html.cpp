@@ -1,10 +1,11 @@
-#include "app/compile/report/html.h"
+#include "app/html/html.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
 
+#include "app/html/page_style.h"
 #include "base/text.h"
 
 namespace temblor::app {
@@ -26,6 +27,14 @@ std::string encode_base64(base::Bytes bytes) {
 }
 
 }  // namespace
+
+std::string begin_page(std::string_view title, std::string_view more_style) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
+      "charset=\"utf-8\"/>\n<meta name=\"viewport\" "
+      "content=\"width=device-width\"/>\n<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n",
+      escape_html(title), kPageStyle, more_style);
+}
 
 std::string escape_html(std::string_view text) {
   std::string safe;

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/lab/book/book_content.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr std::string_view kAlternatives = "Consider the Alternatives",
+                           kSortedSpans = "Sorted Spans in Action", kSurfaces = "Surface Caching",
+                           kModels = "Triangle Models", kBigPicture = "The Big Picture";
+
+std::string show_kilobytes(double bytes) {
+  return fmt::format("{:.0f} KB", bytes / 1024);
+}
+
+// The painter's own background is one of the pixels it writes.
+std::string show_overdraw(const BookFigures& figures) {
+  const Range written = Evidence(figures, 0).of("painter").over_levels([](const TechniqueFigures& f) {
+    return f.views.pixels_written;
+  });
+  return Range{100 * (written.low - 2), 100 * (written.high - 2)}.text(0) + " %";
+}
+
+constexpr std::array kNumbers{
+    ArticleNumber{kAlternatives, "Faces in the potentially visible set for each face that is seen",
+                  "5 in places",
+                  [](const BookFigures& f) {
+                    const Distribution& ratio = f.engine.faces_in_pvs_per_seen;
+                    return fmt::format("{:.1f} (median), {:.1f} (worst)", ratio.p50, ratio.max);
+                  }},
+    ArticleNumber{kAlternatives, "Overdraw of the painter's algorithm with that set", "50 %", show_overdraw},
+    ArticleNumber{kAlternatives, "Average frame rate, divided by that of the slowest tenth, without leveling",
+                  "6",
+                  [](const BookFigures& f) {
+                    return Evidence(f, 0).of("painter").levelness().text(1) + " (slowest hundredth)";
+                  }},
+    ArticleNumber{kSortedSpans, "Times that sorted edges draw a pixel", "1",
+                  [](const BookFigures& f) {
+                    return Evidence(f, 0)
+                        .over_levels([](const TechniqueFigures& t) { return t.views.pixels_written; })
+                        .text(2);
+                  }},
+    ArticleNumber{kAlternatives, "Depth buffer at 320x200", "128 KB",
+                  [](const BookFigures&) { return show_kilobytes(320 * 200 * sizeof(float)); }},
+    ArticleNumber{
+        kSurfaces, "Cycles to build a texel of a surface", "2.25",
+        [](const BookFigures& f) { return fmt::format("{:.2f}", f.engine.cycles_per_texel_built); }},
+    ArticleNumber{
+        kSurfaces, "Cycles to draw a pixel from a surface", "7.5",
+        [](const BookFigures& f) { return fmt::format("{:.2f}", f.engine.cycles_per_pixel_drawn); }},
+    ArticleNumber{kSurfaces, "Frames per second at 640x400", "40",
+                  [](const BookFigures& f) { return fmt::format("{:.0f}", f.engine.fps_640x400); }},
+    ArticleNumber{kSurfaces, "Texels that a frame of 320x200 reads", "64,000",
+                  [](const BookFigures& f) { return fmt::format("{:.0f}", f.engine.texels_read_320x200); }},
+    ArticleNumber{kSurfaces, "Surface cache that is enough at 320x200", "600 KB",
+                  [](const BookFigures& f) { return show_kilobytes(f.engine.cache_bytes_320x200); }},
+    ArticleNumber{kSurfaces, "Surface cache that is enough at 640x480", "a little more than 1 MB",
+                  [](const BookFigures& f) { return show_kilobytes(f.engine.cache_bytes_640x480); }},
+    ArticleNumber{kSortedSpans, "Cycles to find 1/z at a pixel", "6", nullptr},
+    ArticleNumber{kAlternatives, "Time that filling the depth buffer adds to the world", "10 %", nullptr},
+    ArticleNumber{kModels, "Time that the subdivision rasterizer saves", "20 %", nullptr},
+    ArticleNumber{kModels, "Distance at which it becomes visible", "12 to 40 feet", nullptr},
+    ArticleNumber{kBigPicture, "Delay after a lost packet, with all messages reliable",
+                  "several hundred milliseconds", nullptr},
+};
+
+}  // namespace
+
+std::span<const ArticleNumber> list_article_numbers() {
+  return kNumbers;
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,200 @@
+#include "app/lab/book/book_figures.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/bench/samples.h"
+#include "app/files/progress.h"
+#include "app/files/system.h"
+
+namespace temblor::app {
+namespace {
+
+double share_different(const render::FrameBuffer& a, const render::FrameBuffer& b) {
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.pixel_count(); ++i)
+    different +=
+        a.format() == render::PixelFormat::kRgb ? a.rgb()[i] != b.rgb()[i] : a.indexed()[i] != b.indexed()[i];
+  return static_cast<double>(different) / static_cast<double>(a.pixel_count());
+}
+
+class BookMeasurement {
+ public:
+  BookMeasurement(std::span<const LabScenes> levels, std::vector<lab::Choice> choices,
+                  const BookOptions& options)
+      : levels_(levels), options_(options), progress_("techniques") {
+    figures_.choices = std::move(choices);
+  }
+
+  base::Result<BookFigures> run() {
+    const double begin_s = clock_s();
+    steps_ = figures_.choices.size() * (2 * levels_.size() + options_.sizes.size());
+    for (const LabScenes& level : levels_) {
+      TRY_STATUS(measure_level(level));
+      TRY_STATUS(measure_views(level));
+    }
+    for (const FrameSize& size : options_.sizes) TRY_STATUS(measure_size(size));
+    TRY_STATUS(measure_engine());
+    figures_.seconds = clock_s() - begin_s;
+    return std::move(figures_);
+  }
+
+ private:
+  MeasureOptions make_measure_options(FrameSize size) const {
+    MeasureOptions measure;
+    measure.size = size;
+    measure.format = options_.format;
+    measure.step_deg = options_.step_deg;
+    measure.settings = options_.settings;
+    return measure;
+  }
+
+  base::Status measure_level(const LabScenes& scenes) {
+    LevelFigures level{scenes.name(), {}, {}, {}};
+    FigureOptions options;
+    options.measure = make_measure_options(options_.size);
+    options.rounds = 2;
+    TRY(level.techniques, find_figures(scenes, figures_.choices, options));
+    done_ += figures_.choices.size();
+    progress_.update(done_, steps_);
+    TRY_STATUS(find_pictures(scenes, level));
+    figures_.levels.push_back(std::move(level));
+    return base::Ok{};
+  }
+
+  base::Status find_pictures(const LabScenes& scenes, LevelFigures& io_level) const {
+    const assets::Look& look = scenes.look();
+    render::FrameBuffer engine(options_.size.width, options_.size.height, options_.format);
+    render::FrameBuffer frame(options_.size.width, options_.size.height, options_.format);
+    for (const lab::Choice& choice : figures_.choices) {
+      render::Renderer engine_renderer(look.palette, look.colormap), renderer(look.palette, look.colormap);
+      renderer.replace_stages(choice.make_stages());
+      std::size_t number = 0, most = 0;
+      double largest = 0;
+      TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) {
+        engine_renderer.render(scene, options_.settings, engine);
+        renderer.render(scene, options_.settings, frame);
+        const double share = share_different(frame, engine);
+        if (share > largest) {
+          largest = share;
+          most = number;
+        }
+        ++number;
+      }));
+      io_level.picture_scenes.push_back(most);
+      io_level.different_shares.push_back(largest);
+    }
+    return base::Ok{};
+  }
+
+  // Each view is drawn once to fill the caches; then the fastest of a few frames counts.
+  base::Status measure_views(const LabScenes& scenes) {
+    const std::size_t first = figures_.views.size();
+    const assets::Look& look = scenes.look();
+    render::FrameBuffer frame(options_.size.width, options_.size.height, options_.format);
+    for (const lab::Choice& choice : figures_.choices) {
+      render::Renderer renderer(look.palette, look.colormap);
+      renderer.replace_stages(choice.make_stages());
+      std::size_t view = first;
+      TRY_STATUS(scenes.for_each_scene([&](const render::Scene& from_scene) {
+        for (const float turn_deg : {0.0f, 180.0f}) {
+          render::Scene scene = from_scene;
+          scene.camera.angles_deg.y += turn_deg;
+          const render::FrameStats stats = renderer.render(scene, options_.settings, frame);
+          constexpr int kFrames = 3;
+          double fastest_ms = 1e9;
+          for (int i = 0; i < kFrames; ++i)
+            fastest_ms =
+                std::min(fastest_ms, time_ms([&] { renderer.render(scene, options_.settings, frame); }));
+          if (view == figures_.views.size())
+            figures_.views.push_back({static_cast<double>(stats.faces_drawn), {}});
+          figures_.views[view++].ms.push_back(fastest_ms);
+        }
+      }));
+      progress_.update(++done_, steps_);
+    }
+    return base::Ok{};
+  }
+
+  base::Status measure_size(FrameSize size) {
+    SizeTimes times{size, {}};
+    MeasureOptions measure = make_measure_options(size);
+    measure.step_deg = 90;
+    for (const lab::Choice& choice : figures_.choices) {
+      measure.technique = &choice;
+      TRY(const Measurement measured, levels_.front().measure(measure));
+      times.ms.push_back(measured.frame_ms.p50);
+      progress_.update(++done_, steps_);
+    }
+    figures_.sizes.push_back(std::move(times));
+    return base::Ok{};
+  }
+
+  base::Status measure_engine() {
+    EngineFigures& engine = figures_.engine;
+    engine.fps_640x400 = 1e9;
+    ColdSums sums;
+    for (const LabScenes& scenes : levels_) {
+      MeasureOptions measure = make_measure_options({320, 200});
+      measure.format = render::PixelFormat::kIndexed;
+      measure.settings.mip_rule = render::MipRule::kStock;
+      measure.cold = true;
+      TRY(const Measurement smallest, scenes.measure(measure));
+      measure.size = {640, 480};
+      TRY(const Measurement larger, scenes.measure(measure));
+      measure.size = {640, 400};
+      TRY(const Measurement middle, scenes.measure(measure));
+      engine.texels_read_320x200 += smallest.texels_read.p50 / static_cast<double>(levels_.size());
+      engine.cache_bytes_320x200 = std::max(engine.cache_bytes_320x200, largest_cache(smallest));
+      engine.cache_bytes_640x480 = std::max(engine.cache_bytes_640x480, largest_cache(larger));
+      engine.fps_640x400 = std::min(engine.fps_640x400, middle.fps);
+      TRY_STATUS(draw_cold_views(scenes, sums));
+    }
+    engine.faces_in_pvs_per_seen = compute_distribution(std::move(sums.faces_in_pvs_per_seen));
+    if (sums.texels > 0) engine.cycles_per_texel_built = sums.surface_cycles / sums.texels;
+    engine.cycles_per_pixel_drawn = sums.span_cycles / sums.pixels;
+    return base::Ok{};
+  }
+
+  static double largest_cache(const Measurement& measurement) {
+    return measurement.circle_cache_bytes ? measurement.circle_cache_bytes->max
+                                          : static_cast<double>(measurement.cache_bytes);
+  }
+
+  struct ColdSums {
+    std::vector<double> faces_in_pvs_per_seen;  // of each view
+    double surface_cycles = 0, texels = 0, span_cycles = 0, pixels = 0;
+  };
+
+  // Draws views with an empty surface cache, so that all of their surfaces are built.
+  base::Status draw_cold_views(const LabScenes& scenes, ColdSums& io_sums) const {
+    const assets::Look& look = scenes.look();
+    render::FrameBuffer frame(640, 400, render::PixelFormat::kIndexed);
+    render::Renderer renderer(look.palette, look.colormap);
+    return scenes.for_each_scene([&](const render::Scene& scene) {
+      renderer.drop_surfaces();
+      const render::FrameStats stats = renderer.render(scene, options_.settings, frame);
+      if (stats.faces_seen > 0)
+        io_sums.faces_in_pvs_per_seen.push_back(double{1} * stats.faces_in_pvs / stats.faces_seen);
+      io_sums.surface_cycles += stats.stages.cycles[static_cast<std::size_t>(render::Stage::kSurfaces)];
+      io_sums.span_cycles += stats.stages.cycles[static_cast<std::size_t>(render::Stage::kSpans)];
+      io_sums.texels += static_cast<double>(stats.texels_built);
+      io_sums.pixels += static_cast<double>(frame.pixel_count());
+    });
+  }
+
+  std::span<const LabScenes> levels_;
+  const BookOptions& options_;
+  Progress progress_;
+  std::size_t done_ = 0, steps_ = 0;
+  BookFigures figures_;
+};
+
+}  // namespace
+
+base::Result<BookFigures> measure_book(std::span<const LabScenes> levels, std::vector<lab::Choice> choices,
+                                       const BookOptions& options) {
+  return BookMeasurement(levels, std::move(choices), options).run();
+}
+
+}  // namespace temblor::app

@@ -1,0 +1,68 @@
+// Everything that `temblor lab book` measures, before it writes the pages.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/lab/lab_scenes.h"
+#include "app/lab/technique_figures.h"
+#include "base/result.h"
+
+namespace temblor::app {
+
+struct BookOptions {
+  FrameSize size{1280, 720};
+  render::PixelFormat format = render::PixelFormat::kRgb;
+  render::Settings settings;
+  // Angle between two measured views of a level.
+  double step_deg = 60;
+  // The sizes of the plot of cost against resolution.
+  std::vector<FrameSize> sizes{{320, 200}, {640, 400}, {1280, 720}, {1920, 1080}, {2560, 1440}};
+};
+
+// The figures of all techniques in one level.
+struct LevelFigures {
+  std::string name;
+  std::vector<TechniqueFigures> techniques;
+  // By technique: the number of the scene (LabScenes::for_each_scene) where it differs most from the engine,
+  // and the share of pixels that differ there.
+  std::vector<std::size_t> picture_scenes;
+  std::vector<double> different_shares;
+};
+
+// The frame times of all techniques in one view.
+struct ViewTimes {
+  double faces;  // in the engine's edge list
+  std::vector<double> ms;
+};
+
+// The median frame times of all techniques in the first level.
+struct SizeTimes {
+  FrameSize size;
+  std::vector<double> ms;
+};
+
+// The engine alone, in all levels, at the sizes of the articles; `indexed`, which they had.
+struct EngineFigures {
+  Distribution faces_in_pvs_per_seen;  // over views
+  double texels_read_320x200 = 0;                           // median over views, mean of the levels
+  double cache_bytes_320x200 = 0, cache_bytes_640x480 = 0;  // largest, after a circle
+  double fps_640x400 = 0;                                   // of the slowest level
+  double cycles_per_texel_built = 0, cycles_per_pixel_drawn = 0;
+};
+
+struct BookFigures {
+  std::vector<lab::Choice> choices;  // the first is the engine
+  std::vector<LevelFigures> levels;
+  std::vector<ViewTimes> views;
+  std::vector<SizeTimes> sizes;
+  EngineFigures engine;
+  double seconds = 0;  // that all of it took
+};
+
+// Measures the techniques in each level. There must be at least one of both.
+base::Result<BookFigures> measure_book(std::span<const LabScenes> levels, std::vector<lab::Choice> choices,
+                                       const BookOptions& options);
+
+}  // namespace temblor::app

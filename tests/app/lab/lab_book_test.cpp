@@ -1,0 +1,194 @@
+// `temblor lab book`: its texts cover all techniques, its verdicts follow the measurements, and its pages are
+// well-formed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/html/plot.h"
+#include "app/lab/book/book_content.h"
+#include "app/lab/book/book_pages.h"
+#include "app/lab/book/write_book.h"
+#include "app/program.h"
+#include "lab/registry.h"
+#include "support/page_markup.h"
+#include "support/programs/small_game.h"
+#include "support/random.h"
+
+namespace temblor::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(LabBook, HasAnEntryForEachTechnique) {
+  std::set<std::string_view> names;
+  for (const lab::Choice& choice : app::list_book_techniques()) names.insert(choice.technique->name);
+  for (const lab::Technique& technique : lab::list_techniques())
+    EXPECT_TRUE(names.contains(technique.name)) << technique.name;
+  for (const app::BookChapter& chapter : app::list_book_chapters())
+    for (const app::BookEntry& entry : chapter.entries) {
+      EXPECT_EQ(lab::parse_choice(entry.technique).value().label(), entry.technique);
+      for (const std::string_view text : {entry.explanation, entry.claim, entry.optimized})
+        EXPECT_TRUE(text.ends_with('.')) << entry.technique << ": " << text;
+    }
+}
+
+// Measurements of one level, in which every technique is as fast as the engine, and right.
+app::BookFigures make_figures() {
+  app::BookFigures figures;
+  figures.choices = app::list_book_techniques();
+  app::LevelFigures level{"e1m1", {}, {}, {}};
+  for (const lab::Choice& choice : figures.choices) {
+    app::TechniqueFigures& technique = level.techniques.emplace_back();
+    technique.choice = choice;
+    technique.measurement.frame_ms = {2, 3, 4};
+    technique.views.pixels_written = 1;
+    technique.views.tally.pixels = 1000;
+    level.picture_scenes.push_back(0);
+    level.different_shares.push_back(0);
+  }
+  figures.levels.push_back(level);
+  figures.views.push_back({100, std::vector<double>(figures.choices.size(), 2)});
+  figures.sizes.push_back({{320, 200}, std::vector<double>(figures.choices.size(), 2)});
+  return figures;
+}
+
+app::TechniqueFigures& find_technique(app::BookFigures& figures, std::string_view label) {
+  return figures.levels.front().techniques[app::Evidence(figures, 0).of(label).number()];
+}
+
+app::Verdict judge(const app::BookFigures& figures, std::string_view label) {
+  for (const app::BookChapter& chapter : app::list_book_chapters())
+    for (const app::BookEntry& entry : chapter.entries)
+      if (entry.technique == label) return entry.judge(app::Evidence(figures, 0).of(label));
+  ADD_FAILURE() << label;
+  return {};
+}
+
+TEST(LabBook, VerdictsFollowTheMeasurements) {
+  app::BookFigures figures = make_figures();
+  EXPECT_EQ(judge(figures, "bsp-edges").holds, app::Holds::kYes);
+  figures.levels[0].techniques[0].measurement.frame_ms.p99 = 20;
+  EXPECT_EQ(judge(figures, "bsp-edges").holds, app::Holds::kNo) << "ten times the median is not level";
+
+  // The background is written once more.
+  find_technique(figures, "painter").views.pixels_written = 2.5;
+  const app::Verdict painter = judge(figures, "painter");
+  EXPECT_EQ(painter.holds, app::Holds::kYes);
+  EXPECT_THAT(painter.text, HasSubstr("Overdraw is 50 %."));
+  find_technique(figures, "painter").views.pixels_written = 6;
+  EXPECT_EQ(judge(figures, "painter").holds, app::Holds::kNo);
+
+  EXPECT_EQ(judge(figures, "z-buffer").holds, app::Holds::kNo) << "as fast as the engine";
+  find_technique(figures, "z-buffer").measurement.frame_ms.p50 = 3;
+  EXPECT_EQ(judge(figures, "z-buffer").holds, app::Holds::kPartly);
+  find_technique(figures, "z-buffer").measurement.frame_ms.p50 = 20;
+  EXPECT_EQ(judge(figures, "z-buffer").holds, app::Holds::kYes);
+  EXPECT_THAT(judge(figures, "z-buffer").text, HasSubstr("10.00 times the engine's."));
+
+  find_technique(figures, "independent-edges").views.tally.wrong_face = 5;
+  find_technique(figures, "independent-edges").measurement.frame_ms.p50 = 1;
+  EXPECT_EQ(judge(figures, "independent-edges").holds, app::Holds::kYes);
+  EXPECT_THAT(judge(figures, "independent-edges").text, HasSubstr("Wrong faces: 0.500 % of pixels."));
+}
+
+TEST(LabBook, RangesOfLevelsShowBothEnds) {
+  app::BookFigures figures = make_figures();
+  figures.levels.push_back(figures.levels.front());
+  const std::size_t number = app::Evidence(figures, 0).of("painter").number();
+  figures.levels[1].techniques[number].measurement.frame_ms.p50 = 5;
+  EXPECT_EQ(app::Evidence(figures, number).time_ratios().text(1), "1.0 to 2.5");
+  EXPECT_EQ(app::Evidence(figures, 0).time_ratios().text(1), "1.0");
+}
+
+TEST(LabBook, PagesAreWellFormedWhateverTheNumbers) {
+  app::BookFigures figures = make_figures();
+  figures.levels.front().name = "<b>&\"";
+  figures.levels.front().techniques[0].measurement.frame_ms.p50 = 0;  // ratios are infinite
+  const app::BookOptions options;
+  const app::BookInput input{figures, options, "A <fast> processor"};
+  EXPECT_EQ(find_markup_fault(app::make_index_page(input)), "");
+  for (const app::BookChapter& chapter : app::list_book_chapters())
+    EXPECT_EQ(find_markup_fault(app::make_chapter_page(input, chapter)), "") << chapter.file;
+}
+
+TEST(LabBook, WritesPagesAndPictures) {
+  const TemporaryFolder folder;
+  std::vector<app::LabScenes> levels;
+  levels.push_back(app::LabScenes::load_level({}, "", {}).value());
+  app::BookOptions options;
+  options.size = {64, 48};
+  options.step_deg = 360;
+  options.settings.threads = 1;
+  options.sizes = {{32, 24}, {64, 48}};
+  const std::filesystem::path book = folder.path() / "new" / "book";
+  ASSERT_TRUE(app::write_book(book, levels, options));
+  const std::string index = read_text(book / "index.html");
+  EXPECT_EQ(find_markup_fault(index), "");
+  for (const app::BookChapter& chapter : app::list_book_chapters()) {
+    const std::string file = std::string(chapter.file) + ".html";
+    EXPECT_THAT(index, HasSubstr("href=\"" + file));
+    const std::string page = read_text(book / file);
+    EXPECT_EQ(find_markup_fault(page), "") << file;
+    EXPECT_THAT(page, Not(HasSubstr("nan"))) << file;
+    for (const app::BookEntry& entry : chapter.entries) {
+      if (entry.technique == "bsp-edges") continue;
+      const std::string picture = app::picture_file_name(entry.technique);
+      EXPECT_THAT(page, HasSubstr("src=\"" + picture));
+      EXPECT_EQ(read_png(book / picture).width, 3u * 640) << picture;
+    }
+  }
+}
+
+TEST(LabBook, SaysWhyItCannotBeWritten) {
+  const TemporaryFolder folder;
+  folder.write("book", "a file");
+  const auto book = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"lab", "book"});
+    return run_program(folder.path(), words);
+  };
+  const ProgramRun file = book({"-o", "book"});
+  EXPECT_EQ(file.exit_status, 1);
+  EXPECT_THAT(file.err, HasSubstr("temblor: book: "));
+  EXPECT_EQ(std::ranges::count(file.err, '\n'), 1);
+  const ProgramRun nowhere = book({});
+  EXPECT_EQ(nowhere.exit_status, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("--output"));
+  const ProgramRun level = book({"-o", "pages", "--map", "./missing.bsp"});
+  EXPECT_EQ(level.exit_status, 1);
+  EXPECT_THAT(level.err, HasSubstr("missing.bsp"));
+}
+
+TEST(Plots, TicksCoverTheirRange) {
+  Random random(7);
+  for (int i = 0; i < 2000; ++i) {
+    const double low = std::pow(10, random.uniform(-4, 6));
+    const double factor = std::pow(10, random.uniform(0.01, 6));
+    const double high = low * factor;
+    for (const app::Axis axis : {app::Axis::kLinear, app::Axis::kLogarithmic}) {
+      const std::vector<double> ticks = app::choose_ticks(low, high, axis);
+      ASSERT_LE(ticks.front(), low * (1 + 1e-9)) << low << " to " << high;
+      ASSERT_GE(ticks.back(), high * (1 - 1e-9)) << low << " to " << high;
+      ASSERT_TRUE(std::ranges::is_sorted(ticks));
+      ASSERT_GE(ticks.size(), 2u);
+      ASSERT_LE(ticks.size(), 12u) << low << " to " << high;
+    }
+  }
+}
+
+TEST(Plots, LeaveOutWhatAnAxisCannotShow) {
+  app::Plot plot;
+  plot.y_axis = app::Axis::kLogarithmic;
+  plot.series = {{"a", {{1, 1}, {2, 0}, {3, -1}, {4, NAN}, {5, 10}}}};
+  const std::string svg = app::draw_plot(plot);
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(svg, Not(HasSubstr("inf")));
+  EXPECT_EQ(find_markup_fault("<!DOCTYPE html>\n" + svg), "");
+  EXPECT_EQ(find_markup_fault("<!DOCTYPE html>\n" + app::draw_plot({})), "") << "no series at all";
+}
+
+}  // namespace
+}  // namespace temblor::test
