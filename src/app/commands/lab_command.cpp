@@ -7,6 +7,7 @@
 #include "app/commands/command_line.h"
 #include "app/files/diagnostics.h"
 #include "app/files/picture_file.h"
+#include "app/lab/book/school_pages.h"
 #include "app/lab/book/write_book.h"
 #include "app/lab/lab_picture.h"
 #include "app/lab/lab_scenes.h"
@@ -189,6 +190,8 @@ LabCommands add_lab_command(Command& program, LabOptions& io_options) {
   commands.book->add_option("-o,--output", io_options.out, "Folder for the pages")
       ->type_name("FOLDER")
       ->required();
+  commands.school = commands.lab->add_subcommand("school", "List lessons in rendering, or write their pages");
+  commands.school->add_option("-o,--output", io_options.out, "Folder for the pages")->type_name("FOLDER");
   return commands;
 }
 
@@ -196,6 +199,11 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
                      const client::PresentationSettings& presentation, const render::Settings& settings) {
   if (commands.list->parsed()) {
     print_list(options.json);
+    return base::Ok{};
+  }
+  if (commands.school->parsed()) {
+    if (!options.out.empty()) return write_school(options.out);
+    fmt::print("{}", describe_lessons());
     return base::Ok{};
   }
   if (commands.book->parsed()) return make_book(options, folders, settings);

@@ -4,6 +4,7 @@
 //   lab run TECHNIQUE        one technique against the engine: figures, and a picture
 //   lab compare TECHNIQUES   a table of several techniques
 //   lab book                 pages about all of them
+//   lab school               lessons for beginners
 #pragma once
 
 #include <optional>
@@ -32,7 +33,7 @@ struct LabOptions {
   // Measurements of each technique, in turns; the fastest counts.
   int rounds = 1;
   bool json = false;
-  // Picture file of `run`; empty: none. Folder of `book`.
+  // Picture file of `run`; empty: none. Folder of `book` and `school`.
   std::string out;
   // Levels of `book`; empty: the small built-in level.
   std::vector<std::string> maps;
@@ -45,6 +46,7 @@ struct LabCommands {
   Command* run = nullptr;
   Command* compare = nullptr;
   Command* book = nullptr;
+  Command* school = nullptr;
 };
 
 LabCommands add_lab_command(Command& program, LabOptions& io_options);

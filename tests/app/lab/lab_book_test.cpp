@@ -12,6 +12,7 @@
 #include "app/lab/book/book_pages.h"
 #include "app/lab/book/write_book.h"
 #include "app/program.h"
+#include "lab/lessons.h"
 #include "lab/registry.h"
 #include "support/page_markup.h"
 #include "support/programs/small_game.h"
@@ -141,6 +142,27 @@ TEST(LabBook, WritesPagesAndPictures) {
       EXPECT_EQ(read_png(book / picture).width, 3u * 640) << picture;
     }
   }
+}
+
+TEST(LabSchool, ListsLessonsAndWritesThem) {
+  const TemporaryFolder folder;
+  const ProgramRun list = run_program(folder.path(), {"lab", "school"});
+  EXPECT_EQ(list.exit_status, 0);
+  EXPECT_THAT(list.out, HasSubstr("spans: Scan conversion\n"));
+  const ProgramRun run = run_program(folder.path(), {"lab", "school", "-o", "pages"});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_EQ(find_markup_fault(read_text(folder.path() / "pages" / "school.html")), "");
+  EXPECT_EQ(read_png(folder.path() / "pages" / "school-depth.png").width, 640u);
+  folder.write("file", "a file");
+  EXPECT_EQ(run_program(folder.path(), {"lab", "school", "-o", "file"}).exit_status, 1);
+}
+
+// The book and its readers know where to find each lesson.
+TEST(LabSchool, LessonsNameFunctionsThatExist) {
+  for (const lab::school::Lesson& lesson : lab::school::list_lessons())
+    EXPECT_THAT(read_text(std::filesystem::path(TEMBLOR_SOURCE_DIR) / "src/lab/school" / lesson.file),
+                HasSubstr(std::string(lesson.function) + "("))
+        << lesson.name;
 }
 
 TEST(LabBook, SaysWhyItCannotBeWritten) {

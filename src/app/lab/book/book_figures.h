@@ -45,7 +45,7 @@ struct SizeTimes {
 
 // The engine alone, in all levels, at the sizes of the articles; `indexed`, which they had.
 struct EngineFigures {
-  Distribution faces_in_pvs_per_seen;  // over views
+  Distribution faces_in_pvs_per_seen;                       // over views
   double texels_read_320x200 = 0;                           // median over views, mean of the levels
   double cache_bytes_320x200 = 0, cache_bytes_640x480 = 0;  // largest, after a circle
   double fps_640x400 = 0;                                   // of the slowest level

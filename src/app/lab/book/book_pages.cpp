@@ -227,6 +227,8 @@ std::string make_index_page(const BookInput& input) {
   return begin_book_page("The laboratory's book") + "<h1>The laboratory's book</h1>\n" +
          "<p>Michael Abrash's articles explain how Quake draws its world by what else was tried. Here, the "
          "alternatives draw the same views as Temblor's renderer, under the same clock.</p>\n" +
+         "<p><a href=\"school.html\">The school</a> is for beginners: a small renderer, from a line to a "
+         "scene.</p>\n" +
          make_conditions(input) + make_verdicts(input) + make_numbers(input.figures) + end_page();
 }
 

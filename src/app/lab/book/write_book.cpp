@@ -5,6 +5,7 @@
 #include "app/files/atomic_write.h"
 #include "app/files/system.h"
 #include "app/lab/book/book_pages.h"
+#include "app/lab/book/school_pages.h"
 #include "app/lab/lab_picture.h"
 #include "lab/registry.h"
 
@@ -53,10 +54,7 @@ std::vector<lab::Choice> list_book_techniques() {
 
 base::Status write_book(const fs::path& folder, std::span<const LabScenes> levels,
                         const BookOptions& options) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure || !fs::is_directory(folder))
-    return make_write_error(folder, failure ? failure.message() : "it is not a folder", Remedy::kOtherOutput);
+  TRY_STATUS(write_school(folder));
   TRY(const BookFigures figures, measure_book(levels, list_book_techniques(), options));
   for (std::size_t i = 1; i < figures.choices.size(); ++i)
     TRY_STATUS(write_picture(folder, levels, figures, i, options));

@@ -10,8 +10,9 @@ namespace temblor::app {
 // The techniques of all chapters; the first is the engine.
 std::vector<lab::Choice> list_book_techniques();
 
-// Makes the folder if it does not exist, and writes index.html, a page for each chapter, and a picture for
-// each technique, over those that are there. Errors: a folder or file that cannot be written.
+// Makes the folder if it does not exist, and writes index.html, a page for each chapter, the school,
+// and a picture for each technique, over those that are there. Errors: a folder or file that cannot be
+// written.
 base::Status write_book(const std::filesystem::path& folder, std::span<const LabScenes> levels,
                         const BookOptions& options);
 
