@@ -1,35 +1,14 @@
 #include "render/view/visible_faces.h"
 
-#include <array>
 #include <cmath>
 
+#include "render/view/clip_box.h"
 #include "render/view/model_view.h"
 #include "world/visibility.h"
 
 namespace temblor::render {
 
 namespace {
-
-// The frustum planes that a box may cross, given those that its parent's box may cross (ClipFlags); kOutside
-// if the box is completely behind one of them. A node inside a plane spares all nodes below it that test
-// (Abrash, "Sorted Spans in Action").
-constexpr int kOutside = -1;
-int clip_box(const std::array<FrustumPlane, 5>& frustum, const math::Bounds& bounds, int flags) {
-  for (int i = 0; i < 5; ++i) {
-    if ((flags & 1 << i) == 0) continue;
-    const FrustumPlane& plane = frustum[static_cast<std::size_t>(i)];
-    double farthest = plane.offset, nearest = plane.offset;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double at_min = plane.normal[axis] * static_cast<double>(bounds.mins[axis]);
-      const double at_max = plane.normal[axis] * static_cast<double>(bounds.maxs[axis]);
-      farthest += std::max(at_min, at_max);
-      nearest += std::min(at_min, at_max);
-    }
-    if (farthest < 0) return kOutside;
-    if (nearest >= 0) flags &= ~(1 << i);
-  }
-  return flags;
-}
 
 // False in solid space, outside the level, and in levels without visibility data: then everything is visible.
 bool has_pvs(const world::Level& level, world::LeafIndex eye) {
@@ -75,10 +54,6 @@ class TreeWalk {
       node_marked_[node] = 1;
   }
 
-  // Leaf 0 is the solid outside and has no faces.
-  void mark_everything() {
-    for (std::size_t leaf = 1; leaf < level_.leaves.size(); ++leaf) mark_leaf(leaf);
-  }
   // Bit i of a PVS row stands for leaf i + 1.
   void mark_row(std::span<const std::uint8_t> row) {
     for (std::size_t byte = 0; byte < row.size(); ++byte)
@@ -176,19 +151,30 @@ class TreeWalk {
 
 }  // namespace
 
+std::span<const std::uint8_t> find_leaves_in_pvs(const FrameContext& context, const ViewFrame& view) {
+  const world::Level& level = context.level();
+  std::vector<std::uint8_t>& row = context.arenas.pvs_row;
+  const world::LeafIndex leaf = context.scene.pvs_leaf.value_or(view.eye_leaf);
+  if (context.settings.use_pvs && view.perspective && has_pvs(level, leaf)) {
+    world::decompress_pvs(level, leaf, row);
+    const std::size_t bit = base::to_size(leaf) - 1;
+    row[bit / 8] |= static_cast<std::uint8_t>(1 << bit % 8);
+  } else {
+    row.assign((level.leaves.size() + 6) / 8, 0xff);
+  }
+  return row;
+}
+
+VisibleFaces find_faces_in_leaves(const FrameContext& context, const ViewFrame& view,
+                                  const LevelTables& tables, std::span<const std::uint8_t> leaves) {
+  TreeWalk walk(context, view, tables, world_opacities(context.scene, context.arena()), context.arena());
+  walk.mark_row(leaves);
+  return walk.find_faces();
+}
+
 VisibleFaces find_visible_faces(const FrameContext& context, const ViewFrame& view,
                                 const LevelTables& tables) {
-  const world::Level& level = context.level();
-  TreeWalk walk(context, view, tables, world_opacities(context.scene, context.arena()), context.arena());
-  const world::LeafIndex pvs_leaf = context.scene.pvs_leaf.value_or(view.eye_leaf);
-  if (context.settings.use_pvs && view.perspective && has_pvs(level, pvs_leaf)) {
-    world::decompress_pvs(level, pvs_leaf, context.arenas.pvs_row);
-    walk.mark_row(context.arenas.pvs_row);
-    walk.mark_leaf(base::to_size(pvs_leaf));
-  } else {
-    walk.mark_everything();
-  }
-  return walk.find_faces();
+  return find_faces_in_leaves(context, view, tables, find_leaves_in_pvs(context, view));
 }
 
 }  // namespace temblor::render

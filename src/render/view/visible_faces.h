@@ -42,6 +42,14 @@ struct VisibleFaces {
   std::uint32_t faces_in_pvs = 0;
 };
 
+// The leaves whose faces may be visible: bit i for leaf i + 1, because leaf 0 is the solid outside and has no
+// faces. All leaves if the eye's leaf has no PVS. Valid until the next frame.
+std::span<const std::uint8_t> find_leaves_in_pvs(const FrameContext& context, const ViewFrame& view);
+
+// The faces of such leaves, as find_visible_faces().
+VisibleFaces find_faces_in_leaves(const FrameContext& context, const ViewFrame& view,
+                                  const LevelTables& tables, std::span<const std::uint8_t> leaves);
+
 // `tables` must be those of the scene's level. Results live in the frame's arena.
 VisibleFaces find_visible_faces(const FrameContext& context, const ViewFrame& view,
                                 const LevelTables& tables);
