@@ -14,6 +14,7 @@
 #include "lab/hidden_surfaces/span_sorting.h"
 #include "lab/hidden_surfaces/z_buffer.h"
 #include "lab/perspective/affine_spans.h"
+#include "lab/visible_faces/leaf_faces.h"
 
 namespace temblor::lab {
 
@@ -44,8 +45,16 @@ constexpr std::string_view kBigPicture = "Quake's 3-D Engine: The Big Picture";
 constexpr std::string_view kAlternatives = "Consider the Alternatives: Quake's Hidden-Surface Removal";
 constexpr std::string_view kSortedSpans = "Sorted Spans in Action";
 
-render::FrameStages make_engine(std::span<const double> /*values*/, Counter* /*counter*/) {
-  return {};
+render::FrameStages make_engine(std::span<const double> /*values*/, Counter* counter) {
+  render::FrameStages stages;
+  if (counter == nullptr) return stages;
+  stages.find_visible_faces = [=](const render::FrameContext& context, const render::ViewFrame& view,
+                                  const render::LevelTables& tables) {
+    const render::VisibleFaces visible = render::find_visible_faces(context, view, tables);
+    counter->add({.planes_tested = count_planes_tested(context, view, visible)});
+    return visible;
+  };
+  return stages;
 }
 
 constexpr std::array kTechniques{
@@ -139,6 +148,16 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kNoParameters,
               .make_stages = make_intersecting_edges},
+    Technique{.name = "leaf-faces",
+              .title = "Front-face tests on leaves",
+              .summary = "Every visible leaf tests which of its faces the eye is in front of.",
+              .article = kSortedSpans,
+              .heading = "Quake and sorted spans",
+              .replaces = "visibility",
+              .expected = "The same faces with more tests: faces in one plane are tested one by one.",
+              .max_wrong_share = 0,
+              .parameters = kNoParameters,
+              .make_stages = make_leaf_faces},
     Technique{.name = "affine-spans",
               .title = "Textures without perspective",
               .summary = "Divides at a few pixels of a span, and steps texels evenly in between.",

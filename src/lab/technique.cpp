@@ -13,6 +13,7 @@ Counts& Counts::operator+=(const Counts& other) {
   splits += other.splits;
   pixels_tested += other.pixels_tested;
   bytes += other.bytes;
+  planes_tested += other.planes_tested;
   pixels_off += other.pixels_off;
   max_texel_error = std::max(max_texel_error, other.max_texel_error);
   return *this;

@@ -29,6 +29,7 @@ struct Counts {
   std::uint64_t splits = 0;         // parts of faces that a line cut in two
   std::uint64_t pixels_tested = 0;  // depth tests of single pixels
   std::uint64_t bytes = 0;          // memory that the engine does not need
+  std::uint64_t planes_tested = 0;  // of nodes and faces, against the eye
   // Pixels that show another texel than the exact one, and the largest distance between the two along s or t.
   std::uint64_t pixels_off = 0;
   double max_texel_error = 0;

@@ -21,7 +21,8 @@ constexpr auto kChoices = {"painter",
                            "independent-edges",
                            "abutting-edges",
                            "abutting-edges:mesh=0",
-                           "intersecting-edges"};
+                           "intersecting-edges",
+                           "leaf-faces"};
 
 void judge(const test::DrawableLevel& level, const char* text, int views) {
   const base::Result<Choice> choice = parse_choice(text);
