@@ -37,6 +37,9 @@ constexpr std::array kAbuttingParameters{
     Parameter{"gradient", 1, 0, 1,
               "1: of touching surfaces, the one that comes nearer to the right is in front"},
     Parameter{"mesh", 1, 0, 1, "1: across a shared edge, a surface takes the place of its neighbor"}};
+constexpr std::array kCachedOrderParameters{
+    Parameter{"pairs", 65536, 2, 1 << 24, "places of the cache, rounded up to a power of two"},
+    Parameter{"keep", 1, 0, 1, "1: keeps pairs for the next frame; 0: empties the cache before each frame"}};
 
 constexpr std::array kAffineParameters{Parameter{
     "pixels", 8192, 1, 8192, "pixels between two divisions; 8192: only the ends of a span are exact"}};
@@ -148,6 +151,17 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kNoParameters,
               .make_stages = make_intersecting_edges},
+    Technique{
+        .name = "cached-order",
+        .title = "Cached order of faces",
+        .summary = "Looks up which of two faces is in front, and compares 1/z only if the order may change.",
+        .article = kSortedSpans,
+        .heading = "Abutting span sorting",
+        .replaces = "scan",
+        .expected = "Slower than abutting edges: to look up a result takes longer than to compute it.",
+        .max_wrong_share = 0.001,
+        .parameters = kCachedOrderParameters,
+        .make_stages = make_cached_order},
     Technique{.name = "leaf-faces",
               .title = "Front-face tests on leaves",
               .summary = "Every visible leaf tests which of its faces the eye is in front of.",

@@ -10,6 +10,7 @@ namespace temblor::lab {
 Counts& Counts::operator+=(const Counts& other) {
   spans_sorted += other.spans_sorted;
   comparisons += other.comparisons;
+  cache_hits += other.cache_hits;
   splits += other.splits;
   pixels_tested += other.pixels_tested;
   bytes += other.bytes;

@@ -26,6 +26,7 @@ struct Parameter {
 struct Counts {
   std::uint64_t spans_sorted = 0;   // spans that were put in order, or clipped against others
   std::uint64_t comparisons = 0;    // which of two surfaces is nearer, or on which side of a line one is
+  std::uint64_t cache_hits = 0;     // comparisons with a result from before
   std::uint64_t splits = 0;         // parts of faces that a line cut in two
   std::uint64_t pixels_tested = 0;  // depth tests of single pixels
   std::uint64_t bytes = 0;          // memory that the engine does not need

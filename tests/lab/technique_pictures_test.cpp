@@ -22,6 +22,7 @@ constexpr auto kChoices = {"painter",
                            "abutting-edges",
                            "abutting-edges:mesh=0",
                            "intersecting-edges",
+                           "cached-order",
                            "leaf-faces"};
 
 void judge(const test::DrawableLevel& level, const char* text, int views) {

@@ -58,6 +58,7 @@ class CountedViews {
     figures_.splits += static_cast<double>(counts.splits);
     figures_.spans_sorted += static_cast<double>(counts.spans_sorted);
     figures_.bytes += static_cast<double>(counts.bytes);
+    figures_.cache_hits += static_cast<double>(counts.cache_hits);
     figures_.planes_tested += static_cast<double>(counts.planes_tested);
     figures_.pixels_off += static_cast<double>(counts.pixels_off) / pixels;
     figures_.max_texel_error = std::max(figures_.max_texel_error, counts.max_texel_error);
@@ -68,8 +69,9 @@ class CountedViews {
   ViewFigures means() const {
     ViewFigures means = figures_;
     const double views = static_cast<double>(std::max<std::size_t>(means.views, 1));
-    for (double* sum : {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits,
-                        &means.spans_sorted, &means.bytes, &means.planes_tested, &means.pixels_off})
+    for (double* sum :
+         {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits, &means.spans_sorted,
+          &means.bytes, &means.planes_tested, &means.cache_hits, &means.pixels_off})
       *sum /= views;
     return means;
   }
@@ -185,6 +187,7 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("depth tests / pixel", 2, [](const auto& f) { return f.views.pixels_tested; });
   table.add("spans sorted", 0, [](const auto& f) { return f.views.spans_sorted; });
   table.add("comparisons", 0, [](const auto& f) { return f.views.comparisons; });
+  table.add("  known from before", 0, [](const auto& f) { return f.views.cache_hits; });
   table.add("splits", 0, [](const auto& f) { return f.views.splits; });
   table.add("planes tested", 0, [](const auto& f) { return f.views.planes_tested; });
   table.add("memory, KiB", 0, [](const auto& f) { return f.views.bytes / 1024; });
@@ -214,6 +217,7 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                 {"pixels_written", f.views.pixels_written},
                                 {"pixels_tested", f.views.pixels_tested},
                                 {"comparisons", f.views.comparisons},
+                                {"cache_hits", f.views.cache_hits},
                                 {"splits", f.views.splits},
                                 {"spans_sorted", f.views.spans_sorted},
                                 {"bytes", f.views.bytes},

@@ -18,21 +18,53 @@ struct DepthRule {
   bool keeps_mesh = true;     // a surface takes the place of the one that ends at the same edge
 };
 
+// A surface that begins at x, and its depth there.
+struct BegunSurface {
+  render::SurfaceIndex surface;
+  double x;
+  int row;
+  double depth;
+};
+
+// Compares surfaces by 1/z.
+class DepthOrder {
+ public:
+  DepthOrder(std::span<const render::ScreenPlane> depths, const DepthRule& rule)
+      : depths_(depths), rule_(rule) {}
+
+  BegunSurface begin(render::SurfaceIndex surface, double x, int row) const {
+    return {surface, x, row, depths_[base::to_size(surface)].at(x, row)};
+  }
+  bool is_nearer(const BegunSurface& begun, render::SurfaceIndex other);
+  bool keeps_mesh() const { return rule_.keeps_mesh; }
+  // Since the object was made.
+  Counts counts() const { return {.comparisons = comparisons_}; }
+
+ private:
+  std::span<const render::ScreenPlane> depths_;  // by surface
+  DepthRule rule_;
+  std::uint64_t comparisons_ = 0;
+};
+
+// From the edge at `place` on, `surface` is in front.
+struct DepthStackSwitch {
+  std::uint32_t place;
+  render::SurfaceIndex surface;
+};
+
+// `Order` says which of two surfaces is nearer: DepthOrder, or another class with the same functions, for
+// which depth_stack.cpp has an instance.
+template <typename Order>
 class DepthStack {
  public:
-  // From the edge at `place` on, `surface` is in front.
-  struct Switch {
-    std::uint32_t place;
-    render::SurfaceIndex surface;
-  };
-
-  DepthStack(std::span<const render::ScreenPlane> depths, const DepthRule& rule, base::Arena& arena);
+  // For surfaces with numbers below `surface_count`.
+  DepthStack(const Order& order, std::size_t surface_count, base::Arena& arena);
 
   // Passes all edges of a row from left to right, beginning with only the background in the stack.
   void walk(int row, std::span<const double> x, std::span<const render::EdgeRecord> records,
-            base::ArenaVector<Switch>& out_switches);
+            base::ArenaVector<DepthStackSwitch>& out_switches);
 
-  std::uint64_t comparisons() const { return comparisons_; }
+  const Order& order() const { return order_; }
 
  private:
   // A surface counts the edges that it is inside of. Valid only for `row`.
@@ -47,17 +79,13 @@ class DepthStack {
   void remove(render::SurfaceIndex surface);
   void insert(render::SurfaceIndex surface, double x, int row);
   void replace(render::SurfaceIndex old, render::SurfaceIndex surface);
-  bool is_nearer(render::SurfaceIndex begun, double depth, render::SurfaceIndex other, double x,
-                 int row) const;
   Links& links(render::SurfaceIndex surface) { return links_[base::to_size(surface)]; }
 
-  std::span<const render::ScreenPlane> depths_;
-  DepthRule rule_;
+  Order order_;
   std::span<Passed> passed_;  // by surface
   // By surface, for those in the stack. The background is always the farthest; its `farther` is the nearest
   // surface, so the list is a ring.
   std::span<Links> links_;
-  std::uint64_t comparisons_ = 0;
 };
 
 }  // namespace temblor::lab
