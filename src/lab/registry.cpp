@@ -15,6 +15,7 @@
 #include "lab/hidden_surfaces/z_buffer.h"
 #include "lab/perspective/affine_spans.h"
 #include "lab/visible_faces/leaf_faces.h"
+#include "lab/visible_faces/portals.h"
 
 namespace temblor::lab {
 
@@ -40,6 +41,10 @@ constexpr std::array kAbuttingParameters{
 constexpr std::array kCachedOrderParameters{
     Parameter{"pairs", 65536, 2, 1 << 24, "places of the cache, rounded up to a power of two"},
     Parameter{"keep", 1, 0, 1, "1: keeps pairs for the next frame; 0: empties the cache before each frame"}};
+constexpr std::array kPortalParameters{
+    Parameter{"octagon", 0, 0, 1, "0: windows are rectangles; 1: octagons"},
+    Parameter{"pvs", 0, 0, 1, "1: only leaves of the potentially visible set; 0: all"},
+    Parameter{"portals", 2e5, 0, 1e6, "portals of a level; one with more is refused"}};
 
 constexpr std::array kAffineParameters{Parameter{
     "pixels", 8192, 1, 8192, "pixels between two divisions; 8192: only the ends of a span are exact"}};
@@ -172,6 +177,19 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kNoParameters,
               .make_stages = make_leaf_faces},
+    Technique{
+        .name = "portals",
+        .title = "Portals",
+        .summary = "Finds the leaves in view through the openings between them, without a precomputed PVS.",
+        .article = kAlternatives,
+        .heading = "Creative flux",
+        .replaces = "visibility",
+        .expected = "Fewer faces than the PVS, because the window narrows with the view. It takes more "
+                    "time to find them in each frame.",
+        .max_wrong_share = 0.001,
+        .parameters = kPortalParameters,
+        .make_stages = make_portal_stages,
+        .check_level = check_portals},
     Technique{.name = "affine-spans",
               .title = "Textures without perspective",
               .summary = "Divides at a few pixels of a span, and steps texels evenly in between.",

@@ -15,6 +15,8 @@ Counts& Counts::operator+=(const Counts& other) {
   pixels_tested += other.pixels_tested;
   bytes += other.bytes;
   planes_tested += other.planes_tested;
+  portals_clipped += other.portals_clipped;
+  leaves_reached += other.leaves_reached;
   pixels_off += other.pixels_off;
   max_texel_error = std::max(max_texel_error, other.max_texel_error);
   return *this;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "render/frame/frame_stages.h"
 
 namespace temblor::lab {
@@ -31,6 +32,7 @@ struct Counts {
   std::uint64_t pixels_tested = 0;  // depth tests of single pixels
   std::uint64_t bytes = 0;          // memory that the engine does not need
   std::uint64_t planes_tested = 0;  // of nodes and faces, against the eye
+  std::uint64_t portals_clipped = 0, leaves_reached = 0;
   // Pixels that show another texel than the exact one, and the largest distance between the two along s or t.
   std::uint64_t pixels_off = 0;
   double max_texel_error = 0;
@@ -67,6 +69,9 @@ struct Technique {
   // not draw two frames at once. `counter` may be null: then the technique counts nothing, which is faster.
   // It must outlive the stages.
   render::FrameStages (*make_stages)(std::span<const double> values, Counter* counter);
+  // Fails if the technique cannot draw the level, with one line for people. Null: it draws every level. The
+  // stages may be used anyway; then they draw like the engine.
+  base::Status (*check_level)(std::span<const double> values, const world::Level& level) = nullptr;
 };
 
 // A technique and the values of its parameters.
@@ -76,6 +81,10 @@ struct Choice {
 
   render::FrameStages make_stages(Counter* counter = nullptr) const {
     return technique->make_stages(values, counter);
+  }
+  // Whether the technique can draw the level.
+  base::Status check_level(const world::Level& level) const {
+    return technique->check_level != nullptr ? technique->check_level(values, level) : base::Ok{};
   }
   // The name and the parameters that are not at their default, in the form of the command line.
   std::string label() const;

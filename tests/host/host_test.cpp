@@ -317,6 +317,9 @@ TEST(Host, DrawsByATechniqueOfTheLaboratory) {
   game.run(0.1);
   EXPECT_TRUE(game.has_printed("intersecting-edges")) << "names the valid values";
   EXPECT_EQ(technique(), "painter");
+  game.command("r_technique portals");
+  game.run(0.1);
+  EXPECT_EQ(technique(), "portals");
   game.command("r_technique bsp-edges");
   game.run(0.1);
   EXPECT_EQ(technique(), "bsp-edges");

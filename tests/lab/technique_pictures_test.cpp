@@ -23,7 +23,10 @@ constexpr auto kChoices = {"painter",
                            "abutting-edges:mesh=0",
                            "intersecting-edges",
                            "cached-order",
-                           "leaf-faces"};
+                           "leaf-faces",
+                           "portals",
+                           "portals:octagon=1",
+                           "portals:pvs=1"};
 
 void judge(const test::DrawableLevel& level, const char* text, int views) {
   const base::Result<Choice> choice = parse_choice(text);

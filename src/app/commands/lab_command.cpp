@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
 
 #include "app/commands/command_line.h"
 #include "app/files/diagnostics.h"
@@ -118,8 +122,22 @@ base::Status write_picture(const LabOptions& options, const lab::Choice& choice,
   return write_lab_picture(options.out, technique, engine, look.palette);
 }
 
-base::Status compare(const std::vector<std::string>& texts, const LabOptions& options,
-                     const LabScenes& scenes, const render::Settings& settings) {
+// Fails if one of the techniques cannot draw the level, or a level of the demo.
+base::Status check_levels(std::span<const lab::Choice> choices, const LabScenes& scenes) {
+  const auto has_check = [](const lab::Choice& choice) { return choice.technique->check_level != nullptr; };
+  if (std::ranges::none_of(choices, has_check)) return base::Ok{};
+  std::shared_ptr<const world::LevelIdentity> checked;
+  base::Status status = base::Ok{};
+  TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) {
+    if (std::exchange(checked, scene.level->identity) == scene.level->identity) return;
+    for (const lab::Choice& choice : choices)
+      if (status.ok()) status = choice.check_level(*scene.level);
+  }));
+  return status;
+}
+
+base::Status compare(std::span<const lab::Choice> choices, const LabOptions& options, const LabScenes& scenes,
+                     const render::Settings& settings) {
   FigureOptions figure_options;
   figure_options.measure.size = options.frame.size;
   figure_options.measure.format = options.frame.format;
@@ -127,11 +145,6 @@ base::Status compare(const std::vector<std::string>& texts, const LabOptions& op
   figure_options.measure.step_deg = options.step_deg;
   figure_options.measure.settings = settings;
   figure_options.rounds = options.rounds;
-  std::vector<lab::Choice> choices;
-  for (const std::string& text : texts) {
-    TRY(lab::Choice choice, lab::parse_choice(text));
-    choices.push_back(std::move(choice));
-  }
   TRY(const std::vector<TechniqueFigures> figures, find_figures(scenes, choices, figure_options));
   if (options.json)
     fmt::print(
@@ -210,15 +223,17 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
   const bool is_run = commands.run->parsed();
   std::vector<std::string> texts = options.techniques;
   if (is_run) texts = {std::string(lab::list_techniques().front().name), options.technique};
-  for (const std::string& text : texts) TRY_STATUS(lab::parse_choice(text));  // before loading anything
+  std::vector<lab::Choice> choices;
+  for (const std::string& text : texts) {
+    TRY(lab::Choice choice, lab::parse_choice(text));
+    choices.push_back(std::move(choice));
+  }
   if (is_run && !options.out.empty()) TRY_STATUS(numbered_name(options.out, 0));
   TRY(const LabScenes scenes, load_scenes(options, folders, presentation));
   for (const std::string& note : scenes.notes()) print_note(note);
-  if (is_run && !options.out.empty()) {
-    TRY(const lab::Choice choice, lab::parse_choice(options.technique));
-    TRY_STATUS(write_picture(options, choice, scenes, settings));
-  }
-  return compare(texts, options, scenes, settings);
+  TRY_STATUS(check_levels(choices, scenes));
+  if (is_run && !options.out.empty()) TRY_STATUS(write_picture(options, choices.back(), scenes, settings));
+  return compare(choices, options, scenes, settings);
 }
 
 }  // namespace temblor::app

@@ -59,6 +59,8 @@ class CountedViews {
     figures_.spans_sorted += static_cast<double>(counts.spans_sorted);
     figures_.bytes += static_cast<double>(counts.bytes);
     figures_.cache_hits += static_cast<double>(counts.cache_hits);
+    figures_.portals_clipped += static_cast<double>(counts.portals_clipped);
+    figures_.leaves_reached += static_cast<double>(counts.leaves_reached);
     figures_.planes_tested += static_cast<double>(counts.planes_tested);
     figures_.pixels_off += static_cast<double>(counts.pixels_off) / pixels;
     figures_.max_texel_error = std::max(figures_.max_texel_error, counts.max_texel_error);
@@ -69,9 +71,9 @@ class CountedViews {
   ViewFigures means() const {
     ViewFigures means = figures_;
     const double views = static_cast<double>(std::max<std::size_t>(means.views, 1));
-    for (double* sum :
-         {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits, &means.spans_sorted,
-          &means.bytes, &means.planes_tested, &means.cache_hits, &means.pixels_off})
+    for (double* sum : {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits,
+                        &means.spans_sorted, &means.bytes, &means.planes_tested, &means.cache_hits,
+                        &means.portals_clipped, &means.leaves_reached, &means.pixels_off})
       *sum /= views;
     return means;
   }
@@ -190,6 +192,8 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("  known from before", 0, [](const auto& f) { return f.views.cache_hits; });
   table.add("splits", 0, [](const auto& f) { return f.views.splits; });
   table.add("planes tested", 0, [](const auto& f) { return f.views.planes_tested; });
+  table.add("portals clipped", 0, [](const auto& f) { return f.views.portals_clipped; });
+  table.add("leaves reached", 0, [](const auto& f) { return f.views.leaves_reached; });
   table.add("memory, KiB", 0, [](const auto& f) { return f.views.bytes / 1024; });
   table.add("wrong texels, %", 2, [](const auto& f) { return 100 * f.views.pixels_off; });
   table.add("largest error, texels", 2, [](const auto& f) { return f.views.max_texel_error; });
@@ -222,6 +226,8 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                 {"spans_sorted", f.views.spans_sorted},
                                 {"bytes", f.views.bytes},
                                 {"planes_tested", f.views.planes_tested},
+                                {"portals_clipped", f.views.portals_clipped},
+                                {"leaves_reached", f.views.leaves_reached},
                                 {"texels_off", f.views.pixels_off},
                                 {"max_texel_error", f.views.max_texel_error},
                                 {"judged",

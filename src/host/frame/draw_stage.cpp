@@ -97,10 +97,24 @@ void add_overlays(Host& io_host, const DrawSettings& settings, const render::Fra
   add_readouts(io_host, settings, stats, width, height);
 }
 
-void apply_technique(std::size_t technique, GameData& io_data) {
-  if (io_data.technique == technique) return;
-  io_data.technique = technique;
-  io_data.renderer.replace_stages(lab::make_default_choice(technique).make_stages());
+// Gives the renderer the stages of r_technique, or the engine's if the technique cannot draw the level. Then
+// it sets r_technique, so it must not run in parallel with a server tick.
+void update_technique(Host& io_host) {
+  if (!has_view(io_host)) return;
+  GameData& data = *io_host.game.data;
+  const world::Level& level = *data.presentation.scene().level;
+  std::size_t technique = io_host.variables.technique();
+  if (technique == data.technique && level.identity == data.technique_level) return;
+  data.technique_level = level.identity;
+  if (const base::Status status = lab::make_default_choice(technique).check_level(level); !status.ok()) {
+    print_if_error(io_host, status);
+    technique = 0;
+    const std::string engine(lab::list_techniques()[technique].name);
+    print_if_error(io_host, io_host.variables.variables().set("r_technique", engine));
+  }
+  if (technique == data.technique) return;
+  data.technique = technique;
+  data.renderer.replace_stages(lab::make_default_choice(technique).make_stages());
 }
 
 // Draws the view and the overlay on top, or a black background if there is no view or the console covers it.
@@ -112,7 +126,6 @@ void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer
   if (has_view(io_host) && !io_host.console.ui.covers_frame()) {
     // The first view of a session appears after a level has loaded, so nobody notices this wait.
     if (io_frame.format() == render::PixelFormat::kIndexed) data.renderer.make_blend_tables();
-    apply_technique(settings.readouts.technique, data);
     stats = data.renderer.render(data.presentation.scene(), settings.render, io_frame);
     // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
     if (!io_host.saves.picture_request.empty()) write_save_picture(io_host, io_frame);
@@ -153,6 +166,7 @@ void draw_and_show(Host& io_host) {
   const auto step = [&io_host, &session, halted = is_halted(io_host)] {
     session.step_server(io_host.timing.now_s, halted);
   };
+  update_technique(io_host);
   DrawSettings settings{variables.render(), variables.console(), variables.readouts(),
                         io_host.video.presentation_settings.hud.size};
   forbid_cheats(io_host, settings.render);

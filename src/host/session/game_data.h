@@ -37,6 +37,8 @@ struct GameData {
   render::Renderer renderer;
   // The technique whose stages the renderer has; see HostVariables::technique().
   std::size_t technique = 0;
+  // The level that it was checked with (lab::Technique::check_level); null: none yet.
+  std::shared_ptr<const world::LevelIdentity> technique_level;
 };
 
 }  // namespace temblor::host

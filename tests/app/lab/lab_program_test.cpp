@@ -63,6 +63,7 @@ TEST(LabProgram, ThePictureShowsTheDifference) {
   };
   EXPECT_EQ(count_different("bsp-edges"), 0u);
   EXPECT_EQ(count_different("intersecting-edges"), 0u);
+  EXPECT_EQ(count_different("portals"), 0u);
   EXPECT_GT(count_different("independent-edges"), 100u);
 }
 
@@ -103,6 +104,8 @@ TEST(LabProgram, ExplainsMistakes) {
       {{"run", "painter:pvs=7"}, "must be pvs=N, with a whole N from 0 to 1"},
       {{"run", "painter", "--map", "./missing.bsp"}, "missing.bsp"},
       {{"run", "painter", "--demo", "missing"}, "temblor: "},
+      {{"run", "portals:portals=3"}, "has more than 3 portals, so portals cannot draw it"},
+      {{"compare", "bsp-edges", "portals:portals=3"}, "has more than 3 portals"},
       {{"run", "painter", "-o", "x.gif"}, ".png"},
       {{"run", "painter", "-o", "nowhere/x.png"}, "nowhere/x.png"},
       {{"run", "painter", "--step", "0"}, "--step"}};
