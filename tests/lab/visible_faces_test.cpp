@@ -213,6 +213,34 @@ TEST_P(VisibleFaces, ShowLevelsThatAlternateLikeTheEngine) {
   }
 }
 
+// Planes without direction, in the wrong place, or used twice; solid leaves that are open, and the reverse.
+// No picture is right then, but every pixel is drawn.
+TEST_P(VisibleFaces, DrawDamagedLevels) {
+  const test::DrawableLevel drawable = test::small_level();
+  for (int seed = 0; seed < test::effort(60, 6); ++seed) {
+    test::Random random(static_cast<std::uint64_t>(seed));
+    world::Level level = *drawable.level;
+    level.identity = std::make_shared<const world::LevelIdentity>();
+    const test::Viewpoint viewpoint{.camera = test::random_camera(level, random)};
+    for (int i = 0; i < 20; ++i) {
+      world::Plane& plane = level.planes[random.below(level.planes.size())];
+      if (random.chance(0.3)) plane = level.planes[random.below(level.planes.size())];
+      if (random.chance(0.3)) plane.distance = static_cast<float>(random.uniform(-1e9, 1e9));
+      if (random.chance(0.2)) plane.normal = math::Vec3(0.0f);
+      world::Leaf& leaf = level.leaves[random.below(level.leaves.size())];
+      leaf.contents = random.chance(0.5) ? world::Contents::kSolid : world::Contents::kWater;
+    }
+    render::Renderer renderer(drawable.palette, drawable.colormap);
+    renderer.replace_stages(parse_choice(GetParam()).value().make_stages());
+    render::FrameBuffer frame(kFaceViewWidth, kFaceViewHeight, render::PixelFormat::kIndexed);
+    renderer.render(viewpoint.scene(level), {.use_pvs = seed % 2 == 0}, frame);
+    std::vector<render::PixelFace> faces(frame.pixel_count());
+    std::vector<std::uint8_t> writes(frame.pixel_count());
+    renderer.pixel_faces(faces, writes);
+    EXPECT_TRUE(std::ranges::all_of(writes, [](int count) { return count == 1; })) << seed;
+  }
+}
+
 TEST_P(VisibleFaces, AllocateNothingInAWarmFrame) {
   const test::DrawableLevel drawable = test::small_level();
   test::Random random(1);
