@@ -14,6 +14,7 @@
 #include "lab/hidden_surfaces/span_sorting.h"
 #include "lab/hidden_surfaces/z_buffer.h"
 #include "lab/perspective/affine_spans.h"
+#include "lab/unsplit_world/unsplit_edges.h"
 #include "lab/visible_faces/leaf_faces.h"
 #include "lab/visible_faces/portals.h"
 
@@ -156,6 +157,18 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kNoParameters,
               .make_stages = make_intersecting_edges},
+    Technique{.name = "unsplit-edges",
+              .title = "Unsplit world",
+              .summary = "Joins faces that BSP planes have split, and sorts their edges by 1/z.",
+              .article = kSortedSpans,
+              .heading = "Quake and sorted spans",
+              .replaces = "scan",
+              .expected =
+                  "Faster than with split faces, but not by as much as hoped. Here, spans are cut again "
+                  "at the parts' light maps.",
+              .max_wrong_share = 0.001,
+              .parameters = kNoParameters,
+              .make_stages = make_unsplit_edges},
     Technique{
         .name = "cached-order",
         .title = "Cached order of faces",

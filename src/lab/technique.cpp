@@ -14,6 +14,7 @@ Counts& Counts::operator+=(const Counts& other) {
   splits += other.splits;
   pixels_tested += other.pixels_tested;
   bytes += other.bytes;
+  edges_saved += other.edges_saved;
   planes_tested += other.planes_tested;
   portals_clipped += other.portals_clipped;
   leaves_reached += other.leaves_reached;

@@ -28,9 +28,10 @@ struct Counts {
   std::uint64_t spans_sorted = 0;   // spans that were put in order, or clipped against others
   std::uint64_t comparisons = 0;    // which of two surfaces is nearer, or on which side of a line one is
   std::uint64_t cache_hits = 0;     // comparisons with a result from before
-  std::uint64_t splits = 0;         // parts of faces that a line cut in two
+  std::uint64_t splits = 0;         // parts of faces or spans that were cut in two
   std::uint64_t pixels_tested = 0;  // depth tests of single pixels
   std::uint64_t bytes = 0;          // memory that the engine does not need
+  std::uint64_t edges_saved = 0;    // edges that need not be sorted
   std::uint64_t planes_tested = 0;  // of nodes and faces, against the eye
   std::uint64_t portals_clipped = 0, leaves_reached = 0;
   // Pixels that show another texel than the exact one, and the largest distance between the two along s or t.

@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Techniques, HiddenSurfaces,
                          testing::Values("painter", "z-buffer", "z-buffer:order=1", "beam-tree",
                                          "beam-tree:bands=0", "beam-tree:nodes=300", "span-sorting",
                                          "span-sorting:depth=1", "independent-edges", "abutting-edges",
-                                         "intersecting-edges", "cached-order"),
+                                         "intersecting-edges", "cached-order", "unsplit-edges"),
                          make_name);
 
 // Two planes that cross in the middle of the screen, which no order can show.

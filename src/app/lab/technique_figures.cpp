@@ -61,6 +61,7 @@ class CountedViews {
     figures_.cache_hits += static_cast<double>(counts.cache_hits);
     figures_.portals_clipped += static_cast<double>(counts.portals_clipped);
     figures_.leaves_reached += static_cast<double>(counts.leaves_reached);
+    figures_.edges_saved += static_cast<double>(counts.edges_saved);
     figures_.planes_tested += static_cast<double>(counts.planes_tested);
     figures_.pixels_off += static_cast<double>(counts.pixels_off) / pixels;
     figures_.max_texel_error = std::max(figures_.max_texel_error, counts.max_texel_error);
@@ -73,7 +74,7 @@ class CountedViews {
     const double views = static_cast<double>(std::max<std::size_t>(means.views, 1));
     for (double* sum : {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits,
                         &means.spans_sorted, &means.bytes, &means.planes_tested, &means.cache_hits,
-                        &means.portals_clipped, &means.leaves_reached, &means.pixels_off})
+                        &means.portals_clipped, &means.leaves_reached, &means.edges_saved, &means.pixels_off})
       *sum /= views;
     return means;
   }
@@ -181,6 +182,7 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   }
   table.add("faces drawn", 0, [](const auto& f) { return f.measurement.faces_drawn.p50; });
   table.add("edges", 0, [](const auto& f) { return f.measurement.edges.p50; });
+  table.add("  not sorted", 0, [](const auto& f) { return f.views.edges_saved; });
   table.add("spans", 0, [](const auto& f) { return f.measurement.spans.p50; });
   table.add("surfaces", 0, [](const auto& f) { return f.measurement.surfaces.p50; });
   table.add("surface cache, MiB", 1,
@@ -225,6 +227,7 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                 {"splits", f.views.splits},
                                 {"spans_sorted", f.views.spans_sorted},
                                 {"bytes", f.views.bytes},
+                                {"edges_saved", f.views.edges_saved},
                                 {"planes_tested", f.views.planes_tested},
                                 {"portals_clipped", f.views.portals_clipped},
                                 {"leaves_reached", f.views.leaves_reached},

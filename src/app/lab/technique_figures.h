@@ -20,7 +20,7 @@ struct ViewFigures {
   double pixels_tested = 0;                                         // per pixel
   double comparisons = 0, splits = 0, spans_sorted = 0, bytes = 0;  // per frame
   double planes_tested = 0, cache_hits = 0;                         // per frame
-  double portals_clipped = 0, leaves_reached = 0;                   // per frame
+  double portals_clipped = 0, leaves_reached = 0, edges_saved = 0;  // per frame
   double pixels_off = 0;       // share of the frame: they show another texel
   double max_texel_error = 0;  // of all views, in texels of mip 0
   oracle::Tally tally;
@@ -56,7 +56,7 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
 //   faces_drawn, edges, spans, surfaces_built            medians, and a sum
 //   pixels_written, pixels_tested                        per pixel of the frame
 //   comparisons, splits, spans_sorted, bytes, planes_tested,     per frame
-//   cache_hits, portals_clipped, leaves_reached
+//   cache_hits, portals_clipped, leaves_reached, edges_saved
 //   texels_off, max_texel_error                          share of pixels; the largest distance along s or t
 //   judged {pixels, wrong, tied, near_edge}              against the oracle
 nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigures> figures);

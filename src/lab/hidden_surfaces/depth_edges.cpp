@@ -4,6 +4,7 @@
 
 #include "lab/hidden_surfaces/depth_stack.h"
 #include "lab/hidden_surfaces/pair_orders.h"
+#include "lab/hidden_surfaces/stack_scan.h"
 #include "lab/hidden_surfaces/surface_depths.h"
 #include "render/edges/active_edges.h"
 #include "render/edges/edge_crossing.h"
@@ -16,44 +17,6 @@ namespace {
 using render::DrawSpan;
 using render::SurfaceIndex;
 
-// The spans of a band, row by row from left to right.
-class RowSpans {
- public:
-  RowSpans(const render::EdgeTable& table, int width, base::Arena& arena)
-      : table_(table), width_(width), spans_(arena, 4096) {}
-
-  void begin_row(int row) {
-    row_ = row;
-    begin_ = 0;
-  }
-  // The surface covers the pixels from the end of the span before up to `end` - 1.
-  void add(SurfaceIndex surface, int end) {
-    if (end <= begin_) return;
-    const std::uint32_t draw = table_.surfaces[base::to_size(surface)].first_draw;
-    const auto count = static_cast<std::uint16_t>(end - begin_);
-    if (begin_ > 0 && spans_.back().draw == draw)
-      spans_.back().span.count = static_cast<std::uint16_t>(spans_.back().span.count + count);
-    else
-      spans_.push_back({draw, {static_cast<std::uint16_t>(begin_), static_cast<std::uint16_t>(row_), count}});
-    begin_ = end;
-  }
-  int width() const { return width_; }
-  std::span<const DrawSpan> all() const { return spans_.view(); }
-
- private:
-  const render::EdgeTable& table_;
-  const int width_;
-  base::ArenaVector<DrawSpan> spans_;
-  int row_ = 0, begin_ = 0;
-};
-
-// The edges that are not right of the screen.
-std::size_t count_on_screen(std::span<const double> x, int width) {
-  std::size_t count = x.size();
-  while (count > 0 && x[count - 1] > width - 1) --count;
-  return count;
-}
-
 // Compares surfaces where one begins. `make_order` makes the stack's order of a frame.
 template <typename MakeOrder>
 render::FrameStages make_stack_stages(MakeOrder make_order, Counter* counter) {
@@ -64,24 +27,10 @@ render::FrameStages make_stack_stages(MakeOrder make_order, Counter* counter) {
     const auto order = make_order(context, table, depths);
     if (counter != nullptr) counter->add({.bytes = depths.size_bytes()});
     return render::make_span_table(context, view, table, [&](render::RowRange rows, base::Arena& arena) {
-      render::ActiveEdges edges(table, rows.first, arena);
       DepthStack stack(order, depths.size(), arena);
-      base::ArenaVector<DepthStackSwitch> switches(arena, 512);
-      RowSpans spans(table, view.width, arena);
-      for (int row = rows.first; row < rows.end; ++row) {
-        edges.advance_to(row);
-        const std::size_t count = count_on_screen(edges.x(), view.width);
-        stack.walk(row, edges.x().first(count), edges.records().first(count), switches);
-        spans.begin_row(row);
-        SurfaceIndex front = render::kBackground;
-        for (const DepthStackSwitch& change : switches) {
-          spans.add(front, render::first_pixel(edges.x()[change.place]));
-          front = change.surface;
-        }
-        spans.add(front, view.width);
-      }
+      const std::span<const DrawSpan> spans = scan_with_stack(table, rows, view.width, stack, arena);
       if (counter != nullptr) counter->add(stack.order().counts());
-      return spans.all();
+      return spans;
     });
   };
   return stages;
