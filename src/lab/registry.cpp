@@ -17,6 +17,7 @@
 #include "lab/unsplit_world/unsplit_edges.h"
 #include "lab/visible_faces/leaf_faces.h"
 #include "lab/visible_faces/portals.h"
+#include "lab/world_light/one_pass.h"
 
 namespace temblor::lab {
 
@@ -50,8 +51,12 @@ constexpr std::array kPortalParameters{
 constexpr std::array kAffineParameters{Parameter{
     "pixels", 8192, 1, 8192, "pixels between two divisions; 8192: only the ends of a span are exact"}};
 
+constexpr std::array kOnePassParameters{
+    Parameter{"bilinear", 1, 0, 1, "1: light between four samples, as in surfaces; 0: the nearest sample"}};
+
 constexpr std::string_view kBigPicture = "Quake's 3-D Engine: The Big Picture";
 constexpr std::string_view kAlternatives = "Consider the Alternatives: Quake's Hidden-Surface Removal";
+constexpr std::string_view kSurfaceCaching = "Quake's Lighting Model: Surface Caching";
 constexpr std::string_view kSortedSpans = "Sorted Spans in Action";
 
 render::FrameStages make_engine(std::span<const double> /*values*/, Counter* counter) {
@@ -215,6 +220,18 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kAffineParameters,
               .make_stages = make_affine_spans},
+    Technique{
+        .name = "one-pass",
+        .title = "Texture and light in one pass",
+        .summary = "Looks up texture and light map for each pixel. Without surfaces, there are no marks.",
+        .article = kSurfaceCaching,
+        .heading = "Size and speed",
+        .replaces = "surfaces, spans",
+        .expected = "Needs no memory for surfaces. Its inner loop is complicated, and slower than both "
+                    "loops of surfaces together.",
+        .max_wrong_share = 0,
+        .parameters = kOnePassParameters,
+        .make_stages = make_one_pass},
 };
 
 // Parses "NAME=VALUE" into the value of that parameter.

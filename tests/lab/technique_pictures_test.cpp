@@ -27,7 +27,8 @@ constexpr auto kChoices = {"painter",
                            "leaf-faces",
                            "portals",
                            "portals:octagon=1",
-                           "portals:pvs=1"};
+                           "portals:pvs=1",
+                           "one-pass"};
 
 void judge(const test::DrawableLevel& level, const char* text, int views) {
   const base::Result<Choice> choice = parse_choice(text);

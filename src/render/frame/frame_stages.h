@@ -6,6 +6,7 @@
 
 #include "render/edges/span_table.h"
 #include "render/spans/draw_spans.h"
+#include "render/surfaces/surface_draws.h"
 #include "render/view/visible_faces.h"
 
 namespace temblor::render {
@@ -16,6 +17,10 @@ struct FrameStages {
       find_visible_faces = render::find_visible_faces;
   std::function<SpanTable(const FrameContext& context, const ViewFrame& view, const EdgeTable& table)>
       scan_edges = render::scan_edges;
+  // A draw without a block must be drawn by `draw_band_spans`.
+  std::function<SurfaceBlocks(const FrameContext& context, const SurfaceRequests& requests,
+                              SurfaceCache& io_cache)>
+      reserve_surfaces = render::reserve_surfaces;
   // Called by several threads at once, for different bands.
   std::function<void(const FrameContext& context, const ViewFrame& view, const Band& band,
                      const SpanSources& sources, FrameBuffer& io_frame)>

@@ -9,15 +9,12 @@
 #include "render/edges/edge_table.h"
 #include "render/surfaces/build_kernels.h"
 #include "render/surfaces/cutout_textures.h"
-#include "render/surfaces/light/caustics.h"
-#include "render/surfaces/light/light_samples.h"
+#include "render/surfaces/light/block_light.h"
 
 namespace temblor::render {
 
 namespace {
 
-// The sum of light that shows the palette's colors as they are, in both pixel formats.
-constexpr std::uint32_t kSumAsStored = 32768;
 // Half a row of tint tables.
 constexpr std::int16_t kRoundTint = 128;
 
@@ -69,9 +66,8 @@ class Builder {
         simd_(simd_kernels),
         scratch_(scratch),
         face_(level.face(request.face)),
-        light_grid_(sample_grid(face_, request.tile_s, request.tile_t,
-                                choose_sample_texels(level, face_, request.mip))),
-        grid_(has_caustics() ? refine_for_caustics(light_grid_, request.mip) : light_grid_),
+        grids_(choose_block_grids(level, request)),
+        grid_(grids_.shown),
         drawn_(request.texture != nullptr ? *request.texture : level.texture(request.contents.texture)),
         texture_(drawn_, request.mip, first_texel(0), first_texel(1)),
         indices_(drawn_.indices(request.mip).data()),
@@ -86,8 +82,8 @@ class Builder {
 
   // Row by row: texels, marks on them, light for the row, then the kernel.
   void build_indexed() {
-    const LightSums sums = sum_tile_light();
-    const std::span<const std::int16_t> samples = make_dark_samples(sums);
+    const LightSums sums = sum_block_light(level_, request_, grids_, scratch_);
+    const std::span<const std::int16_t> samples = make_dark_samples(sums, columns(), scratch_);
     const std::span<std::int16_t> row_light = row_samples(1);
     const Tint tint = sums.channels == 3 ? make_tint(sums) : Tint{};
     const std::span<std::int16_t> row_tint = row_samples(1);
@@ -117,7 +113,8 @@ class Builder {
   }
 
   void build_rgb() {
-    const std::span<const std::int16_t> samples = make_rgb_samples(sum_tile_light());
+    const std::span<const std::int16_t> samples =
+        make_rgb_samples(sum_block_light(level_, request_, grids_, scratch_), columns(), scratch_);
     const std::span<std::int16_t> row_light = row_samples(4);
     const std::span<std::uint32_t> colors = row_of_texels<std::uint32_t>();
     const std::span<std::uint8_t> indices = row_of_texels<std::uint8_t>();
@@ -145,7 +142,6 @@ class Builder {
 
  private:
   std::int32_t texels_per_sample() const { return at_mip(grid_.texels, request_.mip); }
-  bool has_caustics() const { return request_.contents.caustic_step != 0; }
   bool has_holes() const { return drawn_.kind == world::TextureKind::kCutout; }
   bool shows_only_light() const { return request_.contents.light_view == LightView::kLightOnly; }
   // Replaces all texels of a row except for holes.
@@ -201,35 +197,6 @@ class Builder {
     simd_ ? build_indexed_row_simd(row) : build_indexed_row_scalar(row);
   }
 
-  // Numbers of the tile's samples, row by row. There is one extra row, so that every row of texels has
-  // samples above and below it.
-  std::span<std::int16_t> allocate_samples(const LightSums& sums, std::size_t channels) {
-    const std::size_t count = sums.values.size() / sums.channels;
-    return scratch_.allocate_filled<std::int16_t>((count + columns()) * channels, 0);
-  }
-  // For `indexed`: the darkness of each sample's brightest channel.
-  std::span<const std::int16_t> make_dark_samples(const LightSums& sums) {
-    const std::span<std::int16_t> samples = allocate_samples(sums, 1);
-    std::int16_t* out = samples.data();
-    for (const std::uint32_t* sum = sums.values.data(); sum != sums.values.data() + sums.values.size();
-         sum += sums.channels) {
-      const std::uint32_t shown = std::min(*std::max_element(sum, sum + sums.channels), kFullLight);
-      *out++ = static_cast<std::int16_t>(std::max((kFullLight - shown) >> 2, 64u));
-    }
-    return samples;
-  }
-  // For `rgb`: blue, green, red, and 0.
-  std::span<const std::int16_t> make_rgb_samples(const LightSums& sums) {
-    const std::span<std::int16_t> samples = allocate_samples(sums, 4);
-    std::int16_t* out = samples.data();
-    for (const std::uint32_t* sum = sums.values.data(); sum != sums.values.data() + sums.values.size();
-         sum += sums.channels, out += 4)
-      for (std::size_t channel = 0; channel < 3; ++channel)
-        out[channel] =
-            static_cast<std::int16_t>(std::min(sum[sums.channels == 3 ? 2 - channel : 0], kFullLight) >> 1);
-    return samples;
-  }
-
   // The color of the tile's strongest colored light, and how far it dominates each sample.
   struct Tint {
     const std::uint8_t* rows = nullptr;  // null: no colored light
@@ -261,18 +228,6 @@ class Builder {
     return {tables_.tints.rows_for(strongest->color), samples};
   }
 
-  LightSums sum_tile_light() {
-    if (request_.contents.light_view == LightView::kFullBright) {
-      const std::size_t count = columns() * static_cast<std::size_t>(grid_.rows);
-      return {scratch_.allocate_filled<std::uint32_t>(count, kSumAsStored), 1};
-    }
-    const LightSums sums =
-        sum_light(level_, face_, light_grid_,
-                  {request_.contents.style_values, request_.contents.colored, request_.lights}, scratch_);
-    if (!has_caustics()) return sums;
-    return add_caustics(level_, face_, request_.contents.caustic_step, sums, light_grid_, grid_, scratch_);
-  }
-
   std::size_t columns() const { return static_cast<std::size_t>(grid_.columns); }
   std::span<std::int16_t> row_samples(std::size_t channels) {
     return scratch_.allocate_filled<std::int16_t>((columns() + 1) * channels, 0);
@@ -295,8 +250,8 @@ class Builder {
   const bool simd_;
   base::Arena& scratch_;
   const world::Face& face_;
-  const SampleGrid light_grid_;  // where light is computed
-  const SampleGrid grid_;        // the samples of the block: the same, or finer for caustics
+  const BlockGrids grids_;
+  const SampleGrid& grid_;  // the samples of the block
   const world::Texture& drawn_;
   TextureRows texture_;
   const std::uint8_t* const indices_;  // of the whole mip level

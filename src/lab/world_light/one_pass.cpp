@@ -1,0 +1,116 @@
+#include "lab/world_light/one_pass.h"
+
+#include <bit>
+#include <memory>
+
+#include "lab/world_light/lit_draws.h"
+#include "render/surfaces/light/block_light.h"
+
+namespace temblor::lab {
+
+namespace {
+
+constexpr std::size_t kDrawsPerJob = 64;
+
+// The state of one frame. Its memory is kept for the next one.
+struct OnePass {
+  LitDraws draws;
+  std::span<GridLight> lights;      // by draw number
+  std::vector<base::Arena> arenas;  // of `lights`, by job
+};
+
+// Makes the cells of one channel from samples that lie `stride` apart.
+const std::uint32_t* make_cells(std::span<const std::int16_t> samples, std::size_t stride,
+                                const render::SampleGrid& grid, base::Arena& arena) {
+  const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
+  const std::span<std::uint32_t> cells = arena.allocate<std::uint32_t>(columns * (rows + 2) + kCellPadding);
+  std::size_t cell = 0;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column, ++cell) {
+      const std::size_t right = column + 1 < columns ? cell + 1 : cell;
+      cells[cell] = static_cast<std::uint32_t>(samples[cell * stride]) |
+                    static_cast<std::uint32_t>(samples[right * stride]) << 16;
+    }
+  for (; cell < cells.size(); ++cell) cells[cell] = 0;
+  return cells.data();
+}
+
+GridLight make_light(const render::FrameContext& context, const render::BlockRequest& request,
+                     bool is_nearest, base::Arena& arena) {
+  const render::BlockGrids grids = render::choose_block_grids(context.level(), request);
+  const auto columns = static_cast<std::size_t>(grids.shown.columns);
+  const render::LightSums sums = render::sum_block_light(context.level(), request, grids, arena);
+  const auto texels = static_cast<std::uint32_t>(render::at_mip(grids.shown.texels, request.mip));
+  GridLight light{.cells = {},
+                  .channels = !context.is_indexed() && sums.channels == 3 ? 3 : 1,
+                  .columns = grids.shown.columns,
+                  .texel_shift = std::countr_zero(texels),
+                  .is_nearest = is_nearest};
+  const std::size_t stride = context.is_indexed() ? 1 : 4;
+  const std::span<const std::int16_t> samples = context.is_indexed()
+                                                    ? render::make_dark_samples(sums, columns, arena)
+                                                    : render::make_rgb_samples(sums, columns, arena);
+  for (std::size_t channel = 0; channel < static_cast<std::size_t>(light.channels); ++channel)
+    light.cells[channel] = make_cells(samples.subspan(channel), stride, grids.shown, arena);
+  return light;
+}
+
+void prepare(const render::FrameContext& context, const render::SurfaceRequests& requests, bool is_nearest,
+             OnePass& io_state) {
+  io_state.draws = choose_lit_draws(context, requests);
+  const std::span<const std::uint32_t> own = io_state.draws.own;
+  io_state.lights = context.arena().allocate<GridLight>(requests.draws.size());
+  const std::size_t jobs = (own.size() + kDrawsPerJob - 1) / kDrawsPerJob;
+  render::FrameArenas::grow(io_state.arenas, jobs);
+  context.jobs.parallel_for(jobs, [&](std::size_t job) {
+    io_state.arenas[job].reset();
+    for (std::size_t i = job; i < own.size(); i += jobs)
+      io_state.lights[own[i]] =
+          make_light(context, *io_state.draws.all[own[i]].request, is_nearest, io_state.arenas[job]);
+  });
+}
+
+void draw(const LitSpans& spans, const GridLight& light, const render::SpanSources& sources,
+          const render::KernelTarget& target) {
+  if (sources.format == render::PixelFormat::kIndexed)
+    sources.simd_kernels ? draw_grid_lit_u8_simd(spans, light, target)
+                         : draw_grid_lit_u8_scalar(spans, light, target);
+  else
+    sources.simd_kernels ? draw_grid_lit_u32_simd(spans, light, target)
+                         : draw_grid_lit_u32_scalar(spans, light, target);
+}
+
+}  // namespace
+
+render::FrameStages make_one_pass(std::span<const double> values, Counter* counter) {
+  const bool is_nearest = values[0] == 0;
+  const auto state = std::make_shared<OnePass>();
+  render::FrameStages stages;
+  stages.reserve_surfaces = [=](const render::FrameContext& context, const render::SurfaceRequests& requests,
+                                render::SurfaceCache& io_cache) {
+    const std::size_t before = context.arena().used_bytes();
+    prepare(context, requests, is_nearest, *state);
+    if (counter != nullptr) {
+      Counts counts{.bytes = context.arena().used_bytes() - before};
+      for (const base::Arena& arena : state->arenas) counts.bytes += arena.used_bytes();
+      counter->add(counts);
+    }
+    return render::reserve_surfaces(context, state->draws.left, io_cache);
+  };
+  stages.draw_band_spans = [=](const render::FrameContext& context, const render::ViewFrame& view,
+                               const render::Band& band, const render::SpanSources& sources,
+                               render::FrameBuffer& io_frame) {
+    draw_lit_band(
+        {context, view, band, sources}, state->draws.all,
+        [&](std::uint32_t number, std::span<const render::Span> drawn, const render::KernelTarget& target) {
+          LitSpans spans = make_lit_spans(context, view, sources.draws.all[number], state->draws.all[number]);
+          spans.spans = drawn.data();
+          spans.span_count = drawn.size();
+          draw(spans, state->lights[number], sources, target);
+        },
+        io_frame);
+  };
+  return stages;
+}
+
+}  // namespace temblor::lab

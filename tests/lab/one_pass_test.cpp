@@ -1,0 +1,141 @@
+// Texture and light in one pass: the engine's picture, pixel by pixel.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "lab/registry.h"
+#include "render/renderer.h"
+#include "support/allocation_counter.h"
+#include "support/effort.h"
+#include "support/game_data.h"
+#include "support/levels/drawable_level.h"
+#include "support/pictures/frames.h"
+#include "support/pictures/viewpoints.h"
+
+namespace temblor::test {
+namespace {
+
+using render::PixelFormat;
+
+// A view near lights. In indexed frames they are white, because a tint belongs to surfaces.
+Viewpoint make_view(const world::Level& level, PixelFormat format, Random& io_random) {
+  Viewpoint view{.camera = random_camera(level, io_random), .brush_models = shown_brush_models(level)};
+  view.lights = random_lights(view.camera.origin_world, 4, io_random);
+  if (format == PixelFormat::kIndexed)
+    for (render::DynamicLight& light : view.lights) light.color = math::Vec3(1.0f);
+  view.time_s = io_random.uniform(0, 10);
+  return view;
+}
+
+class LitPictures {
+ public:
+  LitPictures(const DrawableLevel& drawable, const char* technique, PixelFormat format)
+      : renderer_(drawable.palette, drawable.colormap), frame_(333, 203, format) {
+    if (technique != nullptr) renderer_.replace_stages(lab::parse_choice(technique).value().make_stages());
+  }
+  FrameCopy draw(const render::Scene& scene, const render::Settings& settings) {
+    renderer_.render(scene, settings, frame_);
+    return copy_picture(frame_);
+  }
+
+ private:
+  render::Renderer renderer_;
+  render::FrameBuffer frame_;
+};
+
+void expect_the_engines_pictures(const DrawableLevel& drawable, int views) {
+  for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
+    LitPictures engine(drawable, nullptr, format), one_pass(drawable, "one-pass", format);
+    for (int seed = 0; seed < views; ++seed) {
+      Random random(static_cast<std::uint64_t>(seed));
+      const Viewpoint view = make_view(*drawable.level, format, random);
+      render::Scene scene = view.scene(*drawable.level);
+      if (random.chance(0.3)) scene.fog = {.density = 0.5f, .color = {0.4f, 0.3f, 0.2f}};
+      if (random.chance(0.2)) {
+        scene.camera.projection = render::Projection::kOrthographic;
+        scene.camera.units_per_pixel = 1.5;
+      }
+      render::Settings settings{.caustics = random.chance(0.5)};
+      settings.simd_kernels = random.chance(0.8);
+      settings.light_view = random.chance(0.1) ? render::LightView::kLightOnly : render::LightView::kLit;
+      EXPECT_EQ(differing_pixels(engine.draw(scene, settings), one_pass.draw(scene, settings)), 0u)
+          << drawable.name << ", seed " << seed << (format == PixelFormat::kRgb ? ", rgb" : ", indexed");
+    }
+  }
+}
+
+TEST(OnePass, ShowsTheEnginesPicturesOfTheSmallLevel) {
+  for (const SmallLevelVariant& variant : small_level_variants())
+    expect_the_engines_pictures(small_level(variant.options, variant.name), effort(15, 3));
+}
+
+TEST(OnePass, ShowsTheEnginesPicturesOfStockLevels) {
+  DATA_FOLDER_OR_SKIP(data);
+  for (const char* const name : {"start", "lq_e1m2"})
+    expect_the_engines_pictures(stock_level(data, name), effort(15, 3));
+}
+
+TEST(OnePass, IsTheSameForAnyThreadsAndBands) {
+  const DrawableLevel drawable = small_level();
+  Random random(1);
+  const Viewpoint view = make_view(*drawable.level, PixelFormat::kRgb, random);
+  const render::Scene scene = view.scene(*drawable.level);
+  for (const char* const technique : {"one-pass", "one-pass:bilinear=0"}) {
+    LitPictures pictures(drawable, technique, PixelFormat::kRgb);
+    const FrameCopy first = pictures.draw(scene, {});
+    for (const int threads : {1, 2, 8})
+      for (const int band_rows : {1, 7, 64})
+        EXPECT_EQ(first, pictures.draw(scene, {.threads = threads,
+                                               .job_backend = base::JobBackend::kStdThread,
+                                               .band_rows = band_rows}))
+            << technique << threads << " " << band_rows;
+  }
+}
+
+// Light from the nearest sample is another picture, but its texels are the same: without light, both are.
+TEST(OnePass, TakesTheNearestSample) {
+  const DrawableLevel drawable = small_level();
+  Random random(2);
+  const Viewpoint view = make_view(*drawable.level, PixelFormat::kRgb, random);
+  const render::Scene scene = view.scene(*drawable.level);
+  LitPictures engine(drawable, nullptr, PixelFormat::kRgb),
+      nearest(drawable, "one-pass:bilinear=0", PixelFormat::kRgb);
+  EXPECT_NE(engine.draw(scene, {}), nearest.draw(scene, {}));
+  const DrawableLevel dark = small_level({.light = false}, "dark");
+  const render::Scene dark_scene = Viewpoint{.camera = view.camera}.scene(*dark.level);
+  LitPictures dark_engine(dark, nullptr, PixelFormat::kRgb),
+      dark_nearest(dark, "one-pass:bilinear=0", PixelFormat::kRgb);
+  EXPECT_EQ(dark_engine.draw(dark_scene, {}), dark_nearest.draw(dark_scene, {}));
+}
+
+TEST(OnePass, AllocatesNothingInAWarmFrame) {
+  const DrawableLevel drawable = small_level();
+  Random random(3);
+  const Viewpoint view = make_view(*drawable.level, PixelFormat::kRgb, random);
+  const render::Scene scene = view.scene(*drawable.level);
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  renderer.replace_stages(lab::parse_choice("one-pass").value().make_stages());
+  render::FrameBuffer frame(320, 200, PixelFormat::kRgb);
+  for (int i = 0; i < 3; ++i) renderer.render(scene, {}, frame);
+  const std::size_t before = allocation_count();
+  renderer.render(scene, {}, frame);
+  EXPECT_EQ(allocation_count(), before);
+}
+
+// When the engine draws again, it builds the surfaces that one-pass did without.
+TEST(OnePass, LeavesNoEmptySurfacesBehind) {
+  const DrawableLevel drawable = small_level();
+  Random random(4);
+  const Viewpoint view = make_view(*drawable.level, PixelFormat::kRgb, random);
+  const render::Scene scene = view.scene(*drawable.level);
+  LitPictures engine(drawable, nullptr, PixelFormat::kRgb);
+  render::Renderer renderer(drawable.palette, drawable.colormap);
+  render::FrameBuffer frame(333, 203, PixelFormat::kRgb);
+  renderer.replace_stages(lab::parse_choice("one-pass").value().make_stages());
+  renderer.render(scene, {}, frame);
+  renderer.replace_stages({});
+  renderer.render(scene, {}, frame);
+  EXPECT_EQ(copy_picture(frame), engine.draw(scene, {}));
+}
+
+}  // namespace
+}  // namespace temblor::test
