@@ -17,6 +17,7 @@
 #include "lab/unsplit_world/unsplit_edges.h"
 #include "lab/visible_faces/leaf_faces.h"
 #include "lab/visible_faces/portals.h"
+#include "lab/world_light/gouraud.h"
 #include "lab/world_light/one_pass.h"
 
 namespace temblor::lab {
@@ -51,6 +52,11 @@ constexpr std::array kPortalParameters{
 constexpr std::array kAffineParameters{Parameter{
     "pixels", 8192, 1, 8192, "pixels between two divisions; 8192: only the ends of a span are exact"}};
 
+constexpr std::array kGouraudParameters{
+    Parameter{"perspective", 0, 0, 1, "0: light is linear on the screen; 1: on the wall"},
+    Parameter{"triangles", 0, 0, 1, "1: cuts faces into triangles first"},
+    Parameter{"spot", 0, 0, 1, "1: cuts faces at the brightest point of the light map"},
+    Parameter{"cut", 0, 0, 256, "cuts faces into a grid of this many texels, at least 16; 0: does not"}};
 constexpr std::array kOnePassParameters{
     Parameter{"bilinear", 1, 0, 1, "1: light between four samples, as in surfaces; 0: the nearest sample"}};
 
@@ -220,6 +226,16 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kAffineParameters,
               .make_stages = make_affine_spans},
+    Technique{.name = "gouraud",
+              .title = "Gouraud shading of the world",
+              .summary = "Interpolates light between the vertices of each face, on the screen.",
+              .article = kSurfaceCaching,
+              .heading = "Problems with Gouraud shading",
+              .replaces = "surfaces, spans",
+              .expected = "Bland on large faces, without shadows. Light shifts while the view turns.",
+              .max_wrong_share = 0,
+              .parameters = kGouraudParameters,
+              .make_stages = make_gouraud},
     Technique{
         .name = "one-pass",
         .title = "Texture and light in one pass",

@@ -132,7 +132,9 @@ TYPED_TEST(LitSpansKernels, LightAlongALineIsTheSame) {
     Random random(static_cast<std::uint64_t>(seed));
     const LitCase<TypeParam> lit(random);
     std::vector<lab::LineLight> lines(lit.spans.size());
-    for (lab::LineLight& line : lines)
+    for (lab::LineLight& line : lines) {
+      const render::Span& span = lit.spans[static_cast<std::size_t>(&line - lines.data())];
+      line.pixels_before = static_cast<std::int32_t>(random.below(std::size_t{span.x} + 1));
       for (int channel = 0; channel < lab::kMaxChannels; ++channel) {
         const double first = random.uniform(Kernels::kMinLight, Kernels::kMaxLight);
         const double second = random.uniform(Kernels::kMinLight, Kernels::kMaxLight);
@@ -141,6 +143,7 @@ TYPED_TEST(LitSpansKernels, LightAlongALineIsTheSame) {
         line.least[channel] = static_cast<float>(std::min(first, second));
         line.most[channel] = static_cast<float>(std::max(first, second));
       }
+    }
     const lab::LineLights lights{lines.data(), sizeof(TypeParam) == 4 && random.chance(0.5) ? 3 : 1,
                                  random.chance(0.5)};
     expect_equal(lit, lights, Kernels::line_scalar, Kernels::line_simd, random.chance(0.8));

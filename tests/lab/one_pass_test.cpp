@@ -2,52 +2,23 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "lab/registry.h"
-#include "render/renderer.h"
+#include "lab/lit_pictures.h"
 #include "support/allocation_counter.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/drawable_level.h"
-#include "support/pictures/frames.h"
-#include "support/pictures/viewpoints.h"
 
 namespace temblor::test {
 namespace {
 
 using render::PixelFormat;
 
-// A view near lights. In indexed frames they are white, because a tint belongs to surfaces.
-Viewpoint make_view(const world::Level& level, PixelFormat format, Random& io_random) {
-  Viewpoint view{.camera = random_camera(level, io_random), .brush_models = shown_brush_models(level)};
-  view.lights = random_lights(view.camera.origin_world, 4, io_random);
-  if (format == PixelFormat::kIndexed)
-    for (render::DynamicLight& light : view.lights) light.color = math::Vec3(1.0f);
-  view.time_s = io_random.uniform(0, 10);
-  return view;
-}
-
-class LitPictures {
- public:
-  LitPictures(const DrawableLevel& drawable, const char* technique, PixelFormat format)
-      : renderer_(drawable.palette, drawable.colormap), frame_(333, 203, format) {
-    if (technique != nullptr) renderer_.replace_stages(lab::parse_choice(technique).value().make_stages());
-  }
-  FrameCopy draw(const render::Scene& scene, const render::Settings& settings) {
-    renderer_.render(scene, settings, frame_);
-    return copy_picture(frame_);
-  }
-
- private:
-  render::Renderer renderer_;
-  render::FrameBuffer frame_;
-};
-
 void expect_the_engines_pictures(const DrawableLevel& drawable, int views) {
   for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb}) {
     LitPictures engine(drawable, nullptr, format), one_pass(drawable, "one-pass", format);
     for (int seed = 0; seed < views; ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
-      const Viewpoint view = make_view(*drawable.level, format, random);
+      const Viewpoint view = make_lit_view(*drawable.level, format, random);
       render::Scene scene = view.scene(*drawable.level);
       if (random.chance(0.3)) scene.fog = {.density = 0.5f, .color = {0.4f, 0.3f, 0.2f}};
       if (random.chance(0.2)) {
@@ -77,7 +48,7 @@ TEST(OnePass, ShowsTheEnginesPicturesOfStockLevels) {
 TEST(OnePass, IsTheSameForAnyThreadsAndBands) {
   const DrawableLevel drawable = small_level();
   Random random(1);
-  const Viewpoint view = make_view(*drawable.level, PixelFormat::kRgb, random);
+  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
   const render::Scene scene = view.scene(*drawable.level);
   for (const char* const technique : {"one-pass", "one-pass:bilinear=0"}) {
     LitPictures pictures(drawable, technique, PixelFormat::kRgb);
@@ -95,7 +66,7 @@ TEST(OnePass, IsTheSameForAnyThreadsAndBands) {
 TEST(OnePass, TakesTheNearestSample) {
   const DrawableLevel drawable = small_level();
   Random random(2);
-  const Viewpoint view = make_view(*drawable.level, PixelFormat::kRgb, random);
+  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
   const render::Scene scene = view.scene(*drawable.level);
   LitPictures engine(drawable, nullptr, PixelFormat::kRgb),
       nearest(drawable, "one-pass:bilinear=0", PixelFormat::kRgb);
@@ -110,7 +81,7 @@ TEST(OnePass, TakesTheNearestSample) {
 TEST(OnePass, AllocatesNothingInAWarmFrame) {
   const DrawableLevel drawable = small_level();
   Random random(3);
-  const Viewpoint view = make_view(*drawable.level, PixelFormat::kRgb, random);
+  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
   const render::Scene scene = view.scene(*drawable.level);
   render::Renderer renderer(drawable.palette, drawable.colormap);
   renderer.replace_stages(lab::parse_choice("one-pass").value().make_stages());
@@ -125,7 +96,7 @@ TEST(OnePass, AllocatesNothingInAWarmFrame) {
 TEST(OnePass, LeavesNoEmptySurfacesBehind) {
   const DrawableLevel drawable = small_level();
   Random random(4);
-  const Viewpoint view = make_view(*drawable.level, PixelFormat::kRgb, random);
+  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
   const render::Scene scene = view.scene(*drawable.level);
   LitPictures engine(drawable, nullptr, PixelFormat::kRgb);
   render::Renderer renderer(drawable.palette, drawable.colormap);

@@ -46,14 +46,17 @@ struct GridLight {
 };
 constexpr std::size_t kCellPadding = 16;
 
-// Light that is linear along a span: pixel i has base + step * i, in perspective times z if `is_over_z`, then
-// clamped to `least` and `most`, which are in the range of light, and rounded.
+// Light that is linear along a part of a span: pixel i of the span has base + step * i, times z if
+// `is_over_z`, then clamped to `least` and `most`, which are in the range of light, and rounded.
 struct LineLight {
   float base[kMaxChannels], step[kMaxChannels];
   float least[kMaxChannels], most[kMaxChannels];
+  // The pixels of the span before this part. Texels and depth are computed from the span's first pixel, so
+  // that their last bits do not depend on the parts.
+  std::int32_t pixels_before;
 };
 struct LineLights {
-  const LineLight* lines;  // one for each span
+  const LineLight* lines;  // one for each of LitSpans::spans, which are the parts
   std::int32_t channels;   // 1 or 3: blue, green, red
   bool is_over_z;
 };

@@ -17,9 +17,8 @@ struct Line {
   float base, step;
   float at(float lane) const { return base + lane * step; }
 };
-Line make_line(const render::KernelPlane& plane, const render::Span& span) {
-  return {static_cast<float>(plane.at_origin + plane.dx * span.x + plane.dy * span.y),
-          static_cast<float>(plane.dx)};
+Line make_line(const render::KernelPlane& plane, int x, int y) {
+  return {static_cast<float>(plane.at_origin + plane.dx * x + plane.dy * y), static_cast<float>(plane.dx)};
 }
 
 // A pixel: its number in the span, its distance, and its texel of the tile.
@@ -36,7 +35,7 @@ class GridSampler {
  public:
   explicit GridSampler(const GridLight& grid) : grid_(grid) {}
 
-  void begin_span(std::size_t /*number*/) {}
+  int begin_span(std::size_t /*number*/) { return 0; }
   std::int32_t channels() const { return grid_.channels; }
   std::int32_t find_light(const Place& place, std::int32_t channel) const {
     const std::int32_t texels = 1 << grid_.texel_shift;
@@ -65,7 +64,10 @@ class LineSampler {
  public:
   explicit LineSampler(const LineLights& lights) : lights_(lights) {}
 
-  void begin_span(std::size_t number) { line_ = &lights_.lines[number]; }
+  int begin_span(std::size_t number) {
+    line_ = &lights_.lines[number];
+    return line_->pixels_before;
+  }
   std::int32_t channels() const { return lights_.channels; }
   std::int32_t find_light(const Place& place, std::int32_t channel) const {
     float light = line_->base[channel] + place.lane * line_->step[channel];
@@ -107,11 +109,11 @@ void draw_lit(const LitSpans& spans, Sampler sampler, const render::KernelTarget
   for (std::size_t number = 0; number < spans.span_count; ++number) {
     const render::Span& span = spans.spans[number];
     const std::size_t first = span.y * target.width + span.x;
-    const Line depth = make_line(spans.depth, span), s = make_line(spans.s, span),
-               t = make_line(spans.t, span);
-    sampler.begin_span(number);
+    const int before = sampler.begin_span(number), x = span.x - before;
+    const Line depth = make_line(spans.depth, x, span.y), s = make_line(spans.s, x, span.y),
+               t = make_line(spans.t, x, span.y);
     for (int i = 0; i < span.count; ++i) {
-      Place place{static_cast<float>(i), 1.0f, 0, 0};
+      Place place{static_cast<float>(before + i), 1.0f, 0, 0};
       const float near = depth.at(place.lane);
       if (target.depth != nullptr) target.depth[first + static_cast<std::size_t>(i)] = near;
       if (spans.perspective) place.z = 1.0f / larger(near, render::kMinSpanDepth);

@@ -106,7 +106,8 @@ struct GridSampler {
   const GridLight& grid;
   rn::Direction way{};
 
-  HWY_INLINE void BeginSpan(size_t /*number*/, rn::Direction way_of_span) { way = way_of_span; }
+  HWY_INLINE int BeginSpan(size_t /*number*/) { return 0; }
+  HWY_INLINE void SetWay(rn::Direction way_of_span) { way = way_of_span; }
   HWY_INLINE LightLanes<kChannels> Find(const Places& places) const {
     const DI di;
     const DU du;
@@ -151,7 +152,11 @@ struct LineSampler {
   const LineLights& lights;
   const LineLight* line = nullptr;
 
-  HWY_INLINE void BeginSpan(size_t number, rn::Direction /*way*/) { line = &lights.lines[number]; }
+  HWY_INLINE int BeginSpan(size_t number) {
+    line = &lights.lines[number];
+    return line->pixels_before;
+  }
+  HWY_INLINE void SetWay(rn::Direction /*way*/) {}
   HWY_INLINE LightLanes<kChannels> Find(const Places& places) const {
     const DF d;
     LightLanes<kChannels> light;
@@ -255,6 +260,7 @@ struct SpanDrawer {
   const Sampler& sampler;
   const SpanLines& lines;
   rn::Direction way;
+  int before;  // pixels of the span, see LineLight
   Texel* out;
   float* out_depth;
 
@@ -271,7 +277,7 @@ struct SpanDrawer {
     const DF d;
     Places places;
     places.count = count;
-    places.lane = hn::Iota(d, static_cast<float>(i));
+    places.lane = hn::Iota(d, static_cast<float>(before + i));
     const VF depth = At(lines.depth, places.lane);
     if (out_depth != nullptr) {
       if (count == static_cast<int>(hn::Lanes(d)))
@@ -319,15 +325,19 @@ HWY_INLINE void DrawLit(const LitSpans& spans, Sampler sampler, const render::Ke
     const size_t first = span.y * target.width + span.x;
     Texel* out = static_cast<Texel*>(target.pixels) + first;
     float* out_depth = target.depth == nullptr ? nullptr : target.depth + first;
-    lines.depth.base = rn::At(spans.depth, span);
-    lines.s.base = rn::At(spans.s, span);
-    lines.t.base = rn::At(spans.t, span);
+    const int before = sampler.BeginSpan(number);
+    const render::Span whole{static_cast<uint16_t>(span.x - before), span.y, 0};
+    lines.depth.base = rn::At(spans.depth, whole);
+    lines.s.base = rn::At(spans.s, whole);
+    lines.t.base = rn::At(spans.t, whole);
     const Walk walk(lines, spans.perspective);
-    sampler.BeginSpan(number, walk.Way());
-    if (walk.IsNear(lines, spans.perspective, span.count))
-      SpanDrawer<Texel, true, Sampler>{spans, sampler, lines, walk.Way(), out, out_depth}.Draw(span.count);
+    sampler.SetWay(walk.Way());
+    if (walk.IsNear(lines, spans.perspective, before + span.count))
+      SpanDrawer<Texel, true, Sampler>{spans, sampler, lines, walk.Way(), before, out, out_depth}.Draw(
+          span.count);
     else
-      SpanDrawer<Texel, false, Sampler>{spans, sampler, lines, walk.Way(), out, out_depth}.Draw(span.count);
+      SpanDrawer<Texel, false, Sampler>{spans, sampler, lines, walk.Way(), before, out, out_depth}.Draw(
+          span.count);
   }
 }
 

@@ -1,0 +1,202 @@
+#include "lab/world_light/gouraud.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "lab/world_light/gouraud_faces.h"
+#include "lab/world_light/lit_draws.h"
+
+namespace temblor::lab {
+
+namespace {
+
+constexpr std::size_t kDrawsPerJob = 32;
+
+// The state of one frame. Its memory is kept for the next one.
+struct Gouraud {
+  render::ViewFrame view;
+  render::EdgeTable edges;
+  LitDraws draws;
+  std::span<GouraudPolygons> polygons;  // by draw number
+  std::vector<base::Arena> arenas;      // of `polygons`, by job
+};
+
+void prepare(const render::FrameContext& context, const render::SurfaceRequests& requests,
+             const GouraudCut& cut, Gouraud& io_state) {
+  io_state.draws = choose_lit_draws(context, requests);
+  const std::span<const std::uint32_t> own = io_state.draws.own;
+  io_state.polygons = context.arena().allocate<GouraudPolygons>(requests.draws.size());
+  const std::size_t jobs = (own.size() + kDrawsPerJob - 1) / kDrawsPerJob;
+  render::FrameArenas::grow(io_state.arenas, jobs);
+  context.jobs.parallel_for(jobs, [&](std::size_t job) {
+    io_state.arenas[job].reset();
+    for (std::size_t i = job; i < own.size(); i += jobs) {
+      const render::SurfaceDraw& draw = requests.draws[own[i]];
+      const render::ScreenSurface& surface = io_state.edges.surfaces[base::to_size(draw.surface)];
+      io_state.polygons[own[i]] = make_gouraud_polygons(
+          context, io_state.view, cut,
+          {*io_state.draws.all[own[i]].request, io_state.edges.model_views[surface.instance]},
+          io_state.arenas[job]);
+    }
+  });
+}
+
+Counts count(const Gouraud& state) {
+  Counts counts;
+  for (const base::Arena& arena : state.arenas) counts.bytes += arena.used_bytes();
+  for (const std::uint32_t number : state.draws.own) {
+    const std::size_t polygons = state.polygons[number].all.size();
+    if (polygons > 1) counts.splits += polygons - 1;
+  }
+  return counts;
+}
+
+// A polygon on a row, from its left edge to the next polygon's.
+struct Interval {
+  RowLight row;
+  const LitPolygon* polygon;
+};
+// A row of a tile crosses at most 16 cells of 16 texels along each axis, in two triangles each.
+constexpr std::size_t kMaxIntervals = 72;
+
+// The polygons on one row, from left to right.
+class Row {
+ public:
+  void find(const GouraudPolygons& polygons, int y) {
+    y_ = y;
+    count_ = 0;
+    for (const LitPolygon& polygon : polygons.all)
+      if (polygon.top <= y && y <= polygon.bottom && count_ < kMaxIntervals)
+        intervals_[count_++] = {cross_row(polygon, y), &polygon};
+    if (count_ == 0) {  // by rounding, the face has pixels above or below its outline
+      const auto distance = [&](const LitPolygon& p) { return std::max(p.top - y, y - p.bottom); };
+      const auto nearest = std::ranges::min_element(polygons.all, {}, distance);
+      if (nearest != polygons.all.end()) intervals_[count_++] = {cross_row(*nearest, y), &*nearest};
+    }
+    std::sort(intervals_.begin(), intervals_.begin() + static_cast<std::ptrdiff_t>(count_),
+              [](const Interval& a, const Interval& b) { return a.row.left < b.row.left; });
+  }
+  int y() const { return y_; }
+  std::span<const Interval> intervals() const { return std::span(intervals_).first(count_); }
+
+ private:
+  int y_ = -1;
+  std::size_t count_ = 0;
+  std::array<Interval, kMaxIntervals> intervals_;
+};
+
+// `x`: the first pixel of the span. `pixels_before`: of the part in it.
+LineLight make_line(const Interval& interval, int x, int pixels_before) {
+  const RowLight& row = interval.row;
+  LineLight line{};
+  line.pixels_before = pixels_before;
+  const double width = row.right - row.left;
+  for (std::size_t i = 0; i < kMaxChannels; ++i) {
+    const double step = width > 1e-6 ? (row.light_right[i] - row.light_left[i]) / width : 0;
+    line.base[i] = static_cast<float>(row.light_left[i] + step * (x - row.left));
+    line.step[i] = static_cast<float>(step);
+    line.least[i] = interval.polygon->least[i];
+    line.most[i] = interval.polygon->most[i];
+  }
+  return line;
+}
+
+// Draws the spans of one draw, in batches.
+class SpanLighter {
+ public:
+  SpanLighter(const LitSpans& spans, LineLights lights, const render::SpanSources& sources,
+              const render::KernelTarget& target)
+      : spans_(spans), lights_(lights), sources_(sources), target_(target) {}
+
+  void draw(const GouraudPolygons& polygons, std::span<const render::Span> spans) {
+    for (const render::Span& span : spans) {
+      if (row_.y() != span.y) row_.find(polygons, span.y);
+      split(span);
+    }
+    flush();
+  }
+
+ private:
+  void split(const render::Span& span) {
+    const std::span<const Interval> intervals = row_.intervals();
+    const int end = span.x + span.count;
+    int x = span.x;
+    for (std::size_t i = 0; i < intervals.size() && x < end; ++i) {
+      int next = end;
+      if (i + 1 < intervals.size())
+        next = static_cast<int>(
+            std::clamp(std::ceil(intervals[i + 1].row.left), static_cast<double>(x), 1.0 * end));
+      if (next == x) continue;
+      if (count_ == kBatch) flush();
+      parts_[count_] = {static_cast<std::uint16_t>(x), span.y, static_cast<std::uint16_t>(next - x)};
+      lines_[count_++] = make_line(intervals[i], span.x, x - span.x);
+      x = next;
+    }
+  }
+
+  void flush() {
+    spans_.spans = parts_.data();
+    spans_.span_count = count_;
+    lights_.lines = lines_.data();
+    count_ = 0;
+    if (sources_.format == render::PixelFormat::kIndexed)
+      sources_.simd_kernels ? draw_line_lit_u8_simd(spans_, lights_, target_)
+                            : draw_line_lit_u8_scalar(spans_, lights_, target_);
+    else
+      sources_.simd_kernels ? draw_line_lit_u32_simd(spans_, lights_, target_)
+                            : draw_line_lit_u32_scalar(spans_, lights_, target_);
+  }
+
+  static constexpr std::size_t kBatch = 64;
+  LitSpans spans_;
+  LineLights lights_;
+  const render::SpanSources& sources_;
+  const render::KernelTarget& target_;
+  Row row_;
+  std::size_t count_ = 0;
+  std::array<render::Span, kBatch> parts_;
+  std::array<LineLight, kBatch> lines_;
+};
+
+}  // namespace
+
+render::FrameStages make_gouraud(std::span<const double> values, Counter* counter) {
+  const GouraudCut cut{values[0] != 0, values[1] != 0, values[2] != 0,
+                       values[3] > 0 ? std::max(static_cast<int>(values[3]), 16) : 0};
+  const auto state = std::make_shared<Gouraud>();
+  render::FrameStages stages;
+  stages.scan_edges = [=](const render::FrameContext& context, const render::ViewFrame& view,
+                          const render::EdgeTable& table) {
+    state->view = view;
+    state->edges = table;
+    return render::scan_edges(context, view, table);
+  };
+  stages.reserve_surfaces = [=](const render::FrameContext& context, const render::SurfaceRequests& requests,
+                                render::SurfaceCache& io_cache) {
+    const std::size_t before = context.arena().used_bytes();
+    prepare(context, requests, cut, *state);
+    if (counter != nullptr) {
+      Counts counts = count(*state);
+      counts.bytes += context.arena().used_bytes() - before;
+      counter->add(counts);
+    }
+    return render::reserve_surfaces(context, state->draws.left, io_cache);
+  };
+  stages.draw_band_spans = [=](const render::FrameContext& context, const render::ViewFrame& view,
+                               const render::Band& band, const render::SpanSources& sources,
+                               render::FrameBuffer& io_frame) {
+    draw_lit_band(
+        {context, view, band, sources}, state->draws.all,
+        [&](std::uint32_t number, std::span<const render::Span> spans, const render::KernelTarget& target) {
+          const GouraudPolygons& polygons = state->polygons[number];
+          SpanLighter(make_lit_spans(context, view, sources.draws.all[number], state->draws.all[number]),
+                      {nullptr, polygons.channels, cut.perspective && view.perspective}, sources, target)
+              .draw(polygons, spans);
+        },
+        io_frame);
+  };
+  return stages;
+}
+
+}  // namespace temblor::lab
