@@ -70,6 +70,7 @@ base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::Present
     samples.baseline_ms.push_back(time_ms([&] { run_fill_baseline(baseline_placement, run.frame()); }));
     samples.add(stats);
     io_result.surfaces_built += stats.surfaces_built;
+    io_result.texels_built += stats.texels_built;
     io_result.cache_bytes = stats.cache_bytes;
   }
   return PlayedDemo{std::move(samples), run.take_notes()};

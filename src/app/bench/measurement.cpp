@@ -204,6 +204,7 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
       samples.baseline_ms.push_back(time_ms([&] { io_bench.run_baseline(); }));
       samples.add(stats);
       io_result.surfaces_built += stats.surfaces_built;
+      io_result.texels_built += stats.texels_built;
       io_result.cache_bytes = stats.cache_bytes;
     }
   }

@@ -91,8 +91,8 @@ struct Measurement {
   Distribution faces_in_pvs, faces_drawn, faces_seen, edges, spans, surfaces, texels_read;
   // Surface cache in use at the end.
   std::uint64_t cache_bytes = 0;
-  // Surface blocks built in all measured frames together.
-  std::uint64_t surfaces_built = 0;
+  // Surface blocks, and their texels, built in all measured frames together.
+  std::uint64_t surfaces_built = 0, texels_built = 0;
   // Maximum number of calls of operator new in a frame, and how many frames have any. In a demo, arenas grow
   // when more is seen than before.
   std::uint64_t max_allocations = 0;

@@ -35,7 +35,8 @@ class CountedViews {
         renderer_(look.palette, look.colormap),
         frame_(options.measure.size.width, options.measure.size.height, options.measure.format),
         faces_(frame_.pixel_count()),
-        writes_(frame_.pixel_count()) {
+        writes_(frame_.pixel_count()),
+        light_(choice, options.measure.size.width, options.measure.size.height) {
     renderer_.replace_stages(choice.make_stages(&counter_));
   }
 
@@ -67,6 +68,9 @@ class CountedViews {
     figures_.max_texel_error = std::max(figures_.max_texel_error, counts.max_texel_error);
     ++figures_.views;
     judge(judged, settings.use_pvs);
+    render::Scene lit = judged;
+    lit.lights = scene.lights;
+    light_.add(lit, settings);
   }
 
   ViewFigures means() const {
@@ -76,6 +80,7 @@ class CountedViews {
                         &means.spans_sorted, &means.bytes, &means.planes_tested, &means.cache_hits,
                         &means.portals_clipped, &means.leaves_reached, &means.edges_saved, &means.pixels_off})
       *sum /= views;
+    means.light = light_.figures();
     return means;
   }
 
@@ -101,8 +106,18 @@ class CountedViews {
   std::vector<render::PixelFace> faces_;
   std::vector<std::uint8_t> writes_;
   std::unique_ptr<oracle::PreparedLevel> prepared_;
+  LightViews light_;
   ViewFigures figures_;
 };
+
+nlohmann::json make_json(const LightDifference& difference) {
+  return {{"mean", difference.mean()}, {"max", difference.largest}};
+}
+
+double compute_texels_built(const Measurement& measurement) {
+  const auto frames = static_cast<double>(std::max<std::size_t>(measurement.frames, 1));
+  return static_cast<double>(measurement.texels_built) / frames;
+}
 
 double compute_ratio(const TechniqueFigures& figures, const TechniqueFigures& first) {
   return figures.measurement.frame_ms.p50 / first.measurement.frame_ms.p50;
@@ -187,6 +202,13 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("surfaces", 0, [](const auto& f) { return f.measurement.surfaces.p50; });
   table.add("surface cache, MiB", 1,
             [](const auto& f) { return static_cast<double>(f.measurement.cache_bytes) / (1 << 20); });
+  table.add("surface texels: median", 0, [](const auto& f) { return f.measurement.texels_read.p50; });
+  table.add("  most", 0, [](const auto& f) { return f.measurement.texels_read.max; });
+  table.add("  KiB of them", 0, [](const auto& f) {
+    const bool indexed = f.measurement.options.format == render::PixelFormat::kIndexed;
+    return f.measurement.texels_read.max * (indexed ? 1 : 4) / 1024;
+  });
+  table.add("  built per frame", 0, [](const auto& f) { return compute_texels_built(f.measurement); });
   table.add("pixels written / pixel", 2, [](const auto& f) { return f.views.pixels_written; });
   table.add("depth tests / pixel", 2, [](const auto& f) { return f.views.pixels_tested; });
   table.add("spans sorted", 0, [](const auto& f) { return f.views.spans_sorted; });
@@ -199,6 +221,12 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("memory, KiB", 0, [](const auto& f) { return f.views.bytes / 1024; });
   table.add("wrong texels, %", 2, [](const auto& f) { return 100 * f.views.pixels_off; });
   table.add("largest error, texels", 2, [](const auto& f) { return f.views.max_texel_error; });
+  table.add("light error, steps: mean", 3, [](const auto& f) { return f.views.light.error.mean(); });
+  table.add("  largest", 2, [](const auto& f) { return f.views.light.error.largest; });
+  table.add("light shift, turn: mean", 3, [](const auto& f) { return f.views.light.turn.mean(); });
+  table.add("  largest", 2, [](const auto& f) { return f.views.light.turn.largest; });
+  table.add("light shift, roll: mean", 3, [](const auto& f) { return f.views.light.roll.mean(); });
+  table.add("  largest", 2, [](const auto& f) { return f.views.light.roll.largest; });
   table.add("wrong faces, %", 3, [](const auto& f) { return 100 * share_wrong(f.views.tally); });
   return text + table.text();
 }
@@ -233,6 +261,12 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                 {"leaves_reached", f.views.leaves_reached},
                                 {"texels_off", f.views.pixels_off},
                                 {"max_texel_error", f.views.max_texel_error},
+                                {"surface_texels", make_json(m.texels_read)},
+                                {"texels_built", compute_texels_built(m)},
+                                {"light",
+                                 {{"error", make_json(f.views.light.error)},
+                                  {"turn", make_json(f.views.light.turn)},
+                                  {"roll", make_json(f.views.light.roll)}}},
                                 {"judged",
                                  {{"pixels", f.views.tally.pixels},
                                   {"wrong", f.views.tally.wrong_face},

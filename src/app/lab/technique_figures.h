@@ -8,6 +8,7 @@
 
 #include "app/bench/measurement.h"
 #include "app/lab/lab_scenes.h"
+#include "app/lab/light_figures.h"
 #include "lab/registry.h"
 #include "oracle/comparison.h"
 
@@ -24,6 +25,7 @@ struct ViewFigures {
   double pixels_off = 0;       // share of the frame: they show another texel
   double max_texel_error = 0;  // of all views, in texels of mip 0
   oracle::Tally tally;
+  LightErrors light;
 };
 
 struct TechniqueFigures {
@@ -59,6 +61,8 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
 //   cache_hits, portals_clipped, leaves_reached, edges_saved
 //   texels_off, max_texel_error                          share of pixels; the largest distance along s or t
 //   judged {pixels, wrong, tied, near_edge}              against the oracle
+//   light {error, turn, roll}, each {mean, max}          in steps of light (light_figures.h)
+//   surface_texels {p50, p99, max}                       per frame; texels_built: mean
 nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigures> figures);
 
 }  // namespace temblor::app

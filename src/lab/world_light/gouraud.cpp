@@ -1,11 +1,11 @@
 #include "lab/world_light/gouraud.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "lab/world_light/gouraud_faces.h"
 #include "lab/world_light/lit_draws.h"
+#include "lab/world_light/polygon_row.h"
 
 namespace temblor::lab {
 
@@ -52,42 +52,8 @@ Counts count(const Gouraud& state) {
   return counts;
 }
 
-// A polygon on a row, from its left edge to the next polygon's.
-struct Interval {
-  RowLight row;
-  const LitPolygon* polygon;
-};
-// A row of a tile crosses at most 16 cells of 16 texels along each axis, in two triangles each.
-constexpr std::size_t kMaxIntervals = 72;
-
-// The polygons on one row, from left to right.
-class Row {
- public:
-  void find(const GouraudPolygons& polygons, int y) {
-    y_ = y;
-    count_ = 0;
-    for (const LitPolygon& polygon : polygons.all)
-      if (polygon.top <= y && y <= polygon.bottom && count_ < kMaxIntervals)
-        intervals_[count_++] = {cross_row(polygon, y), &polygon};
-    if (count_ == 0) {  // by rounding, the face has pixels above or below its outline
-      const auto distance = [&](const LitPolygon& p) { return std::max(p.top - y, y - p.bottom); };
-      const auto nearest = std::ranges::min_element(polygons.all, {}, distance);
-      if (nearest != polygons.all.end()) intervals_[count_++] = {cross_row(*nearest, y), &*nearest};
-    }
-    std::sort(intervals_.begin(), intervals_.begin() + static_cast<std::ptrdiff_t>(count_),
-              [](const Interval& a, const Interval& b) { return a.row.left < b.row.left; });
-  }
-  int y() const { return y_; }
-  std::span<const Interval> intervals() const { return std::span(intervals_).first(count_); }
-
- private:
-  int y_ = -1;
-  std::size_t count_ = 0;
-  std::array<Interval, kMaxIntervals> intervals_;
-};
-
 // `x`: the first pixel of the span. `pixels_before`: of the part in it.
-LineLight make_line(const Interval& interval, int x, int pixels_before) {
+LineLight make_line(const RowInterval& interval, int x, int pixels_before) {
   const RowLight& row = interval.row;
   LineLight line{};
   line.pixels_before = pixels_before;
@@ -111,28 +77,17 @@ class SpanLighter {
 
   void draw(const GouraudPolygons& polygons, std::span<const render::Span> spans) {
     for (const render::Span& span : spans) {
-      if (row_.y() != span.y) row_.find(polygons, span.y);
-      split(span);
+      if (row_.y() != span.y) row_.find(polygons.all, span.y);
+      row_.split(span, [&](const RowPart& part) { add_part(span, part); });
     }
     flush();
   }
 
  private:
-  void split(const render::Span& span) {
-    const std::span<const Interval> intervals = row_.intervals();
-    const int end = span.x + span.count;
-    int x = span.x;
-    for (std::size_t i = 0; i < intervals.size() && x < end; ++i) {
-      int next = end;
-      if (i + 1 < intervals.size())
-        next = static_cast<int>(
-            std::clamp(std::ceil(intervals[i + 1].row.left), static_cast<double>(x), 1.0 * end));
-      if (next == x) continue;
-      if (count_ == kBatch) flush();
-      parts_[count_] = {static_cast<std::uint16_t>(x), span.y, static_cast<std::uint16_t>(next - x)};
-      lines_[count_++] = make_line(intervals[i], span.x, x - span.x);
-      x = next;
-    }
+  void add_part(const render::Span& span, const RowPart& part) {
+    if (count_ == kBatch) flush();
+    parts_[count_] = part.pixels;
+    lines_[count_++] = make_line(part.interval, span.x, part.pixels.x - span.x);
   }
 
   void flush() {
@@ -153,7 +108,7 @@ class SpanLighter {
   LineLights lights_;
   const render::SpanSources& sources_;
   const render::KernelTarget& target_;
-  Row row_;
+  PolygonRow row_;
   std::size_t count_ = 0;
   std::array<render::Span, kBatch> parts_;
   std::array<LineLight, kBatch> lines_;

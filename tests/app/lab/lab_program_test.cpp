@@ -90,6 +90,29 @@ TEST(LabProgram, CompareCountsWorkAndErrors) {
   }
 }
 
+// Gouraud's light depends on the view, unless triangles are interpolated in perspective.
+TEST(LabProgram, CompareMeasuresLight) {
+  const TemporaryFolder folder;
+  const ProgramRun run =
+      lab(folder.path(), {"compare", "bsp-edges", "one-pass", "gouraud", "gouraud:perspective=1,triangles=1",
+                          "--size", "320x240", "--step", "180", "--json"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const json result = json::parse(run.out);
+  const json& engine = result.at("techniques").at(0);
+  const json& one_pass = result.at("techniques").at(1);
+  const json& gouraud = result.at("techniques").at(2);
+  const json& steady = result.at("techniques").at(3);
+  for (const json* exact : {&engine, &one_pass}) EXPECT_EQ(exact->at("light").at("error").at("max"), 0.0);
+  EXPECT_GT(engine.at("surface_texels").at("p50"), 10000.0);
+  EXPECT_EQ(one_pass.at("surface_texels").at("max"), 0.0);
+  for (const json* wrong : {&gouraud, &steady}) EXPECT_GT(wrong->at("light").at("error").at("mean"), 1.0);
+  for (const char* const camera : {"turn", "roll"}) {
+    for (const json* still : {&engine, &one_pass, &steady})
+      EXPECT_LT(still->at("light").at(camera).at("max"), 1.0) << camera;
+    EXPECT_GT(gouraud.at("light").at(camera).at("max"), 2.0) << camera;
+  }
+}
+
 TEST(LabProgram, ExplainsMistakes) {
   const TemporaryFolder folder;
   struct Mistake {

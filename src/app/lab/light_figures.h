@@ -1,0 +1,59 @@
+// How far the light of a technique is from the engine's, and how it shifts while the view turns.
+//
+// Both are read from pictures in which every texel has the same gray, so that a pixel's color is its light.
+// The unit is a step of light: one row of the colormap. Pictures are rgb, without the colors of light.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lab/technique.h"
+#include "render/frame_buffer.h"
+#include "render/renderer.h"
+
+namespace temblor::app {
+
+// Absolute differences, in steps of light.
+struct LightDifference {
+  double sum = 0, largest = 0;
+  std::size_t count = 0;
+
+  void add(double difference);
+  double mean() const { return count == 0 ? 0 : sum / static_cast<double>(count); }
+};
+
+struct LightErrors {
+  LightDifference error;  // from the engine's light, at all pixels
+  // From frame to frame, at points of the world that stay in sight. The camera turns to the side, or rolls.
+  LightDifference turn, roll;
+};
+
+class LightViews {
+ public:
+  LightViews(const lab::Choice& choice, int width, int height);
+  // Compares the view of a scene, which must have the world and opaque brush models only.
+  void add(const render::Scene& scene, const render::Settings& settings);
+  const LightErrors& figures() const { return figures_; }
+
+ private:
+  struct Point {
+    math::Vec3d at_world;
+    render::PixelFace face;
+    double light;
+  };
+  void compare_with_engine();
+  std::optional<double> find_light(math::Vec2d pixel, const render::PixelFace& face) const;
+  std::vector<Point> choose_points(const render::Scene& scene) const;
+  void follow(std::vector<Point> points, const render::Scene& scene, const render::Settings& settings,
+              math::Vec3 step_deg, LightDifference& io_difference);
+  void draw(const render::Scene& scene, const render::Settings& settings);
+
+  render::Renderer engine_, technique_;
+  render::FrameBuffer right_, frame_;
+  std::vector<render::PixelFace> faces_;
+  std::vector<std::uint8_t> writes_;
+  LightErrors figures_;
+};
+
+}  // namespace temblor::app
