@@ -19,6 +19,7 @@
 #include "lab/visible_faces/portals.h"
 #include "lab/world_light/gouraud.h"
 #include "lab/world_light/one_pass.h"
+#include "lab/world_light/phong.h"
 
 namespace temblor::lab {
 
@@ -57,6 +58,9 @@ constexpr std::array kGouraudParameters{
     Parameter{"triangles", 0, 0, 1, "1: cuts faces into triangles first"},
     Parameter{"spot", 0, 0, 1, "1: cuts faces at the brightest point of the light map"},
     Parameter{"cut", 0, 0, 256, "cuts faces into a grid of this many texels, at least 16; 0: does not"}};
+constexpr std::array kPhongParameters{
+    Parameter{"lights", 8, 1, 64, "lights of a face, the brightest ones"},
+    Parameter{"smooth", 0, 0, 180, "degrees between faces up to which they share normals; 0: each its own"}};
 constexpr std::array kOnePassParameters{
     Parameter{"bilinear", 1, 0, 1, "1: light between four samples, as in surfaces; 0: the nearest sample"}};
 
@@ -236,6 +240,17 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kGouraudParameters,
               .make_stages = make_gouraud},
+    Technique{.name = "phong",
+              .title = "Phong shading of the world",
+              .summary = "Computes the light of each pixel from the level's lights, without shadows.",
+              .article = kSurfaceCaching,
+              .heading = "The quest for alternative lighting",
+              .replaces = "surfaces, spans",
+              .expected = "Better highlights than Gouraud shading, and too slow.",
+              .max_wrong_share = 0,
+              .parameters = kPhongParameters,
+              .make_stages = make_phong,
+              .check_level = check_lamps},
     Technique{
         .name = "one-pass",
         .title = "Texture and light in one pass",

@@ -1,5 +1,5 @@
 // The kernels that light spans: SIMD against scalar, bit for bit and on every instruction set.
-#include "lab/world_light/lit_kernels.h"
+#include "lab/world_light/kernels/lit_kernels.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

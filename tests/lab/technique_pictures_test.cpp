@@ -28,16 +28,18 @@ constexpr auto kChoices = {"painter",
                            "portals",
                            "portals:octagon=1",
                            "portals:pvs=1",
-                                                      "one-pass",
+                           "one-pass",
                            "one-pass:bilinear=0",
                            "gouraud",
                            "gouraud:triangles=1,perspective=1",
                            "gouraud:spot=1",
-                           "gouraud:cut=32"};
+                           "gouraud:cut=32",
+                           "phong",
+                           "phong:smooth=60"};
 
 // Techniques with other light show other colors.
 bool has_engines_light(std::string_view text) {
-  return !text.starts_with("gouraud") && text != "one-pass:bilinear=0";
+  return !text.starts_with("gouraud") && !text.starts_with("phong") && text != "one-pass:bilinear=0";
 }
 
 void judge(const test::DrawableLevel& level, const char* text, int views) {

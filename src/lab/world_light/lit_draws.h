@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/function_ref.h"
-#include "lab/world_light/lit_kernels.h"
+#include "lab/world_light/kernels/lit_kernels.h"
 #include "render/frame/frame_stages.h"
 
 namespace temblor::lab {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "lab/world_light/lit_kernels.h"
+#include "lab/world_light/kernels/lit_kernels.h"
 #include "render/surfaces/surface_draws.h"
 
 namespace temblor::lab {

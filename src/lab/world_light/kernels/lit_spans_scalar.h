@@ -6,7 +6,7 @@
 //   find_light(place, channel)
 #pragma once
 
-#include "lab/world_light/lit_kernels.h"
+#include "lab/world_light/kernels/lit_kernels.h"
 
 namespace temblor::lab {
 

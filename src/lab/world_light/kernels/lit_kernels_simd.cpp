@@ -1,12 +1,12 @@
 // Hot loop. The SIMD versions of lit_kernels_scalar.cpp, compiled once for each instruction set.
-#include "lab/world_light/lit_kernels.h"
+#include "lab/world_light/kernels/lit_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "lab/world_light/lit_kernels_simd.cpp"
+#define HWY_TARGET_INCLUDE "lab/world_light/kernels/lit_kernels_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "lab/world_light/lit_spans-inl.h"
+#include "lab/world_light/kernels/lit_spans-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace temblor::lab::HWY_NAMESPACE {

@@ -15,7 +15,7 @@
 
 #include <hwy/highway.h>
 
-#include "lab/world_light/lit_kernels.h"
+#include "lab/world_light/kernels/lit_kernels.h"
 #include "render/spans/fetch_texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,6 +1,6 @@
 // Hot loop. The scalar reference: it defines the results of the kernels.
-#include "lab/world_light/lit_kernels.h"
-#include "lab/world_light/lit_spans_scalar.h"
+#include "lab/world_light/kernels/lit_kernels.h"
+#include "lab/world_light/kernels/lit_spans_scalar.h"
 
 namespace temblor::lab {
 

@@ -1,0 +1,265 @@
+// Phong shading of the world: its kernels against each other and against the definition, lamps and normals of
+// levels, and pictures.
+#include "lab/world_light/phong.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/lit_pictures.h"
+#include "lab/world_light/kernels/phong_kernels.h"
+#include "lab/world_light/level_lamps.h"
+#include "render/kernel_cases.h"
+#include "render/simd_targets.h"
+#include "support/allocation_counter.h"
+#include "support/effort.h"
+
+namespace temblor::test {
+namespace {
+
+using render::PixelFormat;
+
+constexpr auto kPhong = {"phong", "phong:smooth=60", "phong:lights=1"};
+
+// A white wall across the view, as one texel.
+template <typename Texel>
+struct LampCase {
+  std::vector<render::Span> spans;
+  std::vector<Texel> texels;
+  std::vector<std::uint8_t> colormap;
+  std::vector<lab::PointLamp> lamps;
+  std::vector<lab::PhongPart> parts;
+  lab::LitSpans job{};
+  lab::PhongLights lights{};
+
+  explicit LampCase(Random& random) : spans(random_spans(random)) {
+    texels = make_texels<Texel>(1, 1, [](int, int) { return static_cast<Texel>(0xffffffffu); });
+    // The row of the colormap itself.
+    for (int i = 0; i < 64 * 256; ++i) colormap.push_back(static_cast<std::uint8_t>(i / 256));
+    job.perspective = true;
+    job.depth = plane_through(random_depth(random, false));
+    job.texture = {texels.data(), 1, 1};
+    job.colormap = colormap.data();
+    job.spans = spans.data();
+    job.span_count = spans.size();
+    const std::size_t count = random.below(20);
+    for (std::size_t i = 0; i < count; ++i) {
+      const math::Vec3 at = random.in_cube(500);
+      const double brightness = random.uniform(0, 300) * 256;
+      const double falloff = random.uniform(0.1, 2) * 256;
+      lab::PointLamp lamp{{at.x, at.y, at.z}, 0, 0, 0, 0};
+      if (random.chance(0.5)) {
+        lamp.brightness = static_cast<float>(brightness);
+        lamp.falloff = static_cast<float>(falloff);
+      } else {
+        lamp.inverse = static_cast<float>(falloff * 100);
+        lamp.inverse_square = static_cast<float>(brightness * 1000);
+      }
+      lamps.push_back(lamp);
+    }
+    const math::Vec3 step = random.in_cube(0.01);
+    for (int axis = 0; axis < 3; ++axis) lights.ray_step[axis] = step[axis];
+    for (const render::Span& span : spans) {
+      lab::PhongPart part{};
+      const math::Vec3 ray = random.in_cube(1), normal = random.in_cube(1), turn = random.in_cube(0.01);
+      for (int axis = 0; axis < 3; ++axis) {
+        part.ray[axis] = ray[axis];
+        part.normal[axis] = normal[axis];
+        part.normal_step[axis] = turn[axis];
+      }
+      part.pixels_before = static_cast<std::int32_t>(random.below(std::size_t{span.x} + 1));
+      parts.push_back(part);
+    }
+    lights.parts = parts.data();
+    lights.lamps = lamps.data();
+    lights.lamp_count = static_cast<std::int32_t>(lamps.size());
+  }
+  LampCase(const LampCase&) = delete;
+  LampCase& operator=(const LampCase&) = delete;
+
+  // The sum of light at pixel i of a span, by the definition.
+  double sum_light(std::size_t span, int i) const {
+    const lab::PhongPart& part = parts[span];
+    const double lane = part.pixels_before + i;
+    const double z = 1 / (value_at(job.depth, spans[span].x + i, spans[span].y));
+    math::Vec3d at, normal;
+    for (int axis = 0; axis < 3; ++axis) {
+      at[axis] = (part.ray[axis] + lane * lights.ray_step[axis]) * z;
+      normal[axis] = part.normal[axis] + lane * part.normal_step[axis];
+    }
+    double sum = 0;
+    for (const lab::PointLamp& lamp : lamps) {
+      const math::Vec3d to_lamp = math::Vec3d(lamp.from_eye[0], lamp.from_eye[1], lamp.from_eye[2]) - at;
+      const double cosine = glm::dot(glm::normalize(to_lamp), glm::normalize(normal));
+      const double d = std::max(glm::length(to_lamp), 1.0);
+      const double light = std::max(0.0, lamp.brightness - lamp.falloff * d) + lamp.inverse / d +
+                           lamp.inverse_square / (d * d);
+      sum += light * (0.5 + 0.5 * cosine);
+    }
+    return std::min(sum, 65280.0);
+  }
+};
+
+TEST(PhongKernels, SimdEqualsScalar) {
+  for (int seed = 0; seed < effort(2000, 60); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    const LampCase<std::uint8_t> indexed(random);
+    const LampCase<std::uint32_t> rgb(random);
+    Canvas<std::uint8_t> plain_indexed;
+    Canvas<std::uint32_t> plain_rgb;
+    lab::draw_phong_lit_u8_scalar(indexed.job, indexed.lights, plain_indexed.target());
+    lab::draw_phong_lit_u32_scalar(rgb.job, rgb.lights, plain_rgb.target());
+    for_each_simd_target([&] {
+      Canvas<std::uint8_t> vector_indexed;
+      Canvas<std::uint32_t> vector_rgb;
+      lab::draw_phong_lit_u8_simd(indexed.job, indexed.lights, vector_indexed.target());
+      lab::draw_phong_lit_u32_simd(rgb.job, rgb.lights, vector_rgb.target());
+      ASSERT_TRUE(plain_indexed == vector_indexed);
+      ASSERT_TRUE(plain_rgb == vector_rgb);
+    });
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(PhongKernels, FollowTheDefinition) {
+  int lit = 0;
+  for (int seed = 0; seed < effort(500, 30); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    const LampCase<std::uint8_t> lamps(random);
+    Canvas<std::uint8_t> canvas;
+    lab::draw_phong_lit_u8_scalar(lamps.job, lamps.lights, canvas.target());
+    for (std::size_t span = 0; span < lamps.spans.size(); ++span)
+      for (int i = 0; i < lamps.spans[span].count; ++i) {
+        const double sum = lamps.sum_light(span, i);
+        const double row = std::max((65280 - sum) / 4, 64.0) / 256;
+        const int drawn = canvas.pixels[canvas.position(lamps.spans[span], i)];
+        ASSERT_LE(std::abs(drawn - std::floor(row)), 1) << sum;
+        lit += sum > 1000;
+      }
+  }
+  EXPECT_GT(lit, 1000);
+}
+
+// The lights of a level, and one that is no light.
+TEST(LevelLamps, AreTheLevelsLightEntities) {
+  world::Level level = *small_level().level;
+  level.entities = {{{{"classname", "light"}, {"origin", "1 2 3"}}},
+                    {{{"classname", "light_torch_small_walltorch"},
+                      {"origin", "4 5 6"},
+                      {"light", "200"},
+                      {"wait", "2"},
+                      {"style", "5"}}},
+                    {{{"classname", "light"}, {"light", "200"}}},
+                    {{{"classname", "light"}, {"origin", "4 5 6"}, {"light", "-1"}}},
+                    {{{"classname", "info_player_start"}, {"origin", "7 8 9"}}}};
+  const std::vector<lab::Lamp> lamps = lab::find_lamps(level);
+  ASSERT_EQ(lamps.size(), 2u);
+  EXPECT_EQ(lamps[0].origin_world, math::Vec3d(1, 2, 3));
+  EXPECT_EQ(lamps[0].light, 300);
+  EXPECT_EQ(lamps[1].light, 200);
+  EXPECT_EQ(lamps[1].falloff, 2);
+  EXPECT_EQ(lamps[1].style, 5);
+  EXPECT_EQ(lamps[1].light_at(60), 80);
+  EXPECT_EQ(lamps[1].light_at(200), 0);
+  level.entities = {
+      {{{"classname", "light"}, {"origin", "1 2 3"}, {"light", "40"}, {"delay", "1"}}},
+      {{{"classname", "light"}, {"origin", "1 2 3"}, {"light", "40"}, {"delay", "2"}, {"wait", "2"}}}};
+  EXPECT_EQ(lab::find_lamps(level)[0].light_at(256), 20);
+  EXPECT_EQ(lab::find_lamps(level)[1].light_at(128), 10);
+  level.entities.clear();
+  EXPECT_FALSE(lab::check_lamps({}, level).ok());
+  EXPECT_TRUE(lab::check_lamps({}, *small_level().level).ok());
+}
+
+TEST(LevelLamps, ShineOnTheFacesInFrontOfThem) {
+  const DrawableLevel drawable = small_level();
+  const world::Level& level = *drawable.level;
+  const lab::LevelLamps lamps(level, 3, 0);
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < level.faces.size(); ++i) {
+    const render::FacePlane plane = render::place_plane(level, level.faces[i], {});
+    const auto numbers = lamps.lamps_on(base::to_index<world::FaceIndex>(i));
+    EXPECT_LE(numbers.size(), 3u);
+    lit += !numbers.empty();
+    for (const std::uint32_t number : numbers)
+      EXPECT_GT(glm::dot(plane.normal, lamps.all()[number].origin_world), plane.distance);
+    for (const math::Vec3d& normal : lamps.normals(level.faces[i]))
+      EXPECT_LT(glm::distance(glm::normalize(normal), plane.normal), 1e-9);
+  }
+  EXPECT_GT(lit, level.faces.size() / 4);
+}
+
+// All planes of the small level are axial: at 60 degrees, only coplanar faces share normals, and at 100, the
+// walls of a corner do.
+TEST(LevelLamps, AverageNormalsUpToAnAngle) {
+  const world::Level& level = *small_level().level;
+  const auto count_slanted = [&](double degrees) {
+    const lab::LevelLamps lamps(level, 1, degrees);
+    std::size_t slanted = 0;
+    for (const world::Face& face : level.faces)
+      for (const math::Vec3d& normal : lamps.normals(face)) {
+        const math::Vec3d unit = glm::normalize(normal);
+        slanted += std::max({std::abs(unit.x), std::abs(unit.y), std::abs(unit.z)}) < 0.999;
+      }
+    return slanted;
+  };
+  EXPECT_EQ(count_slanted(60), 0u);
+  EXPECT_GT(count_slanted(100), 100u);
+}
+
+TEST(Phong, IsTheSameForAnyThreadsAndBands) {
+  const DrawableLevel drawable = small_level();
+  Random random(1);
+  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
+  const render::Scene scene = view.scene(*drawable.level);
+  for (const char* const technique : kPhong) {
+    LitPictures pictures(drawable, technique, PixelFormat::kRgb);
+    const FrameCopy first = pictures.draw(scene, {});
+    EXPECT_EQ(first, pictures.draw(scene, {.simd_kernels = false}));
+    for (const int threads : {1, 2, 8})
+      for (const int band_rows : {1, 7, 64})
+        EXPECT_EQ(first, pictures.draw(scene, {.threads = threads,
+                                               .job_backend = base::JobBackend::kStdThread,
+                                               .band_rows = band_rows}))
+            << technique << threads << " " << band_rows;
+  }
+}
+
+// A level without lights is drawn by the engine, and lamps follow the level.
+TEST(Phong, LeavesLevelsWithoutLightsToTheEngine) {
+  DrawableLevel drawable = small_level();
+  auto dark = std::make_shared<world::Level>(*drawable.level);
+  dark->identity = std::make_shared<const world::LevelIdentity>();
+  dark->entities.clear();
+  Random random(5);
+  const Viewpoint view = make_lit_view(*dark, PixelFormat::kRgb, random);
+  LitPictures phong(drawable, "phong", PixelFormat::kRgb), engine(drawable, nullptr, PixelFormat::kRgb);
+  const FrameCopy lit = phong.draw(view.scene(*drawable.level), {});
+  const FrameCopy right = engine.draw(view.scene(*drawable.level), {});
+  EXPECT_GT(differing_pixels(lit, right), 1000u);
+  EXPECT_EQ(phong.draw(view.scene(*dark), {}), engine.draw(view.scene(*dark), {}));
+  EXPECT_EQ(phong.draw(view.scene(*drawable.level), {}), lit);
+}
+
+TEST(Phong, AllocatesNothingInAWarmFrame) {
+  const DrawableLevel drawable = small_level();
+  Random random(3);
+  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
+  const render::Scene scene = view.scene(*drawable.level);
+  render::FrameBuffer frame(320, 200, PixelFormat::kRgb);
+  for (const char* const technique : kPhong) {
+    render::Renderer renderer(drawable.palette, drawable.colormap);
+    renderer.replace_stages(lab::parse_choice(technique).value().make_stages());
+    for (int i = 0; i < 3; ++i) renderer.render(scene, {}, frame);
+    const std::size_t before = allocation_count();
+    renderer.render(scene, {}, frame);
+    EXPECT_EQ(allocation_count(), before) << technique;
+  }
+}
+
+}  // namespace
+}  // namespace temblor::test
