@@ -47,11 +47,14 @@ struct LitCase {
                                                           : 1 + random.below(300));
     };
     const std::int32_t width = side(), height = side();
-    texels = make_noise<Texel>(width, height, random);
+    std::vector<Texel> tile = make_noise<Texel>(width, height, random);
     // Some texels are full-bright.
     if constexpr (sizeof(Texel) == 4)
-      for (Texel& texel : texels)
+      for (Texel& texel : tile)
         if (random.chance(0.2)) texel &= 0xffffffu;
+    texels = make_texels<Texel>(width + lab::kMarginColumns, height + lab::kMarginRows, [&](int s, int t) {
+      return tile[static_cast<std::size_t>(t % height * width + s % width)];
+    });
     for (int i = 0; i < 64 * 256; ++i) colormap.push_back(static_cast<std::uint8_t>(random.bits()));
     const CornerValues depth = random_depth(random, true);
     job.perspective = random.chance(0.7);

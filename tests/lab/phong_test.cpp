@@ -35,7 +35,8 @@ struct LampCase {
   lab::PhongLights lights{};
 
   explicit LampCase(Random& random) : spans(random_spans(random)) {
-    texels = make_texels<Texel>(1, 1, [](int, int) { return static_cast<Texel>(0xffffffffu); });
+    texels = make_texels<Texel>(1 + lab::kMarginColumns, 1 + lab::kMarginRows,
+                                [](int, int) { return static_cast<Texel>(0xffffffffu); });
     // The row of the colormap itself.
     for (int i = 0; i < 64 * 256; ++i) colormap.push_back(static_cast<std::uint8_t>(i / 256));
     job.perspective = true;

@@ -35,29 +35,37 @@ class TextureCopies {
 
  private:
   TileTexture make(const world::Texture& texture, int mip) const {
-    const std::vector<std::uint8_t>& indices = texture.indices(mip);
-    const std::uint32_t* own = render::own_colors(texture, mip).colors;
+    const std::uint8_t* const indices = texture.indices(mip).data();
+    const std::uint32_t* const own = render::own_colors(texture, mip).colors;
     const auto side = [&](std::uint32_t texels) {
       return static_cast<std::int32_t>(std::max(1u, render::at_mip(texels, mip)));
     };
     TileTexture copy{nullptr, side(texture.width), side(texture.height)};
-    if (context_.is_indexed()) {
-      copy.texels = make_copy<std::uint8_t>(indices, [](std::uint8_t index) { return index; });
-    } else if (own != nullptr) {
-      copy.texels =
-          make_copy<std::uint32_t>(std::span(own, indices.size()), [](std::uint32_t c) { return c; });
-    } else {
+    if (context_.is_indexed())
+      copy.texels = make_copy<std::uint8_t>(copy, [&](std::size_t texel) { return indices[texel]; });
+    else if (own != nullptr)
+      copy.texels = make_copy<std::uint32_t>(copy, [&](std::size_t texel) { return own[texel]; });
+    else
       copy.texels = make_copy<std::uint32_t>(
-          indices, [&](std::uint8_t index) { return context_.colors.surface_rgb[index]; });
-    }
+          copy, [&](std::size_t texel) { return context_.colors.surface_rgb[indices[texel]]; });
     return copy;
   }
 
-  template <typename Texel, typename From, typename Convert>
-  const Texel* make_copy(const From& from, Convert convert) const {
-    const std::span<Texel> copy = context_.arena().allocate<Texel>(from.size() + render::kTexelPadding);
-    const auto end = std::transform(from.begin(), from.end(), copy.begin(), convert);
-    std::fill(end, copy.end(), Texel{0});
+  // `convert` maps a texel's position in the mip level, row by row, to a Texel as it is drawn.
+  template <typename Texel, typename Convert>
+  const Texel* make_copy(const TileTexture& size, Convert convert) const {
+    const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
+    const std::size_t stride = width + kMarginColumns;
+    const std::span<Texel> copy =
+        context_.arena().allocate<Texel>(stride * (height + kMarginRows) + render::kTexelPadding);
+    Texel* out = copy.data();
+    for (std::size_t row = 0; row < height; ++row, out += stride) {
+      for (std::size_t column = 0; column < width; ++column) out[column] = convert(row * width + column);
+      for (std::size_t column = width; column < stride; ++column) out[column] = out[column - width];
+    }
+    for (std::size_t row = 0; row < kMarginRows; ++row, out += stride)
+      std::copy_n(out - height * stride, stride, out);
+    std::fill_n(out, render::kTexelPadding, Texel{0});
     return copy.data();
   }
 

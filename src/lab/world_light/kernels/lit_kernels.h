@@ -13,11 +13,17 @@ namespace temblor::lab {
 
 constexpr int kMaxChannels = 3;
 
-// A texture that repeats. Rows follow one another; render::kTexelPadding texels follow the last one.
+// A texture that repeats. So that a window of texels may cross its ends, it is stored with a margin of
+// repeated columns and rows:
+//
+//   0 ... width - 1 | 0 ... kMarginColumns - 1     height rows, then rows 0 to kMarginRows - 1 again
+//
+// render::kTexelPadding texels follow the last one.
 struct TileTexture {
-  const void* texels;  // bytes, or colors with alpha 0 where they are full-bright
-  std::int32_t width, height;
+  const void* texels;          // bytes, or colors with alpha 0 where they are full-bright
+  std::int32_t width, height;  // without the margin; 0: no texture
 };
+constexpr std::int32_t kMarginColumns = 16, kMarginRows = 3;
 
 // Spans of one tile of a face.
 struct LitSpans {

@@ -96,9 +96,11 @@ HWY_INLINE void StoreLit(VU texels, const LightLanes<kChannels>& light, const Li
   rn::StoreTexels(hn::Or(hn::IfThenElse(is_full_bright, texels, shown), alpha), out, count);
 }
 
-// number mod size. `number` is below 2^15, so the quotient in float is exact.
+// A coordinate of a tile -> the same of its texture.
 struct Wrap {
   int size, first;
+
+  // (number + first) mod size. The sum is below 2^15, so the quotient in float is exact.
   HWY_INLINE VI At(VI number) const {
     const DI di;
     const VI moved = hn::Add(number, hn::Set(di, first));
@@ -108,7 +110,33 @@ struct Wrap {
     const VI whole = hn::Sub(rn::TruncateBiased(quotient), hn::Set(di, rn::kBias));
     return hn::Sub(moved, hn::Mul(whole, hn::Set(di, size)));
   }
+  // Moves all numbers by the same distance, so that the window whose first column or row is `back` before the
+  // first lane's begins in the texture; plus kBias.
+  HWY_INLINE VI ToWindow(VI number, int back) const {
+    const int anchor = hn::GetLane(number) - back;
+    const int moved = anchor + first + size * kMarginColumns;  // not negative
+    const int wrapped = (size & (size - 1)) == 0 ? moved & (size - 1) : moved % size;
+    return hn::Add(number, hn::Set(DI(), wrapped - anchor + rn::kBias));
+  }
 };
+
+// Fetches texels at coordinates of the tile.
+template <bool kNear, typename Texel>
+HWY_INLINE void FetchTexels(const LitSpans& spans, rn::Direction way, VI s, VI t, Texel* out, int count) {
+  const TileTexture& texture = spans.texture;
+  const auto* texels = static_cast<const Texel*>(texture.texels);
+  const rn::Rows rows{texture.width + kMarginColumns, texture.height + kMarginRows - 1};
+  const Wrap wrap_s{texture.width, spans.first_s}, wrap_t{texture.height, spans.first_t};
+  if constexpr (kNear) {
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(DU()));
+    const rn::TexelLanes at{wrap_s.ToWindow(s, way.left ? kLanes - 1 : 0),
+                            wrap_t.ToWindow(t, way.up ? 3 : 0)};
+    if (HWY_LIKELY(rn::FetchWindow<4>(texels, rows, way, at, out, count))) return;
+  }
+  const VI bias = hn::Set(DI(), rn::kBias);
+  rn::FetchScattered(texels, rows, rn::TexelLanes{hn::Add(wrap_s.At(s), bias), hn::Add(wrap_t.At(t), bias)},
+                     out, count);
+}
 
 struct SpanLines {
   rn::Line depth, s, t;
@@ -175,13 +203,8 @@ struct SpanDrawer {
     if (spans.perspective) places.z = hn::Div(places.z, hn::Max(depth, hn::Set(d, render::kMinSpanDepth)));
     places.s = Clamp(hn::Mul(At(lines.s, places.lane), places.z), spans.last_s);
     places.t = Clamp(hn::Mul(At(lines.t, places.lane), places.z), spans.last_t);
-    const TileTexture& texture = spans.texture;
-    const VI bias = hn::Set(DI(), rn::kBias);
-    const rn::TexelLanes at{hn::Add(Wrap{texture.width, spans.first_s}.At(places.s), bias),
-                            hn::Add(Wrap{texture.height, spans.first_t}.At(places.t), bias)};
     HWY_ALIGN Texel fetched[rn::kMaxLanes];
-    rn::Fetch<kNear ? 4 : 0>(static_cast<const Texel*>(texture.texels),
-                             rn::Rows{texture.width, texture.height - 1}, way, at, fetched, count);
+    FetchTexels<kNear>(spans, way, places.s, places.t, fetched, count);
     StoreLit(rn::LoadTexels(fetched), sampler.Find(places), spans, out + i, count);
   }
 

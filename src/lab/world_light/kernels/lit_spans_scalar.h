@@ -74,8 +74,9 @@ void draw_lit(const LitSpans& spans, Sampler sampler, const render::KernelTarget
       if (spans.perspective) place.z = 1.0f / larger(near, render::kMinSpanDepth);
       place.s = clamped(s.at(place.lane) * place.z, spans.last_s);
       place.t = clamped(t.at(place.lane) * place.z, spans.last_t);
-      const std::int32_t texel = (place.t + spans.first_t) % spans.texture.height * spans.texture.width +
-                                 (place.s + spans.first_s) % spans.texture.width;
+      const std::int32_t column = (place.s + spans.first_s) % spans.texture.width;
+      const std::int32_t row = (place.t + spans.first_t) % spans.texture.height;
+      const std::int32_t texel = row * (spans.texture.width + kMarginColumns) + column;
       static_cast<Texel*>(target.pixels)[first + static_cast<std::size_t>(i)] =
           light_texel(static_cast<const Texel*>(spans.texture.texels)[texel], spans, sampler, place);
     }
