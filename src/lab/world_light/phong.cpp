@@ -184,8 +184,8 @@ class PhongSpans {
 
 base::Status check_lamps(std::span<const double> /*values*/, const world::Level& level) {
   if (!find_lamps(level).empty()) return base::Ok{};
-  return base::error(base::ErrorCode::kUsage, "{}: phong needs entities whose class name begins with light",
-                     level.name);
+  return base::error(base::ErrorCode::kUnsupported,
+                     "{}: phong needs entities whose class name begins with light", level.name);
 }
 
 render::FrameStages make_phong(std::span<const double> values, Counter* counter) {
