@@ -151,6 +151,28 @@ TEST(PortalFlood, ReachesEveryLeafInSightOfStockLevels) {
       expect_seen_leaves_are_reached(*test::stock_level(data, name).level, uses_octagons);
 }
 
+// Trees may use a plane twice. Then nothing is between the two nodes, and the leaf is on the side that the
+// first one says.
+TEST(PortalFlood, ReachesEveryLeafThatRepeatedPlanesDivide) {
+  world::Level level = *test::small_level().level;
+  level.identity = std::make_shared<const world::LevelIdentity>();
+  const std::size_t count = level.nodes.size();
+  for (std::size_t number = 0; number < count; ++number)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const world::Child child = level.nodes[number].children[side];
+      if (!child.is_leaf()) continue;
+      world::Node repeated = level.nodes[number];
+      repeated.face_count = 0;
+      repeated.children[side] = child;
+      repeated.children[1 - side] = {-1};  // leaf 0, which is solid
+      level.nodes[number].children[side] = {static_cast<std::int32_t>(level.nodes.size())};
+      level.nodes.push_back(repeated);
+    }
+  expect_seen_leaves_are_reached(level, false);
+  EXPECT_EQ(make_level_portals(level, kManyPortals)->portals.size(),
+            make_level_portals(*test::small_level().level, kManyPortals)->portals.size());
+}
+
 TEST(PortalFlood, EntersOnlyAllowedLeaves) {
   const world::Level& level = *test::small_level().level;
   const LevelPortals portals = make_level_portals(level, kManyPortals).value();
