@@ -226,5 +226,27 @@ TEST(Portals, RefuseALevelWithTooMany) {
   EXPECT_TRUE(parse_choice("painter").value().check_level(level).ok());
 }
 
+// Parallel planes, each behind the one before: all of them are cut at all others.
+TEST(Portals, RefuseATreeThatIsTooDeep) {
+  constexpr std::int32_t kDepth = 9000;
+  world::Level level = *test::small_level().level;
+  level.leaves.resize(2);
+  level.leaves[1].contents = world::Contents::kEmpty;
+  level.models[0].head = {0};
+  level.planes.clear();
+  level.nodes.clear();
+  for (std::int32_t i = 0; i < kDepth; ++i) {
+    constexpr world::Child kOpen{~1};
+    level.planes.push_back({{1, 0, 0}, static_cast<float>(i), 0});
+    world::Node node{};
+    node.plane = static_cast<std::uint32_t>(i);
+    node.children = {i + 1 < kDepth ? world::Child{i + 1} : kOpen, kOpen};
+    level.nodes.push_back(node);
+  }
+  const base::Status refused = parse_choice("portals").value().check_level(level);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().what, "the BSP tree of level small is too deep, so portals cannot draw it");
+}
+
 }  // namespace
 }  // namespace temblor::lab
