@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -122,20 +120,6 @@ base::Status write_picture(const LabOptions& options, const lab::Choice& choice,
   return write_lab_picture(options.out, technique, engine, look.palette);
 }
 
-// Fails if one of the techniques cannot draw the level, or a level of the demo.
-base::Status check_levels(std::span<const lab::Choice> choices, const LabScenes& scenes) {
-  const auto has_check = [](const lab::Choice& choice) { return choice.technique->check_level != nullptr; };
-  if (std::ranges::none_of(choices, has_check)) return base::Ok{};
-  std::shared_ptr<const world::LevelIdentity> checked;
-  base::Status status = base::Ok{};
-  TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) {
-    if (std::exchange(checked, scene.level->identity) == scene.level->identity) return;
-    for (const lab::Choice& choice : choices)
-      if (status.ok()) status = choice.check_level(*scene.level);
-  }));
-  return status;
-}
-
 base::Status compare(std::span<const lab::Choice> choices, const LabOptions& options, const LabScenes& scenes,
                      const render::Settings& settings) {
   FigureOptions figure_options;
@@ -231,7 +215,7 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
   if (is_run && !options.out.empty()) TRY_STATUS(numbered_name(options.out, 0));
   TRY(const LabScenes scenes, load_scenes(options, folders, presentation));
   for (const std::string& note : scenes.notes()) print_note(note);
-  TRY_STATUS(check_levels(choices, scenes));
+  TRY_STATUS(scenes.check(choices));
   if (is_run && !options.out.empty()) TRY_STATUS(write_picture(options, choices.back(), scenes, settings));
   return compare(choices, options, scenes, settings);
 }

@@ -1,6 +1,7 @@
 #include "app/lab/lab_scenes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/demo/demo_playback.h"
 #include "app/level/viewpoints.h"
@@ -70,6 +71,19 @@ base::Status LabScenes::show_picture_scene(Use use) const {
   return for_each_scene([&](const render::Scene& scene) {
     if (number++ == kMaxScenes / 2) use(scene);
   });
+}
+
+base::Status LabScenes::check(std::span<const lab::Choice> choices) const {
+  const auto has_check = [](const lab::Choice& choice) { return choice.technique->check_level != nullptr; };
+  if (std::ranges::none_of(choices, has_check)) return base::Ok{};
+  std::shared_ptr<const world::LevelIdentity> checked;
+  base::Status status = base::Ok{};
+  TRY_STATUS(for_each_scene([&](const render::Scene& scene) {
+    if (std::exchange(checked, scene.level->identity) == scene.level->identity) return;
+    for (const lab::Choice& choice : choices)
+      if (status.ok()) status = choice.check_level(*scene.level);
+  }));
+  return status;
 }
 
 base::Result<Measurement> LabScenes::measure(const MeasureOptions& options) const {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "base/function_ref.h"
 #include "base/result.h"
 #include "client/view/presentation.h"
+#include "lab/technique.h"
 
 namespace temblor::app {
 
@@ -43,6 +45,9 @@ class LabScenes {
   base::Status for_each_scene(Use use) const;
   // Calls `use` for the scene of the picture: the chosen camera, or the start, or the middle of the demo.
   base::Status show_picture_scene(Use use) const;
+
+  // Fails if one of the techniques cannot draw the level, or a level of the demo.
+  base::Status check(std::span<const lab::Choice> choices) const;
 
   // Measures circles at all viewpoints, or the whole demo.
   base::Result<Measurement> measure(const MeasureOptions& options) const;

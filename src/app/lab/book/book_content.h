@@ -25,10 +25,14 @@ struct BookEntry {
   Verdict (*judge)(const Evidence& evidence);
 };
 
+// The figures of a chapter's tables, besides times.
+enum class BookColumns { kSurfaces, kLight, kTexels };
+
 struct BookChapter {
   std::string_view file;  // NAME of NAME.html
   std::string_view title, introduction;
   std::span<const BookEntry> entries;
+  BookColumns columns = BookColumns::kSurfaces;
 };
 
 std::span<const BookChapter> list_book_chapters();

@@ -51,36 +51,80 @@ const lab::Technique& find_technique(const BookEntry& entry) {
   return *lab::parse_choice(entry.technique).value().technique;
 }
 
-// A table row; numbers are right-aligned.
-std::string make_row(std::string_view name, std::initializer_list<std::string> values) {
-  std::string row = fmt::format("<tr><td>{}</td>", name);
-  for (const std::string& value : values) row += fmt::format("<td class=\"n\">{}</td>", value);
-  return row + "</tr>\n";
+// A column of a table of figures.
+struct Column {
+  const char* name;
+  std::string (*show)(const TechniqueFigures& figures);
+};
+
+double sum_cycles(const TechniqueFigures& figures, std::initializer_list<render::Stage> stages) {
+  double sum = 0;
+  for (const render::Stage stage : stages)
+    sum += figures.measurement.stage_cycles_per_pixel[static_cast<std::size_t>(stage)];
+  return sum;
 }
 
-std::string make_figures_table(const Evidence& evidence) {
+std::string show(double value, int decimals) {
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+constexpr Column kSurfaceColumns[] = {
+    {"faces", [](const TechniqueFigures& f) { return show(f.measurement.faces_drawn.p50, 0); }},
+    {"edges", [](const TechniqueFigures& f) { return show(f.measurement.edges.p50, 0); }},
+    {"spans", [](const TechniqueFigures& f) { return show(f.measurement.spans.p50, 0); }},
+    {"pixels written", [](const TechniqueFigures& f) { return show(f.views.pixels_written, 2); }},
+    {"depth tests", [](const TechniqueFigures& f) { return show(f.views.pixels_tested, 2); }},
+    {"comparisons", [](const TechniqueFigures& f) { return show(f.views.comparisons, 0); }},
+    {"memory, KB", [](const TechniqueFigures& f) { return show(f.views.bytes / 1024, 0); }},
+    {"wrong faces", [](const TechniqueFigures& f) {
+       const oracle::Tally& tally = f.views.tally;
+       const double wrong =
+           tally.pixels == 0 ? 0 : static_cast<double>(tally.wrong_face) / static_cast<double>(tally.pixels);
+       return show(100 * wrong, 3) + " %";
+     }}};
+constexpr Column kLightColumns[] = {
+    {"cycles per pixel",
+     [](const TechniqueFigures& f) {
+       return show(sum_cycles(f, {render::Stage::kSurfaces, render::Stage::kSpans}), 1);
+     }},
+    {"memory, KB", [](const TechniqueFigures& f) { return show(f.views.bytes / 1024, 0); }},
+    {"light error, mean", [](const TechniqueFigures& f) { return show(f.views.light.error.mean(), 2); }},
+    {"largest", [](const TechniqueFigures& f) { return show(f.views.light.error.largest, 1); }},
+    {"largest shift: turn", [](const TechniqueFigures& f) { return show(f.views.light.turn.largest, 1); }},
+    {"roll", [](const TechniqueFigures& f) { return show(f.views.light.roll.largest, 1); }}};
+constexpr Column kTexelColumns[] = {
+    {"cycles per pixel",
+     [](const TechniqueFigures& f) { return show(sum_cycles(f, {render::Stage::kSpans}), 2); }},
+    {"wrong texels", [](const TechniqueFigures& f) { return show(100 * f.views.pixels_off, 2) + " %"; }},
+    {"largest error, texels", [](const TechniqueFigures& f) { return show(f.views.max_texel_error, 1); }}};
+
+std::span<const Column> list_columns(BookColumns columns) {
+  switch (columns) {
+    case BookColumns::kLight:
+      return kLightColumns;
+    case BookColumns::kTexels:
+      return kTexelColumns;
+    case BookColumns::kSurfaces:
+      break;
+  }
+  return kSurfaceColumns;
+}
+
+std::string make_figures_table(const Evidence& evidence, std::span<const Column> columns) {
   std::string html =
       "<table>\n<tr><th>level</th><th class=\"n\">median, ms</th><th class=\"n\">times the engine</th><th "
-      "class=\"n\">99th / median</th><th class=\"n\">faces</th><th class=\"n\">spans</th><th "
-      "class=\"n\">pixels written</th><th class=\"n\">depth tests</th><th class=\"n\">comparisons</th><th "
-      "class=\"n\">memory, KB</th><th class=\"n\">wrong faces</th></tr>\n";
+      "class=\"n\">99th / median</th>";
+  for (const Column& column : columns) html += fmt::format("<th class=\"n\">{}</th>", column.name);
   for (const LevelFigures& level : evidence.figures().levels) {
     const TechniqueFigures& f = level.techniques[evidence.number()];
     const double engine_ms = level.techniques.front().measurement.frame_ms.p50;
     const Distribution& ms = f.measurement.frame_ms;
-    const oracle::Tally& tally = f.views.tally;
-    html += make_row(
-        escape_html(level.name),
-        {fmt::format("{:.2f}", ms.p50), fmt::format("{:.2f}", ms.p50 / engine_ms),
-         fmt::format("{:.1f}", ms.p99 / ms.p50), fmt::format("{:.0f}", f.measurement.faces_drawn.p50),
-         fmt::format("{:.0f}", f.measurement.spans.p50), fmt::format("{:.2f}", f.views.pixels_written),
-         fmt::format("{:.2f}", f.views.pixels_tested), fmt::format("{:.0f}", f.views.comparisons),
-         fmt::format("{:.0f}", f.views.bytes / 1024),
-         fmt::format("{:.3f} %", tally.pixels == 0 ? 0
-                                                   : 100 * static_cast<double>(tally.wrong_face) /
-                                                         static_cast<double>(tally.pixels))});
+    html += fmt::format("</tr>\n<tr><td>{}</td>", escape_html(level.name));
+    for (const std::string& value : {show(ms.p50, 2), show(ms.p50 / engine_ms, 2), show(ms.p99 / ms.p50, 1)})
+      html += fmt::format("<td class=\"n\">{}</td>", value);
+    for (const Column& column : columns) html += fmt::format("<td class=\"n\">{}</td>", column.show(f));
   }
-  return html + "</table>\n";
+  return html + "</tr>\n</table>\n";
 }
 
 // The picture is missing for the engine, which does not differ from itself.
@@ -99,8 +143,8 @@ std::string make_picture(const Evidence& evidence, const BookEntry& entry) {
       picture_file_name(entry.technique), escape_html(entry.technique), caption);
 }
 
-std::string make_entry(const BookInput& input, const BookEntry& entry, std::size_t number) {
-  const Evidence evidence(input.figures, number);
+std::string make_entry(const BookInput& input, const BookChapter& chapter, const BookEntry& entry) {
+  const Evidence evidence = Evidence(input.figures, 0).of(entry.technique);
   const lab::Technique& technique = find_technique(entry);
   const Verdict verdict = entry.judge(evidence);
   const HoldsText holds = describe(verdict.holds);
@@ -119,7 +163,8 @@ std::string make_entry(const BookInput& input, const BookEntry& entry, std::size
       "far "
       "it is optimized: {}</p>\n",
       holds.style, holds.text, escape_html(verdict.text), escape_html(entry.optimized));
-  return html + make_figures_table(evidence) + make_picture(evidence, entry) + "</section>\n";
+  return html + make_figures_table(evidence, list_columns(chapter.columns)) + make_picture(evidence, entry) +
+         "</section>\n";
 }
 
 // The numbers of a chapter's techniques in the figures, those with default parameters first. More series than
@@ -237,8 +282,7 @@ std::string make_chapter_page(const BookInput& input, const BookChapter& chapter
       begin_book_page(chapter.title) + "<p><a href=\"index.html\">The laboratory's book</a></p>\n" +
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escape_html(chapter.title), escape_html(chapter.introduction)) +
       make_conditions(input) + make_plots(input, chapter);
-  for (const BookEntry& entry : chapter.entries)
-    html += make_entry(input, entry, Evidence(input.figures, 0).of(entry.technique).number());
+  for (const BookEntry& entry : chapter.entries) html += make_entry(input, chapter, entry);
   return html + end_page();
 }
 

@@ -54,8 +54,10 @@ std::vector<lab::Choice> list_book_techniques() {
 
 base::Status write_book(const fs::path& folder, std::span<const LabScenes> levels,
                         const BookOptions& options) {
+  const std::vector<lab::Choice> techniques = list_book_techniques();
+  for (const LabScenes& level : levels) TRY_STATUS(level.check(techniques));
   TRY_STATUS(write_school(folder));
-  TRY(const BookFigures figures, measure_book(levels, list_book_techniques(), options));
+  TRY(const BookFigures figures, measure_book(levels, techniques, options));
   for (std::size_t i = 1; i < figures.choices.size(); ++i)
     TRY_STATUS(write_picture(folder, levels, figures, i, options));
   const BookInput input{figures, options, processor_name()};

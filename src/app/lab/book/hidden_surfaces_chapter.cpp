@@ -1,25 +1,13 @@
-#include "app/lab/book/book_content.h"
-
 #include <fmt/format.h>
 
 #include <array>
 
+#include "app/lab/book/chapters.h"
+
 namespace temblor::app {
 namespace {
 
-constexpr double kSameTime = 1.1;  // ratios of times below this say nothing
-
 constexpr auto pixels_written = [](const TechniqueFigures& figures) { return figures.views.pixels_written; };
-
-std::string describe_time(const Evidence& evidence) {
-  return fmt::format("A frame takes {} times the engine's.", evidence.time_ratios().text(2));
-}
-
-std::string describe_wrong(const Evidence& evidence) {
-  const Range wrong = evidence.wrong_shares();
-  if (wrong.high == 0) return "No pixel shows a wrong face.";
-  return fmt::format("Wrong faces: {} % of pixels.", Range{100 * wrong.low, 100 * wrong.high}.text(3));
-}
 
 Verdict judge_engine(const Evidence& evidence) {
   constexpr double kUnlevel = 6;  // the article's bad example: 5 frames per second after an average of 30
@@ -75,15 +63,6 @@ Verdict judge_beam_tree(const Evidence& evidence) {
                   describe_time(evidence), level.text(1), engine_level)};
 }
 
-// For a technique that should draw the same picture in more time.
-Verdict judge_slower(const Evidence& evidence) {
-  const Range times = evidence.time_ratios();
-  return {times.low > kSameTime    ? Holds::kYes
-          : times.high > kSameTime ? Holds::kPartly
-                                   : Holds::kNo,
-          describe_time(evidence) + " " + describe_wrong(evidence)};
-}
-
 Verdict judge_independent(const Evidence& evidence) {
   const Range times = evidence.time_ratios(evidence.of("intersecting-edges").number());
   const bool is_wrong = evidence.wrong_shares().high > 0, is_fast = times.low < 1;
@@ -119,28 +98,31 @@ Verdict judge_intersecting(const Evidence& evidence) {
           describe_time(evidence) + " " + describe_wrong(evidence)};
 }
 
-std::string describe_texels(const Evidence& evidence) {
-  const Range off = evidence.over_levels([](const TechniqueFigures& f) { return f.views.pixels_off; });
-  const Range error = evidence.over_levels([](const TechniqueFigures& f) { return f.views.max_texel_error; });
-  return fmt::format("{} % of pixels show another texel than the exact one; the largest error is {} texels.",
-                     Range{100 * off.low, 100 * off.high}.text(2), error.text(1));
+Verdict judge_unsplit(const Evidence& evidence) {
+  const Range times = evidence.time_ratios(evidence.of("abutting-edges").number());
+  const Range saved = evidence.over_levels([](const TechniqueFigures& f) {
+    return f.views.edges_saved / (f.views.edges_saved + f.measurement.edges.p50);
+  });
+  return {
+      times.high < 1  ? Holds::kYes
+      : times.low < 1 ? Holds::kPartly
+                      : Holds::kNo,
+      fmt::format("{} % of edges need no sorting. A frame takes {} times as long as with split faces. {}",
+                  Range{100 * saved.low, 100 * saved.high}.text(0), times.text(2), describe_wrong(evidence))};
 }
 
-Verdict judge_affine(const Evidence& evidence) {
-  const Range error = evidence.over_levels([](const TechniqueFigures& f) { return f.views.max_texel_error; });
-  return {error.high > 1 ? Holds::kYes : Holds::kNo,
-          describe_texels(evidence) + " " + describe_time(evidence)};
-}
-
-Verdict judge_sixteen_pixels(const Evidence& evidence) {
-  const Range times = evidence.time_ratios();
-  const Range off = evidence.over_levels([](const TechniqueFigures& f) { return f.views.pixels_off; });
-  constexpr double kFewPixels = 0.2;
-  const bool looks_right = off.high < kFewPixels, is_faster = times.high < 1;
-  return {looks_right && is_faster   ? Holds::kYes
-          : looks_right || is_faster ? Holds::kPartly
-                                     : Holds::kNo,
-          describe_texels(evidence) + " " + describe_time(evidence)};
+Verdict judge_cached(const Evidence& evidence) {
+  const Range times = evidence.time_ratios(evidence.of("abutting-edges").number());
+  const Range hits = evidence.over_levels([](const TechniqueFigures& f) {
+    const double all = f.views.cache_hits + f.views.comparisons;
+    return all == 0 ? 0 : f.views.cache_hits / all;
+  });
+  return {times.low > 1    ? Holds::kYes
+          : times.high > 1 ? Holds::kPartly
+                           : Holds::kNo,
+          fmt::format("{} % of the orders were known from before. A frame takes {} times as long as with "
+                      "abutting edges.",
+                      Range{100 * hits.low, 100 * hits.high}.text(0), times.text(2))};
 }
 
 constexpr std::string_view kOwnStages = "These are the engine's own stages.";
@@ -234,50 +216,30 @@ constexpr std::array kSurfaceEntries{
               "1/z is compared at both ends of every span. If the order differs, the surfaces cross, and the "
               "span is cut there. No order of the faces is needed at all.",
               "The slowest and most complicated kind, but it always works.", kDepthEdges, judge_intersecting},
-};
-
-constexpr std::array kPerspectiveEntries{
-    BookEntry{"affine-spans",
-              "Texture coordinates are exact at both ends of a span, and change evenly in between. In "
-              "perspective they do not: textures on walls that are seen at an angle bend, and swim as the "
-              "viewer moves.",
-              "Without division, textures are visibly wrong.",
-              "The engine's SIMD code, with fewer divisions.", judge_affine},
-    BookEntry{"affine-spans:pixels=16", "Texture coordinates are exact at every 16th pixel.",
-              "A division for every 16 pixels looks right, and its time disappears behind the pixels in "
-              "between.",
-              "The engine's SIMD code, with fewer divisions.", judge_sixteen_pixels},
-    BookEntry{"affine-spans:pixels=8", "Texture coordinates are exact at every 8th pixel.",
-              "Fewer pixels between divisions make the error smaller.",
-              "The engine's SIMD code, with fewer divisions.",
-              [](const Evidence& evidence) {
-                const auto off = [](const TechniqueFigures& f) { return f.views.pixels_off; };
-                const bool is_better = evidence.over_levels(off).high <
-                                       evidence.of("affine-spans:pixels=16").over_levels(off).high;
-                return Verdict{is_better ? Holds::kYes : Holds::kNo,
-                               describe_texels(evidence) + " " + describe_time(evidence)};
-              }},
-};
-
-constexpr std::array kChapters{
-    BookChapter{
-        "hidden-surfaces", "Which surface is in front",
-        "Each pixel must show the nearest of the faces behind it. All techniques of this chapter get "
-        "the same faces, and nearly all draw the same picture. They differ in when they find out which "
-        "face is in front: before drawing, at the ends of spans, or at each pixel. Where a picture differs "
-        "although its faces are right, a face has another mip level, which depends on its spans.",
-        kSurfaceEntries},
-    BookChapter{
-        "perspective", "Textures in perspective",
-        "The texel at a pixel follows from a division by depth. Divisions are slow, so few engines of "
-        "the time made one for each pixel.",
-        kPerspectiveEntries},
+    BookEntry{"unsplit-edges",
+              "A compiler cuts faces at the planes of the BSP tree, so that they have an order. Depths need "
+              "none, so here the parts of a face are joined again: fewer edges are sorted, by 1/z. Each part "
+              "has its own light map, so spans are cut at the parts' borders at last.",
+              "Faster than with split faces, but not by as much as hoped, and less reliable.",
+              "It shares the engine's code for edges and spans.", judge_unsplit},
+    BookEntry{
+        "cached-order",
+        "If a face lies in front of the plane of another, it is in front of it from everywhere. A table "
+        "keeps such pairs from frame to frame, and only the others are compared.",
+        "A result that is kept needs no computing, but a comparison of 1/z is so short that looking it "
+        "up takes longer.",
+        "The table needs no locks; an entry is one number.", judge_cached},
 };
 
 }  // namespace
 
-std::span<const BookChapter> list_book_chapters() {
-  return kChapters;
+BookChapter make_hidden_surfaces_chapter() {
+  return {"hidden-surfaces", "Which surface is in front",
+          "Each pixel must show the nearest of the faces behind it. All techniques of this chapter get "
+          "the same faces, and nearly all draw the same picture. They differ in when they find out which "
+          "face is in front: before drawing, at the ends of spans, or at each pixel. Where a picture differs "
+          "although its faces are right, a face has another mip level, which depends on its spans.",
+          kSurfaceEntries};
 }
 
 }  // namespace temblor::app

@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "app/lab/book/chapters.h"
+
+namespace temblor::app {
+namespace {
+
+std::string describe_texels(const Evidence& evidence) {
+  const Range off = evidence.over_levels([](const TechniqueFigures& f) { return f.views.pixels_off; });
+  const Range error = evidence.over_levels([](const TechniqueFigures& f) { return f.views.max_texel_error; });
+  return fmt::format("{} % of pixels show another texel than the exact one; the largest error is {} texels.",
+                     Range{100 * off.low, 100 * off.high}.text(2), error.text(1));
+}
+
+Verdict judge_affine(const Evidence& evidence) {
+  const Range error = evidence.over_levels([](const TechniqueFigures& f) { return f.views.max_texel_error; });
+  return {error.high > 1 ? Holds::kYes : Holds::kNo,
+          describe_texels(evidence) + " " + describe_time(evidence)};
+}
+
+Verdict judge_sixteen_pixels(const Evidence& evidence) {
+  const Range times = evidence.time_ratios();
+  const Range off = evidence.over_levels([](const TechniqueFigures& f) { return f.views.pixels_off; });
+  constexpr double kFewPixels = 0.2;
+  const bool looks_right = off.high < kFewPixels, is_faster = times.high < 1;
+  return {looks_right && is_faster   ? Holds::kYes
+          : looks_right || is_faster ? Holds::kPartly
+                                     : Holds::kNo,
+          describe_texels(evidence) + " " + describe_time(evidence)};
+}
+
+constexpr std::array kPerspectiveEntries{
+    BookEntry{"affine-spans",
+              "Texture coordinates are exact at both ends of a span, and change evenly in between. In "
+              "perspective they do not: textures on walls that are seen at an angle bend, and swim as the "
+              "viewer moves.",
+              "Without division, textures are visibly wrong.",
+              "The engine's SIMD code, with fewer divisions.", judge_affine},
+    BookEntry{"affine-spans:pixels=16", "Texture coordinates are exact at every 16th pixel.",
+              "A division for every 16 pixels looks right, and its time disappears behind the pixels in "
+              "between.",
+              "The engine's SIMD code, with fewer divisions.", judge_sixteen_pixels},
+    BookEntry{"affine-spans:pixels=8", "Texture coordinates are exact at every 8th pixel.",
+              "Fewer pixels between divisions make the error smaller.",
+              "The engine's SIMD code, with fewer divisions.",
+              [](const Evidence& evidence) {
+                const auto off = [](const TechniqueFigures& f) { return f.views.pixels_off; };
+                const bool is_better = evidence.over_levels(off).high <
+                                       evidence.of("affine-spans:pixels=16").over_levels(off).high;
+                return Verdict{is_better ? Holds::kYes : Holds::kNo,
+                               describe_texels(evidence) + " " + describe_time(evidence)};
+              }},
+};
+
+}  // namespace
+
+BookChapter make_perspective_chapter() {
+  return {"perspective", "Textures in perspective",
+          "The texel at a pixel follows from a division by depth. Divisions are slow, so few engines of "
+          "the time made one for each pixel.",
+          kPerspectiveEntries, BookColumns::kTexels};
+}
+
+}  // namespace temblor::app

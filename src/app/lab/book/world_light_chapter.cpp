@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/lab/book/chapters.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr auto mean_error = [](const TechniqueFigures& figures) { return figures.views.light.error.mean(); };
+
+// The largest change of light at a point of the world while the camera turns or rolls.
+constexpr auto largest_shift = [](const TechniqueFigures& figures) {
+  return std::max(figures.views.light.turn.largest, figures.views.light.roll.largest);
+};
+
+std::string describe_light(const Evidence& evidence) {
+  return fmt::format(
+      "Light is {} of 64 steps wrong on average, and shifts by up to {} steps while the view turns.",
+      evidence.over_levels(mean_error).text(2), evidence.over_levels(largest_shift).text(1));
+}
+
+// A change of light of less than a step is rounding.
+constexpr double kSteadyStep = 1.5;
+
+Verdict judge_one_pass(const Evidence& evidence) {
+  const Range times = evidence.time_ratios();
+  return {times.low > kSameTime    ? Holds::kYes
+          : times.high > kSameTime ? Holds::kPartly
+                                   : Holds::kNo,
+          describe_time(evidence) + " " + describe_light(evidence)};
+}
+
+Verdict judge_gouraud(const Evidence& evidence) {
+  const bool is_wrong = evidence.over_levels(mean_error).low > 1;
+  const bool shifts = evidence.over_levels(largest_shift).low > kSteadyStep;
+  return {is_wrong && shifts   ? Holds::kYes
+          : is_wrong || shifts ? Holds::kPartly
+                               : Holds::kNo,
+          describe_light(evidence) + " " + describe_time(evidence)};
+}
+
+// For a variant of Gouraud shading that should shift less, but still shift.
+Verdict judge_steadier(const Evidence& evidence) {
+  const double shift = evidence.over_levels(largest_shift).high;
+  const double plain = evidence.of("gouraud").over_levels(largest_shift).high;
+  return {shift >= plain        ? Holds::kNo
+          : shift > kSteadyStep ? Holds::kYes
+                                : Holds::kPartly,
+          fmt::format("{} Without it, by up to {:.1f}.", describe_light(evidence), plain)};
+}
+
+// For a variant that should be closer to the light map, in more time.
+Verdict judge_finer(const Evidence& evidence) {
+  const Evidence plain = evidence.of("gouraud");
+  const bool is_better = evidence.over_levels(mean_error).high < plain.over_levels(mean_error).high;
+  const bool is_slower = evidence.time_ratios(plain.number()).high > kSameTime;
+  return {is_better && is_slower   ? Holds::kYes
+          : is_better || is_slower ? Holds::kPartly
+                                   : Holds::kNo,
+          fmt::format("{} {} Plain Gouraud shading is {} steps wrong.", describe_light(evidence),
+                      describe_time(evidence), plain.over_levels(mean_error).text(2))};
+}
+
+Verdict judge_phong(const Evidence& evidence) {
+  const Range times = evidence.time_ratios(evidence.of("gouraud").number());
+  return {times.low > kSameTime    ? Holds::kYes
+          : times.high > kSameTime ? Holds::kPartly
+                                   : Holds::kNo,
+          fmt::format("It takes {} times as long as Gouraud shading. {}", times.text(2),
+                      describe_light(evidence))};
+}
+
+constexpr std::string_view kVectorized = "Vectorized; texels come from registers where they fit.";
+
+constexpr std::array kLightEntries{
+    BookEntry{
+        "gouraud",
+        "Light is computed at the vertices of each face and interpolated over the screen: down its edges, "
+        "then across each row.",
+        "Large faces look bland, shadows have no edges, and light shifts while the view turns, is clipped, "
+        "or rolls.",
+        kVectorized, judge_gouraud},
+    BookEntry{
+        "gouraud:perspective=1", "Light is interpolated on the face instead of the screen.",
+        "That ends the shift with the view and with clipping, and faces with more than three vertices still "
+        "change as they rotate.",
+        kVectorized, judge_steadier},
+    BookEntry{
+        "gouraud:triangles=1", "Faces are cut into triangles, over which light is even.",
+        "Triangles do not change as they rotate, but the shift with the view and with clipping remains.",
+        kVectorized, judge_steadier},
+    BookEntry{"gouraud:spot=1", "Each face gets one more vertex, where it is brightest.",
+              "Highlights look much better, for more polygons.", kVectorized, judge_finer},
+    BookEntry{"gouraud:perspective=1,cut=64", "Faces are cut into squares of 64 texels.",
+              "Small polygons make light right, and drawing slow.",
+              "Vectorized; each row tests every square.", judge_finer},
+    BookEntry{"gouraud:perspective=1,cut=16",
+              "Faces are cut into squares of 16 texels, the distance of the light map's samples.",
+              "Small polygons make light right, and drawing slow.",
+              "Vectorized; each row tests every square.", judge_finer},
+    BookEntry{"phong",
+              "The level's own lights shine on each pixel, by distance and angle. Nothing casts shadows.",
+              "Better than Gouraud shading, and too slow.", "Vectorized over pixels.", judge_phong},
+    BookEntry{
+        "one-pass", "The texture and the light map are both read for each pixel, and no surface is built.",
+        "Such a loop is complicated, and cannot be as fast as one that builds surfaces and one that draws "
+        "them.",
+        "Vectorized; the light map's cells come from registers.", judge_one_pass},
+};
+
+}  // namespace
+
+BookChapter make_world_light_chapter() {
+  return {
+      "world-light", "Light on the world",
+      "The engine multiplies texture and light once, when a face is first seen, and keeps the result as a "
+      "surface. The techniques of this chapter light each pixel of each frame instead. Light is in steps, "
+      "the 64 rows of the colormap.",
+      kLightEntries, BookColumns::kLight};
+}
+
+}  // namespace temblor::app
