@@ -183,6 +183,41 @@ class FacePlacer {
   std::vector<TreeFace> placed_;
 };
 
+// By leaf, whether it reaches less than this from its inner point in some direction.
+constexpr double kThin = 0.1;  // units
+std::vector<bool> find_thin_leaves(const Tree& tree, std::span<const LeafPortal> portals,
+                                   std::span<const InnerPoint> points, const PlaneSet& planes) {
+  std::vector<bool> is_thin(tree.leaves.size());
+  for (const LeafPortal& portal : portals) {
+    const Plane& plane = planes[tree.nodes[portal.node].plane];
+    for (const std::uint32_t leaf : portal.leaves)
+      if (std::abs(plane.distance_to(points[leaf].sum / points[leaf].count)) <= kThin) is_thin[leaf] = true;
+  }
+  return is_thin;
+}
+
+// A thin leaf may reach through a room and through brushes in it, because pieces of brushes that are as thin
+// get lost. It must not be a sheet across the room, so the weakest fill at its portals counts.
+void weaken_thin_leaves(const Tree& first, const PlaneSet& planes, std::span<const InnerPoint> points,
+                        SecondTree& io_second) {
+  const std::vector<bool> is_thin =
+      find_thin_leaves(io_second.tree, io_second.portals.portals, points, planes);
+  for (const LeafPortal& portal : io_second.portals.portals)
+    for (const std::uint32_t leaf : portal.leaves) {
+      if (!is_thin[leaf] || points[leaf].portals < kMinWalls || io_second.portals.is_outermost[leaf])
+        continue;
+      math::Vec3d center(0.0);
+      for (const math::Vec3d& corner : portal.winding)
+        center += corner / static_cast<double>(portal.winding.size());
+      constexpr double kInward = 0.05;  // of the way to the inner point
+      const math::Vec3d inside = glm::mix(center, points[leaf].sum / points[leaf].count, kInward);
+      const TreeLeaf& known = first.leaves[first.leaf_at(inside, planes)];
+      TreeLeaf& io_leaf = io_second.tree.leaves[leaf];
+      io_leaf.fill = std::min(io_leaf.fill, known.fill);
+      io_leaf.structure = std::min(io_leaf.structure, known.structure);
+    }
+}
+
 // A leaf of the second tree may lie in any number of brushes, so its fill comes from the first tree, at a
 // point inside it.
 SecondTree build_second_tree(const Tree& first, const std::vector<Brush>& brushes, const PlaneSet& planes) {
@@ -201,27 +236,22 @@ SecondTree build_second_tree(const Tree& first, const std::vector<Brush>& brushe
     leaf.fill = known.fill;
     leaf.structure = known.structure;
   }
+  weaken_thin_leaves(first, planes, points, second);
   return second;
 }
 
-// By leaf of the first tree, whether the second one has other contents at its inner point. Only leaves that
-// reach more than kThin from that point in all directions count.
+// By leaf of the first tree, whether the second one has other contents at its inner point. Thin leaves do not
+// count.
 std::vector<bool> find_wrong_leaves(const Tree& first, std::span<const LeafPortal> portals,
                                     const Tree& second, const PlaneSet& planes) {
-  constexpr double kThin = 0.1;
   const std::vector<InnerPoint> points = find_inner_points(first, portals);
+  const std::vector<bool> is_thin = find_thin_leaves(first, portals, points, planes);
   std::vector<bool> is_wrong(first.leaves.size());
   for (std::size_t i = 0; i < is_wrong.size(); ++i) {
-    if (points[i].portals < kMinWalls) continue;
+    if (points[i].portals < kMinWalls || is_thin[i]) continue;
     const math::Vec3d inside = points[i].sum / points[i].count;
     is_wrong[i] = second.leaves[second.leaf_at(inside, planes)].fill != first.leaves[i].fill;
   }
-  for (const LeafPortal& portal : portals)
-    for (const std::uint32_t leaf : portal.leaves) {
-      if (!is_wrong[leaf]) continue;
-      const Plane& plane = planes[first.nodes[portal.node].plane];
-      is_wrong[leaf] = std::abs(plane.distance_to(points[leaf].sum / points[leaf].count)) > kThin;
-    }
   return is_wrong;
 }
 

@@ -133,9 +133,14 @@ TEST(ManyRandomMaps, KeepTiltedWallsInPlace) {
   for (const std::uint64_t seed : {986, 1211, 1216, 1355, 2451, 2917, 4300}) check_maps(seed, seed + 1);
 }
 
-// Wedges along tilted walls are narrow in a room and wide outside of it.
+// Wedges along tilted walls are narrow in a room and wide outside of it, or the other way around (37654).
 TEST(ManyRandomMaps, KeepWedgesSealed) {
-  for (const std::uint64_t seed : {4346, 16617, 18254}) check_maps(seed, seed + 1);
+  for (const std::uint64_t seed : {4346, 16617, 18254, 36722, 37654, 57607}) check_maps(seed, seed + 1);
+}
+
+// The tops of two blocks are 0.05 units apart, and a leaf as thin reaches through the room and a pillar.
+TEST(ManyRandomMaps, HaveNoThinSheets) {
+  check_maps(59102, 59103);
 }
 
 }  // namespace

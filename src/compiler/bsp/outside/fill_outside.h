@@ -2,7 +2,7 @@
 // it.
 //
 // A flood begins at the edge of the tree's box and passes through every portal between leaves that no opaque
-// structural brush fills, if the portal is at least 0.1 units wide. It must not reach an entity: qbsp's old
+// structural brush fills, if the portal is at least 0.12 units wide. It must not reach an entity: qbsp's old
 // trick for telling the inside of a level from the outside. A sealed level loses everything outside, faces
 // included, which roughly halves its size. A second flood begins at the entities and finds the pockets, which
 // it does not reach.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "compiler/bsp/outside/wedge.h"
@@ -86,17 +87,18 @@ class LeafFlood {
   // The room of a leaf is entered once, a narrow place through each window that is not in an earlier one.
   // `side`: the leaf's place in the portal's pair.
   void enter(std::uint32_t leaf, std::uint32_t through, std::size_t side, Winding window) {
-    if (!flood_.reached[leaf]) {
-      flood_.reached[leaf] = true;
-      flood_.through[leaf] = through;
+    if (!shapes_[leaf]) {
       shapes_[leaf] = find_shape(leaf);
+      flood_.through[leaf] = through;
     }
-    Shape& shape = shapes_[leaf];
+    Shape& shape = *shapes_[leaf];
     if (!shape.has_filled_room &&
         (through == kNoPortal ? can_begin_in_room(leaf) : is_in_room(shape, window))) {
       shape.has_filled_room = true;
       entries_.push_back({leaf, through, {}});
     }
+    // The wide part of a wedge may be inside, although the narrow part was crossed.
+    flood_.reached[leaf] = flood_.reached[leaf] || shape.has_filled_room || shape.room == Room::kNowhere;
     if (through == kNoPortal || shape.room == Room::kEverywhere) return;
     std::vector<Winding>& earlier = windows_[2 * through + side];
     if (std::ranges::any_of(earlier, [&](const Winding& other) {
@@ -128,7 +130,7 @@ class LeafFlood {
   // tree's box.
   bool can_begin_in_room(std::uint32_t leaf) const {
     return exits_at_[leaf].empty() || std::ranges::any_of(exits_at_[leaf], [&](std::uint32_t exit) {
-             return is_in_room(shapes_[leaf], portals_.exits[exit].winding);
+             return is_in_room(*shapes_[leaf], portals_.exits[exit].winding);
            });
   }
 
@@ -160,7 +162,7 @@ class LeafFlood {
   // The part of a portal through which the flood leaves the room of a leaf.
   Winding find_exit(std::uint32_t leaf, std::uint32_t to) const {
     Winding exit = portal(to).winding;
-    if (shapes_[leaf].room == Room::kBehindLimit) cut_to_back(exit, shapes_[leaf].wedge.limit, false);
+    if (shapes_[leaf]->room == Room::kBehindLimit) cut_to_back(exit, shapes_[leaf]->wedge.limit, false);
     return exit;
   }
 
@@ -169,7 +171,7 @@ class LeafFlood {
   Winding find_window(const Entry& entry, std::uint32_t to) const {
     const std::uint32_t from_node = portal(entry.portal).node, to_node = portal(to).node;
     if (from_node == to_node) return {};
-    const Shape& shape = shapes_[entry.leaf];
+    const Shape& shape = *shapes_[entry.leaf];
     const auto is_side = [&](std::uint32_t node) {
       return node == shape.wedge.nodes[0] || node == shape.wedge.nodes[1];
     };
@@ -194,7 +196,7 @@ class LeafFlood {
   const LeafPortals& portals_;
   double min_opening_;
   std::vector<std::vector<std::uint32_t>> portals_at_, exits_at_;  // by leaf
-  std::vector<Shape> shapes_;  // by leaf; known of those that were reached
+  std::vector<std::optional<Shape>> shapes_;  // by leaf; known once the flood comes to it
   // By portal and side: the windows through which the flood went to a narrow place on that side.
   std::vector<std::vector<Winding>> windows_;
   std::deque<Entry> entries_;

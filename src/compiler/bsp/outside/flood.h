@@ -19,8 +19,10 @@ constexpr std::uint32_t kNoPortal = std::numeric_limits<std::uint32_t>::max();
 
 // A breadth-first search, so that the way back to the first leaves is a short one.
 struct Flood {
-  std::vector<bool> reached;  // by leaf
-  // By leaf: the portal through which it was reached; kNoPortal: it is one of the first, or was not reached.
+  // By leaf. A leaf of which only a narrow part was crossed is not reached.
+  std::vector<bool> reached;
+  // By leaf: the portal through which the flood first came to it; kNoPortal: it is one of the first leaves,
+  // or the flood did not come to it.
   std::vector<std::uint32_t> through;
 };
 
