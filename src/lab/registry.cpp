@@ -212,9 +212,8 @@ constexpr std::array kTechniques{
         .article = kAlternatives,
         .heading = "Creative flux",
         .replaces = "visibility",
-        .expected =
-            "Fewer faces than the PVS, because the window narrows with the view. It takes more time to find "
-            "them in each frame. A wall without a face hides everything.",
+        .expected = "Fewer faces than the PVS, because the window narrows with the view. It takes more time "
+                    "to find them in each frame. Fences are solid, so it misses things behind them.",
         .max_wrong_share = 0.001,
         .parameters = kPortalParameters,
         .make_stages = make_portal_stages,

@@ -12,7 +12,7 @@ namespace temblor::app {
 namespace {
 
 // In the SVG's units, which are pixels at full size.
-constexpr double kWidth = 860, kHeight = 380;
+constexpr double kWidth = 920, kHeight = 380;
 constexpr double kLeft = 70, kRight = 660, kTop = 14, kBottom = 330;
 
 double scale(double value, Axis axis) {

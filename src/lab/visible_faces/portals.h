@@ -1,8 +1,9 @@
 // Portals instead of the precomputed PVS: each frame floods from the eye's leaf through the openings between
 // leaves (portal_flood.h). The faces of the leaves that it reaches are drawn by the engine's own stages.
 //
-// Every pixel is the engine's, except where the engine shows a face through solid space: in corners of a
-// level that players cannot reach, compilers remove the faces of walls.
+// Every pixel is the engine's, except where the engine shows a face through solid space: through fences,
+// whose inside is solid, and in corners of a level that players cannot reach, where compilers remove the
+// faces of walls.
 //
 // Parameters: `octagon` 1 clips windows to octagons instead of rectangles; `pvs` 1 enters leaves of the PVS
 // only; `portals` is the largest number of portals that a level may have.

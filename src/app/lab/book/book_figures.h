@@ -18,7 +18,7 @@ struct BookOptions {
   // Angle between two measured views of a level.
   double step_deg = 60;
   // The sizes of the plot of cost against resolution.
-  std::vector<FrameSize> sizes{{320, 200}, {640, 400}, {1280, 720}, {1920, 1080}, {2560, 1440}};
+  std::vector<FrameSize> sizes{{320, 200}, {640, 400}, {1280, 720}, {1920, 1080}};
 };
 
 // The figures of all techniques in one level.

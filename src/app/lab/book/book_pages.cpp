@@ -18,7 +18,7 @@ constexpr const char* kBookStyle = R"(
 a { color: var(--bar); }
 h3 { margin: 1.2rem 0 .3rem; font-size: 1rem; }
 code { font-size: .9em; }
-th { white-space: normal; vertical-align: bottom; }
+th, th.n { white-space: normal; vertical-align: bottom; }
 section table { font-size: .9rem; }
 )";
 

@@ -40,14 +40,16 @@ constexpr std::array kVisibleEntries{
               "The same faces with more tests.",
               "The walk and the clipping are the engine's; faces of several leaves are tested once.",
               judge_leaf_faces},
-    BookEntry{"portals",
-              "Two leaves that touch have an opening between them, a portal. From the eye's leaf, the view "
-              "goes on through each portal that it can see, and its window gets narrower with each: a "
-              "rectangle around what is visible through all of them. Faces of leaves that no window reaches "
-              "are not drawn. No set has to be computed in advance.",
-              "Fewer faces, but more work in each frame to find them. The precomputed set is faster.",
-              "Portals are found once per level; windows of a leaf that is reached twice are joined.",
-              judge_portals},
+    BookEntry{
+        "portals",
+        "Two leaves that touch have an opening between them, a portal. From the eye's leaf, the view "
+        "goes on through each portal that it can see, and its window gets narrower with each: a "
+        "rectangle around what is visible through all of them. Faces of leaves that no window reaches "
+        "are not drawn. No set has to be computed in advance. The inside of a fence is solid, so things "
+        "behind it are missing.",
+        "Fewer faces, but more work in each frame to find them. The precomputed set is faster.",
+        "Portals are found once per level; windows of a leaf that is reached twice are joined.",
+        judge_portals},
     BookEntry{"portals:octagon=1",
               "The same with windows that also have diagonal sides, which fit portals better.",
               "Tighter windows let fewer faces through, and take longer to clip.", "As with rectangles.",
