@@ -72,7 +72,8 @@ TEST(OnePass, TakesTheNearestSample) {
       nearest(drawable, "one-pass:bilinear=0", PixelFormat::kRgb);
   EXPECT_NE(engine.draw(scene, {}), nearest.draw(scene, {}));
   const DrawableLevel dark = small_level({.light = false}, "dark");
-  const render::Scene dark_scene = Viewpoint{.camera = view.camera}.scene(*dark.level);
+  const Viewpoint dark_view{.camera = view.camera};
+  const render::Scene dark_scene = dark_view.scene(*dark.level);
   LitPictures dark_engine(dark, nullptr, PixelFormat::kRgb),
       dark_nearest(dark, "one-pass:bilinear=0", PixelFormat::kRgb);
   EXPECT_EQ(dark_engine.draw(dark_scene, {}), dark_nearest.draw(dark_scene, {}));

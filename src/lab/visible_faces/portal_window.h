@@ -29,7 +29,8 @@ struct PortalWindow {
   Interval x, y, sum, difference;
 
   static PortalWindow empty() {
-    constexpr Interval kEmpty{1 << 30, -(1 << 30)};
+    // Beyond any pixel, and small enough that tighten() can add four of them.
+    constexpr Interval kEmpty{1 << 28, -(1 << 28)};
     return {kEmpty, kEmpty, kEmpty, kEmpty};
   }
   static PortalWindow whole(int width, int height) {
