@@ -7,7 +7,6 @@
 
 #include "lab/lit_pictures.h"
 #include "lab/world_light/lit_polygons.h"
-#include "support/allocation_counter.h"
 #include "support/effort.h"
 
 namespace temblor::test {
@@ -149,36 +148,11 @@ TEST(Gouraud, ApproachesTheLightMap) {
 }
 
 TEST(Gouraud, IsTheSameForAnyThreadsAndBands) {
-  const DrawableLevel drawable = small_level();
-  Random random(1);
-  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
-  const render::Scene scene = view.scene(*drawable.level);
-  for (const char* const technique : kGouraud) {
-    LitPictures pictures(drawable, technique, PixelFormat::kRgb);
-    const FrameCopy first = pictures.draw(scene, {});
-    for (const int threads : {1, 2, 8})
-      for (const int band_rows : {1, 7, 64})
-        EXPECT_EQ(first, pictures.draw(scene, {.threads = threads,
-                                               .job_backend = base::JobBackend::kStdThread,
-                                               .band_rows = band_rows}))
-            << technique << threads << " " << band_rows;
-  }
+  for (const char* const technique : kGouraud) expect_same_for_any_threads(technique);
 }
 
 TEST(Gouraud, AllocatesNothingInAWarmFrame) {
-  const DrawableLevel drawable = small_level();
-  Random random(3);
-  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
-  const render::Scene scene = view.scene(*drawable.level);
-  render::FrameBuffer frame(320, 200, PixelFormat::kRgb);
-  for (const char* const technique : kGouraud) {
-    render::Renderer renderer(drawable.palette, drawable.colormap);
-    renderer.replace_stages(lab::parse_choice(technique).value().make_stages());
-    for (int i = 0; i < 3; ++i) renderer.render(scene, {}, frame);
-    const std::size_t before = allocation_count();
-    renderer.render(scene, {}, frame);
-    EXPECT_EQ(allocation_count(), before) << technique;
-  }
+  for (const char* const technique : kGouraud) expect_no_allocations_in_a_warm_frame(technique);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "lab/lit_pictures.h"
-#include "support/allocation_counter.h"
 #include "support/effort.h"
 #include "support/game_data.h"
 #include "support/levels/drawable_level.h"
@@ -46,20 +45,8 @@ TEST(OnePass, ShowsTheEnginesPicturesOfStockLevels) {
 }
 
 TEST(OnePass, IsTheSameForAnyThreadsAndBands) {
-  const DrawableLevel drawable = small_level();
-  Random random(1);
-  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
-  const render::Scene scene = view.scene(*drawable.level);
-  for (const char* const technique : {"one-pass", "one-pass:bilinear=0"}) {
-    LitPictures pictures(drawable, technique, PixelFormat::kRgb);
-    const FrameCopy first = pictures.draw(scene, {});
-    for (const int threads : {1, 2, 8})
-      for (const int band_rows : {1, 7, 64})
-        EXPECT_EQ(first, pictures.draw(scene, {.threads = threads,
-                                               .job_backend = base::JobBackend::kStdThread,
-                                               .band_rows = band_rows}))
-            << technique << threads << " " << band_rows;
-  }
+  for (const char* const technique : {"one-pass", "one-pass:bilinear=0"})
+    expect_same_for_any_threads(technique);
 }
 
 // Light from the nearest sample is another picture, but its texels are the same: without light, both are.
@@ -80,17 +67,7 @@ TEST(OnePass, TakesTheNearestSample) {
 }
 
 TEST(OnePass, AllocatesNothingInAWarmFrame) {
-  const DrawableLevel drawable = small_level();
-  Random random(3);
-  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
-  const render::Scene scene = view.scene(*drawable.level);
-  render::Renderer renderer(drawable.palette, drawable.colormap);
-  renderer.replace_stages(lab::parse_choice("one-pass").value().make_stages());
-  render::FrameBuffer frame(320, 200, PixelFormat::kRgb);
-  for (int i = 0; i < 3; ++i) renderer.render(scene, {}, frame);
-  const std::size_t before = allocation_count();
-  renderer.render(scene, {}, frame);
-  EXPECT_EQ(allocation_count(), before);
+  expect_no_allocations_in_a_warm_frame("one-pass");
 }
 
 // When the engine draws again, it builds the surfaces that one-pass did without.

@@ -13,7 +13,6 @@
 #include "lab/world_light/level_lamps.h"
 #include "render/kernel_cases.h"
 #include "render/simd_targets.h"
-#include "support/allocation_counter.h"
 #include "support/effort.h"
 
 namespace temblor::test {
@@ -215,21 +214,7 @@ TEST(LevelLamps, AverageNormalsUpToAnAngle) {
 }
 
 TEST(Phong, IsTheSameForAnyThreadsAndBands) {
-  const DrawableLevel drawable = small_level();
-  Random random(1);
-  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
-  const render::Scene scene = view.scene(*drawable.level);
-  for (const char* const technique : kPhong) {
-    LitPictures pictures(drawable, technique, PixelFormat::kRgb);
-    const FrameCopy first = pictures.draw(scene, {});
-    EXPECT_EQ(first, pictures.draw(scene, {.simd_kernels = false}));
-    for (const int threads : {1, 2, 8})
-      for (const int band_rows : {1, 7, 64})
-        EXPECT_EQ(first, pictures.draw(scene, {.threads = threads,
-                                               .job_backend = base::JobBackend::kStdThread,
-                                               .band_rows = band_rows}))
-            << technique << threads << " " << band_rows;
-  }
+  for (const char* const technique : kPhong) expect_same_for_any_threads(technique);
 }
 
 // A level without lights is drawn by the engine, and lamps follow the level.
@@ -249,19 +234,7 @@ TEST(Phong, LeavesLevelsWithoutLightsToTheEngine) {
 }
 
 TEST(Phong, AllocatesNothingInAWarmFrame) {
-  const DrawableLevel drawable = small_level();
-  Random random(3);
-  const Viewpoint view = make_lit_view(*drawable.level, PixelFormat::kRgb, random);
-  const render::Scene scene = view.scene(*drawable.level);
-  render::FrameBuffer frame(320, 200, PixelFormat::kRgb);
-  for (const char* const technique : kPhong) {
-    render::Renderer renderer(drawable.palette, drawable.colormap);
-    renderer.replace_stages(lab::parse_choice(technique).value().make_stages());
-    for (int i = 0; i < 3; ++i) renderer.render(scene, {}, frame);
-    const std::size_t before = allocation_count();
-    renderer.render(scene, {}, frame);
-    EXPECT_EQ(allocation_count(), before) << technique;
-  }
+  for (const char* const technique : kPhong) expect_no_allocations_in_a_warm_frame(technique);
 }
 
 }  // namespace

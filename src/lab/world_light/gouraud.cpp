@@ -11,40 +11,31 @@ namespace temblor::lab {
 
 namespace {
 
-constexpr std::size_t kDrawsPerJob = 32;
-
 // The state of one frame. Its memory is kept for the next one.
 struct Gouraud {
   render::ViewFrame view;
   render::EdgeTable edges;
   LitDraws draws;
   std::span<GouraudPolygons> polygons;  // by draw number
-  std::vector<base::Arena> arenas;      // of `polygons`, by job
+  LitPreparation preparation;           // of `polygons`
 };
 
 void prepare(const render::FrameContext& context, const render::SurfaceRequests& requests,
              const GouraudCut& cut, Gouraud& io_state) {
   io_state.draws = choose_lit_draws(context, requests);
-  const std::span<const std::uint32_t> own = io_state.draws.own;
   io_state.polygons = context.arena().allocate<GouraudPolygons>(requests.draws.size());
-  const std::size_t jobs = (own.size() + kDrawsPerJob - 1) / kDrawsPerJob;
-  render::FrameArenas::grow(io_state.arenas, jobs);
-  context.jobs.parallel_for(jobs, [&](std::size_t job) {
-    io_state.arenas[job].reset();
-    for (std::size_t i = job; i < own.size(); i += jobs) {
-      const render::SurfaceDraw& draw = requests.draws[own[i]];
-      const render::ScreenSurface& surface = io_state.edges.surfaces[base::to_size(draw.surface)];
-      io_state.polygons[own[i]] = make_gouraud_polygons(
-          context, io_state.view, cut,
-          {*io_state.draws.all[own[i]].request, io_state.edges.model_views[surface.instance]},
-          io_state.arenas[job]);
-    }
+  io_state.preparation.run(context, io_state.draws.own, [&](std::uint32_t number, base::Arena& arena) {
+    const render::SurfaceDraw& draw = requests.draws[number];
+    const render::ScreenSurface& surface = io_state.edges.surfaces[base::to_size(draw.surface)];
+    io_state.polygons[number] = make_gouraud_polygons(
+        context, io_state.view, cut,
+        {*io_state.draws.all[number].request, io_state.edges.model_views[surface.instance]}, arena);
   });
 }
 
 Counts count(const Gouraud& state) {
   Counts counts;
-  for (const base::Arena& arena : state.arenas) counts.bytes += arena.used_bytes();
+  counts.bytes = state.preparation.used_bytes();
   for (const std::uint32_t number : state.draws.own) {
     const std::size_t polygons = state.polygons[number].all.size();
     if (polygons > 1) counts.splits += polygons - 1;
@@ -57,16 +48,18 @@ LineLight make_line(const RowInterval& interval, int x, int pixels_before) {
   const RowLight& row = interval.row;
   LineLight line{};
   line.pixels_before = pixels_before;
-  const double width = row.right - row.left;
   for (std::size_t i = 0; i < kMaxChannels; ++i) {
-    const double step = width > 1e-6 ? (row.light_right[i] - row.light_left[i]) / width : 0;
-    line.base[i] = static_cast<float>(row.light_left[i] + step * (x - row.left));
-    line.step[i] = static_cast<float>(step);
+    const LightStep light = row.steps_from(x, i);
+    line.base[i] = static_cast<float>(light.first);
+    line.step[i] = static_cast<float>(light.step);
     line.least[i] = interval.polygon->least[i];
     line.most[i] = interval.polygon->most[i];
   }
   return line;
 }
+
+constexpr LitKernels kKernels{draw_line_lit_u8_simd, draw_line_lit_u8_scalar, draw_line_lit_u32_simd,
+                              draw_line_lit_u32_scalar};
 
 // Draws the spans of one draw, in batches.
 class SpanLighter {
@@ -95,12 +88,7 @@ class SpanLighter {
     spans_.span_count = count_;
     lights_.lines = lines_.data();
     count_ = 0;
-    if (sources_.format == render::PixelFormat::kIndexed)
-      sources_.simd_kernels ? draw_line_lit_u8_simd(spans_, lights_, target_)
-                            : draw_line_lit_u8_scalar(spans_, lights_, target_);
-    else
-      sources_.simd_kernels ? draw_line_lit_u32_simd(spans_, lights_, target_)
-                            : draw_line_lit_u32_scalar(spans_, lights_, target_);
+    kKernels.choose(sources_)(spans_, lights_, target_);
   }
 
   static constexpr std::size_t kBatch = 64;

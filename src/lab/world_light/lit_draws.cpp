@@ -103,6 +103,23 @@ LitDraws choose_lit_draws(const render::FrameContext& context, const render::Sur
   return {all, own.view(), {requests.draws, requests.first_deferred, left.view()}};
 }
 
+void LitPreparation::run(const render::FrameContext& context, std::span<const std::uint32_t> own,
+                         Prepare prepare) {
+  constexpr std::size_t kDrawsPerJob = 32;
+  const std::size_t jobs = (own.size() + kDrawsPerJob - 1) / kDrawsPerJob;
+  render::FrameArenas::grow(arenas_, jobs);
+  context.jobs.parallel_for(jobs, [&](std::size_t job) {
+    arenas_[job].reset();
+    for (std::size_t i = job; i < own.size(); i += jobs) prepare(own[i], arenas_[job]);
+  });
+}
+
+std::size_t LitPreparation::used_bytes() const {
+  std::size_t bytes = 0;
+  for (const base::Arena& arena : arenas_) bytes += arena.used_bytes();
+  return bytes;
+}
+
 LitSpans make_lit_spans(const render::FrameContext& context, const render::ViewFrame& view,
                         const render::SurfaceDraw& draw, const LitDraw& lit) {
   return {.depth = render::kernel_plane(draw.depth),

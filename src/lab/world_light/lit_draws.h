@@ -4,7 +4,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "base/arena.h"
 #include "base/function_ref.h"
 #include "lab/world_light/kernels/lit_kernels.h"
 #include "render/frame/frame_stages.h"
@@ -25,6 +27,32 @@ struct LitDraws {
 
 // Everything lives in the frame's arena. The textures are copied in the frame's format, each once.
 LitDraws choose_lit_draws(const render::FrameContext& context, const render::SurfaceRequests& requests);
+
+// Prepares own draws in parallel, with memory that is kept for the next frame.
+class LitPreparation {
+ public:
+  // Calls `prepare` for each of the draw numbers. The memory lasts until the next call.
+  using Prepare = base::FunctionRef<void(std::uint32_t number, base::Arena& arena)>;
+  void run(const render::FrameContext& context, std::span<const std::uint32_t> own, Prepare prepare);
+  std::size_t used_bytes() const;
+
+ private:
+  std::vector<base::Arena> arenas_;  // by job
+};
+
+// One kernel for each pixel format, vectorized and not.
+template <typename Kernel>
+struct LitKernels {
+  Kernel u8_simd, u8_scalar, u32_simd, u32_scalar;
+
+  Kernel choose(const render::SpanSources& sources) const {
+    if (sources.format == render::PixelFormat::kIndexed) return sources.simd_kernels ? u8_simd : u8_scalar;
+    return sources.simd_kernels ? u32_simd : u32_scalar;
+  }
+};
+
+template <typename Kernel>
+LitKernels(Kernel, Kernel, Kernel, Kernel) -> LitKernels<Kernel>;
 
 // The job of a draw for the kernels, without spans.
 LitSpans make_lit_spans(const render::FrameContext& context, const render::ViewFrame& view,

@@ -26,10 +26,21 @@ struct LitPolygon {
   PointLight least, most;  // of its light
 };
 
+// A channel's light at a pixel, and its change to the next one.
+struct LightStep {
+  double first, step;
+};
+
 // Light between the two edges that a row crosses.
 struct RowLight {
   double left, right;  // x
   std::array<double, kMaxChannels> light_left, light_right;
+
+  LightStep steps_from(double x, std::size_t channel) const {
+    const double width = right - left;
+    const double step = width > 1e-6 ? (light_right[channel] - light_left[channel]) / width : 0;
+    return {light_left[channel] + step * (x - left), step};
+  }
 };
 
 // The polygon on the screen; without corners if nothing of it is in the frustum. `over_z`: for light that is

@@ -10,13 +10,11 @@ namespace temblor::lab {
 
 namespace {
 
-constexpr std::size_t kDrawsPerJob = 64;
-
 // The state of one frame. Its memory is kept for the next one.
 struct OnePass {
   LitDraws draws;
-  std::span<GridLight> lights;      // by draw number
-  std::vector<base::Arena> arenas;  // of `lights`, by job
+  std::span<GridLight> lights;  // by draw number
+  LitPreparation preparation;   // of `lights`
 };
 
 // Makes the cells of one channel from samples that lie `stride` apart.
@@ -58,27 +56,14 @@ GridLight make_light(const render::FrameContext& context, const render::BlockReq
 void prepare(const render::FrameContext& context, const render::SurfaceRequests& requests, bool is_nearest,
              OnePass& io_state) {
   io_state.draws = choose_lit_draws(context, requests);
-  const std::span<const std::uint32_t> own = io_state.draws.own;
   io_state.lights = context.arena().allocate<GridLight>(requests.draws.size());
-  const std::size_t jobs = (own.size() + kDrawsPerJob - 1) / kDrawsPerJob;
-  render::FrameArenas::grow(io_state.arenas, jobs);
-  context.jobs.parallel_for(jobs, [&](std::size_t job) {
-    io_state.arenas[job].reset();
-    for (std::size_t i = job; i < own.size(); i += jobs)
-      io_state.lights[own[i]] =
-          make_light(context, *io_state.draws.all[own[i]].request, is_nearest, io_state.arenas[job]);
+  io_state.preparation.run(context, io_state.draws.own, [&](std::uint32_t number, base::Arena& arena) {
+    io_state.lights[number] = make_light(context, *io_state.draws.all[number].request, is_nearest, arena);
   });
 }
 
-void draw(const LitSpans& spans, const GridLight& light, const render::SpanSources& sources,
-          const render::KernelTarget& target) {
-  if (sources.format == render::PixelFormat::kIndexed)
-    sources.simd_kernels ? draw_grid_lit_u8_simd(spans, light, target)
-                         : draw_grid_lit_u8_scalar(spans, light, target);
-  else
-    sources.simd_kernels ? draw_grid_lit_u32_simd(spans, light, target)
-                         : draw_grid_lit_u32_scalar(spans, light, target);
-}
+constexpr LitKernels kKernels{draw_grid_lit_u8_simd, draw_grid_lit_u8_scalar, draw_grid_lit_u32_simd,
+                              draw_grid_lit_u32_scalar};
 
 }  // namespace
 
@@ -90,11 +75,8 @@ render::FrameStages make_one_pass(std::span<const double> values, Counter* count
                                 render::SurfaceCache& io_cache) {
     const std::size_t before = context.arena().used_bytes();
     prepare(context, requests, is_nearest, *state);
-    if (counter != nullptr) {
-      Counts counts{.bytes = context.arena().used_bytes() - before};
-      for (const base::Arena& arena : state->arenas) counts.bytes += arena.used_bytes();
-      counter->add(counts);
-    }
+    if (counter != nullptr)
+      counter->add({.bytes = context.arena().used_bytes() - before + state->preparation.used_bytes()});
     return render::reserve_surfaces(context, state->draws.left, io_cache);
   };
   stages.draw_band_spans = [=](const render::FrameContext& context, const render::ViewFrame& view,
@@ -106,7 +88,7 @@ render::FrameStages make_one_pass(std::span<const double> values, Counter* count
           LitSpans spans = make_lit_spans(context, view, sources.draws.all[number], state->draws.all[number]);
           spans.spans = drawn.data();
           spans.span_count = drawn.size();
-          draw(spans, state->lights[number], sources, target);
+          kKernels.choose(sources)(spans, state->lights[number], target);
         },
         io_frame);
   };

@@ -12,7 +12,6 @@ namespace temblor::lab {
 
 namespace {
 
-constexpr std::size_t kDrawsPerJob = 32;
 constexpr std::size_t kMaxDynamicLights = 16;  // of a face
 
 // One draw: its lamps, and triangles whose "light" is the normal. Without triangles, `normal` is everywhere.
@@ -28,8 +27,8 @@ struct Phong {
   render::ViewFrame view;
   render::EdgeTable edges;
   LitDraws draws;
-  std::span<PhongDraw> jobs;        // by draw number
-  std::vector<base::Arena> arenas;  // of `jobs`, by job
+  std::span<PhongDraw> jobs;   // by draw number
+  LitPreparation preparation;  // of `jobs`
 };
 
 // `scale`: of its light.
@@ -97,17 +96,14 @@ PhongDraw make_draw(const render::FrameContext& context, const Phong& state, con
 void prepare(const render::FrameContext& context, const render::SurfaceRequests& requests, bool is_smooth,
              Phong& io_state) {
   io_state.draws = choose_lit_draws(context, requests);
-  const std::span<const std::uint32_t> own = io_state.draws.own;
   io_state.jobs = context.arena().allocate<PhongDraw>(requests.draws.size());
-  const std::size_t jobs = (own.size() + kDrawsPerJob - 1) / kDrawsPerJob;
-  render::FrameArenas::grow(io_state.arenas, jobs);
-  context.jobs.parallel_for(jobs, [&](std::size_t job) {
-    io_state.arenas[job].reset();
-    for (std::size_t i = job; i < own.size(); i += jobs)
-      io_state.jobs[own[i]] =
-          make_draw(context, io_state, requests.draws[own[i]], is_smooth, io_state.arenas[job]);
+  io_state.preparation.run(context, io_state.draws.own, [&](std::uint32_t number, base::Arena& arena) {
+    io_state.jobs[number] = make_draw(context, io_state, requests.draws[number], is_smooth, arena);
   });
 }
+
+constexpr LitKernels kKernels{draw_phong_lit_u8_simd, draw_phong_lit_u8_scalar, draw_phong_lit_u32_simd,
+                              draw_phong_lit_u32_scalar};
 
 // Draws the spans of one draw, in batches.
 class PhongSpans {
@@ -145,10 +141,9 @@ class PhongSpans {
       part.ray[i] = static_cast<float>(ray[static_cast<int>(i)]);
       part.normal[i] = draw_.normal[i];
       if (row == nullptr) continue;
-      const double width = row->right - row->left;
-      const double step = width > 1e-6 ? (row->light_right[i] - row->light_left[i]) / width : 0;
-      part.normal[i] = static_cast<float>(row->light_left[i] + step * (span.x - row->left));
-      part.normal_step[i] = static_cast<float>(step);
+      const LightStep light = row->steps_from(span.x, i);
+      part.normal[i] = static_cast<float>(light.first);
+      part.normal_step[i] = static_cast<float>(light.step);
     }
     part.pixels_before = pixels.x - span.x;
     parts_[count_++] = pixels;
@@ -159,12 +154,7 @@ class PhongSpans {
     spans_.span_count = count_;
     lights_.parts = lines_.data();
     count_ = 0;
-    if (sources_.format == render::PixelFormat::kIndexed)
-      sources_.simd_kernels ? draw_phong_lit_u8_simd(spans_, lights_, target_)
-                            : draw_phong_lit_u8_scalar(spans_, lights_, target_);
-    else
-      sources_.simd_kernels ? draw_phong_lit_u32_simd(spans_, lights_, target_)
-                            : draw_phong_lit_u32_scalar(spans_, lights_, target_);
+    kKernels.choose(sources_)(spans_, lights_, target_);
   }
 
   static constexpr std::size_t kBatch = 64;
@@ -208,11 +198,8 @@ render::FrameStages make_phong(std::span<const double> values, Counter* counter)
       return render::reserve_surfaces(context, requests, io_cache);
     const std::size_t before = context.arena().used_bytes();
     prepare(context, requests, smooth_deg > 0, *state);
-    if (counter != nullptr) {
-      Counts counts{.bytes = context.arena().used_bytes() - before};
-      for (const base::Arena& arena : state->arenas) counts.bytes += arena.used_bytes();
-      counter->add(counts);
-    }
+    if (counter != nullptr)
+      counter->add({.bytes = context.arena().used_bytes() - before + state->preparation.used_bytes()});
     return render::reserve_surfaces(context, state->draws.left, io_cache);
   };
   stages.draw_band_spans = [=](const render::FrameContext& context, const render::ViewFrame& view,
