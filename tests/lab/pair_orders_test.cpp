@@ -84,7 +84,8 @@ TEST(PairOrders, AreWhatRaysSee) {
 
 TEST(PairOrders, AreWhatRaysSeeInAStockLevel) {
   DATA_FOLDER_OR_SKIP(data);
-  EXPECT_GT(count_checked_pairs(*test::stock_level(data, "lq_e1m2").level, test::effort(500, 20)), 1000);
+  const int eyes = test::effort(500, 20);
+  EXPECT_GT(count_checked_pairs(*test::stock_level(data, "lq_e1m2").level, eyes), 2 * eyes);
 }
 
 TEST(PairOrders, AreFoundUntilAnotherPairTakesThePlace) {
