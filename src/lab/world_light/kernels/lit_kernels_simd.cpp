@@ -112,7 +112,7 @@ struct GridSampler {
   }
 };
 
-template <int kLightChannels, bool kIsOverZ>
+template <int kLightChannels>
 struct LineSampler {
   static constexpr int kChannels = kLightChannels;
   const LineLights& lights;
@@ -128,7 +128,7 @@ struct LineSampler {
     LightLanes<kChannels> light;
     for (int i = 0; i < kChannels; ++i) {
       VF value = hn::Add(hn::Set(d, line->base[i]), hn::Mul(places.lane, hn::Set(d, line->step[i])));
-      if constexpr (kIsOverZ) value = hn::Mul(value, places.z);
+      if (lights.is_over_z) value = hn::Mul(value, places.z);
       value = hn::Min(hn::Max(value, hn::Set(d, line->least[i])), hn::Set(d, line->most[i]));
       const VI whole = rn::TruncateBiased(hn::Add(value, hn::Set(d, 0.5f)));
       light.channel[i] = hn::BitCast(DU(), hn::Sub(whole, hn::Set(DI(), rn::kBias)));
@@ -147,22 +147,14 @@ void DrawGridLitU32(const LitSpans& spans, const GridLight& light, const render:
     DrawLit<uint32_t>(spans, GridSampler<1>{light}, target);
 }
 
-template <typename Texel, int kChannels>
-HWY_INLINE void DrawLineLit(const LitSpans& spans, const LineLights& light,
-                            const render::KernelTarget& target) {
-  if (light.is_over_z)
-    DrawLit<Texel>(spans, LineSampler<kChannels, true>{light}, target);
-  else
-    DrawLit<Texel>(spans, LineSampler<kChannels, false>{light}, target);
-}
 void DrawLineLitU8(const LitSpans& spans, const LineLights& light, const render::KernelTarget& target) {
-  DrawLineLit<uint8_t, 1>(spans, light, target);
+  DrawLit<uint8_t>(spans, LineSampler<1>{light}, target);
 }
 void DrawLineLitU32(const LitSpans& spans, const LineLights& light, const render::KernelTarget& target) {
   if (light.channels == 3)
-    DrawLineLit<uint32_t, 3>(spans, light, target);
+    DrawLit<uint32_t>(spans, LineSampler<3>{light}, target);
   else
-    DrawLineLit<uint32_t, 1>(spans, light, target);
+    DrawLit<uint32_t>(spans, LineSampler<1>{light}, target);
 }
 
 #endif

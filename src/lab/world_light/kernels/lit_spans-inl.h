@@ -120,14 +120,15 @@ struct Wrap {
   }
 };
 
-// Fetches texels at coordinates of the tile.
-template <bool kNear, typename Texel>
-HWY_INLINE void FetchTexels(const LitSpans& spans, rn::Direction way, VI s, VI t, Texel* out, int count) {
+// Fetches texels at coordinates of the tile. `near`: they probably fit a window.
+template <typename Texel>
+HWY_INLINE void FetchTexels(const LitSpans& spans, rn::Direction way, bool near, VI s, VI t, Texel* out,
+                            int count) {
   const TileTexture& texture = spans.texture;
   const auto* texels = static_cast<const Texel*>(texture.texels);
   const rn::Rows rows{texture.width + kMarginColumns, texture.height + kMarginRows - 1};
   const Wrap wrap_s{texture.width, spans.first_s}, wrap_t{texture.height, spans.first_t};
-  if constexpr (kNear) {
+  if (near) {
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(DU()));
     const rn::TexelLanes at{wrap_s.ToWindow(s, way.left ? kLanes - 1 : 0),
                             wrap_t.ToWindow(t, way.up ? 3 : 0)};
@@ -168,12 +169,13 @@ struct Walk {
 };
 
 // Draws one span, a vector of pixels at a time.
-template <typename Texel, bool kNear, class Sampler>
+template <typename Texel, class Sampler>
 struct SpanDrawer {
   const LitSpans& spans;
   const Sampler& sampler;
   const SpanLines& lines;
   rn::Direction way;
+  bool near;   // see Walk::IsNear
   int before;  // pixels of the span, see LineLight
   Texel* out;
   float* out_depth;
@@ -204,7 +206,7 @@ struct SpanDrawer {
     places.s = Clamp(hn::Mul(At(lines.s, places.lane), places.z), spans.last_s);
     places.t = Clamp(hn::Mul(At(lines.t, places.lane), places.z), spans.last_t);
     HWY_ALIGN Texel fetched[rn::kMaxLanes];
-    FetchTexels<kNear>(spans, way, places.s, places.t, fetched, count);
+    FetchTexels(spans, way, near, places.s, places.t, fetched, count);
     StoreLit(rn::LoadTexels(fetched), sampler.Find(places), spans, out + i, count);
   }
 
@@ -241,12 +243,9 @@ HWY_INLINE void DrawLit(const LitSpans& spans, Sampler sampler, const render::Ke
     lines.t.base = rn::At(spans.t, whole);
     const Walk walk(lines, spans.perspective);
     sampler.SetWay(walk.Way());
-    if (walk.IsNear(lines, spans.perspective, before + span.count))
-      SpanDrawer<Texel, true, Sampler>{spans, sampler, lines, walk.Way(), before, out, out_depth}.Draw(
-          span.count);
-    else
-      SpanDrawer<Texel, false, Sampler>{spans, sampler, lines, walk.Way(), before, out, out_depth}.Draw(
-          span.count);
+    const bool near = walk.IsNear(lines, spans.perspective, before + span.count);
+    SpanDrawer<Texel, Sampler>{spans, sampler, lines, walk.Way(), near, before, out, out_depth}.Draw(
+        span.count);
   }
 }
 
