@@ -2,8 +2,8 @@
 // the part of a brush inside the node, closed by the cut surfaces. When no piece has a side left that splits,
 // every remaining piece fills the whole node, which becomes a leaf.
 //
-// Pieces that would be slivers are not cut: they go to the side that has nearly all of them. That makes trees
-// smaller, and a leaf's contents wrong by less than kSliver.
+// Parts of brushes that would be slivers are not cut off: the piece goes to the side that has nearly all of
+// it. That makes trees smaller, and a leaf's contents wrong by less than kSliver.
 #include "compiler/bsp/tree.h"
 
 #include <algorithm>
@@ -77,6 +77,17 @@ Where find_side(const Reach& reach) {
   if (reach.back < kSliver && reach.front > kSliver) return Where::kFront;
   if (reach.front < kSliver && reach.back > kSliver) return Where::kBack;
   return Where::kBoth;
+}
+
+// Whether an earlier cut, rather than a side of its brush, ends a piece in front of a plane or behind it.
+// Then the brush goes on beyond the cut.
+bool ends_at_cut(const Piece& piece, const Plane& plane, Where beyond, const PlaneSet& planes) {
+  constexpr double kNearlyParallel = 0.9;  // cosine
+  const double way = beyond == Where::kFront ? 1 : -1;
+  return std::ranges::any_of(piece.sides, [&](const PieceSide& side) {
+    return side.number == kNoNumber &&
+           way * glm::dot(planes[side.plane].normal, plane.normal) > kNearlyParallel;
+  });
 }
 
 Box compute_box(const Piece& piece) {
@@ -240,11 +251,21 @@ class TreeBuilder {
     return where;
   }
 
+  // A sliver in which the brush does not end is cut off after all: otherwise, the brush would have a crack.
+  Where find_division(const Piece& piece, const Plane& plane) const {
+    const Reach reach = compute_reach(piece, plane);
+    const Where where = find_side(reach);
+    if (where == Where::kBoth || reach.front <= kOnPlaneEpsilon || reach.back <= kOnPlaneEpsilon)
+      return where;
+    const Where beyond = where == Where::kFront ? Where::kBack : Where::kFront;
+    return ends_at_cut(piece, plane, beyond, planes_) ? Where::kBoth : where;
+  }
+
   // Distributes the pieces of a node to its two sides.
   void divide(Pieces pieces, PlaneIndex number, Pieces& out_front, Pieces& out_back) {
     const Plane& plane = planes_[number];
     for (Piece& piece : pieces) {
-      switch (settle_sides(number, piece).value_or(find_side(compute_reach(piece, plane)))) {
+      switch (settle_sides(number, piece).value_or(find_division(piece, plane))) {
         case Where::kFront:
           out_front.push_back(std::move(piece));
           break;

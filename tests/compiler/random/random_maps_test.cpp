@@ -143,5 +143,10 @@ TEST(ManyRandomMaps, HaveNoThinSheets) {
   check_maps(59102, 59103);
 }
 
+// Two tree planes run 0.08 units apart through a floor, and the part of it between them must not get lost.
+TEST(ManyRandomMaps, HaveNoCracks) {
+  check_maps(33436, 33437);
+}
+
 }  // namespace
 }  // namespace temblor::test
