@@ -20,6 +20,7 @@
 #include "lab/world_light/gouraud.h"
 #include "lab/world_light/one_pass.h"
 #include "lab/world_light/phong.h"
+#include "lab/world_light/rebuilt_surfaces.h"
 
 namespace temblor::lab {
 
@@ -61,6 +62,8 @@ constexpr std::array kGouraudParameters{
 constexpr std::array kPhongParameters{
     Parameter{"lights", 8, 1, 64, "lights of a face, the brightest ones"},
     Parameter{"smooth", 0, 0, 180, "degrees between faces up to which they share normals; 0: each its own"}};
+constexpr std::array kRebuiltParameters{
+    Parameter{"every", 1, 1, 16, "each frame builds one of so many surfaces, in turns; 1: all"}};
 constexpr std::array kOnePassParameters{
     Parameter{"bilinear", 1, 0, 1, "1: light between four samples, as in surfaces; 0: the nearest sample"}};
 
@@ -263,6 +266,17 @@ constexpr std::array kTechniques{
         .max_wrong_share = 0,
         .parameters = kOnePassParameters,
         .make_stages = make_one_pass},
+    Technique{.name = "rebuilt-surfaces",
+              .title = "Surfaces that are built again",
+              .summary = "Builds surfaces in each frame, as if their light always changed.",
+              .article = kSurfaceCaching,
+              .heading = "Two final notes on surface caching",
+              .replaces = "surfaces",
+              .expected = "A frame takes as long as building and drawing surfaces together: noticeably "
+                          "longer, and tolerable. Half of the surfaces in each frame take half of that.",
+              .max_wrong_share = 0,
+              .parameters = kRebuiltParameters,
+              .make_stages = make_rebuilt_surfaces},
 };
 
 // Parses "NAME=VALUE" into the value of that parameter.

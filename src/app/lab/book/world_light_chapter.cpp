@@ -72,6 +72,23 @@ Verdict judge_phong(const Evidence& evidence) {
                       describe_light(evidence))};
 }
 
+// The article's limit of what is tolerable is not a number; a frame that takes twice the time is ours.
+Verdict judge_rebuilt(const Evidence& evidence) {
+  const Range times = evidence.time_ratios();
+  return {times.low > kSameTime && times.high < 2 ? Holds::kYes
+          : times.high > kSameTime                ? Holds::kPartly
+                                                  : Holds::kNo,
+          describe_time(evidence)};
+}
+
+// Turns should take less of the extra time than building all surfaces does.
+Verdict judge_turns(const Evidence& evidence) {
+  const Range times = evidence.time_ratios(), all = evidence.of("rebuilt-surfaces").time_ratios();
+  return {times.high < all.high && times.low < all.low ? Holds::kYes : Holds::kNo,
+          fmt::format("{} With all surfaces, it is {}.", describe_time(evidence), all.text(2))};
+}
+
+constexpr std::string_view kEngineBuilds = "The engine's loops build and draw.";
 constexpr std::string_view kVectorized = "Vectorized; texels come from registers where they fit.";
 
 constexpr std::array kLightEntries{
@@ -108,6 +125,15 @@ constexpr std::array kLightEntries{
         "Such a loop is complicated, and cannot be as fast as one that builds surfaces and one that draws "
         "them.",
         "Vectorized; the light map's cells come from registers.", judge_one_pass},
+    BookEntry{
+        "rebuilt-surfaces", "All surfaces in view are built in each frame, as if their light always changed.",
+        "The cache is of no use, and a frame takes the time of building and drawing: noticeably longer, and "
+        "tolerable.",
+        kEngineBuilds, judge_rebuilt},
+    BookEntry{"rebuilt-surfaces:every=2", "Half of the surfaces are built in each frame.",
+              "Relighting takes half the time if surfaces take turns.", kEngineBuilds, judge_turns},
+    BookEntry{"rebuilt-surfaces:every=3", "A third of the surfaces is built in each frame.",
+              "Relighting takes less time if surfaces take turns.", kEngineBuilds, judge_turns},
 };
 
 }  // namespace
