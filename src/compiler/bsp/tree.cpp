@@ -82,7 +82,7 @@ Where find_side(const Reach& reach) {
 // Whether an earlier cut, rather than a side of its brush, ends a piece in front of a plane or behind it.
 // Then the brush goes on beyond the cut.
 bool ends_at_cut(const Piece& piece, const Plane& plane, Where beyond, const PlaneSet& planes) {
-  constexpr double kNearlyParallel = 0.9;  // cosine
+  constexpr double kNearlyParallel = 0.995;  // cosine
   const double way = beyond == Where::kFront ? 1 : -1;
   return std::ranges::any_of(piece.sides, [&](const PieceSide& side) {
     return side.number == kNoNumber &&
