@@ -209,7 +209,7 @@ void weaken_thin_leaves(const Tree& first, const PlaneSet& planes, std::span<con
       math::Vec3d center(0.0);
       for (const math::Vec3d& corner : portal.winding)
         center += corner / static_cast<double>(portal.winding.size());
-      constexpr double kInward = 0.05;  // of the way to the inner point
+      constexpr double kInward = 0.5;  // of the way to the inner point
       const math::Vec3d inside = glm::mix(center, points[leaf].sum / points[leaf].count, kInward);
       const TreeLeaf& known = first.leaves[first.leaf_at(inside, planes)];
       TreeLeaf& io_leaf = io_second.tree.leaves[leaf];

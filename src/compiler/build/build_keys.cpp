@@ -17,7 +17,7 @@ namespace temblor::compiler {
 namespace {
 
 // Raise these if the BSP stage or the light stage makes something else of the same input.
-constexpr std::uint64_t kBrushesMethod = 2, kLightMethod = 4;
+constexpr std::uint64_t kBrushesMethod = 3, kLightMethod = 4;
 
 // Keys of brush entities that only the game reads.
 constexpr std::array<std::string_view, 17> kGameKeys = {
