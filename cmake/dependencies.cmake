@@ -35,7 +35,7 @@ elseif(TEMBLOR_TWO_VECTOR_TARGETS)
   target_compile_definitions(temblor_flags INTERFACE HWY_DISABLED_TARGETS=0x1980)
 endif()
 
-# Debian 12 has Embree 3 and later systems have 4; src/compiler/light/rays/embree.h supports both.
+# Debian 12 has Embree 3 and later systems have 4; src/rays/embree.h supports both.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3 REQUIRED)

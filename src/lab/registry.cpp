@@ -18,8 +18,10 @@
 #include "lab/visible_faces/leaf_faces.h"
 #include "lab/visible_faces/portals.h"
 #include "lab/world_light/gouraud.h"
+#include "lab/world_light/lamp_stages.h"
 #include "lab/world_light/one_pass.h"
 #include "lab/world_light/phong.h"
+#include "lab/world_light/rays/ray_light.h"
 #include "lab/world_light/rebuilt_surfaces.h"
 
 namespace temblor::lab {
@@ -62,6 +64,8 @@ constexpr std::array kGouraudParameters{
 constexpr std::array kPhongParameters{
     Parameter{"lights", 8, 1, 64, "lights of a face, the brightest ones"},
     Parameter{"smooth", 0, 0, 180, "degrees between faces up to which they share normals; 0: each its own"}};
+constexpr std::array kRayLightParameters{
+    Parameter{"lights", 64, 1, 1024, "lights of a face, the brightest ones"}};
 constexpr std::array kRebuiltParameters{
     Parameter{"every", 1, 1, 16, "each frame builds one of so many surfaces, in turns; 1: all"}};
 constexpr std::array kOnePassParameters{
@@ -266,6 +270,18 @@ constexpr std::array kTechniques{
         .max_wrong_share = 0,
         .parameters = kOnePassParameters,
         .make_stages = make_one_pass},
+    Technique{.name = "ray-light",
+              .title = "Light by rays for each pixel",
+              .summary = "Follows a ray from each pixel to each of the level's lights, with Embree.",
+              .article = kSurfaceCaching,
+              .heading = "The quest for alternative lighting",
+              .replaces = "surfaces, spans",
+              .expected = "The best light, with sharp shadows, and too slow. Here, light from the sky "
+                          "and from other walls is missing.",
+              .max_wrong_share = 0,
+              .parameters = kRayLightParameters,
+              .make_stages = make_ray_light,
+              .check_level = check_ray_light},
     Technique{.name = "rebuilt-surfaces",
               .title = "Surfaces that are built again",
               .summary = "Builds surfaces in each frame, as if their light always changed.",

@@ -16,6 +16,7 @@ Counts& Counts::operator+=(const Counts& other) {
   bytes += other.bytes;
   edges_saved += other.edges_saved;
   planes_tested += other.planes_tested;
+  rays += other.rays;
   portals_clipped += other.portals_clipped;
   leaves_reached += other.leaves_reached;
   pixels_off += other.pixels_off;

@@ -34,6 +34,7 @@ struct Counts {
   std::uint64_t edges_saved = 0;    // edges that need not be sorted
   std::uint64_t planes_tested = 0;  // of nodes and faces, against the eye
   std::uint64_t portals_clipped = 0, leaves_reached = 0;
+  std::uint64_t rays = 0;  // from pixels to lights
   // Pixels that show another texel than the exact one, and the largest distance between the two along s or t.
   std::uint64_t pixels_off = 0;
   double max_texel_error = 0;

@@ -21,13 +21,14 @@ NamesByName make_allowed_folders() {
       {"vfs", {"base", "formats"}},
       {"world", {"base", "math", "formats"}},
       {"assets", {"vfs", "world", "formats", "math", "base"}},
+      {"rays", {"base"}},
       {"movement", {"world", "math", "base"}},
       {"vm", {"formats", "math", "base"}},
       {"net", {"formats", "platform", "math", "base"}},
       {"render", {"world", "formats", "math", "base"}},
       // Finds the right picture without the renderer's stages, by rays.
       {"oracle", {"render", "world", "formats", "math", "base"}},
-      {"lab", {"render", "world", "formats", "math", "base"}},
+      {"lab", {"rays", "render", "world", "formats", "math", "base"}},
       {"audio", {"formats", "math", "base"}},
       // Built-in functions of QuakeC that server and client share.
       {"builtins", {"vm", "command", "formats", "math", "base"}},
@@ -36,7 +37,7 @@ NamesByName make_allowed_folders() {
       {"client",
        {"net", "world", "movement", "assets", "command", "platform", "render", "audio", "builtins", "vm",
         "formats", "math", "base"}},
-      {"compiler", {"world", "formats", "math", "base"}},
+      {"compiler", {"rays", "world", "formats", "math", "base"}},
       {"artgen", {"formats", "math", "base"}},
   };
   Names below_host;

@@ -19,6 +19,8 @@ struct LitKernels<std::uint8_t> {
   static constexpr auto grid_simd = lab::draw_grid_lit_u8_simd;
   static constexpr auto line_scalar = lab::draw_line_lit_u8_scalar;
   static constexpr auto line_simd = lab::draw_line_lit_u8_simd;
+  static constexpr auto pixel_scalar = lab::draw_pixel_lit_u8_scalar;
+  static constexpr auto pixel_simd = lab::draw_pixel_lit_u8_simd;
   static constexpr int kMinLight = 64, kMaxLight = 16320;
 };
 template <>
@@ -27,6 +29,8 @@ struct LitKernels<std::uint32_t> {
   static constexpr auto grid_simd = lab::draw_grid_lit_u32_simd;
   static constexpr auto line_scalar = lab::draw_line_lit_u32_scalar;
   static constexpr auto line_simd = lab::draw_line_lit_u32_simd;
+  static constexpr auto pixel_scalar = lab::draw_pixel_lit_u32_scalar;
+  static constexpr auto pixel_simd = lab::draw_pixel_lit_u32_simd;
   static constexpr int kMinLight = 0, kMaxLight = 32640;
 };
 
@@ -150,6 +154,24 @@ TYPED_TEST(LitSpansKernels, LightAlongALineIsTheSame) {
     const lab::LineLights lights{lines.data(), sizeof(TypeParam) == 4 && random.chance(0.5) ? 3 : 1,
                                  random.chance(0.5)};
     expect_equal(lit, lights, Kernels::line_scalar, Kernels::line_simd, random.chance(0.8));
+    if (this->HasFatalFailure()) return;
+  }
+}
+
+TYPED_TEST(LitSpansKernels, LightOfEachPixelIsTheSame) {
+  using Kernels = LitKernels<TypeParam>;
+  for (int seed = 0; seed < effort(3000, 60); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    LitCase<TypeParam> lit(random);
+    lit.job.span_count = 1;
+    std::vector<std::uint32_t> light(lit.spans.front().count + lab::kCellPadding);
+    for (std::uint32_t& pixel : light)
+      pixel = static_cast<std::uint32_t>(static_cast<std::size_t>(Kernels::kMinLight) +
+                                         random.below(Kernels::kMaxLight - Kernels::kMinLight + 1));
+    const std::size_t before = random.below(std::size_t{lit.spans.front().x} + 1);
+    const lab::PixelLights lights{light.data(), static_cast<std::int32_t>(before)};
+    expect_equal(lit, lights, Kernels::pixel_scalar, Kernels::pixel_simd, random.chance(0.8));
     if (this->HasFatalFailure()) return;
   }
 }

@@ -1,7 +1,5 @@
 // Phong shading of the world: its kernels against each other and against the definition, lamps and normals of
 // levels, and pictures.
-#include "lab/world_light/phong.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +8,7 @@
 
 #include "lab/lit_pictures.h"
 #include "lab/world_light/kernels/phong_kernels.h"
-#include "lab/world_light/level_lamps.h"
+#include "lab/world_light/lamp_stages.h"
 #include "render/kernel_cases.h"
 #include "render/simd_targets.h"
 #include "support/effort.h"

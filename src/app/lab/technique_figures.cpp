@@ -64,6 +64,7 @@ class CountedViews {
     figures_.leaves_reached += static_cast<double>(counts.leaves_reached);
     figures_.edges_saved += static_cast<double>(counts.edges_saved);
     figures_.planes_tested += static_cast<double>(counts.planes_tested);
+    figures_.rays += static_cast<double>(counts.rays) / pixels;
     figures_.pixels_off += static_cast<double>(counts.pixels_off) / pixels;
     figures_.max_texel_error = std::max(figures_.max_texel_error, counts.max_texel_error);
     ++figures_.views;
@@ -76,9 +77,10 @@ class CountedViews {
   ViewFigures means() const {
     ViewFigures means = figures_;
     const double views = static_cast<double>(std::max<std::size_t>(means.views, 1));
-    for (double* sum : {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits,
-                        &means.spans_sorted, &means.bytes, &means.planes_tested, &means.cache_hits,
-                        &means.portals_clipped, &means.leaves_reached, &means.edges_saved, &means.pixels_off})
+    for (double* sum :
+         {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits, &means.spans_sorted,
+          &means.bytes, &means.planes_tested, &means.cache_hits, &means.portals_clipped,
+          &means.leaves_reached, &means.edges_saved, &means.pixels_off, &means.rays})
       *sum /= views;
     means.light = light_.figures();
     return means;
@@ -218,6 +220,7 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("planes tested", 0, [](const auto& f) { return f.views.planes_tested; });
   table.add("portals clipped", 0, [](const auto& f) { return f.views.portals_clipped; });
   table.add("leaves reached", 0, [](const auto& f) { return f.views.leaves_reached; });
+  table.add("rays / pixel", 2, [](const auto& f) { return f.views.rays; });
   table.add("memory, KiB", 0, [](const auto& f) { return f.views.bytes / 1024; });
   table.add("wrong texels, %", 2, [](const auto& f) { return 100 * f.views.pixels_off; });
   table.add("largest error, texels", 2, [](const auto& f) { return f.views.max_texel_error; });
@@ -259,6 +262,7 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                 {"planes_tested", f.views.planes_tested},
                                 {"portals_clipped", f.views.portals_clipped},
                                 {"leaves_reached", f.views.leaves_reached},
+                                {"rays", f.views.rays},
                                 {"texels_off", f.views.pixels_off},
                                 {"max_texel_error", f.views.max_texel_error},
                                 {"surface_texels", make_json(m.texels_read)},

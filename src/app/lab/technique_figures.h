@@ -22,6 +22,7 @@ struct ViewFigures {
   double comparisons = 0, splits = 0, spans_sorted = 0, bytes = 0;  // per frame
   double planes_tested = 0, cache_hits = 0;                         // per frame
   double portals_clipped = 0, leaves_reached = 0, edges_saved = 0;  // per frame
+  double rays = 0;                                                  // per pixel
   double pixels_off = 0;       // share of the frame: they show another texel
   double max_texel_error = 0;  // of all views, in texels of mip 0
   oracle::Tally tally;
@@ -56,7 +57,7 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
 //   frame_ms {p50, p99, max}, ratio                      of medians, to the first technique
 //   stages {name: ms}, cycles_per_pixel {name: cycles}
 //   faces_drawn, edges, spans, surfaces_built            medians, and a sum
-//   pixels_written, pixels_tested                        per pixel of the frame
+//   pixels_written, pixels_tested, rays                  per pixel of the frame
 //   comparisons, splits, spans_sorted, bytes, planes_tested,     per frame
 //   cache_hits, portals_clipped, leaves_reached, edges_saved
 //   texels_off, max_texel_error                          share of pixels; the largest distance along s or t

@@ -13,7 +13,4 @@ namespace temblor::lab {
 
 render::FrameStages make_phong(std::span<const double> values, Counter* counter);
 
-// An error of one line if the level has no light entities.
-base::Status check_lamps(std::span<const double> values, const world::Level& level);
-
 }  // namespace temblor::lab

@@ -72,6 +72,13 @@ Verdict judge_phong(const Evidence& evidence) {
                       describe_light(evidence))};
 }
 
+Verdict judge_ray_light(const Evidence& evidence) {
+  const auto rays = [](const TechniqueFigures& figures) { return figures.views.rays; };
+  return {evidence.time_ratios().low > 5 ? Holds::kYes : Holds::kNo,
+          fmt::format("{} rays for each pixel. {} {}", evidence.over_levels(rays).text(1),
+                      describe_time(evidence), describe_light(evidence))};
+}
+
 // The article's limit of what is tolerable is not a number; a frame that takes twice the time is ours.
 Verdict judge_rebuilt(const Evidence& evidence) {
   const Range times = evidence.time_ratios();
@@ -125,6 +132,13 @@ constexpr std::array kLightEntries{
         "Such a loop is complicated, and cannot be as fast as one that builds surfaces and one that draws "
         "them.",
         "Vectorized; the light map's cells come from registers.", judge_one_pass},
+    BookEntry{"ray-light",
+              "A ray goes from each pixel to each of the level's lights that may reach it, for direct light "
+              "only: a "
+              "light map without samples between which light is interpolated.",
+              "Rays for each pixel give the best light of all techniques, and are too slow.",
+              "Embree follows packets of 16 rays; lights that are too weak or behind a face get none.",
+              judge_ray_light},
     BookEntry{
         "rebuilt-surfaces", "All surfaces in view are built in each frame, as if their light always changed.",
         "The cache is of no use, and a frame takes the time of building and drawing: noticeably longer, and "

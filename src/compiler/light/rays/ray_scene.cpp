@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "compiler/light/rays/embree.h"
+#include "rays/embree.h"
 
 namespace temblor::compiler {
 namespace {
@@ -37,7 +37,7 @@ struct PassedSurfaces {
 
 // The records of the filters for each lane. Embree passes the first member to them.
 struct AttenuationContext {
-  EmbreeContext embree;
+  rays::EmbreeContext embree;
   std::array<std::array<std::int32_t, 3>, kLanes> lost{};
   std::array<PassedSurfaces, kLanes> passed{};
   std::array<std::uint8_t, kLanes> switch_style{};  // of the switchable shadows; 0: none
@@ -46,7 +46,7 @@ struct AttenuationContext {
 constexpr std::uint8_t kSeveralStyles = 255;  // in AttenuationContext::switch_style
 // The best hit so far of each lane, for keep_lowest_surface().
 struct TieContext {
-  EmbreeContext embree;
+  rays::EmbreeContext embree;
   std::array<float, kLanes> distance{};  // of the best hit so far; below 0: none
   std::array<std::uint32_t, kLanes> surface{};
 };
@@ -205,7 +205,7 @@ struct Filter {
 };
 
 // Errors, such as missing memory, stay in the device until RayScene::make() asks for them.
-void add_triangles(const Embree& embree, RTCDevice device, RTCScene scene,
+void add_triangles(const rays::Embree& embree, RTCDevice device, RTCScene scene,
                    std::span<const math::Vec3> vertices, std::span<const OccluderTriangle> triangles,
                    const Filter& filter) {
   if (triangles.empty()) return;
@@ -230,7 +230,7 @@ void add_triangles(const Embree& embree, RTCDevice device, RTCScene scene,
   embree.release_geometry(geometry);
 }
 
-Scene make_scene(const Embree& embree, RTCDevice device) {
+Scene make_scene(const rays::Embree& embree, RTCDevice device) {
   Scene scene(embree.new_scene(device), embree.release_scene);
   embree.set_scene_flags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   return scene;
@@ -285,7 +285,7 @@ std::vector<std::uint8_t> list_switch_styles(std::span<const AlphaMask> surfaces
 
 // One Embree scene for each kind of surface, so that queries meet only what they ask for.
 struct RayScene::Scenes {
-  Embree embree;
+  rays::Embree embree;
   Device device{nullptr, nullptr};
   Scene opaque{nullptr, nullptr}, masked{nullptr, nullptr}, sky{nullptr, nullptr};
   AlphaMaskSet masks;
@@ -301,8 +301,8 @@ struct RayScene::Scenes {
   // Finds the shares of the rays in `mask` and leaves the others unchanged.
   void compute_shares(const LaneMask& mask, RTCRay16& io_rays, math::Vec3* out_share,
                       const LightPath& path) const {
-    EmbreeContext plain;
-    Embree::init_context(plain);
+    rays::EmbreeContext plain;
+    rays::Embree::init_context(plain);
     if ((path.shadow_channels & kOpaqueChannels) != 0)
       embree.occluded16(mask.lane.data(), opaque.get(), plain, io_rays);
     // Embree sets tfar to minus infinity if a ray is blocked.
@@ -321,7 +321,7 @@ struct RayScene::Scenes {
                   const LightPath& path) const {
     AttenuationContext context;
     context.path = path;
-    Embree::init_context(context.embree);
+    rays::Embree::init_context(context.embree);
     embree.occluded16(mask.lane.data(), masked.get(), context.embree, io_rays);
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (mask.lane[i] == 0) continue;
@@ -344,8 +344,11 @@ base::Status RayScene::check() {
 // The occluders' lists move into Scenes, where filters can refer to them.
 base::Result<RayScene> RayScene::make(Occluders occluders) {
   auto scenes = std::make_unique<Scenes>();
-  TRY(scenes->embree, Embree::load());
-  const Embree& embree = scenes->embree;
+  base::Result<rays::Embree> loaded = rays::Embree::load();
+  if (!loaded.ok())
+    return base::error(loaded.error().code, "{}; --no-light compiles without light", loaded.error().what);
+  scenes->embree = loaded.value();
+  const rays::Embree& embree = scenes->embree;
   // The same instruction set on all machines, since others round differently.
   scenes->device = Device(embree.new_device("isa=avx2"), embree.release_device);
   if (!scenes->device)
@@ -403,8 +406,8 @@ void RayScene::trace_to_sky(std::span<const math::Vec3> points, const math::Vec3
                             std::span<math::Vec3> out_share, const LightPath& path) const {
   CHECK(points.size() == out_share.size());
   RTCRayHit16 rays;
-  EmbreeContext context;
-  Embree::init_context(context);
+  rays::EmbreeContext context;
+  rays::Embree::init_context(context);
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
@@ -439,7 +442,7 @@ void RayScene::find_nearest(std::span<const math::Vec3> points, std::span<const 
   CHECK(points.size() == directions.size() && points.size() == out_hits.size());
   RTCRayHit16 rays;
   TieContext context;
-  Embree::init_context(context.embree);
+  rays::Embree::init_context(context.embree);
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) {

@@ -67,6 +67,12 @@ struct LineLights {
   bool is_over_z;
 };
 
+// The light of each pixel of a part of one span, followed by kCellPadding more.
+struct PixelLights {
+  const std::uint32_t* light;
+  std::int32_t pixels_before;  // as in LineLight
+};
+
 // For bytes, only the first channel counts.
 void draw_grid_lit_u8_scalar(const LitSpans& spans, const GridLight& light,
                              const render::KernelTarget& target);
@@ -77,6 +83,12 @@ void draw_line_lit_u8_scalar(const LitSpans& spans, const LineLights& light,
 void draw_line_lit_u32_scalar(const LitSpans& spans, const LineLights& light,
                               const render::KernelTarget& target);
 
+// For one span.
+void draw_pixel_lit_u8_scalar(const LitSpans& spans, const PixelLights& light,
+                              const render::KernelTarget& target);
+void draw_pixel_lit_u32_scalar(const LitSpans& spans, const PixelLights& light,
+                               const render::KernelTarget& target);
+
 void draw_grid_lit_u8_simd(const LitSpans& spans, const GridLight& light, const render::KernelTarget& target);
 void draw_grid_lit_u32_simd(const LitSpans& spans, const GridLight& light,
                             const render::KernelTarget& target);
@@ -84,5 +96,9 @@ void draw_line_lit_u8_simd(const LitSpans& spans, const LineLights& light,
                            const render::KernelTarget& target);
 void draw_line_lit_u32_simd(const LitSpans& spans, const LineLights& light,
                             const render::KernelTarget& target);
+void draw_pixel_lit_u8_simd(const LitSpans& spans, const PixelLights& light,
+                            const render::KernelTarget& target);
+void draw_pixel_lit_u32_simd(const LitSpans& spans, const PixelLights& light,
+                             const render::KernelTarget& target);
 
 }  // namespace temblor::lab

@@ -56,6 +56,21 @@ class LineSampler {
   const LineLight* line_ = nullptr;
 };
 
+class PixelSampler {
+ public:
+  explicit PixelSampler(const PixelLights& lights) : lights_(lights) {}
+
+  int begin_span(std::size_t /*number*/) { return lights_.pixels_before; }
+  std::int32_t channels() const { return 1; }
+  std::int32_t find_light(const Place& place, std::int32_t /*channel*/) const {
+    return static_cast<std::int32_t>(
+        lights_.light[static_cast<std::int32_t>(place.lane) - lights_.pixels_before]);
+  }
+
+ private:
+  const PixelLights& lights_;
+};
+
 }  // namespace
 
 void draw_grid_lit_u8_scalar(const LitSpans& spans, const GridLight& light,
@@ -73,6 +88,14 @@ void draw_line_lit_u8_scalar(const LitSpans& spans, const LineLights& light,
 void draw_line_lit_u32_scalar(const LitSpans& spans, const LineLights& light,
                               const render::KernelTarget& target) {
   draw_lit<std::uint32_t>(spans, LineSampler(light), target);
+}
+void draw_pixel_lit_u8_scalar(const LitSpans& spans, const PixelLights& light,
+                              const render::KernelTarget& target) {
+  draw_lit<std::uint8_t>(spans, PixelSampler(light), target);
+}
+void draw_pixel_lit_u32_scalar(const LitSpans& spans, const PixelLights& light,
+                               const render::KernelTarget& target) {
+  draw_lit<std::uint32_t>(spans, PixelSampler(light), target);
 }
 
 }  // namespace temblor::lab

@@ -25,6 +25,12 @@ void DrawLineLitU8(const LitSpans& spans, const LineLights& light, const render:
 void DrawLineLitU32(const LitSpans& spans, const LineLights& light, const render::KernelTarget& target) {
   draw_line_lit_u32_scalar(spans, light, target);
 }
+void DrawPixelLitU8(const LitSpans& spans, const PixelLights& light, const render::KernelTarget& target) {
+  draw_pixel_lit_u8_scalar(spans, light, target);
+}
+void DrawPixelLitU32(const LitSpans& spans, const PixelLights& light, const render::KernelTarget& target) {
+  draw_pixel_lit_u32_scalar(spans, light, target);
+}
 
 #else
 
@@ -137,6 +143,18 @@ struct LineSampler {
   }
 };
 
+struct PixelSampler {
+  static constexpr int kChannels = 1;
+  const PixelLights& lights;
+
+  HWY_INLINE int BeginSpan(size_t /*number*/) { return lights.pixels_before; }
+  HWY_INLINE void SetWay(rn::Direction /*way*/) {}
+  HWY_INLINE LightLanes<1> Find(const Places& places) const {
+    const int first = static_cast<int>(hn::GetLane(places.lane)) - lights.pixels_before;
+    return {{hn::LoadU(DU(), lights.light + first)}};
+  }
+};
+
 void DrawGridLitU8(const LitSpans& spans, const GridLight& light, const render::KernelTarget& target) {
   DrawLit<uint8_t>(spans, GridSampler<1>{light}, target);
 }
@@ -156,6 +174,12 @@ void DrawLineLitU32(const LitSpans& spans, const LineLights& light, const render
   else
     DrawLit<uint32_t>(spans, LineSampler<1>{light}, target);
 }
+void DrawPixelLitU8(const LitSpans& spans, const PixelLights& light, const render::KernelTarget& target) {
+  DrawLit<uint8_t>(spans, PixelSampler{light}, target);
+}
+void DrawPixelLitU32(const LitSpans& spans, const PixelLights& light, const render::KernelTarget& target) {
+  DrawLit<uint32_t>(spans, PixelSampler{light}, target);
+}
 
 #endif
 
@@ -169,6 +193,8 @@ HWY_EXPORT(DrawGridLitU8);
 HWY_EXPORT(DrawGridLitU32);
 HWY_EXPORT(DrawLineLitU8);
 HWY_EXPORT(DrawLineLitU32);
+HWY_EXPORT(DrawPixelLitU8);
+HWY_EXPORT(DrawPixelLitU32);
 
 void draw_grid_lit_u8_simd(const LitSpans& spans, const GridLight& light,
                            const render::KernelTarget& target) {
@@ -185,6 +211,14 @@ void draw_line_lit_u8_simd(const LitSpans& spans, const LineLights& light,
 void draw_line_lit_u32_simd(const LitSpans& spans, const LineLights& light,
                             const render::KernelTarget& target) {
   HWY_DYNAMIC_DISPATCH(DrawLineLitU32)(spans, light, target);
+}
+void draw_pixel_lit_u8_simd(const LitSpans& spans, const PixelLights& light,
+                            const render::KernelTarget& target) {
+  HWY_DYNAMIC_DISPATCH(DrawPixelLitU8)(spans, light, target);
+}
+void draw_pixel_lit_u32_simd(const LitSpans& spans, const PixelLights& light,
+                             const render::KernelTarget& target) {
+  HWY_DYNAMIC_DISPATCH(DrawPixelLitU32)(spans, light, target);
 }
 
 }  // namespace temblor::lab

@@ -1,8 +1,8 @@
-#include "compiler/light/rays/embree.h"
+#include "rays/embree.h"
 
 #include <dlfcn.h>
 
-namespace temblor::compiler {
+namespace temblor::rays {
 namespace {
 
 // The version of the headers that this was compiled with; other versions have other structs.
@@ -57,8 +57,8 @@ base::Result<Embree> Embree::load() {
   symbols.find("rtcIntersect16", embree.intersect16_);
   if (!symbols.has_all())
     return base::error(base::ErrorCode::kUnsupported,
-                       "light needs Embree, but {} is missing: install the Debian package {}, or unpack the "
-                       "temblor-light archive over the game; --no-light compiles without light",
+                       "Embree is missing ({}): install the Debian package {}, or unpack the temblor-light "
+                       "archive over the game",
                        kLibrary, kPackage);
   return embree;
 }
@@ -97,4 +97,4 @@ void Embree::intersect16(const int* valid, RTCScene scene, EmbreeContext& contex
 }
 #endif
 
-}  // namespace temblor::compiler
+}  // namespace temblor::rays

@@ -1,6 +1,6 @@
 // Embree 3 and 4 (Wald et al., "Embree: a kernel framework for efficient CPU ray tracing", 2014) under one
 // set of names. The library is opened at run time instead of linked, since it would be a fifth of the game's
-// download and only mappers need it. Only ray_scene.cpp includes this.
+// download and only light and the laboratory need it.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
@@ -11,7 +11,7 @@
 
 #include "base/result.h"
 
-namespace temblor::compiler {
+namespace temblor::rays {
 
 #if RTC_VERSION_MAJOR >= 4
 using EmbreeContext = RTCRayQueryContext;
@@ -50,4 +50,4 @@ struct Embree {
   decltype(&rtcIntersect16) intersect16_ = nullptr;
 };
 
-}  // namespace temblor::compiler
+}  // namespace temblor::rays
