@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "app/html/html.h"
 
@@ -115,6 +116,22 @@ std::string draw_axes(const Plot& plot, const AxisScale& x_axis, const AxisScale
                    middle_y, escape_html(plot.y_label));
 }
 
+// Everything inside of the <svg> element.
+std::string draw_content(const Plot& plot) {
+  AxisScale x_axis(plot.x_axis, kLeft, kRight), y_axis(plot.y_axis, kBottom, kTop);
+  for (const PlotSeries& series : plot.series)
+    for (const math::Vec2d& point : series.points) {
+      if (!can_show(point.x, plot.x_axis) || !can_show(point.y, plot.y_axis)) continue;
+      x_axis.add(point.x);
+      y_axis.add(point.y);
+    }
+  x_axis.finish();
+  y_axis.finish();
+  std::string svg = draw_axes(plot, x_axis, y_axis);
+  for (std::size_t i = 0; i < plot.series.size(); ++i) svg += draw_series(plot, i, x_axis, y_axis);
+  return svg;
+}
+
 }  // namespace
 
 const char* const kPlotStyle = R"(
@@ -155,20 +172,36 @@ std::vector<double> choose_ticks(double low, double high, Axis axis) {
 }
 
 std::string draw_plot(const Plot& plot) {
-  AxisScale x_axis(plot.x_axis, kLeft, kRight), y_axis(plot.y_axis, kBottom, kTop);
-  for (const PlotSeries& series : plot.series)
-    for (const math::Vec2d& point : series.points) {
-      if (!can_show(point.x, plot.x_axis) || !can_show(point.y, plot.y_axis)) continue;
-      x_axis.add(point.x);
-      y_axis.add(point.y);
-    }
-  x_axis.finish();
-  y_axis.finish();
-  std::string svg =
-      fmt::format("<figure><svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\">\n", kWidth, kHeight);
-  svg += draw_axes(plot, x_axis, y_axis);
-  for (std::size_t i = 0; i < plot.series.size(); ++i) svg += draw_series(plot, i, x_axis, y_axis);
-  return svg + fmt::format("</svg><figcaption>{}</figcaption></figure>\n", escape_html(plot.title));
+  return fmt::format(
+      "<figure><svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\">\n{}</svg><figcaption>{}"
+      "</figcaption></figure>\n",
+      kWidth, kHeight, draw_content(plot), escape_html(plot.title));
+}
+
+namespace {
+
+// Few viewers of files know the page's variables.
+std::string make_file_style() {
+  std::string style = kPlotStyle;
+  for (const auto& [variable, color] : {std::pair<std::string_view, std::string_view>{"var(--ink)", "#222"},
+                                        {"var(--line)", "#ddd"},
+                                        {"var(--soft)", "#666"}})
+    for (std::size_t at = style.find(variable); at != std::string::npos; at = style.find(variable))
+      style.replace(at, variable.size(), color);
+  return style;
+}
+
+}  // namespace
+
+std::string draw_svg_file(const Plot& plot) {
+  constexpr double kTitleHeight = 30;
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" width=\"{0}\" height=\"{1}\" "
+      "viewBox=\"0 0 {0} {1}\">\n<style>svg {{ font-family: sans-serif; }}\n{2}</style>\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n{3}"
+      "<text x=\"{4}\" y=\"{5}\">{6}</text>\n</svg>\n",
+      kWidth, kHeight + kTitleHeight, make_file_style(), draw_content(plot), kLeft,
+      kHeight + kTitleHeight - 12, escape_html(plot.title));
 }
 
 }  // namespace temblor::app

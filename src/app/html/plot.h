@@ -28,6 +28,9 @@ struct Plot {
 constexpr std::size_t kPlotColors = 8;
 std::string draw_plot(const Plot& plot);
 
+// A file of its own, which needs no style sheet.
+std::string draw_svg_file(const Plot& plot);
+
 // For begin_page().
 extern const char* const kPlotStyle;
 
