@@ -1,6 +1,6 @@
 // The space battle against rays: the nearest front of a face along the ray through each pixel, like a depth
 // buffer without edges, spans, or a projection.
-#include "lab/space_battle/space_battle.h"
+#include "lab/space_battle.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -27,6 +28,7 @@ TECHNIQUE is a name, or a name with parameters: abutting-edges:epsilon=0.001,mes
 Examples:
   temblor lab list
   temblor lab run painter -o painter.png
+  temblor lab run space --solids 1000 --shape concave
   temblor --basedir ~/quake lab run independent-edges --map e1m1 --color indexed -o edges.png
   temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json
   temblor --basedir ~/quake lab book --map start --map e1m1 -o book)";
@@ -80,10 +82,24 @@ nlohmann::json make_json(const lab::Technique& technique) {
           {"parameters", std::move(parameters)}};
 }
 
+// With the fields of a technique.
+nlohmann::json make_space_entry() {
+  return {{"name", kSpaceName},
+          {"title", kSpaceTitle},
+          {"summary", kSpaceSummary},
+          {"article", "Sorted Spans in Action"},
+          {"heading", "1/z span sorting in action"},
+          {"replaces", "the whole frame"},
+          {"expected", kSpaceExpected},
+          {"max_wrong_share", 0},
+          {"parameters", nlohmann::json::array()}};
+}
+
 void print_list(bool json) {
   if (json) {
     nlohmann::json list = nlohmann::json::array();
     for (const lab::Technique& technique : lab::list_techniques()) list.push_back(make_json(technique));
+    list.push_back(make_space_entry());
     fmt::print("{}\n", list.dump(2));
     return;
   }
@@ -95,6 +111,37 @@ void print_list(bool json) {
       fmt::print("  {}={}, {} to {}. {}\n", parameter.name, parameter.value, parameter.min, parameter.max,
                  parameter.meaning);
   }
+  fmt::print("{}", describe_space());
+}
+
+// The first option that is for levels only, or nothing.
+std::string find_level_option(const LabOptions& options) {
+  const LabOptions defaults;
+  return !options.map.empty()                            ? "--map"
+         : !options.demo.empty()                         ? "--demo"
+         : options.position_world                        ? "--pos"
+         : options.angles_deg                            ? "--angles"
+         : options.step_deg != defaults.step_deg         ? "--step"
+         : options.rounds != defaults.rounds             ? "--rounds"
+         : options.frame.threads                         ? "--threads"
+         : options.frame.format != defaults.frame.format ? "--color"
+                                                         : "";
+}
+
+base::Status check_space_options(const LabOptions& options) {
+  const std::string option = find_level_option(options);
+  if (option.empty()) return base::Ok{};
+  return base::error(base::ErrorCode::kUnsupported, "{} is for levels, and {} has none", option, kSpaceName);
+}
+
+base::Status check_technique_options(const LabOptions& options) {
+  if (std::ranges::count(options.techniques, kSpaceName) > 0)
+    return base::error(base::ErrorCode::kUnsupported,
+                       "{0} is a scene of its own and draws no level; use `temblor lab run {0}`", kSpaceName);
+  const std::string option = options.space.find_given();
+  if (option.empty()) return base::Ok{};
+  return base::error(base::ErrorCode::kUnsupported, "{} is an option of `temblor lab run {}`", option,
+                     kSpaceName);
 }
 
 base::Result<LabScenes> load_scenes(const LabOptions& options, const GameFolders& folders,
@@ -171,9 +218,12 @@ LabCommands add_lab_command(Command& program, LabOptions& io_options) {
   commands.run->add_option("TECHNIQUE", io_options.technique, "Name, or NAME:PARAMETER=VALUE,...")
       ->required();
   add_scene_options(*commands.run, io_options);
+  add_space_options(*commands.run, io_options.space);
   commands.run
-      ->add_option("-o,--output", io_options.out,
-                   "Picture of the technique, the engine, and their difference, side by side")
+      ->add_option(
+          "-o,--output", io_options.out,
+          "Picture of the technique, the engine, and their difference, side by side; space: a picture, "
+          "or a plot of its cost (.svg)")
       ->type_name("FILE.png");
   commands.compare = commands.lab->add_subcommand("compare", "Print a table of several techniques");
   commands.compare->add_option("TECHNIQUES", io_options.techniques, "Names, as for run")->required();
@@ -205,6 +255,11 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
   }
   if (commands.book->parsed()) return make_book(options, folders, settings);
   const bool is_run = commands.run->parsed();
+  if (is_run && options.technique == kSpaceName) {
+    TRY_STATUS(check_space_options(options));
+    return run_space(options.space, options.frame, options.json, options.out);
+  }
+  TRY_STATUS(check_technique_options(options));
   std::vector<std::string> texts = options.techniques;
   if (is_run) texts = {std::string(lab::list_techniques().front().name), options.technique};
   std::vector<lab::Choice> choices;

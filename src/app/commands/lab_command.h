@@ -2,6 +2,7 @@
 //
 //   lab list                 the techniques
 //   lab run TECHNIQUE        one technique against the engine: figures, and a picture
+//   lab run space            the space battle, which needs no level
 //   lab compare TECHNIQUES   a table of several techniques
 //   lab book                 pages about all of them
 //   lab school               lessons for beginners
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "app/commands/options.h"
+#include "app/lab/space_command.h"
 #include "base/result.h"
 #include "client/view/presentation.h"
 #include "render/settings.h"
@@ -21,7 +23,7 @@ namespace temblor::app {
 class Command;
 
 struct LabOptions {
-  // "NAME" or "NAME:PARAMETER=VALUE,...".
+  // "NAME" or "NAME:PARAMETER=VALUE,...", or kSpaceName.
   std::string technique;                // run
   std::vector<std::string> techniques;  // compare
   // Level name or .bsp file, or a demo; without either, the small built-in level.
@@ -32,6 +34,7 @@ struct LabOptions {
   double step_deg = 30;
   // Measurements of each technique, in turns; the fastest counts.
   int rounds = 1;
+  SpaceOptions space;
   bool json = false;
   // Picture file of `run`; empty: none. Folder of `book` and `school`.
   std::string out;

@@ -1,4 +1,4 @@
-#include "lab/space_battle/space_battle.h"
+#include "lab/space_battle.h"
 
 #include <algorithm>
 
