@@ -38,10 +38,7 @@ base::Result<DepthSorting> parse_sorting(std::string_view text) {
 
 base::Status write_space_picture(const SpaceScene& scene, const std::string& out) {
   TRY(const std::string path, numbered_name(out, 0));
-  lab::space::Battle battle(scene.battle);
-  render::FrameBuffer frame(scene.size.width, scene.size.height, render::PixelFormat::kRgb);
-  battle.draw(make_lookout_view(battle, scene), 0, frame.rgb());
-  return write_picture_file(path, frame, {});
+  return write_picture_file(path, draw_space(scene), {});
 }
 
 }  // namespace
@@ -81,7 +78,8 @@ base::Status run_space(const SpaceOptions& options, const FrameOptions& frame, b
   if (!out.empty() && !is_plot && !base::to_lower(out).ends_with(".png"))
     return base::error(ErrorCode::kUnsupported, "-o {}: space writes a picture (.png) or a plot (.svg)", out);
   if (is_plot)
-    TRY_STATUS(replace_file(out, base::as_bytes(draw_svg_file(plot_space(scene)))));
+    TRY_STATUS(replace_file(
+        out, base::as_bytes(draw_svg_file(plot_space_curves(scene, measure_space_curves(scene))))));
   else if (!out.empty())
     TRY_STATUS(write_space_picture(scene, out));
   if (json) {

@@ -18,8 +18,8 @@ using lab::space::BattleCounts;
 using lab::space::BattleShapes;
 using lab::space::DepthSorting;
 
-constexpr int kWarmFrames = 3, kMinFrames = 5, kMaxFrames = 100, kRounds = 3;
-constexpr double kRoundSeconds = 0.15, kFrameSeconds = 1 / 30.0;
+constexpr int kWarmFrames = 3, kMinFrames = 3, kMaxFrames = 100, kRounds = 3;
+constexpr double kRoundSeconds = 0.08, kFrameSeconds = 1 / 30.0;
 
 double find_median(std::vector<double>& values) {
   return compute_distribution(std::move(values)).p50;
@@ -83,6 +83,13 @@ lab::space::BattleView make_lookout_view(const Battle& battle, const SpaceScene&
                                       scene.size.width, scene.size.height);
 }
 
+render::FrameBuffer draw_space(const SpaceScene& scene) {
+  Battle battle(scene.battle);
+  render::FrameBuffer frame(scene.size.width, scene.size.height, render::PixelFormat::kRgb);
+  battle.draw(make_lookout_view(battle, scene), 0, frame.rgb());
+  return frame;
+}
+
 std::vector<SpaceFigures> measure_space(const SpaceScene& scene, std::span<const std::size_t> solids) {
   std::vector<SpaceFigures> figures;
   for (const std::size_t count : solids) {
@@ -138,18 +145,26 @@ std::string make_space_json(const SpaceScene& scene, std::span<const SpaceFigure
   return result.dump(2);
 }
 
-Plot plot_space(SpaceScene scene) {
+std::vector<SpaceCurve> measure_space_curves(SpaceScene scene) {
   constexpr std::array<std::size_t, 7> kCounts = {10, 30, 100, 300, 1000, 3000, lab::space::kMaxSolids};
+  std::vector<SpaceCurve> curves;
+  for (const BattleShapes shapes : {BattleShapes::kConvex, BattleShapes::kConcave}) {
+    scene.battle.shapes = shapes;
+    curves.push_back({shapes, measure_space(scene, kCounts)});
+  }
+  return curves;
+}
+
+Plot plot_space_curves(const SpaceScene& scene, std::span<const SpaceCurve> curves) {
   Plot plot{.title = fmt::format("The space battle's cost against its solids, at {}, on one thread.",
                                  format_size(scene.size)),
             .x_label = "solids",
             .y_label = "frame, ms",
             .x_axis = Axis::kLogarithmic,
             .y_axis = Axis::kLogarithmic};
-  for (const BattleShapes shapes : {BattleShapes::kConvex, BattleShapes::kConcave}) {
-    scene.battle.shapes = shapes;
-    PlotSeries series{shapes_name(shapes), {}};
-    for (const SpaceFigures& measured : measure_space(scene, kCounts))
+  for (const SpaceCurve& curve : curves) {
+    PlotSeries series{shapes_name(curve.shapes), {}};
+    for (const SpaceFigures& measured : curve.figures)
       series.points.push_back({static_cast<double>(measured.solids), measured.ms});
     plot.series.push_back(std::move(series));
   }

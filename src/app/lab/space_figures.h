@@ -8,6 +8,7 @@
 #include "app/commands/options.h"
 #include "app/html/plot.h"
 #include "lab/space_battle.h"
+#include "render/frame_buffer.h"
 
 namespace temblor::app {
 
@@ -31,7 +32,10 @@ struct SpaceScene {
 // The view that is measured, and that a window begins with.
 lab::space::BattleView make_lookout_view(const lab::space::Battle& battle, const SpaceScene& scene);
 
-// One for each number of solids. Takes about half a second each.
+// The battle at time 0.
+render::FrameBuffer draw_space(const SpaceScene& scene);
+
+// One for each number of solids. Each takes about half a second at most.
 std::vector<SpaceFigures> measure_space(const SpaceScene& scene, std::span<const std::size_t> solids);
 
 const char* shapes_name(lab::space::BattleShapes shapes);
@@ -39,7 +43,12 @@ const char* sorting_name(lab::space::DepthSorting sorting);
 
 std::string make_space_json(const SpaceScene& scene, std::span<const SpaceFigures> figures);
 
-// Cost of convex and concave solids against their number, up to the most. Measures them first.
-Plot plot_space(SpaceScene scene);
+// Convex and concave solids, from 10 to the most.
+struct SpaceCurve {
+  lab::space::BattleShapes shapes;
+  std::vector<SpaceFigures> figures;
+};
+std::vector<SpaceCurve> measure_space_curves(SpaceScene scene);
+Plot plot_space_curves(const SpaceScene& scene, std::span<const SpaceCurve> curves);
 
 }  // namespace temblor::app

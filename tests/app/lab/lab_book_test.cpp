@@ -10,6 +10,7 @@
 #include "app/html/plot.h"
 #include "app/lab/book/book_content.h"
 #include "app/lab/book/book_pages.h"
+#include "app/lab/book/space_page.h"
 #include "app/lab/book/write_book.h"
 #include "app/program.h"
 #include "lab/lessons.h"
@@ -129,6 +130,8 @@ TEST(LabBook, WritesPagesAndPictures) {
   ASSERT_TRUE(app::write_book(book, levels, options));
   const std::string index = read_text(book / "index.html");
   EXPECT_EQ(find_markup_fault(index), "");
+  EXPECT_THAT(index, HasSubstr("href=\"space.html\""));
+  EXPECT_TRUE(std::filesystem::exists(book / "space.html"));
   for (const app::BookChapter& chapter : app::list_book_chapters()) {
     const std::string file = std::string(chapter.file) + ".html";
     EXPECT_THAT(index, HasSubstr("href=\"" + file));
@@ -142,6 +145,24 @@ TEST(LabBook, WritesPagesAndPictures) {
       EXPECT_EQ(read_png(book / picture).width, 3u * 640) << picture;
     }
   }
+}
+
+TEST(LabBook, ShowsTheSpaceBattle) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(app::write_space_page(folder.path(), {64, 48}));
+  const std::string page = read_text(folder.path() / "space.html");
+  EXPECT_EQ(find_markup_fault(page), "");
+  EXPECT_THAT(page, Not(HasSubstr("nan")));
+  EXPECT_THAT(page, HasSubstr("<span class=\"good\">holds</span>"));
+  EXPECT_THAT(page, HasSubstr("never touch, convex and concave, 0.00 % of pixels"));
+  EXPECT_THAT(page, Not(HasSubstr("that intersect, 0.00 %")));
+  for (const char* const picture : {"convex", "concave", "10000", "crowded", "intersecting"}) {
+    const std::string file = std::string("space-") + picture + ".png";
+    EXPECT_THAT(page, HasSubstr("src=\"" + file));
+    EXPECT_EQ(read_png(folder.path() / file).width, 640u) << picture;
+  }
+  EXPECT_NE(read_png(folder.path() / "space-crowded.png"),
+            read_png(folder.path() / "space-intersecting.png"));
 }
 
 TEST(LabSchool, ListsLessonsAndWritesThem) {

@@ -273,7 +273,9 @@ std::string make_index_page(const BookInput& input) {
          "<p>Michael Abrash's articles explain how Quake draws its world by what else was tried. Here, the "
          "alternatives draw the same views as Temblor's renderer, under the same clock.</p>\n" +
          "<p><a href=\"school.html\">The school</a> is for beginners: a small renderer, from a line to a "
-         "scene.</p>\n" +
+         "scene. <a href=\"space.html\">The space battle</a> is the article's program for edges sorted by "
+         "1/z, "
+         "without a level.</p>\n" +
          make_conditions(input) + make_verdicts(input) + make_numbers(input.figures) + end_page();
 }
 

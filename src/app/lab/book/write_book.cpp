@@ -6,6 +6,7 @@
 #include "app/files/system.h"
 #include "app/lab/book/book_pages.h"
 #include "app/lab/book/school_pages.h"
+#include "app/lab/book/space_page.h"
 #include "app/lab/lab_picture.h"
 #include "lab/registry.h"
 
@@ -57,6 +58,7 @@ base::Status write_book(const fs::path& folder, std::span<const LabScenes> level
   const std::vector<lab::Choice> techniques = list_book_techniques();
   for (const LabScenes& level : levels) TRY_STATUS(level.check(techniques));
   TRY_STATUS(write_school(folder));
+  TRY_STATUS(write_space_page(folder, options.size));
   TRY(const BookFigures figures, measure_book(levels, techniques, options));
   for (std::size_t i = 1; i < figures.choices.size(); ++i)
     TRY_STATUS(write_picture(folder, levels, figures, i, options));

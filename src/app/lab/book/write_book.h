@@ -11,8 +11,8 @@ namespace temblor::app {
 std::vector<lab::Choice> list_book_techniques();
 
 // Makes the folder if it does not exist, and writes index.html, a page for each chapter, the school,
-// and a picture for each technique, over those that are there. Errors: a folder or file that cannot be
-// written.
+// the space battle, and a picture for each technique, over those that are there. Errors: a folder or file
+// that cannot be written.
 base::Status write_book(const std::filesystem::path& folder, std::span<const LabScenes> levels,
                         const BookOptions& options);
 
