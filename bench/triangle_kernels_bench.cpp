@@ -75,6 +75,7 @@ void draw_triangles(benchmark::State& state) {
                           colors.data(),
                           {32768, 30000, 28000},
                           true,
+                          false,
                           state.range(0) <= 8,
                           {numbers.data(), rows.data(), 0}};
   const render::TriangleTarget target{pixels.data(), depth.data(), kScreenWidth, 0, 0, kScreenHeight};

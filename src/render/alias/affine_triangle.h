@@ -220,8 +220,9 @@ void draw_affine_triangle(const TriangleJob& job, std::size_t number, const Tria
   const std::int32_t turn = inside(first_pixel(middle->y));
 
   const TexelPoint* const texel[3] = {job.texels + index[0], job.texels + index[1], job.texels + index[2]};
-  const TriangleGradients gradients = triangle_gradients(corner, texel, static_cast<double>(cross),
-                                                         job.perspective && needs_perspective(corner, texel));
+  const bool perspective = job.perspective && (job.always_perspective || needs_perspective(corner, texel));
+  const TriangleGradients gradients =
+      triangle_gradients(corner, texel, static_cast<double>(cross), perspective);
   const double width = target.width;
   EdgeColumns whole(*top, *bottom, first);
   const auto draw_rows = [&](std::int32_t begin, std::int32_t end, EdgeColumns part) {

@@ -6,10 +6,9 @@
 
 namespace temblor::render {
 
-namespace {
-
 // Placing is cheap, and it discards most invisible instances before jobs are distributed.
-std::span<const AliasPlacement> place_all(const Scene& scene, const ViewFrame& view, base::Arena& arena) {
+std::span<const AliasPlacement> place_alias_models(const Scene& scene, const ViewFrame& view,
+                                                   base::Arena& arena) {
   base::ArenaVector<AliasPlacement> placements(arena, scene.alias_models.size() + 1);
   const auto add = [&](const AliasInstance& instance, AliasRole role) {
     if (instance.model == nullptr || !(instance.alpha >= 1)) return;
@@ -20,12 +19,10 @@ std::span<const AliasPlacement> place_all(const Scene& scene, const ViewFrame& v
   return placements.view();
 }
 
-}  // namespace
-
 // Each job prepares a range of the instances, in an arena that lives until the frame's end.
-std::span<const PreparedAlias> prepare_alias_models(const FrameContext& context, const ViewFrame& view) {
+std::span<PreparedAlias> prepare_placed_models(const FrameContext& context, const ViewFrame& view,
+                                               std::span<const AliasPlacement> placements) {
   constexpr std::size_t kJobsPerThread = 4;
-  const std::span<const AliasPlacement> placements = place_all(context.scene, view, context.arena());
   if (placements.empty()) return {};
   const std::span<PreparedAlias> prepared = context.arena().allocate<PreparedAlias>(placements.size());
   const std::size_t threads = static_cast<std::size_t>(context.jobs.threads());
@@ -40,6 +37,10 @@ std::span<const PreparedAlias> prepare_alias_models(const FrameContext& context,
       prepared[i] = prepare_alias(context, view, placements[i], arenas[job]);
   });
   return prepared;
+}
+
+std::span<const PreparedAlias> prepare_alias_models(const FrameContext& context, const ViewFrame& view) {
+  return prepare_placed_models(context, view, place_alias_models(context.scene, view, context.arena()));
 }
 
 void draw_alias_models(std::span<const PreparedAlias> models, bool simd_kernels, RowRange rows,

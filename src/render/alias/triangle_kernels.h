@@ -43,6 +43,8 @@ struct TriangleJob {
   const void* colors;
   std::int32_t tint[3];  // rgb: red, green, blue of the light, in 32768ths
   bool perspective;      // false: affine whatever the triangle's size
+  // With `perspective`: every triangle is drawn in perspective, also those for which it does not show.
+  bool always_perspective;
   // SIMD only: most rows of the triangles have one to three pixels. Changes the order of work, not the
   // result.
   bool has_short_rows;

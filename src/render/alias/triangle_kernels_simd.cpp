@@ -211,8 +211,9 @@ HWY_INLINE void SetUp(const TriangleJob& job, const TriangleList& triangles, int
   const VDF farthest = Least(a.depth, b.depth, c.depth);
   const VDF texels = hn::Max(Range(a.s, b.s, c.s), Range(a.t, b.t, c.t));
   const VDF bend = hn::Mul(texels, Range(a.depth, b.depth, c.depth));
-  const VDF most = job.perspective ? hn::Mul(hn::Set(df, 4 * kAffineErrorTexels), farthest)
-                                   : hn::Set(df, hwy::HighestValue<float>());
+  const float limit = job.always_perspective ? -1.0f : 4 * kAffineErrorTexels;
+  const VDF most =
+      job.perspective ? hn::Mul(hn::Set(df, limit), farthest) : hn::Set(df, hwy::HighestValue<float>());
   const auto perspective = hn::Gt(bend, most);
   hn::Store(hn::BitCast(DDI(), hn::VecFromMask(df, perspective)), DDI(), io_setups.perspective);
 

@@ -23,7 +23,7 @@ StageTimes draw_band(const FrameContext& context, const BandedPicture& picture, 
   if (world.sources.fill_depth) {  // all of these are tested against depth
     draw_deferred_faces(picture.order.faces.opaque, world, band, scratch, io_frame);
     clock.end(Stage::kTranslucent);
-    draw_alias_models(picture.alias_models, simd, rows, io_frame);
+    picture.stages.draw_alias_models(picture.alias_models, simd, rows, io_frame);
     clock.end(Stage::kModels);
     draw_sprites(picture.sprites, world.colors, simd, rows, io_frame);
     clock.end(Stage::kSprites);

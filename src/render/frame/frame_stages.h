@@ -1,9 +1,10 @@
 // The stages that the laboratory can replace, as functions with the types of the engine's own stages. A frame
-// calls each once, the last one once for each band.
+// calls each once, and those that draw once for each band.
 #pragma once
 
 #include <functional>
 
+#include "render/alias/draw_alias_models.h"
 #include "render/edges/span_table.h"
 #include "render/spans/draw_spans.h"
 #include "render/surfaces/surface_draws.h"
@@ -25,6 +26,13 @@ struct FrameStages {
   std::function<void(const FrameContext& context, const ViewFrame& view, const Band& band,
                      const SpanSources& sources, FrameBuffer& io_frame)>
       draw_band_spans = render::draw_band_spans;
+  // Opaque alias models; only in frames with depth.
+  std::function<std::span<const PreparedAlias>(const FrameContext& context, const ViewFrame& view)>
+      prepare_alias_models = render::prepare_alias_models;
+  // Called by several threads at once, for different rows.
+  std::function<void(std::span<const PreparedAlias> models, bool simd_kernels, RowRange rows,
+                     FrameBuffer& io_frame)>
+      draw_alias_models = render::draw_alias_models;
 };
 
 }  // namespace temblor::render

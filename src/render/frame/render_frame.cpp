@@ -83,7 +83,8 @@ void draw_surfaces(const FrameContext& context, const FrameStages& stages, Prepa
   BandedPicture picture = clock.end(Stage::kScreen, make_banded_picture(context, stages, world, order));
   f.has_models = sources.fill_depth;
   if (f.has_models) {
-    f.alias_models = picture.alias_models = clock.end(Stage::kModels, prepare_alias_models(context, f.view));
+    f.alias_models = picture.alias_models =
+        clock.end(Stage::kModels, stages.prepare_alias_models(context, f.view));
     picture.sprites = clock.end(Stage::kSprites, place_sprites(context.scene, f.view, context.arena()));
     picture.particles = clock.end(Stage::kParticles, place_particles(context, f.view));
   }

@@ -74,6 +74,7 @@ render::TriangleJob make_job(const Mesh& mesh, const std::vector<std::uint8_t>& 
           {32768, 20000, 9000},
           perspective,
           false,
+          false,
           {}};
 }
 
@@ -289,6 +290,7 @@ void expect_twins() {
     const Mesh mesh = random_mesh(random, 300, seed % 3 == 0);
     render::TriangleJob job = make_job(mesh, skin, colors.table, seed % 2 == 0);
     job.has_short_rows = seed % 4 < 2;
+    job.always_perspective = seed % 5 == 0;
     TriangleCanvas<Pixel> expected, drawn;
     // In two bands; SIMD draws only one of them.
     const int middle = static_cast<int>(random.below(kModelCanvasHeight));
