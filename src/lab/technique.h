@@ -74,6 +74,8 @@ struct Technique {
   // Fails if the technique cannot draw the level, with one line for people. Null: it draws every level. The
   // stages may be used anyway; then they draw like the engine.
   base::Status (*check_level)(std::span<const double> values, const world::Level& level) = nullptr;
+  // It draws alias models, so it needs a scene that has some.
+  bool draws_models = false;
 };
 
 // A technique and the values of its parameters.

@@ -8,6 +8,7 @@
 #include "app/bench/fill_baseline.h"
 #include "app/bench/samples.h"
 #include "app/files/progress.h"
+#include "app/lab/model_crowd.h"
 #include "app/level/level_scene.h"
 #include "app/level/viewpoints.h"
 #include "base/check.h"
@@ -51,19 +52,27 @@ class Bench {
         baseline_placement_(find_fastest_placement(frame_)),
         jobs_(options.settings.threads, options.settings.job_backend) {
     if (options.technique != nullptr) renderer_.replace_stages(options.technique->make_stages());
-    for (const Viewpoint& viewpoint : list_viewpoints(*map.level))
+    for (const Viewpoint& viewpoint : list_viewpoints(*map.level)) {
+      // Models stand before the camera wherever it is.
+      if (options.models != nullptr && !circles_.empty()) break;
       circles_.push_back(make_circle_views(viewpoint, options.fov_deg, options.step_deg));
+    }
     if (options.format == render::PixelFormat::kIndexed) {
       window_ = base::allocate_large<std::uint32_t>(frame_.pixel_count());
       CHECK(window_ != nullptr, "no memory for {} pixels", frame_.pixel_count());
     }
   }
 
+  // Places the models that the next frames show.
+  void place_models(const render::Camera& camera) {
+    if (options_.models != nullptr) models_ = options_.models->place(camera, moment_++);
+  }
   render::FrameStats draw(const render::Camera& camera) { return draw(camera, 0.0); }
   // Draws with the light styles of that time. Everything else stays at time 0, so that only light changes.
   render::FrameStats draw(const render::Camera& camera, double light_time_s) {
     render::Scene scene = make_scene(level_scene_, camera, 0.0);
     scene.light_styles = world::compute_light_styles(level_scene_.light_styles, light_time_s);
+    scene.alias_models = models_;
     return renderer_.render(scene, options_.settings, frame_);
   }
   // Draws with given light, as if the frame before had other light.
@@ -93,6 +102,8 @@ class Bench {
   const MeasureOptions& options_;
   const formats::Palette& palette_;
   LevelScene level_scene_;
+  std::vector<render::AliasInstance> models_;
+  int moment_ = 0;
   render::Renderer renderer_;
   render::FrameBuffer frame_;
   int baseline_placement_;
@@ -184,7 +195,10 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
   Samples samples;
   std::size_t views = 0;
   for (const auto& circle : io_bench.circles()) {
-    for (const render::Camera& camera : circle) io_bench.draw(camera);
+    for (const render::Camera& camera : circle) {
+      io_bench.place_models(camera);
+      io_bench.draw(camera);
+    }
     views += circle.size();
   }
   samples.reserve(views);
@@ -193,6 +207,7 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
     progress.update(samples.frame_ms.size(), views);
     for (const render::Camera& camera : circle) {
       render::FrameStats stats;
+      io_bench.place_models(camera);
       const std::uint64_t allocations_before = allocation_count();
       const double render_ms = time_ms([&] { stats = io_bench.draw(camera); });
       const double present_ms = time_ms([&] { io_bench.present_frame(); });

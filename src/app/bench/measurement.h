@@ -23,6 +23,8 @@
 
 namespace temblor::app {
 
+class ModelCrowd;
+
 struct MeasureOptions {
   FrameSize size{1920, 1080};
   render::PixelFormat format = render::PixelFormat::kRgb;
@@ -38,6 +40,8 @@ struct MeasureOptions {
   render::Settings settings;
   // The technique that draws the frames; null: the engine's own stages.
   const lab::Choice* technique = nullptr;
+  // Models before the camera; null: none. They move from frame to frame.
+  const ModelCrowd* models = nullptr;
 };
 
 // Render times of the same views with constant and with changing light.

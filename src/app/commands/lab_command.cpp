@@ -30,6 +30,7 @@ Examples:
   temblor lab run painter -o painter.png
   temblor lab run space --solids 1000 --shape concave
   temblor --basedir ~/quake lab run independent-edges --map e1m1 --color indexed -o edges.png
+  temblor --basedir ~/quake lab run model-sprites --models 100 --distance 300 --model ogre
   temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json
   temblor --basedir ~/quake lab book --map start --map e1m1 -o book)";
 
@@ -49,6 +50,22 @@ void add_scene_options(Command& command, LabOptions& io_options) {
                     "Its direction in degrees; positive pitch looks down")
       ->type_name("PITCH,YAW,ROLL")
       ->excludes(demo);
+  Option* models = command
+                       .add_option("--models", io_options.models.count,
+                                   "Show N copies of a model in rows before the camera, without the world")
+                       ->type_name("N")
+                       ->check(in_range(1, CrowdOptions::kMaxModels))
+                       ->excludes(demo);
+  command.add_option("--distance", io_options.models.distance, "Units from the eye to the nearest models")
+      ->type_name("D")
+      ->check(in_range(CrowdOptions::kMinDistance, CrowdOptions::kMaxDistance))
+      ->capture_default_str()
+      ->needs(models);
+  command
+      .add_option("--model", io_options.models.model,
+                  "Model of the game, such as ogre (default: the first monster or item that it has)")
+      ->type_name("NAME")
+      ->needs(models);
   add_frame_options(command, io_options.frame);
   command.add_option("--step", io_options.step_deg, "Angle between two measured views of a level")
       ->type_name("DEGREES")
@@ -149,7 +166,8 @@ base::Result<LabScenes> load_scenes(const LabOptions& options, const GameFolders
   presentation.view.fov_deg = options.frame.fov_deg;
   if (!options.demo.empty()) return LabScenes::load_demo(folders, options.demo, presentation);
   return LabScenes::load_level(folders, options.map,
-                               {options.position_world, options.angles_deg, options.frame.fov_deg});
+                               {options.position_world, options.angles_deg, options.frame.fov_deg},
+                               options.models);
 }
 
 base::Status write_picture(const LabOptions& options, const lab::Choice& choice, const LabScenes& scenes,
@@ -158,11 +176,12 @@ base::Status write_picture(const LabOptions& options, const lab::Choice& choice,
   const assets::Look& look = scenes.look();
   render::FrameBuffer technique(size.width, size.height, options.frame.format);
   render::FrameBuffer engine(size.width, size.height, options.frame.format);
+  const render::Settings adapted = scenes.adapt(settings);
+  render::Renderer of_engine(look.palette, look.colormap), of_technique(look.palette, look.colormap);
+  of_technique.replace_stages(choice.make_stages());
   TRY_STATUS(scenes.show_picture_scene([&](const render::Scene& scene) {
-    render::Renderer renderer(look.palette, look.colormap);
-    renderer.render(scene, settings, engine);
-    renderer.replace_stages(choice.make_stages());
-    renderer.render(scene, settings, technique);
+    of_engine.render(scene, adapted, engine);
+    of_technique.render(scene, adapted, technique);
   }));
   return write_lab_picture(options.out, technique, engine, look.palette);
 }
@@ -202,7 +221,15 @@ base::Status make_book(const LabOptions& options, const GameFolders& folders,
                               {.position_world = {}, .angles_deg = {}, .fov_deg = options.frame.fov_deg}));
     levels.push_back(std::move(level));
   }
-  return write_book(options.out, levels, book);
+  std::vector<LabScenes> model_scenes;
+  for (const CrowdOptions& crowd : list_book_crowds()) {
+    TRY(LabScenes scenes,
+        LabScenes::load_level(folders, maps.front(),
+                              {.position_world = {}, .angles_deg = {}, .fov_deg = options.frame.fov_deg},
+                              crowd));
+    model_scenes.push_back(std::move(scenes));
+  }
+  return write_book(options.out, levels, model_scenes, book);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/commands/options.h"
+#include "app/lab/model_crowd.h"
 #include "app/lab/space_command.h"
 #include "base/result.h"
 #include "client/view/presentation.h"
@@ -29,6 +30,8 @@ struct LabOptions {
   // Level name or .bsp file, or a demo; without either, the small built-in level.
   std::string map, demo;
   std::optional<math::Vec3> position_world, angles_deg;
+  // Models before the camera, in place of the world.
+  CrowdOptions models;
   FrameOptions frame{.size = {1280, 720}};
   // Angle between two measured views of a level.
   double step_deg = 30;

@@ -9,6 +9,7 @@
 
 #include "app/bench/measurement.h"
 #include "app/demo/demo_loading.h"
+#include "app/lab/model_crowd.h"
 #include "app/level/level_loading.h"
 #include "app/level/level_scene.h"
 #include "base/function_ref.h"
@@ -27,9 +28,10 @@ struct LabCamera {
 // A level or a demo.
 class LabScenes {
  public:
-  // `map` may be empty for the small built-in level.
+  // `map` may be empty for the small built-in level. With models, scenes show those alone: walls would hide
+  // them.
   static base::Result<LabScenes> load_level(const GameFolders& folders, const std::string& map,
-                                            const LabCamera& camera);
+                                            const LabCamera& camera, const CrowdOptions& models = {});
   static base::Result<LabScenes> load_demo(const GameFolders& folders, const std::string& demo,
                                            const client::PresentationSettings& presentation);
 
@@ -37,16 +39,28 @@ class LabScenes {
   const assets::Look& look() const { return demo_ ? demo_->look : map_->look; }
   // Tolerated problems of the level, one line each.
   std::vector<std::string> notes() const { return map_ ? map_->notes : std::vector<std::string>{}; }
+  // Null: none.
+  const ModelCrowd* models() const { return models_ ? &*models_ : nullptr; }
+  // `settings`, as far as the scenes allow.
+  render::Settings adapt(const render::Settings& settings) const;
 
   // Calls `use` for up to kMaxScenes scenes: the chosen camera, or viewpoints of the level, or moments of the
   // demo. Scenes are valid during the call.
   static constexpr std::size_t kMaxScenes = 8;
   using Use = base::FunctionRef<void(const render::Scene&)>;
   base::Status for_each_scene(Use use) const;
-  // Calls `use` for the scene of the picture: the chosen camera, or the start, or the middle of the demo.
+  // Calls `use` for the scene of the picture: the chosen camera, or the start, or the middle of the demo. If
+  // the scene has models before the camera, it is preceded by kMomentsBefore earlier moments, because
+  // techniques may reuse pictures of models.
+  static constexpr int kMomentsBefore = 4;
   base::Status show_picture_scene(Use use) const;
+  // The scenes that pictures may be chosen from, in the order in which they must be drawn.
+  base::Status for_each_picture(Use use) const {
+    return models_ ? show_picture_scene(use) : for_each_scene(use);
+  }
 
-  // Fails if one of the techniques cannot draw the level, or a level of the demo.
+  // Fails if one of the techniques cannot draw the level, or a level of the demo, or if it draws models and
+  // there are none.
   base::Status check(std::span<const lab::Choice> choices) const;
 
   // Measures circles at all viewpoints, or the whole demo.
@@ -55,12 +69,15 @@ class LabScenes {
  private:
   LabScenes() = default;
   render::Scene see(std::size_t camera) const;
+  // With the models of a moment.
+  void show(std::size_t camera, int moment, Use use) const;
 
   std::string name_;
   // A level.
   std::optional<LoadedMap> map_;
   LevelScene level_scene_;
   std::vector<render::Camera> cameras_;
+  std::optional<ModelCrowd> models_;
   // Or a demo.
   std::unique_ptr<const LoadedDemo> demo_;
   client::PresentationSettings presentation_;

@@ -50,6 +50,33 @@ class CountedViews {
     settings.show = render::Show::kPicture;
     settings.light_view = render::LightView::kLit;
     renderer_.render(judged, settings, frame_);
+    count();
+    judge(judged, settings.use_pvs);
+    render::Scene lit = judged;
+    lit.lights = scene.lights;
+    light_.add(lit, settings);
+  }
+
+  // Counts only: the oracle knows no models.
+  void add_models(const render::Scene& scene, const render::Settings& settings) {
+    renderer_.render(scene, settings, frame_);
+    count();
+  }
+
+  ViewFigures means() const {
+    ViewFigures means = figures_;
+    const double views = static_cast<double>(std::max<std::size_t>(means.views, 1));
+    for (double* sum :
+         {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits, &means.spans_sorted,
+          &means.bytes, &means.planes_tested, &means.cache_hits, &means.portals_clipped,
+          &means.leaves_reached, &means.edges_saved, &means.pixels_off, &means.rays})
+      *sum /= views;
+    means.light = light_.figures();
+    return means;
+  }
+
+ private:
+  void count() {
     renderer_.pixel_faces(faces_, writes_);
     const double pixels = static_cast<double>(frame_.pixel_count());
     const lab::Counts counts = counter_.take();
@@ -68,25 +95,8 @@ class CountedViews {
     figures_.pixels_off += static_cast<double>(counts.pixels_off) / pixels;
     figures_.max_texel_error = std::max(figures_.max_texel_error, counts.max_texel_error);
     ++figures_.views;
-    judge(judged, settings.use_pvs);
-    render::Scene lit = judged;
-    lit.lights = scene.lights;
-    light_.add(lit, settings);
   }
 
-  ViewFigures means() const {
-    ViewFigures means = figures_;
-    const double views = static_cast<double>(std::max<std::size_t>(means.views, 1));
-    for (double* sum :
-         {&means.pixels_written, &means.pixels_tested, &means.comparisons, &means.splits, &means.spans_sorted,
-          &means.bytes, &means.planes_tested, &means.cache_hits, &means.portals_clipped,
-          &means.leaves_reached, &means.edges_saved, &means.pixels_off, &means.rays})
-      *sum /= views;
-    means.light = light_.figures();
-    return means;
-  }
-
- private:
   // Pixels at equal distances in the order of rows. The distance has no common factor with the width, so they
   // lie in all columns.
   void judge(const render::Scene& scene, bool use_pvs) {
@@ -164,8 +174,16 @@ base::Result<std::vector<TechniqueFigures>> find_figures(const LabScenes& scenes
   std::vector<TechniqueFigures> figures;
   for (const lab::Choice& choice : choices) {
     CountedViews views(scenes.look(), choice, options);
-    TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) { views.add(scene); }));
+    const render::Settings settings = scenes.adapt(options.measure.settings);
+    TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) {
+      scenes.models() != nullptr ? views.add_models(scene, settings) : views.add(scene);
+    }));
     figures.push_back({choice, {}, views.means()});
+    if (scenes.models() == nullptr && !choice.technique->draws_models) continue;
+    ModelViews models(choice, options.measure.size.width, options.measure.size.height);
+    TRY_STATUS(scenes.show_picture_scene(
+        [&](const render::Scene& scene) { models.add(scene, options.measure.settings); }));
+    figures.back().views.models = models.errors();
   }
   MeasureOptions measure = options.measure;
   for (int round = 0; round < options.rounds; ++round)
@@ -230,6 +248,12 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("  largest", 2, [](const auto& f) { return f.views.light.turn.largest; });
   table.add("light shift, roll: mean", 3, [](const auto& f) { return f.views.light.roll.mean(); });
   table.add("  largest", 2, [](const auto& f) { return f.views.light.roll.largest; });
+  if (std::ranges::any_of(figures, [](const auto& f) { return f.views.models.covered > 0; })) {
+    table.add("models: wrong outline, %", 3,
+              [](const auto& f) { return 100 * f.views.models.outline_share(); });
+    table.add("  texel error, mean", 3, [](const auto& f) { return f.views.models.mean_texels(); });
+    table.add("  above 2 texels, %", 3, [](const auto& f) { return 100 * f.views.models.off_share(); });
+  }
   table.add("wrong faces, %", 3, [](const auto& f) { return 100 * share_wrong(f.views.tally); });
   return text + table.text();
 }
@@ -271,6 +295,10 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                  {{"error", make_json(f.views.light.error)},
                                   {"turn", make_json(f.views.light.turn)},
                                   {"roll", make_json(f.views.light.roll)}}},
+                                {"models",
+                                 {{"outline", f.views.models.outline_share()},
+                                  {"texels", f.views.models.mean_texels()},
+                                  {"texels_off", f.views.models.off_share()}}},
                                 {"judged",
                                  {{"pixels", f.views.tally.pixels},
                                   {"wrong", f.views.tally.wrong_face},

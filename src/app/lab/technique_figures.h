@@ -9,6 +9,7 @@
 #include "app/bench/measurement.h"
 #include "app/lab/lab_scenes.h"
 #include "app/lab/light_figures.h"
+#include "app/lab/model_figures.h"
 #include "lab/registry.h"
 #include "oracle/comparison.h"
 
@@ -27,6 +28,7 @@ struct ViewFigures {
   double max_texel_error = 0;  // of all views, in texels of mip 0
   oracle::Tally tally;
   LightErrors light;
+  ModelErrors models;  // zero without models
 };
 
 struct TechniqueFigures {
@@ -63,6 +65,9 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
 //   texels_off, max_texel_error                          share of pixels; the largest distance along s or t
 //   judged {pixels, wrong, tied, near_edge}              against the oracle
 //   light {error, turn, roll}, each {mean, max}          in steps of light (light_figures.h)
+//   models {outline, texels, texels_off}                 against their exact picture (model_figures.h):
+//   shares
+//                                                        of pixels, and the mean distance in texels
 //   surface_texels {p50, p99, max}                       per frame; texels_built: mean
 nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigures> figures);
 
