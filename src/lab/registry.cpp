@@ -13,6 +13,7 @@
 #include "lab/hidden_surfaces/painter.h"
 #include "lab/hidden_surfaces/span_sorting.h"
 #include "lab/hidden_surfaces/z_buffer.h"
+#include "lab/models/model_techniques.h"
 #include "lab/perspective/affine_spans.h"
 #include "lab/unsplit_world/unsplit_edges.h"
 #include "lab/visible_faces/leaf_faces.h"
@@ -293,6 +294,10 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kRebuiltParameters,
               .make_stages = make_rebuilt_surfaces},
+    kModelSprites,
+    kVertexBoxes,
+    kAffineModels,
+    kSubdividedModels,
 };
 
 // Parses "NAME=VALUE" into the value of that parameter.

@@ -113,6 +113,29 @@ TEST(LabProgram, CompareMeasuresLight) {
   }
 }
 
+TEST(LabProgram, CompareMeasuresModels) {
+  const TemporaryFolder folder;
+  const ProgramRun run =
+      lab(folder.path(),
+          {"compare", "bsp-edges", "affine-models:perspective=1", "model-sprites:frames=3", "vertex-boxes",
+           "--models", "5", "--distance", "60", "--size", "320x240", "--step", "180", "--json"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result.at("map"), "small level, 5 models at 60 units");
+  const json& techniques = result.at("techniques");
+  const auto error = [&](std::size_t number, const char* name) {
+    return techniques.at(number).at("models").at(name).get<double>();
+  };
+  for (const std::size_t exact : {0, 1}) {
+    EXPECT_LT(error(exact, "outline"), 0.002);
+    EXPECT_LT(error(exact, "texels_off"), 0.002);
+  }
+  EXPECT_GT(error(2, "outline"), error(1, "outline"));
+  EXPECT_GT(error(3, "outline"), 0.2);
+  EXPECT_GT(techniques.at(0).at("stages").at("models"), 0.0);
+  EXPECT_GT(techniques.at(2).at("bytes"), 0.0);
+}
+
 TEST(LabProgram, ExplainsMistakes) {
   const TemporaryFolder folder;
   struct Mistake {
@@ -131,6 +154,11 @@ TEST(LabProgram, ExplainsMistakes) {
       {{"compare", "bsp-edges", "portals:portals=3"}, "has more than 3 portals"},
       {{"run", "painter", "-o", "x.gif"}, ".png"},
       {{"run", "painter", "-o", "nowhere/x.png"}, "nowhere/x.png"},
+      {{"run", "affine-models"}, "affine-models draws models, and small level shows none; add --models N"},
+      {{"run", "affine-models", "--models", "1001"}, "--models"},
+      {{"run", "affine-models", "--models", "1", "--distance", "2"}, "--distance"},
+      {{"run", "affine-models", "--models", "1", "--demo", "demo1"}, "excludes"},
+      {{"run", "affine-models", "--models", "1", "--model", "missing"}, "temblor: "},
       {{"run", "painter", "--step", "0"}, "--step"}};
   for (const Mistake& mistake : mistakes) {
     Words words = mistake.words;

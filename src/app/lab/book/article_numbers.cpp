@@ -61,7 +61,12 @@ constexpr std::array kNumbers{
                   [](const BookFigures& f) { return show_kilobytes(f.engine.cache_bytes_640x480); }},
     ArticleNumber{kSortedSpans, "Cycles to find 1/z at a pixel", "6", nullptr},
     ArticleNumber{kAlternatives, "Time that filling the depth buffer adds to the world", "10 %", nullptr},
-    ArticleNumber{kModels, "Time that the subdivision rasterizer saves", "20 %", nullptr},
+    ArticleNumber{kModels, "Time of scan lines, divided by that of subdivision", "1.2",
+                  [](const BookFigures& f) {
+                    const Evidence affine = Evidence(f, 0).of("affine-models");
+                    return affine.time_ratios(affine.of("subdivided-models").number()).text(2);
+                  },
+                  true},
     ArticleNumber{kModels, "Distance at which it becomes visible", "12 to 40 feet", nullptr},
     ArticleNumber{kBigPicture, "Delay after a lost packet, with all messages reliable",
                   "several hundred milliseconds", nullptr},

@@ -26,13 +26,15 @@ struct BookEntry {
 };
 
 // The figures of a chapter's tables, besides times.
-enum class BookColumns { kSurfaces, kLight, kTexels };
+enum class BookColumns { kSurfaces, kLight, kTexels, kModels };
 
 struct BookChapter {
   std::string_view file;  // NAME of NAME.html
   std::string_view title, introduction;
   std::span<const BookEntry> entries;
   BookColumns columns = BookColumns::kSurfaces;
+  // Its techniques are measured in scenes of models.
+  bool of_models = false;
 };
 
 std::span<const BookChapter> list_book_chapters();
@@ -41,6 +43,8 @@ std::span<const BookChapter> list_book_chapters();
 struct ArticleNumber {
   std::string_view article, claim, theirs;
   std::string (*ours)(const BookFigures& figures);
+  // `ours` is of scenes of models.
+  bool of_models = false;
 };
 
 std::span<const ArticleNumber> list_article_numbers();

@@ -34,7 +34,7 @@ class BookMeasurement {
       TRY_STATUS(measure_views(level));
     }
     for (const FrameSize& size : options_.sizes) TRY_STATUS(measure_size(size));
-    TRY_STATUS(measure_engine());
+    if (levels_.front().models() == nullptr) TRY_STATUS(measure_engine());
     figures_.seconds = clock_s() - begin_s;
     return std::move(figures_);
   }
@@ -64,6 +64,7 @@ class BookMeasurement {
 
   base::Status find_pictures(const LabScenes& scenes, LevelFigures& io_level) const {
     const assets::Look& look = scenes.look();
+    const render::Settings settings = scenes.adapt(options_.settings);
     render::FrameBuffer engine(options_.size.width, options_.size.height, options_.format);
     render::FrameBuffer frame(options_.size.width, options_.size.height, options_.format);
     for (const lab::Choice& choice : figures_.choices) {
@@ -71,9 +72,9 @@ class BookMeasurement {
       renderer.replace_stages(choice.make_stages());
       std::size_t number = 0, most = 0;
       double largest = 0;
-      TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) {
-        engine_renderer.render(scene, options_.settings, engine);
-        renderer.render(scene, options_.settings, frame);
+      TRY_STATUS(scenes.for_each_picture([&](const render::Scene& scene) {
+        engine_renderer.render(scene, settings, engine);
+        renderer.render(scene, settings, frame);
         const double share = share_different(frame, engine);
         if (share > largest) {
           largest = share;
@@ -91,6 +92,7 @@ class BookMeasurement {
   base::Status measure_views(const LabScenes& scenes) {
     const std::size_t first = figures_.views.size();
     const assets::Look& look = scenes.look();
+    const render::Settings settings = scenes.adapt(options_.settings);
     render::FrameBuffer frame(options_.size.width, options_.size.height, options_.format);
     for (const lab::Choice& choice : figures_.choices) {
       render::Renderer renderer(look.palette, look.colormap);
@@ -99,15 +101,17 @@ class BookMeasurement {
       TRY_STATUS(scenes.for_each_scene([&](const render::Scene& from_scene) {
         for (const float turn_deg : {0.0f, 180.0f}) {
           render::Scene scene = from_scene;
+          // Models stand before the camera.
+          if (scenes.models() != nullptr && turn_deg != 0) continue;
           scene.camera.angles_deg.y += turn_deg;
-          const render::FrameStats stats = renderer.render(scene, options_.settings, frame);
+          const render::FrameStats stats = renderer.render(scene, settings, frame);
           constexpr int kFrames = 3;
           double fastest_ms = 1e9;
           for (int i = 0; i < kFrames; ++i)
-            fastest_ms =
-                std::min(fastest_ms, time_ms([&] { renderer.render(scene, options_.settings, frame); }));
+            fastest_ms = std::min(fastest_ms, time_ms([&] { renderer.render(scene, settings, frame); }));
           if (view == figures_.views.size())
-            figures_.views.push_back({static_cast<double>(stats.faces_drawn), {}});
+            figures_.views.push_back(
+                {double{1} * (scenes.models() != nullptr ? stats.triangles : stats.faces_drawn), {}});
           figures_.views[view++].ms.push_back(fastest_ms);
         }
       }));

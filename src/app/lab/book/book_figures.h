@@ -33,7 +33,7 @@ struct LevelFigures {
 
 // The frame times of all techniques in one view.
 struct ViewTimes {
-  double faces;  // in the engine's edge list
+  double faces;  // in the engine's edge list, or triangles of the models in view
   std::vector<double> ms;
 };
 

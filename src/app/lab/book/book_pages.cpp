@@ -98,8 +98,20 @@ constexpr Column kTexelColumns[] = {
     {"wrong texels", [](const TechniqueFigures& f) { return show(100 * f.views.pixels_off, 2) + " %"; }},
     {"largest error, texels", [](const TechniqueFigures& f) { return show(f.views.max_texel_error, 1); }}};
 
+constexpr Column kModelColumns[] = {
+    {"models: cycles per pixel",
+     [](const TechniqueFigures& f) { return show(sum_cycles(f, {render::Stage::kModels}), 2); }},
+    {"memory, KB", [](const TechniqueFigures& f) { return show(f.views.bytes / 1024, 0); }},
+    {"wrong outline",
+     [](const TechniqueFigures& f) { return show(100 * f.views.models.outline_share(), 2) + " %"; }},
+    {"texel error, mean", [](const TechniqueFigures& f) { return show(f.views.models.mean_texels(), 2); }},
+    {"above 2 texels",
+     [](const TechniqueFigures& f) { return show(100 * f.views.models.off_share(), 2) + " %"; }}};
+
 std::span<const Column> list_columns(BookColumns columns) {
   switch (columns) {
+    case BookColumns::kModels:
+      return kModelColumns;
     case BookColumns::kLight:
       return kLightColumns;
     case BookColumns::kTexels:
@@ -144,7 +156,7 @@ std::string make_picture(const Evidence& evidence, const BookEntry& entry) {
 }
 
 std::string make_entry(const BookInput& input, const BookChapter& chapter, const BookEntry& entry) {
-  const Evidence evidence = Evidence(input.figures, 0).of(entry.technique);
+  const Evidence evidence = Evidence(input.choose_figures(chapter.of_models), 0).of(entry.technique);
   const lab::Technique& technique = find_technique(entry);
   const Verdict verdict = entry.judge(evidence);
   const HoldsText holds = describe(verdict.holds);
@@ -182,12 +194,16 @@ std::vector<std::size_t> choose_series(const BookFigures& figures, const BookCha
 }
 
 std::string make_plots(const BookInput& input, const BookChapter& chapter) {
-  const BookFigures& figures = input.figures;
+  const BookFigures& figures = input.choose_figures(chapter.of_models);
   Plot by_faces{.title = fmt::format("Cost against polygons: {} views of all levels at {}.",
                                      figures.views.size(), format_size(input.options.size)),
                 .x_label = "faces in the engine's edge list",
                 .y_label = "frame, ms",
                 .has_lines = false};
+  if (chapter.of_models) {
+    by_faces.x_label = "triangles of the models in view";
+    by_faces.x_axis = by_faces.y_axis = Axis::kLogarithmic;
+  }
   Plot by_size{.title = fmt::format("Cost against resolution: median of {}, from {} to {}.",
                                     figures.levels.front().name, format_size(figures.sizes.front().size),
                                     format_size(figures.sizes.back().size)),
@@ -207,9 +223,9 @@ std::string make_plots(const BookInput& input, const BookChapter& chapter) {
          "</section>\n";
 }
 
-std::string make_conditions(const BookInput& input) {
+std::string make_conditions(const BookInput& input, const BookFigures& figures) {
   std::string levels;
-  for (const LevelFigures& level : input.figures.levels)
+  for (const LevelFigures& level : figures.levels)
     levels += (levels.empty() ? "" : ", ") + escape_html(level.name);
   const render::Settings& settings = input.options.settings;
   return fmt::format(
@@ -219,7 +235,7 @@ std::string make_conditions(const BookInput& input) {
       "faces.</p>\n",
       levels, format_size(input.options.size), pixel_format_name(input.options.format),
       escape_html(input.processor), base::counted(static_cast<std::size_t>(settings.threads), "thread"),
-      input.figures.seconds);
+      figures.seconds);
 }
 
 std::string make_verdicts(const BookInput& input) {
@@ -231,7 +247,7 @@ std::string make_verdicts(const BookInput& input) {
         "claim</th></tr>\n",
         chapter.file, escape_html(chapter.title), escape_html(chapter.introduction));
     for (const BookEntry& entry : chapter.entries) {
-      const Evidence evidence = Evidence(input.figures, 0).of(entry.technique);
+      const Evidence evidence = Evidence(input.choose_figures(chapter.of_models), 0).of(entry.technique);
       const HoldsText holds = describe(entry.judge(evidence).holds);
       const Range wrong = evidence.wrong_shares();
       html += fmt::format(
@@ -246,16 +262,18 @@ std::string make_verdicts(const BookInput& input) {
   return html;
 }
 
-std::string make_numbers(const BookFigures& figures) {
+std::string make_numbers(const BookInput& input) {
   std::string html =
       "<section id=\"numbers\">\n<h2>The articles' numbers, and ours</h2>\n<p>Theirs are of 1996, mostly of "
       "a "
       "Pentium.</p>\n<table>\n<tr><th>number</th><th>article</th><th class=\"n\">theirs</th><th "
       "class=\"n\">ours</th></tr>\n";
   for (const ArticleNumber& number : list_article_numbers())
-    html += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                        escape_html(number.claim), escape_html(number.article), escape_html(number.theirs),
-                        number.ours != nullptr ? escape_html(number.ours(figures)) : "not measured yet");
+    html +=
+        fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+                    escape_html(number.claim), escape_html(number.article), escape_html(number.theirs),
+                    number.ours != nullptr ? escape_html(number.ours(input.choose_figures(number.of_models)))
+                                           : "not measured yet");
   return html + "</table>\n</section>\n";
 }
 
@@ -274,16 +292,15 @@ std::string make_index_page(const BookInput& input) {
          "alternatives draw the same views as Temblor's renderer, under the same clock.</p>\n" +
          "<p><a href=\"school.html\">The school</a> is for beginners: a small renderer, from a line to a "
          "scene. <a href=\"space.html\">The space battle</a> is the article's program for edges sorted by "
-         "1/z, "
-         "without a level.</p>\n" +
-         make_conditions(input) + make_verdicts(input) + make_numbers(input.figures) + end_page();
+         "1/z, without a level.</p>\n" +
+         make_conditions(input, input.figures) + make_verdicts(input) + make_numbers(input) + end_page();
 }
 
 std::string make_chapter_page(const BookInput& input, const BookChapter& chapter) {
   std::string html =
       begin_book_page(chapter.title) + "<p><a href=\"index.html\">The laboratory's book</a></p>\n" +
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escape_html(chapter.title), escape_html(chapter.introduction)) +
-      make_conditions(input) + make_plots(input, chapter);
+      make_conditions(input, input.choose_figures(chapter.of_models)) + make_plots(input, chapter);
   for (const BookEntry& entry : chapter.entries) html += make_entry(input, chapter, entry);
   return html + end_page();
 }

@@ -13,6 +13,12 @@ struct BookInput {
   const BookFigures& figures;
   const BookOptions& options;
   std::string processor;
+  // The measurements of scenes of models; null: the same.
+  const BookFigures* model_figures = nullptr;
+
+  const BookFigures& choose_figures(bool of_models) const {
+    return of_models && model_figures != nullptr ? *model_figures : figures;
+  }
 };
 
 // The first page: how it was measured, all verdicts, and the articles' numbers next to ours.

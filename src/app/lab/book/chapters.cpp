@@ -26,7 +26,8 @@ Verdict judge_slower(const Evidence& evidence) {
 
 std::span<const BookChapter> list_book_chapters() {
   static const std::array chapters{make_hidden_surfaces_chapter(), make_visible_faces_chapter(),
-                                   make_world_light_chapter(), make_perspective_chapter()};
+                                   make_world_light_chapter(), make_perspective_chapter(),
+                                   make_models_chapter()};
   return chapters;
 }
 

@@ -12,6 +12,7 @@ BookChapter make_hidden_surfaces_chapter();
 BookChapter make_visible_faces_chapter();
 BookChapter make_world_light_chapter();
 BookChapter make_perspective_chapter();
+BookChapter make_models_chapter();
 
 // Ratios of times below this say nothing.
 constexpr double kSameTime = 1.1;

@@ -27,16 +27,35 @@ base::Status write_picture(const fs::path& folder, std::span<const LabScenes> le
   const lab::Choice& choice = figures.choices[technique];
   render::FrameBuffer drawn(kPictureSize.width, kPictureSize.height, options.format);
   render::FrameBuffer engine(kPictureSize.width, kPictureSize.height, options.format);
+  const render::Settings settings = scenes.adapt(options.settings);
+  render::Renderer of_engine(look.palette, look.colormap), of_technique(look.palette, look.colormap);
+  of_technique.replace_stages(choice.make_stages());
   std::size_t number = 0;
-  TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) {
-    if (number++ != found->picture_scenes[technique]) return;
-    render::Renderer renderer(look.palette, look.colormap);
-    renderer.render(scene, options.settings, engine);
-    renderer.replace_stages(choice.make_stages());
-    renderer.render(scene, options.settings, drawn);
+  TRY_STATUS(scenes.for_each_picture([&](const render::Scene& scene) {
+    // Earlier moments count, because techniques may reuse pictures of models.
+    if (number++ > found->picture_scenes[technique]) return;
+    of_engine.render(scene, settings, engine);
+    of_technique.render(scene, settings, drawn);
   }));
   return write_lab_picture((folder / picture_file_name(choice.label())).string(), drawn, engine,
                            look.palette);
+}
+
+base::Status write_pictures(const fs::path& folder, std::span<const LabScenes> levels,
+                            const BookFigures& figures, const BookOptions& options) {
+  for (std::size_t i = 1; i < figures.choices.size(); ++i)
+    TRY_STATUS(write_picture(folder, levels, figures, i, options));
+  return base::Ok{};
+}
+
+// The engine, and the techniques that draw models, or those that draw the world.
+std::vector<lab::Choice> choose_techniques(bool of_models) {
+  std::vector<lab::Choice> choices = list_book_techniques();
+  std::erase_if(choices, [&](const lab::Choice& choice) {
+    const bool is_engine = choice.technique == &lab::list_techniques().front();
+    return !is_engine && choice.technique->draws_models != of_models;
+  });
+  return choices;
 }
 
 base::Status write_page(const fs::path& path, const std::string& page) {
@@ -53,16 +72,27 @@ std::vector<lab::Choice> list_book_techniques() {
   return choices;
 }
 
+std::vector<CrowdOptions> list_book_crowds() {
+  const auto crowd = [](int count, double distance) {
+    CrowdOptions options;
+    options.count = count;
+    options.distance = distance;
+    return options;
+  };
+  return {crowd(1, 30), crowd(10, 100), crowd(100, 300), crowd(1000, 1000)};
+}
+
 base::Status write_book(const fs::path& folder, std::span<const LabScenes> levels,
-                        const BookOptions& options) {
-  const std::vector<lab::Choice> techniques = list_book_techniques();
+                        std::span<const LabScenes> model_scenes, const BookOptions& options) {
+  const std::vector<lab::Choice> techniques = choose_techniques(false), of_models = choose_techniques(true);
   for (const LabScenes& level : levels) TRY_STATUS(level.check(techniques));
   TRY_STATUS(write_school(folder));
   TRY_STATUS(write_space_page(folder, options.size));
   TRY(const BookFigures figures, measure_book(levels, techniques, options));
-  for (std::size_t i = 1; i < figures.choices.size(); ++i)
-    TRY_STATUS(write_picture(folder, levels, figures, i, options));
-  const BookInput input{figures, options, processor_name()};
+  TRY(const BookFigures model_figures, measure_book(model_scenes, of_models, options));
+  TRY_STATUS(write_pictures(folder, levels, figures, options));
+  TRY_STATUS(write_pictures(folder, model_scenes, model_figures, options));
+  const BookInput input{figures, options, processor_name(), &model_figures};
   for (const BookChapter& chapter : list_book_chapters())
     TRY_STATUS(write_page(folder / (std::string(chapter.file) + ".html"), make_chapter_page(input, chapter)));
   return write_page(folder / "index.html", make_index_page(input));

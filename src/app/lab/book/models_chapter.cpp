@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "app/lab/book/chapters.h"
+
+namespace temblor::app {
+namespace {
+
+constexpr auto wrong_outline = [](const TechniqueFigures& f) { return f.views.models.outline_share(); };
+constexpr auto texels_off = [](const TechniqueFigures& f) { return f.views.models.off_share(); };
+
+Range in_percent(Range shares) {
+  return {100 * shares.low, 100 * shares.high};
+}
+
+std::string describe_models(const Evidence& evidence) {
+  const Range texels =
+      evidence.over_levels([](const TechniqueFigures& f) { return f.views.models.mean_texels(); });
+  return fmt::format(
+      "Wrong outline: {} % of the models' pixels. Texels are {} off on average; {} % are more than two off.",
+      in_percent(evidence.over_levels(wrong_outline)).text(1), texels.text(2),
+      in_percent(evidence.over_levels(texels_off)).text(1));
+}
+
+// Frame time, divided by that of affine models.
+Range compare_with_affine(const Evidence& evidence) {
+  return evidence.time_ratios(evidence.of("affine-models").number());
+}
+
+std::string describe_against_affine(const Evidence& evidence) {
+  return fmt::format("A frame takes {} times that of scan lines. {}", compare_with_affine(evidence).text(2),
+                     describe_models(evidence));
+}
+
+Verdict judge_affine_models(const Evidence& evidence) {
+  constexpr double kFewTexels = 0.05;
+  const Range off = evidence.over_levels(texels_off);
+  return {off.high < kFewTexels  ? Holds::kYes
+          : off.low < kFewTexels ? Holds::kPartly
+                                 : Holds::kNo,
+          describe_models(evidence) + " " + describe_time(evidence)};
+}
+
+// For a variant that should take more time than affine models.
+Verdict judge_slower_than_affine(const Evidence& evidence) {
+  const Range times = compare_with_affine(evidence);
+  return {times.low > kSameTime    ? Holds::kYes
+          : times.high > kSameTime ? Holds::kPartly
+                                   : Holds::kNo,
+          describe_against_affine(evidence)};
+}
+
+// For a variant that should take less.
+Verdict judge_faster_than_affine(const Evidence& evidence) {
+  const Range times = compare_with_affine(evidence);
+  return {times.high < 1 / kSameTime  ? Holds::kYes
+          : times.low < 1 / kSameTime ? Holds::kPartly
+                                      : Holds::kNo,
+          describe_against_affine(evidence)};
+}
+
+Verdict judge_split_light(const Evidence& evidence) {
+  const Range times = evidence.time_ratios(evidence.of("subdivided-models").number());
+  return {
+      times.high > kSameTime ? Holds::kYes : Holds::kNo,
+      fmt::format("A frame takes {} times that of flat light. {}", times.text(2), describe_models(evidence))};
+}
+
+Verdict judge_boxes(const Evidence& evidence) {
+  constexpr double kSmall = 0.1, kLarge = 0.3;
+  const Range wrong = evidence.over_levels(wrong_outline);
+  const bool has_gaps = wrong.high > kLarge, is_erratic = wrong.low < kSmall;
+  return {has_gaps && is_erratic   ? Holds::kYes
+          : has_gaps || is_erratic ? Holds::kPartly
+                                   : Holds::kNo,
+          describe_against_affine(evidence)};
+}
+
+// Sprites should be hardly faster than triangles, and look wrong.
+Verdict judge_sprites(const Evidence& evidence) {
+  constexpr double kMuchFaster = 0.7, kVisible = 0.02;
+  const bool is_slow = evidence.time_ratios().high > kMuchFaster;
+  const bool looks_wrong = evidence.over_levels(wrong_outline).high > kVisible;
+  return {is_slow && looks_wrong   ? Holds::kYes
+          : is_slow || looks_wrong ? Holds::kPartly
+                                   : Holds::kNo,
+          describe_time(evidence) + " " + describe_models(evidence)};
+}
+
+constexpr std::string_view kEnginesLoops =
+    "The engine's own SIMD code, which was profiled and tuned (docs/decisions/alias-triangles.md).";
+
+constexpr std::array kModelEntries{
+    BookEntry{"model-sprites",
+              "A model is drawn into a picture of its own, which is moved with the model in the next frame. "
+              "Half of the models get a new picture in each frame.",
+              "One drawing and two sprites in two frames are hardly faster than two drawings, and even that "
+              "looks like cardboard.",
+              "Pictures are as small as their models, and their loop is vectorized. Models that may reach "
+              "behind the eye are drawn as triangles.",
+              judge_sprites},
+    BookEntry{"model-sprites:frames=3", "Each picture is used for three frames.",
+              "With more than one reuse, models look like jerky cardboard cutouts.", "As with two frames.",
+              judge_sprites},
+    BookEntry{"vertex-boxes",
+              "Each vertex is drawn as 2x2 pixels, on whichever side of the model it is. From far away, the "
+              "boxes together form the model.",
+              "Sometimes it works well, but there are gaps where triangles are large.",
+              "The engine's SIMD code transforms the vertices. Boxes are drawn one by one.", judge_boxes},
+    BookEntry{"affine-models",
+              "Triangles are drawn by scan lines, at all distances. Texels change evenly along the screen.",
+              "Triangles are small or far away, so perspective would add little.", kEnginesLoops,
+              judge_affine_models},
+    BookEntry{"affine-models:perspective=1", "The same, with a division at each pixel.",
+              "Perspective is work that affine texels avoid.", kEnginesLoops, judge_slower_than_affine},
+    BookEntry{"affine-models:subpixel=0",
+              "Vertices are rounded to whole pixels, so edges jump while a model moves.",
+              "Whole pixels are faster: fractions would need additional steps for each triangle.",
+              kEnginesLoops, judge_faster_than_affine},
+    BookEntry{"subdivided-models",
+              "A triangle is halved until no side is longer than a pixel, and each new corner is drawn. The "
+              "engine draws the smallest models in this way.",
+              "A model takes a sixth less time than with scan lines, as long as its triangles are small.",
+              "The engine's own code. It is scalar, because each step depends on the one before.",
+              judge_faster_than_affine},
+    BookEntry{"subdivided-models:light=1", "Light is halved with the sides, like texels.",
+              "One light for each small triangle was enough, and saved time.",
+              "Like the engine's code, with a lookup of light at each pixel.", judge_split_light},
+};
+
+}  // namespace
+
+BookChapter make_models_chapter() {
+  return {"models",
+          "Triangle models",
+          "Models have hundreds of triangles, most of them of a few pixels. Here, copies of one model stand "
+          "before the camera, without the world. Their pixels are compared with an exact picture: a ray "
+          "through the middle of each, in double precision.",
+          kModelEntries,
+          BookColumns::kModels,
+          true};
+}
+
+}  // namespace temblor::app

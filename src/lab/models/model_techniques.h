@@ -1,0 +1,76 @@
+// The entries of the registry for models (registry.cpp).
+#pragma once
+
+#include <array>
+
+#include "lab/models/affine_models.h"
+#include "lab/models/model_sprites.h"
+#include "lab/models/subdivided_models.h"
+#include "lab/models/vertex_boxes.h"
+
+namespace temblor::lab {
+
+constexpr std::string_view kTriangleModels = "Surface Caching Revisited, Quake's Triangle Models, and More";
+
+constexpr std::array kAffineModelsParameters{
+    Parameter{"subpixel", 1, 0, 1, "1: vertices at multiples of 1/256 pixel; 0: at whole pixels"},
+    Parameter{"perspective", 0, 0, 1,
+              "0: texels are linear on the screen; 1: divided by depth at each pixel"}};
+constexpr std::array kSubdividedModelsParameters{
+    Parameter{"light", 0, 0, 1, "0: one light for each triangle; 1: split with the sides, like texels"}};
+
+constexpr std::array kModelSpritesParameters{
+    Parameter{"frames", 2, 1, 60, "frames that a picture is used for, with the one that it is made in"}};
+
+constexpr Technique kModelSprites{
+    .name = "model-sprites",
+    .title = "Models as sprites",
+    .summary = "Keeps the picture of each model for some frames, and moves it with the model.",
+    .article = kTriangleModels,
+    .heading = "An idea that didn't work",
+    .replaces = "models",
+    .expected = "Jerky cardboard cutouts. With two frames for each picture, hardly faster; near, slower.",
+    .max_wrong_share = 0,
+    .parameters = kModelSpritesParameters,
+    .make_stages = make_model_sprites,
+    .draws_models = true};
+constexpr Technique kVertexBoxes{
+    .name = "vertex-boxes",
+    .title = "Vertices as boxes",
+    .summary = "Draws each vertex of a model as 2x2 pixels, and no triangles.",
+    .article = kTriangleModels,
+    .heading = "An idea that did work",
+    .replaces = "models",
+    .expected = "Sometimes the shape of the model, and gaps where its triangles are large.",
+    .max_wrong_share = 0,
+    .parameters = {},
+    .make_stages = make_vertex_boxes,
+    .draws_models = true};
+constexpr Technique kAffineModels{
+    .name = "affine-models",
+    .title = "Models by scan lines",
+    .summary = "Draws models of any size by scan lines, with textures that ignore perspective.",
+    .article = kTriangleModels,
+    .heading = "Drawing triangle models fast",
+    .replaces = "models",
+    .expected = "Textures bend slightly, and vertices at whole pixels jump. In motion, neither shows.",
+    .max_wrong_share = 0,
+    .parameters = kAffineModelsParameters,
+    .make_stages = make_affine_models,
+    .draws_models = true};
+constexpr Technique kSubdividedModels{
+    .name = "subdivided-models",
+    .title = "Models by subdivision",
+    .summary = "Draws models of any size by splitting triangles until all sides are a pixel long.",
+    .article = kTriangleModels,
+    .heading = "An idea that did work",
+    .replaces = "models",
+    .expected =
+        "A fifth faster than scan lines for small triangles. From 12 feet or 30 to 40 feet on, it "
+        "looks the same.",
+    .max_wrong_share = 0,
+    .parameters = kSubdividedModelsParameters,
+    .make_stages = make_subdivided_models,
+    .draws_models = true};
+
+}  // namespace temblor::lab

@@ -1,0 +1,124 @@
+// Hot loop. Scalar, like the engine's subdivision: each step depends on the one before.
+#include "lab/models/split_triangles.h"
+
+#include <algorithm>
+
+#include "render/alias/affine_triangle.h"
+
+namespace temblor::lab {
+
+namespace {
+
+// x and y in whole pixels; s and t in 1/65536 texel; light in the units of TriangleJob's colors.
+struct Corner {
+  std::int32_t x, y, s, t, light;
+  float depth;
+};
+
+constexpr float kTexelSteps = 65536.0f;
+
+constexpr bool is_long(const Corner& a, const Corner& b) {
+  const auto x = static_cast<std::uint32_t>(b.x - a.x + 1), y = static_cast<std::uint32_t>(b.y - a.y + 1);
+  return std::max(x, y) > 2;
+}
+
+template <typename Pixel, bool kSplitsLight>
+class Splitter {
+ public:
+  Splitter(const render::TriangleJob& job, const render::TriangleTarget& target)
+      : job_(job), target_(target) {}
+
+  void draw(bool inside_screen) {
+    if (inside_screen)
+      for (std::size_t i = 0; i < job_.vertex_count; ++i) plot(corner(i));
+    for (std::size_t i = 0; i < job_.triangle_count; ++i) {
+      const std::uint32_t* index = job_.triangles + i * 3;
+      Corner a = corner(index[0]), b = corner(index[1]), c = corner(index[2]);
+      const std::int64_t cross =
+          std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
+      if (cross <= 0 || is_outside(a, b, c)) continue;
+      if (!inside_screen)
+        for (const Corner* drawn : {&a, &b, &c}) plot(*drawn);
+      if (!kSplitsLight) b.light = c.light = a.light;
+      split(a, b, c);
+    }
+  }
+
+ private:
+  Corner corner(std::size_t i) const {
+    const render::ScreenVertex& v = job_.vertices[i];
+    const render::TexelPoint& texel = job_.texels[i];
+    return {(v.x + render::kSubpixels / 2) >> 8,
+            (v.y + render::kSubpixels / 2) >> 8,
+            static_cast<std::int32_t>(texel.s * kTexelSteps),
+            static_cast<std::int32_t>(texel.t * kTexelSteps),
+            static_cast<std::int32_t>(v.light),
+            v.depth};
+  }
+
+  bool is_outside(const Corner& a, const Corner& b, const Corner& c) const {
+    const std::int32_t begin = target_.row_begin, end = target_.row_end, width = target_.width;
+    return (a.y < begin && b.y < begin && c.y < begin) || (a.y >= end && b.y >= end && c.y >= end) ||
+           (a.x < 0 && b.x < 0 && c.x < 0) || (a.x >= width && b.x >= width && c.x >= width);
+  }
+
+  void plot(const Corner& v) {
+    if (v.y < target_.row_begin || v.y >= target_.row_end || v.x < 0 || v.x >= target_.width) return;
+    const std::size_t at =
+        static_cast<std::size_t>(v.y - target_.first_row) * static_cast<std::size_t>(target_.width) +
+        static_cast<std::size_t>(v.x);
+    if (!(v.depth >= target_.depth[at])) return;
+    target_.depth[at] = v.depth;
+    const std::uint8_t texel = job_.skin[(v.t >> 16) * job_.skin_width + (v.s >> 16)];
+    render::TriangleSpan lit{};
+    lit.light = static_cast<float>(v.light);
+    static_cast<Pixel*>(target_.pixels)[at] = render::lit_texel(job_, texel, lit, 0, Pixel{});
+  }
+
+  // Splits the first long side among ab, bc, and ca, if any. The second recursive call is a loop.
+  void split(Corner a, Corner b, Corner c) {
+    while (!is_outside(a, b, c)) {
+      if (!is_long(a, b)) {
+        const bool second = is_long(b, c);
+        if (!second && !is_long(c, a)) return;
+        const Corner first = a;
+        if (second) {
+          a = b;
+          b = c;
+          c = first;
+        } else {
+          a = c;
+          c = b;
+          b = first;
+        }
+      }
+      Corner middle{(a.x + b.x) >> 1, (a.y + b.y) >> 1, (a.s + b.s) >> 1,
+                    (a.t + b.t) >> 1, a.light,          (a.depth + b.depth) * 0.5f};
+      if (kSplitsLight) middle.light = (a.light + b.light) >> 1;
+      if (b.y < a.y || (b.y == a.y && b.x > a.x)) plot(middle);
+      split(c, a, middle);
+      a = c;
+      c = b;
+      b = middle;
+    }
+  }
+
+  const render::TriangleJob& job_;
+  const render::TriangleTarget& target_;
+};
+
+template <typename Pixel>
+void split(const render::TriangleJob& job, const SplitRules& rules, const render::TriangleTarget& target) {
+  rules.splits_light ? Splitter<Pixel, true>(job, target).draw(rules.inside_screen)
+                     : Splitter<Pixel, false>(job, target).draw(rules.inside_screen);
+}
+
+}  // namespace
+
+void split_triangles(const render::TriangleJob& job, const SplitRules& rules,
+                     const render::TriangleTarget& target) {
+  rules.format == render::PixelFormat::kIndexed ? split<std::uint8_t>(job, rules, target)
+                                                : split<std::uint32_t>(job, rules, target);
+}
+
+}  // namespace temblor::lab
