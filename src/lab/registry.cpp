@@ -294,6 +294,7 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kRebuiltParameters,
               .make_stages = make_rebuilt_surfaces},
+    kModelsInEdges,
     kModelSprites,
     kVertexBoxes,
     kAffineModels,

@@ -76,6 +76,8 @@ struct Technique {
   base::Status (*check_level)(std::span<const double> values, const world::Level& level) = nullptr;
   // It draws alias models, so it needs a scene that has some.
   bool draws_models = false;
+  // Like check_level, for a scene. Null: it draws every scene.
+  base::Status (*check_scene)(std::span<const double> values, const render::Scene& scene) = nullptr;
 };
 
 // A technique and the values of its parameters.
@@ -89,6 +91,10 @@ struct Choice {
   // Whether the technique can draw the level.
   base::Status check_level(const world::Level& level) const {
     return technique->check_level != nullptr ? technique->check_level(values, level) : base::Ok{};
+  }
+  // The same for a scene.
+  base::Status check_scene(const render::Scene& scene) const {
+    return technique->check_scene != nullptr ? technique->check_scene(values, scene) : base::Ok{};
   }
   // The name and the parameters that are not at their default, in the form of the command line.
   std::string label() const;

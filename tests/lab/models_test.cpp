@@ -17,9 +17,10 @@ namespace {
 using render::PixelFormat;
 
 constexpr auto kModelTechniques = {
-    "affine-models",     "affine-models:subpixel=0",  "affine-models:perspective=1",
-    "subdivided-models", "subdivided-models:light=1", "vertex-boxes",
-    "model-sprites",     "model-sprites:frames=3"};
+    "affine-models",         "affine-models:subpixel=0",  "affine-models:perspective=1",
+    "subdivided-models",     "subdivided-models:light=1", "vertex-boxes",
+    "models-in-edges",       "models-in-edges:tree=1",    "model-sprites",
+    "model-sprites:frames=3"};
 constexpr auto kFormats = {PixelFormat::kIndexed, PixelFormat::kRgb};
 
 TEST(ModelTechniques, AreTheSameForAnyThreadsAndBands) {
@@ -190,6 +191,49 @@ TEST(SubdividedModels, SplitLight) {
   ModelPictures flat(drawable, "subdivided-models", PixelFormat::kRgb);
   ModelPictures split(drawable, "subdivided-models:light=1", PixelFormat::kRgb);
   EXPECT_NE(flat.copy(models.scene, kModelsAlone).rgb, split.copy(models.scene, kModelsAlone).rgb);
+}
+
+// Coverage is that of the depth buffer. Only triangles that pierce each other are wrong, for a part of a
+// span.
+TEST(ModelsInEdges, AreTheEnginesModels) {
+  const DrawableLevel drawable = small_level();
+  for (const PixelFormat format : kFormats)
+    for (int seed = 0; seed < effort(12, 3); ++seed) {
+      Random random(static_cast<std::uint64_t>(seed));
+      ModelScene models(drawable, random, {.least = 100, .most = 600, .spread = 0.8, .count = 20});
+      models.scene.view_weapon = &models.weapon;
+      const render::Settings affine{.alias_raster = render::AliasRaster::kAffine};
+      ModelPictures engine(drawable, nullptr, format), list(drawable, "models-in-edges", format);
+      ModelPictures tree(drawable, "models-in-edges:tree=1", format);
+      const FrameCopy right = engine.copy(models.scene, affine), drawn = list.copy(models.scene, {});
+      EXPECT_LT(differing_pixels(right, drawn), right.depth_bits.size() / 50) << seed;
+      EXPECT_EQ(drawn, tree.copy(models.scene, {})) << seed;
+    }
+}
+
+TEST(ModelsInEdges, AreExactWhereNothingPierces) {
+  const DrawableLevel drawable = small_level();
+  for (int seed = 0; seed < effort(12, 3); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    const ModelScene models(drawable, random, {.least = 30, .most = 200, .count = 1});
+    const render::Settings affine{.draw_world = false, .alias_raster = render::AliasRaster::kAffine};
+    ModelPictures engine(drawable, nullptr, PixelFormat::kIndexed);
+    ModelPictures edges(drawable, "models-in-edges", PixelFormat::kIndexed);
+    EXPECT_EQ(differing_pixels(engine.copy(models.scene, affine), edges.copy(models.scene, kModelsAlone)), 0u)
+        << seed;
+  }
+}
+
+TEST(ModelsInEdges, RefuseScenesWithManyTriangles) {
+  const DrawableLevel drawable = small_level();
+  Random random(1);
+  const ModelScene models(drawable, random, {.count = 1});
+  const lab::Choice few = lab::parse_choice("models-in-edges:triangles=10").value();
+  EXPECT_FALSE(few.check_scene(models.scene).ok());
+  EXPECT_TRUE(lab::parse_choice("models-in-edges").value().check_scene(models.scene).ok());
+  ModelPictures engine(drawable, nullptr, PixelFormat::kRgb);
+  ModelPictures refused(drawable, "models-in-edges:triangles=10", PixelFormat::kRgb);
+  EXPECT_EQ(engine.copy(models.scene, {}), refused.copy(models.scene, {}));
 }
 
 // Every vertex before the eye has its box, and no pixel is drawn that belongs to none.

@@ -108,6 +108,8 @@ base::Status LabScenes::check(std::span<const lab::Choice> choices) const {
   base::Status status = base::Ok{};
   TRY_STATUS(for_each_scene([&](const render::Scene& scene) {
     has_models |= !scene.alias_models.empty();
+    for (const lab::Choice& choice : choices)
+      if (status.ok()) status = choice.check_scene(scene);
     if (std::exchange(checked, scene.level->identity) == scene.level->identity) return;
     for (const lab::Choice& choice : choices)
       if (status.ok()) status = choice.check_level(*scene.level);

@@ -59,8 +59,8 @@ class LabScenes {
     return models_ ? show_picture_scene(use) : for_each_scene(use);
   }
 
-  // Fails if one of the techniques cannot draw the level, or a level of the demo, or if it draws models and
-  // there are none.
+  // Fails if one of the techniques cannot draw the level, or a level or scene of the demo, or if it draws
+  // models and there are none.
   base::Status check(std::span<const lab::Choice> choices) const;
 
   // Measures circles at all viewpoints, or the whole demo.

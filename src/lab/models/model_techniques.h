@@ -5,6 +5,7 @@
 
 #include "lab/models/affine_models.h"
 #include "lab/models/model_sprites.h"
+#include "lab/models/models_in_edges.h"
 #include "lab/models/subdivided_models.h"
 #include "lab/models/vertex_boxes.h"
 
@@ -22,6 +23,25 @@ constexpr std::array kSubdividedModelsParameters{
 constexpr std::array kModelSpritesParameters{
     Parameter{"frames", 2, 1, 60, "frames that a picture is used for, with the one that it is made in"}};
 
+constexpr std::array kModelsInEdgesParameters{
+    Parameter{"tree", 0, 0, 1, "0: the edges of a row are a linked list; 1: a balanced tree"},
+    Parameter{"triangles", 150000, 1, 1e7, "triangles of a scene's models; one with more is refused"}};
+
+constexpr Technique kModelsInEdges{
+    .name = "models-in-edges",
+    .title = "Models in an edge list",
+    .summary = "Turns the triangles of models into edges and spans, as the world's faces are.",
+    .article = kTriangleModels,
+    .heading = "Drawing triangle models fast",
+    .replaces = "models",
+    .expected =
+        "Too slow for thousands of small triangles, each of which has few pixels for its edges. A tree "
+        "helps, but not enough.",
+    .max_wrong_share = 0,
+    .parameters = kModelsInEdgesParameters,
+    .make_stages = make_models_in_edges,
+    .draws_models = true,
+    .check_scene = check_models_in_edges};
 constexpr Technique kModelSprites{
     .name = "model-sprites",
     .title = "Models as sprites",

@@ -60,6 +60,17 @@ Verdict judge_faster_than_affine(const Evidence& evidence) {
           describe_against_affine(evidence)};
 }
 
+// Trees should be faster than lists, and still much slower than scan lines.
+Verdict judge_edge_tree(const Evidence& evidence) {
+  const Range times = evidence.time_ratios(evidence.of("models-in-edges").number());
+  const bool helps = times.low<1 / kSameTime, is_slow = compare_with_affine(evidence).high> kSameTime;
+  return {helps && is_slow   ? Holds::kYes
+          : helps || is_slow ? Holds::kPartly
+                             : Holds::kNo,
+          fmt::format("A frame takes {} times that with a list. {}", times.text(2),
+                      describe_against_affine(evidence))};
+}
+
 Verdict judge_split_light(const Evidence& evidence) {
   const Range times = evidence.time_ratios(evidence.of("subdivided-models").number());
   return {
@@ -92,6 +103,17 @@ constexpr std::string_view kEnginesLoops =
     "The engine's own SIMD code, which was profiled and tuned (docs/decisions/alias-triangles.md).";
 
 constexpr std::array kModelEntries{
+    BookEntry{
+        "models-in-edges",
+        "The triangles of all models become edges, which are sorted by column on each row. Where one "
+        "begins or ends, the nearest triangle is found by its depth, so each pixel is drawn once.",
+        "An edge list that serves 200 to 300 large polygons well is far too slow for 2,000 to 3,000 tiny "
+        "triangles.",
+        "The engine's SIMD code transforms vertices and draws spans. Edges of neighbors are not shared.",
+        judge_slower_than_affine},
+    BookEntry{"models-in-edges:tree=1", "The edges of a row are a balanced tree instead of a linked list.",
+              "Trees would help, but the work for each edge and row remains.", "As with a list.",
+              judge_edge_tree},
     BookEntry{"model-sprites",
               "A model is drawn into a picture of its own, which is moved with the model in the next frame. "
               "Half of the models get a new picture in each frame.",
