@@ -299,6 +299,7 @@ constexpr std::array kTechniques{
     kVertexBoxes,
     kAffineModels,
     kSubdividedModels,
+    kTriangleMasks,
 };
 
 // Parses "NAME=VALUE" into the value of that parameter.

@@ -7,6 +7,7 @@
 #include "lab/models/model_sprites.h"
 #include "lab/models/models_in_edges.h"
 #include "lab/models/subdivided_models.h"
+#include "lab/models/triangle_masks.h"
 #include "lab/models/vertex_boxes.h"
 
 namespace temblor::lab {
@@ -91,6 +92,22 @@ constexpr Technique kSubdividedModels{
     .max_wrong_share = 0,
     .parameters = kSubdividedModelsParameters,
     .make_stages = make_subdivided_models,
+    .draws_models = true};
+
+constexpr std::array kTriangleMasksParameters{
+    Parameter{"side", 5, 1, 5, "triangles up to so many pixels high and wide have masks"}};
+
+constexpr Technique kTriangleMasks{
+    .name = "triangle-masks",
+    .title = "Precalculated masks",
+    .summary = "Looks up the pixels of each small triangle in a table of all of them.",
+    .article = kTriangleModels,
+    .heading = "Some more ideas that might work",
+    .replaces = "models",
+    .expected = "Faster than subdivision for small triangles, with a table of reasonable size.",
+    .max_wrong_share = 0,
+    .parameters = kTriangleMasksParameters,
+    .make_stages = make_triangle_masks,
     .draws_models = true};
 
 }  // namespace temblor::lab

@@ -99,6 +99,15 @@ Verdict judge_sprites(const Evidence& evidence) {
           describe_time(evidence) + " " + describe_models(evidence)};
 }
 
+Verdict judge_masks(const Evidence& evidence) {
+  const Range times = evidence.time_ratios(evidence.of("subdivided-models").number());
+  return {times.high < 1 / kSameTime  ? Holds::kYes
+          : times.low < 1 / kSameTime ? Holds::kPartly
+                                      : Holds::kNo,
+          fmt::format("A frame takes {} times that of subdivision. {}", times.text(2),
+                      describe_against_affine(evidence))};
+}
+
 constexpr std::string_view kEnginesLoops =
     "The engine's own SIMD code, which was profiled and tuned (docs/decisions/alias-triangles.md).";
 
@@ -149,6 +158,12 @@ constexpr std::array kModelEntries{
     BookEntry{"subdivided-models:light=1", "Light is halved with the sides, like texels.",
               "One light for each small triangle was enough, and saved time.",
               "Like the engine's code, with a lookup of light at each pixel.", judge_split_light},
+    BookEntry{
+        "triangle-masks",
+        "With corners at whole pixels, there are only so many triangles of up to 5x5 pixels. The pixels "
+        "of each are in a table. Larger triangles are drawn by scan lines.",
+        "Masks could be faster than subdivision, and the table is small enough.",
+        "Corners and gradients are computed one triangle at a time, as in subdivision.", judge_masks},
 };
 
 }  // namespace
