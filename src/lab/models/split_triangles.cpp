@@ -22,6 +22,15 @@ constexpr bool is_long(const Corner& a, const Corner& b) {
   return std::max(x, y) > 2;
 }
 
+// Slivers are halved as often as triangles with equal sides, so time grows with the square of the longest
+// side. Around the eye, a model would take many seconds.
+constexpr std::int32_t kMaxSide = 1024;
+
+constexpr bool is_huge(const Corner& a, const Corner& b, const Corner& c) {
+  return std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x}) > kMaxSide ||
+         std::max({a.y, b.y, c.y}) - std::min({a.y, b.y, c.y}) > kMaxSide;
+}
+
 template <typename Pixel, bool kSplitsLight>
 class Splitter {
  public:
@@ -37,6 +46,10 @@ class Splitter {
       const std::int64_t cross =
           std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
       if (cross <= 0 || is_outside(a, b, c)) continue;
+      if (!inside_screen && is_huge(a, b, c)) {
+        draw_rows(i);
+        continue;
+      }
       if (!inside_screen)
         for (const Corner* drawn : {&a, &b, &c}) plot(*drawn);
       if (!kSplitsLight) b.light = c.light = a.light;
@@ -45,6 +58,22 @@ class Splitter {
   }
 
  private:
+  void draw_rows(std::size_t triangle) {
+    render::draw_affine_triangle(job_, triangle, target_, [&](const render::TriangleSpan& span) {
+      const std::size_t first =
+          static_cast<std::size_t>(span.y - target_.first_row) * static_cast<std::size_t>(target_.width) +
+          static_cast<std::size_t>(span.x);
+      for (std::int32_t pixel = 0; pixel < span.count; ++pixel) {
+        const float lane = static_cast<float>(pixel), depth = span.depth + lane * span.depth_step;
+        const std::size_t at = first + static_cast<std::size_t>(pixel);
+        if (!(depth >= target_.depth[at])) continue;
+        target_.depth[at] = depth;
+        static_cast<Pixel*>(target_.pixels)[at] =
+            render::lit_texel(job_, render::skin_texel(job_, span, lane, depth), span, lane, Pixel{});
+      }
+    });
+  }
+
   Corner corner(std::size_t i) const {
     const render::ScreenVertex& v = job_.vertices[i];
     const render::TexelPoint& texel = job_.texels[i];

@@ -1,6 +1,6 @@
 // Recursive subdivision as in render/alias/subdivide_triangles.cpp, for triangles that may reach out of the
 // target, and with light that is split like texels. Parts of triangles outside of the target are not split
-// any further, so the time depends on the pixels inside.
+// any further. Triangles with sides of more than 1024 pixels are drawn by scan lines.
 #pragma once
 
 #include "render/alias/prepare_alias.h"

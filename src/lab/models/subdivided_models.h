@@ -2,7 +2,7 @@
 // (render/alias/subdivide_triangles.cpp).
 //
 // The engine's subdivision does not clip. Models that reach out of the screen are drawn by a version that
-// leaves out parts of triangles outside of it (split_triangles.h).
+// leaves out parts of triangles outside of it, and draws huge triangles by scan lines (split_triangles.h).
 //
 // Parameter `light`: 0: each triangle has the light of its first vertex; 1: light is halved with the sides,
 // like texels.

@@ -149,12 +149,14 @@ constexpr std::array kModelEntries{
               "Vertices are rounded to whole pixels, so edges jump while a model moves.",
               "Whole pixels are faster: fractions would need additional steps for each triangle.",
               kEnginesLoops, judge_faster_than_affine},
-    BookEntry{"subdivided-models",
-              "A triangle is halved until no side is longer than a pixel, and each new corner is drawn. The "
-              "engine draws the smallest models in this way.",
-              "A model takes a sixth less time than with scan lines, as long as its triangles are small.",
-              "The engine's own code. It is scalar, because each step depends on the one before.",
-              judge_faster_than_affine},
+    BookEntry{
+        "subdivided-models",
+        "A triangle is halved until no side is longer than a pixel, and each new corner is drawn. The "
+        "engine draws the smallest models in this way.",
+        "A model takes a sixth less time than with scan lines, as long as its triangles are small.",
+        "The engine's own code. It is scalar, because each step depends on the one before. Triangles of "
+        "more than 1024 pixels are drawn by scan lines.",
+        judge_faster_than_affine},
     BookEntry{"subdivided-models:light=1", "Light is halved with the sides, like texels.",
               "One light for each small triangle was enough, and saved time.",
               "Like the engine's code, with a lookup of light at each pixel.", judge_split_light},
