@@ -26,7 +26,7 @@ constexpr std::array kModelSpritesParameters{
 
 constexpr std::array kModelsInEdgesParameters{
     Parameter{"tree", 0, 0, 1, "0: the edges of a row are a linked list; 1: a balanced tree"},
-    Parameter{"triangles", 150000, 1, 1e7, "triangles of a scene's models; one with more is refused"}};
+    Parameter{"triangles", 300000, 1, 1e7, "triangles of a scene's models; one with more is refused"}};
 
 constexpr Technique kModelsInEdges{
     .name = "models-in-edges",

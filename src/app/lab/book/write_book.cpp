@@ -79,13 +79,14 @@ std::vector<CrowdOptions> list_book_crowds() {
     options.distance = distance;
     return options;
   };
-  return {crowd(1, 30), crowd(10, 100), crowd(100, 300), crowd(1000, 1000)};
+  return {crowd(1, 30), crowd(10, 100), crowd(100, 300), crowd(100, 1000)};
 }
 
 base::Status write_book(const fs::path& folder, std::span<const LabScenes> levels,
                         std::span<const LabScenes> model_scenes, const BookOptions& options) {
   const std::vector<lab::Choice> techniques = choose_techniques(false), of_models = choose_techniques(true);
   for (const LabScenes& level : levels) TRY_STATUS(level.check(techniques));
+  for (const LabScenes& scenes : model_scenes) TRY_STATUS(scenes.check(of_models));
   TRY_STATUS(write_school(folder));
   TRY_STATUS(write_space_page(folder, options.size));
   TRY(const BookFigures figures, measure_book(levels, techniques, options));
