@@ -24,8 +24,10 @@ using TestDepth = std::int32_t (*)(const lab::DepthSpan&, lab::PixelRun*);
 
 Tested run_test(TestDepth test_depth, std::vector<float> depth, lab::DepthSpan span) {
   std::vector<lab::PixelRun> runs(static_cast<std::size_t>(span.count + 1) / 2);
-  span.depth = depth.data();
+  depth.insert(depth.begin(), 0.0f);  // rows begin anywhere, also between the addresses of vectors
+  span.depth = depth.data() + 1;
   const std::int32_t count = test_depth(span, runs.data());
+  depth.erase(depth.begin());
   Tested tested{std::move(depth), {}};
   for (std::int32_t i = 0; i < count; ++i) {
     const lab::PixelRun& run = runs[static_cast<std::size_t>(i)];

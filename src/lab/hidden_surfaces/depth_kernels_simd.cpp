@@ -42,8 +42,7 @@ int32_t TestDepth(const DepthSpan& span, PixelRun* out_runs) {
        i += lanes, number = hn::Add(number, hn::Set(d, static_cast<float>(lanes)))) {
     const VF depth = hn::Add(first, hn::Mul(step, number));
     const auto valid = hn::FirstN(d, static_cast<size_t>(span.count - i));
-    const VF before = hn::MaskedLoad(valid, d, span.depth + i);
-    const auto nearer = hn::And(valid, hn::Gt(depth, before));
+    const auto nearer = hn::And(valid, hn::Gt(depth, hn::LoadU(d, span.depth + i)));
     if (hn::AllFalse(d, nearer)) {
       leave(i);
       continue;
