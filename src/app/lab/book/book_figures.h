@@ -16,7 +16,7 @@ struct BookOptions {
   render::PixelFormat format = render::PixelFormat::kRgb;
   render::Settings settings;
   // Angle between two measured views of a level.
-  double step_deg = 60;
+  double step_deg = 90;
   // The sizes of the plot of cost against resolution.
   std::vector<FrameSize> sizes{{320, 200}, {640, 400}, {1280, 720}, {1920, 1080}};
 };
