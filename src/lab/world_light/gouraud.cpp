@@ -58,8 +58,8 @@ LineLight make_line(const RowInterval& interval, int x, int pixels_before) {
   return line;
 }
 
-constexpr LitKernels kKernels{draw_line_lit_u8_simd, draw_line_lit_u8_scalar, draw_line_lit_u32_simd,
-                              draw_line_lit_u32_scalar};
+constexpr LitKernels kGouraudKernels{draw_line_lit_u8_simd, draw_line_lit_u8_scalar, draw_line_lit_u32_simd,
+                                     draw_line_lit_u32_scalar};
 
 // Draws the spans of one draw, in batches.
 class SpanLighter {
@@ -88,7 +88,7 @@ class SpanLighter {
     spans_.span_count = count_;
     lights_.lines = lines_.data();
     count_ = 0;
-    kKernels.choose(sources_)(spans_, lights_, target_);
+    kGouraudKernels.choose(sources_)(spans_, lights_, target_);
   }
 
   static constexpr std::size_t kBatch = 64;

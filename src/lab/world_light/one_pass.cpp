@@ -62,8 +62,8 @@ void prepare(const render::FrameContext& context, const render::SurfaceRequests&
   });
 }
 
-constexpr LitKernels kKernels{draw_grid_lit_u8_simd, draw_grid_lit_u8_scalar, draw_grid_lit_u32_simd,
-                              draw_grid_lit_u32_scalar};
+constexpr LitKernels kGridKernels{draw_grid_lit_u8_simd, draw_grid_lit_u8_scalar, draw_grid_lit_u32_simd,
+                                  draw_grid_lit_u32_scalar};
 
 }  // namespace
 
@@ -88,7 +88,7 @@ render::FrameStages make_one_pass(std::span<const double> values, Counter* count
           LitSpans spans = make_lit_spans(context, view, sources.draws.all[number], state->draws.all[number]);
           spans.spans = drawn.data();
           spans.span_count = drawn.size();
-          kKernels.choose(sources)(spans, state->lights[number], target);
+          kGridKernels.choose(sources)(spans, state->lights[number], target);
         },
         io_frame);
   };

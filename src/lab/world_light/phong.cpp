@@ -10,8 +10,8 @@ namespace temblor::lab {
 
 namespace {
 
-constexpr LitKernels kKernels{draw_phong_lit_u8_simd, draw_phong_lit_u8_scalar, draw_phong_lit_u32_simd,
-                              draw_phong_lit_u32_scalar};
+constexpr LitKernels kPhongKernels{draw_phong_lit_u8_simd, draw_phong_lit_u8_scalar, draw_phong_lit_u32_simd,
+                                   draw_phong_lit_u32_scalar};
 
 // Draws the spans of one draw, in batches.
 class PhongSpans {
@@ -61,7 +61,7 @@ class PhongSpans {
     job_.span_count = count_;
     lights_.parts = lines_.data();
     count_ = 0;
-    kKernels.choose(spans_.sources)(job_, lights_, spans_.target);
+    kPhongKernels.choose(spans_.sources)(job_, lights_, spans_.target);
   }
 
   static constexpr std::size_t kBatch = 64;

@@ -13,8 +13,8 @@ namespace temblor::lab {
 
 namespace {
 
-constexpr LitKernels kKernels{draw_pixel_lit_u8_simd, draw_pixel_lit_u8_scalar, draw_pixel_lit_u32_simd,
-                              draw_pixel_lit_u32_scalar};
+constexpr LitKernels kPixelKernels{draw_pixel_lit_u8_simd, draw_pixel_lit_u8_scalar, draw_pixel_lit_u32_simd,
+                                   draw_pixel_lit_u32_scalar};
 
 // Light that cannot change a pixel: less than a quarter of a unit of the light map.
 constexpr float kMinLight = 64;
@@ -104,7 +104,7 @@ class RaySpans {
     LitSpans job = spans_.job;
     job.spans = &part;
     job.span_count = 1;
-    kKernels.choose(spans_.sources)(job, {light_.data(), first}, spans_.target);
+    kPixelKernels.choose(spans_.sources)(job, {light_.data(), first}, spans_.target);
   }
 
   PixelPacket place_pixels(int x, int y, int count) const {
