@@ -53,7 +53,8 @@ class BookMeasurement {
     LevelFigures level{scenes.name(), {}, {}, {}};
     FigureOptions options;
     options.measure = make_measure_options(options_.size);
-    options.rounds = 2;
+    // Scenes of models take long, and all of them show the same few models.
+    options.rounds = scenes.models() != nullptr ? 1 : 2;
     TRY(level.techniques, find_figures(scenes, figures_.choices, options));
     done_ += figures_.choices.size();
     progress_.update(done_, steps_);
