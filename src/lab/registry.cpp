@@ -321,7 +321,9 @@ base::Status set_parameter(std::string_view text, Choice& io_choice) {
       base::parse_number<double>(text.substr(std::min(equals + 1, text.size())));
   const auto is_whole = [](double number) { return std::trunc(number) == number; };
   const bool must_be_whole = is_whole(found->min) && is_whole(found->max);
-  if (!value || *value < found->min || *value > found->max || (must_be_whole && !is_whole(*value)))
+  // "nan" is neither below nor above the bounds.
+  const bool is_inside = value && *value >= found->min && *value <= found->max;
+  if (!is_inside || (must_be_whole && !is_whole(*value)))
     return base::error(ErrorCode::kUsage, "{}: \"{}\" must be {}=N, with {}N from {} to {}", technique.name,
                        base::quotable(text), name, must_be_whole ? "a whole " : "", found->min, found->max);
   io_choice.values[static_cast<std::size_t>(found - technique.parameters.begin())] = *value;

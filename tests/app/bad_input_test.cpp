@@ -49,6 +49,7 @@ TEST(BadInput, InvalidCommandLinesAreUsageErrors) {
       {{"render", "-o", "x.png", "--color", "pink"}, "indexed"},
       {{"render", "-o", "x.png", "--projection", "fish"}, "orthographic"},
       {{"render", "-o", "x.png", "--fov", "5"}, "--fov"},
+      {{"render", "-o", "x.png", "--fov", "nan"}, "--fov"},
       {{"render", "-o", "x.png", "--threads", "-1"}, "--threads"},
       {{"render", "-o", "x.png", "--show", "nothing"}, "depth"},
       {{"render", "-o", "x.png", "--set", "r_nothing=1"}, "r_nothing"},

@@ -45,6 +45,8 @@ TEST(Registry, ExplainsWrongNamesAndValues) {
   for (const char* text : {"painter:pvs=2", "painter:pvs=-1", "painter:pvs=", "painter:pvs",
                            "painter:pvs=nan", "painter:pvs=1e999", "painter:pvs=1x", "painter:pvs=0.5"})
     EXPECT_NE(find_error(text).find("must be pvs=N, with a whole N from 0 to 1"), std::string::npos) << text;
+  EXPECT_NE(find_error("abutting-edges:epsilon=nan").find("must be epsilon=N, with N from 0 to 0.1"),
+            std::string::npos);
 }
 
 }  // namespace

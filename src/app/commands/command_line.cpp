@@ -6,7 +6,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -22,6 +24,18 @@ std::function<void(const Text&)> throw_errors(const std::string& name,
   };
 }
 
+// The same range, without "nan", which is neither below nor above its bounds.
+Condition refuse_nan(const CLI::Range& range) {
+  return std::make_shared<CLI::Validator>(
+      [range](std::string& text) {
+        std::string fault = range(text);
+        if (fault.empty() && std::isnan(std::strtod(text.c_str(), nullptr)))
+          fault = fmt::format("Value {} is not a number", text);
+        return fault;
+      },
+      range.get_description());
+}
+
 }  // namespace
 
 Condition in_range(int min, int max) {
@@ -29,7 +43,7 @@ Condition in_range(int min, int max) {
 }
 
 Condition in_range(double min, double max) {
-  return std::make_shared<CLI::Range>(min, max);
+  return refuse_nan(CLI::Range(min, max));
 }
 
 Condition one_of(std::vector<int> values) {
@@ -37,7 +51,7 @@ Condition one_of(std::vector<int> values) {
 }
 
 Condition not_negative() {
-  return std::make_shared<CLI::Validator>(CLI::NonNegativeNumber);
+  return refuse_nan(CLI::NonNegativeNumber);
 }
 
 Option* Option::type_name(const std::string& name) {

@@ -152,6 +152,12 @@ base::Status check_space_options(const LabOptions& options) {
 }
 
 base::Status check_technique_options(const LabOptions& options) {
+  const auto gives_parameters = [](const std::string& text) {
+    return text.starts_with(std::string(kSpaceName) + ":");
+  };
+  if (gives_parameters(options.technique) || std::ranges::any_of(options.techniques, gives_parameters))
+    return base::error(base::ErrorCode::kUnsupported,
+                       "{} has options instead of parameters, such as --solids", kSpaceName);
   if (std::ranges::count(options.techniques, kSpaceName) > 0)
     return base::error(base::ErrorCode::kUnsupported,
                        "{0} is a scene of its own and draws no level; use `temblor lab run {0}`", kSpaceName);

@@ -88,10 +88,12 @@ TEST(SpaceProgram, ExplainsMistakes) {
       {{"run", "space", "--shape", "cube"}, "is not convex, concave, or both"},
       {{"run", "space", "--sorting", "bsp"}, "is not independent, abutting, or intersecting"},
       {{"run", "space", "--spacing", "0"}, "--spacing"},
+      {{"run", "space", "--spacing", "nan"}, "Value nan is not a number"},
+      {{"run", "space:solids=3"}, "space has options instead of parameters"},
+      {{"compare", "painter", "space:solids=3"}, "space has options instead of parameters"},
       {{"run", "space", "--size", "0x10"}, "--size"},
       {{"run", "space", "-o", "x.gif"}, "space writes a picture (.png) or a plot (.svg)"},
       {{"run", "space", "-o", "nowhere/x.png"}, "nowhere"},
-      {{"run", "space:solids=3"}, "there is no technique"},
       {{"run", "painter", "--solids", "3"}, "--solids is an option of `temblor lab run space`"},
       {{"compare", "painter", "space"}, "space is a scene of its own"}};
   for (const Mistake& mistake : mistakes) {
