@@ -279,9 +279,13 @@ Picture draw_two_processors(int width, int height) {
   for (int number = 0; number < 2; ++number)
     for (const WorkTime& work : runs[number].times) {
       const int row = number * 3 + (number == 1 && work.is_drawing ? 1 : 0);
-      const int begin = static_cast<int>(work.begin_ms / end_ms * width);
-      const int end = static_cast<int>(work.end_ms / end_ms * width) - 1;
-      for (int y = (row + 1) * height / 7; y < (row + 2) * height / 7 - 4; ++y)
+      const int first_row = (row + 1) * height / 7;
+      const int end_row = (row + 2) * height / 7 - std::min(4, height / 14);
+      // One pixel is left between bars, but each bar has at least one: next to a very slow frame, the
+      // others are short.
+      const int begin = std::min(static_cast<int>(work.begin_ms / end_ms * width), width - 1);
+      const int end = std::max(static_cast<int>(work.end_ms / end_ms * width) - 1, begin + 1);
+      for (int y = first_row; y < end_row; ++y)
         for (int x = begin; x < end; ++x) picture.color(x, y) = work.is_drawing ? kOrange : kBlue;
     }
   return picture;
