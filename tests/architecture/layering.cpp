@@ -34,6 +34,7 @@ NamesByName make_allowed_folders() {
       {"builtins", {"vm", "command", "formats", "math", "base"}},
       {"server",
        {"builtins", "vm", "world", "movement", "net", "assets", "command", "formats", "math", "base"}},
+      {"lockstep", {"server", "net", "command", "platform", "assets", "vfs", "vm", "math", "base"}},
       {"client",
        {"net", "world", "movement", "assets", "command", "platform", "render", "audio", "builtins", "vm",
         "formats", "math", "base"}},
