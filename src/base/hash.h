@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "base/bytes.h"
 
@@ -38,6 +39,22 @@ inline std::uint64_t hash_with_bytes(std::uint64_t hash, Bytes bytes) {
 // Hashes bytes and their count, so that trailing zeros matter.
 inline std::uint64_t hash_bytes(Bytes bytes) {
   return hash_with_bytes(hash_with(0, bytes.size()), bytes);
+}
+
+// Hashes bytes and their count, several times as fast as hash_bytes(): in four chains that do not wait for
+// each other. A rotation before each multiplication lets the highest bits reach the others.
+inline std::uint64_t hash_bytes_fast(Bytes bytes) {
+  constexpr std::size_t kLanes = 4;
+  std::uint64_t lanes[kLanes] = {1, 2, 3, 4};
+  std::size_t done = 0;
+  for (; done + sizeof(lanes) <= bytes.size(); done += sizeof(lanes)) {
+    std::uint64_t words[kLanes];
+    std::memcpy(words, bytes.data() + done, sizeof(words));
+    for (std::size_t i = 0; i < kLanes; ++i) lanes[i] = std::rotl(lanes[i] ^ words[i], 29) * kGoldenGamma;
+  }
+  std::uint64_t hash = hash_with(0, bytes.size());
+  for (const std::uint64_t lane : lanes) hash = hash_with(hash, lane);
+  return hash_with_bytes(hash, bytes.subspan(done));
 }
 
 // Returns the bits of a float for hashing; the same for 0 and -0.

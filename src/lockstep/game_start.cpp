@@ -72,6 +72,7 @@ void write_start(const GameStart& start, base::ByteWriter& io_writer) {
   write_text(start.map, io_writer);
   io_writer.write(start.seed);
   io_writer.u8(start.players);
+  io_writer.u8(start.slots);
   io_writer.u8(start.delay_ticks);
   io_writer.write(start.code_hash);
   io_writer.write(start.level_hash);
@@ -88,6 +89,7 @@ base::Result<GameStart> read_start(base::ByteReader& io_reader) {
   start.map = read_text(io_reader);
   start.seed = io_reader.read<std::uint64_t>();
   start.players = io_reader.u8();
+  start.slots = io_reader.u8();
   start.delay_ticks = io_reader.u8();
   start.code_hash = io_reader.read<std::uint64_t>();
   start.level_hash = io_reader.read<std::uint64_t>();
@@ -98,8 +100,8 @@ base::Result<GameStart> read_start(base::ByteReader& io_reader) {
     start.variables.emplace_back(std::move(name), read_text(io_reader));
   }
   if (!io_reader.ok()) return base::malformed("the start of the game is cut short");
-  if (start.players < 1 || start.players > kMaxPlayers)
-    return base::malformed("the game has {} players", start.players);
+  if (start.players < 1 || start.players > kMaxPlayers || start.slots < start.players)
+    return base::malformed("the game has {} players and {} slots", start.players, start.slots);
   return start;
 }
 

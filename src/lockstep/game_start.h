@@ -22,6 +22,7 @@ struct GameStart {
   std::string map;              // "e1m1"
   std::uint64_t seed = 1;
   std::uint8_t players = 1;  // 1 to kMaxPlayers
+  std::uint8_t slots = 1;    // for players and bots; at least `players`
   // An input takes effect this many ticks after the client gave it, so that it has time to reach all peers.
   std::uint8_t delay_ticks = 0;
   std::uint64_t code_hash = 0, level_hash = 0;  // of progs.dat and the first level's file

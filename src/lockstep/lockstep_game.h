@@ -4,8 +4,8 @@
 //                       ^                                          |
 //                       +------ Simulation <-- inputs of tick t ---+--> ReplayWriter
 //
-// Source: Michael Abrash, "Quake's 3-D Engine: The Big Picture", which says that Doom's machines proceeded
-// like this.
+// Source: Michael Abrash, "Quake's 3-D Engine: The Big Picture", which describes the networking of the game
+// before Quake.
 //
 // Peers compare hashes of their games at every tick. If two differ, the game ends with a report that names
 // the tick and the first entity that differs.

@@ -301,12 +301,15 @@ std::optional<std::size_t> Game::blamed_player() const {
 
 // Covers globals, all entities' words (also those of free ones), which entities are free, time, and random
 // numbers. It leaves out links, leaves and messages, which follow from them. Strings count by number only.
-std::uint64_t Game::state_hash() const {
-  std::uint64_t hash = base::hash_bytes(std::as_bytes(machine_.global_words()));
+std::uint64_t Game::state_hash(std::vector<std::uint32_t>* out_entities) const {
+  if (out_entities != nullptr) out_entities->clear();
+  std::uint64_t hash = base::hash_bytes_fast(std::as_bytes(machine_.global_words()));
   for (std::uint32_t i = 0; i < machine_.entity_count(); ++i) {
-    hash = base::hash_with_bytes(hash, std::as_bytes(machine_.entity(vm::EntityIndex{i})));
-    hash = base::hash_with_bytes(
-        hash, std::as_bytes(std::span(&world_.edicts.state(vm::EntityIndex{i}).is_free, 1)));
+    const vm::EntityIndex index{i};
+    const std::uint64_t entity = base::hash_with(base::hash_bytes_fast(std::as_bytes(machine_.entity(index))),
+                                                 world_.edicts.state(index).is_free);
+    if (out_entities != nullptr) out_entities->push_back(static_cast<std::uint32_t>(entity));
+    hash = base::hash_with(hash, entity);
   }
   const std::array<std::uint64_t, 2> rest = {std::bit_cast<std::uint64_t>(world_.time_s), random_.state()};
   return base::hash_with_bytes(hash, std::as_bytes(std::span(rest)));

@@ -144,8 +144,9 @@ class Game {
   std::string localize(std::string_view text) const;
   // Fields with which the program changes how entities look (alpha, scale).
   const LookFields& look_fields() const { return look_fields_; }
-  // A hash of the whole state. Equal seeds and inputs give equal hashes.
-  std::uint64_t state_hash() const;
+  // A hash of the whole state. Equal seeds and inputs give equal hashes. `out_entities`: if not null, the
+  // hashes of all entities, by number.
+  std::uint64_t state_hash(std::vector<std::uint32_t>* out_entities = nullptr) const;
 
  private:
   class Calls;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/function_ref.h"
+#include "base/hash.h"
 #include "base/index.h"
 #include "base/text.h"
 #include "base/words.h"
@@ -18,6 +19,25 @@ namespace {
 
 constexpr std::string_view kUpper = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 constexpr std::string_view kLower = "abcdefghijklmnopqrstuvwxyz";
+
+// Also two changes of the highest bits, which multiplication does not spread, 32 bytes apart.
+TEST(Hash, OfAnySizeFollowsEveryBit) {
+  for (const std::size_t size : {0u, 1u, 31u, 32u, 33u, 64u, 100u}) {
+    ByteVector bytes(size);
+    const std::uint64_t whole = hash_bytes_fast(bytes);
+    bytes.push_back(std::byte{0});
+    EXPECT_NE(hash_bytes_fast(bytes), whole) << "trailing zeros matter";
+    bytes.pop_back();
+    for (std::size_t bit = 0; bit < size * 8; ++bit) {
+      ByteVector changed = bytes;
+      changed[bit / 8] ^= std::byte{1} << (bit % 8);
+      EXPECT_NE(hash_bytes_fast(changed), whole) << size << " " << bit;
+      if (bit / 8 + 32 >= size) continue;
+      changed[bit / 8 + 32] ^= std::byte{1} << (bit % 8);
+      EXPECT_NE(hash_bytes_fast(changed), whole) << size << " " << bit;
+    }
+  }
+}
 
 TEST(Text, LowerCaseTouchesAsciiLettersOnly) {
   for (int code = 0; code < 256; ++code) {

@@ -64,10 +64,11 @@ TEST(Lockstep, TwoPeersPlayTheSameGame) {
 }
 
 TEST(Lockstep, FourPeersPlayTheSameGameWithBots) {
-  LockstepParty party({.players = 4, .variables = {{"deathmatch", "1"}, {"bot_fill", "6"}}});
+  LockstepParty party({.players = 4, .slots = 6, .variables = {{"deathmatch", "1"}, {"bot_fill", "6"}}});
   ASSERT_TRUE(party.run_until_playing());
   play(party, 4, 5);
   expect_same_games(party, 4);
+  EXPECT_TRUE(party.game(3).simulation().game().is_bot(5));
 }
 
 TEST(Lockstep, LostPacketsDelayTheGameButDoNotChangeIt) {
@@ -89,6 +90,17 @@ TEST(Lockstep, TheGameKeepsItsSpeedIfTheDelayCoversTheNetwork) {
   const std::uint32_t before = party.game(1).ticks();
   party.run(10);
   EXPECT_NEAR(party.game(1).ticks() - before, 720, 4);
+}
+
+// Each client loads the next level on its own, and joins when it has.
+TEST(Lockstep, AllPeersGoToTheNextLevel) {
+  LockstepParty party({.variables = {{"deathmatch", "1"}, {"timelimit", "0.05"}, {"samelevel", "1"}}});
+  ASSERT_TRUE(party.run_until_playing());
+  play(party, 2, 15);
+  expect_same_games(party, 2);
+  EXPECT_LT(party.game(0).simulation().game().time_s(), party.game(0).ticks() / 72.0 - 5) << "a new level";
+  EXPECT_TRUE(party.client(0).is_playing());
+  EXPECT_TRUE(party.client(1).is_playing());
 }
 
 TEST(Lockstep, ADifferenceEndsTheGameAndNamesTickAndEntity) {
@@ -183,7 +195,7 @@ TEST(Lockstep, AGuestWithAnotherLevelSaysSo) {
 }
 
 TEST(Lockstep, AReplayEndsInTheSameState) {
-  LockstepParty party({.players = 2, .variables = {{"deathmatch", "1"}, {"bot_fill", "4"}}});
+  LockstepParty party({.players = 2, .slots = 4, .variables = {{"deathmatch", "1"}, {"bot_fill", "4"}}});
   ASSERT_TRUE(party.run_until_playing());
   play(party, 2, 20);
   const base::ByteVector file = party.game(0).replay()->finish();

@@ -27,6 +27,7 @@ LockstepParty::LockstepParty(const PartyOptions& options) : network_(options.con
             .map = "small",
             .seed = options.seed,
             .players = static_cast<std::uint8_t>(options.players),
+            .slots = static_cast<std::uint8_t>(std::max(options.players, options.slots)),
             .delay_ticks = options.delay_ticks,
             .variables = options.variables};
   const base::Status hashed = lockstep::hash_files(*library_, {}, start_);

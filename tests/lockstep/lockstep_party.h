@@ -17,7 +17,7 @@ namespace temblor::test {
 inline constexpr const char* kVersion = "Temblor test";
 
 struct PartyOptions {
-  std::size_t players = 2;
+  std::size_t players = 2, slots = 0;  // slots: at least one for each player
   NetworkConditions conditions{};
   std::uint64_t seed = 1;
   std::uint8_t delay_ticks = 4;

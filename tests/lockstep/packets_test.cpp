@@ -114,6 +114,7 @@ TEST(LockstepPackets, OthersReadWhatWasWritten) {
                         .map = "e1m1",
                         .seed = 5,
                         .players = 3,
+                        .slots = 5,
                         .delay_ticks = 4,
                         .code_hash = 6,
                         .level_hash = 7,
@@ -124,6 +125,7 @@ TEST(LockstepPackets, OthersReadWhatWasWritten) {
   EXPECT_EQ(read.start.map, start.map);
   EXPECT_EQ(read.start.seed, start.seed);
   EXPECT_EQ(read.start.players, start.players);
+  EXPECT_EQ(read.start.slots, start.slots);
   EXPECT_EQ(read.start.delay_ticks, start.delay_ticks);
   EXPECT_EQ(read.start.code_hash, start.code_hash);
   EXPECT_EQ(read.start.level_hash, start.level_hash);

@@ -32,6 +32,7 @@ Examples:
   temblor --basedir ~/quake lab run independent-edges --map e1m1 --color indexed -o edges.png
   temblor --basedir ~/quake lab run model-sprites --models 100 --distance 300 --model ogre
   temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json
+  temblor --basedir ~/quake lab replay ~/quake/id1/lockstep0000.replay
   temblor --basedir ~/quake lab book --map start --map e1m1 -o book)";
 
 void add_scene_options(Command& command, LabOptions& io_options) {
@@ -272,6 +273,7 @@ LabCommands add_lab_command(Command& program, LabOptions& io_options) {
       ->required();
   commands.school = commands.lab->add_subcommand("school", "List lessons in rendering, or write their pages");
   commands.school->add_option("-o,--output", io_options.out, "Folder for the pages")->type_name("FOLDER");
+  commands.replay = add_replay_command(*commands.lab, io_options.replay);
   return commands;
 }
 
@@ -286,6 +288,7 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
     fmt::print("{}", describe_lessons());
     return base::Ok{};
   }
+  if (commands.replay->parsed()) return run_replay(options.replay, folders);
   if (commands.book->parsed()) return make_book(options, folders, settings);
   const bool is_run = commands.run->parsed();
   if (is_run && options.technique == kSpaceName) {

@@ -6,6 +6,7 @@
 //   lab compare TECHNIQUES   a table of several techniques
 //   lab book                 pages about all of them
 //   lab school               lessons for beginners
+//   lab replay FILE          a lockstep game, simulated again
 #pragma once
 
 #include <optional>
@@ -14,6 +15,7 @@
 
 #include "app/commands/options.h"
 #include "app/lab/model_crowd.h"
+#include "app/lab/replay_command.h"
 #include "app/lab/space_command.h"
 #include "base/result.h"
 #include "client/view/presentation.h"
@@ -38,6 +40,7 @@ struct LabOptions {
   // Measurements of each technique, in turns; the fastest counts.
   int rounds = 1;
   SpaceOptions space;
+  ReplayOptions replay;
   bool json = false;
   // Picture file of `run`; empty: none. Folder of `book` and `school`.
   std::string out;
@@ -53,6 +56,7 @@ struct LabCommands {
   Command* compare = nullptr;
   Command* book = nullptr;
   Command* school = nullptr;
+  Command* replay = nullptr;
 };
 
 LabCommands add_lab_command(Command& program, LabOptions& io_options);

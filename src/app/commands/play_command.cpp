@@ -24,7 +24,7 @@ namespace temblor::app {
 namespace {
 
 constexpr const char* kPlayHelpFooter =
-    R"(Without --map, --demo, and --connect, the menu opens. In the game, Escape opens the menu and ` the
+    R"(Without --map, --demo, --replay, and --connect, the menu opens. In the game, Escape opens the menu and ` the
 console, where `help NAME` explains a command or variable.
 
 Examples:
@@ -82,14 +82,14 @@ bool starts_game(const PlayOptions& options, const std::string& watched_level) {
 }
 
 // Returns the console commands to run at the start: --exec, unless it waits for a game, then --map, --demo,
-// and
-// --connect.
+// --replay, and --connect.
 std::vector<std::string> list_first_commands(const PlayOptions& options, const std::string& watched_level) {
   std::vector<std::string> lines;
   if (!starts_game(options, watched_level)) lines = options.execute;
   for (const auto& [command, name] :
        {std::pair{"map", options.map.empty() ? watched_level : options.map},
-        std::pair{"playdemo", options.demo}, std::pair{"connect", options.connect}})
+        std::pair{"playdemo", options.demo}, std::pair{"playreplay", options.replay},
+        std::pair{"connect", options.connect}})
     if (!name.empty()) lines.push_back(command::join_words({command, name}));
   return lines;
 }
@@ -110,6 +110,7 @@ Command* add_play_command(Command& program, PlayOptions& io_options) {
   Command* command = program.add_subcommand("play", "Play the game in a window");
   command->add_option("--map", io_options.map, "Start a game on this level")->type_name("NAME");
   command->add_option("--demo", io_options.demo, "Play a demo")->type_name("NAME");
+  command->add_option("--replay", io_options.replay, "Play the replay of a lockstep game")->type_name("FILE");
   command->add_option("--connect", io_options.connect, "Join a network game")->type_name("HOST[:PORT]");
   add_parsed_option(*command, "--size", io_options.size, parse_size, "Window size")->type_name("WxH");
   command->add_option("--progs", io_options.program, "Game code (default: progs.dat of the game directories)")

@@ -18,9 +18,9 @@ namespace temblor::app {
 class Command;
 
 struct PlayOptions {
-  // At most one of these is useful: the level to start, the demo to play, or the HOST[:PORT] to join. All
-  // empty: the menu.
-  std::string map, demo, connect;
+  // At most one of these is useful: the level to start, the demo or replay to play, or the HOST[:PORT] to
+  // join. All empty: the menu.
+  std::string map, demo, replay, connect;
   // Path of a progs.dat; empty: the one in the game directories.
   std::string program;
   // Window size; nothing: as vid_width and vid_height say.

@@ -19,6 +19,7 @@
 #include "host/commands/sound_commands.h"
 #include "host/commands/view_commands.h"
 #include "host/frame/host_parts.h"
+#include "host/lockstep/lockstep_commands.h"
 #include "host/menus/menus.h"
 #include "host/session/configure.h"
 #include "host/session/demos.h"
@@ -408,6 +409,7 @@ void add_host_commands(Host& io_host) {
   add_player_commands(io_host);
   add_server_commands(io_host);
   add_game_commands(io_host);
+  add_lockstep_commands(io_host);
   add_demo_commands(io_host);
   add_screen_commands(io_host);
 }

@@ -13,6 +13,7 @@
 #include "host/session/configure.h"
 #include "host/session/demos.h"
 #include "host/session/games.h"
+#include "host/lockstep/lockstep_games.h"
 
 namespace temblor::host {
 namespace {
@@ -169,6 +170,7 @@ void read_network(Host& io_host) {
   } else {
     io_host.stuffed_text.restore(io_host);
   }
+  print_if_error(io_host, save_replay(io_host));
   print_game_text(io_host, session.take_server_output());
 }
 

@@ -36,11 +36,9 @@ base::Result<base::ByteVector> read_demo(const GameData& data, const std::string
   return data.library.files().read(*name);
 }
 
-// Opens a demo and ends the running game. A file that cannot be read leaves the game running.
-base::Status open_demo(Host& io_host, std::string_view name) {
+// Ends the running game.
+base::Status open_demo_bytes(Host& io_host, base::ByteVector bytes, const std::string& file) {
   DemoPlayback& demos = io_host.demos;
-  const std::string file = with_suffix(name);
-  TRY(base::ByteVector bytes, read_demo(*io_host.game.data, file));
   disconnect(io_host);
   TRY(demos.session, client::DemoSession::open(std::move(bytes), file, io_host.game.data->presentation,
                                                load_game_texts(io_host)));
@@ -50,6 +48,18 @@ base::Status open_demo(Host& io_host, std::string_view name) {
   demos.file = file;
   demos.controls = {};
   return base::Ok{};
+}
+
+// A file that cannot be read leaves the game running.
+base::Status open_demo(Host& io_host, std::string_view name) {
+  const std::string file = with_suffix(name);
+  TRY(base::ByteVector bytes, read_demo(*io_host.game.data, file));
+  return open_demo_bytes(io_host, std::move(bytes), file);
+}
+
+void close_console_and_menu(Host& io_host) {
+  io_host.console.ui.close();
+  io_host.game.menu->close();
 }
 
 // Opens the next demo of the loop and moves it to the end. Tries each demo once, so that a loop of damaged
@@ -95,8 +105,13 @@ void finish_demo(Host& io_host) {
 
 base::Status play_demo(Host& io_host, std::string_view name) {
   TRY_STATUS(open_demo(io_host, name));
-  io_host.console.ui.close();
-  io_host.game.menu->close();
+  close_console_and_menu(io_host);
+  return base::Ok{};
+}
+
+base::Status play_demo_bytes(Host& io_host, base::ByteVector bytes, std::string file) {
+  TRY_STATUS(open_demo_bytes(io_host, std::move(bytes), file));
+  close_console_and_menu(io_host);
   return base::Ok{};
 }
 

@@ -21,6 +21,8 @@ struct Host;
 
 // Plays a demo, "NAME" or "NAME.dem". The running game ends, unless there is no such file.
 base::Status play_demo(Host& io_host, std::string_view name);
+// The same with a demo from memory. `file`: its name, for messages.
+base::Status play_demo_bytes(Host& io_host, base::ByteVector bytes, std::string file);
 // Plays a demo one packet per frame, as fast as possible, and prints the frame rate.
 base::Status time_demo(Host& io_host, std::string_view name);
 // Stops the demo, a benchmark and the attract mode. Does nothing if no demo is playing.

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "formats/images/png.h"
 #include "host/frame/host_parts.h"
+#include "host/lockstep/lockstep_games.h"
 #include "host/session/configure.h"
 #include "host/session/demos.h"
 #include "render/present.h"
@@ -96,6 +97,7 @@ void disconnect(Host& io_host) {
   print_if_error(io_host, finish_recording(io_host));
   stop_demo(io_host);
   io_host.game.session->disconnect("The host has left.");
+  print_if_error(io_host, save_replay(io_host));
   io_host.stuffed_text.restore(io_host);
 }
 

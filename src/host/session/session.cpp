@@ -83,9 +83,19 @@ base::Status Session::connect(std::string_view address, const client::PlayerSett
   return base::Ok{};
 }
 
+void Session::open_lockstep(std::unique_ptr<lockstep::LockstepGame> game,
+                            const client::PlayerSettings& player, double now_s) {
+  disconnect("The host has started another game.");
+  lockstep_ = std::move(game);
+  connection_.emplace(lockstep_->open_client_socket(), player);
+  connection_->connect(lockstep_->client_server(), now_s);
+}
+
 void Session::disconnect(std::string_view reason) {
   if (connection_) connection_->disconnect();
   connection_.reset();
+  if (lockstep_ && lockstep_->replay() != nullptr) replay_ = lockstep_->replay()->finish();
+  lockstep_.reset();
   if (server_) server::shut_down(*server_, reason);
   server_.reset();
   network_.reset();
@@ -136,6 +146,7 @@ void Session::send_move(net::Move move, double now_s) {
 }
 
 void Session::step_server(double now_s, bool halted) {
+  if (lockstep_) lockstep_->step(now_s);
   if (!server_) return;
   if (!halted) server_now_s_ += std::max(0.0, now_s - stepped_s_) * time_scale_;
   stepped_s_ = now_s;

@@ -5,6 +5,7 @@
 //
 //   single player, listen server   Connection <-> LoopbackNetwork <-> Server <-> UDP (other players)
 //   remote server                  Connection <-> UDP
+//   lockstep                       Connection <-> LoopbackNetwork <-> LockstepGame <-> UDP (other players)
 //
 // Times `now_s` are the window's clock. Our own server has a clock of its own, which stands still while the
 // game is halted. In each frame the host calls
@@ -20,6 +21,7 @@
 #include "client/session/connection.h"
 #include "host/services.h"
 #include "host/session/move_pacer.h"
+#include "lockstep/lockstep_game.h"
 #include "net/transport/loopback.h"
 #include "server/server.h"
 
@@ -45,6 +47,11 @@ class Session {
   // Connects to a server on another machine: "HOST" or "HOST:PORT". Ends the current game, unless the address
   // cannot be resolved.
   base::Status connect(std::string_view address, const client::PlayerSettings& player, double now_s);
+  // Plays a lockstep game, instead of the current one.
+  void open_lockstep(std::unique_ptr<lockstep::LockstepGame> game, const client::PlayerSettings& player,
+                     double now_s);
+  // Returns the replay of a lockstep game that has ended, once.
+  std::optional<base::ByteVector> take_replay() { return std::exchange(replay_, std::nullopt); }
   // Leaves the game, and shuts down our own server. `reason` is shown to its other players. Does nothing if
   // there is no game.
   void disconnect(std::string_view reason);
@@ -71,9 +78,9 @@ class Session {
   double move_clock_s(double now_s) const;
   // Game time per real time from now on, on our own server's clock.
   void set_time_scale(double scale) { time_scale_ = scale; }
-  // Runs our own server up to this time; does nothing without one. If `halted`, its clock stands still, but
-  // it still receives and sends packets, so that the connection does not time out. May run on another thread
-  // while nothing else of this object is called.
+  // Runs our own server, or the lockstep game, up to this time; does nothing without one. If `halted`, its
+  // clock stands still, but it still receives and sends packets, so that the connection does not time out.
+  // May run on another thread while nothing else of this object is called.
   void step_server(double now_s, bool halted);
   // Returns what our own server has printed since the last call. It may end in the middle of a line.
   std::string take_server_output() { return std::exchange(server_output_, {}); }
@@ -90,8 +97,9 @@ class Session {
   std::unique_ptr<server::Server> server_;
   std::uint32_t max_clients_ = 0;
   std::string server_output_;
+  std::unique_ptr<lockstep::LockstepGame> lockstep_;
   std::optional<client::Connection> connection_;
-  std::optional<base::ByteVector> lost_recording_;
+  std::optional<base::ByteVector> lost_recording_, replay_;
   double now_s_ = 0;   // when read() was last called
   double time_s_ = 0;  // see time_s()
   MovePacer move_pacer_;

@@ -1,4 +1,4 @@
-// What one player's client sends to the server in one tick of a lockstep game: moves, and console lines.
+// The input of one player in one tick of a lockstep game: moves, and console lines for the server.
 //
 // Encoding (little endian): most ticks take two to six bytes, because a move is written as its differences to
 // the one before.
@@ -24,7 +24,7 @@ namespace temblor::lockstep {
 
 constexpr std::size_t kMaxMovesInTick = 15;
 constexpr std::size_t kMaxCommandsInTick = 16;
-// Of all commands together, unless there is only one.
+// The size of all commands together, unless there is only one.
 constexpr std::size_t kMaxCommandBytesInTick = 512;
 
 struct ClientInput {

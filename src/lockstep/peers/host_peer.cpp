@@ -8,6 +8,8 @@ namespace temblor::lockstep {
 namespace {
 
 constexpr double kRepeatStart_s = 0.25;
+// No honest guest is so far ahead: it makes one input for each tick that it gets.
+constexpr std::size_t kMaxWaitingInputs = 256;
 
 }  // namespace
 
@@ -81,7 +83,8 @@ void HostPeer::handle(Guest& io_guest, const Inputs& inputs) {
     io_guest.next_tick = std::max(io_guest.next_tick, inputs.next_tick);
   for (std::size_t i = 0; i < inputs.inputs.size(); ++i) {
     const std::uint64_t tick = std::uint64_t{inputs.first_tick} + i;
-    if (tick == std::uint64_t{assembled_end()} + io_guest.inputs.size())
+    if (tick == std::uint64_t{assembled_end()} + io_guest.inputs.size() &&
+        io_guest.inputs.size() < kMaxWaitingInputs)
       io_guest.inputs.push_back(inputs.inputs[i]);
   }
 }
@@ -101,7 +104,7 @@ void HostPeer::assemble() {
     own_inputs_.pop_front();
     for (Guest& guest : guests_) {
       if (guest.inputs.empty()) {
-        tick.push_back({.input = {.leaves = !std::exchange(guest.has_told_leave, true)}});
+        tick.push_back({.input = {.leaves = !std::exchange(guest.is_marked_left, true)}});
         continue;
       }
       tick.push_back(std::move(guest.inputs.front()));

@@ -37,7 +37,7 @@ class HostPeer : public Peer {
     std::uint64_t id = 0;
     bool has_start = false;  // it has sent inputs
     bool has_left = false;
-    bool has_told_leave = false;        // an assembled tick says that it has left
+    bool is_marked_left = false;        // an assembled tick says that it has left
     std::uint32_t next_tick = 0;        // the first assembled tick that it lacks
     std::deque<StampedInput> inputs{};  // which are not assembled yet
     HashCollector hashes{};

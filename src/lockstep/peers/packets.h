@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "lockstep/peers/client_input.h"
 #include "lockstep/game_start.h"
+#include "lockstep/peers/client_input.h"
 
 namespace temblor::lockstep {
 
@@ -76,7 +76,7 @@ constexpr std::size_t kMaxHashesInPacket = 300;
 
 // If the inputs do not fit, those of the last ticks are left out.
 base::ByteVector make_packet(const Packet& packet);
-// Nothing for a packet that is none of these, or damaged. `players`: of the game, for Ticks.
+// Nothing for other packets, and for damaged ones. `players`: of the game, for Ticks.
 std::optional<Packet> read_packet(base::Bytes bytes, std::size_t players);
 
 }  // namespace temblor::lockstep

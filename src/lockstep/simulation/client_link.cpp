@@ -77,7 +77,7 @@ void ClientLink::read_packet(base::Bytes packet, net::Protocol protocol) {
 // Moves of one input are either numbered one after the other, or have no numbers.
 ClientInput ClientLink::take_input() {
   ClientInput input;
-  if (std::exchange(has_told_leave_, has_left_)) return input;
+  if (std::exchange(is_leave_taken_, has_left_)) return input;
   while (!moves_.empty() && input.moves.size() < kMaxMovesInTick) {
     const auto& [number, move] = moves_.front();
     if (!input.moves.empty() && number != (input.last_number == 0 ? 0 : input.last_number + 1)) break;

@@ -24,7 +24,7 @@ class ClientLink {
   platform::Address address() const { return endpoint_.local_address(); }
   // Reads what the client has sent, and sends what is due. `protocol`: of the simulation's server.
   void update(double now_s, net::Protocol protocol);
-  // What the client has sent since the last call, up to the limits of one input; the rest follows in the next
+  // Returns the input since the last call, up to the limits of one input; the rest follows in the next
   // ones. An input with `leaves` is the last.
   ClientInput take_input();
   // Sends the messages to the client, or keeps the reliable ones until it is connected.
@@ -46,7 +46,7 @@ class ClientLink {
 
   net::ServerEndpoint endpoint_;
   std::optional<net::ConnectionId> connection_;
-  bool has_left_ = false, has_told_leave_ = false;
+  bool has_left_ = false, is_leave_taken_ = false;
   std::deque<NumberedMove> moves_;
   std::uint32_t last_number_ = 0;  // of the moves that were read
   std::deque<std::string> commands_;

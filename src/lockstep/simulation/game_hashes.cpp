@@ -3,20 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
-#include "base/hash.h"
 #include "base/text.h"
 
 namespace temblor::lockstep {
 
 void hash_game(const server::Game& game, GameHashes& io_hashes) {
-  const vm::Machine& machine = game.machine();
-  io_hashes.state = game.state_hash();
-  io_hashes.entities.clear();
-  for (std::uint32_t i = 0; i < machine.entity_count(); ++i)
-    io_hashes.entities.push_back(
-        static_cast<std::uint32_t>(base::hash_bytes(std::as_bytes(machine.entity(vm::EntityIndex{i})))));
+  io_hashes.state = game.state_hash(&io_hashes.entities);
 }
 
 std::optional<std::uint32_t> find_first_difference(const std::vector<std::uint32_t>& a,

@@ -1,5 +1,6 @@
 // A replay: the start of a lockstep game, and all inputs. It contains no pictures and no state, so it takes a
-// few kilobytes per minute. Whoever has the game's files can play it, and gets the same game.
+// few kilobytes per minute. Anyone who has the game's files can play it, and gets
+// the same game.
 //
 //   "TmRp", u8 version, u32 ticks, u64 hash of the last state, u32 size of what follows unpacked,
 //   then packed by zlib:  the start | each tick: the inputs of all players | a byte of each tick's hash
@@ -11,8 +12,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "lockstep/peers/client_input.h"
 #include "lockstep/game_start.h"
+#include "lockstep/peers/client_input.h"
 #include "lockstep/peers/packets.h"
 
 namespace temblor::lockstep {

@@ -10,7 +10,7 @@ namespace temblor::lockstep {
 namespace {
 
 constexpr std::uint16_t kServerPort = 1;
-// Sums of tick lengths are rounded. A step that is longer by this factor contains a whole tick all the same,
+// Sums of tick lengths are rounded. A step that is longer by this factor contains a whole tick anyway,
 // and a second one once in a billion.
 constexpr double kStepPerTick = 1 + 1e-9;
 // More than a handshake takes.
@@ -33,7 +33,7 @@ Simulation::Simulation(const SimulationSetup& setup, const GameStart& start) : s
       server::ServerSetup{.library = setup.library,
                           .settings = settings_,
                           .sockets = std::move(sockets),
-                          .max_clients = start.players,
+                          .max_clients = start.slots,
                           .oldest_protocol = net::Protocol::kRmq,
                           .program_file = setup.program_file,
                           .print = setup.print ? setup.print : [](std::string_view) {},

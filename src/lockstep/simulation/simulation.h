@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "command/variables.h"
-#include "lockstep/peers/client_input.h"
 #include "lockstep/game_start.h"
+#include "lockstep/peers/client_input.h"
 #include "net/transport/client_endpoint.h"
 #include "net/transport/loopback.h"
 #include "server/server.h"
