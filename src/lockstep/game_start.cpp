@@ -41,14 +41,14 @@ base::Status hash_files(const assets::Library& library, const std::filesystem::p
 base::Status check_files(const assets::Library& library, const std::filesystem::path& program_file,
                          std::string_view program_version, const GameStart& start) {
   if (start.program_version != program_version)
-    return base::error(base::ErrorCode::kUsage, "the game needs {}, and this is {}", start.program_version,
+    return base::error(base::ErrorCode::kUnsupported, "the game needs {}, and this is {}", start.program_version,
                        program_version);
   GameStart own = start;
   TRY_STATUS(hash_files(library, program_file, own));
   if (own.code_hash != start.code_hash)
-    return base::error(base::ErrorCode::kUsage, "the game's progs.dat is not the one here");
+    return base::error(base::ErrorCode::kUnsupported, "the game's progs.dat is not the one here");
   if (own.level_hash != start.level_hash)
-    return base::error(base::ErrorCode::kUsage, "the game's level {} is not the one here", start.map);
+    return base::error(base::ErrorCode::kUnsupported, "the game's level {} is not the one here", start.map);
   return base::Ok{};
 }
 

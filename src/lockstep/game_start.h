@@ -33,7 +33,7 @@ struct GameStart {
 // Fills in the hashes. `program_file`: see server::ServerSetup. Fails if there is no such level or code.
 base::Status hash_files(const assets::Library& library, const std::filesystem::path& program_file,
                         GameStart& io_start);
-// Fails with kUsage, and one line for the player, if this game has other files or another version.
+// Fails with kUnsupported, and one line for the player, if this game has other files or another version.
 base::Status check_files(const assets::Library& library, const std::filesystem::path& program_file,
                          std::string_view program_version, const GameStart& start);
 

@@ -18,7 +18,7 @@ void record(Simulation& io_simulation, std::size_t player, const ClientInput& in
 base::Result<PlayedReplay> play_replay(const Replay& replay, const SimulationSetup& setup,
                                        std::string_view program_version, std::size_t player) {
   if (player >= replay.start.players)
-    return base::error(base::ErrorCode::kUsage, "the replay has {} players", replay.start.players);
+    return base::error(base::ErrorCode::kUsage, "the replay has no player {}", player + 1);
   TRY_STATUS(check_files(setup.library, setup.program_file, program_version, replay.start));
   TRY(const std::unique_ptr<Simulation> simulation, Simulation::begin(setup, replay.start));
   net::DemoWriter demo;

@@ -13,8 +13,8 @@ struct PlayedReplay {
   double game_s = 0;
 };
 
-// `player`: 0 to the replay's number of players - 1. Fails with kUsage if this game has other files, or
-// another version of the engine; with kMalformed, and the tick, if the game becomes another one than the
+// `player`: 0 to the replay's number of players - 1. Fails with kUnsupported if this game has other files,
+// or another version of the engine; with kMalformed, and the tick, if the game becomes another one than the
 // recorded one.
 base::Result<PlayedReplay> play_replay(const Replay& replay, const SimulationSetup& setup,
                                        std::string_view program_version, std::size_t player);

@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "lockstep/lockstep_party.h"
 #include "lockstep/play_replay.h"
+#include "platform/posix/udp_socket.h"
 #include "support/effort.h"
 #include "support/random.h"
 
@@ -192,6 +196,33 @@ TEST(Lockstep, AGuestWithAnotherLevelSaysSo) {
   start.code_hash ^= 1;
   EXPECT_EQ(lockstep::check_files(party.setup().library, {}, kVersion, start).error().message(),
             "the game's progs.dat is not the one here");
+}
+
+// On the machine's own network and clock.
+TEST(Lockstep, PlaysOverUdp) {
+  const auto open_socket = [] {
+    auto socket = platform::posix::open_udp_socket({.port = 0, .host = "127.0.0.1"});
+    CHECK(socket.ok(), "{}", socket.error().message());
+    return std::move(socket).value();
+  };
+  const LockstepParty files;
+  auto host_socket = open_socket();
+  const platform::Address host = platform::ip4_address({127, 0, 0, 1}, host_socket->local_address().port);
+  const auto a = lockstep::LockstepGame::host(files.setup(), files.start(), std::move(host_socket));
+  const auto b = lockstep::LockstepGame::join(files.setup(), kVersion, open_socket(), host, 5);
+  const auto began = std::chrono::steady_clock::now();
+  const auto now_s = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  constexpr std::uint32_t kTicks = 50;
+  while (now_s() < 30 && (a->ticks() < kTicks || b->ticks() < kTicks)) {
+    a->step(now_s());
+    b->step(now_s());
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_GE(a->ticks(), kTicks);
+  EXPECT_GE(b->ticks(), kTicks);
+  EXPECT_EQ(a->ended() + b->ended(), "");
 }
 
 TEST(Lockstep, AReplayEndsInTheSameState) {
