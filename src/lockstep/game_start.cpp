@@ -41,8 +41,8 @@ base::Status hash_files(const assets::Library& library, const std::filesystem::p
 base::Status check_files(const assets::Library& library, const std::filesystem::path& program_file,
                          std::string_view program_version, const GameStart& start) {
   if (start.program_version != program_version)
-    return base::error(base::ErrorCode::kUnsupported, "the game needs {}, and this is {}", start.program_version,
-                       program_version);
+    return base::error(base::ErrorCode::kUnsupported, "the game needs {}, and this is {}",
+                       start.program_version, program_version);
   GameStart own = start;
   TRY_STATUS(hash_files(library, program_file, own));
   if (own.code_hash != start.code_hash)

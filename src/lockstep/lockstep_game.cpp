@@ -38,7 +38,7 @@ LockstepGame::LockstepGame(SimulationSetup setup, std::string program_version, s
       link_(network_.open()) {}
 
 LockstepGame::~LockstepGame() {
-  peer_->leave("A player has left the game.");
+  peer_->leave("The host has left the game.");
 }
 
 void LockstepGame::step(double now_s) {

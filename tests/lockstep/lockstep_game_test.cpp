@@ -163,7 +163,7 @@ TEST(Lockstep, TheGameEndsForAllWhenTheHostLeaves) {
   ASSERT_TRUE(party.run_until_playing());
   party.kill(0);
   party.run(0.5);
-  EXPECT_EQ(party.game(1).ended(), "A player has left the game.");
+  EXPECT_EQ(party.game(1).ended(), "The host has left the game.");
 }
 
 TEST(Lockstep, AGuestWithoutAnswerGivesUp) {

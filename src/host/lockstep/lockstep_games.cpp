@@ -17,8 +17,11 @@ namespace {
 constexpr int kMaxReplays = 10000;
 constexpr std::uint64_t kMaxReplayBytes = 256 << 20;
 
-lockstep::SimulationSetup make_setup(const Host& host) {
-  return {.library = host.game.data->library, .program_file = host.options.program_file};
+// The host of the program owns the game, so the game may refer to it.
+lockstep::SimulationSetup make_setup(Host& io_host) {
+  return {.library = io_host.game.data->library,
+          .program_file = io_host.options.program_file,
+          .print = [&io_host](std::string_view text) { print_game_text(io_host, text); }};
 }
 
 void open_game(Host& io_host, std::unique_ptr<lockstep::LockstepGame> game) {

@@ -42,7 +42,7 @@ class Peer {
   virtual bool sets_pace() const = 0;
   // Why the game cannot go on, for the player. Empty: it can.
   virtual const std::string& failure() const = 0;
-  // Tells the others that this player leaves.
+  // Tells the others that this player leaves. Guests show the host's reason.
   virtual void leave(std::string_view reason) = 0;
 };
 
