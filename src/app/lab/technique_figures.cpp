@@ -244,6 +244,8 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("largest error, texels", 2, [](const auto& f) { return f.views.max_texel_error; });
   table.add("light error, steps: mean", 3, [](const auto& f) { return f.views.light.error.mean(); });
   table.add("  largest", 2, [](const auto& f) { return f.views.light.error.largest; });
+  table.add("  at seams, mean", 3, [](const auto& f) { return f.views.light.seams.mean(); });
+  table.add("  at shadow edges, mean", 3, [](const auto& f) { return f.views.light.shadow_edges.mean(); });
   table.add("light shift, turn: mean", 3, [](const auto& f) { return f.views.light.turn.mean(); });
   table.add("  largest", 2, [](const auto& f) { return f.views.light.turn.largest; });
   table.add("light shift, roll: mean", 3, [](const auto& f) { return f.views.light.roll.mean(); });
@@ -293,6 +295,8 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                 {"texels_built", compute_texels_built(m)},
                                 {"light",
                                  {{"error", make_json(f.views.light.error)},
+                                  {"seams", make_json(f.views.light.seams)},
+                                  {"shadow_edges", make_json(f.views.light.shadow_edges)},
                                   {"turn", make_json(f.views.light.turn)},
                                   {"roll", make_json(f.views.light.roll)}}},
                                 {"models",

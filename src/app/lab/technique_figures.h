@@ -8,7 +8,7 @@
 
 #include "app/bench/measurement.h"
 #include "app/lab/lab_scenes.h"
-#include "app/lab/light_figures.h"
+#include "app/lab/light/light_figures.h"
 #include "app/lab/model_figures.h"
 #include "lab/registry.h"
 #include "oracle/comparison.h"

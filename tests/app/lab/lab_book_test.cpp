@@ -148,6 +148,9 @@ TEST(LabBook, WritesPagesAndPictures) {
       const std::string picture = app::picture_file_name(entry.technique);
       EXPECT_THAT(page, HasSubstr("src=\"" + picture));
       EXPECT_EQ(read_png(book / picture).width, 3u * 640) << picture;
+      const std::string film = app::film_file_name(entry.technique);
+      EXPECT_EQ(page.find("src=\"" + film) != std::string::npos, entry.has_film) << film;
+      if (entry.has_film) EXPECT_EQ(read_png(book / film).width, 2u * 320) << film;
     }
   }
 }

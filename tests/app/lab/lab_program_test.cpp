@@ -106,6 +106,10 @@ TEST(LabProgram, CompareMeasuresLight) {
   EXPECT_GT(engine.at("surface_texels").at("p50"), 10000.0);
   EXPECT_EQ(one_pass.at("surface_texels").at("max"), 0.0);
   for (const json* wrong : {&gouraud, &steady}) EXPECT_GT(wrong->at("light").at("error").at("mean"), 1.0);
+  for (const char* const place : {"seams", "shadow_edges"}) {
+    EXPECT_EQ(engine.at("light").at(place).at("max"), 0.0) << place;
+    EXPECT_GT(gouraud.at("light").at(place).at("mean"), 0.1) << place;
+  }
   for (const char* const camera : {"turn", "roll"}) {
     for (const json* still : {&engine, &one_pass, &steady})
       EXPECT_LT(still->at("light").at(camera).at("max"), 1.0) << camera;

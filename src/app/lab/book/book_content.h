@@ -23,6 +23,8 @@ struct BookEntry {
   std::string_view claim;      // of the article, in our words, with its numbers
   std::string_view optimized;  // how far our version is
   Verdict (*judge)(const Evidence& evidence);
+  // Also show how its light shifts, in a film.
+  bool has_film = false;
 };
 
 // The figures of a chapter's tables, besides times.

@@ -90,6 +90,9 @@ constexpr Column kLightColumns[] = {
     {"memory, KB", [](const TechniqueFigures& f) { return show(f.views.bytes / 1024, 0); }},
     {"light error, mean", [](const TechniqueFigures& f) { return show(f.views.light.error.mean(), 2); }},
     {"largest", [](const TechniqueFigures& f) { return show(f.views.light.error.largest, 1); }},
+    {"seams, mean", [](const TechniqueFigures& f) { return show(f.views.light.seams.mean(), 2); }},
+    {"shadow edges, mean",
+     [](const TechniqueFigures& f) { return show(f.views.light.shadow_edges.mean(), 2); }},
     {"largest shift: turn", [](const TechniqueFigures& f) { return show(f.views.light.turn.largest, 1); }},
     {"roll", [](const TechniqueFigures& f) { return show(f.views.light.roll.largest, 1); }}};
 constexpr Column kTexelColumns[] = {
@@ -155,6 +158,14 @@ std::string make_picture(const Evidence& evidence, const BookEntry& entry) {
       picture_file_name(entry.technique), escape_html(entry.technique), caption);
 }
 
+std::string make_film(const BookEntry& entry) {
+  if (!entry.has_film) return "";
+  return fmt::format(
+      "<figure><img class=\"wide\" alt=\"film of {1}\" src=\"{0}\"/><figcaption>The light of the technique, "
+      "and of the engine, on gray walls, while the camera turns and rolls.</figcaption></figure>\n",
+      film_file_name(entry.technique), escape_html(entry.technique));
+}
+
 std::string make_entry(const BookInput& input, const BookChapter& chapter, const BookEntry& entry) {
   const Evidence evidence = Evidence(input.choose_figures(chapter.of_models), 0).of(entry.technique);
   const lab::Technique& technique = find_technique(entry);
@@ -176,7 +187,7 @@ std::string make_entry(const BookInput& input, const BookChapter& chapter, const
       "it is optimized: {}</p>\n",
       holds.style, holds.text, escape_html(verdict.text), escape_html(entry.optimized));
   return html + make_figures_table(evidence, list_columns(chapter.columns)) + make_picture(evidence, entry) +
-         "</section>\n";
+         make_film(entry) + "</section>\n";
 }
 
 // The numbers of a chapter's techniques in the figures, those with default parameters first. More series than
@@ -284,6 +295,10 @@ std::string picture_file_name(std::string_view technique) {
   std::ranges::replace_if(
       name, [](char c) { return c == ':' || c == '=' || c == ','; }, '-');
   return name + ".png";
+}
+
+std::string film_file_name(std::string_view technique) {
+  return "film-" + picture_file_name(technique);
 }
 
 std::string make_index_page(const BookInput& input) {

@@ -27,5 +27,7 @@ std::string make_chapter_page(const BookInput& input, const BookChapter& chapter
 
 // The file of a technique's picture, "painter-pvs-0.png" for painter:pvs=0.
 std::string picture_file_name(std::string_view technique);
+// The file of its film, if it has one (BookEntry::has_film).
+std::string film_file_name(std::string_view technique);
 
 }  // namespace temblor::app

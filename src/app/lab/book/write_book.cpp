@@ -8,6 +8,7 @@
 #include "app/lab/book/school_pages.h"
 #include "app/lab/book/space_page.h"
 #include "app/lab/lab_picture.h"
+#include "app/lab/light/light_film.h"
 #include "lab/registry.h"
 
 namespace temblor::app {
@@ -15,14 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr FrameSize kPictureSize{640, 400};
+constexpr FrameSize kPictureSize{640, 400}, kFilmSize{320, 200};
+
+// The level with the view where the technique differs most from the engine.
+std::size_t find_picture_level(const BookFigures& figures, std::size_t technique) {
+  const auto found = std::ranges::max_element(
+      figures.levels, {}, [&](const LevelFigures& level) { return level.different_shares[technique]; });
+  return static_cast<std::size_t>(found - figures.levels.begin());
+}
 
 // Writes the picture of a technique in the view where it differs most from the engine.
 base::Status write_picture(const fs::path& folder, std::span<const LabScenes> levels,
                            const BookFigures& figures, std::size_t technique, const BookOptions& options) {
-  const auto found = std::ranges::max_element(
-      figures.levels, {}, [&](const LevelFigures& level) { return level.different_shares[technique]; });
-  const LabScenes& scenes = levels[static_cast<std::size_t>(found - figures.levels.begin())];
+  const std::size_t level = find_picture_level(figures, technique);
+  const LabScenes& scenes = levels[level];
   const assets::Look& look = scenes.look();
   const lab::Choice& choice = figures.choices[technique];
   render::FrameBuffer drawn(kPictureSize.width, kPictureSize.height, options.format);
@@ -33,7 +40,7 @@ base::Status write_picture(const fs::path& folder, std::span<const LabScenes> le
   std::size_t number = 0;
   TRY_STATUS(scenes.for_each_picture([&](const render::Scene& scene) {
     // Earlier moments count, because techniques may reuse pictures of models.
-    if (number++ > found->picture_scenes[technique]) return;
+    if (number++ > figures.levels[level].picture_scenes[technique]) return;
     of_engine.render(scene, settings, engine);
     of_technique.render(scene, settings, drawn);
   }));
@@ -45,6 +52,30 @@ base::Status write_pictures(const fs::path& folder, std::span<const LabScenes> l
                             const BookFigures& figures, const BookOptions& options) {
   for (std::size_t i = 1; i < figures.choices.size(); ++i)
     TRY_STATUS(write_picture(folder, levels, figures, i, options));
+  return base::Ok{};
+}
+
+// A film of the view in which the technique's picture is taken.
+base::Status write_film(const fs::path& folder, std::span<const LabScenes> levels, const BookFigures& figures,
+                        std::string_view label, const BookOptions& options) {
+  const auto choice = std::ranges::find(figures.choices, label, &lab::Choice::label);
+  const auto technique = static_cast<std::size_t>(choice - figures.choices.begin());
+  const std::size_t level = find_picture_level(figures, technique);
+  std::size_t number = 0;
+  base::Result<base::ByteVector> film{base::ByteVector()};
+  TRY_STATUS(levels[level].for_each_picture([&](const render::Scene& scene) {
+    if (number++ == figures.levels[level].picture_scenes[technique])
+      film = make_light_film(*choice, scene, levels[level].adapt(options.settings), kFilmSize);
+  }));
+  TRY(const base::ByteVector bytes, std::move(film));
+  return replace_file(folder / film_file_name(label), bytes);
+}
+
+base::Status write_films(const fs::path& folder, std::span<const LabScenes> levels,
+                         const BookFigures& figures, const BookOptions& options) {
+  for (const BookChapter& chapter : list_book_chapters())
+    for (const BookEntry& entry : chapter.entries)
+      if (entry.has_film) TRY_STATUS(write_film(folder, levels, figures, entry.technique, options));
   return base::Ok{};
 }
 
@@ -93,6 +124,7 @@ base::Status write_book(const fs::path& folder, std::span<const LabScenes> level
   TRY(const BookFigures model_figures, measure_book(model_scenes, of_models, options));
   TRY_STATUS(write_pictures(folder, levels, figures, options));
   TRY_STATUS(write_pictures(folder, model_scenes, model_figures, options));
+  TRY_STATUS(write_films(folder, levels, figures, options));
   const BookInput input{figures, options, processor_name(), &model_figures};
   for (const BookChapter& chapter : list_book_chapters())
     TRY_STATUS(write_page(folder / (std::string(chapter.file) + ".html"), make_chapter_page(input, chapter)));

@@ -1,4 +1,4 @@
-#include "app/lab/light_figures.h"
+#include "app/lab/light/light_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -20,17 +20,9 @@ constexpr int kFrames = 6;
 constexpr float kStep_deg = 3;
 constexpr std::size_t kPoints = 4000;
 
-formats::Palette make_gray_palette() {
-  formats::Palette palette;
-  palette.fill({kGray, kGray, kGray});
-  return palette;
-}
-
-formats::Colormap make_gray_colormap() {
-  formats::Colormap colormap;
-  colormap.fullbrights = 0;
-  return colormap;
-}
+// Changes of the engine's light from one pixel to the next: up to the first, light is even; from the second
+// on, it is the edge of a shadow.
+constexpr double kEvenStep = 1, kEdgeStep = 2;
 
 double pixel_light(std::uint32_t color) {
   return (color & 255) / kLevelsPerStep;
@@ -56,6 +48,18 @@ std::optional<math::Vec2d> find_pixel(const render::Camera& camera, const math::
 }
 
 }  // namespace
+
+formats::Palette make_gray_palette() {
+  formats::Palette palette;
+  palette.fill({kGray, kGray, kGray});
+  return palette;
+}
+
+formats::Colormap make_gray_colormap() {
+  formats::Colormap colormap;
+  colormap.fullbrights = 0;
+  return colormap;
+}
 
 void LightDifference::add(double difference) {
   const double size = std::abs(difference);
@@ -84,16 +88,33 @@ void LightViews::add(const render::Scene& scene, const render::Settings& asked) 
   settings.colored_light = false;
   engine_.render(scene, settings, right_);
   draw(scene, settings);
-  compare_with_engine();
+  compare_with_engine(*scene.level);
   if (scene.camera.projection != render::Projection::kPerspective) return;
   const std::vector<Point> points = choose_points(scene);
   follow(points, scene, settings, {0, kStep_deg, 0}, figures_.turn);
   follow(points, scene, settings, {0, 0, kStep_deg}, figures_.roll);
 }
 
-void LightViews::compare_with_engine() {
-  for (std::size_t i = 0; i < frame_.pixel_count(); ++i)
+void LightViews::compare_with_engine(const world::Level& level) {
+  const auto width = static_cast<std::size_t>(frame_.width());
+  for (std::size_t i = 0; i < frame_.pixel_count(); ++i) {
     figures_.error.add(pixel_light(frame_.rgb()[i]) - pixel_light(right_.rgb()[i]));
+    if ((i + 1) % width != 0) compare_neighbors(level, i, i + 1);
+    if (i + width < frame_.pixel_count()) compare_neighbors(level, i, i + width);
+  }
+}
+
+void LightViews::compare_neighbors(const world::Level& level, std::size_t pixel, std::size_t neighbor) {
+  const render::PixelFace &a = faces_[pixel], &b = faces_[neighbor];
+  if (a.instance == render::PixelFace::kNothing || a.instance != b.instance) return;
+  const world::Face &face = level.faces[a.face], &next = level.faces[b.face];
+  if (face.plane != next.plane || face.back_side != next.back_side) return;
+  const double right = pixel_light(right_.rgb()[neighbor]) - pixel_light(right_.rgb()[pixel]);
+  const double drawn = pixel_light(frame_.rgb()[neighbor]) - pixel_light(frame_.rgb()[pixel]);
+  if (a.face != b.face && std::abs(right) <= kEvenStep)
+    figures_.seams.add(drawn - right);
+  else if (a.face == b.face && std::abs(right) >= kEdgeStep)
+    figures_.shadow_edges.add(drawn - right);
 }
 
 // The light at a position on the screen that must show a face: interpolated between the four pixels around.

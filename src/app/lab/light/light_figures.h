@@ -8,11 +8,16 @@
 #include <optional>
 #include <vector>
 
+#include "formats/images/palette.h"
 #include "lab/technique.h"
 #include "render/frame_buffer.h"
 #include "render/renderer.h"
 
 namespace temblor::app {
+
+// For a renderer whose pictures show only light.
+formats::Palette make_gray_palette();
+formats::Colormap make_gray_colormap();
 
 // Absolute differences, in steps of light.
 struct LightDifference {
@@ -25,6 +30,10 @@ struct LightDifference {
 
 struct LightErrors {
   LightDifference error;  // from the engine's light, at all pixels
+  // The change of light from a pixel to its neighbor, compared with the engine's: across borders of coplanar
+  // faces where the engine's light is even (T-junctions show there), and where it jumps on one face
+  // (shadows).
+  LightDifference seams, shadow_edges;
   // From frame to frame, at points of the world that stay in sight. The camera turns to the side, or rolls.
   LightDifference turn, roll;
 };
@@ -42,7 +51,8 @@ class LightViews {
     render::PixelFace face;
     double light;
   };
-  void compare_with_engine();
+  void compare_with_engine(const world::Level& level);
+  void compare_neighbors(const world::Level& level, std::size_t pixel, std::size_t neighbor);
   std::optional<double> find_light(math::Vec2d pixel, const render::PixelFace& face) const;
   std::vector<Point> choose_points(const render::Scene& scene) const;
   void follow(std::vector<Point> points, const render::Scene& scene, const render::Settings& settings,
