@@ -28,7 +28,7 @@ NamesByName make_allowed_folders() {
       {"render", {"world", "formats", "math", "base"}},
       // Finds the right picture without the renderer's stages, by rays.
       {"oracle", {"render", "world", "formats", "math", "base"}},
-      {"lab", {"rays", "render", "world", "formats", "math", "base"}},
+      {"lab", {"net", "rays", "render", "world", "formats", "math", "base"}},
       {"audio", {"formats", "math", "base"}},
       // Built-in functions of QuakeC that server and client share.
       {"builtins", {"vm", "command", "formats", "math", "base"}},
