@@ -33,6 +33,7 @@ Examples:
   temblor --basedir ~/quake lab run model-sprites --models 100 --distance 300 --model ogre
   temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json
   temblor --basedir ~/quake lab replay ~/quake/id1/lockstep0000.replay
+  temblor lab wire --loss 2 --latency 200
   temblor --basedir ~/quake lab book --map start --map e1m1 -o book)";
 
 void add_scene_options(Command& command, LabOptions& io_options) {
@@ -274,6 +275,12 @@ LabCommands add_lab_command(Command& program, LabOptions& io_options) {
   commands.school = commands.lab->add_subcommand("school", "List lessons in rendering, or write their pages");
   commands.school->add_option("-o,--output", io_options.out, "Folder for the pages")->type_name("FOLDER");
   commands.replay = add_replay_command(*commands.lab, io_options.replay);
+  commands.wire = commands.lab->add_subcommand(
+      "wire", "Compare ways to send a game's state over a network that loses packets");
+  add_wire_options(*commands.wire, io_options.wire);
+  commands.wire->add_flag("--json", io_options.json, "Print JSON");
+  commands.wire->add_option("-o,--output", io_options.out, "Plots of freezes and bytes against loss")
+      ->type_name("FILE.svg");
   return commands;
 }
 
@@ -289,6 +296,7 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
     return base::Ok{};
   }
   if (commands.replay->parsed()) return run_replay(options.replay, folders);
+  if (commands.wire->parsed()) return run_wire(options.wire, folders, options.json, options.out);
   if (commands.book->parsed()) return make_book(options, folders, settings);
   const bool is_run = commands.run->parsed();
   if (is_run && options.technique == kSpaceName) {

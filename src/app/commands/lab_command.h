@@ -7,6 +7,7 @@
 //   lab book                 pages about all of them
 //   lab school               lessons for beginners
 //   lab replay FILE          a lockstep game, simulated again
+//   lab wire                 how a game's state gets to its players
 #pragma once
 
 #include <optional>
@@ -17,6 +18,7 @@
 #include "app/lab/model_crowd.h"
 #include "app/lab/replay_command.h"
 #include "app/lab/space_command.h"
+#include "app/lab/wire/wire_command.h"
 #include "base/result.h"
 #include "client/view/presentation.h"
 #include "render/settings.h"
@@ -41,6 +43,7 @@ struct LabOptions {
   int rounds = 1;
   SpaceOptions space;
   ReplayOptions replay;
+  WireOptions wire;
   bool json = false;
   // Picture file of `run`; empty: none. Folder of `book` and `school`.
   std::string out;
@@ -57,6 +60,7 @@ struct LabCommands {
   Command* book = nullptr;
   Command* school = nullptr;
   Command* replay = nullptr;
+  Command* wire = nullptr;
 };
 
 LabCommands add_lab_command(Command& program, LabOptions& io_options);

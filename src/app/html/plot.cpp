@@ -193,15 +193,18 @@ std::string make_file_style() {
 
 }  // namespace
 
-std::string draw_svg_file(const Plot& plot) {
-  constexpr double kTitleHeight = 30;
+std::string draw_svg_file(std::span<const Plot> plots) {
+  constexpr double kTitleHeight = 30, kPlotHeight = kHeight + kTitleHeight;
+  std::string content;
+  for (std::size_t i = 0; i < plots.size(); ++i)
+    content += fmt::format("<g transform=\"translate(0 {})\">\n{}<text x=\"{}\" y=\"{}\">{}</text></g>\n",
+                           kPlotHeight * static_cast<double>(i), draw_content(plots[i]), kLeft,
+                           kPlotHeight - 12, escape_html(plots[i].title));
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\">\n<style>svg {{ font-family: sans-serif; }}\n{2}</style>\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n{3}"
-      "<text x=\"{4}\" y=\"{5}\">{6}</text>\n</svg>\n",
-      kWidth, kHeight + kTitleHeight, make_file_style(), draw_content(plot), kLeft,
-      kHeight + kTitleHeight - 12, escape_html(plot.title));
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n{3}</svg>\n",
+      kWidth, kPlotHeight * static_cast<double>(plots.size()), make_file_style(), content);
 }
 
 }  // namespace temblor::app

@@ -1,6 +1,7 @@
 // Plots of measurements as SVG in a page: points or lines on axes, with a legend.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,11 @@ struct Plot {
 constexpr std::size_t kPlotColors = 8;
 std::string draw_plot(const Plot& plot);
 
-// A file of its own, which needs no style sheet.
-std::string draw_svg_file(const Plot& plot);
+// A file of its own, which needs no style sheet. Several plots are drawn below each other.
+std::string draw_svg_file(std::span<const Plot> plots);
+inline std::string draw_svg_file(const Plot& plot) {
+  return draw_svg_file(std::span(&plot, 1));
+}
 
 // For begin_page().
 extern const char* const kPlotStyle;
