@@ -213,6 +213,14 @@ base::Status compare(std::span<const lab::Choice> choices, const LabOptions& opt
   return base::Ok{};
 }
 
+// A level without game code, or a file, cannot be played.
+base::Result<WireResults> measure_wire_for_book(const std::string& map, const GameFolders& folders) {
+  const base::Result<WireResults> measured = measure_wire({.map = map}, folders);
+  if (measured.ok()) return measured;
+  print_note(fmt::format("the wire sends the built-in world: {}", measured.error().message()));
+  return measure_wire(WireOptions{}, folders);
+}
+
 base::Status make_book(const LabOptions& options, const GameFolders& folders,
                        const render::Settings& settings) {
   BookOptions book;
@@ -237,7 +245,8 @@ base::Status make_book(const LabOptions& options, const GameFolders& folders,
                               crowd));
     model_scenes.push_back(std::move(scenes));
   }
-  return write_book(options.out, levels, model_scenes, book);
+  TRY(const WireResults wire, measure_wire_for_book(maps.front(), folders));
+  return write_book(options.out, levels, model_scenes, wire, book);
 }
 
 }  // namespace

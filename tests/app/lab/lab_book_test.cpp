@@ -11,7 +11,9 @@
 #include "app/lab/book/book_content.h"
 #include "app/lab/book/book_pages.h"
 #include "app/lab/book/space_page.h"
+#include "app/lab/book/wire_page.h"
 #include "app/lab/book/write_book.h"
+#include "app/lab/wire/wire_command.h"
 #include "app/program.h"
 #include "lab/lessons.h"
 #include "lab/registry.h"
@@ -132,11 +134,16 @@ TEST(LabBook, WritesPagesAndPictures) {
   options.settings.threads = 1;
   options.sizes = {{32, 24}, {64, 48}};
   const std::filesystem::path book = folder.path() / "new" / "book";
-  ASSERT_TRUE(app::write_book(book, levels, model_scenes, options));
+  const app::WireResults wire = app::measure_wire({.latency_ms = {200, 200}, .seconds = 5}, {}).value();
+  ASSERT_TRUE(app::write_book(book, levels, model_scenes, wire, options));
   const std::string index = read_text(book / "index.html");
   EXPECT_EQ(find_markup_fault(index), "");
   EXPECT_THAT(index, HasSubstr("href=\"space.html\""));
   EXPECT_TRUE(std::filesystem::exists(book / "space.html"));
+  EXPECT_THAT(index, HasSubstr("href=\"wire.html\""));
+  EXPECT_TRUE(std::filesystem::exists(book / "wire.html"));
+  EXPECT_THAT(index, HasSubstr("14 ms, 56 ms at 18 ticks per second, 97 ms at 10 ticks per second"));
+  EXPECT_THAT(index, HasSubstr("several hundred milliseconds</td><td class=\"n\">403 ms"));
   for (const app::BookChapter& chapter : app::list_book_chapters()) {
     const std::string file = std::string(chapter.file) + ".html";
     EXPECT_THAT(index, HasSubstr("href=\"" + file));
@@ -184,6 +191,21 @@ TEST(LabSchool, ListsLessonsAndWritesThem) {
   EXPECT_EQ(read_png(folder.path() / "pages" / "school-depth.png").width, 640u);
   folder.write("file", "a file");
   EXPECT_EQ(run_program(folder.path(), {"lab", "school", "-o", "file"}).exit_status, 1);
+}
+
+TEST(LabBook, ShowsTheWire) {
+  const TemporaryFolder folder;
+  app::WireOptions options;
+  options.seconds = 5;
+  const app::WireResults results = app::measure_wire(options, {}).value();
+  ASSERT_TRUE(app::write_wire_page(folder.path(), results));
+  const std::string page = read_text(folder.path() / "wire.html");
+  EXPECT_EQ(find_markup_fault(page), "");
+  EXPECT_THAT(page, Not(HasSubstr("nan")));
+  EXPECT_THAT(page, HasSubstr("<span class=\"good\">holds</span>"));
+  EXPECT_THAT(page, HasSubstr("freezes the world for 403 ms if everything is reliable, and for 14 ms"));
+  for (const lab::wire::MethodInfo& info : lab::wire::list_methods())
+    EXPECT_THAT(page, HasSubstr("<h3>" + std::string(info.title)));
 }
 
 // The book and its readers know where to find each lesson.

@@ -24,6 +24,19 @@ std::string show_overdraw(const BookFigures& figures) {
   return Range{100 * (written.low - 2), 100 * (written.high - 2)}.text(0) + " %";
 }
 
+std::string show_freeze(const BookFigures& figures, lab::wire::Method method) {
+  if (figures.wire.freezes.empty()) return "not measured";
+  const double ping_ms = choose_plotted_ping(figures.wire);
+  return fmt::format("{:.0f} ms", figures.wire.freeze(method, ping_ms).frozen_ms());
+}
+
+std::string show_slower_servers(const BookFigures& figures) {
+  std::string text;
+  for (const WireFreeze& freeze : figures.wire.slower)
+    text += fmt::format(", {:.0f} ms at {:.0f} ticks per second", freeze.frozen_ms(), 1000 / freeze.tick_ms);
+  return text;
+}
+
 constexpr std::array kNumbers{
     ArticleNumber{kAlternatives, "Faces in the potentially visible set for each face that is seen",
                   "5 in places",
@@ -68,8 +81,13 @@ constexpr std::array kNumbers{
                   },
                   true},
     ArticleNumber{kModels, "Distance at which it becomes visible", "12 to 40 feet", nullptr},
-    ArticleNumber{kBigPicture, "Delay after a lost packet, with all messages reliable",
-                  "several hundred milliseconds", nullptr},
+    ArticleNumber{kBigPicture, "Freeze after a lost packet, with everything reliable, at a ping of 200 ms",
+                  "several hundred milliseconds",
+                  [](const BookFigures& f) { return show_freeze(f, lab::wire::Method::kReliable); }},
+    ArticleNumber{kBigPicture, "Freeze after a lost packet, with whole states", "100 ms or less",
+                  [](const BookFigures& f) {
+                    return show_freeze(f, lab::wire::Method::kWholeState) + show_slower_servers(f);
+                  }},
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "app/lab/lab_scenes.h"
 #include "app/lab/technique_figures.h"
+#include "app/lab/wire/wire_figures.h"
 #include "base/result.h"
 
 namespace temblor::app {
@@ -58,6 +59,7 @@ struct BookFigures {
   std::vector<ViewTimes> views;
   std::vector<SizeTimes> sizes;
   EngineFigures engine;
+  WireResults wire;    // of the articles' numbers; without freezes: not measured
   double seconds = 0;  // that all of it took
 };
 

@@ -307,7 +307,8 @@ std::string make_index_page(const BookInput& input) {
          "alternatives draw the same views as Temblor's renderer, under the same clock.</p>\n" +
          "<p><a href=\"school.html\">The school</a> is for beginners: a small renderer, from a line to a "
          "scene. <a href=\"space.html\">The space battle</a> is the article's program for edges sorted by "
-         "1/z, without a level.</p>\n" +
+         "1/z, without a level. <a href=\"wire.html\">The wire</a> compares ways to send a game to its "
+         "players.</p>\n" +
          make_conditions(input, input.figures) + make_verdicts(input) + make_numbers(input) + end_page();
 }
 

@@ -7,6 +7,7 @@
 #include "app/lab/book/book_pages.h"
 #include "app/lab/book/school_pages.h"
 #include "app/lab/book/space_page.h"
+#include "app/lab/book/wire_page.h"
 #include "app/lab/lab_picture.h"
 #include "app/lab/light/light_film.h"
 #include "lab/registry.h"
@@ -114,13 +115,16 @@ std::vector<CrowdOptions> list_book_crowds() {
 }
 
 base::Status write_book(const fs::path& folder, std::span<const LabScenes> levels,
-                        std::span<const LabScenes> model_scenes, const BookOptions& options) {
+                        std::span<const LabScenes> model_scenes, const WireResults& wire,
+                        const BookOptions& options) {
   const std::vector<lab::Choice> techniques = choose_techniques(false), of_models = choose_techniques(true);
   for (const LabScenes& level : levels) TRY_STATUS(level.check(techniques));
   for (const LabScenes& scenes : model_scenes) TRY_STATUS(scenes.check(of_models));
   TRY_STATUS(write_school(folder));
   TRY_STATUS(write_space_page(folder, options.size));
-  TRY(const BookFigures figures, measure_book(levels, techniques, options));
+  TRY_STATUS(write_wire_page(folder, wire));
+  TRY(BookFigures figures, measure_book(levels, techniques, options));
+  figures.wire = wire;
   TRY(const BookFigures model_figures, measure_book(model_scenes, of_models, options));
   TRY_STATUS(write_pictures(folder, levels, figures, options));
   TRY_STATUS(write_pictures(folder, model_scenes, model_figures, options));

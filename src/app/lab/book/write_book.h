@@ -11,10 +11,12 @@ namespace temblor::app {
 std::vector<lab::Choice> list_book_techniques();
 
 // Makes the folder if it does not exist, and writes index.html, a page for each chapter, the school,
-// the space battle, and a picture for each technique, over those that are there. There must be at least one
-// level, and one scene of models. Errors: a folder or file that cannot be written.
+// the space battle, the wire, and a picture for each technique, over those that are there. There must be at
+// least one level, one scene of models, and freezes at the wire's plotted ping. Errors: a folder or file that
+// cannot be written.
 base::Status write_book(const std::filesystem::path& folder, std::span<const LabScenes> levels,
-                        std::span<const LabScenes> model_scenes, const BookOptions& options);
+                        std::span<const LabScenes> model_scenes, const WireResults& wire,
+                        const BookOptions& options);
 
 // Numbers and distances of models.
 std::vector<CrowdOptions> list_book_crowds();
