@@ -235,6 +235,16 @@ TEST(Wire, TrafficIsThatOfRealPackets) {
   EXPECT_LT(deltas.to_viewer.bytes, whole.to_viewer.bytes / 2);
   EXPECT_GT(rate(deltas.to_viewer), 28 + 8 + 4);
   EXPECT_GT(rate(deltas.from_viewer), 28 + 8 + 4 * 16);
+  // With no delay, a message leaves in each tick, a little larger than a delta's, and its acknowledgment.
+  const Transcript reliable = run_wire(Method::kReliable, {}), near_deltas = run_wire(Method::kDeltas, {});
+  EXPECT_EQ(reliable.to_viewer.packets, 2 * 4u * 72);
+  EXPECT_NEAR(static_cast<double>(reliable.to_viewer.bytes),
+              static_cast<double>(near_deltas.to_viewer.bytes) + 4 * 72 * 36, 1000);
+  // A window sends the same deltas with 12 more bytes, and no acknowledgments of their own.
+  const Transcript window = run_wire(Method::kWindow, link);
+  EXPECT_EQ(window.to_viewer.packets, 4u * 72);
+  EXPECT_NEAR(static_cast<double>(window.to_viewer.bytes),
+              static_cast<double>(near_deltas.to_viewer.bytes) + 4 * 72 * 12, 1000);
   const Transcript two =
       wire::simulate(short_world(), {.method = Method::kLockstep, .link = link, .players = 2});
   const Transcript four =
@@ -325,7 +335,7 @@ TEST(WireWindow, WaitsForTheRoundTripOfMessagesSentOnce) {
     there.acknowledge();
     here.receive(there.last(), now_s);
   };
-  answer(1.06);
+  answer(1.02);  // perhaps to the first one
   here.send('b', 2);
   answer(2.05);
   here.send('c', 3);  // is lost

@@ -36,7 +36,7 @@ TEST(WireProgram, PrintsTables) {
   const ProgramRun run = run_wire(folder.path(), {"--seconds", "5", "--loss", "2", "--latency", "200"});
   ASSERT_EQ(run.exit_status, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  EXPECT_THAT(run.out, HasSubstr("Built-in world, 2 players, 5 s at 72 ticks per second."));
+  EXPECT_THAT(run.out, HasSubstr("Built-in world, 2 players, 5 s at 72 ticks per second, 5 runs of each."));
   EXPECT_THAT(run.out, HasSubstr("\nreliable                    208   417\n"));
   EXPECT_THAT(run.out, HasSubstr("\nwhole-state                  14    28\n"));
   EXPECT_THAT(run.out, HasSubstr("Round trip 200 ms, random loss\n"));

@@ -115,8 +115,8 @@ std::string make_freeze_table(const WireResults& results) {
 std::string make_link_table(const WireResults& results, double ping_ms) {
   std::string html = fmt::format("<h3>Random loss, round trip {:g} ms</h3>\n", ping_ms) +
                      make_head("method", {"lost", "KB/s in", "KB/s out", "packets/s in, out",
-                                          "newer state after, ms: median", "99 %", "worst",
-                                          "input to picture, ms: median", "99 %"});
+                                          "newer state after, ms: median", "99%", "worst",
+                                          "input to picture, ms: median", "99%"});
   for (const WireFigures& f : results.figures)
     if (f.ping_ms == ping_ms)
       html += make_row(
@@ -131,10 +131,10 @@ std::string make_link_table(const WireResults& results, double ping_ms) {
 
 std::string make_wire_page(const WireResults& results) {
   std::string html =
-      begin_page("The wire",
-                 std::string(kPlotStyle) +
-                     "a { color: var(--bar); } .no { color: var(--alarm); } th, th.n { white-space: "
-                     "normal; vertical-align: bottom; }") +
+      begin_page("The wire", std::string(kPlotStyle) +
+                                 "a { color: var(--bar); } .no { color: var(--alarm); } td:first-child { "
+                                 "white-space: nowrap; } th, th.n { white-space: "
+                                 "normal; vertical-align: bottom; }") +
       "<p><a href=\"index.html\">The laboratory's book</a></p>\n<h1>The wire</h1>\n" + kWireExplanation +
       kWireClaim + make_verdict(results) + make_freeze_table(results);
   for (const Plot& plot : plot_wire(results)) html += draw_plot(plot);
@@ -143,14 +143,16 @@ std::string make_wire_page(const WireResults& results) {
         fmt::format("<h3>{}</h3>\n<p>{}</p>\n", escape_html(find_method_info(text.method).title), text.text);
   for (const double ping_ms : list_measured_pings(results)) html += make_link_table(results, ping_ms);
   html += fmt::format(
-      "<p class=\"soft\">{}, {} players, {:.0f} s at {:.0f} ticks per second. Each packet counts {} bytes of "
+      "<p class=\"soft\">{}, {} players, {} runs of {:.0f} s at {:.0f} ticks per second. Each packet counts "
+      "{} bytes of "
       "IP "
       "and UDP, and delays vary by {:g} ms. \"In\" is what one player receives. A picture comes 60 times per "
       "second. Input to picture is without prediction, which hides it for the player's own movement with "
       "whole states and with deltas, but not for doors, shots, and other players. A peer in lockstep cannot "
       "predict, because its world is already the right one.</p>\n",
-      escape_html(results.world), results.players, static_cast<double>(results.ticks) * results.tick_s,
-      1 / results.tick_s, wire::kInternetHeaderBytes, kWireJitter_ms);
+      escape_html(results.world), results.players, kWireRuns,
+      static_cast<double>(results.ticks) * results.tick_s, 1 / results.tick_s, wire::kInternetHeaderBytes,
+      kWireJitter_ms);
   return html + "</body>\n</html>\n";
 }
 

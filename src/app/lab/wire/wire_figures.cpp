@@ -49,6 +49,15 @@ std::size_t choose_interval(const wire::World& world, double rate) {
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(1 / (rate * world.tick_s))));
 }
 
+void add(const wire::Traffic& traffic, wire::Traffic& io_sum) {
+  io_sum.bytes += traffic.bytes;
+  io_sum.packets += traffic.packets;
+}
+
+void append(const std::vector<double>& values, std::vector<double>& io_all) {
+  io_all.insert(io_all.end(), values.begin(), values.end());
+}
+
 // The methods must work: figures of wrong states would be worthless.
 void check_faults(const wire::Transcript& transcript) {
   CHECK(transcript.wrong_states == 0 && transcript.unreadable == 0 && transcript.wrong_inputs == 0);
@@ -75,19 +84,28 @@ WireFigures measure_link(const wire::World& world, wire::Method method, double p
   wire::Setup setup = make_setup(method, ping_ms, players);
   setup.link.loss = loss;
   setup.link.jitter_s = kWireJitter_ms / 1000;
-  const wire::Transcript transcript = wire::simulate(world, setup);
-  check_faults(transcript);
-  const double seconds = transcript.end_s - setup.warm_s;
+  wire::Traffic in, out;
+  double seconds = 0;
+  std::vector<double> gaps_ms, delays_ms;
+  for (setup.seed = 1; setup.seed <= std::uint64_t{kWireRuns}; ++setup.seed) {
+    const wire::Transcript transcript = wire::simulate(world, setup);
+    check_faults(transcript);
+    add(transcript.to_viewer, in);
+    add(transcript.from_viewer, out);
+    seconds += transcript.end_s - setup.warm_s;
+    append(list_gaps_ms(transcript, setup.warm_s), gaps_ms);
+    append(list_picture_delays_ms(transcript), delays_ms);
+  }
   const auto rate = [&](std::uint64_t count) { return static_cast<double>(count) / seconds; };
   return {.method = method,
           .ping_ms = ping_ms,
           .loss = loss,
-          .bytes_in = rate(transcript.to_viewer.bytes),
-          .bytes_out = rate(transcript.from_viewer.bytes),
-          .packets_in = rate(transcript.to_viewer.packets),
-          .packets_out = rate(transcript.from_viewer.packets),
-          .gap_ms = compute_distribution(list_gaps_ms(transcript, setup.warm_s)),
-          .picture_ms = compute_distribution(list_picture_delays_ms(transcript))};
+          .bytes_in = rate(in.bytes),
+          .bytes_out = rate(out.bytes),
+          .packets_in = rate(in.packets),
+          .packets_out = rate(out.packets),
+          .gap_ms = compute_distribution(std::move(gaps_ms)),
+          .picture_ms = compute_distribution(std::move(delays_ms))};
 }
 
 const WireFreeze& WireResults::freeze(wire::Method method, double ping_ms) const {

@@ -18,7 +18,8 @@ struct WireGrid {
   int players = 2;
 };
 
-// A link that loses packets at random. Milliseconds.
+// A link that loses packets at random, over kWireRuns runs. Milliseconds.
+constexpr int kWireRuns = 5;
 struct WireFigures {
   lab::wire::Method method{};
   double ping_ms = 0, loss = 0;

@@ -61,9 +61,10 @@ nlohmann::json make_json_distribution(const Distribution& values) {
 
 std::string describe_wire(const WireResults& results) {
   std::string text = fmt::format(
-      "{}, {} players, {:.0f} s at {:.0f} ticks per second. Each packet counts {} bytes of IP and UDP.\n\n{}",
+      "{}, {} players, {:.0f} s at {:.0f} ticks per second, {} runs of each. Each packet counts {} bytes of "
+      "IP and UDP.\n\n{}",
       results.world, results.players, static_cast<double>(results.ticks) * results.tick_s, 1 / results.tick_s,
-      wire::kInternetHeaderBytes, describe_freezes(results));
+      kWireRuns, wire::kInternetHeaderBytes, describe_freezes(results));
   double ping_ms = -1;
   for (const WireFigures& figures : results.figures) {
     if (figures.ping_ms != ping_ms) {
@@ -103,6 +104,7 @@ std::string make_wire_json(const WireResults& results) {
                                  {"tick_ms", results.tick_s * 1000},
                                  {"header_bytes", wire::kInternetHeaderBytes},
                                  {"jitter_ms", kWireJitter_ms},
+                                 {"runs", kWireRuns},
                                  {"one_lost_packet", std::move(freezes)},
                                  {"random_loss", std::move(list)}};
   return result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -110,13 +112,13 @@ std::string make_wire_json(const WireResults& results) {
 
 std::vector<Plot> plot_wire(const WireResults& results) {
   const double ping_ms = choose_plotted_ping(results);
-  Plot freezes{
-      .title = fmt::format("The longest time without a newer state in {:.0f} s, with a round trip of "
-                           "{:g} ms.",
-                           static_cast<double>(results.ticks) * results.tick_s, ping_ms),
-      .x_label = "lost packets, %",
-      .y_label = "longest gap, ms",
-      .y_axis = Axis::kLogarithmic};
+  const double seconds = static_cast<double>(results.ticks) * results.tick_s;
+  Plot freezes{.title = fmt::format("The longest time without a newer state in {} runs of {:.0f} s, with a "
+                                    "round trip of {:g} ms.",
+                                    kWireRuns, seconds, ping_ms),
+               .x_label = "lost packets, %",
+               .y_label = "longest gap, ms",
+               .y_axis = Axis::kLogarithmic};
   Plot bytes{.title = fmt::format("Bytes to the player, with a round trip of {:g} ms.", ping_ms),
              .x_label = "lost packets, %",
              .y_label = "KB per second"};
