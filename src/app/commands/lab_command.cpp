@@ -130,7 +130,7 @@ void print_list(bool json) {
       fmt::print("  {}={}, {} to {}. {}\n", parameter.name, parameter.value, parameter.min, parameter.max,
                  parameter.meaning);
   }
-  fmt::print("{}", describe_space());
+  fmt::print("{}{}", describe_space(), describe_wire_methods());
 }
 
 // The first option that is for levels only, or nothing.
@@ -163,6 +163,8 @@ base::Status check_technique_options(const LabOptions& options) {
   if (std::ranges::count(options.techniques, kSpaceName) > 0)
     return base::error(base::ErrorCode::kUnsupported,
                        "{0} is a scene of its own and draws no level; use `temblor lab run {0}`", kSpaceName);
+  if (options.technique == kWireName || std::ranges::count(options.techniques, kWireName) > 0)
+    return base::error(base::ErrorCode::kUnsupported, "{0} draws nothing; use `temblor lab {0}`", kWireName);
   const std::string option = options.space.find_given();
   if (option.empty()) return base::Ok{};
   return base::error(base::ErrorCode::kUnsupported, "{} is an option of `temblor lab run {}`", option,
@@ -285,7 +287,7 @@ LabCommands add_lab_command(Command& program, LabOptions& io_options) {
   commands.school->add_option("-o,--output", io_options.out, "Folder for the pages")->type_name("FOLDER");
   commands.replay = add_replay_command(*commands.lab, io_options.replay);
   commands.wire = commands.lab->add_subcommand(
-      "wire", "Compare ways to send a game's state over a network that loses packets");
+      kWireName, "Compare ways to send a game's state over a network that loses packets");
   add_wire_options(*commands.wire, io_options.wire);
   commands.wire->add_flag("--json", io_options.json, "Print JSON");
   commands.wire->add_option("-o,--output", io_options.out, "Plots of freezes and bytes against loss")

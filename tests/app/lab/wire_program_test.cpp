@@ -77,6 +77,20 @@ TEST(WireProgram, PrintsJsonAndDrawsPlots) {
   EXPECT_THAT(svg, HasSubstr("KB per second"));
 }
 
+TEST(WireProgram, IsListedButDrawsNothing) {
+  const TemporaryFolder folder;
+  const std::string list = run_program(folder.path(), {"lab", "list"}).out;
+  EXPECT_THAT(list, HasSubstr("\nwire: Ways to send a game to its players (`temblor lab wire`)\n"));
+  for (const lab::wire::MethodInfo& info : lab::wire::list_methods())
+    EXPECT_THAT(list, HasSubstr("\n  " + std::string(info.name) + ": " + std::string(info.summary)));
+  for (const Words& words : {Words{"lab", "run", "wire"}, Words{"lab", "compare", "painter", "wire"}}) {
+    const ProgramRun run = run_program(folder.path(), words);
+    EXPECT_NE(run.exit_status, 0);
+    EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("wire draws nothing; use `temblor lab wire`"));
+  }
+}
+
 TEST(WireProgram, MeasuresRoundValuesAndBothEnds) {
   app::WireOptions options;
   const app::WireGrid all = app::make_wire_grid(options);

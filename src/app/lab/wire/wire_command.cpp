@@ -96,4 +96,14 @@ base::Status run_wire(const WireOptions& options, const GameFolders& folders, bo
   return base::Ok{};
 }
 
+std::string describe_wire_methods() {
+  std::string text = fmt::format(
+      "{}: Ways to send a game to its players (`temblor lab {}`)\n  From \"Quake's 3-D Engine: The Big "
+      "Picture\".\n  Expected: without reliable packets, a lost one freezes the world for a tick.\n",
+      kWireName, kWireName);
+  for (const lab::wire::MethodInfo& info : lab::wire::list_methods())
+    text += fmt::format("  {}: {}\n", info.name, info.summary);
+  return text;
+}
+
 }  // namespace temblor::app

@@ -12,6 +12,8 @@ namespace temblor::app {
 
 class Command;
 
+constexpr const char* kWireName = "wire";
+
 // From the lowest to the highest measured value; both may be the same.
 struct ValueRange {
   double low = 0, high = 0;
@@ -36,5 +38,8 @@ base::Result<WireResults> measure_wire(const WireOptions& options, const GameFol
 // a level that cannot be played, or a file that cannot be written.
 base::Status run_wire(const WireOptions& options, const GameFolders& folders, bool json,
                       const std::string& out);
+
+// The paragraph of `lab list`.
+std::string describe_wire_methods();
 
 }  // namespace temblor::app
