@@ -37,7 +37,7 @@ class UnreliableServer : public Node {
     auto next = reader.next();
     for (; next.ok() && *next; next = reader.next()) {
       if (const auto* move = std::get_if<net::Move>(&**next)) {
-        input_ = std::max(input_, find_input(*move));
+        input_ = find_input(*move);
         has_input_ = true;
       } else if (const auto* command = std::get_if<net::StringCommand>(&**next)) {
         const auto head = net::read_numbered_packet(command->text);
