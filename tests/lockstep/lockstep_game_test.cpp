@@ -228,7 +228,7 @@ TEST(Lockstep, PlaysOverUdp) {
 TEST(Lockstep, AReplayEndsInTheSameState) {
   LockstepParty party({.players = 2, .slots = 4, .variables = {{"deathmatch", "1"}, {"bot_fill", "4"}}});
   ASSERT_TRUE(party.run_until_playing());
-  play(party, 2, 20);
+  play(party, 2, effort(20, 6));
   const base::ByteVector file = party.game(0).replay()->finish();
   const auto replay = lockstep::read_replay(file);
   ASSERT_TRUE(replay.ok()) << replay.error().message();
