@@ -27,9 +27,10 @@ bool is_compiled_per_target(const SourceFile& file) {
 
 bool may_hold_kernels(std::string_view path) {
   static constexpr std::string_view kKernelFolders[] = {
-      "audio/",          "lab/hidden_surfaces/", "lab/models/",         "lab/world_light/",
-      "render/color/",   "render/spans/",        "render/surfaces/",    "render/alias/",
-      "render/sprites/", "render/particles/",    "render/translucent/", "render/screen/"};
+      "audio/",           "lab/hidden_surfaces/", "lab/models/",       "lab/perspective/",
+      "lab/world_light/", "render/color/",        "render/spans/",     "render/surfaces/",
+      "render/alias/",    "render/sprites/",      "render/particles/", "render/translucent/",
+      "render/screen/"};
   return std::any_of(std::begin(kKernelFolders), std::end(kKernelFolders),
                      [&](std::string_view folder) { return path.starts_with(folder); });
 }
