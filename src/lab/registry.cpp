@@ -311,6 +311,7 @@ constexpr std::array kTechniques{
               .make_stages = make_rebuilt_surfaces},
     kModelsInEdges,
     kModelSprites,
+    kFloodFill,
     kVertexBoxes,
     kAffineModels,
     kSubdividedModels,

@@ -20,7 +20,7 @@ constexpr auto kModelTechniques = {
     "affine-models",     "affine-models:subpixel=0",  "affine-models:perspective=1",
     "subdivided-models", "subdivided-models:light=1", "vertex-boxes",
     "models-in-edges",   "models-in-edges:tree=1",    "triangle-masks",
-    "model-sprites",     "model-sprites:frames=3"};
+    "model-sprites",     "model-sprites:frames=3",    "flood-fill"};
 constexpr auto kFormats = {PixelFormat::kIndexed, PixelFormat::kRgb};
 
 TEST(ModelTechniques, AreTheSameForAnyThreadsAndBands) {
@@ -193,6 +193,19 @@ TEST(SubdividedModels, SplitLight) {
   ModelPictures flat(drawable, "subdivided-models", PixelFormat::kRgb);
   ModelPictures split(drawable, "subdivided-models:light=1", PixelFormat::kRgb);
   EXPECT_NE(flat.copy(models.scene, kModelsAlone).rgb, split.copy(models.scene, kModelsAlone).rgb);
+}
+
+// Outlines lie at the nearest pixels, half of a pixel too far on average. Colors are those of the nearest
+// edge or vertex.
+TEST(FloodFill, FillsTheOutlineWithWrongTexels) {
+  for (const CrowdPlace& place : {CrowdPlace{.least = 60}, CrowdPlace{.least = 300, .most = 900}}) {
+    const PictureErrors errors = sum_errors("flood-fill", place);
+    EXPECT_GT(errors.covered, 10000);
+    EXPECT_LT(errors.missing, 0.01 * errors.covered);
+    EXPECT_LT(errors.extra, 0.2 * errors.covered);
+    EXPECT_GT(errors.extra, 0);
+    EXPECT_GT(errors.far_texels, 0.05 * errors.covered);
+  }
 }
 
 // The same triangles by scan lines are the reference. Texels are computed in another order, so a few round

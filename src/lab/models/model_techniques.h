@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lab/models/affine_models.h"
+#include "lab/models/flood_fill.h"
 #include "lab/models/model_sprites.h"
 #include "lab/models/models_in_edges.h"
 #include "lab/models/subdivided_models.h"
@@ -66,6 +67,18 @@ constexpr Technique kVertexBoxes{
     .max_wrong_share = 0,
     .parameters = {},
     .make_stages = make_vertex_boxes,
+    .draws_models = true};
+constexpr Technique kFloodFill{
+    .name = "flood-fill",
+    .title = "Filled outlines",
+    .summary = "Draws the outline of a model, and floods its inside with the colors of outline and vertices.",
+    .article = kTriangleModels,
+    .heading = "An idea that did work",
+    .replaces = "models",
+    .expected = "None: the idea was dropped before anybody tried it. Blobs of about the right colors.",
+    .max_wrong_share = 0,
+    .parameters = {},
+    .make_stages = make_flood_fill,
     .draws_models = true};
 constexpr Technique kAffineModels{
     .name = "affine-models",

@@ -88,6 +88,17 @@ Verdict judge_boxes(const Evidence& evidence) {
           describe_against_affine(evidence)};
 }
 
+// Blobs should be faster than triangles, with about the right outline.
+Verdict judge_flood(const Evidence& evidence) {
+  constexpr double kSmallError = 0.1;
+  const bool is_fast = compare_with_affine(evidence).low < 1 / kSameTime;
+  const bool looks_right = evidence.over_levels(wrong_outline).low < kSmallError;
+  return {is_fast && looks_right   ? Holds::kYes
+          : is_fast || looks_right ? Holds::kPartly
+                                   : Holds::kNo,
+          describe_against_affine(evidence)};
+}
+
 // Sprites should be hardly faster than triangles, and look wrong.
 Verdict judge_sprites(const Evidence& evidence) {
   constexpr double kMuchFaster = 0.7, kVisible = 0.02;
@@ -139,6 +150,16 @@ constexpr std::array kModelEntries{
               "boxes together form the model.",
               "Sometimes it works well, but there are gaps where triangles are large.",
               "The engine's SIMD code transforms the vertices. Boxes are drawn one by one.", judge_boxes},
+    BookEntry{
+        "flood-fill",
+        "The edges between front and back triangles are drawn as lines, which have the right texels. Colors "
+        "then spread from there, and from single vertices, over the inside. Holes are filled, and the "
+        "vertices of hidden parts show through.",
+        "None: the article calls it a half-formed idea. Far models are indistinct blobs, so another way of "
+        "drawing blobs might do.",
+        "The engine's SIMD code transforms vertices, and pictures are copied with vectors. Outlines and "
+        "floods are scalar, because each pixel follows from its neighbor.",
+        judge_flood},
     BookEntry{"affine-models",
               "Triangles are drawn by scan lines, at all distances. Texels change evenly along the screen.",
               "Triangles are small or far away, so perspective would add little.", kEnginesLoops,
