@@ -310,6 +310,7 @@ constexpr std::array kTechniques{
               .parameters = kRebuiltParameters,
               .make_stages = make_rebuilt_surfaces},
     kModelsInEdges,
+    kModelsInLeaves,
     kModelSprites,
     kFloodFill,
     kVertexBoxes,

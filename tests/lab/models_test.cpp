@@ -20,7 +20,8 @@ constexpr auto kModelTechniques = {
     "affine-models",     "affine-models:subpixel=0",  "affine-models:perspective=1",
     "subdivided-models", "subdivided-models:light=1", "vertex-boxes",
     "models-in-edges",   "models-in-edges:tree=1",    "triangle-masks",
-    "model-sprites",     "model-sprites:frames=3",    "flood-fill"};
+    "model-sprites",     "model-sprites:frames=3",    "flood-fill",
+    "models-in-leaves",  "models-in-leaves:cut=0"};
 constexpr auto kFormats = {PixelFormat::kIndexed, PixelFormat::kRgb};
 
 TEST(ModelTechniques, AreTheSameForAnyThreadsAndBands) {
@@ -66,7 +67,9 @@ TEST(ModelTechniques, ShowTheWorldWithoutModels) {
   ModelScene models(drawable, random, {});
   models.scene.alias_models = {};
   for (const char* const technique : kModelTechniques) {
-    ModelPictures engine(drawable, nullptr, PixelFormat::kRgb), lab(drawable, technique, PixelFormat::kRgb);
+    const bool is_painted = std::string_view(technique).starts_with("models-in-leaves");
+    ModelPictures engine(drawable, is_painted ? "painter" : nullptr, PixelFormat::kRgb);
+    ModelPictures lab(drawable, technique, PixelFormat::kRgb);
     EXPECT_EQ(engine.copy(models.scene, {}), lab.copy(models.scene, {})) << technique;
   }
 }

@@ -5,6 +5,7 @@
 
 #include "lab/models/affine_models.h"
 #include "lab/models/flood_fill.h"
+#include "lab/models/leaves/models_in_leaves.h"
 #include "lab/models/model_sprites.h"
 #include "lab/models/models_in_edges.h"
 #include "lab/models/subdivided_models.h"
@@ -44,6 +45,23 @@ constexpr Technique kModelsInEdges{
     .make_stages = make_models_in_edges,
     .draws_models = true,
     .check_scene = check_models_in_edges};
+constexpr std::array kModelsInLeavesParameters{
+    Parameter{"cut", 1, 0, 1, "1: cuts triangles at BSP planes; 0: paints a model in its middle's leaf"}};
+
+constexpr Technique kModelsInLeaves{
+    .name = "models-in-leaves",
+    .title = "Models cut into leaves",
+    .summary = "Paints the parts of models leaf by leaf, from back to front, together with the world.",
+    .article = "Consider the Alternatives: Quake's Hidden-Surface Removal",
+    .heading = "Drawing moving objects",
+    .replaces = "scan, spans, models",
+    .expected =
+        "Does not sort several models in a leaf, and leaves ugly errors within complex models. Cutting takes "
+        "time.",
+    .max_wrong_share = 0.001,
+    .parameters = kModelsInLeavesParameters,
+    .make_stages = make_models_in_leaves,
+    .draws_models = true};
 constexpr Technique kModelSprites{
     .name = "model-sprites",
     .title = "Models as sprites",

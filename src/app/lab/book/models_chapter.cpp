@@ -99,6 +99,13 @@ Verdict judge_flood(const Evidence& evidence) {
           describe_against_affine(evidence)};
 }
 
+// Painted models should be right in outline, and wrong where their triangles need another order.
+Verdict judge_leaves(const Evidence& evidence) {
+  constexpr double kVisible = 0.005;
+  const bool looks_wrong = evidence.over_levels(texels_off).high > kVisible;
+  return {looks_wrong ? Holds::kYes : Holds::kNo, describe_against_affine(evidence)};
+}
+
 // Sprites should be hardly faster than triangles, and look wrong.
 Verdict judge_sprites(const Evidence& evidence) {
   constexpr double kMuchFaster = 0.7, kVisible = 0.02;
@@ -134,6 +141,20 @@ constexpr std::array kModelEntries{
     BookEntry{"models-in-edges:tree=1", "The edges of a row are a balanced tree instead of a linked list.",
               "Trees would help, but the work for each edge and row remains.", "As with a list.",
               judge_edge_tree},
+    BookEntry{
+        "models-in-leaves",
+        "There is no depth buffer. Triangles are cut at the planes of the BSP tree, and the world is painted "
+        "from back to front with each leaf's parts in their turn. Within a leaf, farther models and farther "
+        "triangles come first. So triangles of one leaf that need another order are wrong, and a model "
+        "covers each door in its leaf.",
+        "Models that are in one leaf are not sorted, and complex models have ugly errors.",
+        "Transforms are the engine's SIMD code. The tree is descended only from where it divides the model. "
+        "Cutting and painting are scalar: a painted row has a few pixels. Profiled: most time is painting.",
+        judge_leaves},
+    BookEntry{
+        "models-in-leaves:cut=0", "A whole model is painted in the leaf of its middle.",
+        "The article's engine cut its models. Without cuts, walls hide parts in other leaves, or fail to.",
+        "As with cuts.", judge_leaves},
     BookEntry{"model-sprites",
               "A model is drawn into a picture of its own, which is moved with the model in the next frame. "
               "Half of the models get a new picture in each frame.",
