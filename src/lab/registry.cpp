@@ -313,6 +313,7 @@ constexpr std::array kTechniques{
     kModelsInLeaves,
     kModelSprites,
     kFloodFill,
+    kDeltas,
     kVertexBoxes,
     kAffineModels,
     kSubdividedModels,

@@ -21,7 +21,8 @@ constexpr auto kModelTechniques = {
     "subdivided-models", "subdivided-models:light=1", "vertex-boxes",
     "models-in-edges",   "models-in-edges:tree=1",    "triangle-masks",
     "model-sprites",     "model-sprites:frames=3",    "flood-fill",
-    "models-in-leaves",  "models-in-leaves:cut=0"};
+    "models-in-leaves",  "models-in-leaves:cut=0",    "deltas",
+    "deltas:seeds=1"};
 constexpr auto kFormats = {PixelFormat::kIndexed, PixelFormat::kRgb};
 
 TEST(ModelTechniques, AreTheSameForAnyThreadsAndBands) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lab/models/affine_models.h"
+#include "lab/models/deltas/deltas.h"
 #include "lab/models/flood_fill.h"
 #include "lab/models/leaves/models_in_leaves.h"
 #include "lab/models/model_sprites.h"
@@ -97,6 +98,22 @@ constexpr Technique kFloodFill{
     .max_wrong_share = 0,
     .parameters = {},
     .make_stages = make_flood_fill,
+    .draws_models = true};
+constexpr std::array kDeltasParameters{
+    Parameter{"seeds", 0, 0, 1, "0: as many seeds as a model needs; 1: only one"}};
+
+constexpr Technique kDeltas{
+    .name = "deltas",
+    .title = "A walk around the visible side",
+    .summary = "Goes from a visible triangle to its neighbors, which reuse the steps along the shared edge.",
+    .article = kTriangleModels,
+    .heading = "An idea that did work",
+    .replaces = "models",
+    .expected =
+        "None: the idea was dropped before anybody tried it. Back triangles and hidden edges cost little.",
+    .max_wrong_share = 0,
+    .parameters = kDeltasParameters,
+    .make_stages = make_deltas,
     .draws_models = true};
 constexpr Technique kAffineModels{
     .name = "affine-models",

@@ -2,68 +2,17 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 
+#include "lab/models/edges/arena_pool.h"
+#include "lab/models/edges/row_painter.h"
 #include "lab/models/edges/scan_models.h"
 #include "lab/models/prepare_with_settings.h"
 #include "lab/models/split_triangles.h"
 #include "render/alias/alias_mesh.h"
-#include "render/alias/rows/row_list.h"
 
 namespace temblor::lab {
 
 namespace {
-
-// Arenas that threads borrow for a band.
-class ArenaPool {
- public:
-  base::Arena take() {
-    const std::lock_guard lock(mutex_);
-    if (arenas_.empty()) return {};
-    base::Arena arena = std::move(arenas_.back());
-    arenas_.pop_back();
-    return arena;
-  }
-  void give_back(base::Arena arena) {
-    arena.reset();
-    const std::lock_guard lock(mutex_);
-    arenas_.push_back(std::move(arena));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<base::Arena> arenas_;
-};
-
-template <typename Pixel>
-void draw_span(const render::TriangleJob& job, const render::TriangleSpan& span,
-               const render::TriangleTarget& target) {
-  const std::size_t first = static_cast<std::size_t>(span.y) * static_cast<std::size_t>(target.width) +
-                            static_cast<std::size_t>(span.x);
-  Pixel* const pixels = static_cast<Pixel*>(target.pixels) + first;
-  float* const nearest = target.depth + first;
-  for (std::int32_t i = 0; i < span.count; ++i) {
-    const float lane = static_cast<float>(i), depth = span.depth + lane * span.depth_step;
-    if (!(depth >= nearest[i])) continue;
-    nearest[i] = depth;
-    pixels[i] = render::lit_texel(job, render::skin_texel(job, span, lane, depth), span, lane, Pixel{});
-  }
-}
-
-// The list from which the engine's kernels draw rows of triangles.
-void append(const render::TriangleSpan& span, std::int32_t width, render::RowList& io_rows) {
-  const std::size_t i = io_rows.size++;
-  io_rows.place[i] = span.y * width + span.x;
-  io_rows.count[i] = span.count;
-  io_rows.perspective[i] = span.perspective ? -1 : 0;
-  const float values[4] = {span.depth, span.light, span.s, span.t};
-  const float steps[4] = {span.depth_step, span.light_step, span.s_step, span.t_step};
-  for (std::size_t value = 0; value < 4; ++value) {
-    io_rows.value[value][i] = values[value];
-    io_rows.step[value][i] = steps[value];
-  }
-  io_rows.order[io_rows.ordered++] = static_cast<std::int32_t>(i);
-}
 
 // The numbers of the spans, model by model.
 std::span<const std::uint32_t> sort_by_model(std::span<const ModelSpan> spans, std::size_t models,
@@ -78,33 +27,15 @@ std::span<const std::uint32_t> sort_by_model(std::span<const ModelSpan> spans, s
 }
 
 void draw_spans(std::span<const render::PreparedAlias> models, std::span<const ModelSpan> spans,
-                bool simd_kernels, const render::TriangleTarget& target, render::PixelFormat format,
-                base::Arena& arena) {
-  const bool is_indexed = format == render::PixelFormat::kIndexed;
+                const RowKernels& kernels, const render::TriangleTarget& target, base::Arena& arena) {
   std::span<std::uint32_t> begin;
   const std::span<const std::uint32_t> order = sort_by_model(spans, models.size(), begin, arena);
-  render::RowList& rows = arena.allocate<render::RowList>(1).front();
+  RowPainter painter(kernels, target, arena);
   for (std::size_t model = 0; model < models.size(); ++model) {
-    render::TriangleJob job = models[model].job;
-    job.has_short_rows = false;
-    rows.size = rows.ordered = rows.groups = 0;
-    const auto flush = [&] {
-      if (rows.size == 0) return;
-      is_indexed ? render::draw_rows_u8_simd(job, rows, target)
-                 : render::draw_rows_u32_simd(job, rows, target);
-      rows.size = rows.ordered = 0;
-    };
-    for (std::size_t i = begin[model]; i < begin[model + 1]; ++i) {
-      const render::TriangleSpan& span = spans[order[i]].span;
-      if (!simd_kernels) {
-        is_indexed ? draw_span<std::uint8_t>(job, span, target) : draw_span<std::uint32_t>(job, span, target);
-        continue;
-      }
-      append(span, target.width, rows);
-      if (rows.size == render::RowList::kCapacity) flush();
-    }
-    flush();
+    painter.begin_model(models[model].job);
+    for (std::size_t i = begin[model]; i < begin[model + 1]; ++i) painter.add(spans[order[i]].span);
   }
+  painter.draw();
 }
 
 std::size_t count_triangles(const render::Scene& scene) {
@@ -143,9 +74,8 @@ render::FrameStages make_models_in_edges(std::span<const double> values, Counter
     }
     const bool is_indexed = io_frame.format() == render::PixelFormat::kIndexed;
     void* const pixels = is_indexed ? static_cast<void*>(io_frame.indexed().data()) : io_frame.rgb().data();
-    draw_spans(models, scan.spans, simd_kernels,
-               {pixels, io_frame.depth().data(), io_frame.width(), 0, rows.first, rows.end},
-               io_frame.format(), arena);
+    draw_spans(models, scan.spans, {io_frame.format(), simd_kernels},
+               {pixels, io_frame.depth().data(), io_frame.width(), 0, rows.first, rows.end}, arena);
     arenas->give_back(std::move(arena));
   };
   return stages;

@@ -106,6 +106,17 @@ Verdict judge_leaves(const Evidence& evidence) {
   return {looks_wrong ? Holds::kYes : Holds::kNo, describe_against_affine(evidence)};
 }
 
+// Walks should save time, and show the same picture.
+Verdict judge_deltas(const Evidence& evidence) {
+  constexpr double kSmallError = 0.01;
+  const bool is_fast = compare_with_affine(evidence).low < 1 / kSameTime;
+  const bool looks_right = evidence.over_levels(wrong_outline).high < kSmallError;
+  return {is_fast && looks_right   ? Holds::kYes
+          : is_fast || looks_right ? Holds::kPartly
+                                   : Holds::kNo,
+          describe_against_affine(evidence)};
+}
+
 // Sprites should be hardly faster than triangles, and look wrong.
 Verdict judge_sprites(const Evidence& evidence) {
   constexpr double kMuchFaster = 0.7, kVisible = 0.02;
@@ -181,6 +192,19 @@ constexpr std::array kModelEntries{
         "The engine's SIMD code transforms vertices, and pictures are copied with vectors. Outlines and "
         "floods are scalar, because each pixel follows from its neighbor.",
         judge_flood},
+    BookEntry{
+        "deltas",
+        "The nearest front triangle is the seed. From there, triangles are visited across edges that they "
+        "share, as far as the visible side reaches. The steps along an edge are computed once for both of "
+        "its "
+        "triangles. Front triangles that are not reached get seeds of their own.",
+        "None: the article calls it a half-formed idea, and gives no details.",
+        "The engine's SIMD code transforms vertices and draws rows. The walk and the edges are scalar: each "
+        "step depends on the one before.",
+        judge_deltas},
+    BookEntry{"deltas:seeds=1",
+              "Each model has one seed. Parts that only touch the rest at the back are missing.",
+              "One visible seed point is picked.", "As with many seeds.", judge_deltas},
     BookEntry{"affine-models",
               "Triangles are drawn by scan lines, at all distances. Texels change evenly along the screen.",
               "Triangles are small or far away, so perspective would add little.", kEnginesLoops,
