@@ -9,11 +9,11 @@
 #include "host/frame/host_parts.h"
 #include "host/frame/hud_program_stage.h"
 #include "host/frame/time_scale.h"
+#include "host/lockstep/lockstep_games.h"
 #include "host/menus/menus.h"
 #include "host/session/configure.h"
 #include "host/session/demos.h"
 #include "host/session/games.h"
-#include "host/lockstep/lockstep_games.h"
 
 namespace temblor::host {
 namespace {
