@@ -66,7 +66,6 @@ struct LineCase {
     job.z = z.data();
     job.first_line = table.first;
     job.lines_per_pixel = static_cast<float>(lines.lines_per_pixel());
-    job.texel_error = static_cast<float>(texel_error);
   }
   LineCase(const LineCase&) = delete;
   LineCase& operator=(const LineCase&) = delete;

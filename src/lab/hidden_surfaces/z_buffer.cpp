@@ -16,7 +16,7 @@ namespace {
 constexpr float kFarthest = std::numeric_limits<float>::lowest();
 
 // The input of all bands of a frame.
-struct Scan {
+struct DepthScan {
   const render::EdgeTable& table;
   const SurfaceEdges& edges;
   std::span<const render::ScreenPlane> depths;  // by surface
@@ -28,7 +28,7 @@ struct Scan {
 // Tests the surfaces of one band against a depth buffer of its own.
 class BandTest {
  public:
-  BandTest(const Scan& scan, render::RowRange rows, base::Arena& arena)
+  BandTest(const DepthScan& scan, render::RowRange rows, base::Arena& arena)
       : scan_(scan),
         rows_(rows),
         depth_(arena.allocate_filled(
@@ -75,7 +75,7 @@ class BandTest {
                                                     runs_[static_cast<std::size_t>(i)].begin)}});
   }
 
-  const Scan& scan_;
+  const DepthScan& scan_;
   render::RowRange rows_;
   std::span<float> depth_;
   std::span<PixelRun> runs_;
@@ -96,8 +96,8 @@ render::FrameStages make_z_buffer(std::span<const double> values, Counter* count
     std::span<std::uint32_t> order = context.arena().allocate<std::uint32_t>(back_to_front.size());
     std::copy(back_to_front.begin(), back_to_front.end(), order.begin());
     if (front_to_back) std::reverse(order.begin(), order.end());
-    const Scan scan{table, edges,      find_surface_depths(context, view, table),
-                    order, view.width, context.settings.simd_kernels};
+    const DepthScan scan{table, edges,      find_surface_depths(context, view, table),
+                         order, view.width, context.settings.simd_kernels};
     const render::SpanTable spans =
         render::make_span_table(context, view, table, [&](render::RowRange rows, base::Arena& arena) {
           BandTest test(scan, rows, arena);

@@ -10,14 +10,14 @@ namespace temblor::lab {
 namespace {
 
 // x and y in whole pixels; s and t in 1/65536 texel; light in the units of TriangleJob's colors.
-struct Corner {
+struct SplitCorner {
   std::int32_t x, y, s, t, light;
   float depth;
 };
 
 constexpr float kTexelSteps = 65536.0f;
 
-constexpr bool is_long(const Corner& a, const Corner& b) {
+constexpr bool is_long(const SplitCorner& a, const SplitCorner& b) {
   const auto x = static_cast<std::uint32_t>(b.x - a.x + 1), y = static_cast<std::uint32_t>(b.y - a.y + 1);
   return std::max(x, y) > 2;
 }
@@ -26,7 +26,7 @@ constexpr bool is_long(const Corner& a, const Corner& b) {
 // side. Around the eye, a model would take many seconds.
 constexpr std::int32_t kMaxSide = 1024;
 
-constexpr bool is_huge(const Corner& a, const Corner& b, const Corner& c) {
+constexpr bool is_huge(const SplitCorner& a, const SplitCorner& b, const SplitCorner& c) {
   return std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x}) > kMaxSide ||
          std::max({a.y, b.y, c.y}) - std::min({a.y, b.y, c.y}) > kMaxSide;
 }
@@ -42,7 +42,7 @@ class Splitter {
       for (std::size_t i = 0; i < job_.vertex_count; ++i) plot(corner(i));
     for (std::size_t i = 0; i < job_.triangle_count; ++i) {
       const std::uint32_t* index = job_.triangles + i * 3;
-      Corner a = corner(index[0]), b = corner(index[1]), c = corner(index[2]);
+      SplitCorner a = corner(index[0]), b = corner(index[1]), c = corner(index[2]);
       const std::int64_t cross =
           std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
       if (cross <= 0 || is_outside(a, b, c)) continue;
@@ -51,7 +51,7 @@ class Splitter {
         continue;
       }
       if (!inside_screen)
-        for (const Corner* drawn : {&a, &b, &c}) plot(*drawn);
+        for (const SplitCorner* drawn : {&a, &b, &c}) plot(*drawn);
       if (!kSplitsLight) b.light = c.light = a.light;
       split(a, b, c);
     }
@@ -74,7 +74,7 @@ class Splitter {
     });
   }
 
-  Corner corner(std::size_t i) const {
+  SplitCorner corner(std::size_t i) const {
     const render::ScreenVertex& v = job_.vertices[i];
     const render::TexelPoint& texel = job_.texels[i];
     return {(v.x + render::kSubpixels / 2) >> 8,
@@ -85,13 +85,13 @@ class Splitter {
             v.depth};
   }
 
-  bool is_outside(const Corner& a, const Corner& b, const Corner& c) const {
+  bool is_outside(const SplitCorner& a, const SplitCorner& b, const SplitCorner& c) const {
     const std::int32_t begin = target_.row_begin, end = target_.row_end, width = target_.width;
     return (a.y < begin && b.y < begin && c.y < begin) || (a.y >= end && b.y >= end && c.y >= end) ||
            (a.x < 0 && b.x < 0 && c.x < 0) || (a.x >= width && b.x >= width && c.x >= width);
   }
 
-  void plot(const Corner& v) {
+  void plot(const SplitCorner& v) {
     if (v.y < target_.row_begin || v.y >= target_.row_end || v.x < 0 || v.x >= target_.width) return;
     const std::size_t at =
         static_cast<std::size_t>(v.y - target_.first_row) * static_cast<std::size_t>(target_.width) +
@@ -105,12 +105,12 @@ class Splitter {
   }
 
   // Splits the first long side among ab, bc, and ca, if any. The second recursive call is a loop.
-  void split(Corner a, Corner b, Corner c) {
+  void split(SplitCorner a, SplitCorner b, SplitCorner c) {
     while (!is_outside(a, b, c)) {
       if (!is_long(a, b)) {
         const bool second = is_long(b, c);
         if (!second && !is_long(c, a)) return;
-        const Corner first = a;
+        const SplitCorner first = a;
         if (second) {
           a = b;
           b = c;
@@ -121,8 +121,8 @@ class Splitter {
           b = first;
         }
       }
-      Corner middle{(a.x + b.x) >> 1, (a.y + b.y) >> 1, (a.s + b.s) >> 1,
-                    (a.t + b.t) >> 1, a.light,          (a.depth + b.depth) * 0.5f};
+      SplitCorner middle{(a.x + b.x) >> 1, (a.y + b.y) >> 1, (a.s + b.s) >> 1,
+                         (a.t + b.t) >> 1, a.light,          (a.depth + b.depth) * 0.5f};
       if (kSplitsLight) middle.light = (a.light + b.light) >> 1;
       if (b.y < a.y || (b.y == a.y && b.x > a.x)) plot(middle);
       split(c, a, middle);

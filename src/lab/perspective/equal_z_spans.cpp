@@ -22,7 +22,7 @@ constexpr std::int32_t to_group(std::int32_t line) {
 class LineBatches {
  public:
   LineBatches(const render::SpanSources& sources, const render::SurfaceDraw& draw, const SurfaceLines& lines,
-              float max_texel_error, const render::KernelTarget& target)
+              const render::KernelTarget& target)
       : sources_(sources), lines_(lines), target_(target) {
     job_.surface = {.depth = render::kernel_plane(draw.depth),
                     .s = render::kernel_plane(draw.s),
@@ -36,7 +36,6 @@ class LineBatches {
                     .span_count = 0};
     job_.spans = spans_.data();
     job_.lines_per_pixel = static_cast<float>(lines.lines_per_pixel());
-    job_.texel_error = max_texel_error;
   }
 
   void add(const render::Span& span) {
@@ -96,7 +95,7 @@ class EqualZBand {
   void draw(std::uint32_t number, std::span<const render::Span> spans) const {
     const render::SurfaceDraw& surface = sources_.draws.all[number];
     const SurfaceLines lines(surface, max_texel_error_);
-    LineBatches batches(sources_, surface, lines, static_cast<float>(max_texel_error_), target_);
+    LineBatches batches(sources_, surface, lines, target_);
     // Runs of spans without lines are the engine's.
     for (std::size_t i = 0; i < spans.size();) {
       const std::size_t first = i;

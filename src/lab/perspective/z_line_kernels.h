@@ -45,7 +45,6 @@ struct LineSpans {
   const float* z;
   std::int32_t first_line;
   float lines_per_pixel;  // to the right: 1, or -kMaxLinesPerPixel to kMaxLinesPerPixel
-  float texel_error;      // at most, from interpolation
 };
 
 void fill_z_lines_scalar(const ZLines& lines, float* out_z);

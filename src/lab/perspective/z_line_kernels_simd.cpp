@@ -97,7 +97,7 @@ struct LineSpanDrawer {
   const Texel* texels;
   rn::SpanOutput<Texel> out;
 
-  template <int kRows, bool kInside>
+  template <int kRows>
   HWY_INLINE void DrawVector(const rn::VectorLines& vectors, VF lane, int i, int count) const {
     const DF d;
     if (out.depth != nullptr) {
@@ -109,11 +109,11 @@ struct LineSpanDrawer {
     }
     const VF z = distances.At(i, lane);
     const rn::TexelLanes at =
-        sampler.template At<kInside>(hn::Mul(vectors.s.At(lane), z), hn::Mul(vectors.t.At(lane), z));
+        sampler.template At<false>(hn::Mul(vectors.s.At(lane), z), hn::Mul(vectors.t.At(lane), z));
     rn::Fetch<kRows>(texels, sampler.rows, way, at, out.pixels + i, count);
   }
 
-  template <int kRows, bool kInside>
+  template <int kRows>
   HWY_INLINE void Draw(int count) const {
     const DF d;
     const int lanes = static_cast<int>(hn::Lanes(d));
@@ -121,40 +121,35 @@ struct LineSpanDrawer {
     VF lane = hn::Iota(d, 0.0f);
     int i = 0;
     for (; i + lanes <= count; i += lanes) {
-      DrawVector<kRows, kInside>(vectors, lane, i, lanes);
+      DrawVector<kRows>(vectors, lane, i, lanes);
       lane = hn::Add(lane, hn::Set(d, static_cast<float>(lanes)));
     }
     if (i == count) return;
 #if HWY_TARGET > HWY_AVX3  // storing a part of a vector is slower than drawing some pixels twice
     if (count > lanes) {
       lane = hn::Iota(d, static_cast<float>(count - lanes));
-      return DrawVector<kRows, kInside>(vectors, lane, count - lanes, lanes);
+      return DrawVector<kRows>(vectors, lane, count - lanes, lanes);
     }
 #endif
-    DrawVector<kRows, kInside>(vectors, lane, i, count - i);
+    DrawVector<kRows>(vectors, lane, i, count - i);
   }
 };
 
-// The choice of a loop is that of DrawEveryPixel in render/spans/span_kernels_simd.cpp.
+// The choice of a loop is that of DrawEveryPixel in render/spans/span_kernels_simd.cpp, which also has loops
+// for spans that stay inside of their texels. Here they would save little, and take ten seconds to compile.
 template <typename Texel, class Distances>
 HWY_INLINE void DrawSpan(const LineSpans& spans, const rn::SpanLines& lines, const rn::Sampler& sampler,
                          const Distances& distances, int count, const rn::SpanOutput<Texel>& out) {
   const rn::Walk walk(lines);
   const int rows = walk.RowsNeeded(lines, count);
-  const bool inside = count >= rn::kLongSpan && rows > 0 &&
-                      walk.Inside(lines, spans.surface, count, rn::kInsideMargin + spans.texel_error);
   const LineSpanDrawer<Texel, Distances> drawer{
       lines, sampler, distances, walk.Way(), static_cast<const Texel*>(spans.surface.texels), out};
-  if (rows == 2 && inside)
-    drawer.template Draw<2, true>(count);
-  else if (rows == 2)
-    drawer.template Draw<2, false>(count);
-  else if (rows == 4 && inside)
-    drawer.template Draw<4, true>(count);
+  if (rows == 2)
+    drawer.template Draw<2>(count);
   else if (rows == 4)
-    drawer.template Draw<4, false>(count);
+    drawer.template Draw<4>(count);
   else
-    drawer.template Draw<0, false>(count);
+    drawer.template Draw<0>(count);
 }
 
 HWY_INLINE float LevelZ(const float* z, float line) {

@@ -71,7 +71,7 @@ HWY_INLINE void DrawEveryPixel(const SpanLines& lines, const Sampler& sampler, c
   const Walk walk(lines);
   const Texel* texels = static_cast<const Texel*>(spans.texels);
   const int rows = walk.RowsNeeded(lines, count);
-  const bool inside = count >= kLongSpan && rows > 0 && walk.Inside(lines, spans, count, kInsideMargin);
+  const bool inside = count >= kLongSpan && rows > 0 && walk.Inside(lines, spans, count);
   if (rows == 2 && inside)
     DrawVectors<2, true>(lines, sampler, walk.Way(), texels, count, out);
   else if (rows == 2)

@@ -61,21 +61,21 @@ struct Walk {
         t_change(lines.t.step * lines.depth.base - lines.t.base * lines.depth.step) {}
   HWY_INLINE Direction Way() const { return {s_change < 0, t_change < 0}; }
   // Whether both ends are inside the texture. Then all pixels between are, too, since coordinates are
-  // monotonic; `margin` (texels) compensates for rounding.
-  HWY_INLINE bool Inside(const SpanLines& lines, const SurfaceSpans& spans, int count, float margin) const {
+  // monotonic; kInsideMargin compensates for rounding.
+  HWY_INLINE bool Inside(const SpanLines& lines, const SurfaceSpans& spans, int count) const {
     const float end = static_cast<float>(count - 1);
     const float last_depth = lines.depth.base + end * lines.depth.step;
-    // The margin suffices for numbers of similar size; a large change of depth along a span would increase
-    // the rounding errors.
+    // The kInsideMargin suffices for numbers of similar size; a large change of depth along a span would
+    // increase the rounding errors.
     constexpr float kMaxRatio = 16;
     if (last_depth > lines.depth.base * kMaxRatio || lines.depth.base > last_depth * kMaxRatio) return false;
     const float first_z = 1.0f / lines.depth.base, last_z = 1.0f / last_depth;
     const float first_s = lines.s.base * first_z, last_s = (lines.s.base + end * lines.s.step) * last_z;
     const float first_t = lines.t.base * first_z, last_t = (lines.t.base + end * lines.t.step) * last_z;
-    const float max_s = static_cast<float>(spans.last_s) + 1 - margin;
-    const float max_t = static_cast<float>(spans.last_t) + 1 - margin;
-    return first_s > margin && last_s > margin && first_t > margin && last_t > margin && first_s < max_s &&
-           last_s < max_s && first_t < max_t && last_t < max_t;
+    const float max_s = static_cast<float>(spans.last_s) + 1 - kInsideMargin;
+    const float max_t = static_cast<float>(spans.last_t) + 1 - kInsideMargin;
+    return first_s > kInsideMargin && last_s > kInsideMargin && first_t > kInsideMargin &&
+           last_t > kInsideMargin && first_s < max_s && last_s < max_s && first_t < max_t && last_t < max_t;
   }
   // The number of rows of texels under a vector of pixels at the far end of the span, where texels are
   // densest (z squared is 1 / square): 2 or 4. 0: more than four, or more than one texel per pixel.
