@@ -4,10 +4,10 @@
 #include <map>
 #include <memory>
 
+#include "lab/models/draw_before_others.h"
 #include "lab/models/flood/flooded_picture.h"
 #include "lab/models/prepare_with_settings.h"
 #include "lab/models/sprite_kernels.h"
-#include "render/alias/draw_alias_models.h"
 
 namespace temblor::lab {
 
@@ -120,19 +120,7 @@ class FloodedModels {
 }  // namespace
 
 render::FrameStages make_flood_fill(std::span<const double> /*values*/, Counter* counter) {
-  const auto state = std::make_shared<FloodedModels>();
-  render::FrameStages stages;
-  stages.prepare_alias_models = [=](const render::FrameContext& context, const render::ViewFrame& view) {
-    const auto others = state->prepare(context, view);
-    if (counter != nullptr) counter->add({.bytes = state->used_bytes()});
-    return others;
-  };
-  stages.draw_alias_models = [=](std::span<const render::PreparedAlias> models, bool simd_kernels,
-                                 render::RowRange rows, render::FrameBuffer& io_frame) {
-    state->draw(simd_kernels, rows, io_frame);
-    render::draw_alias_models(models, simd_kernels, rows, io_frame);
-  };
-  return stages;
+  return draw_before_others(std::make_shared<FloodedModels>(), counter);
 }
 
 }  // namespace temblor::lab

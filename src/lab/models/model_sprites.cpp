@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "lab/models/draw_before_others.h"
 #include "lab/models/sprite_kernels.h"
 #include "render/alias/fill_alias.h"
 #include "render/alias_model.h"
@@ -230,19 +231,7 @@ std::size_t ModelSprites::used_bytes() const {
 }  // namespace
 
 render::FrameStages make_model_sprites(std::span<const double> values, Counter* counter) {
-  const auto state = std::make_shared<ModelSprites>(static_cast<int>(values[0]));
-  render::FrameStages stages;
-  stages.prepare_alias_models = [=](const render::FrameContext& context, const render::ViewFrame& view) {
-    const auto direct = state->prepare(context, view);
-    if (counter != nullptr) counter->add({.bytes = state->used_bytes()});
-    return direct;
-  };
-  stages.draw_alias_models = [=](std::span<const render::PreparedAlias> models, bool simd_kernels,
-                                 render::RowRange rows, render::FrameBuffer& io_frame) {
-    state->draw(simd_kernels, rows, io_frame);
-    render::draw_alias_models(models, simd_kernels, rows, io_frame);
-  };
-  return stages;
+  return draw_before_others(std::make_shared<ModelSprites>(static_cast<int>(values[0])), counter);
 }
 
 }  // namespace temblor::lab

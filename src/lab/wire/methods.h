@@ -35,6 +35,15 @@ struct Parts {
   Record& record;  // outlives the nodes
 };
 
+// The nodes of a method with a server and a client.
+template <class Server, class Client>
+Nodes make_server_and_client(const Parts& parts) {
+  Nodes nodes;
+  nodes.push_back(std::make_unique<Server>(parts));
+  nodes.push_back(std::make_unique<Client>(parts));
+  return nodes;
+}
+
 // Deltas from the state that was sent last, and moves, in reliable messages of the engine's channel: one in
 // flight at a time, in order. The server sends the newest state as soon as nothing is in flight, as with
 // sv_reliableupdates.

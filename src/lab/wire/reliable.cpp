@@ -86,10 +86,7 @@ class ReliableClient : public Node {
 }  // namespace
 
 Nodes make_reliable_nodes(const Parts& parts) {
-  Nodes nodes;
-  nodes.push_back(std::make_unique<ReliableServer>(parts));
-  nodes.push_back(std::make_unique<ReliableClient>(parts));
-  return nodes;
+  return make_server_and_client<ReliableServer, ReliableClient>(parts);
 }
 
 }  // namespace temblor::lab::wire

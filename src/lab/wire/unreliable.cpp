@@ -113,21 +113,14 @@ class UnreliableClient : public Node {
   float time_s_ = 0;
 };
 
-Nodes make_unreliable_nodes(const Parts& parts) {
-  Nodes nodes;
-  nodes.push_back(std::make_unique<UnreliableServer>(parts));
-  nodes.push_back(std::make_unique<UnreliableClient>(parts));
-  return nodes;
-}
-
 }  // namespace
 
 Nodes make_whole_state_nodes(const Parts& parts) {
-  return make_unreliable_nodes(parts);
+  return make_server_and_client<UnreliableServer, UnreliableClient>(parts);
 }
 
 Nodes make_delta_nodes(const Parts& parts) {
-  return make_unreliable_nodes(parts);
+  return make_server_and_client<UnreliableServer, UnreliableClient>(parts);
 }
 
 }  // namespace temblor::lab::wire

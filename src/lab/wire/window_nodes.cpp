@@ -78,10 +78,7 @@ class WindowClient : public Node {
 }  // namespace
 
 Nodes make_window_nodes(const Parts& parts) {
-  Nodes nodes;
-  nodes.push_back(std::make_unique<WindowServer>(parts));
-  nodes.push_back(std::make_unique<WindowClient>(parts));
-  return nodes;
+  return make_server_and_client<WindowServer, WindowClient>(parts);
 }
 
 }  // namespace temblor::lab::wire

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "lab/models/deltas/walk_painter.h"
+#include "lab/models/draw_before_others.h"
 #include "lab/models/edges/arena_pool.h"
 #include "lab/models/prepare_with_settings.h"
 #include "lab/models/split_triangles.h"
-#include "render/alias/draw_alias_models.h"
 
 namespace temblor::lab {
 
@@ -90,18 +90,8 @@ class DeltaModels {
 
 }  // namespace
 
-render::FrameStages make_deltas(std::span<const double> values, Counter* /*counter*/) {
-  const auto state = std::make_shared<DeltaModels>(values[0] == 0);
-  render::FrameStages stages;
-  stages.prepare_alias_models = [=](const render::FrameContext& context, const render::ViewFrame& view) {
-    return state->prepare(context, view);
-  };
-  stages.draw_alias_models = [=](std::span<const render::PreparedAlias> models, bool simd_kernels,
-                                 render::RowRange rows, render::FrameBuffer& io_frame) {
-    state->draw(simd_kernels, rows, io_frame);
-    render::draw_alias_models(models, simd_kernels, rows, io_frame);
-  };
-  return stages;
+render::FrameStages make_deltas(std::span<const double> values, Counter* counter) {
+  return draw_before_others(std::make_shared<DeltaModels>(values[0] == 0), counter);
 }
 
 }  // namespace temblor::lab
