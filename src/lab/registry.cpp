@@ -19,6 +19,8 @@
 #include "lab/unsplit_world/unsplit_edges.h"
 #include "lab/visible_faces/leaf_faces.h"
 #include "lab/visible_faces/portals.h"
+#include "lab/world_light/effects/marked_surfaces.h"
+#include "lab/world_light/effects/procedural_texels.h"
 #include "lab/world_light/gouraud.h"
 #include "lab/world_light/lamp_stages.h"
 #include "lab/world_light/one_pass.h"
@@ -73,6 +75,10 @@ constexpr std::array kRayLightParameters{
     Parameter{"lights", 64, 1, 1024, "lights of a face, the brightest ones"}};
 constexpr std::array kRebuiltParameters{
     Parameter{"every", 1, 1, 16, "each frame builds one of so many surfaces, in turns; 1: all"}};
+constexpr std::array kProceduralParameters{
+    Parameter{"pattern", 0, 0, 2, "0: noise, built once; 1: water that runs down walls; 2: fire on walls"},
+    Parameter{"every", 1, 1, 16, "water and fire: each frame builds one of so many surfaces, in turns"}};
+constexpr std::array kMarkedParameters{Parameter{"marks", 4, 0, 16, "translucent marks on each face"}};
 constexpr std::array kOnePassParameters{
     Parameter{"bilinear", 1, 0, 1, "1: light between four samples, as in surfaces; 0: the nearest sample"}};
 
@@ -309,6 +315,28 @@ constexpr std::array kTechniques{
               .max_wrong_share = 0,
               .parameters = kRebuiltParameters,
               .make_stages = make_rebuilt_surfaces},
+    Technique{.name = "procedural-texels",
+              .title = "Procedural texels in surfaces",
+              .summary = "Computes noise, water, or fire onto each surface when it is built.",
+              .article = kSurfaceCaching,
+              .heading = "Two final notes on surface caching",
+              .replaces = "surfaces",
+              .expected = "Cached with the surface, so a frame takes no longer. Patterns that move take the "
+                          "time of building.",
+              .max_wrong_share = 0,
+              .parameters = kProceduralParameters,
+              .make_stages = make_procedural_texels},
+    Technique{
+        .name = "marked-surfaces",
+        .title = "Marks in surfaces",
+        .summary = "Paints translucent marks onto each surface when it is built.",
+        .article = kSurfaceCaching,
+        .heading = "Two final notes on surface caching",
+        .replaces = "surfaces",
+        .expected = "Cached with the surface, so a frame takes no longer, however many marks there are.",
+        .max_wrong_share = 0,
+        .parameters = kMarkedParameters,
+        .make_stages = make_marked_surfaces},
     kModelsInEdges,
     kModelsInLeaves,
     kModelSprites,

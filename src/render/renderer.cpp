@@ -108,6 +108,8 @@ void Renderer::make_blend_tables() const {
 
 void Renderer::replace_stages(const FrameStages& stages) {
   state_->stages = stages;
+  // Other stages may build other texels.
+  drop_surfaces();
 }
 
 void Renderer::drop_surfaces() {

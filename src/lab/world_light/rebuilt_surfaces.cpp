@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "base/arena.h"
+#include "lab/world_light/rebuilt_blocks.h"
 
 namespace temblor::lab {
 
@@ -15,11 +16,12 @@ bool is_at_lower_address(const BlockRequest& a, const BlockRequest& b) {
   return std::less<>()(a.block.texels, b.block.texels);
 }
 
-// Adds the blocks whose turn it is to the missing ones. Requests of several draws may share a block, which
-// must be built once.
-render::SurfaceBlocks add_blocks(const render::FrameContext& context, const render::SurfaceRequests& requests,
-                                 const render::SurfaceBlocks& blocks, std::uint32_t turn,
-                                 std::uint32_t every) {
+}  // namespace
+
+render::SurfaceBlocks add_rebuilt_blocks(const render::FrameContext& context,
+                                         const render::SurfaceRequests& requests,
+                                         const render::SurfaceBlocks& blocks, std::uint32_t turn,
+                                         std::uint32_t every) {
   base::ArenaVector<BlockRequest> to_build(context.arena(), requests.blocks.size());
   for (BlockRequest request : requests.blocks) {
     if ((base::to_size(request.face) + turn) % every != 0) continue;
@@ -41,8 +43,6 @@ render::SurfaceBlocks add_blocks(const render::FrameContext& context, const rend
   return rebuilt;
 }
 
-}  // namespace
-
 render::FrameStages make_rebuilt_surfaces(std::span<const double> values, Counter* /*counter*/) {
   const auto every = static_cast<std::uint32_t>(values[0]);
   render::FrameStages stages;
@@ -50,7 +50,7 @@ render::FrameStages make_rebuilt_surfaces(std::span<const double> values, Counte
                                                              const render::SurfaceRequests& requests,
                                                              render::SurfaceCache& io_cache) mutable {
     const render::SurfaceBlocks blocks = render::reserve_surfaces(context, requests, io_cache);
-    return add_blocks(context, requests, blocks, ++turn, every);
+    return add_rebuilt_blocks(context, requests, blocks, ++turn, every);
   };
   return stages;
 }

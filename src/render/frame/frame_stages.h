@@ -22,6 +22,8 @@ struct FrameStages {
   std::function<SurfaceBlocks(const FrameContext& context, const SurfaceRequests& requests,
                               SurfaceCache& io_cache)>
       reserve_surfaces = render::reserve_surfaces;
+  std::function<void(const FrameContext& context, const SurfaceBlocks& blocks, const MarkTables* mark_tables)>
+      build_surfaces = render::build_surfaces;
   // Called by several threads at once, for different bands.
   std::function<void(const FrameContext& context, const ViewFrame& view, const Band& band,
                      const SpanSources& sources, FrameBuffer& io_frame)>

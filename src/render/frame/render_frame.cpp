@@ -102,7 +102,7 @@ FrameRecord render_frame(const FrameContext& context, const FrameStages& stages,
   StageClock clock(f.times);
   begin_surface_frame(context, io_caches.surfaces);
   f.surfaces = stages.reserve_surfaces(context, requests, io_caches.surfaces);
-  build_surfaces(context, f.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
+  stages.build_surfaces(context, f.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
   clock.end(Stage::kSurfaces);
   draw_surfaces(context, stages, io_caches.skybox, io_caches.view, f, io_frame);
   return f;

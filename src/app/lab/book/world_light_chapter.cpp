@@ -95,7 +95,27 @@ Verdict judge_turns(const Evidence& evidence) {
           fmt::format("{} With all surfaces, it is {}.", describe_time(evidence), all.text(2))};
 }
 
+// Content of surfaces that is built once should cost nothing in later frames.
+Verdict judge_kept(const Evidence& evidence) {
+  const Range times = evidence.time_ratios();
+  return {times.high <= kSameTime  ? Holds::kYes
+          : times.low <= kSameTime ? Holds::kPartly
+                                   : Holds::kNo,
+          describe_time(evidence) + " Surfaces are built before the measurement."};
+}
+
+// Moving patterns build each surface again, like surfaces whose light always changes.
+Verdict judge_moving(const Evidence& evidence) {
+  const Range times = evidence.time_ratios(), rebuilt = evidence.of("rebuilt-surfaces").time_ratios();
+  return {times.high < 2  ? Holds::kYes
+          : times.low < 2 ? Holds::kPartly
+                          : Holds::kNo,
+          fmt::format("{} To build the surfaces without a pattern, it takes {} times.",
+                      describe_time(evidence), rebuilt.text(2))};
+}
+
 constexpr std::string_view kEngineBuilds = "The engine's loops build and draw.";
+constexpr std::string_view kPatternLoop = "Vectorized; noise is looked up in registers, its color in memory.";
 constexpr std::string_view kVectorized = "Vectorized; texels come from registers where they fit.";
 
 constexpr std::array kLightEntries{
@@ -148,6 +168,24 @@ constexpr std::array kLightEntries{
               "Relighting takes half the time if surfaces take turns.", kEngineBuilds, judge_turns},
     BookEntry{"rebuilt-surfaces:every=3", "A third of the surfaces is built in each frame.",
               "Relighting takes less time if surfaces take turns.", kEngineBuilds, judge_turns},
+    BookEntry{"procedural-texels",
+              "Each surface gets grain from three layers of smooth noise when it is built.",
+              "Computed textures can be part of surfaces. They are cached with them, so they cost much "
+              "less than effects that are drawn over each frame.",
+              kPatternLoop, judge_kept},
+    BookEntry{"procedural-texels:pattern=1",
+              "Water runs down the walls: streaks of noise that move darken them and shine.",
+              "Surfaces whose content moves are built again in each frame, which is tolerable.", kPatternLoop,
+              judge_moving},
+    BookEntry{"procedural-texels:pattern=2",
+              "Fire rises on the walls. It is added after the light, so it glows in the dark.",
+              "Surfaces whose content moves are built again in each frame, which is tolerable.", kPatternLoop,
+              judge_moving},
+    BookEntry{"marked-surfaces",
+              "Each face gets four translucent marks: holes, soot, and stains, as shots leave them.",
+              "Splatters with any translucency are drawn into the surface when it is built, and cost nothing "
+              "afterwards.",
+              kEngineBuilds, judge_kept},
 };
 
 }  // namespace
