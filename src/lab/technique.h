@@ -76,6 +76,8 @@ struct Technique {
   base::Status (*check_level)(std::span<const double> values, const world::Level& level) = nullptr;
   // It draws alias models, so it needs a scene that has some.
   bool draws_models = false;
+  // Its surfaces show other texels than those of their textures.
+  bool changes_texels = false;
   // Like check_level, for a scene. Null: it draws every scene.
   base::Status (*check_scene)(std::span<const double> values, const render::Scene& scene) = nullptr;
 };

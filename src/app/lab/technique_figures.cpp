@@ -36,7 +36,9 @@ class CountedViews {
         frame_(options.measure.size.width, options.measure.size.height, options.measure.format),
         faces_(frame_.pixel_count()),
         writes_(frame_.pixel_count()),
-        light_(choice, options.measure.size.width, options.measure.size.height) {
+        light_(choice, options.measure.size.width, options.measure.size.height),
+        texels_(choice, options.measure.size.width, options.measure.size.height),
+        changes_texels_(choice.technique->changes_texels) {
     renderer_.replace_stages(choice.make_stages(&counter_));
   }
 
@@ -55,6 +57,7 @@ class CountedViews {
     render::Scene lit = judged;
     lit.lights = scene.lights;
     light_.add(lit, settings);
+    if (!changes_texels_) texels_.add(lit, settings);
   }
 
   // Counts only: the oracle knows no models.
@@ -72,6 +75,7 @@ class CountedViews {
           &means.leaves_reached, &means.edges_saved, &means.pixels_off, &means.rays})
       *sum /= views;
     means.light = light_.figures();
+    means.texels = texels_.figures();
     return means;
   }
 
@@ -119,11 +123,13 @@ class CountedViews {
   std::vector<std::uint8_t> writes_;
   std::unique_ptr<oracle::PreparedLevel> prepared_;
   LightViews light_;
+  TexelViews texels_;
+  const bool changes_texels_;
   ViewFigures figures_;
 };
 
-nlohmann::json make_json(const LightDifference& difference) {
-  return {{"mean", difference.mean()}, {"max", difference.largest}};
+nlohmann::json make_json(const Differences& differences) {
+  return {{"mean", differences.mean()}, {"max", differences.largest}};
 }
 
 double compute_texels_built(const Measurement& measurement) {
@@ -250,6 +256,12 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
   table.add("  largest", 2, [](const auto& f) { return f.views.light.turn.largest; });
   table.add("light shift, roll: mean", 3, [](const auto& f) { return f.views.light.roll.mean(); });
   table.add("  largest", 2, [](const auto& f) { return f.views.light.roll.largest; });
+  table.add("texel error: mean", 3, [](const auto& f) { return f.views.texels.error.mean(); });
+  table.add("  largest", 2, [](const auto& f) { return f.views.texels.error.largest; });
+  table.add("texel shift, turn: mean", 3, [](const auto& f) { return f.views.texels.turn.mean(); });
+  table.add("  largest", 2, [](const auto& f) { return f.views.texels.turn.largest; });
+  table.add("texel shift, roll: mean", 3, [](const auto& f) { return f.views.texels.roll.mean(); });
+  table.add("  largest", 2, [](const auto& f) { return f.views.texels.roll.largest; });
   if (std::ranges::any_of(figures, [](const auto& f) { return f.views.models.covered > 0; })) {
     table.add("models: wrong outline, %", 3,
               [](const auto& f) { return 100 * f.views.models.outline_share(); });
@@ -299,6 +311,10 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                   {"shadow_edges", make_json(f.views.light.shadow_edges)},
                                   {"turn", make_json(f.views.light.turn)},
                                   {"roll", make_json(f.views.light.roll)}}},
+                                {"texels",
+                                 {{"error", make_json(f.views.texels.error)},
+                                  {"turn", make_json(f.views.texels.turn)},
+                                  {"roll", make_json(f.views.texels.roll)}}},
                                 {"models",
                                  {{"outline", f.views.models.outline_share()},
                                   {"texels", f.views.models.mean_texels()},

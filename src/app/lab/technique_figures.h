@@ -10,6 +10,7 @@
 #include "app/lab/lab_scenes.h"
 #include "app/lab/light/light_figures.h"
 #include "app/lab/model_figures.h"
+#include "app/lab/texels/texel_figures.h"
 #include "lab/registry.h"
 #include "oracle/comparison.h"
 
@@ -28,6 +29,7 @@ struct ViewFigures {
   double max_texel_error = 0;  // of all views, in texels of mip 0
   oracle::Tally tally;
   LightErrors light;
+  TexelErrors texels;  // zero for techniques that change texels
   ModelErrors models;  // zero without models
 };
 
@@ -65,6 +67,7 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
 //   texels_off, max_texel_error                          share of pixels; the largest distance along s or t
 //   judged {pixels, wrong, tied, near_edge}              against the oracle
 //   light {error, turn, roll}, each {mean, max}          in steps of light (light_figures.h)
+//   texels {error, turn, roll}, each {mean, max}         in texels (texel_figures.h)
 //   models {outline, texels, texels_off}                 against their exact picture (model_figures.h):
 //   shares
 //                                                        of pixels, and the mean distance in texels

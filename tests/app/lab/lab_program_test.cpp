@@ -117,6 +117,29 @@ TEST(LabProgram, CompareMeasuresLight) {
   }
 }
 
+// Without perspective, textures swim while the camera turns.
+TEST(LabProgram, CompareMeasuresTexels) {
+  const TemporaryFolder folder;
+  const ProgramRun run =
+      lab(folder.path(), {"compare", "bsp-edges", "phong", "affine-spans", "marked-surfaces", "--size",
+                          "320x240", "--step", "180", "--json"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  const json result = json::parse(run.out);
+  const auto texels = [&](std::size_t number) { return result.at("techniques").at(number).at("texels"); };
+  // Rounding to whole texels remains.
+  const double floor = texels(0).at("turn").at("mean");
+  EXPECT_GT(floor, 0.05);
+  for (const std::size_t exact : {0, 1}) {
+    EXPECT_LT(texels(exact).at("error").at("max"), 0.05);
+    for (const char* const camera : {"turn", "roll"}) EXPECT_LT(texels(exact).at(camera).at("max"), 1.05);
+  }
+  EXPECT_GT(texels(2).at("error").at("mean"), 0.1);
+  for (const char* const camera : {"turn", "roll"})
+    EXPECT_GT(texels(2).at(camera).at("mean"), floor * 1.5) << camera;
+  // It shows other texels on purpose.
+  EXPECT_EQ(texels(3).at("error").at("max"), 0.0);
+}
+
 TEST(LabProgram, CompareMeasuresModels) {
   const TemporaryFolder folder;
   const ProgramRun run =

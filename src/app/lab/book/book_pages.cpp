@@ -99,7 +99,9 @@ constexpr Column kTexelColumns[] = {
     {"cycles per pixel",
      [](const TechniqueFigures& f) { return show(sum_cycles(f, {render::Stage::kSpans}), 2); }},
     {"wrong texels", [](const TechniqueFigures& f) { return show(100 * f.views.pixels_off, 2) + " %"; }},
-    {"largest error, texels", [](const TechniqueFigures& f) { return show(f.views.max_texel_error, 1); }}};
+    {"largest error, texels", [](const TechniqueFigures& f) { return show(f.views.max_texel_error, 1); }},
+    {"shift, turn: mean", [](const TechniqueFigures& f) { return show(f.views.texels.turn.mean(), 2); }},
+    {"roll: mean", [](const TechniqueFigures& f) { return show(f.views.texels.roll.mean(), 2); }}};
 
 constexpr Column kModelColumns[] = {
     {"models: cycles per pixel",

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "app/lab/book/chapters.h"
@@ -10,8 +11,15 @@ namespace {
 std::string describe_texels(const Evidence& evidence) {
   const Range off = evidence.over_levels([](const TechniqueFigures& f) { return f.views.pixels_off; });
   const Range error = evidence.over_levels([](const TechniqueFigures& f) { return f.views.max_texel_error; });
-  return fmt::format("{} % of pixels show another texel than the exact one; the largest error is {} texels.",
-                     Range{100 * off.low, 100 * off.high}.text(2), error.text(1));
+  const auto find_shift = [](const TechniqueFigures& f) {
+    return std::max(f.views.texels.turn.mean(), f.views.texels.roll.mean());
+  };
+  return fmt::format(
+      "{} % of pixels show another texel than the exact one; the largest error is {} texels. While the "
+      "camera "
+      "turns or rolls by 3 degrees, textures shift by {} texels on average (the engine's by {}: rounding).",
+      Range{100 * off.low, 100 * off.high}.text(2), error.text(1), evidence.over_levels(find_shift).text(2),
+      Evidence(evidence.figures(), 0).over_levels(find_shift).text(2));
 }
 
 Verdict judge_affine(const Evidence& evidence) {

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/lab/differences.h"
+#include "app/lab/screen_points.h"
 #include "formats/images/palette.h"
 #include "lab/technique.h"
 #include "render/frame_buffer.h"
@@ -19,23 +21,15 @@ namespace temblor::app {
 formats::Palette make_gray_palette();
 formats::Colormap make_gray_colormap();
 
-// Absolute differences, in steps of light.
-struct LightDifference {
-  double sum = 0, largest = 0;
-  std::size_t count = 0;
-
-  void add(double difference);
-  double mean() const { return count == 0 ? 0 : sum / static_cast<double>(count); }
-};
-
+// In steps of light.
 struct LightErrors {
-  LightDifference error;  // from the engine's light, at all pixels
+  Differences error;  // from the engine's light, at all pixels
   // The change of light from a pixel to its neighbor, compared with the engine's: across borders of coplanar
   // faces where the engine's light is even (T-junctions show there), and where it jumps on one face
   // (shadows).
-  LightDifference seams, shadow_edges;
+  Differences seams, shadow_edges;
   // From frame to frame, at points of the world that stay in sight. The camera turns to the side, or rolls.
-  LightDifference turn, roll;
+  Differences turn, roll;
 };
 
 class LightViews {
@@ -46,17 +40,16 @@ class LightViews {
   const LightErrors& figures() const { return figures_; }
 
  private:
-  struct Point {
-    math::Vec3d at_world;
-    render::PixelFace face;
+  struct LitPoint {
+    ScreenPoint point;
     double light;
   };
   void compare_with_engine(const world::Level& level);
   void compare_neighbors(const world::Level& level, std::size_t pixel, std::size_t neighbor);
   std::optional<double> find_light(math::Vec2d pixel, const render::PixelFace& face) const;
-  std::vector<Point> choose_points(const render::Scene& scene) const;
-  void follow(std::vector<Point> points, const render::Scene& scene, const render::Settings& settings,
-              math::Vec3 step_deg, LightDifference& io_difference);
+  std::vector<LitPoint> choose_lit_points(const render::Camera& camera) const;
+  void follow(std::vector<LitPoint> points, const render::Scene& scene, const render::Settings& settings,
+              math::Vec3 step_deg, Differences& io_difference);
   void draw(const render::Scene& scene, const render::Settings& settings);
 
   render::Renderer engine_, technique_;
