@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/bench/measurement.h"
+#include "app/lab/errors/light_figures.h"
+#include "app/lab/errors/texel_figures.h"
 #include "app/lab/lab_scenes.h"
-#include "app/lab/light/light_figures.h"
 #include "app/lab/model_figures.h"
-#include "app/lab/texels/texel_figures.h"
 #include "lab/registry.h"
 #include "oracle/comparison.h"
 

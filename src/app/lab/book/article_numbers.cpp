@@ -72,8 +72,14 @@ constexpr std::array kNumbers{
                   [](const BookFigures& f) { return show_kilobytes(f.engine.cache_bytes_320x200); }},
     ArticleNumber{kSurfaces, "Surface cache that is enough at 640x480", "a little more than 1 MB",
                   [](const BookFigures& f) { return show_kilobytes(f.engine.cache_bytes_640x480); }},
-    ArticleNumber{kSortedSpans, "Cycles to find 1/z at a pixel", "6", nullptr},
-    ArticleNumber{kAlternatives, "Time that filling the depth buffer adds to the world", "10 %", nullptr},
+    ArticleNumber{kSortedSpans, "Cycles to find 1/z at a pixel", "6",
+                  [](const BookFigures& f) {
+                    return f.engine.cycles_per_depth > 0 ? fmt::format("{:.1f}", f.engine.cycles_per_depth)
+                                                         : "no counter of cycles";
+                  }},
+    ArticleNumber{
+        kAlternatives, "Time that filling the depth buffer adds to a frame, at 640x400", "10 %",
+        [](const BookFigures& f) { return fmt::format("{:.0f} %", 100 * f.engine.time_to_fill_depth); }},
     ArticleNumber{kModels, "Time of scan lines, divided by that of subdivision", "1.2",
                   [](const BookFigures& f) {
                     const Evidence affine = Evidence(f, 0).of("affine-models");

@@ -34,7 +34,9 @@ class BookMeasurement {
       TRY_STATUS(measure_views(level));
     }
     for (const FrameSize& size : options_.sizes) TRY_STATUS(measure_size(size));
-    if (levels_.front().models() == nullptr) TRY_STATUS(measure_engine());
+    if (levels_.front().models() == nullptr) {
+      TRY(figures_.engine, measure_engine(levels_, make_measure_options(options_.size)));
+    }
     figures_.seconds = clock_s() - begin_s;
     return std::move(figures_);
   }
@@ -132,59 +134,6 @@ class BookMeasurement {
     }
     figures_.sizes.push_back(std::move(times));
     return base::Ok{};
-  }
-
-  base::Status measure_engine() {
-    EngineFigures& engine = figures_.engine;
-    engine.fps_640x400 = 1e9;
-    ColdSums sums;
-    for (const LabScenes& scenes : levels_) {
-      MeasureOptions measure = make_measure_options({320, 200});
-      measure.format = render::PixelFormat::kIndexed;
-      measure.settings.mip_rule = render::MipRule::kStock;
-      measure.cold = true;
-      TRY(const Measurement smallest, scenes.measure(measure));
-      measure.size = {640, 480};
-      TRY(const Measurement larger, scenes.measure(measure));
-      measure.size = {640, 400};
-      TRY(const Measurement middle, scenes.measure(measure));
-      engine.texels_read_320x200 += smallest.texels_read.p50 / static_cast<double>(levels_.size());
-      engine.cache_bytes_320x200 = std::max(engine.cache_bytes_320x200, largest_cache(smallest));
-      engine.cache_bytes_640x480 = std::max(engine.cache_bytes_640x480, largest_cache(larger));
-      engine.fps_640x400 = std::min(engine.fps_640x400, middle.fps);
-      TRY_STATUS(draw_cold_views(scenes, sums));
-    }
-    engine.faces_in_pvs_per_seen = compute_distribution(std::move(sums.faces_in_pvs_per_seen));
-    if (sums.texels > 0) engine.cycles_per_texel_built = sums.surface_cycles / sums.texels;
-    engine.cycles_per_pixel_drawn = sums.span_cycles / sums.pixels;
-    return base::Ok{};
-  }
-
-  static double largest_cache(const Measurement& measurement) {
-    return measurement.circle_cache_bytes ? measurement.circle_cache_bytes->max
-                                          : static_cast<double>(measurement.cache_bytes);
-  }
-
-  struct ColdSums {
-    std::vector<double> faces_in_pvs_per_seen;  // of each view
-    double surface_cycles = 0, texels = 0, span_cycles = 0, pixels = 0;
-  };
-
-  // Draws views with an empty surface cache, so that all of their surfaces are built.
-  base::Status draw_cold_views(const LabScenes& scenes, ColdSums& io_sums) const {
-    const assets::Look& look = scenes.look();
-    render::FrameBuffer frame(640, 400, render::PixelFormat::kIndexed);
-    render::Renderer renderer(look.palette, look.colormap);
-    return scenes.for_each_scene([&](const render::Scene& scene) {
-      renderer.drop_surfaces();
-      const render::FrameStats stats = renderer.render(scene, options_.settings, frame);
-      if (stats.faces_seen > 0)
-        io_sums.faces_in_pvs_per_seen.push_back(double{1} * stats.faces_in_pvs / stats.faces_seen);
-      io_sums.surface_cycles += stats.stages.cycles[static_cast<std::size_t>(render::Stage::kSurfaces)];
-      io_sums.span_cycles += stats.stages.cycles[static_cast<std::size_t>(render::Stage::kSpans)];
-      io_sums.texels += static_cast<double>(stats.texels_built);
-      io_sums.pixels += static_cast<double>(frame.pixel_count());
-    });
   }
 
   std::span<const LabScenes> levels_;

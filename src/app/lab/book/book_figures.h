@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/lab/engine_figures.h"
 #include "app/lab/lab_scenes.h"
 #include "app/lab/technique_figures.h"
 #include "app/lab/wire/wire_figures.h"
@@ -42,15 +43,6 @@ struct ViewTimes {
 struct SizeTimes {
   FrameSize size;
   std::vector<double> ms;
-};
-
-// The engine alone, in all levels, at the sizes of the articles; `indexed`, which they had.
-struct EngineFigures {
-  Distribution faces_in_pvs_per_seen;                       // over views
-  double texels_read_320x200 = 0;                           // median over views, mean of the levels
-  double cache_bytes_320x200 = 0, cache_bytes_640x480 = 0;  // largest, after a circle
-  double fps_640x400 = 0;                                   // of the slowest level
-  double cycles_per_texel_built = 0, cycles_per_pixel_drawn = 0;
 };
 
 struct BookFigures {

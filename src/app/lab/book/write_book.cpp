@@ -8,8 +8,8 @@
 #include "app/lab/book/school_pages.h"
 #include "app/lab/book/space_page.h"
 #include "app/lab/book/wire_page.h"
+#include "app/lab/errors/light_film.h"
 #include "app/lab/lab_picture.h"
-#include "app/lab/light/light_film.h"
 #include "lab/registry.h"
 
 namespace temblor::app {

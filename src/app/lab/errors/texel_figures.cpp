@@ -1,4 +1,4 @@
-#include "app/lab/texels/texel_figures.h"
+#include "app/lab/errors/texel_figures.h"
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/lab/differences.h"
-#include "app/lab/screen_points.h"
+#include "app/lab/errors/differences.h"
+#include "app/lab/errors/screen_points.h"
 #include "formats/images/palette.h"
 #include "lab/technique.h"
 #include "render/frame_buffer.h"

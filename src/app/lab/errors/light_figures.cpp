@@ -1,4 +1,4 @@
-#include "app/lab/light/light_figures.h"
+#include "app/lab/errors/light_figures.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
-#include "app/lab/light/light_film.h"
+#include "app/lab/errors/light_film.h"
 
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "app/lab/light/light_figures.h"
+#include "app/lab/errors/light_figures.h"
 #include "formats/images/animated_png.h"
 #include "formats/images/png.h"
 #include "render/renderer.h"

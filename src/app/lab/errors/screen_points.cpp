@@ -1,4 +1,4 @@
-#include "app/lab/screen_points.h"
+#include "app/lab/errors/screen_points.h"
 
 #include <algorithm>
 #include <cmath>
