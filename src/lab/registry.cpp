@@ -22,7 +22,7 @@
 #include "lab/world_light/effects/marked_surfaces.h"
 #include "lab/world_light/effects/procedural_texels.h"
 #include "lab/world_light/gouraud.h"
-#include "lab/world_light/lamp_stages.h"
+#include "lab/world_light/lamps/lamp_stages.h"
 #include "lab/world_light/one_pass.h"
 #include "lab/world_light/phong.h"
 #include "lab/world_light/rays/ray_light.h"
@@ -72,7 +72,7 @@ constexpr std::array kPhongParameters{
     Parameter{"lights", 8, 1, 64, "lights of a face, the brightest ones"},
     Parameter{"smooth", 0, 0, 180, "degrees between faces up to which they share normals; 0: each its own"}};
 constexpr std::array kRayLightParameters{
-    Parameter{"lights", 64, 1, 1024, "lights of a face, the brightest ones"}};
+    Parameter{"lights", 128, 1, 1024, "lights of a face, the brightest ones"}};
 constexpr std::array kRebuiltParameters{
     Parameter{"every", 1, 1, 16, "each frame builds one of so many surfaces, in turns; 1: all"}};
 constexpr std::array kProceduralParameters{
@@ -298,8 +298,8 @@ constexpr std::array kTechniques{
               .article = kSurfaceCaching,
               .heading = "The quest for alternative lighting",
               .replaces = "surfaces, spans",
-              .expected = "The best light, with sharp shadows, and too slow. Here, light from the sky "
-                          "and from other walls is missing.",
+              .expected = "The best light, with sharp shadows, and too slow. Here, light from other walls "
+                          "is missing.",
               .max_wrong_share = 0,
               .parameters = kRayLightParameters,
               .make_stages = make_ray_light,

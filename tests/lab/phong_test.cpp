@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "lab/lit_pictures.h"
 #include "lab/world_light/kernels/phong_kernels.h"
-#include "lab/world_light/lamp_stages.h"
+#include "lab/world_light/lamps/lamp_stages.h"
 #include "render/kernel_cases.h"
 #include "render/simd_targets.h"
 #include "support/effort.h"
@@ -55,6 +57,11 @@ struct LampCase {
         lamp.inverse = static_cast<float>(falloff * 100);
         lamp.inverse_square = static_cast<float>(brightness * 1000);
       }
+      if (random.chance(0.3)) {
+        const math::Vec3 direction = glm::normalize(random.in_cube(1));
+        for (int axis = 0; axis < 3; ++axis) lamp.spot[axis] = direction[axis];
+        lamp.spot_cosine = static_cast<float>(random.uniform(-1, 1));
+      }
       lamps.push_back(lamp);
     }
     const math::Vec3 step = random.in_cube(0.01);
@@ -77,8 +84,8 @@ struct LampCase {
   LampCase(const LampCase&) = delete;
   LampCase& operator=(const LampCase&) = delete;
 
-  // The sum of light at pixel i of a span, by the definition.
-  double sum_light(std::size_t span, int i) const {
+  // The sum of light at pixel i of a span, by the definition. Nothing on the edge of a spotlight's cone.
+  std::optional<double> sum_light(std::size_t span, int i) const {
     const lab::PhongPart& part = parts[span];
     const double lane = part.pixels_before + i;
     const double z = 1 / (value_at(job.depth, spans[span].x + i, spans[span].y));
@@ -94,7 +101,10 @@ struct LampCase {
       const double d = std::max(glm::length(to_lamp), 1.0);
       const double light = std::max(0.0, lamp.brightness - lamp.falloff * d) + lamp.inverse / d +
                            lamp.inverse_square / (d * d);
-      sum += light * (0.5 + 0.5 * cosine);
+      const math::Vec3d spot(lamp.spot[0], lamp.spot[1], lamp.spot[2]);
+      const double in_cone = glm::dot(spot, -to_lamp) / d - double{lamp.spot_cosine};
+      if (std::abs(in_cone) < 1e-3) return std::nullopt;
+      if (in_cone > 0) sum += light * (0.5 + 0.5 * cosine);
     }
     return std::min(sum, 65280.0);
   }
@@ -132,7 +142,9 @@ TEST(PhongKernels, FollowTheDefinition) {
     lab::draw_phong_lit_u8_scalar(lamps.job, lamps.lights, canvas.target());
     for (std::size_t span = 0; span < lamps.spans.size(); ++span)
       for (int i = 0; i < lamps.spans[span].count; ++i) {
-        const double sum = lamps.sum_light(span, i);
+        const std::optional<double> defined = lamps.sum_light(span, i);
+        if (!defined) continue;
+        const double sum = *defined;
         const double row = std::max((65280 - sum) / 4, 64.0) / 256;
         const int drawn = canvas.pixels[canvas.position(lamps.spans[span], i)];
         ASSERT_LE(std::abs(drawn - std::floor(row)), 1) << sum;
@@ -168,6 +180,16 @@ TEST(LevelLamps, AreTheLevelsLightEntities) {
       {{{"classname", "light"}, {"origin", "1 2 3"}, {"light", "40"}, {"delay", "2"}, {"wait", "2"}}}};
   EXPECT_EQ(lab::find_lamps(level)[0].light_at(256), 20);
   EXPECT_EQ(lab::find_lamps(level)[1].light_at(128), 10);
+  level.entities = {
+      {{{"classname", "light_spot"}, {"origin", "1 2 3"}, {"target", "floor"}, {"angle", "90"}}},
+      {{{"classname", "info_null"}, {"targetname", "floor"}, {"origin", "1 2 -97"}}},
+      {{{"classname", "light"}, {"origin", "1 2 3"}, {"mangle", "90 0 0"}}}};
+  const std::vector<lab::Lamp> spots = lab::find_lamps(level);
+  ASSERT_EQ(spots.size(), 2u);
+  EXPECT_EQ(spots[0].spot, math::Vec3d(0, 0, -1));
+  EXPECT_NEAR(spots[0].spot_cosine, std::sqrt(0.5), 1e-9);
+  EXPECT_LT(glm::distance(spots[1].spot, math::Vec3d(0, 1, 0)), 1e-9);
+  EXPECT_NEAR(spots[1].spot_cosine, std::cos(20 * std::numbers::pi / 180), 1e-9);
   level.entities.clear();
   const base::Status status = lab::check_lamps({}, level);
   ASSERT_FALSE(status.ok());
@@ -175,10 +197,52 @@ TEST(LevelLamps, AreTheLevelsLightEntities) {
   EXPECT_TRUE(lab::check_lamps({}, *small_level().level).ok());
 }
 
+// A sun shines down to the south; a dome has 17 parts; a surface light has a lamp on each square of 128
+// units.
+TEST(LevelLamps, AreSunsAndGlowingSurfaces) {
+  world::Level level = *small_level().level;
+  level.entities = {{{{"classname", "worldspawn"},
+                      {"_sunlight", "200"},
+                      {"_sun_mangle", "270 -45 0"},
+                      {"_sunlight2", "34"},
+                      {"_minlight", "12"}}}};
+  const std::vector<lab::Lamp> sky = lab::find_shadowed_lamps(level);
+  ASSERT_EQ(sky.size(), 18u);
+  EXPECT_TRUE(sky[0].is_sky);
+  EXPECT_EQ(sky[0].light_at(1e6), 200);
+  EXPECT_LT(glm::distance(glm::normalize(sky[0].origin_world), glm::normalize(math::Vec3d(0, 1, 1))), 1e-9);
+  for (std::size_t i = 1; i < sky.size(); ++i) {
+    EXPECT_EQ(sky[i].light, 2);
+    EXPECT_GT(sky[i].origin_world.z, 0);
+  }
+  EXPECT_EQ(lab::find_min_light(level), 12);
+
+  const world::Face* widest = &level.faces[0];
+  for (const world::Face& face : level.faces)
+    if (face.texture_extents[0] * face.texture_extents[1] >
+        widest->texture_extents[0] * widest->texture_extents[1])
+      widest = &face;
+  const std::string& texture = level.texture(widest->texture).name;
+  level.entities = {{{{"classname", "light"}, {"origin", "1 2 3"}, {"_surface", texture}, {"light", "50"}}}};
+  EXPECT_TRUE(lab::find_lamps(level).empty());
+  const std::vector<lab::Lamp> glowing = lab::find_shadowed_lamps(level);
+  EXPECT_GT(glowing.size(), 4u);
+  std::size_t on_widest = 0;
+  const render::FacePlane plane = render::place_plane(level, *widest, {});
+  for (const lab::Lamp& lamp : glowing) {
+    EXPECT_EQ(lamp.light, 50);
+    EXPECT_FALSE(lamp.is_sky);
+    EXPECT_NEAR(lamp.spot_cosine, 0, 1e-9);  // the half space in front of the face
+    on_widest += glm::distance(lamp.spot, plane.normal) < 1e-9 &&
+                 std::abs(glm::dot(plane.normal, lamp.origin_world) - plane.distance - 2) < 1e-6;
+  }
+  EXPECT_GT(on_widest, 1u);
+}
+
 TEST(LevelLamps, ShineOnTheFacesInFrontOfThem) {
   const DrawableLevel drawable = small_level();
   const world::Level& level = *drawable.level;
-  const lab::LevelLamps lamps(level, 3, 0);
+  const lab::LevelLamps lamps(level, lab::find_lamps(level), 3, 0);
   std::size_t lit = 0;
   for (std::size_t i = 0; i < level.faces.size(); ++i) {
     const render::FacePlane plane = render::place_plane(level, level.faces[i], {});
@@ -198,7 +262,7 @@ TEST(LevelLamps, ShineOnTheFacesInFrontOfThem) {
 TEST(LevelLamps, AverageNormalsUpToAnAngle) {
   const world::Level& level = *small_level().level;
   const auto count_slanted = [&](double degrees) {
-    const lab::LevelLamps lamps(level, 1, degrees);
+    const lab::LevelLamps lamps(level, lab::find_lamps(level), 1, degrees);
     std::size_t slanted = 0;
     for (const world::Face& face : level.faces)
       for (const math::Vec3d& normal : lamps.normals(face)) {

@@ -26,6 +26,10 @@ render::Scene make_judged_scene(const render::Scene& scene,
   return judged;
 }
 
+FrameSize choose_error_size(const FigureOptions& options) {
+  return options.error_size.width > 0 ? options.error_size : options.measure.size;
+}
+
 // Draws views with a technique and its counters.
 class CountedViews {
  public:
@@ -36,8 +40,8 @@ class CountedViews {
         frame_(options.measure.size.width, options.measure.size.height, options.measure.format),
         faces_(frame_.pixel_count()),
         writes_(frame_.pixel_count()),
-        light_(choice, options.measure.size.width, options.measure.size.height),
-        texels_(choice, options.measure.size.width, options.measure.size.height),
+        light_(choice, choose_error_size(options).width, choose_error_size(options).height),
+        texels_(choice, choose_error_size(options).width, choose_error_size(options).height),
         changes_texels_(choice.technique->changes_texels) {
     renderer_.replace_stages(choice.make_stages(&counter_));
   }

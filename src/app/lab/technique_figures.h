@@ -45,6 +45,8 @@ struct FigureOptions {
   int rounds = 1;
   // Pixels of each view that are compared with the oracle.
   int judged_pixels = 4000;
+  // The size of the pictures that light and texels are compared in; 0x0: that of `measure`.
+  FrameSize error_size{0, 0};
 };
 
 // The figures of each technique. Techniques are measured in turns, because a machine's speed changes.

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "lab/world_light/kernels/phong_kernels.h"
-#include "lab/world_light/lamp_stages.h"
+#include "lab/world_light/lamps/lamp_stages.h"
 #include "lab/world_light/polygon_row.h"
 
 namespace temblor::lab {

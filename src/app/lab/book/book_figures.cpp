@@ -55,6 +55,7 @@ class BookMeasurement {
     LevelFigures level{scenes.name(), {}, {}, {}};
     FigureOptions options;
     options.measure = make_measure_options(options_.size);
+    options.error_size = {std::max(options_.size.width / 2, 64), std::max(options_.size.height / 2, 48)};
     // Scenes of models take long, and all of them show the same few models.
     options.rounds = scenes.models() != nullptr ? 1 : 2;
     TRY(level.techniques, find_figures(scenes, figures_.choices, options));

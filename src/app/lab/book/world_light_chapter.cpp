@@ -152,13 +152,14 @@ constexpr std::array kLightEntries{
         "Such a loop is complicated, and cannot be as fast as one that builds surfaces and one that draws "
         "them.",
         "Vectorized; the light map's cells come from registers.", judge_one_pass},
-    BookEntry{"ray-light",
-              "A ray goes from each pixel to each of the level's lights that may reach it, for direct light "
-              "only: a "
-              "light map without samples between which light is interpolated.",
-              "Rays for each pixel give the best light of all techniques, and are too slow.",
-              "Embree follows packets of 16 rays; lights that are too weak or behind a face get none.",
-              judge_ray_light},
+    BookEntry{
+        "ray-light",
+        "A ray goes from each pixel to each lamp, sun, part of the sky, and glowing surface that may reach "
+        "it: a light map without samples between which light is interpolated. Light from other walls "
+        "is missing.",
+        "Rays for each pixel give the best light of all techniques, and are too slow.",
+        "Embree follows packets of 16 rays; lights that are too weak or behind a face get none.",
+        judge_ray_light},
     BookEntry{
         "rebuilt-surfaces", "All surfaces in view are built in each frame, as if their light always changed.",
         "The cache is of no use, and a frame takes the time of building and drawing: noticeably longer, and "

@@ -5,7 +5,8 @@
 //
 //   (max(0, brightness - falloff * d) + inverse / d + inverse_square / d^2) * (1 + cosine of the angle) / 2
 //
-// where the angle is that between the normal and the direction to the lamp. Nothing casts a shadow.
+// where the angle is that between the normal and the direction to the lamp, and nothing outside of a
+// spotlight's cone. Nothing casts a shadow.
 #pragma once
 
 #include "lab/world_light/kernels/lit_kernels.h"
@@ -16,6 +17,11 @@ struct PointLamp {
   float from_eye[3];  // world space
   // 256 times light as stored.
   float brightness, falloff, inverse, inverse_square;
+  // The lamp shines only where the cosine between this direction, of length 1 or 0, and the way from the lamp
+  // is at least spot_cosine.
+  float spot[3] = {0, 0, 0};
+  float spot_cosine = -2;
+  bool is_sky = false;  // the kernels ignore this
 };
 
 // Pixel i of the span sees along ray + ray_step * i, whose length is 1 along the view. Its normal, of any

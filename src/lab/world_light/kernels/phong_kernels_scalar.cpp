@@ -46,7 +46,8 @@ class LampSampler {
       const float share = along * per_length * per_distance + 0.5f;
       const float linear = larger(lamp.brightness - lamp.falloff * distance, 0.0f);
       const float curved = (lamp.inverse + lamp.inverse_square * per_distance) * per_distance;
-      sum = sum + (linear + curved) * share;
+      const float from_lamp = 0.0f - (lamp.spot[0] * x + lamp.spot[1] * y + lamp.spot[2] * z);
+      if (from_lamp >= lamp.spot_cosine * distance) sum = sum + (linear + curved) * share;
     }
     return sum;
   }

@@ -70,7 +70,11 @@ struct LampSampler {
       const VF curved =
           hn::Mul(hn::Add(hn::Set(d, lamp.inverse), hn::Mul(hn::Set(d, lamp.inverse_square), per_distance)),
                   per_distance);
-      sum = hn::Add(sum, hn::Mul(hn::Add(linear, curved), hn::Add(half_cosine, hn::Set(d, 0.5f))));
+      const Vec3Lanes spot{hn::Set(d, lamp.spot[0]), hn::Set(d, lamp.spot[1]), hn::Set(d, lamp.spot[2])};
+      const VF from_lamp = hn::Sub(hn::Zero(d), spot.Dot(to_lamp));
+      const auto is_in_cone = hn::Ge(from_lamp, hn::Mul(hn::Set(d, lamp.spot_cosine), distance));
+      const VF light = hn::Mul(hn::Add(linear, curved), hn::Add(half_cosine, hn::Set(d, 0.5f)));
+      sum = hn::Add(sum, hn::IfThenElseZero(is_in_cone, light));
     }
     return sum;
   }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "lab/world_light/lamp_stages.h"
+#include "lab/world_light/lamps/lamp_stages.h"
 #include "lab/world_light/rays/shadow_rays.h"
 
 namespace temblor::lab {
@@ -41,7 +41,9 @@ LightPacket compute_light(const PixelPacket& pixels, const PointLamp& lamp,
     const float cosine = (x * normal[0] + y * normal[1] + z * normal[2]) / distance;
     const float strength = std::max(lamp.brightness - lamp.falloff * distance, 0.0f) +
                            (lamp.inverse + lamp.inverse_square / distance) / distance;
-    light[i] = cosine > 0 ? strength * (0.5f + 0.5f * cosine) : 0;
+    const float from_lamp = -(x * lamp.spot[0] + y * lamp.spot[1] + z * lamp.spot[2]);
+    const bool is_lit = cosine > 0 && from_lamp >= lamp.spot_cosine * distance;
+    light[i] = is_lit ? strength * (0.5f + 0.5f * cosine) : 0;
   }
   return light;
 }
@@ -52,21 +54,29 @@ std::uint32_t find_bright(const LightPacket& light, std::size_t count) {
   return bright;
 }
 
+struct LevelShadows {
+  std::optional<ShadowRays> rays;
+  float min_light = 0;  // 256 times light as stored
+};
+
 // The sum of all lamps that reach the pixels. Adds the rays that this takes.
-LightPacket sum_light(const PixelPacket& pixels, const LampSpans& spans, const ShadowRays& shadows,
+LightPacket sum_light(const PixelPacket& pixels, const LampSpans& spans, const LevelShadows& level,
                       std::uint64_t& io_rays) {
+  const ShadowRays& shadows = *level.rays;
   LightPacket sum{};
   for (const PointLamp& lamp : spans.draw.lamps) {
     const LightPacket light = compute_light(pixels, lamp, spans.draw.normal);
     const std::uint32_t bright = find_bright(light, pixels.count);
     if (bright == 0) continue;
     io_rays += static_cast<std::uint64_t>(std::popcount(bright));
-    const math::Vec3 lamp_world(spans.view.eye_world +
-                                math::Vec3d(lamp.from_eye[0], lamp.from_eye[1], lamp.from_eye[2]));
-    const std::uint32_t lit = shadows.find_lit(pixels.world, bright, lamp_world);
+    const math::Vec3d from_eye(lamp.from_eye[0], lamp.from_eye[1], lamp.from_eye[2]);
+    const std::uint32_t lit =
+        lamp.is_sky ? shadows.find_under_sky(pixels.world, bright, math::Vec3(glm::normalize(from_eye)))
+                    : shadows.find_lit(pixels.world, bright, math::Vec3(spans.view.eye_world + from_eye));
     for (std::size_t i = 0; i < kRaysPerPacket; ++i)
       if ((lit >> i & 1) != 0) sum[i] += light[i];
   }
+  for (float& light : sum) light = std::max(light, level.min_light);
   return sum;
 }
 
@@ -80,7 +90,7 @@ std::uint32_t convert_light(float sum, bool is_indexed) {
 // Draws the spans of one draw, in parts.
 class RaySpans {
  public:
-  RaySpans(const LampSpans& spans, const ShadowRays& shadows) : spans_(spans), shadows_(shadows) {}
+  RaySpans(const LampSpans& spans, const LevelShadows& shadows) : spans_(spans), shadows_(shadows) {}
 
   // Returns the number of rays.
   std::uint64_t draw() {
@@ -131,7 +141,7 @@ class RaySpans {
 
   static constexpr int kPart = 256;  // pixels
   const LampSpans& spans_;
-  const ShadowRays& shadows_;
+  const LevelShadows& shadows_;
   std::uint64_t rays_ = 0;
   std::array<std::uint32_t, kPart + kCellPadding> light_{};
 };
@@ -139,22 +149,23 @@ class RaySpans {
 }  // namespace
 
 base::Status check_ray_light(std::span<const double> values, const world::Level& level) {
-  TRY_STATUS(check_lamps(values, level));
+  if (find_shadowed_lamps(level).empty()) TRY_STATUS(check_lamps(values, level));
   return ShadowRays::check();
 }
 
 render::FrameStages make_ray_light(std::span<const double> values, Counter* counter) {
-  const auto shadows = std::make_shared<std::optional<ShadowRays>>();
+  const auto shadows = std::make_shared<LevelShadows>();
   return make_lamp_stages(
-      {.lamps_per_face = static_cast<std::size_t>(values[0])}, counter,
+      {.lamps_per_face = static_cast<std::size_t>(values[0]), .has_shadows = true}, counter,
       [=](const world::Level& level) {
-        shadows->reset();
+        *shadows = {};
+        shadows->min_light = 256 * find_min_light(level);
         if (base::Result<ShadowRays> made = ShadowRays::make(level); made.ok())
-          *shadows = std::move(made).value();
-        return shadows->has_value();
+          shadows->rays = std::move(made).value();
+        return shadows->rays.has_value();
       },
       [=](const LampSpans& spans) {
-        const std::uint64_t rays = RaySpans(spans, **shadows).draw();
+        const std::uint64_t rays = RaySpans(spans, *shadows).draw();
         if (counter != nullptr) counter->add({.rays = rays});
       });
 }

@@ -1,8 +1,8 @@
-// Light of each pixel by rays: the level's light entities shine where Embree finds nothing between them and
-// the pixel. Light falls off and depends on the angle as in phong.h.
+// Light of each pixel by rays: the level's lights, suns, sky domes, and glowing surfaces shine where Embree
+// finds nothing between them and the pixel. Light falls off and depends on the angle as in phong.h.
 //
-// Only direct light: neither the sky nor light from other walls. Brush models get shadows but cast none, like
-// those of most levels' light maps. Dynamic lights cast shadows, too.
+// Only direct light, and at least the level's minimum: no light from other walls. Brush models get shadows
+// but cast none, like those of most levels' light maps. Dynamic lights cast shadows, too.
 #pragma once
 
 #include "lab/technique.h"

@@ -29,6 +29,10 @@ class ShadowRays {
 
   // Bit i: nothing is between point i and the lamp. Only points whose bit is in `wanted` are looked at.
   std::uint32_t find_lit(const PointPacket& points, std::uint32_t wanted, const math::Vec3& lamp_world) const;
+  // The same for light from far away: bit i says that the first face from point i along `toward_sky`, of
+  // length 1, is sky.
+  std::uint32_t find_under_sky(const PointPacket& points, std::uint32_t wanted,
+                               const math::Vec3& toward_sky) const;
 
  private:
   struct Scene;

@@ -7,7 +7,7 @@
 
 #include "lab/technique.h"
 #include "lab/world_light/kernels/phong_kernels.h"
-#include "lab/world_light/level_lamps.h"
+#include "lab/world_light/lamps/level_lamps.h"
 #include "lab/world_light/lit_draws.h"
 #include "lab/world_light/lit_polygons.h"
 
@@ -33,6 +33,8 @@ struct LampSpans {
 struct LampOptions {
   std::size_t lamps_per_face = 8;
   double smooth_deg = 0;  // angle up to which faces share normals
+  // Also suns, sky domes, and glowing surfaces, which would shine through walls otherwise.
+  bool has_shadows = false;
 };
 
 // `begin_level` is called when the level changes, and returns whether `draw_spans` can draw it. `draw_spans`

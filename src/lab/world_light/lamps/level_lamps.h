@@ -1,39 +1,22 @@
-// The lights that a level's entities describe, and normals at the corners of its faces.
+// The lights that reach each face of a level, and normals at the corners of its faces.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "lab/world_light/lamps/find_lamps.h"
 #include "world/level.h"
 
 namespace temblor::lab {
 
-// An entity whose class name begins with "light". Its light at distance d is
-// max(0, light - falloff * d) + inverse / d + inverse_square / d^2; key "delay" chooses one of the terms:
-//
-//   0      light - wait * d
-//   1      light * 128 / (wait * d)
-//   2, 5   light * (128 / (wait * d))^2
-struct Lamp {
-  math::Vec3d origin_world;
-  float light = 0, falloff = 0, inverse = 0, inverse_square = 0;
-  int style = 0;  // of world::LightStyleValues
-
-  double light_at(double distance) const {
-    const double d = std::max(distance, 1.0);
-    return std::max(0.0, light - falloff * d) + inverse / d + inverse_square / d / d;
-  }
-};
-
-// Computed once for each level. Lights are white, and shine in all directions.
+// Computed once for each level.
 class LevelLamps {
  public:
   LevelLamps() = default;
   // `per_face`: the brightest lights of each face count, up to this number. Corners share the normals of
   // faces there whose angle is at most `smooth_deg`.
-  LevelLamps(const world::Level& level, std::size_t per_face, double smooth_deg);
+  LevelLamps(const world::Level& level, std::vector<Lamp> lamps, std::size_t per_face, double smooth_deg);
 
   bool belongs_to(const world::Level& level) const { return level_ == level.identity; }
   std::span<const Lamp> all() const { return lamps_; }
@@ -56,7 +39,5 @@ class LevelLamps {
   std::vector<std::uint32_t> numbers_, first_;  // by face, one more
   std::vector<math::Vec3d> normals_;            // by surfedge
 };
-
-std::vector<Lamp> find_lamps(const world::Level& level);
 
 }  // namespace temblor::lab

@@ -1,19 +1,15 @@
-#include "lab/world_light/level_lamps.h"
+#include "lab/world_light/lamps/level_lamps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "render/view/model_view.h"
-#include "world/animation.h"
 
 namespace temblor::lab {
 
 namespace {
 
-constexpr float kDefaultLight = 300;
-// Where lamps with an inverse falloff give as much as their key "light".
-constexpr float kUnits = 128;
 // Less light than this, of 255, does not count.
 constexpr double kMinLight = 1;
 
@@ -27,32 +23,9 @@ double distance_to_box(const math::Vec3d& point, const math::Vec3d& mins, const 
 
 }  // namespace
 
-std::vector<Lamp> find_lamps(const world::Level& level) {
-  std::vector<Lamp> lamps;
-  for (const formats::Entity& entity : level.entities) {
-    const std::optional<math::Vec3> origin = entity.find_vec3("origin");
-    const float light = entity.find_number("light").value_or(kDefaultLight);
-    if (!entity.classname().starts_with("light") || !origin || !(light > 0)) continue;
-    Lamp lamp{.origin_world = math::Vec3d(*origin)};
-    const float wait = std::max(std::abs(entity.find_number("wait").value_or(1)), 1.0f / 128);
-    const float delay = entity.find_number("delay").value_or(0);
-    if (delay == 1) {
-      lamp.inverse = light * kUnits / wait;
-    } else if (delay == 2 || delay == 5) {
-      lamp.inverse_square = light * (kUnits / wait) * (kUnits / wait);
-    } else {
-      lamp.light = light;
-      lamp.falloff = wait;
-    }
-    const float style = entity.find_number("style").value_or(0);
-    if (style >= 0 && style < static_cast<float>(world::kLightStyles)) lamp.style = static_cast<int>(style);
-    lamps.push_back(lamp);
-  }
-  return lamps;
-}
-
-LevelLamps::LevelLamps(const world::Level& level, std::size_t per_face, double smooth_deg)
-    : level_(level.identity), lamps_(find_lamps(level)) {
+LevelLamps::LevelLamps(const world::Level& level, std::vector<Lamp> lamps, std::size_t per_face,
+                       double smooth_deg)
+    : level_(level.identity), lamps_(std::move(lamps)) {
   choose_lamps(level, per_face);
   average_normals(level, smooth_deg);
 }

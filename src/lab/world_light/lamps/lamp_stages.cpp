@@ -1,5 +1,7 @@
-#include "lab/world_light/lamp_stages.h"
+#include "lab/world_light/lamps/lamp_stages.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -27,7 +29,10 @@ PointLamp make_lamp(const render::ViewFrame& view, const Lamp& lamp, float scale
           lamp.light * scale,
           lamp.falloff * scale,
           lamp.inverse * scale,
-          lamp.inverse_square * scale};
+          lamp.inverse_square * scale,
+          {static_cast<float>(lamp.spot.x), static_cast<float>(lamp.spot.y), static_cast<float>(lamp.spot.z)},
+          static_cast<float>(lamp.spot_cosine),
+          lamp.is_sky};
 }
 
 std::span<const PointLamp> collect_lamps(const render::FrameContext& context, const LampFrame& state,
@@ -108,7 +113,11 @@ render::FrameStages make_lamp_stages(const LampOptions& options, Counter* counte
                                                           const render::ViewFrame& view,
                                                           const render::EdgeTable& table) {
     if (!state->lamps.belongs_to(context.level())) {
-      state->lamps = LevelLamps(context.level(), options.lamps_per_face, options.smooth_deg);
+      std::vector<Lamp> lamps = find_lamps(context.level());
+      if (options.has_shadows)
+        std::ranges::copy(find_shadowed_lamps(context.level()), std::back_inserter(lamps));
+      state->lamps =
+          LevelLamps(context.level(), std::move(lamps), options.lamps_per_face, options.smooth_deg);
       state->can_draw = begin(context.level()) && !state->lamps.all().empty();
     }
     state->view = view;
