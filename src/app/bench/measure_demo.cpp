@@ -47,7 +47,7 @@ base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::Present
   TRY(DemoRun run, DemoRun::start(demo, frame_options, presentation, options.settings));
   if (options.technique != nullptr) run.replace_stages(options.technique->make_stages());
   Window window(run.frame(), options);
-  const int baseline_placement = find_fastest_placement(run.frame());
+  const int baseline_placement = options.baseline ? find_fastest_placement(run.frame()) : 0;
   Samples samples;
   samples.reserve(length.packets);
   Progress progress("frames");
@@ -67,7 +67,8 @@ base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::Present
     samples.render_ms.push_back(client_ms + render_ms);
     samples.present_ms.push_back(present_ms);
     samples.frame_ms.push_back(client_ms + render_ms + present_ms);
-    samples.baseline_ms.push_back(time_ms([&] { run_fill_baseline(baseline_placement, run.frame()); }));
+    if (options.baseline)
+      samples.baseline_ms.push_back(time_ms([&] { run_fill_baseline(baseline_placement, run.frame()); }));
     samples.add(stats);
     io_result.surfaces_built += stats.surfaces_built;
     io_result.texels_built += stats.texels_built;

@@ -49,7 +49,7 @@ class Bench {
         level_scene_(make_level_scene(map.level)),
         renderer_(map.look.palette, map.look.colormap),
         frame_(options.size.width, options.size.height, options.format),
-        baseline_placement_(find_fastest_placement(frame_)),
+        baseline_placement_(options.baseline ? find_fastest_placement(frame_) : 0),
         jobs_(options.settings.threads, options.settings.job_backend) {
     if (options.technique != nullptr) renderer_.replace_stages(options.technique->make_stages());
     for (const Viewpoint& viewpoint : list_viewpoints(*map.level)) {
@@ -92,6 +92,7 @@ class Bench {
       render::present(frame_, palette_, options_.settings.simd_kernels, jobs_,
                       {window_.get(), frame_.pixel_count()});
   }
+  bool has_baseline() const { return options_.baseline; }
   void run_baseline() { run_fill_baseline(baseline_placement_, frame_); }
   // Empties the surface cache.
   void drop_surfaces() { renderer_.drop_surfaces(); }
@@ -216,7 +217,8 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
       samples.render_ms.push_back(render_ms);
       samples.present_ms.push_back(present_ms);
       samples.frame_ms.push_back(render_ms + present_ms);
-      samples.baseline_ms.push_back(time_ms([&] { io_bench.run_baseline(); }));
+      if (io_bench.has_baseline())
+        samples.baseline_ms.push_back(time_ms([&] { io_bench.run_baseline(); }));
       samples.add(stats);
       io_result.surfaces_built += stats.surfaces_built;
       io_result.texels_built += stats.texels_built;

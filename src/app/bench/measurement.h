@@ -37,6 +37,8 @@ struct MeasureOptions {
   bool cold = false;
   // Also measure views with changing light.
   bool relight = false;
+  // Also run the fill baseline after each frame.
+  bool baseline = true;
   render::Settings settings;
   // The technique that draws the frames; null: the engine's own stages.
   const lab::Choice* technique = nullptr;

@@ -42,7 +42,7 @@ void Samples::keep_fastest(const Samples& others) {
       present_ms[i] = others.present_ms[i];
       stages[i] = others.stages[i];
     }
-    baseline_ms[i] = std::min(baseline_ms[i], others.baseline_ms[i]);
+    if (!baseline_ms.empty()) baseline_ms[i] = std::min(baseline_ms[i], others.baseline_ms[i]);
   }
 }
 

@@ -121,7 +121,9 @@ base::Status LabScenes::check(std::span<const lab::Choice> choices) const {
   return status;
 }
 
-base::Result<Measurement> LabScenes::measure(const MeasureOptions& options) const {
+base::Result<Measurement> LabScenes::measure(const MeasureOptions& asked) const {
+  MeasureOptions options = asked;
+  options.baseline = false;
   if (map_) {
     MeasureOptions of_level = options;
     of_level.models = models();
