@@ -4,7 +4,6 @@
 #include <array>
 
 #include "render/alias/clip_triangles.h"
-#include "render/alias/light_alias.h"
 
 namespace temblor::render {
 
@@ -26,8 +25,7 @@ template <typename Element>
 void project_poses(const FrameContext& context, const ViewFrame& view, const AliasPlacement& placement,
                    const std::array<PoseRows<Element>, 2>& poses, const NormalLights& lights,
                    const VertexOutput& output) {
-  const AliasInstance& instance = *placement.instance;
-  PoseJob<Element> job{};
+  PoseJob<Element> job = make_pose_job<Element>(context, view, placement);
   const auto set = [](const PoseRows<Element>& pose, const Element*(&out)[4]) {
     out[0] = pose.x;
     out[1] = pose.y;
@@ -36,16 +34,7 @@ void project_poses(const FrameContext& context, const ViewFrame& view, const Ali
   };
   set(poses[0], job.from);
   set(poses[1], job.to);
-  job.blend = instance.blend > 0 ? std::min(instance.blend, 1.0f) : 0.0f;
-  job.count = instance.model->vertices_per_row;
-  std::copy_n(&placement.to_view[0][0], 12, &job.to_view[0][0]);
-  job.center_x = static_cast<float>(view.center_x);
-  job.center_y = static_cast<float>(view.center_y);
-  job.pixels_per_unit = placement.pixels_per_unit;
-  job.perspective = placement.perspective;
-  job.near_z = placement.near_z;
-  job.depth_scale = placement.depth_scale;
-  job.steps_per_pixel = steps_per_pixel(context.settings);
+  job.count = placement.instance->model->vertices_per_row;
   job.lights = lights.data();
   job.out = output.vertices.data();
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -71,16 +60,57 @@ constexpr double kShortRowsSidePx = 5;
 
 }  // namespace
 
+AliasLight choose_light(const FrameContext& context, const AliasInstance& instance) {
+  const Settings& settings = context.settings;
+  if (settings.light_view == LightView::kFullBright) return {.full_bright = true};
+  return light_alias(context.scene, instance, context.format, settings.colored_light);
+}
+
+template <typename Element>
+PoseJob<Element> make_pose_job(const FrameContext& context, const ViewFrame& view,
+                               const AliasPlacement& placement) {
+  const float blend = placement.instance->blend;
+  PoseJob<Element> job{};
+  job.blend = blend > 0 ? std::min(blend, 1.0f) : 0.0f;
+  std::copy_n(&placement.to_view[0][0], 12, &job.to_view[0][0]);
+  job.center_x = static_cast<float>(view.center_x);
+  job.center_y = static_cast<float>(view.center_y);
+  job.pixels_per_unit = placement.pixels_per_unit;
+  job.perspective = placement.perspective;
+  job.near_z = placement.near_z;
+  job.depth_scale = placement.depth_scale;
+  job.steps_per_pixel = steps_per_pixel(context.settings);
+  return job;
+}
+
+template VertexJob make_pose_job(const FrameContext& context, const ViewFrame& view,
+                                 const AliasPlacement& placement);
+template WideVertexJob make_pose_job(const FrameContext& context, const ViewFrame& view,
+                                     const AliasPlacement& placement);
+
+TriangleJob make_skin_job(const FrameContext& context, const AliasPlacement& placement,
+                          const AliasLight& light, base::Arena& arena) {
+  const AliasInstance& instance = *placement.instance;
+  const AliasModel& model = *instance.model;
+  TriangleJob job{};
+  job.skin = model.skin_picture(instance.skin);
+  job.skin_width = static_cast<std::int32_t>(model.skin_width);
+  job.skin_height = static_cast<std::int32_t>(model.skin_height);
+  job.colors = instance_colors(context.colors, instance, light, context.format, arena);
+  for (int channel = 0; channel < 3; ++channel)
+    job.tint[channel] = static_cast<std::int32_t>(light.color[channel] * 32768.0f + 0.5f);
+  job.perspective = placement.perspective && !context.settings.alias_snap;
+  job.has_short_rows = compute_side_px(placement) < kShortRowsSidePx;
+  return job;
+}
+
 PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
                             const AliasPlacement& placement, base::Arena& arena) {
   const Settings& settings = context.settings;
-  const PixelFormat format = context.format;
   const AliasInstance& instance = *placement.instance;
   const AliasModel& model = *instance.model;
-  const AliasLight light = settings.light_view == LightView::kFullBright
-                               ? AliasLight{.full_bright = true}
-                               : light_alias(context.scene, instance, format, settings.colored_light);
-  const NormalLights lights = light_normals(light, placement, format);
+  const AliasLight light = choose_light(context, instance);
+  const NormalLights lights = light_normals(light, placement, context.format);
 
   VertexOutput projected{arena.allocate<ScreenVertex>(model.vertices_per_row), {}};
   if (placement.needs_clipping)
@@ -107,19 +137,12 @@ PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
   prepared.row_end = placement.row_end;
   prepared.by_subdivision = chooses_subdivision(settings, placement);
   TriangleJob& job = prepared.job;
+  job = make_skin_job(context, placement, light, arena);
   job.vertices = drawn.vertices.data();
   job.texels = drawn.texels.data();
   job.triangles = drawn.triangles.empty() ? nullptr : drawn.triangles.front().data();
   job.vertex_count = drawn.vertices.size();
   job.triangle_count = drawn.triangles.size();
-  job.skin = model.skin_picture(instance.skin);
-  job.skin_width = static_cast<std::int32_t>(model.skin_width);
-  job.skin_height = static_cast<std::int32_t>(model.skin_height);
-  job.colors = instance_colors(context.colors, instance, light, format, arena);
-  for (int channel = 0; channel < 3; ++channel)
-    job.tint[channel] = static_cast<std::int32_t>(light.color[channel] * 32768.0f + 0.5f);
-  job.perspective = placement.perspective && !settings.alias_snap;
-  job.has_short_rows = compute_side_px(placement) < kShortRowsSidePx;
   if (settings.simd_kernels && !prepared.by_subdivision) {
     const std::size_t room = job.triangle_count + kFrontsSpare;
     job.fronts.numbers = arena.allocate<std::uint32_t>(room).data();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/arena.h"
+#include "render/alias/light_alias.h"
 #include "render/alias/place_alias.h"
 #include "render/alias/triangle_kernels.h"
 #include "render/view/frame_context.h"
@@ -21,6 +22,19 @@ struct PreparedAlias {
   bool by_subdivision;
   int first_row, row_end;  // the rows that it may touch
 };
+
+// The steps of prepare_alias, for techniques that transform vertices in another way.
+//
+// The light on the instance, by the frame's settings.
+AliasLight choose_light(const FrameContext& context, const AliasInstance& instance);
+// Transform, projection, and blending. Poses, `count`, `lights`, and outputs are left empty. `Element` is a
+// byte or 16 bits.
+template <typename Element>
+PoseJob<Element> make_pose_job(const FrameContext& context, const ViewFrame& view,
+                               const AliasPlacement& placement);
+// Skin, colors, and how triangles are drawn. Vertices and triangles are left empty.
+TriangleJob make_skin_job(const FrameContext& context, const AliasPlacement& placement,
+                          const AliasLight& light, base::Arena& arena);
 
 // The result refers to the model, to the color tables, and to `arena`.
 PreparedAlias prepare_alias(const FrameContext& context, const ViewFrame& view,
