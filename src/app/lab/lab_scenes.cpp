@@ -51,9 +51,13 @@ render::Scene LabScenes::see(std::size_t camera) const {
 }
 
 void LabScenes::show(std::size_t camera, int moment, Use use) const {
-  render::Scene scene = see(camera);
-  if (!models_) return use(scene);
-  const std::vector<render::AliasInstance> models = models_->place(scene.camera, moment);
+  if (!models_) return use(see(camera));
+  show_crowd(*models_, moment, use);
+}
+
+void LabScenes::show_crowd(const ModelCrowd& crowd, int moment, Use use) const {
+  render::Scene scene = see(0);
+  const std::vector<render::AliasInstance> models = crowd.place(scene.camera, moment);
   scene.alias_models = models;
   scene.brush_models = {};
   use(scene);

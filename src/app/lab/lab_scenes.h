@@ -54,6 +54,8 @@ class LabScenes {
   // techniques may reuse pictures of models.
   static constexpr int kMomentsBefore = 4;
   base::Status show_picture_scene(Use use) const;
+  // Calls `use` for the first camera with other models before it.
+  void show_crowd(const ModelCrowd& crowd, int moment, Use use) const;
   // The scenes that pictures may be chosen from, in the order in which they must be drawn.
   base::Status for_each_picture(Use use) const {
     return models_ ? show_picture_scene(use) : for_each_scene(use);

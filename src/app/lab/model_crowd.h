@@ -35,6 +35,14 @@ class ModelCrowd {
   static base::Result<ModelCrowd> load(const CrowdOptions& options, const GameFolders& folders,
                                        const LoadedMap& map);
 
+  // The same model in another number, or at another distance.
+  ModelCrowd with(int count, double distance) const {
+    ModelCrowd crowd = *this;
+    crowd.options_.count = count;
+    crowd.options_.distance = distance;
+    return crowd;
+  }
+
   // The models before a camera. They turn, walk to the side, and change their pose from one moment to the
   // next, which are 1/20 s apart. Valid while the crowd lives.
   std::vector<render::AliasInstance> place(const render::Camera& camera, int moment) const;

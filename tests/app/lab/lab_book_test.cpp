@@ -13,6 +13,7 @@
 #include "app/lab/book/space_page.h"
 #include "app/lab/book/wire_page.h"
 #include "app/lab/book/write_book.h"
+#include "app/lab/model_grid.h"
 #include "app/lab/wire/wire_command.h"
 #include "app/program.h"
 #include "lab/lessons.h"
@@ -133,6 +134,8 @@ TEST(LabBook, WritesPagesAndPictures) {
   options.step_deg = 360;
   options.settings.threads = 1;
   options.sizes = {{32, 24}, {64, 48}};
+  options.grid.distances = {30};
+  options.grid.counts = {1, 3};
   const std::filesystem::path book = folder.path() / "new" / "book";
   const app::WireResults wire = app::measure_wire({.latency_ms = {200, 200}, .seconds = 5}, {}).value();
   ASSERT_TRUE(app::write_book(book, levels, model_scenes, wire, options));
@@ -160,6 +163,49 @@ TEST(LabBook, WritesPagesAndPictures) {
       if (entry.has_film) EXPECT_EQ(read_png(book / film).width, 2u * 320) << film;
     }
   }
+}
+
+// With a limit of nothing, only the first number of models is drawn.
+TEST(LabBook, GridLeavesOutLongFrames) {
+  app::CrowdOptions crowd;
+  crowd.count = 1;
+  const app::LabScenes scenes = app::LabScenes::load_level({}, "", {}, crowd).value();
+  const std::vector<lab::Choice> choices{lab::parse_choice("affine-models").value(),
+                                         lab::parse_choice("models-in-edges:triangles=1000").value()};
+  app::GridOptions options;
+  options.size = {64, 48};
+  options.settings.threads = 1;
+  options.distances = {30, 100};
+  options.counts = {1, 2, 5};
+  using State = app::GridCell::State;
+  const auto states = [&](std::size_t technique) {
+    std::vector<State> found;
+    const app::ModelGrid grid = app::measure_model_grid(scenes, choices, options);
+    for (const app::GridCell& cell : grid.techniques[technique]) found.push_back(cell.state);
+    return found;
+  };
+  EXPECT_EQ(states(1), (std::vector{State::kMeasured, State::kMeasured, State::kRefused, State::kMeasured,
+                                    State::kMeasured, State::kRefused}));
+  options.frame_limit_s = 0;
+  EXPECT_EQ(states(0), (std::vector{State::kMeasured, State::kTooLong, State::kTooLong, State::kMeasured,
+                                    State::kTooLong, State::kTooLong}));
+  options.frame_limit_s = 10;
+  options.technique_limit_s = 0;
+  EXPECT_EQ(states(0)[1], State::kNoTimeLeft);
+}
+
+TEST(LabBook, GridShowsTimesAndReasons) {
+  const std::vector<lab::Choice> choices{lab::parse_choice("affine-models").value()};
+  const app::ModelGrid grid{{30},
+                            {1, 10, 100, 1000},
+                            {{{app::GridCell::State::kMeasured, 1.25},
+                              {app::GridCell::State::kTooLong, 12'345},
+                              {app::GridCell::State::kNoTimeLeft, 5},
+                              {app::GridCell::State::kRefused, 0}}},
+                            3};
+  const std::string section = app::make_grid_section(grid, choices);
+  for (const char* const cell : {">1.2<", ">– (12 s)<", ">– (time)<", ">– (refused)<", ">affine-models<"})
+    EXPECT_THAT(section, HasSubstr(cell));
 }
 
 TEST(LabBook, ShowsTheSpaceBattle) {

@@ -7,6 +7,7 @@
 
 #include "app/lab/engine_figures.h"
 #include "app/lab/lab_scenes.h"
+#include "app/lab/model_grid.h"
 #include "app/lab/technique_figures.h"
 #include "app/lab/wire/wire_figures.h"
 #include "base/result.h"
@@ -21,6 +22,8 @@ struct BookOptions {
   double step_deg = 90;
   // The sizes of the plot of cost against resolution.
   std::vector<FrameSize> sizes{{320, 200}, {640, 400}, {1280, 720}, {1920, 1080}};
+  // Distances, numbers, and limits; the rest is as above.
+  GridOptions grid;
 };
 
 // The figures of all techniques in one level.
@@ -51,6 +54,7 @@ struct BookFigures {
   std::vector<ViewTimes> views;
   std::vector<SizeTimes> sizes;
   EngineFigures engine;
+  ModelGrid grid;      // of models; may be empty
   WireResults wire;    // of the articles' numbers; without freezes: not measured
   double seconds = 0;  // that all of it took
 };

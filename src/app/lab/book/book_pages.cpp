@@ -236,6 +236,11 @@ std::string make_plots(const BookInput& input, const BookChapter& chapter) {
          "</section>\n";
 }
 
+std::string make_grid(const BookInput& input, const BookChapter& chapter) {
+  const BookFigures& figures = input.choose_figures(chapter.of_models);
+  return figures.grid.techniques.empty() ? "" : make_grid_section(figures.grid, figures.choices);
+}
+
 std::string make_conditions(const BookInput& input, const BookFigures& figures) {
   std::string levels;
   for (const LevelFigures& level : figures.levels)
@@ -318,7 +323,8 @@ std::string make_chapter_page(const BookInput& input, const BookChapter& chapter
   std::string html =
       begin_book_page(chapter.title) + "<p><a href=\"index.html\">The laboratory's book</a></p>\n" +
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escape_html(chapter.title), escape_html(chapter.introduction)) +
-      make_conditions(input, input.choose_figures(chapter.of_models)) + make_plots(input, chapter);
+      make_conditions(input, input.choose_figures(chapter.of_models)) + make_plots(input, chapter) +
+      make_grid(input, chapter);
   for (const BookEntry& entry : chapter.entries) html += make_entry(input, chapter, entry);
   return html + end_page();
 }

@@ -90,6 +90,15 @@ std::vector<lab::Choice> choose_techniques(bool of_models) {
   return choices;
 }
 
+ModelGrid measure_grid(const LabScenes& scenes, std::span<const lab::Choice> choices,
+                       const BookOptions& options) {
+  GridOptions grid = options.grid;
+  grid.size = options.size;
+  grid.format = options.format;
+  grid.settings = options.settings;
+  return measure_model_grid(scenes, choices, grid);
+}
+
 base::Status write_page(const fs::path& path, const std::string& page) {
   return replace_file(path, base::as_bytes(page));
 }
@@ -125,7 +134,8 @@ base::Status write_book(const fs::path& folder, std::span<const LabScenes> level
   TRY_STATUS(write_wire_page(folder, wire));
   TRY(BookFigures figures, measure_book(levels, techniques, options));
   figures.wire = wire;
-  TRY(const BookFigures model_figures, measure_book(model_scenes, of_models, options));
+  TRY(BookFigures model_figures, measure_book(model_scenes, of_models, options));
+  model_figures.grid = measure_grid(model_scenes.front(), of_models, options);
   TRY_STATUS(write_pictures(folder, levels, figures, options));
   TRY_STATUS(write_pictures(folder, model_scenes, model_figures, options));
   TRY_STATUS(write_films(folder, levels, figures, options));
