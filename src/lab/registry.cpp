@@ -348,6 +348,7 @@ constexpr std::array kTechniques{
     kAffineModels,
     kSubdividedModels,
     kTriangleMasks,
+    kStackMeshes,
 };
 
 // Parses "NAME=VALUE" into the value of that parameter.

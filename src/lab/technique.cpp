@@ -21,6 +21,13 @@ Counts& Counts::operator+=(const Counts& other) {
   leaves_reached += other.leaves_reached;
   pixels_off += other.pixels_off;
   max_texel_error = std::max(max_texel_error, other.max_texel_error);
+  vertices += other.vertices;
+  vertex_loads += other.vertex_loads;
+  model_triangles += other.model_triangles;
+  list_misses += other.list_misses;
+  stack_misses += other.stack_misses;
+  list_misses_today += other.list_misses_today;
+  stack_misses_today += other.stack_misses_today;
   return *this;
 }
 

@@ -38,6 +38,10 @@ struct Counts {
   // Pixels that show another texel than the exact one, and the largest distance between the two along s or t.
   std::uint64_t pixels_off = 0;
   double max_texel_error = 0;
+  // Models drawn from a stack of vertices: those that are sent to it, of so many, and simulated cache misses
+  // of a list of vertices and of the stack, with the caches of cache_simulator.h.
+  std::uint64_t vertices = 0, vertex_loads = 0, model_triangles = 0;
+  std::uint64_t list_misses = 0, stack_misses = 0, list_misses_today = 0, stack_misses_today = 0;
 
   Counts& operator+=(const Counts& other);
 };

@@ -16,13 +16,24 @@ namespace {
 
 using render::PixelFormat;
 
-constexpr auto kModelTechniques = {
-    "affine-models",     "affine-models:subpixel=0",  "affine-models:perspective=1",
-    "subdivided-models", "subdivided-models:light=1", "vertex-boxes",
-    "models-in-edges",   "models-in-edges:tree=1",    "triangle-masks",
-    "model-sprites",     "model-sprites:frames=3",    "flood-fill",
-    "models-in-leaves",  "models-in-leaves:cut=0",    "deltas",
-    "deltas:seeds=1"};
+constexpr auto kModelTechniques = {"affine-models",
+                                   "affine-models:subpixel=0",
+                                   "affine-models:perspective=1",
+                                   "subdivided-models",
+                                   "subdivided-models:light=1",
+                                   "vertex-boxes",
+                                   "models-in-edges",
+                                   "models-in-edges:tree=1",
+                                   "triangle-masks",
+                                   "model-sprites",
+                                   "model-sprites:frames=3",
+                                   "flood-fill",
+                                   "models-in-leaves",
+                                   "models-in-leaves:cut=0",
+                                   "deltas",
+                                   "deltas:seeds=1",
+                                   "stack-meshes",
+                                   "stack-meshes:group=0"};
 constexpr auto kFormats = {PixelFormat::kIndexed, PixelFormat::kRgb};
 
 TEST(ModelTechniques, AreTheSameForAnyThreadsAndBands) {

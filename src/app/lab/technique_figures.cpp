@@ -102,6 +102,7 @@ class CountedViews {
     figures_.rays += static_cast<double>(counts.rays) / pixels;
     figures_.pixels_off += static_cast<double>(counts.pixels_off) / pixels;
     figures_.max_texel_error = std::max(figures_.max_texel_error, counts.max_texel_error);
+    figures_.stack += counts;
     ++figures_.views;
   }
 
@@ -131,6 +132,18 @@ class CountedViews {
   const bool changes_texels_;
   ViewFigures figures_;
 };
+
+// Simulated cache misses per triangle.
+nlohmann::json make_stack_json(const ViewFigures& views) {
+  const lab::Counts& counts = views.stack;
+  return {{"loads_per_vertex", views.loads_per_vertex()},
+          {"pentium",
+           {{"list", views.misses_per_triangle(counts.list_misses)},
+            {"stack", views.misses_per_triangle(counts.stack_misses)}}},
+          {"today",
+           {{"list", views.misses_per_triangle(counts.list_misses_today)},
+            {"stack", views.misses_per_triangle(counts.stack_misses_today)}}}};
+}
 
 nlohmann::json make_json(const Differences& differences) {
   return {{"mean", differences.mean()}, {"max", differences.largest}};
@@ -272,6 +285,16 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
     table.add("  texel error, mean", 3, [](const auto& f) { return f.views.models.mean_texels(); });
     table.add("  above 2 texels, %", 3, [](const auto& f) { return 100 * f.views.models.off_share(); });
   }
+  if (std::ranges::any_of(figures, [](const auto& f) { return f.views.stack.vertices > 0; })) {
+    const auto add = [&](const char* label, std::uint64_t lab::Counts::*misses) {
+      table.add(label, 3, [=](const auto& f) { return f.views.misses_per_triangle(f.views.stack.*misses); });
+    };
+    table.add("loads / vertex", 3, [](const auto& f) { return f.views.loads_per_vertex(); });
+    add("misses / triangle: list", &lab::Counts::list_misses);
+    add("  stack", &lab::Counts::stack_misses);
+    add("  list, 32 KiB cache", &lab::Counts::list_misses_today);
+    add("  stack, 32 KiB cache", &lab::Counts::stack_misses_today);
+  }
   table.add("wrong faces, %", 3, [](const auto& f) { return 100 * share_wrong(f.views.tally); });
   return text + table.text();
 }
@@ -323,6 +346,7 @@ nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigur
                                  {{"outline", f.views.models.outline_share()},
                                   {"texels", f.views.models.mean_texels()},
                                   {"texels_off", f.views.models.off_share()}}},
+                                {"stack", make_stack_json(f.views)},
                                 {"judged",
                                  {{"pixels", f.views.tally.pixels},
                                   {"wrong", f.views.tally.wrong_face},

@@ -31,6 +31,15 @@ struct ViewFigures {
   LightErrors light;
   TexelErrors texels;  // zero for techniques that change texels
   ModelErrors models;  // zero without models
+  // Sums over the views, of models that are drawn from a stack of vertices.
+  lab::Counts stack;
+  double loads_per_vertex() const { return divide_by(stack.vertices, stack.vertex_loads); }
+  double misses_per_triangle(std::uint64_t misses) const { return divide_by(stack.model_triangles, misses); }
+
+ private:
+  static double divide_by(std::uint64_t divisor, std::uint64_t value) {
+    return divisor == 0 ? 0 : static_cast<double>(value) / static_cast<double>(divisor);
+  }
 };
 
 struct TechniqueFigures {
@@ -71,8 +80,10 @@ std::string describe_figures(const std::string& name, std::span<const TechniqueF
 //   light {error, turn, roll}, each {mean, max}          in steps of light (light_figures.h)
 //   texels {error, turn, roll}, each {mean, max}         in texels (texel_figures.h)
 //   models {outline, texels, texels_off}                 against their exact picture (model_figures.h):
-//   shares
-//                                                        of pixels, and the mean distance in texels
+//                                                        shares of pixels, and the mean distance in texels
+//   stack {loads_per_vertex, pentium {list, stack},      models that are drawn from a stack: simulated cache
+//     today {list, stack}}                               misses per triangle
+//     (lab/models/stack/cache_misses.h)
 //   surface_texels {p50, p99, max}                       per frame; texels_built: mean
 nlohmann::json make_json(const std::string& name, std::span<const TechniqueFigures> figures);
 

@@ -9,6 +9,7 @@
 #include "lab/models/leaves/models_in_leaves.h"
 #include "lab/models/model_sprites.h"
 #include "lab/models/models_in_edges.h"
+#include "lab/models/stack/stack_meshes.h"
 #include "lab/models/subdivided_models.h"
 #include "lab/models/triangle_masks.h"
 #include "lab/models/vertex_boxes.h"
@@ -114,6 +115,23 @@ constexpr Technique kDeltas{
     .max_wrong_share = 0,
     .parameters = kDeltasParameters,
     .make_stages = make_deltas,
+    .draws_models = true};
+constexpr std::array kStackMeshesParameters{
+    Parameter{"stack", 16, 4, 64, "vertices that the stack has room for"},
+    Parameter{"group", 64, 0, 64, "vertices that are loaded together, in sixteens; 0: each on its own"}};
+
+constexpr Technique kStackMeshes{
+    .name = "stack-meshes",
+    .title = "Meshes from a stack",
+    .summary = "Sends vertices to a small stack, and draws triangles from there, in an order that needs few.",
+    .article = kTriangleModels,
+    .heading = "Some more ideas that might work",
+    .replaces = "models",
+    .expected =
+        "Very good use of the cache, because vertices stay in a tiny stack, and commands are read once.",
+    .max_wrong_share = 0,
+    .parameters = kStackMeshesParameters,
+    .make_stages = make_stack_meshes,
     .draws_models = true};
 constexpr Technique kAffineModels{
     .name = "affine-models",

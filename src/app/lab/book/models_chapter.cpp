@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "app/lab/book/chapters.h"
@@ -137,6 +138,59 @@ Verdict judge_masks(const Evidence& evidence) {
                       describe_against_affine(evidence))};
 }
 
+// Over the levels with models that a stack draws: the engine draws those that reach behind the eye.
+Range over_stacks(const Evidence& evidence, base::FunctionRef<double(const ViewFigures&)> value) {
+  Range range;
+  bool is_first = true;
+  for (const LevelFigures& level : evidence.figures().levels) {
+    const ViewFigures& views = level.techniques[evidence.number()].views;
+    if (views.stack.vertices == 0) continue;
+    const double here = value(views);
+    range.low = is_first ? here : std::min(range.low, here);
+    range.high = is_first ? here : std::max(range.high, here);
+    is_first = false;
+  }
+  return range;
+}
+
+Range find_loads(const Evidence& evidence) {
+  return over_stacks(evidence, [](const ViewFigures& views) { return views.loads_per_vertex(); });
+}
+
+Range find_misses(const Evidence& evidence, std::uint64_t lab::Counts::*misses) {
+  return over_stacks(
+      evidence, [=](const ViewFigures& views) { return views.misses_per_triangle(views.stack.*misses); });
+}
+
+std::string describe_stack(const Evidence& evidence) {
+  const auto misses = [&](std::uint64_t lab::Counts::*counted) {
+    return find_misses(evidence, counted).text(2);
+  };
+  return fmt::format(
+      "A vertex is sent {} times. In the Pentium's cache, simulated, vertices have {} misses per triangle "
+      "instead of {}; in one of 32 KB, {} instead of {}. {}",
+      find_loads(evidence).text(2), misses(&lab::Counts::stack_misses), misses(&lab::Counts::list_misses),
+      misses(&lab::Counts::stack_misses_today), misses(&lab::Counts::list_misses_today),
+      describe_against_affine(evidence));
+}
+
+// A stack should have fewer cache misses than a list of vertices, and so save time.
+Verdict judge_stack(const Evidence& evidence) {
+  const Range list = find_misses(evidence, &lab::Counts::list_misses);
+  const bool is_local = find_misses(evidence, &lab::Counts::stack_misses).high < list.low / kSameTime;
+  const bool is_fast = compare_with_affine(evidence).low < 1 / kSameTime;
+  return {is_local && is_fast   ? Holds::kYes
+          : is_local || is_fast ? Holds::kPartly
+                                : Holds::kNo,
+          describe_stack(evidence)};
+}
+
+// More places should need fewer pushes.
+Verdict judge_larger_stack(const Evidence& evidence) {
+  const bool needs_fewer = find_loads(evidence).high < find_loads(evidence.of("stack-meshes")).low;
+  return {needs_fewer ? Holds::kYes : Holds::kNo, describe_stack(evidence)};
+}
+
 constexpr std::string_view kEnginesLoops =
     "The engine's own SIMD code, which was profiled and tuned (docs/decisions/alias-triangles.md).";
 
@@ -232,6 +286,25 @@ constexpr std::array kModelEntries{
         "of each are in a table. Larger triangles are drawn by scan lines.",
         "Masks could be faster than subdivision, and the table is small enough.",
         "Corners and gradients are computed one triangle at a time, as in subdivision.", judge_masks},
+    BookEntry{
+        "stack-meshes",
+        "When a model is loaded, its triangles become a stream of commands: push a vertex on a stack of 16, "
+        "pop some, draw a triangle with vertices from the stack. Vertices are stored in the order of the "
+        "pushes. A push transforms its vertex, and no list of transformed vertices is written. A vertex that "
+        "left the stack too early is sent again, and so are those of a model in several bands of the "
+        "picture.",
+        "The vertices are in a tiny stack that is always in the cache, and the stream is read from start to "
+        "end.",
+        "The engine's SIMD code transforms and draws, for 64 pushes and their triangles at a time. Profiled: "
+        "transforms and the search for front faces are repeated in each band.",
+        judge_stack},
+    BookEntry{"stack-meshes:group=0", "One command after another, each with one vertex or one triangle.",
+              "As above: this is how the article describes it.",
+              "Vertices and triangles are scalar, and rows are drawn by the engine's SIMD code.",
+              judge_stack},
+    BookEntry{"stack-meshes:stack=64", "The stack has room for 64 vertices instead of 16.",
+              "A larger stack needs fewer vertices twice (Bar-Yehuda and Gotsman).", "As with 16.",
+              judge_larger_stack},
 };
 
 }  // namespace
