@@ -11,7 +11,7 @@
 #include "lab/models/models_in_edges.h"
 #include "lab/models/stack/stack_meshes.h"
 #include "lab/models/subdivided_models.h"
-#include "lab/models/triangle_masks.h"
+#include "lab/models/small/triangle_masks.h"
 #include "lab/models/vertex_boxes.h"
 
 namespace temblor::lab {

@@ -162,11 +162,9 @@ inline std::uint8_t lit_texel(const TriangleJob& job, std::uint8_t texel, const 
   const std::int32_t light = span_light(span, lane, kDarkestRow);
   return static_cast<const std::uint8_t*>(job.colors)[(light & ~255) + texel];
 }
-inline std::uint32_t lit_texel(const TriangleJob& job, std::uint8_t texel, const TriangleSpan& span,
-                               float lane, std::uint32_t) {
-  const std::uint32_t color = static_cast<const std::uint32_t*>(job.colors)[texel];
+// Rgb: a color of the job in a light of 0 to kBrightestLight.
+inline std::uint32_t lit_color(const TriangleJob& job, std::uint32_t color, std::int32_t light) {
   if (color >> 24 == 0) return color | 0xff000000u;
-  const std::int32_t light = span_light(span, lane, kBrightestLight);
   std::uint32_t lit = 0xff000000u;
   for (int channel = 0; channel < 3; ++channel) {
     const int shift = 16 - 8 * channel;
@@ -175,6 +173,11 @@ inline std::uint32_t lit_texel(const TriangleJob& job, std::uint8_t texel, const
     lit |= static_cast<std::uint32_t>(value < 255 ? value : 255) << shift;
   }
   return lit;
+}
+inline std::uint32_t lit_texel(const TriangleJob& job, std::uint8_t texel, const TriangleSpan& span,
+                               float lane, std::uint32_t) {
+  return lit_color(job, static_cast<const std::uint32_t*>(job.colors)[texel],
+                   span_light(span, lane, kBrightestLight));
 }
 
 // Calls draw_span(span) for each row in which the triangle has pixels, from top to bottom. Never calls it for

@@ -1,10 +1,10 @@
-#include "lab/models/small_masks.h"
+#include "lab/models/small/small_masks.h"
 
 namespace temblor::lab {
 
 namespace {
 
-using Corner = SmallMasks::Corner;
+using Corner = SmallCorners::Corner;
 
 // Whether the middle of a pixel is right of the side from `a` to `b`, seen along it, or on a left or top
 // side.
@@ -15,7 +15,8 @@ bool is_inside(const Corner& a, const Corner& b, std::int32_t x, std::int32_t y)
   return side > 0 || (side == 0 && is_left_or_top);
 }
 
-std::uint32_t make_mask(const Corner& a, const Corner& b, const Corner& c) {
+std::uint32_t make_mask(const SmallCorners& corners) {
+  const auto& [a, b, c] = corners;
   if ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y) <= 0) return 0;
   std::uint32_t mask = 0;
   for (std::int32_t y = 0; y < SmallMasks::kMaxSide; ++y)
@@ -25,17 +26,21 @@ std::uint32_t make_mask(const Corner& a, const Corner& b, const Corner& c) {
   return mask;
 }
 
+Corner make_corner(std::size_t number) {
+  constexpr std::size_t kPlaces = SmallMasks::kMaxSide + 1;
+  return {static_cast<std::int32_t>(number % kPlaces), static_cast<std::int32_t>(number / kPlaces)};
+}
+
 }  // namespace
 
 SmallMasks::SmallMasks() {
-  masks_.reserve(static_cast<std::size_t>(kCorners) * kCorners * kCorners);
-  const auto corner = [](std::int32_t number) {
-    return Corner{number % (kMaxSide + 1), number / (kMaxSide + 1)};
-  };
-  for (std::int32_t a = 0; a < kCorners; ++a)
-    for (std::int32_t b = 0; b < kCorners; ++b)
-      for (std::int32_t c = 0; c < kCorners; ++c)
-        masks_.push_back(make_mask(corner(a), corner(b), corner(c)));
+  masks_.reserve(kTriangles);
+  for (std::size_t i = 0; i < kTriangles; ++i) masks_.push_back(make_mask(find_corners(i)));
+}
+
+SmallCorners SmallMasks::find_corners(std::size_t number) {
+  return {make_corner(number / kCorners / kCorners), make_corner(number / kCorners % kCorners),
+          make_corner(number % kCorners)};
 }
 
 }  // namespace temblor::lab
