@@ -45,3 +45,12 @@ add_library(temblor_embree INTERFACE)
 target_include_directories(temblor_embree SYSTEM INTERFACE $<TARGET_PROPERTY:embree,INTERFACE_INCLUDE_DIRECTORIES>)
 target_link_libraries(temblor_embree INTERFACE ${CMAKE_DL_LIBS})
 set(TEMBLOR_EMBREE_TARGET temblor_embree)
+
+# Assembles code for x86-64 in one technique of the laboratory, which is left out without it.
+set(TEMBLOR_ASMJIT_TARGET "")
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  find_package(asmjit QUIET)
+  if(asmjit_FOUND)
+    set(TEMBLOR_ASMJIT_TARGET asmjit::asmjit)
+  endif()
+endif()

@@ -10,6 +10,9 @@ build=(g++ make cmake ninja-build pkgconf
   libtbb-dev libhwy-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libspng-dev libjpeg62-turbo-dev zlib1g-dev
   libembree-dev libsdl2-dev libwayland-dev libxcb-present-dev libxcb-shm0-dev libxcb-xtest0-dev libsndfile1-dev libsamplerate0-dev
   libvorbis-dev libogg-dev libgtest-dev libgmock-dev libbenchmark-dev fteqcc ffmpeg dpkg-dev file)
+# A technique of the laboratory assembles code for this processor; without the package, the technique is missing.
+assembler=()
+if [ "$(uname -m)" = x86_64 ]; then assembler=(libasmjit-dev); fi
 # clang-14 compiles the tests, and mold links them: both are faster than what `build` has. All machines use the same
 # versions of clang, so that they format and warn alike. clang-14 takes only 9 MB, because clang-format-14 has its libraries.
 test=(git clang-format-14 clang-14 codespell python3-minimal mold)
@@ -39,9 +42,9 @@ list_available() {
 }
 
 case "${1:-}" in
-  build) optional=() ;;
-  test) optional=("${test[@]}") ;;
-  check) optional=("${test[@]}" "${check[@]}") ;;
+  build) optional=("${assembler[@]}") ;;
+  test) optional=("${assembler[@]}" "${test[@]}") ;;
+  check) optional=("${assembler[@]}" "${test[@]}" "${check[@]}") ;;
   *) echo "usage: tools/setup.sh build|test|check" >&2; exit 2 ;;
 esac
 

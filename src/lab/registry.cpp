@@ -349,6 +349,7 @@ constexpr std::array kTechniques{
     kSubdividedModels,
     kTriangleMasks,
     kStackMeshes,
+    kCompiledTriangles,
 };
 
 // Parses "NAME=VALUE" into the value of that parameter.

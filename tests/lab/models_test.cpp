@@ -33,7 +33,9 @@ constexpr auto kModelTechniques = {"affine-models",
                                    "deltas",
                                    "deltas:seeds=1",
                                    "stack-meshes",
-                                   "stack-meshes:group=0"};
+                                   "stack-meshes:group=0",
+                                   "compiled-triangles",
+                                   "compiled-triangles:code=1"};
 constexpr auto kFormats = {PixelFormat::kIndexed, PixelFormat::kRgb};
 
 TEST(ModelTechniques, AreTheSameForAnyThreadsAndBands) {

@@ -9,9 +9,10 @@
 #include "lab/models/leaves/models_in_leaves.h"
 #include "lab/models/model_sprites.h"
 #include "lab/models/models_in_edges.h"
+#include "lab/models/small/compiled_triangles.h"
+#include "lab/models/small/triangle_masks.h"
 #include "lab/models/stack/stack_meshes.h"
 #include "lab/models/subdivided_models.h"
-#include "lab/models/small/triangle_masks.h"
 #include "lab/models/vertex_boxes.h"
 
 namespace temblor::lab {
@@ -174,6 +175,24 @@ constexpr Technique kTriangleMasks{
     .max_wrong_share = 0,
     .parameters = kTriangleMasksParameters,
     .make_stages = make_triangle_masks,
+    .draws_models = true};
+
+constexpr std::array kCompiledTrianglesParameters{
+    Parameter{"side", 5, 1, 5, "triangles up to so many pixels high and wide have code"},
+    Parameter{"code", 0, 0, 1, "0: C++ from the build; 1: x86-64 code that is assembled at the start"}};
+
+constexpr Technique kCompiledTriangles{
+    .name = "compiled-triangles",
+    .title = "Precompiled drawing code",
+    .summary = "Calls code that draws the pixels of one shape, for each small triangle.",
+    .article = kTriangleModels,
+    .heading = "Some more ideas that might work",
+    .replaces = "models",
+    .expected = "Could be faster than masks, with code of reasonable size.",
+    .max_wrong_share = 0,
+    .parameters = kCompiledTrianglesParameters,
+    .make_stages = make_compiled_triangles,
+    .check_level = check_compiled_triangles,
     .draws_models = true};
 
 }  // namespace temblor::lab
