@@ -74,11 +74,14 @@ class OneTriangle {
  public:
   static constexpr std::int32_t kWidth = 9, kHeight = 8, kLeft = 2, kTop = 1;
 
-  OneTriangle(Random& io_random, std::size_t number) {
+  // In a target of some rows of the picture.
+  OneTriangle(Random& io_random, std::size_t number, std::int32_t left = kLeft, std::int32_t row_begin = 0,
+              std::int32_t row_end = kHeight)
+      : left_(left), row_begin_(row_begin), row_end_(row_end) {
     const SmallCorners corners = SmallMasks::find_corners(number);
     std::size_t vertex = 0;
     for (const SmallCorners::Corner& corner : {corners.a, corners.b, corners.c}) {
-      vertices_[vertex] = {(kLeft + corner.x) * 256, (kTop + corner.y) * 256, 0, 0};
+      vertices_[vertex] = {(left + corner.x) * 256, (kTop + corner.y) * 256, 0, 0};
       vertices_[vertex].depth = static_cast<float>(io_random.uniform(0.1, 1));
       vertices_[vertex].light = static_cast<float>(io_random.uniform(-100, 33000));
       texels_[vertex].s = static_cast<float>(io_random.uniform(-1, 18));
@@ -99,7 +102,7 @@ class OneTriangle {
     for (std::int32_t& tint : job_.tint) tint = static_cast<std::int32_t>(io_random.below(32769));
     const auto& [a, b, c] = corners;
     triangle_ = {0,
-                 kLeft,
+                 left,
                  kTop,
                  static_cast<std::uint8_t>(std::max({a.x, b.x, c.x})),
                  static_cast<std::uint8_t>(std::max({a.y, b.y, c.y})),
@@ -117,7 +120,7 @@ class OneTriangle {
     Picture picture;
     std::array<float, kWidth * kHeight> depth{};
     if (!empty) depth = depth_before_;
-    const render::TriangleTarget target{picture.pixels.data(), depth.data(), kWidth, 0, 0, kHeight};
+    const render::TriangleTarget target{picture.pixels.data(), depth.data(), kWidth, 0, row_begin_, row_end_};
     lab::SmallPainter<Pixel> painter(job_, target);
     draw(painter, triangle_);
     for (std::size_t i = 0; i < depth.size(); ++i)
@@ -125,10 +128,10 @@ class OneTriangle {
     return picture;
   }
   // The pixels that are nearer than 0.
-  static std::uint32_t find_drawn(const Picture& picture) {
+  std::uint32_t find_drawn(const Picture& picture) const {
     std::uint32_t mask = 0;
     for (std::int32_t i = 0; i < kWidth * kHeight; ++i) {
-      const std::int32_t column = i % kWidth - kLeft, row = i / kWidth - kTop;
+      const std::int32_t column = i % kWidth - left_, row = i / kWidth - kTop;
       if (picture.depth_bits[static_cast<std::size_t>(i)] == 0) continue;
       const bool is_in_box = column >= 0 && column < 5 && row >= 0 && row < 5;
       EXPECT_TRUE(is_in_box);
@@ -136,8 +139,17 @@ class OneTriangle {
     }
     return mask;
   }
+  // Those of a mask's pixels that are in the target.
+  std::uint32_t clip(std::uint32_t mask) const {
+    for (std::int32_t bit = 0; bit < 25; ++bit) {
+      const std::int32_t x = left_ + bit % 5, y = kTop + bit / 5;
+      if (x < 0 || x >= kWidth || y < row_begin_ || y >= row_end_) mask &= ~(std::uint32_t{1} << bit);
+    }
+    return mask;
+  }
 
  private:
+  std::int32_t left_, row_begin_, row_end_;
   std::array<render::ScreenVertex, 3> vertices_;
   std::array<render::TexelPoint, 3> texels_;
   std::array<std::uint32_t, 3> index_ = {0, 1, 2};
@@ -173,6 +185,23 @@ void check_every_triangle(std::span<const lab::DrawShape> code) {
     ++drawn;
   }
   EXPECT_EQ(drawn, 3477u);
+}
+
+TEST(SmallPainter, ClipsMasks) {
+  const SmallMasks masks;
+  Random random(8);
+  for (std::size_t i = 0; i < SmallMasks::kTriangles; ++i) {
+    const std::uint32_t mask = masks.find(i);
+    if (mask == 0 || !touches_box(SmallMasks::find_corners(i))) continue;
+    for (const std::int32_t left : {-3, OneTriangle<std::uint8_t>::kWidth - 2})
+      for (const auto& [row_begin, row_end] : {std::pair(0, 4), std::pair(3, 8)}) {
+        const OneTriangle<std::uint8_t> one(random, i, left, row_begin, row_end);
+        const auto picture = one.draw(true, [&](auto& io_painter, const lab::SmallTriangle& triangle) {
+          io_painter.draw_mask(triangle, mask);
+        });
+        ASSERT_EQ(one.find_drawn(picture), one.clip(mask)) << i;
+      }
+  }
 }
 
 TEST(BuiltShapes, DrawEveryTriangle) {
@@ -232,8 +261,8 @@ TEST(CompiledTriangles, DrawThePictureOfMasks) {
   const DrawableLevel drawable = small_level();
   for (const PixelFormat format : {PixelFormat::kIndexed, PixelFormat::kRgb})
     for (int seed = 0; seed < effort(8, 2); ++seed)
-      for (const CrowdPlace& place :
-           {CrowdPlace{.least = 8, .most = 60}, CrowdPlace{.least = 100, .most = 1500, .count = 20}}) {
+      for (const CrowdPlace& place : {CrowdPlace{.least = 8, .most = 60},
+                                      CrowdPlace{.least = 60, .most = 600, .spread = 1.2, .count = 40}}) {
         Random random(static_cast<std::uint64_t>(seed));
         const ModelScene models(drawable, random, place);
         ModelPictures masks(drawable, "triangle-masks", format);

@@ -340,7 +340,7 @@ constexpr std::array kModelEntries{
         "milliseconds. Hidden pixels are computed, too, but not stored, so no test of depth is predicted.",
         "As with C++.",
         "Each pixel takes 21 instructions in palette colors. In full color, its three channels are lit at "
-        "once. With jumps over hidden pixels, as a second form, frames take 4% longer.",
+        "once. With jumps over hidden pixels, as a second form, frames take up to 6% longer.",
         judge_compiled},
 };
 
