@@ -37,6 +37,13 @@ std::string show_slower_servers(const BookFigures& figures) {
   return text;
 }
 
+// A player is 56 units tall, so a foot is about 12 to 16 units.
+std::string show_visible_distance(const BookFigures& figures) {
+  const double units = figures.visible_distance_units;
+  return units == 0 ? "not measured"
+                    : fmt::format("{:.0f} units, or {:.0f} to {:.0f} feet", units, units / 16, units / 12);
+}
+
 constexpr std::array kNumbers{
     ArticleNumber{kAlternatives, "Faces in the potentially visible set for each face that is seen",
                   "5 in places",
@@ -86,7 +93,8 @@ constexpr std::array kNumbers{
                     return affine.time_ratios(affine.of("subdivided-models").number()).text(2);
                   },
                   true},
-    ArticleNumber{kModels, "Distance at which it becomes visible", "12 to 40 feet", nullptr},
+    ArticleNumber{kModels, "Distance at which it becomes visible, at 320x200", "12 to 40 feet",
+                  show_visible_distance, true},
     ArticleNumber{kBigPicture, "Freeze after a lost packet, with everything reliable, at a ping of 200 ms",
                   "several hundred milliseconds",
                   [](const BookFigures& f) { return show_freeze(f, lab::wire::Method::kReliable); }},

@@ -41,7 +41,7 @@ struct BookChapter {
 
 std::span<const BookChapter> list_book_chapters();
 
-// A number from the articles. `ours` may be null for what the laboratory cannot measure yet.
+// A number from the articles, and how it is measured here.
 struct ArticleNumber {
   std::string_view article, claim, theirs;
   std::string (*ours)(const BookFigures& figures);

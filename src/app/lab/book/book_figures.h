@@ -54,9 +54,10 @@ struct BookFigures {
   std::vector<ViewTimes> views;
   std::vector<SizeTimes> sizes;
   EngineFigures engine;
-  ModelGrid grid;      // of models; may be empty
-  WireResults wire;    // of the articles' numbers; without freezes: not measured
-  double seconds = 0;  // that all of it took
+  ModelGrid grid;                     // of models; may be empty
+  double visible_distance_units = 0;  // of models: errors/visible_distance.h; 0: not measured
+  WireResults wire;                   // of the articles' numbers; without freezes: not measured
+  double seconds = 0;                 // that all of it took
 };
 
 // Measures the techniques in each level. There must be at least one of both.

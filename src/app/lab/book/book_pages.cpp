@@ -287,11 +287,9 @@ std::string make_numbers(const BookInput& input) {
       "Pentium.</p>\n<table>\n<tr><th>number</th><th>article</th><th class=\"n\">theirs</th><th "
       "class=\"n\">ours</th></tr>\n";
   for (const ArticleNumber& number : list_article_numbers())
-    html +=
-        fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                    escape_html(number.claim), escape_html(number.article), escape_html(number.theirs),
-                    number.ours != nullptr ? escape_html(number.ours(input.choose_figures(number.of_models)))
-                                           : "not measured yet");
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+                        escape_html(number.claim), escape_html(number.article), escape_html(number.theirs),
+                        escape_html(number.ours(input.choose_figures(number.of_models))));
   return html + "</table>\n</section>\n";
 }
 

@@ -9,6 +9,7 @@
 #include "app/lab/book/space_page.h"
 #include "app/lab/book/wire_page.h"
 #include "app/lab/errors/light_film.h"
+#include "app/lab/errors/visible_distance.h"
 #include "app/lab/lab_picture.h"
 #include "lab/registry.h"
 
@@ -136,6 +137,7 @@ base::Status write_book(const fs::path& folder, std::span<const LabScenes> level
   figures.wire = wire;
   TRY(BookFigures model_figures, measure_book(model_scenes, of_models, options));
   model_figures.grid = measure_grid(model_scenes.front(), of_models, options);
+  model_figures.visible_distance_units = find_visible_distance(model_scenes.front(), options.settings);
   TRY_STATUS(write_pictures(folder, levels, figures, options));
   TRY_STATUS(write_pictures(folder, model_scenes, model_figures, options));
   TRY_STATUS(write_films(folder, levels, figures, options));
