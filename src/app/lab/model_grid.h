@@ -17,7 +17,7 @@ struct GridOptions {
   std::vector<double> distances{3, 10, 30, 100, 300};
   std::vector<int> counts{1, 10, 100, 1000};  // in increasing order
   // A frame, and all frames of a technique.
-  double frame_limit_s = 10, technique_limit_s = 15;
+  double frame_limit_s = 10, technique_limit_s = 4;
 };
 
 struct GridCell {

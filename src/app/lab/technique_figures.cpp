@@ -5,8 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <thread>
 
 #include "app/bench/measurement_output.h"
+#include "base/parallel_for.h"
 
 namespace temblor::app {
 namespace {
@@ -189,25 +191,45 @@ class Table {
   std::string text_;
 };
 
+base::Result<ViewFigures> count_views(const LabScenes& scenes, const lab::Choice& choice,
+                                      const FigureOptions& options) {
+  CountedViews views(scenes.look(), choice, options);
+  const render::Settings settings = scenes.adapt(options.measure.settings);
+  TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) {
+    scenes.models() != nullptr ? views.add_models(scene, settings) : views.add(scene);
+  }));
+  ViewFigures means = views.means();
+  if (scenes.models() == nullptr && !choice.technique->draws_models) return means;
+  ModelViews models(choice, options.measure.size.width, options.measure.size.height);
+  TRY_STATUS(scenes.show_picture_scene(
+      [&](const render::Scene& scene) { models.add(scene, options.measure.settings); }));
+  means.models = models.errors();
+  return means;
+}
+
+// Nothing here is timed, so techniques share the processor.
+base::Result<std::vector<TechniqueFigures>> count_views(const LabScenes& scenes,
+                                                        std::span<const lab::Choice> choices,
+                                                        const FigureOptions& options) {
+  std::vector<base::Result<ViewFigures>> views(choices.size(), ViewFigures{});
+  base::Jobs jobs(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
+                  base::JobBackend::kStdThread);
+  jobs.parallel_for(choices.size(),
+                    [&](std::size_t i) { views[i] = count_views(scenes, choices[i], options); });
+  std::vector<TechniqueFigures> figures;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    TRY(const ViewFigures of_choice, std::move(views[i]));
+    figures.push_back({choices[i], {}, of_choice});
+  }
+  return figures;
+}
+
 }  // namespace
 
 base::Result<std::vector<TechniqueFigures>> find_figures(const LabScenes& scenes,
                                                          std::span<const lab::Choice> choices,
                                                          const FigureOptions& options) {
-  std::vector<TechniqueFigures> figures;
-  for (const lab::Choice& choice : choices) {
-    CountedViews views(scenes.look(), choice, options);
-    const render::Settings settings = scenes.adapt(options.measure.settings);
-    TRY_STATUS(scenes.for_each_scene([&](const render::Scene& scene) {
-      scenes.models() != nullptr ? views.add_models(scene, settings) : views.add(scene);
-    }));
-    figures.push_back({choice, {}, views.means()});
-    if (scenes.models() == nullptr && !choice.technique->draws_models) continue;
-    ModelViews models(choice, options.measure.size.width, options.measure.size.height);
-    TRY_STATUS(scenes.show_picture_scene(
-        [&](const render::Scene& scene) { models.add(scene, options.measure.settings); }));
-    figures.back().views.models = models.errors();
-  }
+  TRY(std::vector<TechniqueFigures> figures, count_views(scenes, choices, options));
   MeasureOptions measure = options.measure;
   for (int round = 0; round < options.rounds; ++round)
     for (TechniqueFigures& f : figures) {

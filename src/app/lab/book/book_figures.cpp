@@ -127,6 +127,7 @@ class BookMeasurement {
   base::Status measure_size(FrameSize size) {
     SizeTimes times{size, {}};
     MeasureOptions measure = make_measure_options(size);
+    measure.step_deg *= 2;  // the plot shows growth, not details
     for (const lab::Choice& choice : figures_.choices) {
       measure.technique = &choice;
       TRY(const Measurement measured, levels_.front().measure(measure));
