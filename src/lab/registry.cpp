@@ -360,11 +360,11 @@ base::Status set_parameter(std::string_view text, Choice& io_choice) {
   const auto found = std::ranges::find(technique.parameters, name, &Parameter::name);
   if (found == technique.parameters.end()) {
     if (technique.parameters.empty())
-      return base::error(ErrorCode::kUsage, "{} has no parameters, so \"{}\" cannot be set", technique.name,
-                         base::quotable(text));
+      return base::error(ErrorCode::kUnsupported, "{} has no parameters, so \"{}\" cannot be set",
+                         technique.name, base::quotable(text));
     std::vector<std::string_view> names;
     std::ranges::transform(technique.parameters, std::back_inserter(names), &Parameter::name);
-    return base::error(ErrorCode::kUsage, "{} has no parameter \"{}\"; it has {}", technique.name,
+    return base::error(ErrorCode::kUnsupported, "{} has no parameter \"{}\"; it has {}", technique.name,
                        base::quotable(name), fmt::join(names, ", "));
   }
   const std::optional<double> value =
@@ -374,8 +374,9 @@ base::Status set_parameter(std::string_view text, Choice& io_choice) {
   // "nan" is neither below nor above the bounds.
   const bool is_inside = value && *value >= found->min && *value <= found->max;
   if (!is_inside || (must_be_whole && !is_whole(*value)))
-    return base::error(ErrorCode::kUsage, "{}: \"{}\" must be {}=N, with {}N from {} to {}", technique.name,
-                       base::quotable(text), name, must_be_whole ? "a whole " : "", found->min, found->max);
+    return base::error(ErrorCode::kUnsupported, "{}: \"{}\" must be {}=N, with {}N from {} to {}",
+                       technique.name, base::quotable(text), name, must_be_whole ? "a whole " : "",
+                       found->min, found->max);
   io_choice.values[static_cast<std::size_t>(found - technique.parameters.begin())] = *value;
   return base::Ok{};
 }
@@ -396,7 +397,7 @@ base::Result<Choice> parse_choice(std::string_view text) {
   const std::size_t colon = std::min(text.find(':'), text.size());
   const auto found = std::ranges::find(kTechniques, text.substr(0, colon), &Technique::name);
   if (found == kTechniques.end())
-    return base::error(ErrorCode::kUsage, "there is no technique \"{}\"; `temblor lab list` lists them",
+    return base::error(ErrorCode::kUnsupported, "there is no technique \"{}\"; `temblor lab list` lists them",
                        base::quotable(text.substr(0, colon)));
   Choice choice = make_default_choice(static_cast<std::size_t>(found - kTechniques.begin()));
   for (const std::string_view word : base::split_words(text.substr(std::min(colon + 1, text.size())), ","))

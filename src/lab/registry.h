@@ -14,8 +14,8 @@ std::span<const Technique> list_techniques();
 // Technique `number` of the list, with the defaults of its parameters.
 Choice make_default_choice(std::size_t number);
 
-// Parses "NAME" or "NAME:PARAMETER=VALUE,PARAMETER=VALUE". Errors are kUsage: an unknown name (the error
-// names similar ones), an unknown parameter, a value out of range.
+// Parses "NAME" or "NAME:PARAMETER=VALUE,PARAMETER=VALUE". Errors are kUnsupported: an unknown name, an
+// unknown parameter, a value out of range.
 base::Result<Choice> parse_choice(std::string_view text);
 
 }  // namespace temblor::lab

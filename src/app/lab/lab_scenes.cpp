@@ -119,7 +119,7 @@ base::Status LabScenes::check(std::span<const lab::Choice> choices) const {
       if (status.ok()) status = choice.check_level(*scene.level);
   }));
   if (status.ok() && drawer != choices.end() && !has_models)
-    return base::error(base::ErrorCode::kUsage,
+    return base::error(base::ErrorCode::kUnsupported,
                        "{} draws models, and {} shows none; add --models N, or choose a demo with --demo",
                        drawer->technique->name, name_);
   return status;
