@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <thread>
 
 #include "app/bench/allocation_counter.h"
 #include "app/bench/fill_baseline.h"
 #include "app/bench/samples.h"
 #include "app/files/progress.h"
+#include "app/files/system.h"
 #include "app/lab/model_crowd.h"
 #include "app/level/level_scene.h"
 #include "app/level/viewpoints.h"
@@ -191,11 +193,15 @@ RelightTimes measure_relight(Bench& io_bench) {
   return result;
 }
 
-// Draws every view once to fill the caches, then again with the clock running.
-Samples measure_warm(Bench& io_bench, Measurement& io_result) {
+// Draws every view once to fill the caches, then again with the clock running. After `limit_s` (0: none), the
+// other circles are left out.
+Samples measure_warm(Bench& io_bench, double limit_s, Measurement& io_result) {
   Samples samples;
-  std::size_t views = 0;
+  std::size_t views = 0, filled = 0;
+  const double begin_s = clock_s();
   for (const auto& circle : io_bench.circles()) {
+    if (limit_s > 0 && filled > 0 && clock_s() - begin_s > limit_s) break;
+    ++filled;
     for (const render::Camera& camera : circle) {
       io_bench.place_models(camera);
       io_bench.draw(camera);
@@ -204,7 +210,7 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
   }
   samples.reserve(views);
   Progress progress("warm views");
-  for (const auto& circle : io_bench.circles()) {
+  for (const auto& circle : std::span(io_bench.circles()).first(filled)) {
     progress.update(samples.frame_ms.size(), views);
     for (const render::Camera& camera : circle) {
       render::FrameStats stats;
@@ -217,8 +223,7 @@ Samples measure_warm(Bench& io_bench, Measurement& io_result) {
       samples.render_ms.push_back(render_ms);
       samples.present_ms.push_back(present_ms);
       samples.frame_ms.push_back(render_ms + present_ms);
-      if (io_bench.has_baseline())
-        samples.baseline_ms.push_back(time_ms([&] { io_bench.run_baseline(); }));
+      if (io_bench.has_baseline()) samples.baseline_ms.push_back(time_ms([&] { io_bench.run_baseline(); }));
       samples.add(stats);
       io_result.surfaces_built += stats.surfaces_built;
       io_result.texels_built += stats.texels_built;
@@ -244,7 +249,7 @@ Measurement measure(const LoadedMap& map, const MeasureOptions& options) {
   result.places = bench.circles().size();
   if (options.cold) measure_cold(bench, result);
   if (options.relight) result.relight = measure_relight(bench);
-  measure_warm(bench, result).summarize(bench.pixels(), result);
+  measure_warm(bench, options.time_limit_s, result).summarize(bench.pixels(), result);
   return result;
 }
 

@@ -37,6 +37,8 @@ struct MeasureOptions {
   bool cold = false;
   // Also measure views with changing light.
   bool relight = false;
+  // Seconds of a level after which no other viewpoint is begun; 0: no limit. Slow techniques need one.
+  double time_limit_s = 0;
   // Also run the fill baseline after each frame.
   bool baseline = true;
   render::Settings settings;

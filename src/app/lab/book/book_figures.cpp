@@ -48,6 +48,9 @@ class BookMeasurement {
     measure.format = options_.format;
     measure.step_deg = options_.step_deg;
     measure.settings = options_.settings;
+    // Rays for each pixel would take minutes.
+    constexpr double kLongest_s = 3;
+    measure.time_limit_s = kLongest_s;
     return measure;
   }
 
