@@ -98,7 +98,8 @@ class Separator {
       for (; done < order.size(); ++done)
         for (const std::uint32_t vertex : triangles_[order[done]]) {
           if (is_stacked_[vertex]) continue;
-          for (std::uint32_t& corner = first_corner_[vertex]; corner != kNoNumber; corner = next_corner_[corner])
+          for (std::uint32_t& corner = first_corner_[vertex]; corner != kNoNumber;
+               corner = next_corner_[corner])
             visit(corner / 3);  // each list is walked once
         }
       visit(piece);
