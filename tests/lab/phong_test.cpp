@@ -197,6 +197,32 @@ TEST(LevelLamps, AreTheLevelsLightEntities) {
   EXPECT_TRUE(lab::check_lamps({}, *small_level().level).ok());
 }
 
+// A square wall of 256 units has four lamps, each in the middle of a quarter, as far in front as asked.
+TEST(LevelLamps, LieOnASurfaceInSquares) {
+  world::Level level;
+  level.planes = {{{1, 0, 0}, 64, 0}};
+  // Clockwise, seen from the front.
+  level.vertices = {{64, 0, 0}, {64, 0, 256}, {64, 256, 256}, {64, 256, 0}};
+  level.edges = {{{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}};
+  level.surfedges = {0, 1, 2, 3};
+  level.texture_axes.resize(1);
+  level.textures.resize(1);
+  level.textures[0].name = "lamp";
+  world::Face face{};
+  face.surfedge_count = 4;
+  level.faces = {face};
+  world::Model world{};
+  world.face_count = 1;
+  level.models = {world};
+  level.entities = {{{{"classname", "light"}, {"_surface", "LAMP"}, {"_surface_offset", "5"}}}};
+  std::vector<lab::Lamp> lamps = lab::find_shadowed_lamps(level);
+  ASSERT_EQ(lamps.size(), 4u);
+  std::ranges::sort(lamps, {},
+                    [](const lab::Lamp& lamp) { return lamp.origin_world.y + 2 * lamp.origin_world.z; });
+  const math::Vec3d middles[] = {{69, 64, 64}, {69, 192, 64}, {69, 64, 192}, {69, 192, 192}};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(glm::distance(lamps[i].origin_world, middles[i]), 1e-6) << i;
+}
+
 // A sun shines down to the south; a dome has 17 parts; a surface light has a lamp on each square of 128
 // units.
 TEST(LevelLamps, AreSunsAndGlowingSurfaces) {
@@ -237,6 +263,18 @@ TEST(LevelLamps, AreSunsAndGlowingSurfaces) {
                  std::abs(glm::dot(plane.normal, lamp.origin_world) - plane.distance - 2) < 1e-6;
   }
   EXPECT_GT(on_widest, 1u);
+}
+
+TEST(LevelLamps, OfHugeSurfacesAreBounded) {
+  world::Level level = *small_level().level;
+  for (math::Vec3& vertex : level.vertices) vertex *= 1e4f;
+  level.entities.clear();
+  for (const world::Texture& texture : level.textures)
+    level.entities.push_back({{{"classname", "light"}, {"origin", "1 2 3"}, {"_surface", texture.name}}});
+  EXPECT_EQ(lab::find_shadowed_lamps(level).size(), lab::kMaxShadowedLamps);
+  const base::Status status = lab::parse_choice("ray-light").value().check_level(level);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, base::ErrorCode::kTooLarge);
 }
 
 TEST(LevelLamps, ShineOnTheFacesInFrontOfThem) {

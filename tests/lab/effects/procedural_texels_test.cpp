@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lab/lit_pictures.h"
 #include "lab/world_light/effects/change_block.h"
@@ -100,12 +101,15 @@ TEST(PatternKernels, FollowTheirDefinition) {
   }
 }
 
-// Gray blocks of a face, changed by noise.
-class NoiseBlocks {
+// Gray blocks of a face, changed by a pattern.
+class PatternBlocks {
  public:
-  explicit NoiseBlocks(const DrawableLevel& drawable)
+  explicit PatternBlocks(const DrawableLevel& drawable, lab::PatternKind kind = lab::PatternKind::kNoise,
+                         double time_s = 0)
       : tables_(render::make_color_tables(drawable.palette, drawable.colormap)),
-        colors_(lab::make_pattern_colors(lab::PatternKind::kNoise, tables_)),
+        colors_(lab::make_pattern_colors(kind, tables_)),
+        style_(lab::find_style(kind)),
+        time_s_(time_s),
         level_(*drawable.level) {
     scene_.level = &level_;
   }
@@ -120,7 +124,7 @@ class NoiseBlocks {
     request.contents.texture = level_.face(face).texture;
     request.block = {reinterpret_cast<std::byte*>(texels.data()), shape};
     lab::change_block({scene_, settings_, PixelFormat::kRgb, tables_, jobs_, arenas_},
-                      {lab::find_style(lab::PatternKind::kNoise), colors_, 0}, request, scratch_);
+                      {style_, colors_, time_s_}, request, scratch_);
     std::vector<int> grays;
     for (const std::uint32_t texel : texels) grays.push_back(static_cast<int>(texel & 255));
     return grays;
@@ -129,6 +133,8 @@ class NoiseBlocks {
  private:
   render::ColorTables tables_;
   lab::PatternColors colors_;
+  const lab::PatternStyle& style_;
+  const double time_s_;
   const world::Level& level_;
   render::Scene scene_;
   render::Settings settings_;
@@ -141,7 +147,7 @@ constexpr world::FaceIndex kFace{0};
 
 TEST(ProceduralTexels, ContinueAcrossTiles) {
   const DrawableLevel drawable = small_level();
-  NoiseBlocks blocks(drawable);
+  PatternBlocks blocks(drawable);
   for (const int mip : {-1, 0, 1, 2, 3}) {
     const int tile = render::at_mip(256, mip), width = tile + 8;
     const std::vector<int> first = blocks.draw(kFace, 0, mip, {width, 4}),
@@ -156,7 +162,7 @@ TEST(ProceduralTexels, ContinueAcrossTiles) {
 
 TEST(ProceduralTexels, LookAlikeOnMipLevels) {
   const DrawableLevel drawable = small_level();
-  NoiseBlocks blocks(drawable);
+  PatternBlocks blocks(drawable);
   const std::vector<int> fine = blocks.draw(kFace, 0, 0, {256, 256}),
                          coarse = blocks.draw(kFace, 0, 2, {64, 64});
   const auto [least, most] = std::ranges::minmax(fine);
@@ -170,6 +176,22 @@ TEST(ProceduralTexels, LookAlikeOnMipLevels) {
       range += std::abs(mean - 128) / 4096;
     }
   EXPECT_LT(difference, range * 0.6);
+}
+
+// The sanitizers would notice a conversion out of range.
+TEST(ProceduralTexels, BearAnyTimeAndAnyTextureAxes) {
+  const DrawableLevel drawable = small_level();
+  for (const double time_s :
+       {-1e300, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    for (const float stretch : {1.0f, 1e-6f, 1e-30f, 1e30f}) {
+      auto level = std::make_shared<world::Level>(*drawable.level);
+      for (world::TextureAxes& axes : level->texture_axes) axes.s_axis *= stretch;
+      DrawableLevel stretched = drawable;
+      stretched.level = level;
+      PatternBlocks blocks(stretched, lab::PatternKind::kFire, time_s);
+      for (std::uint32_t face = 0; face < level->faces.size(); face += 7)
+        EXPECT_EQ(blocks.draw(world::FaceIndex{face}, 0, -3, {2048, 2}).size(), 4096u);
+    }
 }
 
 // A view of the small level, drawn by the engine and by a technique.

@@ -20,6 +20,10 @@ constexpr double kNodeRange = 32767;
 constexpr double kBiasUnit = 4096;
 // Bounds of the bias; a pattern has 255.
 constexpr double kMaxBias = 1000;
+// The bias may change by so much over a row.
+constexpr double kMaxRowBias = 1e5;
+// Patterns jump back after so long, because times of demos may be of any size.
+constexpr double kPeriod_s = 3600;
 
 // The pattern's bias on a block: linear in its columns and rows.
 struct Bias {
@@ -110,8 +114,9 @@ class OctaveRows {
   std::span<std::int32_t> above_, below_, between_;
 };
 
-std::int32_t to_fixed(double bias) {
-  return static_cast<std::int32_t>(std::clamp(bias, -kMaxBias, kMaxBias) * kBiasUnit);
+// Texture axes of damaged levels may make it infinite, or not a number.
+std::int32_t to_fixed(double bias, double max) {
+  return static_cast<std::int32_t>((bias > -max ? std::min(bias, max) : -max) * kBiasUnit);
 }
 
 void change_row(const render::FrameContext& context, const PatternRow& row, std::byte* io_texels) {
@@ -141,17 +146,18 @@ void change_block(const render::FrameContext& context, const TexelPattern& patte
     return render::at_mip(mins + tile * render::kTileTexels, request.mip);
   };
   const double down = placed.t_axis.z > 0 ? -1 : 1;  // of t
+  const double time_s = std::isfinite(pattern.time_s) ? std::fmod(pattern.time_s, kPeriod_s) : 0;
   std::array<std::optional<OctaveRows>, kPatternOctaves> octaves;
   for (std::size_t i = 0; i < octaves.size(); ++i) {
     const Octave& octave = style.octaves[i];
-    const double moved = std::ldexp(octave.texels_per_second * pattern.time_s * down, -request.mip);
+    const double moved = std::ldexp(octave.texels_per_second * time_s * down, -request.mip);
     octaves[i].emplace(octave, i + 1, first(face.texture_mins[0], request.tile_s),
                        static_cast<double>(first(face.texture_mins[1], request.tile_t)) - moved, request.mip,
                        static_cast<std::size_t>(shape.width), scratch);
   }
   PatternRow row{};
   row.count = shape.width;
-  row.bias_step = to_fixed(bias.per_column);
+  row.bias_step = to_fixed(bias.per_column, kMaxRowBias / shape.width);
   row.inks = pattern.colors.inks.data();
   row.indices = pattern.colors.indices.data();
   row.clear = level.texture(request.contents.texture).name.starts_with('{') ? 255 : 256;
@@ -161,7 +167,7 @@ void change_block(const render::FrameContext& context, const TexelPattern& patte
     const double bias_first = bias.first + bias.per_row * y;
     if (can_skip_rows && std::max(bias_first, bias_first + bias.per_column * shape.width) < -256) continue;
     for (std::size_t i = 0; i < octaves.size(); ++i) row.octaves[i] = octaves[i]->at_row(y);
-    row.bias_first = to_fixed(bias_first);
+    row.bias_first = to_fixed(bias_first, kMaxBias);
     change_row(context, row, request.block.texels + static_cast<std::size_t>(y) * row_bytes);
   }
 }

@@ -28,7 +28,7 @@ struct OctaveRow {
 
 struct PatternRow {
   OctaveRow octaves[kPatternOctaves];
-  std::int32_t bias_first, bias_step;  // 12 bits of fraction, -1000 to 1000 on the row
+  std::int32_t bias_first, bias_step;  // 12 bits of fraction; up to 100,000 on the row
   std::int32_t count;                  // texels of the row
   // By pattern: 0xKKRRGGBB. A channel c of a color becomes c * (KK + 1) / 256 + RR, GG, or BB, at most 255.
   // Clear texels (alpha 0) stay clear.

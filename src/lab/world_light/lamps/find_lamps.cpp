@@ -25,6 +25,8 @@ constexpr double kSkyDistance = 1e6;
 // Glowing surfaces have a lamp in the middle of each square of this size.
 constexpr double kSquare_units = 128;
 constexpr double kSurfaceOffset_units = 2;
+// On a face, along each side.
+constexpr double kMaxSquares = 64;
 
 // Keys may begin with an underscore.
 std::optional<std::string_view> find_key(const Entity& entity, const std::string& key) {
@@ -163,7 +165,7 @@ std::vector<math::Vec3d> find_corners(const world::Level& level, const world::Fa
 bool is_inside(const std::vector<math::Vec3d>& corners, const math::Vec3d& normal, const math::Vec3d& at) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const math::Vec3d side = corners[(i + 1) % corners.size()] - corners[i];
-    if (glm::dot(glm::cross(side, normal), at - corners[i]) > 0) return false;
+    if (glm::dot(glm::cross(side, normal), at - corners[i]) < 0) return false;
   }
   return true;
 }
@@ -180,7 +182,8 @@ std::vector<math::Vec3d> divide_face(const std::vector<math::Vec3d>& corners, co
     low = glm::min(low, at);
     high = glm::max(high, at);
   }
-  const math::Vec2d squares = glm::max(glm::ceil((high - low) / kSquare_units - 1e-6), math::Vec2d(1.0));
+  const math::Vec2d squares =
+      glm::clamp(glm::ceil((high - low) / kSquare_units - 1e-6), math::Vec2d(1.0), math::Vec2d(kMaxSquares));
   std::vector<math::Vec3d> points;
   for (int y = 0; y < static_cast<int>(squares.y); ++y)
     for (int x = 0; x < static_cast<int>(squares.x); ++x) {
@@ -206,6 +209,7 @@ void add_surfaces(const world::Level& level, const Entity& entity, std::string_v
     if (!base::equal_ignoring_case(level.texture(face.texture).name, texture)) continue;
     const math::Vec3d normal = render::place_plane(level, face, {}).normal;
     for (const math::Vec3d& point : divide_face(find_corners(level, face), normal)) {
+      if (io_lamps.size() >= kMaxShadowedLamps) return;
       Lamp lamp = *brightness;
       lamp.origin_world = point + normal * offset;
       constexpr double kHalfSphere_deg = 180;

@@ -41,6 +41,8 @@ std::vector<Lamp> find_lamps(const world::Level& level);
 // Suns and domes of worldspawn and of light entities, and points on the surfaces that glow. Without shadows,
 // they would shine through walls.
 std::vector<Lamp> find_shadowed_lamps(const world::Level& level);
+// No surface gets more lamps once there are so many: check_ray_light refuses the level.
+constexpr std::size_t kMaxShadowedLamps = 16384;
 
 // Light that each face has at least: worldspawn's "_minlight".
 float find_min_light(const world::Level& level);

@@ -149,7 +149,12 @@ class RaySpans {
 }  // namespace
 
 base::Status check_ray_light(std::span<const double> values, const world::Level& level) {
-  if (find_shadowed_lamps(level).empty()) TRY_STATUS(check_lamps(values, level));
+  const std::size_t shadowed = find_shadowed_lamps(level).size();
+  if (shadowed == 0) TRY_STATUS(check_lamps(values, level));
+  if (shadowed >= kMaxShadowedLamps)
+    return base::error(base::ErrorCode::kTooLarge,
+                       "{}: surfaces that glow make {} lights or more, so ray-light cannot draw it",
+                       level.name, kMaxShadowedLamps);
   return ShadowRays::check();
 }
 
