@@ -9,7 +9,10 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <cstddef>
+
 #include "base/result.h"
+#include "math/vec.h"
 
 namespace temblor::rays {
 
@@ -49,5 +52,22 @@ struct Embree {
   decltype(&rtcOccluded16) occluded16_ = nullptr;
   decltype(&rtcIntersect16) intersect16_ = nullptr;
 };
+
+// Sets one ray of a packet. `reach`: in lengths of `direction`.
+inline void set_lane(RTCRay16& io_rays, std::size_t lane, const math::Vec3& origin,
+                     const math::Vec3& direction, float reach) {
+  io_rays.org_x[lane] = origin.x;
+  io_rays.org_y[lane] = origin.y;
+  io_rays.org_z[lane] = origin.z;
+  io_rays.dir_x[lane] = direction.x;
+  io_rays.dir_y[lane] = direction.y;
+  io_rays.dir_z[lane] = direction.z;
+  io_rays.tnear[lane] = 0;
+  io_rays.tfar[lane] = reach;
+  io_rays.time[lane] = 0;
+  io_rays.mask[lane] = ~0u;
+  io_rays.id[lane] = static_cast<unsigned>(lane);
+  io_rays.flags[lane] = 0;
+}
 
 }  // namespace temblor::rays

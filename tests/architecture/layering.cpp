@@ -21,7 +21,7 @@ NamesByName make_allowed_folders() {
       {"vfs", {"base", "formats"}},
       {"world", {"base", "math", "formats"}},
       {"assets", {"vfs", "world", "formats", "math", "base"}},
-      {"rays", {"base"}},
+      {"rays", {"math", "base"}},
       {"movement", {"world", "math", "base"}},
       {"vm", {"formats", "math", "base"}},
       {"net", {"formats", "platform", "math", "base"}},

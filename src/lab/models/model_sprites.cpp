@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "lab/models/draw_before_others.h"
+#include "lab/models/model_jobs.h"
 #include "lab/models/sprite_kernels.h"
 #include "render/alias/fill_alias.h"
 #include "render/alias_model.h"
@@ -141,16 +142,8 @@ void ModelSprites::make_pictures(const render::FrameContext& context,
                                  std::span<const render::AliasPlacement> placements,
                                  std::span<const render::PreparedAlias> prepared,
                                  std::span<Sprite* const> sprites) {
-  constexpr std::size_t kJobsPerThread = 4;
-  const std::size_t jobs =
-      std::min(prepared.size(), static_cast<std::size_t>(context.jobs.threads()) * kJobsPerThread);
-  if (jobs == 0) return;
-  render::FrameArenas::grow(arenas_, jobs);
-  context.jobs.parallel_for(jobs, [&](std::size_t job) {
-    arenas_[job].reset();
-    const std::size_t end = prepared.size() * (job + 1) / jobs;
-    for (std::size_t i = prepared.size() * job / jobs; i < end; ++i)
-      if (sprites[i] != nullptr) make_picture(context, placements[i], prepared[i], arenas_[job], *sprites[i]);
+  for_each_model(context, prepared.size(), arenas_, [&](std::size_t i, base::Arena& io_arena) {
+    if (sprites[i] != nullptr) make_picture(context, placements[i], prepared[i], io_arena, *sprites[i]);
   });
 }
 

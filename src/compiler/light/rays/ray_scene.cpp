@@ -236,25 +236,10 @@ Scene make_scene(const rays::Embree& embree, RTCDevice device) {
   return scene;
 }
 
-void set_lane(RTCRay16& io_rays, std::size_t lane, const math::Vec3& origin, const math::Vec3& direction,
-              float reach) {
-  io_rays.org_x[lane] = origin.x;
-  io_rays.org_y[lane] = origin.y;
-  io_rays.org_z[lane] = origin.z;
-  io_rays.dir_x[lane] = direction.x;
-  io_rays.dir_y[lane] = direction.y;
-  io_rays.dir_z[lane] = direction.z;
-  io_rays.tnear[lane] = 0;
-  io_rays.tfar[lane] = reach;
-  io_rays.time[lane] = 0;
-  io_rays.mask[lane] = ~0u;
-  io_rays.id[lane] = static_cast<unsigned>(lane);
-  io_rays.flags[lane] = 0;
-}
-
 // Fills the lanes from `count` on with valid rays: Embree looks at them though they are masked out.
 void fill_lanes(RTCRay16& io_rays, std::size_t count) {
-  for (std::size_t i = count; i < kLanes; ++i) set_lane(io_rays, i, math::Vec3(0.0f), math::Vec3(0, 0, 1), 0);
+  for (std::size_t i = count; i < kLanes; ++i)
+    rays::set_lane(io_rays, i, math::Vec3(0.0f), math::Vec3(0, 0, 1), 0);
 }
 
 // -1 in a lane means that it takes part.
@@ -394,7 +379,7 @@ void RayScene::trace_to_point(std::span<const math::Vec3> points, const math::Ve
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i)
-      set_lane(rays, i, points[first + i], source_world - points[first + i], 1);
+      rays::set_lane(rays, i, points[first + i], source_world - points[first + i], 1);
     fill_lanes(rays, count);
     scenes_->compute_shares(make_first_lanes(count), rays, out_share.data() + first, path);
   }
@@ -411,7 +396,7 @@ void RayScene::trace_to_sky(std::span<const math::Vec3> points, const math::Vec3
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
-      set_lane(rays.ray, i, points[first + i], direction, kSkyDistance);
+      rays::set_lane(rays.ray, i, points[first + i], direction, kSkyDistance);
       rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       out_share[first + i] = math::Vec3(0.0f);
     }
@@ -431,7 +416,8 @@ void RayScene::trace_to_void(std::span<const math::Vec3> points, const math::Vec
   RTCRay16 rays;
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
-    for (std::size_t i = 0; i < count; ++i) set_lane(rays, i, points[first + i], direction, kSkyDistance);
+    for (std::size_t i = 0; i < count; ++i)
+      rays::set_lane(rays, i, points[first + i], direction, kSkyDistance);
     fill_lanes(rays, count);
     scenes_->compute_shares(make_first_lanes(count), rays, out_share.data() + first, path);
   }
@@ -446,7 +432,7 @@ void RayScene::find_nearest(std::span<const math::Vec3> points, std::span<const 
   for (std::size_t first = 0; first < points.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, points.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
-      set_lane(rays.ray, i, points[first + i], directions[first + i], max_distance);
+      rays::set_lane(rays.ray, i, points[first + i], directions[first + i], max_distance);
       rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
     context.distance.fill(-1);

@@ -7,6 +7,7 @@
 #include "lab/models/deltas/walk_painter.h"
 #include "lab/models/draw_before_others.h"
 #include "lab/models/edges/arena_pool.h"
+#include "lab/models/model_jobs.h"
 #include "lab/models/prepare_with_settings.h"
 #include "lab/models/split_triangles.h"
 
@@ -56,19 +57,11 @@ class DeltaModels {
     models_ = context.arena().allocate<WalkedModel>(placements.size());
     for (const render::AliasPlacement& placement : placements) find_neighbors(*placement.instance->model);
     const render::FrameContext unsorted = with_settings(context, settings);
-    constexpr std::size_t kJobsPerThread = 4;
-    const std::size_t jobs =
-        std::min(placements.size(), static_cast<std::size_t>(context.jobs.threads()) * kJobsPerThread);
-    render::FrameArenas::grow(arenas_, jobs);
-    context.jobs.parallel_for(jobs, [&](std::size_t job) {
-      arenas_[job].reset();
-      const std::size_t end = placements.size() * (job + 1) / jobs;
-      for (std::size_t i = placements.size() * job / jobs; i < end; ++i) {
-        prepared_[i] = render::prepare_alias(unsorted, view, placements[i], arenas_[job]);
-        const MeshNeighbors& neighbors = neighbors_.at(placements[i].instance->model);
-        models_[i] = {&prepared_[i].job, &neighbors,
-                      walk_visible_side(prepared_[i].job, neighbors, has_many_seeds_, arenas_[job])};
-      }
+    for_each_model(context, placements.size(), arenas_, [&](std::size_t i, base::Arena& io_arena) {
+      prepared_[i] = render::prepare_alias(unsorted, view, placements[i], io_arena);
+      const MeshNeighbors& neighbors = neighbors_.at(placements[i].instance->model);
+      models_[i] = {&prepared_[i].job, &neighbors,
+                    walk_visible_side(prepared_[i].job, neighbors, has_many_seeds_, io_arena)};
     });
   }
 

@@ -7,6 +7,7 @@
 
 #include "lab/hidden_surfaces/painter.h"
 #include "lab/models/leaves/leaf_parts.h"
+#include "lab/models/model_jobs.h"
 #include "lab/models/prepare_with_settings.h"
 #include "lab/models/split_triangles.h"
 #include "render/alias/affine_triangle.h"
@@ -96,16 +97,9 @@ class ModelsInLeaves {
  private:
   void cut_models(const render::FrameContext& context, const CutRules& rules,
                   std::span<const render::AliasPlacement> placements) {
-    constexpr std::size_t kJobsPerThread = 4;
-    const std::size_t jobs =
-        std::min(prepared_.size(), static_cast<std::size_t>(context.jobs.threads()) * kJobsPerThread);
-    render::FrameArenas::grow(arenas_, jobs);
-    context.jobs.parallel_for(jobs, [&](std::size_t job) {
-      arenas_[job].reset();
-      const std::size_t end = prepared_.size() * (job + 1) / jobs;
-      for (std::size_t i = prepared_.size() * job / jobs; i < end; ++i)
-        models_[i] =
-            cut_into_leaves(rules, placements[i], prepared_[i], static_cast<std::uint32_t>(i), arenas_[job]);
+    for_each_model(context, prepared_.size(), arenas_, [&](std::size_t i, base::Arena& io_arena) {
+      models_[i] =
+          cut_into_leaves(rules, placements[i], prepared_[i], static_cast<std::uint32_t>(i), io_arena);
     });
   }
 

@@ -6,6 +6,7 @@
 
 #include "lab/models/draw_before_others.h"
 #include "lab/models/edges/arena_pool.h"
+#include "lab/models/model_jobs.h"
 #include "lab/models/prepare_with_settings.h"
 #include "lab/models/split_triangles.h"
 #include "lab/models/stack/cache_misses.h"
@@ -74,15 +75,8 @@ class StackModels {
       if (counter_ != nullptr) counter_->add(mesh.counts);
     }
     if (counter_ != nullptr) counter_->add({.bytes = used_bytes()});
-    constexpr std::size_t kJobsPerThread = 4;
-    const std::size_t jobs =
-        std::min(placements.size(), static_cast<std::size_t>(context.jobs.threads()) * kJobsPerThread);
-    render::FrameArenas::grow(arenas_, jobs);
-    context.jobs.parallel_for(jobs, [&](std::size_t job) {
-      arenas_[job].reset();
-      const std::size_t end = placements.size() * (job + 1) / jobs;
-      for (std::size_t i = placements.size() * job / jobs; i < end; ++i)
-        instances_[i] = prepare_instance(context, view, placements[i], *instances_[i].mesh, arenas_[job]);
+    for_each_model(context, placements.size(), arenas_, [&](std::size_t i, base::Arena& io_arena) {
+      instances_[i] = prepare_instance(context, view, placements[i], *instances_[i].mesh, io_arena);
     });
   }
 

@@ -75,23 +75,6 @@ base::Result<Device> make_device(const rays::Embree& embree) {
 
 using ValidLanes = std::array<int, kRaysPerPacket>;
 
-// `reach`: of the ray, in lengths of `direction`.
-void begin_ray(const math::Vec3& from, const math::Vec3& direction, float reach, std::size_t lane,
-               RTCRay16& out_rays) {
-  out_rays.org_x[lane] = from.x;
-  out_rays.org_y[lane] = from.y;
-  out_rays.org_z[lane] = from.z;
-  out_rays.dir_x[lane] = direction.x;
-  out_rays.dir_y[lane] = direction.y;
-  out_rays.dir_z[lane] = direction.z;
-  out_rays.tnear[lane] = 0;
-  out_rays.tfar[lane] = reach;
-  out_rays.time[lane] = 0;
-  out_rays.mask[lane] = ~0u;
-  out_rays.id[lane] = static_cast<unsigned>(lane);
-  out_rays.flags[lane] = 0;
-}
-
 }  // namespace
 
 struct ShadowRays::Scene {
@@ -141,7 +124,7 @@ std::uint32_t ShadowRays::find_lit(const PointPacket& points, std::uint32_t want
   for (std::size_t i = 0; i < kRaysPerPacket; ++i) {
     valid[i] = (wanted >> i & 1) != 0 ? -1 : 0;
     const math::Vec3 from(points[0][i], points[1][i], points[2][i]);
-    begin_ray(from, lamp_world - from, 1, i, ray);
+    rays::set_lane(ray, i, from, lamp_world - from, 1);
   }
   rays::EmbreeContext context;
   rays::Embree::init_context(context);
@@ -156,20 +139,20 @@ std::uint32_t ShadowRays::find_under_sky(const PointPacket& points, std::uint32_
                                          const math::Vec3& toward_sky) const {
   if (scene_->sky == RTC_INVALID_GEOMETRY_ID) return 0;
   alignas(64) ValidLanes valid;
-  RTCRayHit16 rays;
+  RTCRayHit16 packet;
   for (std::size_t i = 0; i < kRaysPerPacket; ++i) {
     valid[i] = (wanted >> i & 1) != 0 ? -1 : 0;
-    begin_ray({points[0][i], points[1][i], points[2][i]}, toward_sky, std::numeric_limits<float>::infinity(),
-              i, rays.ray);
-    rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    rays::set_lane(packet.ray, i, {points[0][i], points[1][i], points[2][i]}, toward_sky,
+                   std::numeric_limits<float>::infinity());
+    packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
   rays::EmbreeContext context;
   rays::Embree::init_context(context);
-  scene_->embree.intersect16(valid.data(), scene_->walls_and_sky.get(), context, rays);
+  scene_->embree.intersect16(valid.data(), scene_->walls_and_sky.get(), context, packet);
   std::uint32_t lit = 0;
   for (std::size_t i = 0; i < kRaysPerPacket; ++i)
-    lit |= std::uint32_t{rays.hit.geomID[i] == scene_->sky} << i;
+    lit |= std::uint32_t{packet.hit.geomID[i] == scene_->sky} << i;
   return lit & wanted;
 }
 
