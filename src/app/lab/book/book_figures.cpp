@@ -49,7 +49,7 @@ class BookMeasurement {
     measure.step_deg = options_.step_deg;
     measure.settings = options_.settings;
     // Rays for each pixel would take minutes.
-    constexpr double kLongest_s = 3;
+    constexpr double kLongest_s = 2;
     measure.time_limit_s = kLongest_s;
     return measure;
   }
@@ -130,7 +130,7 @@ class BookMeasurement {
   base::Status measure_size(FrameSize size) {
     SizeTimes times{size, {}};
     MeasureOptions measure = make_measure_options(size);
-    measure.step_deg *= 2;  // the plot shows growth, not details
+    measure.step_deg = 360;  // the plot shows growth, not details
     for (const lab::Choice& choice : figures_.choices) {
       measure.technique = &choice;
       TRY(const Measurement measured, levels_.front().measure(measure));
