@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/lab/book/book_content.h"
 
@@ -84,9 +85,10 @@ constexpr std::array kNumbers{
                     return f.engine.cycles_per_depth > 0 ? fmt::format("{:.1f}", f.engine.cycles_per_depth)
                                                          : "no counter of cycles";
                   }},
-    ArticleNumber{
-        kAlternatives, "Time that filling the depth buffer adds to a frame, at 640x400", "10 %",
-        [](const BookFigures& f) { return fmt::format("{:.0f} %", 100 * f.engine.time_to_fill_depth); }},
+    ArticleNumber{kAlternatives, "Time that filling the depth buffer adds to a frame, at 640x400", "10 %",
+                  [](const BookFigures& f) {
+                    return fmt::format("{:.0f} %", std::round(100 * f.engine.time_to_fill_depth) + 0.0);
+                  }},
     ArticleNumber{kModels, "Time of scan lines, divided by that of subdivision", "1.2",
                   [](const BookFigures& f) {
                     const Evidence affine = Evidence(f, 0).of("affine-models");
