@@ -8,7 +8,7 @@ set -euo pipefail
 
 build=(g++ make cmake ninja-build pkgconf
   libtbb-dev libhwy-dev libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev libspng-dev libjpeg62-turbo-dev zlib1g-dev
-  libembree-dev libsdl2-dev libwayland-dev libxcb-present-dev libxcb-shm0-dev libxcb-xtest0-dev libsndfile1-dev libsamplerate0-dev
+  libembree-dev libsdl2-dev libegl-dev libgles-dev libwayland-dev libxcb-present-dev libxcb-shm0-dev libxcb-xtest0-dev libsndfile1-dev libsamplerate0-dev
   libvorbis-dev libogg-dev libgtest-dev libgmock-dev libbenchmark-dev fteqcc ffmpeg dpkg-dev file)
 # A technique of the laboratory assembles code for this processor; without the package, the technique is missing.
 assembler=()

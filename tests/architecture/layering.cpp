@@ -26,6 +26,8 @@ NamesByName make_allowed_folders() {
       {"vm", {"formats", "math", "base"}},
       {"net", {"formats", "platform", "math", "base"}},
       {"render", {"world", "formats", "math", "base"}},
+      // Draws on the graphics card; shares the renderer's stages before the pixels.
+      {"render_gl", {"render", "world", "formats", "math", "base"}},
       // Finds the right picture without the renderer's stages, by rays.
       {"oracle", {"render", "world", "formats", "math", "base"}},
       {"lab", {"net", "rays", "render", "world", "formats", "math", "base"}},
@@ -128,9 +130,11 @@ std::string check_include(const Location& from, const Location& to, const std::s
   if (!folder->second.contains(to.folder)) return from.folder + " may not include " + to.folder;
   // The program alone chooses the implementations of platform interfaces.
   const bool is_chosen_by_app = from.folder == "app" && to.folder == "platform";
-  // The laboratory replaces stages of the renderer, and builds on the others.
-  const bool is_stage_for_lab = from.folder == "lab" && to.folder == "render";
-  if (!to.room.empty() && !is_chosen_by_app && !is_stage_for_lab && !has_public_rooms(to.folder))
+  // The laboratory and the renderer on the graphics card replace stages of the renderer, and build on the
+  // others.
+  const bool is_shared_stage =
+      (from.folder == "lab" || from.folder == "render_gl") && to.folder == "render";
+  if (!to.room.empty() && !is_chosen_by_app && !is_shared_stage && !has_public_rooms(to.folder))
     return to.folder + "/" + to.room + " is private to " + to.folder;
   return "";
 }

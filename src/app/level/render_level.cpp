@@ -18,7 +18,6 @@
 #include "app/level/viewpoints.h"
 #include "client/view/presentation.h"
 #include "math/angles.h"
-#include "render/renderer.h"
 #include "render/settings.h"
 #include "server/server_variables.h"
 
@@ -165,7 +164,7 @@ base::Status render_level(const RenderOptions& options, const GameFolders& folde
   TRY(const std::unique_ptr<StillLevel> still, StillLevel::make(options, loaded, settings));
   render::Camera camera = make_first_camera(options, *loaded.level, still->start());
   const render::Settings render_settings = settings.render();
-  render::Renderer renderer(loaded.look.palette, loaded.look.colormap);
+  TRY(SceneDrawer drawer, SceneDrawer::make(options.renderer, loaded.look.palette, loaded.look.colormap));
   render::FrameBuffer frame(options.frame.size.width, options.frame.size.height, options.frame.format);
   TRY(Film film,
       Film::open(options.out, {options.frame.size, options.frames_per_second}, loaded.look.palette));
@@ -174,7 +173,7 @@ base::Status render_level(const RenderOptions& options, const GameFolders& folde
   const float first_yaw_deg = camera.angles_deg.y;
   for (std::size_t i = frames.first; i < frames.end; ++i) {
     camera.angles_deg.y = first_yaw_deg + static_cast<float>(options.turn_deg * static_cast<double>(i));
-    const render::FrameStats stats = renderer.render(still->see(camera), render_settings, frame);
+    TRY(const render::FrameStats stats, drawer.draw(still->see(camera), render_settings, frame));
     TRY_STATUS(film.add(frame));
     if (options.stats) fmt::print("frame {}\n{}", i, describe_frame(stats, frame.pixel_count()));
     progress.update(i - frames.first + 1, frames.end - frames.first);

@@ -1,0 +1,36 @@
+// Draws scenes with the renderer that the user has chosen (--renderer): on the CPU, or through OpenGL without
+// a window.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "platform/gl_context.h"
+#include "render/renderer.h"
+#include "render_gl/gl_renderer.h"
+
+namespace temblor::app {
+
+enum class RendererKind { kCpu, kGl };
+// Parses "cpu" or "gl".
+base::Result<RendererKind> parse_renderer(std::string_view text);
+
+class SceneDrawer {
+ public:
+  // Fails with kUnsupported, and one line for a person, if OpenGL cannot be used.
+  static base::Result<SceneDrawer> make(RendererKind kind, const formats::Palette& palette,
+                                        const formats::Colormap& colormap);
+
+  // Draws into every pixel of the frame, which must be rgb for OpenGL (kUnsupported).
+  base::Result<render::FrameStats> draw(const render::Scene& scene, const render::Settings& settings,
+                                        render::FrameBuffer& io_frame);
+
+ private:
+  SceneDrawer() = default;
+  std::optional<render::Renderer> cpu_;
+  std::unique_ptr<platform::GlContext> context_;  // null: the CPU draws
+  std::optional<render_gl::GlRenderer> gl_;       // destroyed before its context
+};
+
+}  // namespace temblor::app

@@ -1,0 +1,31 @@
+// The picture on the graphics card that a frame is drawn into: colors and depth. Its first row is the top
+// one, and its channels are in the order of the CPU's pictures: blue, green, red.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "render_gl/gl/objects.h"
+
+namespace temblor::render_gl {
+
+class Target {
+ public:
+  Target() = default;  // 0 x 0 pixels
+  // Fails if the card lacks the memory, or cannot draw into pictures of this size.
+  static base::Result<Target> make(const Functions& gl, int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  // Draws into this target from now on, over `background` (0xffRRGGBB), with nothing in front of it.
+  void begin(const Functions& gl, std::uint32_t background) const;
+  // Waits for the card and copies the picture: width * height pixels, 0xffRRGGBB.
+  base::Status read(const Functions& gl, std::span<std::uint32_t> out_pixels) const;
+
+ private:
+  int width_ = 0, height_ = 0;
+  Texture color_, depth_;
+  Framebuffer framebuffer_;
+};
+
+}  // namespace temblor::render_gl

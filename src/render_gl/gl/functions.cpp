@@ -1,0 +1,67 @@
+#include "render_gl/gl/functions.h"
+
+#include <string_view>
+
+namespace temblor::render_gl {
+
+namespace {
+
+using base::ErrorCode;
+
+std::string read_string(const Functions& gl, GLenum name) {
+  const GLubyte* const text = gl.GetString(name);
+  return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
+}
+
+bool has_extension(const Functions& gl, std::string_view wanted) {
+  GLint count = 0;
+  gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    const GLubyte* const name = gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+    if (name != nullptr && reinterpret_cast<const char*>(name) == wanted) return true;
+  }
+  return false;
+}
+
+template <typename Function>
+bool find_function(const FunctionFinder& find, const char* name, Function& out_function) {
+  out_function = reinterpret_cast<Function>(find(name));
+  return out_function != nullptr;
+}
+
+}  // namespace
+
+base::Status Functions::check(const char* doing) const {
+  switch (const GLenum code = GetError()) {
+    case GL_NO_ERROR:
+      return base::Ok{};
+    case GL_OUT_OF_MEMORY:
+      return base::error(ErrorCode::kIo, "{}: the graphics card is out of memory", doing);
+    default:
+      return base::error(ErrorCode::kIo, "{}: OpenGL error {:#x}", doing, code);
+  }
+}
+
+base::Result<Functions> load_functions(const FunctionFinder& find) {
+  Functions gl;
+#define TEMBLOR_GL_FIND(Type, Name)              \
+  if (!find_function(find, "gl" #Name, gl.Name)) \
+    return base::error(ErrorCode::kUnsupported, "the OpenGL driver has no gl" #Name);
+  TEMBLOR_GL_FUNCTIONS(TEMBLOR_GL_FIND)
+#undef TEMBLOR_GL_FIND
+  GLint major = 0;
+  gl.GetIntegerv(GL_MAJOR_VERSION, &major);
+  if (major < 3)
+    return base::error(ErrorCode::kUnsupported, "the OpenGL driver is too old: {}", describe_driver(gl));
+  if (has_extension(gl, "GL_EXT_clip_control"))
+    find_function(find, "glClipControlEXT", gl.ClipControl);
+  else if (has_extension(gl, "GL_ARB_clip_control"))
+    find_function(find, "glClipControl", gl.ClipControl);
+  return gl;
+}
+
+std::string describe_driver(const Functions& gl) {
+  return read_string(gl, GL_RENDERER) + ", " + read_string(gl, GL_VERSION);
+}
+
+}  // namespace temblor::render_gl

@@ -1,0 +1,98 @@
+#include "render_gl/gl_renderer.h"
+
+#include "base/check.h"
+#include "render/frame/resolve_settings.h"
+#include "render/frame/stage_clock.h"
+#include "render_gl/frame/target.h"
+#include "render_gl/world/world_pass.h"
+
+namespace temblor::render_gl {
+
+namespace {
+
+// Surfaces of a frame of 3840x2160 take 20 to 40 MB.
+constexpr std::size_t kAtlasBytes = std::size_t{64} << 20;
+
+}  // namespace
+
+// The functions come first, since everything below refers to them.
+struct GlRenderer::State {
+  State(const Functions& functions, render::ColorTables colors) : gl(functions), caches(std::move(colors)) {}
+
+  const Functions gl;
+  render::FrameCaches caches;
+  std::optional<WorldPass> world;
+  Target target;
+};
+
+GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GlRenderer::~GlRenderer() = default;
+GlRenderer::GlRenderer(GlRenderer&&) noexcept = default;
+GlRenderer& GlRenderer::operator=(GlRenderer&&) noexcept = default;
+
+base::Result<GlRenderer> GlRenderer::make(const std::function<void*(const char* name)>& find_function,
+                                          const formats::Palette& palette,
+                                          const formats::Colormap& colormap) {
+  TRY(const Functions functions, load_functions(find_function));
+  auto state = std::make_unique<State>(functions, render::make_color_tables(palette, colormap));
+  TRY(state->world, WorldPass::make(state->gl, render::PixelFormat::kRgb, kAtlasBytes));
+  return GlRenderer(std::move(state));
+}
+
+namespace {
+
+// The stages on the CPU: everything up to the lit texels of the visible surfaces.
+render::FrameRecord build_surfaces(const render::FrameContext& context, const render::FrameBuffer& frame,
+                                   render::FrameCaches& io_caches) {
+  const render::FrameStages stages;
+  render::FrameRecord record;
+  const render::SurfaceRequests requests =
+      render::find_surfaces(context, stages, io_caches.level, frame, record);
+  render::StageClock clock(record.times);
+  render::begin_surface_frame(context, io_caches.surfaces);
+  record.surfaces = render::reserve_surfaces(context, requests, io_caches.surfaces);
+  render::build_surfaces(context, record.surfaces, io_caches.mark_tables ? &*io_caches.mark_tables : nullptr);
+  clock.end(render::Stage::kSurfaces);
+  return record;
+}
+
+}  // namespace
+
+base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, const render::Settings& asked,
+                                                    render::FrameBuffer& io_frame) {
+  CHECK(scene.level != nullptr);
+  CHECK(io_frame.format() == render::PixelFormat::kRgb);
+  const Functions& gl = state_->gl;
+  const render::Settings settings = render::resolve_settings(asked, scene, io_frame);
+  render::FrameCaches& caches = state_->caches;
+  caches.prepare(scene, settings);
+  caches.view.prepare(caches.level, io_frame);
+  const render::FrameContext context{scene,         settings,     io_frame.format(),
+                                     caches.colors, *caches.jobs, caches.view.arenas};
+  const render::FrameRecord record = build_surfaces(context, io_frame, caches);
+  const render::SpanSources sources =
+      render::prepare_span_sources(context, record.view, record.surfaces.draws, caches.skybox);
+  const render::FrameFog fog(scene.fog, record.view.perspective, io_frame.format(), caches.colors,
+                             caches.view.fog_tables, settings.simd_kernels);
+  const render::TranslucentOrder order = render::sort_translucent(
+      context, {record.spans, record.edges, sources, caches.colors, fog, record.view}, record.visible);
+  const FrameInput input{context, record, sources, order, caches.level};
+
+  if (state_->target.width() != io_frame.width() || state_->target.height() != io_frame.height()) {
+    TRY(state_->target, Target::make(gl, io_frame.width(), io_frame.height()));
+  }
+  TRY_STATUS(state_->world->prepare(gl, input));
+  state_->target.begin(gl, caches.colors.rgb[0]);
+  state_->world->draw_opaque(gl, input);
+  for (const render::TranslucentLayer& layer : order.layers)
+    if (layer.kind == render::TranslucentLayer::Kind::kFace)
+      state_->world->draw_translucent(gl, input, layer.number);
+  TRY_STATUS(state_->target.read(gl, io_frame.rgb()));
+  return render::collect_frame_stats(record, scene);
+}
+
+std::string GlRenderer::describe() const {
+  return describe_driver(state_->gl);
+}
+
+}  // namespace temblor::render_gl

@@ -1,0 +1,56 @@
+// The renderer on the graphics card: draws a Scene through OpenGL, as the CPU's renderer would draw it.
+//
+//   CPU    view -> visible faces -> edges -> scan -> surfaces    render's own stages: which tiles are
+//   visible,
+//            |                                        |          their mip levels, and their lit texels
+//            v                                        v
+//   card   vertices of the level, models   atlas of surface blocks -> pixels, tested against depth
+//
+// One source serves OpenGL ES 3.0 and OpenGL 3.3. The context belongs to the caller.
+//
+// Method: surfaces that the CPU builds and the card keeps, as in VQuake (Abrash, "Quake: A Post-Mortem and a
+// Glimpse into the Future").
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "formats/images/palette.h"
+#include "render/frame_buffer.h"
+#include "render/frame_stats.h"
+#include "render/scene.h"
+#include "render/settings.h"
+
+namespace temblor::render_gl {
+
+// Owns everything that it has on the card. Its context must be current in every call, and when it is
+// destroyed. Not thread-safe.
+class GlRenderer {
+ public:
+  // `find_function` gives the address of a function of OpenGL by its name, or null. Fails with kUnsupported,
+  // and one line for a person, if the driver is too old or does not accept our shaders, and with kIo if the
+  // card lacks memory.
+  static base::Result<GlRenderer> make(const std::function<void*(const char* name)>& find_function,
+                                       const formats::Palette& palette, const formats::Colormap& colormap);
+  ~GlRenderer();
+  GlRenderer(GlRenderer&&) noexcept;
+  GlRenderer& operator=(GlRenderer&&) noexcept;
+
+  // Draws `scene` and copies the picture to `io_frame`, whose format must be kRgb (CHECKed); its depth stays
+  // as it is. Fails if the card lacks memory, or if the context is lost; then the frame's pixels are
+  // undefined.
+  base::Result<render::FrameStats> render(const render::Scene& scene, const render::Settings& settings,
+                                          render::FrameBuffer& io_frame);
+
+  // Driver and version, for a person.
+  std::string describe() const;
+
+ private:
+  struct State;
+  explicit GlRenderer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace temblor::render_gl

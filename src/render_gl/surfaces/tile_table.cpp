@@ -1,0 +1,44 @@
+#include "render_gl/surfaces/tile_table.h"
+
+#include "base/check.h"
+
+namespace temblor::render_gl {
+
+namespace {
+
+// Two texels of four 32-bit numbers each.
+constexpr int kTexelsPerRecord = 2;
+static_assert(sizeof(TileRecord) == kTexelsPerRecord * 16);
+
+}  // namespace
+
+base::Status TileTable::reserve(const Functions& gl, std::uint32_t count) {
+  if (count <= records_.size()) return base::Ok{};
+  const std::uint32_t rows = (count + kRecordsPerRow - 1) / kRecordsPerRow;
+  TRY(texture_, make_texture(gl, GL_RGBA32UI,
+                             {static_cast<int>(kRecordsPerRow) * kTexelsPerRecord, static_cast<int>(rows)}));
+  records_.assign(std::size_t{rows} * kRecordsPerRow, TileRecord{});
+  row_changed_.assign(rows, true);
+  return base::Ok{};
+}
+
+void TileTable::set(std::uint32_t number, const TileRecord& record) {
+  DCHECK(number < records_.size(), "tile {}", number);
+  if (records_[number] == record) return;
+  records_[number] = record;
+  row_changed_[number / kRecordsPerRow] = true;
+}
+
+void TileTable::upload(const Functions& gl) {
+  gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  for (std::size_t row = 0; row < row_changed_.size(); ++row) {
+    if (!row_changed_[row]) continue;
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(row),
+                     static_cast<GLsizei>(kRecordsPerRow) * kTexelsPerRecord, 1, GL_RGBA_INTEGER,
+                     GL_UNSIGNED_INT, &records_[row * kRecordsPerRow]);
+    row_changed_[row] = false;
+  }
+}
+
+}  // namespace temblor::render_gl

@@ -1,0 +1,114 @@
+// The shaders that draw faces of the level. Colors keep the byte order of the CPU's pictures: blue, green,
+// red.
+//
+// A fragment reads the record of its tile (tile_table.h), and then one texel of the atlas. So it shows the
+// texel that the CPU shows: mip levels, light, and marks are those of the CPU's surface blocks.
+#pragma once
+
+namespace temblor::render_gl {
+
+inline constexpr const char* kWorldVertexShader = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 texel;
+layout(location = 2) in uvec2 tiles;  // the first tile; columns | rows << 16
+
+uniform mat3 model_axes;    // columns: the model's axes in the world
+uniform vec3 model_origin;
+uniform uint first_record;  // of the model's tiles, less that of the world's tiles
+uniform vec3 eye;
+uniform mat3 view_axes;     // from the world to right, up, forward
+uniform vec4 projection;    // scale of x and y; near plane; 1 for perspective, 0 for parallel projection
+uniform bool full_range;    // depth of the clip space begins at -1, not at 0
+
+out vec2 face_texel;
+out vec3 ray;
+flat out uvec2 face_tiles;
+
+// Units that depth covers in parallel projection.
+const float kDepthRange = 262144.0;
+
+void main() {
+  bool perspective = projection.w > 0.5;
+  ray = model_axes * position + (model_origin - eye);
+  vec3 at = view_axes * ray;
+  if (!perspective) ray = vec3(view_axes[0][2], view_axes[1][2], view_axes[2][2]);
+  float w = perspective ? at.z : 1.0;
+  // Over w: 1 at the near plane, and less behind it.
+  float depth = perspective ? projection.z : 1.0 - (at.z - projection.z) / kDepthRange;
+  gl_Position = vec4(at.x * projection.x, -at.y * projection.y, full_range ? 2.0 * depth - w : depth, w);
+  face_texel = texel;
+  face_tiles = uvec2(tiles.x + first_record, tiles.y);
+}
+)";
+
+inline constexpr const char* kWorldFragmentShader = R"(
+uniform usampler2D records;
+uniform sampler2DArray atlas;
+uniform float liquid_phase;  // texels
+uniform vec2 sky_scroll;     // texels of layers with 128 texels: the clouds', the background's
+uniform float fog_density;
+uniform vec3 fog_color;
+
+in vec2 face_texel;
+in vec3 ray;
+flat in uvec2 face_tiles;
+out vec4 color;
+
+const uint kHidden = 0u, kBlock = 1u, kRepeat = 2u, kLiquid = 3u, kSky = 4u;
+const float kTileTexels = 256.0;
+const float kTurn = 6.28318530718 / 128.0;
+
+ivec2 unpack(uint two) { return ivec2(two & 0xffffu, two >> 16); }
+
+vec4 repeated_texel(vec2 at, ivec2 first, ivec2 size, int layer) {
+  ivec2 whole = ivec2(floor(at - floor(at / vec2(size)) * vec2(size)));
+  return texelFetch(atlas, ivec3(first + clamp(whole, ivec2(0), size - 1), layer), 0);
+}
+
+// Two layers on a dome whose height is stretched threefold.
+vec4 sky_texel(uvec4 image, ivec2 size, int layer) {
+  float scale = float(size.x) / 128.0;
+  vec3 direction = vec3(ray.xy, 3.0 * ray.z);
+  vec2 at = direction.xy * (378.0 * scale / length(direction));
+  vec4 clouds = repeated_texel(at + sky_scroll.x * scale, unpack(image.x), size, layer);
+  if (clouds.a > 0.5) return clouds;
+  ivec2 back = ivec2(image.w & 0xffu, image.w >> 8 & 0xffu) * 8;
+  return repeated_texel(at + sky_scroll.y * scale, back, size, int(image.w >> 16));
+}
+
+void main() {
+  uint number = face_tiles.x;
+  ivec2 grid = unpack(face_tiles.y);
+  if (grid.x > 1 || grid.y > 1) {
+    ivec2 tile = clamp(ivec2(floor(face_texel / kTileTexels)), ivec2(0), grid - 1);
+    number += uint(tile.y * grid.x + tile.x);
+  }
+  ivec2 record = ivec2(number % 512u * 2u, number / 512u);
+  uvec4 image = texelFetch(records, record, 0);
+  vec4 mapping = uintBitsToFloat(texelFetch(records, record + ivec2(1, 0), 0));
+  uint kind = image.z >> 16 & 0xfu;
+  if (kind == kHidden) discard;
+  ivec2 first = unpack(image.x), size = unpack(image.y);
+  int layer = int(image.z & 0xffffu);
+  vec2 at = face_texel + mapping.xy;
+  if (kind == kBlock) {
+    ivec2 whole = clamp(ivec2(floor(at * mapping.zw)), ivec2(0), size - 1);
+    color = texelFetch(atlas, ivec3(first + whole, layer), 0);
+  } else if (kind == kSky) {
+    color = sky_texel(image, size, layer);
+  } else {
+    if (kind == kLiquid) at += 8.0 * (1.0 + sin((at.yx + liquid_phase) * kTurn));
+    color = repeated_texel(at * mapping.zw, first, size, layer);
+  }
+  if ((image.z >> 20 & 1u) != 0u && color.a < 0.5) discard;
+  if ((image.z >> 21 & 1u) != 0u) color = vec4(image.w & 0xffu, image.w >> 8 & 0xffu, image.w >> 16, 255) / 255.0;
+  if (fog_density > 0.0 && (image.z >> 22 & 1u) == 0u) {
+    float thickness = fog_density / (64.0 * gl_FragCoord.w);
+    float share = kind == kSky ? 0.5 : 1.0 - exp(-thickness * thickness);
+    color.rgb = mix(color.rgb, fog_color, share);
+  }
+  color.a = float(image.z >> 24) / 255.0;
+}
+)";
+
+}  // namespace temblor::render_gl

@@ -1,0 +1,71 @@
+#include "render_gl/gl_pictures.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "platform/egl/offscreen_context.h"
+#include "support/pictures/picture_file.h"
+
+namespace temblor::render_gl {
+
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;
+
+int largest_difference(std::uint32_t a, std::uint32_t b) {
+  int largest = 0;
+  for (int shift = 0; shift < 24; shift += 8)
+    largest =
+        std::max(largest, std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)));
+  return largest;
+}
+
+// Gray where the pictures are equal, red where they differ.
+render::FrameBuffer make_difference(const render::FrameBuffer& a, const render::FrameBuffer& b) {
+  render::FrameBuffer out(a.width(), a.height(), render::PixelFormat::kRgb);
+  for (std::size_t i = 0; i < a.pixel_count(); ++i) {
+    const int difference = largest_difference(a.rgb()[i], b.rgb()[i]);
+    const std::uint32_t dark = (a.rgb()[i] >> 2) & 0x3f3f3fu;
+    out.rgb()[i] = 0xff000000u | (difference > 2 ? 0xff0000u : dark);
+  }
+  return out;
+}
+
+}  // namespace
+
+double equal_share(const render::FrameBuffer& a, const render::FrameBuffer& b, int tolerance) {
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < a.pixel_count(); ++i)
+    equal += largest_difference(a.rgb()[i], b.rgb()[i]) <= tolerance;
+  return static_cast<double>(equal) / static_cast<double>(a.pixel_count());
+}
+
+RendererPair::RendererPair(const test::DrawableLevel& look)
+    : name_(look.name),
+      palette_(look.palette),
+      cpu_(look.palette, look.colormap),
+      cpu_frame_(kWidth, kHeight, render::PixelFormat::kRgb),
+      gl_frame_(kWidth, kHeight, render::PixelFormat::kRgb) {}
+
+base::Result<std::unique_ptr<RendererPair>> RendererPair::make(const test::DrawableLevel& look) {
+  std::unique_ptr<RendererPair> pair(new RendererPair(look));
+  TRY(pair->context_, platform::egl::make_offscreen_context());
+  const auto find = [context = pair->context_.get()](const char* name) {
+    return context->find_function(name);
+  };
+  TRY(pair->gl_, GlRenderer::make(find, look.palette, look.colormap));
+  return pair;
+}
+
+double RendererPair::compare(const render::Scene& scene, const render::Settings& settings, int tolerance) {
+  cpu_.render(scene, settings, cpu_frame_);
+  const base::Result<render::FrameStats> drawn = gl_->render(scene, settings, gl_frame_);
+  CHECK(drawn.ok(), "{}", drawn.error().what);
+  const std::string number = name_ + "-" + std::to_string(picture_count_++);
+  test::show_picture(number + "-cpu", cpu_frame_, palette_);
+  test::show_picture(number + "-gl", gl_frame_, palette_);
+  test::show_picture(number + "-difference", make_difference(cpu_frame_, gl_frame_), palette_);
+  return equal_share(cpu_frame_, gl_frame_, tolerance);
+}
+
+}  // namespace temblor::render_gl

@@ -1,0 +1,48 @@
+// Pictures of the renderer on the graphics card next to those of the CPU's, the reference.
+#pragma once
+
+#include <string>
+
+#include "platform/gl_context.h"
+#include "render/renderer.h"
+#include "render_gl/gl_renderer.h"
+#include "support/levels/drawable_level.h"
+
+namespace temblor::render_gl {
+
+// Both renderers for one palette, and the context of the second.
+class RendererPair {
+ public:
+  // Fails on machines without OpenGL.
+  static base::Result<std::unique_ptr<RendererPair>> make(const test::DrawableLevel& look);
+
+  // Draws the scene with both, and returns the share of pixels whose channels differ by at most `tolerance`.
+  // CHECKs that the card draws. Writes the pictures and their difference if the test run asks for pictures.
+  double compare(const render::Scene& scene, const render::Settings& settings, int tolerance = 2);
+
+  GlRenderer& gl() { return *gl_; }
+  const render::FrameBuffer& cpu_frame() const { return cpu_frame_; }
+  const render::FrameBuffer& gl_frame() const { return gl_frame_; }
+
+ private:
+  RendererPair(const test::DrawableLevel& look);
+
+  std::string name_;
+  formats::Palette palette_;
+  int picture_count_ = 0;
+  render::Renderer cpu_;
+  std::unique_ptr<platform::GlContext> context_;
+  std::optional<GlRenderer> gl_;  // destroyed before its context
+  render::FrameBuffer cpu_frame_, gl_frame_;
+};
+
+// The share of pixels whose channels differ by at most `tolerance`.
+double equal_share(const render::FrameBuffer& a, const render::FrameBuffer& b, int tolerance);
+
+}  // namespace temblor::render_gl
+
+// Declares `variable` as the pair, or skips the test with the driver's message.
+#define RENDERER_PAIR_OR_SKIP(variable, look)                                                   \
+  const auto variable##_result = ::temblor::render_gl::RendererPair::make(look);                \
+  if (!variable##_result.ok()) GTEST_SKIP() << "no OpenGL: " << variable##_result.error().what; \
+  ::temblor::render_gl::RendererPair& variable = **variable##_result
