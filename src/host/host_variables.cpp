@@ -25,6 +25,7 @@ namespace {
 // Names in the order of platform::WindowMode. The first one is the default.
 constexpr std::array<std::string_view, 3> kModes = {"window", "borderless", "fullscreen"};
 // The first one is true color, the default.
+constexpr std::array<std::string_view, 2> kRenderers = {"cpu", "gl"};
 constexpr std::array<std::string_view, 2> kColors = {"rgb", "indexed"};
 
 // Settings that would confuse a player who finds them again the next day.
@@ -56,7 +57,7 @@ struct HostVariables::Registered {
   server::ServerVariables server;
   command::VariableIndex width, height, mode, display, vsync, color, scale, automatic_scale, target_fps,
       max_fps, time_scale, gamma, contrast, brightness, fov, zoom_fov, zoom_speed, name, shirt, pants, rumble,
-      parallel, show_speed, show_latency, show_clock, show_player_speed, show_renderer, technique,
+      parallel, show_speed, show_latency, show_clock, show_player_speed, show_renderer, technique, renderer,
       stuffed_text, max_players, port, start_demos, pause_unfocused, mute_unfocused;
   std::vector<std::string> saved;  // the names of the player's own variables
 };
@@ -75,6 +76,8 @@ HostVariables::Registered::Registered(command::Variables& variables)
                                        "Pauses a single-player game while another window is in use.");
   mute_unfocused =
       variables.add_bool("snd_muteunfocused", true, "Mutes all sound while another window is in use.");
+  renderer = variables.add_choice("vid_renderer", kRenderers,
+                                  "Renderer of the view: the CPU, or OpenGL (gl), which draws true color.");
   color = variables.add_choice(
       "vid_color", kColors,
       "Color mode: true color (rgb), or the 256 colors of the game's palette (indexed).");
@@ -204,6 +207,10 @@ ReadoutSettings HostVariables::readouts() const {
           .technique = technique()};
 }
 
+bool HostVariables::uses_gl() const {
+  return variables_->choice_value(registered_->renderer) == 1;
+}
+
 std::size_t HostVariables::technique() const {
   return variables_->choice_value(registered_->technique);
 }
@@ -225,8 +232,9 @@ ScreenSettings HostVariables::screen() const {
     return static_cast<float>(variables_->float_value(index));
   };
   return {
-      .format = variables_->choice_value(registered_->color) == 0 ? render::PixelFormat::kRgb
-                                                                  : render::PixelFormat::kIndexed,
+      .format = uses_gl() || variables_->choice_value(registered_->color) == 0
+                    ? render::PixelFormat::kRgb
+                    : render::PixelFormat::kIndexed,
       .scale = number(registered_->scale),
       .automatic_scale = variables_->bool_value(registered_->automatic_scale),
       .target_s = 1 / variables_->float_value(registered_->target_fps),

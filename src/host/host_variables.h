@@ -72,6 +72,8 @@ class HostVariables {
   bool pauses_unfocused() const;      // a single-player game halts while another window has the keyboard
   bool mutes_unfocused() const;       // no sound meanwhile
   ReadoutSettings readouts() const;
+  // Whether OpenGL draws the view, not the CPU.
+  bool uses_gl() const;
   // The number of the technique in lab::list_techniques(); 0 is the engine itself.
   std::size_t technique() const;
   StuffedTextRule stuffed_text() const;

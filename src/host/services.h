@@ -16,6 +16,7 @@
 #include "platform/address.h"
 #include "platform/audio_device.h"
 #include "platform/datagram_socket.h"
+#include "platform/gl_context.h"
 #include "platform/window.h"
 
 namespace temblor::host {
@@ -34,6 +35,8 @@ struct Services {
   std::function<bool(const platform::Address&)> is_own_host{};
   // Null: no sound.
   std::function<base::Result<std::unique_ptr<platform::AudioDevice>>(platform::AudioFill fill)> open_audio{};
+  // Makes an OpenGL context without a window, current on the calling thread. Null: there is no OpenGL.
+  std::function<base::Result<std::unique_ptr<platform::GlContext>>()> open_gl{};
   // Replaces a file as a whole, or leaves the old one.
   std::function<base::Status(const std::filesystem::path& file, base::Bytes bytes)> write_file;
   // Prints a line, without a newline at its end, to the terminal.

@@ -42,8 +42,11 @@ struct PlayedDemo {
 base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::PresentationSettings& presentation,
                                    const MeasureOptions& options, Measurement& io_result) {
   TRY(const client::DemoLength length, client::DemoPlayer::scan(demo.bytes, demo.name));
-  const FrameOptions frame_options{
-      .size = options.size, .format = options.format, .fov_deg = options.fov_deg, .threads = {}};
+  const FrameOptions frame_options{.size = options.size,
+                                   .format = options.format,
+                                   .fov_deg = options.fov_deg,
+                                   .threads = {},
+                                   .renderer = options.renderer};
   TRY(DemoRun run, DemoRun::start(demo, frame_options, presentation, options.settings));
   if (options.technique != nullptr) run.replace_stages(options.technique->make_stages());
   Window window(run.frame(), options);
@@ -51,7 +54,7 @@ base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::Present
   Samples samples;
   samples.reserve(length.packets);
   Progress progress("frames");
-  run.warm_up();
+  TRY_STATUS(run.warm_up());
   for (bool has_more = true; has_more;) {
     progress.update(samples.frame_ms.size(), length.packets);
     const std::uint64_t allocations_before = allocation_count();
@@ -59,8 +62,10 @@ base::Result<PlayedDemo> play_once(const LoadedDemo& demo, const client::Present
     const double client_ms = time_ms([&] { advanced = run.advance_by_packet(); });
     if (!advanced.ok()) return advanced.error();
     has_more = *advanced;
-    render::FrameStats stats;
-    const double render_ms = time_ms([&] { stats = run.draw(); });
+    base::Result<render::FrameStats> drawn = render::FrameStats{};
+    const double render_ms = time_ms([&] { drawn = run.draw(); });
+    if (!drawn.ok()) return drawn.error();
+    const render::FrameStats& stats = *drawn;
     const double present_ms = time_ms([&] { window.present(run.frame(), demo.look.palette); });
     io_result.count_allocations(allocation_count() - allocations_before);
     samples.client_ms.push_back(client_ms);

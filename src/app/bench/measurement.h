@@ -29,6 +29,8 @@ struct MeasureOptions {
   FrameSize size{1920, 1080};
   render::PixelFormat format = render::PixelFormat::kRgb;
   float fov_deg = 90;
+  // Levels are drawn by the CPU only.
+  RendererKind renderer = RendererKind::kCpu;
   // Angle between two views of a circle.
   double step_deg = 5;
   // Runs of a demo; the fastest time of every frame counts.

@@ -49,6 +49,7 @@ MeasureOptions make_measure_options(const BenchOptions& options, FrameSize size,
   measure_options.size = size;
   measure_options.format = options.frame.format;
   measure_options.fov_deg = options.frame.fov_deg;
+  measure_options.renderer = options.frame.renderer;
   measure_options.step_deg = options.step_deg;
   measure_options.runs = options.runs;
   measure_options.cold = options.cold;
@@ -190,6 +191,7 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
       ->type_name("WxH")
       ->default_str("1920x1080");
   add_frame_options_without_size(*command, io_options.frame);
+  add_renderer_option(*command, io_options.frame);
   command->add_option("--step", io_options.step_deg, "Angle between two views")
       ->type_name("DEGREES")
       ->check(in_range(0.1, 360.0))
@@ -236,6 +238,9 @@ Command* add_bench_command(Command& program, BenchOptions& io_options) {
 
 base::Status run_bench(const BenchOptions& options, const GameFolders& folders,
                        const client::PresentationSettings& presentation, const render::Settings& settings) {
+  if (options.frame.renderer == RendererKind::kGl && (options.demos.empty() || !options.maps.empty()))
+    return base::error(base::ErrorCode::kUsage,
+                       "--renderer gl: OpenGL is measured with demos only; name one with --demo");
   // An empty name is the built-in level.
   std::vector<std::string> maps = options.maps;
   if (maps.empty() && options.demos.empty()) maps.emplace_back();

@@ -260,4 +260,11 @@ void add_frame_options_without_size(Command& command, FrameOptions& io_options) 
       ->check(in_range(0, 256));
 }
 
+void add_renderer_option(Command& command, FrameOptions& io_options) {
+  add_parsed_option(command, "--renderer", io_options.renderer, parse_renderer,
+                    "Draw on the CPU, or through OpenGL (docs/renderers.md)")
+      ->type_name("cpu|gl")
+      ->default_str("cpu");
+}
+
 }  // namespace temblor::app

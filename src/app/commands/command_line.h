@@ -133,6 +133,8 @@ void add_common_options(Command& program, CommonOptions& io_options);
 void add_frame_options(Command& command, FrameOptions& io_options);
 // The same without --size, for a command that takes several sizes.
 void add_frame_options_without_size(Command& command, FrameOptions& io_options);
+// Adds --renderer, for commands that draw with either.
+void add_renderer_option(Command& command, FrameOptions& io_options);
 
 // Adds an option whose text `parse` converts to a T. `value` may also be a std::optional<T>.
 template <typename T, typename Value>

@@ -69,6 +69,12 @@ base::Result<render::PixelFormat> parse_color(std::string_view text) {
   return base::error(ErrorCode::kUsage, "\"{}\" is neither indexed nor rgb", text);
 }
 
+base::Result<RendererKind> parse_renderer(std::string_view text) {
+  if (text == "cpu") return RendererKind::kCpu;
+  if (text == "gl") return RendererKind::kGl;
+  return base::error(ErrorCode::kUsage, "\"{}\" is neither cpu nor gl", text);
+}
+
 const char* pixel_format_name(render::PixelFormat format) {
   return format == render::PixelFormat::kIndexed ? "indexed" : "rgb";
 }

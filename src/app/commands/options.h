@@ -36,7 +36,10 @@ struct FrameSize {
   int width = 0, height = 0;
 };
 
-// Size and format of rendered frames: --size, --color, --fov, --threads.
+// On the CPU, or through OpenGL without a window.
+enum class RendererKind { kCpu, kGl };
+
+// Size and format of rendered frames: --size, --color, --fov, --threads, --renderer.
 struct FrameOptions {
   FrameSize size;
   render::PixelFormat format = render::PixelFormat::kRgb;
@@ -44,6 +47,7 @@ struct FrameOptions {
   float fov_deg = 90;
   // 0: one per core; nothing: leave r_threads alone.
   std::optional<int> threads{};
+  RendererKind renderer = RendererKind::kCpu;
 };
 
 // A half-open range of frames, counted from 0: first, ..., end - 1.
@@ -61,6 +65,8 @@ base::Result<FrameSize> parse_size(std::string_view text);
 base::Result<math::Vec3> parse_vec3(std::string_view text);
 // Parses "indexed" or "rgb".
 base::Result<render::PixelFormat> parse_color(std::string_view text);
+// Parses "cpu" or "gl".
+base::Result<RendererKind> parse_renderer(std::string_view text);
 const char* pixel_format_name(render::PixelFormat format);
 
 // Applies --set, --show, and --threads to the console variables. Errors are kUsage.

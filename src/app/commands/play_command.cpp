@@ -16,6 +16,7 @@
 #include "host/host.h"
 #include "host/host_variables.h"
 #include "host/services.h"
+#include "platform/egl/offscreen_context.h"
 #include "platform/posix/udp_socket.h"
 #include "platform/sdl2/audio.h"
 #include "platform/sdl2/window.h"
@@ -52,6 +53,7 @@ host::Services make_services(platform::Window& window, bool silent) {
       .look_up = [](std::string_view host,
                     std::uint16_t default_port) { return platform::posix::look_up(host, default_port); },
       .is_own_host = platform::posix::is_own_host,
+      .open_gl = platform::egl::make_offscreen_context,
       .write_file = [](const std::filesystem::path& file,
                        base::Bytes bytes) { return replace_file(file, bytes, Remedy::kNone); },
       .print_line = print_line,

@@ -104,10 +104,7 @@ Command* add_render_command(Command& program, RenderOptions& io_options) {
                     "Camera direction in degrees; positive pitch looks down")
       ->type_name("PITCH,YAW,ROLL");
   add_frame_options(*command, io_options.frame);
-  add_parsed_option(*command, "--renderer", io_options.renderer, parse_renderer,
-                    "Draw on the CPU, or through OpenGL (docs/renderers.md)")
-      ->type_name("cpu|gl")
-      ->default_str("cpu");
+  add_renderer_option(*command, io_options.frame);
   add_parsed_option(*command, "--projection", io_options.projection, parse_projection,
                     "Perspective, or orthographic for a plan that fits the level")
       ->type_name("perspective|orthographic")

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/commands/options.h"
-#include "app/level/scene_drawer.h"
 #include "base/result.h"
 #include "host/host_variables.h"
 #include "render/scene.h"
@@ -28,7 +27,6 @@ struct RenderOptions {
   std::optional<int> skill;
   bool deathmatch = false;
   FrameOptions frame{.size = {1280, 720}};
-  RendererKind renderer = RendererKind::kCpu;
   render::Projection projection = render::Projection::kPerspective;
   // Position of the camera; nothing: the level's start.
   std::optional<math::Vec3> position_world;

@@ -4,11 +4,11 @@
 
 namespace temblor::app {
 
-DemoRun::DemoRun(const LoadedDemo& demo, DemoPlayback playback, const FrameOptions& frame,
+DemoRun::DemoRun(DemoPlayback playback, SceneDrawer drawer, const FrameOptions& frame,
                  const render::Settings& settings)
     : playback_(std::move(playback)),
       render_settings_(settings),
-      renderer_(demo.look.palette, demo.look.colormap),
+      drawer_(std::move(drawer)),
       frame_(frame.size.width, frame.size.height, frame.format) {
   playback_.settings().view.fov_deg = frame.fov_deg;
 }
@@ -18,7 +18,8 @@ base::Result<DemoRun> DemoRun::start(const LoadedDemo& demo, const FrameOptions&
                                      const client::PresentationSettings& presentation,
                                      const render::Settings& settings) {
   TRY(DemoPlayback playback, DemoPlayback::open(demo, presentation));
-  DemoRun run(demo, std::move(playback), frame, settings);
+  TRY(SceneDrawer drawer, SceneDrawer::make(frame.renderer, demo.look.palette, demo.look.colormap));
+  DemoRun run(std::move(playback), std::move(drawer), frame, settings);
   TRY_STATUS(run.advance_by_packet());
   return run;
 }
@@ -41,14 +42,15 @@ base::Result<bool> DemoRun::advance_by_packet() {
   return has_more;
 }
 
-void DemoRun::warm_up() {
-  if (frame_.format() == render::PixelFormat::kIndexed) renderer_.make_blend_tables();
-  draw();
+base::Status DemoRun::warm_up() {
+  if (frame_.format() == render::PixelFormat::kIndexed) drawer_.cpu().make_blend_tables();
+  TRY_STATUS(draw());
+  return base::Ok{};
 }
 
-render::FrameStats DemoRun::draw() {
-  render::FrameStats stats = renderer_.render(scene(), render_settings_, frame_);
-  renderer_.draw_overlay(*overlay_, frame_, stats);
+base::Result<render::FrameStats> DemoRun::draw() {
+  TRY(render::FrameStats stats, drawer_.draw(scene(), render_settings_, frame_));
+  drawer_.cpu().draw_overlay(*overlay_, frame_, stats);
   return stats;
 }
 

@@ -39,7 +39,7 @@ base::Status film_frames(DemoRun& io_run, const RenderOptions& options, double s
     TRY(const bool has_more, io_run.advance_to(time_s));
     print_notes(io_run);
     if (number >= frames.first) {
-      const render::FrameStats stats = io_run.draw();
+      TRY(const render::FrameStats stats, io_run.draw());
       TRY_STATUS(io_film.add(io_run.frame()));
       if (options.stats)
         fmt::print("frame {}\n{}", number, describe_frame(stats, io_run.frame().pixel_count()));

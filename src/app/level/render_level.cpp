@@ -15,6 +15,7 @@
 #include "app/level/level_loading.h"
 #include "app/level/level_scene.h"
 #include "app/level/running_level.h"
+#include "app/level/scene_drawer.h"
 #include "app/level/viewpoints.h"
 #include "client/view/presentation.h"
 #include "math/angles.h"
@@ -164,7 +165,8 @@ base::Status render_level(const RenderOptions& options, const GameFolders& folde
   TRY(const std::unique_ptr<StillLevel> still, StillLevel::make(options, loaded, settings));
   render::Camera camera = make_first_camera(options, *loaded.level, still->start());
   const render::Settings render_settings = settings.render();
-  TRY(SceneDrawer drawer, SceneDrawer::make(options.renderer, loaded.look.palette, loaded.look.colormap));
+  TRY(SceneDrawer drawer,
+      SceneDrawer::make(options.frame.renderer, loaded.look.palette, loaded.look.colormap));
   render::FrameBuffer frame(options.frame.size.width, options.frame.size.height, options.frame.format);
   TRY(Film film,
       Film::open(options.out, {options.frame.size, options.frames_per_second}, loaded.look.palette));

@@ -6,19 +6,10 @@ namespace temblor::app {
 
 using base::ErrorCode;
 
-base::Result<RendererKind> parse_renderer(std::string_view text) {
-  if (text == "cpu") return RendererKind::kCpu;
-  if (text == "gl") return RendererKind::kGl;
-  return base::error(ErrorCode::kUsage, "\"{}\" is neither cpu nor gl", text);
-}
-
 base::Result<SceneDrawer> SceneDrawer::make(RendererKind kind, const formats::Palette& palette,
                                             const formats::Colormap& colormap) {
-  SceneDrawer drawer;
-  if (kind == RendererKind::kCpu) {
-    drawer.cpu_.emplace(palette, colormap);
-    return drawer;
-  }
+  SceneDrawer drawer(palette, colormap);
+  if (kind == RendererKind::kCpu) return drawer;
   TRY(drawer.context_, platform::egl::make_offscreen_context());
   const auto find_function = [context = drawer.context_.get()](const char* name) {
     return context->find_function(name);
@@ -30,7 +21,7 @@ base::Result<SceneDrawer> SceneDrawer::make(RendererKind kind, const formats::Pa
 base::Result<render::FrameStats> SceneDrawer::draw(const render::Scene& scene,
                                                    const render::Settings& settings,
                                                    render::FrameBuffer& io_frame) {
-  if (!gl_) return cpu_->render(scene, settings, io_frame);
+  if (!gl_) return cpu_.render(scene, settings, io_frame);
   if (io_frame.format() != render::PixelFormat::kRgb)
     return base::error(ErrorCode::kUnsupported, "OpenGL draws only rgb pictures (--color rgb)");
   TRY_STATUS(context_->make_current());

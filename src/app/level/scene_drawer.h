@@ -4,17 +4,13 @@
 
 #include <memory>
 #include <optional>
-#include <string_view>
 
+#include "app/commands/options.h"
 #include "platform/gl_context.h"
 #include "render/renderer.h"
 #include "render_gl/gl_renderer.h"
 
 namespace temblor::app {
-
-enum class RendererKind { kCpu, kGl };
-// Parses "cpu" or "gl".
-base::Result<RendererKind> parse_renderer(std::string_view text);
 
 class SceneDrawer {
  public:
@@ -25,10 +21,13 @@ class SceneDrawer {
   // Draws into every pixel of the frame, which must be rgb for OpenGL (kUnsupported).
   base::Result<render::FrameStats> draw(const render::Scene& scene, const render::Settings& settings,
                                         render::FrameBuffer& io_frame);
+  // Draws overlays in both cases.
+  render::Renderer& cpu() { return cpu_; }
 
  private:
-  SceneDrawer() = default;
-  std::optional<render::Renderer> cpu_;
+  SceneDrawer(const formats::Palette& palette, const formats::Colormap& colormap) : cpu_(palette, colormap) {}
+
+  render::Renderer cpu_;
   std::unique_ptr<platform::GlContext> context_;  // null: the CPU draws
   std::optional<render_gl::GlRenderer> gl_;       // destroyed before its context
 };

@@ -117,6 +117,42 @@ void update_technique(Host& io_host) {
   data.renderer.replace_stages(lab::make_default_choice(technique).make_stages());
 }
 
+// Turns OpenGL on or off as `vid_renderer` says. If it fails, says why, and sets the variable back, so it
+// must not run in parallel with a server tick.
+void update_renderer(Host& io_host) {
+  GameData& data = *io_host.game.data;
+  if (!io_host.variables.uses_gl()) {
+    data.gl_view.reset();
+    data.gl_failure.reset();
+    return;
+  }
+  if (!data.gl_view && !data.gl_failure) {
+    auto made = GlView::make(io_host.services.open_gl, data.look);
+    if (made.ok())
+      data.gl_view = std::move(made).value();
+    else
+      data.gl_failure = made.error();
+  }
+  if (!data.gl_failure) return;
+  print_line(io_host, fmt::format("{}; the CPU draws", data.gl_failure->message()));
+  print_if_error(io_host, io_host.variables.variables().set("vid_renderer", "cpu"));
+  data.gl_view.reset();
+  data.gl_failure.reset();
+}
+
+// Techniques of the laboratory replace the CPU's stages, so they draw on the CPU.
+render::FrameStats draw_view(GameData& io_data, const render::Settings& settings,
+                             render::FrameBuffer& io_frame) {
+  const render::Scene& scene = io_data.presentation.scene();
+  if (io_data.gl_view && io_data.technique == 0 && io_frame.format() == render::PixelFormat::kRgb) {
+    const base::Result<render::FrameStats> drawn = io_data.gl_view->draw(scene, settings, io_frame);
+    if (drawn.ok()) return *drawn;
+    io_data.gl_failure = drawn.error();
+    // It must not be used again; the next frame drops it.
+  }
+  return io_data.renderer.render(scene, settings, io_frame);
+}
+
 // Draws the view and the overlay on top, or a black background if there is no view or the console covers it.
 void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer& io_frame) {
   GameData& data = *io_host.game.data;
@@ -126,7 +162,7 @@ void draw_frame(Host& io_host, const DrawSettings& settings, render::FrameBuffer
   if (has_view(io_host) && !io_host.console.ui.covers_frame()) {
     // The first view of a session appears after a level has loaded, so nobody notices this wait.
     if (io_frame.format() == render::PixelFormat::kIndexed) data.renderer.make_blend_tables();
-    stats = data.renderer.render(data.presentation.scene(), settings.render, io_frame);
+    stats = draw_view(data, settings.render, io_frame);
     // Before the overlay is drawn, so that the picture shows neither the menu nor the status bar.
     if (!io_host.saves.picture_request.empty()) write_save_picture(io_host, io_frame);
     overlay = data.presentation.draw_list(*find_shown_state(io_host), io_frame.width(), io_frame.height(),
@@ -161,6 +197,7 @@ void draw_and_show(Host& io_host) {
   Session& session = *io_host.game.session;
   FrameTimes& times = io_host.timing.measured;
   const double start_s = window.now_s();
+  update_renderer(io_host);
   const ScreenSettings screen_settings = variables.screen();
   render::FrameBuffer& frame = io_host.video.screen.begin(window.size(), screen_settings);
   const auto step = [&io_host, &session, halted = is_halted(io_host)] {

@@ -4,12 +4,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "assets/library.h"
 #include "client/view/presentation.h"
 #include "host/game_folders.h"
+#include "host/video/gl_view.h"
 #include "render/renderer.h"
 
 namespace temblor::host {
@@ -35,6 +37,10 @@ struct GameData {
   assets::Look look;  // palette and color map
   client::Presentation presentation;
   render::Renderer renderer;
+  // Draws the view while `vid_renderer` is gl; null: the CPU draws.
+  std::unique_ptr<GlView> gl_view;
+  // Set if OpenGL failed while a frame was drawn: why. The next frame reports it.
+  std::optional<base::Error> gl_failure;
   // The technique whose stages the renderer has; see HostVariables::technique().
   std::size_t technique = 0;
   // The level that it was checked with (lab::Technique::check_level); null: none yet.
