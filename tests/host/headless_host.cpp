@@ -38,7 +38,12 @@ void HeadlessHost::start(std::vector<std::string> commands,
   window_.set_now(now_s_);
   variables_ = std::make_unique<command::Variables>();
   host_variables_ = std::make_unique<host::HostVariables>(*variables_);
+  const auto open_gl = [this]() -> base::Result<std::unique_ptr<platform::GlContext>> {
+    if (!open_gl_) return base::error(base::ErrorCode::kUnsupported, "OpenGL is missing");
+    return open_gl_();
+  };
   host::Services services{.window = window_,
+                          .open_gl = open_gl,
                           .write_file = write_file,
                           .print_line = [this](std::string_view line) { lines_.emplace_back(line); }};
   host::HostOptions options{.folders = {game_.path(), {}}, .commands = std::move(commands)};

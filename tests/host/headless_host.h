@@ -10,6 +10,7 @@
 #include "command/variables.h"
 #include "host/host.h"
 #include "host/host_variables.h"
+#include "host/video/gl_view.h"
 #include "platform/headless/window.h"
 #include "support/programs/small_game.h"
 
@@ -39,6 +40,9 @@ class HeadlessHost {
   void press(platform::Key key) { window_.put(platform::KeyChange{key, true}); }
   void release(platform::Key key) { window_.put(platform::KeyChange{key, false}); }
 
+  // The source of contexts for vid_renderer gl, from now on. Without it, there is no OpenGL.
+  void set_open_gl(host::OpenGl open_gl) { open_gl_ = std::move(open_gl); }
+
   host::Host& host() { return *host_; }
   host::Session& session();
   // The current demo; null if no demo is playing.
@@ -58,6 +62,7 @@ class HeadlessHost {
   platform::headless::HeadlessWindow window_;
   std::unique_ptr<command::Variables> variables_;
   std::unique_ptr<host::HostVariables> host_variables_;
+  host::OpenGl open_gl_;
   host::HostPointer host_;
   std::vector<std::string> lines_;  // printed to the terminal
   double now_s_ = 100;
