@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "render/color/warped_rows.h"
+#include "render_gl/world/block_shaders.h"
 #include "render_gl/world/world_shaders.h"
 
 namespace temblor::render_gl {
@@ -55,10 +57,6 @@ void set_opacity(const render::FaceOpacity& opacity, TileRecord& io_record) {
   }
 }
 
-GLint find(const Functions& gl, const Program& program, const char* name) {
-  return gl.GetUniformLocation(program.name(), name);
-}
-
 std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const math::Vec3d& z) {
   const math::Vec3 a(x), b(y), c(z);
   return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z};
@@ -66,23 +64,40 @@ std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const m
 
 }  // namespace
 
-WorldPass::WorldPass(const Functions& gl, Program program, BlockAtlas atlas)
-    : program_(std::move(program)),
-      uniforms_{find(gl, program_, "model_axes"),   find(gl, program_, "model_origin"),
-                find(gl, program_, "first_record"), find(gl, program_, "eye"),
-                find(gl, program_, "view_axes"),    find(gl, program_, "projection"),
-                find(gl, program_, "full_range"),   find(gl, program_, "records"),
-                find(gl, program_, "atlas"),        find(gl, program_, "liquid_phase"),
-                find(gl, program_, "sky_scroll"),   find(gl, program_, "fog_density"),
-                find(gl, program_, "fog_color")},
+WorldPass::Shader::Shader(const Functions& gl, Program linked) : program(std::move(linked)) {
+  const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name(), name); };
+  model_axes = find("model_axes");
+  model_origin = find("model_origin");
+  first_record = find("first_record");
+  eye = find("eye");
+  view_axes = find("view_axes");
+  projection = find("projection");
+  full_range = find("full_range");
+  records = find("records");
+  atlas = find("atlas");
+  liquid_phase = find("liquid_phase");
+  sky_scroll = find("sky_scroll");
+  fog_density = find("fog_density");
+  fog_color = find("fog_color");
+}
+
+WorldPass::WorldPass(const Functions& gl, Shader any_face, Shader block, Shader fogged_block,
+                     BlockAtlas atlas)
+    : any_face_(std::move(any_face)),
+      block_(std::move(block)),
+      fogged_block_(std::move(fogged_block)),
       atlas_(std::move(atlas)),
       index_buffer_(make_buffer(gl)) {}
 
 base::Result<WorldPass> WorldPass::make(const Functions& gl, render::PixelFormat format,
                                         std::size_t atlas_bytes) {
-  TRY(Program program, make_program(gl, kWorldVertexShader, kWorldFragmentShader));
+  TRY(Program any_face, make_program(gl, kWorldVertexShader, kWorldFragmentShader));
+  TRY(Program block, make_program(gl, kBlockVertexShader, kBlockFragmentShader));
+  const std::string with_fog = std::string("#define FOG\n") + kBlockFragmentShader;
+  TRY(Program fogged_block, make_program(gl, kBlockVertexShader, with_fog.c_str()));
   TRY(BlockAtlas atlas, BlockAtlas::make(gl, format, atlas_bytes));
-  return WorldPass(gl, std::move(program), std::move(atlas));
+  return WorldPass(gl, Shader(gl, std::move(any_face)), Shader(gl, std::move(block)),
+                   Shader(gl, std::move(fogged_block)), std::move(atlas));
 }
 
 base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
@@ -203,10 +218,17 @@ void WorldPass::set_records(const FrameInput& input) {
 
 void WorldPass::collect_triangles(const Functions& gl, const FrameInput& input) {
   const render::EdgeTable& edges = input.record.edges;
-  for (std::vector<Batch>* batches : {&opaque_, &with_holes_, &translucent_}) batches->clear();
+  for (std::vector<Batch>* batches : {&blocks_, &others_, &with_holes_, &translucent_}) batches->clear();
   indices_.clear();
-  for (std::size_t i = 1; i < edges.first_deferred(); ++i)
-    add_surface(input, base::to_index<render::SurfaceIndex>(i), opaque_);
+  // Batches are consecutive in the list of vertices, so one kind of face comes after the other.
+  const auto has_one_block = [&](const render::ScreenSurface& surface) {
+    return surface.tiles.s == 1 && surface.tiles.t == 1 &&
+           render::has_surface(input.context.level().face(surface.face));
+  };
+  for (const bool of_one_block : {true, false})
+    for (std::size_t i = 1; i < edges.first_deferred(); ++i)
+      if (has_one_block(edges.surfaces[i]) == of_one_block)
+        add_surface(input, base::to_index<render::SurfaceIndex>(i), of_one_block ? blocks_ : others_);
   for (const render::DeferredFace& face : input.order.faces.opaque)
     add_surface(input, face.surface, with_holes_);
   for (const render::DeferredFace& face : input.order.faces.translucent) {
@@ -247,61 +269,66 @@ void WorldPass::add_surface(const FrameInput& input, render::SurfaceIndex number
   io_batches.back().index_count = indices_.size() - io_batches.back().first_index;
 }
 
-void WorldPass::begin_draw(const Functions& gl, const FrameInput& input) const {
+void WorldPass::begin_draw(const Functions& gl, const FrameInput& input, const Shader& shader) const {
   const render::ViewFrame& view = input.record.view;
   const render::Fog& fog = input.scene().fog;
-  gl.UseProgram(program_.name());
+  gl.UseProgram(shader.program.name());
   gl.ActiveTexture(GL_TEXTURE0 + kRecordsUnit);
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
   gl.ActiveTexture(GL_TEXTURE0 + kAtlasUnit);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, atlas_.texture());
-  gl.Uniform1i(uniforms_.records, kRecordsUnit);
-  gl.Uniform1i(uniforms_.atlas, kAtlasUnit);
+  gl.Uniform1i(shader.records, kRecordsUnit);
+  gl.Uniform1i(shader.atlas, kAtlasUnit);
   const math::Vec3 eye(view.eye_world);
-  gl.Uniform3f(uniforms_.eye, eye.x, eye.y, eye.z);
+  gl.Uniform3f(shader.eye, eye.x, eye.y, eye.z);
   const std::array<float, 9> axes = columns(view.axes.right, view.axes.up, view.axes.forward);
-  gl.UniformMatrix3fv(uniforms_.view_axes, 1, GL_TRUE, axes.data());
-  gl.Uniform4f(uniforms_.projection, static_cast<float>(2 * view.pixels_per_unit / view.width),
+  gl.UniformMatrix3fv(shader.view_axes, 1, GL_TRUE, axes.data());
+  gl.Uniform4f(shader.projection, static_cast<float>(2 * view.pixels_per_unit / view.width),
                static_cast<float>(2 * view.pixels_per_unit / view.height), static_cast<float>(view.near_z),
                view.perspective ? 1.0f : 0.0f);
-  gl.Uniform1i(uniforms_.full_range, gl.ClipControl == nullptr);
+  gl.Uniform1i(shader.full_range, gl.ClipControl == nullptr);
   const double time_s = input.scene().time_s;
-  gl.Uniform1f(uniforms_.liquid_phase, static_cast<float>(render::compute_turbulence_phase(time_s)));
+  gl.Uniform1f(shader.liquid_phase, static_cast<float>(render::compute_turbulence_phase(time_s)));
   // Stock Quake's speeds. After 64 layers, every layer is where it began.
   constexpr double kPeriod_texels = 128 * 64, kClouds_texels_s = 16, kBackground_texels_s = 8;
-  gl.Uniform2f(uniforms_.sky_scroll, static_cast<float>(std::fmod(time_s * kClouds_texels_s, kPeriod_texels)),
+  gl.Uniform2f(shader.sky_scroll, static_cast<float>(std::fmod(time_s * kClouds_texels_s, kPeriod_texels)),
                static_cast<float>(std::fmod(time_s * kBackground_texels_s, kPeriod_texels)));
-  gl.Uniform1f(uniforms_.fog_density, view.perspective ? fog.density : 0.0f);
-  gl.Uniform3f(uniforms_.fog_color, fog.color.z, fog.color.y, fog.color.x);
+  gl.Uniform1f(shader.fog_density, view.perspective ? fog.density : 0.0f);
+  gl.Uniform3f(shader.fog_color, fog.color.z, fog.color.y, fog.color.x);
   gl.BindVertexArray(mesh_.vertex_array());
 }
 
-void WorldPass::draw_batch(const Functions& gl, const FrameInput& input, const Batch& batch) const {
+void WorldPass::draw_batch(const Functions& gl, const FrameInput& input, const Shader& shader,
+                           const Batch& batch) const {
   if (batch.index_count == 0) return;
   const render::ModelView& model = input.record.edges.model_views[batch.instance];
   const std::array<float, 9> axes = columns(model.x_axis, model.y_axis, model.z_axis);
   const math::Vec3 origin(model.origin_world);
-  gl.UniformMatrix3fv(uniforms_.model_axes, 1, GL_FALSE, axes.data());
-  gl.Uniform3f(uniforms_.model_origin, origin.x, origin.y, origin.z);
-  gl.Uniform1ui(uniforms_.first_record, record_offset_[batch.instance]);
+  gl.UniformMatrix3fv(shader.model_axes, 1, GL_FALSE, axes.data());
+  gl.Uniform3f(shader.model_origin, origin.x, origin.y, origin.z);
+  gl.Uniform1ui(shader.first_record, record_offset_[batch.instance]);
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.index_count), GL_UNSIGNED_INT,
                   reinterpret_cast<const void*>(batch.first_index * sizeof(std::uint32_t)));
 }
 
 void WorldPass::draw_opaque(const Functions& gl, const FrameInput& input) const {
-  begin_draw(gl, input);
-  for (const std::vector<Batch>* batches : {&opaque_, &with_holes_})
-    for (const Batch& batch : *batches) draw_batch(gl, input, batch);
+  const Shader& block =
+      input.record.view.perspective && input.scene().fog.density > 0 ? fogged_block_ : block_;
+  begin_draw(gl, input, block);
+  for (const Batch& batch : blocks_) draw_batch(gl, input, block, batch);
+  begin_draw(gl, input, any_face_);
+  for (const std::vector<Batch>* batches : {&others_, &with_holes_})
+    for (const Batch& batch : *batches) draw_batch(gl, input, any_face_, batch);
   gl.BindVertexArray(0);
 }
 
 void WorldPass::draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t face) const {
-  begin_draw(gl, input);
+  begin_draw(gl, input, any_face_);
   const bool is_additive = input.order.faces.translucent[face].opacity.is_additive;
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_SRC_ALPHA, is_additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
   gl.DepthMask(GL_FALSE);
-  draw_batch(gl, input, translucent_[face]);
+  draw_batch(gl, input, any_face_, translucent_[face]);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   gl.BindVertexArray(0);

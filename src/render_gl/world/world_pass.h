@@ -52,13 +52,15 @@ class WorldPass {
     std::uint32_t instance;
     std::size_t first_index, index_count;
   };
-  // Locations of the shader's variables.
-  struct Uniforms {
+  // A program, and the locations of its variables; -1 for those that it lacks.
+  struct Shader {
+    Shader(const Functions& gl, Program linked);
+    Program program;
     GLint model_axes, model_origin, first_record, eye, view_axes, projection, full_range;
     GLint records, atlas, liquid_phase, sky_scroll, fog_density, fog_color;
   };
 
-  WorldPass(const Functions& gl, Program program, BlockAtlas atlas);
+  WorldPass(const Functions& gl, Shader any_face, Shader block, Shader fogged_block, BlockAtlas atlas);
   base::Status set_level(const Functions& gl, const FrameInput& input);
   base::Status number_instances(const Functions& gl, const FrameInput& input);
   bool place_images(const Functions& gl, const FrameInput& input);
@@ -66,11 +68,12 @@ class WorldPass {
   void set_records(const FrameInput& input);
   void collect_triangles(const Functions& gl, const FrameInput& input);
   void add_surface(const FrameInput& input, render::SurfaceIndex surface, std::vector<Batch>& io_batches);
-  void begin_draw(const Functions& gl, const FrameInput& input) const;
-  void draw_batch(const Functions& gl, const FrameInput& input, const Batch& batch) const;
+  void begin_draw(const Functions& gl, const FrameInput& input, const Shader& shader) const;
+  void draw_batch(const Functions& gl, const FrameInput& input, const Shader& shader,
+                  const Batch& batch) const;
 
-  Program program_;
-  Uniforms uniforms_;
+  // For faces of all kinds, and for those that show one surface block, without and with fog.
+  Shader any_face_, block_, fogged_block_;
   BlockAtlas atlas_;
   TileTable table_;
   std::shared_ptr<const world::LevelIdentity> level_;
@@ -82,7 +85,7 @@ class WorldPass {
   // The vertices of the frame's triangles, in batches: opaque faces, faces with holes, and one batch
   // for each translucent face.
   std::vector<std::uint32_t> indices_;
-  std::vector<Batch> opaque_, with_holes_, translucent_;
+  std::vector<Batch> blocks_, others_, with_holes_, translucent_;
 };
 
 }  // namespace temblor::render_gl

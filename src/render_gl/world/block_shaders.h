@@ -1,0 +1,67 @@
+// The shaders that draw most of a level: faces with one tile, which show its surface block. Graphics cards
+// without hardware (llvmpipe) run all branches of a shader, so these have none; the other faces are drawn by
+// those of world_shaders.h.
+#pragma once
+
+namespace temblor::render_gl {
+
+inline constexpr const char* kBlockVertexShader = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 texel;
+layout(location = 2) in uvec2 tiles;  // the first tile; columns | rows << 16
+
+uniform usampler2D records;
+uniform mat3 model_axes;    // columns: the model's axes in the world
+uniform vec3 model_origin;
+uniform uint first_record;  // of the model's tiles, less that of the world's tiles
+uniform vec3 eye;
+uniform mat3 view_axes;     // from the world to right, up, forward
+uniform vec4 projection;    // scale of x and y; near plane; 1 for perspective, 0 for parallel projection
+uniform bool full_range;    // depth of the clip space begins at -1, not at 0
+
+out vec2 block_texel;
+flat out ivec4 place;  // x, y in the atlas; the last texel of the block
+flat out int layer;
+
+// Units that depth covers in parallel projection.
+const float kDepthRange = 262144.0;
+
+void main() {
+  bool perspective = projection.w > 0.5;
+  vec3 at = view_axes * (model_axes * position + (model_origin - eye));
+  float w = perspective ? at.z : 1.0;
+  // Over w: 1 at the near plane, and less behind it.
+  float depth = perspective ? projection.z : 1.0 - (at.z - projection.z) / kDepthRange;
+  gl_Position = vec4(at.x * projection.x, -at.y * projection.y, full_range ? 2.0 * depth - w : depth, w);
+  uint number = tiles.x + first_record;
+  ivec2 record = ivec2(number % 512u * 2u, number / 512u);
+  uvec4 image = texelFetch(records, record, 0);
+  vec4 mapping = uintBitsToFloat(texelFetch(records, record + ivec2(1, 0), 0));
+  block_texel = (texel + mapping.xy) * mapping.zw;
+  place = ivec4(image.x & 0xffffu, image.x >> 16, (image.y & 0xffffu) - 1u, (image.y >> 16) - 1u);
+  layer = int(image.z & 0xffffu);
+}
+)";
+
+// With FOG defined, it adds fog.
+inline constexpr const char* kBlockFragmentShader = R"(
+uniform sampler2DArray atlas;
+uniform float fog_density;
+uniform vec3 fog_color;
+
+in vec2 block_texel;
+flat in ivec4 place;
+flat in int layer;
+out vec4 color;
+
+void main() {
+  ivec2 at = clamp(ivec2(floor(block_texel)), ivec2(0), place.zw);
+  color = vec4(texelFetch(atlas, ivec3(place.xy + at, layer), 0).rgb, 1.0);
+#ifdef FOG
+  float thickness = fog_density / (64.0 * gl_FragCoord.w);
+  color.rgb = mix(color.rgb, fog_color, 1.0 - exp(-thickness * thickness));
+#endif
+}
+)";
+
+}  // namespace temblor::render_gl
