@@ -9,21 +9,26 @@ if [ -n "${TEMBLOR_QUICK_PACKAGES:-}" ]; then preset=0 deb_type=gzip; fi
 cd "$(dirname "$0")/../build/release"
 
 # compress TAR: writes the archive as xz to the output. cpack can only compress with a window of 8 MB. xz compresses better
-# with a window that covers the archive, because levels share their textures, and with a filter for machine code. The
-# sounds, which lie together, are a stream of their own with filters for two-byte samples.
+# with a window that covers the archive, because levels share their textures, and with a filter for machine code. Sounds and
+# models lie together in folders of their own. Each folder is a stream, with filters for samples of two bytes, and for
+# vertices of four.
 compress() {
-  local tar=$1 sound_begin sound_end
-  # In blocks of 512 bytes; 0 without sounds.
-  read -r sound_begin sound_end < <(tar -tRf "$tar" | awk '
-    /\/sound\// { if (!begin) begin = $2 + 0; is_sound = 1; next }
-    is_sound { end = $2 + 0; is_sound = 0 }
-    END { print begin + 0, end + 0 }')
-  if [ "$sound_end" -gt 0 ]; then
-    dd if="$tar" count="$sound_begin" status=none | xz --x86 --lzma2="preset=$preset"
-    dd if="$tar" skip="$sound_begin" count=$((sound_end - sound_begin)) status=none |
-      xz --delta=dist=2 --lzma2="preset=$preset,lp=1,pb=1"
-  fi
-  dd if="$tar" skip="$sound_end" status=none | xz --x86 --lzma2="preset=$preset"
+  local tar=$1 begin kind end options
+  # Where a kind of file begins, in blocks of 512 bytes, and the end of the archive.
+  mapfile -t parts < <(tar -tRf "$tar" | awk '
+    { kind = /\/sound\// ? "sound" : /\/progs\// ? "progs" : "other" }
+    kind != last { print $2 + 0, kind; last = kind }')
+  parts+=("$(($(stat -c %s "$tar") / 512)) end")
+  for ((i = 0; i + 1 < ${#parts[@]}; ++i)); do
+    read -r begin kind <<<"${parts[i]}"
+    read -r end _ <<<"${parts[i + 1]}"
+    case "$kind" in
+      sound) options=(--delta=dist=2 --lzma2="preset=$preset,lp=1,pb=1") ;;
+      progs) options=(--delta=dist=4 --lzma2="preset=$preset,lc=1,lp=2") ;;
+      *) options=(--x86 --lzma2="preset=$preset,lc=4") ;;
+    esac
+    dd if="$tar" bs=512 skip="$begin" count=$((end - begin)) status=none | xz "${options[@]}"
+  done
 }
 
 # make_archive NAME PART: writes NAME-VERSION.tar.xz. The archives contain the same top folder, so cpack gives them the
