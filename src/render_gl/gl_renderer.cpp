@@ -4,6 +4,7 @@
 #include "render/frame/resolve_settings.h"
 #include "render/frame/stage_clock.h"
 #include "render_gl/frame/target.h"
+#include "render_gl/models/alias_pass.h"
 #include "render_gl/world/world_pass.h"
 
 namespace temblor::render_gl {
@@ -22,6 +23,7 @@ struct GlRenderer::State {
   const Functions gl;
   render::FrameCaches caches;
   std::optional<WorldPass> world;
+  std::optional<AliasPass> models;
   Target target;
 };
 
@@ -36,6 +38,7 @@ base::Result<GlRenderer> GlRenderer::make(const std::function<void*(const char* 
   TRY(const Functions functions, load_functions(find_function));
   auto state = std::make_unique<State>(functions, render::make_color_tables(palette, colormap));
   TRY(state->world, WorldPass::make(state->gl, render::PixelFormat::kRgb, kAtlasBytes));
+  TRY(state->models, AliasPass::make(state->gl, state->caches.colors));
   return GlRenderer(std::move(state));
 }
 
@@ -84,9 +87,12 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
   TRY_STATUS(state_->world->prepare(gl, input));
   state_->target.begin(gl, caches.colors.rgb[0]);
   state_->world->draw_opaque(gl, input);
-  for (const render::TranslucentLayer& layer : order.layers)
+  TRY_STATUS(state_->models->draw_opaque(gl, input));
+  for (const render::TranslucentLayer& layer : order.layers) {
     if (layer.kind == render::TranslucentLayer::Kind::kFace)
       state_->world->draw_translucent(gl, input, layer.number);
+    TRY_STATUS(state_->models->draw_translucent(gl, input, layer, state_->target));
+  }
   TRY_STATUS(state_->target.read(gl, io_frame.rgb()));
   return render::collect_frame_stats(record, scene);
 }

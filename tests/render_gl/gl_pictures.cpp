@@ -12,14 +12,6 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 480;
 
-int largest_difference(std::uint32_t a, std::uint32_t b) {
-  int largest = 0;
-  for (int shift = 0; shift < 24; shift += 8)
-    largest =
-        std::max(largest, std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)));
-  return largest;
-}
-
 // Gray where the pictures are equal, red where they differ.
 render::FrameBuffer make_difference(const render::FrameBuffer& a, const render::FrameBuffer& b) {
   render::FrameBuffer out(a.width(), a.height(), render::PixelFormat::kRgb);
@@ -32,6 +24,14 @@ render::FrameBuffer make_difference(const render::FrameBuffer& a, const render::
 }
 
 }  // namespace
+
+int largest_difference(std::uint32_t a, std::uint32_t b) {
+  int largest = 0;
+  for (int shift = 0; shift < 24; shift += 8)
+    largest =
+        std::max(largest, std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)));
+  return largest;
+}
 
 double equal_share(const render::FrameBuffer& a, const render::FrameBuffer& b, int tolerance) {
   std::size_t equal = 0;
@@ -47,11 +47,14 @@ RendererPair::RendererPair(const test::DrawableLevel& look)
       cpu_frame_(kWidth, kHeight, render::PixelFormat::kRgb),
       gl_frame_(kWidth, kHeight, render::PixelFormat::kRgb) {}
 
-base::Result<std::unique_ptr<RendererPair>> RendererPair::make(const test::DrawableLevel& look) {
+base::Result<std::unique_ptr<RendererPair>> RendererPair::make(const test::DrawableLevel& look,
+                                                               ClipControl clip_control) {
   std::unique_ptr<RendererPair> pair(new RendererPair(look));
   TRY(pair->context_, platform::egl::make_offscreen_context());
-  const auto find = [context = pair->context_.get()](const char* name) {
-    return context->find_function(name);
+  const auto find = [context = pair->context_.get(), clip_control](const char* name) -> void* {
+    const bool is_hidden =
+        clip_control == ClipControl::kNo && std::string_view(name).starts_with("glClipControl");
+    return is_hidden ? nullptr : context->find_function(name);
   };
   TRY(pair->gl_, GlRenderer::make(find, look.palette, look.colormap));
   return pair;

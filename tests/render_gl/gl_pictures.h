@@ -10,11 +10,15 @@
 
 namespace temblor::render_gl {
 
+// Whether the renderer may use glClipControl, which many drivers lack.
+enum class ClipControl { kIfSupported, kNo };
+
 // Both renderers for one palette, and the context of the second.
 class RendererPair {
  public:
   // Fails on machines without OpenGL.
-  static base::Result<std::unique_ptr<RendererPair>> make(const test::DrawableLevel& look);
+  static base::Result<std::unique_ptr<RendererPair>> make(
+      const test::DrawableLevel& look, ClipControl clip_control = ClipControl::kIfSupported);
 
   // Draws the scene with both, and returns the share of pixels whose channels differ by at most `tolerance`.
   // CHECKs that the card draws. Writes the pictures and their difference if the test run asks for pictures.
@@ -36,13 +40,17 @@ class RendererPair {
   render::FrameBuffer cpu_frame_, gl_frame_;
 };
 
+// The largest difference of two colors' channels.
+int largest_difference(std::uint32_t a, std::uint32_t b);
+
 // The share of pixels whose channels differ by at most `tolerance`.
 double equal_share(const render::FrameBuffer& a, const render::FrameBuffer& b, int tolerance);
 
 }  // namespace temblor::render_gl
 
-// Declares `variable` as the pair, or skips the test with the driver's message.
-#define RENDERER_PAIR_OR_SKIP(variable, look)                                                   \
-  const auto variable##_result = ::temblor::render_gl::RendererPair::make(look);                \
+// Declares `variable` as the pair that RendererPair::make returns, or skips the test with the driver's
+// message.
+#define RENDERER_PAIR_OR_SKIP(variable, ...)                                                    \
+  const auto variable##_result = ::temblor::render_gl::RendererPair::make(__VA_ARGS__);         \
   if (!variable##_result.ok()) GTEST_SKIP() << "no OpenGL: " << variable##_result.error().what; \
   ::temblor::render_gl::RendererPair& variable = **variable##_result

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,12 +39,17 @@ struct PoseRows {
 using PoseBytes = PoseRows<std::uint8_t>;
 using WidePose = PoseRows<std::uint16_t>;
 
+// Distinguishes models, as LevelIdentity does levels: a cache that keeps a copy of a model's identity pointer
+// never confuses the model with a later one at the same address. Once only caches keep it, the model is gone.
+struct AliasIdentity {};
+
 // The mesh with its poses and skins. A vertex's position in model space is elements * scale + origin. Poses
 // are bytes if the model was an MDL file, and otherwise have 16 bits.
 struct AliasModel {
   // Row lengths are multiples of this: kernels process so many vertices at once. The last vertex is repeated.
   static constexpr std::size_t kRowMultiple = 16;
 
+  std::shared_ptr<const AliasIdentity> identity = std::make_shared<const AliasIdentity>();
   std::string name;
   std::uint32_t flags = 0;  // formats::MdlFlags
   bool random_phase = false;

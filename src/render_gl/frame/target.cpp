@@ -28,8 +28,7 @@ base::Result<Target> Target::make(const Functions& gl, int width, int height) {
 // Larger depth is nearer, as on the CPU.
 void Target::begin(const Functions& gl, std::uint32_t background) const {
   const auto channel = [&](int shift) { return static_cast<float>(background >> shift & 255) / 255.0f; };
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  gl.Viewport(0, 0, width_, height_);
+  bind(gl);
   gl.ClearColor(channel(0), channel(8), channel(16), 1);
   gl.ClearDepthf(0);
   gl.Disable(GL_CULL_FACE);
@@ -37,8 +36,14 @@ void Target::begin(const Functions& gl, std::uint32_t background) const {
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
   gl.DepthFunc(GL_GREATER);
+  gl.DepthRangef(0, kWorldDepthEnd);
   if (gl.ClipControl != nullptr) gl.ClipControl(GL_LOWER_LEFT_EXT, GL_ZERO_TO_ONE_EXT);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Target::bind(const Functions& gl) const {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  gl.Viewport(0, 0, width_, height_);
 }
 
 base::Status Target::read(const Functions& gl, std::span<std::uint32_t> out_pixels) const {

@@ -9,6 +9,10 @@
 
 namespace temblor::render_gl {
 
+// Everything is drawn to depths from 0 to kWorldDepthEnd; the view weapon, which nothing hides, to larger
+// ones.
+constexpr float kWorldDepthEnd = 0.5f;
+
 class Target {
  public:
   Target() = default;  // 0 x 0 pixels
@@ -19,6 +23,10 @@ class Target {
   int height() const { return height_; }
   // Draws into this target from now on, over `background` (0xffRRGGBB), with nothing in front of it.
   void begin(const Functions& gl, std::uint32_t background) const;
+  // Draws into this target from now on, over what it shows.
+  void bind(const Functions& gl) const;
+  GLuint color_texture() const { return color_.name(); }
+  GLuint depth_texture() const { return depth_.name(); }
   // Waits for the card and copies the picture: width * height pixels, 0xffRRGGBB.
   base::Status read(const Functions& gl, std::span<std::uint32_t> out_pixels) const;
 

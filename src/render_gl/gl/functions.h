@@ -27,6 +27,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLBINDTEXTUREPROC, BindTexture)                         \
   X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                 \
   X(PFNGLBLENDFUNCPROC, BlendFunc)                             \
+  X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate)             \
   X(PFNGLBUFFERDATAPROC, BufferData)                           \
   X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)   \
   X(PFNGLCLEARPROC, Clear)                                     \
@@ -44,6 +45,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)           \
   X(PFNGLDEPTHFUNCPROC, DepthFunc)                             \
   X(PFNGLDEPTHMASKPROC, DepthMask)                             \
+  X(PFNGLDEPTHRANGEFPROC, DepthRangef)                         \
   X(PFNGLDISABLEPROC, Disable)                                 \
   X(PFNGLDRAWARRAYSPROC, DrawArrays)                           \
   X(PFNGLDRAWELEMENTSPROC, DrawElements)                       \
@@ -66,6 +68,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLLINKPROGRAMPROC, LinkProgram)                         \
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                         \
   X(PFNGLREADPIXELSPROC, ReadPixels)                           \
+  X(PFNGLSCISSORPROC, Scissor)                                 \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                       \
   X(PFNGLTEXPARAMETERIPROC, TexParameteri)                     \
   X(PFNGLTEXSTORAGE2DPROC, TexStorage2D)                       \
@@ -78,6 +81,8 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLUNIFORM2FPROC, Uniform2f)                             \
   X(PFNGLUNIFORM3FPROC, Uniform3f)                             \
   X(PFNGLUNIFORM4FPROC, Uniform4f)                             \
+  X(PFNGLUNIFORM4FVPROC, Uniform4fv)                           \
+  X(PFNGLUNIFORM4IPROC, Uniform4i)                             \
   X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)               \
   X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)               \
   X(PFNGLUSEPROGRAMPROC, UseProgram)                           \

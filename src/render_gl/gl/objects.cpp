@@ -16,7 +16,8 @@ const char* shader_head(const Functions& gl) {
   if (!text.starts_with("OpenGL ES")) return "#version 330 core\n";
   return "#version 300 es\n"
          "precision highp float;\nprecision highp int;\n"
-         "precision highp sampler2D;\nprecision highp sampler2DArray;\nprecision highp usampler2D;\n";
+         "precision highp sampler2D;\nprecision highp sampler2DArray;\n"
+         "precision highp usampler2D;\nprecision highp usampler2DArray;\n";
 }
 
 // The first line that a driver reports, without the end of the line.

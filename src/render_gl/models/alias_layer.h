@@ -1,0 +1,34 @@
+// Blends translucent models into the picture, as the CPU does: a model is drawn alone, as if opaque, into a
+// picture of its own, and then each of its pixels that is in front is blended once. So hidden parts of the
+// model do not show through its front, and the depth of the picture stays.
+#pragma once
+
+#include "render_gl/frame/target.h"
+
+namespace temblor::render_gl {
+
+// A rectangle of the picture, in pixels from its first row and column.
+struct PixelRect {
+  int x, y, width, height;
+};
+
+class AliasLayer {
+ public:
+  static base::Result<AliasLayer> make(const Functions& gl);
+
+  // Until end(), drawing goes to a clear picture of the target's size, inside `rect` only. Fails if the card
+  // lacks memory for that picture.
+  base::Status begin(const Functions& gl, const Target& target, const PixelRect& rect);
+  // Blends what was drawn since begin() into the target, which is drawn to from then on. `opacity`: 0 to 1.
+  void end(const Functions& gl, const Target& target, float opacity) const;
+
+ private:
+  AliasLayer(const Functions& gl, Program program);
+
+  Program program_;
+  GLint colors_, depths_, opacity_;
+  VertexArray no_vertices_;
+  Target picture_;
+};
+
+}  // namespace temblor::render_gl

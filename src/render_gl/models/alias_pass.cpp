@@ -1,0 +1,136 @@
+#include "render_gl/models/alias_pass.h"
+
+#include "render/alias/draw_alias_models.h"
+#include "render/alias/light_alias.h"
+#include "render/alias/prepare_alias.h"
+#include "render_gl/models/alias_shaders.h"
+
+namespace temblor::render_gl {
+
+namespace {
+
+constexpr GLint kSkinsUnit = 0, kPalettesUnit = 1;
+
+bool is_weapon(const render::AliasPlacement& placement) {
+  return placement.depth_scale == render::kWeaponDepthScale;
+}
+
+}  // namespace
+
+AliasPass::AliasPass(const Functions& gl, Program program, PlayerPalettes palettes, AliasLayer layer)
+    : program_(std::move(program)), palettes_(std::move(palettes)), layer_(std::move(layer)) {
+  const auto find = [&](const char* name) { return gl.GetUniformLocation(program_.name(), name); };
+  uniforms_ = {find("to_view"),    find("pose_blend"), find("lights"),      find("projection"),
+               find("full_range"), find("skins"),      find("palettes"),    find("skin"),
+               find("palette"),    find("tint"),       find("fog_density"), find("fog_color")};
+}
+
+base::Result<AliasPass> AliasPass::make(const Functions& gl, const render::ColorTables& colors) {
+  TRY(Program program, make_program(gl, kAliasVertexShader, kAliasFragmentShader));
+  TRY(PlayerPalettes palettes, PlayerPalettes::make(gl, colors));
+  TRY(AliasLayer layer, AliasLayer::make(gl));
+  return AliasPass(gl, std::move(program), std::move(palettes), std::move(layer));
+}
+
+base::Status AliasPass::draw_opaque(const Functions& gl, const FrameInput& input) {
+  models_.begin_frame();
+  if (!input.sources.fill_depth) return base::Ok{};
+  const std::span<const render::AliasPlacement> placements =
+      render::place_alias_models(input.scene(), input.record.view, input.context.arena());
+  if (placements.empty()) return base::Ok{};
+  begin_draw(gl, input);
+  for (const render::AliasPlacement& placement : placements) {
+    TRY(const CardModel* const model, models_.find(gl, *placement.instance->model));
+    draw(gl, input, placement, *model);
+  }
+  end_draw(gl);
+  return base::Ok{};
+}
+
+base::Status AliasPass::draw_translucent(const Functions& gl, const FrameInput& input,
+                                         const render::TranslucentLayer& layer, const Target& target) {
+  using Kind = render::TranslucentLayer::Kind;
+  if (layer.kind != Kind::kAlias && layer.kind != Kind::kViewWeapon) return base::Ok{};
+  const bool is_weapon_layer = layer.kind == Kind::kViewWeapon;
+  const render::AliasInstance& instance =
+      is_weapon_layer ? *input.scene().view_weapon : input.scene().alias_models[layer.number];
+  if (instance.model == nullptr) return base::Ok{};
+  const auto placement =
+      render::place_alias(input.record.view, instance,
+                          is_weapon_layer ? render::AliasRole::kViewWeapon : render::AliasRole::kWorld);
+  if (!placement || placement->first_row >= placement->row_end ||
+      placement->first_column >= placement->column_end)
+    return base::Ok{};
+  TRY(const CardModel* const model, models_.find(gl, *instance.model));
+  TRY_STATUS(layer_.begin(
+      gl, target,
+      {placement->first_column, placement->first_row, placement->column_end - placement->first_column,
+       placement->row_end - placement->first_row}));
+  begin_draw(gl, input);
+  draw(gl, input, *placement, *model);
+  end_draw(gl);
+  layer_.end(gl, target, static_cast<float>(render::opacity_256(instance.alpha)) / float{render::kOpaque256});
+  return base::Ok{};
+}
+
+// Sets what all instances share. If two triangles have equal depth, the later one shows, as on the CPU.
+void AliasPass::begin_draw(const Functions& gl, const FrameInput& input) const {
+  gl.UseProgram(program_.name());
+  gl.ActiveTexture(GL_TEXTURE0 + kPalettesUnit);
+  gl.BindTexture(GL_TEXTURE_2D, palettes_.texture());
+  gl.ActiveTexture(GL_TEXTURE0 + kSkinsUnit);
+  gl.Uniform1i(uniforms_.skins, kSkinsUnit);
+  gl.Uniform1i(uniforms_.palettes, kPalettesUnit);
+  gl.Uniform1i(uniforms_.full_range, gl.ClipControl == nullptr);
+  const math::Vec3& fog_color = input.scene().fog.color;
+  gl.Uniform3f(uniforms_.fog_color, fog_color.z, fog_color.y, fog_color.x);
+  gl.Enable(GL_CULL_FACE);
+  gl.DepthFunc(GL_GEQUAL);
+}
+
+void AliasPass::end_draw(const Functions& gl) const {
+  gl.BindVertexArray(0);
+  gl.DepthRangef(0, kWorldDepthEnd);
+  gl.DepthFunc(GL_GREATER);
+  gl.Disable(GL_CULL_FACE);
+}
+
+void AliasPass::draw(const Functions& gl, const FrameInput& input, const render::AliasPlacement& placement,
+                     const CardModel& model) const {
+  const render::AliasInstance& instance = *placement.instance;
+  set_vertex_uniforms(gl, input, placement);
+  set_light(gl, input, placement);
+  gl.BindTexture(GL_TEXTURE_2D_ARRAY, model.skin_texture());
+  const SkinPlace skin = model.skin_place(instance.skin);
+  gl.Uniform4i(uniforms_.skin, skin.first_row, skin.layer, skin.width, skin.height);
+  gl.Uniform1i(uniforms_.palette, PlayerPalettes::row(instance.colors));
+  model.draw(gl, instance.from_pose, instance.to_pose);
+}
+
+// The view weapon's depth is multiplied by a factor on the CPU, which also makes its fog thin.
+void AliasPass::set_vertex_uniforms(const Functions& gl, const FrameInput& input,
+                                    const render::AliasPlacement& placement) const {
+  const render::ViewFrame& view = input.record.view;
+  const render::VertexJob job = render::make_pose_job<std::uint8_t>(input.context, view, placement);
+  gl.Uniform4fv(uniforms_.to_view, 3, &job.to_view[0][0]);
+  gl.Uniform1f(uniforms_.pose_blend, job.blend);
+  gl.Uniform4f(uniforms_.projection, 2 * job.pixels_per_unit / static_cast<float>(view.width),
+               2 * job.pixels_per_unit / static_cast<float>(view.height), job.near_z,
+               job.perspective ? 1.0f : 0.0f);
+  gl.Uniform1f(uniforms_.fog_density, input.scene().fog.density / job.depth_scale);
+  if (is_weapon(placement))
+    gl.DepthRangef(kWorldDepthEnd, 1);
+  else
+    gl.DepthRangef(0, kWorldDepthEnd);
+}
+
+void AliasPass::set_light(const Functions& gl, const FrameInput& input,
+                          const render::AliasPlacement& placement) const {
+  constexpr auto kFormat = render::PixelFormat::kRgb;
+  const render::AliasLight light = render::choose_light(input.context, *placement.instance);
+  const render::NormalLights lights = render::light_normals(light, placement, kFormat);
+  gl.Uniform4fv(uniforms_.lights, static_cast<GLsizei>(lights.size() / 4), lights.data());
+  gl.Uniform3f(uniforms_.tint, light.color.z, light.color.y, light.color.x);
+}
+
+}  // namespace temblor::render_gl

@@ -1,0 +1,56 @@
+// Draws alias models. The CPU places and lights instances, by the stages of the CPU renderer; the graphics
+// card blends poses, transforms vertices, and draws pixels. One draw call per instance.
+//
+//   place_alias, choose_light, light_normals -> uniforms         -> shaders -> target
+//   ModelCache -> CardModel                  -> vertices, skins             or AliasLayer -> target
+#pragma once
+
+#include <span>
+
+#include "render/alias/place_alias.h"
+#include "render_gl/models/alias_layer.h"
+#include "render_gl/models/model_cache.h"
+#include "render_gl/models/player_palettes.h"
+#include "render_gl/world/world_pass.h"
+
+namespace temblor::render_gl {
+
+class AliasPass {
+ public:
+  static base::Result<AliasPass> make(const Functions& gl, const render::ColorTables& colors);
+
+  // Draws the instances of the scene that are opaque, and the view weapon, after the opaque faces. Fails if
+  // the card lacks memory for a model.
+  base::Status draw_opaque(const Functions& gl, const FrameInput& input);
+  // Draws a layer of the translucent order; nothing, unless it is a model or the view weapon. `target` is the
+  // one that is drawn to. Fails like draw_opaque.
+  base::Status draw_translucent(const Functions& gl, const FrameInput& input,
+                                const render::TranslucentLayer& layer, const Target& target);
+
+  // Models on the card.
+  std::size_t model_count() const { return models_.size(); }
+
+ private:
+  // Locations of the shader's variables.
+  struct Uniforms {
+    GLint to_view, pose_blend, lights, projection, full_range;
+    GLint skins, palettes, skin, palette, tint, fog_density, fog_color;
+  };
+
+  AliasPass(const Functions& gl, Program program, PlayerPalettes palettes, AliasLayer layer);
+  void begin_draw(const Functions& gl, const FrameInput& input) const;
+  void end_draw(const Functions& gl) const;
+  void draw(const Functions& gl, const FrameInput& input, const render::AliasPlacement& placement,
+            const CardModel& model) const;
+  void set_vertex_uniforms(const Functions& gl, const FrameInput& input,
+                           const render::AliasPlacement& placement) const;
+  void set_light(const Functions& gl, const FrameInput& input, const render::AliasPlacement& placement) const;
+
+  Program program_;
+  Uniforms uniforms_;
+  PlayerPalettes palettes_;
+  AliasLayer layer_;
+  ModelCache models_;
+};
+
+}  // namespace temblor::render_gl
