@@ -94,7 +94,9 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
     TRY_STATUS(state_->models->draw_translucent(gl, input, layer, state_->target));
   }
   TRY_STATUS(state_->target.read(gl, io_frame.rgb()));
-  return render::collect_frame_stats(record, scene);
+  render::FrameStats stats = render::collect_frame_stats(record, scene);
+  state_->models->count(stats);
+  return stats;
 }
 
 std::string GlRenderer::describe() const {

@@ -243,5 +243,22 @@ TEST(GlModels, AreLeftOutWithoutDepth) {
                       });
 }
 
+TEST(GlModels, AreCountedAsOnTheCpu) {
+  const ModelTest test;
+  RENDERER_PAIR_OR_SKIP(pair, test.drawable);
+  render::Renderer cpu(test.drawable.palette, test.drawable.colormap);
+  render::FrameBuffer frame(160, 100, render::PixelFormat::kRgb);
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    test::Random random(seed);
+    ModelScene scene = random_scene(test.models, *test.drawable.level, 10, random);
+    scene.instances.front().alpha = 0.5f;
+    const render::FrameStats expected = cpu.render(scene.scene(*test.drawable.level), {}, frame);
+    const render::FrameStats drawn = pair.gl().render(scene.scene(*test.drawable.level), {}, frame).value();
+    EXPECT_GT(drawn.models, 0u);
+    EXPECT_EQ(drawn.models, expected.models);
+    EXPECT_EQ(drawn.triangles, expected.triangles);
+  }
+}
+
 }  // namespace
 }  // namespace temblor::render_gl

@@ -34,6 +34,7 @@ base::Result<AliasPass> AliasPass::make(const Functions& gl, const render::Color
 
 base::Status AliasPass::draw_opaque(const Functions& gl, const FrameInput& input) {
   models_.begin_frame();
+  instances_drawn_ = triangles_drawn_ = 0;
   if (!input.sources.fill_depth) return base::Ok{};
   const std::span<const render::AliasPlacement> placements =
       render::place_alias_models(input.scene(), input.record.view, input.context.arena());
@@ -42,9 +43,16 @@ base::Status AliasPass::draw_opaque(const Functions& gl, const FrameInput& input
   for (const render::AliasPlacement& placement : placements) {
     TRY(const CardModel* const model, models_.find(gl, *placement.instance->model));
     draw(gl, input, placement, *model);
+    ++instances_drawn_;
+    triangles_drawn_ += model->triangle_count();
   }
   end_draw(gl);
   return base::Ok{};
+}
+
+void AliasPass::count(render::FrameStats& io_stats) const {
+  io_stats.models = instances_drawn_;
+  io_stats.triangles = triangles_drawn_;
 }
 
 base::Status AliasPass::draw_translucent(const Functions& gl, const FrameInput& input,

@@ -5,9 +5,11 @@
 //   ModelCache -> CardModel                  -> vertices, skins             or AliasLayer -> target
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "render/alias/place_alias.h"
+#include "render/frame_stats.h"
 #include "render_gl/models/alias_layer.h"
 #include "render_gl/models/model_cache.h"
 #include "render_gl/models/player_palettes.h"
@@ -27,8 +29,8 @@ class AliasPass {
   base::Status draw_translucent(const Functions& gl, const FrameInput& input,
                                 const render::TranslucentLayer& layer, const Target& target);
 
-  // Models on the card.
-  std::size_t model_count() const { return models_.size(); }
+  // Adds the counts of the last draw_opaque().
+  void count(render::FrameStats& io_stats) const;
 
  private:
   // Locations of the shader's variables.
@@ -51,6 +53,7 @@ class AliasPass {
   PlayerPalettes palettes_;
   AliasLayer layer_;
   ModelCache models_;
+  std::uint32_t instances_drawn_ = 0, triangles_drawn_ = 0;
 };
 
 }  // namespace temblor::render_gl

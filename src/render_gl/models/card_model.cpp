@@ -60,7 +60,7 @@ base::Result<CardModel> CardModel::make(const Functions& gl, const render::Alias
   gl.VertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
   for (GLuint location = 0; location < 3; ++location) gl.EnableVertexAttribArray(location);
   fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, card.triangles_, model.triangles);
-  card.index_count_ = static_cast<GLsizei>(model.triangles.size() * 3);
+  card.triangle_count_ = static_cast<std::uint32_t>(model.triangles.size());
   gl.BindVertexArray(0);
   TRY_STATUS(card.upload_skins(gl, model));
   TRY_STATUS(gl.check("loading a model"));
@@ -106,7 +106,7 @@ void CardModel::draw(const Functions& gl, render::PoseIndex from, render::PoseIn
   for (const auto& [location, pose] : {std::pair{0u, from}, std::pair{1u, to}})
     gl.VertexAttribIPointer(location, 4, element_type_, 0,
                             reinterpret_cast<const void*>(base::to_size(pose) * pose_bytes_));
-  gl.DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangle_count_ * 3), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace temblor::render_gl

@@ -30,6 +30,7 @@ class CardModel {
   // `number` is a result of skin_at().
   SkinPlace skin_place(std::uint32_t number) const;
   GLuint skin_texture() const { return skins_.name(); }
+  std::uint32_t triangle_count() const { return triangle_count_; }
 
   // Draws all triangles between two poses. The layout of the vertices: an element of each pose (locations 0
   // and 1), and the texel (2).
@@ -44,9 +45,8 @@ class CardModel {
   Texture skins_;
   GLenum element_type_ = GL_UNSIGNED_BYTE;
   std::size_t pose_bytes_ = 0;
-  GLsizei index_count_ = 0;
   int skin_width_ = 0, skin_height_ = 0;
-  std::uint32_t skins_per_layer_ = 1;
+  std::uint32_t skins_per_layer_ = 1, triangle_count_ = 0;
 };
 
 }  // namespace temblor::render_gl
