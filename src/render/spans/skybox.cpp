@@ -114,6 +114,7 @@ void PreparedSkybox::update(const Skybox& skybox, const Fog& fog, const ColorTab
   const Made made{skybox.identity, format, fog.density > 0 ? to_rgb(to_bytes(fog.color)) : 0xff000000u};
   if (made == made_) return;
   made_ = made;
+  ++version_;
   size_ = common_size(skybox.sides);
   const std::size_t side_texels =
       (static_cast<std::size_t>(size_) + 2) * (static_cast<std::size_t>(size_) + 2);

@@ -26,6 +26,8 @@ class PreparedSkybox {
 
   // The kernel input for the prepared skybox; the caller fills in depth and spans.
   SkyboxSpans spans(const ViewFrame& view) const;
+  // Counts the skyboxes that were prepared, so that copies of the texels know whether they are old.
+  std::uint64_t version() const { return version_; }
 
  private:
   struct Made {
@@ -35,6 +37,7 @@ class PreparedSkybox {
     bool operator==(const Made&) const = default;
   };
   Made made_{};
+  std::uint64_t version_ = 0;
   std::int32_t size_ = 0;
   std::vector<std::uint32_t> rgb_;
   std::vector<std::uint8_t> indexed_;

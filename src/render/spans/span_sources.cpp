@@ -77,6 +77,7 @@ SpanSources prepare_span_sources(const FrameContext& context, const ViewFrame& v
                       .skies = {},
                       .repeating = prepare_repeat_spans(context, view, draws),
                       .skybox = {},
+                      .skybox_version = 0,
                       .format = context.format,
                       .divide = choose_divide(context.settings, view),
                       .simd_kernels = context.settings.simd_kernels,
@@ -84,6 +85,7 @@ SpanSources prepare_span_sources(const FrameContext& context, const ViewFrame& v
   if (scene.skybox != nullptr) {
     io_skybox.update(*scene.skybox, scene.fog, context.colors, context.format);
     sources.skybox = io_skybox.spans(view);
+    sources.skybox_version = io_skybox.version();
   } else {
     sources.skies = prepare_sky_spans(context, view, draws);
   }

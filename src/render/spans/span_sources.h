@@ -21,6 +21,7 @@ struct SpanSources {
   std::span<const SkySpans*> skies;  // empty if there is a skybox
   std::span<const RepeatSpans*> repeating;
   std::optional<SkyboxSpans> skybox;  // without depth and spans
+  std::uint64_t skybox_version = 0;   // PreparedSkybox::version
   PixelFormat format;
   KernelDivide divide;
   int affine_pixels = kAffinePixels;

@@ -16,7 +16,8 @@ enum class TileKind : std::uint32_t {
   kBlock,   // from its surface block
   kRepeat,  // from a texture that repeats
   kLiquid,  // from a texture that repeats and is warped
-  kSky      // from the two layers of a sky
+  kSky,     // from the two layers of a sky
+  kSkybox   // from the scene's skybox, whose sides are `size` squared
 };
 
 // Bits of TileRecord::flags: texels with alpha 0 are clear; one color replaces all texels; there is no fog.

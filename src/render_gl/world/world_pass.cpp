@@ -15,7 +15,7 @@ namespace {
 using render::SurfaceDraw;
 using render::SurfaceKind;
 
-constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1;
+constexpr GLenum kRecordsUnit = 0, kAtlasUnit = 1, kSkyboxUnit = 2;
 
 // Addresses are below 2^63, so textures are numbered from there.
 enum class TexturePart : std::uint64_t { kWhole, kClouds, kBackground };
@@ -75,6 +75,7 @@ WorldPass::Shader::Shader(const Functions& gl, Program linked) : program(std::mo
   full_range = find("full_range");
   records = find("records");
   atlas = find("atlas");
+  skybox = find("skybox");
   liquid_phase = find("liquid_phase");
   sky_scroll = find("sky_scroll");
   fog_density = find("fog_density");
@@ -103,6 +104,7 @@ base::Result<WorldPass> WorldPass::make(const Functions& gl, render::PixelFormat
 base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
   TRY_STATUS(set_level(gl, input));
   TRY_STATUS(number_instances(gl, input));
+  TRY_STATUS(skybox_.update(gl, input.sources));
   atlas_.begin_frame();
   if (!place_images(gl, input)) {
     atlas_.clear();
@@ -168,7 +170,11 @@ bool WorldPass::place_draw(const Functions& gl, const FrameInput& input, std::ui
     return true;
   }
   if (draw.kind == SurfaceKind::kSky) {
-    if (input.sources.skies.empty()) return true;  // the skybox
+    if (input.sources.skybox) {
+      const std::int32_t size = input.sources.skybox->size;
+      set_image(TileKind::kSkybox, {}, {size, size}, record);
+      return true;
+    }
     const render::SkySpans& sky = *input.sources.skies[number];
     const render::SurfaceShape shape{sky.width, sky.height};
     const auto clouds = atlas_.place(gl, {texture_key(draw, TexturePart::kClouds), sky.clouds, shape});
@@ -277,8 +283,11 @@ void WorldPass::begin_draw(const Functions& gl, const FrameInput& input, const S
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
   gl.ActiveTexture(GL_TEXTURE0 + kAtlasUnit);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, atlas_.texture());
+  gl.ActiveTexture(GL_TEXTURE0 + kSkyboxUnit);
+  gl.BindTexture(GL_TEXTURE_2D_ARRAY, skybox_.texture());
   gl.Uniform1i(shader.records, kRecordsUnit);
   gl.Uniform1i(shader.atlas, kAtlasUnit);
+  gl.Uniform1i(shader.skybox, kSkyboxUnit);
   const math::Vec3 eye(view.eye_world);
   gl.Uniform3f(shader.eye, eye.x, eye.y, eye.z);
   const std::array<float, 9> axes = columns(view.axes.right, view.axes.up, view.axes.forward);

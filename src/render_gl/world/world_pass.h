@@ -15,6 +15,7 @@
 #include "render_gl/surfaces/block_atlas.h"
 #include "render_gl/surfaces/tile_table.h"
 #include "render_gl/world/level_mesh.h"
+#include "render_gl/world/skybox_texture.h"
 
 namespace temblor::render_gl {
 
@@ -57,7 +58,7 @@ class WorldPass {
     Shader(const Functions& gl, Program linked);
     Program program;
     GLint model_axes, model_origin, first_record, eye, view_axes, projection, full_range;
-    GLint records, atlas, liquid_phase, sky_scroll, fog_density, fog_color;
+    GLint records, atlas, skybox, liquid_phase, sky_scroll, fog_density, fog_color;
   };
 
   WorldPass(const Functions& gl, Shader any_face, Shader block, Shader fogged_block, BlockAtlas atlas);
@@ -78,6 +79,7 @@ class WorldPass {
   TileTable table_;
   std::shared_ptr<const world::LevelIdentity> level_;
   LevelMesh mesh_;
+  SkyboxTexture skybox_;
   Buffer index_buffer_;
   // By instance: added to the numbers of the faces' own tiles, modulo 2^32.
   std::vector<std::uint32_t> record_offset_;

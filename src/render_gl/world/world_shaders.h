@@ -44,6 +44,7 @@ void main() {
 inline constexpr const char* kWorldFragmentShader = R"(
 uniform usampler2D records;
 uniform sampler2DArray atlas;
+uniform sampler2DArray skybox;  // sides +x, +y, -x, -y, +z, -z with borders of one texel
 uniform float liquid_phase;  // texels
 uniform vec2 sky_scroll;     // texels of layers with 128 texels: the clouds', the background's
 uniform float fog_density;
@@ -54,7 +55,7 @@ in vec3 ray;
 flat in uvec2 face_tiles;
 out vec4 color;
 
-const uint kHidden = 0u, kBlock = 1u, kRepeat = 2u, kLiquid = 3u, kSky = 4u;
+const uint kHidden = 0u, kBlock = 1u, kRepeat = 2u, kLiquid = 3u, kSky = 4u, kSkybox = 5u;
 const float kTileTexels = 256.0;
 const float kTurn = 6.28318530718 / 128.0;
 
@@ -74,6 +75,30 @@ vec4 sky_texel(uvec4 image, ivec2 size, int layer) {
   if (clouds.a > 0.5) return clouds;
   ivec2 back = ivec2(image.w & 0xffu, image.w >> 8 & 0xffu) * 8;
   return repeated_texel(at + sky_scroll.y * scale, back, size, int(image.w >> 16));
+}
+
+// The ray's largest component selects the side. Four texels are interpolated, in 256ths as on the CPU.
+vec4 skybox_texel(int size) {
+  vec3 length = abs(ray);
+  vec3 at;  // rightward, downward, and the side
+  float largest;
+  if (length.x >= length.y && length.x >= length.z) {
+    at = ray.x > 0.0 ? vec3(-ray.y, -ray.z, 0) : vec3(ray.y, -ray.z, 2);
+    largest = length.x;
+  } else if (length.y >= length.z) {
+    at = ray.y > 0.0 ? vec3(ray.x, -ray.z, 1) : vec3(-ray.x, -ray.z, 3);
+    largest = length.y;
+  } else {
+    at = ray.z > 0.0 ? vec3(-ray.y, ray.x, 4) : vec3(-ray.y, -ray.x, 5);
+    largest = length.z;
+  }
+  float radius = 0.5 * float(size);
+  vec2 place = at.xy / largest * radius + (radius + 0.5);
+  ivec3 first = ivec3(place, at.z);
+  vec2 share = floor(fract(place) * 256.0) / 256.0;
+  vec4 above = mix(texelFetch(skybox, first, 0), texelFetch(skybox, first + ivec3(1, 0, 0), 0), share.x);
+  vec4 below = mix(texelFetch(skybox, first + ivec3(0, 1, 0), 0), texelFetch(skybox, first + ivec3(1, 1, 0), 0), share.x);
+  return mix(above, below, share.y);
 }
 
 void main() {
@@ -96,6 +121,8 @@ void main() {
     color = texelFetch(atlas, ivec3(first + whole, layer), 0);
   } else if (kind == kSky) {
     color = sky_texel(image, size, layer);
+  } else if (kind == kSkybox) {
+    color = skybox_texel(size.x);
   } else {
     if (kind == kLiquid) at += 8.0 * (1.0 + sin((at.yx + liquid_phase) * kTurn));
     color = repeated_texel(at * mapping.zw, first, size, layer);
@@ -104,7 +131,7 @@ void main() {
   if ((image.z >> 21 & 1u) != 0u) color = vec4(image.w & 0xffu, image.w >> 8 & 0xffu, image.w >> 16, 255) / 255.0;
   if (fog_density > 0.0 && (image.z >> 22 & 1u) == 0u) {
     float thickness = fog_density / (64.0 * gl_FragCoord.w);
-    float share = kind == kSky ? 0.5 : 1.0 - exp(-thickness * thickness);
+    float share = kind >= kSky ? 0.5 : 1.0 - exp(-thickness * thickness);
     color.rgb = mix(color.rgb, fog_color, share);
   }
   color.a = float(image.z >> 24) / 255.0;
