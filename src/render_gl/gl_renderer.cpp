@@ -5,6 +5,8 @@
 #include "render/frame/stage_clock.h"
 #include "render_gl/frame/target.h"
 #include "render_gl/models/alias_pass.h"
+#include "render_gl/particles/particle_pass.h"
+#include "render_gl/sprites/sprite_pass.h"
 #include "render_gl/world/world_pass.h"
 
 namespace temblor::render_gl {
@@ -24,6 +26,8 @@ struct GlRenderer::State {
   render::FrameCaches caches;
   std::optional<WorldPass> world;
   std::optional<AliasPass> models;
+  std::optional<SpritePass> sprites;
+  std::optional<ParticlePass> particles;
   Target target;
 };
 
@@ -39,6 +43,8 @@ base::Result<GlRenderer> GlRenderer::make(const std::function<void*(const char* 
   auto state = std::make_unique<State>(functions, render::make_color_tables(palette, colormap));
   TRY(state->world, WorldPass::make(state->gl, render::PixelFormat::kRgb, kAtlasBytes));
   TRY(state->models, AliasPass::make(state->gl, state->caches.colors));
+  TRY(state->sprites, SpritePass::make(state->gl));
+  TRY(state->particles, ParticlePass::make(state->gl));
   return GlRenderer(std::move(state));
 }
 
@@ -72,9 +78,10 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
   caches.view.prepare(caches.level, io_frame);
   const render::FrameContext context{scene,         settings,     io_frame.format(),
                                      caches.colors, *caches.jobs, caches.view.arenas};
-  const render::FrameRecord record = build_surfaces(context, io_frame, caches);
+  render::FrameRecord record = build_surfaces(context, io_frame, caches);
   const render::SpanSources sources =
       render::prepare_span_sources(context, record.view, record.surfaces.draws, caches.skybox);
+  record.has_models = sources.fill_depth;
   const render::FrameFog fog(scene.fog, record.view.perspective, io_frame.format(), caches.colors,
                              caches.view.fog_tables, settings.simd_kernels);
   const render::TranslucentOrder order = render::sort_translucent(
@@ -85,12 +92,17 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
     TRY(state_->target, Target::make(gl, io_frame.width(), io_frame.height()));
   }
   TRY_STATUS(state_->world->prepare(gl, input));
+  TRY_STATUS(state_->sprites->prepare(gl, input));
   state_->target.begin(gl, caches.colors.rgb[0]);
   state_->world->draw_opaque(gl, input);
   TRY_STATUS(state_->models->draw_opaque(gl, input));
+  state_->sprites->draw_opaque(gl, input);
+  TRY_STATUS(state_->particles->draw(gl, input));
   for (const render::TranslucentLayer& layer : order.layers) {
     if (layer.kind == render::TranslucentLayer::Kind::kFace)
       state_->world->draw_translucent(gl, input, layer.number);
+    if (layer.kind == render::TranslucentLayer::Kind::kSprite)
+      state_->sprites->draw_translucent(gl, input, layer.number);
     TRY_STATUS(state_->models->draw_translucent(gl, input, layer, state_->target));
   }
   TRY_STATUS(state_->target.read(gl, io_frame.rgb()));

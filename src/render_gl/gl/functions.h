@@ -48,6 +48,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLDEPTHRANGEFPROC, DepthRangef)                         \
   X(PFNGLDISABLEPROC, Disable)                                 \
   X(PFNGLDRAWARRAYSPROC, DrawArrays)                           \
+  X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)         \
   X(PFNGLDRAWELEMENTSPROC, DrawElements)                       \
   X(PFNGLENABLEPROC, Enable)                                   \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray) \
@@ -86,6 +87,7 @@ using FunctionFinder = std::function<void*(const char* name)>;
   X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)               \
   X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)               \
   X(PFNGLUSEPROGRAMPROC, UseProgram)                           \
+  X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)         \
   X(PFNGLVERTEXATTRIBIPOINTERPROC, VertexAttribIPointer)       \
   X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)         \
   X(PFNGLVIEWPORTPROC, Viewport)

@@ -1,0 +1,47 @@
+#include "render_gl/sprites/picture_textures.h"
+
+#include "render/sprites/sprite_kernels.h"
+
+namespace temblor::render_gl {
+
+namespace {
+
+// All sprites of stock Quake have 100,000.
+constexpr std::size_t kMaxTexels = std::size_t{8} << 20;
+
+std::vector<std::uint32_t> color_texels(const formats::SprPicture& picture,
+                                        const render::ColorTables& colors) {
+  std::vector<std::uint32_t> out;
+  out.reserve(picture.texels.size());
+  for (const std::uint8_t texel : picture.texels)
+    out.push_back(texel == render::kClearTexel ? 0 : colors.rgb[texel]);
+  return out;
+}
+
+}  // namespace
+
+void PictureTextures::begin_frame() {
+  if (texel_count_ <= kMaxTexels) return;
+  entries_.clear();
+  texel_count_ = 0;
+}
+
+base::Result<GLuint> PictureTextures::find(const Functions& gl, const formats::SprPicture& picture,
+                                           const render::ColorTables& colors) {
+  Entry& entry = entries_[picture.texels.data()];
+  const bool same_size = entry.width == picture.width && entry.height == picture.height;
+  if (same_size && entry.texels == picture.texels) return entry.texture.name();
+  const int width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
+  TRY(entry.texture, make_texture(gl, GL_RGBA8, {width, height}));
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
+                   color_texels(picture, colors).data());
+  texel_count_ += picture.texels.size();
+  texel_count_ -= entry.texels.size();
+  entry.width = picture.width;
+  entry.height = picture.height;
+  entry.texels = picture.texels;
+  return entry.texture.name();
+}
+
+}  // namespace temblor::render_gl

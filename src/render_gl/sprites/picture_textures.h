@@ -1,0 +1,39 @@
+// Pictures of sprites on the graphics card, one texture for each. They are uploaded when they are first
+// drawn, and stay as long as there is room.
+//
+// Pictures have no identity, and another one may have the memory of one that is gone. So their texels are
+// compared with a copy of those that were uploaded: that costs less than an upload.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "formats/models/spr.h"
+#include "render/color/color_tables.h"
+#include "render_gl/gl/objects.h"
+
+namespace temblor::render_gl {
+
+class PictureTextures {
+ public:
+  // Drops all textures if they have become too large together. Textures live until the next call.
+  void begin_frame();
+
+  // The texture of the picture: colors in the order of the CPU's pictures, and alpha 0 where it is clear.
+  // Fails if the card lacks memory, or has no textures of this size.
+  base::Result<GLuint> find(const Functions& gl, const formats::SprPicture& picture,
+                            const render::ColorTables& colors);
+
+ private:
+  struct Entry {
+    Texture texture;
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint8_t> texels;
+  };
+  // By the address of the texels.
+  std::unordered_map<const std::uint8_t*, Entry> entries_;
+  std::size_t texel_count_ = 0;
+};
+
+}  // namespace temblor::render_gl

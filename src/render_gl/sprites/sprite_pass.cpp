@@ -1,0 +1,141 @@
+#include "render_gl/sprites/sprite_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "render/color/blend_tables.h"
+#include "render/sprites/draw_sprites.h"
+#include "render_gl/sprites/sprite_shaders.h"
+
+namespace temblor::render_gl {
+
+namespace {
+
+// A plane as the shader reads it, from another origin. Near it, little precision is lost in floats.
+void copy_plane(const render::ScreenPlane& plane, double x, double y, float (&out)[3]) {
+  out[0] = static_cast<float>(plane.at(x, y));
+  out[1] = static_cast<float>(plane.dx);
+  out[2] = static_cast<float>(plane.dy);
+}
+
+}  // namespace
+
+SpritePass::SpritePass(const Functions& gl, ScreenProgram program)
+    : program_(std::move(program)),
+      picture_(gl.GetUniformLocation(program_.name(), "picture")),
+      vertex_array_(make_vertex_array(gl)),
+      buffer_(make_buffer(gl)) {
+  gl.BindVertexArray(vertex_array_.name());
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  struct Field {
+    GLint size;
+    std::size_t offset;
+  };
+  constexpr std::array<Field, 6> kFields = {{{2, offsetof(Corner, x)},
+                                             {2, offsetof(Corner, origin_x)},
+                                             {3, offsetof(Corner, depth)},
+                                             {3, offsetof(Corner, s)},
+                                             {3, offsetof(Corner, t)},
+                                             {2, offsetof(Corner, opacity)}}};
+  for (GLuint location = 0; location < kFields.size(); ++location) {
+    gl.EnableVertexAttribArray(location);
+    gl.VertexAttribPointer(location, kFields[location].size, GL_FLOAT, GL_FALSE, sizeof(Corner),
+                           reinterpret_cast<const void*>(kFields[location].offset));
+  }
+  gl.BindVertexArray(0);
+}
+
+base::Result<SpritePass> SpritePass::make(const Functions& gl) {
+  TRY(ScreenProgram program, ScreenProgram::make(gl, kSpriteVertexShader, kSpriteFragmentShader));
+  return SpritePass(gl, std::move(program));
+}
+
+base::Status SpritePass::prepare(const Functions& gl, const FrameInput& input) {
+  corners_.clear();
+  opaque_.clear();
+  translucent_.clear();
+  if (!input.sources.fill_depth || input.scene().sprites.empty()) return base::Ok{};
+  textures_.begin_frame();
+  for (const render::SpriteQuad& quad :
+       render::place_sprites(input.scene(), input.record.view, input.context.arena())) {
+    TRY(const Batch batch, add_sprite(gl, input, quad));
+    if (!opaque_.empty() && opaque_.back().texture == batch.texture)
+      opaque_.back().count += batch.count;
+    else
+      opaque_.push_back(batch);
+  }
+  for (const render::SpriteQuad& quad : input.order.sprites) {
+    TRY(const Batch batch, add_sprite(gl, input, quad));
+    translucent_.push_back(batch);
+  }
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(Corner)), corners_.data(),
+                GL_STREAM_DRAW);
+  return gl.check("loading sprites");
+}
+
+base::Result<SpritePass::Batch> SpritePass::add_sprite(const Functions& gl, const FrameInput& input,
+                                                       const render::SpriteQuad& quad) {
+  TRY(const GLuint texture, textures_.find(gl, *quad.picture, input.context.colors));
+  const std::size_t first = corners_.size();
+  add_corners(quad, input.record.view);
+  return Batch{texture, first, corners_.size() - first};
+}
+
+void SpritePass::add_corners(const render::SpriteQuad& quad, const render::ViewFrame& view) {
+  const auto& outline = quad.outline;
+  const double x = std::clamp(outline.corners[0].x, 0.0, view.width - 1.0);
+  const double y = std::clamp(outline.corners[0].y, 0.0, view.height - 1.0);
+  Corner corner{};
+  corner.origin_x = static_cast<float>(x);
+  corner.origin_y = static_cast<float>(y);
+  // Where the floats are, rather than where they should be.
+  copy_plane(quad.depth, double{corner.origin_x}, double{corner.origin_y}, corner.depth);
+  copy_plane(quad.s, double{corner.origin_x}, double{corner.origin_y}, corner.s);
+  copy_plane(quad.t, double{corner.origin_x}, double{corner.origin_y}, corner.t);
+  corner.opacity = static_cast<float>(render::opacity_256(quad.alpha)) / render::kOpaque256;
+  corner.affine = quad.affine ? 1.0f : 0.0f;
+  for (std::size_t i = 2; i < outline.count; ++i)
+    for (const std::size_t number : {std::size_t{0}, i - 1, i}) {
+      corner.x = static_cast<float>(outline.corners[number].x);
+      corner.y = static_cast<float>(outline.corners[number].y);
+      corners_.push_back(corner);
+    }
+}
+
+// A sprite is drawn if it is as near as what is there. Elsewhere it must be nearer.
+void SpritePass::begin_draw(const Functions& gl, const FrameInput& input) const {
+  program_.use(gl, input.record.view, input.scene().fog);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.Uniform1i(picture_, 0);
+  gl.BindVertexArray(vertex_array_.name());
+  gl.DepthFunc(GL_GEQUAL);
+}
+
+void SpritePass::draw_batch(const Functions& gl, const Batch& batch) const {
+  gl.BindTexture(GL_TEXTURE_2D, batch.texture);
+  gl.DrawArrays(GL_TRIANGLES, static_cast<GLint>(batch.first), static_cast<GLsizei>(batch.count));
+}
+
+void SpritePass::draw_opaque(const Functions& gl, const FrameInput& input) const {
+  if (opaque_.empty()) return;
+  begin_draw(gl, input);
+  for (const Batch& batch : opaque_) draw_batch(gl, batch);
+  gl.DepthFunc(GL_GREATER);
+  gl.BindVertexArray(0);
+}
+
+void SpritePass::draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t sprite) const {
+  begin_draw(gl, input);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl.DepthMask(GL_FALSE);
+  draw_batch(gl, translucent_[sprite]);
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+  gl.DepthFunc(GL_GREATER);
+  gl.BindVertexArray(0);
+}
+
+}  // namespace temblor::render_gl

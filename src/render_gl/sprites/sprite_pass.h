@@ -1,0 +1,55 @@
+// Draws sprites where the CPU's quads are (render/sprites/sprite_quad.h). All corners of a frame's sprites
+// are one buffer; neighbors in the scene's order with the same picture are one draw call.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render_gl/frame/screen_space.h"
+#include "render_gl/sprites/picture_textures.h"
+#include "render_gl/world/world_pass.h"
+
+namespace temblor::render_gl {
+
+class SpritePass {
+ public:
+  static base::Result<SpritePass> make(const Functions& gl);
+
+  // Brings the frame's pictures and corners to the graphics card. Fails if the card lacks memory.
+  base::Status prepare(const Functions& gl, const FrameInput& input);
+  // Draws the opaque sprites, with depth. prepare() comes first.
+  void draw_opaque(const Functions& gl, const FrameInput& input) const;
+  // Blends translucent sprite number `sprite` (TranslucentOrder::sprites) into the picture, tested against
+  // depth.
+  void draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t sprite) const;
+
+ private:
+  // The layout is that of the shader.
+  struct Corner {
+    float x, y, origin_x, origin_y;
+    float depth[3], s[3], t[3];
+    float opacity, affine;
+  };
+  // Corners of triangles with one texture.
+  struct Batch {
+    GLuint texture;
+    std::size_t first, count;
+  };
+
+  SpritePass(const Functions& gl, ScreenProgram program);
+  void add_corners(const render::SpriteQuad& quad, const render::ViewFrame& view);
+  base::Result<Batch> add_sprite(const Functions& gl, const FrameInput& input,
+                                 const render::SpriteQuad& quad);
+  void begin_draw(const Functions& gl, const FrameInput& input) const;
+  void draw_batch(const Functions& gl, const Batch& batch) const;
+
+  ScreenProgram program_;
+  GLint picture_;
+  VertexArray vertex_array_;
+  Buffer buffer_;
+  PictureTextures textures_;
+  std::vector<Corner> corners_;
+  std::vector<Batch> opaque_, translucent_;
+};
+
+}  // namespace temblor::render_gl
