@@ -6,6 +6,8 @@
 #include "render_gl/frame/target.h"
 #include "render_gl/models/alias_pass.h"
 #include "render_gl/particles/particle_pass.h"
+#include "render_gl/screen/finish_pass.h"
+#include "render_gl/screen/line_pass.h"
 #include "render_gl/sprites/sprite_pass.h"
 #include "render_gl/world/world_pass.h"
 
@@ -28,6 +30,8 @@ struct GlRenderer::State {
   std::optional<AliasPass> models;
   std::optional<SpritePass> sprites;
   std::optional<ParticlePass> particles;
+  std::optional<FinishPass> finish;
+  std::optional<LinePass> lines;
   Target target;
 };
 
@@ -45,6 +49,8 @@ base::Result<GlRenderer> GlRenderer::make(const std::function<void*(const char* 
   TRY(state->models, AliasPass::make(state->gl, state->caches.colors));
   TRY(state->sprites, SpritePass::make(state->gl));
   TRY(state->particles, ParticlePass::make(state->gl));
+  TRY(state->finish, FinishPass::make(state->gl));
+  TRY(state->lines, LinePass::make(state->gl));
   return GlRenderer(std::move(state));
 }
 
@@ -105,6 +111,8 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
       state_->sprites->draw_translucent(gl, input, layer.number);
     TRY_STATUS(state_->models->draw_translucent(gl, input, layer, state_->target));
   }
+  TRY_STATUS(state_->finish->draw(gl, scene, state_->target));
+  TRY_STATUS(state_->lines->draw(gl, scene, record.view));
   TRY_STATUS(state_->target.read(gl, io_frame.rgb()));
   render::FrameStats stats = render::collect_frame_stats(record, scene);
   state_->models->count(stats);

@@ -16,6 +16,9 @@ class PictureTint {
   PictureTint(const Tint& tint, PixelFormat format, bool simd_kernels);
 
   bool changes_pixels() const { return opacity_256_ > 0; }
+  // 0 to 256, and 0xffRRGGBB; each channel becomes that of TintJob.
+  int opacity() const { return opacity_256_; }
+  std::uint32_t color() const { return rgb_; }
   void apply(std::span<std::uint32_t> io_rgb) const;
   void apply_to_rows(RowRange rows, FrameBuffer& io_frame) const;
 

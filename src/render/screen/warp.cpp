@@ -39,20 +39,23 @@ constexpr std::size_t kTileColumns = 128, kTileRows = 64;
 
 // A pixel's horizontal displacement depends only on its row and the vertical one only on its column, so the
 // source of a pixel is the sum of a number per row and a number per column.
-void Warp::apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame) {
-  const int width = io_frame.width(), height = io_frame.height();
+void find_warp_sources(int width, int height, double time_s, WarpSources& out_sources) {
   const double pixels = std::min(width, height) / kPictureSize;
   const Axis across(width, kAmplitude * pixels), down(height, kAmplitude * pixels);
   const double phase = std::fmod(time_s * kPhase_s, kTurn) / kTurn;
   const auto sway = [&](int along) {
     return kAmplitude * pixels * std::sin(2 * std::numbers::pi * (along / (kTurn * pixels) + phase));
   };
-  column_.resize(static_cast<std::size_t>(width));
-  row_.resize(static_cast<std::size_t>(height));
+  out_sources.column.resize(static_cast<std::size_t>(width));
+  out_sources.row.resize(static_cast<std::size_t>(height));
   for (int x = 0; x < width; ++x)
-    column_[static_cast<std::size_t>(x)] = across.place(x) + down.bounded(sway(x)) * width;
+    out_sources.column[static_cast<std::size_t>(x)] = across.place(x) + down.bounded(sway(x)) * width;
   for (int y = 0; y < height; ++y)
-    row_[static_cast<std::size_t>(y)] = down.place(y) * width + across.bounded(sway(y));
+    out_sources.row[static_cast<std::size_t>(y)] = down.place(y) * width + across.bounded(sway(y));
+}
+
+void Warp::apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame) {
+  find_warp_sources(io_frame.width(), io_frame.height(), time_s, sources_);
   if (io_frame.format() == PixelFormat::kIndexed)
     move_pixels<std::uint8_t>(io_frame.indexed(), indexed_spare_, tint, jobs, io_frame);
   else
@@ -60,8 +63,8 @@ void Warp::apply(double time_s, const PictureTint& tint, base::Jobs& jobs, Frame
 }
 
 void Warp::prepare(const FrameBuffer& frame) {
-  column_.reserve(static_cast<std::size_t>(frame.width()));
-  row_.reserve(static_cast<std::size_t>(frame.height()));
+  sources_.column.reserve(static_cast<std::size_t>(frame.width()));
+  sources_.row.reserve(static_cast<std::size_t>(frame.height()));
   if (frame.format() == PixelFormat::kIndexed)
     reserve(frame.pixel_count(), indexed_spare_);
   else
@@ -80,7 +83,7 @@ void Warp::reserve(std::size_t count, Spare<Pixel>& io_spare) {
 template <typename Pixel>
 void Warp::move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, const PictureTint& tint,
                        base::Jobs& jobs, FrameBuffer& io_frame) {
-  const std::size_t width = column_.size(), height = row_.size();
+  const std::size_t width = sources_.column.size(), height = sources_.row.size();
   reserve(pixels.size(), io_spare);
   const std::size_t across = (width + kTileColumns - 1) / kTileColumns;
   const std::size_t down = (height + kTileRows - 1) / kTileRows;
@@ -88,9 +91,9 @@ void Warp::move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, co
     const std::size_t first_x = tile % across * kTileColumns, end_x = std::min(first_x + kTileColumns, width);
     const std::size_t first_y = tile / across * kTileRows, end_y = std::min(first_y + kTileRows, height);
     for (std::size_t y = first_y; y < end_y; ++y) {
-      const Pixel* const from = pixels.data() + row_[y];
+      const Pixel* const from = pixels.data() + sources_.row[y];
       Pixel* const row = &io_spare.pixels[y * width];
-      for (std::size_t x = first_x; x < end_x; ++x) row[x] = from[column_[x]];
+      for (std::size_t x = first_x; x < end_x; ++x) row[x] = from[sources_.column[x]];
       if constexpr (std::is_same_v<Pixel, std::uint32_t>)
         if (tint.changes_pixels()) tint.apply(std::span(row + first_x, end_x - first_x));
     }

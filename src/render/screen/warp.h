@@ -16,11 +16,17 @@
 
 namespace temblor::render {
 
+// Pixel (x, y) of the warped picture shows pixel number column[x] + row[y] of the unwarped one.
+struct WarpSources {
+  std::vector<std::int32_t> column, row;
+};
+// For a picture of this size. The picture is slightly enlarged, so that nothing is taken from beyond its
+// borders.
+void find_warp_sources(int width, int height, double time_s, WarpSources& out_sources);
+
 class Warp {
  public:
-  // Changes pixels only; depth stays. The picture is slightly enlarged, so that nothing is taken from beyond
-  // its borders. The tint of rgb frames is applied while pixels are
-  // in the caches.
+  // Changes pixels only; depth stays. The tint of rgb frames is applied while pixels are in the caches.
   void apply(double time_s, const PictureTint& tint, base::Jobs& jobs, FrameBuffer& io_frame);
 
   // Allocates the memory that apply() needs for frames of this size and format, so that the first frame under
@@ -41,8 +47,7 @@ class Warp {
   void move_pixels(std::span<const Pixel> pixels, Spare<Pixel>& io_spare, const PictureTint& tint,
                    base::Jobs& jobs, FrameBuffer& io_frame);
 
-  // Pixel (x, y) shows pixel number column_[x] + row_[y] of the unwarped picture.
-  std::vector<std::int32_t> column_, row_;
+  WarpSources sources_;
   Spare<std::uint8_t> indexed_spare_;
   Spare<std::uint32_t> rgb_spare_;
 };

@@ -30,7 +30,8 @@ uniform bool perspective;
 uniform float fog_density;
 uniform vec3 fog_color;
 
-float find_card_depth(float depth) { return depth_scale.x + depth_scale.y * depth; }
+// Half of it, as glDepthRange halves the depth of vertices (kWorldDepthEnd).
+float find_card_depth(float depth) { return 0.5 * (depth_scale.x + depth_scale.y * depth); }
 
 // In 256ths, and halves are rounded up, as on the CPU.
 vec3 add_fog(vec3 color, float depth) {

@@ -2,6 +2,7 @@
 // one, and its channels are in the order of the CPU's pictures: blue, green, red.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -22,18 +23,29 @@ class Target {
   int width() const { return width_; }
   int height() const { return height_; }
   // Draws into this target from now on, over `background` (0xffRRGGBB), with nothing in front of it.
-  void begin(const Functions& gl, std::uint32_t background) const;
+  void begin(const Functions& gl, std::uint32_t background);
   // Draws into this target from now on, over what it shows.
   void bind(const Functions& gl) const;
-  GLuint color_texture() const { return color_.name(); }
+  // Draws into another picture of this size from now on, tested against the same depth. Returns the texture
+  // with what was drawn before. Fails if the card lacks the memory.
+  base::Result<GLuint> exchange(const Functions& gl);
+  GLuint color_texture() const { return pictures_[current_].color.name(); }
   GLuint depth_texture() const { return depth_.name(); }
   // Waits for the card and copies the picture: width * height pixels, 0xffRRGGBB.
   base::Status read(const Functions& gl, std::span<std::uint32_t> out_pixels) const;
 
  private:
+  struct Picture {
+    Texture color;
+    Framebuffer framebuffer;
+  };
+  base::Result<Picture> make_picture(const Functions& gl) const;
+
   int width_ = 0, height_ = 0;
-  Texture color_, depth_;
-  Framebuffer framebuffer_;
+  Texture depth_;
+  // The second one is made when it is needed.
+  std::array<Picture, 2> pictures_;
+  std::size_t current_ = 0;
 };
 
 }  // namespace temblor::render_gl
