@@ -99,7 +99,9 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
   }
   TRY_STATUS(state_->world->prepare(gl, input));
   TRY_STATUS(state_->sprites->prepare(gl, input));
-  state_->target.begin(gl, caches.colors.rgb[0]);
+  // Where nothing is drawn, there is only fog.
+  state_->target.begin(
+      gl, fog.is_on() ? render::to_rgb(render::to_bytes(scene.fog.color)) : caches.colors.rgb[0]);
   state_->world->draw_opaque(gl, input);
   TRY_STATUS(state_->models->draw_opaque(gl, input));
   state_->sprites->draw_opaque(gl, input);

@@ -80,6 +80,9 @@ TEST(GlWorld, ShowsFog) {
   compare_views(test::small_level(), test::effort(20, 2),
                 [](int number, render::Scene& io_scene, render::Settings&) {
                   io_scene.fog = {.density = number % 2 == 0 ? 0.05f : 0.4f, .color = {0.8f, 0.5f, 0.2f}};
+                  if (number % 4 < 2) return;
+                  io_scene.camera.projection = render::Projection::kOrthographic;
+                  io_scene.camera.units_per_pixel = 1;
                 });
 }
 

@@ -36,8 +36,8 @@ float find_card_depth(float depth) { return 0.5 * (depth_scale.x + depth_scale.y
 // In 256ths, and halves are rounded up, as on the CPU.
 vec3 add_fog(vec3 color, float depth) {
   if (fog_density <= 0.0) return color;
-  float distance = perspective ? 1.0 / max(depth, 1e-20) : max(-depth, 0.0);
-  float thickness = fog_density / 64.0 * distance;
+  float units = perspective ? 1.0 / max(depth, 1e-20) : max(-depth, 0.0);
+  float thickness = fog_density / 64.0 * units;
   float share = floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
   return mix(color, fog_color, share) + 0.001 / 255.0;
 }

@@ -39,9 +39,9 @@ out vec4 color;
 void main() {
   vec3 at = vec3(1.0, gl_FragCoord.xy - 0.5 - plane_origin);
   float depth = dot(plane_depth, at);
-  float distance = sprite_kind.y > 0.5 ? 1.0 : 1.0 / max(depth, 1e-20);
+  float z = sprite_kind.y > 0.5 ? 1.0 : 1.0 / max(depth, 1e-20);
   vec2 last = vec2(textureSize(picture, 0) - 1);
-  vec2 texel = clamp(vec2(dot(plane_s, at), dot(plane_t, at)) * distance, vec2(0), last);
+  vec2 texel = clamp(vec2(dot(plane_s, at), dot(plane_t, at)) * z, vec2(0), last);
   color = texelFetch(picture, ivec2(texel), 0);
   if (color.a < 0.5) discard;
   color = vec4(add_fog(color.rgb, depth), sprite_kind.x);

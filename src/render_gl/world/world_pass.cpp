@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "render/color/blend_tables.h"
 #include "render/color/warped_rows.h"
 #include "render_gl/world/block_shaders.h"
 #include "render_gl/world/world_shaders.h"
@@ -302,8 +303,10 @@ void WorldPass::begin_draw(const Functions& gl, const FrameInput& input, const S
   constexpr double kPeriod_texels = 128 * 64, kClouds_texels_s = 16, kBackground_texels_s = 8;
   gl.Uniform2f(shader.sky_scroll, static_cast<float>(std::fmod(time_s * kClouds_texels_s, kPeriod_texels)),
                static_cast<float>(std::fmod(time_s * kBackground_texels_s, kPeriod_texels)));
-  gl.Uniform1f(shader.fog_density, view.perspective ? fog.density : 0.0f);
-  gl.Uniform3f(shader.fog_color, fog.color.z, fog.color.y, fog.color.x);
+  const formats::Rgb fog_color = render::to_bytes(fog.color);
+  gl.Uniform1f(shader.fog_density, fog.density);
+  gl.Uniform3f(shader.fog_color, static_cast<float>(fog_color.b) / 255, static_cast<float>(fog_color.g) / 255,
+               static_cast<float>(fog_color.r) / 255);
   gl.BindVertexArray(mesh_.vertex_array());
 }
 
@@ -321,8 +324,8 @@ void WorldPass::draw_batch(const Functions& gl, const FrameInput& input, const S
 }
 
 void WorldPass::draw_opaque(const Functions& gl, const FrameInput& input) const {
-  const Shader& block =
-      input.record.view.perspective && input.scene().fog.density > 0 ? fogged_block_ : block_;
+  const bool has_fog = input.scene().fog.density > 0;
+  const Shader& block = !has_fog ? block_ : input.record.view.perspective ? fogged_block_ : any_face_;
   begin_draw(gl, input, block);
   for (const Batch& batch : blocks_) draw_batch(gl, input, block, batch);
   begin_draw(gl, input, any_face_);

@@ -22,6 +22,7 @@ uniform bool full_range;    // depth of the clip space begins at -1, not at 0
 
 out vec2 face_texel;
 out vec3 ray;
+out float view_distance;  // along the view
 flat out uvec2 face_tiles;
 
 // Units that depth covers in parallel projection.
@@ -31,6 +32,7 @@ void main() {
   bool perspective = projection.w > 0.5;
   ray = model_axes * position + (model_origin - eye);
   vec3 at = view_axes * ray;
+  view_distance = at.z;
   if (!perspective) ray = vec3(view_axes[0][2], view_axes[1][2], view_axes[2][2]);
   float w = perspective ? at.z : 1.0;
   // Over w: 1 at the near plane, and less behind it.
@@ -52,6 +54,7 @@ uniform vec3 fog_color;
 
 in vec2 face_texel;
 in vec3 ray;
+in float view_distance;
 flat in uvec2 face_tiles;
 out vec4 color;
 
@@ -79,18 +82,18 @@ vec4 sky_texel(uvec4 image, ivec2 size, int layer) {
 
 // The ray's largest component selects the side. Four texels are interpolated, in 256ths as on the CPU.
 vec4 skybox_texel(int size) {
-  vec3 length = abs(ray);
+  vec3 extent = abs(ray);
   vec3 at;  // rightward, downward, and the side
   float largest;
-  if (length.x >= length.y && length.x >= length.z) {
+  if (extent.x >= extent.y && extent.x >= extent.z) {
     at = ray.x > 0.0 ? vec3(-ray.y, -ray.z, 0) : vec3(ray.y, -ray.z, 2);
-    largest = length.x;
-  } else if (length.y >= length.z) {
+    largest = extent.x;
+  } else if (extent.y >= extent.z) {
     at = ray.y > 0.0 ? vec3(ray.x, -ray.z, 1) : vec3(-ray.x, -ray.z, 3);
-    largest = length.y;
+    largest = extent.y;
   } else {
     at = ray.z > 0.0 ? vec3(-ray.y, ray.x, 4) : vec3(-ray.y, -ray.x, 5);
-    largest = length.z;
+    largest = extent.z;
   }
   float radius = 0.5 * float(size);
   vec2 place = at.xy / largest * radius + (radius + 0.5);
@@ -130,9 +133,10 @@ void main() {
   if ((image.z >> 20 & 1u) != 0u && color.a < 0.5) discard;
   if ((image.z >> 21 & 1u) != 0u) color = vec4(image.w & 0xffu, image.w >> 8 & 0xffu, image.w >> 16, 255) / 255.0;
   if (fog_density > 0.0 && (image.z >> 22 & 1u) == 0u) {
-    float thickness = fog_density / (64.0 * gl_FragCoord.w);
-    float share = kind >= kSky ? 0.5 : 1.0 - exp(-thickness * thickness);
-    color.rgb = mix(color.rgb, fog_color, share);
+    float thickness = fog_density / 64.0 * max(view_distance, 0.0);
+    // In 256ths, and halves are rounded up, as on the CPU.
+    float share = kind >= kSky ? 0.5 : floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
+    color.rgb = mix(color.rgb, fog_color, share) + 0.001 / 255.0;
   }
   color.a = float(image.z >> 24) / 255.0;
 }
