@@ -95,10 +95,10 @@ out vec4 color;
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  vec4 texel = texelFetch(colors, at, 0);
-  if (texel.a < 0.5) discard;
-  color = vec4(texel.rgb, opacity);
-  gl_FragDepth = texelFetch(depths, at, 0).r;
+  float depth = texelFetch(depths, at, 0).r;
+  if (depth == 0.0) discard;  // no model
+  color = vec4(texelFetch(colors, at, 0).rgb, opacity);
+  gl_FragDepth = depth;
 }
 )";
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "render/screen/draw_lines.h"
+#include "render_gl/frame/target.h"
 
 namespace temblor::render_gl {
 
@@ -113,9 +114,11 @@ base::Status LinePass::draw(const Functions& gl, const render::Scene& scene, con
   program_.use(gl, view, scene.fog);
   gl.BindVertexArray(vertex_array_.name());
   gl.DepthFunc(GL_GEQUAL);
+  gl.DepthRangef(0, 1);
   gl.DepthMask(GL_FALSE);
   gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
   gl.DepthMask(GL_TRUE);
+  gl.DepthRangef(0, kWorldDepthEnd);
   gl.DepthFunc(GL_GREATER);
   gl.BindVertexArray(0);
   return gl.check("drawing lines");
