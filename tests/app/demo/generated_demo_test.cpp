@@ -297,7 +297,7 @@ std::vector<std::uint64_t> frame_hashes(int frames_per_second, int draw_every,
     const double second = static_cast<double>(number) / frames_per_second;
     EXPECT_TRUE(playback.run().advance_to(kFirstTime_s + second).ok());
     if (number % draw_every != 0) continue;
-    ASSERT_TRUE(playback.run().draw().ok());
+    EXPECT_TRUE(playback.run().draw().ok());
     hashes.push_back(test::compute_hash(playback.run().frame()));
   }
   return hashes;
