@@ -29,6 +29,7 @@ bench:
 	tools/measure_game.sh
 	tools/measure_latency.sh
 	$(if $(TEMBLOR_DATA),build/release/bench/compile_bench build/release/temblor)
+	-build/release/temblor --basedir build/release/game bench --demo t3 --renderer gl
 	build/release/bench/kernel_bench
 	build/release/bench/vm_bench
 	build/release/bench/server_bench
