@@ -65,6 +65,8 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The program loads Embree at run time, so dpkg-shlibdeps does not find it.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libembree${embree_VERSION_MAJOR}-${embree_VERSION_MAJOR}")
+# Loaded when the player chooses OpenGL.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1")
 set(CPACK_DEBIAN_PACKAGE_SECTION games)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
