@@ -14,13 +14,6 @@
 
 namespace temblor::render_gl {
 
-namespace {
-
-// Surfaces of a frame of 3840x2160 take 20 to 40 MB.
-constexpr std::size_t kAtlasBytes = std::size_t{64} << 20;
-
-}  // namespace
-
 // The functions come first, since everything below refers to them.
 struct GlRenderer::State {
   State(const Functions& functions, render::ColorTables colors) : gl(functions), caches(std::move(colors)) {}
@@ -44,11 +37,11 @@ GlRenderer::GlRenderer(GlRenderer&&) noexcept = default;
 GlRenderer& GlRenderer::operator=(GlRenderer&&) noexcept = default;
 
 base::Result<GlRenderer> GlRenderer::make(const std::function<void*(const char* name)>& find_function,
-                                          const formats::Palette& palette,
-                                          const formats::Colormap& colormap) {
+                                          const formats::Palette& palette, const formats::Colormap& colormap,
+                                          const CacheOptions& cache) {
   TRY(const Functions functions, load_functions(find_function));
   auto state = std::make_unique<State>(functions, render::make_color_tables(palette, colormap));
-  TRY(state->world, WorldPass::make(state->gl, render::PixelFormat::kRgb, kAtlasBytes));
+  TRY(state->world, WorldPass::make(state->gl, cache));
   TRY(state->models, AliasPass::make(state->gl, state->caches.colors));
   TRY(state->sprites, SpritePass::make(state->gl));
   TRY(state->particles, ParticlePass::make(state->gl));
@@ -132,6 +125,14 @@ base::Status GlRenderer::State::draw(const FrameInput& input, std::uint32_t back
   TRY_STATUS(finish->draw(gl, input.scene(), target));
   TRY_STATUS(lines->draw(gl, input.scene(), input.record.view));
   return target.read(gl, io_frame.rgb());
+}
+
+const CacheCounts& GlRenderer::cache_counts() const {
+  return state_->world->counts();
+}
+
+std::size_t GlRenderer::cache_bytes() const {
+  return state_->world->cache_bytes();
 }
 
 std::string GlRenderer::describe() const {

@@ -22,6 +22,7 @@
 #include "render/frame_stats.h"
 #include "render/scene.h"
 #include "render/settings.h"
+#include "render_gl/surfaces/cache_options.h"
 
 namespace temblor::render_gl {
 
@@ -31,9 +32,11 @@ class GlRenderer {
  public:
   // `find_function` gives the address of a function of OpenGL by its name, or null. Fails with kUnsupported,
   // and one line for a person, if the driver is too old or does not accept our shaders, and with kIo if the
-  // card lacks memory.
+  // card lacks memory. `cache` limits what the card keeps of the level; the pictures do not depend on its
+  // size.
   static base::Result<GlRenderer> make(const std::function<void*(const char* name)>& find_function,
-                                       const formats::Palette& palette, const formats::Colormap& colormap);
+                                       const formats::Palette& palette, const formats::Colormap& colormap,
+                                       const CacheOptions& cache = {});
   ~GlRenderer();
   GlRenderer(GlRenderer&&) noexcept;
   GlRenderer& operator=(GlRenderer&&) noexcept;
@@ -43,6 +46,10 @@ class GlRenderer {
   // undefined.
   base::Result<render::FrameStats> render(const render::Scene& scene, const render::Settings& settings,
                                           render::FrameBuffer& io_frame);
+
+  // How the last frame used the card's cache, and the memory that the cache takes.
+  const CacheCounts& cache_counts() const;
+  std::size_t cache_bytes() const;
 
   // Driver and version, for a person.
   std::string describe() const;

@@ -48,7 +48,8 @@ RendererPair::RendererPair(const test::DrawableLevel& look)
       gl_frame_(kWidth, kHeight, render::PixelFormat::kRgb) {}
 
 base::Result<std::unique_ptr<RendererPair>> RendererPair::make(const test::DrawableLevel& look,
-                                                               ClipControl clip_control) {
+                                                               ClipControl clip_control,
+                                                               const CacheOptions& cache) {
   std::unique_ptr<RendererPair> pair(new RendererPair(look));
   TRY(pair->context_, platform::egl::make_offscreen_context());
   const auto find = [context = pair->context_.get(), clip_control](const char* name) -> void* {
@@ -56,13 +57,19 @@ base::Result<std::unique_ptr<RendererPair>> RendererPair::make(const test::Drawa
         clip_control == ClipControl::kNo && std::string_view(name).starts_with("glClipControl");
     return is_hidden ? nullptr : context->find_function(name);
   };
-  TRY(pair->gl_, GlRenderer::make(find, look.palette, look.colormap));
+  TRY(pair->gl_, GlRenderer::make(find, look.palette, look.colormap, cache));
   return pair;
+}
+
+GlRenderer& RendererPair::gl() {
+  const base::Status current = context_->make_current();
+  CHECK(current.ok(), "{}", current.error().what);
+  return *gl_;
 }
 
 double RendererPair::compare(const render::Scene& scene, const render::Settings& settings, int tolerance) {
   cpu_.render(scene, settings, cpu_frame_);
-  const base::Result<render::FrameStats> drawn = gl_->render(scene, settings, gl_frame_);
+  const base::Result<render::FrameStats> drawn = gl().render(scene, settings, gl_frame_);
   CHECK(drawn.ok(), "{}", drawn.error().what);
   const std::string number = name_ + "-" + std::to_string(picture_count_++);
   test::show_picture(number + "-cpu", cpu_frame_, palette_);

@@ -18,13 +18,15 @@ class RendererPair {
  public:
   // Fails on machines without OpenGL.
   static base::Result<std::unique_ptr<RendererPair>> make(
-      const test::DrawableLevel& look, ClipControl clip_control = ClipControl::kIfSupported);
+      const test::DrawableLevel& look, ClipControl clip_control = ClipControl::kIfSupported,
+      const CacheOptions& cache = {});
 
   // Draws the scene with both, and returns the share of pixels whose channels differ by at most `tolerance`.
   // CHECKs that the card draws. Writes the pictures and their difference if the test run asks for pictures.
   double compare(const render::Scene& scene, const render::Settings& settings, int tolerance = 2);
 
-  GlRenderer& gl() { return *gl_; }
+  // Makes its context current.
+  GlRenderer& gl();
   const render::FrameBuffer& cpu_frame() const { return cpu_frame_; }
   const render::FrameBuffer& gl_frame() const { return gl_frame_; }
 

@@ -8,6 +8,7 @@ namespace temblor::render_gl {
 namespace {
 
 struct Rect {
+  RectAllocator::Number number;
   AtlasPlace place;
   RectAllocator::Size size;
 };
@@ -38,23 +39,26 @@ TEST(RectAllocator, NeverGivesAwayAPlaceTwice) {
     for (int step = 0; step < 400; ++step) {
       if (!used.empty() && random.chance(0.3)) {
         const std::size_t i = random.below(used.size());
-        allocator.free(used[i].size, used[i].place);
+        allocator.free(used[i].number);
         used.erase(used.begin() + static_cast<std::ptrdiff_t>(i));
         continue;
       }
       const int width = static_cast<int>(random.log_uniform(1, 256));
       const int height = static_cast<int>(random.log_uniform(1, 256));
       const RectAllocator::Size size = RectAllocator::fit(width, height);
-      const std::optional<AtlasPlace> place = allocator.allocate(size);
-      if (!place) continue;
-      const Rect rect{*place, size};
-      ASSERT_LE(place->x + (1 << size.width), 256);
-      ASSERT_LE(place->y + (1 << size.height), 256);
-      ASSERT_LT(place->layer, 3);
+      const std::optional<RectAllocator::Rect> given = allocator.allocate(size);
+      if (!given) continue;
+      const Rect rect{given->number, given->place, size};
+      ASSERT_LE(rect.place.x + (1 << size.width), 256);
+      ASSERT_LE(rect.place.y + (1 << size.height), 256);
+      ASSERT_LT(rect.place.layer, 3);
       for (const Rect& other : used)
         ASSERT_FALSE(overlap(rect, other)) << "seed " << seed << ", step " << step;
       used.push_back(rect);
     }
+    // Halves have become whole layers again.
+    for (const Rect& rect : used) allocator.free(rect.number);
+    for (int layer = 0; layer < 3; ++layer) EXPECT_TRUE(allocator.allocate({8, 8})) << "seed " << seed;
   }
 }
 

@@ -1,67 +1,171 @@
 #include "render_gl/surfaces/block_atlas.h"
 
 #include <algorithm>
+#include <span>
 
 namespace temblor::render_gl {
 
 namespace {
 
-// The largest texture that is repeated, and the largest block of a texture with fine mip levels.
-constexpr int kLayerPower = 11;
-constexpr int kLayerTexels = 1 << kLayerPower;
+// 2048 texels: the largest texture that is repeated, and the largest block of a texture with fine mip levels.
+constexpr int kMaxLayerPower = 11, kMinLayerPower = 6;
+// The sky's two images may fill two layers.
+constexpr std::size_t kMinLayers = 2, kMaxLayers = 256;
 
-std::size_t texel_bytes(render::PixelFormat format) {
-  return format == render::PixelFormat::kIndexed ? 1 : 4;
+std::size_t texel_bytes(TexelFormat format) {
+  return format == TexelFormat::k16Bit ? 2 : 4;
+}
+
+std::size_t layer_bytes(TexelFormat format, int power) {
+  return (std::size_t{1} << 2 * power) * texel_bytes(format);
+}
+
+// Every 2^n-th texel of every 2^n-th row.
+void shrink_texels(const std::uint32_t* texels, render::SurfaceShape from, render::SurfaceShape to,
+                   std::vector<std::uint32_t>& out_texels) {
+  out_texels.resize(to.texels());
+  const int step_x = from.width / to.width, step_y = from.height / to.height;
+  auto out = out_texels.begin();
+  for (int y = 0; y < to.height; ++y)
+    for (int x = 0; x < to.width; ++x)
+      *out++ = texels[std::ptrdiff_t{y} * step_y * from.width + std::ptrdiff_t{x} * step_x];
+}
+
+// The nearest color that has 5, 6, and 5 bits: v * 31 / 255 and v * 63 / 255, rounded. No color becomes
+// kColorKey. Blue comes first, as in the frame.
+constexpr std::uint16_t kColorKey = 0xf81f, kNextToColorKey = 0xf01f;
+std::uint16_t pack_texel(std::uint32_t texel) {
+  if (texel < 0x80000000u) return kColorKey;
+  const std::uint32_t red = texel >> 16 & 255, green = texel >> 8 & 255, blue = texel & 255;
+  const std::uint32_t packed =
+      (blue * 249 + 1014) >> 11 << 11 | (green * 253 + 505) >> 10 << 5 | (red * 249 + 1014) >> 11;
+  return static_cast<std::uint16_t>(packed == kColorKey ? kNextToColorKey : packed);
 }
 
 }  // namespace
 
-BlockAtlas::BlockAtlas(Texture texture, render::PixelFormat format, int layers)
-    : texture_(std::move(texture)), format_(format), rectangles_(kLayerPower, layers) {}
+BlockAtlas::BlockAtlas(Texture texture, TexelFormat format, int layer_power, int layers)
+    : texture_(std::move(texture)),
+      format_(format),
+      layer_power_(layer_power),
+      bytes_(layer_bytes(format, layer_power) * static_cast<std::size_t>(layers)),
+      rectangles_(layer_power, layers) {}
 
-base::Result<BlockAtlas> BlockAtlas::make(const Functions& gl, render::PixelFormat format,
-                                          std::size_t bytes) {
-  const std::size_t layer_bytes = std::size_t{kLayerTexels} * kLayerTexels * texel_bytes(format);
-  const int layers = static_cast<int>(std::clamp<std::size_t>(bytes / layer_bytes, 1, 256));
-  const GLenum gl_format = format == render::PixelFormat::kIndexed ? GL_R8 : GL_RGBA8;
-  TRY(Texture texture, make_texture(gl, gl_format, {kLayerTexels, kLayerTexels, layers}));
-  return BlockAtlas(std::move(texture), format, layers);
+base::Result<BlockAtlas> BlockAtlas::make(const Functions& gl, const CacheOptions& options) {
+  int power = kMaxLayerPower;
+  while (power > kMinLayerPower && options.bytes < kMinLayers * layer_bytes(options.format, power)) --power;
+  const std::size_t layers =
+      std::clamp(options.bytes / layer_bytes(options.format, power), kMinLayers, kMaxLayers);
+  const GLenum gl_format = options.format == TexelFormat::k16Bit ? GL_RGB565 : GL_RGBA8;
+  const int side = 1 << power;
+  TRY(Texture texture, make_texture(gl, gl_format, {side, side, static_cast<int>(layers)}));
+  return BlockAtlas(std::move(texture), options.format, power, static_cast<int>(layers));
+}
+
+void BlockAtlas::begin_frame() {
+  ++frame_;
+  counts_ = {};
+}
+
+void BlockAtlas::begin_portion() {
+  ++portion_;
+  ++counts_.portions;
+  earlier_.splice(earlier_.end(), of_portion_);
 }
 
 void BlockAtlas::clear() {
-  cells_.clear();
+  earlier_.clear();
+  of_portion_.clear();
+  by_key_.clear();
   rectangles_.clear();
-  ++counts_.flushes;
 }
 
-std::optional<AtlasPlace> BlockAtlas::place(const Functions& gl, const AtlasImage& image) {
-  const RectAllocator::Size size = RectAllocator::fit(image.shape.width, image.shape.height);
-  auto found = cells_.find(image.key);
+void BlockAtlas::invalidate(AtlasKey key) {
+  const auto found = by_key_.find(key);
+  if (found != by_key_.end()) found->second->changed = true;
+}
+
+render::SurfaceShape BlockAtlas::shrink(render::SurfaceShape shape) const {
+  for (std::int32_t* side : {&shape.width, &shape.height})
+    while (*side > 1 << layer_power_) *side /= 2;
+  return shape;
+}
+
+void BlockAtlas::drop(Cells::iterator cell) {
+  rectangles_.free(cell->rect.number);
+  by_key_.erase(cell->key);
+  (cell->portion == portion_ ? of_portion_ : earlier_).erase(cell);
+}
+
+// False: there are only images of this portion.
+bool BlockAtlas::evict() {
+  if (earlier_.empty()) return false;
+  const bool has_old = earlier_.front().frame + 1 < frame_;
+  const bool has_drawn = earlier_.back().frame == frame_;
+  drop(!has_old && has_drawn ? std::prev(earlier_.end()) : earlier_.begin());
+  ++counts_.evicted;
+  return true;
+}
+
+std::optional<RectAllocator::Rect> BlockAtlas::make_room(RectAllocator::Size size) {
+  while (true) {
+    const std::optional<RectAllocator::Rect> rect = rectangles_.allocate(size);
+    if (rect || !evict()) return rect;
+  }
+}
+
+void BlockAtlas::use(Cells::iterator cell) {
+  if (cell->portion != portion_) of_portion_.splice(of_portion_.end(), earlier_, cell);
+  cell->portion = portion_;
+  cell->frame = frame_;
+}
+
+std::optional<StoredImage> BlockAtlas::place(const Functions& gl, const AtlasImage& image) {
+  const render::SurfaceShape shape = shrink(image.shape);
+  const RectAllocator::Size size = RectAllocator::fit(shape.width, shape.height);
+  auto found = by_key_.find(image.key);
   // The CPU's cache may have reused the memory of a block for one of another size.
-  if (found != cells_.end() &&
-      (found->second.size.width != size.width || found->second.size.height != size.height)) {
-    rectangles_.free(found->second.size, found->second.place);
-    cells_.erase(found);
-    found = cells_.end();
+  if (found != by_key_.end() && found->second->size != size) {
+    drop(found->second);
+    found = by_key_.end();
   }
-  if (found != cells_.end() && !image.changed) return found->second.place;
-  if (found == cells_.end()) {
-    const std::optional<AtlasPlace> place = rectangles_.allocate(size);
-    if (!place) return std::nullopt;
-    found = cells_.emplace(image.key, Cell{*place, size}).first;
+  if (found == by_key_.end()) {
+    const std::optional<RectAllocator::Rect> rect = make_room(size);
+    if (!rect) return std::nullopt;
+    of_portion_.push_back({image.key, *rect, size, {rect->place, shape}, frame_, portion_, true});
+    found = by_key_.emplace(image.key, std::prev(of_portion_.end())).first;
+  } else {
+    counts_.hits += !found->second->changed && found->second->portion != portion_;
+    use(found->second);
   }
-  upload(gl, image, found->second.place);
-  return found->second.place;
+  Cell& cell = *found->second;
+  cell.stored.shape = shape;
+  if (cell.changed) upload(gl, image, cell.stored);
+  cell.changed = false;
+  return cell.stored;
 }
 
-void BlockAtlas::upload(const Functions& gl, const AtlasImage& image, AtlasPlace place) {
+void BlockAtlas::upload(const Functions& gl, const AtlasImage& image, const StoredImage& stored) {
+  const auto* texels = static_cast<const std::uint32_t*>(image.texels);
+  const render::SurfaceShape shape = stored.shape;
+  if (shape.width != image.shape.width || shape.height != image.shape.height) {
+    shrink_texels(texels, image.shape, shape, shrunk_);
+    texels = shrunk_.data();
+  }
+  const void* source = texels;
+  const bool is_packed = format_ == TexelFormat::k16Bit;
+  if (is_packed) {
+    packed_.resize(shape.texels());
+    std::ranges::transform(std::span(texels, shape.texels()), packed_.begin(), pack_texel);
+    source = packed_.data();
+  }
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, place.x, place.y, place.layer, image.shape.width,
-                   image.shape.height, 1, format_ == render::PixelFormat::kIndexed ? GL_RED : GL_RGBA,
-                   GL_UNSIGNED_BYTE, image.texels);
+  gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, stored.place.x, stored.place.y, stored.place.layer, shape.width,
+                   shape.height, 1, is_packed ? GL_RGB : GL_RGBA,
+                   is_packed ? GL_UNSIGNED_SHORT_5_6_5 : GL_UNSIGNED_BYTE, source);
   ++counts_.uploads;
-  counts_.bytes_uploaded += image.shape.texels() * texel_bytes(format_);
+  counts_.bytes_uploaded += shape.texels() * texel_bytes(format_);
 }
 
 }  // namespace temblor::render_gl

@@ -2,16 +2,21 @@
 // texture. Texels are uploaded when they are new or have changed, and stay as long as there is room. VQuake
 // drew from such a cache of surfaces (Abrash, "Quake: A Post-Mortem and a Glimpse into the Future").
 //
-// Full, it drops everything and uploads again what the frame needs. So no frame depends on earlier ones.
+// A frame that does not fit is drawn in portions. Images of the current portion stay until the next one
+// begins. Others make room, first those that the last frame did not need, the oldest ones first. A frame asks
+// for its images in about the order of the last frame, so those that it has drawn are needed latest: they go
+// next, and the last ones first. To evict the least recently used one would always evict what comes next.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <list>
 #include <unordered_map>
+#include <vector>
 
-#include "render/frame_buffer.h"
 #include "render/surfaces/surface_block.h"
 #include "render_gl/gl/objects.h"
+#include "render_gl/surfaces/cache_options.h"
 #include "render_gl/surfaces/rect_allocator.h"
 
 namespace temblor::render_gl {
@@ -20,48 +25,71 @@ namespace temblor::render_gl {
 // that no address can be (texture_key).
 using AtlasKey = std::uint64_t;
 
-// Texels to draw from; `texels` has those of the frame's format, row by row.
+// Texels to draw from, 0xAARRGGBB, row by row.
 struct AtlasImage {
   AtlasKey key;
   const void* texels;
   render::SurfaceShape shape;
-  bool changed = false;  // since the last frame: it must be uploaded
 };
 
-// Counts of the current frame.
-struct AtlasCounts {
-  std::uint32_t uploads = 0, flushes = 0;
-  std::uint64_t bytes_uploaded = 0;
+// Where an image is, and its size there: less than its own if it is larger than a layer.
+struct StoredImage {
+  AtlasPlace place;
+  render::SurfaceShape shape;
 };
 
 class BlockAtlas {
  public:
-  // `bytes`: at most so much memory of the card, but at least one layer. Fails if the card has less.
-  static base::Result<BlockAtlas> make(const Functions& gl, render::PixelFormat format, std::size_t bytes);
+  // Fails if the card lacks the memory.
+  static base::Result<BlockAtlas> make(const Functions& gl, const CacheOptions& options);
 
-  void begin_frame() { counts_ = {}; }
+  void begin_frame();
+  // From now on, the images of earlier portions may make room for others.
+  void begin_portion();
   // Drops everything; for another level.
   void clear();
-  // The place of the image, after uploading it if it is missing or has changed. Nothing if the atlas is full:
-  // then the caller must clear() it and place all images of the frame again.
-  std::optional<AtlasPlace> place(const Functions& gl, const AtlasImage& image);
+  // The image's texels have changed: it must be uploaded before it is drawn again.
+  void invalidate(AtlasKey key);
+  // The image, after uploading it if it is missing or has changed. Nothing if the portion is full. Two images
+  // always fit an empty portion.
+  std::optional<StoredImage> place(const Functions& gl, const AtlasImage& image);
 
   GLuint texture() const { return texture_.name(); }
-  const AtlasCounts& counts() const { return counts_; }
+  TexelFormat format() const { return format_; }
+  // Memory of the card.
+  std::size_t bytes() const { return bytes_; }
+  const CacheCounts& counts() const { return counts_; }
 
  private:
   struct Cell {
-    AtlasPlace place;
+    AtlasKey key;
+    RectAllocator::Rect rect;
     RectAllocator::Size size;
+    StoredImage stored;
+    std::uint64_t frame = 0, portion = 0;  // that used it last
+    bool changed = false;
   };
-  BlockAtlas(Texture texture, render::PixelFormat format, int layers);
-  void upload(const Functions& gl, const AtlasImage& image, AtlasPlace place);
+  using Cells = std::list<Cell>;  // the least recently used one first
+
+  BlockAtlas(Texture texture, TexelFormat format, int layer_power, int layers);
+  render::SurfaceShape shrink(render::SurfaceShape shape) const;
+  bool evict();
+  void drop(Cells::iterator cell);
+  std::optional<RectAllocator::Rect> make_room(RectAllocator::Size size);
+  void use(Cells::iterator cell);
+  void upload(const Functions& gl, const AtlasImage& image, const StoredImage& stored);
 
   Texture texture_;
-  render::PixelFormat format_;
+  TexelFormat format_;
+  int layer_power_;
+  std::size_t bytes_;
   RectAllocator rectangles_;
-  std::unordered_map<AtlasKey, Cell> cells_;
-  AtlasCounts counts_;
+  Cells earlier_, of_portion_;
+  std::unordered_map<AtlasKey, Cells::iterator> by_key_;
+  std::uint64_t frame_ = 1, portion_ = 1;
+  std::vector<std::uint32_t> shrunk_;  // scratch of upload()
+  std::vector<std::uint16_t> packed_;  // the same
+  CacheCounts counts_;
 };
 
 }  // namespace temblor::render_gl

@@ -1,77 +1,73 @@
 // Draws the level and the brush models. The CPU finds the visible faces, their mip levels, and their surface
-// blocks, by the stages of the CPU renderer; the graphics card draws their pixels.
+// blocks, by the stages of the CPU renderer; the graphics card draws their pixels. If their texels do not fit
+// the atlas, they are drawn in portions: depth makes the order of opaque faces irrelevant, and translucent
+// faces keep theirs.
 //
-//   SurfaceBlocks --> BlockAtlas (texels)       visible surfaces --> one list of vertices per instance
+//   SurfaceBlocks --> BlockAtlas (texels)       visible surfaces --> FaceQueue (vertices)
 //                 \-> TileTable (records)                        \-> one draw call per instance
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "render/frame/render_frame.h"
-#include "render/spans/span_sources.h"
-#include "render/translucent/translucent_layers.h"
 #include "render_gl/surfaces/block_atlas.h"
 #include "render_gl/surfaces/tile_table.h"
+#include "render_gl/world/face_queue.h"
+#include "render_gl/world/frame_input.h"
 #include "render_gl/world/level_mesh.h"
 #include "render_gl/world/skybox_texture.h"
 
 namespace temblor::render_gl {
 
-// The results of the CPU's stages that a frame is drawn from.
-struct FrameInput {
-  const render::FrameContext& context;
-  const render::FrameRecord& record;
-  const render::SpanSources& sources;
-  const render::TranslucentOrder& order;
-  const render::LevelData& level_data;
-
-  const render::Scene& scene() const { return context.scene; }
-};
-
 class WorldPass {
  public:
-  // `format` is that of the frames.
-  static base::Result<WorldPass> make(const Functions& gl, render::PixelFormat format,
-                                      std::size_t atlas_bytes);
+  // Frames are rgb.
+  static base::Result<WorldPass> make(const Functions& gl, const CacheOptions& cache);
 
-  // Brings the frame's texels, records, and vertices to the graphics card. Fails if the card lacks memory for
-  // what one frame shows.
+  // Brings the frame's first portion of texels and records, and all vertices, to the graphics card. Fails if
+  // the card lacks memory.
   base::Status prepare(const Functions& gl, const FrameInput& input);
   // Draws opaque faces, and those with holes, with depth. prepare() comes first.
-  void draw_opaque(const Functions& gl, const FrameInput& input) const;
+  void draw_opaque(const Functions& gl, const FrameInput& input);
   // Blends translucent face number `face` (DeferredFaces::translucent) into the picture, tested against
-  // depth.
-  void draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t face) const;
+  // depth. Numbers must rise from call to call.
+  void draw_translucent(const Functions& gl, const FrameInput& input, std::uint32_t face);
 
-  const AtlasCounts& counts() const { return atlas_.counts(); }
+  // Counts of the last frame.
+  const CacheCounts& counts() const { return atlas_.counts(); }
+  std::size_t cache_bytes() const { return atlas_.bytes(); }
 
  private:
-  // Triangles of one instance: the world's (0), or those of Scene::brush_models[instance - 1].
-  struct Batch {
-    std::uint32_t instance;
-    std::size_t first_index, index_count;
+  // The queued faces whose texels are in the atlas now. The last one goes on in the next portion, with
+  // `next_tile`, unless that is 0.
+  struct Portion {
+    std::size_t begin = 0, end = 0;
+    std::uint32_t next_tile = 0;
+
+    bool contains(std::size_t face) const { return begin <= face && face < end; }
+    // Whether this portion and earlier ones have all faces before `face`.
+    bool has_all_before(std::size_t face) const { return end > face || (end == face && next_tile == 0); }
   };
   // A program, and the locations of its variables; -1 for those that it lacks.
   struct Shader {
     Shader(const Functions& gl, Program linked);
     Program program;
     GLint model_axes, model_origin, first_record, eye, view_axes, projection, full_range;
-    GLint records, atlas, skybox, liquid_phase, sky_scroll, fog_density, fog_color;
+    GLint records, atlas, has_color_key, skybox, liquid_phase, sky_scroll, fog_density, fog_color;
   };
 
   WorldPass(const Functions& gl, Shader any_face, Shader block, Shader fogged_block, BlockAtlas atlas);
   base::Status set_level(const Functions& gl, const FrameInput& input);
   base::Status number_instances(const Functions& gl, const FrameInput& input);
-  bool place_images(const Functions& gl, const FrameInput& input);
-  bool place_draw(const Functions& gl, const FrameInput& input, std::uint32_t draw);
-  void set_records(const FrameInput& input);
-  void collect_triangles(const Functions& gl, const FrameInput& input);
-  void add_surface(const FrameInput& input, render::SurfaceIndex surface, std::vector<Batch>& io_batches);
+  void begin_portion(const Functions& gl, const FrameInput& input);
+  bool place_face(const Functions& gl, const FrameInput& input, const QueuedFace& face);
   void begin_draw(const Functions& gl, const FrameInput& input, const Shader& shader) const;
-  void draw_batch(const Functions& gl, const FrameInput& input, const Shader& shader,
-                  const Batch& batch) const;
+  void draw_faces(const Functions& gl, const FrameInput& input, const Shader& shader,
+                  std::span<const QueuedFace> faces) const;
+  void draw_opaque_portion(const Functions& gl, const FrameInput& input) const;
+  void draw_translucent_portion(const Functions& gl, const FrameInput& input, std::size_t number) const;
 
   // For faces of all kinds, and for those that show one surface block, without and with fog.
   Shader any_face_, block_, fogged_block_;
@@ -83,11 +79,8 @@ class WorldPass {
   Buffer index_buffer_;
   // By instance: added to the numbers of the faces' own tiles, modulo 2^32.
   std::vector<std::uint32_t> record_offset_;
-  std::vector<TileRecord> draw_records_;  // by draw number
-  // The vertices of the frame's triangles, in batches: opaque faces, faces with holes, and one batch
-  // for each translucent face.
-  std::vector<std::uint32_t> indices_;
-  std::vector<Batch> blocks_, others_, with_holes_, translucent_;
+  FaceQueue faces_;
+  Portion portion_;
 };
 
 }  // namespace temblor::render_gl

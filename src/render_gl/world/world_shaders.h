@@ -46,6 +46,7 @@ void main() {
 inline constexpr const char* kWorldFragmentShader = R"(
 uniform usampler2D records;
 uniform sampler2DArray atlas;
+uniform bool has_color_key;  // the atlas has no alpha: texels of the first and last color only are clear
 uniform sampler2DArray skybox;  // sides +x, +y, -x, -y, +z, -z with borders of one texel
 uniform float liquid_phase;  // texels
 uniform vec2 sky_scroll;     // texels of layers with 128 texels: the clouds', the background's
@@ -64,9 +65,14 @@ const float kTurn = 6.28318530718 / 128.0;
 
 ivec2 unpack(uint two) { return ivec2(two & 0xffffu, two >> 16); }
 
+vec4 atlas_texel(ivec2 at, int layer) {
+  vec4 texel = texelFetch(atlas, ivec3(at, layer), 0);
+  return has_color_key && texel.rgb == vec3(1, 0, 1) ? vec4(0) : texel;
+}
+
 vec4 repeated_texel(vec2 at, ivec2 first, ivec2 size, int layer) {
   ivec2 whole = ivec2(floor(at - floor(at / vec2(size)) * vec2(size)));
-  return texelFetch(atlas, ivec3(first + clamp(whole, ivec2(0), size - 1), layer), 0);
+  return atlas_texel(first + clamp(whole, ivec2(0), size - 1), layer);
 }
 
 // Two layers on a dome whose height is stretched threefold.
@@ -121,7 +127,7 @@ void main() {
   vec2 at = face_texel + mapping.xy;
   if (kind == kBlock) {
     ivec2 whole = clamp(ivec2(floor(at * mapping.zw)), ivec2(0), size - 1);
-    color = texelFetch(atlas, ivec3(first + whole, layer), 0);
+    color = atlas_texel(first + whole, layer);
   } else if (kind == kSky) {
     color = sky_texel(image, size, layer);
   } else if (kind == kSkybox) {

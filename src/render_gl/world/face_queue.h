@@ -1,0 +1,51 @@
+// The faces of the level and of brush models that a frame shows, in the order in which they are drawn, with
+// the vertices of their triangles.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render_gl/gl/objects.h"
+#include "render_gl/world/frame_input.h"
+
+namespace temblor::render_gl {
+
+// In drawing order. kOneBlock: a face that shows one surface block, without holes.
+enum class FaceGroup : std::uint8_t { kOneBlock, kOther, kWithHoles, kTranslucent };
+
+struct QueuedFace {
+  FaceGroup group;
+  std::uint32_t instance;  // 0: the world; i + 1: Scene::brush_models[i]
+  world::FaceIndex face;
+  // Its fragments: EdgeTable::surfaces from `surface` on.
+  std::uint32_t surface, fragments;
+  std::uint32_t tiles;
+  // Its vertices in indices(). None: an earlier fragment draws the face.
+  std::uint32_t first_index, index_count;
+  const render::FaceOpacity* opacity;  // null: opaque
+};
+
+class FaceQueue {
+ public:
+  void collect(const FrameInput& input);
+
+  const std::vector<QueuedFace>& faces() const { return faces_; }
+  // The number of TranslucentOrder::faces.translucent[0]; the others follow.
+  std::size_t first_translucent() const { return first_translucent_; }
+  const std::vector<std::uint32_t>& indices() const { return indices_; }
+
+ private:
+  void add(const FrameInput& input, std::size_t surface, FaceGroup group, const render::FaceOpacity* opacity);
+
+  std::vector<QueuedFace> faces_;
+  std::size_t first_translucent_ = 0;
+  std::vector<std::uint32_t> indices_;
+};
+
+// The draw of a tile of the face that is seen, or nothing. The last one counts if several fragments show it.
+std::optional<std::uint32_t> find_seen_draw(const FrameInput& input, const QueuedFace& face,
+                                            std::uint32_t tile);
+
+}  // namespace temblor::render_gl

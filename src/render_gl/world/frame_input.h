@@ -1,0 +1,21 @@
+// The results of the CPU's stages that a frame is drawn from.
+#pragma once
+
+#include "render/frame/render_frame.h"
+#include "render/spans/span_sources.h"
+#include "render/translucent/translucent_layers.h"
+
+namespace temblor::render_gl {
+
+// Refers to them.
+struct FrameInput {
+  const render::FrameContext& context;
+  const render::FrameRecord& record;
+  const render::SpanSources& sources;
+  const render::TranslucentOrder& order;
+  const render::LevelData& level_data;
+
+  const render::Scene& scene() const { return context.scene; }
+};
+
+}  // namespace temblor::render_gl
