@@ -10,6 +10,23 @@ bool is_same_face(const render::ScreenSurface& a, const render::ScreenSurface& b
   return a.face == b.face && a.instance == b.instance;
 }
 
+// For an opaque face; those with holes and opacity need kBlocks for kOneBlock.
+FaceProgramKind choose_program(const FrameInput& input, const render::ScreenSurface& surface) {
+  const world::Face& face = input.context.level().face(surface.face);
+  if (render::has_surface(face))
+    return surface.tiles.s == 1 && surface.tiles.t == 1 ? FaceProgramKind::kOneBlock
+                                                        : FaceProgramKind::kBlocks;
+  if (face.kind == world::FaceKind::kSky)
+    return input.sources.skybox ? FaceProgramKind::kSkybox : FaceProgramKind::kSky;
+  return face.kind == world::FaceKind::kLiquid ? FaceProgramKind::kLiquid : FaceProgramKind::kTexture;
+}
+
+FaceProgramKind choose_program(const FrameInput& input, const render::DeferredFace& face) {
+  const FaceProgramKind program =
+      choose_program(input, input.record.edges.surfaces[base::to_size(face.surface)]);
+  return program == FaceProgramKind::kOneBlock ? FaceProgramKind::kBlocks : program;
+}
+
 bool is_seen(const FrameInput& input, const QueuedFace& face) {
   for (std::uint32_t tile = 0; tile < face.tiles; ++tile)
     if (find_seen_draw(input, face, tile)) return true;
@@ -32,27 +49,24 @@ void FaceQueue::collect(const FrameInput& input) {
   const render::EdgeTable& edges = input.record.edges;
   faces_.clear();
   indices_.clear();
-  const auto has_one_block = [&](const render::ScreenSurface& surface) {
-    return surface.tiles.s == 1 && surface.tiles.t == 1 &&
-           render::has_surface(input.context.level().face(surface.face));
-  };
-  for (const bool of_one_block : {true, false})
+  for (std::size_t kind = 0; kind < kFaceProgramKinds; ++kind)
     for (std::size_t i = 1; i < edges.first_deferred(); ++i)
-      if (has_one_block(edges.surfaces[i]) == of_one_block)
-        add(input, i, of_one_block ? FaceGroup::kOneBlock : FaceGroup::kOther, nullptr);
+      if (const auto program = choose_program(input, edges.surfaces[i]);
+          program == static_cast<FaceProgramKind>(kind))
+        add(input, i, program, nullptr);
   for (const render::DeferredFace& face : input.order.faces.opaque)
-    add(input, base::to_size(face.surface), FaceGroup::kWithHoles, &face.opacity);
+    add(input, base::to_size(face.surface), choose_program(input, face), &face.opacity);
   first_translucent_ = faces_.size();
   for (const render::DeferredFace& face : input.order.faces.translucent)
-    add(input, base::to_size(face.surface), FaceGroup::kTranslucent, &face.opacity);
+    add(input, base::to_size(face.surface), choose_program(input, face), &face.opacity);
 }
 
 // Fragments of one face are adjacent, and draw it once.
-void FaceQueue::add(const FrameInput& input, std::size_t number, FaceGroup group,
+void FaceQueue::add(const FrameInput& input, std::size_t number, FaceProgramKind program,
                     const render::FaceOpacity* opacity) {
   const std::span<const render::ScreenSurface> surfaces = input.record.edges.surfaces;
   const render::ScreenSurface& surface = surfaces[number];
-  QueuedFace face{.group = group,
+  QueuedFace face{.program = program,
                   .instance = surface.instance,
                   .face = surface.face,
                   .surface = static_cast<std::uint32_t>(number),
@@ -64,11 +78,13 @@ void FaceQueue::add(const FrameInput& input, std::size_t number, FaceGroup group
   if (number <= 1 || !is_same_face(surfaces[number - 1], surface))
     for (std::size_t i = number; i < surfaces.size() && is_same_face(surfaces[i], surface); ++i)
       ++face.fragments;
+  // Translucent faces keep the numbers that layers have for them.
+  const bool is_translucent = opacity != nullptr && opacity->is_translucent();
   if (is_seen(input, face)) {
     LevelMesh::add_triangles(input.level_data.outlines.faces[base::to_size(surface.face)], indices_);
     face.index_count = static_cast<std::uint32_t>(indices_.size()) - face.first_index;
   }
-  if (face.index_count > 0 || group == FaceGroup::kTranslucent) faces_.push_back(face);
+  if (face.index_count > 0 || is_translucent) faces_.push_back(face);
 }
 
 }  // namespace temblor::render_gl

@@ -7,16 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "render_gl/gl/objects.h"
+#include "render_gl/world/face_programs.h"
 #include "render_gl/world/frame_input.h"
 
 namespace temblor::render_gl {
 
-// In drawing order. kOneBlock: a face that shows one surface block, without holes.
-enum class FaceGroup : std::uint8_t { kOneBlock, kOther, kWithHoles, kTranslucent };
-
 struct QueuedFace {
-  FaceGroup group;
+  FaceProgramKind program;
   std::uint32_t instance;  // 0: the world; i + 1: Scene::brush_models[i]
   world::FaceIndex face;
   // Its fragments: EdgeTable::surfaces from `surface` on.
@@ -37,7 +34,8 @@ class FaceQueue {
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
  private:
-  void add(const FrameInput& input, std::size_t surface, FaceGroup group, const render::FaceOpacity* opacity);
+  void add(const FrameInput& input, std::size_t surface, FaceProgramKind program,
+           const render::FaceOpacity* opacity);
 
   std::vector<QueuedFace> faces_;
   std::size_t first_translucent_ = 0;

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "base/check.h"
 #include "render/color/warped_rows.h"
-#include "render_gl/world/block_shaders.h"
 #include "render_gl/world/tile_images.h"
-#include "render_gl/world/world_shaders.h"
 
 namespace temblor::render_gl {
 
@@ -25,41 +22,13 @@ std::array<float, 9> columns(const math::Vec3d& x, const math::Vec3d& y, const m
 
 }  // namespace
 
-WorldPass::Shader::Shader(const Functions& gl, Program linked) : program(std::move(linked)) {
-  const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name(), name); };
-  model_axes = find("model_axes");
-  model_origin = find("model_origin");
-  first_record = find("first_record");
-  eye = find("eye");
-  view_axes = find("view_axes");
-  projection = find("projection");
-  full_range = find("full_range");
-  records = find("records");
-  atlas = find("atlas");
-  has_color_key = find("has_color_key");
-  skybox = find("skybox");
-  liquid_phase = find("liquid_phase");
-  sky_scroll = find("sky_scroll");
-  fog_density = find("fog_density");
-  fog_color = find("fog_color");
-}
-
-WorldPass::WorldPass(const Functions& gl, Shader any_face, Shader block, Shader fogged_block,
-                     BlockAtlas atlas)
-    : any_face_(std::move(any_face)),
-      block_(std::move(block)),
-      fogged_block_(std::move(fogged_block)),
-      atlas_(std::move(atlas)),
-      index_buffer_(make_buffer(gl)) {}
+WorldPass::WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atlas)
+    : programs_(std::move(programs)), atlas_(std::move(atlas)), index_buffer_(make_buffer(gl)) {}
 
 base::Result<WorldPass> WorldPass::make(const Functions& gl, const CacheOptions& cache) {
-  TRY(Program any_face, make_program(gl, kWorldVertexShader, kWorldFragmentShader));
-  TRY(Program block, make_program(gl, kBlockVertexShader, kBlockFragmentShader));
-  const std::string with_fog = std::string("#define FOG\n") + kBlockFragmentShader;
-  TRY(Program fogged_block, make_program(gl, kBlockVertexShader, with_fog.c_str()));
+  TRY(FacePrograms programs, FacePrograms::make(gl));
   TRY(BlockAtlas atlas, BlockAtlas::make(gl, cache));
-  return WorldPass(gl, Shader(gl, std::move(any_face)), Shader(gl, std::move(block)),
-                   Shader(gl, std::move(fogged_block)), std::move(atlas));
+  return WorldPass(gl, std::move(programs), std::move(atlas));
 }
 
 base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
@@ -142,9 +111,14 @@ bool WorldPass::place_face(const Functions& gl, const FrameInput& input, const Q
   return !is_full;
 }
 
-void WorldPass::begin_draw(const Functions& gl, const FrameInput& input, const Shader& shader) const {
+const FaceProgram& WorldPass::begin_draw(const Functions& gl, const FrameInput& input,
+                                         FaceProgramKind kind) const {
   const render::ViewFrame& view = input.record.view;
   const render::Fog& fog = input.scene().fog;
+  const bool has_fog = fog.density > 0;
+  // The program of one block takes the distance of fog from 1/w, which parallel projection lacks.
+  if (has_fog && !view.perspective && kind == FaceProgramKind::kOneBlock) kind = FaceProgramKind::kBlocks;
+  const FaceProgram& shader = programs_.get(kind, has_fog);
   gl.UseProgram(shader.program.name());
   gl.ActiveTexture(GL_TEXTURE0 + kRecordsUnit);
   gl.BindTexture(GL_TEXTURE_2D, table_.texture());
@@ -175,36 +149,36 @@ void WorldPass::begin_draw(const Functions& gl, const FrameInput& input, const S
   gl.Uniform3f(shader.fog_color, static_cast<float>(fog_color.b) / 255, static_cast<float>(fog_color.g) / 255,
                static_cast<float>(fog_color.r) / 255);
   gl.BindVertexArray(mesh_.vertex_array());
+  return shader;
 }
 
-// Draws consecutive faces of one instance with one shader.
-void WorldPass::draw_faces(const Functions& gl, const FrameInput& input, const Shader& shader,
+// Draws consecutive faces of one instance with one program.
+void WorldPass::draw_faces(const Functions& gl, const FrameInput& input, const FaceProgram& program,
                            std::span<const QueuedFace> faces) const {
   if (faces.empty() || faces.front().index_count == 0) return;
   const std::uint32_t instance = faces.front().instance, first_index = faces.front().first_index;
   const render::ModelView& model = input.record.edges.model_views[instance];
   const std::array<float, 9> axes = columns(model.x_axis, model.y_axis, model.z_axis);
   const math::Vec3 origin(model.origin_world);
-  gl.UniformMatrix3fv(shader.model_axes, 1, GL_FALSE, axes.data());
-  gl.Uniform3f(shader.model_origin, origin.x, origin.y, origin.z);
-  gl.Uniform1ui(shader.first_record, record_offset_[instance]);
+  gl.UniformMatrix3fv(program.model_axes, 1, GL_FALSE, axes.data());
+  gl.Uniform3f(program.model_origin, origin.x, origin.y, origin.z);
+  gl.Uniform1ui(program.first_record, record_offset_[instance]);
   const std::uint32_t end_index = faces.back().first_index + faces.back().index_count;
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end_index - first_index), GL_UNSIGNED_INT,
                   reinterpret_cast<const void*>(std::size_t{first_index} * sizeof(std::uint32_t)));
 }
 
 void WorldPass::draw_opaque_portion(const Functions& gl, const FrameInput& input) const {
-  const bool has_fog = input.scene().fog.density > 0;
-  const Shader& of_block = !has_fog ? block_ : input.record.view.perspective ? fogged_block_ : any_face_;
   const std::size_t end = std::min(portion_.end, faces_.first_translucent());
-  const Shader* bound = nullptr;
+  const FaceProgram* bound = nullptr;
+  std::optional<FaceProgramKind> bound_kind;
   for (std::size_t begin = portion_.begin, i = begin; begin < end; begin = i) {
     const std::span<const QueuedFace> faces(faces_.faces());
     const QueuedFace& first = faces[begin];
-    while (i < end && faces[i].instance == first.instance && faces[i].group == first.group) ++i;
-    const Shader& shader = first.group == FaceGroup::kOneBlock ? of_block : any_face_;
-    if (std::exchange(bound, &shader) != &shader) begin_draw(gl, input, shader);
-    draw_faces(gl, input, shader, faces.subspan(begin, i - begin));
+    while (i < end && faces[i].instance == first.instance && faces[i].program == first.program) ++i;
+    if (std::exchange(bound_kind, first.program) != first.program)
+      bound = &begin_draw(gl, input, first.program);
+    draw_faces(gl, input, *bound, faces.subspan(begin, i - begin));
   }
   gl.BindVertexArray(0);
 }
@@ -220,11 +194,11 @@ void WorldPass::draw_opaque(const Functions& gl, const FrameInput& input) {
 void WorldPass::draw_translucent_portion(const Functions& gl, const FrameInput& input,
                                          std::size_t number) const {
   const QueuedFace& face = faces_.faces()[number];
-  begin_draw(gl, input, any_face_);
+  const FaceProgram& program = begin_draw(gl, input, face.program);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_SRC_ALPHA, face.opacity->is_additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
   gl.DepthMask(GL_FALSE);
-  draw_faces(gl, input, any_face_, {&face, 1});
+  draw_faces(gl, input, program, {&face, 1});
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   gl.BindVertexArray(0);

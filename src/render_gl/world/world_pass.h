@@ -14,6 +14,7 @@
 
 #include "render_gl/surfaces/block_atlas.h"
 #include "render_gl/surfaces/tile_table.h"
+#include "render_gl/world/face_programs.h"
 #include "render_gl/world/face_queue.h"
 #include "render_gl/world/frame_input.h"
 #include "render_gl/world/level_mesh.h"
@@ -50,27 +51,19 @@ class WorldPass {
     // Whether this portion and earlier ones have all faces before `face`.
     bool has_all_before(std::size_t face) const { return end > face || (end == face && next_tile == 0); }
   };
-  // A program, and the locations of its variables; -1 for those that it lacks.
-  struct Shader {
-    Shader(const Functions& gl, Program linked);
-    Program program;
-    GLint model_axes, model_origin, first_record, eye, view_axes, projection, full_range;
-    GLint records, atlas, has_color_key, skybox, liquid_phase, sky_scroll, fog_density, fog_color;
-  };
 
-  WorldPass(const Functions& gl, Shader any_face, Shader block, Shader fogged_block, BlockAtlas atlas);
+  WorldPass(const Functions& gl, FacePrograms programs, BlockAtlas atlas);
   base::Status set_level(const Functions& gl, const FrameInput& input);
   base::Status number_instances(const Functions& gl, const FrameInput& input);
   void begin_portion(const Functions& gl, const FrameInput& input);
   bool place_face(const Functions& gl, const FrameInput& input, const QueuedFace& face);
-  void begin_draw(const Functions& gl, const FrameInput& input, const Shader& shader) const;
-  void draw_faces(const Functions& gl, const FrameInput& input, const Shader& shader,
+  const FaceProgram& begin_draw(const Functions& gl, const FrameInput& input, FaceProgramKind kind) const;
+  void draw_faces(const Functions& gl, const FrameInput& input, const FaceProgram& program,
                   std::span<const QueuedFace> faces) const;
   void draw_opaque_portion(const Functions& gl, const FrameInput& input) const;
   void draw_translucent_portion(const Functions& gl, const FrameInput& input, std::size_t number) const;
 
-  // For faces of all kinds, and for those that show one surface block, without and with fog.
-  Shader any_face_, block_, fogged_block_;
+  FacePrograms programs_;
   BlockAtlas atlas_;
   TileTable table_;
   std::shared_ptr<const world::LevelIdentity> level_;

@@ -43,6 +43,7 @@ void main() {
 }
 )";
 
+// KIND is defined as one of the kinds below, and FOG if there is fog.
 inline constexpr const char* kWorldFragmentShader = R"(
 uniform usampler2D records;
 uniform sampler2DArray atlas;
@@ -120,8 +121,8 @@ void main() {
   ivec2 record = ivec2(number % 512u * 2u, number / 512u);
   uvec4 image = texelFetch(records, record, 0);
   vec4 mapping = uintBitsToFloat(texelFetch(records, record + ivec2(1, 0), 0));
-  uint kind = image.z >> 16 & 0xfu;
-  if (kind == kHidden) discard;
+  const uint kind = KIND;
+  if ((image.z >> 16 & 0xfu) == kHidden) discard;
   ivec2 first = unpack(image.x), size = unpack(image.y);
   int layer = int(image.z & 0xffffu);
   vec2 at = face_texel + mapping.xy;
@@ -138,12 +139,14 @@ void main() {
   }
   if ((image.z >> 20 & 1u) != 0u && color.a < 0.5) discard;
   if ((image.z >> 21 & 1u) != 0u) color = vec4(image.w & 0xffu, image.w >> 8 & 0xffu, image.w >> 16, 255) / 255.0;
-  if (fog_density > 0.0 && (image.z >> 22 & 1u) == 0u) {
+#ifdef FOG
+  if ((image.z >> 22 & 1u) == 0u) {
     float thickness = fog_density / 64.0 * max(view_distance, 0.0);
     // In 256ths, and halves are rounded up, as on the CPU.
     float share = kind >= kSky ? 0.5 : floor((1.0 - exp(-thickness * thickness)) * 256.0 + 0.5) / 256.0;
     color.rgb = mix(color.rgb, fog_color, share) + 0.001 / 255.0;
   }
+#endif
   color.a = float(image.z >> 24) / 255.0;
 }
 )";
