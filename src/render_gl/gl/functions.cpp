@@ -23,6 +23,22 @@ bool has_extension(const Functions& gl, std::string_view wanted) {
   return false;
 }
 
+constexpr GLenum kContextLost = 0x0507;  // GL_CONTEXT_LOST of OpenGL ES 3.2 and OpenGL 4.5
+
+// OpenGL 2 and OpenGL ES 2 do not know the names of these numbers, and leave them 0. The shaders for OpenGL
+// need 3.3.
+base::Status check_version(const Functions& gl) {
+  constexpr int kMinEs = 30, kMinDesktop = 33;
+  GLint major = 0, minor = 0;
+  gl.GetIntegerv(GL_MAJOR_VERSION, &major);
+  gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+  const bool is_es = read_string(gl, GL_VERSION).starts_with("OpenGL ES");
+  if (major * 10 + minor >= (is_es ? kMinEs : kMinDesktop)) return base::Ok{};
+  return base::error(ErrorCode::kUnsupported,
+                     "the OpenGL driver is too old ({}); OpenGL 3.3 or OpenGL ES 3.0 is needed",
+                     describe_driver(gl));
+}
+
 template <typename Function>
 bool find_function(const FunctionFinder& find, const char* name, Function& out_function) {
   out_function = reinterpret_cast<Function>(find(name));
@@ -37,6 +53,8 @@ base::Status Functions::check(const char* doing) const {
       return base::Ok{};
     case GL_OUT_OF_MEMORY:
       return base::error(ErrorCode::kIo, "{}: the graphics card is out of memory", doing);
+    case kContextLost:
+      return base::error(ErrorCode::kIo, "{}: the OpenGL context is lost", doing);
     default:
       return base::error(ErrorCode::kIo, "{}: OpenGL error {:#x}", doing, code);
   }
@@ -44,15 +62,15 @@ base::Status Functions::check(const char* doing) const {
 
 base::Result<Functions> load_functions(const FunctionFinder& find) {
   Functions gl;
+  // First the version, since an old driver lacks functions, too.
+  if (find_function(find, "glGetString", gl.GetString) &&
+      find_function(find, "glGetIntegerv", gl.GetIntegerv))
+    TRY_STATUS(check_version(gl));
 #define TEMBLOR_GL_FIND(Type, Name)              \
   if (!find_function(find, "gl" #Name, gl.Name)) \
     return base::error(ErrorCode::kUnsupported, "the OpenGL driver has no gl" #Name);
   TEMBLOR_GL_FUNCTIONS(TEMBLOR_GL_FIND)
 #undef TEMBLOR_GL_FIND
-  GLint major = 0;
-  gl.GetIntegerv(GL_MAJOR_VERSION, &major);
-  if (major < 3)
-    return base::error(ErrorCode::kUnsupported, "the OpenGL driver is too old: {}", describe_driver(gl));
   if (has_extension(gl, "GL_EXT_clip_control"))
     find_function(find, "glClipControlEXT", gl.ClipControl);
   else if (has_extension(gl, "GL_ARB_clip_control"))

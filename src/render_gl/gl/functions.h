@@ -105,7 +105,7 @@ struct Functions {
 };
 
 // The functions of the current context. Fails with kUnsupported if one is missing, or if the context is older
-// than OpenGL ES 3.0.
+// than OpenGL ES 3.0 or OpenGL 3.3.
 base::Result<Functions> load_functions(const FunctionFinder& find);
 
 // Driver and version, for a person: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL ES 3.2 Mesa 22.3.6".

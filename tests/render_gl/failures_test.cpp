@@ -1,0 +1,151 @@
+// Failures of the driver: one clear line for each, and nothing stays on the card.
+#include <gtest/gtest.h>
+
+#include "render_gl/gl_renderer.h"
+#include "render_gl/injected_gl.h"
+#include "render_gl/model_scenes.h"
+#include "render_gl/scene_views.h"
+
+namespace temblor::render_gl {
+namespace {
+
+// Draws frames of a scene with models, one of them translucent, under water.
+class FailingCard : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = InjectedGl::make();
+    if (!made.ok()) GTEST_SKIP() << "no OpenGL: " << made.error().what;
+    card_ = std::move(made).value();
+    test::Random random(1);
+    scene_ = random_scene(make_small_models(), *level_.level, 3, random);
+    scene_.instances.front().alpha = 0.5f;
+    scene_.weapon = scene_.instances.back();
+  }
+
+  base::Result<GlRenderer> make() {
+    card_->calls = {};
+    return GlRenderer::make(card_->finder(), level_.palette, level_.colormap);
+  }
+  base::Status draw(GlRenderer& io_renderer) {
+    render::FrameBuffer frame(64, 48, render::PixelFormat::kRgb);
+    render::Scene scene = scene_.scene(*level_.level);
+    scene.underwater = true;
+    const auto drawn = io_renderer.render(scene, {}, frame);
+    return drawn.ok() ? base::Status(base::Ok{}) : drawn.error();
+  }
+  // Makes a renderer, draws, and destroys the renderer. Returns the error, or nothing.
+  std::string run() {
+    std::string line;
+    {
+      base::Result<GlRenderer> renderer = make();
+      if (renderer.ok()) {
+        const base::Status drawn = draw(*renderer);
+        if (!drawn.ok()) line = drawn.error().what;
+      } else {
+        line = renderer.error().what;
+      }
+    }
+    EXPECT_EQ(card_->live_objects(), 0u) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    return line;
+  }
+
+  const test::DrawableLevel level_ = test::small_level();
+  std::unique_ptr<InjectedGl> card_;
+  ModelScene scene_;
+};
+
+bool contains(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(FailingCard, DeletesAllThatItHas) {
+  {
+    base::Result<GlRenderer> renderer = make();
+    ASSERT_TRUE(renderer.ok());
+    EXPECT_GT(card_->live_objects(), 10u);
+    EXPECT_TRUE(draw(*renderer).ok());
+    EXPECT_GT(card_->live_bytes(), 1u << 20);
+  }
+  EXPECT_EQ(card_->live_objects(), 0u);
+  EXPECT_EQ(run(), "");
+}
+
+TEST_F(FailingCard, NamesEachMissingFunction) {
+#define TEMBLOR_GL_NAME(Type, Name) "gl" #Name,
+  for (const char* name : {TEMBLOR_GL_FUNCTIONS(TEMBLOR_GL_NAME)}) {
+    card_->faults.missing_function = name;
+    EXPECT_EQ(run(), std::string("the OpenGL driver has no ") + name);
+  }
+#undef TEMBLOR_GL_NAME
+}
+
+// An old driver also lacks functions, but its age is the reason.
+TEST_F(FailingCard, SaysThatADriverIsTooOld) {
+  for (const GLint major : {0, 1, 2}) {
+    card_->faults.integers[GL_MAJOR_VERSION] = major;
+    card_->faults.missing_function = "glGenVertexArrays";
+    const base::Result<GlRenderer> made = make();
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().code, base::ErrorCode::kUnsupported);
+    EXPECT_TRUE(contains(run(), "the OpenGL driver is too old (")) << made.error().what;
+  }
+}
+
+TEST_F(FailingCard, SurvivesEachShaderThatDoesNotCompileOrLink) {
+  ASSERT_EQ(run(), "");
+  const InjectedGl::Calls all = card_->calls;
+  EXPECT_EQ(all.compile, 2 * all.link);
+  for (int number = 0; number < all.compile; ++number) {
+    card_->faults.compile = number;
+    EXPECT_TRUE(contains(run(), "the OpenGL driver does not compile a shader")) << number;
+  }
+  card_->faults.compile = -1;
+  for (int number = 0; number < all.link; ++number) {
+    card_->faults.link = number;
+    EXPECT_TRUE(contains(run(), "the OpenGL driver does not link a shader")) << number;
+  }
+}
+
+TEST_F(FailingCard, SurvivesEachTextureAndBufferThatDoesNotFit) {
+  ASSERT_EQ(run(), "");
+  const InjectedGl::Calls all = card_->calls;
+  for (int number = 0; number < all.texture; ++number) {
+    card_->faults.texture = number;
+    EXPECT_TRUE(contains(run(), "the graphics card is out of memory")) << number;
+  }
+  card_->faults.texture = -1;
+  for (int number = 0; number < all.buffer; ++number) {
+    card_->faults.buffer = number;
+    EXPECT_TRUE(contains(run(), "the graphics card is out of memory")) << number;
+  }
+}
+
+TEST_F(FailingCard, SaysThatItCannotDrawIntoTextures) {
+  ASSERT_EQ(run(), "");
+  const int all = card_->calls.framebuffer;
+  EXPECT_GE(all, 3);  // the picture, another one for the warp, and a model's
+  for (int number = 0; number < all; ++number) {
+    card_->faults.framebuffer = number;
+    EXPECT_EQ(run(), "the graphics card cannot draw into a texture") << number;
+  }
+}
+
+TEST_F(FailingCard, SaysThatTheContextIsLost) {
+  constexpr GLenum kContextLost = 0x0507;
+  card_->faults.texture_error = kContextLost;
+  card_->faults.texture = 0;
+  EXPECT_TRUE(contains(run(), "the OpenGL context is lost"));
+}
+
+// A frame that fails leaves the renderer as it was.
+TEST_F(FailingCard, DrawsTheNextFrameAfterOneThatFailed) {
+  base::Result<GlRenderer> renderer = make();
+  ASSERT_TRUE(renderer.ok());
+  card_->faults.texture = card_->calls.texture + 1;
+  EXPECT_FALSE(draw(*renderer).ok());
+  EXPECT_TRUE(draw(*renderer).ok());
+}
+
+}  // namespace
+}  // namespace temblor::render_gl
