@@ -1,7 +1,10 @@
 #include "render_gl/models/card_model.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
+
+#include "render_gl/gl/texture_limits.h"
 
 namespace temblor::render_gl {
 
@@ -37,6 +40,17 @@ void upload_poses(const Functions& gl, const render::AliasModel& model, const Bu
   fill_buffer(gl, GL_ARRAY_BUFFER, buffer, vertices);
 }
 
+// The places of vertices in skins whose sides were halved.
+std::vector<render::TexelPoint> scale_texels(const render::AliasModel& model, int halvings) {
+  std::vector<render::TexelPoint> texels = model.texels;
+  const auto scale = static_cast<float>(std::ldexp(1.0, -halvings));
+  for (render::TexelPoint& texel : texels) {
+    texel.s *= scale;
+    texel.t *= scale;
+  }
+  return texels;
+}
+
 }  // namespace
 
 base::Result<CardModel> CardModel::make(const Functions& gl, const render::AliasModel& model) {
@@ -56,7 +70,8 @@ base::Result<CardModel> CardModel::make(const Functions& gl, const render::Alias
     upload_poses<std::uint8_t>(gl, model, card.poses_,
                                [&](render::PoseIndex pose) { return model.pose(pose); });
   }
-  fill_buffer(gl, GL_ARRAY_BUFFER, card.texels_, model.texels);
+  card.choose_skin_size(gl, model);
+  fill_buffer(gl, GL_ARRAY_BUFFER, card.texels_, scale_texels(model, card.skin_halvings_));
   gl.VertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
   for (GLuint location = 0; location < 3; ++location) gl.EnableVertexAttribArray(location);
   fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, card.triangles_, model.triangles);
@@ -67,21 +82,19 @@ base::Result<CardModel> CardModel::make(const Functions& gl, const render::Alias
   return card;
 }
 
+void CardModel::choose_skin_size(const Functions& gl, const render::AliasModel& model) {
+  const TextureLimits limits = find_texture_limits(gl);
+  const auto count = static_cast<int>(model.picture_count());
+  skins_per_layer_ = static_cast<std::uint32_t>((count + limits.layers - 1) / limits.layers);
+  const int width = static_cast<int>(model.skin_width), height = static_cast<int>(model.skin_height);
+  const int max_height = std::max(limits.side / static_cast<int>(skins_per_layer_), 1);
+  skin_halvings_ = std::max(count_halvings(width, 1, limits.side), count_halvings(1, height, max_height));
+  skin_width_ = halve(width, skin_halvings_);
+  skin_height_ = halve(height, skin_halvings_);
+}
+
 base::Status CardModel::upload_skins(const Functions& gl, const render::AliasModel& model) {
-  GLint max_side = 0, max_layers = 0;
-  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_side);
-  gl.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &max_layers);
-  skin_width_ = static_cast<int>(model.skin_width);
-  skin_height_ = static_cast<int>(model.skin_height);
   const auto count = static_cast<std::uint32_t>(model.picture_count());
-  const auto layer_limit = static_cast<std::uint32_t>(max_layers);
-  skins_per_layer_ = (count + layer_limit - 1) / layer_limit;
-  if (skin_width_ > max_side ||
-      static_cast<std::uint64_t>(skin_height_) * skins_per_layer_ > static_cast<std::uint64_t>(max_side))
-    return base::error(base::ErrorCode::kTooLarge,
-                       "{}: the graphics card's textures have up to {} texels a side and {} layers; the "
-                       "model has {} skins of {}x{}",
-                       model.name, max_side, max_layers, count, skin_width_, skin_height_);
   const std::uint32_t layers = (count + skins_per_layer_ - 1) / skins_per_layer_;
   TRY(skins_, make_texture(gl, GL_R8UI,
                            {skin_width_, skin_height_ * static_cast<int>(skins_per_layer_),
@@ -89,8 +102,11 @@ base::Status CardModel::upload_skins(const Functions& gl, const render::AliasMod
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (std::uint32_t number = 0; number < count; ++number) {
     const SkinPlace place = skin_place(number);
+    const std::vector<std::uint8_t> picture =
+        halve_picture(model.skin_picture(number), static_cast<int>(model.skin_width),
+                      static_cast<int>(model.skin_height), skin_halvings_);
     gl.TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, place.first_row, place.layer, place.width, place.height, 1,
-                     GL_RED_INTEGER, GL_UNSIGNED_BYTE, model.skin_picture(number));
+                     GL_RED_INTEGER, GL_UNSIGNED_BYTE, picture.data());
   }
   return base::Ok{};
 }

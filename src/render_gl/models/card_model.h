@@ -24,7 +24,7 @@ struct SkinPlace {
 
 class CardModel {
  public:
-  // Fails if the card lacks memory, or if its textures are smaller than the model's skin.
+  // Skins that are larger than the card's textures lose texels. Fails if the card lacks memory.
   static base::Result<CardModel> make(const Functions& gl, const render::AliasModel& model);
 
   // `number` is a result of skin_at().
@@ -38,6 +38,8 @@ class CardModel {
 
  private:
   CardModel() = default;
+  // Decides how often the sides of skins are halved, and how many are stacked in a layer.
+  void choose_skin_size(const Functions& gl, const render::AliasModel& model);
   base::Status upload_skins(const Functions& gl, const render::AliasModel& model);
 
   Buffer poses_, texels_, triangles_;
@@ -45,7 +47,7 @@ class CardModel {
   Texture skins_;
   GLenum element_type_ = GL_UNSIGNED_BYTE;
   std::size_t pose_bytes_ = 0;
-  int skin_width_ = 0, skin_height_ = 0;
+  int skin_halvings_ = 0, skin_width_ = 0, skin_height_ = 0;
   std::uint32_t skins_per_layer_ = 1, triangle_count_ = 0;
 };
 

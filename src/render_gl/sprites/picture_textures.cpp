@@ -1,6 +1,7 @@
 #include "render_gl/sprites/picture_textures.h"
 
 #include "render/sprites/sprite_kernels.h"
+#include "render_gl/gl/texture_limits.h"
 
 namespace temblor::render_gl {
 
@@ -26,22 +27,29 @@ void PictureTextures::begin_frame() {
   texel_count_ = 0;
 }
 
-base::Result<GLuint> PictureTextures::find(const Functions& gl, const formats::SprPicture& picture,
-                                           const render::ColorTables& colors) {
+base::Result<PictureTextures::Found> PictureTextures::find(const Functions& gl,
+                                                           const formats::SprPicture& picture,
+                                                           const render::ColorTables& colors) {
   Entry& entry = entries_[picture.texels.data()];
   const bool same_size = entry.width == picture.width && entry.height == picture.height;
-  if (same_size && entry.texels == picture.texels) return entry.texture.name();
-  const int width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
+  const auto found = [&] { return Found{entry.texture.name(), entry.scale_s, entry.scale_t}; };
+  if (same_size && entry.texels == picture.texels) return found();
+  const int full_width = static_cast<int>(picture.width), full_height = static_cast<int>(picture.height);
+  const int halvings = count_halvings(full_width, full_height, find_texture_limits(gl).side);
+  const int width = halve(full_width, halvings), height = halve(full_height, halvings);
   TRY(entry.texture, make_texture(gl, GL_RGBA8, {width, height}));
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
-                   color_texels(picture, colors).data());
+  gl.TexSubImage2D(
+      GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
+      halve_picture(color_texels(picture, colors).data(), full_width, full_height, halvings).data());
+  entry.scale_s = static_cast<double>(width) / full_width;
+  entry.scale_t = static_cast<double>(height) / full_height;
   texel_count_ += picture.texels.size();
   texel_count_ -= entry.texels.size();
   entry.width = picture.width;
   entry.height = picture.height;
   entry.texels = picture.texels;
-  return entry.texture.name();
+  return found();
 }
 
 }  // namespace temblor::render_gl

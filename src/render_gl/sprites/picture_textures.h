@@ -20,14 +20,21 @@ class PictureTextures {
   // Drops all textures if they have become too large together. Textures live until the next call.
   void begin_frame();
 
+  // A picture on the card, and its texels for each one of the picture along s and t: less than 1 if it is
+  // larger than the card's textures.
+  struct Found {
+    GLuint texture;
+    double scale_s, scale_t;
+  };
   // The texture of the picture: colors in the order of the CPU's pictures, and alpha 0 where it is clear.
-  // Fails if the card lacks memory, or has no textures of this size.
-  base::Result<GLuint> find(const Functions& gl, const formats::SprPicture& picture,
-                            const render::ColorTables& colors);
+  // Fails if the card lacks memory.
+  base::Result<Found> find(const Functions& gl, const formats::SprPicture& picture,
+                           const render::ColorTables& colors);
 
  private:
   struct Entry {
     Texture texture;
+    double scale_s = 1, scale_t = 1;
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> texels;
   };

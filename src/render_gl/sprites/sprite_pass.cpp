@@ -12,11 +12,12 @@ namespace temblor::render_gl {
 
 namespace {
 
-// A plane as the shader reads it, from another origin. Near it, little precision is lost in floats.
-void copy_plane(const render::ScreenPlane& plane, double x, double y, float (&out)[3]) {
-  out[0] = static_cast<float>(plane.at(x, y));
-  out[1] = static_cast<float>(plane.dx);
-  out[2] = static_cast<float>(plane.dy);
+// A plane as the shader reads it, from another origin, and scaled. Near it, little precision is lost in
+// floats.
+void copy_plane(const render::ScreenPlane& plane, double x, double y, double scale, float (&out)[3]) {
+  out[0] = static_cast<float>(plane.at(x, y) * scale);
+  out[1] = static_cast<float>(plane.dx * scale);
+  out[2] = static_cast<float>(plane.dy * scale);
 }
 
 }  // namespace
@@ -77,13 +78,14 @@ base::Status SpritePass::prepare(const Functions& gl, const FrameInput& input) {
 
 base::Result<SpritePass::Batch> SpritePass::add_sprite(const Functions& gl, const FrameInput& input,
                                                        const render::SpriteQuad& quad) {
-  TRY(const GLuint texture, textures_.find(gl, *quad.picture, input.context.colors));
+  TRY(const PictureTextures::Found found, textures_.find(gl, *quad.picture, input.context.colors));
   const std::size_t first = corners_.size();
-  add_corners(quad, input.record.view);
-  return Batch{texture, first, corners_.size() - first};
+  add_corners(quad, found, input.record.view);
+  return Batch{found.texture, first, corners_.size() - first};
 }
 
-void SpritePass::add_corners(const render::SpriteQuad& quad, const render::ViewFrame& view) {
+void SpritePass::add_corners(const render::SpriteQuad& quad, const PictureTextures::Found& found,
+                             const render::ViewFrame& view) {
   const auto& outline = quad.outline;
   const double x = std::clamp(outline.corners[0].x, 0.0, view.width - 1.0);
   const double y = std::clamp(outline.corners[0].y, 0.0, view.height - 1.0);
@@ -91,9 +93,9 @@ void SpritePass::add_corners(const render::SpriteQuad& quad, const render::ViewF
   corner.origin_x = static_cast<float>(x);
   corner.origin_y = static_cast<float>(y);
   // Where the floats are, rather than where they should be.
-  copy_plane(quad.depth, double{corner.origin_x}, double{corner.origin_y}, corner.depth);
-  copy_plane(quad.s, double{corner.origin_x}, double{corner.origin_y}, corner.s);
-  copy_plane(quad.t, double{corner.origin_x}, double{corner.origin_y}, corner.t);
+  copy_plane(quad.depth, double{corner.origin_x}, double{corner.origin_y}, 1, corner.depth);
+  copy_plane(quad.s, double{corner.origin_x}, double{corner.origin_y}, found.scale_s, corner.s);
+  copy_plane(quad.t, double{corner.origin_x}, double{corner.origin_y}, found.scale_t, corner.t);
   corner.opacity = static_cast<float>(render::opacity_256(quad.alpha)) / render::kOpaque256;
   corner.affine = quad.affine ? 1.0f : 0.0f;
   for (std::size_t i = 2; i < outline.count; ++i)

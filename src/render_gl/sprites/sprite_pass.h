@@ -37,7 +37,8 @@ class SpritePass {
   };
 
   SpritePass(const Functions& gl, ScreenProgram program);
-  void add_corners(const render::SpriteQuad& quad, const render::ViewFrame& view);
+  void add_corners(const render::SpriteQuad& quad, const PictureTextures::Found& found,
+                   const render::ViewFrame& view);
   base::Result<Batch> add_sprite(const Functions& gl, const FrameInput& input,
                                  const render::SpriteQuad& quad);
   void begin_draw(const Functions& gl, const FrameInput& input) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "render_gl/gl/texture_limits.h"
+
 namespace temblor::render_gl {
 
 namespace {
@@ -52,10 +54,14 @@ BlockAtlas::BlockAtlas(Texture texture, TexelFormat format, int layer_power, int
       rectangles_(layer_power, layers) {}
 
 base::Result<BlockAtlas> BlockAtlas::make(const Functions& gl, const CacheOptions& options) {
+  const TextureLimits limits = find_texture_limits(gl);
   int power = kMaxLayerPower;
-  while (power > kMinLayerPower && options.bytes < kMinLayers * layer_bytes(options.format, power)) --power;
+  while (power > kMinLayerPower &&
+         (1 << power > limits.side || options.bytes < kMinLayers * layer_bytes(options.format, power)))
+    --power;
+  const std::size_t max_layers = std::clamp(static_cast<std::size_t>(limits.layers), kMinLayers, kMaxLayers);
   const std::size_t layers =
-      std::clamp(options.bytes / layer_bytes(options.format, power), kMinLayers, kMaxLayers);
+      std::clamp(options.bytes / layer_bytes(options.format, power), kMinLayers, max_layers);
   const GLenum gl_format = options.format == TexelFormat::k16Bit ? GL_RGB565 : GL_RGBA8;
   const int side = 1 << power;
   TRY(Texture texture, make_texture(gl, gl_format, {side, side, static_cast<int>(layers)}));

@@ -40,7 +40,7 @@ struct StoredImage {
 
 class BlockAtlas {
  public:
-  // Fails if the card lacks the memory.
+  // Layers are smaller, and fewer, where the card's limits are. Fails if the card lacks the memory.
   static base::Result<BlockAtlas> make(const Functions& gl, const CacheOptions& options);
 
   void begin_frame();

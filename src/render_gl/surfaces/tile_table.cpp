@@ -1,6 +1,8 @@
 #include "render_gl/surfaces/tile_table.h"
 
-#include "base/check.h"
+#include <algorithm>
+
+#include "render_gl/gl/texture_limits.h"
 
 namespace temblor::render_gl {
 
@@ -14,7 +16,9 @@ static_assert(sizeof(TileRecord) == kTexelsPerRecord * 16);
 
 base::Status TileTable::reserve(const Functions& gl, std::uint32_t count) {
   if (count <= records_.size()) return base::Ok{};
-  const std::uint32_t rows = (count + kRecordsPerRow - 1) / kRecordsPerRow;
+  const auto max_rows = static_cast<std::uint32_t>(find_texture_limits(gl).side);
+  const std::uint32_t rows = std::min((count + kRecordsPerRow - 1) / kRecordsPerRow, max_rows);
+  if (std::size_t{rows} * kRecordsPerRow <= records_.size()) return base::Ok{};
   TRY(texture_, make_texture(gl, GL_RGBA32UI,
                              {static_cast<int>(kRecordsPerRow) * kTexelsPerRecord, static_cast<int>(rows)}));
   records_.assign(std::size_t{rows} * kRecordsPerRow, TileRecord{});
@@ -23,8 +27,7 @@ base::Status TileTable::reserve(const Functions& gl, std::uint32_t count) {
 }
 
 void TileTable::set(std::uint32_t number, const TileRecord& record) {
-  DCHECK(number < records_.size(), "tile {}", number);
-  if (records_[number] == record) return;
+  if (number >= records_.size() || records_[number] == record) return;
   records_[number] = record;
   row_changed_[number / kRecordsPerRow] = true;
 }

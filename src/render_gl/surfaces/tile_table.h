@@ -3,6 +3,7 @@
 // several times in a frame, get places after those for the frame.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,7 +18,7 @@ enum class TileKind : std::uint32_t {
   kRepeat,  // from a texture that repeats
   kLiquid,  // from a texture that repeats and is warped
   kSky,     // from the two layers of a sky
-  kSkybox   // from the scene's skybox, whose sides are `size` squared
+  kSkybox   // from the scene's skybox, which is one texture
 };
 
 // Bits of TileRecord::flags: texels with alpha 0 are clear; one color replaces all texels; there is no fog.
@@ -41,8 +42,12 @@ class TileTable {
   // Records that the table's texture has in a row.
   static constexpr std::uint32_t kRecordsPerRow = 512;
 
-  // Makes room for `count` records. All of them are hidden then, if there was less room before.
+  // Makes room for `count` records, or for as many as the card's largest texture has: half a million at
+  // least. All of them are hidden then, if there was less room before.
   base::Status reserve(const Functions& gl, std::uint32_t count);
+  // The records that there is room for.
+  std::size_t capacity() const { return records_.size(); }
+  // Does nothing if there is no room for the record.
   void set(std::uint32_t number, const TileRecord& record);
   // Uploads the rows that have changed.
   void upload(const Functions& gl);

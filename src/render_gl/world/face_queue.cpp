@@ -45,7 +45,8 @@ std::optional<std::uint32_t> find_seen_draw(const FrameInput& input, const Queue
   return std::nullopt;
 }
 
-void FaceQueue::collect(const FrameInput& input) {
+void FaceQueue::collect(const FrameInput& input, const HasRoom& has_room) {
+  has_room_ = has_room;
   const render::EdgeTable& edges = input.record.edges;
   faces_.clear();
   indices_.clear();
@@ -80,7 +81,7 @@ void FaceQueue::add(const FrameInput& input, std::size_t number, FaceProgramKind
       ++face.fragments;
   // Translucent faces keep the numbers that layers have for them.
   const bool is_translucent = opacity != nullptr && opacity->is_translucent();
-  if (is_seen(input, face)) {
+  if (has_room_(surface) && is_seen(input, face)) {
     LevelMesh::add_triangles(input.level_data.outlines.faces[base::to_size(surface.face)], indices_);
     face.index_count = static_cast<std::uint32_t>(indices_.size()) - face.first_index;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,7 +27,9 @@ struct QueuedFace {
 
 class FaceQueue {
  public:
-  void collect(const FrameInput& input);
+  // Leaves out faces of which `has_room` says that their tiles have no room on the card.
+  using HasRoom = std::function<bool(const render::ScreenSurface& surface)>;
+  void collect(const FrameInput& input, const HasRoom& has_room);
 
   const std::vector<QueuedFace>& faces() const { return faces_; }
   // The number of TranslucentOrder::faces.translucent[0]; the others follow.
@@ -37,6 +40,7 @@ class FaceQueue {
   void add(const FrameInput& input, std::size_t surface, FaceProgramKind program,
            const render::FaceOpacity* opacity);
 
+  HasRoom has_room_;
   std::vector<QueuedFace> faces_;
   std::size_t first_translucent_ = 0;
   std::vector<std::uint32_t> indices_;

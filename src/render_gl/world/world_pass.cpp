@@ -38,7 +38,11 @@ base::Status WorldPass::prepare(const Functions& gl, const FrameInput& input) {
   atlas_.begin_frame();
   for (const render::BlockRequest& built : input.record.surfaces.missing)
     atlas_.invalidate(block_key(built.block));
-  faces_.collect(input);
+  faces_.collect(input, [this](const render::ScreenSurface& surface) {
+    return mesh_.first_tile(surface.face) + record_offset_[surface.instance] +
+               std::uint32_t{surface.tiles.s} * surface.tiles.t <=
+           table_.capacity();
+  });
   gl.BindVertexArray(mesh_.vertex_array());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_.name());
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,

@@ -132,7 +132,7 @@ void main() {
   } else if (kind == kSky) {
     color = sky_texel(image, size, layer);
   } else if (kind == kSkybox) {
-    color = skybox_texel(size.x);
+    color = skybox_texel(textureSize(skybox, 0).x - 2);
   } else {
     if (kind == kLiquid) at += 8.0 * (1.0 + sin((at.yx + liquid_phase) * kTurn));
     color = repeated_texel(at * mapping.zw, first, size, layer);
