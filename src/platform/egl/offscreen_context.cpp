@@ -21,6 +21,7 @@ struct Egl {
   decltype(&eglBindAPI) bind_api = nullptr;
   decltype(&eglCreateContext) create_context = nullptr;
   decltype(&eglMakeCurrent) make_current = nullptr;
+  decltype(&eglGetCurrentContext) get_current_context = nullptr;
   decltype(&eglDestroyContext) destroy_context = nullptr;
   decltype(&eglGetError) get_error = nullptr;
 };
@@ -41,6 +42,7 @@ base::Result<Egl> load_egl() {
       !find(library, "eglInitialize", egl.initialize) || !find(library, "eglBindAPI", egl.bind_api) ||
       !find(library, "eglCreateContext", egl.create_context) ||
       !find(library, "eglMakeCurrent", egl.make_current) ||
+      !find(library, "eglGetCurrentContext", egl.get_current_context) ||
       !find(library, "eglDestroyContext", egl.destroy_context) ||
       !find(library, "eglGetError", egl.get_error))
     return base::error(ErrorCode::kUnsupported, "libEGL.so.1 lacks functions of EGL 1.4");
@@ -55,9 +57,11 @@ class OffscreenContext final : public GlContext {
  public:
   OffscreenContext(const Egl& egl, EGLDisplay display, EGLContext context)
       : egl_(egl), display_(display), context_(context) {}
-  // The display stays initialized, since every context of the process shares it.
+  // The display stays initialized, since every context of the process shares it. Another context of this
+  // thread stays current.
   ~OffscreenContext() override {
-    egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (egl_.get_current_context() == context_)
+      egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     egl_.destroy_context(display_, context_);
   }
   OffscreenContext(const OffscreenContext&) = delete;
