@@ -22,7 +22,10 @@ std::vector<std::uint32_t> color_texels(const formats::SprPicture& picture,
 }  // namespace
 
 void PictureTextures::begin_frame() {
-  if (texel_count_ <= kMaxTexels) return;
+  if (texel_count_ > kMaxTexels) clear();
+}
+
+void PictureTextures::clear() {
   entries_.clear();
   texel_count_ = 0;
 }

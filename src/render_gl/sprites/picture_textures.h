@@ -19,6 +19,8 @@ class PictureTextures {
  public:
   // Drops all textures if they have become too large together. Textures live until the next call.
   void begin_frame();
+  // Drops all textures.
+  void clear();
 
   // A picture on the card, and its texels for each one of the picture along s and t: less than 1 if it is
   // larger than the card's textures.

@@ -56,6 +56,11 @@ base::Status SpritePass::prepare(const Functions& gl, const FrameInput& input) {
   corners_.clear();
   opaque_.clear();
   translucent_.clear();
+  // Most pictures of another level have gone with it.
+  if (level_ != input.context.level().identity) {
+    textures_.clear();
+    level_ = input.context.level().identity;
+  }
   if (!input.sources.fill_depth || input.scene().sprites.empty()) return base::Ok{};
   textures_.begin_frame();
   for (const render::SpriteQuad& quad :

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "render_gl/frame/screen_space.h"
@@ -49,6 +50,7 @@ class SpritePass {
   VertexArray vertex_array_;
   Buffer buffer_;
   PictureTextures textures_;
+  std::shared_ptr<const world::LevelIdentity> level_;
   std::vector<Corner> corners_;
   std::vector<Batch> opaque_, translucent_;
 };
