@@ -84,6 +84,19 @@ class OffscreenContext final : public GlContext {
   EGLContext context_;
 };
 
+// Debug builds ask for a context that reports errors, if there is one. EGL_NO_CONTEXT if it fails.
+EGLContext create_context(const Egl& egl, EGLDisplay display) {
+  constexpr EGLint kMajor = EGL_CONTEXT_MAJOR_VERSION, kMinor = EGL_CONTEXT_MINOR_VERSION;
+#ifndef NDEBUG
+  constexpr std::array<EGLint, 7> kDebug = {
+      kMajor, 3, kMinor, 0, EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR, EGL_NONE};
+  const EGLContext debug = egl.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kDebug.data());
+  if (debug != EGL_NO_CONTEXT) return debug;
+#endif
+  constexpr std::array<EGLint, 5> kPlain = {kMajor, 3, kMinor, 0, EGL_NONE};
+  return egl.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kPlain.data());
+}
+
 }  // namespace
 
 base::Result<std::unique_ptr<GlContext>> make_offscreen_context() {
@@ -92,10 +105,8 @@ base::Result<std::unique_ptr<GlContext>> make_offscreen_context() {
       egl.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY || egl.initialize(display, nullptr, nullptr) != EGL_TRUE)
     return base::error(ErrorCode::kUnsupported, "EGL starts no driver without a display");
-  constexpr std::array<EGLint, 5> kVersion = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0,
-                                              EGL_NONE};
   egl.bind_api(EGL_OPENGL_ES_API);
-  const EGLContext context = egl.create_context(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kVersion.data());
+  const EGLContext context = create_context(egl, display);
   if (context == EGL_NO_CONTEXT)
     return base::error(ErrorCode::kUnsupported, "the driver offers no OpenGL ES 3.0 (EGL error {:#x})",
                        static_cast<unsigned>(egl.get_error()));

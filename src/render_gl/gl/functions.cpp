@@ -1,5 +1,6 @@
 #include "render_gl/gl/functions.h"
 
+#include <array>
 #include <string_view>
 
 namespace temblor::render_gl {
@@ -45,18 +46,46 @@ bool find_function(const FunctionFinder& find, const char* name, Function& out_f
   return out_function != nullptr;
 }
 
+// Removes the driver's messages and returns the first one, as one line; empty if there is none.
+std::string take_messages(const Functions& gl) {
+  std::string first;
+  if (gl.GetDebugMessageLog == nullptr) return first;
+  std::array<char, 1024> text{};
+  while (gl.GetDebugMessageLog(1, static_cast<GLsizei>(text.size()), nullptr, nullptr, nullptr, nullptr,
+                               nullptr, text.data()) == 1) {
+    const std::string_view message = text.data();
+    if (first.empty()) first = message.substr(0, message.find('\n'));
+  }
+  return first;
+}
+
+// The driver keeps messages of high severity from now on, of which errors are the most. A callback would have
+// to outlive the context. OpenGL ES has suffixes in the functions' names.
+[[maybe_unused]] void begin_messages(const FunctionFinder& find, Functions& out_gl) {
+  PFNGLDEBUGMESSAGECONTROLKHRPROC control = nullptr;
+  const bool is_es = read_string(out_gl, GL_VERSION).starts_with("OpenGL ES");
+  if (!find_function(find, is_es ? "glDebugMessageControlKHR" : "glDebugMessageControl", control)) return;
+  find_function(find, is_es ? "glGetDebugMessageLogKHR" : "glGetDebugMessageLog", out_gl.GetDebugMessageLog);
+  control(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  control(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_HIGH_KHR, 0, nullptr, GL_TRUE);
+  take_messages(out_gl);  // older ones are not ours
+}
+
 }  // namespace
 
 base::Status Functions::check(const char* doing) const {
+  const std::string message = take_messages(*this);
   switch (const GLenum code = GetError()) {
     case GL_NO_ERROR:
+      if (!message.empty()) return base::error(ErrorCode::kIo, "{}: {}", doing, message);
       return base::Ok{};
     case GL_OUT_OF_MEMORY:
       return base::error(ErrorCode::kIo, "{}: the graphics card is out of memory", doing);
     case kContextLost:
       return base::error(ErrorCode::kIo, "{}: the OpenGL context is lost", doing);
     default:
-      return base::error(ErrorCode::kIo, "{}: OpenGL error {:#x}", doing, code);
+      return base::error(ErrorCode::kIo, "{}: OpenGL error {:#x}{}{}", doing, code,
+                         message.empty() ? "" : ": ", message);
   }
 }
 
@@ -75,6 +104,9 @@ base::Result<Functions> load_functions(const FunctionFinder& find) {
     find_function(find, "glClipControlEXT", gl.ClipControl);
   else if (has_extension(gl, "GL_ARB_clip_control"))
     find_function(find, "glClipControl", gl.ClipControl);
+#ifndef NDEBUG
+  if (has_extension(gl, "GL_KHR_debug")) begin_messages(find, gl);
+#endif
   return gl;
 }
 

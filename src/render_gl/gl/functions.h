@@ -2,7 +2,8 @@
 // are in OpenGL ES 3.0 (and so in WebGL 2) and in OpenGL 3.3.
 //
 // Errors: OpenGL keeps the first error until it is asked. check() asks, once per frame and after everything
-// that may run out of memory.
+// that may run out of memory. In debug builds, it also asks for the driver's messages (KHR_debug), so that no
+// error is ignored.
 #pragma once
 
 #include <GLES3/gl3.h>
@@ -99,8 +100,11 @@ struct Functions {
 #undef TEMBLOR_GL_MEMBER
   // An extension (EXT_clip_control), and null without it. With it, depth keeps its precision far away.
   PFNGLCLIPCONTROLEXTPROC ClipControl = nullptr;
+  // The messages of a debug context (KHR_debug); null in release builds and in other contexts.
+  PFNGLGETDEBUGMESSAGELOGKHRPROC GetDebugMessageLog = nullptr;
 
-  // Fails with kIo, and a line that begins with `doing`, if an error occurred since the last call.
+  // Fails with kIo, and a line that begins with `doing`, if an error occurred since the last call, or if the
+  // driver reported one of high severity.
   base::Status check(const char* doing) const;
 };
 
