@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "app/program.h"
 #include "formats/levels/entities.h"
 #include "support/game_data.h"
@@ -169,6 +171,18 @@ TEST_F(RenderProgram, ReportsAMissingTextureOnce) {
   EXPECT_EQ(run.exit_status, 0);
   EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
   EXPECT_THAT(run.err, HasSubstr("note"));
+}
+
+// The loader of EGL finds no driver then.
+TEST_F(RenderProgram, SaysThatOpenGlIsMissing) {
+  ASSERT_EQ(setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null", 1), 0);
+  const ProgramRun run = run_program(folder_.path(), small_render({"--renderer", "gl", "-o", "x.png"}));
+  unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
+  if (run.exit_status == 0) GTEST_SKIP() << "this system's EGL does not read the variable";
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("OpenGL is missing"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "x.png"));
 }
 
 TEST_F(RenderProgram, EveryCommandHasHelpWithExamples) {

@@ -75,6 +75,33 @@ TEST(GlView, DrawsInWindowsOfAllSizes) {
   EXPECT_EQ(renderer(game), "gl");
 }
 
+// Both windows of one process have a context, and one of them ends first.
+TEST(GlView, DrawsInTwoWindowsAtOnce) {
+  SKIP_WITHOUT_QUAKEC();
+  SKIP_WITHOUT_OPENGL();
+  const std::vector<std::string> settings = {"viewsize 120; con_notifylines 0", "map small"};
+  HeadlessHost first(settings);
+  first.set_open_gl(platform::egl::make_offscreen_context);
+  start_still_game(first);
+  const std::vector<std::uint32_t> cpu = first.window().shown();
+  const auto shows_the_game = [&](HeadlessHost& game) {
+    game.run(0.01, 0.01);
+    return renderer(game) == "gl" && equal_share(game.window().shown(), cpu) >= 0.99;
+  };
+  first.command("vid_renderer gl");
+  {
+    HeadlessHost second(settings);
+    second.set_open_gl(platform::egl::make_offscreen_context);
+    start_still_game(second);
+    second.command("vid_renderer gl");
+    for (int round = 0; round < 3; ++round) {
+      EXPECT_TRUE(shows_the_game(first)) << round;
+      EXPECT_TRUE(shows_the_game(second)) << round;
+    }
+  }
+  EXPECT_TRUE(shows_the_game(first));
+}
+
 TEST(GlView, LeavesTheCpuWhereOpenGlIsMissing) {
   SKIP_WITHOUT_QUAKEC();
   HeadlessHost game({"map small"});

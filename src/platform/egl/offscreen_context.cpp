@@ -49,7 +49,8 @@ base::Result<Egl> load_egl() {
   egl.get_platform_display =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl.get_proc_address("eglGetPlatformDisplayEXT"));
   if (egl.get_platform_display == nullptr)
-    return base::error(ErrorCode::kUnsupported, "EGL offers no display without a window system");
+    return base::error(ErrorCode::kUnsupported,
+                       "OpenGL is missing: EGL offers no display without a window system");
   return egl;
 }
 
@@ -104,11 +105,12 @@ base::Result<std::unique_ptr<GlContext>> make_offscreen_context() {
   const EGLDisplay display =
       egl.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY || egl.initialize(display, nullptr, nullptr) != EGL_TRUE)
-    return base::error(ErrorCode::kUnsupported, "EGL starts no driver without a display");
+    return base::error(ErrorCode::kUnsupported, "OpenGL is missing: EGL starts no driver without a display");
   egl.bind_api(EGL_OPENGL_ES_API);
   const EGLContext context = create_context(egl, display);
   if (context == EGL_NO_CONTEXT)
-    return base::error(ErrorCode::kUnsupported, "the driver offers no OpenGL ES 3.0 (EGL error {:#x})",
+    return base::error(ErrorCode::kUnsupported,
+                       "the OpenGL driver is too old: it offers no OpenGL ES 3.0 (EGL error {:#x})",
                        static_cast<unsigned>(egl.get_error()));
   auto made = std::make_unique<OffscreenContext>(egl, display, context);
   TRY_STATUS(made->make_current());
