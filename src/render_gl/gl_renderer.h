@@ -22,7 +22,7 @@
 #include "render/frame_stats.h"
 #include "render/scene.h"
 #include "render/settings.h"
-#include "render_gl/surfaces/cache_options.h"
+#include "render_gl/cache_options.h"
 
 namespace temblor::render_gl {
 

@@ -103,12 +103,15 @@ void BlockAtlas::drop(Cells::iterator cell) {
   (cell->portion == portion_ ? of_portion_ : earlier_).erase(cell);
 }
 
-// False: there are only images of this portion.
+// False: the portion must be drawn first, because the frame needs the other images sooner than those that the
+// portion has. It has at least half of the images then: without that, a frame that finds little in the cache
+// would have many small portions.
 bool BlockAtlas::evict() {
   if (earlier_.empty()) return false;
   const bool has_old = earlier_.front().frame + 1 < frame_;
   const bool has_drawn = earlier_.back().frame == frame_;
-  drop(!has_old && has_drawn ? std::prev(earlier_.end()) : earlier_.begin());
+  if (!has_old && !has_drawn && of_portion_.size() > earlier_.size()) return false;
+  drop(has_old ? earlier_.begin() : std::prev(earlier_.end()));
   ++counts_.evicted;
   return true;
 }

@@ -3,9 +3,10 @@
 // drew from such a cache of surfaces (Abrash, "Quake: A Post-Mortem and a Glimpse into the Future").
 //
 // A frame that does not fit is drawn in portions. Images of the current portion stay until the next one
-// begins. Others make room, first those that the last frame did not need, the oldest ones first. A frame asks
+// begins. Others make room: first those that the last frame did not need, the oldest ones first. A frame asks
 // for its images in about the order of the last frame, so those that it has drawn are needed latest: they go
-// next, and the last ones first. To evict the least recently used one would always evict what comes next.
+// next, the latest ones first. To evict the least recently used one would evict what is needed next: frames
+// of twice the cache's size would then find nothing in it, and now find a fifth.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +16,8 @@
 #include <vector>
 
 #include "render/surfaces/surface_block.h"
+#include "render_gl/cache_options.h"
 #include "render_gl/gl/objects.h"
-#include "render_gl/surfaces/cache_options.h"
 #include "render_gl/surfaces/rect_allocator.h"
 
 namespace temblor::render_gl {
