@@ -34,6 +34,7 @@ Examples:
   temblor --basedir ~/quake lab compare painter painter:pvs=0 z-buffer --demo demo1 --json > lab.json
   temblor --basedir ~/quake lab replay ~/quake/id1/lockstep0000.replay
   temblor lab wire --loss 2 --latency 200
+  temblor --basedir ~/quake lab card --demo demo1 --size 640x480
   temblor --basedir ~/quake lab book --map start --map e1m1 -o book)";
 
 void add_scene_options(Command& command, LabOptions& io_options) {
@@ -292,6 +293,7 @@ LabCommands add_lab_command(Command& program, LabOptions& io_options) {
   commands.wire->add_flag("--json", io_options.json, "Print JSON");
   commands.wire->add_option("-o,--output", io_options.out, "Plots of freezes and bytes against loss")
       ->type_name("FILE.svg");
+  commands.card = add_card_command(*commands.lab, io_options.card);
   return commands;
 }
 
@@ -308,6 +310,7 @@ base::Status run_lab(const LabCommands& commands, const LabOptions& options, con
   }
   if (commands.replay->parsed()) return run_replay(options.replay, folders);
   if (commands.wire->parsed()) return run_wire(options.wire, folders, options.json, options.out);
+  if (commands.card->parsed()) return run_card(options.card, folders, presentation, settings);
   if (commands.book->parsed()) return make_book(options, folders, settings);
   const bool is_run = commands.run->parsed();
   if (is_run && options.technique == kSpaceName) {

@@ -8,6 +8,7 @@
 //   lab school               lessons for beginners
 //   lab replay FILE          a lockstep game, simulated again
 //   lab wire                 how a game's state gets to its players
+//   lab card                 caches of surfaces in the memory of the graphics card
 #pragma once
 
 #include <optional>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "app/commands/options.h"
+#include "app/lab/card/card_command.h"
 #include "app/lab/model_crowd.h"
 #include "app/lab/replay_command.h"
 #include "app/lab/space_command.h"
@@ -44,6 +46,7 @@ struct LabOptions {
   SpaceOptions space;
   ReplayOptions replay;
   WireOptions wire;
+  CardOptions card;
   bool json = false;
   // Picture file of `run`; empty: none. Folder of `book` and `school`.
   std::string out;
@@ -61,6 +64,7 @@ struct LabCommands {
   Command* school = nullptr;
   Command* replay = nullptr;
   Command* wire = nullptr;
+  Command* card = nullptr;
 };
 
 LabCommands add_lab_command(Command& program, LabOptions& io_options);

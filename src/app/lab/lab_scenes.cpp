@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/demo/demo_playback.h"
@@ -87,6 +88,26 @@ base::Status LabScenes::for_each_scene(Use use) const {
     }
     if (i > 0 && !has_more) break;
     use(playback.presentation().scene());
+  }
+  return base::Ok{};
+}
+
+base::Status LabScenes::play(double step_deg, base::FunctionRef<bool(const render::Scene&)> use) const {
+  if (map_) {
+    const int steps = static_cast<int>(std::ceil(360.0 / step_deg));
+    // The first camera is among the others too, if there are others.
+    for (std::size_t i = cameras_.size() > 1 ? 1 : 0; i < cameras_.size(); ++i)
+      for (int step = 0; step < steps; ++step) {
+        render::Camera camera = cameras_[i];
+        camera.angles_deg.y += static_cast<float>(step_deg * step);
+        if (!use(make_scene(level_scene_, camera, 0.0))) return base::Ok{};
+      }
+    return base::Ok{};
+  }
+  TRY(DemoPlayback playback, DemoPlayback::open(*demo_, presentation_));
+  for (bool has_more = true; has_more;) {
+    TRY(has_more, playback.advance_by_packet());
+    if (!use(playback.presentation().scene())) break;
   }
   return base::Ok{};
 }

@@ -49,6 +49,9 @@ class LabScenes {
   static constexpr std::size_t kMaxScenes = 8;
   using Use = base::FunctionRef<void(const render::Scene&)>;
   base::Status for_each_scene(Use use) const;
+  // Calls `use` for views or moments in their order, until it returns false: full circles at the viewpoints
+  // of the level, with `step_deg` between two views, or the packets of the demo.
+  base::Status play(double step_deg, base::FunctionRef<bool(const render::Scene&)> use) const;
   // Calls `use` for the scene of the picture: the chosen camera, or the start, or the middle of the demo. If
   // the scene has models before the camera, it is preceded by kMomentsBefore earlier moments, because
   // techniques may reuse pictures of models.

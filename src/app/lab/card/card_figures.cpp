@@ -1,0 +1,228 @@
+#include "app/lab/card/card_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/bench/measurement_output.h"
+#include "app/bench/samples.h"
+#include "app/files/progress.h"
+#include "app/files/system.h"
+#include "platform/egl/offscreen_context.h"
+#include "render/renderer.h"
+#include "render_gl/gl_renderer.h"
+
+namespace temblor::app {
+namespace {
+
+using render_gl::TexelFormat;
+
+int largest_difference(std::uint32_t a, std::uint32_t b) {
+  int largest = 0;
+  for (int shift = 0; shift < 24; shift += 8)
+    largest =
+        std::max(largest, std::abs(static_cast<int>(a >> shift & 255) - static_cast<int>(b >> shift & 255)));
+  return largest;
+}
+
+double compute_equal_share(const render::FrameBuffer& a, const render::FrameBuffer& b) {
+  std::size_t equal = 0;
+  for (std::size_t i = 0; i < a.pixel_count(); ++i) equal += largest_difference(a.rgb()[i], b.rgb()[i]) <= 2;
+  return static_cast<double>(equal) / static_cast<double>(a.pixel_count());
+}
+
+// Draws frames with one cache, and keeps their figures.
+class CardRun {
+ public:
+  CardRun(render_gl::GlRenderer gl, render::Renderer& cpu, FrameSize size, const render::Settings& settings)
+      : gl_(std::move(gl)),
+        cpu_(cpu),
+        settings_(settings),
+        gl_frame_(size.width, size.height, render::PixelFormat::kRgb),
+        cpu_frame_(size.width, size.height, render::PixelFormat::kRgb) {}
+
+  // The first scene is drawn twice, so that the frames take as long as in the middle of a game.
+  base::Status draw(const render::Scene& scene) {
+    if (frame_ms_.empty()) TRY_STATUS(gl_.render(scene, settings_, gl_frame_));
+    base::Status drawn = base::Ok{};
+    frame_ms_.push_back(time_ms([&] {
+      const auto stats = gl_.render(scene, settings_, gl_frame_);
+      if (!stats.ok()) drawn = stats.error();
+    }));
+    TRY_STATUS(drawn);
+    count(gl_.cache_counts());
+    // A sample that grows with the logarithm of the frames.
+    if (std::has_single_bit(frame_ms_.size())) {
+      cpu_.render(scene, settings_, cpu_frame_);
+      equal_shares_.push_back(compute_equal_share(gl_frame_, cpu_frame_));
+    }
+    return base::Ok{};
+  }
+
+  std::size_t frames() const { return frame_ms_.size(); }
+
+  void summarize(CardFigures& io_figures) const {
+    io_figures.cache_bytes = gl_.cache_bytes();
+    io_figures.frames = frames();
+    io_figures.frame_ms = compute_distribution(frame_ms_);
+    const auto mean = [&](double sum) { return frames() == 0 ? 0 : sum / static_cast<double>(frames()); };
+    io_figures.hits = mean(hits_);
+    io_figures.uploads = mean(uploads_);
+    io_figures.evicted = mean(evicted_);
+    io_figures.portions = mean(portions_);
+    io_figures.bytes_uploaded = mean(bytes_uploaded_);
+    io_figures.max_bytes_uploaded = max_bytes_uploaded_;
+    io_figures.equal_share = compute_mean(equal_shares_);
+  }
+
+ private:
+  void count(const render_gl::CacheCounts& counts) {
+    hits_ += counts.hits;
+    uploads_ += counts.uploads;
+    evicted_ += counts.evicted;
+    portions_ += counts.portions;
+    bytes_uploaded_ += static_cast<double>(counts.bytes_uploaded);
+    max_bytes_uploaded_ = std::max(max_bytes_uploaded_, static_cast<double>(counts.bytes_uploaded));
+  }
+
+  render_gl::GlRenderer gl_;
+  render::Renderer& cpu_;
+  const render::Settings& settings_;
+  render::FrameBuffer gl_frame_, cpu_frame_;
+  std::vector<double> frame_ms_, equal_shares_;
+  double hits_ = 0, uploads_ = 0, evicted_ = 0, portions_ = 0, bytes_uploaded_ = 0, max_bytes_uploaded_ = 0;
+};
+
+// When a run ends: after this number of frames, or this time if the number is 0.
+struct CardLimit {
+  std::size_t frames;
+  double seconds;
+};
+
+// The parts that all runs share.
+struct CardBench {
+  const LabScenes& scenes;
+  const CardGrid& grid;
+  const render::Settings& settings;
+  std::function<void*(const char* name)> find_function;
+  render::Renderer cpu;
+};
+
+base::Status measure_cache(CardBench& io_bench, const CardLimit& limit, CardFigures& io_figures) {
+  const assets::Look& look = io_bench.scenes.look();
+  TRY(render_gl::GlRenderer gl,
+      render_gl::GlRenderer::make(io_bench.find_function, look.palette, look.colormap, io_figures.cache));
+  CardRun run(std::move(gl), io_bench.cpu, io_figures.size, io_bench.settings);
+  base::Status drawn = base::Ok{};
+  const double end_s = clock_s() + limit.seconds;
+  TRY_STATUS(io_bench.scenes.play(io_bench.grid.step_deg, [&](const render::Scene& scene) {
+    drawn = run.draw(scene);
+    return drawn.ok() && (limit.frames > 0 ? run.frames() < limit.frames : clock_s() < end_s);
+  }));
+  TRY_STATUS(drawn);
+  run.summarize(io_figures);
+  return base::Ok{};
+}
+
+// Fails on machines whose OpenGL does not suffice, which would otherwise fail once for each cache.
+base::Result<std::string> describe_driver(const CardBench& bench) {
+  const assets::Look& look = bench.scenes.look();
+  TRY(const render_gl::GlRenderer gl,
+      render_gl::GlRenderer::make(bench.find_function, look.palette, look.colormap));
+  return gl.describe();
+}
+
+std::string describe_cache(const render_gl::CacheOptions& cache) {
+  return fmt::format("{} MB, {}", cache.bytes >> 20,
+                     cache.format == TexelFormat::k16Bit ? "16 bit" : "32 bit");
+}
+
+}  // namespace
+
+base::Result<CardResults> measure_card(const LabScenes& scenes, const CardGrid& grid,
+                                       const render::Settings& settings) {
+  TRY(const std::unique_ptr<platform::GlContext> context, platform::egl::make_offscreen_context());
+  TRY_STATUS(context->make_current());
+  CardBench bench{scenes, grid, settings, [&](const char* name) { return context->find_function(name); },
+                  render::Renderer(scenes.look().palette, scenes.look().colormap)};
+  CardResults results;
+  results.name = scenes.name();
+  TRY(results.driver, describe_driver(bench));
+  Progress progress("caches");
+  const std::size_t total = grid.sizes.size() * 2 * grid.megabytes.size();
+  for (const FrameSize size : grid.sizes) {
+    CardLimit limit{0, grid.seconds};
+    for (const TexelFormat format : {TexelFormat::k32Bit, TexelFormat::k16Bit})
+      for (const std::size_t megabytes : grid.megabytes) {
+        progress.update(results.caches.size(), total);
+        CardFigures figures;
+        figures.size = size;
+        figures.cache = {.bytes = megabytes << 20, .format = format};
+        const base::Status measured = measure_cache(bench, limit, figures);
+        if (!measured.ok()) figures.problem = measured.error().message();
+        if (limit.frames == 0) limit.frames = figures.frames;
+        results.caches.push_back(std::move(figures));
+      }
+  }
+  return results;
+}
+
+std::string describe_card(const CardResults& results) {
+  std::string text =
+      fmt::format("{}: surfaces in the memory of the card\n{}\n", results.name, results.driver);
+  const CardFigures* previous = nullptr;
+  for (const CardFigures& f : results.caches) {
+    if (previous == nullptr || format_size(previous->size) != format_size(f.size))
+      text += fmt::format(
+          "\n{}, {} frames\n"
+          "                 ms:                       per frame:                             most  memory   "
+          "equal\n"
+          "  cache          median     p99   worst    hits uploads evicted portions     KB     KB      MB  "
+          "pixels\n",
+          format_size(f.size), f.frames);
+    previous = &f;
+    if (!f.problem.empty()) {
+      text += fmt::format("  {:<14} {}\n", describe_cache(f.cache), f.problem);
+      continue;
+    }
+    text += fmt::format(
+        "  {:<14}{:>7.2f} {:>7.2f} {:>7.2f} {:>7.1f} {:>7.1f} {:>7.1f} {:>8.2f} {:>6.0f} {:>6.0f} {:>7.1f} "
+        "{:>6.2f}%\n",
+        describe_cache(f.cache), f.frame_ms.p50, f.frame_ms.p99, f.frame_ms.max, f.hits, f.uploads, f.evicted,
+        f.portions, f.bytes_uploaded / 1000, f.max_bytes_uploaded / 1000,
+        static_cast<double>(f.cache_bytes) / (1 << 20), 100 * f.equal_share);
+  }
+  return text;
+}
+
+nlohmann::json make_card_json(const CardResults& results) {
+  nlohmann::json caches = nlohmann::json::array();
+  for (const CardFigures& f : results.caches) {
+    caches.push_back({{"size", format_size(f.size)},
+                      {"megabytes", f.cache.bytes >> 20},
+                      {"bits", f.cache.format == TexelFormat::k16Bit ? 16 : 32}});
+    nlohmann::json& cache = caches.back();
+    if (!f.problem.empty()) {
+      cache["problem"] = f.problem;
+      continue;
+    }
+    cache.update({{"cache_bytes", f.cache_bytes},
+                  {"frames", f.frames},
+                  {"frame_ms", make_json(f.frame_ms)},
+                  {"hits", f.hits},
+                  {"uploads", f.uploads},
+                  {"evicted", f.evicted},
+                  {"portions", f.portions},
+                  {"bytes_uploaded", f.bytes_uploaded},
+                  {"max_bytes_uploaded", f.max_bytes_uploaded},
+                  {"equal_share", f.equal_share}});
+  }
+  return {{"scene", results.name}, {"driver", results.driver}, {"caches", std::move(caches)}};
+}
+
+}  // namespace temblor::app
