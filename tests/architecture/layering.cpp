@@ -132,8 +132,7 @@ std::string check_include(const Location& from, const Location& to, const std::s
   const bool is_chosen_by_app = from.folder == "app" && to.folder == "platform";
   // The laboratory and the renderer on the graphics card replace stages of the renderer, and build on the
   // others.
-  const bool is_shared_stage =
-      (from.folder == "lab" || from.folder == "render_gl") && to.folder == "render";
+  const bool is_shared_stage = (from.folder == "lab" || from.folder == "render_gl") && to.folder == "render";
   if (!to.room.empty() && !is_chosen_by_app && !is_shared_stage && !has_public_rooms(to.folder))
     return to.folder + "/" + to.room + " is private to " + to.folder;
   return "";
