@@ -1,7 +1,6 @@
 // The renderer on the graphics card: draws a Scene through OpenGL, as the CPU's renderer would draw it.
 //
-//   CPU    view -> visible faces -> edges -> scan -> surfaces    render's own stages: which tiles are
-//   visible,
+//   CPU    view -> visible faces -> edges -> scan -> surfaces    render's own stages: visible tiles,
 //            |                                        |          their mip levels, and their lit texels
 //            v                                        v
 //   card   vertices of the level, models   atlas of surface blocks -> pixels, tested against depth
