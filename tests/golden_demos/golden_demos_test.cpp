@@ -2,6 +2,10 @@
 // a line for each demo and color format, with one hash per second. The hashes change with the levels, the
 // art, and the game rules. Then look at the pictures, and rewrite the hashes by setting
 // TEMBLOR_REWRITE_GOLDENS.
+//
+// Eleven pictures differ between processors of AMD (golden.txt) and Intel (golden_intel.txt, which has the
+// lines that differ), because the levels are lit here. Probably samples of light are rounded differently:
+// Embree's reciprocals begin with the processor's approximation.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -22,12 +26,13 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kGolden = TEMBLOR_GOLDEN_RECORDINGS;
+const fs::path kGoldenIntel = kGolden.parent_path() / "golden_intel.txt";
 
 using Hashes = std::vector<std::uint64_t>;
 
-std::map<std::string, Hashes> golden_hashes() {
+std::map<std::string, Hashes> read_hashes(const fs::path& path) {
   std::map<std::string, Hashes> golden;
-  std::ifstream file(kGolden);
+  std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
     std::string demo, format;
@@ -72,7 +77,8 @@ Hashes picture_hashes(const std::string& demo, const std::string& format) {
 TEST(GoldenDemos, LookUnchanged) {
   const std::vector<std::string> demos = list_shipped_demos();
   ASSERT_FALSE(demos.empty());
-  const std::map<std::string, Hashes> golden = golden_hashes();
+  const std::map<std::string, Hashes> golden = read_hashes(kGolden);
+  const std::map<std::string, Hashes> golden_intel = read_hashes(kGoldenIntel);
   std::map<std::string, Hashes> now;
   for (const std::string& demo : demos)
     for (const std::string format : {"indexed", "rgb"})
@@ -84,6 +90,7 @@ TEST(GoldenDemos, LookUnchanged) {
   ASSERT_EQ(golden.size(), now.size()) << kGolden << " needs one line per demo and color format";
   for (const auto& [name, hashes] : now) {
     ASSERT_TRUE(golden.contains(name)) << name << " is not in " << kGolden;
+    if (golden_intel.contains(name) && golden_intel.at(name) == hashes) continue;
     const Hashes& expected = golden.at(name);
     EXPECT_GE(hashes.size(), 30u) << name;
     EXPECT_EQ(hashes.size(), expected.size()) << name << " has a different length";

